@@ -40,7 +40,7 @@ import sympy as sp
 from flint import arb, ctx
 
 from .repeated import Repeated
-from .restoring import ORDERS, Case, Regime, Restoring, slope
+from .restoring import ORDERS, Case, Regime, Restoring, average, slope
 from .symbols import A, u
 
 Let = tuple[sp.Symbol, sp.Expr]
@@ -588,6 +588,95 @@ def closed_forms(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: sp.Symbol) -> tuple
         -rest + 4 / sp.pi * b * (S_1 / c - x**3 / 3 * R_D(y**2, 1, c**2)),
     )
     return Regime((), (), (), attached_form), Regime((end,), (), lets, detached_form)
+
+
+# --- in balls: closed forms with three derivatives ---
+
+#: Carlson's symmetric integral of the first kind
+R_F = sp.Function("R_F")
+
+
+def by_second_parameter(F: sp.Expr, D: sp.Expr, m: sp.Expr, xy: sp.Expr, c: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """d/dm of F = int dt/Delta and of D = int sin^2 t/Delta dt over 0 < t < theta; xy = sin theta cos theta, c = Delta.
+
+    An error where the derivatives by theta of both sides are not the same; at theta = 0 both vanish.
+    """
+    theta, k, f, d = sp.symbols("theta k f d", positive=True)
+    delta = sp.sqrt(1 - k * sp.sin(theta) ** 2)
+
+    def of(f: sp.Expr, d: sp.Expr, m: sp.Expr, xy: sp.Expr, c: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        F_m = (f - d - xy / c) / (2 * (1 - m))
+        return F_m, (F_m - d / 2) / m
+
+    forms = of(f, d, k, sp.sin(theta) * sp.cos(theta), delta)
+    for form, power in zip(forms, (2, 4), strict=True):
+        slope_ = sp.diff(form, theta) + (sp.diff(form, f) + sp.diff(form, d) * sp.sin(theta) ** 2) / delta
+        if sp.simplify(slope_ - sp.sin(theta) ** power / (2 * delta**3)) != 0:
+            raise ArithmeticError("d/dm of an elliptic integral")
+    return of(F, D, m, xy, c)
+
+
+def in_balls(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: Corner) -> tuple[Regime, Regime]:
+    """The average with three derivatives in closed form, attached and detached: for as many digits as it takes.
+
+    What cancels in it is no matter there, and neither is that it divides by 1 - A^2.
+    """
+    F, D, x, y, c, theta = sp.symbols("F D x y c theta", positive=True)
+    root = sp.Symbol("root", nonnegative=True)
+    m = A**2
+
+    def regime(inner: sp.Expr, of_linear: sp.Expr, moved: Mapping[sp.Symbol, sp.Expr], lets: Sequence[Let]) -> Regime:
+        """h = A (of_linear + inner) with derivatives, by those of the names in it."""
+        slopes = [inner]
+        for _ in range(ORDERS):
+            last = slopes[-1]
+            value = sp.diff(last, A) + sum(sp.diff(last, name) * slope_ for name, slope_ in moved.items())
+            value = sp.expand(value)
+            gathered = [value.coeff(name, 1) for name in (F, D)]
+            none = value.subs({F: 0, D: 0})
+            slopes.append(sp.factor(gathered[0]) * F + sp.factor(gathered[1]) * D + sp.factor(none))
+        derivatives = [A * (of_linear + inner), of_linear + inner + A * slopes[1]]
+        derivatives += [n * slopes[n - 1] + A * slopes[n] for n in range(2, ORDERS + 1)]
+        return Regime((), (), tuple(lets), tuple(derivatives), -m * slopes[1])
+
+    F_m, D_m = by_second_parameter(F, D, m, 0, 1)
+    attached_form = regime(
+        b * (1 - 4 / sp.pi * D),
+        -a,
+        {F: 2 * A * F_m, D: 2 * A * D_m},
+        ((F, R_F(0, 1 - m, 1)), (D, R_D(0, 1 - m, 1) / 3)),
+    )
+    F_m, D_m = by_second_parameter(F, D, m, x * y, c)
+    angle_A = -x / (A * y)
+    detached_form = regime(
+        4 / sp.pi * b * ((theta - x * y) / (2 * c) - D),
+        -rest,
+        {
+            theta: angle_A,
+            x: -x / A,
+            y: x**2 / (A * y),
+            F: 2 * A * F_m + angle_A / c,
+            D: 2 * A * D_m + angle_A * x**2 / c,
+        },
+        (
+            (end.name, end.value),
+            (c, end.height),
+            (root, sp.sqrt((A - end.name) * (A + end.name))),
+            (x, end.name / A),
+            (y, root / A),
+            (theta, sp.atan2(end.name, root)),
+            (F, x * R_F(y**2, c**2, 1)),
+            (D, x**3 / 3 * R_D(y**2, c**2, 1)),
+        ),
+    )
+    return attached_form, detached_form
+
+
+def at_rest(piece: sp.Expr) -> tuple[sp.Expr, ...]:
+    """The average, its derivatives and `Regime.intercept` at A = 0: those of the force's first terms there."""
+    first = sp.series(piece, u, 0, ORDERS + 1).removeO()
+    regime = average((sp.expand(first),), (), 0)
+    return tuple(sp.sympify(value).subs(A, 0) for value in (*regime.derivatives, regime.intercept))
 
 
 def restoring(pieces: Sequence[sp.Expr], breakpoints: Mapping[sp.Symbol, sp.Expr]) -> Restoring:

@@ -1,6 +1,7 @@
 """Proofs at run time: enclosures hold certified values, nothing is left out, and what is in doubt is left in doubt."""
 
 import dataclasses
+import importlib.util
 import json
 import math
 import shutil
@@ -14,7 +15,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, backend, cli
-from slowflow.averaged import proofs, solvers
+from slowflow.averaged import proofs, solvers, words
 from slowflow.paper import example
 from tests.native.intervals import ELEMENTARY, OPERATIONS, Intervals
 from tests.oracles import averaged
@@ -60,13 +61,13 @@ def test_enclosures_hold_the_certified_folds_and_states_of_every_reference_case(
         model = oscillator(case).model
         for forcing in case["forcings"]:
             F_0 = forcing["F_0"][1]
-            proof = proofs.saddle_nodes(model, F_0, NOWHERE)
+            proof = proofs.folds_in_doubles(model, F_0, NOWHERE)
             asked, doubtful = asked + 1, doubtful + (not proof.proved)
             if proof.proved:
                 assert proof.bounded
                 check_folds(proof, forcing["folds"])
             for at in forcing["amplitudes"]:
-                found = proofs.amplitudes(model, at["Omega"][1], F_0)
+                found = proofs.states_in_doubles(model, at["Omega"][1], F_0)
                 asked, doubtful = asked + 1, doubtful + (not found.proved)
                 if found.proved:
                     assert found.stable.tolist() == [state["stable"] for state in at["steady"]]
@@ -126,7 +127,7 @@ def test_beside_a_double_fold_what_is_proved_is_true():
             continue
         model = oscillator(case).model
         for F_0, above in level_ulps(onset["F_SN"]):
-            proof = proofs.saddle_nodes(model, F_0, NOWHERE)
+            proof = proofs.folds_in_doubles(model, F_0, NOWHERE)
             if proof.proved:
                 assert len(proof.A) == (2 if above else 0)
             else:
@@ -215,13 +216,12 @@ def test_a_random_isolators_folds_are_proved_and_as_many_as_the_solvers_find():
 def test_where_there_is_no_proof_the_answer_says_why():
     iso = example.isolator()
     if backend.SOLVER is None:
-        assert iso.certify(0.04).saddle_nodes.message == proofs.NO_SOLVERS
-        assert not iso.certify(0.04).saddle_nodes.proved
+        assert proofs.folds_in_doubles(iso.model, 0.04, NOWHERE).message == words.NO_SOLVERS
         return
-    assert iso.replace(force="untruncated").certify(0.04).saddle_nodes.message == proofs.NO_INTERVALS
-    assert not iso.replace(force="untruncated").certify(0.04).saddle_nodes.proved
+    untruncated = iso.replace(force="untruncated").model
+    assert proofs.folds_in_doubles(untruncated, 0.04, NOWHERE).message == words.NO_INTERVALS
     undamped = iso.replace(zeta=0.0).certify(0.04)
-    assert undamped.saddle_node_onset.message == proofs.PROVED_NO_LOWEST
+    assert undamped.saddle_node_onset.message == words.OF_NO_LOWEST[True]
     assert not undamped.saddle_nodes.bounded
     stuck = iso.certify(0.9 * iso.sticking_forcing).saddle_nodes
     assert stuck.proved
@@ -229,7 +229,7 @@ def test_where_there_is_no_proof_the_answer_says_why():
     linear = iso.replace(delta_h=0.0).certify(0.04)
     assert linear.saddle_nodes.proved
     assert len(linear.saddle_nodes.A) == 0
-    assert linear.saddle_node_onset.message == proofs.PROVED_NO_ONSET
+    assert linear.saddle_node_onset.message == words.OF_NO_ONSET[True]
     assert str(iso.certify(0.04, Omega=0.9)).count("proved") == 4
 
 
@@ -316,10 +316,11 @@ def test_two_folds_whose_amplitudes_are_one_double_are_proved():
 
 
 @compiled
-def test_the_command_line_prints_the_certificate(capsys):
+def test_the_command_line_prints_the_certificate(capsys, monkeypatch):
     assert cli.main(["certify", "0.04", "--Omega", "0.9"]) == 0
     printed = capsys.readouterr().out.splitlines()
     assert printed == [repr(example.isolator()), *str(example.isolator().certify(0.04, Omega=0.9)).splitlines()]
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
     assert cli.main(["certify", repr(example.isolator().saddle_node_onset().F_SN)]) == 1
     assert "not proved" in capsys.readouterr().out
     assert cli.main(["certify", "-1"]) == 2

@@ -65,9 +65,9 @@ class Kernel:
     generic    -- in Python for any kind of number that has arithmetic, and NumPy's functions where it calls them:
                   floats, complex numbers, arrays, an integrator's symbols
     enclosed   -- whether it is wanted on intervals too, in C
-    searched   -- and on arrays of intervals, in Python
+    searched   -- and on intervals of any arithmetic, in Python
     looped     -- whether Python may have it as a compiled loop over arrays of floats: asked once an answer, it need not
-    paired     -- and in double-double, in C
+    paired     -- and in double-double, in C, and in balls, in Python
     to_pairs   -- of one in double-double: the lets that are wanted so, what is left to do being done in doubles; all
                   of it where there are none
     """
@@ -287,6 +287,7 @@ class Module:
     record     -- of a mechanism's own module
     cells      -- kernels that are wanted on intervals, and nowhere on doubles
     settled    -- kernels that are wanted in double-double only
+    balls      -- kernels that are wanted in balls only
     native     -- whether its loops over arrays are compiled into the package
     in_c       -- whether anything in C calls it: loops over arrays, or a solver
     sums       -- averages by quadrature
@@ -306,6 +307,7 @@ class Module:
     record: Record | None = None
     cells: tuple[Kernel, ...] = ()
     settled: tuple[Kernel, ...] = ()
+    balls: tuple[Kernel, ...] = ()
     native: bool = True
     in_c: bool = True
     sums: tuple[Sums, ...] = ()

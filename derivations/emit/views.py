@@ -140,6 +140,7 @@ def programs(module: Module) -> Code:
             *module.kernels,
             *module.cells,
             *module.settled,
+            *module.balls,
             *(module.enclosed.kernels if module.enclosed else ()),
         )
     }

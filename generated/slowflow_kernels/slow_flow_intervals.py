@@ -12,17 +12,55 @@ the methods `square` and `sqrt`.
 # fmt: off
 
 __all__ = [
+    "backbone",
     "cusp",
+    "cusp_bend",
     "cusp_R",
     "cusps",
+    "F",
     "F_A",
     "F_AA",
+    "F_AOmega",
+    "F_Omega",
+    "F_Omega_reduced",
+    "F_OmegaOmega",
     "fold",
     "fold_quartic",
     "isola",
+    "isola_bend",
+    "isola_Omega",
+    "least_restoring",
+    "level",
+    "level_rise",
+    "most_restoring",
     "peak",
     "peak_cubic",
+    "R",
+    "state",
+    "state_R",
 ]
+
+
+def R(Omega, A, h):
+    """Cosine balance, -F_0 cos phi at a fixed point.
+
+    Equation (23). Domain: Omega > 0, A > 0.
+    """
+    return (
+        A * Omega.square() + h
+    )
+
+
+def F(Omega, A, F_0, m, zeta, h):
+    """Frequency response; zero at a steady state.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    """
+    R = A * Omega.square() + h
+    I = 2.0 * A * Omega * zeta + m
+    return (
+        R.square() + (-F_0 + I) * (F_0 + I)
+    )
 
 
 def F_A(Omega, A, m, zeta, h, h_A):
@@ -52,6 +90,44 @@ def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
     )
 
 
+def F_Omega(Omega, A, m, zeta, h):
+    """dF/dOmega.
+
+    Equation (24), (34). Domain: Omega > 0, A > 0.
+    """
+    R = A * Omega.square() + h
+    I = 2.0 * A * Omega * zeta + m
+    return (
+        4.0 * A * (I * zeta + Omega * R)
+    )
+
+
+def F_AOmega(Omega, A, m, zeta, h, h_A):
+    """d2F/dA dOmega.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    """
+    t0 = Omega.square()
+    R = A * t0 + h
+    t1 = A * Omega
+    t2 = 2.0 * t1
+    I = m + t2 * zeta
+    return (
+        4.0 * (I * zeta + Omega * R + t1 * (h_A + t0) + t2 * zeta.square())
+    )
+
+
+def backbone(A, h):
+    """Frequency on the backbone.
+
+    Equation (26). Domain: A > 0, h <= 0.
+    """
+    square = -h / A
+    return (
+        square.sqrt()
+    )
+
+
 def fold_quartic(A, m, zeta, h, h_A):
     """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
@@ -74,6 +150,30 @@ def peak_cubic(A, m, zeta, h):
         m * zeta,
         2.0 * A * zeta.square() + h,
         A,
+    )
+
+
+def F_OmegaOmega(Omega, A, zeta, h):
+    """d2F/dOmega2.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    """
+    t0 = A * Omega.square()
+    R = h + t0
+    return (
+        4.0 * A * (2.0 * A * zeta.square() + R + 2.0 * t0)
+    )
+
+
+def level(Omega, A, m, zeta, h):
+    """The forcing F_0 for which (Omega, A) is a steady state.
+
+    Equation (24). Domain: Omega >= 0, A > 0.
+    """
+    R = A * Omega.square() + h
+    I = 2.0 * A * Omega * zeta + m
+    return (
+        (I.square() + R.square()).sqrt()
     )
 
 
@@ -100,6 +200,16 @@ def fold(A, F_0, m, zeta, h, h_A, k, k_A):
         F_0 * J.square() * k_A * (0.5 * t3 * t6 + (F_0 + m * t2) / excess) / (k.square()) + h_A - t4 * t7 /
         (A.square()),
         0.5 * lag * t5 / zeta,
+    )
+
+
+def isola_Omega(h_A):
+    """Omega at an isola point.
+
+    Equation from (30), (34). Domain: h_A >= 0.
+    """
+    return (
+        h_A.sqrt()
     )
 
 
@@ -174,4 +284,138 @@ def peak(Omega, A, F_0, m, zeta, h_A):
     return (
         R.square() + (-F_0 + I) * (F_0 + I),
         -2.0 * R * (Omega.square() - h_A),
+    )
+
+
+def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
+    """Positive where the level rises with A along the fold locus, negative where it falls.
+
+    Equation from (24), (30). Domain: Omega > 0, A > 0.
+    """
+    t0 = Omega.square()
+    R = A * t0 + h
+    t1 = A * Omega
+    t2 = 2.0 * t1
+    I = m + t2 * zeta
+    t3 = h_A + t0
+    t4 = zeta.square()
+    F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3.square())
+    t5 = I * zeta + Omega * R
+    F_Omega = 4.0 * A * t5
+    F_AOmega = 4.0 * (t1 * t3 + t2 * t4 + t5)
+    return (
+        -F_AA * F_AOmega * F_Omega
+    )
+
+
+def cusp_bend(Omega, A, m, zeta, h, h_A, h_AA, h_AAA):
+    """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
+
+    Equation from (24), (30). Domain: Omega > 0, A > 0.
+    """
+    t0 = Omega.square()
+    R = A * t0 + h
+    t1 = A * Omega
+    t2 = 2.0 * t1
+    I = m + t2 * zeta
+    t3 = h_A + t0
+    F_AAA = 2.0 * (R * h_AAA + 3.0 * h_AA * t3)
+    t4 = I * zeta + Omega * R
+    F_Omega = 4.0 * A * t4
+    F_AOmega = 4.0 * (t1 * t3 + t2 * zeta.square() + t4)
+    return (
+        -F_AAA * F_AOmega * F_Omega / A
+    )
+
+
+def isola_bend(Omega, A, m, zeta, h, h_A, h_AA):
+    """The same at an isola point.
+
+    Equation from (24), (30). Domain: Omega > 0, A > 0.
+    """
+    t0 = Omega.square()
+    R = A * t0 + h
+    t1 = 2.0 * zeta
+    t2 = A * Omega
+    I = m + t1 * t2
+    t3 = R * h_AA
+    t4 = h_A + t0
+    t5 = zeta.square()
+    t6 = 4.0 * t5
+    t7 = t0 * t6 + t4.square()
+    F_AA = 2.0 * (t3 + t7)
+    G_AOmega = 2.0 * t2 * t4 + t2 * t6
+    t8 = A.square()
+    G_OmegaOmega = 4.0 * t0 * t8 + t6 * t8
+    t9 = 2.0 * R
+    S_AOmega = I * t1 + Omega * t9
+    S_OmegaOmega = A * t9
+    t10 = 4.0 * S_OmegaOmega
+    t11 = -h_A + t0
+    return (
+        F_AA * (-8.0 * G_AOmega * S_AOmega + 4.0 * G_OmegaOmega * t3 - 4.0 * S_AOmega.square() + t10 * t3 + t10 * t7
+        + 16.0 * t11.square() * t5 * t8)
+    )
+
+
+def most_restoring(A, F_0, m, zeta):
+    """The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
+
+    Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0.
+    """
+    c = -0.5 * (-F_0 + m) / zeta
+    fastest = c / A
+    return (
+        F_0 + c * fastest
+    )
+
+
+def least_restoring(F_0, m):
+    """The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
+
+    Equation from (24), (30). Domain: F_0 >= m.
+    """
+    return (
+        (F_0 - m).sqrt() * (F_0 + m).sqrt()
+    )
+
+
+def F_Omega_reduced(Omega, A, m, zeta, h):
+    """F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
+
+    Equation (34). Domain: Omega > 0, A > 0.
+    """
+    p = 2.0 * A * zeta.square() + h
+    t0 = A * Omega.square()
+    return (
+        Omega * (p + t0) + m * zeta,
+        p + 3.0 * t0,
+    )
+
+
+def state_R(Omega, A, h, h_A, k):
+    """R by its definition, and by its tangent along A, which meets A = 0 at k = h - A h_A.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    """
+    t0 = Omega.square()
+    return (
+        A * t0 + h,
+        A * (h_A + t0) + k,
+    )
+
+
+def state(Omega, A, F_0, m, zeta, h_A, h_AA, R):
+    """F and its first two derivatives along A, by R (`state_R`).
+
+    Equation (24), (30), (33). Domain: Omega > 0, A > 0.
+    """
+    t0 = 2.0 * Omega * zeta
+    I = A * t0 + m
+    t1 = Omega.square()
+    t2 = h_A + t1
+    return (
+        R.square() + (-F_0 + I) * (F_0 + I),
+        2.0 * (I * t0 + R * t2),
+        2.0 * (R * h_AA + 4.0 * t1 * zeta.square() + t2.square()),
     )

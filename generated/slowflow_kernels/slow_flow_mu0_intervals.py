@@ -12,6 +12,7 @@ the methods `square` and `sqrt`.
 # fmt: off
 
 __all__ = [
+    "F_Omega_reduced",
     "isola",
 ]
 
@@ -27,4 +28,17 @@ def isola(A, m, zeta, h, h_A, h_AA):
     return (
         bracket,
         bracket_A,
+    )
+
+
+def F_Omega_reduced(Omega, A, m, zeta, h):
+    """F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
+
+    Equation (34). Domain: Omega > 0, A > 0.
+    """
+    t0 = 2.0 * A
+    p = h + t0 * zeta.square()
+    return (
+        A * Omega.square() + p,
+        Omega * t0,
     )

@@ -12,8 +12,20 @@ the methods `square` and `sqrt`.
 # fmt: off
 
 __all__ = [
+    "F_Omega_reduced",
     "fold",
+    "undamped_Omega",
 ]
+
+
+def undamped_Omega(h_A):
+    """Omega of the folds.
+
+    Equation from (30). Domain: h_A <= 0.
+    """
+    return (
+        (-h_A).sqrt()
+    )
 
 
 def fold(F_0, m, k, k_A):
@@ -26,4 +38,15 @@ def fold(F_0, m, k, k_A):
     return (
         (k - least) * (k + least),
         2.0 * k * k_A,
+    )
+
+
+def F_Omega_reduced(Omega, A, m, zeta, h):
+    """F_Omega/(4 A), without the factor Omega if it has that, and its slope along Omega.
+
+    Equation (34). Domain: Omega > 0, A > 0.
+    """
+    return (
+        A * Omega.square() + h,
+        2.0 * A * Omega,
     )

@@ -350,27 +350,33 @@ class FrequencyResponse(SteadyStates):
         return pictures.response(ax, self, validate.choice("of", of, DRAWN))
 
 
+#: bits of a double
+DOUBLES = 53
+
+
 @dataclass(frozen=True, eq=False)
 class Proved(Answer):
     """What is proved of the oscillator whose numbers are exactly the doubles that were given.
 
     proved  -- whether all of it is
     message -- what is not proved, and why; empty if there is nothing to say
+    bits    -- of the arithmetic: `DOUBLES` of intervals of doubles, more of balls
     """
 
     proved: bool
     message: str
+    bits: int
 
 
 @dataclass(frozen=True, eq=False)
 class ProvedStates(Proved):
-    """All steady states at a frequency, by rising A; each interval of A holds exactly one.
+    """All steady states at a frequency, by rising A; each interval of A holds one, no two the same.
 
     A       -- lowest and highest amplitude of each, shape (n, 2)
     stable  -- the sign of F_A (30), shape (n,)
     A_max   -- where it is proved there are no others up to this amplitude
     bounded -- whether it is proved that there are none above either, up to 2^60 times as high
-    doubt   -- intervals of A in which doubles do not decide, shape (k, 2)
+    doubt   -- intervals of A in which it is not decided, shape (k, 2)
     """
 
     A: Floats
@@ -382,7 +388,7 @@ class ProvedStates(Proved):
 
 @dataclass(frozen=True, eq=False)
 class ProvedFolds(Proved):
-    """All folds at a forcing, by rising Omega; each pair of intervals holds exactly one.
+    """All folds at a forcing, by rising Omega; each pair of intervals holds one, no two the same.
 
     Omega, A -- lowest and highest of each, shape (n, 2)
     kind     -- as in `SaddleNodes`, "" where the sign of F_AA is not proved
@@ -754,7 +760,8 @@ def _in_words(found: Certificate) -> Iterator[str]:
 
 
 def _verdict(found: Proved, what: str) -> str:
-    return joined(joined("proved" if found.proved else "not proved", what if found.proved else ""), found.message)
+    proved = "proved" if found.bits == DOUBLES else f"proved in balls of {found.bits} bits"
+    return joined(joined(proved if found.proved else "not proved", what if found.proved else ""), found.message)
 
 
 def _interval(ends: Floats) -> str:

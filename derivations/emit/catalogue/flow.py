@@ -70,8 +70,7 @@ def slow_flow_modules(results: Results) -> list[Module]:
     modules = []
     for scene in SCENES:
         kernels = [kernel for kernel in kernels_of(results, scene) if not scene or kernel.name in IN_SCENES]
-        searched = SEARCHED.get(scene, ())
-        enclosed = (*searched, *PROVED.get(scene, ()))
+        enclosed = (*SEARCHED.get(scene, ()), *PROVED.get(scene, ()))
         borrowed = tuple(kernel.name for kernel in kernels if scene and kernel in general)
         modules.append(
             Module(
@@ -92,7 +91,8 @@ def slow_flow_modules(results: Results) -> list[Module]:
                     replace(
                         kernel,
                         enclosed=kernel.name in enclosed,
-                        searched=kernel.name in searched,
+                        # friction's number is no double: balls have it
+                        searched=kernel.name in enclosed and kernel.name != "friction",
                         paired=not scene and kernel.name == "friction",
                     )
                     for kernel in kernels
@@ -519,7 +519,8 @@ def cell_kernels(along: Along, scene: str) -> tuple[Kernel, ...]:
         "(34)",
         lets=along.F_Omega_reduced_lets,
     )
-    return (reduced,) if scene else (reduced, *state_cells(along), *cusp_cells(along.damped))
+    searched = tuple(replace(one, searched=True) for one in (reduced, *(() if scene else state_cells(along))))
+    return searched if scene else (*searched, *cusp_cells(along.damped))
 
 
 def state_cells(along: Along) -> tuple[Kernel, ...]:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
+from ... import elliptic
 from ...elliptic import evaluable, parts
 from ...mechanisms import Mechanism, Parameter
 from ...off_centre import steps
@@ -74,6 +75,7 @@ def mechanism_module(mechanisms: Mapping[str, OfMechanism], name: str, flow: Mod
             *resultant_kernels(derived),
         ),
         cells=cell_kernels(derived),
+        balls=ball_kernels(derived),
         selections=(*averages.selections, *selections(averages, compiled=not is_spelled_out(derived))),
         compositions=tuple(compositions(flow, mechanism, averages.pair, compiled=not is_spelled_out(derived)))
         if flow
@@ -260,6 +262,56 @@ def cell_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
             parameters=len(parameters) + len(named),
             paired=True,
         ),
+    )
+
+
+def ball_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
+    """What a proof asks for where an average is an algorithm that only approaches it: closed forms, for balls."""
+    if is_enclosed(derived):
+        return ()
+    dimensionless, whole = derived.oscillator, derived.whole
+    mechanism = dimensionless.mechanism
+    parameters = mechanism.parameters
+    values = definitions_of(derived)
+    ((name, value),) = dimensionless.breakpoints.items()
+    (a, b), (rest, _) = (parts(piece) for piece in whole.pieces)
+    end, height = elliptic.corner(name, value), sp.Symbol("c", positive=True)
+    regimes = elliptic.in_balls(a, b, rest, end)
+    cases = tuple(
+        Branch(f"passed_{passed}", ((A, name),), regime.lets, (*regime.derivatives, regime.intercept), passed=passed)
+        for passed, regime in enumerate(regimes)
+    )
+    below, above = (sp.diff(piece, u).subs(elliptic.ROOT, height).subs(u, name) for piece in whole.pieces)
+    return (
+        plain(
+            "given",
+            tuple(parameter.symbol for parameter in mechanism.design),
+            (*(values[parameter] for parameter in parameters), *whole.jumps),
+            "The parameters from the design, and what the force loses at each breakpoint.",
+            "(5)-(7)",
+            "any design",
+        ),
+        plain(
+            "breakpoints", parameters, (value,), "The |u| at which a piece of the force ends.", "(5)", "any parameters"
+        ),
+        plain(
+            "kinks",
+            parameters,
+            (below - above,),
+            "What the slope of the force loses at each breakpoint.",
+            "(5)",
+            "any parameters",
+            lets=((name, value), (height, end.height)),
+        ),
+        plain(
+            "at_rest",
+            parameters,
+            elliptic.at_rest(whole.pieces[0]),
+            f"{', '.join(map(str, AVERAGED))}, h - A h_A at A = 0.",
+            "(20)-(22), (31)",
+            "any parameters",
+        ),
+        replace(averaged_kernel(derived, "known", (*OF_H, "h - A h_A"), cases), arguments=(A, *parameters)),
     )
 
 

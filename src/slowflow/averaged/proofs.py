@@ -1,36 +1,27 @@
 """Proofs: in goes a model with the numbers that it was made from, out come enclosures, and what is proved of them.
 
 The compiled solvers compute in intervals of doubles (native/proof.h). What is certified is the oscillator whose numbers
-are the given doubles, exactly: parameters that follow from them, as alpha, u_cr and m, are intervals.
+are the given doubles, exactly: parameters that follow from them, as alpha, u_cr and m, are intervals. Where these do
+not decide, or the solvers have no proof, balls of more digits do (averaged/balls), if python-flint is there.
 """
 
 from __future__ import annotations
 
+import dataclasses
+import importlib.util
 from collections.abc import Callable
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from slowflow import backend
 from slowflow.averaged import words
 from slowflow.model import Floats, Model
-from slowflow.results import ProvedFolds, ProvedForcing, ProvedStates
+from slowflow.results import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates, joined
 from slowflow_kernels.conventions import OnsetKind, Status
 
-NO_SOLVERS = "not certified: that needs the compiled solvers"
-NO_DESIGN = "not certified: the numbers that the parameters follow from are not known"
-NO_INTERVALS = "not certified: the average of this force is not known on intervals"
-FAILED = "not certified: the response is unresolved"
-IN_DOUBT = "doubles do not decide for A in {}"
-NO_ROOM = "there are more of them than places"
-UNBOUNDED = "only amplitudes up to {:.6g} are looked at"
-NO_LOWEST = "not certified: that no forcing is the lowest that has a fold is not proved"
-PROVED_NO_LOWEST = "no lowest forcing: zeta = 0, and there are folds as near above 4 mu/pi as one asks"
-NO_ONSET = "not certified: that no fold is born at any forcing is not proved"
-PROVED_NO_ONSET = "no saddle node is born at any forcing"
-ONSET_IN_DOUBT = "doubles do not decide whether a lower forcing has a fold"
-NEAR_STICKING = "F_0 is so near to 4 mu/pi that doubles do not decide whether the mass moves"
+Answer = TypeVar("Answer", bound=Proved)
 
 _NONE = np.empty((0, 2))
 _NOTHING = np.empty(0)
@@ -42,11 +33,11 @@ _KINDS = np.array(["", "jump-down", "jump-up"])
 def _asked(proof: Callable[[ModuleType], Callable[..., Any]], model: Model, *numbers: Any) -> tuple[Any, str]:
     """What one of the compiled solvers' proofs gives, or why there is none."""
     if backend.SOLVER is None or model.native is None:
-        return None, NO_SOLVERS
+        return None, words.NO_SOLVERS
     if not model.design:
-        return None, NO_DESIGN
+        return None, words.NO_DESIGN
     answer = proof(backend.SOLVER)(model.native, *numbers)
-    return answer, "" if answer is not None else NO_INTERVALS
+    return answer, "" if answer is not None else words.NO_INTERVALS
 
 
 def _remarks(
@@ -54,67 +45,99 @@ def _remarks(
 ) -> tuple[bool, str]:
     """Whether it is all proved, and what to say beside it."""
     if status == Status.STICKS:
-        return bounded, words.sticks(model, F_0) if bounded else NEAR_STICKING
+        return bounded, words.sticks(model, F_0) if bounded else words.NEAR_STICKING
     if status != Status.OK:
-        return False, FAILED
+        return False, words.FAILED
     said = []
     if len(doubt):
-        said.append(IN_DOUBT.format(", ".join(f"[{low:.17g}, {high:.17g}]" for low, high in doubt)))
+        said.append(words.IN_DOUBT.format(", ".join(f"[{low:.17g}, {high:.17g}]" for low, high in doubt)))
     if not room:
-        said.append(NO_ROOM)
+        said.append(words.NO_ROOM)
     if not bounded:
-        said.append(UNBOUNDED.format(A_max))
+        said.append(words.NOT_BOUNDED.format(A_max))
     return not len(doubt) and room, "; ".join(said)
+
+
+def _decided(found: Answer, model: Model, question: str, *numbers: float) -> Answer:
+    """An answer that doubles gave, or, where it is not proved, what balls say instead."""
+    if found.proved or not model.design:
+        return found
+    if importlib.util.find_spec("flint") is None:
+        return dataclasses.replace(found, message=joined(found.message, words.NO_BALLS))
+    from slowflow.averaged.balls import answers
+
+    decided: Answer | None = getattr(answers, question)(model, *numbers)
+    return found if decided is None else decided
 
 
 def saddle_nodes(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
     """Every fold at F_0, with what is proved of it; `expected`: amplitudes where some are, which saves time."""
-    answer, reason = _asked(lambda solver: solver.certify_folds, model, F_0, expected)
-    if answer is None:
-        return ProvedFolds(False, reason, _NONE, _NONE, _KINDS[:0], _NO_FLAG, 0.0, False, _NONE)
-    status, Omega, A, corner, sign, doubt, A_max, bounded, room = answer
-    proved, message = _remarks(model, F_0, status, doubt, A_max, bounded, room)
-    return ProvedFolds(proved, message, Omega, A, _KINDS[sign], corner, A_max, bounded, doubt)
+    return _decided(folds_in_doubles(model, F_0, expected), model, "saddle_nodes", F_0)
 
 
 def amplitudes(model: Model, Omega: float, F_0: float) -> ProvedStates:
     """Every state at (Omega, F_0), with what is proved of it."""
-    answer, reason = _asked(lambda solver: solver.certify_states, model, F_0, Omega)
-    if answer is None:
-        return ProvedStates(False, reason, _NONE, _NO_FLAG, 0.0, False, _NONE)
-    status, _, A, _, sign, doubt, A_max, bounded, room = answer
-    order = np.argsort(A[:, 0])
-    proved, message = _remarks(model, F_0, status, doubt, A_max, bounded, room)
-    return ProvedStates(proved, message, A[order], sign[order] > 0, A_max, bounded, doubt)
+    return _decided(states_in_doubles(model, Omega, F_0), model, "amplitudes", Omega, F_0)
 
 
 def onset(model: Model) -> ProvedForcing:
     """F_SN, and that no fold is born at a lower forcing."""
+    return _decided(onset_in_doubles(model), model, "onset")
+
+
+def detachment(model: Model) -> ProvedForcing:
+    """F_cr: an enclosure of the lowest forcing that reaches the first breakpoint."""
+    return _decided(detachment_in_doubles(model), model, "detachment")
+
+
+def folds_in_doubles(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
+    """`saddle_nodes` by doubles alone."""
+    answer, reason = _asked(lambda solver: solver.certify_folds, model, F_0, expected)
+    if answer is None:
+        return ProvedFolds(False, reason, DOUBLES, _NONE, _NONE, _KINDS[:0], _NO_FLAG, 0.0, False, _NONE)
+    status, Omega, A, corner, sign, doubt, A_max, bounded, room = answer
+    proved, message = _remarks(model, F_0, status, doubt, A_max, bounded, room)
+    return ProvedFolds(proved, message, DOUBLES, Omega, A, _KINDS[sign], corner, A_max, bounded, doubt)
+
+
+def states_in_doubles(model: Model, Omega: float, F_0: float) -> ProvedStates:
+    """`amplitudes` by doubles alone."""
+    answer, reason = _asked(lambda solver: solver.certify_states, model, F_0, Omega)
+    if answer is None:
+        return ProvedStates(False, reason, DOUBLES, _NONE, _NO_FLAG, 0.0, False, _NONE)
+    status, _, A, _, sign, doubt, A_max, bounded, room = answer
+    order = np.argsort(A[:, 0])
+    proved, message = _remarks(model, F_0, status, doubt, A_max, bounded, room)
+    return ProvedStates(proved, message, DOUBLES, A[order], sign[order] > 0, A_max, bounded, doubt)
+
+
+def onset_in_doubles(model: Model) -> ProvedForcing:
+    """`onset` by doubles alone."""
     answer, reason = _asked(lambda solver: solver.certify_onset, model)
     if answer is None:
         return _no_forcing(reason)
     status, *ends, proved = answer
     if status != Status.OK:
-        said = {Status.UNBOUNDED: (NO_LOWEST, PROVED_NO_LOWEST), Status.NONE: (NO_ONSET, PROVED_NO_ONSET)}
-        return _no_forcing(said.get(status, (FAILED, FAILED))[proved], proved=proved)
+        said = {Status.UNBOUNDED: words.OF_NO_LOWEST, Status.NONE: words.OF_NO_ONSET}
+        return _no_forcing(said.get(status, (words.FAILED, words.FAILED))[proved], proved=proved)
     *ends, kind = ends
     F_SN, Omega, A = map(np.array, ends)
     word = OnsetKind(kind).name.lower() if kind != OnsetKind.NO else ""
-    return ProvedForcing(proved, "" if proved else ONSET_IN_DOUBT, F_SN, Omega, A, word)
+    return ProvedForcing(proved, "" if proved else words.ONSET_IN_DOUBT, DOUBLES, F_SN, Omega, A, word)
 
 
-def detachment(model: Model) -> ProvedForcing:
-    """F_cr: an enclosure of the lowest forcing that reaches the first breakpoint."""
+def detachment_in_doubles(model: Model) -> ProvedForcing:
+    """`detachment` by doubles alone."""
     answer, reason = _asked(lambda solver: solver.certify_detachment, model)
     if answer is None:
         return _no_forcing(reason)
     if answer[0] == Status.NONE:
         return _no_forcing(words.NO_DETACHMENT, proved=True)
     if answer[0] != Status.OK:
-        return _no_forcing(FAILED)
+        return _no_forcing(words.FAILED)
     F_cr, Omega_cr, u_cr = map(np.array, answer[1:])
-    return ProvedForcing(True, "", F_cr, Omega_cr, u_cr, "")
+    return ProvedForcing(True, "", DOUBLES, F_cr, Omega_cr, u_cr, "")
 
 
 def _no_forcing(reason: str, *, proved: bool = False) -> ProvedForcing:
-    return ProvedForcing(proved, reason, _NOTHING, _NOTHING, _NOTHING, "")
+    return ProvedForcing(proved, reason, DOUBLES, _NOTHING, _NOTHING, _NOTHING, "")

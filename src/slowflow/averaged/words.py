@@ -44,6 +44,28 @@ OPEN = (
     "no lowest amplitude of the excitation is attained: folds come ever lower as they go to higher amplitudes or Omega"
 )
 
+#: of proofs
+NO_SOLVERS = "not certified: that needs the compiled solvers"
+NO_DESIGN = "not certified: the numbers that the parameters follow from are not known"
+NO_INTERVALS = "not certified: the average of this force is not known on intervals of doubles"
+NO_BALLS = "balls of more digits may decide: pip install 'slowflow[proofs]'"
+FAILED = "not certified: the response is unresolved"
+IN_DOUBT = "doubles do not decide for A in {}"
+BALLS_IN_DOUBT = "balls of {} bits do not decide{}"
+NO_ROOM = "there are more of them than places"
+NOT_BOUNDED = "only amplitudes up to {:.6g} are looked at"
+NEAR_STICKING = "F_0 is so near to 4 mu/pi that doubles do not decide whether the mass moves"
+ONSET_IN_DOUBT = "doubles do not decide whether a lower forcing has a fold"
+#: of an onset that there is not: what is not proved, and what is
+OF_NO_LOWEST = (
+    "not certified: that no forcing is the lowest that has a fold is not proved",
+    "no lowest forcing: zeta = 0, and there are folds as near above 4 mu/pi as one asks",
+)
+OF_NO_ONSET = (
+    "not certified: that no fold is born at any forcing is not proved",
+    "no saddle node is born at any forcing",
+)
+
 
 def does_not_close(A_max: float) -> tuple[float, str]:
     """Where a response is cut that has no end, though there is viscous damping, and a remark."""

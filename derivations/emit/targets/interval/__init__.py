@@ -3,10 +3,11 @@
 In:  `Module`s with the straight-line code of their kernels; of these the kernels that say `enclosed`, and `cells`.
 Out: a dict from file name (below `generated/`) to text.
 
-The C calls native/interval.h, which is runtime code; the Python takes objects with operators, `square` and `sqrt`, and
-has what the search along the amplitude asks. In C a let that stands for a series cut short is widened by the bound that
-the derivation gives. By how much an amplitude exceeds the breakpoint where its piece begins is an argument of its own:
-the difference would lose its digits next to a breakpoint that is known to a rounding only.
+The C calls native/interval.h, which is runtime code; the Python takes objects with operators, `square` and `sqrt`,
+and has what the search along the amplitude asks, and proofs in balls. In C a let that stands for a series cut short
+is widened by the bound that the derivation gives. By how much an amplitude exceeds the breakpoint where its piece
+begins is an argument of its own: the difference would lose its digits next to a breakpoint that is known to a
+rounding only.
 """
 
 from __future__ import annotations
@@ -65,7 +66,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
                 **ABOUT,
                 **known,
             )
-        searched = [kernel for kernel in module.kernels if kernel.searched]
+        searched = [kernel for kernel in (*module.kernels, *module.cells) if kernel.searched]
         if searched:
             result[f"slowflow_kernels/{name_of(module)}.py"] = environment.get_template("module.py.jinja").render(
                 kernels=[view(kernel, code[module.name][kernel.name], PYTHON) for kernel in searched], **known

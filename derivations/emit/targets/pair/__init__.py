@@ -75,14 +75,19 @@ def choice(printed: KernelView) -> list[tuple[str, str]]:
     return [(f"passed == {branch.passed}", view.name) for view, branch in pairs]
 
 
-def near(kernel: Kernel, code: Code) -> KernelView:
-    """A kernel printed, without branches in which a series is cut short; the others differ in breakpoints passed."""
+def closed(kernel: Kernel, code: Code) -> tuple[Kernel, list[Program]]:
+    """A kernel without branches in which a series is cut short; the others differ in breakpoints passed."""
     kept = [k for k, branch in enumerate(kernel.branches) if not branch.remainders]
     programs = [code[kernel.name][k] for k in kept]
     kernel = replace(kernel, branches=tuple(kernel.branches[k] for k in kept))
     if len(kept) > 1:
         kernel, programs = interval.beyond_breakpoints(kernel, programs)
-    kernel = replace(kernel, branches=tuple(replace(branch, guards=()) for branch in kernel.branches))
+    return replace(kernel, branches=tuple(replace(branch, guards=()) for branch in kernel.branches)), programs
+
+
+def near(kernel: Kernel, code: Code) -> KernelView:
+    """The same printed."""
+    kernel, programs = closed(kernel, code)
     printed = view(kernel, programs, C)
     if not kernel.to_pairs:
         return printed

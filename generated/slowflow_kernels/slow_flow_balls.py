@@ -1,0 +1,28 @@
+"""Slow flow of any mechanism, in h = H - A and its derivatives: in balls.
+
+Written by `make derive`; never edit.
+Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/offset.py, derivations/along.py, derivations/slopes.py, derivations/bounds.py, derivations/gradients.py, derivations/newton.py, derivations/resultants.py
+Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
+
+Arguments are `flint.arb`, or numbers that are exact; each output holds the value of the function of the same name, to the
+digits of `flint.ctx`. passed_n is meant where A exceeds n breakpoints; beyond: by how much it exceeds the last of these.
+"""
+
+# a formatter would spread each polynomial over a page
+# fmt: off
+
+from flint import arb
+
+__all__ = [
+    "friction",
+]
+
+
+def friction(mu):
+    """Dry friction's share of I.
+
+    Equation (23). Domain: mu >= 0.
+    """
+    return (
+        (4 / arb.pi()) * mu
+    )

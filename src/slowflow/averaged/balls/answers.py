@@ -1,0 +1,170 @@
+"""Proofs in balls: in go a model with the numbers that it was made from, out come enclosures, and what is proved.
+
+As averaged/proofs.py has them from doubles, with twice as many bits and more, until all is decided or `BITS` are used
+up. Also where doubles have no proof at all: the force is averaged by sums that only approach the integral, or the
+solvers are not compiled. None where balls have none either.
+"""
+
+from __future__ import annotations
+
+import math
+import threading
+from collections.abc import Callable
+from typing import TypeVar
+
+import numpy as np
+from flint import arb, ctx
+
+from slowflow.averaged import solvers, words
+from slowflow.averaged.balls.enclosure import Enclosure
+from slowflow.averaged.balls.given import Given, averages_of
+from slowflow.averaged.balls.questions import (
+    ABOVE_ONSET,
+    Asked,
+    Candidate,
+    Found,
+    is_bounded,
+    lowest_next_to,
+    lowest_of_all,
+    tends_to_friction,
+)
+from slowflow.averaged.reference.bounds import amplitude_bound
+from slowflow.model import Floats, Model
+from slowflow.results import Proved, ProvedFolds, ProvedForcing, ProvedStates
+from slowflow_kernels.conventions import OnsetKind
+
+#: how many bits are tried, in turn
+BITS = (128, 512)
+
+Answer = TypeVar("Answer", bound=Proved)
+
+#: the digits of FLINT are one number for all threads
+_DIGITS = threading.Lock()
+
+
+def _decided(model: Model, ask: Callable[[Given], Answer | None]) -> Answer | None:
+    """An answer that is proved by as few bits as it takes, or that of the most."""
+    averages = averages_of(model.mechanism)
+    if averages is None or not model.design or len(model.breakpoints) != len(model.jumps):
+        return None
+    found = None
+    with _DIGITS, np.errstate(all="ignore"):
+        for bits in BITS:
+            with ctx.workprec(bits):
+                found = ask(Given(model, averages))
+            if found is None or found.proved:
+                break
+    return found
+
+
+def _double(end: arb, towards: float) -> float:
+    """The double that is an exact number, or the next one on that side."""
+    value = float(end)
+    beyond = arb(value) > end if towards < 0 else arb(value) < end
+    return math.nextafter(value, towards) if beyond else value
+
+
+def _pair(x: Enclosure) -> list[float]:
+    return [_double(x.lo, -math.inf), _double(x.hi, math.inf)]
+
+
+def _pairs(enclosures: list[Enclosure]) -> Floats:
+    """Enclosures by doubles, shape (n, 2)."""
+    return np.array([_pair(one) for one in enclosures], dtype=float).reshape(-1, 2)
+
+
+def _remarks(found: Found, bounded: bool, A_max: float) -> str:
+    said = []
+    if found.doubts:
+        where = ", ".join(f"[{low:.17g}, {high:.17g}]" for low, high in _pairs(found.doubts))
+        said.append(words.BALLS_IN_DOUBT.format(ctx.prec, f" for A in {where}"))
+    if not bounded:
+        said.append(words.NOT_BOUNDED.format(A_max))
+    return "; ".join(said)
+
+
+def _of_forcing(
+    model: Model, F_0: float, ask: Callable[[Asked, float], Found], answer: Callable[..., Answer]
+) -> Answer | None:
+    """Folds or states at a forcing."""
+
+    def at(given: Given) -> Answer | None:
+        if F_0 <= given.m.lo:
+            return answer(True, words.sticks(model, F_0), Found(), 0.0, True)
+        if not F_0 > given.m.hi:
+            return answer(False, words.BALLS_IN_DOUBT.format(ctx.prec, " whether the mass moves"), Found(), 0.0, False)
+        try:
+            A_max, _ = amplitude_bound(model, F_0)
+        except OverflowError:
+            return None
+        found, bounded = ask(Asked(given, F_0), A_max), is_bounded(given, arb(F_0), A_max)
+        return answer(not found.doubts, _remarks(found, bounded, A_max), found, A_max, bounded)
+
+    return _decided(model, at)
+
+
+def saddle_nodes(model: Model, F_0: float) -> ProvedFolds | None:
+    """Every fold at F_0, with what is proved of it."""
+    kinds = {0: "", 1: "jump-down", -1: "jump-up"}
+
+    def answer(proved: bool, message: str, found: Found, A_max: float, bounded: bool) -> ProvedFolds:
+        kind = np.array([kinds[sign] for sign in found.sign], dtype="U9")
+        corner = np.array(found.corner, dtype=bool)
+        enclosed = _pairs(found.Omega), _pairs(found.A), kind, corner
+        return ProvedFolds(proved, message, ctx.prec, *enclosed, A_max, bounded, _pairs(found.doubts))
+
+    return _of_forcing(model, F_0, lambda asked, A_max: asked.folds(A_max), answer)
+
+
+def amplitudes(model: Model, Omega: float, F_0: float) -> ProvedStates | None:
+    """Every state at (Omega, F_0), with what is proved of it."""
+
+    def answer(proved: bool, message: str, found: Found, A_max: float, bounded: bool) -> ProvedStates:
+        stable = np.array([sign > 0 for sign in found.sign], dtype=bool)
+        return ProvedStates(proved, message, ctx.prec, _pairs(found.A), stable, A_max, bounded, _pairs(found.doubts))
+
+    return _of_forcing(model, F_0, lambda asked, A_max: asked.states(Omega, A_max), answer)
+
+
+def _forcing(proved: bool, message: str, best: Candidate | None = None) -> ProvedForcing:
+    if best is None:
+        nothing = np.empty(0)
+        return ProvedForcing(proved, message, ctx.prec, nothing, nothing, nothing, "")
+    F_0, Omega, A = (np.array(_pair(one)) for one in (best.level, best.Omega, best.A))
+    kind = best.kind.name.lower() if best.kind is not OnsetKind.NO else ""
+    return ProvedForcing(proved, message, ctx.prec, F_0, Omega, A, kind)
+
+
+def onset(model: Model) -> ProvedForcing | None:
+    """F_SN, and that no fold is born at a lower forcing; or that there is none, or none that is the lowest."""
+    try:
+        F_SN = solvers.onset(model).F_SN
+        A_max = math.nan if F_SN is None else amplitude_bound(model, F_SN * (1 + ABOVE_ONSET))[0]
+    except ArithmeticError:  # unresolved, or beyond the range of doubles
+        F_SN, A_max = None, math.nan
+
+    def at(given: Given) -> ProvedForcing | None:
+        if model.zeta == 0 and F_SN is None:
+            proved = tends_to_friction(given)
+            return _forcing(proved, words.OF_NO_LOWEST[proved])
+        best, proved = lowest_of_all(given) if F_SN is None else lowest_next_to(given, F_SN, A_max)
+        if best is None:
+            return _forcing(proved, words.OF_NO_ONSET[proved])
+        return _forcing(proved, "" if proved else words.BALLS_IN_DOUBT.format(ctx.prec, ""), best)
+
+    return _decided(model, at)
+
+
+def detachment(model: Model) -> ProvedForcing | None:
+    """F_cr: an enclosure of the lowest forcing that reaches the first breakpoint."""
+
+    def at(given: Given) -> ProvedForcing | None:
+        if not given.count:
+            return _forcing(True, words.NO_DETACHMENT)
+        found = Asked(given, math.inf).detachment()
+        if found is None:
+            return None
+        level, Omega = found
+        return _forcing(True, "", Candidate(level, Omega, given.b[0], OnsetKind.NO))
+
+    return _decided(model, at)

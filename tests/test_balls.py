@@ -1,0 +1,249 @@
+"""Proofs in balls: what doubles leave undecided is decided, and right; so is the force that is not truncated."""
+
+import importlib.util
+import itertools
+import math
+import warnings
+from fractions import Fraction
+
+import flint
+import mpmath
+import numpy as np
+import pytest
+
+from slowflow import Duffing, Isolator
+from slowflow.averaged import proofs, words
+from slowflow.averaged.balls import answers
+from slowflow.averaged.balls.enclosure import Enclosure
+from slowflow.averaged.balls.given import Given, averages_of
+from slowflow.paper import example
+from slowflow.results import DOUBLES
+from tests.test_certified import CASES, check_folds, holds, level_ulps, oscillator
+
+#: designs of the force that is not truncated: as in Table 1, nearly quasi-zero stiffness, negative stiffness, steep
+UNTRUNCATED = (
+    {"lam": 3.0, "r": 2.0275974025974026, "delta_h": 0.08220, "mu": 0.012, "zeta": 0.02},
+    {"lam": 2.0, "r": 4.0, "delta_h": 0.12, "mu": 0.004, "zeta": 0.01},
+    {"lam": 3.0, "r": 2.0, "delta_h": 0.17, "mu": 0.01, "zeta": 0.03},
+    {"lam": 1.0, "r": 0.6, "delta_h": 0.9, "mu": 0.01, "zeta": 0.02},
+)
+
+
+def untruncated(design):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of negative stiffness
+        return Isolator(**design, force="untruncated")
+
+
+OPERATIONS = {
+    "add": lambda x, y: x + y,
+    "sub": lambda x, y: x - y,
+    "mul": lambda x, y: x * y,
+    "div": lambda x, y: x / y,
+    "square": lambda x, y: x.square(),
+    "sqrt": lambda x, y: x.sqrt().square(),
+}
+
+
+@pytest.mark.parametrize("name", OPERATIONS)
+def test_an_operation_on_enclosures_holds_what_exact_arithmetic_gives(name):
+    rng = np.random.default_rng(5)
+    ends = np.sort(rng.choice([-1, 1, 1], (300, 2, 2)) * 10.0 ** rng.uniform(-3, 3, (300, 2, 2)), axis=2)
+    ends[::7, 0, 0], ends[::11, 1, 1] = -math.inf, math.inf
+    with flint.ctx.workprec(40):  # fewer than a double has: each operation rounds
+        for (a, b), (c, d) in ends.tolist():
+            x, y = (Enclosure(flint.arb(low), flint.arb(high)) for low, high in ((a, b), (c, d)))
+            found = OPERATIONS[name](x, y)
+            for p, q in itertools.product((max(a, -1e9), b, 0.5 * (max(a, -1e9) + b)), (c, min(d, 1e9))):
+                u, v = Fraction(p), Fraction(q)
+                if (name == "sqrt" and u < 0) or (name == "div" and v == 0):
+                    continue
+                exact = {"add": u + v, "sub": u - v, "mul": u * v, "square": u * u, "sqrt": u}.get(name)
+                value = flint.fmpq(*(u / v if exact is None else exact).as_integer_ratio())
+                assert not found.lo > value
+                assert not found.hi < value
+
+
+def test_what_doubles_leave_undecided_beside_a_double_fold_is_decided_and_right():
+    """At F_SN, to an ulp of it: two folds above, none below."""
+    by_balls = 0
+    for _, _, case in CASES[::45]:
+        onset = case["onset"]
+        if onset is None or not onset["global"]:
+            continue
+        model = oscillator(case).model
+        for F_0, above in level_ulps(onset["F_SN"]):
+            proof = proofs.saddle_nodes(model, F_0, np.empty(0))
+            assert proof.proved
+            assert len(proof.A) == (2 if above else 0)
+            by_balls += proof.bits > DOUBLES
+    assert by_balls > 10
+
+
+def test_balls_hold_the_certified_folds_states_onsets_and_detachments():
+    """Of the truncated force and of Duffing's, from doubles' own reference: not to fill gaps but throughout."""
+    for _, _, case in CASES[::25]:
+        model = oscillator(case).model
+        forcing, onset = case["forcings"][0], case["onset"]
+        proof = answers.saddle_nodes(model, forcing["F_0"][1])
+        assert proof.proved
+        assert proof.bounded
+        check_folds(proof, forcing["folds"])
+        for at in forcing["amplitudes"][:2]:
+            states = answers.amplitudes(model, at["Omega"][1], forcing["F_0"][1])
+            assert states.stable.tolist() == [state["stable"] for state in at["steady"]]
+            assert all(holds(A, state["A"]) for A, state in zip(states.A, at["steady"], strict=True))
+        found = answers.onset(model)
+        assert found.proved
+        assert found.kind == onset["kind"]
+        assert holds(found.F_0, onset["F_SN"])
+        if case["mechanism"] == "rod_spring":
+            assert holds(answers.detachment(model).F_0, case["detachment"]["F_cr"])
+
+
+def beside(design, u, functions):
+    """The force of the horizontal springs, of which each has lost 1 - sqrt(1 - u^2) of its preload."""
+    root = functions.sqrt(1 - u * u)
+    return -design["lam"] * design["r"] * (design["delta_h"] - 1 + root) * u / root
+
+
+def average(design, A):
+    """h of the force that is not truncated, by quadrature of that force, in mpmath's digits."""
+    design = {name: mpmath.mpf(value) for name, value in design.items()}
+    u_cr = mpmath.sqrt(design["delta_h"] * (2 - design["delta_h"]))
+    theta = mpmath.pi / 2 if u_cr >= A else mpmath.asin(u_cr / A)
+    integral = mpmath.quad(lambda t: beside(design, A * mpmath.sin(t), mpmath) * mpmath.sin(t), [0, theta / 2, theta])
+    return -A - 4 / mpmath.pi * integral
+
+
+@pytest.mark.parametrize("A", [1e-3, 0.3, 0.41, 0.9, 7.0])
+def test_averages_in_balls_are_those_of_the_force(A):
+    """h by quadrature; each derivative by differences of the one before."""
+    design, step = UNTRUNCATED[0], flint.arb(2) ** -60
+    model = untruncated(design).model
+    with mpmath.workdps(30), flint.ctx.workprec(300):
+        given = Given(model, averages_of(model.mechanism))
+        piece = int(A > model.breakpoints[0])
+        beyond = (flint.arb(A) - given.beginning(piece).middle).mid()
+        low, at, high = (given.at(piece, beyond + shift) for shift in (-step, 0, step))
+        h = average(design, mpmath.mpf((given.beginning(piece).middle + beyond).str(60, radius=False)))
+        assert abs(mpmath.mpf(at.h.middle.str(50, radius=False)) / h - 1) < 1e-28
+        for name, slope in (("h", "h_A"), ("h_A", "h_AA"), ("h_AA", "h_AAA"), ("k", None)):
+            difference = (getattr(high, name).middle - getattr(low, name).middle) / (2 * step)
+            exact = -A * at.h_AA.middle if slope is None else getattr(at, slope).middle
+            assert abs(float(difference / exact) - 1) < 1e-14
+
+
+#: of Gauss's rule on -1 to 1
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(120)
+
+
+def roots_of_F(design, A, F_0):
+    """Omega of F = 0 at an amplitude, and the sign of F_A there, by NumPy's roots of (24) and quadrature."""
+
+    def h_at(A):
+        u_cr = math.sqrt(design["delta_h"] * (2 - design["delta_h"]))
+        half = math.asin(min(1.0, u_cr / A)) / 2
+        sine = np.sin(half * (1 + NODES))
+        return -A - 4 / math.pi * half * np.dot(WEIGHTS, beside(design, A * sine, np) * sine)
+
+    h, h_A = h_at(A), (h_at(A * (1 + 1e-5)) - h_at(A * (1 - 1e-5))) / (2e-5 * A)
+    zeta, m = design["zeta"], 4 * design["mu"] / math.pi
+    found = np.roots([A**2, 0, 2 * A * h + 4 * zeta**2 * A**2, 4 * zeta * m * A, h**2 + m**2 - F_0**2])
+    w = np.sort(found.real[(found.imag == 0) & (found.real > 0)])
+    return w, np.sign((A * w**2 + h) * (w**2 + h_A) + 2 * zeta * w * (2 * zeta * A * w + m))
+
+
+@pytest.mark.parametrize("design", UNTRUNCATED)
+def test_folds_of_the_force_that_is_not_truncated_are_proved_and_are_those_of_a_scan(design):
+    iso = untruncated(design)
+    F_0 = 1.3 * iso.saddle_node_onset().F_SN
+    proof = iso.saddle_nodes(F_0, certify=True).proof
+    assert proof.proved
+    assert proof.bounded
+    turns, before = 0, np.empty(0)
+    for A in np.linspace(0.005, 1.1, 1500) * iso.peak(F_0).A:
+        _, sign = roots_of_F(design, A, F_0)
+        # along a branch of the response stability changes at a fold
+        if before.size == sign.size:
+            turns += int((before != sign).sum())
+        before = sign
+    assert turns == len(proof.A)
+    for Omega, A in zip(proof.Omega.mean(axis=1), proof.A.mean(axis=1), strict=True):
+        assert min(abs(roots_of_F(design, A, F_0)[0] - Omega)) < 1e-9 * Omega
+
+
+@pytest.mark.parametrize("design", UNTRUNCATED)
+def test_a_certificate_of_the_force_that_is_not_truncated_holds_what_the_solvers_find(design):
+    iso = untruncated(design)
+    onset, detachment = iso.saddle_node_onset(), iso.detachment()
+    found = iso.certify(1.5 * onset.F_SN, Omega=onset.Omega)
+    assert found.proved
+    states = iso.amplitudes(Omega=onset.Omega, F_0=1.5 * onset.F_SN)
+    assert states.stable.tolist() == found.amplitudes.stable.tolist()
+    for value, enclosed in (
+        (onset.F_SN, found.saddle_node_onset.F_0),
+        (detachment.F_cr, found.detachment.F_0),
+        *zip(states.A, found.amplitudes.A, strict=True),
+    ):
+        assert enclosed == pytest.approx(value, rel=1e-13)
+
+
+def test_an_onset_that_doubles_refuse_is_proved():
+    """delta_h = 1 - 1e-8: F_A and F_AA vanish there by quadrature of the force."""
+    design = {"lam": 3.0, "r": 0.0507, "delta_h": 1 - 1e-8, "mu": 1e-4, "zeta": 0.02}
+    iso = untruncated(design)
+    with pytest.raises(ArithmeticError, match="unresolved"):
+        iso.saddle_node_onset()
+    found = answers.onset(iso.model)
+    assert found.proved
+    assert found.kind == "cusp"
+    A, w = (mpmath.mpf(float(ends.mean())) for ends in (found.A, found.Omega))
+    with mpmath.workdps(30):
+        level = average(design, A) + A * w**2, 2 * design["zeta"] * A * w + 4 * mpmath.mpf(design["mu"]) / mpmath.pi
+        assert abs(mpmath.hypot(*level) / found.F_0.mean() - 1) < 1e-9
+
+
+def test_one_ulp_from_friction_it_is_decided_whether_the_mass_moves():
+    iso = Duffing(1.0, 2.0, mu=0.01, zeta=0.02)
+    with mpmath.workdps(40):
+        m = 4 * mpmath.mpf(iso.mu) / mpmath.pi
+        for F_0 in (math.nextafter(float(m), 0), float(m), math.nextafter(float(m), 1)):
+            proof = proofs.saddle_nodes(iso.model, F_0, np.empty(0))
+            assert proof.proved
+            assert proof.message.startswith("sticks") is not (mpmath.mpf(F_0) > m)
+
+
+def test_a_double_state_that_is_exact_stays_undecided_in_words():
+    """Where two states meet at numbers that are doubles no digits tell them apart."""
+    iso = Duffing(2.5, -4.0, mu=0.0, zeta=0.0)
+    # R = A (Omega^2 - 5/2) + 3 A^3 = -F_0 at Omega = 1/2: R is least where 9 A^2 = 9/4, at A = 1/2, and is -3/4 there
+    proof = proofs.amplitudes(iso.model, 0.5, 0.75)
+    assert not proof.proved
+    assert words.BALLS_IN_DOUBT.format(512, "") in proof.message
+    assert proof.doubt[0, 0] < 0.5 < proof.doubt[0, 1]
+    for F_0, count in ((math.nextafter(0.75, 0), 3), (math.nextafter(0.75, 1), 1)):
+        found = proofs.amplitudes(iso.model, 0.5, F_0)
+        assert found.proved
+        assert len(found.A) == count
+
+
+def test_without_flint_the_answer_says_how_to_have_it(monkeypatch):
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
+    proof = proofs.saddle_nodes(untruncated(UNTRUNCATED[0]).model, 0.04, np.empty(0))
+    assert not proof.proved
+    assert words.NO_BALLS in proof.message
+
+
+def test_proofs_in_balls_are_the_same_in_threads():
+    """FLINT's digits are one number for all threads."""
+    from concurrent.futures import ThreadPoolExecutor
+
+    model = untruncated(UNTRUNCATED[1]).model
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        alone = answers.saddle_nodes(model, 0.05)
+        with ThreadPoolExecutor(4) as pool:
+            found = list(pool.map(lambda _: answers.saddle_nodes(model, 0.05), range(4)))
+    assert all(one == alone for one in found)
+    assert example.isolator().certify(0.04).proved
