@@ -10,7 +10,7 @@ import pytest
 from slowflow import Duffing, Isolator, Oscillator, backend
 from slowflow.exact import shooting
 from slowflow.paper.example import TABLE_1
-from slowflow.results import Remark
+from slowflow.results import DOUBLES, Remark
 from slowflow_kernels import duffing
 from tests.oracles import averaged, counts
 
@@ -81,7 +81,8 @@ def test_folds_that_doubles_do_not_tell_apart_say_so(F_0):
     assert Remark.UNDECIDED in found.remarks and "doubles do not tell" in found.message
     assert "no saddle node" not in found.message
     assert int(many.saddle_nodes(F_0).remarks) == int(found.remarks)
-    assert not one.saddle_nodes(F_0, certify=True).proof.proved
+    proof = one.saddle_nodes(F_0, certify=True).proof
+    assert proof.proved and proof.bits > DOUBLES and len(proof.A) == 2
 
 
 def test_folds_that_doubles_tell_apart_do_not_say_otherwise():

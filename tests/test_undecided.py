@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, backend
+from slowflow.averaged import proofs
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 from tests.oracles import averaged, counts
@@ -125,7 +126,7 @@ def test_states_where_the_forcing_exceeds_friction_by_little_are_proved_or_said_
     """Where I exceeds F_0 there is no state: F_0 - 4 mu/pi says up to where, and has six digits here."""
     iso = Duffing(0.30726528991668056, -0.3658785478804152, mu=2.701549008849204e-06, zeta=4.6374909032157274e-05)
     F_0, Omega = 3.4397190306415187e-06, 5.44729375421581e-12
-    found, proof = iso.amplitudes(Omega=Omega, F_0=F_0), iso.certify(F_0, Omega=Omega).amplitudes
+    found, proof = iso.amplitudes(Omega=Omega, F_0=F_0), proofs.states_in_doubles(iso.model, Omega, F_0)
     assert (Remark.UNDECIDED in found.remarks) == (not proof.proved)
 
 
@@ -265,7 +266,7 @@ def test_states_beside_a_fold_are_proved(name):
 
 
 @pytest.mark.both_backends
-def test_a_batch_of_proofs_is_that_of_single_ones_and_says_where_none_is_possible():
+def test_a_batch_of_proofs_is_that_of_single_ones_by_doubles_and_says_where_none_is_possible():
     numbers = {"lam": 3.0, "r": np.array([0.5, 2.0]), "delta_h": 0.08, "mu": 0.01, "zeta": 0.02}
     F_0, Omega = np.array([[0.012], [0.04], [0.2]]), np.array([0.7, 0.9])
     for force in ("truncated", "untruncated"):
@@ -274,13 +275,10 @@ def test_a_batch_of_proofs_is_that_of_single_ones_and_says_where_none_is_possibl
         assert folds.count.shape == states.proved.shape == (3, 2)
         for (i, j), count in np.ndenumerate(folds.count):
             one = oscillator(Isolator, 3.0, float(numbers["r"][j]), 0.08, mu=0.01, zeta=0.02).replace(force=force)
-            certificate = one.certify(float(F_0[i, 0]), Omega=float(Omega[j]))
-            assert (folds.proved[i, j], count) == (certificate.saddle_nodes.proved, len(certificate.saddle_nodes.A))
-            assert certificate.amplitudes is not None
-            assert (states.proved[i, j], states.count[i, j]) == (
-                certificate.amplitudes.proved,
-                len(certificate.amplitudes.A),
-            )
+            single = proofs.folds_in_doubles(one.model, float(F_0[i, 0]), np.empty(0))
+            assert (folds.proved[i, j], count) == (single.proved, len(single.A))
+            at = proofs.states_in_doubles(one.model, float(Omega[j]), float(F_0[i, 0]))
+            assert (states.proved[i, j], states.count[i, j]) == (at.proved, len(at.A))
         possible = force == "truncated" and backend.SOLVER is not None
         assert (folds.status[1:] == (Status.OK if possible else Status.UNRESOLVED)).all()
     assert (Isolator.many(**numbers).certify(-1.0).status != Status.OK).all()

@@ -332,7 +332,7 @@ class Peaks(Batch):
 
 @dataclass(frozen=True, eq=False)
 class Proofs(Batch):
-    """How many folds at a forcing, or states at a frequency, each design is proved to have, in interval arithmetic.
+    """How many folds at a forcing, or states at a frequency, each design is proved to have, in intervals of doubles.
 
     count  -- how many are enclosed
     proved -- 1 where these are proved to be all, with amplitudes as in `certify`; 0 where doubles do not decide
