@@ -49,12 +49,14 @@ CASES = {
     "elastic_stop": ({"kappa": "8", "delta": "0.2"}, lambda u: u + 8 * max(u - F("0.2"), 0), "0.2"),
     "three_spring": ({"alpha": "0.9", "ell": "1.5"}, lambda u: u + polynomial(geometry_of_springs, 3)(u), "2"),
 }
+#: of those that are not odd, for any u
+SIDED = {"one_sided_stop": ({"kappa": 8, "delta": "0.2"}, lambda u: u + 8 * max(u - F("0.2"), 0), "0.2")}
 
 
 def test_every_mechanism_of_the_library_is_tried_here_and_shown_on_its_page():
-    assert sorted(CASES) == library.names()
+    assert sorted({**CASES, **SIDED}) == library.names()
     shown = PAGE.read_text(encoding="utf-8")
-    assert all(f'picture("{name}"' in shown for name in CASES)
+    assert all(f'picture("{name}"' in shown for name in library.names())
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -72,6 +74,25 @@ def test_its_average_is_that_of_its_force(name):
             regime = whole.regimes[int(size > end)]
             found = regime.closed_form().subs(definitions).subs(A, sp.Rational(amplitude))
             assert mp.almosteq(F(str(sp.N(found, 30))), expected, rel_eps=F("1e-12"))
+
+
+@pytest.mark.parametrize("name", SIDED)
+def test_states_on_both_sides_of_the_bend_have_the_mean_and_the_first_harmonic_of_their_force(name):
+    numbers, force, bend = SIDED[name]
+    one = derive.library(name)(**{key: float(value) for key, value in numbers.items()}, zeta=0.03)
+    states = one.amplitudes(Omega=1.15, F_0=0.04)
+    passes = states.A + states.B > float(bend)
+    assert passes.any() and not passes.all()
+    for Omega, size, mean in zip(states.Omega, states.A, states.B, strict=True):
+
+        def motion(t, size=size, mean=mean):
+            return F(mean) + F(size) * mp.cos(t)
+
+        turn = (F(bend) - F(mean)) / F(size)
+        edges = [0, *([mp.acos(turn)] if abs(turn) < 1 else []), mp.pi]
+        middle, first = (mp.quad(lambda t, n=n, u=motion: force(u(t)) * mp.cos(t) ** n, edges) / mp.pi for n in (0, 1))
+        assert abs(middle) < 1e-14
+        assert mp.hypot(size * Omega**2 - 2 * first, 2 * one.zeta * size * Omega) == pytest.approx(0.04, rel=1e-12)
 
 
 def test_a_name_that_the_library_has_not_is_refused_with_those_that_it_has(tmp_path, capsys):

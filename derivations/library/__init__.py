@@ -1,7 +1,7 @@
 """Mechanisms from the literature, one file each, derived when a program asks for one: `slowflow.derive.library(name)`.
 
-In:  the files of this folder, each in the form of `mechanisms/`.
-Out: `names()`, and `stated(name)`, the `Mechanism`.
+In:  the files of this folder, each in the form of `mechanisms/`, or a `Sided` where the force is not odd.
+Out: `names()`, and `stated(name)`, the `Mechanism` or `Sided`.
 
 Nothing of them is generated or compiled beforehand: those in `mechanisms/` come with the package, these take a second.
 """
@@ -12,6 +12,7 @@ import importlib
 import pkgutil
 
 from ..mechanisms import Mechanism
+from ..sided import Sided
 
 
 def names() -> list[str]:
@@ -19,9 +20,9 @@ def names() -> list[str]:
     return sorted(module.name for module in pkgutil.iter_modules(__path__))
 
 
-def stated(name: str) -> Mechanism:
+def stated(name: str) -> Mechanism | Sided:
     """The mechanism of that name; ValueError if there is none, with the names that there are."""
     if name not in names():
         raise ValueError(f"{name!r} is not in the library: it has {', '.join(names())}")
-    mechanism: Mechanism = importlib.import_module(f"{__name__}.{name}").MECHANISM
+    mechanism: Mechanism | Sided = importlib.import_module(f"{__name__}.{name}").MECHANISM
     return mechanism
