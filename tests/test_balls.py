@@ -16,8 +16,8 @@ from slowflow.averaged import proofs, words
 from slowflow.averaged.balls import answers
 from slowflow.averaged.balls.enclosure import Enclosure
 from slowflow.averaged.balls.given import Given, averages_of
+from slowflow.certificate import DOUBLES
 from slowflow.paper import example
-from slowflow.results import DOUBLES
 from tests.test_certified import CASES, check_folds, holds, level_ulps, oscillator
 
 #: designs of the force that is not truncated: as in Table 1, nearly quasi-zero stiffness, negative stiffness, steep

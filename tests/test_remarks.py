@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, Oscillator, backend
+from slowflow.certificate import DOUBLES
 from slowflow.exact import shooting
 from slowflow.paper.example import TABLE_1
-from slowflow.results import DOUBLES, Remark
+from slowflow.results import Remark
 from slowflow_kernels import duffing
 from tests.oracles import averaged, counts
 

@@ -24,7 +24,7 @@ FLOORS = (
     ("exact", "second", "loads"),
     ("averaged",),
     ("results",),
-    ("measured", "files", "moves", "physical_moves"),
+    ("certificate", "measured", "files", "moves", "physical_moves"),
     ("gradient",),
     ("answer", "loaded"),
     ("model",),

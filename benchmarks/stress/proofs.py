@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 
 from slowflow import Isolator
+from slowflow.certificate import Proved
 from slowflow.paper import example
-from slowflow.results import Proved
 
 SEED = 29
 #: by decades: of r, delta_h, mu, zeta, of F_0/(4 mu/pi) - 1, and Omega

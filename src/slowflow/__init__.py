@@ -4,12 +4,12 @@ In:  an oscillator's parameters. Out: `Isolator`, `Duffing`, `Oscillator` of any
      the classes of `slowflow.results`, in units `Quantities`.
 """
 
+from slowflow.certificate import Certificate
 from slowflow.gradient import Gradient
 from slowflow.isolator import Duffing, Isolator
 from slowflow.oscillator import Oscillator
 from slowflow.physical import Physical, Quantities
 from slowflow.results import (
-    Certificate,
     Cusps,
     Detachment,
     FoldLocus,

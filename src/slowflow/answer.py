@@ -222,3 +222,8 @@ def optional(package: str, wanted_by: str, extra: str = "tables") -> Any:
     except ImportError:
         name = package.partition(".")[0]
         raise ImportError(f"{wanted_by} needs {name}: pip install 'slowflow[{extra}]'") from None
+
+
+def joined(*remarks: Any) -> str:
+    """Remarks joined into one message."""
+    return "; ".join(str(remark) for remark in remarks if remark)

@@ -17,11 +17,11 @@ import numpy.typing as npt
 from scipy.optimize import brentq
 
 from slowflow import validate
-from slowflow.answer import Single, Table
+from slowflow.answer import Single, Table, joined
 from slowflow.averaged import words
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
-from slowflow.results import Remark, joined
+from slowflow.results import Remark
 
 Flags = npt.NDArray[np.bool_]
 Ints = npt.NDArray[np.intp]

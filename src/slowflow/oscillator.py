@@ -14,21 +14,15 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 
 from slowflow import validate
+from slowflow.answer import joined
 from slowflow.averaged import many
 from slowflow.averaged.questions import Averaged
 from slowflow.averaged.remarks import NOTHING
+from slowflow.certificate import Certificate
 from slowflow.loaded import Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism
 from slowflow.model import THROUGHOUT, Laws, Model
-from slowflow.results import (
-    Certificate,
-    Measured,
-    MeasuredFolds,
-    Remark,
-    SaddleNodes,
-    SteadyStates,
-    joined,
-)
+from slowflow.results import Measured, MeasuredFolds, Remark, SaddleNodes, SteadyStates
 from slowflow_kernels.domains import EXCITATIONS, RUBS
 
 if TYPE_CHECKING:

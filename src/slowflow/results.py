@@ -6,7 +6,6 @@ length, and an index or a loop gives one entry as a named tuple: `for fold in is
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import IntFlag
 from functools import cached_property
@@ -16,7 +15,8 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import moves, validate
-from slowflow.answer import Answer, Single, Table, frozen
+from slowflow.answer import Single, Table, frozen
+from slowflow.certificate import ProvedFolds
 from slowflow.gradient import Gradient
 from slowflow.measured.validity import Validity, of_states
 from slowflow.model import Floats, Model
@@ -69,37 +69,6 @@ class SaddleNode(NamedTuple):
 
     Omega: float
     A: float
-    kind: str
-    corner: bool
-
-
-class SecondState(NamedTuple):
-    """A steady state in the second approximation, as in `SecondStates`."""
-
-    Omega: float
-    A: float
-    A_1: float
-    phi: float
-    stable: bool
-
-
-class SecondCurvePoint(NamedTuple):
-    """A point of a response curve in the second approximation, as in `SecondResponse`."""
-
-    Omega: float
-    A: float
-    A_1: float
-    phi: float
-    stable: bool
-    branch: int
-
-
-class SecondFold(NamedTuple):
-    """A fold in the second approximation, as in `SecondFolds`."""
-
-    Omega: float
-    A: float
-    A_1: float
     kind: str
     corner: bool
 
@@ -350,99 +319,6 @@ class FrequencyResponse(SteadyStates):
         return pictures.response(ax, self, validate.choice("of", of, DRAWN))
 
 
-#: bits of a double
-DOUBLES = 53
-
-
-@dataclass(frozen=True, eq=False)
-class Proved(Answer):
-    """What is proved of the oscillator whose numbers are exactly the doubles that were given.
-
-    proved  -- whether all of it is
-    message -- what is not proved, and why; empty if there is nothing to say
-    bits    -- of the arithmetic: `DOUBLES` of intervals of doubles, more of balls
-    """
-
-    proved: bool
-    message: str
-    bits: int
-
-
-@dataclass(frozen=True, eq=False)
-class ProvedStates(Proved):
-    """All steady states at a frequency, by rising A; each interval of A holds one, no two the same.
-
-    A       -- lowest and highest amplitude of each, shape (n, 2)
-    stable  -- the sign of F_A (30), shape (n,)
-    A_max   -- where it is proved there are no others up to this amplitude
-    bounded -- whether it is proved that there are none above either, up to 2^60 times as high
-    doubt   -- intervals of A in which it is not decided, shape (k, 2)
-    """
-
-    A: Floats
-    stable: npt.NDArray[np.bool_]
-    A_max: float
-    bounded: bool
-    doubt: Floats
-
-
-@dataclass(frozen=True, eq=False)
-class ProvedFolds(Proved):
-    """All folds at a forcing, by rising Omega; each pair of intervals holds one, no two the same.
-
-    Omega, A -- lowest and highest of each, shape (n, 2)
-    kind     -- as in `SaddleNodes`, "" where the sign of F_AA is not proved
-    corner   -- True where the fold sits on a breakpoint of the force
-    A_max, bounded, doubt -- as in `ProvedStates`
-    """
-
-    Omega: Floats
-    A: Floats
-    kind: npt.NDArray[np.str_]
-    corner: npt.NDArray[np.bool_]
-    A_max: float
-    bounded: bool
-    doubt: Floats
-
-
-@dataclass(frozen=True, eq=False)
-class ProvedForcing(Proved):
-    """A critical forcing: lowest and highest of F_0, Omega and A, each a pair of shape (2,); empty where there is none.
-
-    kind -- of an onset, as in `SaddleNodeOnset`, "" if it is not proved
-    """
-
-    F_0: Floats
-    Omega: Floats
-    A: Floats
-    kind: str
-
-
-@dataclass(frozen=True, eq=False)
-class Certificate(Answer):
-    """What is proved at a forcing: `Oscillator.certify`. Print it.
-
-    saddle_nodes -- all folds at F_0
-    saddle_node_onset, detachment -- F_SN and F_cr
-    amplitudes   -- all states at a frequency, None where none was asked for
-    """
-
-    F_0: float
-    saddle_nodes: ProvedFolds
-    saddle_node_onset: ProvedForcing
-    detachment: ProvedForcing
-    amplitudes: ProvedStates | None
-
-    @property
-    def proved(self) -> bool:
-        """Whether all of it is."""
-        parts = (self.saddle_nodes, self.saddle_node_onset, self.detachment, self.amplitudes)
-        return all(part.proved for part in parts if part is not None)
-
-    def __str__(self) -> str:
-        return "\n".join(_in_words(self))
-
-
 @dataclass(frozen=True, eq=False)
 class SaddleNodes(Table):
     """Folds of the response curve at one forcing, by rising Omega: arrays of one length.
@@ -488,107 +364,6 @@ class SaddleNodes(Table):
             raise ValueError(NOT_ASKED)
         return self._asked.measured_folds(self, force)
 
-    picture: ClassVar[str] = "folds"
-
-    def plot(self, ax: Any = None) -> Any:
-        """Draw the folds, A over Omega, into Matplotlib axes, or new ones, and return these."""
-        from slowflow import pictures
-
-        return pictures.folds(ax, self)
-
-
-#: why averaging's answers have these, and those of the second approximation have not
-NOT_OF_SECOND = {
-    "validity": "its errors are no table; docs/validity.md has what was measured of them",
-    "measure": "averaging's answer has it, and steady_state the motion itself",
-    "gradient": "its derivatives by parameters are not derived; averaging's answer has them",
-}
-
-
-class SecondTable(Table):
-    """What answers of the second approximation share: why some of what averaging's have is not there."""
-
-    def __getattr__(self, name: str) -> Any:
-        """Raises AttributeError, with the reason where averaging's answers have what is asked for."""
-        why = f": {NOT_OF_SECOND[name]}" if name in NOT_OF_SECOND else ""
-        raise AttributeError(f"an answer of the second approximation has no {name}{why}")
-
-
-@dataclass(frozen=True, eq=False)
-class SecondStates(SecondTable):
-    """Steady states in the second approximation, one entry each: flat arrays of one length.
-
-    Omega, A -- frequency, and largest displacement
-    A_1, phi -- amplitude of the first harmonic, and its phase in radians, in [-pi, 0]
-    stable   -- True where the steady state is stable
-    message  -- remarks in words; empty if there is nothing to say
-    F_0      -- the forcing, one number; an array with that of each state where several were asked for
-    force    -- amplitude of the force on the mass in each state
-    """
-
-    entry: ClassVar[Any] = SecondState
-    beside: ClassVar[tuple[str, ...]] = ("transmissibility_dB",)
-
-    Omega: Floats
-    A: Floats
-    A_1: Floats
-    phi: Floats
-    stable: npt.NDArray[np.bool_]
-    message: str
-    F_0: float | Floats = field(kw_only=True)
-    force: Floats = field(kw_only=True, repr=False)
-
-    @property
-    def transmissibility(self) -> Floats:
-        """Fundamental harmonic of what spring, damper and friction pass on, over `.force`: the force less inertia."""
-        return np.asarray(np.abs(1.0 + self.Omega**2 * self.A_1 / self.force * np.exp(1j * self.phi)))
-
-    @property
-    def transmissibility_dB(self) -> Floats:
-        """The same in decibels, 20 log10; -inf where nothing is transmitted."""
-        with np.errstate(divide="ignore"):
-            return np.asarray(20.0 * np.log10(self.transmissibility))
-
-
-@dataclass(frozen=True, eq=False)
-class SecondResponse(SecondStates):
-    """A response curve in the second approximation: points in order along each branch.
-
-    branch, isola, F_0 -- as in `FrequencyResponse`
-    """
-
-    entry: ClassVar[Any] = SecondCurvePoint
-
-    F_0: float = field(kw_only=True)
-    branch: npt.NDArray[np.intp]
-    isola: tuple[bool, ...]
-    picture: ClassVar[str] = "response"
-
-    def plot(self, ax: Any = None, *, of: str = "A") -> Any:
-        """Draw the curve as `FrequencyResponse.plot` does; `of` may be "A_1" too."""
-        from slowflow import pictures
-
-        return pictures.response(ax, self, validate.choice("of", of, ("A_1", *DRAWN)))
-
-
-@dataclass(frozen=True, eq=False)
-class SecondFolds(SecondTable):
-    """Folds of the response curve in the second approximation, by rising Omega: arrays of one length.
-
-    Omega, A, A_1 -- as in `SecondStates`; kind and corner as in `SaddleNodes`
-    """
-
-    entry: ClassVar[Any] = SecondFold
-
-    Omega: Floats
-    A: Floats
-    A_1: Floats
-    kind: npt.NDArray[np.str_]
-    corner: npt.NDArray[np.bool_]
-    F_0: float
-    message: str
-    #: folds that the message says are left out
-    _lost: int = field(default=0, kw_only=True, repr=False)
     picture: ClassVar[str] = "folds"
 
     def plot(self, ax: Any = None) -> Any:
@@ -734,36 +509,3 @@ class Detachment(Single):
     def gradient(self) -> Gradient:
         """How F_cr, Omega_cr and u_cr move with the parameters, exactly."""
         return moves.of_detachment(_given(self._model), self.F_cr, self.Omega_cr, self.u_cr)
-
-
-def joined(*remarks: Any) -> str:
-    """Remarks joined into one message."""
-    return "; ".join(str(remark) for remark in remarks if remark)
-
-
-def _in_words(found: Certificate) -> Iterator[str]:
-    """A certificate, line by line."""
-    folds = found.saddle_nodes
-    yield f"Folds at F_0 = {found.F_0:.17g}: {_verdict(folds, f'{len(folds.A)} and no others')}"
-    for Omega, A, kind, corner in zip(folds.Omega, folds.A, folds.kind, folds.corner, strict=True):
-        where = " on a breakpoint" if corner else ""
-        yield f"  Omega in {_interval(Omega)}, A in {_interval(A)}  {kind}{where}"
-    states = found.amplitudes
-    if states is not None:
-        yield f"States at this frequency: {_verdict(states, f'{len(states.A)} and no others')}"
-        for A, stable in zip(states.A, states.stable, strict=True):
-            yield f"  A in {_interval(A)}  {'stable' if stable else 'unstable'}"
-    for what, forcing in (("Onset F_SN", found.saddle_node_onset), ("Detachment F_cr", found.detachment)):
-        yield f"{what}: {_verdict(forcing, forcing.kind)}"
-        if forcing.F_0.size:
-            yield f"  F_0 in {_interval(forcing.F_0)}, Omega in {_interval(forcing.Omega)}, A in {_interval(forcing.A)}"
-
-
-def _verdict(found: Proved, what: str) -> str:
-    proved = "proved" if found.bits == DOUBLES else f"proved in balls of {found.bits} bits"
-    return joined(joined(proved if found.proved else "not proved", what if found.proved else ""), found.message)
-
-
-def _interval(ends: Floats) -> str:
-    """With all digits that doubles need."""
-    return f"[{ends[0]:.17g}, {ends[1]:.17g}]"

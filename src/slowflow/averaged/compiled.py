@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from slowflow import backend
+from slowflow.answer import joined
 from slowflow.averaged import words
 from slowflow.model import Floats, Model
 from slowflow.results import (
@@ -21,7 +22,6 @@ from slowflow.results import (
     SaddleNodeOnset,
     SaddleNodes,
     SteadyStates,
-    joined,
 )
 from slowflow_kernels.conventions import OnsetKind, Status
 

@@ -16,9 +16,10 @@ from typing import Any, TypeVar
 import numpy as np
 
 from slowflow import backend
+from slowflow.answer import joined
 from slowflow.averaged import words
+from slowflow.certificate import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates
 from slowflow.model import Floats, Model
-from slowflow.results import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates, joined
 from slowflow_kernels.conventions import OnsetKind, Status
 
 Answer = TypeVar("Answer", bound=Proved)

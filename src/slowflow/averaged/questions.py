@@ -16,13 +16,13 @@ from typing import Any, TypeVar
 import numpy as np
 
 from slowflow import validate
-from slowflow.answer import Single
+from slowflow.answer import Single, joined
 from slowflow.averaged import plan, proofs, remarks, solvers, words
 from slowflow.averaged.pairs import at_pairs
+from slowflow.certificate import Certificate, ProvedFolds
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import (
     DRAWN,
-    Certificate,
     Cusps,
     Detachment,
     FoldLocus,
@@ -30,11 +30,9 @@ from slowflow.results import (
     IsolaPoints,
     Measures,
     Peak,
-    ProvedFolds,
     SaddleNodeOnset,
     SaddleNodes,
     SteadyStates,
-    joined,
 )
 from slowflow_kernels import dissipation, slow_flow
 

@@ -11,8 +11,9 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from slowflow.answer import joined
 from slowflow.model import Floats, Model
-from slowflow.results import Remark, SaddleNodeOnset, joined
+from slowflow.results import Remark, SaddleNodeOnset
 from slowflow_kernels.conventions import CLOSE, RUNGS, STATIC_MULTIPLE
 
 #: frequencies that a message names

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slowflow import validate
+from slowflow.answer import joined
 from slowflow.averaged.remarks import WORDS
 from slowflow.exact import continuation, shooting
 from slowflow.exact.shocks import ShockSpectrum, shock_spectrum
@@ -20,7 +21,7 @@ from slowflow.exact.sweep import sweep as stepped
 from slowflow.exact.transient import AFTER, Transient, half_sine, record
 from slowflow.exact.transient import transient as followed
 from slowflow.mechanism import EquationOfMotion
-from slowflow.results import Remark, joined
+from slowflow.results import Remark
 
 if TYPE_CHECKING:
     from slowflow.averaged.questions import Averaged

@@ -18,6 +18,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from slowflow import loads, validate
+from slowflow.answer import joined
 from slowflow.averaged import remarks
 from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.questions import Averaged
@@ -38,7 +39,7 @@ from slowflow.off_centre.equations import Detaching, Fold, Resting, State, Touch
 from slowflow.off_centre.means import ORDERS, Means, Steps
 from slowflow.off_centre.onset import Lowest, Search
 from slowflow.off_centre.reach import AMPLITUDE, BACKBONE, LARGEST, Farthest, Measure, Reach
-from slowflow.results import Remark, SaddleNodes, joined
+from slowflow.results import Remark, SaddleNodes
 from slowflow_kernels import off_centre, slow_flow
 
 #: octaves of the amplitude that are looked at apart from the first, below and above the size of the problem

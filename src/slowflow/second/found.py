@@ -8,8 +8,9 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from slowflow.answer import joined
 from slowflow.model import Floats
-from slowflow.results import FrequencyResponse, joined
+from slowflow.results import FrequencyResponse
 
 LOST = (
     "left out: {} of {} points of the first approximation, at Omega from {:.3g} to {:.3g}; its harmonics are not small"

@@ -17,22 +17,15 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import validate
+from slowflow.answer import joined
 from slowflow.averaged import remarks
 from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.plan import Plan, Step
 from slowflow.measured import validity
 from slowflow.model import Floats
-from slowflow.results import (
-    Detachment,
-    Peak,
-    Remark,
-    SaddleNodeOnset,
-    SecondFolds,
-    SecondResponse,
-    SecondStates,
-    joined,
-)
+from slowflow.results import Detachment, Peak, Remark, SaddleNodeOnset
 from slowflow.second import solvers
+from slowflow.second.answers import SecondFolds, SecondResponse, SecondStates
 from slowflow.second.balance import Balance
 from slowflow.second.found import Curve
 from slowflow_kernels.second_conventions import BEYOND, SAMPLES

@@ -17,10 +17,9 @@ from scipy.optimize import least_squares
 from scipy.stats import t as student
 
 from slowflow import validate
-from slowflow.answer import Table
+from slowflow.answer import Table, joined
 from slowflow.mechanism import Floats
 from slowflow.physical import EXCITED, UNITS, Physical
-from slowflow.results import joined
 from slowflow.sizing.subject import Subject, first_jump
 
 #: share of all fits whose interval holds the number, if the noise is normal and the equations are right

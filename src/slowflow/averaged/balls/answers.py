@@ -29,8 +29,8 @@ from slowflow.averaged.balls.questions import (
     tends_to_friction,
 )
 from slowflow.averaged.reference.bounds import amplitude_bound
+from slowflow.certificate import Proved, ProvedFolds, ProvedForcing, ProvedStates
 from slowflow.model import Floats, Model
-from slowflow.results import Proved, ProvedFolds, ProvedForcing, ProvedStates
 from slowflow_kernels.conventions import OnsetKind
 
 #: how many bits are tried, in turn

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from slowflow.answer import joined
 from slowflow.averaged import words
 from slowflow.averaged.reference import dissipated, doubt, inertia
 from slowflow.averaged.reference.along import InertiaPeak, Peak, Rest
@@ -25,7 +26,7 @@ from slowflow.averaged.reference.folds import saddle_nodes
 from slowflow.averaged.reference.roots import Quartics
 from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import Floats, Model
-from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates, joined
+from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates
 from slowflow_kernels import frequencies, slow_flow
 from slowflow_kernels.conventions import AT_ROOT, LAST_STEP, SAME, SLOW, SPREAD
 

@@ -1,0 +1,132 @@
+"""What is proved of answers: enclosures in intervals or balls, whether they are all, and the certificate of these."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow.answer import Answer, joined
+from slowflow.model import Floats
+
+#: bits of a double
+DOUBLES = 53
+
+
+@dataclass(frozen=True, eq=False)
+class Proved(Answer):
+    """What is proved of the oscillator whose numbers are exactly the doubles that were given.
+
+    proved  -- whether all of it is
+    message -- what is not proved, and why; empty if there is nothing to say
+    bits    -- of the arithmetic: `DOUBLES` of intervals of doubles, more of balls
+    """
+
+    proved: bool
+    message: str
+    bits: int
+
+
+@dataclass(frozen=True, eq=False)
+class ProvedStates(Proved):
+    """All steady states at a frequency, by rising A; each interval of A holds one, no two the same.
+
+    A       -- lowest and highest amplitude of each, shape (n, 2)
+    stable  -- the sign of F_A (30), shape (n,)
+    A_max   -- where it is proved there are no others up to this amplitude
+    bounded -- whether it is proved that there are none above either, up to 2^60 times as high
+    doubt   -- intervals of A in which it is not decided, shape (k, 2)
+    """
+
+    A: Floats
+    stable: npt.NDArray[np.bool_]
+    A_max: float
+    bounded: bool
+    doubt: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class ProvedFolds(Proved):
+    """All folds at a forcing, by rising Omega; each pair of intervals holds one, no two the same.
+
+    Omega, A -- lowest and highest of each, shape (n, 2)
+    kind     -- as in `SaddleNodes`, "" where the sign of F_AA is not proved
+    corner   -- True where the fold sits on a breakpoint of the force
+    A_max, bounded, doubt -- as in `ProvedStates`
+    """
+
+    Omega: Floats
+    A: Floats
+    kind: npt.NDArray[np.str_]
+    corner: npt.NDArray[np.bool_]
+    A_max: float
+    bounded: bool
+    doubt: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class ProvedForcing(Proved):
+    """A critical forcing: lowest and highest of F_0, Omega and A, each a pair of shape (2,); empty where there is none.
+
+    kind -- of an onset, as in `SaddleNodeOnset`, "" if it is not proved
+    """
+
+    F_0: Floats
+    Omega: Floats
+    A: Floats
+    kind: str
+
+
+@dataclass(frozen=True, eq=False)
+class Certificate(Answer):
+    """What is proved at a forcing: `Oscillator.certify`. Print it.
+
+    saddle_nodes -- all folds at F_0
+    saddle_node_onset, detachment -- F_SN and F_cr
+    amplitudes   -- all states at a frequency, None where none was asked for
+    """
+
+    F_0: float
+    saddle_nodes: ProvedFolds
+    saddle_node_onset: ProvedForcing
+    detachment: ProvedForcing
+    amplitudes: ProvedStates | None
+
+    @property
+    def proved(self) -> bool:
+        """Whether all of it is."""
+        parts = (self.saddle_nodes, self.saddle_node_onset, self.detachment, self.amplitudes)
+        return all(part.proved for part in parts if part is not None)
+
+    def __str__(self) -> str:
+        return "\n".join(_in_words(self))
+
+
+def _in_words(found: Certificate) -> Iterator[str]:
+    """A certificate, line by line."""
+    folds = found.saddle_nodes
+    yield f"Folds at F_0 = {found.F_0:.17g}: {_verdict(folds, f'{len(folds.A)} and no others')}"
+    for Omega, A, kind, corner in zip(folds.Omega, folds.A, folds.kind, folds.corner, strict=True):
+        where = " on a breakpoint" if corner else ""
+        yield f"  Omega in {_interval(Omega)}, A in {_interval(A)}  {kind}{where}"
+    states = found.amplitudes
+    if states is not None:
+        yield f"States at this frequency: {_verdict(states, f'{len(states.A)} and no others')}"
+        for A, stable in zip(states.A, states.stable, strict=True):
+            yield f"  A in {_interval(A)}  {'stable' if stable else 'unstable'}"
+    for what, forcing in (("Onset F_SN", found.saddle_node_onset), ("Detachment F_cr", found.detachment)):
+        yield f"{what}: {_verdict(forcing, forcing.kind)}"
+        if forcing.F_0.size:
+            yield f"  F_0 in {_interval(forcing.F_0)}, Omega in {_interval(forcing.Omega)}, A in {_interval(forcing.A)}"
+
+
+def _verdict(found: Proved, what: str) -> str:
+    proved = "proved" if found.bits == DOUBLES else f"proved in balls of {found.bits} bits"
+    return joined(joined(proved if found.proved else "not proved", what if found.proved else ""), found.message)
+
+
+def _interval(ends: Floats) -> str:
+    """With all digits that doubles need."""
+    return f"[{ends[0]:.17g}, {ends[1]:.17g}]"

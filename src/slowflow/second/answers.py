@@ -1,0 +1,146 @@
+"""What the second approximation answers with: as averaging, and the first harmonic's amplitude A_1 beside A."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow import validate
+from slowflow.answer import Table
+from slowflow.model import Floats
+from slowflow.results import DRAWN
+
+
+class SecondState(NamedTuple):
+    """A steady state in the second approximation, as in `SecondStates`."""
+
+    Omega: float
+    A: float
+    A_1: float
+    phi: float
+    stable: bool
+
+
+class SecondCurvePoint(NamedTuple):
+    """A point of a response curve in the second approximation, as in `SecondResponse`."""
+
+    Omega: float
+    A: float
+    A_1: float
+    phi: float
+    stable: bool
+    branch: int
+
+
+class SecondFold(NamedTuple):
+    """A fold in the second approximation, as in `SecondFolds`."""
+
+    Omega: float
+    A: float
+    A_1: float
+    kind: str
+    corner: bool
+
+
+#: why averaging's answers have these, and those of the second approximation have not
+NOT_OF_SECOND = {
+    "validity": "its errors are no table; docs/validity.md has what was measured of them",
+    "measure": "averaging's answer has it, and steady_state the motion itself",
+    "gradient": "its derivatives by parameters are not derived; averaging's answer has them",
+}
+
+
+class SecondTable(Table):
+    """What answers of the second approximation share: why some of what averaging's have is not there."""
+
+    def __getattr__(self, name: str) -> Any:
+        """Raises AttributeError, with the reason where averaging's answers have what is asked for."""
+        why = f": {NOT_OF_SECOND[name]}" if name in NOT_OF_SECOND else ""
+        raise AttributeError(f"an answer of the second approximation has no {name}{why}")
+
+
+@dataclass(frozen=True, eq=False)
+class SecondStates(SecondTable):
+    """Steady states in the second approximation, one entry each: flat arrays of one length.
+
+    Omega, A -- frequency, and largest displacement
+    A_1, phi -- amplitude of the first harmonic, and its phase in radians, in [-pi, 0]
+    stable   -- True where the steady state is stable
+    message  -- remarks in words; empty if there is nothing to say
+    F_0      -- the forcing, one number; an array with that of each state where several were asked for
+    force    -- amplitude of the force on the mass in each state
+    """
+
+    entry: ClassVar[Any] = SecondState
+    beside: ClassVar[tuple[str, ...]] = ("transmissibility_dB",)
+
+    Omega: Floats
+    A: Floats
+    A_1: Floats
+    phi: Floats
+    stable: npt.NDArray[np.bool_]
+    message: str
+    F_0: float | Floats = field(kw_only=True)
+    force: Floats = field(kw_only=True, repr=False)
+
+    @property
+    def transmissibility(self) -> Floats:
+        """Fundamental harmonic of what spring, damper and friction pass on, over `.force`: the force less inertia."""
+        return np.asarray(np.abs(1.0 + self.Omega**2 * self.A_1 / self.force * np.exp(1j * self.phi)))
+
+    @property
+    def transmissibility_dB(self) -> Floats:
+        """The same in decibels, 20 log10; -inf where nothing is transmitted."""
+        with np.errstate(divide="ignore"):
+            return np.asarray(20.0 * np.log10(self.transmissibility))
+
+
+@dataclass(frozen=True, eq=False)
+class SecondResponse(SecondStates):
+    """A response curve in the second approximation: points in order along each branch.
+
+    branch, isola, F_0 -- as in `FrequencyResponse`
+    """
+
+    entry: ClassVar[Any] = SecondCurvePoint
+
+    F_0: float = field(kw_only=True)
+    branch: npt.NDArray[np.intp]
+    isola: tuple[bool, ...]
+    picture: ClassVar[str] = "response"
+
+    def plot(self, ax: Any = None, *, of: str = "A") -> Any:
+        """Draw the curve as `FrequencyResponse.plot` does; `of` may be "A_1" too."""
+        from slowflow import pictures
+
+        return pictures.response(ax, self, validate.choice("of", of, ("A_1", *DRAWN)))
+
+
+@dataclass(frozen=True, eq=False)
+class SecondFolds(SecondTable):
+    """Folds of the response curve in the second approximation, by rising Omega: arrays of one length.
+
+    Omega, A, A_1 -- as in `SecondStates`; kind and corner as in `SaddleNodes`
+    """
+
+    entry: ClassVar[Any] = SecondFold
+
+    Omega: Floats
+    A: Floats
+    A_1: Floats
+    kind: npt.NDArray[np.str_]
+    corner: npt.NDArray[np.bool_]
+    F_0: float
+    message: str
+    #: folds that the message says are left out
+    _lost: int = field(default=0, kw_only=True, repr=False)
+    picture: ClassVar[str] = "folds"
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draw the folds, A over Omega, into Matplotlib axes, or new ones, and return these."""
+        from slowflow import pictures
+
+        return pictures.folds(ax, self)
