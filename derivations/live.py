@@ -69,12 +69,20 @@ class Sources:
     python  -- text of the module
     headers -- C headers by file name; `record` includes them, and those of the package
     record  -- a C source that defines `slowflow_record`, for a shared library; "" of a force that is not odd
+    motion  -- one that defines `slowflow_laws`: the pieces of the force as Taylor recurrences
     """
 
     name: str
     python: str
     headers: dict[str, str]
     record: str
+    motion: str
+
+    @property
+    def compiled(self) -> dict[str, str]:
+        """The C sources of the library by file name."""
+        texts = {f"{self.name}.c": self.record, f"{self.name}_motion.c": self.motion}
+        return {name: text for name, text in texts.items() if text}
 
 
 def stated(
@@ -182,13 +190,14 @@ def sources(mechanism: Mechanism | Sided) -> Sources:
     module = sided_module(name_of(mechanism), mechanism) if isinstance(mechanism, Sided) else _module(mechanism)
     code = {module.name: programs(module)}
     if isinstance(mechanism, Sided):
-        return Sources(module.name, numpy.text(module, code[module.name]), {}, "")
+        return Sources(module.name, numpy.text(module, code[module.name]), {}, "", c.motion(module))
     files = c.headers([module], code) | interval.files([module], code) | pair.headers([module], code)
     return Sources(
         module.name,
         numpy.text(module, code[module.name]),
         {Path(file).name: text for file, text in files.items()},
         c.records.of_one(module),
+        c.motion(module),
     )
 
 
@@ -208,8 +217,7 @@ def written(mechanism: Mechanism | Sided, folder: Path) -> list[str]:
     """All that is printed and told of it as files in a folder, in which an earlier run's are replaced; their names."""
     printed = sources(mechanism)
     name = printed.name
-    compiled = {f"{name}.c": printed.record} if printed.record else {}
-    files = {**printed.headers, **compiled, f"{name}.py": printed.python, DOCUMENT: told(mechanism)}
+    files = {**printed.headers, **printed.compiled, f"{name}.py": printed.python, DOCUMENT: told(mechanism)}
     content = {
         "command": "slowflow derive",
         "mechanism": {"name": name, "title": mechanism.title},
@@ -234,10 +242,7 @@ def _module(mechanism: Mechanism) -> Module:
     named = replace(mechanism, name=name_of(mechanism))
     derived = of_mechanism(named)
     module = mechanism_module({named.name: derived}, named.name, None)
-    record = module.record
-    # no Taylor recurrences are printed: exact motions are SciPy's
-    laws = tuple(replace(law, name="") for law in record.pieces)
-    return replace(module, inputs=("live.py",), native=False, record=replace(record, pieces=laws, scales=()))
+    return replace(module, inputs=("live.py",), native=False, record=replace(module.record, scales=()))
 
 
 def _coefficients(forces: Sequence[sp.Expr], ends: Sequence[sp.Expr]) -> tuple[dict[int, sp.Symbol], ...]:

@@ -210,8 +210,11 @@ def test_the_command_line_writes_what_a_program_derives(tmp_path, capsys):
     compiler = shlex.split(sysconfig.get_config_var("CC") or "cc")
     if shutil.which(compiler[0]):
         headers = [f"-I{place}" for place in (folder, *derive.include())]
-        source = folder / f"{module.stem}.c"
-        done = subprocess.run([*compiler, "-std=c11", "-fsyntax-only", *headers, str(source)], capture_output=True)
+        sources = sorted(folder.glob("*.c"))
+        assert [path.stem for path in sources] == [module.stem, f"{module.stem}_motion"]
+        done = subprocess.run(
+            [*compiler, "-std=c11", "-fsyntax-only", *headers, *map(str, sources)], capture_output=True
+        )
         assert done.returncode == 0, done.stderr
 
 

@@ -192,12 +192,15 @@ def test_c_refuses_what_does_not_fit():
     piece = linear().pieces[0]
     number = recurrences(piece.law)
     with pytest.raises(ValueError, match="pieces of a force"):
-        EXACT.system((number,), (), (), 0.0, 0.1, False, 0.0)
-    with pytest.raises(ValueError, match="no such law"):
-        EXACT.system((10**6,), ((),), (), 0.0, 0.1, False, 0.0)
-    with pytest.raises(ValueError, match="numbers where at most"):
-        EXACT.system((number,), (tuple(range(99)),), (), 0.0, 0.1, False, 0.0)
-    system = EXACT.system((number,), ((1.0, 0.0),), (), 0.0, 0.1, False, 0.0)
+        EXACT.system((number,), (), (), 0, True, 0.0, 0.1, False, 0.0)
+    with pytest.raises(ValueError, match="PyCapsule"):
+        EXACT.system((10**6,), ((),), (), 0, True, 0.0, 0.1, False, 0.0)
+    for constants in ((), (1.0, 0.0, 2.0), 3.0):
+        with pytest.raises(ValueError, match="as many constants as it takes, 2"):
+            EXACT.system((number,), (constants,), (), 0, True, 0.0, 0.1, False, 0.0)
+    with pytest.raises(TypeError, match="real number"):
+        EXACT.system((number,), ((1.0, "0"),), (), 0, True, 0.0, 0.1, False, 0.0)
+    system = EXACT.system((number,), ((1.0, 0.0),), (), 0, True, 0.0, 0.1, False, 0.0)
     with pytest.raises(ValueError, match="room for too few"):
         EXACT.advance(system, (1.0, 1.0, 0.1, 0.0), 0.0, 0.0, 0.0, 1.0, 100, np.empty(7))
     with pytest.raises(ValueError, match="do not fit"):

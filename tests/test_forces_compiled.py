@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from slowflow import backend, derive
+from slowflow import backend, derive, exact
 from tests.native.headers import COMPILER
 from tests.native.records import Interval, doubles, opened
 from tests.test_forces import ABOVE_0, CASES, DAMPING, FORCES, MORE, c, k, u
@@ -143,6 +143,20 @@ def test_in_C_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(d
         assert np.all(found[1].lo <= slopes + slack) and np.all(slopes - slack <= found[1].hi)
         if low not in (1e-3, *one.model.breakpoints):  # at a breakpoint it is infinite
             assert np.isfinite([found[1].lo, found[1].hi]).all()
+
+
+@pytest.mark.parametrize("name", slow_beside(sorted(set(FORCES) - {"preload"}), ("power",)))
+def test_exact_motions_are_those_of_another_integrator(derived, name):
+    """At a frequency below resonance and above: switches, amplitude, multipliers; a preload's are not followed."""
+    numbers = FORCES[name][1]
+    system, plain = (derived(name, how)(**numbers, **DAMPING).equation_of_motion() for how in (True, False))
+    for Omega in (0.5, 1.4):
+        found = exact.steady_state(system, Omega, 0.2)
+        other = exact.steady_state(plain, Omega, 0.2, found)
+        assert found.cycle.integrator.name == "taylor" and other.cycle.integrator.name == "scipy"
+        assert found.residual <= 1e-13 and other.cycle.signature == found.cycle.signature
+        assert other.A == pytest.approx(found.A, rel=1e-9)
+        assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-8
 
 
 def test_an_average_that_does_not_settle_is_no_answer(folder):

@@ -11,20 +11,25 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from slowflow import derive
+from slowflow import backend, derive, exact
 from slowflow.averaged.reference.intervals import Interval
+from slowflow.exact.compiled import TAYLOR
+from slowflow.exact.integrate import ScipyIntegrator
+from slowflow.exact.motion import Forced, follow
 from slowflow.off_centre.means import ORDERS, Steps
 from tests.test_off_centre import mean
 
 u, k, g, p, q = sp.symbols("u k g p q")
 ABOVE = {"above": 0}
 DAMPED = {"mu": 0.005, "zeta": 0.03}
+COMPILED = backend.EXACT is not None
 
 
 @pytest.fixture(scope="module")
 def stop():
     """A stop on the right alone, behind a gap."""
-    return derive.mechanism("one_sided_stop", [(u, g), (u + k * (u - g), None)], {"k": ABOVE, "g": {}}, odd=False)
+    pieces = [(u, g), (u + k * (u - g), None)]
+    return derive.mechanism("one_sided_stop", pieces, {"k": ABOVE, "g": {}}, odd=False, compile=COMPILED)
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +41,7 @@ def patched():
         (u - q * u**2 + u**3, 0.25),
         (sp.Rational(3, 2) * (u - 0.25) + 0.25 - q * 0.25**2 + 0.25**3, None),
     ]
-    return derive.mechanism("patched", pieces, {"p": {}, "q": {}}, odd=False)
+    return derive.mechanism("patched", pieces, {"p": {}, "q": {}}, odd=False, compile=COMPILED)
 
 
 @pytest.mark.parametrize(("A", "B"), [(0.05, 0.1), (0.3, 0.0), (0.6, 0.1), (0.2, -0.5), (0.1, 0.6), (0.3, -0.25)])
@@ -233,6 +238,27 @@ def test_a_force_of_four_pieces_is_followed_through_all_of_them(patched):
     assert state.A == pytest.approx(A, rel=0.05)
 
 
+@pytest.mark.skipif(not COMPILED, reason="SciPy's integrator is what there is")
+def test_compiled_motions_off_the_centre_are_scipys(stop, patched):
+    """Switches, amplitudes, multipliers of pieces on both sides of the centre and on one; a start at a jump."""
+    for oscillator, Omega, F_0 in (
+        (stop(k=8.0, g=0.02, **DAMPED), 0.9, 0.05),
+        (patched(p=0.1, q=0.3, **DAMPED), 0.8, 0.12),
+    ):
+        system = oscillator.equation_of_motion()
+        found = exact.steady_state(system, Omega, F_0)
+        other = exact.steady_state(system, Omega, F_0, found, integrator=ScipyIntegrator())
+        assert found.cycle.integrator is TAYLOR and found.cycle.signature == other.cycle.signature
+        assert other.A == pytest.approx(found.A, rel=1e-10)
+        assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-9
+        for edge in system.force.breakpoints:
+            ways = [
+                follow(Forced(system, Omega, F_0, integrator), 0.3, edge, 0.0, 2.0)[-1]
+                for integrator in (TAYLOR, ScipyIntegrator())
+            ]
+            assert [way.u_end for way in ways] == pytest.approx([ways[0].u_end] * 2, abs=1e-9)
+
+
 def test_a_force_that_is_not_odd_is_refused_what_is_about_the_centre(stop):
     oscillator = stop(k=8.0, g=0.2, **DAMPED)
     for ask in (lambda: oscillator.cusps(A_max=1.0), lambda: oscillator.peak(0.03), lambda: oscillator.backbone([0.1])):
@@ -264,8 +290,6 @@ def test_a_force_that_is_not_odd_cannot_be_stated_as_anything():
         derive.mechanism("waves", [(k * sp.sin(u), None)], {"k": ABOVE}, odd=False)
     with pytest.raises(ArithmeticError, match="which is not above g"):
         derive.mechanism("order", [(u, g), (2 * u, g - 1), (u, None)], {"g": {}}, odd=False)
-    with pytest.raises(ValueError, match="compile=True is not allowed"):
-        derive.mechanism("fast", [(u, g), (2 * u - g, None)], {"g": {}}, odd=False, compile=True)
     crossing = derive.mechanism("cross", [(u, g), (2 * u, p), (u, None)], {"g": {}, "p": {}}, odd=False)
     with pytest.raises(ValueError, match=r"end at u = 0.3, 0.1, which must rise"):
         crossing(g=0.3, p=0.1, **DAMPED)

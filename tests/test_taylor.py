@@ -27,20 +27,40 @@ FORCES = {
     "reciprocal_root": u / sp.sqrt(1 + a * u**4),
     "three_halves": u * (1 + a * u**2) ** sp.Rational(3, 2),
     "two_roots": u * sp.sqrt(1 + u**2) - b * u / sp.sqrt(2 + u**2),
+    "exponential": sp.exp(a * u) - sp.exp(-b * u) + u * a**u,
+    "hyperbolic": sp.sinh(a * u) * sp.cosh(u),
+    "hyperbolic_tangent": sp.tanh(a * u) + b * sp.tanh(a * u) ** 2 * u,
+    "logarithm": u * sp.log(1 + a * u**2),
+    "inverses": sp.asin(a * u) - sp.acos(u) * u + sp.atan(u / b),
+    "inverse_hyperbolic": sp.asinh(a * u) + sp.acosh(2 + u) * u + sp.atanh(b * u),
+    "broken_power": b * u**a * u + (1 + u) ** sp.Rational(7, 5) * u,
+    "power_of_itself": u ** (1 + u),
+    "by_size": a * copysign(sp.Abs(u), u) + b * copysign(1, u) * sp.Abs(u) ** sp.Rational(5, 3),
     "signed": a * u + b * u * copysign(sp.Integer(1), u) * u,
     "in_powers": u * (a + 2 * b * u**2 / (ROOT * (ROOT + 1))),
 }
 STATE = {"Omega": 0.9, "F_0": 0.11, "zeta": 0.03, "friction": -0.02, "theta": 0.4, "u": 0.35, "v": -0.2}
 STEP = 0.15
-SIGN = sp.Symbol("sign")
+
+
+def on_positive(force):
+    """The force for u > 0."""
+    return force.replace(copysign, lambda size, of: size).replace(sp.Abs, lambda of: of)
+
+
+def slope_of(force):
+    """Its slope; of a force that is stated by the side of u = 0 by the size of u."""
+    inclined = sp.diff(on_positive(force), u)
+    return inclined.subs(u, sp.Abs(u)) if force.has(copysign) else inclined
 
 
 def fake_module(name, force):
     """As much of a module as the recurrences take, with every root named, as kernels have it."""
-    slope = sp.diff(force.replace(copysign, lambda x, y: x * SIGN), u).subs(SIGN, copysign(sp.Integer(1), u))
+    slope = slope_of(force)
     kernels = []
     for kernel, form in (("force", force), ("slope", slope)):
-        powers = sorted({p for p in form.atoms(sp.Pow) if not p.exp.is_Integer}, key=str)
+        broken = {p for p in form.atoms(sp.Pow) if p.exp.is_Rational and not p.exp.is_Integer}
+        powers = sorted(broken, key=str)
         pairs = dict.fromkeys((p.base, p.exp.q) for p in powers)
         roots = {pair: sp.Symbol(f"{kernel}_root_{i}") for i, pair in enumerate(pairs)}
         lets = tuple((symbol, sp.Pow(base, sp.Rational(1, q))) for (base, q), symbol in roots.items())
@@ -70,7 +90,7 @@ def stepped(tmp_path_factory):
 #include "taylor.h"
 int main(void)
 {{
-    const double p[] = {{{", ".join(map(repr, CONSTANTS.values()))}}}, h = {STEP!r};
+    const double p[] = {{{", ".join(map(repr, (*CONSTANTS.values(), 1.0)))}}}, h = {STEP!r};
     const sf_drive drive = {{{drive}}};
     const sf_four flow[2] = {{sf_four_of(1.0, 0.0, 0.0, 0.0), sf_four_of(0.0, 1.0, 0.0, 0.0)}};
     for (int i = 0; i < SF_LAWS; i++) {{
@@ -99,7 +119,7 @@ int main(void)
 @pytest.mark.parametrize("name", FORCES)
 def test_a_step_by_every_function_against_twenty_five_digits(name, stepped):
     """The equation of motion and its variations, the slope by SymPy, integrated by mpmath."""
-    positive = FORCES[name].replace(copysign, lambda x, y: x)  # u stays positive
+    positive = on_positive(FORCES[name])  # u stays positive
     with mp.workdps(25):
         values = {symbol: mp.mpf(value) for symbol, value in CONSTANTS.items()}
         force = sp.lambdify((u, *CONSTANTS), positive, "mpmath")

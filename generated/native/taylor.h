@@ -9,6 +9,14 @@
 #ifndef TAYLOR_H
 #define TAYLOR_H
 
+/* the most series and fours of sums that a piece has */
+enum { SF_MOST_SERIES = 12, SF_MOST_FOURS = 2 };
+
+/* Gauss's rule of twice as many nodes on [-1, 1], of which half are the negatives of these */
+enum { SF_NODES = 4 };
+static const double sf_gauss_node[SF_NODES] = {0.96028985649753629, 0.79666647741362673, 0.52553240991632899, 0.18343464249564981};
+static const double sf_gauss_weight[SF_NODES] = {0.10122853629037626, 0.22238103445337448, 0.31370664587788727, 0.36268378337836199};
+
 #include "exact/step.h"
 
 /* duffing: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (5). */
@@ -51,7 +59,6 @@ static SF_INLINE void duffing_force_1_next(const sf_coefficients *c, const doubl
 SF_FMA static void duffing_force_1(const double *p, const sf_drive *drive, double theta, double u, double v,
     sf_expansion *x)
 {
-    _Static_assert(4 <= SF_MOST_SERIES && 1 <= SF_MOST_FOURS, "more room for series in series.h");
     double over[4], w[4 * 4];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     sf_expand(duffing_force_1_begin, duffing_force_1_next,
@@ -86,7 +93,6 @@ static SF_INLINE void duffing_force_1_both_next(const sf_coefficients *c, const 
 SF_FMA static void duffing_force_1_both(const double *p, const sf_drive *drive, double theta, double u, double v,
     const sf_four flow[2], sf_expansion *x)
 {
-    _Static_assert(6 <= SF_MOST_SERIES && 1 <= SF_MOST_FOURS, "more room for series in series.h");
     double over[6], w[4 * 6];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     sf_expand_both(duffing_force_1_both_begin, duffing_force_1_both_next,
@@ -143,7 +149,6 @@ static SF_INLINE void rod_spring_force_1_next(const sf_coefficients *c, const do
 SF_FMA static void rod_spring_force_1(const double *p, const sf_drive *drive, double theta, double u, double v,
     sf_expansion *x)
 {
-    _Static_assert(6 <= SF_MOST_SERIES && 1 <= SF_MOST_FOURS, "more room for series in series.h");
     double over[6], w[4 * 6];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     sf_expand(rod_spring_force_1_begin, rod_spring_force_1_next,
@@ -187,7 +192,6 @@ static SF_INLINE void rod_spring_force_1_both_next(const sf_coefficients *c, con
 SF_FMA static void rod_spring_force_1_both(const double *p, const sf_drive *drive, double theta, double u, double v,
     const sf_four flow[2], sf_expansion *x)
 {
-    _Static_assert(10 <= SF_MOST_SERIES && 1 <= SF_MOST_FOURS, "more room for series in series.h");
     double over[10], w[4 * 10];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     sf_expand_both(rod_spring_force_1_both_begin, rod_spring_force_1_both_next,
@@ -223,7 +227,6 @@ static SF_INLINE void rod_spring_force_2_next(const sf_coefficients *c, const do
 SF_FMA static void rod_spring_force_2(const double *p, const sf_drive *drive, double theta, double u, double v,
     sf_expansion *x)
 {
-    _Static_assert(1 <= SF_MOST_SERIES && 0 <= SF_MOST_FOURS, "more room for series in series.h");
     double over[1], w[4 * 1];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     sf_expand(rod_spring_force_2_begin, rod_spring_force_2_next,
@@ -246,7 +249,6 @@ static SF_INLINE void rod_spring_force_2_both_next(const sf_coefficients *c, con
 SF_FMA static void rod_spring_force_2_both(const double *p, const sf_drive *drive, double theta, double u, double v,
     const sf_four flow[2], sf_expansion *x)
 {
-    _Static_assert(2 <= SF_MOST_SERIES && 0 <= SF_MOST_FOURS, "more room for series in series.h");
     double over[2], w[4 * 2];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     sf_expand_both(rod_spring_force_2_both_begin, rod_spring_force_2_both_next,
@@ -318,7 +320,6 @@ static SF_INLINE void rod_spring_untruncated_force_1_next(const sf_coefficients 
 SF_FMA static void rod_spring_untruncated_force_1(const double *p, const sf_drive *drive, double theta, double u, double v,
     sf_expansion *x)
 {
-    _Static_assert(9 <= SF_MOST_SERIES && 1 <= SF_MOST_FOURS, "more room for series in series.h");
     double over[9], w[4 * 9];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     sf_expand(rod_spring_untruncated_force_1_begin, rod_spring_untruncated_force_1_next,
@@ -366,7 +367,6 @@ static SF_INLINE void rod_spring_untruncated_force_1_both_next(const sf_coeffici
 SF_FMA static void rod_spring_untruncated_force_1_both(const double *p, const sf_drive *drive, double theta, double u, double v,
     const sf_four flow[2], sf_expansion *x)
 {
-    _Static_assert(12 <= SF_MOST_SERIES && 2 <= SF_MOST_FOURS, "more room for series in series.h");
     double over[12], w[4 * 12];
     sf_four left[2 * SF_TERMS], right[2 * SF_TERMS];
     sf_expand_both(rod_spring_untruncated_force_1_both_begin, rod_spring_untruncated_force_1_both_next,
@@ -402,7 +402,6 @@ static SF_INLINE void rod_spring_untruncated_force_2_next(const sf_coefficients 
 SF_FMA static void rod_spring_untruncated_force_2(const double *p, const sf_drive *drive, double theta, double u, double v,
     sf_expansion *x)
 {
-    _Static_assert(1 <= SF_MOST_SERIES && 0 <= SF_MOST_FOURS, "more room for series in series.h");
     double over[1], w[4 * 1];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     sf_expand(rod_spring_untruncated_force_2_begin, rod_spring_untruncated_force_2_next,
@@ -425,7 +424,6 @@ static SF_INLINE void rod_spring_untruncated_force_2_both_next(const sf_coeffici
 SF_FMA static void rod_spring_untruncated_force_2_both(const double *p, const sf_drive *drive, double theta, double u, double v,
     const sf_four flow[2], sf_expansion *x)
 {
-    _Static_assert(2 <= SF_MOST_SERIES && 0 <= SF_MOST_FOURS, "more room for series in series.h");
     double over[2], w[4 * 2];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     sf_expand_both(rod_spring_untruncated_force_2_both_begin, rod_spring_untruncated_force_2_both_next,
@@ -435,12 +433,13 @@ SF_FMA static void rod_spring_untruncated_force_2_both(const double *p, const sf
 
 enum { SF_LAWS = 5 };
 
-static const sf_law sf_laws[SF_LAWS] = {
-    {"duffing.force_1", duffing_force_1_value, duffing_force_1_slope, duffing_force_1, duffing_force_1_both},
-    {"rod_spring.force_1", rod_spring_force_1_value, rod_spring_force_1_slope, rod_spring_force_1, rod_spring_force_1_both},
-    {"rod_spring.force_2", rod_spring_force_2_value, rod_spring_force_2_slope, rod_spring_force_2, rod_spring_force_2_both},
-    {"rod_spring_untruncated.force_1", rod_spring_untruncated_force_1_value, rod_spring_untruncated_force_1_slope, rod_spring_untruncated_force_1, rod_spring_untruncated_force_1_both},
-    {"rod_spring_untruncated.force_2", rod_spring_untruncated_force_2_value, rod_spring_untruncated_force_2_slope, rod_spring_untruncated_force_2, rod_spring_untruncated_force_2_both},
+static const sf_law sf_laws[SF_LAWS + 1] = {
+    {"duffing.force_1", 2, SF_SMOOTH, duffing_force_1_value, duffing_force_1_slope, duffing_force_1, duffing_force_1_both},
+    {"rod_spring.force_1", 4, SF_SMOOTH, rod_spring_force_1_value, rod_spring_force_1_slope, rod_spring_force_1, rod_spring_force_1_both},
+    {"rod_spring.force_2", 4, SF_SMOOTH, rod_spring_force_2_value, rod_spring_force_2_slope, rod_spring_force_2, rod_spring_force_2_both},
+    {"rod_spring_untruncated.force_1", 3, SF_SMOOTH, rod_spring_untruncated_force_1_value, rod_spring_untruncated_force_1_slope, rod_spring_untruncated_force_1, rod_spring_untruncated_force_1_both},
+    {"rod_spring_untruncated.force_2", 3, SF_SMOOTH, rod_spring_untruncated_force_2_value, rod_spring_untruncated_force_2_slope, rod_spring_untruncated_force_2, rod_spring_untruncated_force_2_both},
+    {0},
 };
 
 #endif

@@ -30,6 +30,7 @@ import numpy as np
 
 import slowflow_kernels
 from slowflow import backend, files
+from slowflow.exact.compiled import recurrences
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT
 from slowflow.oscillator import Oscillator
@@ -45,7 +46,7 @@ class Derived:
 
     record   -- the same record as a generated module's `MECHANISM`
     folder   -- where its sources are, and what was compiled of them
-    compiled -- whether the compiled solvers answer for it; NumPy's do otherwise, with the same answers
+    compiled -- whether compiled code answers for it; NumPy's solvers and SciPy's integrator do otherwise
     """
 
     record: Mechanism
@@ -64,8 +65,8 @@ class Derived:
 
     @property
     def compiled(self) -> bool:
-        """Whether the compiled solvers have its record."""
-        return backend.record_of(self.record) is not None
+        """Whether the compiled solvers have its record, and the compiled integrator its force."""
+        return is_attached(self.record)
 
     def __call__(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: float) -> Oscillator:
         """An oscillator with these numbers, damping among them: `Oscillator(record, ...)`, whose errors are raised."""
@@ -83,8 +84,9 @@ class Derived:
     def write(self, folder: Path) -> list[str]:
         """Write what `make derive` writes of the package's own mechanisms, and the document; the files' names.
 
-        A Python module of kernels on NumPy, C headers (which include those of `include()`), a C source with the record
-        that the solvers take, derivation.md, MANIFEST.json with a hash of each. Files of an earlier run are replaced.
+        A Python module of kernels on NumPy, C headers (which include those of `include()`), C sources with the record
+        that the solvers take and with the force as power series, derivation.md, MANIFEST.json with a hash of each.
+        Files of an earlier run are replaced.
         """
         names: list[str] = _derivation().written(self._stated, Path(folder))
         return names
@@ -94,6 +96,8 @@ class Derived:
         how = "compiled" if self.compiled else "on NumPy"
         if self.record.enclosed is not None:
             how += ", by quadrature"
+        if not self.record.odd and self.compiled:
+            how = "motions compiled, averages on NumPy"
         return f"{self.record.title}: {names}, mu, zeta; {how}"
 
 
@@ -120,12 +124,11 @@ def mechanism(
     odd        -- whether the force is; else its pieces are polynomials for all u, by rising u, each with the u, of any
                   sign, at which it ends. Its motions are off the centre and have a mean B: see `Oscillator.off_centre`
     compile    -- print C, call the C compiler (the environment's CC, or the one that Python was built with), and let
-                  the compiled solvers answer
+                  the compiled solvers and the compiled integrator answer; of a force that is not odd this one
 
-    Raises ValueError and TypeError for what is not allowed, with what is, as compile=True for a force that is not odd;
-    ArithmeticError for a force that cannot be derived, with the reason; ImportError without the extra; RuntimeError
-    where the compiler fails, with its words, or where slowflow itself is not compiled. Exact motions are SciPy's,
-    compiled or not.
+    Raises ValueError and TypeError for what is not allowed, with what is; ArithmeticError for a force that cannot be
+    derived, with the reason; ImportError without the extra; RuntimeError where the compiler fails, with its words, or
+    where slowflow itself is not compiled. Exact motions are SciPy's where it is not compiled, and take long.
     """
     furthest = () if reach is None else (reach, reach_reason)
     return _derived(_derivation().stated(name, pieces, parameters, title, *furthest, odd=odd), compile)
@@ -160,9 +163,7 @@ def _derived(stated: Any, compile: bool) -> Derived:
         _write(folder, live.sources(stated))
     importlib.invalidate_caches()
     record: Mechanism = importlib.import_module(f"slowflow_derived.{module}").MECHANISM
-    if compile and not record.odd:
-        raise ValueError(f"compile=True is not allowed for {stated.name}: a force that is not odd is NumPy's")
-    if compile and backend.record_of(record) is None:
+    if compile and not is_attached(record):
         _attach(record, _compiled(folder, module))
     return Derived(record, folder, stated)
 
@@ -185,27 +186,27 @@ def _folder() -> Path:
 
 def _write(folder: Path, sources: Any) -> None:
     """Each file under its name only when it is whole; the Python module last, which says that all are there."""
-    compiled = {f"{sources.name}.c": sources.record} if sources.record else {}
-    sources_by_name = {**sources.headers, **compiled, f"{sources.name}.py": sources.python}
+    sources_by_name = {**sources.headers, **sources.compiled, f"{sources.name}.py": sources.python}
     for name, text in sources_by_name.items():
         files.write(folder / name, text)
 
 
 def _compiled(folder: Path, module: str) -> Path:
     """The shared library of a mechanism, compiled if it is not there."""
-    if backend.SOLVER is None:
+    if backend.SOLVER is None or backend.EXACT is None:
         raise RuntimeError("compile=True: slowflow itself is not compiled here, there are no solvers for it")
     # one for each state of the headers: the record's form may change
-    told = b"".join(path.read_bytes() for place in include() for path in sorted(place.glob("*.h")))
+    told = b"".join(path.read_bytes() for place in include() for path in sorted(place.rglob("*.h")))
     library = folder / f"{module}-{hashlib.sha256(told).hexdigest()[:12]}.so"
     if library.exists():
         return library
     compiler = shlex.split(os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc")
     headers = [f"-I{place}" for place in (folder, *include())]
+    sources = [str(path) for name in (f"{module}.c", f"{module}_motion.c") if (path := folder / name).exists()]
     made = library.with_suffix(f".{os.getpid()}")
     try:
         done = subprocess.run(
-            [*compiler, *FLAGS, *headers, str(folder / f"{module}.c"), "-o", str(made), "-lm"],
+            [*compiler, *FLAGS, *headers, *sources, "-o", str(made), "-lm"],
             capture_output=True,
             text=True,
         )
@@ -217,17 +218,31 @@ def _compiled(folder: Path, module: str) -> Path:
     return library
 
 
+def is_attached(record: Mechanism) -> bool:
+    """Whether a library of it is attached."""
+    return recurrences(record.pieces[0]) is not None and (not record.odd or backend.record_of(record) is not None)
+
+
 def _attach(record: Mechanism, library: Path) -> None:
-    """Hands the record in a library to the compiled solvers, and its averages to NumPy's; neither is ever let go."""
+    """Hands what is in a library to the compiled code, and its averages to NumPy's; neither is ever let go.
+
+    To the integrator the pieces of the force, to the solvers the record, which only an odd force has.
+    """
     loaded = ctypes.CDLL(str(library))
-    new = ctypes.pythonapi.PyCapsule_New
-    new.restype, new.argtypes = ctypes.py_object, (ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p)
-    address = ctypes.c_void_p.in_dll(loaded, "slowflow_record").value
-    assert backend.SOLVER is not None
-    backend.SOLVER.RECORDS[record.name] = new(address, CAPSULE, None)
+    assert backend.EXACT is not None and backend.SOLVER is not None
+    backend.EXACT.LAWS.update(backend.EXACT.laws(_capsule(loaded, "slowflow_laws", LAWS)))
+    if record.odd:
+        backend.SOLVER.RECORDS[record.name] = _capsule(loaded, "slowflow_record", CAPSULE)
     if record.enclosed is not None:
         closing = importlib.import_module(f"slowflow_derived.{record.name}").averaged_of
         COMPILED[closing] = partial(_averaged, loaded.slowflow_averaged)
+
+
+def _capsule(loaded: ctypes.CDLL, name: str, kind: bytes) -> Any:
+    """What a pointer of that name in a library points to, as extension modules take it."""
+    new = ctypes.pythonapi.PyCapsule_New
+    new.restype, new.argtypes = ctypes.py_object, (ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p)
+    return new(ctypes.c_void_p.in_dll(loaded, name).value, kind, None)
 
 
 def _averaged(loop: Any, numbers: list[Any]) -> Any:
@@ -239,5 +254,6 @@ def _averaged(loop: Any, numbers: list[Any]) -> Any:
     return found
 
 
-#: what a capsule with a record is called, in mechanism.h; the name has to outlive the capsules
-CAPSULE = b"slowflow.mechanism"
+#: what capsules with a record and with pieces of a force are called, in mechanism.h and _exact.c; these names have to
+#: outlive the capsules
+CAPSULE, LAWS = b"slowflow.mechanism", b"slowflow._exact.laws"

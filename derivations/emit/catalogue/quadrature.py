@@ -31,7 +31,7 @@ def quadrature_module(name: str, mechanism: Mechanism, average: Quadrature) -> M
     """The module of one mechanism that is stated in a program."""
     stated = mechanism
     mechanism, average = renamed(mechanism, average)
-    pieces, laws = piece_kernels(mechanism, average)
+    pieces, laws = piece_kernels(mechanism, average, name)
     averages = (*average_sums(mechanism, average), parameter_sums(mechanism, average))
     return Module(
         name=name,
@@ -213,8 +213,8 @@ def step_kernels(mechanism: Mechanism, average: Quadrature) -> list[Kernel]:
     return [replace(plain("steps", given, values, DOC_OF_STEPS, "(3), (5)", ANY, parameters=len(given)), looped=False)]
 
 
-def piece_kernels(mechanism: Mechanism, average: Quadrature) -> tuple[list[Kernel], tuple[Law, ...]]:
-    """The pieces of the force and their slopes on both sides of u = 0, for the equation of motion."""
+def piece_kernels(mechanism: Mechanism, average: Quadrature, module: str) -> tuple[list[Kernel], tuple[Law, ...]]:
+    """The pieces of the force and their slopes on both sides of u = 0, for the equation of motion; laws of a module."""
     parameters = mechanism.parameters
     kernels, laws = [], []
     for k, piece in enumerate(average.pieces, start=1):
@@ -225,7 +225,7 @@ def piece_kernels(mechanism: Mechanism, average: Quadrature) -> tuple[list[Kerne
             kernels.append(
                 plain(one, (u, *parameters), value, text, "(3), (5)", "where it holds", lets=lets, generic=True)
             )
-        laws.append(Law(name, slope, ""))
+        laws.append(Law(name, slope, f"{module}.{name}"))
     return kernels, tuple(laws)
 
 

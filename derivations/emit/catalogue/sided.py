@@ -21,7 +21,7 @@ def sided_module(name: str, force: Sided) -> Module:
     """The module of one force that is stated in a program."""
     stated = force
     force = renamed(force)
-    pieces, laws = piece_kernels(force)
+    pieces, laws = piece_kernels(force, name)
     return Module(
         name=name,
         title=stated.title[0].upper() + stated.title[1:],
@@ -61,8 +61,8 @@ def data_kernels(force: Sided) -> list[Kernel]:
     ]
 
 
-def piece_kernels(force: Sided) -> tuple[list[Kernel], tuple[Law, ...]]:
-    """The pieces of the force and their slopes, for the equation of motion."""
+def piece_kernels(force: Sided, module: str) -> tuple[list[Kernel], tuple[Law, ...]]:
+    """The pieces of the force and their slopes, for the equation of motion; laws of a module."""
     kernels, laws = [], []
     for k, piece in enumerate(force.pieces, start=1):
         name, slope = f"force_{k}", f"force_{k}_u"
@@ -70,5 +70,5 @@ def piece_kernels(force: Sided) -> tuple[list[Kernel], tuple[Law, ...]]:
         for one, value, text in ((name, piece, "P" + what), (slope, sp.diff(piece, u), "d/du of p" + what)):
             printed = sp.horner(sp.expand(value), u) if value.has(u) else value
             kernels.append(plain(one, (u, *force.parameters), printed, text, "(3)", "where it holds", generic=True))
-        laws.append(Law(name, slope, ""))
+        laws.append(Law(name, slope, f"{module}.{name}"))
     return kernels, tuple(laws)

@@ -1,6 +1,7 @@
 """The compiled integrator: in go questions about smooth motion, whole motions and cycles, out come C's answers.
 
-In:  pieces of a force that the derivation generated recurrences for, states, orders of switches.
+In:  pieces of a force that the derivation generated recurrences for, for the package or a library of its own, states,
+     orders of switches.
 Out: `TaylorIntegrator`, an `Integrator` that also follows motions and solves cycles by itself, without the GIL.
 
 What it computes is stated in `integrate`, `motion` and `cycle`, whose Python is the reference for it. The oscillator
@@ -10,6 +11,7 @@ that the C functions take is made once for each and never changes; they share no
 from __future__ import annotations
 
 import functools
+import math
 import struct
 from collections.abc import Iterator
 from typing import Any
@@ -18,17 +20,16 @@ import numpy as np
 
 from slowflow import backend
 from slowflow.exact.integrate import Array, Drive, Integrator, ScipyIntegrator, spend, steps_left
-from slowflow.mechanism import EquationOfMotion, Law, Piece
+from slowflow.mechanism import EquationOfMotion, Force, Law, Piece
 
 EXACT: Any = backend.EXACT
 PHASE = struct.Struct("@iiddddddi?0d")  # a phase as C has it, in the order of `motion.Phase`
 TRACED = 50  # points of a curve at a time: some milliseconds, after which Ctrl-C is heard
 
 
-def recurrences(law: Law) -> int | None:
-    """The number of a law's recurrences in C; None for one that was not generated, or without the extension."""
-    found: int | None = None if EXACT is None else EXACT.LAWS.get(law.name)
-    return found
+def recurrences(law: Law) -> Any:
+    """A law's recurrences in C; None for one that was not generated or compiled, or without the extension."""
+    return None if EXACT is None else EXACT.LAWS.get(law.name)
 
 
 def compiles(system: EquationOfMotion) -> bool:
@@ -41,16 +42,24 @@ def compiles(system: EquationOfMotion) -> bool:
 @functools.lru_cache(maxsize=4096)
 def of_system(system: EquationOfMotion) -> Any:
     """The oscillator for C."""
-    pieces = system.force.pieces
+    force = system.force
+    pieces, edges = by_rising_u(force)
+    about = -force.region_of(-math.inf)
     laws, constants = tuple(recurrences(piece.law) for piece in pieces), tuple(piece.constants for piece in pieces)
-    damping = system.mu, system.zeta
-    return EXACT.system(laws, constants, system.force.breakpoints, *damping, system.inertial, system.load)
+    return EXACT.system(laws, constants, edges, about, force.odd, system.mu, system.zeta, system.inertial, system.load)
+
+
+def by_rising_u(force: Force) -> tuple[tuple[Piece, ...], tuple[float, ...]]:
+    """All pieces, and the u at which each but the last ends."""
+    if not force.odd:
+        return force.pieces, force.breakpoints
+    return force.pieces[:0:-1] + force.pieces, (*(-end for end in reversed(force.breakpoints)), *force.breakpoints)
 
 
 @functools.lru_cache(maxsize=4096)
 def of_piece(piece: Piece) -> Any:
     """An oscillator of that piece alone."""
-    return EXACT.system((recurrences(piece.law),), (piece.constants,), (), 0.0, 0.0, False, 0.0)
+    return EXACT.system((recurrences(piece.law),), (piece.constants,), (), 0, True, 0.0, 0.0, False, 0.0)
 
 
 class TaylorIntegrator:

@@ -4,7 +4,7 @@ In:  a piece of the force, the constants of the phase, a state, a span of theta.
 Out: the state at its end, with its derivatives or up to the first stop or breakpoint, or on a grid.
 
 Primes are derivatives by theta; v is the velocity du/dtau. `compiled` has the integrator in C that the derivation
-generates recurrences for; SciPy's DOP853 here serves where there is no compiler, and for forces that are not generated.
+generates recurrences for; SciPy's DOP853 here serves where there is no compiler, and for forces that were not compiled.
 """
 
 from __future__ import annotations

@@ -74,6 +74,11 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     return result
 
 
+def motion(module: Module) -> str:
+    """A source with the recurrences of one force, for a library of its own."""
+    return taylor.of_one(module, templates(Path(__file__).parent))
+
+
 def calls(module: Module) -> Calls:
     """How a header's compositions call other functions."""
     return Calls(f"{module.flow}_friction(mu)", f"{module.flow}_{{}}".format, tuple(f"average[{k}]" for k in range(4)))

@@ -2,12 +2,23 @@
 
 In:  `Module`s, whose records name the kernels of each piece f(u) of a restoring force and of its slope.
 Out: the text of `native/taylor.h`: for each piece the leading coefficients of the series on the way from u to f, and to
-     df/du, one assignment for each of their coefficients n > 0, and the table of all pieces.
+     df/du, one assignment for each of their coefficients n > 0, and the table of all pieces; `of_one`, the same for one
+     module as a source of its own.
 
 With u(t) a power series, every quantity along the way is one; its coefficient n follows from those up to n of what it
-is made of (Cauchy's product and what comes of it for quotients, roots, sine and cosine). Each of these is a sum of
-products of two series' coefficients. What is summed of lower coefficients is known before coefficient n is begun, for
-all products at once: the sums of four are added side by side (`sf_four` in src/slowflow/native/exact/series.h).
+is made of: Cauchy's product, and what comes of it for quotients and roots. Any other elementary function y of a series
+a has a derivative that is algebraic in series at hand, and so
+
+    y' = a' b       exp (b = y), sin and cos, sinh and cosh (b the other one), tan and tanh (b = 1 +- y^2)
+    b y' = a'       log (b = a), and the inverses of circular and hyperbolic functions (b their derivative's reciprocal)
+    a y' = r a' y   a power r that is no whole number, which may be a parameter
+
+Each coefficient is a sum of products of two series' coefficients. What is summed of lower coefficients is known before
+coefficient n is begun, for all products at once: the sums of four are added side by side (`sf_four` in
+src/slowflow/native/exact/series.h). What a force and its slope have in common is one series.
+
+A piece of an odd force that is no odd function itself is stated by the side of u = 0 on which it holds. That side is
+the last of its constants, 1 or -1: at u = 0, where two such pieces meet, u does not tell.
 
 A constant enters the leading coefficient alone. So a force that depends on u through a root may be written in powers of
 that root beyond it (`by_root`), with fewer products, while its leading coefficient keeps the form in which no digits
@@ -23,12 +34,14 @@ from dataclasses import dataclass, field
 import jinja2
 import sympy as sp
 
+from ....elliptic import gauss
+from ....quadrature import singular_at
 from ....symbols import u
 from ...compensated import copysign
 from ...form import Let, Module
 from ...passes import is_constant, straight_line
 from ...provenance import tools
-from ..printing import Unprintable
+from ..printing import Unprintable, literal
 from .printer import CPrinter
 
 PRINTER = CPrinter()
@@ -36,9 +49,30 @@ PRINTER = CPrinter()
 #: sums that are added side by side
 LANES = 4
 
+#: nodes of Gauss's rule on the first step from where a force has no series
+NODES = 8
+
 #: led_by_...(expression): the expression, whose leading coefficient the function of that name gives
 SECANT, SLOPE = sp.symbols("led_by_secant led_by_slope", cls=sp.Function, real=True)
 LED_BY = {SECANT: "secant", SLOPE: "slope"}
+
+#: 1 where a piece holds for u > 0, -1 where it holds for u < 0
+SIDE = sp.Symbol("on_side", real=True)
+
+#: y, b, sign: y' = a' b and b' = sign a' y
+PAIRED = ((sp.sin, sp.cos, "-"), (sp.sinh, sp.cosh, ""))
+#: y' = a' b with b = 1 + sign y^2, by y: what 1/sqrt(b) is of a, sign
+BY_SQUARE = {sp.tan: ("cos", ""), sp.tanh: ("cosh", "-")}
+#: b y' = a', by y: b of a
+INVERSES = {
+    sp.log: lambda a: a,
+    sp.asin: lambda a: sp.sqrt((1 - a) * (1 + a)),
+    sp.acos: lambda a: -sp.sqrt((1 - a) * (1 + a)),
+    sp.atan: lambda a: 1 + a**2,
+    sp.asinh: lambda a: sp.sqrt(1 + a**2),
+    sp.acosh: lambda a: sp.sqrt((a - 1) * (a + 1)),
+    sp.atanh: lambda a: (1 - a) * (1 + a),
+}
 
 
 @dataclass(frozen=True)
@@ -66,7 +100,7 @@ def body(
 
 def _takes(number: int, text: str) -> bool:
     """Whether a recurrence takes the first coefficient of that series."""
-    numbers = re.search(r"\(c, ([\d, ]+), \d+\)", text)
+    numbers = re.search(r"\(c, ([\d, ]+), \d+[,)]", text)
     return f"first[{number}]" in text or (numbers is not None and str(number) in numbers[1].split(", "))
 
 
@@ -84,6 +118,8 @@ class Recurrences:
     scalars -- f, df/du and other leading coefficients, by name
     force, both -- recurrences of f alone, and of f and df/du
     linear -- whether df/du is a constant
+    constants -- how many it takes, without the side of u = 0
+    breaks -- what it is at u = 0, as src/slowflow/native/exact/step.h names it
     """
 
     name: str
@@ -93,11 +129,35 @@ class Recurrences:
     force: Recurrence
     both: Recurrence
     linear: bool
+    constants: int
+    breaks: str
 
 
 def text(modules: Sequence[Module], environment: jinja2.Environment) -> str:
     """The file."""
-    return environment.get_template("taylor.h.jinja").render(tools=tools(), laws=list(laws(modules)))
+    return _rendered("taylor.h.jinja", modules, environment, gauss(NODES // 2))
+
+
+def of_one(module: Module, environment: jinja2.Environment) -> str:
+    """A source with the pieces of one force, for a library of its own."""
+    return _rendered("motion.c.jinja", [module], environment, ())
+
+
+def _rendered(
+    template: str,
+    modules: Sequence[Module],
+    environment: jinja2.Environment,
+    rule: Sequence[tuple[sp.Rational, sp.Rational]],
+) -> str:
+    found = list(laws(modules))
+    recurrences = [one for law in found for one in (law.force, law.both)]
+    return environment.get_template(template).render(
+        tools=tools(),
+        laws=found,
+        rule=[(literal(node), literal(weight)) for node, weight in rule],
+        most_series=max(len(one.lines) + 1 for one in recurrences),
+        most_fours=max(1, *(one.fours for one in recurrences)),
+    )
 
 
 def laws(modules: Sequence[Module]) -> Iterator[Recurrences]:
@@ -109,8 +169,9 @@ def laws(modules: Sequence[Module]) -> Iterator[Recurrences]:
             constants = tuple(symbol for symbol in force.arguments if symbol != u)
             prefix = f"{module.name}_{law.force}"
             (value,), (gradient,) = force.branches, slope.branches
-            lets = given = list(dict.fromkeys((*value.lets, *gradient.lets)))
-            outputs = [value.outputs[0], gradient.outputs[0]]
+            named = dict.fromkeys((*value.lets, *gradient.lets))
+            lets = given = [(symbol, by_side(stated)) for symbol, stated in named]
+            outputs = [by_side(value.outputs[0]), by_side(gradient.outputs[0])]
             forms = dict(zip(("value", "slope"), outputs, strict=True))
             both = recurrence(prefix, constants, lets, outputs)
             secant, short = in_powers(outputs, lets)
@@ -126,7 +187,18 @@ def laws(modules: Sequence[Module]) -> Iterator[Recurrences]:
                 force=recurrence(prefix, constants, lets, outputs[:1]),
                 both=both,
                 linear=not gradient.lets and not gradient.outputs[0].has(u),
+                constants=len(constants),
+                breaks=breaks(given, forms["value"]),
             )
+
+
+def breaks(lets: Sequence[Let], force: sp.Expr) -> str:
+    """What a piece is at u = 0."""
+    for symbol, stated in reversed(lets):
+        force = force.xreplace({symbol: stated})
+    if not force.has(SIDE):
+        return "SF_SMOOTH"
+    return "SF_BRANCHES" if singular_at(force.xreplace({SIDE: sp.Integer(1)}), sp.Integer(0)) else "SF_MEETS"
 
 
 def in_powers(outputs: Sequence[sp.Expr], lets: Sequence[Let]) -> tuple[sp.Expr | None, list[sp.Expr]]:
@@ -181,14 +253,20 @@ def by_root(expression: sp.Expr) -> sp.Expr | None:
 
 def scalar(lets: Sequence[Let], expression: sp.Expr, constants: tuple[sp.Symbol, ...]) -> Body:
     """A function of the constants p and u."""
-    program = straight_line(lets, [expression], (u, *constants))
+    program = straight_line(lets, [expression], (u, *constants, SIDE))
     known = [*places(constants), *((symbol.name, PRINTER.doprint(value)) for symbol, value in program.lets)]
     return body(("p", "u"), known, (), PRINTER.doprint(program.outputs[0]))
 
 
 def places(constants: tuple[sp.Symbol, ...]) -> list[tuple[str, str]]:
-    """The constants by their names."""
-    return [(PRINTER.doprint(symbol), f"p[{i}]") for i, symbol in enumerate(constants)]
+    """The constants by their names; the last is the side of u = 0 on which the piece holds."""
+    return [(PRINTER.doprint(symbol), f"p[{i}]") for i, symbol in enumerate((*constants, SIDE))]
+
+
+def by_side(expression: sp.Expr) -> sp.Expr:
+    """An expression in the side of u = 0 in place of the sign of u."""
+    stated = expression.replace(copysign, lambda size, of: size * SIDE if of == u else copysign(size, of))
+    return stated.replace(sp.Abs, lambda of: SIDE * of if of == u else sp.Abs(of))
 
 
 @dataclass(frozen=True)
@@ -264,6 +342,7 @@ class _Builder:
     lines: list[Line] = field(default_factory=list)
     sums: list[tuple[str, str]] = field(default_factory=list)
     made: dict[tuple[object, ...], int] = field(default_factory=dict)
+    functions: dict[tuple[type[sp.Function], int], int] = field(default_factory=dict)
 
     def add(self, leading: str, further: str, pairs: Sequence[tuple[str, str]] = (), over: str = "") -> int:
         """The number of the series with these recurrences.
@@ -295,19 +374,14 @@ class _Builder:
             return series if factor == "" else self.add(_scaled(factor, "first", series), _scaled(factor, "w", series))
         if expression.is_Pow:
             return self._power(self.of(expression.base), expression.exp)
-        if expression.func is copysign:
-            size, of = (self.of(argument) for argument in expression.args)
-            return f"copysign({size}, {of if isinstance(of, str) else f'first[{of}]'})"
-        if expression.func in (sp.sin, sp.cos):
-            return self._angle(self.of(expression.args[0]), expression.func)
-        if expression.func is sp.tan:
-            angle = self.of(expression.args[0])
-            if isinstance(angle, str):
-                return f"tan({angle})"
-            return self._quotient(self._angle(angle, sp.sin), self._angle(angle, sp.cos))
         if expression.func in LED_BY:
             found = self.of(expression.args[0])
             return self.add(f"{self.prefix}_{LED_BY[expression.func]}(p, first[0])", f"w[{found}]")
+        if isinstance(expression, sp.Function):
+            inner = self.of(*expression.args)
+            if isinstance(inner, str):
+                return PRINTER.doprint(expression.func(_named(inner)))
+            return self._function(expression.func, inner)
         raise Unprintable(f"no recurrence is known for {expression.func}: {expression}")
 
     def _sum(self, expression: sp.Expr) -> int | str:
@@ -381,11 +455,14 @@ class _Builder:
         )
 
     def _power(self, base: int | str, exponent: sp.Expr) -> int | str:
+        raised = self.of(exponent)
         if isinstance(base, str):
-            symbol = sp.Symbol(f"({base})" if " " in base else base)
-            return PRINTER.doprint(sp.Pow(symbol, exponent))
-        denominator = exponent.q if exponent.is_Rational else 0
-        if denominator == 2:
+            if isinstance(raised, str):
+                return PRINTER.doprint(sp.Pow(_named(base), exponent if is_constant(exponent) else _named(raised)))
+            return self._function(sp.exp, self._times_constant(f"log({base})", raised))
+        if not isinstance(raised, str):
+            return self._function(sp.exp, self._times(raised, self._function(sp.log, base)))
+        if exponent.is_Rational and exponent.q == 2:
             # odd powers of a root by its radicand, which is at hand
             root = self._root(base)
             whole = self._chain([base] * (int(abs(exponent.p)) // 2))
@@ -393,11 +470,11 @@ class _Builder:
                 return root if whole is None else self._times(whole, root)
             one = self._quotient("1.0", root)
             return one if whole is None else self._quotient(one, whole)
-        if exponent.could_extract_minus_sign():
+        if not exponent.is_Integer:
+            return self._broken_power(base, exponent, raised)
+        if exponent.is_negative:
             return self._quotient("1.0", self._power(base, -exponent))
-        if denominator not in (1, 3):
-            raise Unprintable(f"no recurrence is known for the power {exponent}")
-        found = self._chain([base if denominator == 1 else self._cube_root(base)] * int(exponent.p))
+        found = self._chain([base] * int(exponent))
         assert found is not None
         return found
 
@@ -409,31 +486,66 @@ class _Builder:
             "0.5 / first[{own}]",
         )
 
-    def _cube_root(self, base: int) -> int:
-        """From 3 a c' = a' c."""
+    def _broken_power(self, base: int, exponent: sp.Expr, raised: str) -> int:
+        """From a y' = r a' y."""
+        leading = sp.Pow(sp.Symbol("BASE"), exponent if is_constant(exponent) else _named(raised))
         return self.add(
-            f"cbrt(first[{base}])",
-            f"sf_cube_root(c, {base}, {{own}}, {{0}})",
+            PRINTER.doprint(leading).replace("BASE", f"first[{base}]"),
+            f"sf_power(c, {base}, {{own}}, {{0}}, {raised})",
             [(f"c->n * w[{base}]", "w[{own}]"), (f"w[{base}]", "c->n * w[{own}]")],
             f"1.0 / first[{base}]",
         )
 
-    def _angle(self, angle: int | str, function: type[sp.Function]) -> int | str:
-        """Sine and cosine are put down together: each needs the other."""
-        if isinstance(angle, str):
-            return f"{function.__name__}({angle})"
-        sine, cosine = len(self.lines) + 1, len(self.lines) + 2
-        for key in self.made:
-            if key[0] == f"sin(first[{angle}])":
-                sine, cosine = self.made[key], self.made[key] + 1
-        texts = ((sp.sin, "sin", "", cosine), (sp.cos, "cos", "-", sine))
-        for _, name, sign, other in texts:
-            self.add(
-                f"{name}(first[{angle}])",
-                f"{sign}sf_of_angle(c, {angle}, {other}, {{0}})",
-                [(f"c->n * w[{angle}]", f"w[{other}]")],
+    def _function(self, function: type[sp.Function], of: int) -> int:
+        if (function, of) not in self.functions:
+            self._put_down(function, of)
+        return self.functions[function, of]
+
+    def _put_down(self, function: type[sp.Function], of: int) -> None:
+        """The series of a function; of two, of which each is the other's derivative, both."""
+        own = len(self.lines) + 1
+        self.functions[function, of] = own
+        if function is sp.exp:
+            self._by_rate("exp", of, own)
+        elif function in BY_SQUARE:
+            beside, sign = BY_SQUARE[function]
+            self._by_rate(function.__name__, of, own + 2)
+            square = self._times(own, own)
+            root = f"{beside}(first[{of}])"
+            self.add(f"1.0 / ({root} * {root})", _scaled(sign, "w", square))
+        elif function in INVERSES:
+            argument = sp.Symbol(f"series_{of}", real=True)
+            self.known[argument] = of
+            rate = self.of(INVERSES[function](argument))
+            self.functions[function, of] = self.add(
+                f"{function.__name__}(first[{of}])",
+                f"sf_of_ratio(c, {of}, {rate}, {{own}}, {{0}})",
+                [(f"w[{rate}]", "c->n * w[{own}]")],
+                f"1.0 / first[{rate}]",
             )
-        return sine if function is sp.sin else cosine
+        else:
+            for one, other, sign in PAIRED:
+                if function in (one, other):
+                    self.functions |= {(one, of): own, (other, of): own + 1}
+                    self._by_rate(one.__name__, of, own + 1)
+                    self._by_rate(other.__name__, of, own, sign)
+                    return
+            raise Unprintable(f"no recurrence is known for {function}")
+
+    def _by_rate(self, name: str, of: int, rate: int, sign: str = "") -> None:
+        self.add(
+            f"{name}(first[{of}])",
+            f"{sign}sf_of_rate(c, {of}, {rate}, {{0}})",
+            [(f"c->n * w[{of}]", f"w[{rate}]")],
+        )
+
+    def _times_constant(self, factor: str, series: int) -> int:
+        return self.add(_scaled(factor, "first", series), _scaled(factor, "w", series))
+
+
+def _named(text: str) -> sp.Symbol:
+    """A symbol that prints as that text."""
+    return sp.Symbol(f"({text})" if " " in text else text, real=True)
 
 
 def _scaled(factor: str, of: str, series: int) -> str:
@@ -451,9 +563,9 @@ def recurrence(
     prefix: str, constants: tuple[sp.Symbol, ...], lets: Sequence[Let], outputs: Sequence[sp.Expr]
 ) -> Recurrence:
     """The recurrences of a piece f(u) with its constants; or of it and of df/du."""
-    program = straight_line(lets, outputs, (u, *constants))
-    builder = _Builder(prefix, {u: 0, **{symbol: PRINTER.doprint(symbol) for symbol in constants}})
+    program = straight_line(lets, outputs, (u, *constants, SIDE))
     known = places(constants)
+    builder = _Builder(prefix, {u: 0, **{symbol: PRINTER.doprint(symbol) for symbol in (*constants, SIDE)}})
     for symbol, value in program.lets:
         found = builder.of(value)
         if isinstance(found, str):

@@ -6,66 +6,92 @@
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
-#include "trace.h"
 #include "taylor.h"
+#include "trace.h"
 
 #define NAME "slowflow._exact.system"
+#define LAW "slowflow._exact.law"
+#define TABLE "slowflow._exact.laws"
 
 static void free_system(PyObject *capsule) { PyMem_Free(PyCapsule_GetPointer(capsule, NAME)); }
 
-/* the numbers of a tuple; -1 with an error set if they are not, or too many */
-static Py_ssize_t numbers(PyObject *tuple, double *out, Py_ssize_t most)
+/* the numbers of a tuple; with an error set if they are none */
+static void numbers(PyObject *tuple, double *out, Py_ssize_t count)
 {
-    const Py_ssize_t count = PyTuple_Size(tuple);
-    if (count > most) {
-        PyErr_Format(PyExc_ValueError, "%zd numbers where at most %zd are allowed", count, most);
-        return -1;
-    }
-    for (Py_ssize_t i = 0; i < count; i++) {
+    for (Py_ssize_t i = 0; i < count && !PyErr_Occurred(); i++)
         out[i] = PyFloat_AsDouble(PyTuple_GetItem(tuple, i));
-        if (PyErr_Occurred())
-            return -1;
-    }
-    return count;
 }
 
+/* (laws, constants, edges, about, odd, mu, zeta, inertial, load): pieces by rising u; constants less the side of u = 0 */
 static PyObject *make_system(PyObject *self, PyObject *arguments)
 {
     (void)self;
-    PyObject *laws, *constants, *breakpoints;
+    PyObject *laws, *constants, *edges;
     double mu, zeta, load;
-    int inertial;
-    if (!PyArg_ParseTuple(arguments, "O!O!O!ddpd", &PyTuple_Type, &laws, &PyTuple_Type, &constants, &PyTuple_Type,
-                          &breakpoints, &mu, &zeta, &inertial, &load))
+    int about, odd, inertial;
+    if (!PyArg_ParseTuple(arguments, "O!O!O!ipddpd", &PyTuple_Type, &laws, &PyTuple_Type, &constants, &PyTuple_Type,
+                          &edges, &about, &odd, &mu, &zeta, &inertial, &load))
         return NULL;
-    sf_system *const system = PyMem_Calloc(1, sizeof *system);
+    const Py_ssize_t pieces = PyTuple_Size(laws);
+    if (pieces < 1 || PyTuple_Size(constants) != pieces || PyTuple_Size(edges) != pieces - 1 || about < 0 ||
+        about >= pieces)
+        return PyErr_Format(PyExc_ValueError, "%zd pieces of a force, with other numbers of constants or ends", pieces);
+    size_t room = (size_t)pieces + 1;
+    for (Py_ssize_t i = 0; i < pieces; i++) {
+        const sf_law *const law = PyCapsule_GetPointer(PyTuple_GetItem(laws, i), LAW);
+        PyObject *const own = PyTuple_GetItem(constants, i);
+        if (law == NULL)
+            return NULL;
+        if (!PyTuple_Check(own) || PyTuple_Size(own) != law->constants)
+            return PyErr_Format(PyExc_ValueError, "%s has to have as many constants as it takes, %d", law->name,
+                                law->constants);
+        room += 2 * ((size_t)law->constants + 1);
+    }
+    const size_t fixed = sizeof(sf_system) + (size_t)pieces * sizeof(sf_piece);
+    sf_system *const system = PyMem_Calloc(1, fixed + room * sizeof(double));
     if (system == NULL)
         return PyErr_NoMemory();
-    const Py_ssize_t pieces = PyTuple_Size(laws);
-    system->mu = mu, system->zeta = zeta, system->inertial = inertial, system->load = load, system->pieces = (int)pieces;
-    if (pieces < 1 || pieces > SF_MOST_LAWS || PyTuple_Size(constants) != pieces ||
-        numbers(breakpoints, system->breakpoint, SF_MOST_LAWS) != pieces - 1) {
-        if (!PyErr_Occurred())
-            PyErr_Format(PyExc_ValueError, "%zd pieces of a force, with other numbers of constants or ends", pieces);
-        PyMem_Free(system);
-        return NULL;
-    }
-    for (Py_ssize_t i = 0; i < pieces; i++) {
-        const long law = PyLong_AsLong(PyTuple_GetItem(laws, i));
-        PyObject *const own = PyTuple_GetItem(constants, i);
-        if (law < 0 || law >= SF_LAWS || !PyTuple_Check(own) ||
-            numbers(own, system->constants[i], SF_MOST_CONSTANTS) < 0) {
-            if (!PyErr_Occurred())
-                PyErr_Format(PyExc_ValueError, "piece %zd: no such law, or constants that are no tuple", i);
-            PyMem_Free(system);
-            return NULL;
+    sf_piece *const piece = (sf_piece *)(system + 1);
+    double *const edge = (double *)(piece + pieces), *at = edge + pieces + 1;
+    *system = (sf_system){(int)pieces, about, odd, piece, edge, mu, zeta, inertial, load};
+    edge[0] = -SF_FAR, edge[pieces] = SF_FAR;
+    numbers(edges, edge + 1, pieces - 1);
+    for (Py_ssize_t i = 0; i < pieces && !PyErr_Occurred(); i++) {
+        const sf_law *const law = piece[i].law = PyCapsule_GetPointer(PyTuple_GetItem(laws, i), LAW);
+        const Py_ssize_t count = law->constants;
+        for (int side = 0; side < 2; side++, at += count + 1) {
+            numbers(PyTuple_GetItem(constants, i), at, count);
+            at[count] = side ? 1.0 : -1.0;
+            piece[i].p[side] = at;
         }
-        system->law[i] = &sf_laws[law];
     }
-    PyObject *const capsule = PyCapsule_New(system, NAME, free_system);
+    PyObject *const capsule = PyErr_Occurred() ? NULL : PyCapsule_New(system, NAME, free_system);
     if (capsule == NULL)
         PyMem_Free(system);
     return capsule;
+}
+
+/* {name: law} of a table that ends with a law without a name */
+static PyObject *laws_of(const sf_law *law)
+{
+    PyObject *const laws = PyDict_New();
+    for (; laws != NULL && law->name != NULL; law++) {
+        PyObject *const capsule = PyCapsule_New((void *)law, LAW, NULL);
+        const int failed = capsule == NULL || PyDict_SetItemString(laws, law->name, capsule) < 0;
+        Py_XDECREF(capsule);
+        if (failed) {
+            Py_DECREF(laws);
+            return NULL;
+        }
+    }
+    return laws;
+}
+
+static PyObject *laws(PyObject *self, PyObject *table)
+{
+    (void)self;
+    const sf_law *const law = PyCapsule_GetPointer(table, TABLE);
+    return law == NULL ? NULL : laws_of(law);
 }
 
 static PyObject *advance(PyObject *self, PyObject *arguments)
@@ -88,7 +114,7 @@ static PyObject *advance(PyObject *self, PyObject *arguments)
     const long most = left;
     sf_outcome outcome;
     Py_BEGIN_ALLOW_THREADS
-    outcome = sf_advance(system->law[0], system->constants[0], &drive, theta, end, &u, &v, flow, &left);
+    outcome = sf_advance(system->piece, &drive, theta, end, &u, &v, flow, &left);
     Py_END_ALLOW_THREADS
     memcpy(out.buf, flow, sizeof flow);
     PyBuffer_Release(&out);
@@ -110,16 +136,15 @@ static PyObject *until(PyObject *self, PyObject *arguments)
     const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
     if (system == NULL)
         return NULL;
-    const sf_law *const law = system->law[0];
-    const double *const p = system->constants[0];
+    const sf_piece *const piece = system->piece;
     const long most = left;
     sf_event event = SF_TIME;
     sf_outcome outcome = SF_GOOD;
     Py_BEGIN_ALLOW_THREADS
-    const double push = drive.F_0 * cos(theta) - law->value(p, u) - drive.friction;
+    const double push = drive.F_0 * cos(theta) - sf_value(piece, u) - drive.friction;
     if (theta < end)
-        outcome = sf_until(law, p, &drive, slip, edge, end, v != 0.0 ? 0 : slip * push > 0.0 ? 1 : 2, &theta, &u, &v,
-                           &left, &event, &undecided);
+        outcome = sf_until(piece, &drive, slip, edge, end, v != 0.0 ? 0 : slip * push > 0.0 ? 1 : 2, &theta, &u, &v, &left,
+                           &event, &undecided);
     Py_END_ALLOW_THREADS
     return Py_BuildValue("ildddii", (int)outcome, most - left, theta, u, v, (int)event, undecided);
 }
@@ -140,7 +165,7 @@ static PyObject *sample(PyObject *self, PyObject *arguments)
     sf_outcome outcome = SF_GOOD;
     if (system != NULL && out.len >= 2 * grid.len) {
         Py_BEGIN_ALLOW_THREADS
-        outcome = sf_sample(system->law[0], system->constants[0], &drive, theta, u, v, grid.buf, count, out.buf, &left);
+        outcome = sf_sample(system->piece, &drive, theta, u, v, grid.buf, count, out.buf, &left);
         Py_END_ALLOW_THREADS
     }
     else if (system != NULL)
@@ -283,7 +308,9 @@ static PyObject *trace(PyObject *self, PyObject *arguments)
 }
 
 static PyMethodDef methods[] = {
-    {"system", make_system, METH_VARARGS, "laws, constants, breakpoints, mu, zeta, inertial, load -> an oscillator."},
+    {"system", make_system, METH_VARARGS,
+     "laws, constants, edges, about, odd, mu, zeta, inertial, load -> an oscillator."},
+    {"laws", laws, METH_O, "The laws of a table in a shared library, by name."},
     {"advance", advance, METH_VARARGS, "system, drive, theta, u, v, end, steps, derivatives -> outcome, spent, u, v."},
     {"until", until, METH_VARARGS,
      "system, drive, slip, edge, theta, u, v, end, steps -> outcome, spent, theta, u, v, event, undecided."},
@@ -301,16 +328,7 @@ static PyMethodDef methods[] = {
 
 static int fill(PyObject *self)
 {
-    PyObject *const laws = PyDict_New();
-    for (int i = 0; laws != NULL && i < SF_LAWS; i++) {
-        PyObject *const number = PyLong_FromLong(i);
-        const int failed = number == NULL || PyDict_SetItemString(laws, sf_laws[i].name, number) < 0;
-        Py_XDECREF(number);
-        if (failed) {
-            Py_DECREF(laws);
-            return -1;
-        }
-    }
+    PyObject *const laws = laws_of(sf_laws);
     const int failed = laws == NULL || PyModule_AddObjectRef(self, "LAWS", laws) < 0;
     Py_XDECREF(laws);
     return failed ? -1 : 0;

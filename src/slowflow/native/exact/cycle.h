@@ -71,12 +71,11 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
         const int next_slip = flip * cycle->phase[2 * next], next_region = flip * cycle->phase[2 * next + 1];
         const double end = theta + z[2 + i];
         double *const row = out->jacobian + i * n;
-        const sf_law *const law = sf_law_of(system, region);
-        const double *const p = sf_constants_of(system, region);
+        const sf_piece *const piece = sf_piece_of(system, region);
         if (slip == 0) {
             of_theta[2 + i] = 1.0;
             out->residual[i] = sf_push(forced, region, end, u) - next_slip * mu;
-            const double stiffness = law->slope(p, u);
+            const double stiffness = sf_slope(piece, u);
             for (long j = 0; j < n; j++) {
                 of_v[j] = 0.0;
                 row[j] = -force * sin(end) * of_theta[j] - stiffness * of_u[j];
@@ -90,7 +89,7 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
         const sf_drive drive = sf_drive_of(forced, slip);
         const double rate_u = v / Omega, rate_v = sf_acceleration(forced, slip, region, theta, u, v) / Omega;
         sf_four by[2];
-        const sf_outcome outcome = sf_advance(law, p, &drive, theta, end, &u, &v, by, &forced->left);
+        const sf_outcome outcome = sf_advance(piece, &drive, theta, end, &u, &v, by, &forced->left);
         if (outcome != SF_GOOD)
             return outcome;
         double flow[2][4];
@@ -139,7 +138,7 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
         }
         if (next_slip != 0 && mu > 0) {
             double *const gradient = out->gradients + out->borders * n;
-            const double stiffness = law->slope(p, u);
+            const double stiffness = sf_slope(piece, u);
             for (long j = 0; j < n; j++)
                 gradient[j] = next_slip * (-force * sin(end) * of_theta[j] - stiffness * of_u[j]);
             gradient[n - 1] += next_slip * cos(end);

@@ -6,19 +6,18 @@
 
 #include "exact_conventions.h"
 #include "inertia.h"
-#include "step.h"
 #include "first_zero.h"
-
-enum { SF_MOST_LAWS = 8 };
+#include "sides.h"
 
 #define SF_GLIMPSE 1e-6 /* a slip from rest of less, in theta, is none: the push exceeds friction by rounding */
 #define SF_TURN 6.283185307179586
 
-/* the equation of motion without its forcing; a negative region is the mirror image of that piece */
+/* The equation of motion without its forcing. Pieces are by rising u, numbered from piece `about`, which holds u = 0;
+ * piece i from edge[i] to edge[i + 1], of which the first and the last are SF_FAR away. */
 typedef struct {
-    int pieces;
-    const sf_law *law[SF_MOST_LAWS];
-    double constants[SF_MOST_LAWS][SF_MOST_CONSTANTS], breakpoint[SF_MOST_LAWS];
+    int pieces, about, odd;
+    const sf_piece *piece;
+    const double *edge;
     double mu, zeta;
     int inertial; /* whether F_0 stands for a force F_0 Omega^2 */
     double load;  /* static force beside that */
@@ -45,10 +44,9 @@ typedef struct {
     sf_phase *at;
 } sf_phases;
 
-static inline const sf_law *sf_law_of(const sf_system *system, int region) { return system->law[abs(region)]; }
-static inline const double *sf_constants_of(const sf_system *system, int region)
+static inline const sf_piece *sf_piece_of(const sf_system *system, int region)
 {
-    return system->constants[abs(region)];
+    return &system->piece[system->about + region];
 }
 
 /* amplitude of the force */
@@ -67,7 +65,7 @@ static inline sf_drive sf_drive_of(const sf_forced *forced, int slip)
 static inline double sf_push(const sf_forced *forced, int region, double theta, double u)
 {
     const sf_system *const system = forced->system;
-    const double force = sf_law_of(system, region)->value(sf_constants_of(system, region), u);
+    const double force = sf_value(sf_piece_of(system, region), u);
     return sf_forcing(forced) * cos(theta) - (force - system->load);
 }
 
@@ -78,25 +76,23 @@ static inline double sf_acceleration(const sf_forced *forced, int slip, int regi
 
 static inline double sf_edge_ahead(const sf_system *system, int slip, int region)
 {
-    const int outward = slip * region;
-    if (outward >= 0)
-        return outward < system->pieces - 1 ? slip * system->breakpoint[outward] : slip * SF_FAR;
-    return -slip * system->breakpoint[-outward - 1];
+    return system->edge[system->about + region + (slip > 0)];
 }
 
+/* an edge belongs to the piece below it, where the force is odd to the inner one */
 static inline int sf_region_of(const sf_system *system, double u)
 {
     int index = 0;
-    for (int i = 0; i < system->pieces - 1; i++)
-        index += fabs(u) > system->breakpoint[i];
-    return u > 0 ? index : -index;
+    for (int i = 1; i < system->pieces; i++)
+        index += system->odd && i <= system->about ? u >= system->edge[i] : u > system->edge[i];
+    return index - system->about;
 }
 
 /* when and in which direction a mass at rest at u moves off, at or after theta; infinity and 0 if never */
 static double sf_break_away(const sf_forced *forced, int region, double theta, double u, int *direction)
 {
     const sf_system *const system = forced->system;
-    const double force = sf_law_of(system, region)->value(sf_constants_of(system, region), u) - system->load;
+    const double force = sf_value(sf_piece_of(system, region), u) - system->load;
     const double amplitude = sf_forcing(forced);
     double first = HUGE_VAL;
     *direction = 0;
@@ -124,8 +120,8 @@ static inline int sf_after_stop(const sf_forced *forced, int slip, int region, d
 
 /* Slip from (theta, u, v) up to the first stop, to u = edge, or to `end`. `zeros`: of the velocity at the start, 0 if it
  * moves, 1 from rest, 2 where the acceleration vanishes too, at break-away. */
-static sf_outcome sf_until(const sf_law *law, const double *p, const sf_drive *drive, int slip, double edge, double end,
-                           int zeros, double *theta, double *u, double *v, long *left, sf_event *event, _Bool *undecided)
+static sf_outcome sf_until(const sf_piece *piece, const sf_drive *drive, int slip, double edge, double end, int zeros,
+                           double *theta, double *u, double *v, long *left, sf_event *event, _Bool *undecided)
 {
     const double start = *theta, whole = (end - start) / drive->Omega;
     double passed = 0.0;
@@ -134,8 +130,7 @@ static sf_outcome sf_until(const sf_law *law, const double *p, const sf_drive *d
     for (;;) {
         if ((*left)-- <= 0)
             return SF_STALLS;
-        law->expand(p, drive, *theta, *u, *v, &x);
-        double h = fmin(sf_step_of(&x, 0), whole - passed);
+        double h = fmin(sf_expanded(piece, drive, 1.0, *theta, *u, *v, NULL, &x), whole - passed);
         if (!(h >= 0.0) || !isfinite(x.v[SF_ORDER]))
             return SF_STALLS;
         const int last = h == whole - passed;
@@ -148,12 +143,15 @@ static sf_outcome sf_until(const sf_law *law, const double *p, const sf_drive *d
         if (stop == SF_ONE)
             at = h * zero, *event = SF_STOP;
         double there = sf_at(x.u, at);
-        if (slip * (there - edge) > 0.0) { /* up to there u is monotone */
+        /* the sides of a piece meet on the way to its edge */
+        const int meets = piece->law->breaks != SF_SMOOTH && slip * *u < 0.0 && slip * edge > 0.0;
+        const double limit = meets ? 0.0 : edge;
+        if (slip * (there - limit) > 0.0) { /* up to there u is monotone */
             double left[SF_TERMS];
             sf_scaled(x.u, h, -slip, left);
-            left[0] += slip * edge;
+            left[0] += slip * limit;
             at = left[0] > 0.0 ? h * sf_refined(left, 0.0, at / h) : 0.0;
-            there = edge, *event = SF_EDGE;
+            there = limit, *event = meets ? SF_NOTHING : SF_EDGE;
         }
         *v = *event == SF_STOP ? 0.0 : sf_at(x.v, at);
         *u = there;
@@ -168,8 +166,8 @@ static sf_outcome sf_until(const sf_law *law, const double *p, const sf_drive *d
 }
 
 /* State at `end`, which may lie before theta, and its derivatives by the state at theta, Omega and F_0. */
-static sf_outcome sf_advance(const sf_law *law, const double *p, const sf_drive *drive, double theta, double end,
-                             double *u, double *v, sf_four flow[2], long *left)
+static sf_outcome sf_advance(const sf_piece *piece, const sf_drive *drive, double theta, double end, double *u,
+                             double *v, sf_four flow[2], long *left)
 {
     const double start = theta, whole = (end - start) / drive->Omega;
     double passed = 0.0;
@@ -178,13 +176,15 @@ static sf_outcome sf_advance(const sf_law *law, const double *p, const sf_drive 
     while (passed != whole) {
         if ((*left)-- <= 0)
             return SF_STALLS;
-        law->expand_both(p, drive, theta, *u, *v, flow, &x);
-        const double most = sf_step_of(&x, 1), rest = whole - passed;
+        const double rest = whole - passed, most = sf_expanded(piece, drive, rest, theta, *u, *v, flow, &x);
         if (!(most > 0.0) || !isfinite(sf_lane(&x.V[SF_ORDER], 0)))
             return SF_STALLS;
-        const double h = fabs(rest) <= most ? rest : copysign(most, rest);
+        double h = fabs(rest) <= most ? rest : copysign(most, rest);
+        double there = sf_at(x.u, h);
+        if (piece->law->breaks != SF_SMOOTH && *u * there < 0.0)
+            h = sf_met(&x, h), there = 0.0;
         passed = h == rest ? whole : passed + h;
-        *u = sf_at(x.u, h), *v = sf_at(x.v, h);
+        *u = there, *v = sf_at(x.v, h);
         sf_four_at(x.U, h, &flow[0]);
         sf_four_at(x.V, h, &flow[1]);
         theta = start + drive->Omega * passed;
@@ -193,7 +193,7 @@ static sf_outcome sf_advance(const sf_law *law, const double *p, const sf_drive 
 }
 
 /* States (u, v) on a grid of theta that does not fall, at or after the start. */
-static sf_outcome sf_sample(const sf_law *law, const double *p, const sf_drive *drive, double theta, double u, double v,
+static sf_outcome sf_sample(const sf_piece *piece, const sf_drive *drive, double theta, double u, double v,
                             const double *grid, long count, double (*out)[2], long *left)
 {
     const double start = theta;
@@ -203,17 +203,19 @@ static sf_outcome sf_sample(const sf_law *law, const double *p, const sf_drive *
     while (i < count) {
         if ((*left)-- <= 0)
             return SF_STALLS;
-        law->expand(p, drive, theta, u, v, &x);
-        const double h = sf_step_of(&x, 0);
+        double h = sf_expanded(piece, drive, 1.0, theta, u, v, NULL, &x);
         if (!(h > 0.0) || !isfinite(x.v[SF_ORDER]))
             return SF_STALLS;
+        double there = sf_at(x.u, h);
+        if (piece->law->breaks != SF_SMOOTH && u * there < 0.0)
+            h = sf_met(&x, h), there = 0.0;
         for (; i < count; i++) {
             const double at = (grid[i] - start) / drive->Omega - passed;
             if (!(at <= h))
                 break;
             out[i][0] = sf_at(x.u, at), out[i][1] = sf_at(x.v, at);
         }
-        u = sf_at(x.u, h), v = sf_at(x.v, h);
+        u = there, v = sf_at(x.v, h);
         passed += h;
         theta = start + drive->Omega * passed;
     }
@@ -282,12 +284,11 @@ static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v,
             region += slip;
             continue;
         }
-        const sf_law *const law = sf_law_of(system, region);
         const sf_drive drive = sf_drive_of(forced, slip);
         sf_phase phase = {slip, region, theta, u, v, 0.0, 0.0, 0.0, SF_TIME, 0};
         sf_event event;
-        const sf_outcome outcome = sf_until(law, sf_constants_of(system, region), &drive, slip, edge, end, zeros, &theta,
-                                            &u, &v, &forced->left, &event, &phase.undecided);
+        const sf_outcome outcome = sf_until(sf_piece_of(system, region), &drive, slip, edge, end, zeros, &theta, &u, &v,
+                                            &forced->left, &event, &phase.undecided);
         if (outcome != SF_GOOD)
             return outcome;
         if (zeros && event == SF_STOP && theta - phase.theta < SF_GLIMPSE && system->mu > 0) {

@@ -11,7 +11,7 @@
 
 /* The tail of order 24 falls below a rounding in steps of a fifth of the radius of convergence. Longer steps by orders up
  * to 32 cost as much, shorter ones by 20 more. */
-enum { SF_ORDER = 24, SF_TERMS = SF_ORDER + 1, SF_MOST_CONSTANTS = 16, SF_MOST_SERIES = 64, SF_MOST_FOURS = 16 };
+enum { SF_ORDER = 24, SF_TERMS = SF_ORDER + 1 };
 
 typedef double sf_series[SF_TERMS];
 
@@ -96,21 +96,29 @@ static SF_INLINE double sf_root(const sf_coefficients *c, int a, int s, int sum)
     return (c->w[a] - (sf_lane(c->sum, sum) + 2.0 * c->second[s] * c->last[s])) * c->over[s];
 }
 
-/* of q = cbrt(a), over = 1/a, from 3 a q' = a' q; the sums are those of (t a') q and a (t q') */
-static SF_INLINE double sf_cube_root(const sf_coefficients *c, int a, int q, int sum)
+/* of q = a^r, over = 1/a, from a q' = r a' q; the sums are those of (t a') q and a (t q') */
+static SF_INLINE double sf_power(const sf_coefficients *c, int a, int q, int sum, double r)
 {
     const int n = c->n;
     const double rising = sf_lane(c->sum, sum) + (c->second[a] * c->last[q] + (n - 1) * c->last[a] * c->second[q]);
     const double falling = sf_lane(c->sum, sum + 1) + ((n - 1) * c->second[a] * c->last[q] + c->last[a] * c->second[q]);
-    return ((n * c->w[a] * c->first[q] + rising) / 3.0 - falling) * c->over[q] * sf_over[n];
+    return (r * (n * c->w[a] * c->first[q] + rising) - falling) * c->over[q] * sf_over[n];
 }
 
-/* of sin(a) or -cos(a), given the other one; the sum is that of (t a') other */
-static SF_INLINE double sf_of_angle(const sf_coefficients *c, int a, int other, int sum)
+/* of y from b y' = a', over = 1/b; the sum is that of b (t y') */
+static SF_INLINE double sf_of_ratio(const sf_coefficients *c, int a, int b, int y, int sum)
 {
     const int n = c->n;
-    const double inner = c->second[a] * c->last[other] + (n - 1) * c->last[a] * c->second[other];
-    return (sf_lane(c->sum, sum) + inner + n * c->w[a] * c->first[other]) * sf_over[n];
+    const double inner = (n - 1) * c->second[b] * c->last[y] + c->last[b] * c->second[y];
+    return (n * c->w[a] - (sf_lane(c->sum, sum) + inner)) * c->over[y] * sf_over[n];
+}
+
+/* of y from y' = a' b; the sum is that of (t a') b */
+static SF_INLINE double sf_of_rate(const sf_coefficients *c, int a, int b, int sum)
+{
+    const int n = c->n;
+    const double inner = c->second[a] * c->last[b] + (n - 1) * c->last[a] * c->second[b];
+    return (sf_lane(c->sum, sum) + inner + n * c->w[a] * c->first[b]) * sf_over[n];
 }
 
 #endif

@@ -19,16 +19,32 @@ typedef struct {
     sf_four U[SF_TERMS], V[SF_TERMS]; /* by u and v at the start, Omega, F_0 */
 } sf_expansion;
 
-/* One smooth piece of a restoring force: f(u), df/du, and the expansion of the motion over it without and with the
- * derivatives by column at a fixed theta = Omega tau, from those in `flow`. */
+/* What a piece of an odd force is at u = 0: one power series; two that meet there; or two branches without a series
+ * there, as of |u|^(3/2). The force is 0 there and its slope finite. */
+typedef enum { SF_SMOOTH, SF_MEETS, SF_BRANCHES } sf_breaks;
+
+/* One piece of a restoring force: f(u), df/du, and the expansion of the motion over it without and with the
+ * derivatives by column at a fixed theta = Omega tau, from those in `flow`. After its constants, p holds the side of
+ * u = 0, 1 or -1. */
 typedef struct {
     const char *name;
+    int constants;
+    sf_breaks breaks;
     double (*value)(const double *p, double u);
     double (*slope)(const double *p, double u);
     void (*expand)(const double *p, const sf_drive *drive, double theta, double u, double v, sf_expansion *x);
     void (*expand_both)(const double *p, const sf_drive *drive, double theta, double u, double v,
                         const sf_four flow[2], sf_expansion *x);
 } sf_law;
+
+/* A piece with its constants for u < 0 and for u > 0. */
+typedef struct {
+    const sf_law *law;
+    const double *p[2];
+} sf_piece;
+
+static inline double sf_value(const sf_piece *piece, double u) { return piece->law->value(piece->p[u > 0.0], u); }
+static inline double sf_slope(const sf_piece *piece, double u) { return piece->law->slope(piece->p[u > 0.0], u); }
 
 /* What the generated recurrences of a piece are: begin() gives the coefficients 0 of all its series from that of
  * series 0, which is u, and reciprocals; next() gives the coefficients n > 0 in w, likewise, and what they contribute to

@@ -1,0 +1,103 @@
+/* Steps in a piece of a force whose sides meet at u = 0, as those of u |u| and |u|^(3/2) do: in goes a state in it, out
+ * come the series of step.h from there on, on the side that the motion is on or comes to. */
+#ifndef SF_SIDES_H
+#define SF_SIDES_H
+
+#include "first_zero.h"
+#include "step.h"
+
+/* half of the nodes of Gauss's rule, SF_NODES, with sf_gauss_node and sf_gauss_weight: see taylor.h */
+enum { SF_GRADED = 4, SF_HALVINGS = 60 };
+
+static SF_INLINE void sf_forceless_begin(const double *p, double *first, double *over)
+{
+    first[1] = 0.0;
+    (void)p, (void)over;
+}
+
+static SF_INLINE void sf_forceless_next(const sf_coefficients *c, const double *p, double *w, sf_four *left, sf_four *right)
+{
+    w[1] = 0.0;
+    (void)c, (void)p, (void)left, (void)right;
+}
+
+/* The motion without the force, which vanishes at u = 0. */
+static void sf_forceless(const sf_drive *drive, double theta, double v, const sf_four *flow, sf_expansion *x)
+{
+    double over[2], w[4 * 2];
+    sf_four left[SF_TERMS], right[SF_TERMS];
+    if (flow == NULL)
+        sf_expand(sf_forceless_begin, sf_forceless_next, NULL, drive, theta, 0.0, v, 2, 0, 1, over, w, left, right, x);
+    else
+        sf_expand_both(sf_forceless_begin, sf_forceless_next, NULL, drive, theta, 0.0, v, flow, 2, 0, 1, 1, 1, over, w,
+                       left, right, x);
+}
+
+/* What a force without a series at u = 0 does from there on, over a step so short that the way without it tells: its
+ * integrals along that, by Gauss's rule in the fourth root of time. They enter the second coefficients, so that the
+ * series hold at the step's end, whose distance is given. */
+static double sf_branched(const sf_law *law, const double *p, const sf_drive *drive, double direction, double side,
+                          double theta, double v, const sf_four *flow, sf_expansion *x)
+{
+    sf_forceless(drive, theta, v, flow, x);
+    double h = copysign(fmin(sf_step_of(x, flow != NULL), 0.125), direction);
+    for (int i = 0;; i++, h *= 0.5) {
+        const double u = sf_at(x->u, h), force = law->value(p, u), slope = law->slope(p, u), cube = fabs(h * h * h);
+        const double rate = fabs(sf_at(x->v, h));
+        /* what it changes in itself */
+        if (side * u > 0.0 && fabs(force * slope) * cube <= 0x1p-54 * rate &&
+            (flow == NULL || slope * slope * cube <= 0x1p-54))
+            break;
+        if (i == SF_HALVINGS)
+            return 0.0;
+    }
+    double pushes = 0.0, moves = 0.0;
+    sf_four by_v = sf_all(0.0), by_u = by_v;
+    for (int i = 0; i < 2 * SF_NODES; i++) {
+        const double node = i < SF_NODES ? -sf_gauss_node[i] : sf_gauss_node[i - SF_NODES], s = 0.5 * (1.0 + node), cube = s * s * s;
+        const double at = h * s * cube, u = sf_at(x->u, at);
+        /* over h */
+        const double weight = 0.5 * sf_gauss_weight[i % SF_NODES] * SF_GRADED * cube, force = weight * law->value(p, u);
+        pushes += force, moves += force * (1.0 - at / h);
+        if (flow != NULL) {
+            sf_four U;
+            sf_four_at(x->U, at, &U);
+            const sf_four pull = sf_times(sf_all(weight * law->slope(p, u)), U);
+            by_v = sf_plus(by_v, pull), by_u = sf_more(by_u, pull, sf_all(1.0 - at / h));
+        }
+    }
+    x->v[1] -= pushes, x->u[2] -= moves;
+    if (flow != NULL)
+        x->V[1] = sf_less(x->V[1], by_v), x->U[2] = sf_less(x->U[2], by_u);
+    return fabs(h);
+}
+
+/* The series from (u, v) on and the step over which they hold; `direction`: sign of the time that is gone. With the
+ * derivatives from those in `flow`, or without where it is NULL. */
+static SF_INLINE double sf_expanded(const sf_piece *piece, const sf_drive *drive, double direction, double theta, double u,
+                                    double v, const sf_four *flow, sf_expansion *x)
+{
+    const sf_law *const law = piece->law;
+    const double *p = piece->p[u > 0.0];
+    if (u == 0.0 && law->breaks != SF_SMOOTH) {
+        const double side = v != 0.0 ? v * direction : drive->F_0 * cos(theta) - drive->friction;
+        p = piece->p[side > 0.0];
+        if (law->breaks == SF_BRANCHES)
+            return sf_branched(law, p, drive, direction, side, theta, v, flow, x);
+    }
+    if (flow == NULL)
+        law->expand(p, drive, theta, u, v, x);
+    else
+        law->expand_both(p, drive, theta, u, v, flow, x);
+    return sf_step_of(x, flow != NULL);
+}
+
+/* Where the sides meet, on a step of h that passes u = 0. */
+static double sf_met(const sf_expansion *x, double h)
+{
+    double scaled[SF_TERMS];
+    sf_scaled(x->u, h, copysign(1.0, x->u[0]), scaled);
+    return h * sf_refined(scaled, 0.0, 1.0);
+}
+
+#endif

@@ -1,0 +1,133 @@
+"""Exact motions under forces of any kind: compiled series against 30 digits and closed forms, not against our own."""
+
+import ctypes
+import subprocess
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy as sp
+
+from derivations.emit.compensated import copysign
+from derivations.emit.targets.c import taylor
+from derivations.emit.views import templates
+from derivations.symbols import u
+from slowflow import derive
+from slowflow.backend import EXACT
+from slowflow.exact import EquationOfMotion, exact_response, steady_state
+from slowflow.exact.compiled import TAYLOR, default_integrator
+from slowflow.exact.integrate import Drive, ScipyIntegrator
+from slowflow.mechanism import Force, Law, Piece
+from slowflow_kernels.exact_conventions import Event
+from tests.native import headers
+from tests.test_taylor import CONSTANTS, a, b, fake_module, slope_of
+
+pytestmark = [
+    pytest.mark.skipif(EXACT is None, reason="not compiled"),
+    pytest.mark.skipif(headers.COMPILER is None, reason="no C compiler (cc) on the path"),
+]
+
+#: a hardening and a softening spring, three springs of which two lie flat at rest, a contact: in u, a, b
+FORCES = {
+    "sinh": u / 2 + b * sp.sinh(a * u),
+    "tanh": u / 2 + a * sp.tanh(2 * u),
+    "three_springs": u * (1 + a * (1 - 1 / sp.sqrt(u**2 + b**2))),
+    "contact": a * copysign(1, u) * sp.Abs(u) ** (1 + b),
+}
+A, B = CONSTANTS.values()
+MODULES = [{"copysign": np.copysign}, "numpy"]
+
+
+@pytest.fixture(scope="module")
+def pieces(tmp_path_factory):
+    """(a, b) -> a piece of each force, by name."""
+    folder = tmp_path_factory.mktemp("laws")
+    environment = templates(headers.HEADERS.parents[1] / "derivations" / "emit" / "targets" / "c")
+    text = taylor.text([fake_module(name, force) for name, force in FORCES.items()], environment)
+    (folder / "laws.c").write_text(f"{text}\nconst sf_law *const slowflow_laws = sf_laws;\n")
+    places = [f"-I{place}" for place in derive.include()]
+    command = [headers.COMPILER, *derive.FLAGS, *places, str(folder / "laws.c"), "-o", str(folder / "laws.so"), "-lm"]
+    subprocess.run(command, check=True)
+    table = derive._capsule(ctypes.CDLL(str(folder / "laws.so")), "slowflow_laws", derive.LAWS)
+    with pytest.MonkeyPatch.context() as patched:
+        for name, law in EXACT.laws(table).items():
+            patched.setitem(EXACT.LAWS, name, law)
+
+        def piece(name, *constants):
+            on_floats = (sp.lambdify((u, *CONSTANTS), form, MODULES) for form in (FORCES[name], slope_of(FORCES[name])))
+            return Piece(Law(*on_floats, f"{name}.force"), constants)
+
+        yield piece
+
+
+@pytest.mark.parametrize(
+    ("name", "Omega"),
+    [
+        ("sinh", 0.9),
+        pytest.param("tanh", 1.2, marks=pytest.mark.slow),
+        pytest.param("three_springs", 0.9, marks=pytest.mark.slow),
+    ],
+)
+def test_a_periodic_motion_and_its_variations_against_thirty_digits(pieces, name, Omega):
+    """From its turning point mpmath comes to the mirror image half a period later, and deviations to ours."""
+    F_0, zeta = 0.2, 0.03
+    system = EquationOfMotion(Force((pieces(name, A, B),), ()), 0.0, zeta)
+    found = steady_state(system, Omega, F_0)
+    assert found.cycle.integrator is TAYLOR and found.symmetric
+    with mp.workdps(30):
+        given = mp.mpf(A), mp.mpf(B)
+        f, slope = (sp.lambdify((u, a, b), form, "mpmath") for form in (FORCES[name], sp.diff(FORCES[name], u)))
+        theta, Om, damping = mp.mpf(found.unknowns[1]), mp.mpf(Omega), 2 * mp.mpf(zeta)
+
+        def rates(t, y):
+            push = mp.mpf(F_0) * mp.cos(theta + Om * t) - f(y[0], *given)
+            stiffness = slope(y[0], *given)
+            bent = [-stiffness * y[2 + c] - damping * y[4 + c] for c in range(2)]
+            return [y[1], push - damping * y[1], y[4], y[5], *bent]
+
+        end = mp.odefun(rates, 0, [mp.mpf(found.unknowns[0]), 0, 1, 0, 0, 1])(mp.pi / Om)
+        assert max(abs(end[0] + found.unknowns[0]), abs(end[1])) <= 2e-15 * found.A
+        monodromy = -np.array(end[2:], dtype=float).reshape(2, 2)
+    assert np.max(np.abs(found.cycle.equations(found.unknowns, F_0).monodromy - monodromy)) <= 1e-14
+    # those of the motion before Newton's last step, which moved it by less than 1e-13
+    there, here = (np.sort_complex(one) for one in (np.linalg.eigvals(monodromy), found.half_multipliers))
+    assert np.max(np.abs(there - here)) <= 1e-12
+
+
+@pytest.mark.parametrize("power", [1.1, 1.5, 2.0, 2.5, 3.3])
+def test_a_free_contact_swings_as_long_as_its_closed_form(pieces, power):
+    """u'' = -a |u|^p sign(u), which has no series at u = 0, comes to rest at the other side after a Beta function.
+
+    By the time as a function of the amplitude its map over that time is known too: a shear, turned by half a turn.
+    """
+    Omega, start = 0.7, 0.4
+    piece, drive = pieces("contact", A, power - 1), Drive(Omega, 0.0, 0.0, 0.0)
+    with mp.workdps(30):
+        P = 1 + mp.mpf(power - 1)
+        scale = mp.sqrt((P + 1) / (2 * mp.mpf(A))) * mp.beta(1 / (P + 1), mp.mpf(1) / 2) / (P + 1)
+        half = 2 * scale * mp.mpf(start) ** ((1 - P) / 2)
+        later = half * (1 - P) / 2 / mp.mpf(start)  # d half / d start
+        push = mp.mpf(A) * mp.mpf(start) ** P
+    at, there, _, event = TAYLOR.until(piece, drive, -1, -1e6, 0.0, start, 0.0, 100.0)
+    assert event == Event.STOP
+    assert abs(at / Omega - half) <= 4e-16 * half and abs(there + start) <= 4e-16
+    over, v, flow = TAYLOR.advance(piece, drive, 0.0, start, 0.0, float(half) * Omega)
+    assert max(abs(over + start), abs(v)) <= 4e-16
+    # a start farther out is at its turn earlier or later: by then it has gained a velocity
+    assert np.max(np.abs(flow[:, :2] - [[-1.0, 0.0], [float(-push * later), -1.0]])) <= 1e-13
+
+
+def test_a_curve_asks_nothing_of_scipy(pieces, monkeypatch):
+    """A contact at rest, with friction: 300 points and more, folds, stops and borders; one point by SciPy."""
+    system = EquationOfMotion(Force((pieces("contact", A, 0.5),), ()), 0.004, 0.01)
+    assert default_integrator(system) is TAYLOR
+    with monkeypatch.context() as patched:
+        for asked in ("advance", "until", "sample"):
+            patched.setattr(ScipyIntegrator, asked, None)
+        curve = exact_response(system, 0.02, (0.2, 1.2))
+    assert len(curve.folds) == 2 and not curve.stable.all()
+    state = curve.steady_state(len(curve) // 2)
+    assert state.residual <= 1e-14
+    other = steady_state(system, state.Omega, 0.02, state, integrator=ScipyIntegrator())
+    assert other.A == pytest.approx(state.A, rel=1e-10)
+    assert np.max(np.abs(other.multipliers - state.multipliers)) <= 1e-9
