@@ -261,12 +261,11 @@ def test_compiled_motions_off_the_centre_are_scipys(stop, patched):
 
 def test_a_force_that_is_not_odd_is_refused_what_is_about_the_centre(stop):
     oscillator = stop(k=8.0, g=0.2, **DAMPED)
-    for ask in (lambda: oscillator.cusps(A_max=1.0), lambda: oscillator.peak(0.03), lambda: oscillator.backbone([0.1])):
+    for ask in (lambda: oscillator.cusps(A_max=1.0), lambda: oscillator.backbone([0.1])):
         with pytest.raises(ValueError, match="a force that is not odd"):
             ask()
     for ask in (
         lambda: oscillator.second_approximation,
-        lambda: oscillator.margins(0.03),
         lambda: oscillator.exact_response(0.03),
         lambda: oscillator.saddle_nodes(0.03, certify=True),
         lambda: oscillator.certify(0.03),

@@ -66,7 +66,7 @@ class Derived:
     @property
     def compiled(self) -> bool:
         """Whether the compiled solvers have its record, and the compiled integrator its force."""
-        return is_attached(self.record)
+        return _is_attached(self.record)
 
     def __call__(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: float) -> Oscillator:
         """An oscillator with these numbers, damping among them: `Oscillator(record, ...)`, whose errors are raised."""
@@ -163,7 +163,7 @@ def _derived(stated: Any, compile: bool) -> Derived:
         _write(folder, live.sources(stated))
     importlib.invalidate_caches()
     record: Mechanism = importlib.import_module(f"slowflow_derived.{module}").MECHANISM
-    if compile and not is_attached(record):
+    if compile and not _is_attached(record):
         _attach(record, _compiled(folder, module))
     return Derived(record, folder, stated)
 
@@ -218,7 +218,7 @@ def _compiled(folder: Path, module: str) -> Path:
     return library
 
 
-def is_attached(record: Mechanism) -> bool:
+def _is_attached(record: Mechanism) -> bool:
     """Whether a library of it is attached."""
     return recurrences(record.pieces[0]) is not None and (not record.odd or backend.record_of(record) is not None)
 
