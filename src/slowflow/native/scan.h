@@ -22,6 +22,14 @@
 #define SF_UNLIKE 4
 #define SF_LESSER_SHARE 0.25
 
+/* A cell in which folds begin is cut at this share of where they seem to, and one that begins there at this multiple of its
+ * beginning. */
+#define SF_BELOW_FOLDS 0.99
+#define SF_FIRST_FOLDS 1.25
+
+/* A cell of states at whose beginning the force's slope has no limit is cut if the ratio of its ends is larger. */
+#define SF_WIDEST_STEEP 2
+
 /* no step beyond the last evaluation next to a zero is larger, relatively */
 #define SF_LAST_OF_ZERO 0x1p-30
 
@@ -113,11 +121,16 @@ static double sf_beside_values(const sf_probe *near, const sf_probe *far, int c)
     return near->at.A - y * slope + y * y * (bend - z * turn);
 }
 
-/* Where a function may vanish next to a probe: by Newton's step, or, of states, which are always settled afterwards, by the
- * probe before it too. first: whether the two lie on either side */
+/* Whether zeros of a question are looked for by what is known of two probes. */
+static int sf_asks_two(sf_question question) {
+    return question == SF_STATE || question == SF_FOLD_AT || question == SF_PEAK;
+}
+
+/* Where a function may vanish next to a probe: by the probe before it too, or by Newton's step. first: whether the two lie on
+ * either side */
 static double sf_next_to(const sf_search *search, const sf_probe *probe, const sf_probe *before, int c, int first) {
     double next = NAN;
-    if (search->asked.question == SF_STATE) {
+    if (sf_asks_two(search->asked.question)) {
         if (first)
             next = sf_between_values(probe, before, c);
         else if (fabs(probe->answer.y[c]) < 0.5 * fabs(before->answer.y[c]))
@@ -136,7 +149,8 @@ static int sf_is_last_of_zero(const sf_search *search, double moved, double last
 /* The zero between two probes with values on either side of it: steps from the last two values, kept in the bracket. */
 static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_probe *b, int c, int edge) {
     const int rising = sf_is_negative(a, c, edge);
-    const sf_probe *lo = a, *hi = b, *probe = fabs(a->answer.y[c]) < fabs(b->answer.y[c]) ? a : b;
+    const int is_first = fabs(a->answer.y[c]) < fabs(b->answer.y[c]) && fabs(a->answer.dy[c]) < HUGE_VAL;
+    const sf_probe *lo = a, *hi = b, *probe = is_first ? a : b;
     const sf_probe *before = probe == a ? b : a;
     double last = b->at.A - a->at.A, step = 0;
     sf_probe place[4]; /* up to three of them are lo, hi and before */
@@ -233,14 +247,36 @@ static int sf_passing(const sf_probe *a, const sf_probe *b, int open) {
     return -1;
 }
 
-/* Whether a cell is cut without a look: all of a piece, and orders of magnitude, are seldom settled where cusps are. */
-static int sf_is_too_wide(const sf_search *search, double low, double high, int passing) {
-    return search->asked.question == SF_CUSP && high > (passing < 0 ? SF_WIDEST_CELL : SF_WIDEST_WITH_CUSP) * low &&
-           (low > 0 || high == search->end);
+/* Whether the channel of folds begins in a cell of the first piece: where |k|, which rises there nearly as a cube of A, is the
+ * least. */
+static int sf_folds_begin(const sf_search *search, const sf_probe *a, const sf_probe *b) {
+    return search->asked.question == SF_FOLD_AT && search->asked.model->zeta > 0 && search->base == 0 &&
+           !a->answer.exists[0] && b->answer.exists[0] && b->at.A > SF_FIRST_FOLDS * a->at.A;
+}
+
+/* Where such a cell is cut: below the beginning, next to it, and then above, so that little is left of it. */
+static double sf_cut_at_folds(const sf_search *search, const sf_probe *a, const sf_probe *b) {
+    const double below = SF_BELOW_FOLDS * b->at.A * cbrt(search->asked.least / fabs(b->at.k));
+    if (below > (1 + 0x1p-10) * a->at.A)
+        return below;
+    return a->at.A > 0 ? SF_FIRST_FOLDS * a->at.A : sf_amid(0, a->at.A, b->at.A);
+}
+
+/* Whether a cell is cut without a look. Where a function passes through zero and its slopes at the ends differ in sign, none
+ * settles it; all of a piece, and orders of magnitude, are seldom settled where cusps are, a slope without limit where states
+ * are. */
+static int sf_is_too_wide(const sf_search *search, const sf_probe *a, const sf_probe *b, int open, int passing) {
+    const double low = a->at.A, high = b->at.A;
+    if (search->asked.question == SF_CUSP)
+        return high > (passing < 0 ? SF_WIDEST_CELL : SF_WIDEST_WITH_CUSP) * low && (low > 0 || high == search->end);
+    if (search->asked.question == SF_STATE && search->base > 0 && !(fabs(a->at.h_A) < HUGE_VAL))
+        return high > SF_WIDEST_STEEP * low;
+    return sf_folds_begin(search, a, b) ||
+           (passing >= 0 && open == 1 << passing && a->answer.dy[passing] * b->answer.dy[passing] < 0);
 }
 
 /* Where a cell is cut: well inside, but where cusps are, away from a corner, nearer to the end at which the passing channel
- * may turn. */
+ * may turn; where folds begin, there; and next to A = 0, where there is a state as often as elsewhere, in the middle. */
 static double sf_cut(const sf_search *search, const sf_probe *a, const sf_probe *b, int passing) {
     if (search->asked.question == SF_CUSP && passing >= 0 && a->at.A > search->base &&
         b->at.A <= SF_WIDEST_CELL * a->at.A) {
@@ -251,6 +287,10 @@ static double sf_cut(const sf_search *search, const sf_probe *a, const sf_probe 
         if (SF_UNLIKE * y_b < y_a)
             return b->at.A - less;
     }
+    if (sf_folds_begin(search, a, b))
+        return sf_cut_at_folds(search, a, b);
+    if (search->asked.question == SF_STATE && a->at.A == 0)
+        return 0.5 * b->at.A;
     return sf_amid(search->base, a->at.A, b->at.A);
 }
 
@@ -266,7 +306,7 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
         search->found->status = SF_UNRESOLVED;
     if (search->found->status != SF_OK)
         return;
-    if (last || !sf_is_too_wide(search, a->at.A, b->at.A, passing)) {
+    if (last || !sf_is_too_wide(search, a, b, open, passing)) {
         sf_make_slopes(search->asked.model, &a->at, &b->at, &a->known, &b->known, &cell);
         sf_find_range(&search->asked, &a->known, &b->known, &cell, open, range);
         for (c = 0; c < 2; c++)
