@@ -300,6 +300,18 @@ CONVENTIONS = (
             Number("ALONG", 8, "steps of Newton's iteration to the next point of a curve, at most"),
             Number("OVER_END", sp.Rational(1, 10**6), "phase beyond a cycle's end in which its last switch is counted"),
             Number("OF_TURN", sp.Rational(1, 10**14), "share of a turn by which rounding may miss its end"),
+            Number("MOST_TURNS", 3000, "after a shock, after which it is given up to see the mass turn twice"),
+            Number(
+                "CREEPS",
+                sp.Rational(1, 10**9),
+                "speed over distance at which a mass that creeps back is at rest, or both over A",
+            ),
+            Number("POINTS", 17, "along a phase at which its acceleration is looked at"),
+            Number("ROUNDS", 3, "of twice as many about the largest of these"),
+            Number("NEAR", sp.Rational(19, 20), "of the largest, from which on a phase may have the largest of all"),
+            Number(
+                "SAME", 1 - sp.Rational(1, 10**12), "of a peak, from which on one is as high: the first of them is told"
+            ),
         ),
     ),
 )

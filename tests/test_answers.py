@@ -67,6 +67,7 @@ def ask():
         "many bands": many.hysteresis(0.04),
         "many isolations": many.isolation(0.04),
         "many spectra": many.spectrum(Omega=[0.9, 1.4], F_0=[0.03, 0.05]),
+        "many transients": many.transient(acceleration=0.4, duration=2.0),
         "many shocks": many.shock_spectrum(acceleration=0.4, duration=2.0),
         "front": front(iso, {"zeta": (0.01, 0.1)}, high=["F_SN"], low=["A_peak"], F_0=0.04, points=2),
         "fit": fit(iso, A=[0.1, 0.2, 0.1], F_0=0.02, Omega=[0.7, 0.8, 0.9], free=["zeta"]),

@@ -13,6 +13,8 @@ from slowflow import Duffing, Isolator, exact
 from slowflow.exact import EquationOfMotion, half_sine, linear, record, transient
 from slowflow.exact.compiled import SCIPY
 from slowflow.paper.example import isolator
+from slowflow.results import Remark
+from slowflow_kernels.conventions import Status
 
 MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
 
@@ -146,6 +148,27 @@ def test_a_record_is_straight_between_its_samples():
     assert np.all(base[tau > 3.0] == 0) and v[0] == 0
 
 
+@pytest.mark.parametrize("zeta", [1.0, 2.0])
+def test_a_mass_that_is_damped_so_much_that_it_creeps_back_is_followed_until_it_has(zeta):
+    """A linear one: against another integrator; without friction it never rests, and turns once."""
+    found = Duffing(1.0, 0.0, zeta=zeta).transient(acceleration=0.3, duration=2.0)
+    tau, u, v = np.linspace(0.0, 20.0, 100_001), [], []
+    state = (0.0, 0.0)
+    for span, a in ((tau[tau <= 2], 0.3), (tau[tau >= 2], 0.0)):
+
+        def rates(t, y, a=a):
+            return y[1], -a * math.sin(math.pi * t / 2) - 2 * zeta * y[1] - y[0]
+
+        way = solve_ivp(rates, span[[0, -1]], state, t_eval=span, method="DOP853", rtol=1e-11, atol=1e-13).y
+        u, v, state = [*u, *way[0]], [*v, *way[1]], way[:, -1]
+    u, v = np.array(u), np.array(v)
+    assert found.A == pytest.approx(np.abs(u).max(), rel=1e-6)
+    assert found.a_max == pytest.approx(np.abs(u + 2 * zeta * v).max(), rel=1e-6)
+    assert not found.rests and abs(found.u_end) < 1e-8
+    many = Duffing.many(1.0, 0.0, 0.0, [zeta, 0.1]).transient(acceleration=0.3, duration=2.0)
+    assert (many.A[0], many.status.tolist()) == (pytest.approx(found.A, rel=1e-13), [0, 0])
+
+
 def test_a_mass_that_friction_holds_moves_with_its_base():
     found = isolator().transient(acceleration=0.011, duration=5.0)
     assert (found.A, found.rests, found.detaches) == (0.0, True, False)
@@ -180,6 +203,47 @@ def test_each_row_of_a_spectrum_and_each_design_of_a_batch_is_a_shock():
     assert batch.detaches[:, 0].tolist() == found.detaches[[1, 4]].tolist()
 
 
+def test_shocks_of_many_designs_are_those_of_each():
+    """Half sines and records, of isolators that stick, leave their springs or are none; with what is said of each."""
+    draw, n = np.random.default_rng(9), 120
+    lam, delta_h = draw.integers(1, 4, n).astype(float), draw.uniform(0.0, 0.4, n) * (draw.random(n) < 0.9)
+    given = {"lam": lam, "r": draw.uniform(0.05, 1.0, n) / (lam * np.maximum(delta_h, 0.05)), "delta_h": delta_h}
+    given |= {"mu": draw.uniform(0, 0.05, n) * (draw.random(n) < 0.7), "zeta": draw.uniform(0.0, 0.4, n)}
+    given["r"][3] = -1.0
+    pulse = {
+        "acceleration": draw.uniform(-1, 1, n) * draw.choice([0.03, 0.5, 3.0], n),
+        "duration": draw.uniform(0.1, 9, n),
+    }
+    tau = np.cumsum(draw.uniform(0.01, 1, (n, 9)), axis=-1)
+    samples = {"tau": tau, "acceleration": draw.normal(0, 0.3, 9)}
+    designs = Isolator.many(**given)
+    seen = set()
+    for batch, of_one in (
+        (designs.transient(**pulse, workers=2), lambda k: {name: value[k] for name, value in pulse.items()}),
+        (designs.transient(**samples, after=3.0), lambda k: {**samples, "tau": tau[k], "after": 3.0}),
+    ):
+        assert batch.status.tolist() == [Status.INVALID if k == 3 else 0 for k in range(n)] and np.isnan(batch.A[3])
+        for k in set(range(n)) - {3}:
+            one = Isolator(**{name: float(value[k]) for name, value in given.items()}).transient(**of_one(k))
+            for name in ("A", "tau_A", "a_max", "tau_a", "u_end", "tau_detaches"):
+                value = getattr(one, name)
+                assert getattr(batch, name)[k] == pytest.approx(
+                    math.nan if value is None else value, 1e-12, nan_ok=True
+                )
+            assert (batch.detaches[k], batch.rests[k]) == (one.detaches, one.rests)
+            if delta_h[k]:  # a single isolator whose springs never touch has no end
+                assert bool(batch.remarks[k] & Remark.BEYOND_REACH) == ("push-rod stands vertical" in one.message)
+            seen |= {(one.detaches, one.rests), one.message[:10]}
+    assert len(seen) == 6
+    softens = Duffing.many(1.0, [-1.0, 0.0], 0.0, 0.05).transient(acceleration=3.0, duration=[[3.0], [-1.0]])
+    assert softens.status.tolist() == [[Status.UNRESOLVED, Status.OK], [Status.INVALID] * 2]
+    orifice = Duffing.many(1.0, 0.5, 0.01, 0.02, c_2=[0.0, 0.1]).shock_spectrum(acceleration=0.4, duration=1.0)
+    alone = Duffing(1.0, 0.5, 0.01, 0.02, c_2=0.1).shock_spectrum(acceleration=0.4, duration=1.0)
+    assert orifice.A[0] > orifice.A[1] and (orifice.A[1], orifice.ratio[1]) == (alone.A[0], alone.ratio[0])
+    flat = designs.transient(acceleration=[0.1, 0.2, 0.1], tau=[0.0, 1.0, 1.0])
+    assert (flat.status == Status.INVALID).all()
+
+
 def test_a_shock_in_si_units_is_that_of_the_mount():
     """A stiff pulse, far shorter than the period: the mass keeps still while the base moves on by a speed."""
     mount = Isolator.physical(**{**MOUNT, "friction": 0, "zeta": 0, "preload": 0})  # linear, 2500 N/m
@@ -205,6 +269,8 @@ def test_what_is_no_shock_is_refused():
         (lambda: iso.transient(acceleration=0.1, duration=-1.0), "duration = -1"),
         (lambda: iso.transient(acceleration=[0.1, 0.2], tau=[1.0, 0.5]), "tau rising"),
         (lambda: iso.transient(acceleration=[0.1, 0.2, 0.1], tau=[1.0, 1.5]), r"\(2,\) and \(3,\)"),
+        (lambda: Isolator.many(lam=3, r=2, delta_h=0.1).transient(acceleration=0.1), "either its duration"),
+        (lambda: Isolator.many(lam=3, r=2, delta_h=0.1).transient(acceleration=0.1, tau=[0, 1]), "as many samples"),
         (lambda: iso.shock_spectrum(acceleration=-0.1, duration=1.0), "acceleration = -0.1"),
         (lambda: mount.transient(acceleration=20.0, duration="11 ms"), "duration = '11 ms'"),
     ):
@@ -213,6 +279,7 @@ def test_what_is_no_shock_is_refused():
     with pytest.raises(ArithmeticError, match="escapes"):
         Duffing(1.0, -1.0, zeta=0.05).transient(acceleration=3.0, duration=3.0)
     assert "push-rod stands vertical" in iso.transient(acceleration=3.0, duration=3.0).message
+    assert "push-rod stands vertical" in iso.shock_spectrum(acceleration=[0.1, 3.0], duration=3.0).message
 
 
 def test_a_shock_and_a_spectrum_are_drawn():

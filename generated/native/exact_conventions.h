@@ -52,5 +52,17 @@ typedef enum {
 #define SF_OVER_END 9.9999999999999995e-07
 /* share of a turn by which rounding may miss its end */
 #define SF_OF_TURN 1e-14
+/* after a shock, after which it is given up to see the mass turn twice */
+#define SF_MOST_TURNS 3000
+/* speed over distance at which a mass that creeps back is at rest, or both over A */
+#define SF_CREEPS 1.0000000000000001e-09
+/* along a phase at which its acceleration is looked at */
+#define SF_POINTS 17
+/* of twice as many about the largest of these */
+#define SF_ROUNDS 3
+/* of the largest, from which on a phase may have the largest of all */
+#define SF_NEAR 0.94999999999999996
+/* of a peak, from which on one is as high: the first of them is told */
+#define SF_SAME 0.99999999999900002
 
 #endif

@@ -9,6 +9,7 @@ numbers and an integrator's symbols. Integrators compile a law once; constants a
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import pairwise
@@ -213,6 +214,16 @@ class EquationOfMotion:
             return 0.0, 1.0
         by_Omega, by_F_0 = inertia.force_slopes(Omega, F_0)
         return float(by_Omega), float(by_F_0)
+
+
+def check_followed(force: Force, name: str) -> None:
+    """Raises ValueError for a force whose motions are not followed, of a mechanism by its name."""
+    if force.odd and force.value(0.0) != 0:
+        raise ValueError(f"motions of {name} are not followed: its force jumps at u = 0, where a mass rests")
+    with np.errstate(all="ignore"):
+        stiffness = force.pieces[0].slope(0.0) if force.odd else 0.0
+    if not math.isfinite(stiffness):
+        raise ValueError(f"motions of {name} are not followed: its stiffness is infinite at u = 0")
 
 
 #: alpha and beta of the cubic spring that is linear

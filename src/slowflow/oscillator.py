@@ -6,7 +6,6 @@ The averaged questions come from `Averaged`; the second approximation and the ex
 from __future__ import annotations
 
 import dataclasses
-import math
 import warnings
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Self
@@ -20,14 +19,14 @@ from slowflow.averaged.questions import Averaged
 from slowflow.averaged.remarks import NOTHING
 from slowflow.certificate import Certificate
 from slowflow.loaded import Loaded, off_centre_by
-from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism
+from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, check_followed
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.results import Measured, MeasuredFolds, Remark, SaddleNodes, SteadyStates
 from slowflow_kernels.domains import EXCITATIONS, RUBS
 
 if TYPE_CHECKING:
     from slowflow import exact, loads
-    from slowflow.exact.shocks import Shocks
+    from slowflow.exact.shocks import Shocks, Transients
     from slowflow.loads_many import ManyBands, ManyIsolations, ManyMargins, ManySpectra
     from slowflow.off_centre.answers import RestPositions
     from slowflow.off_centre.questions import OffCentre
@@ -296,16 +295,7 @@ class Oscillator(Averaged):
         without Omega.
         """
         laws, force = self.model.laws, self.restoring_force(which)
-        if force.odd and force.value(0.0) != 0:
-            raise ValueError(
-                f"motions of {self.model.mechanism.name} are not followed: its force jumps at u = 0, where a mass rests"
-            )
-        with np.errstate(all="ignore"):
-            stiffness = force.pieces[0].slope(0.0) if force.odd else 0.0
-        if not math.isfinite(stiffness):
-            raise ValueError(
-                f"motions of {self.model.mechanism.name} are not followed: its stiffness is infinite at u = 0"
-            )
+        check_followed(force, self.model.mechanism.name)
         if laws.eta > 0 and Omega is None:
             raise validate.NotAvailable(
                 f"eta = {laws.eta:g} is not allowed here: structural damping is stated at one frequency"
@@ -407,7 +397,7 @@ class Oscillator(Averaged):
         self.at_centre("shock_spectrum")
         from slowflow.exact import questions
 
-        return questions.shocks(self.equation_of_motion(force), acceleration, duration)
+        return questions.shocks(self, self.equation_of_motion(force), acceleration, duration)
 
     def margins(self, F_0: float) -> loads.Margins:
         """How far F_0 is from the lowest forcing that has a fold, F_SN, and from that which lifts the springs, F_cr.
@@ -542,16 +532,34 @@ class Designs(many.Designs):
 
         return loads_many.spectrum(self, Omega, F_0, workers)
 
-    def shock_spectrum(self, *, acceleration: Any, duration: Any) -> Shocks:
+    def transient(
+        self,
+        *,
+        acceleration: Any,
+        duration: Any = None,
+        tau: Any = None,
+        after: float | None = None,
+        workers: int = 1,
+    ) -> Transients:
+        """What a shock of the base does to each design: .A .a_max .detaches .rests; see `Oscillator.transient`.
+
+        Peak and duration of a half sine broadcast with the designs; of a record the last axis of `tau` and
+        `acceleration` is that of its samples, and what they have before it broadcasts with the designs. Some thirty
+        thousand designs in a second; `workers` as of all batches. Raises ValueError as `shock_spectrum`.
+        """
+        from slowflow.exact import shocks
+
+        return shocks.transients(self, acceleration, duration, tau, after, workers)
+
+    def shock_spectrum(self, *, acceleration: Any, duration: Any, workers: int = 1) -> Shocks:
         """What a half sine of the base does to each design: .A .a_max .ratio .detaches; both broadcast with these.
 
-        By the equation of motion, design by design, some two thousand in a second. Raises ValueError for what is no
-        real array and for shapes that do not broadcast.
+        As `transient`. Raises ValueError for what is no real array, for shapes that do not broadcast, and for
+        structural damping. Of other laws of damping, and where nothing is compiled, SciPy takes milliseconds for each.
         """
-        from slowflow.exact.shocks import of_designs
+        from slowflow.exact import shocks
 
-        self.only_for_plain_damping("shock_spectrum")
-        return of_designs(self, acceleration, duration)
+        return shocks.of_designs(self, acceleration, duration, workers)
 
 
 def designs_of(

@@ -520,7 +520,7 @@ class Designs:
                 out = tuple(output[block] for output in outputs)
                 solve(*(value[block] for value in given), out=out)
 
-            _share(part, _blocks(shape, question.at_once), threads)
+            share(part, _blocks(shape, question.at_once), threads)
         elif question.one is None:
             for output, value in zip(outputs, NO_PROOF, strict=True):
                 output[...] = value
@@ -585,7 +585,7 @@ def _blocks(shape: tuple[int, ...], most: int) -> Iterator[tuple[slice | int, ..
         yield (slice(start, start + rows),)
 
 
-def _share(work: Callable[[Any], None], parts: Iterator[Any], threads: int) -> None:
+def share(work: Callable[[Any], None], parts: Iterator[Any], threads: int) -> None:
     """The work on each part, which does not hold the interpreter's lock, by so many threads."""
     if threads == 1:
         for one in parts:

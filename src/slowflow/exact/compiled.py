@@ -17,9 +17,19 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from slowflow import backend
-from slowflow.exact.integrate import Array, Drive, Integrator, ScipyIntegrator, spend, steps_left
+from slowflow.exact.integrate import (
+    MOST_STEPS,
+    MOST_WORK,
+    Array,
+    Drive,
+    Integrator,
+    ScipyIntegrator,
+    spend,
+    steps_left,
+)
 from slowflow.mechanism import EquationOfMotion, Force, Law, Piece
 
 EXACT: Any = backend.EXACT
@@ -207,6 +217,21 @@ class TaylorIntegrator:
         )
         spend(steps + count * (k**3 // 1000))
         return rows[:count], size, travelled
+
+
+def many_shocks(
+    laws: tuple[Any, ...], oscillators: list[Array], arcs: Array, begin: Array, after: float
+) -> tuple[npt.NDArray[np.int8], Array]:
+    """Shocks of oscillators whose pieces have these recurrences: their outcomes, and a row of numbers for each.
+
+    oscillators -- rows of the force's parameters, of its breakpoints, of mu and zeta
+    arcs, begin -- of `transient`, shape (n, arcs, 4), and when they begin
+    Numbers are A, tau_A, a_max, tau_a, when the springs leave, whether the mass rests at the end, u_end.
+    """
+    outcomes, numbers = np.empty(begin.size, np.int8), np.empty((begin.size, 7))
+    rows = (np.ascontiguousarray(values) for values in (*oscillators, arcs, begin))
+    EXACT.shocks(laws, *rows, after, MOST_STEPS, MOST_WORK, outcomes, numbers)
+    return outcomes, numbers
 
 
 TAYLOR, SCIPY = TaylorIntegrator(), ScipyIntegrator()  # they hold nothing: one of each serves all

@@ -18,7 +18,7 @@ from slowflow.exact import continuation, shooting
 from slowflow.exact.shocks import ShockSpectrum, shock_spectrum
 from slowflow.exact.sweep import Sweep
 from slowflow.exact.sweep import sweep as stepped
-from slowflow.exact.transient import AFTER, Transient, half_sine, record
+from slowflow.exact.transient import AFTER, NO_PULSE, Transient, half_sine, record
 from slowflow.exact.transient import transient as followed
 from slowflow.mechanism import EquationOfMotion
 from slowflow.results import Remark
@@ -133,7 +133,7 @@ def transient(
 ) -> Transient:
     """See `slowflow.oscillator.Oscillator.transient`."""
     if (duration is None) == (tau is None):
-        raise ValueError("a pulse needs either its duration, of a half sine, or tau, the times of a record")
+        raise ValueError(NO_PULSE)
     begin = 0.0
     if duration is not None:
         peak = validate.number("acceleration", acceleration)
@@ -146,20 +146,26 @@ def transient(
         arcs, begin = record(times, samples), float(times[0])
     last = AFTER if after is None else validate.number("after", after, least=0.0)
     found = followed(system, arcs, begin=begin, after=last)
-    if found.A <= averaged.model.reach:
-        return found
-    beyond = {"reach": averaged.model.reach, "reason": averaged.model.mechanism.reach_reason}
-    return dataclasses.replace(found, message=WORDS[Remark.BEYOND_REACH].format(**beyond))
+    return dataclasses.replace(found, message=_beyond_reach(averaged, found.A))
 
 
-def shocks(system: EquationOfMotion, acceleration: Any, duration: Any) -> ShockSpectrum:
+def _beyond_reach(averaged: Averaged, A: float) -> str:
+    """That a deflection is beyond what the mechanism reaches, and why; empty where it is not."""
+    model = averaged.model
+    if A <= model.reach:
+        return ""
+    return WORDS[Remark.BEYOND_REACH].format(reach=model.reach, reason=model.mechanism.reach_reason)
+
+
+def shocks(averaged: Averaged, system: EquationOfMotion, acceleration: Any, duration: Any) -> ShockSpectrum:
     """See `slowflow.oscillator.Oscillator.shock_spectrum`."""
     pulses = {
         "acceleration": validate.positive_array("acceleration", acceleration),
         "duration": validate.positive_array("duration", duration),
     }
     shape = validate.common_shape(pulses)
-    return shock_spectrum(system, *(np.broadcast_to(values, shape).ravel() for values in pulses.values()))
+    found = shock_spectrum(system, *(np.broadcast_to(values, shape).ravel() for values in pulses.values()))
+    return dataclasses.replace(found, message=_beyond_reach(averaged, float(found.A.max(initial=0.0))))
 
 
 def _from_rest(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float) -> shooting.SteadyState:

@@ -2,21 +2,32 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any, ClassVar, NamedTuple
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from slowflow import validate
-from slowflow.answer import Table
-from slowflow.averaged.many import Batch, Codes, Designs
-from slowflow.exact.transient import half_sine, transient
-from slowflow.mechanism import EquationOfMotion, Floats, Force
-from slowflow.model import Model
+from slowflow.answer import Table, frozen
+from slowflow.averaged import remarks
+from slowflow.averaged.many import Batch, Codes, Designs, share
+from slowflow.exact.compiled import many_shocks, recurrences
+from slowflow.exact.transient import AFTER, NO_PULSE, half_sine, record, transient
+from slowflow.mechanism import EquationOfMotion, Floats, Force, check_followed
+from slowflow.model import THROUGHOUT
+from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
+from slowflow_kernels.exact_conventions import Outcome
 
 Flags = npt.NDArray[np.bool_]
+
+#: arcs that take no more than some tenths of a second, as many as a shock takes beside those of its pulse
+AT_ONCE, ALONE = 2**14, 16
+#: columns of `Shocks` that are those of `Transients`
+SPECTRAL = ("A", "a_max", "detaches", "status")
 
 
 class Shock(NamedTuple):
@@ -38,6 +49,7 @@ class ShockSpectrum(Table):
     A        -- the largest deflection of the springs, during the pulse or later
     a_max    -- the largest acceleration of the mass; ratio -- this over the pulse's
     detaches -- whether the springs leave
+    message  -- what to bear in mind
     """
 
     entry: ClassVar[Any] = Shock
@@ -48,6 +60,7 @@ class ShockSpectrum(Table):
     a_max: Floats
     ratio: Floats
     detaches: Flags
+    message: str
     picture: ClassVar[str] = "shocks"
 
     def plot(self, ax: Any = None) -> Any:
@@ -58,7 +71,25 @@ class ShockSpectrum(Table):
 
 
 @dataclass(frozen=True, eq=False)
-class Shocks(Batch):
+class Shocked(Batch):
+    """What answers to shocks of many designs share: `remarks` says `Remark.BEYOND_REACH`, as a single one does."""
+
+    if TYPE_CHECKING:  # each has it as a column
+        A: Floats
+    _pulse: Mapping[str, Any] = field(repr=False, kw_only=True)
+
+    @cached_property
+    def remarks(self) -> remarks.Codes:
+        """`Remark.BEYOND_REACH` where A is beyond what the mechanism reaches."""
+        beyond = self._designs.mechanism.reach < self.A
+        return frozen(np.where(beyond, np.uint8(Remark.BEYOND_REACH), np.uint8(0)))
+
+    def _asked_at(self) -> dict[str, Any]:
+        return {name: np.asarray(value) for name, value in self._pulse.items()}
+
+
+@dataclass(frozen=True, eq=False)
+class Shocks(Shocked):
     """What a half sine of the base does to each design: the columns of `ShockSpectrum`; detaches is 0 or 1."""
 
     A: Floats
@@ -68,42 +99,143 @@ class Shocks(Batch):
     status: Codes
 
 
+@dataclass(frozen=True, eq=False)
+class Transients(Shocked):
+    """What a shock of the base does to each design: the columns of `slowflow.exact.Transient`.
+
+    detaches, rests -- 0 or 1; tau_detaches is NaN where the springs stay
+    status          -- `Status.UNRESOLVED` where the motion escapes or chatters
+    """
+
+    A: Floats
+    tau_A: Floats
+    a_max: Floats
+    tau_a: Floats
+    detaches: Codes
+    tau_detaches: Floats
+    rests: Codes
+    u_end: Floats
+    status: Codes
+
+
 def shock_spectrum(system: EquationOfMotion, acceleration: Floats, duration: Floats) -> ShockSpectrum:
     """Pulse by pulse; shapes (n,)."""
-    rows = [_one(system, *pulse) for pulse in zip(acceleration.tolist(), duration.tolist(), strict=True)]
-    A, a_max, ratio, detaches = np.array(rows, dtype=float).reshape(-1, 4).T
-    return ShockSpectrum(acceleration, duration, A, a_max, ratio, detaches.astype(np.bool_))
+    found = [transient(system, arcs, after=0.0) for arcs in half_sine(acceleration, duration)]
+    A, a_max, detaches = (np.array([getattr(one, name) for one in found]) for name in ("A", "a_max", "detaches"))
+    return ShockSpectrum(acceleration, duration, A, a_max, a_max / acceleration, detaches.astype(np.bool_), "")
 
 
-def _one(system: EquationOfMotion, acceleration: float, duration: float) -> tuple[float, float, float, bool]:
-    found = transient(system, half_sine(acceleration, duration), after=0.0)
-    return found.A, found.a_max, found.a_max / acceleration, found.detaches
-
-
-def of_designs(designs: Designs, acceleration: Any, duration: Any) -> Shocks:
+def of_designs(designs: Designs, acceleration: Any, duration: Any, workers: int = 1) -> Shocks:
     """See `slowflow.oscillator.Designs.shock_spectrum`."""
-    pulse = {"acceleration": acceleration, "duration": duration}
-    given = {**designs.values, **{name: validate.real_array(name, value) for name, value in pulse.items()}}
-    shape = validate.common_shape(given)
-    columns = [np.broadcast_to(value, shape).ravel().tolist() for value in given.values()]
-    found = np.array([_of_design(designs, *one) for one in zip(*columns, strict=True)], dtype=float).reshape(*shape, 5)
-    A, a_max, ratio, detaches, status = np.moveaxis(found, -1, 0)
-    codes = (detaches.astype(np.int8), status.astype(np.int8))
-    return Shocks(A.copy(), a_max.copy(), ratio.copy(), *codes, _designs=designs)
+    pulse = _numbers(acceleration=acceleration, duration=duration)
+    peak, span = pulse.values()
+    found = _followed(designs, *_half_sine(peak, span), (peak > 0) & (span > 0), 0.0, workers)
+    ratio = found["a_max"] / peak
+    return Shocks(**{name: found[name] for name in SPECTRAL}, ratio=ratio, _designs=designs, _pulse=pulse)
 
 
-def _of_design(designs: Designs, *values: float) -> tuple[Any, ...]:
-    """A row of `Shocks`, with the status of a failure in place of an exception."""
-    *own, acceleration, duration = values
-    blank = (np.nan, np.nan, np.nan, False)
+def transients(
+    designs: Designs, acceleration: Any, duration: Any, tau: Any, after: Any, workers: int = 1
+) -> Transients:
+    """See `slowflow.oscillator.Designs.transient`."""
+    last = AFTER if after is None else validate.number("after", after, least=0.0)
+    if (duration is None) == (tau is None):
+        raise ValueError(NO_PULSE)
+    if tau is None:
+        pulse = _numbers(acceleration=acceleration, duration=duration)
+        peak, span = pulse.values()
+        found = _followed(designs, *_half_sine(peak, span), span > 0, last, workers)
+        return Transients(**found, _designs=designs, _pulse=pulse)
+    times, samples = _numbers(tau=tau, acceleration=acceleration).values()
+    if not (times.ndim and samples.ndim and times.shape[-1] == samples.shape[-1] >= 2):
+        raise ValueError(f"tau and acceleration must have as many samples, not {times.shape} and {samples.shape}")
+    rises = (np.diff(times) > 0).all(axis=-1)
+    with np.errstate(all="ignore"):  # what is no pulse has a status
+        arcs = record(times, samples)
+    found = _followed(designs, arcs, times[..., 0], rises, last, workers)
+    return Transients(**found, _designs=designs, _pulse={})
+
+
+def _numbers(**values: Any) -> dict[str, Floats]:
+    """Numbers of pulses, in doubles."""
+    for name, value in values.items():
+        if validate.is_labelled(value):
+            raise ValueError(f"{name} has named axes, or is cut into blocks: shocks take plain arrays")
+    return {name: validate.real_array(name, value).astype(float) for name, value in values.items()}
+
+
+def _half_sine(peak: Floats, span: Floats) -> tuple[Floats, Floats]:
+    """Its arcs, and when they begin."""
+    with np.errstate(all="ignore"):  # what is no pulse has a status
+        arcs = half_sine(peak, span)
+    return arcs, np.zeros(arcs.shape[:-2])
+
+
+def _followed(
+    designs: Designs, arcs: Floats, begin: Floats, allowed: Any, after: float, workers: int
+) -> dict[str, Any]:
+    """The columns of `Transients` for arcs of shape (..., n, 4), which before that broadcast with the designs."""
+    if "eta" in designs.values:
+        designs.only_for_plain_damping("a shock")
+    threads = validate.workers(workers)
+    pulses = {"begin": begin, "pulse": arcs[..., 0, 0]}
+    shape = validate.common_shape({**designs.values, **pulses})
+    values = {name: np.broadcast_to(value, shape).ravel() for name, value in designs.values.items()}
+    every = np.broadcast_to(arcs, (*shape, *arcs.shape[-2:])).reshape(-1, *arcs.shape[-2:])
+    begins = np.broadcast_to(begin, shape).ravel()
+    finite = allowed & np.isfinite(arcs).all(axis=(-1, -2)) & np.isfinite(begin)
+    known = np.broadcast_to(designs.detachment(workers=workers).status != Status.INVALID, shape)
+    asked = np.flatnonzero(np.broadcast_to(finite, shape) & known)
+    status, numbers = np.full(begins.size, Status.INVALID, np.int8), np.full((begins.size, 7), np.nan)
+    laws = tuple(recurrences(law) for law in designs.mechanism.pieces)
+
+    with np.errstate(all="ignore"):
+        at_rest = designs.mechanism.averaged(0.0, *designs.mechanism.coefficients(*designs.design))[:2]
+    # a force that jumps at rest, or has no stiffness there, is refused by what follows a single one
+    smooth = np.broadcast_to((at_rest[0] == 0) & np.isfinite(at_rest[1]), shape).ravel()
+    singly = asked if designs.laws or None in laws else asked[~smooth[asked]]
+    for k in singly.tolist():
+        one = {name: float(value[k]) for name, value in values.items()}
+        status[k], numbers[k] = _alone(designs, one, every[k], float(begins[k]), after)
+    together = np.setdiff1d(asked, singly, assume_unique=True)
+
+    def part(where: Any) -> None:
+        here = together[where]
+        own = {name: value[here] for name, value in values.items()}
+        parameters = designs.mechanism.coefficients(*(own[domain.name] for domain in designs.mechanism.design))
+        ends = designs.mechanism.breakpoints(*parameters)
+        columns = [_columns(of, here.size) for of in (parameters, ends, (own["mu"], own["zeta"]))]
+        outcomes, numbers[here] = many_shocks(laws, columns, every[here], begins[here], after)
+        status[here] = np.where(outcomes == Outcome.GOOD, Status.OK, Status.UNRESOLVED)
+
+    at_once = max(1, AT_ONCE // (ALONE + arcs.shape[-2]))
+    parts = (slice(first, first + at_once) for first in range(0, together.size, at_once))
+    share(part, parts, threads)
+    A, tau_A, a_max, tau_a, tau_detaches, rests, u_end = np.moveaxis(numbers.reshape(*shape, 7), -1, 0).copy()
+    flags = {"detaches": ~np.isnan(tau_detaches), "rests": rests == 1, "status": status.reshape(shape)}
+    found = {"A": A, "tau_A": tau_A, "a_max": a_max, "tau_a": tau_a, "tau_detaches": tau_detaches, "u_end": u_end}
+    return {**found, **{name: values.astype(np.int8) for name, values in flags.items()}}
+
+
+def _columns(values: Sequence[Any], count: int) -> Floats:
+    """Numbers of so many designs, a row for each."""
+    return np.array([np.broadcast_to(value, count) for value in values], dtype=float).reshape(-1, count).T
+
+
+def _alone(
+    designs: Designs, values: dict[str, float], arcs: Floats, begin: float, after: float
+) -> tuple[Status, tuple[float, ...]]:
+    """The status and the numbers of one design, by `transient`."""
+    none = (np.nan,) * 7
     try:
-        validate.number("acceleration", acceleration, above=0.0)
-        validate.number("duration", duration, above=0.0)
-        model = Model.of(designs.mechanism, dict(zip(designs.values, own, strict=True)))
-        system = EquationOfMotion(Force.of(designs.mechanism, model.parameters), model.mu, model.zeta)
+        model = designs.model(values)
+        force = Force.of(designs.mechanism, model.parameters)
+        check_followed(force, designs.mechanism.name)
+        laws = {"c_2": model.laws.c_2, "released": model.laws.rubs != THROUGHOUT}
+        found = transient(EquationOfMotion(force, model.mu, model.zeta, **laws), arcs, begin=begin, after=after)
     except ValueError:
-        return (*blank, Status.INVALID)
-    try:
-        return (*_one(system, acceleration, duration), Status.OK)
+        return Status.INVALID, none
     except ArithmeticError:
-        return (*blank, Status.UNRESOLVED)
+        return Status.UNRESOLVED, none
+    left = np.nan if found.tau_detaches is None else found.tau_detaches
+    return Status.OK, (found.A, found.tau_A, found.a_max, found.tau_a, left, float(found.rests), found.u_end)

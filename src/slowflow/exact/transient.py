@@ -8,7 +8,7 @@ differs from a straight line by less than ARC^2/8 of the samples: one integrator
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar, NamedTuple
 
@@ -21,22 +21,15 @@ from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import TURN, Forced, Phase, follow
 from slowflow.mechanism import EquationOfMotion
 from slowflow_kernels import motion
-from slowflow_kernels.exact_conventions import Event
+from slowflow_kernels.exact_conventions import CREEPS, MOST_TURNS, NEAR, POINTS, ROUNDS, SAME, Event
 
 Array = NDArray[np.float64]
 
+NO_PULSE = "a pulse needs either its duration, of a half sine, or tau, the times of a record"
 #: angle between two samples of a record
 ARC = 1e-3
 #: for how long the free motion is shown: ten periods of the mass on k_v alone
 AFTER = 10 * TURN
-#: turns after which it is given up to see the mass turn twice
-MOST_TURNS = 3000
-#: points along a phase at which the acceleration is looked at; about the largest, so many rounds of as many
-POINTS, ROUNDS = 17, 3
-#: phases whose largest acceleration may be that of all, among those points
-NEAR = 0.95
-#: share of a peak from which on one is as high: the first of them is told
-SAME = 1 - 1e-12
 
 
 class Arc(NamedTuple):
@@ -123,31 +116,33 @@ class Transient(Answer):
         return pictures.history(ax, self)
 
 
-def half_sine(acceleration: float, duration: float) -> tuple[Arc, ...]:
-    """acceleration sin(pi tau/duration) up to the duration."""
-    return (Arc(duration, math.pi / duration, abs(acceleration), math.copysign(0.5 * math.pi, acceleration)),)
+def half_sine(acceleration: Any, duration: Any) -> Array:
+    """acceleration sin(pi tau/duration) up to the duration, as arcs: shape (..., 1, 4) of numbers that broadcast."""
+    a, span = np.broadcast_arrays(np.asarray(acceleration, dtype=float), np.asarray(duration, dtype=float))
+    columns = span, math.pi / span, np.abs(a), np.copysign(0.5 * math.pi, a)
+    return np.stack(columns, axis=-1)[..., np.newaxis, :]
 
 
-def record(tau: Array, acceleration: Array) -> tuple[Arc, ...]:
-    """The acceleration through samples; shapes (n,), tau rising."""
-    before, after = -acceleration[:-1], -acceleration[1:]
+def record(tau: Array, acceleration: Array) -> Array:
+    """The acceleration through samples, as arcs: shape (..., n - 1, 4) of those of shape (..., n), tau rising."""
+    before, after = -acceleration[..., :-1], -acceleration[..., 1:]
     # F cos theta at both ends of the arc
     across = (before * math.cos(ARC) - after) / math.sin(ARC)
     spans = np.diff(tau)
     columns = (spans, ARC / spans, np.hypot(before, across), np.arctan2(across, before))
-    return tuple(Arc(*row) for row in zip(*(column.tolist() for column in columns), strict=True))
+    return np.stack(np.broadcast_arrays(*columns), axis=-1)
 
 
 @limited()
 def transient(
     system: EquationOfMotion,
-    arcs: Sequence[Arc],
+    arcs: Array,
     *,
     begin: float = 0.0,
     after: float = AFTER,
     integrator: Integrator | None = None,
 ) -> Transient:
-    """The motion from rest at u = 0 under the arcs, and freely for `after` when they are over.
+    """The motion from rest at u = 0 under the arcs, rows of `Arc`, and freely for `after` when they are over.
 
     It is followed until the mass has turned twice since, or friction holds it: a free motion only loses energy, so that
     A and a_max are the largest for all time. Raises ArithmeticError where the motion escapes a softening spring,
@@ -168,13 +163,14 @@ def transient(
 
 
 def _followed(
-    system: EquationOfMotion, arcs: Sequence[Arc], tau: float, after: float, integrator: Integrator
+    system: EquationOfMotion, arcs: Array, tau: float, after: float, integrator: Integrator
 ) -> Iterator[Stretch]:
-    u = v = 0.0
-    for arc in arcs:
+    u = v = A = 0.0
+    for arc in map(Arc._make, arcs.tolist()):
         stretch = _under(Forced(system, arc.Omega, arc.F, integrator), tau, arc, u, v)
         u, v = stretch.phases[-1].u_end, stretch.phases[-1].v_end
         tau += arc.span
+        A = max(A, *(abs(phase.u_end) for phase in stretch.phases))
         yield stretch
     over, turned = tau + after, 0
     for _ in range(MOST_TURNS):
@@ -184,8 +180,10 @@ def _followed(
         tau += free.span
         yield stretch
         turned += sum(phase.event == Event.STOP for phase in stretch.phases)
-        # a mass that is damped much creeps back, and turns once at most
-        if tau >= over and (turned >= 2 or stretch.phases[-1].slip == 0 or abs(v) <= abs(u) * 1e-9):
+        A = max(A, *(abs(phase.u_end) for phase in stretch.phases))
+        # a mass that is damped much creeps back, and turns once at most: until it does not move, or has come back
+        creeps = abs(v) <= abs(u) * CREEPS or max(abs(u), abs(v)) <= A * CREEPS
+        if tau >= over and (turned >= 2 or stretch.phases[-1].slip == 0 or creeps):
             return
     raise ArithmeticError(f"within {MOST_TURNS} turns after the pulse the mass does not turn twice, and does not rest")
 

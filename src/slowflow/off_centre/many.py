@@ -296,7 +296,7 @@ class OffCentreDesigns:
 
 
 #: questions about the centre that many designs have
-CENTRED = frozenset(("certify", "second_approximation", "spectrum", "shock_spectrum"))
+CENTRED = frozenset(("certify", "second_approximation", "spectrum", "transient", "shock_spectrum"))
 #: of which type a column is
 TYPES = {"Floats": float, "Codes": np.int8}
 

@@ -7,6 +7,7 @@
 #include <Python.h>
 
 #include "taylor.h"
+#include "shock.h"
 #include "trace.h"
 
 #define NAME "slowflow._exact.system"
@@ -307,6 +308,86 @@ static PyObject *trace(PyObject *self, PyObject *arguments)
     return result;
 }
 
+/* An odd force of which each piece has the same constants, p[0] and p[1] by side; those that end at 0 are left out. `piece`
+ * has room for 2 pieces - 1, `edge` for one more. */
+static sf_system odd_system(const sf_law *const *law, Py_ssize_t pieces, const double *ends, const double *const p[2],
+                            const double *damping, sf_piece *piece, double *edge)
+{
+    int about = -1;
+    for (Py_ssize_t i = 0; i < pieces; i++)
+        about += i == pieces - 1 || ends[i] != 0.0;
+    int j = 0;
+    for (Py_ssize_t i = 0; i < pieces; i++) {
+        const double end = i == pieces - 1 ? SF_FAR : ends[i];
+        if (end == 0.0)
+            continue;
+        piece[about + j] = piece[about - j] = (sf_piece){law[i], {p[0], p[1]}};
+        edge[about + 1 + j] = end, edge[about - j] = -end;
+        j++;
+    }
+    return (sf_system){2 * about + 1, about, 1, piece, edge, damping[0], damping[1], 0, 0.0};
+}
+
+/* Shocks of many oscillators of one mechanism, whose force is odd: for each its constants, the ends of its pieces, mu and
+ * zeta, arcs and when they begin; out come the outcome and the numbers of each. */
+static PyObject *shocks(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    PyObject *laws;
+    Py_buffer constants, ends, damping, arcs, begin, outcomes, out;
+    double after;
+    sf_shocked shock = {0};
+    long all;
+    if (!PyArg_ParseTuple(arguments, "O!y*y*y*y*y*dllw*w*", &PyTuple_Type, &laws, &constants, &ends, &damping, &arcs, &begin,
+                          &after, &shock.most, &all, &outcomes, &out))
+        return NULL;
+    const Py_ssize_t one = (Py_ssize_t)sizeof(double), count = outcomes.len, pieces = PyTuple_Size(laws);
+    const Py_ssize_t size = count ? constants.len / count / one : 0;
+    const Py_ssize_t pulses = count ? arcs.len / count / (Py_ssize_t)sizeof(sf_arc) : 0;
+    const sf_law **const law = PyMem_Calloc((size_t)pieces + 1, sizeof *law);
+    sf_piece *const piece = PyMem_Calloc(2 * (size_t)pieces + 1, sizeof *piece);
+    double *const edge = PyMem_Calloc(2 * (size_t)(pieces + size) + 2, sizeof *edge);
+    int fits = law != NULL && piece != NULL && edge != NULL && pieces >= 1 &&
+               constants.len == count * size * one && ends.len == count * (pieces - 1) * one &&
+               damping.len == 2 * count * one && begin.len == count * one &&
+               arcs.len == count * pulses * (Py_ssize_t)sizeof(sf_arc) && out.len == count * SF_SHOCK_NUMBERS * one;
+    for (Py_ssize_t i = 0; fits && i < pieces; i++) {
+        law[i] = PyCapsule_GetPointer(PyTuple_GetItem(laws, i), LAW);
+        fits = law[i] != NULL && (count == 0 || law[i]->constants == size);
+    }
+    if (fits) {
+        double *const p[2] = {edge + 2 * pieces, edge + 2 * pieces + size + 1};
+        p[0][size] = -1.0, p[1][size] = 1.0;
+        Py_BEGIN_ALLOW_THREADS
+        for (Py_ssize_t k = 0; k < count; k++) {
+            for (int side = 0; side < 2; side++)
+                memcpy(p[side], (const double *)constants.buf + k * size, (size_t)(size * one));
+            const double *const both[2] = {p[0], p[1]};
+            const sf_system system = odd_system(law, pieces, (const double *)ends.buf + k * (pieces - 1), both,
+                                                (const double *)damping.buf + 2 * k, piece, edge);
+            double *const found = (double *)out.buf + k * SF_SHOCK_NUMBERS;
+            shock.system = &system, shock.left = all;
+            const sf_outcome outcome = sf_shock(&shock, (const sf_arc *)arcs.buf + k * pulses, (long)pulses,
+                                                ((const double *)begin.buf)[k], after, found);
+            ((signed char *)outcomes.buf)[k] = (signed char)outcome;
+            for (int i = 0; outcome != SF_GOOD && i < SF_SHOCK_NUMBERS; i++)
+                found[i] = NAN;
+        }
+        Py_END_ALLOW_THREADS
+        free(shock.phases.at);
+        free(shock.at);
+    }
+    else if (!PyErr_Occurred())
+        PyErr_SetString(PyExc_ValueError, "arrays that do not fit the shocks");
+    PyMem_Free(law);
+    PyMem_Free(piece);
+    PyMem_Free(edge);
+    Py_buffer *const buffers[] = {&constants, &ends, &damping, &arcs, &begin, &outcomes, &out};
+    for (size_t i = 0; i < sizeof buffers / sizeof *buffers; i++)
+        PyBuffer_Release(buffers[i]);
+    return PyErr_Occurred() ? NULL : Py_NewRef(Py_None);
+}
+
 static PyMethodDef methods[] = {
     {"system", make_system, METH_VARARGS,
      "laws, constants, edges, about, odd, mu, zeta, inertial, load -> an oscillator."},
@@ -323,6 +404,8 @@ static PyMethodDef methods[] = {
     {"trace", trace, METH_VARARGS,
      "system, phases, half_turns, starts_from_rest, F_0, course, point, has_before, step, travelled, first, steps, rows -> "
      "points, spent, has_before, step, travelled."},
+    {"shocks", shocks, METH_VARARGS,
+     "laws, constants, ends, damping, arcs, begin, after, steps of one integration, of all, outcomes, numbers -> None."},
     {NULL, NULL, 0, NULL},
 };
 
