@@ -39,6 +39,7 @@ MODULES = (
     "slowflow.loads_many",
     "slowflow.measured.validity",
     "slowflow.averaged.many",
+    "slowflow.averaged.asked",
     "slowflow.grid.designs",
     "slowflow.sizing",
     "slowflow.sizing.tolerances",

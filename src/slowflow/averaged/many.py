@@ -12,7 +12,6 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
-from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -21,6 +20,18 @@ import numpy.typing as npt
 from slowflow import backend, validate
 from slowflow.answer import Answer, frozen, optional
 from slowflow.averaged import remarks
+from slowflow.averaged.asked import (
+    AMPLITUDES,
+    DETACHMENT,
+    NO_PROOF,
+    ONSET,
+    PEAK,
+    PROVED_FOLDS,
+    PROVED_STATES,
+    SADDLE_NODES,
+    One,
+    Question,
+)
 from slowflow.averaged.questions import Averaged
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Mechanism
@@ -32,7 +43,6 @@ from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 Codes = npt.NDArray[np.int8]
-One = Callable[..., tuple[Any, ...]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -600,133 +610,3 @@ def share(work: Callable[[Any], None], parts: Iterator[Any], threads: int) -> No
         except BaseException:
             pool.shutdown(cancel_futures=True)
             raise
-
-
-# ---- one design, None for a blank answer
-
-
-def _detachment(oscillator: Any, _: int) -> tuple[Any, ...]:
-    found = oscillator and oscillator.detachment()
-    if not found or found.F_cr is None:
-        return np.nan, np.nan, np.nan, Status.NONE
-    return found.F_cr, found.Omega_cr, found.u_cr, Status.OK
-
-
-def _onset(oscillator: Any, _: int) -> tuple[Any, ...]:
-    found = oscillator and oscillator.saddle_node_onset()
-    if not found or found.F_SN is None:
-        at_rest = bool(found) and Remark.FOLDS_AT_REST in found.remarks
-        return np.nan, np.nan, np.nan, 0, at_rest, found._status if found else Status.NONE
-    at_rest = Remark.FOLDS_AT_REST in found.remarks
-    return found.F_SN, found.Omega, found.A, OnsetKind[found.kind.upper()], at_rest, Status.OK
-
-
-#: of single answers, by their words and whether on a corner
-FOLD_KINDS = {
-    ("jump-up", False): FoldKind.JUMP_UP,
-    ("jump-down", False): FoldKind.JUMP_DOWN,
-    ("jump-up", True): FoldKind.JUMP_UP_AT_CORNER,
-    ("jump-down", True): FoldKind.JUMP_DOWN_AT_CORNER,
-}
-
-
-def _saddle_nodes(oscillator: Any, F_0: float, places: int) -> tuple[Any, ...]:
-    found = None if oscillator is None else oscillator.saddle_nodes(F_0)
-    return in_places(found, places, found is not None and Remark.UNDECIDED in found.remarks)
-
-
-def in_places(found: Any, places: int, undecided: bool) -> tuple[Any, ...]:
-    """A single answer's folds, None for a blank one, in the places of a batch."""
-    Omega, A, kind = np.full(places, np.nan), np.full(places, np.nan), np.zeros(places, np.int8)
-    if found is None:
-        return Omega, A, kind, 0, False, Status.NONE
-    n = min(places, len(found))
-    Omega[:n], A[:n] = found.Omega[:n], found.A[:n]
-    kind[:n] = [FOLD_KINDS[fold.kind, fold.corner] for fold in found][:n]
-    return Omega, A, kind, len(found), undecided, Status.OK if n == len(found) else Status.TOO_MANY
-
-
-def _amplitudes(oscillator: Any, F_0: float, Omega: float, places: int) -> tuple[Any, ...]:
-    A, stable = np.full(places, np.nan), np.zeros(places, np.int8)
-    if oscillator is None:
-        return A, stable, 0, False, Status.NONE
-    found = oscillator.states(Omega=Omega, F_0=F_0)
-    n = min(places, len(found.A))
-    A[:n], stable[:n] = found.A[:n], found.stable[:n]
-    fits = n == len(found.A)
-    return A, stable, len(found.A), Remark.UNDECIDED in found.remarks, Status.OK if fits else Status.TOO_MANY
-
-
-def _peak(oscillator: Any, F_0: float, _: int) -> tuple[Any, ...]:
-    found = oscillator and oscillator.peak(F_0)
-    if not found or found.A is None:
-        return np.nan, np.nan, found._status if found else Status.NONE
-    return found.A, found.Omega, Status.OK
-
-
-#: count, whether it is proved, status, without the compiled solvers
-NO_PROOF = (0, 0, Status.UNRESOLVED)
-
-# ---- the questions
-
-
-@dataclass(frozen=True)
-class Question:
-    """A question about many designs.
-
-    one     -- the answer of one design; None where only the compiled solvers have one
-    outputs -- shape behind the designs' and type of each part of the answer, from the number of places
-    batch   -- from the compiled solvers what gives the generalised ufunc of a record
-    at_once -- designs that take no more than some tenths of a second: until then Ctrl-C is not heard
-    by_inertia -- whether the compiled solvers answer it of an excitation by inertia too
-    """
-
-    one: One | None
-    outputs: Callable[[int], list[tuple[tuple[int, ...], type]]]
-    batch: Callable[[ModuleType], Callable[[Any], Callable[..., Any]]]
-    at_once: int
-    by_inertia: bool = True
-
-
-DETACHMENT = Question(
-    _detachment,
-    lambda _: [*[((), float)] * 3, ((), np.int8)],
-    lambda native: native.many_detachment,
-    2**18,
-)
-ONSET = Question(
-    _onset,
-    lambda _: [*[((), float)] * 3, *[((), np.int8)] * 3],
-    lambda native: native.many_onset,
-    2**14,
-)
-SADDLE_NODES = Question(
-    _saddle_nodes,
-    lambda k: [*[((k,), float)] * 2, ((k,), np.int8), *[((), np.int8)] * 3],
-    lambda native: native.many_saddle_nodes,
-    2**12,
-)
-AMPLITUDES = Question(
-    _amplitudes,
-    lambda k: [((k,), float), ((k,), np.int8), *[((), np.int8)] * 3],
-    lambda native: native.many_amplitudes,
-    2**11,
-)
-PEAK = Question(
-    _peak,
-    lambda _: [*[((), float)] * 2, ((), np.int8)],
-    lambda native: native.many_peak,
-    2**13,
-)
-PROVED_FOLDS = Question(
-    None,
-    lambda _: [((), np.int8)] * 3,
-    lambda native: native.many_proved_saddle_nodes,
-    2**10,
-)
-PROVED_STATES = Question(
-    None,
-    lambda _: [((), np.int8)] * 3,
-    lambda native: native.many_proved_amplitudes,
-    2**10,
-)

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import backend
-from slowflow.averaged import many
+from slowflow.averaged import asked, many
 from slowflow.mechanism import Mechanism
 from slowflow.version import __version__
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 class Question(NamedTuple):
     """One of the questions about many designs: what asks it, its answer, what it takes beside the designs, and may."""
 
-    asked: many.Question
+    asked: asked.Question
     answer: type[many.Batch]
     takes: tuple[str, ...] = ()
     may: tuple[str, ...] = ()
@@ -32,12 +32,12 @@ class Question(NamedTuple):
 
 #: by the names of the methods of `Designs`
 QUESTIONS = {
-    "detachment": Question(many.DETACHMENT, many.Detachments),
-    "saddle_node_onset": Question(many.ONSET, many.Onsets),
-    "saddle_nodes": Question(many.SADDLE_NODES, many.Folds, ("F_0", "places")),
-    "amplitudes": Question(many.AMPLITUDES, many.States, ("F_0", "Omega", "places")),
-    "peak": Question(many.PEAK, many.Peaks, ("F_0",)),
-    "certify": Question(many.PROVED_FOLDS, many.Proofs, ("F_0",), ("Omega",)),
+    "detachment": Question(asked.DETACHMENT, many.Detachments),
+    "saddle_node_onset": Question(asked.ONSET, many.Onsets),
+    "saddle_nodes": Question(asked.SADDLE_NODES, many.Folds, ("F_0", "places")),
+    "amplitudes": Question(asked.AMPLITUDES, many.States, ("F_0", "Omega", "places")),
+    "peak": Question(asked.PEAK, many.Peaks, ("F_0",)),
+    "certify": Question(asked.PROVED_FOLDS, many.Proofs, ("F_0",), ("Omega",)),
 }
 
 

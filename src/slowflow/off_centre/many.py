@@ -18,7 +18,8 @@ import numpy as np
 from slowflow import loads_many, validate
 from slowflow.answer import frozen
 from slowflow.averaged import many, remarks
-from slowflow.averaged.many import FOLD_KINDS, Batch, Codes
+from slowflow.averaged.asked import FOLD_KINDS
+from slowflow.averaged.many import Batch, Codes
 from slowflow.loaded import AT_CENTRE, off_centre_by
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, Floats

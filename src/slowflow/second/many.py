@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from slowflow import validate
-from slowflow.averaged import many
+from slowflow.averaged import asked
 from slowflow.averaged.many import Designs, Detachments, Folds, Onsets, Peaks
 from slowflow.averaged.questions import Averaged
 from slowflow.results import Remark
@@ -76,7 +76,7 @@ def _onset(second: SecondApproximation | None, _: int) -> tuple[Any, ...]:
 
 def _saddle_nodes(second: SecondApproximation | None, F_0: float, places: int) -> tuple[Any, ...]:
     found = None if second is None else second.saddle_nodes(F_0)
-    return many.in_places(found, places, found is not None and found._lost > 0)
+    return asked.in_places(found, places, found is not None and found._lost > 0)
 
 
 def _peak(second: SecondApproximation | None, F_0: float, _: int) -> tuple[Any, ...]:
@@ -94,22 +94,22 @@ def _detachment(second: SecondApproximation | None, _: int) -> tuple[Any, ...]:
 
 
 DETACHMENT = replace(
-    many.DETACHMENT,
+    asked.DETACHMENT,
     one=_second(_detachment),
     batch=lambda native: native.many_second_detachment,
     at_once=2**13,
     by_inertia=False,
 )
 ONSET = replace(
-    many.ONSET, one=_second(_onset), batch=lambda native: native.many_second_onset, at_once=2**13, by_inertia=False
+    asked.ONSET, one=_second(_onset), batch=lambda native: native.many_second_onset, at_once=2**13, by_inertia=False
 )
 SADDLE_NODES = replace(
-    many.SADDLE_NODES,
+    asked.SADDLE_NODES,
     one=_second(_saddle_nodes),
     batch=lambda native: native.many_second_saddle_nodes,
     at_once=2**9,
     by_inertia=False,
 )
 PEAK = replace(
-    many.PEAK, one=_second(_peak), batch=lambda native: native.many_second_peak, at_once=2**9, by_inertia=False
+    asked.PEAK, one=_second(_peak), batch=lambda native: native.many_second_peak, at_once=2**9, by_inertia=False
 )
