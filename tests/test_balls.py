@@ -247,3 +247,21 @@ def test_proofs_in_balls_are_the_same_in_threads():
             found = list(pool.map(lambda _: answers.saddle_nodes(model, 0.05), range(4)))
     assert all(one == alone for one in found)
     assert example.isolator().certify(0.04).proved
+
+
+@pytest.mark.parametrize(
+    ("alpha", "beta", "said"),
+    [
+        (-0.5, 1.0, words.OF_NO_ONSET),  # k = 3 beta A^3/2 rises along the locus, which begins at Omega = 0
+        (-0.5, -1.0, words.OF_NO_ONSET),  # h_A > 0: no locus
+        (0.0, -1.0, words.OF_NO_ONSET),
+        (0.0, 1.0, words.OF_NO_LOWEST),  # the locus begins at A = 0, at 4 mu/pi
+    ],
+)
+def test_without_viscous_damping_what_is_born_is_proved_for_any_stiffness_at_rest(alpha, beta, said):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        iso = Duffing(alpha, beta, mu=0.05, zeta=0.0)
+    found = proofs.onset(iso.model)
+    assert found.proved
+    assert found.message == said[True]

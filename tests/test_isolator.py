@@ -189,6 +189,22 @@ def test_duffing_backbone_and_onset_tend_to_their_closed_forms():
     assert onset.F_SN == pytest.approx(np.sqrt(4 * y * (zeta**2 / 3 + zeta**2)), rel=20 * zeta)
 
 
+@pytest.mark.parametrize(
+    "make", [lambda: Duffing(0.0, 1.0, 0.05, 0.0), lambda: isolator(r=4.0, delta_h=1 / 12, zeta=0)]
+)
+def test_without_viscous_damping_and_stiffness_at_rest_folds_begin_at_friction(make):
+    """Omega^2 = 9 beta A^2/4 there, and 2 k = 3 beta A^3 for small A: a fold is where k^2 = F_0^2 - m^2."""
+    spring = make()
+    assert spring.alpha == 0
+    onset = spring.saddle_node_onset()
+    assert onset.F_SN is None
+    assert "as near above 4 mu/pi" in onset.message
+    m = spring.sticking_forcing
+    folds = spring.saddle_nodes(m * (1 + 1e-9))
+    beta = spring.model.parameters[1]
+    assert folds.A[0] == pytest.approx(np.cbrt(2 / (3 * beta) * m * np.sqrt(2e-9)), rel=1e-3)
+
+
 def of_positive_stiffness(share, values):
     """The preload as a share of the least that leaves no stiffness, 1/(lam r), or of 0.93."""
     return values | {"delta_h": 0.97 * share * min(1 / (values["lam"] * values["r"]), 0.93)}

@@ -1,7 +1,9 @@
 """How much is proved at run time: random isolators in, shares proved, what is not and why, widths and times out.
 
 Each isolator is asked for all folds at a forcing, all states at a frequency, F_SN and F_cr, each with its proof; and,
-apart, for its folds next to F_SN, where two of them are about to meet and doubles cannot tell whether they have.
+apart, for its folds next to F_SN, where two of them are about to meet and doubles cannot tell whether they have. The
+same is asked of families that are hard for doubles, and of the force that is not truncated. What doubles leave open is
+asked of balls.
 """
 
 from __future__ import annotations
@@ -16,7 +18,8 @@ from typing import Any
 import numpy as np
 
 from slowflow import Isolator
-from slowflow.certificate import Proved
+from slowflow.averaged import proofs
+from slowflow.certificate import DOUBLES, Proved
 from slowflow.paper import example
 
 SEED = 29
@@ -34,18 +37,59 @@ MOST_SPRINGS = 4
 #: how far from F_SN, relatively, on either side
 BESIDE = (1e-3, 1e-6, 1e-9, 1e-12, 1e-14)
 ASKED = ("folds", "states", "F_SN", "F_cr")
+#: families, by what is drawn otherwise; the first is that of the targets
+FAMILIES = ("anywhere", "delta_h to 1", "delta_h to 0", "alpha to 0", "F_0 to 4 mu/pi", "not truncated")
+#: of the others, for each isolator of the first
+SHARE = 0.2
 #: repetitions of what is timed
 REPEATS = 5
 
 
-def drawn(rng: np.random.Generator) -> tuple[Isolator, float, float]:
-    """A random isolator, a forcing that moves it, a frequency."""
+def drawn(rng: np.random.Generator, family: str) -> tuple[Isolator, float, float]:
+    """A random isolator of a family, a forcing that moves it, a frequency."""
     values = {name: float(10 ** rng.uniform(*decades)) for name, decades in DRAWN.items()}
+    lam = int(rng.integers(1, MOST_SPRINGS + 1))
+    if family == "delta_h to 1":
+        values["delta_h"] = 1 - 10 ** rng.uniform(-16, -2)
+    elif family == "delta_h to 0":
+        values["delta_h"] = 10 ** rng.uniform(-12, -3)
+    elif family == "alpha to 0":
+        values["r"] = (1.05 + values["r"]) / lam
+        values["delta_h"] = (1 + rng.choice([-1, 1]) * 10 ** rng.uniform(-16, -6)) / (lam * values["r"])
+    elif family == "F_0 to 4 mu/pi":
+        values["excess"] = 10 ** rng.uniform(-16, -6)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         design = {name: values[name] for name in ("r", "delta_h", "mu", "zeta")}
-        isolator = Isolator(lam=int(rng.integers(1, MOST_SPRINGS + 1)), **design)
+        force = "untruncated" if family == "not truncated" else "truncated"
+        isolator = Isolator(lam=lam, **design, force=force)
     return isolator, isolator.sticking_forcing * (1 + values["excess"]), values["Omega"]
+
+
+def of_family(rng: np.random.Generator, family: str, isolators: int) -> dict[str, Any]:
+    """What is proved of some of a family, by doubles alone and with balls, the slowest proof in balls in seconds."""
+    asked, proved, alone = dict.fromkeys(ASKED, 0), dict.fromkeys(ASKED, 0), dict.fromkeys(ASKED, 0)
+    unproved: list[tuple[str, ...]] = []
+    slowest = 0.0
+    for _ in range(isolators):
+        isolator, F_0, Omega = drawn(rng, family)
+        model = isolator.model
+        questions: dict[str, Callable[[], Proved]] = {
+            "folds": partial(proofs.saddle_nodes, model, F_0, np.empty(0)),
+            "states": partial(proofs.amplitudes, model, Omega, F_0),
+            "F_SN": partial(proofs.onset, model),
+            "F_cr": partial(proofs.detachment, model),
+        }
+        for what, ask in questions.items():
+            start = time.process_time()
+            proof = ask()
+            slowest = max(slowest, time.process_time() - start)
+            asked[what] += 1
+            proved[what] += proof.proved
+            alone[what] += proof.proved and proof.bits == DOUBLES
+            if not proof.proved:
+                unproved.append(told(isolator, None if what.startswith("F_") else F_0, what, proof))
+    return {"asked": asked, "proved": proved, "alone": alone, "unproved": unproved, "slowest": slowest}
 
 
 def best(ask: Callable[[], Any]) -> float:
@@ -66,14 +110,14 @@ def told(isolator: Isolator, F_0: float | None, what: str, proof: Proved) -> tup
 def stress(part: int, isolators: int) -> dict[str, Any]:
     """One share of the isolators."""
     rng = np.random.default_rng((SEED, part))
-    asked, proved = dict.fromkeys(ASKED, 0), dict.fromkeys(ASKED, 0)
-    beside = {f"{distance:g}": [0, 0] for distance in BESIDE}
+    asked, proved, alone = dict.fromkeys(ASKED, 0), dict.fromkeys(ASKED, 0), dict.fromkeys(ASKED, 0)
+    beside = {f"{distance:g}": [0, 0, 0] for distance in BESIDE}
     unproved: list[tuple[str, ...]] = []
     others: list[tuple[str, ...]] = []
     widths: list[float] = []
     ratios: list[float] = []
     for _ in range(isolators):
-        isolator, F_0, Omega = drawn(rng)
+        isolator, F_0, Omega = drawn(rng, FAMILIES[0])
         found = isolator.saddle_nodes(F_0)
         certificate = isolator.certify(F_0, Omega=Omega)
         answers: tuple[Proved | None, ...] = (
@@ -86,6 +130,7 @@ def stress(part: int, isolators: int) -> dict[str, Any]:
             assert proof is not None
             asked[what] += 1
             proved[what] += proof.proved
+            alone[what] += proof.proved and proof.bits == DOUBLES
             if not proof.proved:
                 unproved.append(told(isolator, None if what.startswith("F_") else F_0, what, proof))
         folds = certificate.saddle_nodes
@@ -102,10 +147,13 @@ def stress(part: int, isolators: int) -> dict[str, Any]:
                     assert near is not None
                     beside[f"{distance:g}"][0] += 1
                     beside[f"{distance:g}"][1] += near.proved
+                    beside[f"{distance:g}"][2] += near.proved and near.bits == DOUBLES
     return {
         "isolators": isolators,
         "asked": asked,
         "proved": proved,
+        "alone": alone,
+        "families": {name: of_family(rng, name, round(SHARE * isolators)) for name in FAMILIES[1:]},
         "unproved": unproved,
         "others": others,
         "beside": beside,
@@ -121,16 +169,30 @@ def table_2() -> float:
     return best(lambda: [isolator.certify(F_0) for F_0 in forcings])
 
 
+def counted(parts: list[dict[str, Any]], name: str) -> dict[str, int]:
+    """One count of all shares, by what was asked."""
+    return {what: sum(part[name][what] for part in parts) for what in ASKED}
+
+
+def of_all(parts: list[dict[str, Any]]) -> dict[str, Any]:
+    """All shares of a family as one."""
+    return {
+        **{name: counted(parts, name) for name in ("asked", "proved", "alone")},
+        "unproved": [one for part in parts for one in part["unproved"]],
+        "slowest": max(part["slowest"] for part in parts),
+    }
+
+
 def summed(parts: list[dict[str, Any]]) -> dict[str, Any]:
     """All shares as one."""
     return {
         "isolators": sum(part["isolators"] for part in parts),
-        "asked": {what: sum(part["asked"][what] for part in parts) for what in ASKED},
-        "proved": {what: sum(part["proved"][what] for part in parts) for what in ASKED},
+        **{name: counted(parts, name) for name in ("asked", "proved", "alone")},
+        "families": {name: of_all([part["families"][name] for part in parts]) for name in FAMILIES[1:]},
         "unproved": [one for part in parts for one in part["unproved"]],
         "others": [one for part in parts for one in part["others"]],
         "beside": {
-            name: [sum(part["beside"][name][k] for part in parts) for k in range(2)] for name in parts[0]["beside"]
+            name: [sum(part["beside"][name][k] for part in parts) for k in range(3)] for name in parts[0]["beside"]
         },
         "width": median([float(x) for part in parts for x in part["widths"]]),
         "widest": max(float(x) for part in parts for x in part["widths"]),

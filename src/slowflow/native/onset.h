@@ -218,6 +218,13 @@ static int sf_is_bent(const sf_stretch *piece) {
     return piece->first.h_AA != 0 || piece->first.h_AAA != 0 || piece->last.h_AA != 0 || piece->last.h_AAA != 0;
 }
 
+/* Whether there are folds on a piece from its first amplitude on: h_A is negative next to it, h_AAA being monotone. */
+static int sf_moves_from(const sf_stretch *piece, double h_A) {
+    const sf_sample *a = &piece->first;
+    const double bend = a->h_AA != 0 ? a->h_AA : a->h_AAA != 0 ? a->h_AAA : piece->last.h_AAA;
+    return h_A != 0 ? h_A < 0 : bend < 0;
+}
+
 /* What the level does as A grows without end: 1 if it tends to m, -1 if it falls to another limit, which is no answer. */
 static int sf_undamped_beyond(const sf_model *model) {
     sf_sample near, far;
@@ -243,8 +250,8 @@ static sf_status sf_onset_of_preload(const sf_model *model, double h, sf_work *w
     return signs == 3 ? SF_UNBOUNDED : SF_UNRESOLVED;
 }
 
-/* The lowest forcing without viscous damping. Where k tends to 0 on the way, as to A = 0 with a positive stiffness, or as A
- * grows where springs have left, there are folds as near to m as one asks, and no lowest. */
+/* The lowest forcing without viscous damping. Where k tends to 0 on the way, as to A = 0 with a stiffness that is not negative
+ * there, or as A grows where springs have left, there are folds as near to m as one asks, and no lowest. */
 static sf_status sf_onset_undamped(const sf_model *model, sf_work *work, sf_onset *best) {
     sf_stretch piece;
     sf_sample at;
@@ -260,7 +267,7 @@ static sf_status sf_onset_undamped(const sf_model *model, sf_work *work, sf_onse
     for (k = 0; !tends && k <= model->breaks; k++) {
         sf_sample_at(model, k < model->breaks ? model->b[k] : SF_ENDLESS, &piece.last);
         if (sf_is_bent(&piece)) {
-            tends = at.k == 0 && at.h_A < 0 && !(k > 0 && model->jump[k - 1] != 0);
+            tends = at.k == 0 && sf_moves_from(&piece, at.h_A) && !(k > 0 && model->jump[k - 1] != 0);
             sf_clear_zeros(&work->zeros);
             tends |= !tends && sf_undamped_in(model, &piece, &work->zeros, best);
             if (work->zeros.status != SF_OK)

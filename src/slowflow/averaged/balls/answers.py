@@ -26,6 +26,7 @@ from slowflow.averaged.balls.questions import (
     is_bounded,
     lowest_next_to,
     lowest_of_all,
+    lowest_undamped,
     tends_to_friction,
 )
 from slowflow.averaged.reference.bounds import amplitude_bound
@@ -138,18 +139,21 @@ def _forcing(proved: bool, message: str, best: Candidate | None = None) -> Prove
 def onset(model: Model) -> ProvedForcing | None:
     """F_SN, and that no fold is born at a lower forcing; or that there is none, or none that is the lowest."""
     try:
-        F_SN = solvers.onset(model).F_SN
+        F_SN = solvers.onset(model).F_SN if model.zeta > 0 else None
         A_max = math.nan if F_SN is None else amplitude_bound(model, F_SN * (1 + ABOVE_ONSET))[0]
     except ArithmeticError:  # unresolved, or beyond the range of doubles
         F_SN, A_max = None, math.nan
 
     def at(given: Given) -> ProvedForcing | None:
-        if model.zeta == 0 and F_SN is None:
-            proved = tends_to_friction(given)
-            return _forcing(proved, words.OF_NO_LOWEST[proved])
-        best, proved = lowest_of_all(given) if F_SN is None else lowest_next_to(given, F_SN, A_max)
+        if model.zeta == 0 and tends_to_friction(given):
+            return _forcing(True, words.OF_NO_LOWEST[True])
+        if model.zeta == 0:
+            best, proved = lowest_undamped(given)
+        else:
+            best, proved = lowest_of_all(given) if F_SN is None else lowest_next_to(given, F_SN, A_max)
         if best is None:
-            return _forcing(proved, words.OF_NO_ONSET[proved])
+            said = words.OF_NO_ONSET if proved or model.zeta > 0 else words.OF_NO_LOWEST
+            return _forcing(proved, said[proved])
         return _forcing(proved, "" if proved else words.BALLS_IN_DOUBT.format(ctx.prec, ""), best)
 
     return _decided(model, at)

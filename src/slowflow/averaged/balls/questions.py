@@ -417,16 +417,68 @@ def lowest_next_to(given: Given, F_SN: float, A_max: float) -> tuple[Candidate |
     return best, bool(proved)
 
 
-def tends_to_friction(given: Given) -> bool:
-    """Without viscous damping, whether folds come as near to 4 mu/pi as one asks.
+# ---- without viscous damping: folds lie at Omega^2 = -h_A, their level is hypot(m, k) ---------------------------
 
-    Their level is hypot(m, k), which is m at A = 0 only, and there they are as long as h_A < 0.
-    """
+
+def tends_to_friction(given: Given) -> bool:
+    """Whether it is proved that folds come as near to 4 mu/pi as one asks, because k tends to 0 on the locus."""
+    if _tends_at_rest(given) or any(_tends_at(given, i) for i in range(given.count)):
+        return True
+    return bool(_undamped(given, 1).zeros)
+
+
+def _tends_at_rest(given: Given) -> bool:
+    """Next to A = 0, where k is 0: h_A is negative next to it."""
     A = min(float(given.b[0].lo), 1.0) if given.count else 1.0
     first = given.at(0, ZERO)
-    while A > FIRST:
+    while first.k.lo == first.k.hi == 0 and A > FIRST:
         last = given.at(0, arb(A))
-        if cell_between(Enclosure(ZERO, last.A), first, last).h_A.hi < 0:
+        cell = cell_between(Enclosure(ZERO, last.A), first, last)
+        falls = cell.h_AA.hi < 0 or (first.h_AA.hi <= 0 and cell.h_AAA.hi < 0)
+        if cell.h_A.hi < 0 or (first.h_A.hi <= 0 and falls):
             return bool(last.k.sign)
         A *= 0.125
     return False
+
+
+def _tends_at(given: Given, i: int) -> bool:
+    """On a breakpoint: where the force jumps by J folds sit on it at Omega^2 > -h_A, if J < 0, or below."""
+    at, jump = given.below(i), given.jumps[i].sign
+    if jump < 0:
+        return bool((at.h_A.hi < 0 and at.k.hi <= 0) or (at.h_A.lo >= 0 and at.h.hi <= 0))
+    return jump > 0 and bool(at.h_A.hi < 0 and at.h.hi <= 0 and at.k.lo >= 0)
+
+
+def _undamped(given: Given, channel: int) -> Search:
+    """Where, on the locus, h_AA vanishes (channel 0) or k (channel 1), on all amplitudes."""
+
+    def on(cell: Cell) -> Sequence[Range]:
+        y, dy = (cell.h_AA, cell.h_AAA) if channel == 0 else (cell.k, cell.k_A)
+        return (Range(positive(-cell.h_A), y, dy),)
+
+    return Search(given, on).up_to(ENDLESS, FIRST)
+
+
+def lowest_undamped(given: Given) -> tuple[Candidate | None, bool]:
+    """As `lowest_of_all`, where k does not tend to 0: the level is least where |k| is, along A and on breakpoints."""
+    candidates = Candidates(Asked(given, math.inf))
+    asked, turns = candidates.asked, _undamped(given, 0)
+    far = given.at(given.count, arb(ENDLESS))
+    rises = far.h_A.lo >= 0 or (-(far.k * far.h_AA)).lo >= 0
+    candidates.full = bool(turns.doubts or _undamped(given, 1).doubts or not rises)
+    for zero in turns.zeros:
+        on = zero.on
+        Omega = of_zeta_0.undamped_Omega(on.h_A)
+        candidates.enter(asked.level(Omega, on), Omega, on.A, OnsetKind.CUSP, -(on.k * on.h_AAA).sign)
+    for i, (jump, kink) in enumerate(zip(given.jumps, given.kinks, strict=True)):
+        on, none = asked.at_breakpoint(i), jump.lo == jump.hi == 0
+        if on.h_A.lo >= 0:
+            continue
+        # |k| falls below; above h_AA is infinite, with the sign of what the slope loses
+        falls = (on.k * on.h_AA).sign
+        turn = -(on.k * kink).sign if none else 1 if jump.sign < 0 else -on.k.sign
+        sign = 0 if not (on.h_A.sign and falls and turn and (none or jump.sign)) else min(falls, turn)
+        Omega = of_zeta_0.undamped_Omega(on.h_A)
+        candidates.enter(asked.level(Omega, on), Omega, on.A, OnsetKind.CORNER, sign)
+    best = candidates.lowest()
+    return best, not candidates.full and bool(candidates.doubted > (best.level.hi if best else 0))

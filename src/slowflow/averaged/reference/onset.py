@@ -129,8 +129,9 @@ def _is_beside_breakpoint(model: Model, best: _Best) -> bool:
 def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
     """zeta = 0: folds lie at Omega^2 = -h_A and their level is hypot(m, k), with R = k there.
 
-    Where k tends to 0 on the way, as to A = 0 with a positive stiffness, or as A grows where springs have left, there
-    are folds as near to m as one asks. Raises ArithmeticError where the level falls to another limit.
+    Where k tends to 0 on the way, as to A = 0 with a stiffness that is not negative next to it, or as A grows where
+    springs have left, there are folds as near to m as one asks. Raises ArithmeticError where the level falls to another
+    limit.
     """
     none = SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
     no_lowest = dataclasses.replace(none, message=words.NO_LOWEST.format(model.m), _status=Status.UNBOUNDED)
@@ -148,8 +149,9 @@ def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
     for i, b in enumerate((*model.breakpoints, ENDLESS)):
         last = samples_at(model, b)
         if any(one[0] != 0 for end in (first, last) for one in (end.h_AA, end.h_AAA)):
-            from_0 = at.k[0] == 0 and at.h_A[0] < 0 and not (i > 0 and model.jumps[i - 1] != 0)
-            if from_0 or _tends_to_friction(model, Stretch(first, last, float(first.A[0])), best):
+            piece = Stretch(first, last, float(first.A[0]))
+            from_0 = at.k[0] == 0 and _moves_from(piece, at.h_A[0]) and not (i > 0 and model.jumps[i - 1] != 0)
+            if from_0 or _tends_to_friction(model, piece, best):
                 return no_lowest
         if i < len(model.breakpoints):
             at, first = last, sample_above(model, i)
@@ -163,6 +165,12 @@ def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
         raise ArithmeticError(words.unresolved_onset(model))
     found = SaddleNodeOnset(best.F_SN, best.Omega, best.A, best.kind, "") if best.kind else none
     return words.with_folds_at_rest(model, found, best.rest)
+
+
+def _moves_from(piece: Stretch, h_A: float) -> bool:
+    """Whether there are folds on a piece from its first amplitude on: h_A < 0 next to it, h_AAA being monotone."""
+    bends = (*piece.first.h_AA, *piece.first.h_AAA, *piece.last.h_AAA)
+    return bool(h_A < 0 or (h_A == 0 and next((bend for bend in bends if bend != 0), 0.0) < 0))
 
 
 def _tends_to_friction(model: Model, piece: Stretch, best: _Best) -> bool:
