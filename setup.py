@@ -1,4 +1,6 @@
-"""The compiled part of the package: in go the C sources, out come extension modules; pyproject.toml says all else.
+"""The compiled part of the package: in go the C sources, out come extension modules; and README.md for an index.
+
+All else says pyproject.toml.
 
 A checkout installs without a C compiler too (`pip install --editable`), and runs on NumPy. A wheel is compiled, or its
 build fails; SLOWFLOW_PURE=1 asks for one that runs on NumPy, whose name says so. The C is committed: building it needs
@@ -8,9 +10,11 @@ To the solver's extension a further source is added by putting it into src/slowf
 """
 
 import os
+import re
 import shlex
 import subprocess
 import sysconfig
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -87,7 +91,30 @@ def extension(name, sources):
     )
 
 
+def readme(text, address=None):
+    """README.md for the page of a package index, where a path leads nowhere.
+
+    address -- of the sources on the web: paths are looked up there. Without one a picture is left out with its caption,
+               and of a link its words stay.
+    """
+
+    def place(match):
+        picture, words, path, caption = match.groups()
+        if address is None:
+            return "" if picture else words + caption
+        return f"{picture}[{words}]({address}/{'raw' if picture else 'blob'}/HEAD/{path}){caption}"
+
+    picture = r"(!)\[([^]]*)\]\((?!\w+:)([^)]+)\)((?:\n+\*[^*]+\*)?\n+)"
+    link = r"()\[([^]]*)\]\((?!\w+:)([^)]+)\)()"
+    return re.sub(link, place, re.sub(picture, place, text))
+
+
+with open("pyproject.toml", "rb") as stated:
+    SOURCE = tomllib.load(stated)["project"]["urls"].get("Source")
+
 setup(
+    long_description=readme(Path("README.md").read_text(encoding="utf-8"), SOURCE),
+    long_description_content_type="text/markdown",
     ext_modules=[]
     if PURE
     else [

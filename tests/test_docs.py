@@ -98,6 +98,23 @@ def test_the_code_in_the_readme_runs() -> None:
     exec("\n".join(blocks), {})
 
 
+def test_on_the_page_of_an_index_the_readme_has_no_path(monkeypatch: pytest.MonkeyPatch) -> None:
+    setuptools = pytest.importorskip("setuptools")
+    monkeypatch.setattr(setuptools, "setup", lambda **_: None)
+    monkeypatch.chdir(ROOT)
+    fitted = runpy.run_path("setup.py")["readme"]
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    paths = LINK.findall(text)
+    assert sum(path.endswith(".png") for path in paths) >= 2
+    without, there = fitted(text), fitted(text, "https://example.org/sources")
+    assert not LINK.findall(without) and not LINK.findall(there) and "![" not in without
+    for path in paths:
+        kind = "raw" if path.endswith(".png") else "blob"
+        assert f"](https://example.org/sources/{kind}/HEAD/{path})" in there
+    # nothing else is touched
+    assert re.sub(r"https://example.org/sources/(raw|blob)/HEAD/", "", there) == text
+
+
 #: docstrings of modules with code, and which of these need what deriving needs
 DOCUMENTED = {"slowflow.derive": "sympy", "slowflow.progress": "", "slowflow.scenes": ""}
 
