@@ -17,8 +17,8 @@ def axis(name, numbers):
     return xarray.DataArray(numbers, dims=name, coords={name: numbers})
 
 
-r = axis("r", np.linspace(0.5, 3.0, 60)).chunk(r=20)  # three blocks along r; a map of 10^9 has some thousand
-share = axis("share", np.linspace(0.1, 0.9, 50))  # preload, as a share of that which leaves no stiffness at rest
+r = axis("r", np.linspace(0.5, 3.0, 24)).chunk(r=8)  # three blocks along r; a map of 10^9 has some thousand
+share = axis("share", np.linspace(0.1, 0.9, 17))  # preload, as a share of that which leaves no stiffness at rest
 mu = axis("mu", np.array([0.0, 0.01, 0.02]))
 designs = Isolator.many(lam=3, r=r, delta_h=share / (3 * r), mu=mu, zeta=0.02)
 

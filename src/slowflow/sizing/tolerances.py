@@ -14,18 +14,18 @@ import numpy as np
 import numpy.typing as npt
 from scipy.stats import qmc
 
-from slowflow import progress, validate
+from slowflow import backend, progress, validate
 from slowflow.answer import Table, frozen, optional
 from slowflow.mechanism import Floats
 from slowflow.sizing.subject import Load, Subject
 
 #: ends of a band: 95 of 100 samples lie within
 LOW, HIGH = 0.025, 0.975
-MOST_SAMPLES, SAMPLES = 10**7, 10_000
-#: samples at once, between which progress is shown
-AT_ONCE = 2000
-#: and of designs under a load; how many samples there are of such, if it is not said
-ONE_BY_ONE, UNDER_A_LOAD = 5, 100
+MOST_SAMPLES = 10**7
+#: samples at once, between which progress is shown; how many there are if it is not said, and of Sobol' indices
+AT_ONCE, SAMPLES, OF_INDICES = 2000, 10_000, 1024
+#: the same of designs that are asked one by one: under a load, and on NumPy
+FEW_AT_ONCE, FEW_SAMPLES, FEW_OF_INDICES = 5, 100, 32
 MISSING = "{} has no answer for {:.2g} of the samples, which its band leaves out"
 
 
@@ -122,13 +122,18 @@ def _within(subject: Subject, given: Any) -> Mapping[str, Any]:
     return within
 
 
+def _one_by_one(subject: Subject) -> bool:
+    """Whether an answer of a design takes tenths of a second."""
+    return subject.loaded or backend.SOLVER is None
+
+
 def _asked(
     subject: Subject, drawn: Mapping[str, Floats], names: Sequence[str], load: Load, what: str
 ) -> dict[str, Floats]:
     """Answers of all that was drawn, in parts between which progress is shown."""
     count = len(next(iter(drawn.values())))
     found = {name: np.empty(count) for name in names}
-    for part in progress.parts(count, ONE_BY_ONE if subject.loaded else AT_ONCE, what):
+    for part in progress.parts(count, FEW_AT_ONCE if _one_by_one(subject) else AT_ONCE, what):
         for name, values in subject.ask({name: value[part] for name, value in drawn.items()}, names, load).items():
             found[name][part] = values
     return {name: frozen(values) for name, values in found.items()}
@@ -156,8 +161,8 @@ def tolerances(
     f, Omega -- the frequency, f of a mount in Hz, Omega of an isolator
     shock   -- a half sine of the base: its peak and its duration, in m/s^2 and s of a mount
     answers -- which of those that `slowflow.sizing` lists; by default all that forcing, frequency and shock allow
-    samples, seed -- how many designs are tried, by default 10,000, and which. Under a load each answer takes tenths of
-               a second: by default there are 100 then, and the ends of bands accordingly rough
+    samples, seed -- how many designs are tried, by default 10,000, and which. Under a load and on NumPy each takes up
+               to tenths of a second: by default there are 100 then, and the ends of bands accordingly rough
 
     Raises ValueError for what is not allowed.
     """
@@ -165,7 +170,8 @@ def tolerances(
     load = subject.load(F, F_0, f, Omega, shock)
     within = _within(subject, within)
     names = subject.answered(answers, load)
-    samples = (UNDER_A_LOAD if subject.loaded else SAMPLES) if samples is None else samples
+    if samples is None:
+        samples = FEW_SAMPLES if _one_by_one(subject) else SAMPLES
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
     drawn = _drawn(subject, within, qmc.LatinHypercube(d=len(within), rng=seed).random(samples))
     found, nominal = _asked(subject, drawn, names, load, "tolerances"), subject.ask({}, names, load)
@@ -193,18 +199,20 @@ def sobol(
     Omega: float | None = None,
     shock: tuple[float, float] | None = None,
     answers: Iterable[str] | None = None,
-    samples: int = 1024,
+    samples: int | None = None,
     seed: int = 0,
 ) -> Sobol:
     """Which tolerance matters most: Sobol' indices, from samples times (numbers + 2) designs.
 
-    Arguments as in `tolerances`; `samples` a power of two. Raises ValueError for what is not allowed, ImportError
-    without SALib.
+    Arguments as in `tolerances`; `samples` a power of two, by default 1024, under a load and on NumPy 32. Raises
+    ValueError for what is not allowed, ImportError without SALib.
     """
     subject = Subject(of)
     load = subject.load(F, F_0, f, Omega, shock)
     within = _within(subject, within)
     names = subject.answered(answers, load)
+    if samples is None:
+        samples = FEW_OF_INDICES if _one_by_one(subject) else OF_INDICES
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
     if samples & (samples - 1):
         raise ValueError(f"samples = {samples} is not allowed: samples must be a power of two")
