@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import pickle
+from pathlib import Path
 
 import mpmath
 import numpy as np
@@ -19,7 +21,7 @@ from slowflow.exact.motion import Forced, follow
 from slowflow.off_centre.means import ORDERS, Steps
 from tests.test_off_centre import mean
 
-u, k, g, p, q = sp.symbols("u k g p q")
+u, k, g, p, q, a, b = sp.symbols("u k g p q a b")
 ABOVE = {"above": 0}
 DAMPED = {"mu": 0.005, "zeta": 0.03}
 COMPILED = backend.EXACT is not None
@@ -298,3 +300,61 @@ def test_its_derivation_is_told(stop, tmp_path):
     text = stop.document()
     assert "The force is not odd" in text and r"B + A \cos\psi" in text and "D_1" in text
     assert "derivation.md" in stop.write(tmp_path)
+
+
+CASES = json.loads((Path(__file__).parent / "data" / "sided.json").read_text())
+#: errors in u (1 + kappa): of folds, states, their phase, onsets; of B over A + |B|, by kappa of A
+U, FOLD, STATE, PHASE, ONSET, MEAN = 2.0**-53, 4.0, 4.0, 20.0, 4.0, 1.0
+
+
+def error(found, sure, name):
+    """In u (1 + kappa), of one quantity of a certified point."""
+    key = "F_0" if name == "F_SN" else name
+    kappa = sum((sure[which] or {}).get(key, 0.0) for which in ("condition", "condition_kernel"))
+    known = float(sure[name])
+    return abs(found - known) / abs(known) / (U * (1 + kappa))
+
+
+def error_of_mean(found, sure):
+    kappa = sum(sure[which]["A"] for which in ("condition", "condition_kernel"))
+    return abs(found.B - float(sure["B"])) / (found.A + abs(found.B)) / (U * (1 + kappa))
+
+
+def test_there_are_certified_cases_of_each_force_with_folds_and_onsets():
+    assert {
+        name: sum(case["force"] == name for case in CASES) for name in ("stop", "springs", "even")
+    } == dict.fromkeys(("stop", "springs", "even"), 12)
+    assert sum(len(case["folds"]) for case in CASES) == 58 and sum(case["onset"] is not None for case in CASES) == 31
+
+
+@pytest.mark.parametrize("name", ["even", *(pytest.param(one, marks=pytest.mark.slow) for one in ("stop", "springs"))])
+def test_folds_states_and_onsets_are_the_certified_ones_and_no_others(name):
+    """All folds and states that there are, with their mean; and the lowest forcing, which bends of a force may be near."""
+    if name == "even":
+        made = derive.mechanism("even", [(u + a * u**2 + b * u**3, None)], {"a": {}, "b": ABOVE}, odd=False)
+    else:
+        pieces = [(a * u, g), (a * u + k * (u - g), None)]
+        made = derive.mechanism("bends", pieces, {"a": ABOVE, "k": {}, "g": {}}, odd=False)
+    for case in (case for case in CASES if case["force"] == name):
+        one, F_0 = made(**{key: value[1] for key, value in case["parameters"].items()}), case["F_0"][1]
+        folds = one.saddle_nodes(F_0)
+        assert [fold.kind for fold in folds] == [fold["kind"] for fold in case["folds"]]
+        for found, sure in zip(folds, case["folds"], strict=True):
+            assert error(found.Omega, sure, "Omega") < FOLD
+            assert error(found.A, sure, "A") < FOLD
+            assert error_of_mean(found, sure) < MEAN
+        for at in case["amplitudes"]:
+            states, known = one.amplitudes(Omega=at["Omega"][1], F_0=F_0), at["steady"]
+            assert states.stable.tolist() == [state["stable"] for state in known]
+            for found, sure in zip(states, known, strict=True):
+                assert error(found.A, sure, "A") < STATE
+                assert error_of_mean(found, sure) < MEAN
+                kappa = sure["condition"]["A"] + sure["condition_kernel"]["A"]
+                assert found.phi == pytest.approx(float(sure["phi"]), abs=PHASE * U * (1 + kappa))
+        onset, sure = one.saddle_node_onset(), case["onset"]
+        if sure is None:
+            assert onset.F_SN is None or onset.F_SN > one.sticking_forcing + 0.15
+            continue
+        for quantity in ("F_SN", "Omega", "A"):
+            assert error(getattr(onset, quantity), sure, quantity) < ONSET
+        assert error_of_mean(onset, sure) < MEAN

@@ -598,9 +598,9 @@ class OffCentre:
     def _folds(self, x: Floats, corner: Any, F_0: float, said: _Said) -> OffCentreFolds:
         A, B, t = x
         means = self._steps.at(A, B, ORDERS)
-        Omega = self._frequency(A, t, F_0)
         with np.errstate(all="ignore"):
             h, h_A, h_AA, _ = self._along(A, means)
+            Omega = self._frequency(A, t, F_0, h)
             bends = np.asarray(slow_flow.F_AA(Omega, A, self._m, self._zeta, h, h_A, h_AA))
         kind = np.where(bends < 0, "jump-up", "jump-down")
         kind = np.where(means.c[1] > 0, kind, "unstable")
@@ -608,10 +608,13 @@ class OffCentre:
         Omega, A, B = Omega[order], A[order], B[order]
         return OffCentreFolds(Omega, A, B, kind[order], corner[order], F_0, self.load, **said._asdict())
 
-    def _frequency(self, A: Floats, t: Floats, F_0: Any) -> Floats:
+    def _frequency(self, A: Floats, t: Floats, F_0: Any, h: Any) -> Floats:
         """Omega of a fold: from I = m + 2 zeta A Omega, or from R = A Omega^2 + h where that moves it less."""
-        I = F_0 * (1 - t) * (1 + t) / (1 + t * t)
-        return np.asarray((I - self._m) / (2 * self._zeta * A))
+        with np.errstate(all="ignore"):
+            I, R = F_0 * (1 - t) * (1 + t) / (1 + t * t), 2 * F_0 * t / (1 + t * t)
+            lag, square = (I - self._m) / (2 * self._zeta * A), (R - h) / A
+            by_R = (np.abs(R) + np.abs(h)) * (I - self._m) < 2 * A * square * (I + self._m)
+            return np.asarray(np.where((square > 0) & by_R, np.sqrt(np.maximum(square, 0.0)), lag))
 
     def _along(self, A: Floats, means: Means) -> tuple[Any, ...]:
         """h and its derivatives along the balance."""
