@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import pickle
+from collections import Counter
 from pathlib import Path
 
 import mpmath
@@ -321,15 +322,13 @@ def error_of_mean(found, sure):
 
 
 def test_there_are_certified_cases_of_each_force_with_folds_and_onsets():
-    assert {
-        name: sum(case["force"] == name for case in CASES) for name in ("stop", "springs", "even")
-    } == dict.fromkeys(("stop", "springs", "even"), 12)
+    assert Counter(case["force"] for case in CASES) == {"stop": 12, "springs": 12, "even": 12}
     assert sum(len(case["folds"]) for case in CASES) == 58 and sum(case["onset"] is not None for case in CASES) == 31
 
 
 @pytest.mark.parametrize("name", ["even", *(pytest.param(one, marks=pytest.mark.slow) for one in ("stop", "springs"))])
 def test_folds_states_and_onsets_are_the_certified_ones_and_no_others(name):
-    """All folds and states that there are, with their mean; and the lowest forcing, which bends of a force may be near."""
+    """All folds and states that there are, with their mean; and the lowest forcing that has a fold."""
     if name == "even":
         made = derive.mechanism("even", [(u + a * u**2 + b * u**3, None)], {"a": {}, "b": ABOVE}, odd=False)
     else:
