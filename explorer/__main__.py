@@ -37,7 +37,7 @@ def sources() -> list[Path]:
     """All that the page is made of but for the package's data and what is derived: its parts, what the library states,
     and the headers that explorer.c includes."""
     parts = [path for path in sorted(HERE.iterdir()) if path.suffix in {".c", ".py", ".html", ".css", ".js"}]
-    parts += sorted((ROOT / "derivations/library").glob("*.py"))
+    parts += [ROOT / f"derivations/library/{name}.py" for _, name, *_ in LIBRARY]
     headers: set[Path] = set()
     left = [HERE / "explorer.c"]
     while left:
