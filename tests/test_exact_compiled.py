@@ -10,9 +10,9 @@ import pytest
 from slowflow import Duffing, Isolator
 from slowflow.backend import EXACT
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state
-from slowflow.exact.compiled import TaylorIntegrator, default_integrator, recurrences
+from slowflow.exact.compiled import TAYLOR, TaylorIntegrator, default_integrator, recurrences
 from slowflow.exact.continuation import _Path
-from slowflow.exact.integrate import Drive
+from slowflow.exact.integrate import Drive, ScipyIntegrator
 from slowflow.exact.motion import Forced, follow
 from slowflow.mechanism import Force
 from slowflow_kernels import rod_spring
@@ -156,6 +156,26 @@ def test_200_random_motions_by_heyoka():
         assert found.residual <= 1e-13, case
 
 
+@pytest.mark.parametrize(
+    ("law", "Omega", "F_0", "stops"),
+    [
+        ({"c_2": 0.4, "mu": 0.01}, 0.3, 0.02, 2),
+        ({"mu": 0.02, "mu_s": 0.03}, 0.3, 0.05, 2),
+        ({"mu": 0.02, "rubs": "attached"}, 0.5, 0.1, 0),
+        ({"mu": 0.02, "mu_s": 0.03, "rubs": "attached", "c_2": 0.3}, 0.3, 0.036, 2),
+    ],
+)
+def test_motions_under_every_law_of_damping_are_scipys(law, Omega, F_0, stops):
+    """With rests and beyond u_cr: amplitude, multipliers, switches."""
+    system = ISOLATOR.replace(zeta=0.02, **law).equation_of_motion()
+    found = steady_state(system, Omega, F_0)
+    other = steady_state(system, Omega, F_0, found, integrator=ScipyIntegrator())
+    assert found.cycle.integrator is TAYLOR and found.stops == stops
+    assert other.cycle.signature == found.cycle.signature and found.residual <= 1e-14
+    assert other.A == pytest.approx(found.A, rel=1e-11)
+    assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-11
+
+
 def test_a_curve_traced_in_c_has_the_points_of_the_one_followed_in_python(monkeypatch):
     """Folds, borders and a closed curve among them; the same steps, so the same points to what Newton leaves."""
     cases = [(case.system, case.F_0, (0.3, 1.8), None) for case in random_cases(6, seed=11)]
@@ -189,20 +209,21 @@ def test_every_shipped_force_is_compiled():
 
 
 def test_c_refuses_what_does_not_fit():
+    damping = 0.0, 0.1, False, 0.0, 0.0, False, 0.0
     piece = linear().pieces[0]
     number = recurrences(piece.law)
     with pytest.raises(ValueError, match="pieces of a force"):
-        EXACT.system((number,), (), (), 0, True, 0.0, 0.1, False, 0.0)
+        EXACT.system((number,), (), (), 0, True, *damping)
     with pytest.raises(ValueError, match="PyCapsule"):
-        EXACT.system((10**6,), ((),), (), 0, True, 0.0, 0.1, False, 0.0)
+        EXACT.system((10**6,), ((),), (), 0, True, *damping)
     for constants in ((), (1.0, 0.0, 2.0), 3.0):
         with pytest.raises(ValueError, match="as many constants as it takes, 2"):
-            EXACT.system((number,), (constants,), (), 0, True, 0.0, 0.1, False, 0.0)
+            EXACT.system((number,), (constants,), (), 0, True, *damping)
     with pytest.raises(TypeError, match="real number"):
-        EXACT.system((number,), ((1.0, "0"),), (), 0, True, 0.0, 0.1, False, 0.0)
-    system = EXACT.system((number,), ((1.0, 0.0),), (), 0, True, 0.0, 0.1, False, 0.0)
+        EXACT.system((number,), ((1.0, "0"),), (), 0, True, *damping)
+    system = EXACT.system((number,), ((1.0, 0.0),), (), 0, True, *damping)
     with pytest.raises(ValueError, match="room for too few"):
-        EXACT.advance(system, (1.0, 1.0, 0.1, 0.0), 0.0, 0.0, 0.0, 1.0, 100, np.empty(7))
+        EXACT.advance(system, (1.0, 1.0, 0.1, 0.0, 0.0), 0.0, 0.0, 0.0, 1.0, 100, np.empty(7))
     with pytest.raises(ValueError, match="do not fit"):
         EXACT.newton(
             system, b"\0" * 8, 1, np.zeros(9), 0.1, 0, np.zeros(9), 0.0, 0, 5, 1e-13, 100, np.zeros(99), np.zeros(9)

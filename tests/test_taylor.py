@@ -39,7 +39,16 @@ FORCES = {
     "signed": a * u + b * u * copysign(sp.Integer(1), u) * u,
     "in_powers": u * (a + 2 * b * u**2 / (ROOT * (ROOT + 1))),
 }
-STATE = {"Omega": 0.9, "F_0": 0.11, "zeta": 0.03, "friction": -0.02, "theta": 0.4, "u": 0.35, "v": -0.2}
+STATE = {
+    "Omega": 0.9,
+    "F_0": 0.11,
+    "zeta": 0.03,
+    "friction": -0.02,
+    "quadratic": 0.3,
+    "theta": 0.4,
+    "u": 0.35,
+    "v": -0.2,
+}
 STEP = 0.15
 
 
@@ -83,7 +92,7 @@ def stepped(tmp_path_factory):
     environment = templates(headers.HEADERS.parents[1] / "derivations" / "emit" / "targets" / "c")
     modules = [fake_module(name, force) for name, force in FORCES.items()]
     (folder / "taylor.h").write_text(taylor.text(modules, environment))
-    drive = ", ".join(repr(STATE[key]) for key in ("Omega", "F_0", "zeta", "friction"))
+    drive = ", ".join(repr(STATE[key]) for key in ("Omega", "F_0", "zeta", "friction", "quadratic"))
     state = ", ".join(repr(STATE[key]) for key in ("theta", "u", "v"))
     (folder / "main.c").write_text(
         f"""#include <stdio.h>
@@ -128,13 +137,14 @@ def test_a_step_by_every_function_against_twenty_five_digits(name, stepped):
 
         def rates(t, y):
             theta = at["theta"] + at["Omega"] * t
-            rate = at["F_0"] * mp.cos(theta) - force(y[0], *values.values()) - 2 * at["zeta"] * y[1] - at["friction"]
+            push = at["F_0"] * mp.cos(theta) - force(y[0], *values.values())
+            rate = push - at["friction"] - (2 * at["zeta"] + at["quadratic"] * y[1]) * y[1]
+            damping = 2 * (at["zeta"] + at["quadratic"] * y[1])
             out = [y[1], rate]
             stiffness = slope(y[0], *values.values())
             extra = [(0, 0), (0, 0), (-y[1] / at["Omega"], -rate / at["Omega"]), (0, mp.cos(theta))]
             pairs = [
-                (y[6 + c] + du, -stiffness * y[2 + c] - 2 * at["zeta"] * y[6 + c] + dv)
-                for c, (du, dv) in enumerate(extra)
+                (y[6 + c] + du, -stiffness * y[2 + c] - damping * y[6 + c] + dv) for c, (du, dv) in enumerate(extra)
             ]
             return out + [pair[0] for pair in pairs] + [pair[1] for pair in pairs]
 

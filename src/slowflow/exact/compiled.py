@@ -34,6 +34,7 @@ from slowflow.mechanism import EquationOfMotion, Force, Law, Piece
 
 EXACT: Any = backend.EXACT
 PHASE = struct.Struct("@iiddddddi?0d")  # a phase as C has it, in the order of `motion.Phase`
+ALONE = 0.0, 0.0, False, 0.0, 0.0, False, 0.0  # friction and damping of a piece by itself: a drive has its own
 TRACED = 50  # points of a curve at a time: some milliseconds, after which Ctrl-C is heard
 
 
@@ -43,9 +44,7 @@ def recurrences(law: Law) -> Any:
 
 
 def compiles(system: EquationOfMotion) -> bool:
-    """Whether every piece of the force has recurrences in C, and all of the damping and friction."""
-    if system.c_2 != 0 or system.released or system.mu_s > system.mu:
-        return False
+    """Whether every piece of the force has recurrences in C."""
     return all(recurrences(piece.law) is not None for piece in system.force.pieces)
 
 
@@ -56,7 +55,8 @@ def of_system(system: EquationOfMotion) -> Any:
     pieces, edges = by_rising_u(force)
     about = -force.region_of(-math.inf)
     laws, constants = tuple(recurrences(piece.law) for piece in pieces), tuple(piece.constants for piece in pieces)
-    return EXACT.system(laws, constants, edges, about, force.odd, system.mu, system.zeta, system.inertial, system.load)
+    damping = system.mu, system.zeta, system.inertial, system.load, system.c_2, system.released, system.mu_s
+    return EXACT.system(laws, constants, edges, about, force.odd, *damping)
 
 
 def by_rising_u(force: Force) -> tuple[tuple[Piece, ...], tuple[float, ...]]:
@@ -69,7 +69,7 @@ def by_rising_u(force: Force) -> tuple[tuple[Piece, ...], tuple[float, ...]]:
 @functools.lru_cache(maxsize=4096)
 def of_piece(piece: Piece) -> Any:
     """An oscillator of that piece alone."""
-    return EXACT.system((recurrences(piece.law),), (piece.constants,), (), 0, True, 0.0, 0.0, False, 0.0)
+    return EXACT.system((recurrences(piece.law),), (piece.constants,), (), 0, True, *ALONE)
 
 
 class TaylorIntegrator:
@@ -82,7 +82,7 @@ class TaylorIntegrator:
     ) -> tuple[float, float, Array]:
         """See `Integrator`."""
         flow = np.empty((2, 4))
-        outcome, steps, u, v = EXACT.advance(of_piece(piece), drive[:4], theta, u, v, end, steps_left(), flow)
+        outcome, steps, u, v = EXACT.advance(of_piece(piece), drive, theta, u, v, end, steps_left(), flow)
         spend(steps)
         if outcome:
             raise ArithmeticError(f"the integration from theta = {theta} to {end} failed")
@@ -93,7 +93,7 @@ class TaylorIntegrator:
     ) -> tuple[float, float, float, int]:
         """See `Integrator`."""
         outcome, steps, at, u, v, event, _ = EXACT.until(
-            of_piece(piece), drive[:4], slip, edge, theta, u, v, end, steps_left()
+            of_piece(piece), drive, slip, edge, theta, u, v, end, steps_left()
         )
         spend(steps)
         if outcome:
@@ -104,7 +104,7 @@ class TaylorIntegrator:
         """See `Integrator`."""
         states = np.empty((grid.size, 2))
         outcome, steps = EXACT.sample(
-            of_piece(piece), drive[:4], theta, u, v, steps_left(), np.ascontiguousarray(grid), states
+            of_piece(piece), drive, theta, u, v, steps_left(), np.ascontiguousarray(grid), states
         )
         spend(steps)
         if outcome:

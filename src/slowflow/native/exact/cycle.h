@@ -54,7 +54,7 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
 {
     const sf_system *const system = forced->system;
     const long k = cycle->k, n = k + 4;
-    const double Omega = forced->Omega = z[k + 2], force = sf_forcing(forced), mu = system->mu;
+    const double Omega = forced->Omega = z[k + 2], force = sf_forcing(forced);
     double u = z[0], v = 0.0, theta = z[1];
     double *const of_u = work, *const of_v = work + n, *const of_theta = work + 2 * n;
     memset(work, 0, 3 * (size_t)n * sizeof *work);
@@ -72,21 +72,25 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
         const double end = theta + z[2 + i];
         double *const row = out->jacobian + i * n;
         const sf_piece *const piece = sf_piece_of(system, region);
+        const double holds = sf_holding(system, region);
         if (slip == 0) {
             of_theta[2 + i] = 1.0;
-            out->residual[i] = sf_push(forced, region, end, u) - next_slip * mu;
+            out->residual[i] = sf_push(forced, region, end, u) - next_slip * holds;
             const double stiffness = sf_slope(piece, u);
             for (long j = 0; j < n; j++) {
                 of_v[j] = 0.0;
                 row[j] = -force * sin(end) * of_theta[j] - stiffness * of_u[j];
             }
             row[n - 1] += cos(end);
-            /* at break-away the push balances friction: the acceleration is continuous, only v is forgotten */
-            M[1][0] = M[1][1] = 0.0;
+            /* v is forgotten; where the push that breaks it away exceeds friction the acceleration jumps from 0, and u
+             * tells when; elsewhere it is continuous */
+            const double jump = system->mu_s > system->mu ? sf_acceleration(forced, next_slip, region, end, u, 0.0) : 0.0;
+            const double of_place = jump == 0.0 ? 0.0 : jump / Omega * (stiffness / (force * sin(end)));
+            M[1][0] = of_place * M[0][0], M[1][1] = of_place * M[0][1];
             v = 0.0, theta = end;
             continue;
         }
-        const sf_drive drive = sf_drive_of(forced, slip);
+        const sf_drive drive = sf_drive_of(forced, slip, region);
         const double rate_u = v / Omega, rate_v = sf_acceleration(forced, slip, region, theta, u, v) / Omega;
         sf_four by[2];
         const sf_outcome outcome = sf_advance(piece, &drive, theta, end, &u, &v, by, &forced->left);
@@ -136,13 +140,13 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
                 gradient[j] = -slip * of_u[j];
             out->border[out->borders++] = (sf_border){(int)i, 0, slip * (edge - u)};
         }
-        if (next_slip != 0 && mu > 0) {
+        if (next_slip != 0 && holds > 0) {
             double *const gradient = out->gradients + out->borders * n;
             const double stiffness = sf_slope(piece, u);
             for (long j = 0; j < n; j++)
                 gradient[j] = next_slip * (-force * sin(end) * of_theta[j] - stiffness * of_u[j]);
             gradient[n - 1] += next_slip * cos(end);
-            out->border[out->borders++] = (sf_border){(int)i, 1, next_slip * sf_push(forced, region, end, u) - mu};
+            out->border[out->borders++] = (sf_border){(int)i, 1, next_slip * sf_push(forced, region, end, u) - holds};
         }
     }
     double *const closes = out->jacobian + k * n, *const spans = closes + n;

@@ -21,6 +21,9 @@ typedef struct {
     double mu, zeta;
     int inertial; /* whether F_0 stands for a force F_0 Omega^2 */
     double load;  /* static force beside that */
+    double c_2;   /* quadratic damping */
+    int released; /* whether friction acts on piece `about` only */
+    double mu_s;  /* what friction holds a mass at rest with, where that is more than mu */
 } sf_system;
 
 /* F_0: amplitude of the excitation, see sf_forcing */
@@ -55,10 +58,21 @@ static inline double sf_forcing(const sf_forced *forced)
     return forced->system->inertial ? inertia_force(forced->Omega, forced->F_0) : forced->F_0;
 }
 
-static inline sf_drive sf_drive_of(const sf_forced *forced, int slip)
+/* friction on a piece, of a mass that slips and at rest */
+static inline double sf_friction(const sf_system *system, int region)
+{
+    return system->released && region != 0 ? 0.0 : system->mu;
+}
+static inline double sf_holding(const sf_system *system, int region)
+{
+    return system->released && region != 0 ? 0.0 : fmax(system->mu, system->mu_s);
+}
+
+static inline sf_drive sf_drive_of(const sf_forced *forced, int slip, int region)
 {
     const sf_system *const system = forced->system;
-    return (sf_drive){forced->Omega, sf_forcing(forced), system->zeta, slip * system->mu - system->load};
+    const double friction = slip * sf_friction(system, region) - system->load;
+    return (sf_drive){forced->Omega, sf_forcing(forced), system->zeta, friction, slip * system->c_2};
 }
 
 /* what friction has to hold at rest */
@@ -71,7 +85,9 @@ static inline double sf_push(const sf_forced *forced, int region, double theta, 
 
 static inline double sf_acceleration(const sf_forced *forced, int slip, int region, double theta, double u, double v)
 {
-    return sf_push(forced, region, theta, u) - 2.0 * forced->system->zeta * v - slip * forced->system->mu;
+    const sf_system *const system = forced->system;
+    return sf_push(forced, region, theta, u) - 2.0 * system->zeta * v - slip * sf_friction(system, region) -
+           slip * system->c_2 * v * v;
 }
 
 static inline double sf_edge_ahead(const sf_system *system, int slip, int region)
@@ -97,7 +113,7 @@ static double sf_break_away(const sf_forced *forced, int region, double theta, d
     double first = HUGE_VAL;
     *direction = 0;
     for (int slip = -1; slip <= 1; slip += 2) {
-        const double cosine = (force + slip * system->mu) / amplitude;
+        const double cosine = (force + slip * sf_holding(system, region)) / amplitude;
         if (!(fabs(cosine) < 1.0))
             continue;
         /* cos theta rises through it for slip = 1 and falls for slip = -1 */
@@ -112,8 +128,8 @@ static double sf_break_away(const sf_forced *forced, int region, double theta, d
 /* what follows a stop reached in direction slip: the next direction, 0 if friction holds the mass */
 static inline int sf_after_stop(const sf_forced *forced, int slip, int region, double theta, double u)
 {
-    const double push = sf_push(forced, region, theta, u), mu = forced->system->mu;
-    if (mu > 0 && fabs(push) <= mu)
+    const double push = sf_push(forced, region, theta, u), holds = sf_holding(forced->system, region);
+    if (holds > 0 && fabs(push) <= holds)
         return 0;
     return slip ? -slip : push > 0 ? 1 : -1;
 }
@@ -284,14 +300,14 @@ static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v,
             region += slip;
             continue;
         }
-        const sf_drive drive = sf_drive_of(forced, slip);
+        const sf_drive drive = sf_drive_of(forced, slip, region);
         sf_phase phase = {slip, region, theta, u, v, 0.0, 0.0, 0.0, SF_TIME, 0};
         sf_event event;
         const sf_outcome outcome = sf_until(sf_piece_of(system, region), &drive, slip, edge, end, zeros, &theta, &u, &v,
                                             &forced->left, &event, &phase.undecided);
         if (outcome != SF_GOOD)
             return outcome;
-        if (zeros && event == SF_STOP && theta - phase.theta < SF_GLIMPSE && system->mu > 0) {
+        if (zeros && event == SF_STOP && theta - phase.theta < SF_GLIMPSE && sf_holding(system, region) > 0) {
             theta = phase.theta, u = phase.u;
             const double at = sf_break_away(forced, region, theta + SF_GLIMPSE, u, &slip);
             if (!sf_rest(phases, region, &theta, u, fmin(at, end), end))

@@ -48,7 +48,7 @@ static sf_outcome sf_under(sf_shocked *shock, double since, const sf_arc *arc, d
     const int region = sf_region_of(shock->system, u);
     sf_outcome outcome = SF_GOOD;
     shock->phases.count = 0;
-    if (arc->F == 0.0 && v == 0.0 && fabs(sf_push(&forced, region, 0.0, u)) <= shock->system->mu) {
+    if (arc->F == 0.0 && v == 0.0 && fabs(sf_push(&forced, region, 0.0, u)) <= sf_holding(shock->system, region)) {
         if (!sf_append(&shock->phases, (sf_phase){0, region, arc->theta, u, 0.0, end, u, 0.0, SF_TIME, 0}))
             return SF_NO_MEMORY;
     }
@@ -121,7 +121,7 @@ static sf_outcome sf_accelerations(sf_shocked *shock, const sf_stretch *one, con
     const sf_phase *const phase = &one->phase;
     sf_forced forced = sf_forced_by(shock, &one->arc);
     const sf_piece *const piece = sf_piece_of(shock->system, phase->region);
-    const sf_drive drive = sf_drive_of(&forced, phase->slip);
+    const sf_drive drive = sf_drive_of(&forced, phase->slip, phase->region);
     double states[2 * SF_POINTS][2];
     const long most = forced.left;
     if (phase->slip != 0) {
@@ -133,8 +133,9 @@ static sf_outcome sf_accelerations(sf_shocked *shock, const sf_stretch *one, con
     }
     *largest = -1.0;
     for (long k = 0; k < count; k++) {
-        const double a = phase->slip == 0 ? drive.F_0 * cos(theta[k])
-                                          : sf_value(piece, states[k][0]) + drive.friction + 2.0 * drive.zeta * states[k][1];
+        const double u = states[k][0], v = states[k][1];
+        const double resisted = drive.friction + 2.0 * drive.zeta * v + drive.quadratic * v * v;
+        const double a = phase->slip == 0 ? drive.F_0 * cos(theta[k]) : sf_value(piece, u) + resisted;
         if (fabs(a) > *largest)
             *largest = fabs(a), *where = k;
     }

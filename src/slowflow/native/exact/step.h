@@ -8,9 +8,10 @@
 
 #include "series.h"
 
-/* the constants of a slip phase: friction is mu times the sign of the velocity, less a static load */
+/* the constants of a slip phase: friction is mu times the sign of the velocity, less a static load, and quadratic is c_2
+ * times it */
 typedef struct {
-    double Omega, F_0, zeta, friction;
+    double Omega, F_0, zeta, friction, quadratic;
 } sf_drive;
 
 /* in time from the start of the step, coefficient by coefficient */
@@ -84,7 +85,23 @@ static SF_INLINE const double *sf_carried(sf_next *next, const double *p, int n,
     return now;
 }
 
-/* u' = v, v' = F_0 cos theta - f(u) - 2 zeta v - friction; at the start in the same order of operations as in a push less
+/* coefficient n of a product with v */
+static SF_INLINE double sf_with_v(const sf_series v, const sf_series a, int n)
+{
+    double sum = 0.0;
+    for (int j = 0; j <= n; j++)
+        sum += v[j] * a[n - j];
+    return sum;
+}
+
+static SF_INLINE void sf_fours_with_v(const sf_series v, const sf_four *a, int n, sf_four *sum)
+{
+    *sum = sf_all(0.0);
+    for (int j = 0; j <= n; j++)
+        *sum = sf_more(*sum, sf_all(v[j]), a[n - j]);
+}
+
+/* u' = v, v' = F_0 cos theta - f(u) - 2 zeta v - friction - quadratic v^2; at the start in the same order of operations as in a push less
  * friction. The piece has `series`, f is number `value` of them; `fours` groups of sums. */
 static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p, const sf_drive *drive, double theta,
                                 double u, double v, int series, int fours, int value, double *over, double *w,
@@ -96,7 +113,7 @@ static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p,
     w[0] = u;
     begin(p, w, over);
     x->u[0] = u, x->v[0] = v;
-    double rate = drive->F_0 * cosine - w[value] - damping * v - drive->friction;
+    double rate = drive->F_0 * cosine - w[value] - damping * v - drive->friction - drive->quadratic * v * v;
     x->u[1] = v;
     for (int n = 1;; n++) {
         x->v[n] = rate * sf_over[n];
@@ -107,10 +124,12 @@ static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p,
         sine = drive->Omega * cosine * sf_over[n], cosine = turned;
         const double *const now = sf_carried(next, p, n, x->u[n], series, fours, over, w, left, right);
         rate = drive->F_0 * cosine - damping * x->v[n] - now[value];
+        if (drive->quadratic != 0.0)
+            rate -= drive->quadratic * sf_with_v(x->v, x->v, n);
     }
 }
 
-/* The same with the derivatives: of u, U' = V and of v, V' = -f'(u) U - 2 zeta V, less the rates of u and v over Omega
+/* The same with the derivatives: of u, U' = V and of v, V' = -f'(u) U - 2 (zeta + quadratic v) V, less the rates of u and v over Omega
  * in the column of Omega, plus cos theta in that of F_0. f' is series `slope`; where it is linear, its first coefficient. */
 static SF_INLINE void sf_expand_both(sf_begin *begin, sf_next *next, const double *p, const sf_drive *drive,
                                      double theta, double u, double v, const sf_four flow[2], int series, int fours,
@@ -127,14 +146,19 @@ static SF_INLINE void sf_expand_both(sf_begin *begin, sf_next *next, const doubl
     x->u[0] = u, x->v[0] = v;
     x->U[0] = flow[0], x->V[0] = flow[1];
     slopes[0] = sf_all(w[slope]);
-    double rate = drive->F_0 * cosine - w[value] - damping * v - drive->friction;
+    double rate = drive->F_0 * cosine - w[value] - damping * v - drive->friction - drive->quadratic * v * v;
     sf_four pull = sf_times(slopes[0], flow[0]);
     x->u[1] = v;
     for (int n = 1;; n++) {
         const sf_four each = sf_all(sf_over[n]);
         x->v[n] = rate * sf_over[n];
         x->U[n] = sf_times(sf_plus(x->V[n - 1], sf_four_of(0.0, 0.0, x->v[n - 1] * by_Omega, 0.0)), each);
-        const sf_four resisted = sf_more(pull, damped, x->V[n - 1]);
+        sf_four resisted = sf_more(pull, damped, x->V[n - 1]);
+        if (drive->quadratic != 0.0) {
+            sf_four with_v;
+            sf_fours_with_v(x->v, x->V, n - 1, &with_v);
+            resisted = sf_more(resisted, sf_all(2.0 * drive->quadratic), with_v);
+        }
         x->V[n] = sf_times(sf_less(sf_four_of(0.0, 0.0, rate * by_Omega, cosine), resisted), each);
         if (n == SF_ORDER)
             break;
@@ -143,6 +167,8 @@ static SF_INLINE void sf_expand_both(sf_begin *begin, sf_next *next, const doubl
         sine = drive->Omega * cosine * sf_over[n], cosine = turned;
         const double *const now = sf_carried(next, p, n, x->u[n], series, fours, over, w, left, right);
         rate = drive->F_0 * cosine - damping * x->v[n] - now[value];
+        if (drive->quadratic != 0.0)
+            rate -= drive->quadratic * sf_with_v(x->v, x->v, n);
         pull = sf_times(slopes[0], x->U[n]);
         if (!linear) {
             sf_four below;
