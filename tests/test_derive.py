@@ -303,6 +303,10 @@ def test_an_oscillator_is_pickled_into_another_process(stop, folder):
         ({"parameters": {"mu": {}}}, ValueError, "parameter 'mu' is not allowed"),
         ({"parameters": {"out": {}}}, ValueError, "parameter 'out' is not allowed"),
         ({"parameters": {"short": {}}}, ValueError, "it is a word of C"),
+        *(
+            ({"pieces": [(sp.Symbol(name) * u, None)], "parameters": {name: {}}}, ValueError, "has something else")
+            for name in ("mu_s", "model", "peak")
+        ),
         ({"pieces": [(u, None)], "parameters": {}}, ValueError, "has no number of its own"),
         ({"parameters": {"k_1": {"over": 0}}}, ValueError, "'over' is not allowed"),
     ],

@@ -14,14 +14,15 @@ The door to the derivation, which comes with slowflow as `slowflow_derivation` a
 from __future__ import annotations
 
 import ctypes
+import functools
 import hashlib
 import importlib
+import inspect
 import os
 import shlex
 import subprocess
 import sysconfig
 from collections.abc import Mapping, Sequence
-from functools import partial
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -131,7 +132,13 @@ def mechanism(
     where slowflow itself is not compiled. Exact motions are SciPy's where it is not compiled, and take long.
     """
     furthest = () if reach is None else (reach, reach_reason)
-    return _derived(_derivation().stated(name, pieces, parameters, title, *furthest, odd=odd), compile)
+    stated = _derivation().stated(name, pieces, parameters, title, *furthest, odd=odd)
+    for parameter in stated.design:
+        if parameter.symbol.name in _taken():
+            raise ValueError(
+                f"parameter {parameter.symbol.name!r} is not allowed: an oscillator has something else by that name"
+            )
+    return _derived(stated, compile)
 
 
 def library(name: str, *, compile: bool = False) -> Derived:
@@ -150,6 +157,13 @@ def include() -> list[Path]:
     # of an installed package, or beside it in a checkout
     generated = kernels if (kernels / "c").is_dir() else kernels.parent
     return [Path(__file__).parent / "native", generated / "c", generated / "native"]
+
+
+@functools.cache
+def _taken() -> frozenset[str]:
+    """Names that an oscillator has already: what it is made from, its parts, and its questions."""
+    made_from = inspect.signature(Oscillator.__init__).parameters
+    return frozenset((*made_from, *Oscillator.__annotations__, *dir(Oscillator), "model"))
 
 
 def _derived(stated: Any, compile: bool) -> Derived:
@@ -235,7 +249,7 @@ def _attach(record: Mechanism, library: Path) -> None:
         backend.SOLVER.RECORDS[record.name] = _capsule(loaded, "slowflow_record", CAPSULE)
     if record.enclosed is not None:
         closing = importlib.import_module(f"slowflow_derived.{record.name}").averaged_of
-        COMPILED[closing] = partial(_averaged, loaded.slowflow_averaged)
+        COMPILED[closing] = functools.partial(_averaged, loaded.slowflow_averaged)
 
 
 def _capsule(loaded: ctypes.CDLL, name: str, kind: bytes) -> Any:
