@@ -181,14 +181,14 @@ def _followed(
     pulses = {"begin": begin, "pulse": arcs[..., 0, 0]}
     shape = validate.common_shape({**designs.values, **pulses})
     values = {name: np.broadcast_to(value, shape).ravel() for name, value in designs.values.items()}
-    every = np.broadcast_to(arcs, (*shape, *arcs.shape[-2:])).reshape(-1, *arcs.shape[-2:])
+    pulses_of = arcs.reshape(-1, *arcs.shape[-2:])  # not spread: designs share pulses, of which a record is long
+    which = np.broadcast_to(np.arange(len(pulses_of)).reshape(arcs.shape[:-2]), shape).ravel()
     begins = np.broadcast_to(begin, shape).ravel()
     finite = allowed & np.isfinite(arcs).all(axis=(-1, -2)) & np.isfinite(begin)
     known = np.broadcast_to(designs.detachment(workers=workers).status != Status.INVALID, shape)
     asked = np.flatnonzero(np.broadcast_to(finite, shape) & known)
     status, numbers = np.full(begins.size, Status.INVALID, np.int8), np.full((begins.size, 7), np.nan)
     laws = tuple(recurrences(law) for law in designs.mechanism.pieces)
-
     with np.errstate(all="ignore"):
         at_rest = designs.mechanism.averaged(0.0, *designs.mechanism.coefficients(*designs.design))[:2]
     # a force that jumps at rest, or has no stiffness there, is refused by what follows a single one
@@ -196,7 +196,7 @@ def _followed(
     singly = asked if designs.laws or None in laws else asked[~smooth[asked]]
     for k in singly.tolist():
         one = {name: float(value[k]) for name, value in values.items()}
-        status[k], numbers[k] = _alone(designs, one, every[k], float(begins[k]), after)
+        status[k], numbers[k] = _alone(designs, one, pulses_of[which[k]], float(begins[k]), after)
     together = np.setdiff1d(asked, singly, assume_unique=True)
 
     def part(where: Any) -> None:
@@ -205,7 +205,7 @@ def _followed(
         parameters = designs.mechanism.coefficients(*(own[domain.name] for domain in designs.mechanism.design))
         ends = designs.mechanism.breakpoints(*parameters)
         columns = [_columns(of, here.size) for of in (parameters, ends, (own["mu"], own["zeta"]))]
-        outcomes, numbers[here] = many_shocks(laws, columns, every[here], begins[here], after)
+        outcomes, numbers[here] = many_shocks(laws, columns, pulses_of[which[here]], begins[here], after)
         status[here] = np.where(outcomes == Outcome.GOOD, Status.OK, Status.UNRESOLVED)
 
     at_once = max(1, AT_ONCE // (ALONE + arcs.shape[-2]))
