@@ -401,7 +401,7 @@ def test_every_place_of_rest_is_found():
 def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
     questions = {
         "fold_locus": (), "cusps": (), "isola_points": (), "certify": (0.04,), "exact_response": (0.04,),
-        "backbone": ([0.1],), "explain": ("peak", 0.04),
+        "backbone": ([0.1],),
     }  # fmt: skip
     for name, given in questions.items():
         with pytest.raises(ValueError, match=r"load = 0\.03"):

@@ -1,6 +1,7 @@
 """Scenes: what the plan says, that it is obeyed, and that a scene's answer is the general path's."""
 
 import dataclasses
+import pickle
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ import pytest
 from slowflow import Duffing, backend
 from slowflow.averaged import plan, solvers
 from slowflow.model import Model
+from slowflow.off_centre import plan as off_centre
 from slowflow.paper.example import TABLE_1, isolator
 from slowflow_kernels import duffing, rod_spring
 
@@ -161,11 +163,31 @@ def test_every_question_has_a_plan():
         "force",
         "stiffness",
     }
-    beside = {"certify", "explain", "plot", "replace", "many", "restoring_force", "equation_of_motion"}
+    beside = {"explain", "plot", "replace", "many", "restoring_force", "equation_of_motion"}
     beside |= {"measured_states", "measured_folds", "states", "curve", "folds", "closes", "only_for_a_force"}
-    beside |= {"only_for_plain_damping", "rest", "at_centre"}
+    beside |= {"only_for_plain_damping", "at_centre"}
     public = {name for name in dir(type(iso)) if not name.startswith("_") and callable(getattr(type(iso), name))}
     assert public - formulas - beside - {"physical"} == set(asked)
+
+
+def test_every_question_off_the_centre_has_a_plan():
+    """Of what a load has no answer to there is none; a plan can be copied, and says where the mass sticks."""
+    loaded = isolator(load=0.03)
+    for name in off_centre.STEPS:
+        F_0 = 0.04 if name in (*plan.QUESTIONS, *plan.AT_ONE) else None
+        found = loaded.explain(name, F_0)
+        assert callable(getattr(loaded, name)) and found.question == name and all(runs(found).values())
+        assert pickle.loads(pickle.dumps(found)) == found
+    assert (
+        "sticks: F_0 = 0.01" in str(loaded.explain("saddle_nodes", 0.01)) and loaded.explain("peak", 0.04).F_0 == 0.04
+    )
+    for name in ("certify", "spectrum", "cusps"):
+        with pytest.raises(ValueError, match=rf"explain\('{name}'\) is not available with load = 0\.03"):
+            loaded.explain(name)
+    with pytest.raises(ValueError, match="detachment is about all forcings"):
+        loaded.explain("detachment", 0.04)
+    with pytest.raises(ValueError, match="certify is not available with excitation = 'base'"):
+        isolator(excitation="base").explain("certify", 0.04)
 
 
 def test_the_second_approximation_says_what_it_makes_of_averaging():
@@ -175,5 +197,5 @@ def test_the_second_approximation_says_what_it_makes_of_averaging():
         first = isolator().explain(question, F_0)
         assert (tuple(before), last.name, last.runs) == (first.steps, "harmonics", True)
     assert not second.explain("peak", 0.01).steps[-1].runs  # it sticks
-    with pytest.raises(ValueError, match="question = 'cusps' is not allowed"):
+    with pytest.raises(ValueError, match=r"question = 'cusps' is not allowed.*not explicit in A"):
         second.explain("cusps")

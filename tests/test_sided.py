@@ -273,7 +273,7 @@ def test_a_force_that_is_not_odd_is_refused_what_is_about_the_centre(stop):
         lambda: oscillator.saddle_nodes(0.03, certify=True),
         lambda: oscillator.certify(0.03),
         lambda: oscillator.sweep(Omega=[1.0], F_0=0.1),
-        lambda: oscillator.explain("peak", 0.1),
+        lambda: oscillator.explain("cusps"),
         lambda: stop(k=8.0, g=0.2, **DAMPED, excitation="base"),
     ):
         with pytest.raises(ValueError, match="not odd"):

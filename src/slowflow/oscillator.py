@@ -26,6 +26,7 @@ from slowflow_kernels.domains import EXCITATIONS, RUBS
 
 if TYPE_CHECKING:
     from slowflow import exact, loads
+    from slowflow.averaged.plan import Plan
     from slowflow.exact.shocks import Shocks, Transients
     from slowflow.loads_many import ManyBands, ManyIsolations, ManyMargins, ManySpectra
     from slowflow.off_centre.answers import RestPositions
@@ -191,6 +192,16 @@ class Oscillator(Averaged):
     def detachment(self) -> Any:
         """The lowest forcing that reaches u_cr, see `Averaged.detachment`; under a load `OffCentre.detachment`."""
         return self.off_centre.detachment() if isinstance(self.model, Loaded) else super().detachment()
+
+    def explain(self, question: str, F_0: float | None = None) -> Plan:
+        """What runs for a question, what is skipped, and why, see `Averaged.explain`; under a load of those it has."""
+        if not self._off_centre_by:
+            return super().explain(question, F_0)
+        from slowflow.off_centre import plan
+
+        if question not in plan.STEPS:
+            self.at_centre(f"explain({question!r})")
+        return plan.plan(question, F_0, self.off_centre.model.unloaded)
 
     @property
     def eta(self) -> float:

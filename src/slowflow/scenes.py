@@ -49,7 +49,7 @@ from slowflow.answer import Answer
 from slowflow.averaged import plan
 from slowflow.averaged.plan import Plan
 from slowflow.isolator import DUFFING, ROD_SPRING, Duffing, Isolator
-from slowflow.physical import EXCITED, Physical, Quantities
+from slowflow.physical import EXCITED, Quantities
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 #: a scene to begin with
@@ -237,16 +237,11 @@ class Scene:
         return found.in_units() if isinstance(found, Quantities) else found
 
     def explain(self, asked: Asked) -> Plan | None:
-        """What runs for it and what is skipped; None where there is nothing to choose, as under a load."""
-        if asked.question not in (*plan.QUESTIONS, *plan.OF_ALL, *plan.COMPOSED) or self._is_loaded:
+        """What runs for it and what is skipped; None for what is a formula, or put together from other questions."""
+        if asked.question not in (*plan.QUESTIONS, *plan.OF_ALL, *plan.COMPOSED):
             return None
         found: Plan = self.oscillator.explain(asked.question, asked.forcing)
         return found
-
-    @property
-    def _is_loaded(self) -> bool:
-        oscillator = self.oscillator.oscillator if isinstance(self.oscillator, Physical) else self.oscillator
-        return bool(oscillator.load != 0)
 
     def forcings(self) -> list[float]:
         """The forcings of its questions, each once, in their order."""

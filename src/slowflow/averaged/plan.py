@@ -140,8 +140,17 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
             Step("root", True, "next to that point, in A"),
         ),
         "spectrum": (
-            Step("states", True, "of each row, and between the rows for folds that are crossed"),
+            Step("states", True, "of each row"),
+            Step("folds", True, "of the forcings on the way from row to row: on which side of it they lie"),
             Step("curve", False, "not needed: rows are tones"),
+        ),
+        "certify": (
+            Step("folds", True, "as saddle_nodes has them"),
+            Step("proof", True, "of folds, F_SN and F_cr, and of states where Omega is given, in interval arithmetic"),
+        ),
+        "rest": (
+            Step("boxes", True, "u is cut until each part is proved to hold one place of rest, or none"),
+            Step("averaging", False, "not needed: nothing moves"),
         ),
         "steady_state": (
             Step("averaging", True, "where A is given: states and folds to begin with"),
@@ -170,12 +179,14 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
     }
 )
 #: those of them that are about one forcing
-AT_ONE = ("margins", "hysteresis", "isolation", "steady_state", "exact_response", "sweep")
+AT_ONE = ("margins", "hysteresis", "isolation", "certify", "steady_state", "exact_response", "sweep")
 
 
 def plan_composed(question: str, F_0: float | None, whole: Model) -> Plan:
     """The plan for one of `COMPOSED`."""
-    return Plan(question, F_0, whole, question not in ("sweep", "transient", "shock_spectrum"), COMPOSED[question])
+    return Plan(
+        question, F_0, whole, question not in ("rest", "sweep", "transient", "shock_spectrum"), COMPOSED[question]
+    )
 
 
 def needs_no_solver(question: str, whole: Model) -> bool:

@@ -332,6 +332,9 @@ class Averaged:
         """
         if question not in (known := (*plan.QUESTIONS, *plan.OF_ALL, *plan.COMPOSED)):
             raise ValueError(f"question = {question!r} is not allowed: it must be one of {', '.join(known)}")
+        if question in ("certify", "rest"):
+            self.only_for_a_force(question)
+            self.only_for_plain_damping(question)
         if question not in (*plan.QUESTIONS, *plan.AT_ONE):
             if F_0 is not None:
                 raise ValueError(f"F_0 = {F_0!r} is not allowed: {question} is about all forcings")

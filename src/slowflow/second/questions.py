@@ -67,7 +67,7 @@ UNANSWERED = {
         ("steady_state", "exact_response", "sweep", "transient", "shock_spectrum"),
         "it is asked of the oscillator, whose equation of motion answers it",
     ),
-    **dict.fromkeys(("rest", "off_centre"), "its motions are about the centre"),
+    **dict.fromkeys(("rest", "off_centre", "at_centre"), "its motions are about the centre"),
     "many": "batches begin with the designs, as Isolator.many(...).second_approximation",
     "certify": "what is proved is proved of the averaged equations",
     "plot": "its answers are drawn by their own .plot(); beside u_cr and where the mass stops by the oscillator's",
@@ -114,7 +114,8 @@ class SecondApproximation:
         Raises ValueError as that, and for a question that the second approximation does not answer.
         """
         if question not in SECOND:
-            raise ValueError(f"question = {question!r} is not allowed: it must be one of {', '.join(SECOND)}")
+            why = f"; {question}: {UNANSWERED[question]}" if question in UNANSWERED else ""
+            raise ValueError(f"question = {question!r} is not allowed: it must be one of {', '.join(SECOND)}{why}")
         first = self.first.explain(question, F_0)
         skipped = first.sticks or (question == "saddle_nodes" and not first.folds)
         after = Step("harmonics", not skipped, "nothing to begin with" if skipped else SECOND[question])

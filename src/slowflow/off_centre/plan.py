@@ -1,0 +1,71 @@
+"""What runs for a question off the centre: in go the question and a forcing, out comes the plan, in words.
+
+There is one way to each answer; what depends on numbers is whether the mass sticks.
+"""
+
+from __future__ import annotations
+
+from slowflow import validate
+from slowflow.averaged import words
+from slowflow.averaged.plan import AT_ONE, QUESTIONS, Plan, Step
+from slowflow.model import Model
+
+_PLANE = "the plane of amplitude A and mean B is cut until each box is proved to hold"
+_BOXES = f"{_PLANE} one or none"
+
+#: by question what runs for it
+STEPS: dict[str, tuple[Step, ...]] = {
+    "rest": (Step("boxes", True, "u is cut until each part is proved to hold one place with f(u) = load, or none"),),
+    "detachment": (
+        Step("boxes", True, "along |B| + A at the first breakpoint: where the mean is balanced"),
+        Step("forcing", True, "the least of these, each at its best frequency"),
+    ),
+    "saddle_node_onset": (
+        Step("descent", True, "from a fold down to where the forcing is stationary"),
+        Step("boxes", True, f"{_PLANE} no fold at a lower forcing"),
+    ),
+    "amplitudes": (Step("boxes", True, f"{_BOXES}, at each frequency"),),
+    "saddle_nodes": (
+        Step("boxes", True, f"{_BOXES}; A, B and Omega of a fold are its unknowns"),
+        Step("corners", True, "folds on a breakpoint at which the force jumps"),
+    ),
+    "frequency_response": (
+        Step("folds", True, "all of them: they cut the response into arcs"),
+        Step("states", True, "all of them between each two folds: they tell the arcs"),
+        Step("curve", True, "each arc followed, and neighbours shown to be on one"),
+    ),
+    "peak": (Step("boxes", True, f"{_PLANE} no motion that goes farther, by a bound on its least forcing"),),
+    "margins": (
+        Step("folds", True, "how many there are at F_0"),
+        Step("onset", True, "F_SN, found once for the oscillator"),
+        Step("detachment", True, "F_cr, found once for the oscillator"),
+        Step("reach", True, "whether a stable motion passes u_cr; not where the force has one piece"),
+    ),
+    "hysteresis": (
+        Step("folds", True, "the ends of the bands"),
+        Step("states", True, "in the middle between each two folds: how many are stable"),
+    ),
+    "isolation": (
+        Step("boxes", True, "up to which frequency there is anything to look at"),
+        Step("curve", True, "its last stable point that transmits the force"),
+        Step("root", True, "next to that point"),
+    ),
+    "steady_state": (
+        Step("averaging", True, "where A is given: states to begin with"),
+        Step("motion", True, "from switch to switch: a stop, a breakpoint, a break-away"),
+        Step("cycle", True, "Newton's iteration on the motion with its order of switches"),
+    ),
+}
+
+
+def plan(question: str, F_0: float | None, model: Model) -> Plan:
+    """The plan for one of `STEPS`. Raises ValueError for a forcing that is missing, or not needed."""
+    at_one = question in (*QUESTIONS, *AT_ONE)
+    if not at_one and F_0 is not None:
+        raise ValueError(f"F_0 = {F_0!r} is not allowed: {question} is about all forcings")
+    if not at_one:
+        return Plan(question, None, model, False, STEPS[question])
+    forcing = validate.number("F_0", F_0, above=0.0)
+    if model.sticks(forcing) and question in ("amplitudes", "saddle_nodes", "frequency_response", "isolation"):
+        return Plan(question, forcing, None, False, (Step("boxes", False, words.sticks(model, forcing)),))
+    return Plan(question, forcing, model, question in ("saddle_nodes", "frequency_response"), STEPS[question])
