@@ -30,6 +30,7 @@ from slowflow.results import (
     IsolaPoints,
     Measures,
     Peak,
+    Remark,
     SaddleNodeOnset,
     SaddleNodes,
     SteadyStates,
@@ -372,7 +373,8 @@ class Averaged:
         if self.model.stays_centred:
             return found
         kept = remarks.keeps_centre(self.model.mechanism, self.model.parameters, found.Omega, found.A)
-        return dataclasses.replace(found, stable=found.stable & kept)
+        leaves = remarks.NOTHING if kept.all() else Remark.LEAVES_CENTRE
+        return dataclasses.replace(found, stable=found.stable & kept, remarks=found.remarks | leaves)
 
     def _remarked(self, found: Answer, F_0: float) -> Answer:
         """The answer with what there is to say beside it; F_0 is nan where the question has none."""
@@ -383,7 +385,8 @@ class Averaged:
             found.__dict__["_asked"] = self._equation
         if self.model.sticks(F_0):
             return found
-        beside = remarks.of_one(self.model, F_0, *_states(found))
+        centred = isinstance(found, SteadyStates)  # `_centred` has looked at these
+        beside = remarks.of_one(self.model, F_0, *_states(found), centred=centred)
         if beside is remarks.NOTHING and found.remarks is remarks.NOTHING:
             return found
         beside |= found.remarks

@@ -86,10 +86,11 @@ def of_designs(
     return np.asarray(sum(int(remark) * holds for remark, holds in codes.items()), dtype=np.uint8)
 
 
-def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = None) -> Remark:
+def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = None, *, centred: bool = False) -> Remark:
     """The same for one oscillator; A is an array along one axis, or a number, and nothing is computed that is known.
 
-    F_0 -- NaN where the question has none
+    F_0     -- NaN where the question has none
+    centred -- whether it has been told already which of them leave the centre
     """
     many = isinstance(A, np.ndarray)
     highest = A if not many else A.max() if A.size else math.nan
@@ -104,7 +105,7 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = None) -> 
             said.append(Remark.NEAR_STICKING)
     if highest > model.mechanism.reach:
         said.append(Remark.BEYOND_REACH)
-    if highest > 0 and not model.stays_centred:
+    if highest > 0 and not centred and not model.stays_centred:
         if not keeps_centre(model.mechanism, model.parameters, Omega, A).all():
             said.append(Remark.LEAVES_CENTRE)
     if model.mechanism.truncated and corner is not None and highest > 0:
