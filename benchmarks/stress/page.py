@@ -29,6 +29,8 @@ U = 2.0**-53
 WHY = {
     "slow_flow.offset_stiffness": "k_0 and k_2^2/(2 (4 Omega^2 - k_0)) are half and one and a half times the result or "
     "more where h/A and Omega^2 are small beside h_A; over one denominator 700 u are lost where k_0 = 4 Omega^2 nearly",
+    "rod_spring.fold_quartic": "its coefficient h h_A: both are right to 0.7 u (1 + kappa) there, but their kappa, of "
+    "16 each, are of opposite signs, and that of the product is 2.6",
     "rod_spring_untruncated.averaged_2": "just above u_cr between 0.75 and 0.8 the average is a difference of the two "
     "integrals that R_D says, many times as large",
     "rod_spring_untruncated.level": "by averaged_2",

@@ -111,7 +111,10 @@ def unresolved_onset(model: Model) -> str:
     if not model.breakpoints:
         return "the onset is unresolved: folds are born within rounding of each other" + other
     ends = ", ".join(f"{b:g}" for b in model.breakpoints)
-    return f"the onset is unresolved: doubles do not tell which folds are born next to the breakpoint A = {ends}{other}"
+    said = f"the onset is unresolved: doubles do not tell which folds are born next to the breakpoint A = {ends}{other}"
+    # `certify` takes a force and plain damping only, and averages that are derived in closed form
+    proved = not model.inertial and not model.laws.any and model.mechanism.enclosed is None
+    return f"{said}; certify(F_0).saddle_node_onset may hold it, in balls" if proved else said
 
 
 def no_locus(model: Model, A_max: float) -> str:
