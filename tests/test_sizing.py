@@ -399,7 +399,7 @@ def test_residuals_of_a_fit_are_drawn_at_their_frequencies():
     ax = found.plot()
     points = ax.get_lines()[-1].get_xydata()
     assert points.tolist() == np.column_stack([f, found.residuals]).tolist()
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("f/Hz", "measured less fitted A/m")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("frequency $f$ / Hz", "measured less fitted A / m")
 
 
 def test_a_fit_without_dimensions_and_without_noise_is_exact():

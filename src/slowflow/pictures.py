@@ -66,6 +66,8 @@ LABELS = {
     "ratio": "largest acceleration over the pulse's",
     "Omega_cr": r"$\Omega_{cr}$",
 }
+#: letters in front of "_" where `LABELS` has no name
+LETTERS = {"Omega": r"\Omega", **{letter: letter for letter in "aAcfFkuxXYU"}}
 #: where a legend stands: off the curves, but for "in"
 PLACES: Any = {
     "beside": {"loc": "center left", "bbox_to_anchor": (1.06, 0.5)},
@@ -95,8 +97,13 @@ def ramp(count: int) -> list[Any]:
 
 
 def label(name: str) -> str:
-    """What an axis is called."""
-    return LABELS.get(name, name)
+    """What an axis is called: a letter with what stands below it, and after "/" a unit, if nothing else is said."""
+    name, *unit = name.split("/", 1)
+    letter, _, below = name.partition("_")
+    if name not in LABELS and below and letter in LETTERS:
+        words = below.replace("_", r"\ ")
+        name = rf"${LETTERS[letter]}_{{\mathrm{{{words}}}}}$"
+    return " / ".join([LABELS.get(name, name), *unit])
 
 
 def axis(found: Any, name: str) -> str:
@@ -336,7 +343,7 @@ def bands(ax: Any, found: Any) -> Any:
         ax.plot(ends[[0, 2]], [place, place], color=COLOURS[0], linewidth=6, alpha=0.45, solid_capstyle="butt")
         ax.plot([ends[1]], [place], "|", color=COLOURS[0], markersize=11, markeredgewidth=2)
     ax.axvline(1.0, color="0.4", linewidth=0.8, zorder=-2)
-    ax.set_yticks(range(len(rows)), [row.answer for row in reversed(rows)])
+    ax.set_yticks(range(len(rows)), [label(row.answer) for row in reversed(rows)])
     low, high = ax.get_xlim()
     ax.set(xlabel="over the nominal value", xlim=(max(low, 0.0), min(high, WIDEST)))
     return ax
