@@ -228,6 +228,7 @@ def test_a_certificate_holds_its_parts_in_units(mount):
 
 def test_at_rest_a_mount_has_what_its_data_sheet_says(mount):
     rest = mount.at_rest()
+    assert mount.second_approximation.at_rest() == rest  # the springs are the same at each depth
     stiffness = 2500 - 3 * 1700 * 0.009 / 0.080  # what the preload takes off
     assert rest.k_0 == pytest.approx(stiffness)
     assert rest.f_n == pytest.approx(math.sqrt(2500 / 12) / math.tau)

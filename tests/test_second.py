@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 import itertools
 import json
+import pickle
 
 import numpy as np
 import pytest
@@ -533,3 +535,11 @@ def test_states_at_pairs_are_those_of_each_pair(of):
     assert len(asked.amplitudes(Omega=0.9, F_0=[])) == 0
     with pytest.raises(ValueError, match="shapes do not broadcast"):
         asked.amplitudes(Omega=Omega, F_0=[0.03, 0.04])
+
+
+def test_what_batches_of_the_second_approximation_do_not_answer_is_said():
+    second = Isolator.many(lam=3, r=2.0, delta_h=[0.05, 0.08], mu=0.01, zeta=0.02).second_approximation
+    for name in ("amplitudes", "certify", "spectrum", "transient"):
+        with pytest.raises(AttributeError, match=f"has no {name}: "):
+            getattr(second, name)
+    assert pickle.loads(pickle.dumps(second)) == second and copy.deepcopy(second) == second

@@ -566,7 +566,7 @@ class Designs(many.Designs):
         """What a half sine of the base does to each design: .A .a_max .ratio .detaches; both broadcast with these.
 
         As `transient`. Raises ValueError for what is no real array, for shapes that do not broadcast, and for
-        structural damping. Of other laws of damping, and where nothing is compiled, SciPy takes milliseconds for each.
+        structural damping. Designs with other laws of damping are followed one by one, in milliseconds each.
         """
         from slowflow.exact import shocks
 

@@ -485,8 +485,11 @@ class Physical:
 
         Raises ValueError with a load that k_v is not preset for: `rest` tells where that stands.
         """
-        self.oscillator.at_centre("at_rest")
+        if (first := getattr(self.oscillator, "first", None)) is not None:  # the springs are the same at each depth
+            return dataclasses.replace(self, oscillator=first).at_rest()
         oscillator, m, k_v = self.oscillator, self.scales.m, self.scales.k_v
+        with self.scales.in_these_terms():
+            oscillator.at_centre("at_rest")
         (stiffness,) = oscillator.stiffness([0.0]).tolist()
         u_cr = oscillator.breakpoints[0] if oscillator.breakpoints else None
         found = self.scales.named(

@@ -19,19 +19,13 @@ from slowflow.grid import meaning
 from slowflow.grid.block import DEPTHS, QUESTIONS, Ask, made_by
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, check_names, check_told
+from slowflow.second.many import UNANSWERED
 from slowflow_kernels.domains import DISSIPATION
 
 __all__ = ["Grid"]
 
 #: designs in a block where the arrays do not say how they are to be cut: some tens of MB
 AT_ONCE = 2**18
-
-
-#: why a question has no answer in the second approximation
-ONLY_AVERAGED = {
-    "certify": "nothing is proved of the second approximation",
-    "amplitudes": "a batch has no states of the second approximation, ask a single oscillator",
-}
 
 
 class Grid:
@@ -157,8 +151,8 @@ class Grid:
         if question == "certify":
             validate.is_force(question, self.excitation)
             validate.is_plain(question, self._laws)
-        if question in ONLY_AVERAGED and self._depth != DEPTHS[0]:
-            raise ValueError(f"{question}: {ONLY_AVERAGED[question]}")
+        if question in UNANSWERED and self._depth != DEPTHS[0]:
+            raise ValueError(f"{question}: {UNANSWERED[question]}")
         forced = {"F_0": F_0} if "F_0" in takes else {}
         forced |= {} if Omega is None else {"Omega": Omega}
         values = labelled({**self._given, **forced}) if forced else self.values

@@ -22,6 +22,14 @@ from slowflow.results import Remark
 from slowflow.second.questions import SecondApproximation
 from slowflow_kernels.conventions import OnsetKind, Status
 
+#: why a question about designs has no answer here, where it has one of averaging
+UNANSWERED = {
+    "certify": "nothing is proved of the second approximation",
+    "amplitudes": "a batch has no states of the second approximation, ask a single oscillator",
+    **dict.fromkeys(("margins", "hysteresis", "isolation", "spectrum"), "it is put together from averaging's answers"),
+    **dict.fromkeys(("transient", "shock_spectrum"), "it is asked of the designs, whose equation of motion answers it"),
+}
+
 
 @dataclass(frozen=True)
 class SecondDesigns:
@@ -33,6 +41,11 @@ class SecondDesigns:
     """
 
     first: Designs
+
+    def __getattr__(self, name: str) -> Any:
+        """Raises AttributeError, with the reason where averaging answers the question of that name."""
+        why = f": {UNANSWERED[name]}" if name in UNANSWERED else ""
+        raise AttributeError(f"the second approximation of many designs has no {name}{why}")
 
     def detachment(self, *, workers: int = 1) -> Detachments:
         """The lowest forcing whose largest displacement is u_cr, and its frequency, of every design."""
