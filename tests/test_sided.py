@@ -262,6 +262,28 @@ def test_compiled_motions_off_the_centre_are_scipys(stop, patched):
             assert [way.u_end for way in ways] == pytest.approx([ways[0].u_end] * 2, abs=1e-9)
 
 
+@pytest.mark.skipif(not COMPILED, reason="by SciPy's integrator a curve takes a minute")
+def test_an_exact_curve_off_the_centre_jumps_where_a_sweep_does_and_is_that_of_the_mirror_image(stop):
+    """The stop on the other side too, whose pieces are numbered the other way; near the averaged folds."""
+    pieces = [(u + k * (u + g), -g), (u, None)]
+    left = derive.mechanism("stop_on_the_left", pieces, {"k": ABOVE, "g": {}}, odd=False, compile=True)
+    given = {"k": 8.0, "g": 0.1, **DAMPED}
+    curve, image = (of(**given).exact_response(0.05, Omega=(0.7, 1.6)) for of in (stop, left))
+    up, down = curve.folds
+    for fold, other in zip(curve.folds, image.folds, strict=True):
+        assert fold.kind == other.kind and [fold.Omega, fold.A] == pytest.approx([other.Omega, other.A], rel=1e-9)
+    folds = stop(**given).saddle_nodes(0.05)
+    assert [fold.Omega for fold in curve.folds] == pytest.approx(folds.Omega, rel=0.05)
+    for swept, at in ((np.linspace(1.2, 1.5, 31), down.Omega), (np.linspace(1.5, 1.2, 31), up.Omega)):
+        ((before, after),) = stop(**given).sweep(Omega=swept, F_0=0.05).jumps
+        assert min(before, after) < at < max(before, after)
+
+
+def test_an_exact_curve_off_the_centre_says_that_averaging_does_not_know_of_others(stop):
+    found = stop(k=8.0, g=0.5, mu=0.005, zeta=0.0).exact_response(0.05, Omega=(0.4, 0.42), step=0.2)
+    assert found.stable.all() and "averaging does not say: frequency_response needs zeta > 0" in found.message
+
+
 def test_a_force_that_is_not_odd_is_refused_what_is_about_the_centre(stop):
     oscillator = stop(k=8.0, g=0.2, **DAMPED)
     for ask in (lambda: oscillator.cusps(A_max=1.0), lambda: oscillator.backbone([0.1])):
@@ -269,10 +291,8 @@ def test_a_force_that_is_not_odd_is_refused_what_is_about_the_centre(stop):
             ask()
     for ask in (
         lambda: oscillator.second_approximation,
-        lambda: oscillator.exact_response(0.03),
         lambda: oscillator.saddle_nodes(0.03, certify=True),
         lambda: oscillator.certify(0.03),
-        lambda: oscillator.sweep(Omega=[1.0], F_0=0.1),
         lambda: oscillator.explain("cusps"),
         lambda: stop(k=8.0, g=0.2, **DAMPED, excitation="base"),
     ):

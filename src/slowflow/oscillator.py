@@ -347,12 +347,11 @@ class Oscillator(Averaged):
         It is the curve through the motion that a mass at rest comes to at the lowest frequency, or through `start`: an
         isolated curve needs its own, `start=steady_state(Omega=..., F_0=..., A=...)`, and where averaging knows of one
         that this is not, `.message` gives these numbers. `step` is the largest distance of neighbouring points, `force`
-        as in `steady_state`. `.peak` is the highest motion of the curve.
+        as in `steady_state`. `.A` is the largest |u|, off the centre too, `.peak` the highest motion of the curve.
         By inertia the mass is excited so little at low frequencies that friction may hold it: the curve begins next to
         where it moves then, and `.message` says so.
         Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError where it cannot be followed.
         """
-        self.at_centre("exact_response")
         from slowflow.exact import questions
 
         return questions.exact_response(self, self.equation_of_motion(force), F_0, Omega, start, step)
@@ -365,7 +364,6 @@ class Oscillator(Averaged):
         as in `steady_state`. Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError
         where the motion escapes a softening spring.
         """
-        self.at_centre("sweep")
         from slowflow.exact import questions
 
         return questions.sweep(self.equation_of_motion(force), Omega, F_0)

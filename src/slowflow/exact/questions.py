@@ -20,6 +20,7 @@ from slowflow.exact.sweep import Sweep
 from slowflow.exact.sweep import sweep as stepped
 from slowflow.exact.transient import AFTER, NO_PULSE, Transient, half_sine, record
 from slowflow.exact.transient import transient as followed
+from slowflow.loaded import Loaded
 from slowflow.mechanism import EquationOfMotion
 from slowflow.results import Remark
 
@@ -41,6 +42,7 @@ OTHER = (
     "another curve is not part of this one: averaging has it at Omega = {Omega:.4g}, A = {A:.4g}; "
     "start = steady_state(Omega={Omega:.4g}, F_0={F_0:.4g}, A={A:.4g}) leads to it"
 )
+UNKNOWN = "whether there are other curves is not known, averaging does not say: {}"
 
 
 def steady_state(
@@ -106,8 +108,11 @@ def exact_response(
 
 def _others(averaged: Averaged, found: continuation.Response, window: tuple[float, float]) -> str:
     """Names a stable point of each averaged curve in the window that the exact one does not come near."""
-    curve = averaged.curve(found.F_0, 100, window)
-    points = np.log(np.column_stack((curve.Omega, curve.A)))
+    try:
+        curve, A = _averaged(averaged, found.F_0, window)
+    except (ArithmeticError, ValueError) as error:
+        return UNKNOWN.format(error)
+    points = np.log(np.column_stack((curve.Omega, A)))
     line = np.log(np.column_stack((found.Omega, found.A)))
     apart = np.array([np.abs(line - point).max(axis=1).min() for point in points])
     branches = [np.flatnonzero(curve.branch == branch) for branch in np.unique(curve.branch)]
@@ -117,8 +122,17 @@ def _others(averaged: Averaged, found: continuation.Response, window: tuple[floa
         stable = on[curve.stable[on]]
         if stable.size and np.median(apart[on]) > APART:
             at = stable[stable.size // 2]
-            remarks.append(OTHER.format(Omega=curve.Omega[at], A=curve.A[at], F_0=found.F_0))
+            remarks.append(OTHER.format(Omega=curve.Omega[at], A=A[at], F_0=found.F_0))
     return "; ".join(remarks)
+
+
+def _averaged(averaged: Any, F_0: float, window: tuple[float, float]) -> tuple[Any, Any]:
+    """The averaged curve with the largest |u| of its motions: off the centre their mean is part of it."""
+    if isinstance(averaged.model, Loaded):
+        curve = averaged.frequency_response(F_0, samples=100, Omega=window)
+        return curve, curve.A + np.abs(curve.B)
+    curve = averaged.curve(F_0, 100, window)
+    return curve, curve.A
 
 
 def sweep(system: EquationOfMotion, Omega: Any, F_0: float) -> Sweep:

@@ -18,7 +18,7 @@ from slowflow.answer import Table
 from slowflow.exact.compiled import default_integrator
 from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import Forced, stops
-from slowflow.exact.shooting import HALF_TURNS, at_rest, calmed, check_forcing, check_numbers, settle
+from slowflow.exact.shooting import at_rest, calmed, check_forcing, check_numbers, lengths, settle
 from slowflow.mechanism import EquationOfMotion
 
 Array = NDArray[np.float64]
@@ -98,7 +98,7 @@ def sweep(
     for i, frequency in enumerate(frequencies):
         with limited():
             forced = Forced(system, float(frequency), F_0, integrator)
-            end = settle(forced, 0.0, u, v, HALF_TURNS, most_turns)
+            end = settle(forced, 0.0, u, v, lengths(system), most_turns)
             if end.adrift is not None:
                 end = calmed(forced, 0.0, end, most_turns)
         drifts[i] = end.adrift is not None and end.turns < most_turns
