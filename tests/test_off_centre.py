@@ -547,3 +547,12 @@ def test_so_does_the_equation_of_motion_where_it_is_nearly_linear():
     first = mild.steady_state(Omega=begins.Omega, F_0=0.02).harmonics(1)[1]
     # the forcing less what moves the mass, over the forcing
     assert abs(1 + begins.Omega**2 * first / 0.02) == pytest.approx(1.0, abs=1e-5)
+
+
+def test_a_curve_without_folds_climbs_a_resonance_that_is_narrow_in_its_window():
+    """Its points are not nearer to one another than its ends are: they were left out, and the resonance with them."""
+    osc = Duffing(1.0, 0.577, mu=0.006, zeta=0.052, load=0.22)
+    peak, curve = osc.peak(0.0206), osc.frequency_response(0.0206, Omega=(0.02, 4.0))
+    assert curve.A.max() == pytest.approx(peak.A, rel=1e-3)
+    assert np.diff(np.sort(curve.Omega)).max() < 0.005
+    assert curve.A[::100] == pytest.approx(osc.amplitudes(Omega=curve.Omega[::100], F_0=0.0206).A, rel=1e-9)

@@ -23,6 +23,8 @@ from slowflow_kernels import off_centre, slow_flow
 
 #: frequencies of a cell that are asked for at first, and how often a stretch is cut where its arcs are not told apart
 FIRST, CUTS = 6, 12
+#: how often points of a curve that are not near enough to their neighbours are asked again
+PASSES = 24
 #: folds nearer to one another than this, relatively, are taken for one frequency, as those of mirrored motions are
 TOGETHER = 1e-12
 #: what nearer by far is, and what near is beside the largest amplitude
@@ -314,28 +316,52 @@ def _weights(place: Floats) -> Floats:
 
 
 def _between(of: Slow, place: Floats, is_fold: Bools, inner: Ints) -> tuple[Floats, Floats]:
-    """Omega, A, B of points between neighbours, and where in the order each stands."""
+    """Omega, A, B of points between neighbours, and where in the order each stands.
+
+    What Newton's method does not bring near enough to what its neighbours tell is asked again once there are nearer
+    ones: so the points climb a resonance from both sides.
+    """
     step = np.repeat(np.arange(inner.size), np.maximum(inner, 0))
-    if not step.size:
-        return np.empty((3, 0)), np.empty(0)
     first = np.cumsum(np.maximum(inner, 0)) - np.maximum(inner, 0)
     share = (np.arange(step.size) - first[step] + 1) / (inner[step] + 1)
-    start, end = place[:, step], place[:, step + 1]
-    from_fold, to_fold = is_fold[step], is_fold[step + 1]
     # next to a fold A and B go as the root of the frequency
-    along = np.where(from_fold, share**2, np.where(to_fold, 1 - (1 - share) ** 2, share))
-    Omega = start[0] + (end[0] - start[0]) * along
+    along = np.where(is_fold[step], share**2, np.where(is_fold[step + 1], 1 - (1 - share) ** 2, share))
+    Omega, order = place[0, step] + (place[0, step + 1] - place[0, step]) * along, step + share
+    known, key, folded = place, np.arange(place.shape[1], dtype=float), is_fold
+    for _ in range(PASSES):
+        if not order.size:
+            break
+        right = np.searchsorted(key, order)
+        ends, folds = (known[:, right - 1], known[:, right]), (folded[right - 1], folded[right])
+        x, near = _near(of, Omega, ends, folds)
+        if not near.any():
+            break
+        by_key = np.argsort(np.concatenate((key, order[near])), kind="stable")
+        key = np.concatenate((key, order[near]))[by_key]
+        known = np.concatenate((known, np.stack((Omega, *x))[:, near]), axis=1)[:, by_key]
+        folded = np.concatenate((folded, np.zeros(int(near.sum()), dtype=bool)))[by_key]
+        Omega, order = Omega[~near], order[~near]
+    new = key % 1 > 0
+    return known[:, new], key[new]
+
+
+def _near(of: Slow, Omega: Floats, ends: tuple[Floats, Floats], folds: tuple[Bools, Bools]) -> tuple[Floats, Bools]:
+    """States (2, n) at frequencies between neighbours, and which of them are as near as these tell."""
+    (start, end), (from_fold, to_fold) = ends, folds
+    span = end[0] - start[0]
+    part = np.clip((Omega - start[0]) / span, 0.0, 1.0)
+    share = np.where(from_fold, np.sqrt(part), np.where(to_fold, 1 - np.sqrt(1 - part), part))
     guess = start[1:] + (end[1:] - start[1:]) * share
+    apart = np.abs(end[1:] - start[1:]).max(axis=0)
     smooth = ~(from_fold | to_fold)
     if smooth.any():
-        span = (end[0] - start[0])[smooth]
-        slopes = (_tangents(of, ends[0, smooth], ends[1:, smooth]) * span for ends in (start, end))
+        slopes = [_tangents(of, one[0, smooth], one[1:, smooth]) * span[smooth] for one in ends]
         guess[:, smooth] = _cubic(share[smooth], start[1:, smooth], end[1:, smooth], *slopes)
+        apart[smooth] = 0.5 * (apart[smooth] + np.maximum(*(np.abs(slope).max(axis=0) for slope in slopes)))
     x, change = _newton(of, Omega, guess)
-    near = np.minimum(np.abs(x - start[1:]).max(axis=0), np.abs(x - end[1:]).max(axis=0))
-    kept = near <= np.abs(end[1:] - start[1:]).max(axis=0)
-    kept &= np.abs(change).max(axis=0) <= 1e-9 * np.abs(x).max(axis=0)
-    return np.stack((Omega, *x))[:, kept], (step + share)[kept]
+    beside = np.minimum(np.abs(x - start[1:]).max(axis=0), np.abs(x - end[1:]).max(axis=0))
+    near = np.where(smooth, np.abs(x - guess).max(axis=0), beside) <= apart
+    return x, near & (np.abs(change).max(axis=0) <= 1e-9 * np.abs(x).max(axis=0))
 
 
 def on_curve(of: Slow, Omega: Floats, guess: Floats) -> Floats:
