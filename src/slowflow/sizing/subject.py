@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import validate
+from slowflow import backend, validate
 from slowflow.answer import frozen
 from slowflow.averaged.many import Folds, States
 from slowflow.isolator import ROD_SPRING, Isolator
@@ -57,7 +57,8 @@ class Subject:
 
     nominal -- the numbers that can be varied, by name, as they are
     answers -- names of what can be asked of it, and what they are among `KIND`
-    loaded  -- whether it is under a load: then designs are asked one by one, some tenths of a second each
+    loaded  -- whether it is under a load
+    one_by_one -- whether designs are asked one by one, up to some tenths of a second each: under a load, and on NumPy
     excitation -- what the forcing is the amplitude of
 
     Raises ValueError for what is no isolator.
@@ -75,6 +76,7 @@ class Subject:
                 raise validate.NotAvailable(f"sizing is not available with mu_s = {isolator.mu_s:g}, only with mu")
         self.mechanism, self.excitation = isolator.model.mechanism, isolator.excitation
         self.loaded = isolator.load != 0
+        self.one_by_one = self.loaded or backend.SOLVER is None
         self.nominal = self._numbers(isolator)
         letter = "Omega" if self.mount is None else "f"
         known = {name: kind for name, kind in KIND.items() if name not in (IN_A_SHOCK if self.loaded else UNDER_A_LOAD)}

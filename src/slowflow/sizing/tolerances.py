@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.stats import qmc
 
-from slowflow import backend, progress, validate
+from slowflow import progress, validate
 from slowflow.answer import Table, frozen, optional
 from slowflow.mechanism import Floats
 from slowflow.sizing.subject import Load, Subject
@@ -24,7 +24,7 @@ LOW, HIGH = 0.025, 0.975
 MOST_SAMPLES = 10**7
 #: samples at once, between which progress is shown; how many there are if it is not said, and of Sobol' indices
 AT_ONCE, SAMPLES, OF_INDICES = 2000, 10_000, 1024
-#: the same of designs that are asked one by one: under a load, and on NumPy
+#: the same of designs that are asked one by one
 FEW_AT_ONCE, FEW_SAMPLES, FEW_OF_INDICES = 5, 100, 32
 MISSING = "{} has no answer for {:.2g} of the samples, which its band leaves out"
 
@@ -122,18 +122,13 @@ def _within(subject: Subject, given: Any) -> Mapping[str, Any]:
     return within
 
 
-def _one_by_one(subject: Subject) -> bool:
-    """Whether an answer of a design takes tenths of a second."""
-    return subject.loaded or backend.SOLVER is None
-
-
 def _asked(
     subject: Subject, drawn: Mapping[str, Floats], names: Sequence[str], load: Load, what: str
 ) -> dict[str, Floats]:
     """Answers of all that was drawn, in parts between which progress is shown."""
     count = len(next(iter(drawn.values())))
     found = {name: np.empty(count) for name in names}
-    for part in progress.parts(count, FEW_AT_ONCE if _one_by_one(subject) else AT_ONCE, what):
+    for part in progress.parts(count, FEW_AT_ONCE if subject.one_by_one else AT_ONCE, what):
         for name, values in subject.ask({name: value[part] for name, value in drawn.items()}, names, load).items():
             found[name][part] = values
     return {name: frozen(values) for name, values in found.items()}
@@ -171,7 +166,7 @@ def tolerances(
     within = _within(subject, within)
     names = subject.answered(answers, load)
     if samples is None:
-        samples = FEW_SAMPLES if _one_by_one(subject) else SAMPLES
+        samples = FEW_SAMPLES if subject.one_by_one else SAMPLES
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
     drawn = _drawn(subject, within, qmc.LatinHypercube(d=len(within), rng=seed).random(samples))
     found, nominal = _asked(subject, drawn, names, load, "tolerances"), subject.ask({}, names, load)
@@ -212,7 +207,7 @@ def sobol(
     within = _within(subject, within)
     names = subject.answered(answers, load)
     if samples is None:
-        samples = FEW_OF_INDICES if _one_by_one(subject) else OF_INDICES
+        samples = FEW_OF_INDICES if subject.one_by_one else OF_INDICES
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
     if samples & (samples - 1):
         raise ValueError(f"samples = {samples} is not allowed: samples must be a power of two")
