@@ -73,7 +73,7 @@ class Averaged:
         """A forcing that does not exceed it leaves a mass at rest, whatever the frequency: 4 mu/pi (27).
 
         With a preload c sign(u) it is 4/pi sqrt(mu^2 + c^2), what F_0 is for a state that tends to rest; from 4 mu/pi
-        on there are motions beside the rest then, and answers say so.
+        on there are motions beside the rest then, and answers say so; with rubs="attached", beyond u_cr, from less on.
         0 for an excitation by inertia: however small, it moves the mass from Omega = sqrt(4 mu/(pi F_0)) on.
         """
         return 0.0 if self.model.inertial else self.model.held
