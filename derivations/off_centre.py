@@ -3,6 +3,7 @@
 In:  the equation of motion as `averaging` has it, with the load beside F_0 cos; the force f stays an open function.
 Out: `OffCentre`: the balance of the mean, h and its derivatives along it, and what vanishes at states and at folds, all
      in the means c_n of f^(n) and s_n of f^(n) cos psi over a cycle;
+     `Moved`: what a parameter of the force or the load does to h along the balance, for the gradients of answers;
      `steps` and `Climb`: these means of a piecewise polynomial in closed form, in every regime alike.
 
 Averaged as in (19), with B beside A cos psi, the equation of motion leaves the balance
@@ -59,8 +60,28 @@ L_k, M_k = sp.symbols("L_k M_k", real=True)
 D_0, edge = sp.symbols("D_0 edge", real=True)
 C_1, S_1 = sp.symbols("C_1 S_1", real=True)
 
+#: what a parameter does to the means and to the load at fixed A and B, and to an end of a piece
+c_p = sp.symbols(f"c_0:{ORDERS}_p", real=True)
+s_p = sp.symbols(f"s_0:{ORDERS}_p", real=True)
+load_p, end_p = sp.symbols("load_p end_p", real=True)
+#: 1 where a motion comes to an end at B + A, -1 where it does at B - A
+side = sp.Symbol("side", real=True)
+
 _f = sp.Function("f")
 _DISPLACED = B + A * sp.cos(psi)
+
+
+@dataclass(frozen=True)
+class Moved:
+    """What a parameter does, in c and s and in what it does to these.
+
+    lets, values -- B_p and its derivatives along the balance, and with them B_p, h_p, h_Ap, h_AAp at a fixed A
+    at_end       -- A_p of a motion that comes to an end of a piece, which moves by end_p, and the balance with it
+    """
+
+    lets: tuple[Let, ...]
+    values: tuple[sp.Expr, ...]
+    at_end: sp.Expr
 
 
 @dataclass(frozen=True)
@@ -74,6 +95,7 @@ class OffCentre:
     turns    -- the second of these over c_1, in s_0 and `resists`: it stays finite where the force jumps
     past     -- `resists` where the motion passes a step at which the force gains D_0: root may be 0
     beside   -- `resists` of an odd force without a load, where B is not 0: with c_3 and s_2 at some B between
+    moved    -- what a parameter does to B and h
     """
 
     lets: tuple[Let, ...]
@@ -83,6 +105,7 @@ class OffCentre:
     turns: sp.Expr
     past: sp.Expr
     beside: sp.Expr
+    moved: Moved
 
 
 @dataclass(frozen=True)
@@ -106,14 +129,16 @@ def _vanishes(expression: sp.Expr, words: str) -> None:
 
 def _by_B(expression: sp.Expr) -> sp.Expr:
     """d/dB of an expression in c and s."""
-    chain = (*pairwise(c), *pairwise(s))
+    chain = (*pairwise(c), *pairwise(s), *pairwise(c_p), *pairwise(s_p))
     return sp.diff(expression, B) + sum(sp.diff(expression, mean) * slope for mean, slope in chain)
 
 
 def _by_A(expression: sp.Expr) -> sp.Expr:
     """d/dA of the same."""
-    of_s = zip(s, c[1:], strict=False)
-    chain = (*zip(c, s[1:], strict=False), *((mean, above - mean / A) for mean, above in of_s))
+    chain = []
+    for of_one, of_cosine in ((c, s), (c_p, s_p)):
+        chain += zip(of_one, of_cosine[1:], strict=False)
+        chain += ((mean, above - mean / A) for mean, above in zip(of_cosine, of_one[1:], strict=False))
     return sp.diff(expression, A) + sum(sp.diff(expression, mean) * slope for mean, slope in chain)
 
 
@@ -161,7 +186,14 @@ def off_centre(averaged: Averaged, flow: SlowFlow) -> OffCentre:
     _vanishes(along_balance.subs(of_means) - chain[1].subs(lets), "h_A along the balance")
     _vanishes(c[1] * turns.subs(of_means) - fold[1], "F_A along the balance")
     return OffCentre(
-        lets, chain, (*state[:4], *slopes), fold, turns, _past(of_means[resists]), _beside(of_means[resists])
+        lets,
+        chain,
+        (*state[:4], *slopes),
+        fold,
+        turns,
+        _past(of_means[resists]),
+        _beside(of_means[resists]),
+        moved(),
     )
 
 
@@ -208,6 +240,42 @@ def _along_balance(f_0: sp.Expr, value: sp.Expr) -> tuple[tuple[Let, ...], tuple
         (solved,) = sp.solve(balance, slope)
         lets.append((slope, solved))
     return tuple(lets), tuple(derivatives)
+
+
+def moved() -> Moved:
+    """By implicit differentiation of the balance, once by the parameter and then along it."""
+    f_0, value = c[0] - load, -2 * s[0]
+
+    def by_p(expression: sp.Expr) -> sp.Expr:
+        """At fixed A and B."""
+        direct = (*zip(c, c_p, strict=False), *zip(s, s_p, strict=False), (load, load_p))
+        return sum(sp.diff(expression, symbol) * move for symbol, move in direct)
+
+    slopes = sp.symbols("B_A B_AA", real=True)
+    moves = sp.symbols("B_p B_Ap B_AAp", real=True)
+
+    def along(expression: sp.Expr) -> sp.Expr:
+        chain = (*pairwise(slopes), *pairwise(moves))
+        known = sum(sp.diff(expression, one) * following for one, following in chain)
+        return _by_A(expression) + slopes[0] * _by_B(expression) + known
+
+    (first, second, _), (_, h_A, _, _) = _along_balance(f_0, value)
+    lets = [first, second]
+    balance = by_p(f_0) + moves[0] * _by_B(f_0)
+    values = [by_p(value) + moves[0] * _by_B(value)]
+    for move in moves:
+        (solved,) = sp.solve(balance, move)
+        lets.append((move, solved))
+        balance = along(balance)
+        if move is not moves[-1]:
+            values.append(sp.expand(along(values[-1])))
+    # the other way: h_A along the balance, then by the parameter
+    explicit = h_A.subs([first])
+    by_parameter = by_p(explicit) + moves[0] * _by_B(explicit)
+    _vanishes((by_parameter - values[1]).subs(reversed(lets)), "h_A by the parameter")
+    at_end = sp.Symbol("A_p")
+    (edge,) = sp.solve(by_p(f_0) + at_end * _by_A(f_0) + side * (end_p - at_end) * _by_B(f_0), at_end)
+    return Moved(tuple(lets), (moves[0], *values), edge)
 
 
 def _fold(R_value: sp.Expr, I_value: sp.Expr, f_0: sp.Expr, slopes: tuple[sp.Expr, sp.Expr]) -> tuple[sp.Expr, ...]:

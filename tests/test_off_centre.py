@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import pickle
 import re
@@ -11,12 +12,14 @@ from types import SimpleNamespace
 import mpmath
 import numpy as np
 import pytest
+import sympy
 from scipy.spatial import cKDTree
 
 from slowflow import Duffing, Isolator, Oscillator, derive
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.isolator import ROD_SPRING
 from slowflow.model import Model
+from slowflow.off_centre.answers import OffCentreStates
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.questions import OffCentre
 
@@ -417,11 +420,10 @@ def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
     # and the page that tells of it has just these
     page = (Path(__file__).parents[1] / "docs" / "howto" / "off_centre.md").read_text()
     (told,) = [part for part in page.split("\n\n") if part.startswith("What a load has no answer to yet")]
-    refused = {*questions, *pairs, "transient", "shock_spectrum", "second_approximation", "gradient", "fit"}
+    refused = {*questions, *pairs, "transient", "shock_spectrum", "second_approximation", "fit"}
     assert set(re.findall(r"`(\w+)`", told)) == refused
-    for answer in (loaded.rest(), loaded.detachment(), loaded.amplitudes(Omega=0.9, F_0=0.04)):
-        with pytest.raises(ValueError, match="off it there is none"):
-            answer.gradient()
+    with pytest.raises(ValueError, match="where a mass rests has no gradient"):
+        loaded.rest().gradient()
     with pytest.raises(ValueError, match="no polynomial"):
         loaded.replace(force="untruncated")
     with pytest.raises(ValueError, match="only with 'force'"):
@@ -556,3 +558,107 @@ def test_a_curve_without_folds_climbs_a_resonance_that_is_narrow_in_its_window()
     assert curve.A.max() == pytest.approx(peak.A, rel=1e-3)
     assert np.diff(np.sort(curve.Omega)).max() < 0.005
     assert curve.A[::100] == pytest.approx(osc.amplitudes(Omega=curve.Omega[::100], F_0=0.0206).A, rel=1e-9)
+
+
+def balance_of_a_cubic(alpha, beta, zeta, load, F_0, Omega, A, B):
+    """f_0, F, R and I by hand, without friction."""
+    R = A * (Omega**2 - alpha - 0.75 * beta * A**2 - 3 * beta * B**2)
+    I = 2 * zeta * A * Omega
+    return alpha * B + beta * (B**3 + 1.5 * A**2 * B) - load, R**2 + I**2 - F_0**2, R, I
+
+
+def state_by_hand(Omega, A, B, *numbers):
+    return *balance_of_a_cubic(*numbers, A, B)[:2], Omega - numbers[5]
+
+
+def peak_by_hand(Omega, A, B, *numbers):
+    f_0, F, R, I = balance_of_a_cubic(*numbers[:5], Omega, A, B)
+    return f_0, F, Omega * R + numbers[2] * I
+
+
+def fold_by_hand(Omega, A, B, *numbers):
+    alpha, beta = numbers[:2]
+    f_0, F, R, I = balance_of_a_cubic(*numbers[:5], Omega, A, B)
+    of_A = R * (R / A - 1.5 * beta * A**2) + I * I / A  # half of F_A
+    return f_0, F, 3 * beta * A * B * (-6 * beta * A * B * R) - (alpha + 3 * beta * B**2 + 1.5 * beta * A**2) * of_A
+
+
+@pytest.mark.parametrize(
+    ("vanish", "ask", "by"),
+    [
+        (
+            state_by_hand,
+            lambda of: of.amplitudes(Omega=1.28, F_0=0.2),
+            ("alpha", "beta", "zeta", "load", "F_0", "Omega"),
+        ),
+        (peak_by_hand, lambda of: of.peak(0.2), ("alpha", "beta", "zeta", "load", "F_0")),
+        (fold_by_hand, lambda of: of.saddle_nodes(0.2), ("alpha", "beta", "zeta", "load", "F_0")),
+    ],
+)
+def test_gradients_are_those_of_the_balance_by_hand(vanish, ask, by):
+    """Derivatives of roots that are found to 40 digits."""
+    found = ask(Duffing(1.0, 0.5, 0.0, 0.05, load=0.3))
+    gradient = found.gradient()
+    assert not gradient.message and set(gradient.by) == {*by, "mu"}
+    given = [mpmath.mpf(value) for value in (1.0, 0.5, 0.05, 0.3, 0.2, 1.28)]
+    points = np.column_stack([np.atleast_1d(getattr(found, name)) for name in ("Omega", "A", "B")])
+    names = [name for name in ("Omega", "A", "B") if name in gradient.of]
+    with mpmath.workdps(60):
+        for place, point in enumerate(points):
+            for number, name in enumerate(by):
+
+                def moved(value, point=point, number=number):
+                    numbers = [*given[:number], value, *given[number + 1 :]]
+                    start = tuple(map(mpmath.mpf, point))
+                    return mpmath.findroot(lambda *x: vanish(*x, *numbers), start, tol=1e-90)
+
+                step = mpmath.mpf(10) ** -15
+                ends = [moved(given[number] + sign * step) for sign in (1, -1)]
+                slopes = dict(zip(("Omega", "A", "B"), (ends[0] - ends[1]) / (2 * step), strict=True))
+                for one in names:
+                    value = np.atleast_1d(gradient[one, name])[place]
+                    assert value == pytest.approx(float(slopes[one]), rel=1e-11, abs=1e-12)
+
+
+def test_gradients_of_a_mount_under_a_load_are_its_answers_differences():
+    """Of a force that jumps at a breakpoint which moves; in SI units, where the load is the mass that moves."""
+    mount = Isolator.physical(
+        m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02, load=12.36
+    )
+
+    def at(ask, numbers, of):
+        answer = ask(mount.replace(**numbers))
+        return np.array([np.atleast_1d(getattr(answer, name))[-1] for name in of])
+
+    for ask, every in (
+        (lambda of: of.detachment(), ("k_h", "preload", "friction", "zeta", "load", "m", "k_v", "L")),
+        (lambda of: of.saddle_node_onset(), ("load",)),
+        (lambda of: of.saddle_nodes(3.0), ("preload",)),
+        (lambda of: of.peak(3.0), ("L",)),
+    ):
+        gradient = ask(mount).gradient()
+        slopes = gradient.slopes if gradient.slopes.ndim == 2 else gradient.slopes[-1]
+        for name in every:
+            value, step = mount.given[name], 1e-5 * mount.given[name]
+            ends = [at(ask, {name: value + sign * step}, gradient.of) for sign in (1, -1)]
+            expected = (ends[0] - ends[1]) / (2 * step)
+            size = np.abs(at(ask, {}, gradient.of) / value)
+            assert np.abs(slopes[:, gradient.by.index(name)] - expected) == pytest.approx(0, abs=2e-7 * size.max())
+
+
+def test_where_there_is_no_gradient_off_the_centre_the_reason_is_said(loaded):
+    heavy = loaded.replace(load=0.1).saddle_node_onset()
+    assert heavy.kind == "corner" and "comes to a breakpoint" in heavy.gradient().message
+    none = loaded.replace(load=0.45).detachment()
+    assert none.F_cr is None and "no answer that could move" in none.gradient().message
+    bent = Duffing(1.0, 0.5, 0.0, 0.05, load=0.3)
+    folds = bent.saddle_nodes(0.2)
+    states = OffCentreStates(folds.Omega, folds.A, folds.B, folds.kind == "", 0.2, 0.3, "", _h=folds.A, _damping=(0, 0))
+    on_folds = dataclasses.replace(states, _model=bent.off_centre._model).gradient()
+    assert "2 of 2: it meets another answer there" in on_folds.message and np.isnan(on_folds.slopes).all()
+    u, k, g = sympy.symbols("u k g")
+    stop = derive.mechanism(
+        "one_sided_stop", [(u, g), (u + k * (u - g), None)], {"k": {"above": 0}, "g": {}}, odd=False
+    )
+    with pytest.raises(ValueError, match="says how its force moves"):
+        stop(k=2.0, g=0.2, mu=0.005, zeta=0.03).detachment().gradient()

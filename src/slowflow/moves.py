@@ -243,21 +243,33 @@ def _of_kind(given: Given, kind: Pinned, arrays: list[Floats], inner: tuple[int,
         of_rest[1 + number, k] = 1.0
     out = np.full((A.size, rows, columns), np.nan)
     for pinned, side in [(one, side) for one in np.unique(kinds) for side in np.unique(past[kinds == one])]:
-        function = kernels.MOVES[pinned]
         damps = beyond if side and beyond else own
         at = (Omega, A, F_0, *damps.most, h, h_A, h_AA, h_AAA)
-        found = [np.broadcast_to(value, (columns, A.size)) for value in function(*at, *of_h, *damps.causes, *of_rest)]
+        found, meets = solved(kernels, Pinned(pinned), at, (*of_h, *damps.causes, *of_rest), columns)
         if rows > 3:
             of_phase = (damps.causes[part] for part in damps.of_phase)
             found[3:3] = kernels.moves_of_phase(Omega, A, F_0, *damps.slower, h, h_A, of_h[0], *of_phase, *found[:3])
         here = (kinds == pinned) & (past == side)
         out[here] = np.moveaxis(np.array(found[:rows]), -1, 0)[here]
-        meets = _vanishes(found[-4][0], found[-3][0], MEETING) | _vanishes(found[-2][0], found[-1][0], MEETING)
         status[here & meets & (status == MovesStatus.OK)] = MovesStatus.MEETS
     status[~np.isfinite(out).all(axis=(1, 2)) & (status == MovesStatus.OK)] = MovesStatus.BOUNDLESS
     status[~there] = MovesStatus.NOTHING
     out[status != MovesStatus.OK] = np.nan
     return out, status
+
+
+def solved(
+    kernels: Any, pinned: Pinned, at: Sequence[Any], causes: Sequence[Any], columns: int
+) -> tuple[list[Any], Any]:
+    """How answers of a kind move, A_p, Omega_p and F_0_p of shape (columns, n), and where they meet others.
+
+    at     -- the points, as the kernels take them; causes -- what each number that they move with does there
+    """
+    found = kernels.MOVES[pinned](*at, *causes)
+    one, size_of_one, other, size_of_other = found[-4:]
+    meets = _vanishes(one, size_of_one, MEETING) | _vanishes(other, size_of_other, MEETING)
+    shape = (columns, np.size(at[1]))
+    return [np.broadcast_to(value, shape) for value in found[:3]], np.broadcast_to(meets, shape[1:])
 
 
 def _vanishes(value: Any, size: Any, share: float) -> Any:

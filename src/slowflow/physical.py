@@ -36,7 +36,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "frequency": {"Hz": 1.0, "rpm": 1 / 60, "rad/s": 1 / math.tau},
         "time": {"s": 1.0, "ms": 1e-3},
         "speed": {"m/s": 1.0, "mm/s": 1e-3},
-        "acceleration": {"m/s^2": 1.0, "g": 9.80665},
+        "acceleration": {"m/s^2": 1.0, "g": physical_moves.g},
         "unbalance": {"kg m": 1.0, "kg mm": 1e-3, "g mm": 1e-6},
         "stiffness": {"N/m": 1.0, "N/mm": 1e3},
         "mass": {"kg": 1.0},
@@ -120,7 +120,7 @@ DRAWN = ("A", "phi", "transmissibility_dB")
 #: what A is of a motion that is not about the centre
 LARGEST = "A is the largest |x|, the mean displacement included: x_max of an averaged motion"
 #: standard gravity, m/s^2
-g = UNITS["acceleration"]["g"]
+g = physical_moves.g
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,6 +12,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from slowflow.gradient import Gradient
+from slowflow.mechanism import Floats
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_kernels.rod_spring import MECHANISM as ROD_SPRING
 from slowflow_kernels.scaling import AMPLITUDES, SCALES
@@ -21,6 +22,8 @@ from slowflow_support.record import Scale
 WORDS = {"lam": "n", "k_h": "k_h", "Delta_h": "preload", "F_c": "friction", "c": "c", "c_q": "c_2"}
 #: what all scales are powers of, in their order
 BASE = ("k_v", "L", "m")
+#: standard gravity, m/s^2
+g = 9.80665
 #: of a number that is none
 PURE = Scale("", 1.0, (0.0, 0.0, 0.0))
 WITHOUT_PRELOAD = "without preload the springs never touch the push-rod: no number of theirs moves an answer"
@@ -47,7 +50,7 @@ def in_units(found: Gradient, scales: Scales) -> Gradient:
         raise ValueError(WITHOUT_PRELOAD)
     if scales.damping == "zeta":
         damping["zeta"] = PURE
-    asked = {"F_0": AMPLITUDES[scales.excitation], "Omega": SCALES["Omega"]}
+    asked = {"F_0": AMPLITUDES[scales.excitation], "Omega": SCALES["Omega"], "load": SCALES["F_0"]}
     measures = [{**design, **damping, **asked}[name] for name in found.by]
     by = tuple(_word(name, scale, scales) for name, scale in zip(found.by, measures, strict=True))
     of, kinds = zip(*(scales.kind(name) for name in found.of), strict=True)
@@ -67,7 +70,23 @@ def in_units(found: Gradient, scales: Scales) -> Gradient:
     moved = (values[..., np.newaxis] * own - (found.slopes * at[..., np.newaxis, :]) @ others) / base
     slopes = np.concatenate((found.slopes / units, moved), axis=-1) * sizes[:, np.newaxis]
     numbers: tuple[Any, ...] = (*np.moveaxis(at * units, -1, 0), *base)
-    return Gradient(of, (*by, *BASE), slopes, found.status.copy(), tuple(np.moveaxis(values * sizes, -1, 0)), numbers)
+    names = (*by, *BASE)
+    if "load" in by:
+        slopes, numbers = _by_masses(names, slopes, numbers)
+    return Gradient(of, names, slopes, found.status.copy(), tuple(np.moveaxis(values * sizes, -1, 0)), numbers)
+
+
+def _by_masses(names: tuple[str, ...], slopes: Floats, numbers: tuple[Any, ...]) -> tuple[Floats, tuple[Any, ...]]:
+    """Of a mount under a load by its masses: `load` is the one that moves, m what the vertical spring is preset for.
+
+    Up to here `load` is a weight, g (load - m), and m the mass that moves.
+    """
+    weight, mass = names.index("load"), names.index("m")
+    found, given = slopes.copy(), list(numbers)
+    found[..., weight] = slopes[..., mass] + g * slopes[..., weight]
+    found[..., mass] = -g * slopes[..., weight]
+    given[weight], given[mass] = numbers[mass], numbers[mass] - numbers[weight] / g
+    return found, tuple(given)
 
 
 def _word(name: str, scale: Scale, scales: Scales) -> str:

@@ -1557,6 +1557,34 @@ def off_averaged(A, *means):
         return [mp.diff(h, A, order) for order in range(4)]
 
 
+def off_moved(A, c_1, c_2, c_3, s_1, s_2, s_3, *moves):
+    """B and h along the balance at each amplitude and each number of the parameter; c_0 and s_0 do not matter."""
+    of = force_with(A, (mpf(0), c_1, c_2, c_3), (mpf(0), s_1, s_2, s_3))
+    more, load_p = force_with(A, moves[:3], moves[3:6]), moves[6]
+
+    def B(at, p):
+        return mp.findroot(lambda B: of(at, B)[0] + p * (more(at, B)[0] - load_p), mpf(0), tol=mpf(10) ** -100)
+
+    def h(at, p):
+        return -2 * (of(at, B(at, p))[1] + p * more(at, B(at, p))[1])
+
+    with mp.workdps(80):
+        return [mp.diff(B, (A, 0), (0, 1)), *(mp.diff(h, (A, 0), (order, 1)) for order in range(3))]
+
+
+def off_moved_at_end(side, c_1, s_1, c_0_p, load_p, end_p):
+    """The amplitude at which a motion of amplitude 1 about 0 comes to the end of a piece, as that and the mean move."""
+    of = force_with(mpf(1), (mpf(0), c_1), (mpf(0), s_1))
+
+    def A(p):
+        return mp.findroot(
+            lambda at: of(at, side * (1 + p * end_p - at))[0] + p * (c_0_p - load_p), mpf(1), tol=mpf(10) ** -100
+        )
+
+    with mp.workdps(80):
+        return [mp.diff(A, 0)]
+
+
 def off_state(Omega, A, F_0, m, zeta, load, c_0, c_1, s_0, s_1):
     of = force_with(A, (c_0, c_1), (s_0, s_1))
 
@@ -1626,6 +1654,8 @@ OFF_CENTRE: dict[str, tuple[str, Function]] = {
     ),
     "past": ("A root edge D_0 C_1 S_1", off_past),
     "beside": ("B c_3 s_2", lambda B, c_3, s_2: [(lambda c, s: (c + s) * (c - s) / c)(B**2 * c_3 / 3, B * s_2)]),
+    "moved": ("A c_1 c_2 c_3 s_1 s_2 s_3 c_0_p c_1_p c_2_p s_0_p s_1_p s_2_p load_p", off_moved),
+    "moved_at_end": ("side c_1 s_1 c_0_p load_p end_p", off_moved_at_end),
 }
 
 
@@ -1959,6 +1989,8 @@ RANGES = {
     **{"c_1": (0.2, 1.5), "s_1": (-0.5, 0.5), "L_1": (0.0, 1.0), "M_1": (0.0, 1.0)},
     **{
         "load": (-0.1, 0.1),
+        **{f"{name}_{n}_p": (-1.0, 1.0) for name in ("s", "c") for n in range(3)},
+        **{"load_p": (-1.0, 1.0), "end_p": (-1.0, 1.0), "side": (0.8, 1.2)},
         "t": (-0.9, 0.9),
         "resists": (-1.0, 1.0),
         "B": (0.01, 0.5),

@@ -11,20 +11,21 @@ import numpy.typing as npt
 
 from slowflow import validate
 from slowflow.answer import Single, Table, frozen
-from slowflow.model import Floats
+from slowflow.gradient import Gradient
+from slowflow.model import Floats, Model
+from slowflow.off_centre import moves
+from slowflow.off_centre.moves import Given
 from slowflow.results import DRAWN, Remark
 from slowflow_kernels import slow_flow
+from slowflow_kernels.conventions import Pinned
 
 NOT_MEASURED = "errors of averaging are measured about the centre only: off it steady_state has the motions themselves"
-NO_GRADIENT = "gradients are derived of motions about the centre only: off it there is none"
+NO_GRADIENT = "where a mass rests has no gradient: those of its motions have the mean's"
+WITHIN = "no gradient is derived where the mean turns back at the peak"
 
 
 class Balanced:
-    """What answers share that stand on the balance of the mean, whose derivatives by parameters are not derived."""
-
-    def gradient(self) -> NoReturn:
-        """Raises ValueError: off the centre no gradient is derived."""
-        raise ValueError(NO_GRADIENT)
+    """What answers share that stand on the balance of the mean."""
 
     def measure(self) -> NoReturn:
         """Raises NotAvailable: off the centre averaging is not held against the equation of motion at the answer."""
@@ -89,6 +90,10 @@ class RestPositions(Balanced, Table):
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
 
+    def gradient(self) -> NoReturn:
+        """Raises NotAvailable: motions about these places have gradients, these have none."""
+        raise validate.NotAvailable(NO_GRADIENT)
+
 
 @dataclass(frozen=True, eq=False)
 class OffCentreStates(Balanced, Table):
@@ -113,6 +118,7 @@ class OffCentreStates(Balanced, Table):
     message: str
     Omega_undecided: Floats = field(default_factory=lambda: np.empty(0), kw_only=True)
     remarks: Remark = field(default=Remark(0), kw_only=True)
+    _model: Model | None = field(default=None, kw_only=True, repr=False)
     _h: Floats = field(repr=False)
     _damping: tuple[float, float] = field(repr=False)
 
@@ -131,6 +137,16 @@ class OffCentreStates(Balanced, Table):
         """Fundamental harmonic of what spring, damper and friction pass on, over F_0, of each state."""
         given = self.Omega, self.A, self.F_0, *self._damping, self._h
         return frozen(np.asarray(slow_flow.transmissibility(*given)) + 0 * self.A)
+
+    def gradient(self) -> Gradient:
+        """How A, B, phi and transmissibility of each state move with the parameters, the load, F_0 and Omega, exactly.
+
+        Where a state is a fold it has no gradient, and `.status` and `.message` say so. Raises NotAvailable where it is
+        not known how the force moves with the design.
+        """
+        of = {name: name for name in ("A", "B", "phi", "transmissibility")}
+        point = self.A, self.B, self.Omega, self.F_0
+        return moves.gradient(Given.of(self._model, self.load), Pinned.STATE, point, of, ("F_0", "Omega"))
 
     @property
     def transmissibility_dB(self) -> Floats:
@@ -188,6 +204,18 @@ class OffCentreFolds(Balanced, Table):
     load: float
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
+    _model: Model | None = field(default=None, kw_only=True, repr=False)
+
+    def gradient(self) -> Gradient:
+        """How Omega, A and B of each fold move with the parameters, the load and F_0, exactly.
+
+        Where a fold meets another, or sits on a corner that a jump of the force makes, it has no gradient, and
+        `.status` and `.message` say so. Raises as `OffCentreStates.gradient`.
+        """
+        kinds = np.where(self.corner, int(Pinned.CORNER_FOLD), int(Pinned.FOLD))
+        of = {name: name for name in ("Omega", "A", "B")}
+        point = self.A, self.B, self.Omega, self.F_0
+        return moves.gradient(Given.of(self._model, self.load), kinds, point, of, ("F_0",))
 
 
 @dataclass(frozen=True, eq=False)
@@ -205,6 +233,17 @@ class OffCentreDetachment(Balanced, Single):
     load: float
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
+    _model: Model | None = field(default=None, kw_only=True, repr=False)
+
+    def gradient(self) -> Gradient:
+        """How F_cr, Omega_cr, A and B move with the parameters and the load, exactly; one at rest stays there.
+
+        Raises as `OffCentreStates.gradient`.
+        """
+        kind = Pinned.CORNER_REST if self.Omega_cr == 0 else Pinned.CORNER_TOP
+        of = {"F_cr": "F_0", "Omega_cr": "Omega", "A": "A", "B": "B"}
+        given = Given.of(self._model, self.load).first()
+        return moves.gradient(given, kind, (self.A, self.B, self.Omega_cr, self.F_cr), of)
 
 
 @dataclass(frozen=True, eq=False)
@@ -227,6 +266,20 @@ class OffCentrePeak(Balanced, Single):
     load: float
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
+    _model: Model | None = field(default=None, kw_only=True, repr=False)
+    _turns: bool = field(default=False, kw_only=True, repr=False)
+
+    def gradient(self) -> Gradient:
+        """How A, B and Omega move with the parameters, the load and F_0, exactly, and u_max if it is that motion's.
+
+        A peak at Omega = 0 stays there. Raises as `OffCentreStates.gradient`, and where the mean turns back there.
+        """
+        if self._turns:
+            raise validate.NotAvailable(WITHIN)
+        kind = Pinned.STATE if self.Omega == 0 else Pinned.PEAK
+        named = ("A", "B", "Omega", *(["u_max"] if self.Omega == self.Omega_max else []))
+        point = self.A, self.B, self.Omega, self.F_0
+        return moves.gradient(Given.of(self._model, self.load), kind, point, {name: name for name in named}, ("F_0",))
 
 
 @dataclass(frozen=True, eq=False)
@@ -247,3 +300,15 @@ class OffCentreOnset(Balanced, Single):
     load: float
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
+    _model: Model | None = field(default=None, kw_only=True, repr=False)
+
+    def gradient(self) -> Gradient:
+        """How F_SN, Omega, A and B move with the parameters and the load, exactly.
+
+        On a corner that a jump of the force makes there is no gradient, nor where more than two folds are born
+        together, and `.status` and `.message` say so. Raises as `OffCentreStates.gradient`.
+        """
+        kinds = {"cusp": Pinned.CUSP, "isola": Pinned.ISOLA}
+        of = {"F_SN": "F_0", "Omega": "Omega", "A": "A", "B": "B"}
+        point = self.A, self.B, self.Omega, self.F_SN
+        return moves.gradient(Given.of(self._model, self.load), kinds.get(self.kind, Pinned.CORNER_END), point, of)

@@ -179,6 +179,21 @@ class Steps:
         c = tuple(self._summed(self._of_c[n], L) for n in range(orders + 1))
         return Means(c, tuple(self._summed(self._of_s[n], M) for n in range(orders + 1)))
 
+    def moved(self, A: Floats, B: Floats, gains: Floats, places: Floats) -> Means:
+        """What c_n and s_n do as the gains move, u held fixed, and the places of the steps: n below `ORDERS`.
+
+        A step whose place moves adds what it gains there, and nothing else: -D_0 L_(-n-1) and -D_0 M_(-n-1).
+        """
+        other = copy.copy(self)
+        other.gains = gains
+        L, M = self._ladders(A, B)
+        found = []
+        for ladder, weights, power in zip((L, M), other._weights(), (1, 0), strict=True):
+            for n in range(ORDERS):
+                weights[n, :, ORDERS - n - 1] -= self.sides ** (n + power) * places * self.gains[:, 0]
+            found.append(tuple(self._summed(weights[n], ladder) for n in range(ORDERS)))
+        return Means(*found)
+
     def _summed(self, weights: Floats, ladder: Floats) -> Floats:
         used = weights != 0
         return np.asarray(weights[used] @ ladder[used])

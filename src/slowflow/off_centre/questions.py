@@ -168,9 +168,8 @@ class OffCentre:
             return self._no_detachment(NOT_REACHED)
         level, Omega = self._reach.least_forcing(A, -2 * equations.steps.at(A, B, 0).s[0])
         least = int(np.argmin(level))
-        return OffCentreDetachment(
-            float(level[least]), float(Omega[least]), float(A[least]), float(B[least]), self.load, ""
-        )
+        F_cr, Omega_cr, A_cr, B_cr = (float(column[least]) for column in (level, Omega, A, B))
+        return OffCentreDetachment(F_cr, Omega_cr, A_cr, B_cr, self.load, "", _model=self._model)
 
     def _rests_beyond(self) -> bool:
         """Whether at rest the mass stands at an end of the first piece or beyond it, wherever it rests."""
@@ -197,7 +196,7 @@ class OffCentre:
         return float(1.0 + size[:-1].max() / size[-1])
 
     def _no_detachment(self, message: str) -> OffCentreDetachment:
-        return OffCentreDetachment(None, None, None, None, self.load, message)
+        return OffCentreDetachment(None, None, None, None, self.load, message, _model=self._model)
 
     def amplitudes(self, *, Omega: Any, F_0: Any) -> OffCentreStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies, with its B.
@@ -210,7 +209,7 @@ class OffCentre:
             found = at_pairs(lambda at, one: self.amplitudes(Omega=at, F_0=one), Omega, F_0, names)
             told: dict[str, Any] = {"load": self.load, "message": found.message(), "Omega_undecided": found.undecided()}
             told["remarks"] = reduce(or_, (part.remarks for part in found.parts), Remark(0))
-            return OffCentreStates(**found.columns, F_0=found.F_0, _damping=self._damping, **told)
+            return OffCentreStates(**found.columns, F_0=found.F_0, _damping=self._damping, _model=self._model, **told)
         at = validate.frequencies("Omega", Omega).ravel()
         F_0 = validate.number("F_0", F_0, above=0.0)
         self._damped("amplitudes")
@@ -391,7 +390,7 @@ class OffCentre:
             columns = [np.concatenate(pair) for pair in zip(columns, beside, strict=True)]
         order = np.argsort(columns[0], kind="stable")
         Omega, A, B, kind, corner = (column[order] for column in columns)
-        return OffCentreFolds(Omega, A, B, kind, corner, F_0, self.load, **said._asdict())
+        return OffCentreFolds(Omega, A, B, kind, corner, F_0, self.load, **said._asdict(), _model=self._model)
 
     def saddle_node_onset(self) -> OffCentreOnset:
         """The lowest forcing for which a stable motion ends at a fold, with its Omega, A, B; up to `A_max(F_SN)`.
@@ -406,17 +405,21 @@ class OffCentre:
         if self._keeps_centre:
             centred = Averaged(self._model).saddle_node_onset()
             B, said = None if centred.F_SN is None else 0.0, _Said(centred.message, centred.remarks)
-            return OffCentreOnset(centred.F_SN, centred.Omega, centred.A, B, centred.kind, 0.0, **said._asdict())
+            columns = centred.F_SN, centred.Omega, centred.A, B, centred.kind
+            return OffCentreOnset(*columns, 0.0, **said._asdict(), _model=self._model)
         try:
             found = self._lowest()
         except ArithmeticError:
-            return OffCentreOnset(None, None, None, None, "", self.load, UNRESOLVED, remarks=Remark.UNDECIDED)
+            return self._no_onset(UNRESOLVED, Remark.UNDECIDED)
         if found is None:
-            return OffCentreOnset(None, None, None, None, "", self.load, NO_ONSET)
+            return self._no_onset(NO_ONSET, Remark(0))
         truncated = Remark.OF_TRUNCATION if self._model.mechanism.truncated else Remark(0)
         said = _Said(ON_CORNER, truncated) if found.kind == "corner" else _Said()
         columns = found.F_0, found.Omega, found.A, found.B, found.kind
-        return OffCentreOnset(*columns, self.load, **said._asdict())
+        return OffCentreOnset(*columns, self.load, **said._asdict(), _model=self._model)
+
+    def _no_onset(self, message: str, said: Remark) -> OffCentreOnset:
+        return OffCentreOnset(None, None, None, None, "", self.load, message, remarks=said, _model=self._model)
 
     def _lowest(self) -> Lowest | None:
         """The fold at the onset, or None where none is. Raises ArithmeticError where that is not decided."""
@@ -457,18 +460,19 @@ class OffCentre:
     def _peak(self, F_0: float) -> OffCentrePeak:
         if F_0 <= self._m:
             none = (None,) * 5
-            return OffCentrePeak(*none, F_0, self.load, STICKS.format(F_0, self._m))
+            return OffCentrePeak(*none, F_0, self.load, STICKS.format(F_0, self._m), _model=self._model)
         if self._keeps_centre:
             centred = Averaged(self._model).peak(F_0)
             columns = centred.A, 0.0, centred.Omega, centred.A, centred.Omega
-            return OffCentrePeak(*columns, F_0, self.load, centred.message, remarks=centred.remarks)
+            return OffCentrePeak(*columns, F_0, self.load, centred.message, remarks=centred.remarks, _model=self._model)
         highest, widest = (self._farthest(F_0, measure) for measure in (AMPLITUDE, LARGEST))
         if highest is None or widest is None:
             raise ArithmeticError("the farthest motion is unresolved: none is found")
         said = _Said(TURNS) if highest.turns or widest.turns else _Said()
         said = said.beside(self._beyond_reach(highest.A, widest.value - highest.A))
         columns = highest.A, highest.B, highest.Omega, widest.value, widest.Omega
-        return OffCentrePeak(*columns, F_0, self.load, **said._asdict())
+        said_of = {**said._asdict(), "_model": self._model, "_turns": highest.turns}
+        return OffCentrePeak(*columns, F_0, self.load, **said_of)
 
     def _farthest(self, F_0: float, measure: Measure) -> Farthest | None:
         """The motion that goes farthest; of one about the centre as its own solvers have it."""
@@ -606,7 +610,8 @@ class OffCentre:
         kind = np.where(means.c[1] > 0, kind, "unstable")
         order, said = np.argsort(Omega, kind="stable"), said.beside(self._beyond_reach(A, B))
         Omega, A, B = Omega[order], A[order], B[order]
-        return OffCentreFolds(Omega, A, B, kind[order], corner[order], F_0, self.load, **said._asdict())
+        beside = {**said._asdict(), "_model": self._model}
+        return OffCentreFolds(Omega, A, B, kind[order], corner[order], F_0, self.load, **beside)
 
     def _frequency(self, A: Floats, t: Floats, F_0: Any, h: Any) -> Floats:
         """Omega of a fold: from I = m + 2 zeta A Omega, or from R = A Omega^2 + h where that moves it less."""
@@ -637,6 +642,7 @@ class OffCentre:
             _h=h,
             _damping=self._damping,
             **said._asdict(),
+            _model=self._model,
         )
 
     @property
@@ -673,6 +679,7 @@ class OffCentre:
             branch=found.branch,
             isola=found.closed,
             **said._asdict(),
+            _model=self._model,
         )
 
     def _damped(self, question: str) -> None:

@@ -1,0 +1,216 @@
+"""How answers off the centre move: in go answers and what they are, out come their gradients, exact.
+
+By the implicit function theorem. What a number of the design does to the force, piece by piece, makes the means over a
+cycle move (`Steps.moved`), these move the balance and h along it (`off_centre.moved`), and from there on the answers
+move as those about the centre do (`slowflow.moves`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow import moves
+from slowflow.gradient import Gradient
+from slowflow.model import Floats, Model
+from slowflow.off_centre.means import ORDERS, Steps
+from slowflow.validate import NotAvailable
+from slowflow_kernels import off_centre, slow_flow
+from slowflow_kernels.conventions import MovesStatus, Pinned
+from slowflow_kernels.domains import DAMPING
+
+#: of a complex step, by which what is analytic has its derivative to the last digit
+STEP = 1e-200
+
+#: answers on a corner that a jump of the force makes, which move in their own ways on either side of it
+ON_A_JUMP = (Pinned.CORNER_FOLD, Pinned.CORNER_END)
+
+NO_DESIGN = "gradients are known of an oscillator whose record says how its force moves with its design: this is none"
+NEXT_TO_REST = "a force that may jump at u = 0 and does not has no gradients off the centre"
+
+
+@dataclass(frozen=True)
+class Given:
+    """Whose answers these are: the slow flow, its force as steps, and what the design does to the force.
+
+    gains, places -- what each number of the design does to those of the steps, (numbers, steps, orders) and
+                     (numbers, steps)
+    """
+
+    model: Model
+    steps: Steps
+    gains: Floats
+    places: Floats
+
+    @classmethod
+    def of(cls, model: Model | None, load: float) -> Given:
+        """Under a load. Raises NotAvailable where it is not known how the force moves with the design."""
+        if model is None or not model.design or model.mechanism.by_design is None:
+            raise NotAvailable(NO_DESIGN)
+        steps = Steps(model.mechanism, model.parameters, load)
+        return cls(model, steps, *_by_design(model, steps))
+
+    def first(self) -> Given:
+        """With the first piece alone, as if it held everywhere; its end moves as before."""
+        steps, ends = self.steps.first(), self.steps.breakpoints.size
+        kept = [0, 1, 2 + ends][: steps.places.size]
+        return Given(self.model, steps, self.gains[:, kept], self.places[:, kept])
+
+    @property
+    def end(self) -> Floats:
+        """What each number of the design does to the first breakpoint."""
+        mechanism, n = self.model.mechanism, len(self.model.design)
+        assert mechanism.by_design is not None
+        slopes = np.array(mechanism.by_design(*self.model.design), dtype=float).reshape(-1, n)
+        return np.asarray(slopes[len(self.model.parameters)])
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What answers move with, beside what is asked."""
+        return (*self.model.mechanism.design_names, *(one.name for one in DAMPING), "load")
+
+
+def _by_design(model: Model, steps: Steps) -> tuple[Floats, Floats]:
+    """What each number of the design does to the gains of the steps, u held fixed, and to their places."""
+    mechanism, parameters = model.mechanism, model.parameters
+    assert mechanism.by_design is not None
+    slopes = np.array(mechanism.by_design(*model.design), dtype=float).reshape(-1, len(model.design))
+    of_parameters, of_ends = slopes[: len(parameters)], slopes[len(parameters) :]
+    ends = steps.breakpoints
+    # (parameters, pieces, orders): derivatives of each piece by a parameter and then by u, at u = 0
+    pieces = np.stack([_of_pieces(mechanism, parameters, k, steps) for k in range(len(parameters))])
+    orders = np.arange(steps.highest + 1)
+    beyond = pieces[:, 1:] - pieces[:, :-1]
+    jumps = np.stack([_at(beyond[:, k], end) for k, end in enumerate(ends)], axis=1) if ends.size else beyond
+    if steps.odd:
+        first = pieces[:, :1].copy()
+        even = np.where(orders % 2 == 0, first, 0.0)
+        first -= even
+        if steps.places.size > 1 + 2 * ends.size:
+            jumps, of_ends = np.concatenate((even, jumps), axis=1), np.concatenate((0 * of_ends[:1], of_ends))
+        elif np.abs(even).max(initial=0.0) > 1e-12 * np.abs(pieces).max(initial=1.0):
+            raise NotAvailable(NEXT_TO_REST)
+        both = np.concatenate((jumps, jumps), axis=1)
+        places = np.concatenate((of_ends, of_ends))
+    else:
+        about = int((ends < 0).sum())
+        first, mirrored = pieces[:, about : about + 1], (-1.0) ** orders
+        both = np.concatenate((jumps[:, about:], jumps[:, :about] * mirrored), axis=1)
+        places = np.concatenate((of_ends[about:], -of_ends[:about]))
+    gains = np.einsum("psk,pd->dsk", np.concatenate((first, both), axis=1), of_parameters)
+    return gains, np.concatenate((np.zeros((1, len(model.design))), places)).T
+
+
+def _of_pieces(mechanism: Any, parameters: tuple[float, ...], k: int, steps: Steps) -> Floats:
+    """Of each piece, its derivative by a parameter: that polynomial's derivatives at u = 0, (pieces, orders)."""
+    moved: list[Any] = [np.longdouble(value) for value in parameters]
+    moved[k] = moved[k] + np.clongdouble(1j * STEP)
+    count = steps.highest + 1
+    size = 1.0 + float(np.abs(steps.breakpoints).max(initial=0.0))
+    nodes = size * np.arange(1, count + 1, dtype=np.longdouble) / count
+    factorials = np.cumprod(np.maximum(np.arange(count), 1.0))
+    rows = []
+    for law in mechanism.pieces:
+        values = np.array([np.imag(np.clongdouble(law.force(node, *moved))) / STEP for node in nodes])
+        rows.append(_polynomial(nodes, values).astype(float) * factorials)
+    return np.array(rows)
+
+
+def _polynomial(nodes: npt.NDArray[Any], values: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """Coefficients of the polynomial through these points, by Newton's divided differences."""
+    newton = values.copy()
+    for j in range(1, nodes.size):
+        newton[j:] = (newton[j:] - newton[j - 1 : -1]) / (nodes[j:] - nodes[:-j])
+    found = np.zeros_like(values)
+    for node, one in zip(nodes[::-1], newton[::-1], strict=True):
+        found[1:], found[0] = found[:-1] - node * found[1:], one - node * found[0]
+    return found
+
+
+def _at(derivatives: Floats, u: float) -> Floats:
+    """Derivatives of polynomials at u, from those at 0 along the last axis."""
+    count = derivatives.shape[-1]
+    powers = u ** np.arange(count) / np.cumprod(np.maximum(np.arange(count), 1.0))
+    return np.stack([derivatives[..., k:] @ powers[: count - k] for k in range(count)], axis=-1)
+
+
+def gradient(
+    given: Given,
+    kinds: Any,
+    point: tuple[Any, Any, Any, Any],
+    of: Mapping[str, str],
+    asked: tuple[str, ...] = (),
+) -> Gradient:
+    """The gradient of answers at A, B, Omega and a forcing.
+
+    kinds -- what they are, of `Pinned`; of those on a breakpoint CORNER_TOP and CORNER_REST have one, where the motion
+             comes to the end of the first piece, which alone is given then
+    of    -- which numbers, by name: "A", "B", "Omega", "F_0", "u_max", and of states "phi" and "transmissibility"
+    asked -- what was asked at beside the design: "F_0" and "Omega", or less
+    """
+    shape = np.shape(point[0])
+    A, B, Omega, F_0 = (np.atleast_1d(np.broadcast_to(np.asarray(one, dtype=float), shape)).ravel() for one in point)
+    kinds = np.broadcast_to(np.asarray(kinds), A.shape)
+    names = (*given.names, *asked)
+    slopes, status = np.full((A.size, len(of), len(names)), np.nan), np.full(A.size, MovesStatus.OK, np.int8)
+    values = np.full((len(of), A.size), np.nan)
+    with np.errstate(all="ignore"):
+        for kind in np.unique(kinds):
+            here = kinds == kind
+            if kind in ON_A_JUMP:
+                status[here] = MovesStatus.TURNS
+                continue
+            found, at, status[here] = _of_kind(given, Pinned(int(kind)), names, *(x[here] for x in (A, B, Omega, F_0)))
+            for row, name in enumerate(of.values()):
+                slopes[here, row], values[row, here] = found[name].T, at[name]
+    status[~np.isfinite(slopes).all(axis=(1, 2)) & (status == MovesStatus.OK)] = MovesStatus.BOUNDLESS
+    status[~(np.isfinite(A) & np.isfinite(F_0))] = MovesStatus.NOTHING
+    slopes[status != MovesStatus.OK] = np.nan
+    model, known = given.model, {"F_0": point[3], "Omega": point[2]}
+    numbers = (*model.design, model.mu, model.zeta, given.steps.load, *(known[name] for name in asked))
+    whole = slopes.reshape(*shape, len(of), len(names)), status.reshape(shape)
+    return Gradient(tuple(of), names, *whole, tuple(row.reshape(shape) for row in values), numbers)
+
+
+def _of_kind(
+    given: Given, kind: Pinned, names: tuple[str, ...], A: Floats, B: Floats, Omega: Floats, F_0: Floats
+) -> tuple[Mapping[str, Floats], Mapping[str, Floats], Any]:
+    """What each number that answers move with does to them, (names, n) each; the answers; their status."""
+    model, steps = given.model, given.steps
+    means = steps.at(A, B, ORDERS)
+    h, h_A, h_AA, h_AAA = off_centre.averaged(A, *means.c[1:], *means.s)
+    of_mu, of_zeta, of_load, of_F_0, of_Omega = (
+        (np.array(names) == name)[:, np.newaxis] * np.ones(A.size) for name in (*given.names[-3:], "F_0", "Omega")
+    )
+    c_p, s_p = (np.zeros((ORDERS, len(names), A.size)) for _ in range(2))
+    ends = np.zeros((len(names), A.size))
+    for k in range(len(model.design)):
+        moved = steps.moved(A, B, given.gains[k], given.places[k])
+        c_p[:, k], s_p[:, k] = moved.c, moved.s
+    B_p, *of_h = off_centre.moved(A, *means.c[1:], *means.s[1:], *c_p, *s_p, of_load)
+    if kind in (Pinned.CORNER_TOP, Pinned.CORNER_REST):
+        side = np.where(B > 0, 1.0, -1.0)
+        ends[: len(model.design)] = given.end[:, np.newaxis]
+        (ends,) = off_centre.moved_at_end(side, means.c[1], means.s[1], c_p[0], of_load, ends)
+    m, zeta = model.m, model.zeta
+    at = (Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA)
+    causes = (*of_h, slow_flow.friction(1.0) * of_mu, of_zeta, ends, of_F_0, of_Omega)
+    (A_p, Omega_p, F_0_p), meets = moves.solved(slow_flow, kind, at, causes, len(names))
+    phase = slow_flow.moves_of_phase(*at[:7], of_h[0], *causes[3:5], A_p, Omega_p, F_0_p)
+    found = {"A": A_p, "B": B_p - means.s[1] / means.c[1] * A_p, "Omega": Omega_p, "F_0": F_0_p}
+    found["u_max"] = found["A"] + np.sign(B) * found["B"]
+    found |= dict(zip(("phi", "transmissibility"), phase, strict=True))
+    values = {
+        "A": A,
+        "B": B,
+        "u_max": A + np.abs(B),
+        "Omega": Omega,
+        "F_0": F_0,
+        "phi": slow_flow.phase(Omega, A, m, zeta, h),
+    }
+    values["transmissibility"] = slow_flow.transmissibility(Omega, A, F_0, m, zeta, h)
+    return found, values, np.where(meets, MovesStatus.MEETS, MovesStatus.OK)
