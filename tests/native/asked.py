@@ -88,6 +88,9 @@ def main():
             tried(lambda: isolator.sweep(Omega=[0.5, 0.9, 1.0, 1.2], F_0=0.05, force=force))  # noqa: B023
             tried(lambda: isolator.steady_state(Omega=0.2, F_0=0.05, A=3.0, force=force))  # noqa: B023
     tried(lambda: Duffing(1.0, -1.0, 0.0, 0.01).steady_state(Omega=0.5, F_0=2.0))  # escapes
+    Duffing.many(1.0, [-1.0, 0.0], 0.0, 0.05).transient(acceleration=3.0, duration=3.0)  # one does too
+    designs = Isolator.many(lam=3, r=2.0, delta_h=np.linspace(0.0, 0.15, 7)[:, None], mu=[0.0, 0.02], zeta=0.02)
+    designs.transient(acceleration=[0.0, 0.5, -0.5], tau=[0.0, 1.0, 2.0], workers=2)
 
 
 if __name__ == "__main__":

@@ -293,9 +293,9 @@ static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v,
             zeros = 2;
             continue;
         }
-        const double edge = sf_edge_ahead(system, slip, region);
         if (slip * u >= SF_FAR)
             return SF_ESCAPES;
+        const double edge = sf_edge_ahead(system, slip, region);
         if (slip * (u - edge) >= 0.0) { /* turned round within rounding of a breakpoint */
             region += slip;
             continue;
@@ -307,6 +307,8 @@ static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v,
                                             &forced->left, &event, &phase.undecided);
         if (outcome != SF_GOOD)
             return outcome;
+        if (event == SF_EDGE && slip * u >= SF_FAR) /* beyond it there is no piece */
+            return SF_ESCAPES;
         if (zeros && event == SF_STOP && theta - phase.theta < SF_GLIMPSE && sf_holding(system, region) > 0) {
             theta = phase.theta, u = phase.u;
             const double at = sf_break_away(forced, region, theta + SF_GLIMPSE, u, &slip);
