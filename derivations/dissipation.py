@@ -63,7 +63,8 @@ class Dissipation:
 
     quadratic -- d
     at_rest, released -- I_0 and three derivatives: friction acts throughout, or beyond u_cr nothing rubs any more
-    I         -- sine balance (23)
+    I, I_A    -- sine balance (23), and its slope
+    far       -- R, R_A, I and I_A over Omega^2, in x = 1/Omega
     F_A, ...  -- derivatives of the response (24)
     Omega_A   -- slope of the response
     trace     -- -2 A Omega times the trace of the Jacobian (28)
@@ -85,6 +86,8 @@ class Dissipation:
     at_rest: tuple[sp.Expr, ...]
     released: tuple[sp.Expr, ...]
     I: sp.Expr
+    I_A: sp.Expr
+    far: tuple[sp.Expr, ...]
     F_A: sp.Expr
     F_AA: sp.Expr
     F_Omega: sp.Expr
@@ -189,6 +192,8 @@ def dissipation(sharp: Motion, averaged: Averaged, flow: SlowFlow) -> Dissipatio
         at_rest=at_rest,
         released=released,
         I=value,
+        I_A=by_A(value),
+        far=tuple(sp.expand((one / Omega**2).subs(Omega, 1 / x)) for one in (flow.R, R_A, value, by_A(value))),
         F_A=F_A,
         F_AA=F_AA,
         F_Omega=sp.factor_terms(F_Omega),

@@ -12,8 +12,12 @@ the methods `square` and `sqrt`.
 # fmt: off
 
 __all__ = [
+    "at_rest",
     "cusps",
+    "far",
     "folds",
+    "I",
+    "I_A",
     "isolas",
     "peaks",
     "released",
@@ -22,6 +26,19 @@ __all__ = [
     "turn_share",
     "turns",
 ]
+
+
+def at_rest(A, m, eta):
+    """I_0, I at Omega = 0, and three derivatives by A: friction acts throughout.
+
+    Equation from (19). Domain: A > 0.
+    """
+    return (
+        A * eta + m,
+        eta,
+        0.0,
+        0.0,
+    )
 
 
 def released(A, m, eta, u_cr):
@@ -38,6 +55,42 @@ def released(A, m, eta, u_cr):
         eta - t0 / A2,
         2.0 * t0 / A3,
         -6.0 * t0 / A4,
+    )
+
+
+def I(Omega, A, I_0, zeta, d):
+    """Sine balance, -F_0 sin phi at a fixed point.
+
+    Equation (23). Domain: Omega > 0, A > 0.
+    """
+    return (
+        A.square() * Omega.square() * d + 2.0 * A * Omega * zeta + I_0
+    )
+
+
+def I_A(Omega, A, I_0A, zeta, d):
+    """dI/dA.
+
+    Equation (23). Domain: Omega > 0, A > 0.
+    """
+    return (
+        2.0 * A * Omega.square() * d + I_0A + 2.0 * Omega * zeta
+    )
+
+
+def far(x, A, I_0, I_0A, zeta, d, h, h_A):
+    """R, R_A, I and I_A over Omega^2, at x = 1/Omega.
+
+    Equation (23). Domain: x >= 0, A > 0.
+    """
+    t0 = x.square()
+    t1 = 2.0 * A
+    t2 = x * zeta
+    return (
+        A + h * t0,
+        h_A * t0 + 1.0,
+        A.square() * d + I_0 * t0 + t1 * t2,
+        I_0A * t0 + d * t1 + 2.0 * t2,
     )
 
 

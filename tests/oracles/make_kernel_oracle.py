@@ -1692,7 +1692,7 @@ def rest_share(passed):
         # m = 4 mu/pi; the ellipse of eta u'/Omega over u
         return by_work(m * mp.pi / 4 * way + mp.pi * eta * A**2, A)
 
-    return lambda A, *x: [mp.diff(lambda a: share(a, *x), A, order) for order in range(4)]
+    return lambda A, *x: [mp.chop(mp.diff(lambda a: share(a, *x), A, order), mpf(10) ** -45) for order in range(4)]
 
 
 def by_laws(names):
@@ -1733,13 +1733,13 @@ def by_laws(names):
     return made
 
 
-def dissipated_balance(names):
-    """I."""
+def dissipated_balance(names, order=0):
+    """I, or a derivative of it by A."""
     made = by_laws(names)
 
     def balance(*x):
         A, Omega, _, I, *_ = made(*x)
-        return [I(A, Omega)]
+        return [mp.diff(lambda a: I(a, Omega), A, order)]
 
     return balance
 
@@ -1809,6 +1809,14 @@ def dissipated_frequency(names):
         return [mp.diff(lambda a: mp.findroot(lambda w: F(a, w) - here, Omega, tol=mpf(10) ** -110), A)]
 
     return slope
+
+
+def far_balances(x, A, I_0, I_0A, zeta, d, h, h_A):
+    """R, R_A, I and I_A over Omega^2 at Omega = 1/x."""
+    w, force = 1 / x, near(A, [h, h_A])
+    names, of = "Omega A I_0 I_0A zeta d", (w, A, I_0, I_0A, zeta, d)
+    of_R = [mp.diff(lambda a: balances(w, a, 0, zeta, force(a))[0], A, order) for order in (0, 1)]
+    return [x**2 * one for one in (*of_R, *dissipated_balance(names)(*of), *dissipated_balance(names, 1)(*of))]
 
 
 def turn_beside(x, A, *damping):
@@ -1957,6 +1965,8 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
     **{f"moves_of_{kind}": (f"{LAW_AT} {LAW_CAUSES}", law_moves(kind)) for kind in SHAKEN_ANSWERS},
     "beside": (LAW_SLOWER, law_beside),
     "moves_of_phase": (f"{LAW_SLOWER} h_p I_0p zeta_p d_p A_p Omega_p F_0_p", law_moves_of_phase),
+    "I_A": ("Omega A I_0A zeta d", dissipated_balance("Omega A I_0A zeta d", 1)),
+    "far": ("x A I_0 I_0A zeta d h h_A", far_balances),
 }
 
 

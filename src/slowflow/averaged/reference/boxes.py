@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from slowflow.averaged.reference.cells import Cells, Samples, Stretch, amid, cells_of, joined, samples_at
 from slowflow.averaged.reference.intervals import Bools, Interval
 from slowflow.model import THROUGHOUT, Floats, Model
-from slowflow_kernels import dissipation, dissipation_intervals
+from slowflow_kernels import dissipation, dissipation_intervals, slow_flow, slow_flow_intervals
 from slowflow_kernels.conventions import FIRST, NARROW
 
 Ints = NDArray[np.intp]
@@ -117,8 +117,7 @@ class Searched:
     def rest(self, A: Interval, piece: Ints) -> tuple[Interval, ...]:
         """I_0 and its derivatives on amplitudes of a piece."""
         m, eta = Interval.point(self.model.m), Interval.point(self.model.laws.eta)
-        zero = Interval(np.zeros_like(A.ends))
-        found = (A * eta + m, zero + eta, zero, zero)
+        found = tuple(_interval(one, A) for one in dissipation_intervals.at_rest(A, m, eta))
         beyond = self.beyond[piece]
         if self.model.laws.rubs == THROUGHOUT or not beyond.any():
             return found
@@ -133,8 +132,8 @@ class Searched:
         return {
             **{"Omega": Omega, "A": A, "F_0": Interval.point(self.F_0), "zeta": zeta, "d": d},
             # where h/A is nearly its slope, and both nearly -Omega^2, the second form is the narrower one
-            "R": (A * Omega.square() + cells.h).both(A * (Omega.square() + cells.h_A) + cells.k),
-            "I": I_0 + 2.0 * (zeta * A * Omega) + d * (A * Omega).square(),
+            "R": slow_flow_intervals.R(Omega, A, cells.h).both(A * (Omega.square() + cells.h_A) + cells.k),
+            "I": dissipation_intervals.I(Omega, A, I_0, zeta, d),
             **{"I_0": I_0, "I_0A": I_0A, "I_0AA": I_0AA, "I_0AAA": I_0AAA},
             **{"h": cells.h, "h_A": cells.h_A, "h_AA": cells.h_AA, "h_AAA": cells.h_AAA},
         }
@@ -160,7 +159,7 @@ class Searched:
             Omega = Interval(np.zeros_like(Omega.ends))
         known = self._known(cells, piece, Omega)
         A, zeta, d, R, lag = (known[name] for name in ("A", "zeta", "d", "R", "I"))
-        I_A = known["I_0A"] + 2.0 * (zeta * Omega) + 2.0 * (A * d * Omega.square())
+        I_A = dissipation_intervals.I_A(Omega, A, known["I_0A"], zeta, d)
         if self.system in FORCED:
             forcing = known["F_0"]
             lag = lag.both(Interval.of(np.full(A.lo.shape, -self.F_0), self.F_0))
@@ -188,14 +187,11 @@ class Searched:
 
     def _far(self, known: dict[str, Interval], Omega: Interval) -> Bools:
         """Whether F_A has one sign on boxes without a highest frequency: that of F_A/Omega^4, in x = 1/Omega."""
-        x, (A, zeta, d) = 1.0 / Omega, (known[name] for name in ("A", "zeta", "d"))
-        square = x.square()
-        R = A + known["h"] * square
-        R_A = 1.0 + known["h_A"] * square
+        x = 1.0 / Omega
+        names = ("A", "I_0", "I_0A", "zeta", "d", "h", "h_A")
+        R, R_A, lag, I_A = dissipation_intervals.far(x, *(known[name] for name in names))
         if self.system == "turns":
-            R_A = R_A.both(-((R + self._turn_share(x, known)) / A))
-        lag = known["I_0"] * square + 2.0 * (zeta * A * x) + d * A.square()
-        I_A = known["I_0A"] * square + 2.0 * (zeta * x) + 2.0 * (d * A)
+            R_A = R_A.both(-((R + self._turn_share(x, known)) / known["A"]))
         return np.asarray(np.isinf(Omega.hi) & (R * R_A + lag * I_A).has_sign)
 
     def _rises(self, cells: Cells, I_A: Interval, Omega: Interval) -> Bools:
@@ -224,8 +220,8 @@ class Searched:
         I_0 = model.at_rest(A, self.beyond[piece])
         known = {
             **{"Omega": Omega, "A": A, "F_0": self.F_0, "zeta": model.zeta, "d": model.d},
-            "R": A * Omega**2 + h[0],
-            "I": I_0[0] + A * Omega * (2 * model.zeta + model.d * A * Omega),
+            "R": slow_flow.R(Omega, A, h[0]),
+            "I": dissipation.I(Omega, A, I_0[0], model.zeta, model.d),
             **dict(zip(("I_0", "I_0A", "I_0AA", "I_0AAA"), I_0, strict=True)),
             **dict(zip(("h", "h_A", "h_AA", "h_AAA"), h, strict=True)),
         }
