@@ -20,6 +20,8 @@ FUNCTIONS = [
     (module, name) for module in MODULES for name in importlib.import_module(f"slowflow_kernels.{module}").__all__
 ]
 ORACLE = json.loads((Path(__file__).parent / "data" / "kernel_oracle.json").read_text())
+#: those that are evaluated at points too; the rest is there on intervals only
+AT_POINTS = [(module, name) for module, name in FUNCTIONS if name in ORACLE[module.removesuffix("_intervals")]]
 
 
 def function_of(module, name):
@@ -136,7 +138,7 @@ def enclosures(module, kernel, boxes):
     return [one if isinstance(one, Interval) else Interval.point(one) for one in found]
 
 
-@pytest.mark.parametrize(("module", "kernel"), FUNCTIONS)
+@pytest.mark.parametrize(("module", "kernel"), AT_POINTS)
 def test_the_exact_values_at_a_point_are_held(module, kernel):
     for row in ORACLE[module.removesuffix("_intervals")][kernel]:
         found = enclosures(module, kernel, [Interval.point(x) for x in row["at"]])
@@ -149,7 +151,7 @@ def test_the_exact_values_at_a_point_are_held(module, kernel):
             assert hi - lo <= Fraction(1, 2**44) * Fraction(scale)
 
 
-@pytest.mark.parametrize(("module", "kernel"), FUNCTIONS)
+@pytest.mark.parametrize(("module", "kernel"), AT_POINTS)
 def test_the_values_all_over_a_box_are_held(module, kernel):
     rng = np.random.default_rng(20261121)
     plain = getattr(importlib.import_module(f"slowflow_kernels.{module.removesuffix('_intervals')}"), kernel)
