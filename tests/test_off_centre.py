@@ -502,6 +502,7 @@ def test_without_a_load_the_peak_is_that_about_the_centre_where_it_is_the_highes
     assert stuck.A is None and "sticks" in stuck.message
 
 
+@pytest.mark.slow
 def test_margins_and_bands_and_isolation_tend_to_those_about_the_centre(loaded):
     centred, near = Isolator(**TABLE_1), Isolator(**TABLE_1, load=1e-5)
     for question, names in {
@@ -517,6 +518,7 @@ def test_margins_and_bands_and_isolation_tend_to_those_about_the_centre(loaded):
     assert (found.kind, found.folds, found.detaches, found.sticks) == (exact.kind, exact.folds, True, False)
 
 
+@pytest.mark.slow
 def test_the_springs_detach_from_the_detaching_force_on_and_a_mass_that_sticks_does_not_move(loaded):
     F_cr = loaded.detachment().F_cr
     below, above = (loaded.margins(share * F_cr) for share in (0.97, 1.03))
@@ -620,6 +622,7 @@ def test_gradients_are_those_of_the_balance_by_hand(vanish, ask, by):
                     assert value == pytest.approx(float(slopes[one]), rel=1e-11, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_gradients_of_a_mount_under_a_load_are_its_answers_differences():
     """Of a force that jumps at a breakpoint which moves; in SI units, where the load is the mass that moves."""
     mount = Isolator.physical(

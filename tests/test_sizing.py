@@ -413,6 +413,7 @@ def test_a_fit_without_dimensions_and_without_noise_is_exact():
     assert np.diag(found.correlation) == pytest.approx(1.0)
 
 
+@pytest.mark.slow
 def test_designs_under_a_load_have_the_answers_of_each_by_itself():
     mount = MOUNT.replace(load=12.36)
     found = tolerances(mount, {"load": 0.02, "preload": 0.05}, F=3.0, answers=["F_cr", "f_rest", "stroke"], samples=2)

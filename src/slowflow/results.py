@@ -202,8 +202,27 @@ def _given(model: Model | None) -> moves.Given:
     return moves.Given(model.mechanism, (*numbers, laws.eta, laws.c_2), model.excitation, laws.rubs)
 
 
+class Transmits(Protocol):
+    """What has a transmissibility."""
+
+    @property
+    def transmissibility(self) -> Floats:
+        """Fundamental harmonic of what is passed on, over what drives it, of each state."""
+        ...
+
+
+class InDecibels:
+    """What tables of states share, at whatever depth and about whatever mean."""
+
+    @property
+    def transmissibility_dB(self: Transmits) -> Floats:
+        """`transmissibility` in decibels, 20 log10; -inf where nothing is transmitted."""
+        with np.errstate(divide="ignore"):
+            return np.asarray(20.0 * np.log10(self.transmissibility))
+
+
 @dataclass(frozen=True, eq=False)
-class SteadyStates(Table):
+class SteadyStates(InDecibels, Table):
     """Steady states, one entry each: flat arrays of one length.
 
     Omega, A -- frequency and amplitude, dimensionless
@@ -248,12 +267,6 @@ class SteadyStates(Table):
         h = self._model.averaged(self.A)[0]
         m, zeta = self._model.alike(self.Omega, self.A)
         return frozen(slow_flow.transmissibility(self.Omega, self.A, self.force, m, zeta, h))
-
-    @property
-    def transmissibility_dB(self) -> Floats:
-        """The same in decibels, 20 log10; -inf where nothing is transmitted."""
-        with np.errstate(divide="ignore"):
-            return np.asarray(20.0 * np.log10(self.transmissibility))
 
     @property
     def relative(self) -> Floats:

@@ -15,7 +15,7 @@ from slowflow.gradient import Gradient
 from slowflow.model import Floats, Model
 from slowflow.off_centre import moves
 from slowflow.off_centre.moves import Given
-from slowflow.results import DRAWN, Remark
+from slowflow.results import DRAWN, InDecibels, Remark
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import Pinned
 
@@ -96,7 +96,7 @@ class RestPositions(Balanced, Table):
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentreStates(Balanced, Table):
+class OffCentreStates(Balanced, InDecibels, Table):
     """Steady states u = B + A cos(Omega tau + phi), one entry each, by the order of the frequencies, then by rising A.
 
     Omega, A, B -- frequency, amplitude and mean displacement, dimensionless; `u_max` is the largest |u|, |B| + A
@@ -147,12 +147,6 @@ class OffCentreStates(Balanced, Table):
         of = {name: name for name in ("A", "B", "phi", "transmissibility")}
         point = self.A, self.B, self.Omega, self.F_0
         return moves.gradient(Given.of(self._model, self.load), Pinned.STATE, point, of, ("F_0", "Omega"))
-
-    @property
-    def transmissibility_dB(self) -> Floats:
-        """The same in decibels, 20 log10; -inf where nothing is transmitted."""
-        with np.errstate(divide="ignore"):
-            return np.asarray(20.0 * np.log10(self.transmissibility))
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,7 +11,7 @@ import numpy.typing as npt
 from slowflow import validate
 from slowflow.answer import Table
 from slowflow.model import Floats
-from slowflow.results import DRAWN
+from slowflow.results import DRAWN, InDecibels
 
 
 class SecondState(NamedTuple):
@@ -63,7 +63,7 @@ class SecondTable(Table):
 
 
 @dataclass(frozen=True, eq=False)
-class SecondStates(SecondTable):
+class SecondStates(InDecibels, SecondTable):
     """Steady states in the second approximation, one entry each: flat arrays of one length.
 
     Omega, A -- frequency, and largest displacement
@@ -90,12 +90,6 @@ class SecondStates(SecondTable):
     def transmissibility(self) -> Floats:
         """Fundamental harmonic of what spring, damper and friction pass on, over `.force`: the force less inertia."""
         return np.asarray(np.abs(1.0 + self.Omega**2 * self.A_1 / self.force * np.exp(1j * self.phi)))
-
-    @property
-    def transmissibility_dB(self) -> Floats:
-        """The same in decibels, 20 log10; -inf where nothing is transmitted."""
-        with np.errstate(divide="ignore"):
-            return np.asarray(20.0 * np.log10(self.transmissibility))
 
 
 @dataclass(frozen=True, eq=False)
