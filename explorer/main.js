@@ -172,6 +172,7 @@ function say() {
   app.plots.response.title.textContent = summary;
   app.plots.force.title.textContent = "Restoring force over displacement, with the stroke of the present motion.";
   app.plots.transmissibility.title.textContent = "Transmissibility in decibels over frequency.";
+  app.map.plot.title.textContent = "The design among others: a cross where it is.";
 }
 
 /** The states at the present frequency as a table, and how far the present one may be off. */

@@ -83,19 +83,13 @@ def inside(app: Any, name: str, source: list[str]) -> None:
 def derivation(folder: Path) -> None:
     """A page for each mechanism, with the paper's verdicts on the paper's own."""
     from derivations import library
-    from derivations.averaging import averaged
-    from derivations.document import document
+    from derivations.live import told
     from derivations.mechanisms import all_mechanisms
-    from derivations.results import of_mechanism
-    from derivations.slow_flow import slow_flow
 
-    equations = averaged()
-    flow = slow_flow(equations)
     names = []
     rows = json.loads((ROOT / "generated/slowflow_kernels/ledger.json").read_text(encoding="utf-8"))["rows"]
     for mechanism in (*all_mechanisms(), *map(library.stated, library.names())):
-        text = document(of_mechanism(mechanism), equations, flow)
-        (folder / f"{mechanism.name}.md").write_text(judged(text, rows), encoding="utf-8")
+        (folder / f"{mechanism.name}.md").write_text(judged(told(mechanism), rows), encoding="utf-8")
         names.append(mechanism.name)
     (folder / "index.md").write_text(
         (Path(__file__).parent / "derivation.txt").read_text(encoding="utf-8")
