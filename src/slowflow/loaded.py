@@ -29,7 +29,8 @@ KNOWN = (
 
 AT_CENTRE = (
     "{}: not available, this question is about motions about the centre. Off it there are rest, detachment, "
-    "saddle_nodes, saddle_node_onset, amplitudes, frequency_response and steady_state"
+    "saddle_nodes, saddle_node_onset, amplitudes, frequency_response, peak, margins, hysteresis, isolation, and exact "
+    "motions: steady_state, exact_response and sweep"
 )
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from slowflow import validate
 from slowflow.averaged import words
-from slowflow.averaged.plan import AT_ONE, QUESTIONS, Plan, Step
+from slowflow.averaged.plan import AT_ONE, COMPOSED, QUESTIONS, Plan, Step
 from slowflow.model import Model
 
 _PLANE = "the plane of amplitude A and mean B is cut until each box is proved to hold"
@@ -50,11 +50,8 @@ STEPS: dict[str, tuple[Step, ...]] = {
         Step("curve", True, "its last stable point that transmits the force"),
         Step("root", True, "next to that point"),
     ),
-    "steady_state": (
-        Step("averaging", True, "where A is given: states to begin with"),
-        Step("motion", True, "from switch to switch: a stop, a breakpoint, a break-away"),
-        Step("cycle", True, "Newton's iteration on the motion with its order of switches"),
-    ),
+    # the equation of motion does not ask where the centre is
+    **{question: COMPOSED[question] for question in ("steady_state", "exact_response", "sweep")},
 }
 
 
