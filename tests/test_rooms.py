@@ -80,3 +80,15 @@ def test_what_derives_is_not_imported_by_what_runs():
 def test_what_the_kernels_stand_on_imports_nothing_of_ours():
     for path in (SOURCE / "slowflow_support").glob("*.py"):
         assert not [m for m in imported(path) if m.startswith(("slowflow.", "slowflow_kernels."))]
+
+
+def test_a_wheel_has_every_package_with_its_templates_but_the_ledger():
+    """The ledger is proved where it is written."""
+    stated = tomllib.loads((SOURCE.parent / "pyproject.toml").read_text())["tool"]["setuptools"]
+    for name, folder in stated["package-dir"].items():
+        for init in (SOURCE.parent / folder).rglob("__init__.py"):
+            parts = init.parent.relative_to(SOURCE.parent / folder).parts
+            package = ".".join((name, *parts))
+            assert package in stated["packages"] or "ledger" in parts, package
+            if (init.parent / "templates").is_dir():
+                assert stated["package-data"][package] == ["templates/*.jinja"], package
