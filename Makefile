@@ -4,8 +4,8 @@
 # make check      compare generated/ with fresh derivations
 # make lint       ruff and mypy
 # make figures    every figure of the paper, into output/
-# make bench      the benchmarks, docs/benchmarks.md; make bench-peers: other tools on the same problem, each installed
-#                 into an environment of its own under .venv-peers
+# make bench      the benchmarks, docs/benchmarks.md; last other tools on the same problem, each installed into an environment
+#                 of its own under .venv-peers; one that does not install keeps what was last measured of it
 # make validity   averaging against the equation of motion: maps, table, the ledger's verdicts on figures, and
 #                 docs/validity.md, some ten minutes
 # make stress     numerical stability: worst errors searched for, counts proved; docs/stability.md and its baseline, some
@@ -23,7 +23,7 @@ DEVELOPED := .venv/developed
 NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch] generated/c/*.h generated/native/*.[ch])
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
-.PHONY: paper figures test test-fast derive check lint bench bench-peers validity stress explorer docs dist clean
+.PHONY: paper figures test test-fast derive check lint bench validity stress explorer docs dist clean
 .DELETE_ON_ERROR:
 
 paper: derive
@@ -59,6 +59,7 @@ bench: $(DEVELOPED)
 	$(BIN)/python -m benchmarks.bench_derive
 	$(BIN)/python -m benchmarks.bench_exact
 	$(BIN)/python -m benchmarks.bench_grid
+	$(BIN)/python -m benchmarks.peers
 
 validity: $(DEVELOPED)
 	$(BIN)/python -m benchmarks.claims
@@ -86,9 +87,6 @@ dist: $(INSTALLED)
 	$(BIN)/python -m build --quiet --outdir output/again
 	cmp output/dist/*.whl output/again/*.whl
 	@cd output/dist && sha256sum *
-
-bench-peers: $(DEVELOPED)
-	$(BIN)/python -m benchmarks.peers
 
 .venv/pyvenv.cfg:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "slowflow needs Python 3.11 or newer: make PYTHON=python3.12"; exit 1; }

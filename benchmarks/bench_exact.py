@@ -10,6 +10,7 @@ import argparse
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import mpmath as mp
 import numpy as np
@@ -127,6 +128,23 @@ def jobs() -> list[Job]:
             lambda i: sweep(system, 0.04, frequencies, integrator=i),
         ),
     ]
+
+
+def by_stops(repeats: int) -> list[dict[str, float]]:
+    """Seconds of one periodic motion with multipliers by its stops a turn: linear, mu = 0.2, F_0 = 1, and ever slower.
+
+    Each is asked at the middle of the frequencies that have so many, from the motion beside it.
+    """
+    system = EquationOfMotion(linear(), 0.2, 0.0)
+    curve = exact_response(system, 1.0, (0.03, 0.5))
+    out = []
+    for count in np.unique(curve.stops):
+        places = np.flatnonzero(curve.stops == count)
+        middle = int(places[len(places) // 2])
+        Omega, near = float(curve.Omega[middle]), curve.steady_state(middle - 1)
+        seconds = best(partial(steady_state, system, Omega, 1.0, near), repeats)
+        out.append({"stops": int(count), "Omega": Omega, "seconds": seconds})
+    return out
 
 
 def beside_heyoka() -> list[Row]:

@@ -151,6 +151,14 @@ static double seconds_in_pairs(long n) {
     return best;
 }
 
+static int find_record(const char *name) {
+    record = NULL;
+    for (int i = 0; i < solvers_counted.count; i++)
+        if (strcmp(solvers_counted.records[i]->name, name) == 0)
+            record = solvers_counted.records[i];
+    return record != NULL;
+}
+
 /* asked: 0 states, 1 folds, 2 peaks, 3 onsets; inputs: one column after another, n of each; out: how often a design has its
  * averages taken, in pairs too, a function's value at an amplitude and its range on a cell, then the seconds of one of each.
  * Returns 0 where there is no such record. */
@@ -163,11 +171,7 @@ int count(int asked, const char *name, long n, double *inputs, double *out) {
     ptrdiff_t steps[2 * (MOST_INPUTS + 6)] = {0}, dimensions[2] = {n, 8};
     sf_mechanism counting;
     int i, given;
-    record = NULL;
-    for (i = 0; i < solvers_counted.count; i++)
-        if (strcmp(solvers_counted.records[i]->name, name) == 0)
-            record = solvers_counted.records[i];
-    if (record == NULL)
+    if (!find_record(name))
         return 0;
     given = record->design_size + record->damping_size + at[asked];
     for (i = 0; i < given; i++)
@@ -186,4 +190,44 @@ int count(int asked, const char *name, long n, double *inputs, double *out) {
     out[6] = seconds_of_values(values < KEPT ? values : KEPT);
     out[7] = seconds_of_ranges(ranges < KEPT ? ranges : KEPT);
     return 1;
+}
+
+/* One curve at F_0 in a window of Omega, with its folds; design: its numbers, then those of the damping; places: of the arrays for so many points at
+ * least. out: points, how often its segments have averages taken and ranges found, then the seconds of the segments, of the points
+ * on them, and of the folds. Returns 0 where there is no such record, no room or no such curve. */
+int curve(const char *name, const double *design, double F_0, const double *window, double samples, long places, double *out) {
+    sf_mechanism counting;
+    sf_model model;
+    sf_given given;
+    sf_room *room = malloc(sizeof *room);
+    double *Omega = malloc((size_t)places * sizeof *Omega), *A = malloc((size_t)places * sizeof *A);
+    long long *branch = malloc((size_t)places * sizeof *branch);
+    unsigned char *stable = malloc((size_t)places);
+    long n = 0;
+    int answered = 0;
+    if (room != NULL && Omega != NULL && A != NULL && branch != NULL && stable != NULL && find_record(name) &&
+        record->parameters_of(design, model.p) && record->damping_of(design + record->design_size, model.damping) &&
+        sf_prepare(record, design, &model) &&
+        sf_give(record, design, design[record->design_size], design[record->design_size + 1], &given)) {
+        out[3] = out[4] = out[5] = HUGE_VAL;
+        for (int round = 0; round < 10 * ROUNDS; round++) {
+            double start = now();
+            answered = solvers_counted.skeleton(&model, &given, F_0, room) == SF_OK;
+            out[3] = least(out[3], now() - start), start = now();
+            n = solvers_counted.show(&model, F_0, window[0], window[1], samples, &room->work);
+            if (!answered || n > places)
+                break;
+            solvers_counted.draw(&model, F_0, samples, &room->work.shown, Omega, A, stable, branch);
+            out[4] = least(out[4], now() - start), start = now();
+            solvers_counted.saddle_nodes(&model, &given, F_0, room, &room->work.folds);
+            out[5] = least(out[5], now() - start);
+        }
+        counting = *record, counting.averaged = counted_average, model.mechanism = &counting;
+        ranges = averages = 0;
+        solvers_counted.skeleton(&model, &given, F_0, room);
+        out[0] = (double)n, out[1] = (double)averages, out[2] = (double)ranges;
+        answered &= n <= places;
+    }
+    free(room), free(Omega), free(A), free(branch), free(stable);
+    return answered;
 }

@@ -56,7 +56,7 @@ def draw(results: dict[str, Any], folder: Path) -> None:
             _scene(ax, scene)
         axes[0].set_ylabel("relative error: largest (marker) down to median (bar)")
         _save(figure, folder / "work_precision")
-        figure, axes = plt.subplots(1, 2, figsize=(9.4, 4.4), layout="constrained")
+        figure, axes = plt.subplots(1, 3, figsize=(13.8, 4.4), layout="constrained")
         _sizes(axes[0], results["scaling"]["amplitudes"], "amplitudes", "every Ω of the response at each amplitude")
         _sizes(
             axes[1],
@@ -64,6 +64,7 @@ def draw(results: dict[str, Any], folder: Path) -> None:
             "designs",
             "critical forcings of random designs: F_cr solid, F_SN dashed",
         )
+        _stops(axes[2], results["scaling"]["stops"])
         axes[0].set_ylabel("seconds")
         _save(figure, folder / "scaling")
 
@@ -134,3 +135,12 @@ def _sizes(ax: Axes, rows: list[dict[str, Any]], unit: str, title: str) -> None:
     ax.set_xlim(low, high * 30)
     low, high = ax.get_ylim()
     ax.set_ylim(low, high * 3)
+
+
+def _stops(ax: Axes, rows: list[dict[str, Any]]) -> None:
+    ax.set(xlabel="stops a turn", ylabel="microseconds", title="one periodic motion, linear, by its stops")
+    ax.title.set_fontsize(10)
+    method = "slowflow, native"
+    stops, seconds = np.array([(row["stops"], row["seconds"]) for row in rows]).T
+    ax.plot(stops, 1e6 * seconds, "-", marker=MARKERS[method], color=COLOURS[method], ms=4, lw=1.3)
+    ax.set_ylim(bottom=0)

@@ -12,7 +12,7 @@ DOCS = Path(__file__).resolve().parents[1] / "docs"
 
 HEAD = """# Measured speed and error
 
-Written by `make bench` and `make bench-peers` from the measurements that they make; the same numbers stand in
+Written by `make bench` from the measurements that it makes; the same numbers stand in
 [benchmarks/results](../benchmarks/results).
 """
 
@@ -116,6 +116,12 @@ def grid_table(rows: list[dict[str, Any]]) -> list[str]:
     return table(head, cells)
 
 
+def stops_table(rows: list[dict[str, Any]]) -> list[str]:
+    """Stops a turn, Omega, time."""
+    cells = [(str(row["stops"]), f"{row['Omega']:.3g}", quantity(row["seconds"], "s")) for row in rows]
+    return table(("stops a turn", "Omega", "time"), cells)
+
+
 def precision_table(scene: dict[str, Any]) -> list[str]:
     """Method, time, error and what was missed of one scene of the work-precision diagram."""
     cells = [
@@ -148,6 +154,7 @@ def write(results: Path = RESULTS, docs: Path = DOCS) -> None:
         for scene in precision["scenes"]:
             lines += [f"### {scene['title']}", "", *precision_table(scene), ""]
         lines += ["## How cost grows", "", "![Cost against size](scaling.png)", ""]
+        lines += [*STOPS_WORDS, "", *stops_table(precision["scaling"]["stops"]), ""]
     if grid:
         lines += ["## Maps in stores", "", *GRID_WORDS, "", *environment_lines(grid["environment"]), ""]
         lines += [*grid_table(grid["rows"]), ""]
@@ -160,6 +167,10 @@ def write(results: Path = RESULTS, docs: Path = DOCS) -> None:
     (docs / "benchmarks.md").write_text("\n".join(lines), encoding="utf-8")
 
 
+STOPS_WORDS = (
+    "One periodic motion with its multipliers from the one beside it, by how often the mass stops in a turn: linear",
+    "spring, mu = 0.2, F_0 = 1.",
+)
 GRID_WORDS = (
     "Designs of the isolator over r, preload and mu, written block by block into a Zarr store on a local disk by one",
     "thread (`python -m benchmarks.bench_grid`), each map by a process of its own. Time is the processor's. Before:",

@@ -15,6 +15,7 @@ import numpy as np
 
 from benchmarks import certified, jobs
 from benchmarks.baselines import METHODS
+from benchmarks.bench_exact import by_stops
 from benchmarks.remote import Remote, in_turn
 from slowflow import backend
 
@@ -77,7 +78,8 @@ def measure(rounds: int) -> dict[str, Any]:
     """Scenes and scaling."""
     processes = Processes()
     try:
-        return {"scenes": [*precision(processes, rounds), motion()], "scaling": scaling(processes, 1)}
+        sizes: dict[str, Any] = {**scaling(processes, 1), "stops": by_stops(7 * rounds)}
+        return {"scenes": [*precision(processes, rounds), motion()], "scaling": sizes}
     finally:
         processes.stop()
 

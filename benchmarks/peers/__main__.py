@@ -2,7 +2,7 @@
 
 In:  the adapters of this folder, and pip. Out: a table, benchmarks/results/peers.json, docs/benchmarks.md.
 All that run are asked in turn in every round, so that medians and ratios come from the same minutes.
-`make bench-peers`, or `python -m benchmarks.peers [--rounds N] [peer ...]`.
+The last part of `make bench`, or `python -m benchmarks.peers [--rounds N] [peer ...]`.
 """
 
 from __future__ import annotations
