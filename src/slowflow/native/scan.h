@@ -121,21 +121,14 @@ static double sf_beside_values(const sf_probe *near, const sf_probe *far, int c)
     return near->at.A - y * slope + y * y * (bend - z * turn);
 }
 
-/* Whether zeros of a question are looked for by what is known of two probes. */
-static int sf_asks_two(sf_question question) {
-    return question == SF_STATE || question == SF_FOLD_AT || question == SF_PEAK;
-}
-
 /* Where a function may vanish next to a probe: by the probe before it too, or by Newton's step. first: whether the two lie on
  * either side */
-static double sf_next_to(const sf_search *search, const sf_probe *probe, const sf_probe *before, int c, int first) {
+static double sf_next_to(const sf_probe *probe, const sf_probe *before, int c, int first) {
     double next = NAN;
-    if (sf_asks_two(search->asked.question)) {
-        if (first)
-            next = sf_between_values(probe, before, c);
-        else if (fabs(probe->answer.y[c]) < 0.5 * fabs(before->answer.y[c]))
-            next = sf_beside_values(probe, before, c);
-    }
+    if (first)
+        next = sf_between_values(probe, before, c);
+    else if (fabs(probe->answer.y[c]) < 0.5 * fabs(before->answer.y[c]))
+        next = sf_beside_values(probe, before, c);
     return fabs(next) < HUGE_VAL ? next : probe->at.A - probe->answer.y[c] / probe->answer.dy[c];
 }
 
@@ -159,7 +152,7 @@ static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_pr
     if (!probe->answer.exists[c])
         probe = a->answer.exists[c] ? a : b;
     for (i = 0; i < 400; i++) {
-        double next = probe->answer.exists[c] ? sf_next_to(search, probe, before, c, i == 0) : NAN;
+        double next = probe->answer.exists[c] ? sf_next_to(probe, before, c, i == 0) : NAN;
         double moved = fabs(next - probe->at.A);
         sf_probe *spare = &place[0];
         if (i > 0 && moved <= 0x1p-52 * probe->at.A)
@@ -267,12 +260,13 @@ static double sf_cut_at_folds(const sf_search *search, const sf_probe *a, const 
  * are. */
 static int sf_is_too_wide(const sf_search *search, const sf_probe *a, const sf_probe *b, int open, int passing) {
     const double low = a->at.A, high = b->at.A;
+    const int turns = passing >= 0 && open == 1 << passing && a->answer.dy[passing] * b->answer.dy[passing] < 0;
     if (search->asked.question == SF_CUSP)
-        return high > (passing < 0 ? SF_WIDEST_CELL : SF_WIDEST_WITH_CUSP) * low && (low > 0 || high == search->end);
+        return (high > (passing < 0 ? SF_WIDEST_CELL : SF_WIDEST_WITH_CUSP) * low && (low > 0 || high == search->end)) ||
+               turns;
     if (search->asked.question == SF_STATE && search->base > 0 && !(fabs(a->at.h_A) < HUGE_VAL))
         return high > SF_WIDEST_STEEP * low;
-    return sf_folds_begin(search, a, b) ||
-           (passing >= 0 && open == 1 << passing && a->answer.dy[passing] * b->answer.dy[passing] < 0);
+    return turns || sf_folds_begin(search, a, b);
 }
 
 /* Where a cell is cut: well inside, but where cusps are, away from a corner, nearer to the end at which the passing channel
