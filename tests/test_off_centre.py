@@ -155,6 +155,13 @@ def test_means_on_boxes_hold_those_of_every_point(loaded):
             assert ((held.lo <= value) & (value <= held.hi)).all()
 
 
+def test_motions_that_are_large_beside_the_breakpoints_are_told_as_narrowly_as_the_outer_spring(loaded):
+    """Beyond u_cr the force is that of the vertical spring: <f> = B but for less than what it lacks within u_cr."""
+    steps = Steps(loaded.model.mechanism, loaded.model.parameters, 0.0)
+    on = steps.on(Interval.of([1000.0], [1800.0]), Interval.of([-2.0], [2.0]), 1)
+    assert -2.5 < on.c[0].lo[0] and on.c[0].hi[0] < 2.5
+
+
 @pytest.mark.parametrize(
     ("oscillator", "Omega", "F_0"),
     [

@@ -276,8 +276,11 @@ class Steps:
             return np.asarray(0 * size + sum(terms))
 
         cosine = 2 / np.pi if family else 1.0  # the mean of its size
-        bound = (self._beside[n] * np.minimum(inside, cosine) + far(self._even) * cosine) * (1 + 2.0**-40)
-        bound += DOUBT * far(self._sizes)  # rounded, the steps do not add up to the last piece
+        even = far(self._even)
+        bound = np.maximum(self._beside[n], even) * cosine
+        # nearer, but for steps that, rounded, do not add up to the last piece: of large motions that is more
+        nearer = self._beside[n] * np.minimum(inside, cosine) + even * cosine + DOUBT * far(self._sizes)
+        bound = np.minimum(bound, nearer) * (1 + 2.0**-40)
         known = base + Interval(np.array((-bound, bound)))
         return known + self._held(jumps, ends) if jumps.any() else known
 
