@@ -204,6 +204,7 @@ def test_a_batch_keeps_its_designs_beside_the_answers():
     row = frame[(frame["r"] == 3.0) & (frame["delta_h"] == 0.1)].iloc[0]
     single = isolator(r=3.0, delta_h=0.1, lam=3, mu=0.012, zeta=0.02).saddle_nodes(0.04)
     assert [row["Omega_0"], row["Omega_1"]] == pytest.approx(single.Omega.tolist(), rel=1e-12)
+    assert {variable.attrs["units"] for name, variable in dataset.variables.items()} == {"1"}
     assert list(BATCHES["peaks"].to_pandas()["F_0"]) == [0.03, 0.04, 0.05] * 2
 
 

@@ -118,6 +118,9 @@ def test_numbers_are_those_of_the_questions(page):
     (up, down) = mount.saddle_nodes(5).answer.measure()
     assert f"{up.Omega * mount.scales.sizes['frequency']:.5g}" in cells and f"{100 * down.error:+.2g} %" in cells
     assert "tolerances at F = 5" in cells and "resultant for F_cr" in cells and "identical" in cells
+    # and what is said twice is said in one unit
+    assert all(cells[k + 1] == "mm" for k, cell in enumerate(cells) if cell == "A_peak")
+    assert cells[cells.index("A_peak") + 2] == f"{1e3 * mount.peak(3).A:.4g}"
 
 
 def test_data_on_the_page_is_what_run_writes(page, tmp_path):

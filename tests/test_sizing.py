@@ -328,6 +328,20 @@ def test_a_front_that_no_design_allows_names_the_binding_requirement():
     assert len(found) == 0 and "the binding requirement is F_cr >= 80 N" in found.message
 
 
+def test_where_nothing_is_traded_off_one_design_is_the_front_and_it_says_so():
+    """Damping and friction raise F_SN and lower the peak: the most of both is the best in both."""
+    free = {"zeta": (0.01, 0.1), "friction": (0.1, 1.0)}
+    found = front(MOUNT, free, high=["F_SN"], low=["A_peak"], F=5, points=5)
+    assert len(found) == 1 and "nothing is traded off" in found.message
+    assert [value[0] for value in found.numbers.values()] == pytest.approx([0.1, 1.0], rel=1e-6)
+
+
+def test_a_number_that_one_answer_does_not_know_is_the_best_for_the_other_along_a_front():
+    """f_rest does not know the damping, which the peak is the lower for."""
+    found = front(MOUNT, {"zeta": (0.01, 0.1), "k_h": (500, 2500)}, low=["A_peak", "f_rest"], F=5, points=5)
+    assert len(found) == 5 and found.numbers["zeta"] == pytest.approx(0.1, rel=1e-2)
+
+
 # ---- progress -------------------------------------------------------------------------------------------------------
 
 

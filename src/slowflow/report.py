@@ -12,6 +12,7 @@ import hashlib
 import io
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from html import escape
 from typing import Any
 
@@ -24,9 +25,10 @@ from slowflow import files, pictures
 from slowflow.answer import Answer, head
 from slowflow.isolator import Isolator
 from slowflow.paper.report import read_ledger
-from slowflow.physical import EXCITED, SHOWN, UNITS, Physical, Quantities
+from slowflow.physical import EXCITED, KIND_OF, SHOWN, UNITS, Physical, Quantities
 from slowflow.scenes import Scene
 from slowflow.sizing.subject import Load, Subject
+from slowflow.sizing.tolerances import Tolerances
 from slowflow.validate import NotAvailable
 
 #: equations of the paper that the answers rest on
@@ -330,9 +332,17 @@ def _tolerances(scene: Scene) -> Iterator[str]:
         yield f"<p>{escape(within)}; 95 of 100 lie between low and high.</p>"
     for one in asked:
         found: Any = scene.answer(one)
-        yield _table(str(one), found)
+        yield _table(str(one), _in_usual_units(found))
         ax = pictures.bands(_axes(), found)
         yield _figure(ax, f"Where 95 of 100 designs lie, over the nominal value: {one}.")
+
+
+def _in_usual_units(found: Tolerances) -> Tolerances:
+    """Bands in the units in which all else is shown."""
+    shown = [SHOWN[KIND_OF[unit]] if unit else "" for unit in found.unit.tolist()]
+    size = np.array([UNITS[KIND_OF[unit]][unit] if unit else 1.0 for unit in shown])
+    bands = {name: getattr(found, name) / size for name in ("nominal", "low", "median", "high")}
+    return replace(found, unit=np.array(shown), **bands)
 
 
 def _map(of: Any) -> Iterator[str]:

@@ -130,14 +130,16 @@ class Batch(Answer):
     def to_xarray(self) -> Any:
         """A Dataset along the designs' own dimensions, "design_0" and so on; their numbers, F_0, Omega as coordinates.
 
-        Several places of an answer are a dimension more. Raises ImportError without xarray.
+        Several places of an answer are a dimension more. Each has its units, all dimensionless: "1". Raises ImportError
+        without xarray.
         """
         xarray = optional("xarray", "to_xarray")
         shape, designs = self.status.shape, self._axes()
         asked = {**self._designs.values, **self._asked_at()}
-        given = {name: (designs, np.broadcast_to(value, shape)) for name, value in asked.items()}
+        units = {"units": "1"}
+        given = {name: (designs, np.broadcast_to(value, shape), units) for name, value in asked.items()}
         found = {
-            name: ((*designs, "place") if value.ndim > len(shape) else designs, value)
+            name: ((*designs, "place") if value.ndim > len(shape) else designs, value, units)
             for name, value in self._content().items()
         }
         return xarray.Dataset(found, coords=given, attrs={"mechanism": self._designs.mechanism.name})

@@ -7,7 +7,7 @@ finds is finished by sequential quadratic programming where all answers that are
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any, ClassVar, NamedTuple
@@ -30,8 +30,9 @@ MEMBERS, GENERATIONS = 15, 300
 #: both where designs are asked one by one, under a load: what is found is finished, by differences
 FEW = 6
 INFEASIBLE = "infeasible: the binding requirement is {}; as near as all of them can be had it is {:.4g}"
-#: points of a front, and by how much an end may miss the best that there is
+#: points of a front, by how much an end may miss the best that there is, and how near two designs are one
 POINTS, SLACK = 9, 1e-4
+NO_TRADE = "nothing is traded off: this design is the best in both answers"
 #: by how much farther off than the search's design its finish begins: on the edge itself no step seems to help
 BACK = 1e-3
 
@@ -72,7 +73,7 @@ class Front(Table):
     one, other -- the two answers, in SI units of a mount
     answers    -- their names; units -- theirs, "" without dimensions
     numbers    -- the free numbers of each design, by name
-    message    -- which requirement cannot be met where there is none
+    message    -- which requirement cannot be met where there is none; that nothing is traded off where there is one
     """
 
     entry: ClassVar[Any] = Compromise
@@ -295,7 +296,8 @@ def front(
     high, low -- names of answers that are to be high, and low: two in all
     points    -- how many designs along the front
 
-    The best of one answer, then the best of the other at each of several levels of the first. Where no design meets the
+    The best of one answer, then the best of the other at each of several levels of the first. Where one design is the
+    best in both, nothing is traded off: it is the only row, and `.message` says so. Where no design meets the
     requirements there is no row, and `.message` names the binding one. Raises ValueError for what is not allowed.
     """
     subject = Subject(of)
@@ -319,23 +321,28 @@ def front(
             rows.append(np.where(np.isnan(share), 1.0, 1 - share if sign > 0 else share))
         return np.array(rows)
 
-    best = [search.least(lambda values: worth(values)[0]), search.least(lambda values: worth(values)[1])]
-    _, message = search.binding(best[0])
+    best = search.least(lambda values: worth(values)[0])
+    _, message = search.binding(best)
     if message:
         none = np.empty(0)
         return Front(none, none.copy(), (one, other), _units(subject, names), dict.fromkeys(free, none), message, of)
-    (least, _), (most, _) = (worth(x.reshape(-1, 1))[:, 0].tolist() for x in best)
-    found = [best[1]]
+    end = search.least(lambda values: worth(values)[1])
+    # of all that are the best of the other answer, that with the best of the first
+    level = float(worth(end.reshape(-1, 1))[1, 0]) + SLACK
+    end = search.least(partial(_beneath, lambda values: worth(values)[::-1], level), end)
+    least, most = (float(worth(x.reshape(-1, 1))[0, 0]) for x in (best, end))
+    found = [end]
     for part in progress.parts(points - 1, 1, "front"):
         level = least + (most - least) * part.start / (points - 1) + SLACK * (most - least)
-        found.append(search.least(partial(_beneath, worth, level), best[0]))
+        found.append(search.least(partial(_beneath, worth, level), best))
     values = np.array(found).T
-    kept = list(_undominated(worth(values)))
+    kept = _undominated(worth(values))
     answers = search.answers(values[:, kept], names)
     order = np.argsort(answers[one])
     numbers = {name: row[kept][order] for name, row in zip(free, values, strict=True)}
     columns = (answers[one][order], answers[other][order])
-    return Front(*columns, (one, other), _units(subject, names), numbers, "", of)
+    said = NO_TRADE if len(kept) == 1 else ""
+    return Front(*columns, (one, other), _units(subject, names), numbers, said, of)
 
 
 def _beneath(worth: Callable[[Floats], Floats], level: float, values: Floats) -> Floats:
@@ -344,13 +351,17 @@ def _beneath(worth: Callable[[Floats], Floats], level: float, values: Floats) ->
     return np.asarray(np.where(one > level, 1 + one - level, other))
 
 
-def _undominated(worth: Floats) -> Iterator[int]:
-    """Columns that no other one is as good as in both rows and better in one; of equal ones the first."""
-    for k, (one, other) in enumerate(worth.T):
-        better = (worth[0] <= one) & (worth[1] <= other) & ((worth[0] < one) | (worth[1] < other))
-        same = (worth[0] == one) & (worth[1] == other)
-        if not better.any() and same.argmax() == k:
-            yield k
+def _undominated(worth: Floats) -> list[int]:
+    """Columns that no other one is as good as in both rows and better in one; of those within SLACK the better."""
+    kept: list[int] = []
+    for k in np.lexsort(worth[::-1]).tolist():
+        one, other = worth[:, k]
+        if kept and other >= worth[1, kept[-1]] - SLACK:
+            continue
+        if kept and one <= worth[0, kept[-1]] + SLACK:
+            kept.pop()
+        kept.append(k)
+    return kept
 
 
 def _units(subject: Subject, names: Iterable[str]) -> tuple[str, str]:
