@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import importlib
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
@@ -19,7 +20,7 @@ from slowflow.mechanism import Mechanism
 from slowflow.model import Model
 from slowflow_kernels import slow_flow_balls
 
-#: bits that a closed form may lose by each doubling of how far amplitude and breakpoint are from 1, and at most
+#: bits that a closed form may lose by each doubling of what `bits_lost` looks at, and at most
 LOST, MOST_LOST = 12, 8_000
 
 
@@ -31,6 +32,15 @@ def averages_of(mechanism: Mechanism) -> ModuleType | None:
         return importlib.import_module(f"slowflow_kernels.{mechanism.name}_balls")
     except ModuleNotFoundError:
         return None
+
+
+def bits_lost(A: arb, ends: Sequence[arb]) -> int:
+    """Bits that closed forms may lose at an amplitude: by powers of it and of where the first piece ends.
+
+    Next to A = 1 too, where what elliptic integrals are multiplied by has powers of A - 1 below the line.
+    """
+    sizes = (abs(float(one)) for one in (A, A - 1, *ends[:1]))
+    return min(MOST_LOST, LOST * sum(abs(math.frexp(size)[1]) for size in sizes if 0 < size < math.inf))
 
 
 @dataclass(frozen=True)
@@ -115,10 +125,8 @@ class Given:
 
     def _held(self, piece: int, x: arb, end: int | None) -> list[Enclosure]:
         """What holds the averages: where x exceeds the piece's beginning, or at the breakpoint `end`."""
-        size = float(x) + (float(self.b[piece - 1].hi) if piece else 0.0)
-        sizes = [size, *(float(end.hi) for end in self.b[:1])]
-        lost = LOST * sum(abs(math.frexp(size)[1]) for size in sizes if 0 < size < math.inf)
-        with ctx.workprec(self.digits + min(MOST_LOST, lost)):
+        lost = bits_lost(self.beginning(piece).hi + x, [end.hi for end in self.b])
+        with ctx.workprec(self.digits + lost):
             numbers = self._numbers()
             begins = numbers.ends[piece - 1] if piece else ZERO
             A = begins + x if end is None else numbers.ends[end]
