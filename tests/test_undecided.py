@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import math
 
 import mpmath
@@ -10,6 +11,8 @@ import pytest
 
 from slowflow import Duffing, Isolator, backend
 from slowflow.averaged import proofs
+from slowflow.averaged.asked import PROVED_FOLDS, PROVED_STATES
+from slowflow.certificate import DOUBLES
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 from tests.oracles import averaged, counts
@@ -174,11 +177,12 @@ def test_folds_plain_in_a_batch_and_proved_do_not_differ_without_a_word(kind, dr
     numbers = draw(rng, DRAWN)
     designs = batch(kind, numbers)
     F_0 = forcings(rng, designs, numbers[-2])
-    found, proofs = designs.saddle_nodes(F_0, places=12, workers=-1), designs.certify(F_0, workers=-1)
+    found = designs.saddle_nodes(F_0, places=12, workers=-1)
+    number, all_proved, *_ = designs.ask(PROVED_FOLDS, -1, F_0)  # by doubles alone
     there = found.status == Status.OK
     decided = there & (found.undecided == 0)
-    proved = proofs.proved == 1
-    assert (proofs.count[decided & proved] == found.count[decided & proved]).all()
+    proved = all_proved == 1
+    assert (number[decided & proved] == found.count[decided & proved]).all()
     for k in np.flatnonzero(decided & ~proved)[:5]:  # next to none: there balls judge
         *own, mu, zeta = (float(column[k]) for column in numbers)
         assert len(exact(oscillator(kind, *own, mu=mu, zeta=zeta)).folds(float(F_0[k]))) == found.count[k]
@@ -215,9 +219,9 @@ def test_states_and_proofs_do_not_differ_without_a_word(kind, draw):
         Omega = Omega[Omega > 0]
         number = np.searchsorted(states.Omega, Omega, "right") - np.searchsorted(states.Omega, Omega)
         said = np.isin(Omega, states.Omega_undecided)
-        proofs = batch(kind, (*own, mu, zeta)).certify(F_0, Omega=Omega)
-        proved = proofs.proved == 1
-        assert (number[proved & ~said] == proofs.count[proved & ~said]).all(), (iso, F_0)
+        counted, all_proved, *_ = batch(kind, (*own, mu, zeta)).ask(PROVED_STATES, 1, F_0, Omega=Omega)
+        proved = all_proved == 1
+        assert (number[proved & ~said] == counted[proved & ~said]).all(), (iso, F_0)
         assert not (proved & said).any(), (iso, F_0)
         asked, undecided = asked + Omega.size, undecided + int(said.sum())
         unproved += int((~proved & ~said).sum())
@@ -266,19 +270,45 @@ def test_states_beside_a_fold_are_proved(name):
 
 
 @pytest.mark.both_backends
-def test_a_batch_of_proofs_is_that_of_single_ones_by_doubles_and_says_where_none_is_possible():
+def test_a_batch_of_proofs_is_that_of_single_ones():
     numbers = {"lam": 3.0, "r": np.array([0.5, 2.0]), "delta_h": 0.08, "mu": 0.01, "zeta": 0.02}
-    F_0, Omega = np.array([[0.012], [0.04], [0.2]]), np.array([0.7, 0.9])
+    F_0, Omega = np.array([[0.012], [0.04]]), np.array([0.7, 0.9])
     for force in ("truncated", "untruncated"):
         designs = Isolator.many(**numbers, force=force)
         folds, states = designs.certify(F_0), designs.certify(F_0, Omega=Omega, workers=2)
-        assert folds.count.shape == states.proved.shape == (3, 2)
+        assert folds.count.shape == states.proved.shape == (2, 2)
         for (i, j), count in np.ndenumerate(folds.count):
             one = oscillator(Isolator, 3.0, float(numbers["r"][j]), 0.08, mu=0.01, zeta=0.02).replace(force=force)
-            single = proofs.folds_in_doubles(one.model, float(F_0[i, 0]), np.empty(0))
-            assert (folds.proved[i, j], count) == (single.proved, len(single.A))
-            at = proofs.states_in_doubles(one.model, float(Omega[j]), float(F_0[i, 0]))
-            assert (states.proved[i, j], states.count[i, j]) == (at.proved, len(at.A))
-        possible = force == "truncated" and backend.SOLVER is not None
-        assert (folds.status[1:] == (Status.OK if possible else Status.UNRESOLVED)).all()
-    assert (Isolator.many(**numbers).certify(-1.0).status != Status.OK).all()
+            single = proofs.saddle_nodes(one.model, float(F_0[i, 0]), np.empty(0))
+            assert (folds.proved[i, j], count, folds.bits[i, j]) == (single.proved, len(single.A), single.bits)
+            assert folds.status[i, j] == (Status.STICKS if one.model.sticks(float(F_0[i, 0])) else Status.OK)
+            at = proofs.amplitudes(one.model, float(Omega[j]), float(F_0[i, 0]))
+            assert (states.proved[i, j], states.count[i, j], states.bits[i, j]) == (at.proved, len(at.A), at.bits)
+        by_doubles = force == "truncated" and backend.SOLVER is not None
+        assert ((folds.bits == DOUBLES) == by_doubles).all()
+    assert (Isolator.many(**numbers).certify(-1.0).status == Status.INVALID).all()
+    assert (Isolator.many(**numbers).certify(0.04, Omega=np.array([0.0, np.inf])).status == Status.INVALID).all()
+
+
+@compiled
+def test_a_batch_says_of_what_doubles_leave_undecided_what_balls_prove():
+    """At F_SN, to an ulp of it, and where F_0 exceeds 4 mu/pi by a rounding: a single answer has it proved."""
+    iso = Duffing(1.0, 2.0, mu=0.01, zeta=0.02)
+    F_SN, m = iso.saddle_node_onset().F_SN, iso.sticking_forcing
+    F_0 = np.array([np.nextafter(F_SN, side) for side in (0, 1)] + [np.nextafter(m, side) for side in (0, 1)])
+    many = batch(Duffing, (1.0, 2.0, 0.01, 0.02))
+    assert not many.ask(PROVED_FOLDS, 1, F_0)[1].all()
+    found = many.certify(F_0)
+    assert found.proved.all()
+    assert (found.bits > DOUBLES).any()
+    sticks = found.status == Status.STICKS
+    exactly = [0 if stuck else len(exact(iso).folds(F)) for F, stuck in zip(F_0, sticks, strict=True)]
+    assert found.count.tolist() == exactly
+    with mpmath.workdps(40):
+        assert sticks.tolist() == [mpmath.mpf(F) <= 4 * mpmath.mpf(0.01) / mpmath.pi for F in F_0]
+
+
+def test_a_batch_without_flint_is_that_of_doubles(monkeypatch):
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
+    found = Isolator.many(lam=3.0, r=[2.0], delta_h=0.08, mu=0.01, zeta=0.02, force="untruncated").certify(0.04)
+    assert (found.proved, found.bits, found.status) == (0, DOUBLES, Status.UNRESOLVED)

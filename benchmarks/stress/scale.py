@@ -1,6 +1,7 @@
 """Numbers of folds and states against proofs, by the million: a share of seeded cases in, what is counted out.
 
-Proofs are those of `Isolator.many(...).certify`; `tests/test_undecided.py` has balls judge some of the same kind.
+Proofs are those of `Isolator.many(...).certify` in doubles; `tests/test_undecided.py` has balls judge some of the same
+kind.
 Counted are answers that differ from a proof without saying that they are undecided, answers that say so, and answers
 that claim a number where doubles prove none.
 """
@@ -14,6 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import Duffing, Isolator
+from slowflow.averaged.asked import PROVED_FOLDS, PROVED_STATES
 from slowflow_kernels.conventions import Status
 from tests.oracles.draws import batch, drawn_isolators, drawn_springs, forcings, oscillator
 
@@ -37,10 +39,10 @@ def folds(kind: str, part: int, number: int) -> Tally:
         numbers = draw(rng, min(AT_ONCE, number - first))
         designs = batch(made, numbers)
         F_0 = forcings(rng, designs, numbers[-2])
-        found, proofs = designs.saddle_nodes(F_0, places=12), designs.certify(F_0)
+        found, (counted, proved, *_) = designs.saddle_nodes(F_0, places=12), designs.ask(PROVED_FOLDS, 1, F_0)
         there = found.status == Status.OK
-        said, proved, other = found.undecided != 0, proofs.proved == 1, found.count != proofs.count
-        enter(tally, np.stack([*numbers, F_0], axis=-1)[there], said[there], proved[there], other[there])
+        said, other = found.undecided != 0, found.count != counted
+        enter(tally, np.stack([*numbers, F_0], axis=-1)[there], said[there], proved[there] == 1, other[there])
         tally["refused"] += int((~there & (found.status != Status.STICKS)).sum())
     return tally
 
@@ -63,9 +65,9 @@ def states(kind: str, part: int, number: int) -> Tally:
                 tally["refused"] += 1
                 continue
             count = np.searchsorted(found.Omega, Omega, "right") - np.searchsorted(found.Omega, Omega)
-            proofs = batch(made, (*own, mu, zeta)).certify(F_0, Omega=Omega)
+            counted, proved, *_ = batch(made, (*own, mu, zeta)).ask(PROVED_STATES, 1, F_0, Omega=Omega)
             asked = np.stack(np.broadcast_arrays(*own, mu, zeta, F_0, Omega), axis=-1)
-            enter(tally, asked, np.isin(Omega, found.Omega_undecided), proofs.proved == 1, count != proofs.count)
+            enter(tally, asked, np.isin(Omega, found.Omega_undecided), proved == 1, count != counted)
     return tally
 
 

@@ -86,7 +86,7 @@ NO_PROOF = (0, 0, Status.UNRESOLVED)
 class Question:
     """A question about many designs.
 
-    one     -- the answer of one design; None where only the compiled solvers have one
+    one     -- the answer of one design; None of a proof, which only the compiled solvers give in doubles
     outputs -- shape behind the designs' and type of each part of the answer, from the number of places
     batch   -- from the compiled solvers what gives the generalised ufunc of a record
     at_once -- designs that take no more than some tenths of a second: until then Ctrl-C is not heard
@@ -132,13 +132,13 @@ PEAK = Question(
 )
 PROVED_FOLDS = Question(
     None,
-    lambda _: [((), np.int8)] * 3,
+    lambda _: [*[((), np.int8)] * 2, ((), np.int16), ((), np.int8)],
     lambda native: native.many_proved_saddle_nodes,
     2**10,
 )
 PROVED_STATES = Question(
     None,
-    lambda _: [((), np.int8)] * 3,
+    lambda _: [*[((), np.int8)] * 2, ((), np.int16), ((), np.int8)],
     lambda native: native.many_proved_amplitudes,
     2**10,
 )

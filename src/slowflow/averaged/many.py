@@ -8,6 +8,7 @@ raised for it: `status` says why, by the numbers of `slowflow_kernels.convention
 
 from __future__ import annotations
 
+import importlib.util
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -19,7 +20,7 @@ import numpy.typing as npt
 
 from slowflow import backend, validate
 from slowflow.answer import Answer, frozen, optional
-from slowflow.averaged import remarks
+from slowflow.averaged import proofs, remarks, words
 from slowflow.averaged.asked import (
     AMPLITUDES,
     DETACHMENT,
@@ -33,6 +34,7 @@ from slowflow.averaged.asked import (
     Question,
 )
 from slowflow.averaged.questions import Averaged
+from slowflow.certificate import DOUBLES
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, Floats, Laws, Model, at_rest, check_names, check_told
@@ -344,16 +346,17 @@ class Peaks(Batch):
 
 @dataclass(frozen=True, eq=False)
 class Proofs(Batch):
-    """How many folds at a forcing, or states at a frequency, each design is proved to have, in intervals of doubles.
+    """How many folds at a forcing, or states at a frequency, each design is proved to have.
 
     count  -- how many are enclosed
-    proved -- 1 where these are proved to be all, with amplitudes as in `certify`; 0 where doubles do not decide
-    status -- `Status.UNRESOLVED` where no proof is possible: without the compiled solvers, or of a force whose averages
-              are not known on intervals
+    proved -- 1 where these are proved to be all, with amplitudes as in `certify`; 0 where that is not decided
+    bits   -- of the arithmetic, as in `certify`: 53 of intervals of doubles, more of balls
+    status -- `Status.UNRESOLVED` where no proof is possible: of a force whose averages are known in neither
     """
 
     count: Codes
     proved: Codes
+    bits: npt.NDArray[np.int16]
     status: Codes
 
 
@@ -456,12 +459,44 @@ class Designs:
         return Peaks(*self.ask(PEAK, workers, F_0), _designs=self, _F_0=F_0, _averaged=True)
 
     def certify(self, F_0: Any, *, Omega: Any = None, workers: int = 1) -> Proofs:
-        """How many folds at F_0, or states at (Omega, F_0), are proved; both broadcast with the designs."""
+        """How many folds at F_0, or states at (Omega, F_0), are proved; both broadcast with the designs.
+
+        What intervals of doubles leave undecided is asked of balls, as of single designs: one by one, with python-flint
+        (`pip install 'slowflow[proofs]'`), some hundredths of a second each; these do not share `workers`.
+        """
         self.only_for_a_force("certify")
         self.only_for_plain_damping("certify")
-        if Omega is None:
-            return Proofs(*self.ask(PROVED_FOLDS, workers, F_0), _designs=self, _F_0=F_0)
-        return Proofs(*self.ask(PROVED_STATES, workers, F_0, Omega=Omega), _designs=self, _F_0=F_0)
+        columns = self.ask(PROVED_FOLDS if Omega is None else PROVED_STATES, workers, F_0, Omega=Omega)
+        self._decide_in_balls(F_0, Omega, *columns)
+        return Proofs(*columns, _designs=self, _F_0=F_0)
+
+    def _decide_in_balls(
+        self, F_0: Any, Omega: Any, count: Codes, proved: Codes, bits: npt.NDArray[np.int16], status: Codes
+    ) -> None:
+        """Change the columns where doubles do not decide, and balls are there."""
+        left = (proved == 0) & (status != Status.INVALID) & (status != Status.NO_MEMORY)
+        if importlib.util.find_spec("flint") is None or not left.any():
+            return
+        asked = [F_0] if Omega is None else [F_0, Omega]
+        values = [np.broadcast_to(value, left.shape) for value in (*self.values.values(), *asked)]
+        for at in map(tuple, np.argwhere(left)):
+            *numbers, F = (float(value[at]) for value in values[: len(self.values) + 1])
+            try:
+                model = self.model(dict(zip(self.values, numbers, strict=True)))
+                validate.number("F_0", F, above=0.0)
+                found: Any
+                if Omega is None:
+                    found = proofs.saddle_nodes(model, F, np.empty(0))
+                else:
+                    (w,) = validate.frequencies("Omega", float(values[-1][at])).ravel()
+                    found = proofs.amplitudes(model, float(w), F)
+            except ValueError:
+                status[at] = Status.INVALID
+                continue
+            if found.bits > DOUBLES:
+                sticks = found.proved and found.message == words.sticks(model, F)
+                count[at], proved[at], bits[at] = len(found.A), found.proved, found.bits
+                status[at] = Status.STICKS if sticks else Status.OK
 
     def untruncated_onset(self, wanted: npt.NDArray[np.bool_]) -> Floats:
         """F_SN of the force that the truncated one stands for, for the designs that are wanted; NaN for others."""
@@ -519,6 +554,10 @@ class Designs:
         values = {**self.values, **{name: validate.real_array(name, value) for name, value in at.items()}}
         shape = validate.common_shape(values)
         outputs: list[npt.NDArray[Any]] = [np.empty((*shape, *inner), kind) for inner, kind in question.outputs(places)]
+        told = outputs
+        if question.one is None:  # a proof: bits of its arithmetic, before the status
+            outputs[-2][...] = DOUBLES
+            told = [*outputs[:-2], outputs[-1]]
         record = None
         if not self.laws and (self.excitation == "force" or question.by_inertia):
             record = backend.record_of(self.mechanism, inertial=self.excitation != "force")
@@ -529,12 +568,12 @@ class Designs:
             given = [np.broadcast_to(value, shape) for value in doubles]
 
             def part(block: tuple[slice | int, ...]) -> None:
-                out = tuple(output[block] for output in outputs)
+                out = tuple(output[block] for output in told)
                 solve(*(value[block] for value in given), out=out)
 
             share(part, _blocks(shape, question.at_once), threads)
         elif question.one is None:
-            for output, value in zip(outputs, NO_PROOF, strict=True):
+            for output, value in zip(told, NO_PROOF, strict=True):
                 output[...] = value
         else:
             self._loop(question.one, list(np.broadcast_arrays(*values.values())), len(at), places, outputs)
