@@ -225,6 +225,25 @@ def test_at_each_fold_two_states_more_or_less_begin_however_near_to_a_jump_of_th
     assert [(states.Omega == Omega).sum() for Omega in grid] == expected.tolist()
 
 
+@pytest.mark.parametrize(
+    ("design", "F_0"),
+    [
+        (dict(lam=1, r=1.19222801, delta_h=0.04052388, mu=0.0193985, zeta=0.01414573, load=0.03704693), 0.0855105566),
+        (dict(lam=3, r=0.51456149, delta_h=0.059873995, mu=0.00842378, zeta=0.06654385, load=-0.03587272), 0.074191256),
+    ],
+)
+def test_which_way_a_motion_jumps_at_a_fold_is_as_the_states_beside_it_have_it_on_a_corner_too(design, F_0):
+    folds = Isolator(**design).saddle_nodes(F_0)
+    assert folds.corner.tolist() == [True, False, True, False]
+    # three states are between two folds; next to a fold the two that meet there are nearest to each other, and where a
+    # motion jumps up the lower one of these is stable
+    for fold, other in ((0, 1), (1, 0), (2, 3), (3, 2)):
+        beside = folds.Omega[fold] + 0.1 * (folds.Omega[other] - folds.Omega[fold])
+        states = Isolator(**design).amplitudes(Omega=beside, F_0=F_0)
+        assert states.stable.tolist() == [True, False, True] and not states.message
+        assert folds.kind[fold] == ("jump-up", "jump-down")[np.diff(states.A).argmin()]
+
+
 @pytest.mark.parametrize("F_0", [0.1, 0.15, 0.2, 0.5])
 def test_folds_in_two_wells_are_all_of_those_by_hand(F_0):
     """Off the centre B^2 = (1 - 3 A^2)/2 and F = 0 is quadratic in Omega^2: folds are where its roots turn."""
@@ -541,6 +560,12 @@ def test_in_a_band_under_a_load_two_motions_are_stable_and_outside_one_is(loaded
     states = loaded.amplitudes(Omega=np.linspace(0.8, 1.1, 16), F_0=0.04)
     for Omega in np.unique(states.Omega):
         assert states.stable[states.Omega == Omega].sum() == (motions if low < Omega < high else 1)
+
+
+def test_isolation_that_begins_at_a_fold_begins_there_and_not_at_a_point_beside_it():
+    duffing = Duffing(alpha=0.3174721, beta=9.8818251, zeta=0.02781846, load=0.0262015738)
+    folds, found = duffing.saddle_nodes(0.0172011016), duffing.isolation(0.0172011016)
+    assert found.at_fold and (found.Omega, found.A) == (folds.Omega[-1], folds.A[-1])
 
 
 def test_from_the_isolation_frequency_on_less_than_the_force_is_transmitted(loaded):

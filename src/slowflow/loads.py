@@ -233,8 +233,10 @@ def begins(curve: Any, transmits: Flags, passes: Callable[[int, int], tuple[floa
     last = int(np.flatnonzero(full)[np.argmax(curve.Omega[full])])
     around = [k for k in (last - 1, last + 1) if 0 <= k < len(curve) and curve.branch[k] == curve.branch[last]]
     for k in around:
-        if curve.stable[k] and curve.Omega[k] > curve.Omega[last]:
-            return Isolation(*passes(last, k), False, F_0, curve.message)
+        if curve.Omega[k] > curve.Omega[last]:
+            if not transmits[k]:
+                return Isolation(*passes(last, k), False, F_0, curve.message)
+            last = k  # a fold, which rounding may leave on either side of stability
     if all(curve.stable[k] for k in around):
         return Isolation(None, None, False, F_0, joined(curve.message, NEVER))
     return Isolation(float(curve.Omega[last]), float(curve.A[last]), True, F_0, curve.message)

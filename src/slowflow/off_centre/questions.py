@@ -362,23 +362,23 @@ class OffCentre:
 
     def _saddle_nodes(self, F_0: float) -> OffCentreFolds:
         if F_0 <= self._m:
-            return self._folds(np.empty((3, 0)), np.empty(0, dtype=bool), F_0, _Said(STICKS.format(F_0, self._m)))
+            return self._folds(np.empty((3, 0)), np.empty(0, dtype=str), F_0, _Said(STICKS.format(F_0, self._m)))
         centred = Averaged(self._model).saddle_nodes(F_0) if self._has_centre else None
         if centred is not None and self._keeps_centre:
             return self._folds_with(centred, None, F_0, _Said(centred.message, centred.remarks))
         found = self._all_folds(np.array([F_0]))
-        corners, undecided = self._corners(F_0)
+        corners, kinds, undecided = self._corners(F_0)
         x, open_ = (np.concatenate(pair, axis=1) for pair in ((found.x, corners), (found.undecided, undecided)))
-        corner = np.arange(x.shape[1]) >= found.x.shape[1]
+        kind = np.array([""] * found.x.shape[1] + kinds)
         some = x.size or open_.size or (centred is not None and len(centred))
         said = _Said("" if some else NO_FOLD.format(F_0))
         if open_.size:
             words = UNDECIDED_FOLDS.format(_listed(np.unique(np.round(open_[0], 12))))
             said = said.beside(_Said(words, Remark.UNDECIDED))
         if centred is None:
-            return self._folds(x, corner, F_0, said)
+            return self._folds(x, kind, F_0, said)
         off = np.abs(x[1]) > AT_CENTRE
-        return self._folds_with(centred, self._folds(x[:, off], corner[off], F_0, said), F_0, said)
+        return self._folds_with(centred, self._folds(x[:, off], kind[off], F_0, said), F_0, said)
 
     def _folds_with(self, centred: SaddleNodes, off: OffCentreFolds | None, F_0: float, said: _Said) -> OffCentreFolds:
         """Folds about the centre by their own solvers, and those off it."""
@@ -570,9 +570,10 @@ class OffCentre:
         most = math.sqrt((F_0 - self._m) / (F_0 + self._m)) * (1 + 2.0**-40)
         return np.linspace(-most, most, 5)
 
-    def _corners(self, F_0: float) -> tuple[Floats, Floats]:
-        """The folds that sit where a motion just touches a jump of the force, and where there may be others."""
+    def _corners(self, F_0: float) -> tuple[Floats, list[str], Floats]:
+        """The folds where a motion just touches a jump of the force, their kinds, and where there may be others."""
         corners: list[tuple[float, ...]] = []
+        kinds: list[str] = []
         open_: list[tuple[float, ...]] = []
         edges = np.concatenate(([0.0], self.A_max(F_0) * 0.5 ** np.arange(ABOVE + BELOW, -1, -1)))
         boxes = [(*A, *t) for A in pairwise(edges.tolist()) for t in pairwise(self._phases(F_0).tolist())]
@@ -583,23 +584,35 @@ class OffCentre:
             for points, kept in ((found.x, corners), (found.undecided, open_)):
                 for A, t in points.T.tolist():
                     B = equations.offset(A)
-                    centred = self._has_centre and abs(B) <= AT_CENTRE
-                    if not centred and (kept is open_ or self._turns_at_corner(A, B, t, F_0, step)):
+                    if self._has_centre and abs(B) <= AT_CENTRE:
+                        continue
+                    if kept is open_:
                         kept.append((A, B, t))
-        return np.array(corners).reshape(-1, 3).T, np.array(open_).reshape(-1, 3).T
+                    elif kind := self._kind_at_corner(A, B, t, F_0, step):
+                        kept.append((A, B, t))
+                        kinds.append(kind)
+        return np.array(corners).reshape(-1, 3).T, kinds, np.array(open_).reshape(-1, 3).T
 
-    def _turns_at_corner(self, A: float, B: float, t: float, F_0: float, step: int) -> bool:
-        """Whether F_A has other signs where the motion does not yet reach a jump and where it just passes it."""
+    def _kind_at_corner(self, A: float, B: float, t: float, F_0: float, step: int) -> str:
+        """The kind of a fold there, "" for none: F_A has other signs where a motion reaches no jump and beyond it."""
         place, side = self._steps.places[step], self._steps.sides[step]
         inside = math.copysign(max(abs(place - side * B) * (1 - 1e-15), 0.0), 1.0)
         means = self._steps.at(np.array([inside * (1 - 1e-12)]), np.array([B]), 1)
         C, S = float(means.c[1][0]), float(means.s[1][0])
         x = side * math.copysign(1.0, place - side * B)
         before, after = C - S * S / C, 2 * (C - x * S)
-        values = [off_centre.turns(t, A, F_0, self._m, value, float(means.s[0][0])) for value in (before, after)]
-        return bool(self._steps.gains[step, 0] != 0 and values[0] * values[1] < 0)
+        h, gain = float(means.s[0][0]), float(self._steps.gains[step, 0])
+        below, beyond = (off_centre.turns(t, A, F_0, self._m, value, h) for value in (before, after))
+        if gain == 0 or below * beyond >= 0:
+            return ""
+        # just beyond the jump the mean stiffness has the sign of what the force gains
+        if not (C > 0 if below > 0 else gain > 0):
+            return "unstable"
+        # A rises beyond the jump where A + x B does along the balance
+        return "jump-up" if (below > 0) == (after > 0) else "jump-down"
 
-    def _folds(self, x: Floats, corner: Any, F_0: float, said: _Said) -> OffCentreFolds:
+    def _folds(self, x: Floats, on_corner: Any, F_0: float, said: _Said) -> OffCentreFolds:
+        """Folds in A, B and t; of which kind those on a corner are, "" for others."""
         A, B, t = x
         means = self._steps.at(A, B, ORDERS)
         with np.errstate(all="ignore"):
@@ -607,7 +620,8 @@ class OffCentre:
             Omega = self._frequency(A, t, F_0, h)
             bends = np.asarray(slow_flow.F_AA(Omega, A, self._m, self._zeta, h, h_A, h_AA))
         kind = np.where(bends < 0, "jump-up", "jump-down")
-        kind = np.where(means.c[1] > 0, kind, "unstable")
+        kind, corner = np.where(means.c[1] > 0, kind, "unstable"), on_corner != ""
+        kind = np.where(corner, on_corner, kind)
         order, said = np.argsort(Omega, kind="stable"), said.beside(self._beyond_reach(A, B))
         Omega, A, B = Omega[order], A[order], B[order]
         beside = {**said._asdict(), "_model": self._model}
