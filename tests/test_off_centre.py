@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import json
 import pickle
 import re
@@ -434,10 +435,10 @@ def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
     for name, given in questions.items():
         with pytest.raises(ValueError, match=r"load = 0\.03"):
             getattr(loaded, name)(*given)
-    pairs = {"limit_envelope": "F_0", "spectrum": "F_0", "stability": "A", "equivalent_damping": "A"}
+    pairs = {"limit_envelope": "F_0", "stability": "A", "equivalent_damping": "A"}
     for name, other in pairs.items():
         with pytest.raises(ValueError, match=r"load = 0\.03"):
-            getattr(loaded, name)(Omega=[0.9], **{other: [0.04] if other == "A" or name == "spectrum" else 0.04})
+            getattr(loaded, name)(Omega=[0.9], **{other: [0.04] if other == "A" else 0.04})
     for pulse in (loaded.transient, loaded.shock_spectrum):
         with pytest.raises(ValueError, match=r"load = 0\.03"):
             pulse(acceleration=1.0, duration=1.0)
@@ -566,6 +567,30 @@ def test_isolation_that_begins_at_a_fold_begins_there_and_not_at_a_point_beside_
     duffing = Duffing(alpha=0.3174721, beta=9.8818251, zeta=0.02781846, load=0.0262015738)
     folds, found = duffing.saddle_nodes(0.0172011016), duffing.isolation(0.0172011016)
     assert found.at_fold and (found.Omega, found.A) == (folds.Omega[-1], folds.A[-1])
+
+
+def test_a_load_spectrum_off_the_centre_says_of_each_row_what_its_states_and_folds_say(loaded):
+    Omega = [0.5, 0.7, 0.95, 1.2, 0.6]
+    found, folds = loaded.spectrum(Omega=Omega, F_0=0.04), loaded.saddle_nodes(0.04).Omega
+    for row, at in zip(found, Omega, strict=True):
+        states = loaded.amplitudes(Omega=at, F_0=0.04)
+        A, B = states.A[states.stable], states.B[states.stable]
+        assert (row.motions, row.A, row.sticks) == (A.size, A.max(), False)
+        assert row.detaches == bool((np.abs(B) + A > loaded.u_cr).any())
+    between = [bool(((folds > min(way)) & (folds < max(way))).any()) for way in itertools.pairwise(Omega)]
+    assert found.crosses.tolist() == [False, *between] and found.motions.tolist() == [1, 1, 2, 1, 1]
+    assert set(between) == set(found.detaches.tolist()) == {True, False}
+    stuck = loaded.spectrum(Omega=0.9, F_0=0.012)
+    assert (stuck[0].A, stuck[0].motions, stuck[0].sticks) == (0.0, 0, True) and "sticks" in stuck.message
+
+
+def test_across_forcings_a_fold_off_the_centre_is_crossed_where_the_number_of_motions_changes():
+    spring = Duffing(1.0, 0.5, zeta=0.05, load=0.3)
+    Omega, F_0 = np.linspace((1.0, 0.05), (1.3, 0.2), 30).T
+    states = spring.amplitudes(Omega=Omega, F_0=F_0)
+    changes = len({int((states.Omega == at).sum()) for at in Omega}) > 1
+    found = spring.spectrum(Omega=Omega[[0, -1]], F_0=F_0[[0, -1]])
+    assert found.crosses.tolist() == [False, changes] == [False, True]
 
 
 def test_from_the_isolation_frequency_on_less_than_the_force_is_transmitted(loaded):

@@ -182,7 +182,7 @@ def test_every_question_off_the_centre_has_a_plan():
     assert (
         "sticks: F_0 = 0.01" in str(loaded.explain("saddle_nodes", 0.01)) and loaded.explain("peak", 0.04).F_0 == 0.04
     )
-    for name in ("certify", "spectrum", "cusps"):
+    for name in ("certify", "fold_locus", "cusps"):
         with pytest.raises(ValueError, match=rf"explain\('{name}'\) is not available with load = 0\.03"):
             loaded.explain(name)
     with pytest.raises(ValueError, match="detachment is about all forcings"):

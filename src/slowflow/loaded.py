@@ -29,8 +29,8 @@ KNOWN = (
 
 AT_CENTRE = (
     "{}: not available, this question is about motions about the centre. Off it there are rest, detachment, "
-    "saddle_nodes, saddle_node_onset, amplitudes, frequency_response, peak, margins, hysteresis, isolation, and exact "
-    "motions: steady_state, exact_response and sweep"
+    "saddle_nodes, saddle_node_onset, amplitudes, frequency_response, peak, margins, hysteresis, isolation, spectrum, "
+    "and exact motions: steady_state, exact_response and sweep"
 )
 
 
@@ -58,6 +58,10 @@ class Loaded:
     def holds(self, F_0: float) -> bool:
         """Whether a mass at rest stays there while there are motions as well: none does, as the preload is 0."""
         return False
+
+    def force(self, F_0: Any, Omega: Any) -> Any:
+        """As of `Model`."""
+        return self.unloaded.force(F_0, Omega)
 
     def given(self) -> dict[str, Any]:
         """As of `Model`, with the load."""

@@ -123,10 +123,11 @@ class Load(NamedTuple):
 class Spectrum(Table):
     """A load spectrum, one tone at a time, row by row in its order.
 
-    A        -- the largest stable amplitude, 0 where the mass sticks; nan where no motion is stable
+    A        -- the largest stable amplitude, off the centre about the mean; 0 where the mass sticks, nan where no
+                motion is stable
     transmissibility_dB -- of that motion; nan where there is none
     motions  -- number of stable motions
-    crosses  -- whether a fold lies on the straight way from the row before
+    crosses  -- whether a fold, at which a stable motion ends, lies on the straight way from the row before
     detaches -- whether a stable motion passes u_cr
     sticks   -- whether the mass does not move
     """
@@ -274,8 +275,8 @@ def _highest(oscillator: Averaged, F_0: float) -> float:
     return BEYOND * max(1.0, float(_of_full(oscillator, A).max()))
 
 
-def spectrum(oscillator: Averaged, Omega: Any, F_0: Any) -> Spectrum:
-    """See `Oscillator.spectrum`."""
+def spectrum(oscillator: Any, Omega: Any, F_0: Any, leaves: Callable[[Any], Flags] | None = None) -> Spectrum:
+    """See `Oscillator.spectrum`; of an `Averaged`, or of an `OffCentre`, which tells of states which pass u_cr."""
     given = {"Omega": validate.frequencies("Omega", Omega), "F_0": validate.positive_array("F_0", F_0)}
     shape = validate.common_shape(given)
     at, F = (np.broadcast_to(values, shape).ravel() for values in given.values())
@@ -283,7 +284,8 @@ def spectrum(oscillator: Averaged, Omega: Any, F_0: Any) -> Spectrum:
 
     @functools.cache  # rows share forcings
     def folds(F_0: float) -> Floats:
-        return oscillator.saddle_nodes(F_0).Omega
+        found = oscillator.saddle_nodes(F_0)
+        return np.asarray(found.Omega[found.kind != "unstable"])
 
     def sides(_: Any, Omega: Floats, F_0: Floats) -> Ints:
         found = [on_both_sides(folds(one), np.asarray(at)) for at, one in zip(Omega, F_0.tolist(), strict=True)]
@@ -291,8 +293,9 @@ def spectrum(oscillator: Averaged, Omega: Any, F_0: Any) -> Spectrum:
 
     crosses = np.concatenate(([False], crossed(sides, points[:, :-1], points[:, 1:])))[: at.size]
     rows, said = [], []
+    passes = leaves or (lambda states: states.A > oscillator.breakpoints[0])
     for here in zip(at.tolist(), F.tolist(), crosses.tolist(), strict=True):
-        row, message = _row(oscillator, *here)
+        row, message = _row(oscillator, passes, *here)
         rows.append(row)
         said.append(message)
     columns = np.array(rows, dtype=float).reshape(-1, len(Load._fields)).T
@@ -341,7 +344,7 @@ def crossed(sides: Callable[[Ints, Floats, Floats], Ints], start: Floats, end: F
     return found
 
 
-def _row(oscillator: Averaged, Omega: float, F_0: float, crosses: bool) -> tuple[Load, str]:
+def _row(oscillator: Any, passes: Callable[[Any], Flags], Omega: float, F_0: float, crosses: bool) -> tuple[Load, str]:
     """One row, and what is said beside it."""
     states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
     stable = np.flatnonzero(states.stable)
@@ -350,7 +353,6 @@ def _row(oscillator: Averaged, Omega: float, F_0: float, crosses: bool) -> tuple
         none = Load(Omega, F_0, 0.0 if sticks else math.nan, math.nan, 0, crosses, False, sticks)
         return none, states.message if sticks else joined(states.message, NONE_STABLE.format(Omega, F_0))
     top = stable[np.argmax(states.A[stable])]
-    A = float(states.A[top])
-    detaches = bool(oscillator.breakpoints) and A > oscillator.breakpoints[0]
-    dB = float(states.transmissibility_dB[top])
+    detaches = bool(oscillator.breakpoints) and bool(passes(states)[stable].any())
+    A, dB = float(states.A[top]), float(states.transmissibility_dB[top])
     return Load(Omega, F_0, A, dB, stable.size, crosses, detaches, sticks), states.message

@@ -441,11 +441,13 @@ class Oscillator(Averaged):
         """A load spectrum, one tone at a time: what the motion at each pair (Omega, F_0) does, in their order.
 
         Which have several motions, cross a fold from the one before, detach, stick; see `slowflow.loads.Spectrum`.
+        Under a load a row with another forcing than the one before takes several seconds.
         Raises ValueError for numbers <= 0 and for shapes that do not broadcast.
         """
         from slowflow import loads
 
-        self.at_centre("spectrum")
+        if self._off_centre_by:
+            return self.off_centre.spectrum(Omega=Omega, F_0=F_0)
         return loads.spectrum(self, Omega, F_0)
 
     @property

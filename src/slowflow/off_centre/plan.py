@@ -50,6 +50,10 @@ STEPS: dict[str, tuple[Step, ...]] = {
         Step("curve", True, "its last stable point that transmits the force"),
         Step("root", True, "next to that point"),
     ),
+    "spectrum": (
+        Step("states", True, "of each row"),
+        Step("folds", True, "of the forcings on the way from row to row: on which side of it they lie"),
+    ),
     # the equation of motion does not ask where the centre is
     **{question: COMPOSED[question] for question in ("steady_state", "exact_response", "sweep")},
 }

@@ -499,9 +499,12 @@ class OffCentre:
             u_max = self.peak(F_0).u_max
             return u_max is not None and u_max > self._steps.inner[1]
         curve = self.frequency_response(F_0)
+        return bool((self._leaves(curve) & curve.stable).any())
+
+    def _leaves(self, states: OffCentreStates) -> Any:
+        """Which motions pass an end of the first piece."""
         lower, upper = self._steps.inner
-        beyond = (curve.B + curve.A > upper) | (curve.B - curve.A < lower)
-        return bool((beyond & curve.stable).any())
+        return (states.B + states.A > upper) | (states.B - states.A < lower)
 
     def hysteresis(self, F_0: float) -> loads.Hysteresis:
         """The bands of frequencies at F_0 with several stable motions, see `Oscillator.hysteresis`.
@@ -512,6 +515,13 @@ class OffCentre:
         if not (self.saddle_nodes(F_0).kind == "unstable").any():
             return found
         return replace(found, message=joined(found.message, WITHIN))
+
+    def spectrum(self, *, Omega: Any, F_0: Any) -> loads.Spectrum:
+        """A load spectrum, one tone at a time, see `Oscillator.spectrum`; of each motion A is about its mean.
+
+        A row with another forcing than the one before takes several seconds: folds of forcings between are found.
+        """
+        return loads.spectrum(self, Omega, F_0, self._leaves)
 
     def isolation(self, F_0: float) -> loads.Isolation:
         """The frequency from which on every stable motion at F_0 transmits less than F_0, see `Oscillator.isolation`.
