@@ -288,6 +288,20 @@ def test_a_response_is_cut_at_the_reach(folder):
     assert one.peak(0.05).A < 3.1
 
 
+@pytest.mark.parametrize("compiled", [False, pytest.param(True, marks=pytest.mark.slow)])
+def test_it_is_told_whether_the_response_to_a_force_closes(folder, compiled):
+    """A force that gives way: the response closes where a peak ends it below the reach, and not where none does."""
+    if compiled and backend.SOLVER is None:
+        pytest.skip("the compiled solvers are not there")
+    stated = f"gives_way_{compiled}", [(k * sp.sin(u), None)], {"k": ABOVE_0}
+    one = derive.mechanism(*stated, reach=3.1, compile=compiled)(k=1.3, **DAMPING)
+    for F_0 in (0.05, 0.2):
+        assert one.closes(F_0) == (one.peak(F_0).A is not None) == (one.frequency_response(F_0).message == "")
+    assert one.closes(0.5 * one.sticking_forcing)
+    endless = derive.mechanism(*stated, compile=compiled)(k=1.3, **DAMPING)
+    assert not endless.closes(0.2)
+
+
 def test_a_preload_moves_but_is_not_followed_in_time(oscillator):
     """A force that jumps at rest: averaging has an answer, exact motions and excitation by inertia refuse in words."""
     one = oscillator("preload")

@@ -53,8 +53,8 @@ def _remark(model: Model, F_0: float) -> str:
 
 
 def closes(model: Model, F_0: float) -> bool:
-    """Whether the response to an excitation by inertia is known to have a highest amplitude."""
-    return not _remark(model, F_0)
+    """Whether the response at F_0 > m is known to have a highest amplitude, for zeta > 0."""
+    return bool(backend.solver().amplitude_bound(model.native, F_0)[0] == Status.OK)
 
 
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:

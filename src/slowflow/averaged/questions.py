@@ -230,11 +230,13 @@ class Averaged:
         """Whether the response at F_0 is known to have a highest amplitude. Raises ValueError for F_0 <= 0.
 
         Without damping beside friction it has none, nor on a base that shakes by so much that a hardening spring does
-        not end the resonance.
+        not end the resonance, nor where a force of one's own gives way up to its reach. Where F_0 leaves the mass at
+        rest there is nothing to close: True.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
-        known = self.model.inertial or self.model.laws.any
-        return (self.model.zeta > 0 or self.model.laws.any) and (not known or solvers.closes(self.model, F_0))
+        if self.model.sticks(F_0):
+            return True
+        return (self.model.zeta > 0 or self.model.laws.any) and solvers.closes(self.model, F_0)
 
     def fold_locus(self, *, samples: int = 1000, A_max: float | None = None) -> FoldLocus:
         """The saddle nodes of every forcing, on both sides of u_cr: about `samples` points with A up to A_max (30).

@@ -81,7 +81,8 @@ def least_beyond(model: Model, rungs: Floats) -> Floats:
 
 
 def closes(model: Model, F_0: float) -> bool:
-    """Whether the response to an excitation by inertia, or by other laws of damping, has a known highest amplitude."""
-    if model.laws.any:
-        return bool(dissipated.bound(model, F_0, max(2 * max(model.breakpoints, default=0.0), F_0) * _RUNGS) < np.inf)
-    return not amplitude_bound(model, F_0)[1]
+    """Whether the response at F_0 > m is known to have a highest amplitude, for zeta > 0 or other laws of damping."""
+    try:
+        return not amplitude_bound(model, F_0)[1]
+    except OverflowError:
+        return False
