@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import chain, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -29,6 +29,8 @@ PASSES = 24
 TOGETHER = 1e-12
 #: what nearer by far is, and what near is beside the largest amplitude
 BY_FAR, NEAR = 0.1, 0.02
+#: how much nearer to a fold what meets in it is than what does not
+MEET = 0.5
 
 UNRESOLVED = "the response is unresolved between Omega = {:.6g} and {:.6g}: which states are on one curve is undecided"
 
@@ -154,7 +156,9 @@ class _Skeleton:
                 raise ArithmeticError(UNRESOLVED.format(a, b))
             if part.folds:
                 fold = float(self.folds[0, list(part.folds)].mean())
-                new += [fold + 0.25 * (a - fold), fold + 0.25 * (b - fold)]
+                # where another fold is near on one side, as near on the other
+                width = 0.25 * min(fold - a, b - fold)
+                new += [fold - width, fold + width]
             else:
                 new.append(0.5 * (a + b))
         numbers = iter(self._ask(new) if new else [])
@@ -183,16 +187,22 @@ class _Skeleton:
             return False
         more, at = (0, part.a) if a.shape[1] > b.shape[1] else (1, part.b)
         x = (a, b)[more]
-        rest = [i for i in range(x.shape[1]) if i not in {pair[more] for pair in pairs}]
-        for fold in part.folds:
-            # two of what is left meet in each: those that are nearest
-            rest.sort(key=lambda i, fold=fold: float(np.abs(x[:, i] - self.folds[1:, fold]).max()))  # type: ignore[misc]
-            for i in rest[:2]:
+        meet = {fold: self._meeting(x, fold) for fold in part.folds}
+        if sorted((*chain(*meet.values()), *(pair[more] for pair in pairs))) != list(range(x.shape[1])):
+            return False
+        for fold, states in meet.items():
+            for i in states:
                 self._join(Node(at, i), Node(-1, fold))
-            rest = rest[2:]
         for i, j in pairs:
             self._join(Node(part.a, i), Node(part.b, j))
         return True
+
+    def _meeting(self, x: Floats, fold: int) -> list[int]:
+        """The two states that meet in a fold: those that are nearer than all others; none where these are near too."""
+        apart = np.abs(x - self.folds[1:, fold, np.newaxis]).max(axis=0)
+        order = np.argsort(apart)
+        told = x.shape[1] == 2 or apart[order[1]] < MEET * apart[order[2]]
+        return [int(i) for i in order[:2]] if told else []
 
     def _join(self, one: Node, two: Node) -> None:
         self.links.setdefault(one, []).append(two)

@@ -1,6 +1,7 @@
 """What vanishes off the centre, as `boxes` takes it: in go a force as steps and a forcing, out come equations.
 
 State      f_0 = F = 0              in A and B, at frequencies and a forcing
+Past       f_0 = F = 0              in psi and A, of motions that pass a jump of the force, just by too
 Fold       f_0 = c_1 F_A = F = 0    in A, B and t, at a forcing; Omega follows
 Touching   f_0 = F = 0              in A and t, at a forcing, of motions that just touch a jump of the force
 Resting    f_0 = 0                  in B, at A = 0
@@ -16,7 +17,7 @@ import numpy as np
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints
-from slowflow.off_centre.means import ALL, Means, Steps
+from slowflow.off_centre.means import ALL, DOUBT, Means, Steps
 from slowflow_kernels import off_centre, off_centre_intervals
 
 
@@ -65,6 +66,64 @@ class State:
         means = self.steps.at(x[0], x[1], 1)
         given = (self.F_0, self.m, self.zeta, self.steps.load)
         return _numbers(off_centre.state(self.Omega[of], x[0], *given, *means.c, *means.s), 2, of.size)
+
+
+class Past:
+    """As `State`, of motions that pass one step, at the angle psi: in psi and A, B = side (a_step - A cos psi).
+
+    Next to a jump of the force f_0 and F go as the root of how far a motion passes it, and are smooth in psi: what the
+    jump adds to c_0 is side D_0 psi/pi, and to s_0 it is D_0 sin(psi)/pi.
+    """
+
+    positive = True
+
+    def __init__(self, state: State, step: int) -> None:
+        self.state, self.step = state, step
+        self.place, self.side, self.D_0 = (
+            float(of[step]) for of in (state.steps.places, state.steps.sides, state.steps.gains[:, 0])
+        )
+
+    def offset(self, psi: Floats, A: Floats) -> Floats:
+        """B there."""
+        return np.asarray(self.side * (self.place - A * np.cos(psi)))
+
+    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """See `boxes.Equations`."""
+        psi, A = _interval(x[0], r[0]), _interval(x[1], r[1])
+        about = 1 + np.array([[-DOUBT], [DOUBT]])
+        sine, cosine = Interval(np.sin(psi.ends) * about), Interval(np.cos(psi.ends[::-1]) * about)
+        B = (self.place - A * cosine) * self.side
+        means = self.state.steps.past_on(self.step, psi, sine, A, B)
+        state, point = self.state, Interval.point
+        given = (point(value) for value in (state.F_0, state.m, state.zeta, state.steps.load))
+        Omega = Interval(np.array((state.Omega[of],) * 2))
+        share = Interval(np.sort(about * self.D_0 / np.pi, axis=0))
+        rows = self._rows(off_centre_intervals.state, (Omega, A, *given), sine, cosine, share, means)
+        return _ends(rows, 2, of.size)
+
+    def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """See `boxes.Equations`."""
+        psi, A = x
+        means = self.state.steps.past(self.step, psi, np.sin(psi), A, self.offset(psi, A))
+        state = self.state
+        given = (state.Omega[of], A, state.F_0, state.m, state.zeta, state.steps.load)
+        rows = self._rows(off_centre.state, given, np.sin(psi), np.cos(psi), self.D_0 / np.pi, means)
+        return _numbers(rows, 2, of.size)
+
+    def _rows(
+        self, state: Any, given: tuple[Any, ...], sine: Any, cosine: Any, share: Any, means: Means
+    ) -> tuple[Any, ...]:
+        """f_0 and F, and their slopes by psi and A: the kernel's by B and A, with the means' slopes by psi and A.
+
+        dB/dpsi = side A sin(psi) and dB/dA = -side cos(psi), with which c_1 and s_1 lose their poles.
+        """
+        A, (c_0, c_1), (s_0, s_1) = given[1], means.c, means.s
+        by_psi = ((A * sine * c_1 + share) * self.side, A * sine * s_1 * self.side + cosine * share)
+        # d s_0/dA has -s_0/A, which the kernel adds
+        by_A = (s_1 - cosine * c_1 * self.side, c_1 - cosine * s_1 * self.side + sine / A * share)
+        f_0, F, _, f_psi, _, F_psi = state(*given, c_0, by_psi[0], s_0, by_psi[1])
+        _, _, f_A, _, F_A, _ = state(*given, c_0, by_A[1], s_0, by_A[0])
+        return f_0, F, f_psi, f_A, F_psi, F_A
 
 
 class Resting:

@@ -210,13 +210,7 @@ class Steps:
 
     def on(self, A: Interval, B: Interval, orders: int) -> Means:
         """On boxes of A >= 0 and B."""
-        n = A.lo.size
-        shape = (self.places.size, ORDERS + self.highest + 1, n)
-        ends = np.zeros((2, 2, *shape))  # L and M, lower and upper
-        self._first(A, B, ends[:, :, 0])
-        for step in range(1, self.places.size):
-            moved = B.ends if self.sides[step] > 0 else -B.ends[::-1]
-            self._step(A, Interval(self.places[step] - moved[::-1]), ends[:, :, step])
+        ends = self._bounds(A, B)
         # the share of the cycle that is neither above the last breakpoint on the right nor below that on the left
         last = [self.places.size // 2, self.places.size - 1]
         inside = np.clip(1.0 - ends[0, 0, last, ORDERS].sum(axis=0), 0.0, 1.0)
@@ -228,6 +222,35 @@ class Steps:
             for family, weights in enumerate((self._of_c, self._of_s))
         )
         return Means(c, s, ends)
+
+    def _bounds(self, A: Interval, B: Interval) -> Floats:
+        """L_j and M_j of every step on boxes: (families, ends, steps, j, n)."""
+        ends = np.zeros((2, 2, self.places.size, ORDERS + self.highest + 1, A.lo.size))
+        self._first(A, B, ends[:, :, 0])
+        for step in range(1, self.places.size):
+            moved = B.ends if self.sides[step] > 0 else -B.ends[::-1]
+            self._step(A, Interval(self.places[step] - moved[::-1]), ends[:, :, step])
+        return ends
+
+    def past(self, step: int, psi: Floats, sine: Floats, A: Floats, B: Floats) -> Means:
+        """Of motions that pass a step at an angle psi, with its sine: c_0, c_1, s_0 and s_1.
+
+        c_1 and s_1 without what the jump of the force adds there, D_0 L_-1 and side D_0 M_-1.
+        """
+        L, M = self._ladders(A, B)
+        L[step, :ORDERS], M[step, :ORDERS] = 0.0, 0.0
+        L[step, ORDERS], M[step, ORDERS] = psi / np.pi, sine / np.pi
+        of = ((self._of_c, L), (self._of_s, M))
+        return Means(*(tuple(self._summed(weights[n], ladder) for n in (0, 1)) for weights, ladder in of))
+
+    def past_on(self, step: int, psi: Interval, sine: Interval, A: Interval, B: Interval) -> Means:
+        """The same on boxes."""
+        ends = self._bounds(A, B)
+        ends[:, :, step, :ORDERS] = 0.0
+        for family, values in enumerate((psi, sine)):
+            ends[family, :, step, ORDERS] = (values * (1 / np.pi)).ends
+        of = ((self._of_c, ends[0]), (self._of_s, ends[1]))
+        return Means(*(tuple(self._held(weights[n], bounds) for n in (0, 1)) for weights, bounds in of))
 
     def resists(self, A: Interval, B: Interval, means: Means) -> tuple[Interval, Interval]:
         """(c_1^2 - s_1^2)/c_1 on the boxes of `on`, which stays finite where a motion comes to a jump of the force.

@@ -33,6 +33,7 @@ from slowflow.off_centre.answers import (
     OffCentreStates,
     RestPositions,
 )
+from slowflow.off_centre.beside_jumps import decided
 from slowflow.off_centre.boxes import Ints, Solutions, solve
 from slowflow.off_centre.curve import Curves, Slow, curves, on_curve
 from slowflow.off_centre.equations import Detaching, Fold, Resting, State, Touching
@@ -270,7 +271,7 @@ class OffCentre:
             self._add(np.concatenate(([0.0], edges)), low, high)
             of += [i] * (len(low) - len(of))
         equations = State(self._steps, self._m, self._zeta, Omega, F_0)
-        found = solve(equations, np.array(low).T, np.array(high).T, np.array(of, dtype=np.intp))
+        found = decided(solve(equations, np.array(low).T, np.array(high).T, np.array(of, dtype=np.intp)), equations)
         if not self._has_centre:
             return found
         # those about the centre have solvers of their own
