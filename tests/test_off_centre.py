@@ -596,6 +596,20 @@ def test_in_a_band_under_a_load_two_motions_are_stable_and_outside_one_is(loaded
         assert states.stable[states.Omega == Omega].sum() == (motions if low < Omega < high else 1)
 
 
+@pytest.mark.parametrize(
+    ("alpha", "beta", "zeta", "load", "F_0", "samples"),
+    [(0.4117489, 8.8806666, 0.01315056, 0.0246862928, 0.0406749177, 4001), (1.0, 3.0, 0.01, 0.1, 0.05, 400)],
+)
+def test_points_of_a_curve_stay_on_their_arm_where_two_are_near(alpha, beta, zeta, load, F_0, samples):
+    """Arms of a resonance meet at the fold: stability changes there and nowhere else."""
+    duffing = Duffing(alpha=alpha, beta=beta, zeta=zeta, load=load)
+    folds, curve = duffing.saddle_nodes(F_0), duffing.frequency_response(F_0, samples=samples, Omega=(0.0, 3.2))
+    at_fold = np.isin(curve.Omega, folds.Omega) & np.isin(curve.A, folds.A)
+    changes = np.flatnonzero(np.diff(curve.stable.astype(int)))
+    assert changes.size == at_fold.sum() == 2
+    assert (at_fold[changes] | at_fold[changes + 1]).all()
+
+
 def test_isolation_that_begins_at_a_fold_begins_there_and_not_at_a_point_beside_it():
     duffing = Duffing(alpha=0.3174721, beta=9.8818251, zeta=0.02781846, load=0.0262015738)
     folds, found = duffing.saddle_nodes(0.0172011016), duffing.isolation(0.0172011016)

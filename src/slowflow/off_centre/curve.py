@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import chain, pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -292,13 +292,23 @@ def _tangents(of: Slow, Omega: Floats, x: Floats) -> Floats:
 
 def _solved(of: Slow, Omega: Floats, x: Floats, right: Callable[[Floats, Floats], tuple[Floats, Floats]]) -> Floats:
     """What the slopes of f_0 and F by A and B take to a right side, which is made of f_0 and F; 0 where they cannot."""
-    means = of.steps.at(x[0], x[1], 1)
-    given = of.F_0, of.m, of.zeta, of.steps.load
-    f_0, F, f_A, f_B, F_A, F_B = off_centre.state(Omega, x[0], *given, *means.c, *means.s)
+    f_0, F, f_A, f_B, F_A, F_B = _state(of, Omega, x)
     one, two = right(f_0, F)
     with np.errstate(all="ignore"):
         found = np.stack((F_B * one - f_B * two, f_A * two - F_A * one)) / (f_A * F_B - f_B * F_A)
     return np.where(np.isfinite(found), found, 0.0)
+
+
+def _arm(of: Slow, Omega: Floats, x: Floats) -> Floats:
+    """The sign that tells arms that meet at a fold: of what the slopes of f_0 and F by A and B span."""
+    _, _, f_A, f_B, F_A, F_B = _state(of, Omega, x)
+    return np.asarray(np.sign(f_A * F_B - f_B * F_A))
+
+
+def _state(of: Slow, Omega: Floats, x: Floats) -> Any:
+    """f_0 and F, and their slopes by A and B."""
+    means = of.steps.at(x[0], x[1], 1)
+    return off_centre.state(Omega, x[0], of.F_0, of.m, of.zeta, of.steps.load, *means.c, *means.s)
 
 
 def _points(of: Slow, skeleton: _Skeleton, tours: list[tuple[list[Node], bool]], points: int) -> Curves:
@@ -371,6 +381,8 @@ def _near(of: Slow, Omega: Floats, ends: tuple[Floats, Floats], folds: tuple[Boo
     x, change = _newton(of, Omega, guess)
     beside = np.minimum(np.abs(x - start[1:]).max(axis=0), np.abs(x - end[1:]).max(axis=0))
     near = np.where(smooth, np.abs(x - guess).max(axis=0), beside) <= apart
+    inner = np.where(from_fold, end, start)
+    near &= (_arm(of, Omega, x) == _arm(of, inner[0], inner[1:])) | (from_fold & to_fold)
     return x, near & (np.abs(change).max(axis=0) <= 1e-9 * np.abs(x).max(axis=0))
 
 
