@@ -101,8 +101,8 @@ long EXPORT(respond)(double F_0, double low, double high, double samples)
     if (status != SF_OK)
         return -(long)status;
     const long n = sf_show(&model, F_0, low, high, samples, &room.work);
-    if (n > MOST)
-        return -(long)SF_TOO_MANY;
+    if (n < 0 || n > MOST)
+        return -(long)(n < 0 ? SF_NO_BOUND : SF_TOO_MANY);
     sf_draw(&model, F_0, samples, &room.work.shown, out[0], out[1], flags[0], branch);
     undecided = room.undecided;
     /* where the response to an excitation by inertia begins the mass is at rest */

@@ -322,7 +322,8 @@ static int sf_steps_of(const sf_segment *segment, double samples, const sf_shari
     return (int)ceil(samples * sf_weight(segment, sharing) / sharing->total);
 }
 
-/* The shown segments in a window, and the number of points on them. */
+/* The shown segments in a window, and the number of points on them; -1 where it is beyond the range of doubles how far they
+ * extend. */
 static long sf_show(const sf_model *model, double F_0, double low, double high, double samples, sf_work *work) {
     sf_skeleton *shown = &work->shown;
     sf_sharing sharing;
@@ -332,6 +333,8 @@ static long sf_show(const sf_model *model, double F_0, double low, double high, 
     for (i = 0; i < work->skeleton.curves; i++)
         sf_show_curve(model, F_0, &work->skeleton, i, low, high, shown);
     sf_share_out(shown, &sharing);
+    if (!(sharing.total < HUGE_VAL))
+        return -1;
     for (i = 0; i < shown->segments; i++)
         points += sf_steps_of(&shown->segment[i], samples, &sharing);
     return points + shown->curves;

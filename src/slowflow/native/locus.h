@@ -129,7 +129,7 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
     if (model->breaks > 0)
         A = fmax(A, 2 * model->b[model->breaks - 1]);
     for (i = 0; i < SF_RUNGS; i++) {
-        if (bounds(model, F_0, A)) {
+        if (A < HUGE_VAL && bounds(model, F_0, A)) {
             *A_max = A;
             return SF_OK;
         }

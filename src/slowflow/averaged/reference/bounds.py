@@ -66,6 +66,7 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
         slope = cells_of(model, at, far).h_A
         rises = np.where(at.h > 0, slope.lo >= 0, slope.hi <= 0)
         bounds = rises & (np.abs(at.h) > most)
+    bounds &= np.isfinite(rungs)
     if not bounds.any():
         raise OverflowError(words.unbounded(model, F_0))
     return float(rungs[np.argmax(bounds)]), ""

@@ -241,6 +241,8 @@ static PyObject *frequency_response(PyObject *self, PyObject *args)
     if (status == SF_OK)
         n = sf_here()->show(model, F_0, low, high, samples, &room->work);
     Py_END_ALLOW_THREADS
+    if (n < 0)
+        status = SF_NO_BOUND, n = 0;
     PyObject *items[] = {new_array(n, NPY_DOUBLE, &Omega), new_array(n, NPY_DOUBLE, &A), new_array(n, NPY_BOOL, &stable),
                          new_array(n, NPY_INT64, &branch), closed_flags(&room->work.shown),
                          PyBool_FromLong(status == SF_OK && room->undecided)};
