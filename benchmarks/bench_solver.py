@@ -5,6 +5,7 @@
     F_cr         with Omega_cr and u_cr, a batch on one core                          target 2e6 a second
     F_SN         with Omega and A, a batch on one core                                target 1e6 a second
     folds, peak  at a forcing, batches                                                no target
+    curves       1000 points, all branches, stability, folds, a batch on one core     target 15e3 a second
 
 All are called from Python. The batches of Table 1 vary lam; the random ones draw every parameter, so that the onset
 lies in either regime or on the corner. All jobs are timed in turn in every round. `python -m benchmarks.bench_solver`
@@ -69,6 +70,9 @@ def single() -> dict[str, tuple[Callable[[], Any], float | None]]:
 def batches(count: int, seed: int) -> dict[str, tuple[Callable[[], Any], int, float | None]]:
     """Questions to many isolators, their number, and the target in designs a second."""
     jobs: dict[str, tuple[Callable[[], Any], int, float | None]] = {}
+    drawn = min(count, 2000)  # some 25 kB each
+    few = random_designs(drawn, seed)
+    jobs["curves, 1000 points, random"] = (lambda: few.frequency_response(F_0), drawn, 15e3)
     for name, designs in (("Table 1", table_1_designs(count)), ("random", random_designs(count, seed))):
         jobs |= {
             f"F_cr and Omega_cr, {name}": (designs.detachment, count, 2e6),

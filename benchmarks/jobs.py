@@ -131,6 +131,7 @@ def prepare() -> dict[str, Job]:
             jobs[f"random {question} {count}"] = batch(question, "random", count, above=0.03), of_batch
             jobs[f"second {question} {count}"] = batch(question, "random", count, above=0.03, second=True), of_batch
         jobs[f"random amplitudes {count}"] = states(count), of_batch
+        jobs[f"random frequency_response {count}"] = batch("frequency_response", "random", count, above=0.03), of_batch
         for question in ("detachment", "saddle_node_onset"):
             jobs[f"second {question} {count}"] = batch(question, "random", count, second=True), of_batch
     return jobs

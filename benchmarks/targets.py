@@ -38,6 +38,8 @@ class Size:
 
 #: from this status on, a design was not solved although it has an answer
 UNSOLVED = 5
+#: designs whose curves are drawn at once, 30 kB each
+CURVES = 1000
 SMALL = Size(200, 20000, 2, 1, 10**4, 10**3, 3, 10**6)
 
 
@@ -248,7 +250,7 @@ def batches(size: Size) -> list[Target]:
 
 
 def rates(size: Size) -> list[Target]:
-    """Answers a second on one core: folds, peaks and states of random designs, whole curves of one."""
+    """Answers a second on one core, of random designs: folds, peaks, states, whole curves."""
     wanted = {
         "saddle_nodes": ("every fold at F_0", 3e5),
         "peak": ("highest peak at F_0", 1e6),
@@ -257,7 +259,9 @@ def rates(size: Size) -> list[Target]:
     names: list[tuple[str, str | None]] = [(f"random {name} {size.onsets}", f"random {name} 10") for name in wanted]
     on_all = f"cores saddle_node_onset {size.onsets}"
     alone = f"random saddle_node_onset {size.onsets}"
-    answers = both([*names, ("curve", None), (alone, None), (on_all, None)], min(size.rounds, 3))
+    drawn = min(size.onsets, CURVES)
+    drawing = f"random frequency_response {drawn}"
+    answers = both([*names, (drawing, None), ("curve", None), (alone, None), (on_all, None)], min(size.rounds, 3))
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     taken, one = answers[on_all]["here"]["seconds"], answers[alone]["here"]["seconds"]
     out = [
@@ -278,9 +282,16 @@ def rates(size: Size) -> list[Target]:
                 *("", name, answer["here"]["status"] < UNSOLVED),
             )
         )
-    curve = answers["curve"]["here"]
-    job = f"whole curves of {curve['points']} points, stability, folds, one core"
-    return [*out, Target(job, *(15e3, 1 / curve["seconds"], "a second", False), "", *("", "curve"))]
+    curve, curves = answers["curve"]["here"], answers[drawing]["here"]
+    out.append(
+        Target(
+            f"whole curves of {drawn} random designs, 1000 points, stability, folds, one core",
+            *(15e3, drawn / curves["seconds"], "a second", False),
+            f"one at a time {quantity(1 / curve['seconds'], 'a second')}",
+            *("", "curve", curves["status"] < UNSOLVED),
+        )
+    )
+    return out
 
 
 def second(size: Size) -> list[Target]:

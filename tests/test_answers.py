@@ -62,6 +62,7 @@ def ask():
         "detachments": many.detachment(),
         "onsets": many.saddle_node_onset(),
         "folds": many.saddle_nodes(0.04),
+        "curves": many.frequency_response(0.04, samples=20),
         "peaks": many.peak([0.03, 0.04, 0.05]),
         "many margins": many.margins(0.04),
         "many bands": many.hysteresis(0.04),

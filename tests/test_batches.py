@@ -8,8 +8,10 @@ import signal
 import numpy as np
 import pytest
 
-from slowflow import Isolator, backend
+from slowflow import Duffing, Isolator, backend
 from slowflow.averaged import many as batches
+from slowflow.results import Remark
+from slowflow_kernels.conventions import FoldKind, Status
 from tests.interrupts import ENDING, interrupted
 
 native_only = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
@@ -19,6 +21,7 @@ ASK = {
     "onset": lambda designs, **more: designs.saddle_node_onset(**more),
     "folds": lambda designs, **more: designs.saddle_nodes(0.05, **more),
     "peak": lambda designs, **more: designs.peak([[0.05], [0.2]], **more),
+    "curves": lambda designs, **more: designs.frequency_response(0.05, samples=20, **more),
 }
 
 
@@ -37,6 +40,8 @@ def test_threads_and_parts_give_the_same_bits(question, monkeypatch):
     whole = columns(ASK[question](designs))
     for record in (batches.DETACHMENT, batches.ONSET, batches.SADDLE_NODES, batches.PEAK):
         monkeypatch.setitem(record.__dict__, "at_once", 4)
+    asked = batches.curves
+    monkeypatch.setattr(batches, "curves", lambda *given: dataclasses.replace(asked(*given), at_once=4))
     for workers in (1, 3, -1):
         parts = columns(ASK[question](designs, workers=workers))
         for name, value in whole.items():
@@ -118,3 +123,98 @@ def test_arrays_of_any_kind_are_taken_as_their_numbers(kind):
     for ask in (ASK["detachment"], ASK["onset"], ASK["folds"]):
         for one, other in zip(columns(ask(expected)).values(), columns(ask(designs)).values(), strict=True):
             assert one.shape == other.shape and one.tobytes() == other.tobytes()
+
+
+# ---- response curves ------------------------------------------------------------------------------------------------
+
+
+def same_curves(designs, oscillators, F_0, **asked):
+    """Whether a batch has every bit of the single answers, designs along one axis; returns its answer."""
+    found = designs.frequency_response(F_0, **asked)
+    for k, one in enumerate(oscillators):
+        curve, folds = one.frequency_response(F_0[k], **asked), one.saddle_nodes(F_0[k])
+        n = len(curve)
+        assert (found.points[k], found.status[k], found.remarks[k]) == (n, Status.OK, int(curve.remarks))
+        for name in ("Omega", "A", "stable", "branch"):
+            np.testing.assert_array_equal(getattr(found, name)[k, :n], getattr(curve, name))
+        np.testing.assert_array_equal(found.isola[k, :n], np.array(curve.isola, bool)[curve.branch])
+        assert np.isnan([found.Omega[k, n:], found.A[k, n:]]).all() and (found.branch[k, n:] == -1).all()
+        assert not found.stable[k, n:].any() and not found.isola[k, n:].any()
+        assert found.count[k] == len(folds)
+        np.testing.assert_array_equal(found.fold_Omega[k, : len(folds)], folds.Omega)
+        np.testing.assert_array_equal(found.fold_A[k, : len(folds)], folds.A)
+        kinds = [FoldKind.JUMP_UP if kind == "jump-up" else FoldKind.JUMP_DOWN for kind in folds.kind]
+        corners = np.array(kinds, int) + (FoldKind.JUMP_UP_AT_CORNER - FoldKind.JUMP_UP) * folds.corner
+        np.testing.assert_array_equal(found.fold_kind[k, : len(folds)], corners)
+    return found
+
+
+@native_only
+@pytest.mark.parametrize(
+    ("make", "more"),
+    [(Isolator, {}), (Isolator, {"force": "untruncated"}), (Isolator, {"excitation": "base"}), (Duffing, {})],
+    ids=["truncated", "untruncated", "base", "Duffing"],
+)
+def test_curves_of_many_have_every_bit_of_single_ones(make, more):
+    rng = np.random.default_rng(15)
+    n = 40
+    mu = np.where(rng.random(n) < 0.2, 0.0, rng.uniform(0, 0.02, n))
+    given = {"mu": mu, "zeta": np.exp(rng.uniform(-5, -2, n))}
+    if make is Isolator:
+        lam, r = rng.uniform(1, 4, n), rng.uniform(0.5, 3, n)
+        given |= {"lam": lam, "r": r, "delta_h": rng.uniform(0.02, 0.97, n) / np.maximum(lam * r, 1.1)}
+    else:
+        given |= {"alpha": rng.uniform(-0.3, 1, n), "beta": rng.uniform(-0.2, 2, n)}
+    oscillators = [make(**{name: float(value[k]) for name, value in given.items()}, **more) for k in range(n)]
+    F_0 = (0.0 if more.get("excitation") else 4 / np.pi * mu) + np.exp(rng.uniform(-6, -1, n))
+    found = same_curves(make.many(**given, **more), oscillators, F_0, samples=200, Omega=(0.1, 1.6))
+    assert found.count.max() >= 2 and len(np.unique(found.points)) > 1
+    assert make is Isolator or (found.remarks & Remark.LEAVES_CENTRE).any()
+
+
+@pytest.mark.both_backends
+def test_curves_of_many_say_where_there_are_none():
+    """One that is all right, one that sticks, one that is none; with places for fewer folds than it has."""
+    many = Isolator.many(lam=3, r=2.03, delta_h=0.082, mu=0.012, zeta=[0.02, 0.02, -1.0])
+    F_0 = np.array([0.04, 0.01, 0.04])
+    found = many.frequency_response(F_0, samples=30)
+    assert found.status.tolist() == [Status.OK, Status.STICKS, Status.INVALID]
+    one = Isolator(lam=3, r=2.03, delta_h=0.082, mu=0.012, zeta=0.02)
+    assert same_curves(many, [one], F_0, samples=30) == found
+    assert found.points[1:].tolist() == [0, 0] and np.isnan(found.A[1:]).all() and not found.remarks[1:].any()
+    few = many.frequency_response(F_0, samples=30, places=1)
+    assert few.status[0] == Status.TOO_MANY and few.fold_A.shape == (3, 1) and few.count[0] == found.count[0] > 1
+    np.testing.assert_array_equal(few.A, found.A)
+    assert many.frequency_response(F_0, samples=30, Omega=(5.0, 6.0)).points[0] < found.points[0]
+    for wrong in ({"samples": 1}, {"Omega": (1.0, 1.0)}, {"places": 0}):
+        with pytest.raises(ValueError, match=next(iter(wrong))):
+            many.frequency_response(F_0, **wrong)
+    columns = found.columns()
+    assert {len(column) for column in columns.values()} == {found.points[0]} and columns["zeta"][0] == 0.02
+    np.testing.assert_array_equal(columns["A"], one.frequency_response(0.04, samples=30).A)
+
+
+@pytest.mark.both_backends
+def test_a_response_whose_amplitudes_are_beyond_doubles_is_refused_and_in_a_batch_has_a_status():
+    """Its spring and damper are so weak that the first amplitude to bound it is infinite: once that passed for one."""
+    alpha, beta, zeta, F_0 = 5.606793145963986e-165, 8.671754066100369e-116, 6.603238163424822e-186, 1.6766505645178e122
+    one, many = Duffing(alpha, beta, 0.0, zeta), Duffing.many([alpha, 1.0], [beta, 0.1], 0.0, [zeta, 0.02])
+    for ask in (one.frequency_response, one.saddle_nodes, lambda F: one.amplitudes(Omega=1.0, F_0=F)):
+        with pytest.raises(OverflowError, match="no amplitude bounds the response"):
+            ask(F_0)
+    found = many.frequency_response([F_0, 0.1], samples=10)
+    assert found.status.tolist() == [Status.NO_BOUND, Status.OK] and found.points[0] == 0
+
+
+def test_curves_of_many_that_have_no_answer_are_refused_in_words():
+    pytest.importorskip("xarray")
+    from xarray import DataArray
+
+    given = {"lam": 3, "r": 2.0, "delta_h": 0.08, "zeta": 0.02}
+    for designs, why in (
+        (Isolator.many(**given).second_approximation, "a batch has no curves of the second approximation"),
+        (Isolator.many(**given, load=[0.0, 0.01]), "a single oscillator has it"),
+        (Isolator.many(**{**given, "r": DataArray([1.0, 2.0], dims="r")}), "in arrays of NumPy"),
+    ):
+        with pytest.raises(AttributeError, match=why):
+            designs.frequency_response(0.04)

@@ -80,6 +80,7 @@ def main():
     for force in ("truncated", "untruncated"):
         many = Isolator.many(**dict(zip(("lam", "r", "delta_h", "mu", "zeta"), designs, strict=False)), force=force)
         many.detachment(), many.saddle_node_onset(), many.peak(designs[5]), many.saddle_nodes(designs[5], places=1)
+        many.frequency_response(designs[5], samples=30, places=1)
         many.certify(designs[5]), many.certify(designs[5], Omega=0.7)
     for zeta, mu in ((0.05, 0.0), (0.05, 0.02), (0.3, 0.03)):
         isolator = Isolator(lam=3, r=1.5, delta_h=0.15, mu=mu, zeta=zeta)

@@ -78,6 +78,39 @@ def _peak(oscillator: Any, F_0: float, _: int) -> tuple[Any, ...]:
     return found.A, found.Omega, Status.OK
 
 
+#: points of a batch's curves beyond the samples: one for each piece that folds, peaks and corners cut a curve into, and
+#: one for each curve
+MORE_POINTS = 64
+
+
+def curves(samples: int, window: tuple[float, float]) -> Question:
+    """The question about response curves of so many samples in a window of Omega."""
+    n = samples + MORE_POINTS
+
+    def one(oscillator: Any, F_0: float, places: int) -> tuple[Any, ...]:
+        found = oscillator and oscillator.frequency_response(F_0, samples=samples, Omega=window)
+        folds = _saddle_nodes(oscillator, F_0, places)
+        size = len(found) if found else 0
+        Omega, A, branch = np.full(n, np.nan), np.full(n, np.nan), np.full(n, -1, np.int16)
+        stable, isola = np.zeros(n, np.int8), np.zeros(n, np.int8)
+        if size > n:
+            return Omega, A, stable, branch, isola, size, *folds[:-1], Status.TOO_MANY
+        if size:
+            Omega[:size], A[:size], stable[:size], branch[:size] = found.Omega, found.A, found.stable, found.branch
+            isola[:size] = np.array(found.isola)[found.branch]
+        return Omega, A, stable, branch, isola, size, *folds
+
+    def batch(native: ModuleType) -> Callable[[Any], Callable[..., Any]]:
+        def of_record(record: Any) -> Callable[..., Any]:
+            solve = native.many_frequency_response(record)
+            return lambda *given, out: solve(*given, float(samples), *window, out=out)
+
+        return of_record
+
+    points = [*[((n,), float)] * 2, ((n,), np.int8), ((n,), np.int16), ((n,), np.int8), ((), np.intc)]
+    return Question(one, lambda k: [*points, *SADDLE_NODES.outputs(k)], batch, min(2**12, max(1, 2**22 // n)))
+
+
 #: count, whether it is proved, status, without the compiled solvers
 NO_PROOF = (0, 0, Status.UNRESOLVED)
 

@@ -32,6 +32,7 @@ from slowflow.averaged.asked import (
     SADDLE_NODES,
     One,
     Question,
+    curves,
 )
 from slowflow.averaged.questions import Averaged
 from slowflow.certificate import DOUBLES
@@ -129,6 +130,10 @@ class Batch(Answer):
         """Names of the designs' dimensions."""
         return tuple(f"design_{k}" for k in range(self.status.ndim))
 
+    def _inner(self, name: str) -> str:
+        """Name of the dimension behind the designs' that a column has."""
+        return "place"
+
     def to_xarray(self) -> Any:
         """A Dataset along the designs' own dimensions, "design_0" and so on; their numbers, F_0, Omega as coordinates.
 
@@ -141,7 +146,7 @@ class Batch(Answer):
         units = {"units": "1"}
         given = {name: (designs, np.broadcast_to(value, shape), units) for name, value in asked.items()}
         found = {
-            name: ((*designs, "place") if value.ndim > len(shape) else designs, value, units)
+            name: ((*designs, self._inner(name)) if value.ndim > len(shape) else designs, value, units)
             for name, value in self._content().items()
         }
         return xarray.Dataset(found, coords=given, attrs={"mechanism": self._designs.mechanism.name})
@@ -329,6 +334,52 @@ class States(Counted):
 
 
 @dataclass(frozen=True, eq=False)
+class Curves(Counted):
+    """The response curve at one forcing, for each design, with every fold at that forcing.
+
+    Omega, A, stable, branch and isola have one more axis, of points, in order along each branch; the curves of designs
+    have different numbers of points, and behind the last one Omega and A are NaN, branch is -1, and the others are 0.
+
+    stable -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
+    branch -- number of the connected curve that a point lies on, from 0; isolated curves come last
+    isola  -- 1 where that curve is closed
+    points -- how many points there are
+    fold_Omega, fold_A, fold_kind, count -- `Omega`, `A`, `kind` and `count` of `Folds`, with `places` places
+    undecided -- 1 where doubles do not tell whether there is another pair of folds
+    """
+
+    Omega: Floats
+    A: Floats
+    stable: Codes
+    branch: npt.NDArray[np.int16]
+    isola: Codes
+    points: npt.NDArray[np.intc]
+    fold_Omega: Floats
+    fold_A: Floats
+    fold_kind: Codes
+    count: Codes
+    undecided: Codes
+    status: Codes
+
+    def _found(self) -> tuple[Any, Any, Any]:
+        return self.Omega, self.A, None
+
+    def columns(self) -> dict[str, Any]:
+        """A row for each point of each design, in the order of the flattened arrays: the design's numbers, the point's.
+
+        The folds are columns of `saddle_nodes`.
+        """
+        here = ~np.isnan(self.A)
+        given = {**self._designs.values, **self._asked_at()}
+        several = {name: np.asarray(value)[..., np.newaxis] for name, value in given.items()}
+        found = {name: np.broadcast_to(value, self.A.shape)[here] for name, value in several.items()}
+        return found | {name: value[here] for name, value in self._content().items() if self._inner(name) == "point"}
+
+    def _inner(self, name: str) -> str:
+        return "point" if name in ("Omega", "A", "stable", "branch", "isola") else "place"
+
+
+@dataclass(frozen=True, eq=False)
 class Peaks(Batch):
     """The highest peak at one forcing, for each design, isolas included; Omega = 0 where A only falls with Omega."""
 
@@ -441,18 +492,35 @@ class Designs:
         """
         places = validate.count("places", places, least=1)
         A, stable, *rest = self.ask(AMPLITUDES, workers, F_0, places, Omega=Omega)
-        self._leave_out_what_drifts(Omega, A, stable)
+        self._leave_out_what_drifts(np.asarray(Omega, dtype=float)[..., np.newaxis], A, stable)
         return States(A, stable, *rest, _designs=self, _F_0=F_0, _Omega=Omega, _averaged=True)
 
-    def _leave_out_what_drifts(self, Omega: Any, A: Floats, stable: Codes) -> None:
-        """States are stable only if they stay about u = 0 as well."""
+    def _leave_out_what_drifts(self, Omega: Floats, A: Floats, stable: Codes) -> None:
+        """States, along one more axis, are stable only if they stay about u = 0 as well."""
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
             parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
-            may = np.broadcast_to(~remarks.stay_centred(self.mechanism, parameters), A.shape[:-1])
-            if may.any():
-                chosen = tuple(np.broadcast_to(value, may.shape)[may][:, np.newaxis] for value in parameters)
-                frequency = np.broadcast_to(np.asarray(Omega, dtype=float), may.shape)[may][:, np.newaxis]
-                stable[may] &= remarks.keeps_centre(self.mechanism, chosen, frequency, A[may])
+            stable &= remarks.keep_centre(self.mechanism, parameters, Omega, A)
+
+    def frequency_response(
+        self,
+        F_0: Any,
+        *,
+        samples: int = 1000,
+        Omega: tuple[float, float] = validate.WINDOW,
+        places: int = 6,
+        workers: int = 1,
+    ) -> Curves:
+        """The response curve of every design at F_0, which broadcasts with them, in the window `Omega` (24), (30).
+
+        `samples` as of a single `frequency_response`. The arrays are that long and 64 more: `Status.TOO_MANY` where a
+        curve has more points, which has none then, or more folds than `places`. Some 25 bytes a point.
+        """
+        places = validate.count("places", places, least=1)
+        samples = validate.count("samples", samples, least=2, most=validate.MOST_SAMPLES)
+        question = curves(samples, validate.window("Omega", Omega))
+        found, A, stable, *rest = self.ask(question, workers, F_0, places)
+        self._leave_out_what_drifts(found, A, stable)
+        return Curves(found, A, stable, *rest, _designs=self, _F_0=F_0, _averaged=True)
 
     def peak(self, F_0: Any, *, workers: int = 1) -> Peaks:
         """The highest peak at F_0, which broadcasts with the designs."""

@@ -67,7 +67,7 @@ def of_designs(
     A = np.asarray(A, dtype=float)
     there = A > 0
     beside = tuple(np.asarray(value, dtype=float)[..., np.newaxis] for value in parameters)
-    kept = keeps_centre(mechanism, beside, np.where(there, Omega, 1.0), np.where(there, A, 1.0))
+    kept = keep_centre(mechanism, parameters, np.asarray(Omega), A)
     # at rest h_A is the stiffness with its sign turned, and h is 4/pi times a preload
     pull, at_rest = (np.asarray(value) for value in mechanism.averaged(0.0, *parameters)[:2])
     held = np.where((pull < 0) | (rubs != THROUGHOUT), np.hypot(slow_flow.friction(mu), pull), -np.inf)
@@ -138,6 +138,17 @@ def _next_to_jump(mechanism: Mechanism, parameters: tuple[Any, ...], jumps: Iter
             _, h_A, h_AA, _ = mechanism.averaged(A, *parameters)
             found |= near & (2 * beyond * np.abs(h_AA) > OF_SLOPE * np.abs(h_A))
     return found
+
+
+def keep_centre(mechanism: Mechanism, parameters: tuple[Any, ...], Omega: Any, A: Any) -> Flags:
+    """`keeps_centre` of states of each of many designs, along one more axis; looked at where a design may leave it."""
+    may = np.broadcast_to(~stay_centred(mechanism, parameters), A.shape[:-1])
+    kept = np.ones(A.shape, dtype=bool)
+    if may.any():
+        chosen = tuple(np.broadcast_to(value, may.shape)[may][:, np.newaxis] for value in parameters)
+        at = np.broadcast_to(Omega, (*may.shape, Omega.shape[-1]))[may]
+        kept[may] = keeps_centre(mechanism, chosen, at, A[may])
+    return kept
 
 
 def stay_centred(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:

@@ -103,6 +103,11 @@ class Grid:
         """How many folds at F_0, or states at (Omega, F_0), are proved; see `slowflow.averaged.many.Proofs`."""
         return self._answer(*self.asked("certify", workers, F_0=F_0, Omega=Omega))
 
+    def __getattr__(self, name: str) -> Any:
+        """Raises AttributeError, with the reason for curves, which arrays of NumPy have."""
+        why = ": curves have different numbers of points; of designs in arrays of NumPy there are such answers"
+        raise AttributeError(f"a map has no {name}{why if name == 'frequency_response' else ''}")
+
     def store(self, path: Any, question: str, *, workers: int = 1, **asked: Any) -> Any:
         """A question's answer as a Zarr store, written block by block; a store that was begun is continued.
 

@@ -42,6 +42,7 @@ typedef struct {
     sf_second_status (*second_detach)(const sf_model *, double F_first, double Omega_first, double u_cr, double *F_cr,
                                       double *Omega_cr);
     sf_many many_detachment, many_onsets, many_folds, many_states, many_peaks, many_proved_folds, many_proved_states;
+    sf_many many_curves;
     sf_many many_gradients;
     sf_many many_second_detachment, many_second_onsets, many_second_folds, many_second_peaks;
     const sf_mechanism *const *records;

@@ -4,6 +4,7 @@
 #include "gradient.h"
 #include "interface.h"
 #include "many.h"
+#include "many_curves.h"
 #include "many_proofs.h"
 #include "onset.h"
 #include "records.h"
@@ -43,6 +44,7 @@ const sf_solvers SF_SOLVERS = {
     sf_many_peaks,
     sf_many_proved_folds,
     sf_many_proved_states,
+    sf_many_curves,
     sf_many_gradients,
     sf_many_second_detachment,
     sf_many_second_onsets,

@@ -193,7 +193,8 @@ class OffCentreDesigns:
     def __getattr__(self, name: str) -> Any:
         if name in CENTRED:
             raise validate.NotAvailable(AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load"))
-        raise AttributeError(name)
+        why = ", a single oscillator has it" if hasattr(OffCentre, name) else ""
+        raise AttributeError(f"many designs off the centre have no {name}{why}")
 
     def spanned(self, x: str, y: str, of: str, values: Floats, beside: dict[str, Any]) -> Any:
         """As of `slowflow.averaged.many.Designs`."""

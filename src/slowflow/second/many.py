@@ -26,6 +26,7 @@ from slowflow_kernels.conventions import OnsetKind, Status
 UNANSWERED = {
     "certify": "nothing is proved of the second approximation",
     "amplitudes": "a batch has no states of the second approximation, ask a single oscillator",
+    "frequency_response": "a batch has no curves of the second approximation, ask a single oscillator",
     **dict.fromkeys(("margins", "hysteresis", "isolation", "spectrum"), "it is put together from averaging's answers"),
     **dict.fromkeys(("transient", "shock_spectrum"), "it is asked of the designs, whose equation of motion answers it"),
 }

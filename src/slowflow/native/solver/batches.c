@@ -15,12 +15,14 @@
 
 #define D NPY_DOUBLE
 #define B NPY_INT8
+#define S NPY_SHORT
+#define N NPY_INT
 
 /* A question: the outputs behind the design, the damping and what is asked at, F_0 and Omega or less, and of an answer A and what it is. */
 typedef struct {
     const char *name, *out, *doc;
     int at, outputs;
-    char types[6];
+    char types[12];
 } question;
 
 static const question detachment = {
@@ -36,6 +38,12 @@ static const question amplitudes = {
     {D, B, B, B, B}};
 static const question peak = {"many_peak", "(),(),()", "design, damping, F_0 -> A, Omega, status", 1, 3, {D, D, B}};
 
+static const question frequency_response = {
+    "many_frequency_response", "(n),(n),(n),(n),(n),(),(k),(k),(k),(),(),()",
+    "design, damping, F_0, samples, low, high -> Omega, A, stable, branch, whether it is closed, points; Omega, A, kind of folds, "
+    "count, undecided, status",
+    4, 12, {D, D, B, S, B, N, D, D, B, B, B, B}};
+
 static const question proved_folds = {
     "many_proved_saddle_nodes", "(),(),()", "design, damping, F_0 -> count, whether it is proved, status", 1, 3, {B, B, B}};
 static const question proved_states = {
@@ -45,7 +53,7 @@ static const question proved_states = {
 static const question gradients = {
     "many_gradients", "(r,n),()", "design, damping, F_0, Omega, A, what it is -> moves, status", 4, 2, {D, B}};
 
-enum { MOST_OPERANDS = SF_MOST_DESIGN + SF_MOST_DAMPING + 4 + 6 };
+enum { MOST_OPERANDS = SF_MOST_DESIGN + SF_MOST_DAMPING + 4 + 12 };
 
 /* What NumPy keeps pointers to, for as long as the process lives. */
 typedef struct {
@@ -116,6 +124,11 @@ static PyObject *many_peak(PyObject *cache, PyObject *record)
     return batch(cache, record, &peak, sf_here()->many_peaks);
 }
 
+static PyObject *many_frequency_response(PyObject *cache, PyObject *record)
+{
+    return batch(cache, record, &frequency_response, sf_here()->many_curves);
+}
+
 static PyObject *many_second_detachment(PyObject *cache, PyObject *record)
 {
     return batch(cache, record, &detachment, sf_here()->many_second_detachment);
@@ -159,6 +172,9 @@ static PyMethodDef functions[] = {
     {"many_amplitudes", many_amplitudes, METH_O,
      "record -> ufunc of (design, damping, F_0, Omega) -> A, stable, count, undecided, status"},
     {"many_peak", many_peak, METH_O, "record -> ufunc of (design, damping, F_0) -> A, Omega, status"},
+    {"many_frequency_response", many_frequency_response, METH_O,
+     "record -> ufunc of (design, damping, F_0, samples, low, high) -> Omega, A, stable, branch, closed, points; Omega, A, kind of "
+     "folds, count, undecided, status"},
     {"many_second_detachment", many_second_detachment, METH_O, "as many_detachment, in the second approximation"},
     {"many_second_onset", many_second_onset, METH_O, "as many_onset, in the second approximation"},
     {"many_second_saddle_nodes", many_second_saddle_nodes, METH_O,
