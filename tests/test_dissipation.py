@@ -426,8 +426,8 @@ def rests_of(osc, Omega, F_0, turns):
     "osc",
     [
         Duffing(1.0, 0.5, 0.02, 0.02, mu_s=0.03),
-        pytest.param(Duffing(1.0, 0.5, 0.01, eta=0.1, c_2=1.0, mu_s=0.045), marks=pytest.mark.slow),
-        pytest.param(RUBBING.replace(mu=0.02, mu_s=0.04), marks=pytest.mark.slow),
+        Duffing(1.0, 0.5, 0.01, eta=0.1, c_2=1.0, mu_s=0.045),
+        RUBBING.replace(mu=0.02, mu_s=0.04),
     ],
     ids=repr,
 )

@@ -22,7 +22,7 @@ from slowflow import backend
 
 ROOT = Path(__file__).parents[1]
 NOT_COPIED = shutil.ignore_patterns(".*", "build", "output", "*.egg-info", "__pycache__", "*.so")
-PARTS = ["benchmarks", "derivations", "generated", "src", "tests", "pyproject.toml", "setup.py"]
+PARTS = ["benchmarks", "derivations", "generated", "src", "tests", "README.md", "pyproject.toml", "setup.py"]
 
 
 @pytest.fixture(scope="module")

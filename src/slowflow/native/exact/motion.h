@@ -68,6 +68,12 @@ static inline double sf_holding(const sf_system *system, int region)
     return system->released && region != 0 ? 0.0 : fmax(system->mu, system->mu_s);
 }
 
+/* how many zeros v has in time where a mass breaks away: two, as the push balances friction, unless more held it */
+static inline int sf_zeros_of_start(const sf_system *system, int region)
+{
+    return sf_holding(system, region) > sf_friction(system, region) ? 1 : 2;
+}
+
 static inline sf_drive sf_drive_of(const sf_forced *forced, int slip, int region)
 {
     const sf_system *const system = forced->system;
@@ -290,7 +296,7 @@ static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v,
             const double at = sf_break_away(forced, region, theta, u, &slip);
             if (!sf_rest(phases, region, &theta, u, fmin(at, end), end))
                 return SF_NO_MEMORY;
-            zeros = 2;
+            zeros = sf_zeros_of_start(system, region);
             continue;
         }
         if (slip * u >= SF_FAR)
@@ -314,7 +320,7 @@ static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v,
             const double at = sf_break_away(forced, region, theta + SF_GLIMPSE, u, &slip);
             if (!sf_rest(phases, region, &theta, u, fmin(at, end), end))
                 return SF_NO_MEMORY;
-            zeros = 2;
+            zeros = sf_zeros_of_start(system, region);
             continue;
         }
         zeros = 0;
