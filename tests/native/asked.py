@@ -27,6 +27,7 @@ class Finder:
 
 
 sys.meta_path.insert(0, Finder)
+sys.modules["flint"] = None  # what balls are asked takes minutes, and nothing of it is compiled here
 warnings.simplefilter("ignore")
 
 from slowflow import Duffing, Isolator, backend  # noqa: E402

@@ -46,7 +46,10 @@ _DIGITS = threading.Lock()
 def _decided(model: Model, ask: Callable[[Given], Answer | None]) -> Answer | None:
     """An answer that is proved by as few bits as it takes, or that of the most."""
     averages = averages_of(model.mechanism)
-    if averages is None or not model.design or len(model.breakpoints) != len(model.jumps):
+    if averages is None or not model.design:
+        return None
+    ends = model.mechanism.breakpoints(*model.parameters)  # of which a design without a preload has none above 0
+    if not len(ends) == len(model.breakpoints) == len(model.jumps):
         return None
     found = None
     with _DIGITS, np.errstate(all="ignore"):
