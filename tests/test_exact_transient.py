@@ -261,6 +261,46 @@ def test_a_shock_in_si_units_is_that_of_the_mount():
     assert again.A == pytest.approx(rows.A[0], rel=1e-4) and again.t.shape == again.x.shape == (400,)
 
 
+@pytest.mark.parametrize("friction", [{}, {"mu": 0.05}, {"mu": 0.05, "mu_s": 0.08}])
+def test_a_shock_of_a_linear_mount_under_a_load_is_that_about_where_it_rests(friction):
+    centred = Duffing(1.0, 0.0, zeta=0.05, **friction)
+    found, plain = (one.transient(acceleration=0.5, duration=2.0) for one in (centred.replace(load=0.3), centred))
+    assert np.abs(found.series().u - 0.3 - plain.series().u).max() < 1e-14
+    assert found.a_max == pytest.approx(plain.a_max, rel=1e-14) and found.rests == plain.rests == bool(friction)
+    spectrum = centred.replace(load=0.3).shock_spectrum(acceleration=0.5, duration=2.0)
+    assert (spectrum.A[0], spectrum.a_max[0]) == (found.A, found.a_max)
+
+
+def test_a_shock_under_a_load_is_that_of_another_integrator_and_upside_down_its_mirror_image():
+    mount = isolator(mu=0.0, load=0.03)
+    found = mount.transient(acceleration=0.5, duration=3.0)
+    force, begins = mount.restoring_force(), mount.rest().u[0]
+
+    def moves(tau, state):
+        pulse = 0.5 * math.sin(math.pi * tau / 3.0) if tau < 3.0 else 0.0
+        return state[1], mount.load - force.value(state[0]) - pulse - 2 * mount.zeta * state[1]
+
+    other = solve_ivp(moves, (0.0, 12.0), (begins, 0.0), method="DOP853", rtol=1e-10, atol=1e-12, max_step=0.02)
+    assert found.detaches and found.A == pytest.approx(np.abs(other.y[0]).max(), rel=1e-4)
+    mirrored = mount.replace(load=-0.03).transient(acceleration=-0.5, duration=3.0)
+    assert mirrored.series().u == pytest.approx(-found.series().u, abs=1e-12)
+
+
+def test_a_shock_under_a_load_begins_where_the_mass_rests():
+    still = Duffing(1.0, 0.5, zeta=0.05, mu=0.01, load=0.3).transient(acceleration=0.0, duration=1.0)
+    assert still.A == still.u_end == pytest.approx(brentq(lambda u: u + 0.5 * u**3 - 0.3, 0, 1), rel=1e-15)
+    # of the force that is followed
+    mount, other = isolator(load=0.3), isolator().restoring_force("untruncated")
+    still = mount.transient(acceleration=0.0, duration=1.0, force="untruncated")
+    assert other.value(still.u_end) == pytest.approx(0.3, rel=1e-14) and still.u_end != mount.rest().u[0]
+    well = Duffing(-1.0, 1.0, zeta=0.05, load=0.05).transient(acceleration=0.1, duration=2.0)
+    assert "several stable places" in well.message
+    # as it never comes back as far, the largest deflection is that at rest
+    assert Duffing(1.0, 0.0, zeta=2.0, load=0.3).transient(acceleration=0.1, duration=2.0).tau_A == 0.0
+    with pytest.raises(ArithmeticError, match="no stable place of rest"):
+        Duffing(1.0, -1.0, zeta=0.05, load=0.5).transient(acceleration=0.1, duration=1.0)
+
+
 def test_what_is_no_shock_is_refused():
     iso, mount = isolator(), Isolator.physical(**MOUNT)
     for call, said in (
@@ -290,3 +330,17 @@ def test_a_shock_and_a_spectrum_are_drawn():
     ax = isolator().shock_spectrum(acceleration=[[0.1], [0.5]], duration=[1.0, 2.0]).plot()
     assert {"0.1", "0.5", "springs leave"} <= {text.get_text() for text in ax.get_legend().get_texts()}
     assert exact.Transient is type(found)
+
+
+def test_no_rounding_of_the_load_s_balance_keeps_a_shock_from_beginning():
+    """Without friction the mass goes where the pulse pushes it, on a linear spring as without the load."""
+    draw = np.random.default_rng(0)
+    for _ in range(40):
+        load, peak = 10 ** draw.uniform(-6, 2, 2) * draw.choice([-1, 1], 2)
+        duration = 10 ** draw.uniform(-1, 1)
+        centred = Duffing(1.0, 0.0, zeta=0.01)
+        found, plain = (
+            one.transient(acceleration=peak, duration=duration, after=10.0)
+            for one in (centred.replace(load=load), centred)
+        )
+        assert found.series().u - load == pytest.approx(plain.series().u, abs=1e-9 * plain.A + 1e-12 * abs(load))

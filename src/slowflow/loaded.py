@@ -30,7 +30,7 @@ KNOWN = (
 AT_CENTRE = (
     "{}: not available, this question is about motions about the centre. Off it there are rest, detachment, "
     "saddle_nodes, saddle_node_onset, amplitudes, frequency_response, peak, margins, hysteresis, isolation, spectrum, "
-    "and exact motions: steady_state, exact_response and sweep"
+    "and exact motions: steady_state, exact_response, sweep, transient and shock_spectrum"
 )
 
 

@@ -379,6 +379,8 @@ class Oscillator(Averaged):
     ) -> exact.Transient:
         """A shock: what the mass does that was at rest, by the equation of motion (3), when its base is accelerated.
 
+        It rests at the centre, off it at the stable place of `rest` nearest to that.
+
         acceleration -- of the base, over k_v L/m: the peak of a half sine, or the samples of a record, shape (n,)
         duration     -- of the half sine, in tau
         tau          -- the times of the samples instead, rising; from one to the next it runs straight
@@ -390,7 +392,6 @@ class Oscillator(Averaged):
         rests, and by `.series()` its way, seen from the base. Raises ValueError for what is not allowed,
         ArithmeticError where the motion escapes a softening spring.
         """
-        self.at_centre("transient")
         from slowflow.exact import questions
 
         return questions.transient(self, self.equation_of_motion(force), acceleration, duration, tau, after)
@@ -403,7 +404,6 @@ class Oscillator(Averaged):
 
         A row for each pulse: .A .a_max .ratio .detaches. Raises ValueError and ArithmeticError as `transient`.
         """
-        self.at_centre("shock_spectrum")
         from slowflow.exact import questions
 
         return questions.shocks(self, self.equation_of_motion(force), acceleration, duration)

@@ -10,6 +10,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy.optimize import root_scalar
 
 from slowflow import validate
 from slowflow.answer import joined
@@ -42,6 +43,8 @@ OTHER = (
     "another curve is not part of this one: averaging has it at Omega = {Omega:.4g}, A = {A:.4g}; "
     "start = steady_state(Omega={Omega:.4g}, F_0={F_0:.4g}, A={A:.4g}) leads to it"
 )
+NOWHERE = "no shock: there is no stable place of rest that the mass could begin at"
+SEVERAL = "there are several stable places of rest: the mass begins at that nearest to the centre"
 UNKNOWN = "whether there are other curves is not known, averaging does not say: {}"
 
 
@@ -159,8 +162,32 @@ def transient(
             raise ValueError(f"tau and acceleration must be two rows of as many numbers, tau rising: not of {shapes}")
         arcs, begin = record(times, samples), float(times[0])
     last = AFTER if after is None else validate.number("after", after, least=0.0)
-    found = followed(system, arcs, begin=begin, after=last)
-    return dataclasses.replace(found, message=_beyond_reach(averaged, found.A))
+    at, said = _at_rest(averaged, system)
+    found = followed(system, arcs, begin=begin, after=last, at=at)
+    return dataclasses.replace(found, message=joined(said, _beyond_reach(averaged, found.A)))
+
+
+def _at_rest(averaged: Any, system: EquationOfMotion) -> tuple[float, str]:
+    """Where the mass rests that a shock meets, f(u) = load, and what there is to say: of the stable places the nearest.
+
+    Raises ArithmeticError where there is none.
+    """
+    if system.centred:
+        return 0.0, ""
+    found, force = averaged.rest(), system.force
+    places = found.u[found.stable]
+    if not places.size:
+        raise ArithmeticError(NOWHERE)
+    # of the force that is followed, which may be another one than is averaged
+    at = root_scalar(
+        lambda u: force.value(u) - system.load,
+        fprime=lambda u: force.piece(force.region_of(u)).slope(u),
+        x0=float(places[np.argmin(np.abs(places))]),
+        method="newton",
+    )
+    if not at.converged:
+        raise ArithmeticError(NOWHERE)
+    return float(at.root), SEVERAL if places.size > 1 else ""
 
 
 def _beyond_reach(averaged: Averaged, A: float) -> str:
@@ -178,8 +205,10 @@ def shocks(averaged: Averaged, system: EquationOfMotion, acceleration: Any, dura
         "duration": validate.positive_array("duration", duration),
     }
     shape = validate.common_shape(pulses)
-    found = shock_spectrum(system, *(np.broadcast_to(values, shape).ravel() for values in pulses.values()))
-    return dataclasses.replace(found, message=_beyond_reach(averaged, float(found.A.max(initial=0.0))))
+    at, said = _at_rest(averaged, system)
+    peaks, spans = (np.broadcast_to(values, shape).ravel() for values in pulses.values())
+    found = shock_spectrum(system, peaks, spans, at)
+    return dataclasses.replace(found, message=joined(said, _beyond_reach(averaged, float(found.A.max(initial=0.0)))))
 
 
 def _from_rest(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float) -> shooting.SteadyState:

@@ -46,7 +46,7 @@ class ShockSpectrum(Table):
     """What half sines of the base do, pulse by pulse.
 
     acceleration, duration -- of the pulse, over k_v L/m and in tau
-    A        -- the largest deflection of the springs, during the pulse or later
+    A        -- the largest deflection of the springs, during the pulse or later, under a load with that at rest
     a_max    -- the largest acceleration of the mass; ratio -- this over the pulse's
     detaches -- whether the springs leave
     message  -- what to bear in mind
@@ -118,9 +118,9 @@ class Transients(Shocked):
     status: Codes
 
 
-def shock_spectrum(system: EquationOfMotion, acceleration: Floats, duration: Floats) -> ShockSpectrum:
-    """Pulse by pulse; shapes (n,)."""
-    found = [transient(system, arcs, after=0.0) for arcs in half_sine(acceleration, duration)]
+def shock_spectrum(system: EquationOfMotion, acceleration: Floats, duration: Floats, at: float = 0.0) -> ShockSpectrum:
+    """Pulse by pulse, from rest at u = `at`; shapes (n,)."""
+    found = [transient(system, arcs, after=0.0, at=at) for arcs in half_sine(acceleration, duration)]
     A, a_max, detaches = (np.array([getattr(one, name) for one in found]) for name in ("A", "a_max", "detaches"))
     return ShockSpectrum(acceleration, duration, A, a_max, a_max / acceleration, detaches.astype(np.bool_), "")
 

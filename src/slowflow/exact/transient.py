@@ -28,6 +28,8 @@ Array = NDArray[np.float64]
 NO_PULSE = "a pulse needs either its duration, of a half sine, or tau, the times of a record"
 #: angle between two samples of a record
 ARC = 1e-3
+#: share of load and forcing by which their balance may be off, and by which a motion begins behind its place of rest
+ROUNDING, BACK = 2.0**-50, 2.0**-47
 #: for how long the free motion is shown: ten periods of the mass on k_v alone
 AFTER = 10 * TURN
 
@@ -68,10 +70,11 @@ class Series(NamedTuple):
 class Transient(Answer):
     """What a mass at rest does when its base is accelerated. All quantities dimensionless; accelerations in k_v L/m.
 
-    A, tau_A      -- largest |u|, the deflection of the springs, and when it is reached
+    A, tau_A      -- largest |u|, the deflection of the springs, under a load with that at rest, and when it is reached
     a_max, tau_a  -- largest acceleration of the mass, as seen by who stands still, and when
-    u_cr          -- the stroke, None where the springs never touch
-    detaches      -- whether the springs leave, |u| > u_cr; tau_detaches -- when first, None if never
+    u_cr          -- the stroke, None where the springs never touch, and of a force that is not odd
+    detaches      -- whether the springs leave, |u| > u_cr, or u the piece about 0
+    tau_detaches  -- when first, None if never
     rests         -- whether friction holds the mass at the end of what was followed, at u_end
     message       -- what to bear in mind
     stretches     -- the motion in its phases
@@ -140,37 +143,41 @@ def transient(
     *,
     begin: float = 0.0,
     after: float = AFTER,
+    at: float = 0.0,
     integrator: Integrator | None = None,
 ) -> Transient:
-    """The motion from rest at u = 0 under the arcs, rows of `Arc`, and freely for `after` when they are over.
+    """The motion from rest at u = `at` under the arcs, rows of `Arc`, and freely for `after` when they are over.
 
     It is followed until the mass has turned twice since, or friction holds it: a free motion only loses energy, so that
     A and a_max are the largest for all time. Raises ArithmeticError where the motion escapes a softening spring,
     chatters where the force jumps, or does not turn.
     """
     forced = replace(system, inertial=False)  # an acceleration is a force, whatever else the oscillator is excited by
-    stretches = list(_followed(forced, arcs, begin, after, integrator or default_integrator(system)))
+    stretches = list(_followed(forced, arcs, begin, after, at, integrator or default_integrator(system)))
     phases = [(stretch, phase) for stretch in stretches for phase in stretch.phases]
     last = phases[-1][1]
     # between switches u is monotone
-    A = max(abs(phase.u_end) for _, phase in phases)
-    tau_A = next(stretch.tau(phase.end) for stretch, phase in phases if abs(phase.u_end) >= A * SAME)
+    reached = [(abs(phase.u_end), stretch.tau(phase.end)) for stretch, phase in phases]
+    if at != 0.0:
+        reached.insert(0, (abs(at), begin))
+    A = max(spot for spot, _ in reached)
+    tau_A = next(tau for spot, tau in reached if spot >= A * SAME)
     off = next((stretch.tau(phase.theta) for stretch, phase in phases if phase.region != 0), None)
     a_max, tau_a = _largest_acceleration(phases)
-    u_cr = next(iter(system.force.breakpoints), None)
+    u_cr = next(iter(system.force.breakpoints), None) if system.force.odd else None
     rests, stated = last.slip == 0, tuple(stretches)
     return Transient(A, tau_A, a_max, tau_a, u_cr, off is not None, off, rests, last.u_end, "", stated)
 
 
 def _followed(
-    system: EquationOfMotion, arcs: Array, tau: float, after: float, integrator: Integrator
+    system: EquationOfMotion, arcs: Array, tau: float, after: float, at: float, integrator: Integrator
 ) -> Iterator[Stretch]:
-    u = v = A = 0.0
+    u, v, A = at, 0.0, 0.0
     for arc in map(Arc._make, arcs.tolist()):
         stretch = _under(Forced(system, arc.Omega, arc.F, integrator), tau, arc, u, v)
         u, v = stretch.phases[-1].u_end, stretch.phases[-1].v_end
         tau += arc.span
-        A = max(A, *(abs(phase.u_end) for phase in stretch.phases))
+        A = max(A, *(abs(phase.u_end - at) for phase in stretch.phases))
         yield stretch
     over, turned = tau + after, 0
     for _ in range(MOST_TURNS):
@@ -180,9 +187,9 @@ def _followed(
         tau += free.span
         yield stretch
         turned += sum(phase.event == Event.STOP for phase in stretch.phases)
-        A = max(A, *(abs(phase.u_end) for phase in stretch.phases))
+        A = max(A, *(abs(phase.u_end - at) for phase in stretch.phases))
         # a mass that is damped much creeps back, and turns once at most: until it does not move, or has come back
-        creeps = abs(v) <= abs(u) * CREEPS or max(abs(u), abs(v)) <= A * CREEPS
+        creeps = abs(v) <= abs(u - at) * CREEPS or max(abs(u - at), abs(v)) <= A * CREEPS + BACK * abs(at)
         if tau >= over and (turned >= 2 or stretch.phases[-1].slip == 0 or creeps):
             return
     raise ArithmeticError(f"within {MOST_TURNS} turns after the pulse the mass does not turn twice, and does not rest")
@@ -190,11 +197,17 @@ def _followed(
 
 def _under(forced: Forced, tau: float, arc: Arc, u: float, v: float) -> Stretch:
     """The motion from (u, v) on under one arc."""
-    end = arc.theta + arc.Omega * arc.span
-    region = forced.system.force.region_of(u)
-    if arc.F == 0.0 and v == 0.0 and abs(forced.piece(region).value(u)) <= forced.system.holds(region):
+    end, system = arc.theta + arc.Omega * arc.span, forced.system
+    region = system.force.region_of(u)
+    push, holds = abs(forced.push(region, arc.theta, u)), system.holds(region)
+    # at rest the spring holds the load but for a rounding, which tells nothing of where the mass goes
+    doubt = ROUNDING * (abs(system.load) + arc.F) if system.load != 0.0 else 0.0
+    balanced = v == 0.0 and push <= max(holds, doubt)
+    if arc.F == 0.0 and balanced:
         rest = Phase(0, region, arc.theta, u, 0.0, end, u, 0.0, Event.TIME)
         return Stretch(tau, arc.theta, forced, [rest])
+    if balanced and holds < doubt:  # some roundings back from where F cos(theta) begins to push, so that it goes there
+        u += math.copysign(BACK, math.sin(arc.theta)) * max(abs(u), abs(system.load), arc.F)
     return Stretch(tau, arc.theta, forced, follow(forced, arc.theta, u, v, end))
 
 

@@ -13,6 +13,8 @@ from slowflow.model import Model
 _PLANE = "the plane of amplitude A and mean B is cut until each box is proved to hold"
 _BOXES = f"{_PLANE} one or none"
 
+#: questions to the equation of motion, which does not ask where the centre is
+EXACT = ("steady_state", "exact_response", "sweep", "transient", "shock_spectrum")
 #: by question what runs for it
 STEPS: dict[str, tuple[Step, ...]] = {
     "rest": (Step("boxes", True, "u is cut until each part is proved to hold one place with f(u) = load, or none"),),
@@ -54,8 +56,7 @@ STEPS: dict[str, tuple[Step, ...]] = {
         Step("states", True, "of each row"),
         Step("folds", True, "of the forcings on the way from row to row: on which side of it they lie"),
     ),
-    # the equation of motion does not ask where the centre is
-    **{question: COMPOSED[question] for question in ("steady_state", "exact_response", "sweep")},
+    **{question: COMPOSED[question] for question in EXACT},
 }
 
 
