@@ -189,6 +189,7 @@ stop = derive.mechanism(
 """
 
 
+@pytest.mark.slow
 def test_the_command_line_writes_what_a_program_derives(tmp_path, capsys):
     """A module that answers by itself, C that compiles against the package's headers, a document, hashes of all."""
     (tmp_path / "mine.py").write_text(PROGRAM)

@@ -237,6 +237,7 @@ MANY = {"lam": 3.0, "r": [2.0, 0.5, 2.0], "delta_h": [0.08, 0.02, 0.08], "mu": 0
 MANY |= {"zeta": [0.04, 0.03, 0.0], "eta": [0.01, 0.0, -1.0], "c_2": [0.1, 0.0, 0.2]}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "more", [{}, pytest.param({"rubs": "attached", "force": "untruncated"}, marks=pytest.mark.slow)], ids=repr
 )
@@ -274,6 +275,7 @@ def test_a_batch_has_the_digits_of_single_answers_and_their_remarks(more):
     assert designs.margins(F_0).status.tolist() == [0, 0, 1]
 
 
+@pytest.mark.slow
 def test_laws_are_columns_of_a_batch_and_of_a_map():
     peaks = Duffing.many(1.0, 0.5, eta=[0.02, 0.05], c_2=0.1).peak(0.04)
     columns = peaks.columns()

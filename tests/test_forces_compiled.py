@@ -159,6 +159,7 @@ def test_exact_motions_are_those_of_another_integrator(derived, name):
         assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-8
 
 
+@pytest.mark.slow
 def test_an_average_that_does_not_settle_is_no_answer(folder):
     """A step that is steeper than any panel: both kinds of solvers refuse, and the average says why."""
     pieces = [(u + sp.tanh(k * (u - c)), None)]

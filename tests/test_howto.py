@@ -20,10 +20,11 @@ from slowflow_kernels import rod_spring
 DOCS = Path(__file__).parents[1] / "docs"
 PAGES = [
     *(DOCS / f"{name}.md" for name in ("index", "tutorial", "gallery")),
-    # derives five mechanisms
-    pytest.param(DOCS / "mechanisms.md", marks=pytest.mark.slow),
+    DOCS / "mechanisms.md",
     *sorted((DOCS / "howto").glob("*.md")),
 ]
+#: they derive mechanisms, or ask much
+SLOW = ("mechanisms", "own_mechanism", "off_centre", "damping")
 LANGUAGES = (DOCS / "howto" / "languages.md").read_text(encoding="utf-8").split("\n## ")[1:]
 #: what a language's lines need besides a C compiler: programs, and packages of Python
 NEEDED = {
@@ -36,7 +37,10 @@ NEEDED = {
 }
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+@pytest.mark.parametrize(
+    "page",
+    [pytest.param(page, marks=[pytest.mark.slow] * (page.stem in SLOW), id=page.stem) for page in PAGES],
+)
 def test_the_code_of_a_page_runs(page: Path) -> None:
     blocks = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
     if page.stem in ("gallery", "mechanisms"):

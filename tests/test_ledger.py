@@ -152,12 +152,14 @@ def test_mutants_are_as_many_as_the_places_and_reach_every_formula() -> None:
     assert 0 < signs < total
 
 
+@pytest.mark.slow
 def test_repairs_belong_to_rows_that_differ(against: dict[str, Subject]) -> None:
     for name, text in REPAIRS.items():
         assert judge(vars(PUBLISHED)[name], against[name]).verdict == DIFFERS
         assert text in [mutant for mutant, _ in mutants(name)]
 
 
+@pytest.mark.slow
 def test_a_swapped_formula_is_found(against: dict[str, Subject]) -> None:
     assert judge(PUBLISHED.alpha, against["alpha"]).verdict == IDENTICAL
     assert judge(PUBLISHED.alpha, against["beta"]).verdict == DIFFERS

@@ -33,6 +33,7 @@ def test_every_mechanism_is_proved(mechanism):
     prove_monotone(oscillator(mechanism))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("r", "delta_h"), [(2.0, 0.08), (0.5, 0.9), (1.0, 0.01)])
 def test_what_is_proved_of_the_isolator_shows(r, delta_h):
     lam, u_cr = 3, mpmath.sqrt(delta_h * (2 - delta_h))

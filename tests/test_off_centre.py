@@ -423,6 +423,7 @@ def test_the_onset_tends_to_that_about_the_centre_as_the_square_of_the_load(cent
     assert (again.F_SN, again.A, again.B) == (at_centre.F_SN, at_centre.A, 0.0)
 
 
+@pytest.mark.slow
 def test_an_onset_on_a_corner_is_where_states_begin_to_be_three(loaded):
     heavy = loaded.replace(load=0.1)
     onset = heavy.saddle_node_onset()
@@ -507,6 +508,7 @@ def test_a_load_is_part_of_what_an_oscillator_is(loaded):
     assert np.array_equal(general.amplitudes(Omega=0.9, F_0=0.04).A, loaded.amplitudes(Omega=0.9, F_0=0.04).A)
 
 
+@pytest.mark.slow
 def test_a_force_that_only_bends_has_no_fold_where_it_does():
     """A stop in contact from delta on: its force is continuous, and one state lies on either side of A + B = delta."""
     stop = derive.library("elastic_stop")(kappa=8, delta=0.2, mu=0.005, zeta=0.03, load=0.05)

@@ -16,6 +16,7 @@ def alone(load):
     return Isolator(**TABLE_1, load=float(load))
 
 
+@pytest.mark.slow
 def test_each_design_has_the_digits_of_its_single_answer():
     loads = np.array([[0.01], [0.03]])
     designs = Isolator.many(**TABLE_1, load=loads)

@@ -165,6 +165,7 @@ def test_the_same_scene_gives_the_same_page(text):
     assert report.html(scenes.read(MOUNT)) == text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", ["table_1", "frictionless", "quasi_zero", "coulomb", "shock", "machine", "shaking_floor"]
 )
