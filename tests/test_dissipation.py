@@ -324,6 +324,7 @@ NUMBERS = {
 LOOSE = Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, rubs="attached", force="untruncated")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("osc", "questions"),
     [
@@ -447,6 +448,7 @@ def test_a_mass_that_static_friction_holds_moves_as_an_independent_integration_h
     assert np.abs(state.multipliers).max() == pytest.approx((change[early[1:]] / change[early[:-1]])[-1] ** 2, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_motions_beyond_u_cr_go_on_beside_a_mass_that_friction_holds():
     """Up to 4 mu/pi friction holds a mass at rest, but beyond u_cr its share falls: an isolated curve from F_SN on."""
     osc = LOOSE.replace(zeta=0.002)

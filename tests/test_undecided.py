@@ -78,6 +78,7 @@ HARDLY_JUMPS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.both_backends
 @pytest.mark.parametrize("name", HARDLY_JUMPS)
 def test_folds_where_the_force_hardly_jumps_are_found_or_said_to_be_undecided(name):

@@ -153,12 +153,12 @@ def _left_out(reasons: Sequence[str]) -> str:
     return "".join(f"<p>Left out: {escape(reason, quote=False)}.</p>" for reason in reasons)
 
 
-def _at_each(of: Any, question: str, forcings: Sequence[float], left_out: list[str]) -> list[Any]:
+def _at_each(ask: Callable[[float], Any], forcings: Sequence[float], left_out: list[str]) -> list[Any]:
     """The answers at each forcing; none where such an oscillator has none, and why is added to `left_out`."""
     try:
-        return [_shown(getattr(of, question)(F)) for F in forcings]
+        return [_shown(ask(F)) for F in forcings]
     except NotAvailable as error:
-        said = str(error)
+        said, question = str(error), ask.__name__
         left_out.append(said if question in said else f"{question}: {said}")
         return []
 
@@ -192,7 +192,7 @@ def _summary(of: Any, forcings: Sequence[float]) -> Iterator[str]:
 def _in_short(of: Any, F: float) -> Iterator[str]:
     folds, onset, leaving = _shown(of.saddle_nodes(F)), _shown(of.saddle_node_onset()), _shown(of.detachment())
     # without these the sentence is shorter; what is left out is said further down
-    margins, peak, isolation = (_at_each(of, question, [F], []) for question in ("margins", "peak", "isolation"))
+    margins, peak, isolation = (_at_each(ask, [F], []) for ask in (of.margins, of.peak, of.isolation))
     yield f"At {_one(folds, *pictures.AMPLITUDES)}"
     if _plain(of).model.sticks(folds.answer.F_0 if isinstance(folds, Quantities) else folds.F_0):
         yield "friction holds the mass: it does not move."
@@ -267,14 +267,14 @@ def _answers(of: Any, forcings: Sequence[float]) -> Iterator[str]:
     left_out: list[str] = []
     yield _table(f"It jumps from this {what} on", _shown(of.saddle_node_onset()))
     yield _table(f"Its springs leave from this {what} on", _shown(of.detachment()))
-    for caption, question in (
-        ("Margins: of_SN and of_cr above 1 are safe", "margins"),
-        ("The highest peak", "peak"),
-        ("Less is transmitted from this frequency on than what drives it", "isolation"),
-        ("Where a sweep jumps", "saddle_nodes"),
-        ("Bands with several stable motions", "hysteresis"),
+    for caption, ask in (
+        ("Margins: of_SN and of_cr above 1 are safe", of.margins),
+        ("The highest peak", of.peak),
+        ("Less is transmitted from this frequency on than what drives it", of.isolation),
+        ("Where a sweep jumps", of.saddle_nodes),
+        ("Bands with several stable motions", of.hysteresis),
     ):
-        if found := _at_each(of, question, forcings, left_out):
+        if found := _at_each(ask, forcings, left_out):
             yield _table(caption, *found)
     yield _left_out(left_out)
 
@@ -468,7 +468,7 @@ def _depths(of: Any, F: float) -> Iterator[str]:
     """The curve about its peak by averaging, with higher harmonics, and of the equation of motion."""
     name = "f" if isinstance(of, Physical) else "Omega"
     left_out: list[str] = []
-    peaks = _at_each(of, "peak", [F], left_out)
+    peaks = _at_each(of.peak, [F], left_out)
     yield _left_out(left_out)
     at = getattr(peaks[0], name) if peaks else None
     if not at:

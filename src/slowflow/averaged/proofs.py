@@ -59,7 +59,7 @@ def _remarks(
     return not len(doubt) and room, "; ".join(said)
 
 
-def _decided(found: Answer, model: Model, question: str, *numbers: float) -> Answer:
+def _decided(found: Answer, model: Model, ask: Callable[[Any], Answer | None]) -> Answer:
     """An answer that doubles gave, or, where it is not proved, what balls say instead."""
     if found.proved or not model.design:
         return found
@@ -67,28 +67,28 @@ def _decided(found: Answer, model: Model, question: str, *numbers: float) -> Ans
         return dataclasses.replace(found, message=joined(found.message, words.NO_BALLS))
     from slowflow.averaged.balls import answers
 
-    decided: Answer | None = getattr(answers, question)(model, *numbers)
+    decided = ask(answers)
     return found if decided is None else decided
 
 
 def saddle_nodes(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
     """Every fold at F_0, with what is proved of it; `expected`: amplitudes where some are, which saves time."""
-    return _decided(folds_in_doubles(model, F_0, expected), model, "saddle_nodes", F_0)
+    return _decided(folds_in_doubles(model, F_0, expected), model, lambda balls: balls.saddle_nodes(model, F_0))
 
 
 def amplitudes(model: Model, Omega: float, F_0: float) -> ProvedStates:
     """Every state at (Omega, F_0), with what is proved of it."""
-    return _decided(states_in_doubles(model, Omega, F_0), model, "amplitudes", Omega, F_0)
+    return _decided(states_in_doubles(model, Omega, F_0), model, lambda balls: balls.amplitudes(model, Omega, F_0))
 
 
 def onset(model: Model) -> ProvedForcing:
     """F_SN, and that no fold is born at a lower forcing."""
-    return _decided(onset_in_doubles(model), model, "onset")
+    return _decided(onset_in_doubles(model), model, lambda balls: balls.onset(model))
 
 
 def detachment(model: Model) -> ProvedForcing:
     """F_cr: an enclosure of the lowest forcing that reaches the first breakpoint."""
-    return _decided(detachment_in_doubles(model), model, "detachment")
+    return _decided(detachment_in_doubles(model), model, lambda balls: balls.detachment(model))
 
 
 def folds_in_doubles(model: Model, F_0: float, expected: Floats) -> ProvedFolds:

@@ -10,7 +10,6 @@ import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.optimize import root_scalar
 
 from slowflow import validate
 from slowflow.answer import joined
@@ -178,6 +177,8 @@ def _at_rest(averaged: Any, system: EquationOfMotion) -> tuple[float, str]:
     places = found.u[found.stable]
     if not places.size:
         raise ArithmeticError(NOWHERE)
+    from scipy.optimize import root_scalar  # a motion about the centre does without SciPy
+
     # of the force that is followed, which may be another one than is averaged
     at = root_scalar(
         lambda u: force.value(u) - system.load,
