@@ -12,10 +12,10 @@ import pytest
 
 from slowflow import Duffing, Isolator
 from slowflow.results import Remark
+from tests.oracles.errors import U, error
 
 DATA = Path(__file__).parent / "data"
 CASES = {law: json.loads((DATA / f"damped_{law}.json").read_text()) for law in ("eta", "c_2", "rubs")}
-U = 2.0**-53
 #: errors in u (1 + kappa), of phi in u (1 + kappa) of A
 FOLD, STATE, ONSET, PHASE = 2.0, 2.0, 4.0, 50.0
 #: of the reference's condition numbers, which have three digits
@@ -40,14 +40,6 @@ def oscillator(case):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         return Duffing(**values) if case["mechanism"] == "duffing" else Isolator(**values, rubs=case["rubs"])
-
-
-def error(found, sure, name):
-    """In u (1 + kappa), of one quantity of a certified point."""
-    key = "F_0" if name == "F_SN" else name
-    kappa = sum((sure[which] or {}).get(key, 0.0) for which in ("condition", "condition_kernel"))
-    known = float(sure[name])
-    return abs(found - known) / abs(known) / (U * (1 + kappa))
 
 
 def is_hard(osc, case):

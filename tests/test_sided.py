@@ -20,6 +20,7 @@ from slowflow.exact.compiled import TAYLOR
 from slowflow.exact.integrate import ScipyIntegrator
 from slowflow.exact.motion import Forced, follow
 from slowflow.off_centre.means import ORDERS, Steps
+from tests.oracles.errors import U, error
 from tests.test_off_centre import mean
 
 u, k, g, p, q, a, b = sp.symbols("u k g p q a b")
@@ -325,15 +326,7 @@ def test_its_derivation_is_told(stop, tmp_path):
 
 CASES = json.loads((Path(__file__).parent / "data" / "sided.json").read_text())
 #: errors in u (1 + kappa): of folds, states, their phase, onsets; of B over A + |B|, by kappa of A
-U, FOLD, STATE, PHASE, ONSET, MEAN = 2.0**-53, 4.0, 4.0, 20.0, 4.0, 1.0
-
-
-def error(found, sure, name):
-    """In u (1 + kappa), of one quantity of a certified point."""
-    key = "F_0" if name == "F_SN" else name
-    kappa = sum((sure[which] or {}).get(key, 0.0) for which in ("condition", "condition_kernel"))
-    known = float(sure[name])
-    return abs(found - known) / abs(known) / (U * (1 + kappa))
+FOLD, STATE, PHASE, ONSET, MEAN = 4.0, 4.0, 20.0, 4.0, 1.0
 
 
 def error_of_mean(found, sure):

@@ -10,9 +10,9 @@ import sympy as sp
 
 from slowflow import backend, derive
 from slowflow.results import Remark
+from tests.oracles.errors import U, error
 
 CASES = json.loads((Path(__file__).parent / "data" / "stated.json").read_text())
-U = 2.0**-53
 #: errors in u (1 + kappa), of phi in u (1 + kappa) of A. kappa counts one unit in an average, which is good to
 #: 4 u (1 + its own condition): where two derivatives have to vanish, that is felt
 FOLD, STATE, ONSET, PHASE = 4.0, 4.0, 16.0, 50.0
@@ -56,14 +56,6 @@ def derived(folder):
         return made[name, compiled]
 
     return get
-
-
-def error(found, sure, name):
-    """In u (1 + kappa), of one quantity of a certified point."""
-    key = "F_0" if name == "F_SN" else name
-    kappa = sum((sure[which] or {}).get(key, 0.0) for which in ("condition", "condition_kernel"))
-    known = float(sure[name])
-    return abs(found - known) / abs(known) / (U * (1 + kappa))
 
 
 def test_there_are_three_cases_of_each_force_with_folds_on_both_sides_of_an_edge():

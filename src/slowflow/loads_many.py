@@ -7,8 +7,9 @@ or with other damping than viscous damping and dry friction, is asked design by 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -228,9 +229,7 @@ def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> ManySp
         designs.rubs,
     )
     given = {"Omega": Omega, "F_0": F_0}
-    states = rows.amplitudes(**given, workers=workers)
-    if (states.status == Status.TOO_MANY).any():
-        states = rows.amplitudes(**given, places=int(states.count.max()), workers=workers)
+    states = _with_all(partial(rows.amplitudes, **given, workers=workers))
     shape = states.status.shape
     at, F = (np.broadcast_to(np.asarray(value, dtype=float), shape) for value in given.values())
     crosses, status = _crossed(rows, at, F, states.status, workers)
@@ -295,9 +294,7 @@ def _sides(
     new[1:] = np.any([value[1:] != value[:-1] for value in own], axis=0)
     values = {name: value[which][new] for name, value in spread.items()}
     designs = Designs(rows.mechanism, values, rows.excitation, rows.rubs)
-    folds = designs.saddle_nodes(F_0[new], workers=workers)
-    if (folds.status == Status.TOO_MANY).any():
-        folds = designs.saddle_nodes(F_0[new], places=int(folds.count.max()), workers=workers)
+    folds = _with_all(partial(designs.saddle_nodes, F_0[new], workers=workers))
     of = np.cumsum(new) - 1
     failed = np.isin(folds.status[of], FAILED)
     fares[which[failed]] = folds.status[of][failed]
@@ -365,3 +362,9 @@ def _singly(designs: Designs, F_0: Any, wanted: Flags, ask: Callable[[Averaged, 
             yield at, ask(Averaged(designs.model(values)), float(forcing[at]))
         except ArithmeticError:
             yield at, None
+
+
+def _with_all(ask: Callable[..., Any]) -> Any:
+    """The batch that `ask` gives, with places for all that any design has."""
+    found = ask()
+    return ask(places=int(found.count.max())) if (found.status == Status.TOO_MANY).any() else found

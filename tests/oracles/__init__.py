@@ -3,6 +3,7 @@
 averaged, conditioning    certified folds, onsets, states of an averaged oscillator, and how well-conditioned they are
 certified_roots           every real root of a function in a range, enclosed: what `averaged` isolates with
 answers                 exact solutions next to an answer, and its condition
+errors                  what an answer is off a certified point, in u (1 + kappa)
 counts                  proved numbers of states and folds at any forcing
 kernels                 exact values of any generated kernel at any doubles
 frequencies               certified roots in Omega at one amplitude, and seeded stress cases for them

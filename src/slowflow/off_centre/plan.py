@@ -38,14 +38,8 @@ STEPS: dict[str, tuple[Step, ...]] = {
     ),
     "peak": (Step("boxes", True, f"{_PLANE} no motion that goes farther, by a bound on its least forcing"),),
     "margins": (
-        Step("folds", True, "how many there are at F_0"),
-        Step("onset", True, "F_SN, found once for the oscillator"),
-        Step("detachment", True, "F_cr, found once for the oscillator"),
+        *(step for step in COMPOSED["margins"] if step.name != "curve"),
         Step("reach", True, "whether a stable motion passes u_cr; not where the force has one piece"),
-    ),
-    "hysteresis": (
-        Step("folds", True, "the ends of the bands"),
-        Step("states", True, "in the middle between each two folds: how many are stable"),
     ),
     "isolation": (
         Step("boxes", True, "up to which frequency there is anything to look at"),
@@ -56,7 +50,7 @@ STEPS: dict[str, tuple[Step, ...]] = {
         Step("states", True, "of each row"),
         Step("folds", True, "of the forcings on the way from row to row: on which side of it they lie"),
     ),
-    **{question: COMPOSED[question] for question in EXACT},
+    **{question: COMPOSED[question] for question in ("hysteresis", *EXACT)},
 }
 
 
