@@ -361,6 +361,14 @@ def test_every_clone_gives_the_same_bits(tmp_path):
                 assert np.array_equal(x.view(np.int64)[~np.isnan(x)], y.view(np.int64)[~np.isnan(y)]), name
 
 
+@pytest.mark.skipif(len(targets()) < 2, reason="one target only")
+def test_clones_are_built_whatever_is_included_before():
+    """glibc tells of itself in its own headers only: a file that includes none before had no clones."""
+    asked = '#include "clones.h"\nSF_WIDE void loop(void);'
+    command = ["gcc", "-E", f"-I{clones.NATIVE}", "-x", "c", "-"]
+    assert "target_clones" in subprocess.run(command, input=asked, capture_output=True, text=True, check=True).stdout
+
+
 @pytest.mark.slow
 @native_only
 def test_the_installed_clone_is_one_of_them(tmp_path):

@@ -12,7 +12,7 @@
 #ifndef SF_CLONES_H
 #define SF_CLONES_H
 
-#include <stddef.h>
+#include <stdlib.h> /* a header of glibc, which tells of itself: stddef.h is the compiler's */
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__) && !defined(SF_NO_CLONES)
 #define SF_HAS(feature) __builtin_cpu_supports(feature)
