@@ -25,6 +25,9 @@ PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
 .PHONY: paper figures test test-fast derive check lint bench validity stress explorer docs dist clean
 .DELETE_ON_ERROR:
+# containers often forbid Python to keep bytecode: all that is imported, SymPy too, would be compiled anew in each of the
+# some hundred processes of a test run
+unexport PYTHONDONTWRITEBYTECODE
 
 paper: derive
 	$(BIN)/slowflow paper --out output

@@ -87,11 +87,13 @@ def test_a_state_next_to_a_breakpoint_at_which_the_force_hardly_jumps_is_not_mis
         assert F(A * (1 - mpmath.mpf(10) ** -12)) < 0 < F(A * (1 + mpmath.mpf(10) ** -12))
 
 
+@pytest.mark.slow
 def test_no_fold_is_missed_that_dense_samples_show():
     for oscillator, F_0 in oscillators(random_designs(2, MANY)):
         assert_folds_of_samples(oscillator, F_0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("force", "share"), [("truncated", 1), ("untruncated", 10)])
 def test_the_onset_is_the_lowest_minimum_that_dense_samples_show_and_two_folds_are_born_there(force, share):
     """A seventh of them have negative stiffness at rest."""
@@ -213,6 +215,7 @@ def test_folds_states_and_stability_next_to_them_are_all_there():
     assert (attracts[clear] <= (F_A[clear] > 0)).all() and len(slopes) == 3
 
 
+@pytest.mark.slow
 def test_no_fold_of_a_softening_spring_is_missed():
     rng = np.random.default_rng(5)
     for _ in range(MANY):

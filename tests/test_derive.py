@@ -98,6 +98,7 @@ def test_every_question_is_answered(stop):
     assert many.F_SN[1] == onset.F_SN
 
 
+@pytest.mark.slow
 @COMPILED
 def test_the_compiled_solvers_give_the_same_answers(stop, compiled):
     assert not stop.compiled
@@ -251,6 +252,7 @@ def test_what_is_derived_once_is_not_derived_again(stop, monkeypatch):
         derive.mechanism(**{**STOP, "pieces": [(k_1 * u, 2 * gap), (k_1 * u + k_2 * (u - 2 * gap), None)]})
 
 
+@pytest.mark.slow
 def test_an_oscillator_is_pickled_into_another_process(stop, folder):
     asked = "import pickle, sys; one = pickle.load(sys.stdin.buffer); print(repr(one.saddle_node_onset().F_SN))"
     one = stop(**NUMBERS)

@@ -102,6 +102,7 @@ def test_every_state_is_one_and_none_is_missed_that_a_fine_grid_shows():
             assert np.count_nonzero(found.Omega == w) == np.count_nonzero((F[1:] < 0) != (F[:-1] < 0)), (osc, F_0, w)
 
 
+@pytest.mark.slow
 def test_a_state_is_stable_where_both_eigenvalues_of_the_slow_flow_say_so():
     """(29) too: numerically, of the slow flow with the work of each law; the trace is negative everywhere."""
     rng, seen = np.random.default_rng(3), set()
@@ -132,6 +133,7 @@ def test_a_state_is_stable_where_both_eigenvalues_of_the_slow_flow_say_so():
     assert seen == {True, False}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "osc",
     [

@@ -48,6 +48,7 @@ def derived(folder):
     return get
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", slow_beside(sorted({case["force"] for case in CASES})))
 def test_a_compiled_average_and_its_slopes_are_right_to_rounding(derived, name, monkeypatch):
     """Error over u (1 + kappa), as on NumPy, which is not asked."""
@@ -80,6 +81,7 @@ def same(one, other):
         np.testing.assert_array_equal(getattr(one, field, None), getattr(other, field, None), err_msg=field)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", slow_beside(FORCES))
 def test_compiled_solvers_give_the_answers_of_those_on_numpy(derived, name):
     one, other = (derived(name, compile)(**FORCES[name][1], **DAMPING) for compile in (False, True))

@@ -169,6 +169,7 @@ def test_a_swapped_formula_is_found(against: dict[str, Subject]) -> None:
 # ---- completeness -------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_every_entry_has_exactly_one_row(rows: list[Row]) -> None:
     expected = (
         [f"formula:{name}" for name in NAMES]
@@ -179,6 +180,7 @@ def test_every_entry_has_exactly_one_row(rows: list[Row]) -> None:
     assert len(set(expected)) == len(expected)
 
 
+@pytest.mark.slow
 def test_table_2_has_a_row_for_every_entry(rows: list[Row], written: dict[str, Any]) -> None:
     by_id = {row.id: row for row in rows if row.kind == "table"}
     assert len(written["table_2"]) == len(PUBLISHED.TABLE_2)
@@ -189,6 +191,7 @@ def test_table_2_has_a_row_for_every_entry(rows: list[Row], written: dict[str, A
             assert entry["verdict"] == by_id[f"table_2_row_{k}_{column}"].verdict
 
 
+@pytest.mark.slow
 def test_verdicts_are_of_the_vocabulary(rows: list[Row], written: dict[str, Any]) -> None:
     assert {verdict for allowed in ALLOWED.values() for verdict in allowed} == set(VOCABULARY)
     assert all(row.verdict in ALLOWED[row.kind] for row in rows)
@@ -198,6 +201,7 @@ def test_verdicts_are_of_the_vocabulary(rows: list[Row], written: dict[str, Any]
         Row("x", "formula", "", "", "", "", "true")
 
 
+@pytest.mark.slow
 def test_every_verdict_is_backed(rows: list[Row]) -> None:
     for row in rows:
         if row.verdict == DIFFERS:
@@ -208,6 +212,7 @@ def test_every_verdict_is_backed(rows: list[Row]) -> None:
             assert not row.difference, row.id
 
 
+@pytest.mark.slow
 def test_findings_hold_everything_that_differs_once(rows: list[Row], written: dict[str, Any]) -> None:
     told = Counter(name for finding in written["findings"] for name in finding["rows"])
     assert set(told.values()) == {1}
@@ -215,6 +220,7 @@ def test_findings_hold_everything_that_differs_once(rows: list[Row], written: di
     assert all(finding["paragraph"] for finding in written["findings"])
 
 
+@pytest.mark.slow
 def test_markdown_shows_every_row(files: dict[str, str], rows: list[Row]) -> None:
     text = files["LEDGER.md"]
     for line in text.splitlines():
@@ -226,6 +232,7 @@ def test_markdown_shows_every_row(files: dict[str, str], rows: list[Row]) -> Non
 # ---- verdicts known beforehand ------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "verdict"),
     [
@@ -254,6 +261,7 @@ def close(printed: str, reference: Any) -> bool:
     return abs(Decimal(printed) / Decimal(arb(reference.mid()).str(30, radius=False)) - 1) < Decimal("5e-12")
 
 
+@pytest.mark.slow
 def test_table_2_against_the_oracle(isolator: RodSpring, written: dict[str, Any]) -> None:
     critical = isolator.detachment().F_0
     for record in written["table_2"][1:]:
@@ -267,6 +275,7 @@ def test_table_2_against_the_oracle(isolator: RodSpring, written: dict[str, Any]
             assert close(record[f"{name}_A"]["derived"], point.A)
 
 
+@pytest.mark.slow
 def test_onset_and_detachment_against_the_oracle(isolator: RodSpring, rows: list[Row]) -> None:
     derived = {row.id: row.derived for row in rows if row.kind == "number"}
     onset, detachment = isolator.onset(), isolator.detachment()
@@ -278,6 +287,7 @@ def test_onset_and_detachment_against_the_oracle(isolator: RodSpring, rows: list
     assert close(derived["Omega_cr"], detachment.Omega)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("forcing", ["0.016", "0.0217", "0.025", "0.0302", "0.035", "0.045", "0.1"])
 def test_number_of_folds_against_the_oracle(forcing: str, isolator: RodSpring, facts: Facts) -> None:
     inside = [point for point in isolator.folds(Fraction(forcing)) if point.A < 1]

@@ -77,6 +77,7 @@ def test_isolation_of_many_is_that_of_each(asked):
     assert folds >= 2 and (found.status == Status.STICKS).sum() > 3
 
 
+@pytest.mark.slow
 def test_spectra_of_many_are_those_of_each(asked):
     """Row by row, with what is said of the states of each; no design is answered by another's numbers."""
     given, F_0, designs = asked

@@ -189,6 +189,7 @@ def test_a_mass_between_two_wells_falls_into_one():
     assert settled.A == pytest.approx(found.A[1] + abs(found.B[1]), rel=0.01) and settled.stable
 
 
+@pytest.mark.slow
 def test_folds_are_where_two_states_meet_and_no_others_are(loaded):
     folds = loaded.saddle_nodes(0.04)
     assert folds.kind.tolist() == ["jump-up", "jump-down"] and not folds.corner.any() and not folds.message
@@ -203,6 +204,7 @@ def test_folds_are_where_two_states_meet_and_no_others_are(loaded):
     assert np.array_equal(counts == 3, (folds.Omega[0] < grid) & (grid < folds.Omega[1]))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("oscillator", "F_0"),
     [
@@ -226,6 +228,7 @@ def test_at_each_fold_two_states_more_or_less_begin_however_near_to_a_jump_of_th
     assert [(states.Omega == Omega).sum() for Omega in grid] == expected.tolist()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("design", "F_0"),
     [

@@ -264,6 +264,7 @@ def test_compiled_motions_off_the_centre_are_scipys(stop, patched):
 
 
 @pytest.mark.skipif(not COMPILED, reason="by SciPy's integrator a curve takes a minute")
+@pytest.mark.slow
 def test_an_exact_curve_off_the_centre_jumps_where_a_sweep_does_and_is_that_of_the_mirror_image(stop):
     """The stop on the other side too, whose pieces are numbered the other way; near the averaged folds."""
     pieces = [(u + k * (u + g), -g), (u, None)]
@@ -340,6 +341,7 @@ def test_there_are_certified_cases_of_each_force_with_folds_and_onsets():
 
 
 @pytest.mark.parametrize("name", ["even", *(pytest.param(one, marks=pytest.mark.slow) for one in ("stop", "springs"))])
+@pytest.mark.slow
 def test_folds_states_and_onsets_are_the_certified_ones_and_no_others(name):
     """All folds and states that there are, with their mean; and the lowest forcing that has a fold."""
     if name == "even":

@@ -124,6 +124,7 @@ def test_a_peak_that_moves_fast_with_its_amplitude_has_the_digits_of_omega(mecha
     assert abs(float((found.Omega - exact_peak.Omega) / exact_peak.Omega)) <= 2.0**-53 * (1 + kappa)
 
 
+@pytest.mark.slow
 def test_the_oracle_of_kernels_agrees_with_the_quadratures():
     """Two routes to the averaged forces: balls and elliptic integrals, and quadrature of the force."""
     table = json.loads((Path(__file__).parent / "data" / "kernel_oracle.json").read_text())

@@ -125,6 +125,7 @@ int main(void)
     return {name: np.array(line.split(), dtype=float) for name, line in zip(FORCES, lines, strict=True)}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FORCES)
 def test_a_step_by_every_function_against_twenty_five_digits(name, stepped):
     """The equation of motion and its variations, the slope by SymPy, integrated by mpmath."""
