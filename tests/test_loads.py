@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator
-from slowflow.loads import ISOLA
+from slowflow.loads import APART, ISOLA
 from slowflow.paper.example import isolator
 
 MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
@@ -51,6 +51,45 @@ def test_the_birth_of_an_isola_is_said_to_be_no_jump():
     softening = Duffing(1.9, -1.25, mu=0.006, zeta=0.58)
     assert softening.saddle_node_onset().kind == "isola" and ISOLA in softening.margins(1.0).message
     assert ISOLA not in isolator().margins(0.04).message
+
+
+def test_motions_that_detach_below_F_cr_are_said_to_be_on_curves_of_their_own():
+    iso = Isolator(lam=1, r=3.3935433280050518, delta_h=0.21463966757944564, mu=0.0148, zeta=0.2972, excitation="base")
+    found, curve = iso.margins(0.41694), iso.frequency_response(0.41694, Omega=(0.0, 20.0))
+    assert found.of_cr > 1 and found.detaches and APART in found.message
+    ends = [(curve.A[curve.branch == k].min(), curve.A[curve.branch == k].max()) for k in np.unique(curve.branch)]
+    assert len(ends) == 2 and ends[0][1] < iso.u_cr < ends[1][0] and curve.isola == (False, True)
+    assert APART not in iso.margins(0.43).message
+
+
+# ---- at rest -------------------------------------------------------------------------------------------------------
+
+
+def test_at_rest_friction_holds_the_mass_as_far_as_the_spring_pushes_less_than_it():
+    for iso, _ in some_isolators(20):
+        found, force = iso.at_rest(), iso.restoring_force("untruncated")
+        u = found.rests_within * np.linspace(0, 1, 2000)
+        if iso.mu:
+            assert (np.abs(force(u)) <= iso.mu * (1 + 1e-12)).all() and force(1.000001 * u[-1:])[0] > iso.mu
+        assert found.break_loose == iso.mu and found.sticking == pytest.approx(4 * iso.mu / math.pi)
+        assert found.k_0 == pytest.approx(1 - iso.lam * iso.r * iso.delta_h) and found.Omega_0**2 == pytest.approx(
+            found.k_0
+        )
+    assert Duffing(2.0, 0.0, mu=0.3, zeta=0.1).at_rest().rests_within == pytest.approx(0.15)
+    assert Isolator(lam=3, r=2.0, delta_h=0.08, mu=0.01, zeta=0.02).replace(mu_s=0.02).at_rest().break_loose == 0.02
+    released = Isolator(lam=3, r=2.0, delta_h=0.08, mu=1.0, zeta=0.02, rubs="attached")
+    assert released.at_rest().rests_within == released.u_cr
+    with pytest.raises(ValueError, match="at_rest is not available with load"):
+        Duffing(1.0, 0.5, 0.01, 0.05, load=0.1).at_rest()
+
+
+def test_up_to_which_frequency_an_unbalance_leaves_the_mass_at_rest():
+    iso = Isolator(lam=3, r=2.0, delta_h=0.08, mu=0.012, zeta=0.02, excitation="unbalance")
+    Omega = iso.margins(0.03).Omega_sticks
+    below, above = iso.amplitudes(Omega=Omega * (1 - 1e-9), F_0=0.03), iso.amplitudes(Omega=Omega * 1.0001, F_0=0.03)
+    assert not len(below) and len(above)
+    forced = iso.replace(excitation="force")
+    assert forced.margins(0.01).Omega_sticks == math.inf and forced.margins(0.03).Omega_sticks == 0
 
 
 # ---- hysteresis ----------------------------------------------------------------------------------------------------

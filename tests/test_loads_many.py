@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator
-from slowflow_kernels.conventions import Status
+from slowflow.results import Remark
+from slowflow_kernels.conventions import OnsetKind, Status
 
 
 def some(count):
@@ -31,18 +32,56 @@ def asked():
     return given, F_0, Isolator.many(**given)
 
 
-def test_margins_of_many_are_those_of_each(asked):
-    given, F_0, designs = asked
-    found = designs.margins(F_0)
+def assert_same_margins(found, k, single):
+    """Numbers, kinds and remarks; where the single answer has no number `onset` says why."""
+    assert (found.folds[k], found.detaches[k], found.sticks[k]) == (single.folds, single.detaches, single.sticks), k
+    assert found.remarks[k] == single.remarks and found.status[k] == Status.OK, k
+    assert OnsetKind(found.kind[k]).name.lower() == (single.kind or "no"), k
+    none = math.inf if found.onset[k] == Status.NONE else math.nan
+    for name, missing in (("SN", none), ("cr", math.inf)):
+        for column in (f"F_{name}", f"of_{name}"):
+            one = getattr(single, column)
+            expected = missing if one is None else one
+            assert getattr(found, column)[k] == pytest.approx(expected, rel=1e-13, nan_ok=True), (k, column)
+    assert found.Omega_sticks[k] == pytest.approx(single.Omega_sticks, rel=1e-15)
+
+
+@pytest.mark.parametrize("excitation", ["force", "base", "unbalance"])
+def test_margins_of_many_are_those_of_each(asked, excitation):
+    given, F_0, _ = asked
+    found = Isolator.many(**given, excitation=excitation).margins(F_0)
+    of_force = excitation == "force"
     assert found.status[3] == Status.INVALID and np.isnan(found.F_SN[3]) and not found.detaches[3]
+    for k in set(range(120)) - ({3} if of_force else {0, 1, 2, 3}):
+        assert_same_margins(found, k, one(given, k).replace(excitation=excitation).margins(F_0[k]))
+    if of_force:
+        assert 10 < found.detaches.sum() < 110 and found.sticks.sum() > 3
+        assert found.onset[:3].tolist().count(Status.UNBOUNDED) > 0  # no viscous damping: none is the lowest
+    else:
+        assert np.isfinite(found.Omega_sticks[4:]).all() and (found.Omega_sticks > 0).sum() > 50
+
+
+def test_where_folds_end_at_rest_margins_of_many_say_so_as_single_ones_do():
+    """There are folds below F_SN then, so that of_SN alone would promise too much."""
+    numbers = {"alpha": 1.0, "beta": -1.0, "mu": 0.01, "zeta": [0.05, 0.2]}
+    found = Duffing.many(**numbers).margins(0.3)
+    for k, zeta in enumerate(numbers["zeta"]):
+        single = Duffing(1.0, -1.0, 0.01, zeta).margins(0.3)
+        assert_same_margins(found, k, single)
+        assert bool(single.remarks & Remark.FOLDS_AT_REST) == ("Omega = 0" in single.message)
+    assert (found.remarks & Remark.FOLDS_AT_REST).any()
+
+
+def test_at_rest_many_are_what_each_is(asked):
+    given, _, designs = asked
+    found = designs.at_rest()
+    assert found.status[3] == Status.INVALID and np.isnan(found.k_0[3])
     for k in set(range(120)) - {3}:
-        single = one(given, k).margins(F_0[k])
-        assert (found.folds[k], found.detaches[k], found.sticks[k]) == (single.folds, single.detaches, single.sticks), k
-        for name in ("F_cr", "of_cr"):
-            assert getattr(found, name)[k] == pytest.approx(getattr(single, name), rel=1e-13)
-        if given["zeta"][k]:
-            assert found.of_SN[k] == pytest.approx(math.inf if single.of_SN is None else single.of_SN, rel=1e-13)
-    assert 10 < found.detaches.sum() < 110 and found.sticks.sum() > 3
+        single = one(given, k).at_rest()
+        for name in ("Omega_0", "k_0", "u_cr", "break_loose", "rests_within", "sticking"):
+            value = getattr(single, name)
+            expected = math.nan if value is None else value
+            assert getattr(found, name)[k] == pytest.approx(expected, rel=1e-13, nan_ok=True), (k, name)
 
 
 def test_bands_of_many_are_those_of_each(asked):

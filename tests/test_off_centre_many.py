@@ -55,7 +55,7 @@ def test_what_an_engineer_asks_of_many_designs_has_the_digits_of_single_answers(
     for row, single in enumerate((Duffing(1.0, 0.5, 0.01, 0.05, load=0.3), Duffing(1.2, 0.5, 0.01, 0.05, load=0.2))):
         for question, names in {
             "peak": ("A", "B", "Omega", "u_max", "Omega_max"),
-            "margins": ("F_SN", "of_SN", "folds", "detaches", "sticks"),
+            "margins": ("F_SN", "of_SN", "folds", "detaches", "sticks", "Omega_sticks", "remarks"),
             "isolation": ("Omega", "A", "at_fold"),
         }.items():
             one = getattr(single, question)(F_0)
@@ -102,6 +102,54 @@ def test_what_the_message_of_a_single_answer_says_is_a_remark():
     assert {"load", "Omega", "F_0", "A_0", "B_0", "phi_0"} <= table.keys()
 
 
+def test_shocks_of_many_designs_begin_where_each_rests():
+    """The last two have two wells, and no place of rest."""
+    loads, alpha = np.array([0.3, 0.0, 0.02, 0.6]), np.array([1.0, 1.0, -0.5, 1.0])
+    designs = Duffing.many(alpha, [0.5, 0.5, 0.5, -0.5], 0.01, 0.05, load=loads)
+    tau = np.linspace(0.0, 1.5, 30)
+    pulse = 0.8 * np.sin(np.pi * tau / 1.5)
+    half, record = designs.transient(acceleration=0.8, duration=1.5), designs.transient(acceleration=pulse, tau=tau)
+    spectrum = designs.shock_spectrum(acceleration=0.8, duration=[[1.5], [3.0]])
+    assert spectrum.A.shape == (2, 4) and half.stands.tolist() == [1, 1, 2, 0]
+    for k in range(3):
+        single = Duffing(alpha[k], 0.5, 0.01, 0.05, load=loads[k])
+        for found, one in (
+            (half, single.transient(acceleration=0.8, duration=1.5)),
+            (record, single.transient(acceleration=pulse, tau=tau)),
+        ):
+            names = ("A", "tau_A", "a_max", "tau_a", "detaches", "rests", "u_end")
+            assert [getattr(found, name)[k] for name in names] == [getattr(one, name) for name in names]
+            assert ("several stable places" in one.message) == (found.stands[k] > 1)
+        for row, pulse_of in enumerate(single.shock_spectrum(acceleration=0.8, duration=[1.5, 3.0])):
+            names = ("A", "a_max", "ratio", "detaches")
+            assert [getattr(spectrum, name)[row, k] for name in names] == [getattr(pulse_of, name) for name in names]
+    assert half.status[3] == Status.UNRESOLVED and np.isnan(half.A[3])
+    assert designs.transient(acceleration=0.8, duration=-1.0).status.tolist() == [Status.INVALID] * 4
+    with pytest.raises(ValueError, match="either its duration"):
+        designs.transient(acceleration=0.8)
+    assert {"load", "acceleration", "duration", "ratio"} <= spectrum.columns().keys()
+
+
+@pytest.mark.slow
+def test_load_spectra_of_many_designs_have_the_digits_of_single_ones():
+    loads = np.array([0.3, 0.2])
+    designs = Duffing.many([1.0, 1.2], 0.5, 0.01, 0.05, load=loads)
+    Omega, F_0 = [1.25, 1.6, 1.25, -1.0, 1.6], [0.2, 0.2, 0.2, 0.2, 0.01]
+    found = designs.spectrum(Omega=Omega, F_0=F_0)
+    assert found.A.shape == (2, 5) and found.crosses.any()
+    for k, alpha in enumerate((1.0, 1.2)):
+        single = Duffing(alpha, 0.5, 0.01, 0.05, load=loads[k])
+        rows = single.spectrum(Omega=Omega[:3], F_0=F_0[:3])
+        for name in ("A", "transmissibility_dB", "motions", "crosses", "detaches", "sticks"):
+            assert getattr(found, name)[k, :3].tolist() == getattr(rows, name).tolist(), name
+        assert found.sticks[k, 4] == 1 and found.A[k, 4] == 0
+        # what is crossed on the way from a row that is none is not known
+        assert found.status[k].tolist() == [*[Status.OK] * 3, Status.INVALID, Status.INVALID]
+        said = [single.amplitudes(Omega=O, F_0=F).remarks for O, F in zip(Omega[:3], F_0[:3], strict=True)]
+        assert found.remarks[k, :3].tolist() == said
+    assert found.columns()["load"].tolist() == [0.3] * 5 + [0.2] * 5 and found.to_xarray()["A"].dims[-1] == "row"
+
+
 def test_a_force_that_is_not_odd_has_batches_too():
     import sympy as sp
 
@@ -117,7 +165,7 @@ def test_a_force_that_is_not_odd_has_batches_too():
 
 def test_what_batches_have_no_answer_to_off_the_centre_is_refused_in_words():
     designs = Isolator.many(**TABLE_1, load=[0.03, 0.1])
-    for name in ("certify", "second_approximation", "shock_spectrum"):
+    for name in ("at_rest", "certify", "second_approximation"):
         with pytest.raises(ValueError, match="motions about the centre"):
             getattr(designs, name)
     with pytest.raises(ValueError, match="only with 'force'"):

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any, ClassVar, NamedTuple
 
@@ -18,15 +18,20 @@ from scipy.optimize import brentq
 
 from slowflow import validate
 from slowflow.answer import Single, Table, joined
-from slowflow.averaged import words
+from slowflow.averaged import remarks, words
 from slowflow.averaged.questions import Averaged
-from slowflow.mechanism import Floats
+from slowflow.mechanism import Floats, Law
+from slowflow.model import THROUGHOUT
 from slowflow.results import Remark
 
 Flags = npt.NDArray[np.bool_]
 Ints = npt.NDArray[np.intp]
 
 ISOLA = "at F_SN an isolated curve is born: a sweep from rest does not meet it, and does not jump there"
+APART = (
+    "motions beyond u_cr at a forcing below F_cr are on curves of their own: none at this forcing passes u_cr, so that "
+    "a slow change from rest does not come to them"
+)
 ISOLATES = "every motion transmits less than the force"
 NEVER = "a motion that transmits more than the force has no end towards high frequencies"
 NONE_STABLE = "no motion is stable at Omega = {:g}, F_0 = {:g}"
@@ -34,9 +39,31 @@ NONE_STABLE = "no motion is stable at Omega = {:g}, F_0 = {:g}"
 BEYOND = 1.1
 #: amplitudes at which the highest frequency of the backbone is looked for, and points of a response curve
 SAMPLES = 2000
+#: places up to which friction may hold the mass, between which its force is looked at, and halvings that leave rounding
+PLACES, HALVINGS = 256, 110
 #: steps between two rows of a load spectrum whose forcings differ, and the share of the way that is halved no more
 STEPS = 16
 SHORTEST = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class AtRest(Single):
+    """What there is to say of an oscillator that nothing excites.
+
+    Omega_0, k_0 -- natural frequency and stiffness of small motions about the centre; no frequency where k_0 < 0
+    u_cr         -- the stroke, at which the springs leave; None for a force of one piece
+    break_loose  -- the constant force that friction holds, the static one where it is given
+    rests_within -- how far from the centre friction holds the mass, of the untruncated force if there is one; None
+                    where it holds it anywhere
+    sticking     -- the amplitude of a force up to which averaging has the mass at rest, 4 mu/pi (27)
+    """
+
+    Omega_0: float | None
+    k_0: float
+    u_cr: float | None
+    break_loose: float
+    rests_within: float | None
+    sticking: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,9 +75,11 @@ class Margins(Single):
     of_SN, of_cr -- these over F_0: above 1 there is a margin
     kind        -- of the onset, as in `SaddleNodeOnset`
     folds       -- number of folds at F_0
-    detaches    -- whether a stable motion at F_0 passes u_cr, isolated curves included
+    detaches    -- whether a stable motion at F_0 passes u_cr, isolated curves included: these may be there below F_cr
     sticks      -- whether a mass at rest stays there, whatever the frequency
+    Omega_sticks -- up to which frequency it does: 0 where the forcing moves it at all, inf where at none
     message     -- what to bear in mind
+    remarks     -- those of the onset, the detachment and the folds
     """
 
     F_0: float
@@ -62,7 +91,9 @@ class Margins(Single):
     folds: int
     detaches: bool
     sticks: bool
+    Omega_sticks: float
     message: str
+    remarks: Remark
 
 
 class Band(NamedTuple):
@@ -143,18 +174,77 @@ class Spectrum(Table):
     detaches: Flags
     sticks: Flags
     message: str
+    _remarks: remarks.Codes = field(repr=False)  # of the states of each row
+
+
+def at_rest(oscillator: Any) -> AtRest:
+    """See `Oscillator.at_rest`; of an oscillator about its centre."""
+    (stiffness,) = oscillator.stiffness([0.0]).tolist()
+    model = oscillator.model
+    only = model.mechanism.truncated and model.mechanism.load_untruncated is None
+    force = oscillator.restoring_force(None if only else "untruncated")
+    laws, constants = [piece.law for piece in force.pieces], force.pieces[0].constants
+    within = float(rests_within(laws, constants, force.breakpoints, oscillator.mu_s))
+    if model.laws.rubs != THROUGHOUT:
+        within = min(within, model.breakpoints[0])
+    return AtRest(
+        math.sqrt(stiffness) if stiffness >= 0 else None,
+        stiffness,
+        next(iter(oscillator.breakpoints), None),
+        oscillator.mu_s,
+        within if within < math.inf else None,
+        model.m,
+    )
+
+
+def rests_within(laws: Sequence[Law], parameters: Sequence[Any], ends: Sequence[Any], mu: Any) -> Floats:
+    """The |u| up to which a force as large as mu holds the mass, |f(u)| <= mu, inf where it does everywhere.
+
+    laws, ends -- of the pieces of the force, the last without end; parameters -- of all of them. Shapes that broadcast
+    """
+    held, *values = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in (mu, *parameters, *ends)))
+    parameters, ends = values[: len(parameters)], values[len(parameters) :]
+
+    def holds(u: Floats) -> Flags:
+        f = laws[-1].force(u, *parameters)
+        for end, law in zip(reversed(ends), reversed(laws[:-1]), strict=True):
+            f = np.where(u <= end, law.force(u, *parameters), f)
+        return np.asarray(np.abs(f) <= held)
+
+    with np.errstate(all="ignore"):  # what is no design has none
+        far = held + 1.0 + (ends[-1] if ends else 0.0)
+        low, high, left = np.zeros(held.shape), np.full(held.shape, math.inf), held > 0
+        for k in range(1, PLACES + 1):
+            at, inside = far * (k / PLACES), holds(far * (k / PLACES))
+            high = np.where(left & ~inside, at, high)
+            low, left = np.where(left & inside, at, low), left & inside
+        for _ in range(HALVINGS):
+            middle = 0.5 * (low + high)
+            inside = holds(middle) & (high < math.inf)
+            low, high = np.where(inside, middle, low), np.where(inside, high, np.minimum(middle, high))
+    return np.where(held > 0, np.where(left, math.inf, low), np.where(held == 0, 0.0, math.nan))
 
 
 def margins(oscillator: Any, F_0: float, detaches: Callable[[float], bool] | None = None) -> Margins:
     """See `Oscillator.margins`; of an `Averaged`, or of an `OffCentre`, which tells what `detaches` at a forcing."""
     folds = oscillator.saddle_nodes(F_0)
     onset, detachment = oscillator.saddle_node_onset(), oscillator.detachment()
-    F_cr = detachment.F_cr
-    if F_cr is None and oscillator.model.inertial and oscillator.breakpoints:
+    model, F_cr = oscillator.model, detachment.F_cr
+    if F_cr is None and model.inertial and oscillator.breakpoints:
         # as no amplitude is lower at a higher frequency, which tends to F_0
         F_cr = oscillator.breakpoints[0]
     # beside a mass at rest that stays there motions may be that detach
-    sticks, moves = folds.F_0 <= oscillator.sticking_forcing, not oscillator.model.sticks(folds.F_0)
+    sticks, moves = folds.F_0 <= oscillator.sticking_forcing, not model.sticks(folds.F_0)
+    leaves = moves and (detaches(folds.F_0) if detaches else _detaches(oscillator, folds.F_0))
+    beside = (folds.remarks | detachment.remarks) & ~onset.remarks
+    said = (
+        folds.message if sticks else "",
+        ISOLA if onset.kind == "isola" and Remark.OF_TRUNCATION not in onset.remarks else "",
+        onset.message,
+        detachment.message if model.inertial else "",
+        APART if leaves and F_cr is not None and folds.F_0 < F_cr else "",
+        *remarks.in_words(beside, model, folds.F_0),
+    )
     return Margins(
         folds.F_0,
         onset.F_SN,
@@ -163,14 +253,11 @@ def margins(oscillator: Any, F_0: float, detaches: Callable[[float], bool] | Non
         None if F_cr is None else F_cr / folds.F_0,
         onset.kind,
         len(folds),
-        moves and (detaches(folds.F_0) if detaches else _detaches(oscillator, folds.F_0)),
+        leaves,
         sticks,
-        joined(
-            folds.message if sticks else "",
-            ISOLA if onset.kind == "isola" and Remark.OF_TRUNCATION not in onset.remarks else "",
-            onset.message,
-            detachment.message if oscillator.model.inertial else "",
-        ),
+        math.inf if sticks else math.sqrt(model.m / folds.F_0) if model.inertial else 0.0,
+        joined(*dict.fromkeys(part for words in said for part in words.split("; "))),  # each once
+        beside | onset.remarks,
     )
 
 
@@ -292,18 +379,19 @@ def spectrum(oscillator: Any, Omega: Any, F_0: Any, leaves: Callable[[Any], Flag
         return np.array(found, dtype=np.intp).reshape(-1, 2).T
 
     crosses = np.concatenate(([False], crossed(sides, points[:, :-1], points[:, 1:])))[: at.size]
-    rows, said = [], []
+    rows, said, codes = [], [], []
     passes = leaves or (lambda states: states.A > oscillator.breakpoints[0])
     for here in zip(at.tolist(), F.tolist(), crosses.tolist(), strict=True):
-        row, message = _row(oscillator, passes, *here)
+        row, message, code = _row(oscillator, passes, *here)
         rows.append(row)
         said.append(message)
+        codes.append(code)
     columns = np.array(rows, dtype=float).reshape(-1, len(Load._fields)).T
     kinds = {"motions": np.intp, "crosses": np.bool_, "detaches": np.bool_, "sticks": np.bool_}
     typed: dict[str, Any] = {
         name: column.astype(kinds.get(name, float)) for name, column in zip(Load._fields, columns, strict=True)
     }
-    return Spectrum(**typed, message=words.at_several(said))
+    return Spectrum(**typed, message=words.at_several(said), _remarks=np.array(codes, dtype=np.uint8))
 
 
 def on_both_sides(folds: Floats, Omega: Any) -> Ints:
@@ -344,15 +432,18 @@ def crossed(sides: Callable[[Ints, Floats, Floats], Ints], start: Floats, end: F
     return found
 
 
-def _row(oscillator: Any, passes: Callable[[Any], Flags], Omega: float, F_0: float, crosses: bool) -> tuple[Load, str]:
-    """One row, and what is said beside it."""
+def _row(
+    oscillator: Any, passes: Callable[[Any], Flags], Omega: float, F_0: float, crosses: bool
+) -> tuple[Load, str, Remark]:
+    """One row, and what is said beside it, in words and as codes."""
     states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
     stable = np.flatnonzero(states.stable)
     sticks = not stable.size and oscillator.model.force(F_0, Omega) <= oscillator.model.held
     if not stable.size:
         none = Load(Omega, F_0, 0.0 if sticks else math.nan, math.nan, 0, crosses, False, sticks)
-        return none, states.message if sticks else joined(states.message, NONE_STABLE.format(Omega, F_0))
+        said = states.message if sticks else joined(states.message, NONE_STABLE.format(Omega, F_0))
+        return none, said, states.remarks
     top = stable[np.argmax(states.A[stable])]
     detaches = bool(oscillator.breakpoints) and bool(passes(states)[stable].any())
     A, dB = float(states.A[top]), float(states.transmissibility_dB[top])
-    return Load(Omega, F_0, A, dB, stable.size, crosses, detaches, sticks), states.message
+    return Load(Omega, F_0, A, dB, stable.size, crosses, detaches, sticks), states.message, states.remarks

@@ -9,17 +9,17 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from functools import cached_property, partial
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from slowflow import loads, validate
-from slowflow.averaged import remarks
-from slowflow.averaged.many import Batch, Codes, Designs, Detachments, first_end
+from slowflow.averaged.many import Batch, Codes, Designs, Detachments, Told, first_end
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
+from slowflow.model import THROUGHOUT
 from slowflow.results import Remark
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import Status
@@ -40,23 +40,45 @@ FAILED = (Status.NO_BOUND, Status.UNRESOLVED, Status.NO_MEMORY)
 
 
 @dataclass(frozen=True, eq=False)
-class ManyMargins(Batch):
+class ManyAtRest(Batch):
+    """`slowflow.loads.AtRest` of each design: NaN where there is no frequency or no stroke; rests_within may be inf."""
+
+    Omega_0: Floats
+    k_0: Floats
+    u_cr: Floats
+    break_loose: Floats
+    rests_within: Floats
+    sticking: Floats
+    status: Codes
+
+
+@dataclass(frozen=True, eq=False)
+class ManyMargins(Told):
     """`slowflow.loads.Margins` of each design.
 
-    F_SN, F_cr, of_SN, of_cr -- inf where there is no such forcing; F_SN and of_SN are NaN where folds below it end at
-                Omega = 0, or none is the lowest; F_cr as in `slowflow.loads.Margins`
+    F_SN, F_cr, of_SN, of_cr -- inf where there is no such forcing, and F_SN NaN where none is the lowest, or which is
+                not known: `onset` tells; F_cr as in `slowflow.loads.Margins`
+    kind     -- of the onset, a number of `slowflow_kernels.conventions.OnsetKind`: no sweep jumps at an isola's birth
     folds    -- number of folds at F_0
-    detaches, sticks -- 1 where a stable motion passes u_cr, and where a mass at rest stays there
+    detaches, sticks -- 1 where a stable motion passes u_cr, isolated curves included, which may be there below F_cr,
+                and where a mass at rest stays there, whatever the frequency
+    Omega_sticks -- as there
+    onset    -- the status of the onset
     status   -- that of the folds, or of the onset, the detachment or the peak where one of these is not known
+
+    `remarks` are those of the onset, the detachment and the folds, as of a single answer.
     """
 
     F_SN: Floats
     F_cr: Floats
     of_SN: Floats
     of_cr: Floats
+    kind: Codes
     folds: Codes
     detaches: Codes
     sticks: Codes
+    Omega_sticks: Floats
+    onset: Codes
     status: Codes
 
 
@@ -91,12 +113,14 @@ class ManyIsolations(Batch):
 
 
 @dataclass(frozen=True, eq=False)
-class ManySpectra(Batch):
+class ManySpectra(Told):
     """`slowflow.loads.Spectrum` of each design; the last axis, of all columns, is that of the rows.
 
     A, transmissibility_dB, motions, crosses, detaches, sticks -- as there, flags as 0 and 1
     status -- of each row: `Status.NONE` where no motion is stable, and of what fails that of the states, or of the
               folds on the way
+
+    `remarks` are those of all states of a row.
     """
 
     A: Floats
@@ -107,12 +131,6 @@ class ManySpectra(Batch):
     sticks: Codes
     status: Codes
     _Omega: Any = field(repr=False, kw_only=True)
-    _said: remarks.Codes = field(repr=False, kw_only=True)
-
-    @cached_property
-    def remarks(self) -> remarks.Codes:
-        """Those of all states of a row."""
-        return self._said
 
     def _asked_at(self) -> dict[str, Any]:
         return {**super()._asked_at(), "Omega": np.asarray(self._Omega)}
@@ -121,32 +139,64 @@ class ManySpectra(Batch):
         return (*super()._axes()[:-1], "row")
 
 
+def at_rest(designs: Designs, workers: int = 1) -> ManyAtRest:
+    """See `slowflow.oscillator.Designs.at_rest`."""
+    detachments = designs.detachment(workers=workers)
+    allowed, shape = detachments.status != Status.INVALID, designs.shape
+    mu = np.asarray(designs.values["mu"], dtype=float)
+    with np.errstate(all="ignore"):  # what is no design has no stiffness
+        parameters = designs.mechanism.coefficients(*designs.design)
+        k_0 = -np.asarray(designs.mechanism.averaged(0.0, *parameters)[1])
+        untruncated = designs.mechanism.load_untruncated
+        law = designs.mechanism if untruncated is None else untruncated()
+        of_law = law.coefficients(*designs.design)
+        within = loads.rests_within(law.pieces, of_law, law.breakpoints(*of_law), mu)
+        if designs.rubs != THROUGHOUT:
+            within = np.minimum(within, first_end(designs.mechanism, parameters))
+        Omega_0 = np.sqrt(k_0)
+    columns = {"Omega_0": Omega_0, "k_0": k_0, "u_cr": detachments.u_cr, "break_loose": mu}
+    columns |= {"rests_within": within, "sticking": np.asarray(slow_flow.friction(mu))}
+    return ManyAtRest(
+        **{name: np.where(allowed, np.broadcast_to(value, shape), np.nan) for name, value in columns.items()},
+        status=np.where(allowed, Status.OK, Status.INVALID).astype(np.int8),
+        _designs=designs,
+    )
+
+
 def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
     """See `slowflow.oscillator.Designs.margins`."""
     folds, peaks = designs.saddle_nodes(F_0, workers=workers), designs.peak(F_0, workers=workers)
     onsets, detachments = designs.saddle_node_onset(workers=workers), designs.detachment(workers=workers)
     shape, allowed = folds.status.shape, folds.status != Status.INVALID
-    F_SN = np.where(onsets.at_rest, np.nan, np.where(onsets.status == Status.NONE, math.inf, onsets.F_SN))
+    F_SN = np.where(onsets.status == Status.NONE, math.inf, onsets.F_SN)
     F_cr = lifting(designs, detachments)
     sticks = (folds.status == Status.STICKS) | ((folds.remarks & Remark.HELD_AT_REST) != 0)
     # the highest motion is stable: beyond it there is none
     passes = (peaks.status == Status.UNBOUNDED) | (peaks.A > detachments.u_cr)
+    forcing, sticks_below = np.asarray(F_0, dtype=float), np.zeros(())
     if designs.excitation != "force":  # an amplitude that only rises tends to F_0
-        passes |= (peaks.status == Status.NONE) & (np.asarray(F_0, dtype=float) > F_cr)
+        passes |= (peaks.status == Status.NONE) & (forcing > F_cr)
+        with np.errstate(all="ignore"):
+            sticks_below = np.sqrt(slow_flow.friction(designs.values["mu"]) / forcing)
     detaches = passes & np.isfinite(F_cr) & ((peaks.remarks & Remark.LEAVES_CENTRE) == 0)
     status = np.where(folds.status == Status.STICKS, Status.OK, folds.status)
     for one, asked in ((onsets, True), (detachments, True), (peaks, np.isfinite(F_cr))):
         status = np.where((status == Status.OK) & np.isin(one.status, FAILED) & asked, one.status, status)
-    forcing = np.asarray(F_0, dtype=float)
     columns = {"F_SN": F_SN, "F_cr": F_cr, "of_SN": F_SN / forcing, "of_cr": F_cr / forcing}
-    flags = {"detaches": detaches & allowed, "sticks": sticks}
+    columns["Omega_sticks"] = np.where(sticks, math.inf, sticks_below)
+    codes = {"kind": onsets.kind, "detaches": detaches, "sticks": sticks}
+    known: dict[str, Any] = {
+        name: np.where(allowed, np.broadcast_to(values, shape), np.nan) for name, values in columns.items()
+    }
+    known |= {name: np.where(allowed, np.broadcast_to(code, shape), 0).astype(np.int8) for name, code in codes.items()}
     return ManyMargins(
-        **{name: np.where(allowed, np.broadcast_to(values, shape), np.nan) for name, values in columns.items()},
-        **{name: values.astype(np.int8) for name, values in flags.items()},
+        **known,
         folds=folds.count,
+        onset=np.broadcast_to(onsets.status, shape).copy(),
         status=status.astype(np.int8),
         _designs=designs,
         _F_0=F_0,
+        _said=np.where(allowed, folds.remarks | onsets.remarks | detachments.remarks, np.uint8(0)),
     )
 
 

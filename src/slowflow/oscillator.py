@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from slowflow import exact, loads
     from slowflow.averaged.plan import Plan
     from slowflow.exact.shocks import Shocks, Transients
-    from slowflow.loads_many import ManyBands, ManyIsolations, ManyMargins, ManySpectra
+    from slowflow.loads_many import ManyAtRest, ManyBands, ManyIsolations, ManyMargins, ManySpectra
     from slowflow.off_centre.answers import RestPositions
     from slowflow.off_centre.questions import OffCentre
     from slowflow.second import SecondApproximation
@@ -408,6 +408,16 @@ class Oscillator(Averaged):
 
         return questions.shocks(self, self.equation_of_motion(force), acceleration, duration)
 
+    def at_rest(self) -> loads.AtRest:
+        """What holds whatever the forcing: .Omega_0 .k_0 .u_cr, and by friction .break_loose .rests_within .sticking.
+
+        Raises ValueError under a load, and for a force that is not odd: `rest` tells where that stands.
+        """
+        from slowflow import loads
+
+        self.at_centre("at_rest")
+        return loads.at_rest(self)
+
     def margins(self, F_0: float) -> loads.Margins:
         """How far F_0 is from the lowest forcing that has a fold, F_SN, and from that which lifts the springs, F_cr.
 
@@ -514,6 +524,12 @@ class Designs(many.Designs):
 
         self.only_for_plain_damping("second_approximation")
         return SecondDesigns(self)
+
+    def at_rest(self, *, workers: int = 1) -> ManyAtRest:
+        """What holds of each design whatever the forcing: frequency, friction's hold; see `Oscillator.at_rest`."""
+        from slowflow import loads_many
+
+        return loads_many.at_rest(self, workers)
 
     def margins(self, F_0: Any, *, workers: int = 1) -> ManyMargins:
         """How far F_0, which broadcasts with the designs, is from F_SN and F_cr of each; see `Oscillator.margins`."""

@@ -65,9 +65,11 @@ KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
         "Omega_cr": ("f_cr", "frequency"),
         "Omega_max": ("f_max", "frequency"),
         "Omega_undecided": ("f_undecided", "frequency"),
+        "Omega_0": ("f_0", "frequency"),
+        "Omega_sticks": ("f_sticks", "frequency"),
+        "k_0": ("k_0", "stiffness"),
+        "rests_within": ("rests_within", "length"),
         **{name: (name, "force") for name in ("break_loose", "sticking", "force")},
-        "f_n": ("f_n", "frequency"),
-        "f_0": ("f_0", "frequency"),
         "jumps": ("jumps", "frequency"),
         "period": ("period", "time"),
     }
@@ -322,6 +324,7 @@ def sizes(*, m: Any, k_v: Any, L: Any) -> dict[str, Any]:
         "frequency": rate / math.tau,
         "time": size(SCALES["tau"], **base),
         "speed": length * rate,
+        "stiffness": k_v,
         "acceleration": length * rate**2,
         "unbalance": size(AMPLITUDE_SCALES["unbalance"], **base),
         "quadratic damping": size(SCALES["c_2"], **base),
@@ -480,39 +483,25 @@ class Physical:
         lightest, heaviest -- masses that would rest at -x_cr and x_cr, k_v being preset for m; no lightest where even
                        none would rest above -x_cr
         break_loose -- the constant force that friction holds, the static one where it is given
-        rests_within -- how far from the centre friction holds the mass at rest
+        rests_within -- how far from the centre friction holds the mass at rest; None where anywhere
         sticking    -- the force amplitude up to which averaging has the mass at rest (27)
 
         Raises ValueError with a load that k_v is not preset for: `rest` tells where that stands.
         """
         if (first := getattr(self.oscillator, "first", None)) is not None:  # the springs are the same at each depth
             return dataclasses.replace(self, oscillator=first).at_rest()
-        oscillator, m, k_v = self.oscillator, self.scales.m, self.scales.k_v
-        with self.scales.in_these_terms():
-            oscillator.at_centre("at_rest")
-        (stiffness,) = oscillator.stiffness([0.0]).tolist()
-        u_cr = oscillator.breakpoints[0] if oscillator.breakpoints else None
-        found = self.scales.named(
-            {
-                "f_n": 1.0,
-                "f_0": math.sqrt(stiffness) if stiffness > 0 else None,
-                "u_cr": u_cr,
-                "break_loose": oscillator.mu_s,
-                "sticking": oscillator.model.m,
-            },
-            oscillator,
-        )
-        beyond = None if u_cr is None else k_v * found.x_cr / g
+        m, k_v = self.scales.m, self.scales.k_v
+        found = self.scales.quantities(self._asked.at_rest())
+        beyond = None if found.x_cr is None else k_v * found.x_cr / g
         values = {
+            "f_n": self.scales.sizes["frequency"],
             **found.values,
-            "rests_within": self._resting(oscillator.mu_s),
-            "k_0": k_v * stiffness,
             "preset": m * g / k_v,
             "lightest": None if beyond is None or beyond >= m else m - beyond,
             "heaviest": None if beyond is None else m + beyond,
         }
-        units = {**found.units, "k_0": "N/m", "rests_within": "m", "preset": "m", "lightest": "kg", "heaviest": "kg"}
-        return Quantities(values, units, oscillator)
+        units = {"f_n": "Hz", **found.units, "preset": "m", "lightest": "kg", "heaviest": "kg"}
+        return Quantities(values, units, found.answer)
 
     def sag(self, load: Any) -> float:
         """How far from the centre a mass in kg would rest, in m, when k_v is preset for m: the force is (5)."""

@@ -101,7 +101,6 @@ class Question:
     spectrum -- whether it is asked at the pairs of [spectrum]
     within  -- whether it is asked of the tolerances in [tolerances]
     shock   -- whether it is asked of the pulses in [shock]
-    mount   -- whether only a mount knows an answer
     """
 
     forced: bool = True
@@ -111,11 +110,10 @@ class Question:
     spectrum: bool = False
     within: bool = False
     shock: bool = False
-    mount: bool = False
 
 
 QUESTIONS: Mapping[str, Question] = {
-    "at_rest": Question(forced=False, mount=True),
+    "at_rest": Question(forced=False),
     "rest": Question(forced=False),
     "saddle_node_onset": Question(forced=False),
     "detachment": Question(forced=False),
@@ -302,11 +300,10 @@ class _Reader:
     def _asked(self, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
         """The questions with their arguments."""
         questions = self._list("ask", "questions", str)
-        known = [name for name, one in QUESTIONS.items() if kind.frequency == "f" or not one.mount]
         for name in questions:
-            if name not in known:
-                said = f"= {name!r} is not allowed: it must be one of {', '.join(known)}"
-                raise self._error("ask", "questions", said, name, known)
+            if name not in QUESTIONS:
+                said = f"= {name!r} is not allowed: it must be one of {', '.join(QUESTIONS)}"
+                raise self._error("ask", "questions", said, name, QUESTIONS)
             question = QUESTIONS[name]
             for key, wanted in ((kind.forcing, question.forced), (kind.frequency, question.at)):
                 if wanted and key not in ask:

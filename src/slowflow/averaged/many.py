@@ -164,6 +164,18 @@ class Batch(Answer):
 
 
 @dataclass(frozen=True, eq=False)
+class Told(Batch):
+    """Answers that are made of others, or of single ones, and have their remarks from these."""
+
+    _said: remarks.Codes = field(repr=False, kw_only=True)
+
+    @cached_property
+    def remarks(self) -> remarks.Codes:
+        """Sums of `slowflow.results.Remark`, as a single answer has them."""
+        return frozen(self._said)
+
+
+@dataclass(frozen=True, eq=False)
 class Detachments(Batch):
     """The lowest forcing that reaches u_cr, its frequency, and u_cr, for each design (34)."""
 

@@ -148,6 +148,10 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
             Step("folds", True, "as saddle_nodes has them"),
             Step("proof", True, "of folds, F_SN and F_cr, and of states where Omega is given, in interval arithmetic"),
         ),
+        "at_rest": (
+            Step("force", True, "its stiffness at the centre, and how far friction holds the mass against it"),
+            Step("averaging", False, "not needed: nothing moves"),
+        ),
         "rest": (
             Step("boxes", True, "u is cut until each part is proved to hold one place of rest, or none"),
             Step("averaging", False, "not needed: nothing moves"),
@@ -185,7 +189,11 @@ AT_ONE = ("margins", "hysteresis", "isolation", "certify", "steady_state", "exac
 def plan_composed(question: str, F_0: float | None, whole: Model) -> Plan:
     """The plan for one of `COMPOSED`."""
     return Plan(
-        question, F_0, whole, question not in ("rest", "sweep", "transient", "shock_spectrum"), COMPOSED[question]
+        question,
+        F_0,
+        whole,
+        question not in ("at_rest", "rest", "sweep", "transient", "shock_spectrum"),
+        COMPOSED[question],
     )
 
 

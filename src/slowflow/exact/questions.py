@@ -145,9 +145,9 @@ def sweep(system: EquationOfMotion, Omega: Any, F_0: float) -> Sweep:
 
 
 def transient(
-    averaged: Averaged, system: EquationOfMotion, acceleration: Any, duration: Any, tau: Any, after: Any
+    averaged: Any, system: EquationOfMotion, acceleration: Any, duration: Any, tau: Any, after: Any
 ) -> Transient:
-    """See `slowflow.oscillator.Oscillator.transient`."""
+    """See `slowflow.oscillator.Oscillator.transient`; of an `Averaged`, or of an `OffCentre`."""
     if (duration is None) == (tau is None):
         raise ValueError(NO_PULSE)
     begin = 0.0
@@ -191,7 +191,7 @@ def _at_rest(averaged: Any, system: EquationOfMotion) -> tuple[float, str]:
     return float(at.root), SEVERAL if places.size > 1 else ""
 
 
-def _beyond_reach(averaged: Averaged, A: float) -> str:
+def _beyond_reach(averaged: Any, A: float) -> str:
     """That a deflection is beyond what the mechanism reaches, and why; empty where it is not."""
     model = averaged.model
     if A <= model.reach:
@@ -199,8 +199,8 @@ def _beyond_reach(averaged: Averaged, A: float) -> str:
     return WORDS[Remark.BEYOND_REACH].format(reach=model.reach, reason=model.mechanism.reach_reason)
 
 
-def shocks(averaged: Averaged, system: EquationOfMotion, acceleration: Any, duration: Any) -> ShockSpectrum:
-    """See `slowflow.oscillator.Oscillator.shock_spectrum`."""
+def shocks(averaged: Any, system: EquationOfMotion, acceleration: Any, duration: Any) -> ShockSpectrum:
+    """See `slowflow.oscillator.Oscillator.shock_spectrum`; likewise."""
     pulses = {
         "acceleration": validate.positive_array("acceleration", acceleration),
         "duration": validate.positive_array("duration", duration),

@@ -127,7 +127,7 @@ def shock_spectrum(system: EquationOfMotion, acceleration: Floats, duration: Flo
 
 def of_designs(designs: Designs, acceleration: Any, duration: Any, workers: int = 1) -> Shocks:
     """See `slowflow.oscillator.Designs.shock_spectrum`."""
-    pulse = _numbers(acceleration=acceleration, duration=duration)
+    pulse = numbers(acceleration=acceleration, duration=duration)
     peak, span = pulse.values()
     found = _followed(designs, *_half_sine(peak, span), (peak > 0) & (span > 0), 0.0, workers)
     ratio = found["a_max"] / peak
@@ -142,26 +142,32 @@ def transients(
     if (duration is None) == (tau is None):
         raise ValueError(NO_PULSE)
     if tau is None:
-        pulse = _numbers(acceleration=acceleration, duration=duration)
+        pulse = numbers(acceleration=acceleration, duration=duration)
         peak, span = pulse.values()
         found = _followed(designs, *_half_sine(peak, span), span > 0, last, workers)
         return Transients(**found, _designs=designs, _pulse=pulse)
-    times, samples = _numbers(tau=tau, acceleration=acceleration).values()
-    if not (times.ndim and samples.ndim and times.shape[-1] == samples.shape[-1] >= 2):
-        raise ValueError(f"tau and acceleration must have as many samples, not {times.shape} and {samples.shape}")
+    times, accelerations = samples(tau, acceleration)
     rises = (np.diff(times) > 0).all(axis=-1)
     with np.errstate(all="ignore"):  # what is no pulse has a status
-        arcs = record(times, samples)
+        arcs = record(times, accelerations)
     found = _followed(designs, arcs, times[..., 0], rises, last, workers)
     return Transients(**found, _designs=designs, _pulse={})
 
 
-def _numbers(**values: Any) -> dict[str, Floats]:
-    """Numbers of pulses, in doubles."""
+def numbers(**values: Any) -> dict[str, Floats]:
+    """Numbers of pulses, in doubles. Raises ValueError for what is no plain array."""
     for name, value in values.items():
         if validate.is_labelled(value):
             raise ValueError(f"{name} has named axes, or is cut into blocks: shocks take plain arrays")
     return {name: validate.real_array(name, value).astype(float) for name, value in values.items()}
+
+
+def samples(tau: Any, acceleration: Any) -> tuple[Floats, Floats]:
+    """Records in doubles, samples along the last axis. Raises ValueError for other arrays than of as many samples."""
+    times, values = numbers(tau=tau, acceleration=acceleration).values()
+    if not (times.ndim and values.ndim and times.shape[-1] == values.shape[-1] >= 2):
+        raise ValueError(f"tau and acceleration must have as many samples, not {times.shape} and {values.shape}")
+    return times, values
 
 
 def _half_sine(peak: Floats, span: Floats) -> tuple[Floats, Floats]:

@@ -6,6 +6,7 @@ the mechanisms that they hold for. Of any other mechanism this says that nothing
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,7 +14,7 @@ import numpy as np
 
 from slowflow.answer import Answer
 from slowflow.measured import table as measured
-from slowflow.model import Floats, Model
+from slowflow.model import THROUGHOUT, Floats, Model
 
 #: from this size on an error is worth a remark
 WORTH = 0.02
@@ -28,6 +29,9 @@ NOT_MEASURED_LAWS = (
     "steady_state() has the motion itself"
 )
 NEAR_STICKING = "mu/F_0 = {:.3g} is near pi/4, where averaging fails: amplitudes "
+NEAR_STICKING_ATTACHED = (
+    "mu/F_0 = {:.3g} is {} pi/4: while the springs touch, where alone friction acts, averaging fails: amplitudes "
+)
 OFF_BY = "were measured to be off by up to {:.0%}, .validity tells it for each"
 OFF_UNKNOWN = "are off, by how much was not measured for this mechanism"
 STOPS_SECOND = (
@@ -116,6 +120,8 @@ def near_sticking(model: Model, F_0: float) -> str:
         return ""
     ratio = model.mu / F_0
     off = OFF_BY.format(measured.BY_RATIO[int(_bin(measured.RATIOS, np.array(ratio)))])
+    if model.laws.rubs != THROUGHOUT:
+        return NEAR_STICKING_ATTACHED.format(ratio, "near" if ratio <= math.pi / 4 else "above") + OFF_UNKNOWN
     return NEAR_STICKING.format(ratio) + (off if _is_measured(model) else OFF_UNKNOWN)
 
 

@@ -10,18 +10,21 @@ import dataclasses
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import partial
 from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 
 from slowflow import loads_many, validate
-from slowflow.answer import frozen
-from slowflow.averaged import many, remarks
+from slowflow.averaged import many
 from slowflow.averaged.asked import FOLD_KINDS
-from slowflow.averaged.many import Batch, Codes
+from slowflow.averaged.many import Codes, Told
+from slowflow.exact import questions, shocks
+from slowflow.exact.transient import NO_PULSE
 from slowflow.loaded import AT_CENTRE, off_centre_by
-from slowflow.mechanism import Mechanism
+from slowflow.loads import Spectrum
+from slowflow.loads_many import ManySpectra
+from slowflow.mechanism import EquationOfMotion, Force, Mechanism, check_followed
 from slowflow.model import THROUGHOUT, Floats
 from slowflow.off_centre.questions import OffCentre
 from slowflow.results import Remark
@@ -34,7 +37,7 @@ Batched = TypeVar("Batched", bound="OffCentreBatch")
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentreBatch(Batch):
+class OffCentreBatch(Told):
     """What answers off the centre share: `remarks` are those of the single answers.
 
     placed -- which columns have one more axis, with a place for each state, fold or band
@@ -42,13 +45,7 @@ class OffCentreBatch(Batch):
 
     placed: ClassVar[tuple[str, ...]] = ()
 
-    _remarks: remarks.Codes = field(repr=False, kw_only=True)
     _designs: Any = field(repr=False, kw_only=True)
-
-    @cached_property
-    def remarks(self) -> remarks.Codes:
-        """What to bear in mind with each design's answer, sums of `slowflow.results.Remark`."""
-        return frozen(self._remarks)
 
 
 @dataclass(frozen=True, eq=False)
@@ -170,6 +167,23 @@ class OffCentreIsolations(OffCentreBatch, loads_many.ManyIsolations):
     """`slowflow.loads.Isolation` of each design, as `ManyIsolations`."""
 
 
+@dataclass(frozen=True, eq=False)
+class OffCentreShocks(OffCentreBatch, shocks.Shocks):
+    """What a half sine of the base does to each design, as `Shocks`.
+
+    stands -- number of stable places of rest: the mass begins at that nearest to the centre
+    """
+
+    stands: Codes = field(kw_only=True)
+
+
+@dataclass(frozen=True, eq=False)
+class OffCentreTransients(OffCentreBatch, shocks.Transients):
+    """What a shock of the base does to each design, as `Transients`; stands as of `OffCentreShocks`."""
+
+    stands: Codes = field(kw_only=True)
+
+
 class OffCentreDesigns:
     """Arrays of designs of one mechanism under static loads, and the questions off the centre about them.
 
@@ -236,10 +250,93 @@ class OffCentreDesigns:
         """The frequency from which on less than F_0 is transmitted, of each design; see `Oscillator.isolation`."""
         return self._answered(OffCentreIsolations, _isolation, {"F_0": F_0}, workers)
 
+    def spectrum(self, *, Omega: Any, F_0: Any, workers: int = 1) -> ManySpectra:
+        """A load spectrum, of each design, one tone at a time; see `slowflow.oscillator.Designs.spectrum`.
+
+        A row with another forcing than the one before takes several seconds.
+        """
+        validate.workers(workers)
+        asked = {"Omega": validate.real_array("Omega", Omega), "F_0": validate.real_array("F_0", F_0)}
+        rows = OffCentreDesigns(self.mechanism, {name: value[..., np.newaxis] for name, value in self.values.items()})
+        shape = validate.common_shape({**rows.values, **asked})
+        numbers = [np.broadcast_to(value, shape[:-1]) for value in self.values.values()]
+        tones = [np.broadcast_to(value, shape).astype(float) for value in asked.values()]
+        columns: dict[str, Any] = {name: np.full(shape, np.nan) for name in ("A", "transmissibility_dB")}
+        columns |= {name: np.zeros(shape, np.int8) for name in ("motions", "crosses", "detaches", "sticks")}
+        status, said = np.full(shape, Status.INVALID, np.int8), np.zeros(shape, np.uint8)
+        for place in np.ndindex(shape[:-1]):
+            own = tuple(float(value[place]) for value in numbers)
+            for run in _runs(*(tone[place] for tone in tones)):
+                found, status[place][run] = self._tones(own, *(tone[place][run] for tone in tones))
+                if found is None:
+                    continue
+                for name, column in columns.items():
+                    column[place][run] = getattr(found, name)
+                said[place][run] = found._remarks
+                if run.start:  # what is crossed on the way from a row that is none is not known
+                    status[place][run.start] = Status.INVALID
+        of_rows: Any = rows
+        return ManySpectra(**columns, status=status, _designs=of_rows, _F_0=F_0, _Omega=Omega, _said=said)
+
+    def _tones(self, numbers: tuple[float, ...], Omega: Floats, F_0: Floats) -> tuple[Spectrum | None, Any]:
+        """The rows of one design, and how they fared."""
+        try:
+            single = self._single(numbers)
+            if single.model.zeta == 0:
+                return None, Status.UNBOUNDED
+            found = single.spectrum(Omega=Omega, F_0=F_0)
+        except (ValueError, ArithmeticError) as error:
+            return None, _failed(error)
+        return found, np.where(found.sticks, Status.STICKS, np.where(found.motions > 0, Status.OK, Status.NONE))
+
+    def transient(
+        self,
+        *,
+        acceleration: Any,
+        duration: Any = None,
+        tau: Any = None,
+        after: float | None = None,
+        workers: int = 1,
+    ) -> OffCentreTransients:
+        """What a shock of the base does to each design, from where it rests; as of `slowflow.oscillator.Designs`.
+
+        Some hundredths of a second a design.
+        """
+        if (duration is None) == (tau is None):
+            raise ValueError(NO_PULSE)
+        if after is not None:
+            after = validate.number("after", after, least=0.0)
+        if tau is None:
+            pulse = shocks.numbers(acceleration=acceleration, duration=duration)
+            one = partial(_transient, after)
+            return self._answered(OffCentreTransients, one, pulse, workers, beside={"_pulse": pulse})
+        times, samples = shocks.samples(tau, acceleration)
+        times, samples = np.broadcast_arrays(times, samples)
+        which = np.arange(math.prod(times.shape[:-1]), dtype=float).reshape(times.shape[:-1])
+        one = partial(_record, after, times.reshape(-1, times.shape[-1]), samples.reshape(-1, times.shape[-1]))
+        return self._answered(OffCentreTransients, one, {"which": which}, workers, beside={"_pulse": {}})
+
+    def shock_spectrum(self, *, acceleration: Any, duration: Any, workers: int = 1) -> OffCentreShocks:
+        """What a half sine of the base does to each design: .A .a_max .ratio .detaches; both broadcast with these.
+
+        Some hundredths of a second a design.
+        """
+        pulse = shocks.numbers(acceleration=acceleration, duration=duration)
+        return self._answered(OffCentreShocks, _shock, pulse, workers, beside={"_pulse": pulse})
+
     def _answered(
-        self, kind: type[Batched], one: One, at: dict[str, Any], workers: int, places: int | None = None
+        self,
+        kind: type[Batched],
+        one: One,
+        at: dict[str, Any],
+        workers: int,
+        places: int | None = None,
+        beside: dict[str, Any] | None = None,
     ) -> Batched:
-        """Columns by the answer's fields, design by design; the solvers off the centre use one thread."""
+        """Columns by the answer's fields, design by design; the solvers off the centre use one thread.
+
+        beside -- what the answer holds of what was asked; by default `at`
+        """
         validate.workers(workers)
         several = 0 if places is None else validate.count("places", places, least=1)
         asked = {name: validate.real_array(name, value) for name, value in at.items()}
@@ -248,7 +345,7 @@ class OffCentreDesigns:
         columns = {
             field.name: np.zeros((*shape, several) if field.name in kind.placed else shape, TYPES[str(field.type)])
             for field in dataclasses.fields(kind)
-            if str(field.type) in TYPES and field.name != "_remarks"
+            if str(field.type) in TYPES
         }
         for column in columns.values():
             if column.dtype == float:
@@ -257,36 +354,35 @@ class OffCentreDesigns:
         given = np.broadcast_arrays(*values.values())
         for place in np.ndindex(shape):
             numbers = tuple(float(value[place]) for value in given)
-            found, columns["status"][place], said[place] = self._status(one, numbers, several)
+            own, there = numbers[: len(self.values)], dict(zip(at, numbers[len(self.values) :], strict=True))
+            found, columns["status"][place], said[place] = self._status(one, own, there, several)
             for name, value in found.items():
                 if name in kind.placed:
                     columns[name][place][: min(several, len(value))] = value[:several]
                 else:
                     columns[name][place] = value
-        beside = {f"_{name}": value for name, value in at.items()}
-        return kind(**columns, **beside, _designs=self, _remarks=said)
+        if beside is None:
+            beside = {f"_{name}": value for name, value in at.items()}
+        return kind(**columns, **beside, _designs=self, _said=said)
 
-    def _status(self, one: One, numbers: tuple[float, ...], places: int) -> Found:
+    def _status(self, one: One, numbers: tuple[float, ...], at: dict[str, float], places: int) -> Found:
         """One design's answer by column, how it fared, and what to bear in mind with it."""
         none: dict[str, Any] = {}
-        count = len(self.values)
         try:
-            single, asked = self._single(numbers[:count]), numbers[count:]
-            if asked:
-                validate.number("F_0", asked[0], above=0.0)
-                validate.frequencies("Omega", asked[1:])
-                if single.model.sticks(asked[0]) and one is not _margins:
+            single = self._single(numbers)
+            if "F_0" in at:
+                validate.number("F_0", at["F_0"], above=0.0)
+                if "Omega" in at:
+                    validate.frequencies("Omega", at["Omega"])
+                if single.model.sticks(at["F_0"]) and one is not _margins:
                     return none, Status.STICKS, Remark(0)
-            if single.model.zeta == 0 and one not in (_detachment, _rest):
+            moves = "F_0" in at or one is _onset
+            if single.model.zeta == 0 and moves:
                 return none, Status.UNBOUNDED, Remark(0)
-            found, status, said = one(single, *asked)
+            found, status, said = one(single, *at.values())
             return found, Status.TOO_MANY if places and found["count"] > places else status, said
-        except ValueError:
-            return none, Status.INVALID, Remark(0)
-        except OverflowError:
-            return none, Status.NO_BOUND, Remark(0)
-        except ArithmeticError:
-            return none, Status.UNRESOLVED, Remark(0)
+        except (ValueError, ArithmeticError) as error:
+            return none, _failed(error), Remark(0)
 
     def _single(self, numbers: tuple[float, ...]) -> OffCentre:
         """One design, which keeps what it has been asked already. Raises ValueError for what is none."""
@@ -298,9 +394,24 @@ class OffCentreDesigns:
 
 
 #: questions about the centre that many designs have
-CENTRED = frozenset(("certify", "second_approximation", "spectrum", "transient", "shock_spectrum"))
+CENTRED = frozenset(("at_rest", "certify", "second_approximation"))
 #: of which type a column is
 TYPES = {"Floats": float, "Codes": np.int8}
+
+
+def _failed(error: Exception) -> Status:
+    """How a design fared that was refused, or has no answer."""
+    if isinstance(error, ValueError):
+        return Status.INVALID
+    return Status.NO_BOUND if isinstance(error, OverflowError) else Status.UNRESOLVED
+
+
+def _runs(Omega: Floats, F_0: Floats) -> list[slice]:
+    """Rows next to each other that are tones."""
+    with np.errstate(invalid="ignore"):
+        allowed = np.isfinite(Omega) & np.isfinite(F_0) & (Omega > 0) & (F_0 > 0)
+    ends = np.flatnonzero(np.diff(np.concatenate(([False], allowed, [False])))).reshape(-1, 2)
+    return [slice(*pair) for pair in ends.tolist()]
 
 
 def _columns(found: Any, *names: str) -> dict[str, Any]:
@@ -322,9 +433,14 @@ def _detachment(single: OffCentre) -> Found:
 def _onset(single: OffCentre) -> Found:
     found = single.saddle_node_onset()
     if found.F_SN is None:
-        return {}, Status.UNRESOLVED if Remark.UNDECIDED in found.remarks else Status.NONE, found.remarks
+        return {}, _no_onset(found), found.remarks
     columns = _columns(found, "F_SN", "Omega", "A", "B")
     return {**columns, "kind": OnsetKind[found.kind.upper()]}, Status.OK, found.remarks
+
+
+def _no_onset(found: Any) -> Status:
+    """Of an onset without a forcing."""
+    return Status.UNRESOLVED if Remark.UNDECIDED in found.remarks else Status.NONE
 
 
 def _folds(single: OffCentre, F_0: float) -> Found:
@@ -355,7 +471,10 @@ def _margins(single: OffCentre, F_0: float) -> Found:
     }
     missing |= {f"of_{name[2:]}": value for name, value in missing.items()}
     columns = {name: known if (known := getattr(found, name)) is not None else one for name, one in missing.items()}
-    return {**columns, **_columns(found, "folds", "detaches", "sticks")}, Status.OK, onset.remarks
+    columns |= _columns(found, "folds", "detaches", "sticks", "Omega_sticks")
+    columns["kind"] = OnsetKind[found.kind.upper()] if found.kind else OnsetKind.NO
+    columns["onset"] = Status.OK if onset.F_SN is not None else _no_onset(onset)
+    return columns, Status.OK, found.remarks
 
 
 def _bands(single: OffCentre, F_0: float) -> Found:
@@ -370,3 +489,41 @@ def _isolation(single: OffCentre, F_0: float) -> Found:
         return {}, Status.NONE, Remark(0)
     A = math.nan if found.A is None else found.A
     return {"Omega": found.Omega, "A": A, "at_fold": found.at_fold}, Status.OK, Remark(0)
+
+
+def _shocked(single: OffCentre) -> tuple[EquationOfMotion, int]:
+    """The equation of motion of a design, and how many stable places of rest it has."""
+    model = single.model
+    force = Force.of(model.mechanism, model.parameters)
+    check_followed(force, model.mechanism.name)
+    stands = 1 if force.odd and single.load == 0 else int(single.rest().stable.sum())
+    return EquationOfMotion(force, model.mu, model.zeta, load=single.load), stands
+
+
+def _of_shock(single: OffCentre, found: Any, stands: int, *names: str) -> Found:
+    columns = {name: np.nan if (value := getattr(found, name)) is None else value for name in names}
+    beyond = found.A > single.model.reach
+    return {**columns, "stands": stands}, Status.OK, Remark.BEYOND_REACH if beyond else Remark(0)
+
+
+def _transient(after: float | None, single: OffCentre, acceleration: float, duration: float) -> Found:
+    system, stands = _shocked(single)
+    found = questions.transient(single, system, acceleration, duration, None, after)
+    return _of_shock(single, found, stands, *TRANSIENT)
+
+
+def _record(after: float | None, tau: Floats, acceleration: Floats, single: OffCentre, which: float) -> Found:
+    system, stands = _shocked(single)
+    row = int(which)
+    found = questions.transient(single, system, acceleration[row], None, tau[row], after)
+    return _of_shock(single, found, stands, *TRANSIENT)
+
+
+def _shock(single: OffCentre, acceleration: float, duration: float) -> Found:
+    system, stands = _shocked(single)
+    (pulse,) = questions.shocks(single, system, acceleration, duration)
+    return _of_shock(single, pulse, stands, "A", "a_max", "ratio", "detaches")
+
+
+#: columns of `Transients`
+TRANSIENT = ("A", "tau_A", "a_max", "tau_a", "detaches", "tau_detaches", "rests", "u_end")
