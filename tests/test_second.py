@@ -5,7 +5,11 @@ from __future__ import annotations
 import copy
 import itertools
 import json
+import os
 import pickle
+import platform
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -436,6 +440,27 @@ def test_compiled_and_numpy_find_the_same_curves_folds_states_and_peaks():
         assert peak is None or np.allclose(peak, beside, rtol=1e-9, atol=0)
         seen += len(folds)
     assert seen > 20
+
+
+@pytest.mark.skipif(backend.SOLVER is None, reason="the solvers are not compiled")
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="fresh memory is filled by glibc")
+def test_a_curve_does_not_depend_on_what_memory_held():
+    """Points from which none had been sought yet passed for settled where their places held huge numbers, and were left out."""
+    asked = (
+        "from slowflow import Isolator\n"
+        "curve = Isolator(lam=1.05, r=2.87, delta_h=0.117, mu=0.0, zeta=0.00456).second_approximation.frequency_response\n"
+        "print(*(repr(curve(F_0).to_dict()) for F_0 in (0.0118, 0.0085)))"
+    )
+    told = {
+        subprocess.run(
+            [sys.executable, "-c", asked],
+            env={**os.environ, "MALLOC_PERTURB_": filled},
+            capture_output=True,
+            check=True,
+        ).stdout
+        for filled in ("1", "128")
+    }
+    assert len(told) == 1
 
 
 @pytest.mark.skipif(backend.SOLVER is None, reason="the solvers are not compiled")

@@ -432,6 +432,9 @@ static int sf_second_move(const sf_second *second, const sf_first *first, const 
     long from, to;
     int k;
     sf_measure_first(second, first);
+    memcpy(moved.Omega, first->Omega, (size_t)first->n * sizeof *moved.Omega);
+    memcpy(moved.A, first->A, (size_t)first->n * sizeof *moved.A);
+    memcpy(moved.R, first->R, (size_t)first->n * sizeof *moved.R);
     for (from = 0; from < first->n; from++)
         moved.step[from] = HUGE_VAL;
     for (from = 0; from < first->n; from = to) {
