@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import signal
+from functools import partial
 
 import numpy as np
 import pytest
@@ -226,3 +227,37 @@ def test_curves_of_many_that_have_no_answer_are_refused_in_words():
     ):
         with pytest.raises(AttributeError, match=why):
             designs.frequency_response(0.04)
+
+
+@native_only
+@pytest.mark.parametrize("force", ["truncated", "untruncated", "cubic"])
+def test_states_of_designs_that_go_together_are_those_of_each_alone(force):
+    """To the last bit, from next to a fold, where a proof decides, to far from it; 130 designs are blocks and a rest."""
+    rng = np.random.default_rng(11)
+    count = 130
+    numbers = {
+        "mu": np.where(rng.random(count) < 0.3, 0.0, rng.uniform(0, 0.03, count)),
+        "zeta": rng.uniform(0.004, 0.1, count),
+    }
+    if force == "cubic":
+        make, many = Duffing, Duffing.many
+        numbers |= {"alpha": rng.uniform(-0.2, 2, count), "beta": rng.normal(0, 1, count)}
+    else:
+        make, many = partial(Isolator, force=force), partial(Isolator.many, force=force)
+        numbers |= {
+            "lam": rng.uniform(1, 4, count),
+            "r": rng.uniform(0.4, 2, count),
+            "delta_h": rng.uniform(0.02, 0.1, count),
+        }
+    designs, F_0 = many(**numbers), 4 / np.pi * numbers["mu"] + rng.uniform(0.01, 0.1, count)
+    fold = designs.saddle_nodes(F_0).Omega[:, 0]
+    beside = 10 ** rng.uniform(-15, -1, count) * rng.choice([-1, 1], count)
+    Omega = np.where(np.isfinite(fold) & (fold > 0), fold * (1 + beside), rng.uniform(0.1, 2, count))
+    together = designs.amplitudes(Omega=Omega, F_0=F_0)
+    assert len(set(together.count)) > 1
+    for k in range(count):
+        alone = make(**{name: value[k] for name, value in numbers.items()}).amplitudes(Omega=Omega[k], F_0=F_0[k])
+        n = together.count[k]
+        assert (
+            alone.A.tolist() == together.A[k, :n].tolist() and alone.stable.tolist() == together.stable[k, :n].tolist()
+        )

@@ -49,9 +49,9 @@ static inline void sf_sample_at(const sf_model *model, double A, sf_sample *at) 
         at->k = model->mechanism->intercept(A, model->p);
 }
 
-/* The limit from above at breakpoint i: the force's jump makes h_A infinite there, a jump of its slope h_AA. */
-static inline void sf_sample_above(const sf_model *model, int i, sf_sample *at) {
-    sf_sample_at(model, model->b[i], at);
+/* The limit from above at breakpoint i, from the sample on it: the force's jump makes h_A infinite there, a jump of its slope
+ * h_AA. */
+static inline void sf_tend_from_above(const sf_model *model, int i, sf_sample *at) {
     if (model->jump[i] != 0) {
         at->h_A = copysign(HUGE_VAL, model->jump[i]);
         at->k = -at->h_A;
@@ -84,7 +84,8 @@ static inline void sf_stretches_up_to(const sf_model *model, double A_max, sf_st
     sf_sample_at(model, 0, &out->at[0].first);
     for (i = 0; i < model->breaks && model->b[i] < A_max; i++) {
         sf_sample_at(model, model->b[i], &out->at[i].last);
-        sf_sample_above(model, i, &out->at[i + 1].first);
+        out->at[i + 1].first = out->at[i].last;
+        sf_tend_from_above(model, i, &out->at[i + 1].first);
     }
     sf_sample_at(model, A_max, &out->at[i].last);
     out->n = i + 1;

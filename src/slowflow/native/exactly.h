@@ -4,7 +4,7 @@
 #ifndef SF_EXACTLY_H
 #define SF_EXACTLY_H
 
-#include "model.h"
+#include "cells.h"
 #include "slow_flow_pairs.h"
 
 /* so far above a breakpoint the closed forms of h and h_A have lost too many of a pair's digits, and of those that follow */
@@ -36,9 +36,9 @@ static inline int sf_make_exact(const sf_mechanism *mechanism, const double *des
 }
 
 /* At an amplitude whose double lies on that piece of the force; 0 where pairs have too few digits. wanted: how many of h and
- * its derivatives pairs are to give; the others are doubles'. */
+ * its derivatives pairs are to give; the others are doubles', at hand in `near`, or of this amplitude if that is NULL. */
 static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, int piece, sf_pair A, int wanted,
-                              sf_exact_sample *out) {
+                              const sf_sample *near, sf_exact_sample *out) {
     sf_pair beyond = A;
     int i;
     if (piece > 0) {
@@ -53,9 +53,10 @@ static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, 
     exactly->mechanism->averaged_in_pairs(piece, wanted, A, beyond, exactly->p, out->h);
     if (wanted <= 2) {
         sf_sample at;
-        sf_sample_at(model, A.high, &at);
+        if (near == NULL)
+            sf_sample_without_k_at(model, A.high, &at);
         for (i = 2; i < 4; i++)
-            out->h[i] = sfp_point(at.averages[i]);
+            out->h[i] = sfp_point(near == NULL ? at.averages[i] : near->averages[i]);
     }
     return 1;
 }

@@ -79,7 +79,7 @@ static inline void sf_know_below(const sf_given *given, int i, sf_known *out) {
     out->A = x.hi;
 }
 
-/* The limit from above at breakpoint i, as `sf_sample_above`; nothing is known of the derivatives where no jump is
+/* The limit from above at breakpoint i, as `sf_tend_from_above`; nothing is known of the derivatives where no jump is
  * proved. */
 static inline void sf_know_above(const sf_given *given, int i, sf_known *out) {
     const sf_interval jump = given->jump[i];

@@ -8,8 +8,7 @@
 
 #include <fenv.h>
 
-#include "settle.h"
-#include "states.h"
+#include "many_states.h"
 
 static double sf_input(char **args, const ptrdiff_t *steps, int i, ptrdiff_t k) {
     return *(const double *)(const void *)(args[i] + k * steps[i]);
@@ -22,11 +21,6 @@ static void sf_output(char **args, const ptrdiff_t *steps, int i, ptrdiff_t k, d
 static void sf_output_code(char **args, const ptrdiff_t *steps, int i, ptrdiff_t k, int value) {
     *(signed char *)(args[i] + k * steps[i]) = (signed char)value;
 }
-
-/* The numbers of design k, and its damping behind them. */
-typedef struct {
-    double design[SF_MOST_DESIGN], damping[SF_MOST_DAMPING];
-} sf_numbers;
 
 static void sf_read_numbers_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
                                sf_numbers *out) {
@@ -205,33 +199,92 @@ static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdif
     free(room);
 }
 
+/* The states of design k into their places. */
+static void sf_write_states(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, int out, ptrdiff_t k, int n,
+                            const double *A, const unsigned char *stable, int undecided, sf_status status) {
+    const ptrdiff_t places = dimensions[1], *inner = steps + out + 5;
+    ptrdiff_t i;
+    for (i = 0; i < places; i++) {
+        *(double *)sf_at_place(args, steps, inner, out, 0, k, i) = i < n ? A[i] : NAN;
+        *(signed char *)sf_at_place(args, steps, inner, out, 1, k, i) = (signed char)(i < n && stable[i]);
+    }
+    sf_write_count(args, steps, out + 2, k, n, undecided, places, status);
+}
+
+/* The states of one design, by itself. */
+static void sf_answer_states(const sf_mechanism *mechanism, char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps,
+                             ptrdiff_t k, sf_room *room) {
+    const int forcing = mechanism->design_size + mechanism->damping_size;
+    const double F_0 = sf_input(args, steps, forcing, k), Omega = sf_input(args, steps, forcing + 1, k);
+    double A[SF_MOST_STATES];
+    unsigned char stable[SF_MOST_STATES];
+    sf_model model;
+    sf_given given;
+    sf_status status = SF_INVALID;
+    int n = 0, undecided = 0;
+    if (mechanism->is_forcing(F_0) && Omega > 0 && Omega <= SF_HIGHEST_OMEGA && sf_design_at(mechanism, args, steps, k, 1, &model)) {
+        const sf_given *exact = sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL;
+        room->followed = 0;
+        status = sf_states(&model, exact, F_0, room, Omega, &n, A, stable, &undecided);
+    }
+    sf_write_states(args, dimensions, steps, forcing + 2, k, n, A, stable, undecided, status);
+}
+
+/* Whether design k begins the search of a block as its member d. */
+static int sf_enter_states(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_state_block *block,
+                           int d) {
+    const int forcing = mechanism->design_size + mechanism->damping_size;
+    sf_lane_design *of = &block->at[d];
+    sf_numbers given;
+    of->F_0 = sf_input(args, steps, forcing, k), of->Omega = sf_input(args, steps, forcing + 1, k);
+    of->model.mechanism = mechanism;
+    if (!(mechanism->is_forcing(of->F_0) && of->Omega > 0 && of->Omega <= SF_HIGHEST_OMEGA))
+        return 0;
+    sf_read_numbers_at(mechanism, args, steps, k, &given);
+    return mechanism->parameters_of(given.design, of->model.p) && mechanism->damping_of(given.damping, of->model.damping) &&
+           sf_begin_states(block, d, &given);
+}
+
+/* Whether the states of member d, which is design k, settle, and are written. */
+static int sf_leave_states(const sf_mechanism *mechanism, char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps,
+                           ptrdiff_t k, const sf_lane_design *of) {
+    double A[SF_LANE_STATES];
+    sf_exactly exactly;
+    unsigned char stable[SF_LANE_STATES];
+    int i;
+    if (!of->ok || !sf_exactly_at(mechanism, args, steps, k, &exactly) || !sf_settle_block_states(of, &exactly, A))
+        return 0;
+    for (i = 0; i < of->n; i++)
+        stable[i] = (unsigned char)of->rises[i];
+    sf_write_states(args, dimensions, steps, mechanism->design_size + mechanism->damping_size + 2, k, of->n, A, stable, 0, SF_OK);
+    return 1;
+}
+
 /* design, damping, F_0, Omega -> A (places), whether it is stable (places), count, undecided, status */
 static void sf_loop_states(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     const sf_mechanism *mechanism = data;
-    const int forcing = mechanism->design_size + mechanism->damping_size, out = forcing + 2;
-    const ptrdiff_t places = dimensions[1], *inner = steps + out + 5;
+    const int in_lanes = mechanism->bent == NULL && mechanism->averaged_in_pairs != NULL && !mechanism->inertial;
     sf_room *room = malloc(sizeof *room);
-    ptrdiff_t k, i;
-    for (k = 0; k < dimensions[0]; k++) {
-        const double F_0 = sf_input(args, steps, forcing, k), Omega = sf_input(args, steps, forcing + 1, k);
-        double A[SF_MOST_STATES];
-        unsigned char stable[SF_MOST_STATES];
-        sf_model model;
-        sf_given given;
-        sf_status status = room == NULL ? SF_NO_MEMORY : SF_INVALID;
-        int n = 0, undecided = 0;
-        if (room != NULL && mechanism->is_forcing(F_0) && Omega > 0 && Omega <= SF_HIGHEST_OMEGA &&
-            sf_design_at(mechanism, args, steps, k, 1, &model)) {
-            const sf_given *exact = sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL;
-            room->followed = 0;
-            status = sf_states(&model, exact, F_0, room, Omega, &n, A, stable, &undecided);
+    sf_state_block *block = in_lanes ? malloc(sizeof *block) : NULL;
+    ptrdiff_t first, k;
+    for (first = 0; first < dimensions[0]; first += SF_STATE_BLOCK) {
+        const ptrdiff_t end = first + SF_STATE_BLOCK < dimensions[0] ? first + SF_STATE_BLOCK : dimensions[0];
+        if (block != NULL) {
+            block->cells[0].n = 0;
+            for (k = first; k < end; k++)
+                block->at[k - first].ok = sf_enter_states(mechanism, args, steps, k, block, (int)(k - first));
+            sf_search_block(block);
+            sf_approach_block(block);
         }
-        for (i = 0; i < places; i++) {
-            *(double *)sf_at_place(args, steps, inner, out, 0, k, i) = i < n ? A[i] : NAN;
-            *(signed char *)sf_at_place(args, steps, inner, out, 1, k, i) = (signed char)(i < n && stable[i]);
+        for (k = first; k < end; k++) {
+            if (room == NULL)
+                sf_write_states(args, dimensions, steps, mechanism->design_size + mechanism->damping_size + 2, k, 0, NULL, NULL, 0,
+                                SF_NO_MEMORY);
+            else if (block == NULL || !sf_leave_states(mechanism, args, dimensions, steps, k, &block->at[k - first]))
+                sf_answer_states(mechanism, args, dimensions, steps, k, room);
         }
-        sf_write_count(args, steps, out + 2, k, n, undecided, places, status);
     }
+    free(block);
     free(room);
 }
 

@@ -274,8 +274,8 @@ static sf_status sf_onset_undamped(const sf_model *model, sf_work *work, sf_onse
                 return work->zeros.status;
         }
         if (k < model->breaks) {
-            at = piece.last;
-            sf_sample_above(model, k, &piece.first);
+            at = piece.first = piece.last;
+            sf_tend_from_above(model, k, &piece.first);
             tends |= sf_undamped_on(model, &at, &piece.first, model->jump[k], best);
         }
     }
@@ -330,7 +330,8 @@ static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *b
         best->rest = model->m;
     for (k = 0; k < model->breaks; k++) { /* first what leaves less to search */
         sf_sample_at(model, model->b[k], &piece.last);
-        sf_sample_above(model, k, &piece.first);
+        piece.first = piece.last;
+        sf_tend_from_above(model, k, &piece.first);
         if (sf_inertial(model))
             sf_consider_inertial(model, &piece.last, model->jump[k], best);
         else if (model->jump[k] != 0)
@@ -345,7 +346,8 @@ static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *b
         sf_consider_piece(model, &piece, &work->zeros, best);
         if (work->zeros.status != SF_OK)
             return work->zeros.status;
-        sf_sample_above(model, k, &piece.first);
+        piece.first = piece.last;
+        sf_tend_from_above(model, k, &piece.first);
     }
     status = sf_onset_in_last(model, &piece.first, work, best);
     if (best->undecided && sf_is_beside_break(model, best)) {

@@ -55,9 +55,9 @@ static inline int sf_piece_of(const sf_model *model, double A) {
     return piece;
 }
 
-/* Returns whether an answer settled. wanted: as of sf_exact_at */
-static inline int sf_settle_all(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly, const sf_model *model,
-                                sf_settling *of) {
+/* Returns whether an answer settled. wanted, near: as of sf_exact_at */
+static inline int sf_settle_near(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly, const sf_model *model,
+                                 const sf_sample *near, sf_settling *of) {
     double before = HUGE_VAL;
     const int piece = sf_piece_of(model, of->A.high);
     int i, last = 0;
@@ -66,7 +66,7 @@ static inline int sf_settle_all(sf_step step, sf_moves moves, int wanted, const 
     for (i = 0; i < SF_MOST_SETTLING && !last; i++) {
         sf_exact_sample at;
         double out[4], size;
-        if (!sf_exact_at(exactly, model, piece, of->A, wanted, &at))
+        if (!sf_exact_at(exactly, model, piece, of->A, wanted, near, &at))
             return 0;
         sf_take_step(step, exactly, &at, of, out);
         size = fabs(out[moves > SF_MOVES_A]) / of->A.high;
@@ -84,6 +84,11 @@ static inline int sf_settle_all(sf_step step, sf_moves moves, int wanted, const 
         before = size;
     }
     return last && sf_piece_of(model, of->A.high) == piece;
+}
+
+static inline int sf_settle_all(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly, const sf_model *model,
+                                sf_settling *of) {
+    return sf_settle_near(step, moves, wanted, exactly, model, NULL, of);
 }
 
 /* The same of numbers; F_0 stays what it is where it is no part of the answer */
