@@ -17,7 +17,7 @@ import numpy.typing as npt
 #: what a table has in one place
 PLAIN = (bool, int, float, str)
 #: rows that are printed at most
-SHOWN = 20
+SHOWN = 30
 
 
 class Answer:

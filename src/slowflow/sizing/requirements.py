@@ -245,6 +245,7 @@ def meet(
     f: float | None = None,
     Omega: float | None = None,
     shock: tuple[float, float] | None = None,
+    spectrum: tuple[Any, Any] | None = None,
     seed: int = 0,
 ) -> Met:
     """The design nearest to `of` that meets requirements.
@@ -255,13 +256,14 @@ def meet(
     F, F_0   -- the forcing, F of a mount in N (m of a base that shakes, kg m of an unbalance), F_0 of an isolator
     f, Omega -- the frequency, f of a mount in Hz, Omega of an isolator
     shock    -- a half sine of the base: its peak and its duration, in m/s^2 and s of a mount
+    spectrum -- a load spectrum, (f, F) of a mount, (Omega, F_0) of an isolator: as many numbers of each
 
     An answer that a design does not have meets nothing; F_SN and F_cr are infinite where there is no such forcing.
     Where no design meets all, `.feasible` is False and `.message` names the binding requirement. Raises ValueError for
     what is not allowed.
     """
     subject = Subject(of)
-    search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, f, Omega, shock), seed)
+    search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, f, Omega, shock, spectrum), seed)
     if not search.wanted or not free:
         raise ValueError("meet needs at least one requirement and one free number")
     # ranges as narrow as rounding, requirements as large as numbers are
@@ -287,12 +289,13 @@ def front(
     f: float | None = None,
     Omega: float | None = None,
     shock: tuple[float, float] | None = None,
+    spectrum: tuple[Any, Any] | None = None,
     points: int = POINTS,
     seed: int = 0,
 ) -> Front:
     """The trade-off between two answers: designs none of which is better in one without being worse in the other.
 
-    of, free, at_least, at_most, F, F_0, f, Omega, shock -- as in `meet`; no requirement is needed
+    of, free, at_least, at_most, F, F_0, f, Omega, shock, spectrum -- as in `meet`; no requirement is needed
     high, low -- names of answers that are to be high, and low: two in all
     points    -- how many designs along the front
 
@@ -301,7 +304,7 @@ def front(
     requirements there is no row, and `.message` names the binding one. Raises ValueError for what is not allowed.
     """
     subject = Subject(of)
-    search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, f, Omega, shock), seed)
+    search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, f, Omega, shock, spectrum), seed)
     pair = [(name, 1.0) for name in high] + [(name, -1.0) for name in low]
     if len({name for name, _ in pair}) != 2 or len(pair) != 2 or not free:
         raise ValueError("front needs two answers, in high or in low, and at least one free number")

@@ -17,19 +17,23 @@ from slowflow.gradient import Gradient
 from slowflow.isolator import Isolator
 from slowflow.model import OF_DAMPING
 from slowflow.physical import Physical
-from slowflow.sizing.subject import Load, Subject
+from slowflow.sizing.subject import OF_MARGINS, Load, Subject
 from slowflow_kernels.conventions import MovesStatus
 
 
 def slopes(subject: Subject, numbers: Mapping[str, float], answer: str, load: Load) -> dict[str, float] | None:
     """d(answer)/d(number) by name, of the design with these numbers and else nominal ones; None where none is known.
 
-    answer -- as `slowflow.sizing` lists them: of F_SN, F_cr, A_peak, frequencies at rest, of peaks and of jumps
+    answer -- as `slowflow.sizing` lists them: of F_SN, F_cr, their margins, A_peak, and frequencies at rest, of peaks
+              and of jumps
     """
     with warnings.catch_warnings():  # what there is to say of a design is said of the one that is found
         warnings.simplefilter("ignore")
         of = subject.of.replace(**numbers)
-    plain = subject.answers[answer]
+    plain, over = subject.answers[answer], 1.0
+    if plain in OF_MARGINS and load.forcing is not None:
+        plain, over = f"F_{plain[3:]}", load.forcing
+        answer = next(name for name, one in subject.answers.items() if one == plain)
     name = answer if plain in ("F_SN", "F_cr") else "A" if plain == "A_peak" else "f" if subject.mount else "Omega"
     found = _moves(of, plain, load.forcing)
     if found is None:
@@ -37,7 +41,7 @@ def slopes(subject: Subject, numbers: Mapping[str, float], answer: str, load: Lo
     gradient, k = found
     if gradient.status[k]:
         return None
-    by = dict(zip(gradient.by, gradient[name][k].tolist(), strict=True))
+    by = dict(zip(gradient.by, (gradient[name][k] / over).tolist(), strict=True))
     return {number: by[number] for number in subject.nominal}
 
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from slowflow import backend, validate
 from slowflow.answer import frozen
-from slowflow.averaged.many import Folds, States
+from slowflow.averaged.many import Folds, States, first_end
 from slowflow.isolator import ROD_SPRING, Isolator
 from slowflow.loads_many import lifting
 from slowflow.mechanism import Floats
@@ -23,6 +23,7 @@ from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.oscillator import Designs
 from slowflow.physical import EXCITED, UNITS, Physical, g, si, size, sizes
 from slowflow.physical_moves import WORDS
+from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import FoldKind, Status
 from slowflow_kernels.domains import DAMPING
 from slowflow_kernels.scaling import SCALES
@@ -30,12 +31,27 @@ from slowflow_kernels.scaling import SCALES
 #: what can be asked of designs, by kind; a frequency is called with an f of a mount, with an Omega of an isolator, and
 #: an amplitude of the excitation is what `EXCITED` says
 OF_ALL_FORCINGS = {"F_SN": "amplitude", "F_cr": "amplitude", "rest": "frequency"}
+OF_FRICTION = {"break_loose": "force", "sticking": "force"}
 OF_FREQUENCIES = ("peak", "jump_up", "jump_down", "band", "isolation")
-AT_A_FORCING = {"A_peak": "length", **dict.fromkeys(OF_FREQUENCIES, "frequency")}
+OF_MARGINS = {"of_SN": "ratio", "of_cr": "ratio"}
+AT_A_FORCING = {**OF_MARGINS, "A_peak": "length", **dict.fromkeys(OF_FREQUENCIES, "frequency")}
 AT_A_FREQUENCY = {"A": "length", "transmissibility": "ratio"}
+IN_A_SPECTRUM = {"A_spectrum": "length", "transmissibility_spectrum": "ratio"}
+IN_A_SPECTRUM |= {f"{name}_spectrum": kind for name, kind in OF_MARGINS.items()}
+#: and which rows of it are counted, by the column that tells
+ROWS = {"rows_several": "motions", "rows_cross": "crosses", "rows_detach": "detaches", "rows_stick": "sticks"}
+IN_A_SPECTRUM |= dict.fromkeys(ROWS, "rows")
+IN_A_SHOCK = {"A_shock": "length", "a_shock": "acceleration", "of_cr_shock": "ratio"}
+#: only under a load, only about the centre, and there only of an excitation by inertia, whose force rises with Omega
 UNDER_A_LOAD = {"stroke": "length"}
-IN_A_SHOCK = {"A_shock": "length", "a_shock": "acceleration"}
-KIND = OF_ALL_FORCINGS | AT_A_FORCING | UNDER_A_LOAD | AT_A_FREQUENCY | IN_A_SHOCK
+ABOUT_THE_CENTRE = {"rests_within": "length"}
+OF_INERTIA = {"sticks": "frequency"}
+KIND = OF_ALL_FORCINGS | OF_FRICTION | ABOUT_THE_CENTRE | AT_A_FORCING | OF_INERTIA | UNDER_A_LOAD
+KIND |= AT_A_FREQUENCY | IN_A_SPECTRUM | IN_A_SHOCK
+
+
+#: kinds of what has no unit, and what a load spectrum is
+WITHOUT_UNIT, PAIR = ("ratio", "rows"), "({1}, {0}), the columns of a table"
 
 
 @dataclass(frozen=True)
@@ -45,11 +61,13 @@ class Load:
     forcing -- amplitude of the excitation
     frequency -- of the excitation
     shock   -- peak acceleration and duration of a half sine of the base
+    spectrum -- frequencies and forcings of a load spectrum, row by row
     """
 
     forcing: float | None
     frequency: float | None
     shock: tuple[float, float] | None
+    spectrum: tuple[Floats, Floats] | None = None
 
 
 class Subject:
@@ -79,7 +97,9 @@ class Subject:
         self.one_by_one = self.loaded or backend.SOLVER is None
         self.nominal = self._numbers(isolator)
         letter = "Omega" if self.mount is None else "f"
-        known = {name: kind for name, kind in KIND.items() if name not in (IN_A_SHOCK if self.loaded else UNDER_A_LOAD)}
+        others = ABOUT_THE_CENTRE if self.loaded else UNDER_A_LOAD
+        others = others | (OF_INERTIA if self.excitation == "force" else {})
+        known = {name: kind for name, kind in KIND.items() if name not in others}
         self.answers = {f"{letter}_{name}" if kind == "frequency" else name: name for name, kind in known.items()}
         if self.mount is not None:
             self.answers = {self.mount.scales.kind(name)[0]: plain for name, plain in self.answers.items()}
@@ -118,8 +138,8 @@ class Subject:
         kind = self.kind(answer)
         return next(iter(UNITS[kind])) if self.mount and kind in UNITS else ""
 
-    def load(self, F: Any, F_0: Any, f: Any, Omega: Any, shock: Any) -> Load:
-        """What was given of F and f, of a mount, or F_0 and Omega, of an isolator, and a shock.
+    def load(self, F: Any, F_0: Any, f: Any, Omega: Any, shock: Any, spectrum: Any) -> Load:
+        """What was given of F and f, of a mount, or F_0 and Omega, of an isolator, a shock and a load spectrum.
 
         Raises ValueError for those of the other one.
         """
@@ -132,14 +152,21 @@ class Subject:
             None if value is None else validate.number(name, value, above=0.0)
             for name, value in zip(names, (forcing, frequency), strict=True)
         )
-        if shock is None:
-            return Load(forcing, frequency, None)
-        try:
-            acceleration, duration = shock
-        except (TypeError, ValueError):
-            raise ValueError(f"shock = {shock!r} is not allowed: it must be a pair (acceleration, duration)") from None
-        pulse = (validate.number("shock[0]", acceleration, above=0.0), validate.number("shock[1]", duration, above=0.0))
-        return Load(forcing, frequency, pulse)
+        pulse, table = (
+            _pair("shock", shock, "(acceleration, duration)"),
+            _pair("spectrum", spectrum, PAIR.format(*names)),
+        )
+        if pulse is not None:
+            pulse = tuple(validate.number(f"shock[{k}]", value, above=0.0) for k, value in enumerate(pulse))
+        if table is not None:
+            given = {
+                f"spectrum[{k}]": validate.positive_array(f"spectrum[{k}]", value) for k, value in enumerate(table)
+            }
+            rows = validate.common_shape(given)
+            table = tuple(np.broadcast_to(values, rows).ravel() for values in given.values())
+            if not table[0].size:
+                raise ValueError("spectrum has no row")
+        return Load(forcing, frequency, pulse, table)
 
     def answered(self, names: Iterable[str] | None, load: Load) -> list[str]:
         """The answers that are wanted, by default all that the load allows.
@@ -149,15 +176,17 @@ class Subject:
         forcing, frequency = ("F", "f") if self.mount else ("F_0", "Omega")
         missing = {} if load.frequency is not None else dict.fromkeys(AT_A_FREQUENCY, frequency)
         if load.forcing is None:
-            missing |= dict.fromkeys((*AT_A_FORCING, *UNDER_A_LOAD, *AT_A_FREQUENCY), forcing)
+            missing |= dict.fromkeys((*AT_A_FORCING, *UNDER_A_LOAD, *OF_INERTIA, *AT_A_FREQUENCY), forcing)
         missing |= {} if load.shock is not None else dict.fromkeys(IN_A_SHOCK, "shock")
+        missing |= {} if load.spectrum is not None else dict.fromkeys(IN_A_SPECTRUM, "spectrum")
         if names is None:
             return [name for name, plain in self.answers.items() if plain not in missing]
         for name in names:
             if name not in self.answers:
                 raise ValueError(f"{name!r} is no answer: it must be one of {', '.join(self.answers)}")
             if needed := missing.get(self.answers[name]):
-                what = {"shock": "a shock of the base", frequency: "a frequency"}.get(needed, "a forcing")
+                known = {"shock": "a shock of the base", "spectrum": "a load spectrum", frequency: "a frequency"}
+                what = known.get(needed, "a forcing")
                 raise ValueError(f"{name} needs {what}: give {needed}")
         return list(names)
 
@@ -174,10 +203,10 @@ class Subject:
         """
         given: dict[str, Any] = {**self.nominal, **values}
         shape = np.broadcast_shapes(*(np.shape(value) for value in given.values()))
-        units: dict[str, Any] = dict.fromkeys((*UNITS, "ratio"), 1.0)
+        units: dict[str, Any] = dict.fromkeys((*UNITS, *WITHOUT_UNIT), 1.0)
         if self.mount is not None:
             base = {"m": given["load" if self.loaded else "m"], "k_v": given["k_v"], "L": given["L"]}
-            units = {**sizes(**base), "ratio": 1.0}
+            units = {**sizes(**base), **dict.fromkeys(WITHOUT_UNIT, 1.0)}
             names_of = (*(domain.name for domain in ROD_SPRING.design), *(domain.name for domain in DAMPING))
             weight = {"load": (given["load"] - given["m"]) * g / units["force"]} if self.loaded else {}
             given = weight | {
@@ -194,15 +223,19 @@ class Subject:
             designs: Any = OffCentreDesigns(self.mechanism, {**arrays, "load": arrays.pop("load")})
         else:
             designs = Designs(self.mechanism, arrays, self.excitation)
-        batch = _Batch(designs, F_0, Omega, pulse)
+        table = None
+        if load.spectrum is not None:
+            rows = zip(load.spectrum, (units["frequency"], units[self.amplitude]), strict=True)
+            table = tuple(value / np.broadcast_to(unit, shape)[..., np.newaxis] for value, unit in rows)
+        batch = _Batch(designs, F_0, Omega, pulse, table)
         return {name: frozen(batch.answer(self.answers[name]) * units[self.kind(name)]) for name in names}
 
 
 class _Batch:
     """Answers to a batch of designs, each question asked once."""
 
-    def __init__(self, designs: Any, F_0: Floats | None, Omega: Floats | None, pulse: Any) -> None:
-        self.designs, self.F_0, self.Omega, self.pulse = designs, F_0, Omega, pulse
+    def __init__(self, designs: Any, F_0: Any, Omega: Any, pulse: Any, table: Any) -> None:
+        self.designs, self.F_0, self.Omega, self.pulse, self.table = designs, F_0, Omega, pulse, table
         self.asked: dict[str, Any] = {}
 
     def _ask(self, question: str, *arguments: Any) -> Any:
@@ -212,6 +245,19 @@ class _Batch:
 
     def answer(self, name: str) -> Floats:
         """One of `KIND`, dimensionless."""
+        if name in OF_MARGINS:
+            return np.asarray(self.answer(f"F_{name[3:]}") / self.F_0)
+        if name in IN_A_SPECTRUM:
+            return self._in_a_spectrum(name)
+        if name == "sticking":
+            return np.asarray(slow_flow.friction(self._of_designs("mu")))
+        if name == "break_loose":
+            return self._of_designs("mu")
+        if name == "rests_within":
+            return np.asarray(self._ask("at_rest").rests_within)
+        if name == "sticks":
+            with np.errstate(all="ignore"):  # what is no design does not stick
+                return np.asarray(np.sqrt(slow_flow.friction(self._of_designs("mu")) / self.F_0))
         if name == "F_SN":
             onsets = self._ask("saddle_node_onset")
             lowest = np.where(onsets.status == Status.NONE, math.inf, onsets.F_SN)
@@ -244,7 +290,13 @@ class _Batch:
             if "shock" not in self.asked:
                 acceleration, duration = self.pulse
                 self.asked["shock"] = self.designs.shock_spectrum(acceleration=acceleration, duration=duration)
-            return np.asarray(self.asked["shock"].A if name == "A_shock" else self.asked["shock"].a_max)
+            shock = self.asked["shock"]
+            if name == "of_cr_shock":
+                with np.errstate(all="ignore"):
+                    own = [self._of_designs(domain.name) for domain in self.designs.mechanism.design]
+                    end = first_end(self.designs.mechanism, self.designs.mechanism.coefficients(*own))
+                    return np.asarray(end / shock.A)
+            return np.asarray(shock.A if name == "A_shock" else shock.a_max)
         if name in ("A_peak", "peak"):
             peaks = self._ask("peak", self.F_0)
             if name == "peak":
@@ -255,12 +307,45 @@ class _Batch:
             return np.where(peaks.status == Status.STICKS, 0.0, bounded)
         return first_jump(self._ask("saddle_nodes", self.F_0), name == "jump_up")
 
+    def _of_designs(self, name: str) -> Floats:
+        """One of the numbers of each design."""
+        return np.asarray(self.designs.values[name], dtype=float)
+
+    def _in_a_spectrum(self, name: str) -> Floats:
+        """One of `IN_A_SPECTRUM`: the largest of all rows, or how many; NaN where one of these is not known."""
+        Omega, F_0 = self.table
+        if name.removesuffix("_spectrum") in OF_MARGINS:
+            largest = np.asarray(F_0).max(axis=-1)
+            return np.asarray(self.answer(f"F_{name.removesuffix('_spectrum')[3:]}") / largest)
+        if "spectrum" not in self.asked:
+            self.asked["spectrum"] = self.designs.spectrum(Omega=Omega, F_0=F_0)
+        rows = self.asked["spectrum"]
+        known = np.isin(rows.status, (Status.OK, Status.STICKS, Status.NONE)).all(axis=-1)
+        if name == "A_spectrum":
+            return np.asarray(rows.A.max(axis=-1))
+        if name == "transmissibility_spectrum":
+            share = np.where(rows.sticks == 1, 0.0, 10 ** (rows.transmissibility_dB / 20)).max(axis=-1)
+            return np.where(share > 0, share, np.nan)
+        counted = np.asarray(getattr(rows, ROWS[name])) > (1 if name == "rows_several" else 0)
+        return np.where(known, counted.sum(axis=-1), np.nan)
+
     def _where_it_rests(self, column: str) -> Floats:
         """Of the place of rest, if one only is stable; else NaN."""
         rests = self._ask("rest")
         stable = rests.stiffness > 0
         (first,) = np.take_along_axis(getattr(rests, column), stable.argmax(axis=-1)[..., np.newaxis], -1).T
         return np.where(stable.sum(axis=-1) == 1, first.T, np.nan)
+
+
+def _pair(name: str, value: Any, what: str) -> Any:
+    """Two things that were given as one, None where they were not."""
+    if value is None:
+        return None
+    try:
+        one, other = value
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} = {value!r} is not allowed: it must be a pair {what}") from None
+    return one, other
 
 
 def _of_the_largest(states: States, name: str) -> Floats:

@@ -143,6 +143,7 @@ def tolerances(
     f: float | None = None,
     Omega: float | None = None,
     shock: tuple[float, float] | None = None,
+    spectrum: tuple[Any, Any] | None = None,
     answers: Iterable[str] | None = None,
     samples: int | None = None,
     seed: int = 0,
@@ -155,6 +156,7 @@ def tolerances(
     F, F_0  -- the forcing, F of a mount in N (m of a base that shakes, kg m of an unbalance), F_0 of an isolator
     f, Omega -- the frequency, f of a mount in Hz, Omega of an isolator
     shock   -- a half sine of the base: its peak and its duration, in m/s^2 and s of a mount
+    spectrum -- a load spectrum, (f, F) of a mount, (Omega, F_0) of an isolator: as many numbers of each
     answers -- which of those that `slowflow.sizing` lists; by default all that forcing, frequency and shock allow
     samples, seed -- how many designs are tried, by default 10,000, and which. Under a load and on NumPy each takes up
                to tenths of a second: by default there are 100 then, and the ends of bands accordingly rough
@@ -162,7 +164,7 @@ def tolerances(
     Raises ValueError for what is not allowed.
     """
     subject = Subject(of)
-    load = subject.load(F, F_0, f, Omega, shock)
+    load = subject.load(F, F_0, f, Omega, shock, spectrum)
     within = _within(subject, within)
     names = subject.answered(answers, load)
     if samples is None:
@@ -193,6 +195,7 @@ def sobol(
     f: float | None = None,
     Omega: float | None = None,
     shock: tuple[float, float] | None = None,
+    spectrum: tuple[Any, Any] | None = None,
     answers: Iterable[str] | None = None,
     samples: int | None = None,
     seed: int = 0,
@@ -203,7 +206,7 @@ def sobol(
     ValueError for what is not allowed, ImportError without SALib.
     """
     subject = Subject(of)
-    load = subject.load(F, F_0, f, Omega, shock)
+    load = subject.load(F, F_0, f, Omega, shock, spectrum)
     within = _within(subject, within)
     names = subject.answered(answers, load)
     if samples is None:
