@@ -390,6 +390,38 @@ class Given:
         return self.values
 
 
+class OneByOne(Subject):
+    """Designs that are asked one by one, as on NumPy or under a load, and counted."""
+
+    asked = 0
+
+    def __init__(self, of):
+        super().__init__(of)
+        self.one_by_one = True
+
+    def ask(self, values, names, load):
+        names = list(names)
+        OneByOne.asked += len(names) * max((np.size(value) for value in values.values()), default=1)
+        return super().ask(values, names, load)
+
+
+def test_designs_that_take_long_are_found_by_steps_along_slopes_and_are_the_same(monkeypatch):
+    """A front on NumPy took minutes, of tens of thousands of designs."""
+    free = {"k_h": (500.0, 2500.0), "preload": (0.002, 0.02)}
+    asked = {"high": ["F_SN"], "low": ["f_rest"], "at_least": {"F_cr": 3.0}, "points": 4}
+    many = front(MOUNT, free, **asked)
+    safe = meet(MOUNT, free, at_least={"F_SN": 3.5}, at_most={"f_rest": 2.0})
+    monkeypatch.setattr("slowflow.sizing.requirements.Subject", OneByOne)
+    few, OneByOne.asked = front(MOUNT, free, **asked), 0
+    assert few.one == pytest.approx(many.one, rel=2e-3) and few.other == pytest.approx(many.other, rel=2e-3)
+    again = front(MOUNT, free, **asked)
+    assert again == few and OneByOne.asked < 3000  # numbers of designs, three of each
+    one = meet(MOUNT, free, at_least={"F_SN": 3.5}, at_most={"f_rest": 2.0})
+    assert one.feasible and one.numbers == pytest.approx(safe.numbers, rel=1e-9)
+    nothing = front(MOUNT, {"k_h": (500, 2500)}, high=["F_SN"], low=["f_rest"], at_least={"F_cr": 80.0})
+    assert "the binding requirement is F_cr >= 80 N" in nothing.message
+
+
 def test_a_front_that_no_design_allows_names_the_binding_requirement():
     found = front(MOUNT, {"k_h": (500, 2500)}, high=["F_SN"], low=["f_rest"], at_least={"F_cr": 80.0})
     assert len(found) == 0 and "the binding requirement is F_cr >= 80 N" in found.message

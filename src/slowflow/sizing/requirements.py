@@ -14,6 +14,7 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from scipy.optimize import differential_evolution, minimize
+from scipy.stats import qmc
 
 from slowflow import progress, validate
 from slowflow.answer import Answer, Table, head
@@ -27,8 +28,9 @@ ABSENT = 2e3
 MET = 1e-9
 #: members of a generation for each free number, and generations
 MEMBERS, GENERATIONS = 15, 300
-#: both where designs are asked one by one, under a load: what is found is finished, by differences
-FEW = 6
+#: where designs are asked one by one: designs for each free number from the best of which steps lead on, how many of
+#: them do, how many steps, and by which share of its range a number is moved to see what an answer does
+FEW, BEST, STEPS, APART = 8, 2, 25, 1e-6
 INFEASIBLE = "infeasible: the binding requirement is {}; as near as all of them can be had it is {:.4g}"
 #: points of a front, by how much an end may miss the best that there is, and how near two designs are one
 POINTS, SLACK = 9, 1e-4
@@ -130,22 +132,46 @@ class _Search:
         ends = [validate.window(name, pair) for name, pair in free.items()]
         self.low, self.high = np.array(ends, dtype=float).reshape(-1, 2).T
         self.start = np.array([subject.nominal[name] for name in free])
+        # of designs that are asked one by one: answers by names and numbers, and shares of ranges that were tried
+        self.known: dict[tuple[tuple[str, ...], bytes], tuple[float, ...]] = {}
+        self.tried: list[Floats] = []
 
     def answers(self, values: Floats, names: Iterable[str]) -> dict[str, Floats]:
-        """Answers of designs, values of shape (numbers, designs)."""
-        return self.subject.ask(dict(zip(self.free, values, strict=True)), dict.fromkeys(names), self.load)
+        """Answers of designs, values of shape (numbers, designs); those that take long are kept."""
+        wanted = tuple(dict.fromkeys(names))
+        if not wanted or not self.subject.one_by_one:
+            return self.subject.ask(dict(zip(self.free, values, strict=True)), wanted, self.load)
+        keys = [(wanted, column.tobytes()) for column in values.T]
+        new = [k for k, key in enumerate(keys) if key not in self.known]
+        if new:
+            found = self.subject.ask(dict(zip(self.free, values[:, new], strict=True)), wanted, self.load)
+            shown = [np.broadcast_to(found[name], len(new)).tolist() for name in wanted]
+            self.known |= {keys[k]: row for k, row in zip(new, zip(*shown, strict=True), strict=True)}
+        columns = np.array([self.known.get(key, ()) for key in keys], dtype=float).T
+        return dict(zip(wanted, columns, strict=True))
 
     def short(self, values: Floats) -> Floats:
         """How far each requirement is from being met, by the log of a ratio: shape (requirements, designs)."""
+        return np.clip(self.missing(values), 0.0, ABSENT)
+
+    def missing(self, values: Floats) -> Floats:
+        """The same, negative where it is met with something to spare."""
         found = self.answers(values, self.names)
         rows = [np.zeros(values.shape[1])]
         for name, limit, sign in self.wanted:
             missing = sign * np.log(limit / found[name])
-            rows.append(np.where(np.isnan(missing), ABSENT, np.clip(missing, 0.0, ABSENT)))
+            rows.append(np.where(np.isnan(missing), ABSENT, np.clip(missing, -ABSENT, ABSENT)))
         return np.array(rows)[1:]
 
-    def least(self, cost: Callable[[Floats], Floats], begin: Floats | None = None) -> Floats:
+    def least(
+        self,
+        cost: Callable[[Floats], Floats],
+        begin: Floats | None = None,
+        beyond: Callable[[Floats], Floats] | None = None,
+    ) -> Floats:
         """The free numbers with the least cost, a function of (numbers, designs), among those that meet all.
+
+        beyond -- what is not to be positive besides, a function of the same
 
         Where none meets all, those that miss least; what they cost does not count.
         """
@@ -158,15 +184,20 @@ class _Search:
         def whole(y: Floats) -> Floats:
             values = at(y.reshape(len(self.free), -1))
             missed, costs = self.short(values).sum(axis=0), cost(values)
+            if beyond is not None:
+                over = beyond(values)
+                costs = np.where(over > 0, 1 + over, costs)
             return np.asarray(np.where(missed > MET, 1 + missed, costs / (1 + costs)))
 
-        begin = self.start if begin is None else begin
+        begin = np.clip(((self.start if begin is None else begin) - self.low) / span, 0.0, 1.0)
+        if self.subject.one_by_one:
+            return at(self._descended(whole, lambda y: self._terms(at(y), cost, beyond), begin)[:, None])[:, 0]
         found = differential_evolution(
             whole,
             [(0.0, 1.0)] * len(self.free),
-            x0=np.clip((begin - self.low) / span, 0.0, 1.0),
-            popsize=MEMBERS if not self.subject.loaded else FEW,
-            maxiter=GENERATIONS if not self.subject.loaded else FEW,
+            x0=begin,
+            popsize=MEMBERS,
+            maxiter=GENERATIONS,
             tol=1e-8,
             rng=self.seed,
             polish=False,
@@ -174,6 +205,48 @@ class _Search:
             vectorized=True,
         )
         return at(found.x[:, None])[:, 0]
+
+    def _terms(self, values: Floats, cost: Callable[[Floats], Floats], beyond: Any) -> Floats:
+        """The cost of designs, then what is not to be positive, a row each."""
+        rows = [cost(values)[np.newaxis], self.missing(values)]
+        return np.concatenate(rows if beyond is None else [*rows, beyond(values)[np.newaxis]])
+
+    def _descended(self, whole: Callable[[Floats], Floats], terms: Callable[[Floats], Floats], begin: Floats) -> Floats:
+        """The best, by `whole`, that steps of sequential quadratic programming lead to; shares of ranges throughout.
+
+        They begin at the best of some designs that are spread over the ranges, of those found before, and at `begin`;
+        slopes are differences, asked for as one batch.
+        """
+        size = len(self.free)
+        if not self.tried:
+            self.tried += list(qmc.LatinHypercube(d=size, rng=self.seed).random(FEW * size))
+        self.tried.append(begin)
+        seen: dict[bytes, Floats] = {}
+
+        def around(y: Floats) -> Floats:
+            """Terms at y, then at a step in each number, inwards."""
+            y = np.clip(y, 0.0, 1.0)
+            if (known := seen.get(y.tobytes())) is None:
+                steps = np.where(y > 0.5, -APART, APART)
+                known = seen[y.tobytes()] = terms(y[:, np.newaxis] + np.hstack((np.zeros((size, 1)), np.diag(steps))))
+                known[:, 1:] = (known[:, 1:] - known[:, :1]) / steps
+            return known
+
+        costs = whole(np.array(self.tried).T)
+        found = []
+        for k in np.argsort(costs, kind="stable")[:BEST]:
+            result = minimize(
+                lambda y: around(y)[0, 0],
+                self.tried[k],
+                jac=lambda y: around(y)[0, 1:],
+                bounds=[(0.0, 1.0)] * size,
+                constraints={"type": "ineq", "fun": lambda y: -around(y)[1:, 0], "jac": lambda y: -around(y)[1:, 1:]},
+                method="SLSQP",
+                options={"maxiter": STEPS, "ftol": 1e-10},
+            )
+            found.append(np.clip(result.x, 0.0, 1.0))
+        self.tried += [y for y in found if np.isfinite(y).all()]
+        return self.tried[int(np.argmin(whole(np.array(self.tried).T)))]
 
     def nearest(self) -> Floats:
         """The free numbers nearest to the start that meet all: the search's, finished by gradients if there are any."""
@@ -314,8 +387,15 @@ def front(
     nominal = subject.ask({}, names, search.load)
     size = {name: v if np.isfinite(v := float(nominal[name])) and v > 0 else 1.0 for name in names}
 
+    last: list[Any] = [None, None]  # cost and what is not to be exceeded ask of the same designs
+
     def worth(values: Floats) -> Floats:
         """From 0, the best, to 1: rising functions of what is to be low, bounded as no force may be high enough."""
+        if last[0] != (key := values.tobytes()):
+            last[:] = key, rated(values)
+        return np.asarray(last[1])
+
+    def rated(values: Floats) -> Floats:
         found = search.answers(values, names)
         rows = []
         for name, sign in pair:
@@ -332,12 +412,12 @@ def front(
     end = search.least(lambda values: worth(values)[1])
     # of all that are the best of the other answer, that with the best of the first
     level = float(worth(end.reshape(-1, 1))[1, 0]) + SLACK
-    end = search.least(partial(_beneath, lambda values: worth(values)[::-1], level), end)
+    end = search.least(lambda values: worth(values)[0], end, partial(_over, worth, 1, level))
     least, most = (float(worth(x.reshape(-1, 1))[0, 0]) for x in (best, end))
     found = [end]
     for part in progress.parts(points - 1, 1, "front"):
         level = least + (most - least) * part.start / (points - 1) + SLACK * (most - least)
-        found.append(search.least(partial(_beneath, worth, level), best))
+        found.append(search.least(lambda values: worth(values)[1], best, partial(_over, worth, 0, level)))
     values = np.array(found).T
     kept = _undominated(worth(values))
     answers = search.answers(values[:, kept], names)
@@ -348,10 +428,9 @@ def front(
     return Front(*columns, (one, other), _units(subject, names), numbers, said, of)
 
 
-def _beneath(worth: Callable[[Floats], Floats], level: float, values: Floats) -> Floats:
-    """The second worth of designs, where the first is at most at that level; else more than any."""
-    one, other = worth(values)
-    return np.asarray(np.where(one > level, 1 + one - level, other))
+def _over(worth: Callable[[Floats], Floats], which: int, level: float, values: Floats) -> Floats:
+    """By how much a worth of designs is above a level."""
+    return np.asarray(worth(values)[which] - level)
 
 
 def _undominated(worth: Floats) -> list[int]:
