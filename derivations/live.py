@@ -38,7 +38,7 @@ from .emit.write import MANIFEST, write
 from .mechanisms import DAMPING, DISSIPATION, FORCING, Mechanism, Parameter, Piece
 from .monotone import not_shown
 from .oscillator import oscillator
-from .quadrature import FUNCTIONS, Quadrature, singular_at
+from .quadrature import FUNCTIONS, Quadrature, singular_at, v
 from .results import of_mechanism
 from .sided import Sided
 from .sided import check as check_sided
@@ -279,18 +279,27 @@ def check(average: Quadrature, name: str) -> None:
                     f"of {', '.join(function.__name__ for function in FUNCTIONS)}, powers and |u|, and what else "
                     "changes at some |u| is a piece of its own"
                 )
-        at = [*([ends[number - 1]] if number > 1 else []), *ends[number : number + 1]]
-        for end in at:
+        for end in ends[number : number + 1]:
             singular = singular_at(piece, end)
             if singular:
                 raise ArithmeticError(
-                    f"{name}: piece {number} has {singular[0]}, which is singular at |u| = {end}, where it "
-                    f"{'begins' if end == ends[number - 1] else 'ends'}: h has no third derivative there"
+                    f"{name}: piece {number} has {singular[0]}, which is singular at |u| = {end}, where it ends"
                 )
         for end in ends[number - 1 : number + 1]:
             value = sp.simplify(piece.subs(u, end)) if end != 0 or number > 1 else average.at_rest
             if value.is_infinite or value is sp.nan or value.has(sp.zoo, sp.oo):
                 raise ArithmeticError(f"{name}: piece {number} is infinite at |u| = {end}")
+    try:
+        contacts = average.contacts
+    except ArithmeticError as error:
+        raise ArithmeticError(f"{name}: where a piece begins it has {error}") from None
+    for contact in contacts:
+        # beyond its piece it is taken off the next one, which nothing but a polynomial is known to allow
+        if contact.begins < len(average.pieces) - 1 and not contact.factor.is_polynomial(v):
+            raise ArithmeticError(
+                f"{name}: piece {contact.begins + 1} has a power {contact.power} of what u exceeds its begin by, times "
+                "what is no polynomial: only the last piece may"
+            )
 
 
 def _symbol(name: str, about: Mapping[str, Any]) -> sp.Symbol:

@@ -16,24 +16,25 @@ without the difference of h and A h_A, f(0+) being what the force is next to res
     h - A h_A = (4/pi) [A^2 int f''(A s) s c^2 dt - f(0+) + sum over b of ((r/A) (J_0 - b J_1) - J_0 b^2/(A r))]
 
 where J_0, J_1 are what f and f' lose at b, and r^2 = A^2 - b^2.
+
+What begins at a breakpoint as a broken power of what u exceeds it by is a `Contact`, with integrals of its own, from
+where it begins up to A; the pieces here are what is left.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import sympy as sp
 
+from .contact import Contact, c, parted, s, v
 from .elliptic import gauss
 from .harmonics import HARMONICS, boundary, chebyshev, derivatives_of
 from .restoring import ORDERS, slope
 from .symbols import A, u
 
-#: sine and cosine of the angle that is integrated over
-s, c = sp.symbols("sine cosine", positive=True)
-#: what u exceeds the beginning of a piece by
-v = sp.Symbol("beyond", nonnegative=True)
 #: nodes of Gauss's rule on each panel: halving a panel divides the error by 2^(2 NODES), of a power t^a by 2^(a + 1)
 NODES = 16
 #: the angle from where a piece begins is the power DENSE of what is divided into panels: where A is large all that a
@@ -79,12 +80,33 @@ class Quadrature:
     breakpoints: dict[sp.Symbol, sp.Expr]
 
     @cached_property
+    def _parted(self) -> tuple[tuple[sp.Expr, ...], tuple[Contact, ...]]:
+        smooth, contacts = [self.pieces[0]], []
+        for begins, (piece, begin) in enumerate(zip(self.pieces[1:], self.breakpoints.values(), strict=True), start=1):
+            left = piece - sp.Add(*(one.force for one in contacts))
+            if singular_at(left, begin):
+                left, found = parted(left, begins, begin)
+                contacts += found
+            smooth.append(left)
+        return tuple(smooth), tuple(contacts)
+
+    @property
+    def smooth(self) -> tuple[sp.Expr, ...]:
+        """The pieces without contacts."""
+        return self._parted[0]
+
+    @property
+    def contacts(self) -> tuple[Contact, ...]:
+        """What begins as a broken power, and acts from there on."""
+        return self._parted[1]
+
+    @cached_property
     def losses(self) -> tuple[tuple[sp.Expr, ...], ...]:
-        """What f, f', f'', f''' lose at each breakpoint."""
+        """What f, f', f'', f''' lose at each breakpoint, contacts apart."""
         ends = self.breakpoints.values()
         return tuple(
             tuple(lost_at(below - above, end, order) for order in range(ORDERS + 1))
-            for below, above, end in zip(self.pieces, self.pieces[1:], ends, strict=False)
+            for below, above, end in zip(self.smooth, self.smooth[1:], ends, strict=False)
         )
 
     @cached_property
@@ -94,15 +116,29 @@ class Quadrature:
         return sp.simplify(value)
 
     @property
+    def kinks(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+        """What of f', f'' is lost at each breakpoint, and the factors of broken powers that act alike.
+
+        Where that of order k is not 0 h has an infinite derivative of order k + 1 as A falls to the breakpoint.
+        """
+        return tuple(
+            tuple(
+                lost[order] - sp.Add(*(one.lost(order) for one in self.contacts if one.begins == number))
+                for order in (1, 2)
+            )
+            for number, lost in enumerate(self.losses, start=1)
+        )
+
+    @property
     def is_broken(self) -> bool:
         """Whether powers of u that are no whole numbers are in the first piece, or logarithms."""
         return bool(singular_at(self.pieces[0], sp.Integer(0)))
 
     @cached_property
     def from_begin(self) -> tuple[sp.Expr, ...]:
-        """The pieces in what u exceeds their beginning by."""
+        """The pieces without contacts in what u exceeds their beginning by."""
         begins = (sp.Integer(0), *self.breakpoints.values())
-        return tuple(piece.subs(u, begin + v) for piece, begin in zip(self.pieces, begins, strict=True))
+        return tuple(piece.subs(u, begin + v) for piece, begin in zip(self.smooth, begins, strict=True))
 
     def integrands(self, piece: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
         """Under the integral, at u = A s: of h and its derivatives, of h - A h_A, of the harmonics."""
@@ -120,37 +156,67 @@ class Quadrature:
             let for b, root in zip(names, roots, strict=True) for let in ((b, self.breakpoints[b]), (root, _root(b)))
         ]
         ends = [*zip(names, roots, self.losses[:count], strict=True)]
+        contacts = [(one, names[one.begins - 1]) for one in self.contacts if one.begins <= count]
+        orders = ORDERS + 1
 
-        def around(n: int, first: int) -> tuple[sp.Expr, ...]:
-            """h_n and its derivatives; the sums are numbered from `first` on."""
+        def around(n: int, first: int, of_contacts: int, wide: int) -> tuple[sp.Expr, ...]:
+            """h_n and its derivatives; sums are numbered from `first` on, of contacts from another on, so many each."""
             terms = [(root, [boundary(losses[k], n, k, b, root) for k in range(ORDERS)]) for b, root, losses in ends]
-            return derivatives_of(sums(ORDERS + 1, first), terms)
+            total = derivatives_of(sums(orders, first), terms)
+            for number, (contact, b) in enumerate(contacts):
+                own = contact.average(sums(orders, of_contacts + number * wide), b)
+                total = tuple(value - 4 / sp.pi * more for value, more in zip(total, own, strict=True))
+            return total
 
         (integral,) = sums(1)
         at_ends = [root / A * (lost[0] - b * lost[1]) - lost[0] * b**2 / (A * root) for b, root, lost in ends]
         intercept = 4 / sp.pi * (A**2 * integral - self.at_rest + sum(at_ends))
-        harmonics = [value for k, n in enumerate(HARMONICS) for value in around(n, k * (ORDERS + 1))]
-        return Regime(names, tuple(lets), around(1, 0), intercept, tuple(harmonics))
+        for number, (contact, b) in enumerate(contacts):
+            value, inclined = contact.average(sums(2, 1 + 2 * number), b)
+            intercept -= 4 / sp.pi * (value - A * inclined)
+        wide = orders * len(HARMONICS)
+        harmonics = [value for k, n in enumerate(HARMONICS) for value in around(n, k * orders, wide + k * orders, wide)]
+        return Regime(names, tuple(lets), around(1, 0, orders, orders), intercept, tuple(harmonics))
+
+    def of_contact(self, contact: Contact) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+        """Under the integrals of one: of h and its derivatives, of h - A h_A, of the harmonics."""
+        further = tuple(value for n in HARMONICS for value in contact.integrands(n, ORDERS))
+        return contact.integrands(1, ORDERS), contact.integrands(1, 1), further
 
     # --- by the parameters ---
 
     def changes(self, number: int, parameter: sp.Symbol) -> tuple[sp.Expr, ...]:
         """Under the integrals of h_p, h_Ap, h_AAp on a piece: what changes at a fixed u."""
         begin = (sp.Integer(0), *self.breakpoints.values())[number]
-        changed = sp.diff(self.pieces[number], parameter).subs(u, begin + v)
+        changed = sp.diff(self.smooth[number], parameter).subs(u, begin + v)
         return tuple(value * s ** (order + 1) for order, value in enumerate(derivatives(changed, 2)))
 
-    def changed(self, count: int, parameter: sp.Symbol, first: int) -> tuple[sp.Expr, ...]:
-        """h_p, h_Ap, h_AAp in the sums from `first` on, where A exceeds `count` breakpoints, which may move."""
+    def changes_of(self, contact: Contact, parameter: sp.Symbol) -> tuple[sp.Expr, ...]:
+        """The same of a contact."""
+        change = contact.changed(parameter)
+        return (sp.Integer(0),) * 3 if change is None else change.integrands(1, 2)
+
+    def changed(self, count: int, parameter: sp.Symbol, first: int, of_contacts: Sequence[int]) -> tuple[sp.Expr, ...]:
+        """h_p, h_Ap, h_AAp in the sums from `first` on, where A exceeds `count` breakpoints, which may move.
+
+        of_contacts -- from which sum on those of each contact are
+        """
         terms, moved = [], [sp.Integer(0)] * 3
         for k, (b, end) in enumerate(list(self.breakpoints.items())[:count]):
             root = sp.Symbol(f"root_{k + 1}", nonnegative=True)
-            change = sp.diff(self.pieces[k] - self.pieces[k + 1], parameter)
+            change = sp.diff(self.smooth[k] - self.smooth[k + 1], parameter)
             terms.append((root, [boundary(lost_at(change, end, order), 1, order, b, root) for order in range(2)]))
             moving = -4 / sp.pi * self.losses[k][0] * sp.diff(end, parameter) * b / (A * root)
             for order in range(3):
                 moved[order] += moving
                 moving = slope(moving, root)
+        for contact, own in zip(self.contacts, of_contacts, strict=True):
+            change = contact.changed(parameter)
+            if contact.begins <= count and change is not None:
+                b = tuple(self.breakpoints)[contact.begins - 1]
+                moved = [
+                    one - 4 / sp.pi * more for one, more in zip(moved, change.average(sums(3, own), b), strict=True)
+                ]
         return tuple(one + other for one, other in zip(derivatives_of(sums(3, first), terms), moved, strict=True))
 
     # --- between two amplitudes ---
@@ -186,6 +252,11 @@ class Quadrature:
             for order in range(ORDERS, lowest - 1, -1):
                 numerator = numerator * root**2 + losses[order] * _shape(order, b, root)
             total += numerator / root ** (2 * (ORDERS - lowest) + 1)
+        for number, contact in enumerate(self.contacts):
+            if contact.begins <= count:
+                root = sp.Symbol(f"root_{contact.begins}", nonnegative=True)
+                value, fourth = contact.bent(sums(ORDERS + 2, 2 + number * (ORDERS + 2)), root)
+                of_h, total = of_h + value, total + fourth
         return -4 / sp.pi * of_h, -4 / sp.pi * total
 
 

@@ -282,11 +282,20 @@ def test_an_oscillator_is_pickled_into_another_process(stop, folder):
         ({"pieces": [(k_1 / u, None)]}, ArithmeticError, "piece 1 is infinite at .u. = 0"),
         ({"pieces": [(u, gap), (u, gap - k_1), (u, None)]}, ArithmeticError, "piece 2 ends at .* not above gap"),
         ({"pieces": [(u, sp.sqrt(-gap)), (u, None)]}, ArithmeticError, "which is not above 0"),
-        (
-            {"pieces": [(u, gap), (u + (u - gap) ** sp.Rational(3, 2), None)]},
-            ArithmeticError,
-            "singular at .u. = gap, where it begins",
+        *(
+            ({"pieces": [(u, gap), (u + force, None)]}, ArithmeticError, words)
+            for force, words in (
+                (sp.sqrt(u - gap), "whose power is not above 1/2: h has no slope there"),
+                (sp.tanh((u - gap) ** 1.5), "no power of u - gap times what is smooth"),
+                ((u - gap) ** k_1, "no power of u - gap times what is smooth"),
+            )
         ),
+        (
+            {"pieces": [(u, gap), (u + (u - gap) ** 1.5 * sp.exp(-u), gap + 1), (u, None)]},
+            ArithmeticError,
+            "piece 2 has a power 3/2 .* only the last piece may",
+        ),
+        ({"pieces": [(u + (gap - u) ** 1.5, gap), (u, None)]}, ArithmeticError, "singular at .u. = gap, where it ends"),
         ({"name": "a stop"}, ValueError, "name = 'a stop' is not allowed"),
         ({"name": "__import__('os')"}, ValueError, "is not allowed"),
         ({"name": 5}, TypeError, "name = 5 is not allowed: it must be a string"),

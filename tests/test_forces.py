@@ -31,6 +31,7 @@ FORCES = {
     "septic": ([(u - k * u**3 + c * u**5 - p * u**7 + u**9 / 50, None)], {"k": 1.0, "c": 0.6, "p": 0.15}),
     "dead": ([(sp.Integer(0), gap), (k * (u - gap) ** 2, None)], {"k": 3.0, "gap": 0.1}),
     "soft_stop": ([(u, gap), (u + c * sp.tanh(k * (u - gap)), None)], {"k": 3.0, "c": 5.0, "gap": 0.2}),
+    "hertz": ([(u, gap), (u + k * (u - gap) ** 1.5, None)], {"k": 3.0, "gap": 0.1}),
     "numbers": ([(sp.sin(u), sp.Rational(1, 2)), (k * u, None)], {"k": 1.5}),
 }
 
@@ -43,6 +44,10 @@ MORE = {
     "arctangent": ([(sp.atan(u / k), None)], ("k",)),
     "hard_stop": ([(u, gap), (u + 2 * k * sp.sinh(u - gap), None)], ("k", "gap")),
     "letting_go": ([(k * sp.sin(u), gap), (u, None)], ("k", "gap")),
+    "buffer": (
+        [(u + u**3, gap), (u + u**3 + k * (u - gap) ** sp.Rational(5, 2) * (1 + c * u), None)],
+        ("k", "c", "gap"),
+    ),
 }
 pytestmark = pytest.mark.usefixtures("folder")
 
@@ -194,7 +199,7 @@ def test_answers_at_all_depths_agree(oscillator):
 
 
 @pytest.mark.parametrize(
-    ("name", "numbers"), [("soft_stop", None), ("power", None), ("letting_go", {"k": 1.5, "gap": 0.5})]
+    ("name", "numbers"), [("soft_stop", None), ("power", None), ("hertz", None), ("letting_go", {"k": 1.5, "gap": 0.5})]
 )
 def test_gradients_are_what_neighbours_differ_by(derived, name, numbers):
     """Of folds, also where the force jumps at a breakpoint that moves; against differences of answers."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import subprocess
 from itertools import pairwise
 
@@ -147,7 +148,7 @@ def test_in_C_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(d
             assert np.isfinite([found[1].lo, found[1].hi]).all()
 
 
-@pytest.mark.parametrize("name", slow_beside(sorted(set(FORCES) - {"preload"}), ("power",)))
+@pytest.mark.parametrize("name", slow_beside(sorted(set(FORCES) - {"preload"}), ("power", "hertz")))
 def test_exact_motions_are_those_of_another_integrator(derived, name):
     """At a frequency below resonance and above: switches, amplitude, multipliers; a preload's are not followed."""
     numbers = FORCES[name][1]
@@ -162,6 +163,23 @@ def test_exact_motions_are_those_of_another_integrator(derived, name):
 
 
 @pytest.mark.slow
+def test_a_curve_goes_on_where_the_mass_first_touches_a_contact(derived):
+    """The order of switches changes there; between the folds motions are unstable by SciPy too."""
+    one = derived("hertz")(k=5.0, gap=0.2, mu=0.0, zeta=0.03)
+    curve = one.exact_response(F_0=0.05, Omega=(0.5, 1.8))
+    touches = [place for place in curve.borders if place[1] == pytest.approx(0.2, abs=1e-12)]
+    assert len(touches) == 2 and [fold.kind for fold in curve.folds] == ["jump-up", "jump-down"]
+    # up to the contact the spring is linear
+    for Omega, _ in touches:
+        assert math.hypot(1 - Omega**2, 0.06 * Omega) == pytest.approx(0.05 / 0.2, rel=1e-9)
+    system, scipy = one.equation_of_motion(), exact.integrate.ScipyIntegrator()
+    between = np.flatnonzero(~curve.stable)
+    for state in map(curve.steady_state, (int(between[1]), int(between[between.size // 2]))):
+        other = exact.steady_state(system, state.Omega, 0.05, state, integrator=scipy)
+        assert other.A == pytest.approx(state.A, rel=1e-10) and max(other.multipliers.real) > 1
+        np.testing.assert_allclose(np.sort(other.multipliers), np.sort(state.multipliers), atol=1e-9)
+
+
 def test_an_average_that_does_not_settle_is_no_answer(folder):
     """A step that is steeper than any panel: both kinds of solvers refuse, and the average says why."""
     pieces = [(u + sp.tanh(k * (u - c)), None)]

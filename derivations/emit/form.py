@@ -176,11 +176,13 @@ class Law:
 
     force, slope -- of the generic kernels
     name         -- of the law itself, the same in every language: by it Python finds the Taylor recurrences in C
+    begins       -- where it begins as a broken power of what |u| exceeds that by; None elsewhere
     """
 
     force: str
     slope: str
     name: str
+    begins: sp.Expr | None = None
 
 
 @dataclass(frozen=True)
@@ -237,8 +239,10 @@ class Sums:
     """A function of A that closes integrals over the quarter cycle, summed by `slowflow_support.quadrature`.
 
     terms   -- of each piece of the force, the generic kernel of what stands under the integrals
+               then of each contact, from where it begins up to A
     closing -- the kernel of A, the integrals and the parameters that gives the outputs
-    graded  -- of each piece the power of what is divided into panels that its angle is
+    graded  -- of each of these the power of what is divided into panels that its angle is
+    begins  -- the number of the breakpoint at which each contact begins
     scalar  -- whether it gives a number
     beside  -- arguments after A that it has no use for
     """
@@ -249,6 +253,7 @@ class Sums:
     doc: str
     equation: str
     graded: tuple[int, ...]
+    begins: tuple[int, ...] = ()
     scalar: bool = False
     beside: tuple[sp.Symbol, ...] = ()
 
@@ -264,15 +269,19 @@ class Enclosed:
 
     terms   -- of each piece of the force, what stands under the integrals of h and h_AAAA
     closing -- both in the integrals, by how many breakpoints the amplitude exceeds
+    contacts -- of each contact what M and its derivatives are integrals of
+    begins  -- the number of the breakpoint at which each begins
     """
 
     terms: tuple[Kernel, ...]
     closing: tuple[Kernel, ...]
+    contacts: tuple[Kernel, ...] = ()
+    begins: tuple[int, ...] = ()
 
     @property
     def kernels(self) -> tuple[Kernel, ...]:
         """All of them."""
-        return self.terms + self.closing
+        return self.terms + self.contacts + self.closing
 
 
 @dataclass(frozen=True)

@@ -434,11 +434,11 @@ SF_FMA static void rod_spring_untruncated_force_2_both(const double *p, const sf
 enum { SF_LAWS = 5 };
 
 static const sf_law sf_laws[SF_LAWS + 1] = {
-    {"duffing.force_1", 2, SF_SMOOTH, duffing_force_1_value, duffing_force_1_slope, duffing_force_1, duffing_force_1_both},
-    {"rod_spring.force_1", 4, SF_SMOOTH, rod_spring_force_1_value, rod_spring_force_1_slope, rod_spring_force_1, rod_spring_force_1_both},
-    {"rod_spring.force_2", 4, SF_SMOOTH, rod_spring_force_2_value, rod_spring_force_2_slope, rod_spring_force_2, rod_spring_force_2_both},
-    {"rod_spring_untruncated.force_1", 3, SF_SMOOTH, rod_spring_untruncated_force_1_value, rod_spring_untruncated_force_1_slope, rod_spring_untruncated_force_1, rod_spring_untruncated_force_1_both},
-    {"rod_spring_untruncated.force_2", 3, SF_SMOOTH, rod_spring_untruncated_force_2_value, rod_spring_untruncated_force_2_slope, rod_spring_untruncated_force_2, rod_spring_untruncated_force_2_both},
+    {"duffing.force_1", 2, SF_SMOOTH, duffing_force_1_value, duffing_force_1_slope, duffing_force_1, duffing_force_1_both, NULL},
+    {"rod_spring.force_1", 4, SF_SMOOTH, rod_spring_force_1_value, rod_spring_force_1_slope, rod_spring_force_1, rod_spring_force_1_both, NULL},
+    {"rod_spring.force_2", 4, SF_SMOOTH, rod_spring_force_2_value, rod_spring_force_2_slope, rod_spring_force_2, rod_spring_force_2_both, NULL},
+    {"rod_spring_untruncated.force_1", 3, SF_SMOOTH, rod_spring_untruncated_force_1_value, rod_spring_untruncated_force_1_slope, rod_spring_untruncated_force_1, rod_spring_untruncated_force_1_both, NULL},
+    {"rod_spring_untruncated.force_2", 3, SF_SMOOTH, rod_spring_untruncated_force_2_value, rod_spring_untruncated_force_2_slope, rod_spring_untruncated_force_2, rod_spring_untruncated_force_2_both, NULL},
     {0},
 };
 

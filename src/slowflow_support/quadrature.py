@@ -45,12 +45,15 @@ def over_quarter(
     width: int,
     graded: Sequence[int],
     rule: Sequence[tuple[float, float]],
+    begins: Sequence[int] = (),
 ) -> tuple[Any, ...]:
     """The outputs of `closing` at A and parameters that broadcast.
 
-    terms  -- of each piece at (u less where it begins, sine, cosine, *parameters), u = A sine: `width` integrands
-    graded -- of each piece the power of what is divided into panels that its angle, from where it begins, is
+    terms  -- of each piece at (u less where it begins, sine, cosine, *parameters), u = A sine: `width` integrands; then
+              of each contact, which goes on from where it begins up to A
+    graded -- of each of these the power of what is divided into panels that its angle, from where it begins, is
     rule   -- positive nodes on [-1, 1], which stand for their negatives too, and weights
+    begins -- the number of the breakpoint at which each contact begins
 
     Raises ArithmeticError where a sum does not settle: the force is all but singular.
     """
@@ -69,12 +72,12 @@ def over_quarter(
         for first in range(0, flat[0].size, size):
             part = slice(first, first + size)
             some = [one[part] for one in flat]
-            sums[:, part] = found = _sums(some, breakpoints, terms, width, graded, (at, weights))
+            sums[:, part] = found = _sums(some, breakpoints, terms, width, graded, (at, weights), begins)
             # a slope at rest that is a quotient of zeros, as of a broken power, is what it is next to it
             lost = np.isnan(found).any(axis=0) & (some[0] == 0)
             if lost.any():
                 beside = [np.full(int(lost.sum()), NEXT), *(one[lost] for one in some[1:])]
-                near = _sums(beside, breakpoints, terms, width, graded, (at, weights))
+                near = _sums(beside, breakpoints, terms, width, graded, (at, weights), begins)
                 sums[:, np.flatnonzero(lost) + first] = np.where(np.isnan(found[:, lost]), near, found[:, lost])
     return tuple(closing(arrays[0], *(one.reshape(shape) for one in sums), *arrays[1:]))
 
@@ -86,17 +89,19 @@ def _sums(
     width: int,
     graded: Sequence[int],
     rule: tuple[Floats, Floats],
+    begins: Sequence[int],
 ) -> Floats:
-    """The sums over the pieces, an array (width, n)."""
+    """The sums over the pieces and the contacts, an array (width, n)."""
     A, *parameters = numbers
     total = np.zeros((width, A.size))
     ends = [np.broadcast_to(np.asarray(end, dtype=float), A.shape) for end in breakpoints(*parameters)]
     low = np.zeros(A.shape)
     for number, piece in enumerate(terms):
-        last = number == len(ends)
+        contact = number > len(ends)
+        last = number == len(ends) or contact
         passed = np.zeros(A.shape, dtype=bool) if last else A > ends[number]
         # the complement of the angle, which is exact where the amplitude is next to the breakpoint
-        end = ends[number - 1 if last else number] if ends else low
+        end = ends[begins[number - len(ends) - 1] if contact else number - 1 if last else number] if ends else low
         beside = np.arctan2(np.sqrt((A - end) * (A + end)), end)
         angle = np.arctan2(end, np.sqrt((A - end) * (A + end)))
         high = np.where(passed, angle, np.pi / 2)

@@ -80,10 +80,15 @@ class Enclosed(NamedTuple):
                and h_AAAA
     closing -- by how many breakpoints are exceeded, at (around, A, sqrt(A^2 - b^2) for each of these, both integrals,
                *parameters): h and h_AAAA
+    contacts -- of each contact at (around, A, the share y of what A exceeds its begin by, *parameters): what its own
+               five integrals, which follow the two, are over dy/sqrt(1 - y)
+    begins  -- the number of the breakpoint at which each begins
     """
 
     terms: tuple[Function, ...]
     closing: tuple[Function, ...]
+    contacts: tuple[Function, ...] = ()
+    begins: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

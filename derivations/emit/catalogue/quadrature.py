@@ -9,10 +9,12 @@ names are users', so kernels have them with a line behind them, which nothing el
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import sympy as sp
 
+from ...contact import Contact, y
 from ...mechanisms import Mechanism
 from ...off_centre import steps
 from ...quadrature import BROKEN, DENSE, Quadrature, c, s, sums, v
@@ -23,6 +25,9 @@ from ..compensated import copysign
 from ..form import AVERAGED, Branch, Enclosed, Kernel, Law, Let, Module, Record, Sums, plain
 from .mechanism import DOC_OF_STEPS, INTERCEPT
 
+#: of an odd force that is stated for u > 0
+SIDE, SIZE = sp.Symbol("side", real=True), sp.Symbol("size", nonnegative=True)
+SIDES = ((SIDE, copysign(1, u)), (SIZE, sp.Abs(u)))
 #: sums are named by the terms under their integrals
 ANY = "any parameters"
 
@@ -62,7 +67,6 @@ def renamed(mechanism: Mechanism, average: Quadrature) -> tuple[Mechanism, Quadr
 def average_sums(mechanism: Mechanism, average: Quadrature) -> tuple[Sums, ...]:
     """`averaged`, `intercept` and `harmonics`."""
     parameters = mechanism.parameters
-    graded = tuple(BROKEN if k == 0 and average.is_broken else DENSE for k in range(len(average.pieces)))
     regimes = [average.regime(count) for count in range(len(average.pieces))]
     listed = ", ".join(str(symbol) for family in OF_HARMONIC.values() for symbol in family)
     found = []
@@ -73,19 +77,9 @@ def average_sums(mechanism: Mechanism, average: Quadrature) -> tuple[Sums, ...]:
             ("harmonics", f"Higher harmonics of the force, as h is its first: {listed}.", "beyond (20)"),
         )
     ):
-        terms = tuple(
-            plain(
-                f"{name}_terms_{k}",
-                (v, s, c, *parameters),
-                average.integrands(piece)[number],
-                f"Under the integrals of `{name}` on piece {k} of the force, which u = A sine is beyond the begin of.",
-                equation,
-                "where the piece holds",
-                parameters=len(parameters),
-                generic=True,
-            )
-            for k, piece in enumerate(average.from_begin, start=1)
-        )
+        of_pieces = [average.integrands(piece)[number] for piece in average.from_begin]
+        of_contacts = [average.of_contact(contact)[number] for contact in average.contacts]
+        terms = under_the_integrals(name, equation, average, parameters, of_pieces, of_contacts)
         outputs = [(one.averaged, (one.intercept,), one.harmonics)[number] for one in regimes]
         given = tuple(sums(terms[0].width))
         closing = Kernel(
@@ -98,30 +92,79 @@ def average_sums(mechanism: Mechanism, average: Quadrature) -> tuple[Sums, ...]:
             parameters=len(parameters),
             returns="tuple",
         )
-        found.append(Sums(name, terms, closing, doc, equation, graded, scalar=name == "intercept"))
+        scalar = name == "intercept"
+        found.append(Sums(name, terms, closing, doc, equation, graded(average), begins(average), scalar))
     return tuple(found)
+
+
+def under_the_integrals(
+    name: str,
+    equation: str,
+    average: Quadrature,
+    parameters: tuple[sp.Symbol, ...],
+    of_pieces: Sequence[tuple[sp.Expr, ...]],
+    of_contacts: Sequence[tuple[sp.Expr, ...]],
+) -> tuple[Kernel, ...]:
+    """The kernels of integrands, one for each piece and for each contact: to the sums of the others these add 0.
+
+    The sums of the pieces come first, then those of each contact.
+    """
+    own = len(of_pieces[0])
+    width = own + sum(map(len, of_contacts))
+    listed = [
+        (f"{name}_terms_{k}", f"piece {k} of the force", values, 0, []) for k, values in enumerate(of_pieces, start=1)
+    ]
+    for k, (contact, values) in enumerate(zip(average.contacts, of_contacts, strict=True), start=1):
+        what = f"what begins with piece {contact.begins + 1} as a power {contact.power}"
+        listed.append((f"{name}_contact_{k}", what, values, own, contact.lets))
+        own += len(values)
+    return tuple(
+        plain(
+            called,
+            (v, s, c, *parameters),
+            (*(sp.Integer(0),) * first, *values, *(sp.Integer(0),) * (width - first - len(values))),
+            f"Under the integrals of `{name}` on {what}, which u = A sine is beyond the begin of.",
+            equation,
+            "where the piece holds",
+            lets=lets,
+            parameters=len(parameters),
+            generic=True,
+        )
+        for called, what, values, first, lets in listed
+    )
+
+
+def graded(average: Quadrature) -> tuple[int, ...]:
+    """Of each piece and each contact."""
+    first = BROKEN if average.is_broken else DENSE
+    return (first, *(DENSE,) * (len(average.pieces) - 1), *(BROKEN,) * len(average.contacts))
+
+
+def begins(average: Quadrature) -> tuple[int, ...]:
+    """The number of the breakpoint at which each contact begins, from 0 on."""
+    return tuple(contact.begins - 1 for contact in average.contacts)
 
 
 def parameter_sums(mechanism: Mechanism, average: Quadrature) -> Sums:
     """How h, h_A and h_AA change with each parameter."""
     parameters = mechanism.parameters
     doc, equation = "d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.", "from (20)-(22), (31)"
-    terms = tuple(
-        plain(
-            f"by_parameter_terms_{k + 1}",
-            (v, s, c, *parameters),
-            tuple(value for parameter in parameters for value in average.changes(k, parameter)),
-            f"Under the integrals of `by_parameter` on piece {k + 1} of the force.",
-            equation,
-            "where the piece holds",
-            parameters=len(parameters),
-            generic=True,
-        )
+    of_pieces = [
+        tuple(value for parameter in parameters for value in average.changes(k, parameter))
         for k in range(len(average.pieces))
-    )
-    cases = []
+    ]
+    of_contacts = [
+        tuple(value for parameter in parameters for value in average.changes_of(contact, parameter))
+        for contact in average.contacts
+    ]
+    terms = under_the_integrals("by_parameter", equation, average, parameters, of_pieces, of_contacts)
+    cases, wide = [], 3 * len(parameters)
+    places = [wide * k for k in range(1, len(average.contacts) + 1)]
     for count in range(len(average.pieces)):
-        values = [average.changed(count, parameter, 3 * place) for place, parameter in enumerate(parameters)]
+        values = [
+            average.changed(count, parameter, 3 * place, [first + 3 * place for first in places])
+            for place, parameter in enumerate(parameters)
+        ]
         cases.append((average.regime(count).lets, tuple(value for one in values for value in one)))
     closing = Kernel(
         "by_parameter_of",
@@ -133,8 +176,7 @@ def parameter_sums(mechanism: Mechanism, average: Quadrature) -> Sums:
         parameters=len(parameters),
         returns="tuple",
     )
-    graded = tuple(BROKEN if k == 0 and average.is_broken else DENSE for k in range(len(average.pieces)))
-    return Sums("by_parameter", terms, closing, doc, equation, graded, beside=AVERAGED[:3])
+    return Sums("by_parameter", terms, closing, doc, equation, graded(average), begins(average), beside=AVERAGED[:3])
 
 
 def branches(average: Quadrature, cases: list[tuple[tuple[Let, ...], tuple[sp.Expr, ...]]]) -> tuple[Branch, ...]:
@@ -184,8 +226,8 @@ def data_kernels(mechanism: Mechanism, average: Quadrature) -> list[Kernel]:
                 ),
                 (
                     "kinks",
-                    tuple(lost[order] for lost in losses for order in (1, 2)),
-                    "What its slope and its curvature lose at each breakpoint.",
+                    tuple(value for lost in average.kinks for value in lost),
+                    "What its slope and its curvature lose at each breakpoint, as broken powers about them do too.",
                     "(5)",
                 ),
                 (
@@ -219,13 +261,17 @@ def piece_kernels(mechanism: Mechanism, average: Quadrature, module: str) -> tup
     kernels, laws = [], []
     for k, piece in enumerate(average.pieces, start=1):
         name, slope = f"force_{k}", f"force_{k}_u"
-        lets, printed, inclined = on_both_sides(piece)
+        contacts = [contact for contact in average.contacts if contact.begins == k - 1]
+        if contacts:
+            lets, printed, inclined = from_contact(average.smooth[k - 1], contacts)
+        else:
+            lets, printed, inclined = on_both_sides(piece)
         what = f"iece {k} of the whole restoring force u + F_k(u)."
         for one, value, text in ((name, printed, "P" + what), (slope, inclined, "d/du of p" + what)):
             kernels.append(
                 plain(one, (u, *parameters), value, text, "(3), (5)", "where it holds", lets=lets, generic=True)
             )
-        laws.append(Law(name, slope, f"{module}.{name}"))
+        laws.append(Law(name, slope, f"{module}.{name}", contacts[0].begin if contacts else None))
     return kernels, tuple(laws)
 
 
@@ -234,9 +280,17 @@ def on_both_sides(piece: sp.Expr) -> tuple[list[Let], sp.Expr, sp.Expr]:
     inclined = sp.powsimp(sp.diff(piece, u))
     if sp.expand(piece.subs(u, -u) + piece) == 0:
         return [], piece, inclined
-    side, size = sp.Symbol("side", real=True), sp.Symbol("size", nonnegative=True)
-    lets = [(side, copysign(1, u)), (size, sp.Abs(u))]
-    return lets, side * piece.subs(u, size), inclined.subs(u, size)
+    return list(SIDES), SIDE * piece.subs(u, SIZE), inclined.subs(u, SIZE)
+
+
+def from_contact(smooth: sp.Expr, contacts: Sequence[Contact]) -> tuple[list[Let], sp.Expr, sp.Expr]:
+    """The same of a piece with contacts, which are 0 below where they begin: integrators step there."""
+    (begin,) = {contact.begin for contact in contacts}
+    excess = SIZE - begin
+    touching = sp.Add(*(v**contact.power * contact.factor for contact in contacts))
+    inclined = sp.diff(smooth, u).subs(u, SIZE) + sp.powsimp(sp.expand(sp.diff(touching, v)))
+    lets = [*SIDES, (v, (excess + sp.Abs(excess, evaluate=False)) / 2)]
+    return lets, SIDE * (smooth.subs(u, SIZE) + touching), inclined
 
 
 def enclosed(mechanism: Mechanism, average: Quadrature) -> Enclosed:
@@ -255,6 +309,21 @@ def enclosed(mechanism: Mechanism, average: Quadrature) -> Enclosed:
         )
         for k, piece in enumerate(average.from_begin, start=1)
     )
+    contacts = tuple(
+        plain(
+            f"enclosed_contact_{k}",
+            (A, y, *parameters),
+            contact.between,
+            f"Over dy/sqrt(1 - y), what begins with piece {contact.begins + 1} as a power {contact.power}, and four "
+            "derivatives; y is the share of what A exceeds its begin by.",
+            *about,
+            lets=contact.lets_between,
+            parameters=len(parameters),
+            generic=True,
+        )
+        for k, contact in enumerate(average.contacts, start=1)
+    )
+    given = sums(2 + sum(contact.width for contact in contacts))
     closing = []
     for count in range(len(average.pieces)):
         known = dict(list(average.breakpoints.items())[:count])
@@ -263,7 +332,7 @@ def enclosed(mechanism: Mechanism, average: Quadrature) -> Enclosed:
         closing.append(
             plain(
                 f"enclosed_of_{count}",
-                (A, *roots, *sums(2), *parameters),
+                (A, *roots, *given, *parameters),
                 tuple(value.xreplace(numbers) for value in average.bends(count)),
                 f"h and h_A{'A' * ORDERS} in the integrals and sqrt(A^2 - b^2), beyond {count} breakpoints.",
                 *about,
@@ -272,4 +341,4 @@ def enclosed(mechanism: Mechanism, average: Quadrature) -> Enclosed:
                 generic=True,
             )
         )
-    return Enclosed(terms, tuple(closing))
+    return Enclosed(terms, tuple(closing), contacts, begins(average))

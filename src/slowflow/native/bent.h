@@ -4,7 +4,7 @@
  * exceeds the piece, at fixed shares of the last piece. The first share of a long piece is halved again and again, down to
  * displacements of the size of the spring: all that a force does lies there. On each part u, sine and the angle that it
  * takes are known on an interval of A by their values at its ends, as each is monotone in A; what stands under the
- * integrals is generated. As slowflow/averaged/reference/enclosed.py.
+ * integrals is generated. A contact's are over shares of what A exceeds its begin by, whose weight is known. As slowflow/averaged/reference/enclosed.py.
  */
 #ifndef SF_BENT_H
 #define SF_BENT_H
@@ -21,11 +21,19 @@ typedef void (*sf_bent_terms)(sf_interval A, sf_interval beyond, sf_interval sin
 typedef void (*sf_bent_closing)(sf_interval A, const sf_interval *roots, const sf_interval *sums, const sf_interval *p,
                                 sf_interval *out);
 
-/* terms: of each piece; closing: by how many breakpoints are exceeded */
+typedef void (*sf_bent_contact)(sf_interval A, sf_interval share, const sf_interval *p, sf_interval *out);
+
+/* integrals of a contact, which follow h's and h_AAAA's: over dy/sqrt(1 - y), and their derivatives */
+enum { SF_CONTACT_SUMS = 5, SF_MOST_CONTACTS = 2 * SF_MOST_BREAKS };
+
+/* terms: of each piece; closing: by how many breakpoints are exceeded; contacts, begins: the breakpoint at which each begins */
 typedef struct {
     int breakpoints, parameters;
     const sf_bent_terms *terms;
     const sf_bent_closing *closing;
+    int contacts;
+    const sf_bent_contact *contact;
+    const int *begins;
 } sf_bent;
 
 /* How often the first part of a piece of that length is halved. */
@@ -83,9 +91,26 @@ static inline void sf_add_bent(const sf_bent *of, int piece, double start, doubl
         sums[k] = sf_no_larger(sfi_add(sums[k], total[k]));
 }
 
+/* A contact's integrals over dy/sqrt(1 - y). */
+static inline void sf_of_contact(const sf_bent *of, int number, double start, sf_interval A, const sf_interval *p,
+                                 sf_interval *sums) {
+    sf_interval values[SF_CONTACT_SUMS];
+    const int halved = sf_halved(A.hi - start), parts = SF_PARTS + halved;
+    int part, k;
+    for (part = 0; part < parts; part++) {
+        const double share = sf_share(part, halved), next = sf_share(part + 1, halved);
+        const double wide = 2 * (sqrt(1 - share) - sqrt(1 - next));
+        const sf_interval weight = sfi_of(sfi_most(wide - SF_ANGLE, 0), wide + SF_ANGLE);
+        of->contact[number](A, sf_wider(share, fmin(next, 1)), p, values);
+        for (k = 0; k < SF_CONTACT_SUMS; k++)
+            sums[k] = sfi_add(sums[k], sfi_mul(values[k], weight));
+    }
+}
+
 /* h and h_AAAA on amplitudes of one piece of the force, which ends at these breakpoints; infinite or NaN where not known. */
 static inline void sf_enclose(const sf_bent *of, const double *ends, sf_interval A, const double *given, sf_interval *out) {
-    sf_interval p[SF_MOST_PARAMETERS], roots[SF_MOST_BREAKS], sums[2] = {{0, 0}, {0, 0}};
+    sf_interval p[SF_MOST_PARAMETERS], roots[SF_MOST_BREAKS];
+    sf_interval sums[2 + SF_CONTACT_SUMS * SF_MOST_CONTACTS] = {{0, 0}};
     int i, passed = 0;
     while (passed < of->breakpoints && A.lo >= ends[passed])
         passed++;
@@ -98,6 +123,9 @@ static inline void sf_enclose(const sf_bent *of, const double *ends, sf_interval
         if (i < passed)
             roots[i] = sfi_root(sfi_mul(sfi_sub(A, sfi_point(end)), sfi_add(A, sfi_point(end))));
     }
+    for (i = 0; i < of->contacts; i++)
+        if (of->begins[i] < passed)
+            sf_of_contact(of, i, ends[of->begins[i]], A, p, sums + 2 + SF_CONTACT_SUMS * i);
     of->closing[passed](A, roots, sums, p, out);
 }
 

@@ -12,7 +12,7 @@
 enum {
     SF_FEWEST_PANELS = 16, /* from which on rounding is looked at */
     SF_MOST_PANELS = 512,  /* after which a sum is given up */
-    SF_MOST_SUMS = 48
+    SF_MOST_SUMS = 96
 };
 /* what halving may change of a sum that has settled, in the integral of the integrand's size */
 #define SF_AGREED 0x1p-46
@@ -25,15 +25,18 @@ enum {
 /* At u less where the piece begins, and at the sine and the cosine of the angle, u = A sine. */
 typedef void (*sf_integrand)(double beyond, double sine, double cosine, const double *p, double *out);
 
-/* width, parameters: how many integrands and parameters; integrands: of each piece; graded: of each piece the power of what is
- * divided into panels that its angle, from where it begins, is; rule: positive nodes on [-1, 1], which stand for their
- * negatives too, and weights, so many of them */
+/* width, parameters: how many integrands and parameters; integrands: of each piece, then of each contact, which goes on from
+ * where it begins up to A; graded: of each of these the power of what is divided into panels that its angle, from where it
+ * begins, is; rule: positive nodes on [-1, 1], which stand for their negatives too, and weights, so many of them; begins: the
+ * breakpoint at which each contact begins */
 typedef struct {
     int pieces, width, parameters;
     const sf_integrand *integrands;
     const int *graded;
     int nodes;
     const double (*rule)[2];
+    int contacts;
+    const int *begins;
 } sf_quarter;
 
 /* A piece's part of the quarter: its span, and the sine and the cosine of where it begins. */
@@ -138,6 +141,17 @@ static inline int sf_sums_at(const sf_quarter *of, int wanted, double A, const d
                 sums[k] += of_part[k];
         }
         low = high;
+    }
+    for (piece = of->pieces; piece < of->pieces + of->contacts; piece++) {
+        const double end = ends[of->begins[piece - of->pieces]];
+        if (A > end) {
+            const double span = atan2(sqrt((A - end) * (A + end)), end);
+            const sf_part on = {piece, span, cos(span), sin(span)};
+            if (!sf_settled_part(of, wanted, &on, A, p, of_part))
+                return 0;
+            for (k = 0; k < wanted; k++)
+                sums[k] += of_part[k];
+        }
     }
     return 1;
 }

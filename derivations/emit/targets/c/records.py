@@ -39,6 +39,7 @@ class Spring:
     domain      -- C condition: the design lies inside its domain
     harmonics_up_to -- the largest breakpoint for which its harmonics hold
     bent        -- what stands before the names of what holds h and h_AAAA between two amplitudes, or ""
+    begins      -- of that the number of the breakpoint at which each contact begins
     """
 
     name: str
@@ -50,6 +51,7 @@ class Spring:
     paired: str = ""
     averaged_by_pieces: bool = False
     bent: str = ""
+    begins: tuple[int, ...] = ()
 
 
 def text(modules: Sequence[Module]) -> str:
@@ -86,7 +88,8 @@ def spring_of(module: Module) -> Spring:
     exact = (interval.name_of(module), pair.name_of(module), len(mechanism.breakpoints) > 0) if module.cells else ()
     up_to = module.record.harmonics_up_to
     bent = interval.name_of(module) if module.enclosed else ""
-    return Spring(module.name, mechanism, len(mechanism.breakpoints), domain, up_to, *exact, bent=bent)
+    begins = module.enclosed.begins if module.enclosed else ()
+    return Spring(module.name, mechanism, len(mechanism.breakpoints), domain, up_to, *exact, bent=bent, begins=begins)
 
 
 def within(parameters: Sequence[Parameter], name: str) -> str:

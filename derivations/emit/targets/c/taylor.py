@@ -119,7 +119,7 @@ class Recurrences:
     force, both -- recurrences of f alone, and of f and df/du
     linear -- whether df/du is a constant
     constants -- how many it takes, without the side of u = 0
-    breaks -- what it is at u = 0, as src/slowflow/native/exact/step.h names it
+    breaks -- what it is at u = 0, or where it begins, as src/slowflow/native/exact/step.h names it
     """
 
     name: str
@@ -179,16 +179,19 @@ def laws(modules: Sequence[Module]) -> Iterator[Recurrences]:
                 other = recurrence(prefix, constants, [], short)
                 if len(other.sums) < len(both.sums):
                     lets, outputs, both, forms["secant"] = [], short, other, secant
+            scalars = {kind: scalar(given, form, constants) for kind, form in forms.items()}
+            if law.begins is not None:
+                scalars["begins"] = scalar([], SIDE * law.begins, constants)
             yield Recurrences(
                 name=law.name,
                 prefix=prefix,
                 doc=f"{module.name}: {force.doc} Equation {force.equation}.",
-                scalars={kind: scalar(given, form, constants) for kind, form in forms.items()},
+                scalars=scalars,
                 force=recurrence(prefix, constants, lets, outputs[:1]),
                 both=both,
                 linear=not gradient.lets and not gradient.outputs[0].has(u),
                 constants=len(constants),
-                breaks=breaks(given, forms["value"]),
+                breaks=breaks(given, forms["value"]) if law.begins is None else "SF_BEGINS",
             )
 
 
@@ -264,9 +267,9 @@ def places(constants: tuple[sp.Symbol, ...]) -> list[tuple[str, str]]:
 
 
 def by_side(expression: sp.Expr) -> sp.Expr:
-    """An expression in the side of u = 0 in place of the sign of u."""
+    """An expression in the side of u = 0 in place of the sign of u; a contact's, beyond where it begins."""
     stated = expression.replace(copysign, lambda size, of: size * SIDE if of == u else copysign(size, of))
-    return stated.replace(sp.Abs, lambda of: SIDE * of if of == u else sp.Abs(of))
+    return stated.replace(sp.Abs, lambda of: SIDE * of if of == u else of)
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ The quarter cycle is divided at displacements, each piece of the force for itsel
 exceeds the piece, at fixed shares of the last piece. The first share of a long piece is halved again and again, down to
 displacements of the size of the spring: all that a force does lies there. On each part u, sine and the angle that it
 takes are known on an interval of A by their values at its ends, as each is monotone in A; what stands under the
-integrals is generated.
+integrals is generated. A contact's are over shares of what A exceeds its begin by, whose weight is known.
 """
 
 from __future__ import annotations
@@ -23,6 +23,8 @@ _SHARES[-1] = 1.0
 #: an angle's relative error, and its least
 _ANGLE = 2.0**-48
 _LARGEST = 2.0**960
+#: integrals of a contact
+CONTACT_SUMS = 5
 
 
 def enclosed(model: Model, low: Floats, high: Floats) -> tuple[Interval, Interval]:
@@ -63,6 +65,20 @@ def _enclosed(model: Model, ends: Floats, low: Floats, high: Floats) -> tuple[Fl
             added = sums[k] + Interval(parts.ends.reshape(2, parts_of, -1).sum(axis=1))
             # a sum that is too large for a double is at least this large
             sums[k] = Interval(np.clip(added.ends, [[-np.inf], [-_LARGEST]], [[_LARGEST], [np.inf]]))
+    for contact, begin in zip(record.contacts, record.begins, strict=True):
+        if begin < len(ends):
+            shares = _shares(np.max(high) - ends[begin])
+            parts_of = shares.size - 1
+            amplitudes = Elementary.of(np.tile(low, parts_of), np.tile(high, parts_of))
+            over = np.ones(low.size)
+            share = _parts(shares[:-1, np.newaxis] * over, np.minimum(shares[1:, np.newaxis] * over, 1.0))
+            wide = -np.diff(2 * np.sqrt(1 - shares))[:, np.newaxis] * over
+            weight = _widths(wide, wide)
+            for value in contact(Elementary.point, amplitudes, share, *given):
+                parts = _interval(value, weight) * weight
+                sums.append(Interval(parts.ends.reshape(2, parts_of, -1).sum(axis=1)))
+        else:
+            sums += [Interval(np.zeros((2, low.size)))] * CONTACT_SUMS
     roots = [_root(end, low, high) for end in ends]
     A = Elementary.of(low, high)
     h, bend = record.closing[len(ends)](Elementary.point, A, *roots, *sums, *given)

@@ -65,6 +65,7 @@ static PyObject *make_system(PyObject *self, PyObject *arguments)
             at[count] = side ? 1.0 : -1.0;
             piece[i].p[side] = at;
         }
+        piece[i].below = i > about ? &piece[i - 1] : i < about ? &piece[i + 1] : NULL;
     }
     PyObject *const capsule = PyErr_Occurred() ? NULL : PyCapsule_New(system, NAME, free_system);
     if (capsule == NULL)
@@ -321,7 +322,9 @@ static sf_system odd_system(const sf_law *const *law, Py_ssize_t pieces, const d
         const double end = i == pieces - 1 ? SF_FAR : ends[i];
         if (end == 0.0)
             continue;
-        piece[about + j] = piece[about - j] = (sf_piece){law[i], {p[0], p[1]}};
+        piece[about + j] = piece[about - j] = (sf_piece){law[i], {p[0], p[1]}, NULL};
+        if (j > 0)
+            piece[about + j].below = &piece[about + j - 1], piece[about - j].below = &piece[about - j + 1];
         edge[about + 1 + j] = end, edge[about - j] = -end;
         j++;
     }

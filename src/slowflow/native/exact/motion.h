@@ -142,7 +142,7 @@ static inline int sf_after_stop(const sf_forced *forced, int slip, int region, d
 
 /* Slip from (theta, u, v) up to the first stop, to u = edge, or to `end`. `zeros`: of the velocity at the start, 0 if it
  * moves, 1 from rest, 2 where the acceleration vanishes too, at break-away. */
-static sf_outcome sf_until(const sf_piece *piece, const sf_drive *drive, int slip, double edge, double end, int zeros,
+static sf_outcome sf_until(const sf_piece *over, const sf_drive *drive, int slip, double edge, double end, int zeros,
                            double *theta, double *u, double *v, long *left, sf_event *event, _Bool *undecided)
 {
     const double start = *theta, whole = (end - start) / drive->Omega;
@@ -152,6 +152,7 @@ static sf_outcome sf_until(const sf_piece *piece, const sf_drive *drive, int sli
     for (;;) {
         if ((*left)-- <= 0)
             return SF_STALLS;
+        const sf_piece *const piece = sf_piece_at(over, drive, 1.0, *theta, *u, *v);
         double h = fmin(sf_expanded(piece, drive, 1.0, *theta, *u, *v, NULL, &x), whole - passed);
         if (!(h >= 0.0) || !isfinite(x.v[SF_ORDER]))
             return SF_STALLS;
@@ -166,7 +167,8 @@ static sf_outcome sf_until(const sf_piece *piece, const sf_drive *drive, int sli
             at = h * zero, *event = SF_STOP;
         double there = sf_at(x.u, at);
         /* the sides of a piece meet on the way to its edge */
-        const int meets = piece->law->breaks != SF_SMOOTH && slip * *u < 0.0 && slip * edge > 0.0;
+        const int meets = over->law->breaks != SF_SMOOTH && over->law->breaks != SF_BEGINS && slip * *u < 0.0 &&
+                          slip * edge > 0.0;
         const double limit = meets ? 0.0 : edge;
         if (slip * (there - limit) > 0.0) { /* up to there u is monotone */
             double left[SF_TERMS];
@@ -188,7 +190,7 @@ static sf_outcome sf_until(const sf_piece *piece, const sf_drive *drive, int sli
 }
 
 /* State at `end`, which may lie before theta, and its derivatives by the state at theta, Omega and F_0. */
-static sf_outcome sf_advance(const sf_piece *piece, const sf_drive *drive, double theta, double end, double *u,
+static sf_outcome sf_advance(const sf_piece *over, const sf_drive *drive, double theta, double end, double *u,
                              double *v, sf_four flow[2], long *left)
 {
     const double start = theta, whole = (end - start) / drive->Omega;
@@ -198,13 +200,15 @@ static sf_outcome sf_advance(const sf_piece *piece, const sf_drive *drive, doubl
     while (passed != whole) {
         if ((*left)-- <= 0)
             return SF_STALLS;
-        const double rest = whole - passed, most = sf_expanded(piece, drive, rest, theta, *u, *v, flow, &x);
+        const double rest = whole - passed, place = sf_meeting(over, *u);
+        const sf_piece *const piece = sf_piece_at(over, drive, rest, theta, *u, *v);
+        const double most = sf_expanded(piece, drive, rest, theta, *u, *v, flow, &x);
         if (!(most > 0.0) || !isfinite(sf_lane(&x.V[SF_ORDER], 0)))
             return SF_STALLS;
         double h = fabs(rest) <= most ? rest : copysign(most, rest);
         double there = sf_at(x.u, h);
-        if (piece->law->breaks != SF_SMOOTH && *u * there < 0.0)
-            h = sf_met(&x, h), there = 0.0;
+        if (over->law->breaks != SF_SMOOTH && (*u - place) * (there - place) < 0.0)
+            h = sf_met(&x, h, place), there = place;
         passed = h == rest ? whole : passed + h;
         *u = there, *v = sf_at(x.v, h);
         sf_four_at(x.U, h, &flow[0]);
@@ -215,7 +219,7 @@ static sf_outcome sf_advance(const sf_piece *piece, const sf_drive *drive, doubl
 }
 
 /* States (u, v) on a grid of theta that does not fall, at or after the start. */
-static sf_outcome sf_sample(const sf_piece *piece, const sf_drive *drive, double theta, double u, double v,
+static sf_outcome sf_sample(const sf_piece *over, const sf_drive *drive, double theta, double u, double v,
                             const double *grid, long count, double (*out)[2], long *left)
 {
     const double start = theta;
@@ -225,12 +229,13 @@ static sf_outcome sf_sample(const sf_piece *piece, const sf_drive *drive, double
     while (i < count) {
         if ((*left)-- <= 0)
             return SF_STALLS;
-        double h = sf_expanded(piece, drive, 1.0, theta, u, v, NULL, &x);
+        const double place = sf_meeting(over, u);
+        double h = sf_expanded(sf_piece_at(over, drive, 1.0, theta, u, v), drive, 1.0, theta, u, v, NULL, &x);
         if (!(h > 0.0) || !isfinite(x.v[SF_ORDER]))
             return SF_STALLS;
         double there = sf_at(x.u, h);
-        if (piece->law->breaks != SF_SMOOTH && u * there < 0.0)
-            h = sf_met(&x, h), there = 0.0;
+        if (over->law->breaks != SF_SMOOTH && (u - place) * (there - place) < 0.0)
+            h = sf_met(&x, h, place), there = place;
         for (; i < count; i++) {
             const double at = (grid[i] - start) / drive->Omega - passed;
             if (!(at <= h))

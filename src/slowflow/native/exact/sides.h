@@ -1,5 +1,6 @@
-/* Steps in a piece of a force whose sides meet at u = 0, as those of u |u| and |u|^(3/2) do: in goes a state in it, out
- * come the series of step.h from there on, on the side that the motion is on or comes to. */
+/* Steps in a piece of a force whose sides meet at u = 0, as those of u |u| and |u|^(3/2) do, or that begins behind a gap
+ * without a series: in goes a state in it, out come the series of step.h from there on, on the side that the motion is on
+ * or comes to. */
 #ifndef SF_SIDES_H
 #define SF_SIDES_H
 
@@ -8,6 +9,8 @@
 
 /* half of the nodes of Gauss's rule, SF_NODES, with sf_gauss_node and sf_gauss_weight: see taylor.h */
 enum { SF_GRADED = 4, SF_HALVINGS = 60 };
+/* a distance from where a piece begins without a series, over what that or the velocity is: nearer coefficients overflow */
+#define SF_AT_PLACE 0x1p-36
 
 static SF_INLINE void sf_forceless_begin(const double *p, double *first, double *over)
 {
@@ -21,31 +24,35 @@ static SF_INLINE void sf_forceless_next(const sf_coefficients *c, const double *
     (void)c, (void)p, (void)left, (void)right;
 }
 
-/* The motion without the force, which vanishes at u = 0. */
-static void sf_forceless(const sf_drive *drive, double theta, double v, const sf_four *flow, sf_expansion *x)
+/* The motion without the force, or where that is no more than a constant friction. */
+static void sf_forceless(const sf_drive *drive, double theta, double u, double v, const sf_four *flow, sf_expansion *x)
 {
     double over[2], w[4 * 2];
     sf_four left[SF_TERMS], right[SF_TERMS];
     if (flow == NULL)
-        sf_expand(sf_forceless_begin, sf_forceless_next, NULL, drive, theta, 0.0, v, 2, 0, 1, over, w, left, right, x);
+        sf_expand(sf_forceless_begin, sf_forceless_next, NULL, drive, theta, u, v, 2, 0, 1, over, w, left, right, x);
     else
-        sf_expand_both(sf_forceless_begin, sf_forceless_next, NULL, drive, theta, 0.0, v, flow, 2, 0, 1, 1, 1, over, w,
+        sf_expand_both(sf_forceless_begin, sf_forceless_next, NULL, drive, theta, u, v, flow, 2, 0, 1, 1, 1, over, w,
                        left, right, x);
 }
 
-/* What a force without a series at u = 0 does from there on, over a step so short that the way without it tells: its
- * integrals along that, by Gauss's rule in the fourth root of time. They enter the second coefficients, so that the
- * series hold at the step's end, whose distance is given. */
-static double sf_branched(const sf_law *law, const double *p, const sf_drive *drive, double direction, double side,
-                          double theta, double v, const sf_four *flow, sf_expansion *x)
+/* What a force without a series at a place does from there on, over a step so short that the way under what it is at that
+ * place tells: the integrals of the rest along that, by Gauss's rule in the fourth root of time. They enter the second
+ * coefficients, so that the series hold at the step's end, whose distance is given. */
+static double sf_branched(const sf_law *law, const double *p, const sf_drive *given, double direction, double side,
+                          double theta, double place, double start, double v, const sf_four *flow, sf_expansion *x)
 {
-    sf_forceless(drive, theta, v, flow, x);
+    const double at_place = law->value(p, place);
+    sf_drive constant = *given;
+    const sf_drive *const drive = &constant;
+    constant.friction += at_place;
+    sf_forceless(drive, theta, start, v, flow, x);
     double h = copysign(fmin(sf_step_of(x, flow != NULL), 0.125), direction);
     for (int i = 0;; i++, h *= 0.5) {
-        const double u = sf_at(x->u, h), force = law->value(p, u), slope = law->slope(p, u), cube = fabs(h * h * h);
+        const double u = sf_at(x->u, h), force = law->value(p, u) - at_place, slope = law->slope(p, u), cube = fabs(h * h * h);
         const double rate = fabs(sf_at(x->v, h));
         /* what it changes in itself */
-        if (side * u > 0.0 && fabs(force * slope) * cube <= 0x1p-54 * rate &&
+        if (side * (u - place) > 0.0 && fabs(force * slope) * cube <= 0x1p-54 * rate &&
             (flow == NULL || slope * slope * cube <= 0x1p-54))
             break;
         if (i == SF_HALVINGS)
@@ -57,7 +64,7 @@ static double sf_branched(const sf_law *law, const double *p, const sf_drive *dr
         const double node = i < SF_NODES ? -sf_gauss_node[i] : sf_gauss_node[i - SF_NODES], s = 0.5 * (1.0 + node), cube = s * s * s;
         const double at = h * s * cube, u = sf_at(x->u, at);
         /* over h */
-        const double weight = 0.5 * sf_gauss_weight[i % SF_NODES] * SF_GRADED * cube, force = weight * law->value(p, u);
+        const double weight = 0.5 * sf_gauss_weight[i % SF_NODES] * SF_GRADED * cube, force = weight * (law->value(p, u) - at_place);
         pushes += force, moves += force * (1.0 - at / h);
         if (flow != NULL) {
             sf_four U;
@@ -72,6 +79,28 @@ static double sf_branched(const sf_law *law, const double *p, const sf_drive *dr
     return fabs(h);
 }
 
+/* Where the motion over a piece goes over to another series: where its sides meet, or it begins. */
+static inline double sf_meeting(const sf_piece *piece, double u)
+{
+    return piece->law->breaks == SF_BEGINS ? piece->law->begins(piece->p[u > 0.0], u) : 0.0;
+}
+
+static inline double sf_near(double place, double v) { return SF_AT_PLACE * fmax(fabs(place), fabs(v)); }
+
+/* The piece that holds from (u, v) on: below where one begins without a series the next one does, and where the motion turns
+ * next to that. A state comes there by rounding, or as Newton's iteration tries it. */
+static inline const sf_piece *sf_piece_at(const sf_piece *piece, const sf_drive *drive, double direction, double theta,
+                                          double u, double v)
+{
+    if (piece->law->breaks != SF_BEGINS || piece->below == NULL)
+        return piece;
+    const double place = sf_meeting(piece, u), side = copysign(1.0, place), beyond = side * (u - place);
+    const double push = drive->F_0 * cos(theta) - drive->friction - piece->law->value(piece->p[u > 0.0], place);
+    const double goes = v != 0.0 ? v * direction : push, near = sf_near(place, v);
+    const int turns = side * push < 0.0 && v * v <= 2.0 * fabs(push) * near;
+    return beyond < 0.0 || (beyond <= near && (side * goes < 0.0 || turns)) ? piece->below : piece;
+}
+
 /* The series from (u, v) on and the step over which they hold; `direction`: sign of the time that is gone. With the
  * derivatives from those in `flow`, or without where it is NULL. */
 static SF_INLINE double sf_expanded(const sf_piece *piece, const sf_drive *drive, double direction, double theta, double u,
@@ -79,11 +108,16 @@ static SF_INLINE double sf_expanded(const sf_piece *piece, const sf_drive *drive
 {
     const sf_law *const law = piece->law;
     const double *p = piece->p[u > 0.0];
-    if (u == 0.0 && law->breaks != SF_SMOOTH) {
+    if (law->breaks == SF_BEGINS) {
+        const double place = law->begins(p, u);
+        if (fabs(u - place) <= sf_near(place, v))
+            return sf_branched(law, p, drive, direction, copysign(1.0, place), theta, place, u, v, flow, x);
+    }
+    else if (u == 0.0 && law->breaks != SF_SMOOTH) {
         const double side = v != 0.0 ? v * direction : drive->F_0 * cos(theta) - drive->friction;
         p = piece->p[side > 0.0];
         if (law->breaks == SF_BRANCHES)
-            return sf_branched(law, p, drive, direction, side, theta, v, flow, x);
+            return sf_branched(law, p, drive, direction, side, theta, 0.0, 0.0, v, flow, x);
     }
     if (flow == NULL)
         law->expand(p, drive, theta, u, v, x);
@@ -92,11 +126,13 @@ static SF_INLINE double sf_expanded(const sf_piece *piece, const sf_drive *drive
     return sf_step_of(x, flow != NULL);
 }
 
-/* Where the sides meet, on a step of h that passes u = 0. */
-static double sf_met(const sf_expansion *x, double h)
+/* Where series meet, on a step of h that passes that place. */
+static double sf_met(const sf_expansion *x, double h, double place)
 {
     double scaled[SF_TERMS];
-    sf_scaled(x->u, h, copysign(1.0, x->u[0]), scaled);
+    const double side = copysign(1.0, x->u[0] - place);
+    sf_scaled(x->u, h, side, scaled);
+    scaled[0] -= side * place;
     return h * sf_refined(scaled, 0.0, 1.0);
 }
 

@@ -21,12 +21,13 @@ typedef struct {
 } sf_expansion;
 
 /* What a piece of an odd force is at u = 0: one power series; two that meet there; or two branches without a series
- * there, as of |u|^(3/2). The force is 0 there and its slope finite. */
-typedef enum { SF_SMOOTH, SF_MEETS, SF_BRANCHES } sf_breaks;
+ * there, as of |u|^(3/2). The force is 0 there and its slope finite. SF_BEGINS: it has no series where it begins, at a
+ * place other than 0, as behind a gap a contact (|u| - gap)^(3/2) has none. */
+typedef enum { SF_SMOOTH, SF_MEETS, SF_BRANCHES, SF_BEGINS } sf_breaks;
 
 /* One piece of a restoring force: f(u), df/du, and the expansion of the motion over it without and with the
  * derivatives by column at a fixed theta = Omega tau, from those in `flow`. After its constants, p holds the side of
- * u = 0, 1 or -1. */
+ * u = 0, 1 or -1. begins: the u at which it begins without a series on the side of u, or NULL. */
 typedef struct {
     const char *name;
     int constants;
@@ -36,16 +37,36 @@ typedef struct {
     void (*expand)(const double *p, const sf_drive *drive, double theta, double u, double v, sf_expansion *x);
     void (*expand_both)(const double *p, const sf_drive *drive, double theta, double u, double v,
                         const sf_four flow[2], sf_expansion *x);
+    double (*begins)(const double *p, double u);
 } sf_law;
 
-/* A piece with its constants for u < 0 and for u > 0. */
-typedef struct {
+/* A piece with its constants for u < 0 and for u > 0, and the next one towards u = 0, or NULL. */
+typedef struct sf_piece {
     const sf_law *law;
     const double *p[2];
+    const struct sf_piece *below;
 } sf_piece;
 
-static inline double sf_value(const sf_piece *piece, double u) { return piece->law->value(piece->p[u > 0.0], u); }
-static inline double sf_slope(const sf_piece *piece, double u) { return piece->law->slope(piece->p[u > 0.0], u); }
+/* The piece that holds at u, or next to it: below where one begins without a series it has no values. */
+static inline const sf_piece *sf_defined(const sf_piece *piece, double u)
+{
+    if (piece->law->begins == NULL || piece->below == NULL)
+        return piece;
+    const double place = piece->law->begins(piece->p[u > 0.0], u);
+    return (u - place) * place < 0.0 ? piece->below : piece;
+}
+
+static inline double sf_value(const sf_piece *piece, double u)
+{
+    piece = sf_defined(piece, u);
+    return piece->law->value(piece->p[u > 0.0], u);
+}
+
+static inline double sf_slope(const sf_piece *piece, double u)
+{
+    piece = sf_defined(piece, u);
+    return piece->law->slope(piece->p[u > 0.0], u);
+}
 
 /* What the generated recurrences of a piece are: begin() gives the coefficients 0 of all its series from that of
  * series 0, which is u, and reciprocals; next() gives the coefficients n > 0 in w, likewise, and what they contribute to
