@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import signal
 from functools import partial
 
@@ -261,3 +262,23 @@ def test_states_of_designs_that_go_together_are_those_of_each_alone(force):
         assert (
             alone.A.tolist() == together.A[k, :n].tolist() and alone.stable.tolist() == together.stable[k, :n].tolist()
         )
+
+
+@pytest.mark.parametrize("force", ["truncated", "untruncated"])
+def test_springs_that_never_touch_leave_a_linear_mount_without_an_end(force):
+    """delta_h = 0 among others: closed forms, also where a rod with springs would stand vertical."""
+    given = {"lam": 4, "r": 1.6, "mu": 0.0, "force": force}
+    designs = Isolator.many(**given, delta_h=[0.0, 0.1], zeta=[[0.0], [0.01]])
+    F_0, Omega = 10.0, 0.9
+    states = designs.amplitudes(Omega=Omega, F_0=F_0)
+    expected = F_0 / np.hypot(1 - Omega**2, 2 * np.array([0.0, 0.01]) * Omega)
+    np.testing.assert_allclose(states.A[:, 0, 0], expected, rtol=1e-14)
+    assert states.remarks[:, 0].tolist() == [0, 0] and states.remarks[1, 1] == Remark.BEYOND_REACH
+    onset = designs.saddle_node_onset()
+    assert onset.status[:, 0].tolist() == [Status.NONE] * 2 and np.isinf(designs.margins(F_0).F_SN[:, 0]).all()
+    np.testing.assert_allclose(designs.isolation(F_0).Omega[:, 0], math.sqrt(2), rtol=1e-13)
+    curve = designs.frequency_response(F_0, samples=50, Omega=(1.1, 2.0))
+    seen = curve.A[0, 0, : curve.points[0, 0]], curve.Omega[0, 0, : curve.points[0, 0]]
+    np.testing.assert_allclose(seen[0], F_0 / (seen[1] ** 2 - 1), rtol=1e-11)
+    shock = designs.transient(acceleration=4.0, duration=2.0)
+    assert (shock.A > 1).all() and shock.remarks.tolist() == [[0, Remark.BEYOND_REACH]] * 2

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from slowflow import backend, derive
+from slowflow import Duffing, backend, derive
 from slowflow.averaged.reference.cells import samples_at
 from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.results import Remark
@@ -277,6 +277,22 @@ def test_a_dead_zone_has_an_onset(folder):
         assert above == below + 2
         assert len(one.fold_locus(A_max=2.0).A) > 900
     assert found[0] == pytest.approx(found[1], rel=4e-15)
+
+
+@pytest.mark.slow
+def test_a_piece_without_extent_says_nothing_of_the_rest(folder):
+    """With its gap closed a spring is linear, whatever it does in the gap; single and in a batch with open ones."""
+    for name, inside in (("pushes", -u), ("pulls", u + 1 - u**3)):
+        closing = derive.mechanism(name, [(inside, gap), (3 * u, None)], {"gap": {"least": 0, "below": 0.5}}, reach=2)
+        for damping in (DAMPING, {"mu": 0.0, "zeta": 0.0}):
+            one, linear = closing(gap=0.0, **damping), Duffing(3.0, 0.0, **damping)
+            states = one.amplitudes(Omega=1.5, F_0=4.0)
+            assert states.A == pytest.approx(linear.amplitudes(Omega=1.5, F_0=4.0).A) and states.remarks == 0
+            onset = one.saddle_node_onset()
+            assert (onset.F_SN, onset.remarks) == (None, 0) and not one.model.negative_stiffness
+            many = closing.many(gap=[0.0, 0.1], **damping)
+            assert many.amplitudes(Omega=1.5, F_0=4.0).A[0, 0] == pytest.approx(states.A[0])
+            assert many.saddle_node_onset().status[0] == Status.NONE and many.margins(4.0).F_SN[0] == np.inf
 
 
 def test_a_response_is_cut_at_the_reach(folder):

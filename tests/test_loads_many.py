@@ -174,3 +174,43 @@ def test_margins_of_a_design_whose_onset_is_unresolved_have_its_status():
         Isolator(**numbers, mu=0.0, excitation="base").margins(0.0383)
     found = Isolator.many(**numbers, mu=0.0, excitation="base").margins(0.0383)
     assert np.isnan(found.F_SN) and found.status == Status.UNRESOLVED
+
+
+@pytest.mark.parametrize(
+    ("given", "F_0"),
+    [
+        # F_cr is only tended to, and an isolated curve lies beyond u_cr
+        ({"lam": 4, "r": 4.45, "delta_h": 0.3, "mu": 0.018, "zeta": 0.17, "excitation": "unbalance"}, 0.5),
+        ({"lam": 5, "r": 6.8, "delta_h": 0.37, "mu": 0.0015, "zeta": 0.093, "excitation": "base"}, 0.45),
+        # without viscous damping: no motion below |u| = 1, where a curve is cut, is stable
+        ({"lam": 3, "r": 0.93, "delta_h": 0.99, "mu": 0.0, "zeta": 0.0}, 10.0),
+    ],
+)
+@pytest.mark.filterwarnings("ignore:.*negative stiffness")
+def test_motions_detach_that_are_stable_beyond_the_stroke_of_many_and_of_one(given, F_0):
+    assert Isolator(**given).margins(F_0).detaches and Isolator.many(**given).margins(F_0).detaches
+    # with some damping it is seen
+    damped = Isolator(**{**given, "zeta": max(given["zeta"], 1e-6)})
+    states = damped.amplitudes(Omega=np.linspace(0.3, 1.5, 61), F_0=F_0)
+    assert (states.A[states.stable] > damped.u_cr).any()
+
+
+def test_between_two_folds_with_no_frequency_between_them_there_is_no_band():
+    """Both on the corner, an ulp apart."""
+    given = {"lam": 2, "r": 0.4778512754002988, "delta_h": 0.07053832840043835}
+    given |= {"mu": 0.00021943408712369537, "zeta": 0.14071260744854866}
+    designs, F_0 = Isolator.many(**given), 0.10315219523602766
+    assert designs.saddle_nodes(F_0).count == 2 and designs.hysteresis(F_0).count == 0
+    assert len(Isolator(**given).hysteresis(F_0)) == 0
+
+
+def test_what_is_unresolved_has_that_status_in_every_batch():
+    """A search that runs out of room is no answer with too few places."""
+    given = {"lam": 3, "r": 4.56e-4, "delta_h": 0.2, "mu": 0.0, "zeta": 2e-111, "excitation": "base"}
+    given["force"] = "untruncated"
+    designs, F_0 = Isolator.many(**given), 1.1e-16
+    with pytest.raises(ArithmeticError, match="unresolved"):
+        Isolator(**given).amplitudes(Omega=0.5, F_0=F_0)
+    asked = (designs.saddle_nodes(F_0), designs.amplitudes(Omega=0.5, F_0=F_0), designs.frequency_response(F_0))
+    assert {int(found.status) for found in asked} == {Status.UNRESOLVED}
+    assert designs.spectrum(Omega=[0.5, 1.2], F_0=F_0).status.tolist() == [Status.UNRESOLVED] * 2

@@ -20,9 +20,10 @@ from slowflow import validate
 from slowflow.answer import Single, Table, joined
 from slowflow.averaged import remarks, words
 from slowflow.averaged.questions import Averaged
-from slowflow.mechanism import Floats, Law
+from slowflow.mechanism import Floats, Law, Mechanism
 from slowflow.model import THROUGHOUT
 from slowflow.results import Remark
+from slowflow_kernels.conventions import ENDLESS
 
 Flags = npt.NDArray[np.bool_]
 Ints = npt.NDArray[np.intp]
@@ -235,7 +236,7 @@ def margins(oscillator: Any, F_0: float, detaches: Callable[[float], bool] | Non
         F_cr = oscillator.breakpoints[0]
     # beside a mass at rest that stays there motions may be that detach
     sticks, moves = folds.F_0 <= oscillator.sticking_forcing, not model.sticks(folds.F_0)
-    leaves = moves and (detaches(folds.F_0) if detaches else _detaches(oscillator, folds.F_0))
+    leaves = moves and (detaches(folds.F_0) if detaches else passes_first_end(oscillator, folds.F_0))
     beside = (folds.remarks | detachment.remarks) & ~onset.remarks
     said = (
         folds.message if sticks else "",
@@ -261,15 +262,24 @@ def margins(oscillator: Any, F_0: float, detaches: Callable[[float], bool] | Non
     )
 
 
-def _detaches(oscillator: Averaged, F_0: float) -> bool:
+def passes_first_end(oscillator: Averaged, F_0: float) -> bool:
     """Whether a stable motion passes the first breakpoint."""
     if not oscillator.breakpoints:
         return False
-    if oscillator.model.inertial and oscillator.peak(F_0).A is None:
+    model = oscillator.model
+    if model.inertial and oscillator.peak(F_0).A is None:
         # it does not close, or only rises, towards F_0
         return not oscillator.closes(F_0) or F_0 > oscillator.breakpoints[0]
+    if model.zeta == 0 and not oscillator.closes(F_0) and resonates(model.mechanism, model.parameters):
+        return True
     curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _highest(oscillator, F_0)))
     return bool((curve.A[curve.stable] > oscillator.breakpoints[0]).any())
+
+
+def resonates(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Any:
+    """Whether motions of any amplitude have a frequency of their own: those without viscous damping are stable then."""
+    with np.errstate(all="ignore"):  # a force of one's own may go beyond the range of doubles
+        return np.asarray(mechanism.averaged(ENDLESS, *parameters)[1]) < 0
 
 
 def hysteresis(oscillator: Any, F_0: float) -> Hysteresis:

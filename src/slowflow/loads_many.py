@@ -146,7 +146,7 @@ def at_rest(designs: Designs, workers: int = 1) -> ManyAtRest:
     mu = np.asarray(designs.values["mu"], dtype=float)
     with np.errstate(all="ignore"):  # what is no design has no stiffness
         parameters = designs.mechanism.coefficients(*designs.design)
-        k_0 = -np.asarray(designs.mechanism.averaged(0.0, *parameters)[1])
+        k_0 = -np.asarray(designs.mechanism.at_rest(*parameters)[1])
         untruncated = designs.mechanism.load_untruncated
         law = designs.mechanism if untruncated is None else untruncated()
         of_law = law.coefficients(*designs.design)
@@ -172,7 +172,15 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
     F_cr = lifting(designs, detachments)
     sticks = (folds.status == Status.STICKS) | ((folds.remarks & Remark.HELD_AT_REST) != 0)
     # the highest motion is stable: beyond it there is none
-    passes = (peaks.status == Status.UNBOUNDED) | (peaks.A > detachments.u_cr)
+    with np.errstate(all="ignore"):  # what is no design has no pieces
+        parameters = designs.mechanism.coefficients(*designs.design)
+        ends = first_end(designs.mechanism, parameters)
+    endless = peaks.status == Status.UNBOUNDED
+    passes = endless | (peaks.A > ends)
+    if designs.excitation == "force":
+        unsure = endless & np.isfinite(F_cr) & ~loads.resonates(designs.mechanism, parameters)
+        for at, found in _singly(designs, F_0, unsure, loads.passes_first_end):
+            passes[at] = bool(found)
     forcing, sticks_below = np.asarray(F_0, dtype=float), np.zeros(())
     if designs.excitation != "force":  # an amplitude that only rises tends to F_0
         passes |= (peaks.status == Status.NONE) & (forcing > F_cr)
@@ -220,10 +228,12 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
     own = Remark.LEAVES_CENTRE | Remark.NEGATIVE_STIFFNESS | Remark.HELD_AT_REST | Remark.UNDECIDED
     said = (folds.remarks & own) != 0
     # below two folds and above them there is one motion, so there are three between them, the middle one unstable
-    plain = (folds.count == 2) & (zeta > 0) & ~said & (folds.Omega[..., 0] < folds.Omega[..., 1])
+    low_end, high_end = folds.Omega[..., 0], folds.Omega[..., 1]
+    middle = 0.5 * (low_end + high_end)  # of a band in which there is a frequency
+    plain = (folds.count == 2) & (zeta > 0) & ~said & (low_end < middle) & (middle < high_end)
     if designs.excitation != "force":  # a response that does not close has more
         plain &= designs.peak(F_0, workers=workers).status != Status.UNBOUNDED
-    low[plain, 0], high[plain, 0] = folds.Omega[plain, 0], folds.Omega[plain, 1]
+    low[plain, 0], high[plain, 0] = low_end[plain], high_end[plain]
     motions[plain, 0], count[plain] = 2, 1
     for at, found in _singly(designs, F_0, (status == Status.OK) & (folds.count > 0) & ~plain, loads.hysteresis):
         if found is None:
@@ -289,7 +299,7 @@ def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> ManySp
     moves = A > 0
     with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
         parameters = designs.mechanism.coefficients(*rows.design)
-        preload = -np.asarray(designs.mechanism.averaged(0.0, *parameters)[0])
+        preload = -np.asarray(designs.mechanism.at_rest(*parameters)[0])
         held = np.hypot(slow_flow.friction(rows.values["mu"]), np.maximum(preload, 0.0))
         force = F if designs.excitation == "force" else inertia.force(at, F)
         sticks = ~moves & (force <= held) & np.isin(status, (Status.OK, Status.STICKS, Status.NONE))

@@ -233,7 +233,7 @@ class Model:
         """Whether the averaged force is proportional to the amplitude."""
         if self.breakpoints or self.preload != 0:
             return False
-        return bool(self.averaged(min(1.0, 0.5 * self.reach))[2] == 0)
+        return bool(self.averaged(min(1.0, 0.5 * self.mechanism.reach))[2] == 0)
 
     @cached_property
     def preload(self) -> float:
@@ -249,7 +249,7 @@ class Model:
     @cached_property
     def negative_stiffness(self) -> bool:
         """Whether the stiffness at rest is negative, which is -h_A there, or a preload pushes outwards."""
-        return self.preload < 0 or bool(self.mechanism.averaged(0.0, *self.parameters)[1] > 0)
+        return self.preload < 0 or bool(self.averaged(0.0)[1] > 0)
 
     @cached_property
     def stays_centred(self) -> bool:
@@ -358,10 +358,10 @@ class Model:
         beside = self.preload > 0 or self.laws.rubs != THROUGHOUT
         return beside and not self.inertial and F_0 <= self.held
 
-    @property
+    @cached_property
     def reach(self) -> float:
-        """Largest |u| of the mechanism, inf if it has none."""
-        return self.mechanism.reach
+        """Largest |u| of the mechanism, inf if it has none, see `Mechanism.reach_at`."""
+        return float(self.mechanism.reach_at(*self.parameters))
 
     def given(self) -> dict[str, Any]:
         """Names of mechanism and excitation, and the numbers that make the oscillator, its design if that is known."""
@@ -377,8 +377,17 @@ class Model:
 
     def averaged(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
         """h, h_A, h_AA, h_AAA at the amplitudes A (any shape)."""
-        h, h_A, h_AA, h_AAA = self.mechanism.averaged(A, *self.parameters)
+        found = self.mechanism.averaged(A, *self.parameters)
+        if self._begins_beyond:
+            at_rest = self.mechanism.at_rest(*self.parameters)
+            found = tuple(np.where(np.asarray(A) == 0, rest, one) for one, rest in zip(found, at_rest, strict=True))
+        h, h_A, h_AA, h_AAA = found
         return h, h_A, h_AA, h_AAA
+
+    @cached_property
+    def _begins_beyond(self) -> bool:
+        """Whether a piece of the force ends at u = 0, and has no extent."""
+        return any(float(end) == 0 for end in self.mechanism.breakpoints(*self.parameters))
 
     def harmonics(self, A: Any) -> tuple[Floats, ...]:
         """h_3 and h_5, each with its three derivatives, at the amplitudes A (any shape)."""

@@ -6,16 +6,23 @@ Out: `Parameter`, `Scale`, `Law` and `Mechanism`, all immutable. All is dimensio
 
 from __future__ import annotations
 
+import functools
 import importlib
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from math import isfinite
+from itertools import pairwise
+from math import inf, isfinite
 from typing import Any, NamedTuple
+
+import numpy as np
 
 #: where generated modules are, those that come with the package and those that were derived on this machine
 GENERATED = ("slowflow_kernels", "slowflow_derived")
+#: an amplitude that stands for 0 where a piece ends there, and the share of h by which it is rounded where it is
+#: proportional to A
+NEXT_TO_REST, LINEAR = 2.0**-100, 2.0**-50
 #: a generated function of numbers or arrays that broadcast
 Function = Callable[..., Any]
 
@@ -107,7 +114,8 @@ class Mechanism:
     intercept   -- h - A h_A at (A, *parameters) without what cancels in it
     harmonics   -- h_3, h_5, each with its first three derivatives, at (A, *parameters)
     harmonics_up_to -- the largest breakpoint for which `harmonics` holds
-    reach, reach_reason -- largest |u| that the mechanism can take, inf if it has none, and what happens there
+    reach, reach_reason -- largest |u| that the mechanism can take, inf if it has none, and what happens there; of a
+                   design `reach_at`
     truncated   -- whether the force is a Taylor polynomial that stands for another
     load_untruncated -- loads the record of the force that `truncated` stands for; None where there is none
     scales      -- what each number of the design is measured in; () where the design has no dimensional quantities
@@ -159,6 +167,34 @@ class Mechanism:
     def parameter_names(self) -> tuple[str, ...]:
         """Of the parameters, in their order."""
         return tuple(one.name for one in self.parameters)
+
+    def at_rest(self, *parameters: Any) -> tuple[Any, ...]:
+        """h and its first three derivatives (20)-(22) as A tends to 0, of the first piece of any extent.
+
+        At A = 0 that takes the piece below a breakpoint which is 0.
+        """
+        ends = [np.asarray(end) == 0 for end in self.breakpoints(*parameters)]
+        if not np.any([end.any() for end in ends]):
+            return tuple(self.averaged(0.0, *parameters))
+        begins_beyond = functools.reduce(np.logical_or, ends)
+        A = np.where(begins_beyond, NEXT_TO_REST, 0.0)
+        found = self.averaged(A, *parameters)
+        # what tends to 0 has |f - A f_A| <= A |f_A| next to it
+        tends = (begins_beyond & (np.abs(f - A * f_A) <= A * np.abs(f_A)) for f, f_A in pairwise(found))
+        return *(np.where(to_0, 0.0, f) for to_0, f in zip(tends, found, strict=False)), found[-1]
+
+    def reach_at(self, *parameters: Any) -> Any:
+        """The reach of each of some designs: inf where of its pieces only the last is left, and that is linear."""
+        ends = [np.asarray(end) == 0 for end in self.breakpoints(*parameters)]
+        if not (self.odd and ends and isfinite(self.reach)):
+            return self.reach
+        last = functools.reduce(np.logical_and, ends)
+        if not last.any():
+            return self.reach
+        A = 0.5 * self.reach
+        h, h_A, h_AA, _ = self.averaged(A, *parameters)
+        linear = (h_AA == 0) & (np.abs(h - A * h_A) <= LINEAR * np.abs(h))
+        return np.where(last & linear, inf, self.reach)
 
     @cached_property
     def is_generated(self) -> bool:

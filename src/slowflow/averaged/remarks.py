@@ -69,7 +69,7 @@ def of_designs(
     beside = tuple(np.asarray(value, dtype=float)[..., np.newaxis] for value in parameters)
     kept = keep_centre(mechanism, parameters, np.asarray(Omega), A)
     # at rest h_A is the stiffness with its sign turned, and h is 4/pi times a preload
-    pull, at_rest = (np.asarray(value) for value in mechanism.averaged(0.0, *parameters)[:2])
+    pull, at_rest = (np.asarray(value) for value in mechanism.at_rest(*parameters)[:2])
     held = np.where((pull < 0) | (rubs != THROUGHOUT), np.hypot(slow_flow.friction(mu), pull), -np.inf)
     on_jump = np.zeros(A.shape[:-1], dtype=bool)
     if mechanism.truncated and corner is not None:
@@ -77,7 +77,7 @@ def of_designs(
         on_jump = (there & (corner | _next_to_jump(mechanism, beside, jumps, A))).any(axis=-1)
     codes = {
         Remark.NEAR_STICKING: validity.is_near_sticking(np.asarray(mu)[..., np.newaxis], force).any(axis=-1),
-        Remark.BEYOND_REACH: (there & (mechanism.reach < A)).any(axis=-1),
+        Remark.BEYOND_REACH: (there & (np.asarray(mechanism.reach_at(*parameters))[..., np.newaxis] < A)).any(axis=-1),
         Remark.NEGATIVE_STIFFNESS: (at_rest > 0) | (pull > 0),
         Remark.LEAVES_CENTRE: (there & ~kept).any(axis=-1),
         Remark.OF_TRUNCATION: on_jump,
@@ -103,7 +103,7 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = None, *, 
         near = validity.is_near_sticking(model.mu, model.force(F_0, Omega))
         if near.any() if isinstance(near, np.ndarray) else near:
             said.append(Remark.NEAR_STICKING)
-    if highest > model.mechanism.reach:
+    if highest > model.reach:
         said.append(Remark.BEYOND_REACH)
     if highest > 0 and not centred and not model.stays_centred:
         if not keeps_centre(model.mechanism, model.parameters, Omega, A).all():
@@ -159,7 +159,7 @@ def stay_centred(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
     ends, jumps = mechanism.breakpoints(*parameters), mechanism.jumps(*parameters)
     for end, jump in zip(ends, jumps, strict=True):
         hardens = hardens & ((np.asarray(end) <= 0) | (np.asarray(jump) <= 0))
-    pull, at_rest = (np.asarray(value) for value in mechanism.averaged(0.0, *parameters)[:2])
+    pull, at_rest = (np.asarray(value) for value in mechanism.at_rest(*parameters)[:2])
     return np.asarray(hardens & ~(at_rest > 0) & ~(pull > 0))
 
 

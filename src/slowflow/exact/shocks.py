@@ -81,7 +81,9 @@ class Shocked(Batch):
     @cached_property
     def remarks(self) -> remarks.Codes:
         """`Remark.BEYOND_REACH` where A is beyond what the mechanism reaches."""
-        beyond = self._designs.mechanism.reach < self.A
+        mechanism, design = self._designs.mechanism, self._designs.design
+        with np.errstate(all="ignore"):  # what is no design has no pieces
+            beyond = mechanism.reach_at(*mechanism.coefficients(*design)) < self.A
         return frozen(np.where(beyond, np.uint8(Remark.BEYOND_REACH), np.uint8(0)))
 
     def _asked_at(self) -> dict[str, Any]:
@@ -196,7 +198,7 @@ def _followed(
     status, numbers = np.full(begins.size, Status.INVALID, np.int8), np.full((begins.size, 7), np.nan)
     laws = tuple(recurrences(law) for law in designs.mechanism.pieces)
     with np.errstate(all="ignore"):
-        at_rest = designs.mechanism.averaged(0.0, *designs.mechanism.coefficients(*designs.design))[:2]
+        at_rest = designs.mechanism.at_rest(*designs.mechanism.coefficients(*designs.design))[:2]
     # a force that jumps at rest, or has no stiffness there, is refused by what follows a single one
     smooth = np.broadcast_to((at_rest[0] == 0) & np.isfinite(at_rest[1]), shape).ravel()
     singly = asked if designs.laws or None in laws else asked[~smooth[asked]]

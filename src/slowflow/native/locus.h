@@ -60,7 +60,7 @@ static int sf_excludes(const sf_model *model, double F_0, double most, double A,
 /* The same where it is h that is known between two amplitudes: up to the reach, or an endless amplitude. */
 static int sf_bounds_bent(const sf_model *model, double F_0, double A) {
     const double most = slow_flow_most_restoring(A, F_0, model->m, model->zeta);
-    const double end = fmin(model->mechanism->reach, SF_ENDLESS * fmax(A, 1));
+    const double end = fmin(model->reach, SF_ENDLESS * fmax(A, 1));
     double next;
     int i;
     if (!(A < end))
@@ -112,7 +112,7 @@ static int sf_is_far(const sf_model *model, double F_0, double A) {
 static sf_status sf_cut_at_reach(const sf_model *model, double F_0, double *A_max) {
     sf_isolated q;
     sf_sample at;
-    *A_max = model->mechanism->reach;
+    *A_max = model->reach;
     sf_sample_at(model, *A_max, &at);
     sf_isolate_response(&q, at.A, at.h, model->m, model->zeta, F_0);
     return sf_count(&q) > 0 ? SF_UNBOUNDED : SF_OK;
@@ -124,7 +124,7 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
     const int bent = model->mechanism->bent != NULL;
     int (*const bounds)(const sf_model *, double, double) =
         bent ? sf_bounds_bent : sf_inertial(model) ? sf_inertial_bounds : sf_bounds;
-    double A = F_0, step = 2, cut = model->mechanism->reach;
+    double A = F_0, step = 2, cut = model->reach;
     int i;
     if (model->breaks > 0)
         A = fmax(A, 2 * model->b[model->breaks - 1]);
@@ -152,7 +152,7 @@ static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
     int i;
     if (model->zeta > 0)
         return sf_amplitude_bound(model, F_0, A_max);
-    *A_max = model->mechanism->reach;
+    *A_max = model->reach;
     if (*A_max < HUGE_VAL)
         return SF_OK;
     *A_max = SF_STATIC_MULTIPLE * F_0;

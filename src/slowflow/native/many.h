@@ -71,6 +71,9 @@ static void *sf_at_place(char **args, const ptrdiff_t *steps, const ptrdiff_t *i
     return args[out + at] + k * steps[out + at] + i * inner[at];
 }
 
+/* How one design's search fared: SF_TOO_MANY is what has no place in an answer, and no search that ran out of room. */
+static sf_status sf_of_search(sf_status status) { return status == SF_TOO_MANY ? SF_UNRESOLVED : status; }
+
 static void sf_write_detachment(char **args, const ptrdiff_t *steps, int out, ptrdiff_t k, double F_cr, double Omega_cr,
                                 double u_cr, sf_status status) {
     sf_output(args, steps, out, k, F_cr);
@@ -87,13 +90,13 @@ static void sf_write_onset(char **args, const ptrdiff_t *steps, int out, ptrdiff
     sf_output(args, steps, out + 2, k, found->A);
     sf_output_code(args, steps, out + 3, k, found->kind);
     sf_output_code(args, steps, out + 4, k, at_rest);
-    sf_output_code(args, steps, out + 5, k, status);
+    sf_output_code(args, steps, out + 5, k, sf_of_search(status));
 }
 
 static void sf_write_peak(char **args, const ptrdiff_t *steps, int out, ptrdiff_t k, double A, double Omega, sf_status status) {
     sf_output(args, steps, out, k, A);
     sf_output(args, steps, out + 1, k, Omega);
-    sf_output_code(args, steps, out + 2, k, status);
+    sf_output_code(args, steps, out + 2, k, sf_of_search(status));
 }
 
 /* How many there are, and the status, SF_TOO_MANY where there are no places for them. */
@@ -190,7 +193,7 @@ static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdif
         found.n = found.undecided = 0;
         if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, 1, &model)) {
             const int is_given = sf_given_at(mechanism, args, steps, k, &given);
-            status = sf_settled_folds(&model, is_given ? &given : NULL, F_0, room, &found);
+            status = sf_of_search(sf_settled_folds(&model, is_given ? &given : NULL, F_0, room, &found));
         }
         for (i = 0; i < places; i++)
             sf_write_fold(args, steps, inner, out, k, i, i < found.n ? &found.at[i] : NULL);
@@ -225,7 +228,7 @@ static void sf_answer_states(const sf_mechanism *mechanism, char **args, const p
     if (mechanism->is_forcing(F_0) && Omega > 0 && Omega <= SF_HIGHEST_OMEGA && sf_design_at(mechanism, args, steps, k, 1, &model)) {
         const sf_given *exact = sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL;
         room->followed = 0;
-        status = sf_states(&model, exact, F_0, room, Omega, &n, A, stable, &undecided);
+        status = sf_of_search(sf_states(&model, exact, F_0, room, Omega, &n, A, stable, &undecided));
     }
     sf_write_states(args, dimensions, steps, forcing + 2, k, n, A, stable, undecided, status);
 }

@@ -32,7 +32,7 @@ static void sf_loop_proofs(char **args, const ptrdiff_t *dimensions, const ptrdi
         }
         sf_output_code(args, steps, out, k, count);
         sf_output_code(args, steps, out + 1, k, proved);
-        sf_output_code(args, steps, out + 2, k, status);
+        sf_output_code(args, steps, out + 2, k, sf_of_search(status));
     }
     free(found);
     free(proof);

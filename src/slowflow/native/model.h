@@ -19,7 +19,8 @@
 #include "slow_flow_zeta0.h"
 
 /* m, zeta: the damping as the quartics of roots.h take it, I = 2 zeta A Omega + m; breaks: number of breakpoints b > 0,
- * by rising size; jump: force just below less force just above; kink: the same of its slope and of its curvature */
+ * by rising size; jump: force just below less force just above; kink: the same of its slope and of its curvature; reach:
+ * the mechanism's, infinite where of its pieces a linear one is left */
 typedef struct {
     const sf_mechanism *mechanism;
     double p[SF_MOST_PARAMETERS];
@@ -31,6 +32,7 @@ typedef struct {
     };
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[SF_MOST_BREAKS][2];
     int breaks;
+    double reach;
 } sf_model;
 
 /* k = h - A h_A */
@@ -64,13 +66,16 @@ static inline void sf_jumps_of(const sf_mechanism *mechanism, const double *desi
     }
 }
 
+/* The share of h by which it is rounded where it is proportional to A. */
+#define SF_LINEAR 0x1p-50
+
 /* The rest of a model whose parameters and damping are set; 0 where the ends of its pieces do not rise. design: NULL where
  * it is not known */
 static inline int sf_prepare(const sf_mechanism *mechanism, const double *design, sf_model *model) {
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[2 * SF_MOST_BREAKS];
     int i;
     model->mechanism = mechanism;
-    model->breaks = 0;
+    model->breaks = 0, model->reach = mechanism->reach;
     if (mechanism->breakpoints == 0)
         return 1;
     mechanism->ends(model->p, b);
@@ -86,6 +91,13 @@ static inline int sf_prepare(const sf_mechanism *mechanism, const double *design
             model->kink[model->breaks][1] = mechanism->kinks != NULL ? kink[2 * i + 1] : 0;
             model->jump[model->breaks++] = jump[i];
         }
+    }
+    if (model->breaks == 0 && model->reach < HUGE_VAL) {
+        double at[4];
+        const double A = 0.5 * model->reach;
+        mechanism->averaged(1, &A, model->p, at);
+        if (at[2] == 0 && fabs(at[0] - A * at[1]) <= SF_LINEAR * fabs(at[0]))
+            model->reach = HUGE_VAL;
     }
     return 1;
 }

@@ -158,8 +158,8 @@ static void sf_loop_second_folds(char **args, const ptrdiff_t *dimensions, const
         found.n = found.lost = 0;
         if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, 1, &model) &&
             sf_has_second(&model))
-            status = sf_second_saddle_nodes(&model, sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL,
-                                            F_0, room, &found);
+            status = sf_of_search(sf_second_saddle_nodes(
+                &model, sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL, F_0, room, &found));
         for (i = 0; i < found.n && i < places; i++) {
             const sf_second_fold *at = &found.at[i];
             const sf_fold fold = {at->Omega, at->u_max, at->up, at->corner};

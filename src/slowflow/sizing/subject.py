@@ -274,7 +274,7 @@ class _Batch:
         if name == "rest":
             mechanism = self.designs.mechanism
             with np.errstate(all="ignore"):  # what is no design has no frequency
-                stiffness = -np.asarray(mechanism.averaged(0.0, *mechanism.coefficients(*self.designs.design))[1])
+                stiffness = -np.asarray(mechanism.at_rest(*mechanism.coefficients(*self.designs.design))[1])
                 return np.sqrt(np.where(stiffness > 0, stiffness, np.nan))
         if name == "isolation":
             return np.asarray(self._ask("isolation", self.F_0).Omega)
