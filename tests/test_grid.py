@@ -22,10 +22,10 @@ zarr = pytest.importorskip("zarr", reason="the extra `grid` is not installed: za
 import dask  # noqa: E402
 
 from slowflow import Duffing, Isolator, Oscillator, backend  # noqa: E402
-from slowflow.grid import block, store  # noqa: E402
+from slowflow.grid import block, meaning, store  # noqa: E402
 from slowflow.results import Remark  # noqa: E402
 from slowflow_kernels import rod_spring  # noqa: E402
-from slowflow_kernels.conventions import FoldKind, Status  # noqa: E402
+from slowflow_kernels.conventions import FoldKind, OnsetKind, Status  # noqa: E402
 
 R = np.linspace(0.5, 3.0, 7)
 SHARE = np.linspace(0.1, 1.1, 5)  # the last one is a negative stiffness at rest
@@ -39,7 +39,20 @@ ASK = {
     "peak": {"F_0": xarray.DataArray(FORCES, dims="F_0")},
     "amplitudes": {"F_0": xarray.DataArray(FORCES, dims="F_0"), "Omega": 0.9},
     "certify": {"F_0": xarray.DataArray(FORCES, dims="F_0"), "Omega": 0.9},
+    "frequency_response": {"F_0": xarray.DataArray(FORCES, dims="F_0"), "samples": 30, "Omega": (0.2, 1.4)},
+    "at_rest": {},
+    "margins": {"F_0": xarray.DataArray(FORCES, dims="F_0")},
+    "hysteresis": {"F_0": xarray.DataArray(FORCES, dims="F_0"), "places": 2},
+    "isolation": {"F_0": xarray.DataArray(FORCES, dims="F_0")},
+    "spectrum": {"Omega": [0.6, 0.9, 1.3, 0.9], "F_0": [0.02, 0.04, 0.04, 0.01]},
+    "transient": {"acceleration": 0.3, "duration": 2.0},
+    "shock_spectrum": {"acceleration": 0.3, "duration": 2.0},
 }
+
+
+def is_forced(question):
+    """Whether it is asked at several forcings."""
+    return isinstance(ASK[question].get("F_0"), xarray.DataArray)
 
 
 def axis(name, values):
@@ -56,16 +69,16 @@ def over(cut=None, **more):
 def batch(question, depth=None):
     """The same in one batch of NumPy's arrays; forces along the last axis."""
     r = np.append(R, -1.0)[:, np.newaxis]
-    forced = "F_0" in ASK[question]
+    forced = is_forced(question)
     given = {"r": r, "delta_h": SHARE / (3 * abs(r))}
     given = {name: value[..., np.newaxis] if forced else value for name, value in given.items()}
-    asked = {**ASK[question], "F_0": FORCES} if forced else {}
+    asked = {**ASK[question], "F_0": FORCES} if forced else ASK[question]
     designs = Isolator.many(lam=3, mu=0.012, zeta=0.02, **given)
     return getattr(getattr(designs, depth) if depth else designs, question)(**asked)
 
 
 def assert_same_bits(found, expected, question):
-    dims = ("r", "share", *(["F_0"] if "F_0" in ASK[question] else []))
+    dims = ("r", "share", *(["F_0"] if is_forced(question) else []))
     for name, value in {**expected._content(), "remarks": expected.remarks}.items():
         column = found[name].transpose(*dims, ...)
         assert column.dtype == value.dtype and column.values.tobytes() == value.tobytes(), name
@@ -123,7 +136,7 @@ def test_a_store_says_what_is_in_it(tmp_path):
 
 
 @pytest.mark.skipif(backend.SOLVER is None, reason="takes long on NumPy")
-@pytest.mark.parametrize("question", [question for question in ASK if question not in ("amplitudes", "certify")])
+@pytest.mark.parametrize("question", ["detachment", "saddle_node_onset", "saddle_nodes", "peak"])
 def test_the_second_approximation_has_maps_too(question, tmp_path):
     found = over({"r": 3}).second_approximation.store(tmp_path / "map.zarr", question, **ASK[question])
     assert_same_bits(found, batch(question, "second_approximation"), question)
@@ -182,6 +195,76 @@ def test_a_question_pickles():
     numbers = [value.values for value in (values["lam"], values["r"][0], values["delta_h"][0, 0])]
     copy = pickle.loads(pickle.dumps(ask))
     assert copy(*numbers, 0.012, 0.02, 0.05) == ask(*numbers, 0.012, 0.02, 0.05)
+
+
+def test_tables_and_records_may_differ_from_design_to_design(tmp_path):
+    """Rows lie along "row", samples along "instant"; what is plain is the same for all."""
+    forces = xarray.DataArray(np.outer(np.append(R, 1.0), [0.01, 0.02, 0.03]), dims=("r", "row"))
+    designs, Omega = over({"r": 3}), [0.7, 0.9, 1.1]
+    r = np.append(R, -1.0)[:, np.newaxis]
+    plain = Isolator.many(lam=3, r=r, delta_h=SHARE / (3 * abs(r)), mu=0.012, zeta=0.02)
+    expected = plain.spectrum(Omega=Omega, F_0=forces.values[:, np.newaxis, :])
+    for found in (
+        designs.spectrum(Omega=Omega, F_0=forces),
+        designs.store(tmp_path / "rows.zarr", "spectrum", Omega=Omega, F_0=forces),
+    ):
+        assert dict(found.sizes) == {"r": 8, "share": 5, "row": 3} and found["Omega"].values.tolist() == Omega
+        assert found["transmissibility_dB"].attrs["units"] == "dB"
+        for name, value in {**expected._content(), "remarks": expected.remarks}.items():
+            assert found[name].transpose("r", "share", "row").values.tobytes() == value.tobytes(), name
+    tau = np.linspace(0, 2, 12)
+    pulse = np.outer(np.linspace(0.1, 0.3, 8), np.sin(np.pi * tau / 2))
+    expected = plain.transient(tau=tau, acceleration=pulse[:, np.newaxis, :], after=3.0)
+    asked = {"tau": tau, "acceleration": xarray.DataArray(pulse, dims=("r", "instant")), "after": 3.0}
+    for found in (designs.transient(**asked), designs.store(tmp_path / "records.zarr", "transient", **asked)):
+        for name, value in expected._content().items():
+            assert found[name].transpose("r", "share").values.tobytes() == value.tobytes(), name
+    assert designs.spectrum(Omega=0.9, F_0=0.04)["A"].sizes["row"] == 1
+    with pytest.raises(ValueError, match="several axes without names"):
+        designs.spectrum(Omega=[[0.9], [1.0]], F_0=0.04)
+    with pytest.raises(ValueError, match="either its duration"):
+        designs.transient(acceleration=0.3)
+
+
+@pytest.mark.slow
+def test_maps_of_designs_under_a_load_have_the_answers_of_the_batch(tmp_path):
+    load = axis("load", np.array([0.3, 0.2, -0.1]))
+    designs = Duffing.many(alpha=1.0, beta=0.5, mu=0.01, zeta=0.05, load=load.chunk(load=2))
+    plain = Duffing.many(1.0, 0.5, 0.01, 0.05, load=load.values)
+    for question, asked in {
+        "rest": {},
+        "detachment": {},
+        "saddle_nodes": {"F_0": 0.2},
+        "amplitudes": {"F_0": 0.2, "Omega": 1.2},
+        "peak": {"F_0": 0.2},
+        "margins": {"F_0": 0.2},
+        "hysteresis": {"F_0": 0.2},
+        "spectrum": {"Omega": [1.0, 1.3], "F_0": [0.2, 0.2]},
+        "shock_spectrum": {"acceleration": 0.5, "duration": 2.0},
+        "transient": {"acceleration": 0.5, "duration": 2.0},
+    }.items():
+        expected = getattr(plain, question)(**asked)
+        found = designs.store(tmp_path / f"{question}.zarr", question, **asked)
+        assert {"B", "stands"} & set(found) or question not in ("amplitudes", "transient")
+        for name, value in {**expected._content(), "remarks": expected.remarks}.items():
+            assert found[name].transpose("load", ...).values.tobytes() == value.tobytes(), (question, name)
+    for refused in (lambda: designs.certify(0.2), lambda: designs.at_rest(), lambda: designs.second_approximation):
+        with pytest.raises(ValueError, match="about the centre"):
+            refused()
+    with pytest.raises(ValueError, match="question = 'rest' is not allowed"):
+        over().rest()
+
+
+def test_each_column_of_a_map_says_what_it_is():
+    for asked in (block.QUESTIONS, block.LOADED):
+        for question in asked.values():
+            for name in question.answer.layout():
+                assert name in meaning.WORDS or name in ("mu", "zeta"), name
+    found = over().margins(F_0=0.05)
+    assert found["kind"].attrs["flag_meanings"].split() == [code.name for code in OnsetKind]
+    assert found["onset"].attrs["flag_meanings"].split() == [code.name for code in Status]
+    with pytest.raises(ValueError, match="cannot be named row"):
+        Duffing.many(alpha=1.0, beta=axis("row", R), mu=0.0, zeta=0.1).peak(0.1)
 
 
 # ---- stopped and continued

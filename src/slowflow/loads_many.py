@@ -7,10 +7,11 @@ or with other damping than viscous damping and dry friction, is asked design by 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
@@ -35,6 +36,8 @@ LEAST, AMPLITUDES = 1e-4, 128
 #: designs at once, for their amplitudes to stay in the processor's cache, and halvings that leave only rounding
 AT_ONCE, HALVINGS = 1024, 60
 
+#: columns of a load spectrum: all have a place for each row
+OF_ROWS = ("A", "transmissibility_dB", "motions", "crosses", "detaches", "sticks", "status", "remarks")
 #: where a question failed that may have an answer
 FAILED = (Status.NO_BOUND, Status.UNRESOLVED, Status.NO_MEMORY)
 
@@ -90,6 +93,10 @@ class ManyBands(Batch):
     count -- how many bands there are, also where they are more than places
     """
 
+    inner: ClassVar[Mapping[str, str]] = MappingProxyType(
+        dict.fromkeys(("Omega_low", "Omega_high", "motions"), "place")
+    )
+
     Omega_low: Floats
     Omega_high: Floats
     motions: Codes
@@ -122,6 +129,8 @@ class ManySpectra(Told):
 
     `remarks` are those of all states of a row.
     """
+
+    inner: ClassVar[Mapping[str, str]] = MappingProxyType(dict.fromkeys(OF_ROWS, "row"))
 
     A: Floats
     transmissibility_dB: Floats

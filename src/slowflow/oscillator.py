@@ -604,15 +604,15 @@ def designs_of(
         validate.is_force(why, excitation)
         told = [name for name in laws if name in values] + ([] if rubs == THROUGHOUT else [f"rubs = {rubs!r}"])
         validate.is_plain(why, ", ".join(told))
-        if any(validate.is_labelled(value) for value in (*values.values(), load)):
-            raise validate.NotAvailable(CENTRED.format("a map over named axes", why))
-        from slowflow.off_centre.many import OffCentreDesigns
-
-        return OffCentreDesigns(mechanism, {**values, "load": load})
+        values["load"] = load
     if any(validate.is_labelled(value) for value in values.values()):
         from slowflow.grid.designs import Grid
 
         return Grid(mechanism, values, excitation, rubs)
+    if "load" in values:
+        from slowflow.off_centre.many import OffCentreDesigns
+
+        return OffCentreDesigns(mechanism, values)
     return Designs(mechanism, values, excitation, rubs)
 
 

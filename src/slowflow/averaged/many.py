@@ -10,10 +10,11 @@ from __future__ import annotations
 
 import importlib.util
 import math
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, fields
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -48,18 +49,42 @@ from slowflow_kernels.domains import DAMPING, DISSIPATION
 Codes = npt.NDArray[np.int8]
 
 
+#: of which type a column is, by its annotation
+TYPES: dict[str, Any] = {"Floats": float, "Codes": np.int8}
+TYPES |= {"npt.NDArray[np.int16]": np.int16, "npt.NDArray[np.intc]": np.intc}
+
+
+class Column(NamedTuple):
+    """A column of an answer: the axes that it has behind those of the designs, and its type."""
+
+    inner: tuple[str, ...]
+    kind: np.dtype[Any]
+
+
 @dataclass(frozen=True, eq=False)
 class Batch(Answer):
     """What all answers to a batch share: `remarks`, computed when first asked for.
 
+    inner -- which columns have one more axis behind those of the designs, and what that is called
+
     _averaged -- whether they are answers of averaging, whose gradients are known
     """
+
+    inner: ClassVar[Mapping[str, str]] = MappingProxyType({})
 
     if TYPE_CHECKING:  # each has it as its last column
         status: Codes
     _designs: Designs = field(repr=False, kw_only=True)
     _F_0: Any = field(repr=False, kw_only=True, default=np.nan)
     _averaged: Any = field(repr=False, kw_only=True, default=False)
+
+    @classmethod
+    def layout(cls) -> dict[str, Column]:
+        """What each column is, by name; remarks last."""
+        kinds = {field.name: TYPES[str(field.type)] for field in fields(cls) if field.repr}
+        kinds["remarks"] = np.uint8
+        axes = {name: (cls.inner[name],) if name in cls.inner else () for name in kinds}
+        return {name: Column(axes[name], np.dtype(kind)) for name, kind in kinds.items()}
 
     def plot_map(self, x: str, y: str, of: str, ax: Any = None) -> Any:
         """Draw a number of each design over two parameters into Matplotlib axes, or new ones, and return these.
@@ -130,10 +155,6 @@ class Batch(Answer):
         """Names of the designs' dimensions."""
         return tuple(f"design_{k}" for k in range(self.status.ndim))
 
-    def _inner(self, name: str) -> str:
-        """Name of the dimension behind the designs' that a column has."""
-        return "place"
-
     def to_xarray(self) -> Any:
         """A Dataset along the designs' own dimensions, "design_0" and so on; their numbers, F_0, Omega as coordinates.
 
@@ -146,7 +167,7 @@ class Batch(Answer):
         units = {"units": "1"}
         given = {name: (designs, np.broadcast_to(value, shape), units) for name, value in asked.items()}
         found = {
-            name: ((*designs, self._inner(name)) if value.ndim > len(shape) else designs, value, units)
+            name: ((*designs, self.inner[name]) if value.ndim > len(shape) else designs, value, units)
             for name, value in self._content().items()
         }
         return xarray.Dataset(found, coords=given, attrs={"mechanism": self._designs.mechanism.name})
@@ -256,6 +277,8 @@ class Folds(Counted):
     undecided -- 1 where doubles do not tell whether there is another pair
     """
 
+    inner: ClassVar[Mapping[str, str]] = MappingProxyType(dict.fromkeys(("Omega", "A", "kind"), "place"))
+
     Omega: Floats
     A: Floats
     kind: Codes
@@ -284,6 +307,8 @@ class States(Counted):
     count  -- how many states there are, also where they are more than places
     undecided -- 1 where doubles do not tell whether there is another pair
     """
+
+    inner: ClassVar[Mapping[str, str]] = MappingProxyType(dict.fromkeys(("A", "stable"), "place"))
 
     A: Floats
     stable: Codes
@@ -360,6 +385,11 @@ class Curves(Counted):
     undecided -- 1 where doubles do not tell whether there is another pair of folds
     """
 
+    inner: ClassVar[Mapping[str, str]] = MappingProxyType(
+        dict.fromkeys(("Omega", "A", "stable", "branch", "isola"), "point")
+        | dict.fromkeys(("fold_Omega", "fold_A", "fold_kind"), "place")
+    )
+
     Omega: Floats
     A: Floats
     stable: Codes
@@ -385,10 +415,7 @@ class Curves(Counted):
         given = {**self._designs.values, **self._asked_at()}
         several = {name: np.asarray(value)[..., np.newaxis] for name, value in given.items()}
         found = {name: np.broadcast_to(value, self.A.shape)[here] for name, value in several.items()}
-        return found | {name: value[here] for name, value in self._content().items() if self._inner(name) == "point"}
-
-    def _inner(self, name: str) -> str:
-        return "point" if name in ("Omega", "A", "stable", "branch", "isola") else "place"
+        return found | {name: value[here] for name, value in self._content().items() if self.inner.get(name) == "point"}
 
 
 @dataclass(frozen=True, eq=False)

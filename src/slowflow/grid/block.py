@@ -5,16 +5,21 @@ It pickles, and refuses to run where slowflow is another than where the map was 
 
 from __future__ import annotations
 
-import dataclasses
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import backend
-from slowflow.averaged import asked, many
+from slowflow import backend, loads_many, validate
+from slowflow.averaged import many
+from slowflow.averaged.asked import MORE_POINTS
+from slowflow.averaged.many import Column
+from slowflow.exact import shocks
 from slowflow.mechanism import Mechanism
+from slowflow.off_centre import many as off_centre
 from slowflow.version import __version__
 
 if TYPE_CHECKING:
@@ -22,36 +27,74 @@ if TYPE_CHECKING:
 
 
 class Question(NamedTuple):
-    """One of the questions about many designs: what asks it, its answer, what it takes beside the designs, and may."""
+    """One of the questions about many designs.
 
-    asked: asked.Question
+    answer  -- what it is answered by
+    takes   -- numbers that it takes beside the designs', which broadcast with these; may -- and those that it may
+    options -- what else it takes, the same for all designs, with its default
+    along   -- the axis of a table or a record that such a number may have behind those of the designs
+    by      -- what answers it, of the designs; by default their method of that name
+    """
+
     answer: type[many.Batch]
     takes: tuple[str, ...] = ()
     may: tuple[str, ...] = ()
+    options: Mapping[str, Any] = {}
+    along: Mapping[str, str] = {}
+    by: Callable[..., Any] | None = None
 
 
-#: by the names of the methods of `Designs`
-QUESTIONS = {
-    "detachment": Question(asked.DETACHMENT, many.Detachments),
-    "saddle_node_onset": Question(asked.ONSET, many.Onsets),
-    "saddle_nodes": Question(asked.SADDLE_NODES, many.Folds, ("F_0", "places")),
-    "amplitudes": Question(asked.AMPLITUDES, many.States, ("F_0", "Omega", "places")),
-    "peak": Question(asked.PEAK, many.Peaks, ("F_0",)),
-    "certify": Question(asked.PROVED_FOLDS, many.Proofs, ("F_0",), ("Omega",)),
+def _transient(designs: many.Designs, acceleration: Any, workers: int, **pulse: Any) -> shocks.Transients:
+    given = {"duration": None, "tau": None, **pulse}
+    return shocks.transients(designs, acceleration, workers=workers, **given)
+
+
+TABLE, RECORD = {"Omega": "row", "F_0": "row"}, {"tau": "instant", "acceleration": "instant"}
+CURVE = {"samples": 1000, "Omega": validate.WINDOW, "places": 6}
+PULSE = ("acceleration", "duration")
+#: by the names of the methods of designs
+QUESTIONS: Mapping[str, Question] = {
+    "detachment": Question(many.Detachments),
+    "saddle_node_onset": Question(many.Onsets),
+    "saddle_nodes": Question(many.Folds, ("F_0",), options={"places": 6}),
+    "amplitudes": Question(many.States, ("F_0", "Omega"), options={"places": 6}),
+    "frequency_response": Question(many.Curves, ("F_0",), options=CURVE),
+    "peak": Question(many.Peaks, ("F_0",)),
+    "certify": Question(many.Proofs, ("F_0",), ("Omega",)),
+    "at_rest": Question(loads_many.ManyAtRest, by=loads_many.at_rest),
+    "margins": Question(loads_many.ManyMargins, ("F_0",), by=loads_many.margins),
+    "hysteresis": Question(loads_many.ManyBands, ("F_0",), options={"places": 3}, by=loads_many.hysteresis),
+    "isolation": Question(loads_many.ManyIsolations, ("F_0",), by=loads_many.isolation),
+    "spectrum": Question(loads_many.ManySpectra, ("Omega", "F_0"), along=TABLE, by=loads_many.spectrum),
+    "transient": Question(
+        shocks.Transients, ("acceleration",), ("duration", "tau"), {"after": None}, RECORD, by=_transient
+    ),
+    "shock_spectrum": Question(shocks.Shocks, PULSE, by=shocks.of_designs),
 }
-
-
-#: numbers beside those of the designs, which broadcast with them
-FORCED = ("F_0", "Omega")
+#: the same of designs under a load
+LOADED: Mapping[str, Question] = {
+    "rest": Question(off_centre.ManyRests, options={"places": 3}),
+    **{
+        name: QUESTIONS[name]._replace(answer=answer, by=None)
+        for name, answer in {
+            "detachment": off_centre.ManyDetachments,
+            "saddle_node_onset": off_centre.ManyOnsets,
+            "saddle_nodes": off_centre.ManyFolds,
+            "amplitudes": off_centre.ManyStates,
+            "peak": off_centre.ManyPeaks,
+            "margins": off_centre.OffCentreMargins,
+            "hysteresis": off_centre.OffCentreBands,
+            "isolation": off_centre.OffCentreIsolations,
+            "spectrum": loads_many.ManySpectra,
+            "transient": off_centre.OffCentreTransients,
+            "shock_spectrum": off_centre.OffCentreShocks,
+        }.items()
+    },
+}
+#: axes of places, of tables and of records, which are never cut
+INNER = ("place", "point", "row", "instant")
 #: averaging, and beyond
 DEPTHS = ("averaging", "second approximation")
-
-
-class Column(NamedTuple):
-    """A column of an answer: its shape behind that of the designs, and its type."""
-
-    inner: tuple[int, ...]
-    kind: np.dtype[Any]
 
 
 def made_by(mechanism: Mechanism) -> dict[str, str]:
@@ -66,9 +109,11 @@ class Ask:
 
     excitation, rubs -- what F_0 is the amplitude of, and where dry friction acts
     depth   -- one of `DEPTHS`
-    names   -- of the numbers that it is called with: the design's, mu, zeta and those of other laws of damping, and F_0
-               and Omega where it takes them
-    places  -- of folds or states; 0 for a question without
+    names   -- of the numbers that it is called with: the design's, mu, zeta and those of other laws of damping, a load,
+               and what the question takes beside these
+    options -- what else it takes
+    tables  -- of the numbers those that have an axis of a table or a record, the last one
+    lengths -- of axes that the answer has behind those of the designs
     workers -- threads that share a block
     made_by -- of the slowflow that is to answer
     """
@@ -79,34 +124,49 @@ class Ask:
     question: str
     depth: str
     names: tuple[str, ...]
-    places: int
+    options: tuple[tuple[str, Any], ...]
+    tables: tuple[str, ...]
+    lengths: tuple[tuple[str, int], ...]
     workers: int
     made_by: dict[str, str]
 
+    @property
+    def asked(self) -> Question:
+        """What it is among those of these designs."""
+        return (LOADED if "load" in self.names else QUESTIONS)[self.question]
+
     def columns(self) -> dict[str, Column]:
         """What is answered, by name; remarks last."""
-        asked, answer, *_ = QUESTIONS[self.question]
-        names = (entry.name for entry in dataclasses.fields(answer) if entry.repr)
-        parts = zip(names, asked.outputs(self.places), strict=True)
-        return {name: Column(inner, np.dtype(kind)) for name, (inner, kind) in parts} | {
-            "remarks": Column((), np.dtype(np.uint8))
-        }
+        return self.asked.answer.layout()
 
     def __call__(self, *values: Any) -> tuple[npt.NDArray[Any], ...]:
         """The columns for numbers that broadcast. Raises RuntimeError where another slowflow runs."""
         here = made_by(self.mechanism)
         if self.made_by != here:
             raise RuntimeError(f"this process runs {here}, the map is made by {self.made_by}")
-        given = dict(zip(self.names, values, strict=True))
-        beside = {name: value for name, value in (("places", self.places),) if name in QUESTIONS[self.question].takes}
-        beside |= {name: given.pop(name) for name in FORCED if name in given}
-        answer = getattr(self._designs(given), self.question)(**beside, workers=self.workers)
+        given, asked = dict(zip(self.names, values, strict=True)), self.asked
+        beside = {name: given.pop(name) for name in (*asked.takes, *asked.may) if name in given}
+        for name in beside:  # a table has a row at least
+            if asked.along.get(name) == "row" and name not in self.tables:
+                beside[name] = np.asarray(beside[name])[..., np.newaxis]
+        designs = self._designs(given)
+        ask: Any = getattr(designs, self.question) if asked.by is None else partial(asked.by, designs)
+        answer = ask(**beside, **dict(self.options), workers=self.workers)
         return tuple(getattr(answer, name) for name in self.columns())
 
-    def _designs(self, given: dict[str, Any]) -> many.Designs | SecondDesigns:
+    def _designs(self, given: dict[str, Any]) -> many.Designs | SecondDesigns | off_centre.OffCentreDesigns:
+        if "load" in given:
+            return off_centre.OffCentreDesigns(self.mechanism, given)
         designs = many.Designs(self.mechanism, given, self.excitation, self.rubs)
         if self.depth == DEPTHS[0]:
             return designs
         from slowflow.second.many import SecondDesigns
 
         return SecondDesigns(designs)
+
+
+def lengths(asked: Question, options: Mapping[str, Any], rows: int) -> tuple[tuple[str, int], ...]:
+    """Of the axes that an answer has behind those of the designs."""
+    known = {"place": options.get("places", 0), "point": options.get("samples", 0) + MORE_POINTS, "row": rows}
+    own = {axis for column in asked.answer.layout().values() for axis in column.inner}
+    return tuple((axis, known[axis]) for axis in INNER if axis in own)

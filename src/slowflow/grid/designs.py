@@ -15,10 +15,13 @@ import numpy as np
 
 from slowflow import validate
 from slowflow.answer import optional
+from slowflow.exact.transient import NO_PULSE
 from slowflow.grid import meaning
-from slowflow.grid.block import DEPTHS, QUESTIONS, Ask, made_by
+from slowflow.grid.block import DEPTHS, INNER, LOADED, QUESTIONS, Ask, Question, lengths, made_by
+from slowflow.loaded import AT_CENTRE, off_centre_by
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, check_names, check_told
+from slowflow.off_centre.many import check_polynomial
 from slowflow.second.many import UNANSWERED
 from slowflow_kernels.domains import DISSIPATION
 
@@ -50,15 +53,21 @@ class Grid:
     ) -> None:
         self.mechanism, self.excitation, self.rubs = mechanism, excitation, rubs
         self._depth = DEPTHS[0]
-        self._given = {name: values[name] for name in check_names(mechanism, dict(values), DISSIPATION)}
+        own = {name: value for name, value in values.items() if name != "load"}
+        self._given = {name: own[name] for name in check_names(mechanism, own, DISSIPATION)}
         if self._laws:
             check_told(self._laws, mechanism, excitation)
+        if "load" in values:
+            check_polynomial(mechanism)
+            self._given["load"] = values["load"]
         self.values = labelled(self._given)
 
     @cached_property
     def second_approximation(self) -> Grid:
         """The same questions with the higher harmonics of force and friction; see `slowflow.second.many`."""
         validate.is_plain("second_approximation", self._laws)
+        if "load" in self._given:
+            raise validate.NotAvailable(AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load"))
         deeper = copy.copy(self)
         deeper._depth = DEPTHS[1]
         return deeper
@@ -95,6 +104,19 @@ class Grid:
         """Every steady state at (Omega, F_0), which broadcast too; see `slowflow.averaged.many.States`."""
         return self._answer(*self.asked("amplitudes", workers, F_0=F_0, places=places, Omega=Omega))
 
+    def frequency_response(
+        self,
+        F_0: Any,
+        *,
+        samples: int = 1000,
+        Omega: tuple[float, float] = validate.WINDOW,
+        places: int = 6,
+        workers: int = 1,
+    ) -> Any:
+        """The response curve at F_0, which broadcasts too, along "point"; see `slowflow.averaged.many.Curves`."""
+        given = {"F_0": F_0, "samples": samples, "Omega": Omega, "places": places}
+        return self._answer(*self.asked("frequency_response", workers, **given))
+
     def peak(self, F_0: Any, *, workers: int = 1) -> Any:
         """The highest peak at F_0, which broadcasts too, as a Dataset; see `slowflow.averaged.many.Peaks`."""
         return self._answer(*self.asked("peak", workers, F_0=F_0))
@@ -103,17 +125,46 @@ class Grid:
         """How many folds at F_0, or states at (Omega, F_0), are proved; see `slowflow.averaged.many.Proofs`."""
         return self._answer(*self.asked("certify", workers, F_0=F_0, Omega=Omega))
 
-    def __getattr__(self, name: str) -> Any:
-        """Raises AttributeError, with the reason for curves, which arrays of NumPy have."""
-        why = ": curves have different numbers of points; of designs in arrays of NumPy there are such answers"
-        raise AttributeError(f"a map has no {name}{why if name == 'frequency_response' else ''}")
+    def rest(self, *, places: int = 3, workers: int = 1) -> Any:
+        """Every place of rest under a load; see `slowflow.off_centre.many.ManyRests`."""
+        return self._answer(*self.asked("rest", workers, places=places))
+
+    def at_rest(self, *, workers: int = 1) -> Any:
+        """What holds whatever the forcing; see `slowflow.loads_many.ManyAtRest`."""
+        return self._answer(*self.asked("at_rest", workers))
+
+    def margins(self, F_0: Any, *, workers: int = 1) -> Any:
+        """How far F_0, which broadcasts too, is from F_SN and F_cr; see `slowflow.loads_many.ManyMargins`."""
+        return self._answer(*self.asked("margins", workers, F_0=F_0))
+
+    def hysteresis(self, F_0: Any, *, places: int = 3, workers: int = 1) -> Any:
+        """Bands with several stable motions at F_0, which broadcasts too; see `slowflow.loads_many.ManyBands`."""
+        return self._answer(*self.asked("hysteresis", workers, F_0=F_0, places=places))
+
+    def isolation(self, F_0: Any, *, workers: int = 1) -> Any:
+        """From where on less than F_0 is transmitted, which broadcasts too; see `ManyIsolations`."""
+        return self._answer(*self.asked("isolation", workers, F_0=F_0))
+
+    def spectrum(self, *, Omega: Any, F_0: Any, workers: int = 1) -> Any:
+        """A load spectrum, whose rows lie along "row": an array of one axis, or with named ones; see `ManySpectra`."""
+        return self._answer(*self.asked("spectrum", workers, Omega=Omega, F_0=F_0))
+
+    def transient(
+        self, *, acceleration: Any, duration: Any = None, tau: Any = None, after: Any = None, workers: int = 1
+    ) -> Any:
+        """What a shock of the base does; the samples of a record lie along "instant"; see `slowflow.exact.shocks`."""
+        pulse = {"acceleration": acceleration, "duration": duration, "tau": tau, "after": after}
+        return self._answer(*self.asked("transient", workers, **pulse))
+
+    def shock_spectrum(self, *, acceleration: Any, duration: Any, workers: int = 1) -> Any:
+        """What a half sine of the base does, whose numbers broadcast too; see `slowflow.exact.shocks.Shocks`."""
+        return self._answer(*self.asked("shock_spectrum", workers, acceleration=acceleration, duration=duration))
 
     def store(self, path: Any, question: str, *, workers: int = 1, **asked: Any) -> Any:
         """A question's answer as a Zarr store, written block by block; a store that was begun is continued.
 
         path     -- folder of the store, which every worker of a cluster must reach; or what else Zarr takes for one
-        question -- name of the method: "detachment", "saddle_node_onset", "saddle_nodes", "amplitudes", "peak",
-                    "certify"
+        question -- name of the method, as "saddle_node_onset"
         asked    -- what this takes, as F_0, Omega and places
 
         Blocks are cut as the parameters are, and by some 250,000 designs along axes that none of them cuts. Wherever it
@@ -127,14 +178,6 @@ class Grid:
             optional(package, "store", "grid")
         from slowflow.grid.store import filled
 
-        question = validate.choice("question", question, tuple(QUESTIONS))
-        _, _, takes, may = QUESTIONS[question]
-        if "places" in takes:
-            asked = {"places": 6, **asked}
-        wrong = [name for name in (*asked, *takes) if name not in asked or name not in takes + may]
-        if wrong:
-            what = "is missing for" if wrong[0] in takes else "is nothing for"
-            raise TypeError(f"{wrong[0]} {what} {question}")
         ask, values = self.asked(question, workers, **asked)
         must_travel(self.mechanism)
         nested = {dim for value in values.values() for dim, index in value.indexes.items() if index.nlevels > 1}
@@ -142,34 +185,84 @@ class Grid:
             raise ValueError(
                 f"the coordinate {nested.pop()} has several levels, which Zarr does not hold: .reset_index it"
             )
-        lengths = sizes(values)
-        return filled(path, ask, values, lengths, blocks(values, lengths))
+        along = sizes(values)
+        return filled(path, ask, values, along, blocks(values, along))
 
-    def asked(
-        self, question: str, workers: int, *, F_0: Any = None, places: int = 0, Omega: Any = None
-    ) -> tuple[Ask, dict[str, Any]]:
-        """A question as a function of a block's numbers, and all the numbers that it takes."""
-        takes = QUESTIONS[question].takes
-        if "places" in takes:
-            places = validate.count("places", places, least=1)
+    def asked(self, question: str, workers: int, **given: Any) -> tuple[Ask, dict[str, Any]]:
+        """A question as a function of a block's numbers, and all the numbers that it takes.
+
+        given -- what the question takes beside the designs, as their method does
+
+        Raises TypeError for what is missing or unknown, ValueError for what is not allowed.
+        """
+        known = LOADED if "load" in self._given else QUESTIONS
+        if question in QUESTIONS and question not in known:
+            raise validate.NotAvailable(AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load"))
+        asked = known[validate.choice("question", question, tuple(known))]
+        given = {name: value for name, value in given.items() if value is not None}
+        for name in asked.takes:
+            if name not in given:
+                raise TypeError(f"{name} is missing for {question}")
+        for name in given:
+            if name not in (*asked.takes, *asked.may, *asked.options):
+                raise TypeError(f"{name} is nothing for {question}")
+        options = {name: given.pop(name, default) for name, default in asked.options.items()}
+        self._check(question, options, given, workers)
+        values, tables = self._with(asked, given)
+        found = Ask(
+            self.mechanism,
+            self.excitation,
+            self.rubs,
+            question,
+            self._depth,
+            tuple(values),
+            tuple(options.items()),
+            tables,
+            lengths(
+                asked,
+                options,
+                rows=max((values[name].sizes["row"] for name in tables if "row" in values[name].dims), default=1),
+            ),
+            workers,
+            made_by(self.mechanism),
+        )
+        axes = {dim for name, value in values.items() for dim in value.dims if dim != asked.along.get(name)}
+        taken = {*INNER, "done", *found.columns()} & {*axes, *values}
+        if taken:
+            raise ValueError(
+                f"an axis or a parameter cannot be named {taken.pop()}: the answer has something of that name"
+            )
+        return found, values
+
+    def _check(self, question: str, options: Mapping[str, Any], given: Mapping[str, Any], workers: int) -> None:
+        """Raises ValueError for what is the same for all designs and not allowed, before anything is computed."""
         validate.workers(workers)
+        if "places" in options:
+            validate.count("places", options["places"], least=1)
+        if "samples" in options:
+            validate.count("samples", options["samples"], least=2, most=validate.MOST_SAMPLES)
+            validate.window("Omega", options["Omega"])
+        if options.get("after") is not None:
+            validate.number("after", options["after"], least=0.0)
+        if question == "transient" and ("duration" in given) == ("tau" in given):
+            raise ValueError(NO_PULSE)
         if question == "certify":
             validate.is_force(question, self.excitation)
             validate.is_plain(question, self._laws)
         if question in UNANSWERED and self._depth != DEPTHS[0]:
             raise ValueError(f"{question}: {UNANSWERED[question]}")
-        forced = {"F_0": F_0} if "F_0" in takes else {}
-        forced |= {} if Omega is None else {"Omega": Omega}
-        values = labelled({**self._given, **forced}) if forced else self.values
-        by = made_by(self.mechanism)
-        asked_of = self.mechanism, self.excitation, self.rubs
-        ask = Ask(*asked_of, question, self._depth, tuple(values), places, workers, by)
-        taken = {"place", "done", *ask.columns()} & {*sizes(values), *values}
-        if taken:
-            raise ValueError(
-                f"an axis or a parameter cannot be named {taken.pop()}: the answer has something of that name"
-            )
-        return ask, values
+
+    def _with(self, asked: Question, given: Mapping[str, Any]) -> tuple[dict[str, Any], tuple[str, ...]]:
+        """All numbers of a question, and the names of those that are tables or records."""
+        along = {name: axis for name, axis in asked.along.items() if axis == "row" or "tau" in given}
+        plain = {name: value for name, value in given.items() if name not in along}
+        values = labelled({**self._given, **plain}) if plain else dict(self.values)
+        for name, axis in along.items():
+            if name in given:
+                values[name] = tabled(name, given[name], axis)
+        aligned = optional("xarray", "a grid", "grid").align(*values.values(), join="exact", copy=False)
+        values = dict(zip(values, aligned, strict=True))
+        return values, tuple(name for name, axis in along.items() if name in given and axis in values[name].dims)
 
     def _answer(self, ask: Ask, values: dict[str, Any]) -> Any:
         xarray = optional("xarray", "a grid", "grid")
@@ -177,16 +270,19 @@ class Grid:
         if any(value.chunks is not None for value in values.values()):
             must_travel(self.mechanism)
             cut = blocks(values, sizes(values))
-            values = {name: value.chunk({dim: cut[dim] for dim in value.dims}) for name, value in values.items()}
+            whole = dict.fromkeys(INNER, -1)
+            values = {
+                name: value.chunk({dim: {**cut, **whole}[dim] for dim in value.dims}) for name, value in values.items()
+            }
         found = xarray.apply_ufunc(
             ask,
             *values.values(),
             join="exact",
             dask="parallelized",
-            input_core_dims=[[]] * len(values),
-            output_core_dims=[["place"] if column.inner else [] for column in columns.values()],
+            input_core_dims=[[dim for dim in value.dims if dim in INNER] for value in values.values()],
+            output_core_dims=[list(column.inner) for column in columns.values()],
             output_dtypes=[column.kind for column in columns.values()],
-            dask_gufunc_kwargs={"output_sizes": {"place": ask.places} if ask.places else {}},
+            dask_gufunc_kwargs={"output_sizes": dict(ask.lengths)},
         )
         content = xarray.Dataset(dict(zip(columns, found, strict=True)), attrs=meaning.of_map(ask))
         for name in columns:
@@ -228,6 +324,21 @@ def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
     return found
 
 
+def tabled(name: str, value: Any, axis: str) -> Any:
+    """A column of a table, or a record, as a DataArray that may have this axis, which one without names is."""
+    xarray = optional("xarray", "a grid", "grid")
+    array = value if validate.is_labelled(value) else validate.real_array(name, value)
+    if array.dtype.kind not in "fiu":
+        raise ValueError(f"{name} holds {array.dtype}: it must hold real numbers")
+    if isinstance(array, (xarray.DataArray, xarray.Variable)):
+        found = xarray.DataArray(array).reset_coords(drop=True)
+    elif array.ndim < 2:
+        found = xarray.DataArray(array, dims=[axis][: array.ndim])
+    else:
+        raise ValueError(f"{name} has several axes without names: xarray.DataArray({name}, dims=[..., {axis!r}])")
+    return found.astype(float).drop_vars(axis, errors="ignore")
+
+
 def _by_position(xarray: Any, arrays: dict[str, Any]) -> dict[str, Any]:
     """Arrays that broadcast as NumPy's do, as DataArrays; an axis of length 1 that others stretch is left out."""
     shape = validate.common_shape(arrays)
@@ -249,10 +360,10 @@ def _parameter(name: str, value: Any) -> Any:
 
 
 def sizes(values: Mapping[str, Any]) -> dict[str, int]:
-    """Lengths of all axes by name, in the order in which the parameters have them."""
+    """Lengths of all axes of the designs by name, in the order in which the parameters have them."""
     found: dict[str, int] = {}
     for value in values.values():
-        found |= {str(dim): int(length) for dim, length in value.sizes.items()}
+        found |= {str(dim): int(length) for dim, length in value.sizes.items() if dim not in INNER}
     return found
 
 
@@ -264,6 +375,8 @@ def blocks(values: Mapping[str, Any], lengths: Mapping[str, int]) -> dict[str, i
     cut: dict[str, int] = {}
     for value in values.values():
         for dim, parts in value.chunksizes.items():
+            if dim in INNER:
+                continue
             cut[dim] = min(max(parts), cut.get(dim, max(parts)))
     wanted = tuple(max(cut[dim], 1) if dim in cut else "auto" for dim in lengths)
     shape = tuple(lengths.values())

@@ -22,7 +22,7 @@ import xarray
 import zarr
 
 from slowflow.grid import meaning
-from slowflow.grid.block import Ask
+from slowflow.grid.block import INNER, Ask
 from slowflow.model import THROUGHOUT
 
 #: which blocks are written; it is made last, so that a store which has it is prepared
@@ -43,7 +43,7 @@ def filled(path: Any, ask: Ask, values: Mapping[str, Any], sizes: dict[str, int]
     blocks -- lengths of a block along each; a store that was begun keeps its own
     """
     path = _absolute(path)
-    values = {name: value.compute() if value.size <= READ else value for name, value in values.items()}
+    values = {name: value if _unread(value) else value.compute() for name, value in values.items()}
     asked = _asked(ask, values, sizes)
     about = {**meaning.of_map(ask), "asked": json.dumps(asked), "blocks": json.dumps(blocks), "complete": 0}
     group = _begun(path, asked, about)
@@ -107,13 +107,13 @@ class _Spread:
         """Of one block."""
         if self.tasks is not None:
             return self.tasks[tuple(k if n > 1 else 0 for k, n in zip(block, self.tasks.shape, strict=True))]
-        varies = (length > 1 for length in self.array.shape)
-        return self.array[tuple(part if one else slice(None) for part, one in zip(region, varies, strict=True))]
+        varies = (length > 1 for length in self.array.shape)  # a table's rows come last
+        return self.array[tuple(part if one else slice(None) for part, one in zip(region, varies, strict=False))]
 
 
 def _spread(value: Any, sizes: Mapping[str, int], blocks: Mapping[str, int]) -> _Spread:
     plain = value.drop_vars(list(value.coords))
-    whole = plain.expand_dims([dim for dim in sizes if dim not in value.dims]).transpose(*sizes)
+    whole = plain.expand_dims([dim for dim in sizes if dim not in value.dims]).transpose(*sizes, ...)
     if not _unread(value):
         return _Spread(whole.values, None)
     cut = whole.chunk({dim: blocks[dim] for dim in value.dims})
@@ -121,7 +121,7 @@ def _spread(value: Any, sizes: Mapping[str, int], blocks: Mapping[str, int]) -> 
 
 
 def _unread(value: Any) -> bool:
-    return int(value.size) > READ
+    return int(value.size) > READ and not any(dim in INNER for dim in value.dims)
 
 
 def _dims(value: Any, sizes: Mapping[str, int]) -> list[str]:
@@ -173,7 +173,7 @@ def _prepare(
     known = xarray.Dataset(coords=coords | read, attrs=about).drop_encoding()
     known.to_zarr(path, mode="a", consolidated=False)
     group.attrs["coordinates"] = " ".join(sorted(set(known.coords) - set(known.sizes) | unread.keys()))
-    lengths, cut = {**sizes, "place": ask.places}, {**blocks, "place": ask.places}
+    lengths, cut = {**sizes, **dict(ask.lengths)}, {**blocks, **dict(ask.lengths)}
 
     def make(name: str, dims: list[str], kind: Any, fill: Any) -> None:
         group.require_array(
@@ -190,7 +190,7 @@ def _prepare(
         make(name, _dims(value, sizes), value.dtype, np.nan)
     for name, column in ask.columns().items():
         fill = meaning.NOT_YET if name == "status" else FILL[column.kind.kind]
-        make(name, [*sizes, *(["place"] if column.inner else [])], column.kind, fill)
+        make(name, [*sizes, *column.inner], column.kind, fill)
     group.require_array(
         DONE,
         shape=[-(-length // blocks[dim]) for dim, length in sizes.items()],
@@ -207,14 +207,14 @@ def _asked(ask: Ask, values: Mapping[str, Any], sizes: Mapping[str, int]) -> dic
 
     Of a parameter that is not read the name that dask gives it stands for the content.
     """
-    found: dict[str, Any] = {"mechanism": ask.mechanism.name, "question": ask.question, "places": ask.places}
+    found: dict[str, Any] = {"mechanism": ask.mechanism.name, "question": ask.question, **dict(ask.options)}
     # a record that was changed keeps its name
     found["record"] = hashlib.sha256(pickle.dumps(ask.mechanism)).hexdigest()[:16]
     found |= {} if ask.rubs == THROUGHOUT else {"rubs": ask.rubs}
     found |= {"excitation": ask.excitation, "depth": ask.depth, **ask.made_by, "axes": list(sizes.items())}
     for name, value in values.items():
         dims = _dims(value, sizes)
-        kept = value.data.name if value.chunks is not None else _digest(value.transpose(*dims).values)
+        kept = value.data.name if value.chunks is not None else _digest(value.transpose(*dims, ...).values)
         found[name] = [dims, kept]
         found |= {f"coordinate {dim}": _digest(np.asarray(coord)) for dim, coord in value.coords.items()}
     return json.loads(json.dumps(found))  # type: ignore[no-any-return]  # as it is read back

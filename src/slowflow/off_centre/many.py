@@ -6,11 +6,11 @@ One that has no answer, or is none, gets NaN and a status, as in `slowflow.avera
 
 from __future__ import annotations
 
-import dataclasses
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
+from types import MappingProxyType
 from typing import Any, ClassVar, TypeVar
 
 import numpy as np
@@ -38,12 +38,7 @@ Batched = TypeVar("Batched", bound="OffCentreBatch")
 
 @dataclass(frozen=True, eq=False)
 class OffCentreBatch(Told):
-    """What answers off the centre share: `remarks` are those of the single answers.
-
-    placed -- which columns have one more axis, with a place for each state, fold or band
-    """
-
-    placed: ClassVar[tuple[str, ...]] = ()
+    """What answers off the centre share: `remarks` are those of the single answers."""
 
     _designs: Any = field(repr=False, kw_only=True)
 
@@ -86,7 +81,7 @@ class ManyFolds(OffCentreBatch):
     undecided   -- 1 where it is undecided whether there are others
     """
 
-    placed: ClassVar[tuple[str, ...]] = ("Omega", "A", "B", "kind")
+    inner: ClassVar[Mapping[str, str]] = MappingProxyType(dict.fromkeys(("Omega", "A", "B", "kind"), "place"))
 
     Omega: Floats
     A: Floats
@@ -107,7 +102,9 @@ class ManyStates(OffCentreBatch):
     undecided -- 1 where it is undecided how many there are
     """
 
-    placed: ClassVar[tuple[str, ...]] = ("A", "B", "phi", "transmissibility", "stable")
+    inner: ClassVar[Mapping[str, str]] = MappingProxyType(
+        dict.fromkeys(("A", "B", "phi", "transmissibility", "stable"), "place")
+    )
 
     A: Floats
     B: Floats
@@ -130,7 +127,7 @@ class ManyRests(OffCentreBatch):
     count -- how many places there are, also where they are more than places of the axis
     """
 
-    placed: ClassVar[tuple[str, ...]] = ("u", "stiffness")
+    inner: ClassVar[Mapping[str, str]] = MappingProxyType(dict.fromkeys(("u", "stiffness"), "place"))
 
     u: Floats
     stiffness: Floats
@@ -158,8 +155,6 @@ class OffCentreMargins(OffCentreBatch, loads_many.ManyMargins):
 @dataclass(frozen=True, eq=False)
 class OffCentreBands(OffCentreBatch, loads_many.ManyBands):
     """`slowflow.loads.Hysteresis` of each design, as `ManyBands`."""
-
-    placed: ClassVar[tuple[str, ...]] = ("Omega_low", "Omega_high", "motions")
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,8 +191,7 @@ class OffCentreDesigns:
     excitation, rubs = "force", THROUGHOUT
 
     def __init__(self, mechanism: Mechanism, values: dict[str, Any]) -> None:
-        if mechanism.steps is None:
-            raise validate.NotAvailable(f"load is not available for {mechanism.name}: its force is no polynomial")
+        check_polynomial(mechanism)
         self._unloaded = many.Designs(mechanism, {name: value for name, value in values.items() if name != "load"})
         self.mechanism = mechanism
         self.values = {**self._unloaded.values, "load": validate.real_array("load", values["load"])}
@@ -343,9 +337,9 @@ class OffCentreDesigns:
         values = {**self.values, **asked}
         shape = validate.common_shape(values)
         columns = {
-            field.name: np.zeros((*shape, several) if field.name in kind.placed else shape, TYPES[str(field.type)])
-            for field in dataclasses.fields(kind)
-            if str(field.type) in TYPES
+            name: np.zeros((*shape, several) if column.inner else shape, column.kind)
+            for name, column in kind.layout().items()
+            if name != "remarks"
         }
         for column in columns.values():
             if column.dtype == float:
@@ -357,7 +351,7 @@ class OffCentreDesigns:
             own, there = numbers[: len(self.values)], dict(zip(at, numbers[len(self.values) :], strict=True))
             found, columns["status"][place], said[place] = self._status(one, own, there, several)
             for name, value in found.items():
-                if name in kind.placed:
+                if name in kind.inner:
                     columns[name][place][: min(several, len(value))] = value[:several]
                 else:
                     columns[name][place] = value
@@ -393,10 +387,14 @@ class OffCentreDesigns:
         return known
 
 
+def check_polynomial(mechanism: Mechanism) -> None:
+    """Raises ValueError for a force that is not answered off the centre."""
+    if mechanism.steps is None:
+        raise validate.NotAvailable(f"load is not available for {mechanism.name}: its force is no polynomial")
+
+
 #: questions about the centre that many designs have
 CENTRED = frozenset(("at_rest", "certify", "second_approximation"))
-#: of which type a column is
-TYPES = {"Floats": float, "Codes": np.int8}
 
 
 def _failed(error: Exception) -> Status:

@@ -28,7 +28,7 @@ UNANSWERED = {
     "amplitudes": "a batch has no states of the second approximation, ask a single oscillator",
     "frequency_response": "a batch has no curves of the second approximation, ask a single oscillator",
     **dict.fromkeys(("margins", "hysteresis", "isolation", "spectrum"), "it is put together from averaging's answers"),
-    **dict.fromkeys(("transient", "shock_spectrum"), "it is asked of the designs, whose equation of motion answers it"),
+    **dict.fromkeys(("at_rest", "transient", "shock_spectrum"), "it is asked of the designs, at each depth the same"),
 }
 
 
