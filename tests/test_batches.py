@@ -228,8 +228,8 @@ def test_curves_of_many_that_have_no_answer_are_refused_in_words():
 
 @native_only
 @pytest.mark.parametrize("force", ["truncated", "untruncated", "cubic"])
-def test_states_of_designs_that_go_together_are_those_of_each_alone(force):
-    """To the last bit, from next to a fold, where a proof decides, to far from it; 130 designs are blocks and a rest."""
+def test_states_and_peaks_of_designs_that_go_together_are_those_of_each_alone(force):
+    """To the last bit, states from next to a fold, where a proof decides, to far from it; a block and a rest."""
     rng = np.random.default_rng(11)
     count = 130
     numbers = {
@@ -250,14 +250,17 @@ def test_states_of_designs_that_go_together_are_those_of_each_alone(force):
     fold = designs.saddle_nodes(F_0).Omega[:, 0]
     beside = 10 ** rng.uniform(-15, -1, count) * rng.choice([-1, 1], count)
     Omega = np.where(np.isfinite(fold) & (fold > 0), fold * (1 + beside), rng.uniform(0.1, 2, count))
-    together = designs.amplitudes(Omega=Omega, F_0=F_0)
+    together, peaks = designs.amplitudes(Omega=Omega, F_0=F_0), designs.peak(F_0)
     assert len(set(together.count)) > 1
     for k in range(count):
-        alone = make(**{name: value[k] for name, value in numbers.items()}).amplitudes(Omega=Omega[k], F_0=F_0[k])
-        n = together.count[k]
+        one, n = make(**{name: value[k] for name, value in numbers.items()}), together.count[k]
+        alone = one.amplitudes(Omega=Omega[k], F_0=F_0[k])
         assert (
             alone.A.tolist() == together.A[k, :n].tolist() and alone.stable.tolist() == together.stable[k, :n].tolist()
         )
+        if peaks.status[k] == Status.OK:
+            peak = one.peak(F_0[k])
+            assert (peak.A, peak.Omega) == (peaks.A[k], peaks.Omega[k])
 
 
 @pytest.mark.parametrize("force", ["truncated", "untruncated"])

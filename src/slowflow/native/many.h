@@ -8,6 +8,7 @@
 
 #include <fenv.h>
 
+#include "many_peaks.h"
 #include "many_states.h"
 
 static double sf_input(char **args, const ptrdiff_t *steps, int i, ptrdiff_t k) {
@@ -157,23 +158,72 @@ static void sf_loop_onsets(char **args, const ptrdiff_t *dimensions, const ptrdi
     free(work);
 }
 
+/* The peak of one design, by itself. */
+static void sf_answer_peak(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_work *work) {
+    const int out = mechanism->design_size + mechanism->damping_size + 1;
+    const double F_0 = sf_input(args, steps, out - 1, k);
+    sf_model model;
+    sf_exactly exactly;
+    double A = NAN, Omega = NAN;
+    sf_status status = SF_INVALID;
+    if (mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, 1, &model))
+        status = sf_settled_peak(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, F_0, work, &A,
+                                 &Omega);
+    sf_write_peak(args, steps, out, k, A, Omega, status);
+}
+
+/* Whether design k begins the search of a block as its member d. */
+static int sf_enter_peak(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_lane_block *block,
+                         int d) {
+    sf_lane_design *of = &block->at[d];
+    sf_numbers given;
+    of->F_0 = sf_input(args, steps, mechanism->design_size + mechanism->damping_size, k), of->Omega = 0;
+    of->model.mechanism = mechanism;
+    if (!mechanism->is_forcing(of->F_0))
+        return 0;
+    sf_read_numbers_at(mechanism, args, steps, k, &given);
+    return mechanism->parameters_of(given.design, of->model.p) && mechanism->damping_of(given.damping, of->model.damping) &&
+           sf_prepare(mechanism, given.design, &of->model) && sf_begin_peak(block, d);
+}
+
+/* Whether the peak of member d, which is design k, settles, and is written. */
+static int sf_leave_peak(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, const sf_lane_design *of) {
+    sf_exactly exactly;
+    double A, Omega;
+    if (!of->ok || !sf_exactly_at(mechanism, args, steps, k, &exactly) || !sf_settle_block_peak(of, &exactly, &A, &Omega))
+        return 0;
+    sf_write_peak(args, steps, mechanism->design_size + mechanism->damping_size + 1, k, A, Omega, SF_OK);
+    return 1;
+}
+
+/* Whether designs of a mechanism may go together: what is known of h on a cell, and in pairs. */
+static int sf_goes_in_lanes(const sf_mechanism *mechanism) {
+    return mechanism->bent == NULL && mechanism->averaged_in_pairs != NULL && !mechanism->inertial;
+}
+
 /* design, damping, F_0 -> A, Omega, status */
 static void sf_loop_peaks(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     const sf_mechanism *mechanism = data;
-    const int out = mechanism->design_size + mechanism->damping_size + 1;
     sf_work *work = malloc(sizeof *work);
-    ptrdiff_t k;
-    for (k = 0; k < dimensions[0]; k++) {
-        const double F_0 = sf_input(args, steps, out - 1, k);
-        sf_model model;
-        sf_exactly exactly;
-        double A = NAN, Omega = NAN;
-        sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
-        if (work != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, 1, &model))
-            status = sf_settled_peak(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, F_0, work,
-                                     &A, &Omega);
-        sf_write_peak(args, steps, out, k, A, Omega, status);
+    sf_lane_block *block = sf_goes_in_lanes(mechanism) ? malloc(sizeof *block) : NULL;
+    ptrdiff_t first, k;
+    for (first = 0; first < dimensions[0]; first += SF_LANE_BLOCK) {
+        const ptrdiff_t end = first + SF_LANE_BLOCK < dimensions[0] ? first + SF_LANE_BLOCK : dimensions[0];
+        if (block != NULL) {
+            block->cells[0].n = 0;
+            for (k = first; k < end; k++)
+                block->at[k - first].ok = sf_enter_peak(mechanism, args, steps, k, block, (int)(k - first));
+            sf_search_peaks(block);
+            sf_approach_block(block, sf_approach_peaks);
+        }
+        for (k = first; k < end; k++) {
+            if (work == NULL)
+                sf_write_peak(args, steps, mechanism->design_size + mechanism->damping_size + 1, k, NAN, NAN, SF_NO_MEMORY);
+            else if (block == NULL || !sf_leave_peak(mechanism, args, steps, k, &block->at[k - first]))
+                sf_answer_peak(mechanism, args, steps, k, work);
+        }
     }
+    free(block);
     free(work);
 }
 
@@ -234,7 +284,7 @@ static void sf_answer_states(const sf_mechanism *mechanism, char **args, const p
 }
 
 /* Whether design k begins the search of a block as its member d. */
-static int sf_enter_states(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_state_block *block,
+static int sf_enter_states(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_lane_block *block,
                            int d) {
     const int forcing = mechanism->design_size + mechanism->damping_size;
     sf_lane_design *of = &block->at[d];
@@ -251,9 +301,9 @@ static int sf_enter_states(const sf_mechanism *mechanism, char **args, const ptr
 /* Whether the states of member d, which is design k, settle, and are written. */
 static int sf_leave_states(const sf_mechanism *mechanism, char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps,
                            ptrdiff_t k, const sf_lane_design *of) {
-    double A[SF_LANE_STATES];
+    double A[SF_LANE_ZEROS];
     sf_exactly exactly;
-    unsigned char stable[SF_LANE_STATES];
+    unsigned char stable[SF_LANE_ZEROS];
     int i;
     if (!of->ok || !sf_exactly_at(mechanism, args, steps, k, &exactly) || !sf_settle_block_states(of, &exactly, A))
         return 0;
@@ -266,18 +316,17 @@ static int sf_leave_states(const sf_mechanism *mechanism, char **args, const ptr
 /* design, damping, F_0, Omega -> A (places), whether it is stable (places), count, undecided, status */
 static void sf_loop_states(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     const sf_mechanism *mechanism = data;
-    const int in_lanes = mechanism->bent == NULL && mechanism->averaged_in_pairs != NULL && !mechanism->inertial;
     sf_room *room = malloc(sizeof *room);
-    sf_state_block *block = in_lanes ? malloc(sizeof *block) : NULL;
+    sf_lane_block *block = sf_goes_in_lanes(mechanism) ? malloc(sizeof *block) : NULL;
     ptrdiff_t first, k;
-    for (first = 0; first < dimensions[0]; first += SF_STATE_BLOCK) {
-        const ptrdiff_t end = first + SF_STATE_BLOCK < dimensions[0] ? first + SF_STATE_BLOCK : dimensions[0];
+    for (first = 0; first < dimensions[0]; first += SF_LANE_BLOCK) {
+        const ptrdiff_t end = first + SF_LANE_BLOCK < dimensions[0] ? first + SF_LANE_BLOCK : dimensions[0];
         if (block != NULL) {
             block->cells[0].n = 0;
             for (k = first; k < end; k++)
                 block->at[k - first].ok = sf_enter_states(mechanism, args, steps, k, block, (int)(k - first));
             sf_search_block(block);
-            sf_approach_block(block);
+            sf_approach_block(block, sf_approach_states);
         }
         for (k = first; k < end; k++) {
             if (room == NULL)

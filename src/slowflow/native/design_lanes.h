@@ -1,0 +1,159 @@
+/* Many designs at once: in go blocks of cells of amplitudes and of brackets, out comes which cells hold a zero, and the zeros,
+ * by loops that vectorise.
+ *
+ * What h_A and h_AA are on a cell follows from their values at its ends, as h_AAA is monotone on a piece of the force
+ * (cells.h). For states F's first and second derivative along A follow from these: F has no zero where R is too large or too small on all of the cell, or where F has one sign at both ends and is
+ * monotone, or curved so that it cannot come to 0 between; and one where the signs differ and F is monotone or of one curvature. For a peak it
+ * is F at its critical points in Omega, as in along.h.
+ * Bounds are computed in doubles and widened by more than rounding may make of them. Where a number of doubles is near to
+ * deciding, or a design needs more cells than there are places, it is left to states.h.
+ */
+#ifndef SF_DESIGN_LANES_H
+#define SF_DESIGN_LANES_H
+
+#include <math.h>
+#include <stddef.h>
+
+#include "conventions.h"
+
+enum { SF_LANE_CELLS = 264, SF_LANE_VECTOR = 8 };
+
+/* What is known of an amplitude, as rows: A, h, h_A, h_AA, h_AAA */
+enum { SF_PROBE_ROWS = 5 };
+
+/* What a design is to these loops, as rows: for states Omega^2, 2 zeta Omega, m, F_0; for peaks zeta, nothing, m, F_0 */
+enum { SF_ASKED_ROWS = 4 };
+
+typedef enum { SF_HAS_NONE, SF_HAS_ONE, SF_IS_OPEN, SF_IS_DOUBTFUL } sf_verdict;
+
+/* of: which design of the block; base: where the piece of the force begins; cut: where an open cell is cut, or where F is
+ * likely to vanish in one that has a zero; falls: whether F is negative at its low end */
+typedef struct {
+    int n, of[SF_LANE_CELLS];
+    double low[SF_PROBE_ROWS][SF_LANE_CELLS], high[SF_PROBE_ROWS][SF_LANE_CELLS];
+    double asked[SF_ASKED_ROWS][SF_LANE_CELLS], base[SF_LANE_CELLS];
+    double verdict[SF_LANE_CELLS], cut[SF_LANE_CELLS], rises[SF_LANE_CELLS];
+} sf_lane_cells;
+
+/* Brackets with what is known of an amplitude inside. next: where F vanishes as far as that tells; left: by how much A may
+ * be wrong then, relatively */
+typedef struct {
+    int n, of[SF_LANE_CELLS];
+    double at[SF_PROBE_ROWS][SF_LANE_CELLS], asked[SF_ASKED_ROWS][SF_LANE_CELLS];
+    double lo[SF_LANE_CELLS], hi[SF_LANE_CELLS], rises[SF_LANE_CELLS], next[SF_LANE_CELLS], moved[SF_LANE_CELLS];
+    double Omega[SF_LANE_CELLS]; /* of peaks */
+} sf_lane_zeros;
+
+/* The verdicts of all cells; places that are left over of a vector are overwritten. */
+void sf_judge_states(sf_lane_cells *cells);
+/* The same of the highest peak, SF_HAS_ONE only of one at which F rises with A. */
+void sf_judge_peaks(sf_lane_cells *cells);
+/* The next amplitudes of all brackets. */
+void sf_approach_states(sf_lane_zeros *zeros);
+void sf_approach_peaks(sf_lane_zeros *zeros);
+
+#define SF_LESSER(a, b) ((a) < (b) ? (a) : (b))
+#define SF_GREATER(a, b) ((a) > (b) ? (a) : (b))
+#define SF_FINITE_SIZE(x) (fabs(x) < HUGE_VAL ? fabs(x) : 0.0)
+
+/* As many places from n on as fill a vector. */
+static inline ptrdiff_t sf_filled(ptrdiff_t n) { return (n + SF_LANE_VECTOR - 1) & ~(ptrdiff_t)(SF_LANE_VECTOR - 1); }
+
+/* A row as far as whole vectors, with copies of the last. */
+static inline void sf_fill(double *row, ptrdiff_t n) {
+    ptrdiff_t i;
+    for (i = n; i < sf_filled(n); i++)
+        row[i] = row[n - 1];
+}
+
+static inline void sf_fill_cells(sf_lane_cells *cells) {
+    int k;
+    for (k = 0; k < SF_PROBE_ROWS; k++)
+        sf_fill(cells->low[k], cells->n), sf_fill(cells->high[k], cells->n);
+    for (k = 0; k < SF_ASKED_ROWS; k++)
+        sf_fill(cells->asked[k], cells->n);
+    sf_fill(cells->base, cells->n);
+}
+
+static inline void sf_fill_zeros(sf_lane_zeros *zeros) {
+    int k;
+    for (k = 0; k < SF_PROBE_ROWS; k++)
+        sf_fill(zeros->at[k], zeros->n);
+    for (k = 0; k < SF_ASKED_ROWS; k++)
+        sf_fill(zeros->asked[k], zeros->n);
+    sf_fill(zeros->lo, zeros->n), sf_fill(zeros->hi, zeros->n), sf_fill(zeros->rises, zeros->n);
+}
+
+/* The least of what lies above the line that falls from f_a with the slope `falls` <= 0 and above the one that rises to f_b
+ * with `rises` >= 0, on a cell of this width: where both meet. */
+static inline double sf_lane_least(double f_a, double f_b, double falls, double rises, double width) {
+    const double apart = falls - rises, meet = (f_b - f_a - rises * width) / (apart < 0 ? apart : -1.0);
+    const double within = meet > 0 ? SF_LESSER(meet, width) : 0.0;
+    const double by_a = f_a + falls * within, by_b = f_b - rises * (width - within);
+    /* a line without end tells nothing */
+    return fabs(falls) < HUGE_VAL ? (rises < HUGE_VAL ? SF_LESSER(by_a, by_b) : f_a + falls * width) : f_b - rises * width;
+}
+
+/* What h_A and h_AA are on a cell; e1: what rounding may make of h_A, which is in these */
+typedef struct {
+    double h1_lo, h1_hi, h2_lo, h2_hi, e1;
+} sf_lane_slopes;
+
+static inline sf_lane_slopes sf_slopes_on(double a, double h_a, double h1_a, double h2_a, double h3_a, double b, double h_b,
+                                          double h1_b, double h2_b, double h3_b, double base) {
+    const double width = b - a;
+    /* what kernels and the roundings below may make of h_A and h_AA; sf_doubt_gains */
+    const double near_a = a > base ? (a + fabs(h_a)) / sqrt((a - base) * (a + base)) : 0.0;
+    const double near_b = (b + fabs(h_b)) / sqrt((b - base) * (b + base));
+    const double size2 = SF_FINITE_SIZE(h2_a) + fabs(h2_b), size1 = SF_FINITE_SIZE(h1_a) + fabs(h1_b);
+    const double e2 = SF_CLOSE * size2 + 4 * SF_DOUBT * b * (SF_FINITE_SIZE(h3_a) + fabs(h3_b));
+    const double e1 = SF_CLOSE * size1 + 4 * SF_DOUBT * (b * size2 + near_a + near_b);
+    /* h_AA is monotone where h_AAA has one sign */
+    const double h3_lo = SF_LESSER(h3_a, h3_b), h3_hi = SF_GREATER(h3_a, h3_b);
+    const int h3_signed = (h3_lo >= 0) | (h3_hi <= 0);
+    const double falls3 = SF_LESSER(h3_lo, 0.0), rises3 = SF_GREATER(h3_hi, 0.0);
+    const double h2_least = SF_LESSER(h2_a, h2_b), h2_most = SF_GREATER(h2_a, h2_b);
+    const double h2_under = sf_lane_least(h2_a, h2_b, falls3, rises3, width);
+    const double h2_over = -sf_lane_least(-h2_a, -h2_b, -rises3, -falls3, width);
+    const double h2_lo = (h3_signed ? h2_least : h2_under) - e2, h2_hi = (h3_signed ? h2_most : h2_over) + e2;
+    /* h_A likewise */
+    const int h2_signed = (h2_lo >= 0) | (h2_hi <= 0);
+    const double falls2 = SF_LESSER(h2_lo, 0.0), rises2 = SF_GREATER(h2_hi, 0.0);
+    const double h1_least = SF_LESSER(h1_a, h1_b), h1_most = SF_GREATER(h1_a, h1_b);
+    const double h1_under = sf_lane_least(h1_a, h1_b, falls2, rises2, width);
+    const double h1_over = -sf_lane_least(-h1_a, -h1_b, -rises2, -falls2, width);
+    const sf_lane_slopes on = {(h2_signed ? h1_least : h1_under) - e1, (h2_signed ? h1_most : h1_over) + e1, h2_lo, h2_hi, e1};
+    return on;
+}
+
+/* A function between its values at the ends of a cell whose slope is known. */
+static inline double sf_lane_under(double f_a, double f_b, double slope_lo, double slope_hi, double width) {
+    const int monotone = (slope_lo >= 0) | (slope_hi <= 0);
+    const double least = SF_LESSER(f_a, f_b);
+    const double under = sf_lane_least(f_a, f_b, SF_LESSER(slope_lo, 0.0), SF_GREATER(slope_hi, 0.0), width);
+    return monotone ? least : under;
+}
+
+/* An amplitude well inside a cell, as sf_amid; next to A = 0 in the middle. */
+static inline double sf_lane_amid(double base, double a, double b) {
+    const double steps = base > 0 ? base : 1.0, pa = a / steps, pb = b / steps;
+    const double mean = 0.5 * (sqrt(SF_GREATER((pa - 1) * (pa + 1), 0.0)) + sqrt(SF_GREATER((pb - 1) * (pb + 1), 0.0)));
+    const double amid = base > 0 ? base * sqrt(1 + mean * mean) : 0.5 * (a + b);
+    return b > 4 * a ? (a > 0 ? sqrt(a) * sqrt(b) : 0.5 * b) : amid;
+}
+
+/* Where a function with values on either side of zero is likely to vanish: by both values and slopes the cubic that gives A,
+ * else the parabola from the end whose slope is known, else `inside`. */
+static inline double sf_lane_zero(double a, double y_a, double slope_a, double b, double y_b, double slope_b, double inside) {
+    const double width = b - a, over = 1 / (y_b - y_a), chord = width * over, flat_a = 1 / slope_a, flat_b = 1 / slope_b;
+    const double bend = (chord - flat_a) * over, third = ((flat_b - chord) * over - bend) * over;
+    const double by_cubic = a - y_a * flat_a + y_a * y_a * (bend - y_b * third);
+    const double rise = -slope_b * width, curve = y_a - y_b - rise;
+    const double root = sqrt(SF_GREATER(rise * rise - 4 * curve * y_b, 0.0));
+    const double by_parabola = b + 2 * y_b * width / (rise + (y_b > 0 ? -root : root));
+    return (by_cubic > a) & (by_cubic < b) & (fabs(slope_a) < HUGE_VAL) ? by_cubic
+           : (by_parabola > a) & (by_parabola < b)                      ? by_parabola
+                                                                       : inside;
+}
+
+#endif

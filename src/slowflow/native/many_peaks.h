@@ -1,0 +1,82 @@
+/* Peaks of batches of designs: in go designs, out come their highest peaks, by blocks that go through the search together.
+ *
+ * Most peaks lie on the last piece of the force, or high on the one before, and one look at these proves that there is one
+ * and no higher one. Other designs are left to sf_settled_peak.
+ */
+#ifndef SF_MANY_PEAKS_H
+#define SF_MANY_PEAKS_H
+
+#include "many_lanes.h"
+
+/* parts of a piece that begins at A = 0 in which a peak is looked for, from above: next to 0 nothing is known over all of one */
+enum { SF_PEAK_PARTS = 3 };
+static const double sf_peak_parts[SF_PEAK_PARTS + 1] = {1, 0.5, 0.25, 0.125};
+
+/* The cell in which the search for the peak of design d begins, from its last breakpoint on; 0 where it is left to
+ * sf_settled_peak. */
+static int sf_begin_peak(sf_lane_block *block, int d) {
+    sf_lane_design *of = &block->at[d];
+    const sf_model *model = &of->model;
+    const int last = model->breaks - 1;
+    sf_sample low, high;
+    double A_max;
+    of->n = 0;
+    if (last < 0 || model->breaks < model->mechanism->breakpoints || !(model->zeta > 0) || sf_nearly_sticks(model, of->F_0) ||
+        sf_amplitude_bound(model, of->F_0, &A_max) != SF_OK || !(A_max > model->b[last]))
+        return 0;
+    of->asked[0] = model->zeta, of->asked[1] = 0, of->asked[2] = model->m, of->asked[3] = of->F_0;
+    sf_average_at(model, model->b[last], &low);
+    sf_tend_from_above(model, last, &low);
+    sf_average_at(model, A_max, &high);
+    sf_add_cell(block, d, model->b[last], &low, &high);
+    return 1;
+}
+
+/* Below a last piece without a peak, a part of the first piece. */
+static void sf_begin_below(sf_lane_block *block, int d, int part) {
+    sf_lane_design *of = &block->at[d];
+    sf_sample low, high;
+    if (of->model.breaks != 1) {
+        of->ok = 0;
+        return;
+    }
+    sf_average_at(&of->model, sf_peak_parts[part + 1] * of->model.b[0], &low);
+    sf_average_at(&of->model, sf_peak_parts[part] * of->model.b[0], &high);
+    sf_add_cell(block, d, 0, &low, &high);
+}
+
+/* Which cells of a block hold a peak; designs without are left to sf_settled_peak. */
+static void sf_search_peaks(sf_lane_block *block) {
+    sf_lane_cells *cells = &block->cells[0];
+    int with_one[SF_LANE_CELLS], without[SF_LANE_CELLS], others[SF_LANE_CELLS], round, i;
+    block->zeros[0].n = 0;
+    for (round = 0; cells->n > 0; round++) {
+        int n_one = 0, n_none = 0, n_others = 0;
+        sf_judge_peaks(cells);
+        for (i = 0; i < cells->n; i++) {
+            const int has_one = cells->verdict[i] == SF_HAS_ONE, has_none = round < SF_PEAK_PARTS && cells->verdict[i] == SF_HAS_NONE;
+            with_one[n_one] = without[n_none] = others[n_others] = i;
+            n_one += has_one, n_none += has_none, n_others += !has_one && !has_none;
+        }
+        sf_leave(block, cells->of, others, n_others);
+        sf_add_brackets(block, cells, with_one, n_one);
+        for (i = 0; i < n_none; i++)
+            without[i] = cells->of[without[i]];
+        cells->n = 0;
+        for (i = 0; i < n_none; i++)
+            sf_begin_below(block, without[i], round);
+    }
+}
+
+/* The peak that the block has found of a design, to its last digit; 0 where it does not settle. */
+static int sf_settle_block_peak(const sf_lane_design *of, const sf_exactly *exactly, double *A, double *Omega) {
+    sf_settling at = {sfp_point(of->w[0]), sfp_point(of->A[0]), sfp_point(of->F_0)};
+    if (of->n != 1 ||
+        !sf_settle_near(slow_flow_pairs_peak_step, SF_MOVES_BOTH, 2, exactly, &of->model, &of->near[0], &at) ||
+        !(at.A.high >= of->lo[0] && at.A.high <= of->hi[0]))
+        return 0;
+    *A = at.A.high, *Omega = at.Omega.high;
+    return 1;
+}
+
+#endif

@@ -1,0 +1,137 @@
+/* See design_lanes.h. */
+#include <math.h>
+
+#include "clones.h"
+#include "design_lanes.h"
+
+/* distance of rho from 1 up to which critical points may meet, or have lost digits */
+#define MAY_MEET 0x1p-20
+
+/* The critical points of F in Omega, as sf_critical_points has them: positive roots of A w^3 + p w + q, q >= 0, which exist
+ * for p < 0 up to rho = 1 */
+typedef struct {
+    double rho, w1, w2;
+} critical;
+
+static inline critical critical_at(double A, double p, double q)
+{
+    const double c0 = 0.86602540378443865, rise = 0.13397459621556135;
+    const double below = p < 0 ? -p : 1.0, r = sqrt(below / (3 * A)), rho = 1.5 * q / (below * r);
+    const double from = c0 + rho * (1. / 6 + rho * ((3 * rise - 4. / 9) + rho * (5. / 18 - 2 * rise)));
+    const double nearer = (8 * from * from * from + rho) / (12 * from * from - 3);
+    const double c = (8 * nearer * nearer * nearer + rho) / (12 * nearer * nearer - 3), gap = (1 - rho) * (1 + rho);
+    const double y2 = c + 1.7320508075688773 * sqrt(SF_GREATER(gap, 0.0)) / (4 * c * c - 1);
+    const critical found = {rho, r * rho / (y2 * c), r * y2};
+    return found;
+}
+
+/* F at a critical point, in R = -(2 zeta^2 A + q/w) and I, and its slope along A over -2 R */
+typedef struct {
+    double y, rise, size;
+} value;
+
+static inline value value_at(double w, double A, double F_0, double m, double zeta, double h_A)
+{
+    const double R = 2 * zeta * zeta * A + (m > 0 ? m * zeta / w : 0.0), I = 2 * zeta * A * w + m;
+    const value found = {R * R + (I - F_0) * (I + F_0), 2 * R * (w * w - h_A), R * R + I * I + F_0 * F_0};
+    return found;
+}
+
+/* Whether F at critical points between w_lo and w_hi, on amplitudes from a to b, has no zero, or one at most */
+typedef struct {
+    int has_sign, rises, falls;
+} channel;
+
+static inline channel channel_on(double w_lo, double w_hi, double a, double b, double F_0, double m, double zeta, sf_lane_slopes on)
+{
+    const double q = m * zeta, e = 2 * zeta * zeta;
+    const double R_lo = e * a + (m > 0 ? q / w_hi : 0.0), R_hi = e * b + (m > 0 ? q / w_lo : 0.0);
+    const double I_lo = 2 * zeta * a * w_lo + m, I_hi = 2 * zeta * b * w_hi + m;
+    const double doubt = 4 * SF_CLOSE * (R_hi * R_hi + I_hi * I_hi + F_0 * F_0);
+    const double S_lo = w_lo * w_lo - on.h1_hi, S_hi = w_hi * w_hi - on.h1_lo;
+    const channel of = {(R_lo * R_lo + (I_lo - F_0) * (I_lo + F_0) > doubt) | (R_hi * R_hi + (I_hi - F_0) * (I_hi + F_0) < -doubt),
+                        S_lo > 4 * SF_CLOSE * (w_lo * w_lo + SF_FINITE_SIZE(on.h1_hi)),
+                        S_hi < -4 * SF_CLOSE * (w_hi * w_hi + SF_FINITE_SIZE(on.h1_lo))};
+    return of;
+}
+
+SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
+{
+    n &= ~(ptrdiff_t)(SF_LANE_VECTOR - 1);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double a = cells->low[0][i], h_a = cells->low[1][i], h1_a = cells->low[2][i], h2_a = cells->low[3][i];
+        const double b = cells->high[0][i], h_b = cells->high[1][i], h1_b = cells->high[2][i], h2_b = cells->high[3][i];
+        const double h3_a = cells->low[4][i], h3_b = cells->high[4][i], base = cells->base[i];
+        const double zeta = cells->asked[0][i], m = cells->asked[2][i], F_0 = cells->asked[3][i];
+        const double width = b - a, q = m * zeta, e = 2 * zeta * zeta;
+        const sf_lane_slopes on = sf_slopes_on(a, h_a, h1_a, h2_a, h3_a, b, h_b, h1_b, h2_b, h3_b, base);
+
+        /* h, and p of the cubic: a critical point exists where both corners have it, and lies between theirs */
+        const double slope = SF_GREATER(SF_FINITE_SIZE(on.h1_lo), SF_FINITE_SIZE(on.h1_hi));
+        const double doubt_h = SF_CLOSE * (fabs(h_a) + fabs(h_b) + b * (e + slope)) + width * on.e1;
+        const double h_least = SF_LESSER(h_a, h_b), h_most = SF_GREATER(h_a, h_b);
+        const double h_under = sf_lane_under(h_a, h_b, on.h1_lo, on.h1_hi, width);
+        const double h_over = -sf_lane_under(-h_a, -h_b, -on.h1_hi, -on.h1_lo, width);
+        const double p_lo = (on.h2_hi <= 0 ? h_least : h_under) + e * a - doubt_h;
+        const double p_hi = (on.h2_lo >= 0 ? h_most : h_over) + e * b + doubt_h;
+        const critical low = critical_at(a, p_lo, q), high = critical_at(b, p_hi, q);
+        const int is_nowhere = (p_lo >= 0) | (low.rho > 1 + MAY_MEET), is_throughout = (p_hi < 0) & (high.rho < 1 - MAY_MEET);
+        const channel lower = channel_on(low.w1 * (1 - SF_CLOSE), high.w1 * (1 + SF_CLOSE), a, b, F_0, m, zeta, on);
+        const channel upper = channel_on(high.w2 * (1 - SF_CLOSE), low.w2 * (1 + SF_CLOSE), a, b, F_0, m, zeta, on);
+
+        /* at the ends */
+        const critical at_a = critical_at(a, h_a + e * a, q), at_b = critical_at(b, h_b + e * b, q);
+        const value lower_a = value_at(at_a.w1, a, F_0, m, zeta, h1_a), lower_b = value_at(at_b.w1, b, F_0, m, zeta, h1_b);
+        const value upper_a = value_at(at_a.w2, a, F_0, m, zeta, h1_a), upper_b = value_at(at_b.w2, b, F_0, m, zeta, h1_b);
+        const int lower_known = (fabs(lower_a.y) > 8 * SF_CLOSE * lower_a.size) & (fabs(lower_b.y) > 8 * SF_CLOSE * lower_b.size);
+        const int upper_known = (fabs(upper_a.y) > 8 * SF_CLOSE * upper_a.size) & (fabs(upper_b.y) > 8 * SF_CLOSE * upper_b.size);
+        const int lower_passes = (lower_a.y < 0) != (lower_b.y < 0), upper_passes = (upper_a.y < 0) != (upper_b.y < 0);
+        /* the maximum over Omega has a peak only where it falls to 0 */
+        const int lower_none = (m == 0) | lower.has_sign | lower.rises | (lower.falls & lower_known & (lower_passes == 0));
+        const int upper_none = upper.has_sign | ((upper.rises | upper.falls) & upper_known & (upper_passes == 0));
+        const int upper_one = upper.rises & upper_known & upper_passes & (upper_a.y < 0);
+        const int is_known = (fabs(h_a) < HUGE_VAL) & (h1_a == h1_a) & (h2_a == h2_a) & (h3_a == h3_a) & (fabs(h_b) < HUGE_VAL) &
+                             (fabs(h1_b) < HUGE_VAL) & (fabs(h2_b) < HUGE_VAL) & (fabs(h3_b) < HUGE_VAL) & (a > 0);
+        const int has_none = is_nowhere | (is_throughout & lower_none & upper_none);
+        const int has_one = is_throughout & lower_none & upper_one;
+        cells->verdict[i] = is_known == 0 ? SF_IS_DOUBTFUL : has_none ? SF_HAS_NONE : has_one ? SF_HAS_ONE : (double)SF_IS_OPEN;
+        cells->cut[i] = sf_lane_zero(a, upper_a.y, upper_a.rise, b, upper_b.y, upper_b.rise, sf_lane_amid(base, a, b));
+        cells->rises[i] = 1.0;
+    }
+}
+
+/* Halley's step for F at its minimum over Omega, kept in the bracket, and Omega there */
+SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
+{
+    n &= ~(ptrdiff_t)(SF_LANE_VECTOR - 1);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double A = zeros->at[0][i], h = zeros->at[1][i], h_A = zeros->at[2][i], h_AA = zeros->at[3][i];
+        const double zeta = zeros->asked[0][i], m = zeros->asked[2][i], F_0 = zeros->asked[3][i];
+        const double q = m * zeta, e = 2 * zeta * zeta, p = h + e * A, rough = critical_at(A, p, q).w2;
+        const double w = rough - (rough * (A * rough * rough + p) + q) / (3 * A * rough * rough + p);
+        const value at = value_at(w, A, F_0, m, zeta, h_A);
+        const double w_A = -w * (w * w + h_A + e) / (3 * A * w * w + p), R = e * A + q / w, R_A = e - q * w_A / (w * w);
+        const double bend = 2 * R_A * (w * w - h_A) + 2 * R * (2 * w * w_A - h_AA);
+        const double lo = at.y < 0 ? A : zeros->lo[i], hi = at.y < 0 ? zeros->hi[i] : A;
+        const double step = 2 * at.y * at.rise / (2 * at.rise * at.rise - at.y * bend), next = A - step;
+        const int is_inside = (next >= lo) & (next <= hi);
+        zeros->lo[i] = lo, zeros->hi[i] = hi;
+        zeros->next[i] = is_inside ? next : 0.5 * (lo + hi);
+        zeros->moved[i] = is_inside ? fabs(step) : HUGE_VAL;
+        zeros->Omega[i] = w - w_A * step;
+    }
+}
+
+void sf_judge_peaks(sf_lane_cells *cells)
+{
+    sf_fill_cells(cells);
+    judge(sf_filled(cells->n), cells);
+}
+
+void sf_approach_peaks(sf_lane_zeros *zeros)
+{
+    sf_fill_zeros(zeros);
+    approach(sf_filled(zeros->n), zeros);
+}
