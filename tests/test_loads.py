@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import random
 from itertools import pairwise
@@ -12,6 +13,7 @@ import pytest
 from slowflow import Duffing, Isolator
 from slowflow.loads import APART, ISOLA
 from slowflow.paper.example import isolator
+from slowflow_kernels.conventions import Status
 
 MOUNT = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
 
@@ -222,3 +224,22 @@ def test_a_spectrum_of_a_mount_is_in_its_units():
     with pytest.raises(ValueError, match="F = -1"):
         mount.spectrum(f=2.2, F=-1)
     assert len(isolator().spectrum(Omega=[], F_0=[])) == 0
+
+
+def test_isolation_begins_where_an_isolated_curve_that_is_just_born_ends():
+    """It has two folds, 2e-8 apart, and points of one stability beside either; it has no end at high frequencies."""
+    numbers = {"lam": 5, "r": 0.5152307809931513, "delta_h": 0.2813440740415054, "mu": 0.0457149750553505}
+    shaken = Isolator(**numbers, zeta=0.026253034237872036, excitation="base", force="untruncated")
+    F_0 = shaken.saddle_node_onset().F_SN * (1 + 1e-15)
+    found, folds = shaken.isolation(F_0), shaken.saddle_nodes(F_0)
+    assert found.at_fold and found.Omega == pytest.approx(folds.Omega.max(), rel=1e-8)
+
+
+def test_what_lies_beyond_the_frequencies_that_are_answered_is_left_out():
+    """A number that nobody gave is not refused; and what has no answer is one of a batch."""
+    stiff = Duffing(1.0, 0.06, mu=0.0, zeta=0.0)
+    designs = Duffing.many(alpha=1.0, beta=0.06, mu=0.0, zeta=0.0)
+    for question in ("hysteresis", "isolation"):
+        with contextlib.suppress(ArithmeticError):
+            getattr(stiff, question)(5.5e62)
+        assert getattr(designs, question)(5.5e62).status in (Status.OK, Status.NONE, Status.UNRESOLVED)

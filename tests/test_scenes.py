@@ -358,3 +358,10 @@ def test_the_command_line_says_its_version_and_is_a_module_too():
     assert done.stdout == f"slowflow {slowflow.__version__}\n"
     helped = subprocess.run([sys.executable, "-m", "slowflow", "--help"], capture_output=True, text=True, check=True)
     assert "Exit codes: 0 done; 1 a question that could not" in " ".join(helped.stdout.split())
+
+
+def test_a_file_that_is_no_text_is_named(tmp_path):
+    path = tmp_path / "scene.toml"
+    path.write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(scenes.SceneError, match=r"scene\.toml: this is not UTF-8: invalid start byte at byte 0"):
+        scenes.read(path)

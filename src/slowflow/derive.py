@@ -121,7 +121,7 @@ def mechanism(
                   the first piece is a preload. Polynomials have averages in closed form; those of powers that are no
                   whole numbers, and of elementary functions, are summed by quadrature
     parameters -- by name: "doc", "unit" and the bounds "above", "least", "below", "most", each if there is one
-    reach      -- the largest |u| that makes sense, and why; a linear spring that is left where all gaps are closed has none
+    reach      -- the largest |u| that makes sense, and why; a linear spring that closed gaps leave has none
     odd        -- whether the force is; else its pieces are polynomials for all u, by rising u, each with the u, of any
                   sign, at which it ends. Its motions are off the centre and have a mean B: see `Oscillator.off_centre`
     compile    -- print C, call the C compiler (the environment's CC, or the one that Python was built with), and let

@@ -23,7 +23,7 @@ from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats, Law, Mechanism
 from slowflow.model import THROUGHOUT
 from slowflow.results import Remark
-from slowflow_kernels.conventions import ENDLESS
+from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA
 
 Flags = npt.NDArray[np.bool_]
 Ints = npt.NDArray[np.intp]
@@ -289,8 +289,10 @@ def hysteresis(oscillator: Any, F_0: float) -> Hysteresis:
     ends = [0.0, *np.unique(folds.Omega).tolist(), math.inf]
     bands, rests = [], oscillator.model.holds(folds.F_0)
     for low, high in pairwise(ends) if len(folds) else ():
-        middle = oscillator.amplitudes(Omega=0.5 * (low + high) if high < math.inf else 2 * low, F_0=F_0)
-        if (stable := int(middle.stable.sum()) + rests) > 1:
+        middle = min(0.5 * (low + high) if high < math.inf else 2 * low, HIGHEST_OMEGA)
+        if not low < middle < high:  # there is no frequency between them, or none that is answered
+            continue
+        if (stable := int(oscillator.amplitudes(Omega=middle, F_0=F_0).stable.sum()) + rests) > 1:
             bands.append((low, high, stable))
     low, high, motions = np.array(bands).reshape(-1, 3).T
     message = joined(folds.message, "" if bands else "at each frequency at most one motion is stable")
@@ -335,7 +337,8 @@ def begins(curve: Any, transmits: Flags, passes: Callable[[int, int], tuple[floa
             if not transmits[k]:
                 return Isolation(*passes(last, k), False, F_0, curve.message)
             last = k  # a fold, which rounding may leave on either side of stability
-    if all(curve.stable[k] for k in around):
+    loose = len(around) < 2 and not curve.isola[curve.branch[last]]
+    if loose and all(curve.stable[k] for k in around):
         return Isolation(None, None, False, F_0, joined(curve.message, NEVER))
     return Isolation(float(curve.Omega[last]), float(curve.A[last]), True, F_0, curve.message)
 
@@ -369,7 +372,7 @@ def _highest(oscillator: Averaged, F_0: float) -> float:
     if not math.isfinite(A_max):
         A_max = words.cut(oscillator.model, F_0)[0]
     A = A_max * np.arange(1, SAMPLES + 1) / SAMPLES
-    return BEYOND * max(1.0, float(_of_full(oscillator, A).max()))
+    return min(BEYOND * max(1.0, float(_of_full(oscillator, A).max())), HIGHEST_OMEGA)
 
 
 def spectrum(oscillator: Any, Omega: Any, F_0: Any, leaves: Callable[[Any], Flags] | None = None) -> Spectrum:

@@ -257,7 +257,10 @@ class Scene:
 
 def read(path: Path) -> Scene:
     """A scene's file. Raises SceneError for what is wrong in it, OSError where it cannot be read."""
-    text = path.read_text(encoding="utf-8")
+    try:
+        text = path.read_text(encoding="utf-8")
+    except UnicodeDecodeError as error:
+        raise SceneError(f"{path}: this is not UTF-8: {error.reason} at byte {error.start}") from None
     try:
         content = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
