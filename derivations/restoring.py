@@ -140,6 +140,7 @@ def quarter_moment(power: int) -> sp.Expr:
     return odd_moment(power).eval(0) if power % 2 else moment_parts(power)[0] * sp.pi / 2
 
 
+@functools.cache
 def moment_series(power: int) -> sp.Poly:
     """The polynomial P with int_0^theta sin^power t dt = s^(power + 1) P(s^2), s = sin(theta/2), for A >= FAR b.
 
@@ -154,6 +155,7 @@ def moment_series(power: int) -> sp.Poly:
     return sp.Poly(coefficients[::-1], q)
 
 
+@functools.cache
 def series_remainder(power: int) -> sp.Expr:
     """A bound of the relative error of `moment_series`.
 
@@ -267,6 +269,7 @@ class End:
         x, y = self.symbol("x"), self.symbol("y")
         return secular * self.symbol("psi_0") + x * y * _horner(polynomial, x)
 
+    @functools.cache  # noqa: B019  ends are few, and equal ones are the same
     def changes(self, n: int, orders: int) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
         """A^n int_0^theta sin^(n+1) t dt over A^n, its j-th derivative over A^(n-j); and the value less A its slope.
 

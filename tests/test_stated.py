@@ -31,6 +31,7 @@ FORCES = {
     "soft_stop": ([(u, gap), (u + c * sp.tanh(k * (u - gap)), None)], ("c", "k", "gap")),
     "hard_stop": ([(u, gap), (u + k * (sp.exp(c * (u - gap)) - 1), None)], ("k", "c", "gap")),
     "root_stop": ([(u, gap), (u + k * (sp.sqrt(1 + c * (u - gap)) - 1), None)], ("k", "c", "gap")),
+    "contact": ([(u, gap), (u + k * (u - gap) ** 1.5, None)], ("k", "gap")),
     "preloaded_stop": (
         [(c + u + k * sp.sin(u), gap), (c + u + k * sp.sin(u) + 3 * sp.tanh(u - gap), None)],
         ("c", "k", "gap"),

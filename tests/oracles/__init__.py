@@ -8,5 +8,10 @@ counts                  proved numbers of states and folds at any forcing
 kernels                 exact values of any generated kernel at any doubles
 frequencies               certified roots in Omega at one amplitude, and seeded stress cases for them
 exact_brute, exact_linear, exact_scipy, exact_cases    the equation of motion by other means, and oscillators to try
-make_kernel_oracle, make_random_isolators, make_off_centre, make_damped    programs that write `tests/data`
+forces                    the averages of forces of any kind, to 40 digits
+inertia                   certified answers on a base that shakes
+second, stated            the second approximation, and mechanisms as their files state them
+draws                     random numbers of designs
+make_kernel_oracle, make_random_isolators, make_off_centre, make_damped, make_sided, make_stated, make_exact_motions
+                          programs that write `tests/data`, as forces, inertia and second do
 """

@@ -11,7 +11,9 @@ is an integral from 0 to 1 that is analytic in A, or in t down to t = 0. Around 
 come from one Gauss sum; a bound M of the integrand on complex boxes that hold a disc of amplitudes and an ellipse
 around [0, 1] bounds the error of the sum and, by Cauchy, the coefficients that were left off. `averaged` then isolates
 every zero on these series, and Krawczyk's test decides at 280 bits, with h and its derivatives by FLINT's own
-quadrature. Powers of u are averaged by gamma functions.
+quadrature. Powers of u are averaged by gamma functions. Beyond the gap of a contact k (u - b)^(3/2), with sin(y/2) =
+sqrt(d/(2 A)) sin(w) and d = A - b, u - b is d cos(w)^2 and both roots of d are gone: it is d^2 times an integral over w
+that is analytic in A, also at A = b.
 
 No range is guessed. With p = -h/A and q = -h_A folds have Omega^2 between p and q, since R R_A < 0 there; both are at
 least the least slope k of the force, which is typed. So F_0 >= m + 2 zeta A sqrt(k) bounds A; and as A -> 0 there is no
@@ -70,13 +72,18 @@ LARGEST = 2**14
 
 @dataclass(frozen=True)
 class Force:
-    """Its pieces and where the first ends; a power beside a single piece; draws; whether folds begin at rest."""
+    """Its pieces and where the first ends; draws; whether folds begin at rest.
+
+    power   -- factor and exponent of a power beside a single piece
+    contact -- factor of what begins where the first piece ends, as a power 3/2
+    """
 
     pieces: tuple[Callable[..., Any], ...]
     draw: Callable[[random.Random], dict[str, float]]
     least_slope: Callable[[Callable[[str], arb]], arb]
     end: str | None = None
     power: tuple[str, str] | None = None
+    contact: str | None = None
     at_rest: bool = False
 
 
@@ -138,6 +145,9 @@ FORCES: dict[str, Force] = {
         lambda n: arb(1),
         end="gap",
     ),
+    "contact": Force(
+        (lambda u, n: u,), _uniform(k=(1.0, 8.0), gap=(0.1, 0.5)), lambda n: arb(1), end="gap", contact="k"
+    ),
     "preloaded_stop": Force(
         (
             lambda u, n: n("c") + u + n("k") * u.sin(),
@@ -159,7 +169,10 @@ class Bent(Jet):
 
 @dataclass
 class Piece:
-    """Taylor coefficients of h around a centre, good for arguments from low to high; a bound on a disc of radius R."""
+    """Taylor coefficients of h around a centre, good for arguments from low to high; a bound on a disc of radius R.
+
+    The argument is t beyond a stop's edge, A before it and beyond a contact's.
+    """
 
     low: arb
     high: arb
@@ -168,6 +181,7 @@ class Piece:
     bound: arb
     coefficients: list[arb]
     in_t: bool
+    beyond: bool
 
 
 @cache
@@ -219,6 +233,12 @@ class Stated(Oscillator):
         """What is integrated over 0 < v < 1: A and the angle of the edge (None before it) as boxes or series."""
         first = self.force_.pieces[0]
         half = acb(arb.pi() / 2)
+        if turn is not None and self.force_.contact is not None:
+            sine, cosine, b = (half * v).sin(), (half * v).cos(), acb(self.u_cr)
+            inner = (A - b) / (2 * A) * sine * sine
+            whole = first(A * cosine, self._number) * cosine
+            touching = (A - b) ** 2 * cosine**4 * (1 - 2 * inner) * 2 / (root(2 * A) * root(1 - inner))
+            return half * (whole + self._number(self.force_.contact) * touching)
         if turn is None:
             parts = [(first, half * v + 0 * A, half)]
         else:
@@ -243,7 +263,9 @@ class Stated(Oscillator):
         before, ctx.cap = ctx.cap, 4
         at = acb_series([acb(A), 1])
         turn = None
-        if regime == DETACHED:
+        if regime == DETACHED and self.force_.contact is not None:
+            turn = at
+        elif regime == DETACHED:
             b = acb(self.u_cr)
             turn = (root(at * at - b * b) / b).atan()
         found = []
@@ -261,7 +283,7 @@ class Stated(Oscillator):
         ctx.cap = before
         return tuple(found)
 
-    def _bound(self, centre: arb, radius: arb, rho: arb, in_t: bool) -> arb | None:
+    def _bound(self, centre: arb, radius: arb, rho: arb, in_t: bool, beyond: bool) -> arb | None:
         """Of the integrand, for arguments of the disc and v in the ellipse; None where it has a singularity."""
         half = ((rho + 1 / rho) / 4, (rho - 1 / rho) / 4)
         most = arb(0)
@@ -269,7 +291,7 @@ class Stated(Oscillator):
         ellipse = [acb_series([v]) for v in square(acb(arb(1) / 2), half, ELLIPSE)]
         for x in square(acb(centre), radius, DISC):
             try:
-                A, turn = self._argument(acb_series([x]), in_t)
+                A, turn = self._argument(acb_series([x]), in_t, beyond)
                 for v in ellipse:
                     size = abs(self._integrand(A, turn, v)[0])
                     if not size.is_finite():
@@ -279,11 +301,13 @@ class Stated(Oscillator):
                 return None
         return most
 
-    def _argument(self, x: acb_series, in_t: bool) -> tuple[acb_series, acb_series | None]:
-        """A and the angle of the edge."""
+    def _argument(self, x: acb_series, in_t: bool, beyond: bool) -> tuple[acb_series, acb_series | None]:
+        """A and the angle of the edge; beyond that of a contact, which does not ask for it, A."""
+        if beyond and not in_t:
+            return x, x
         return (acb(self.u_cr) * root(1 + x * x), arctangent(x)) if in_t else (x, None)
 
-    def _piece(self, low: arb, most: arb, in_t: bool) -> Piece:
+    def _piece(self, low: arb, most: arb, in_t: bool, beyond: bool) -> Piece:
         """From low on, as far as the integrand is analytic around and not beyond `most`."""
         with precision(SERIES_BITS):
             low, most, cap = arb(low.mid()), arb(most.mid()), ctx.cap
@@ -298,7 +322,7 @@ class Stated(Oscillator):
                 centre, high = (arb(0), r) if first else (arb((low + r).mid()), arb((low + 2 * r).mid()))
                 radius = arb((r * arb("4.2")).upper())
                 for rho in map(arb, ELLIPSES):
-                    bound = self._bound(centre, radius, rho, in_t)
+                    bound = self._bound(centre, radius, rho, in_t, beyond)
                     if bound is not None and bound < LARGEST:
                         break
                 else:
@@ -309,7 +333,7 @@ class Stated(Oscillator):
                 if share < arb(2) ** -12:
                     raise ArithmeticError(f"no disc around {low}")
             ctx.cap = LENGTH
-            A, turn = self._argument(acb_series([acb(centre), 1]), in_t)
+            A, turn = self._argument(acb_series([acb(centre), 1]), in_t, beyond)
             total = acb_series([0])
             count = math.ceil(SURE * math.log(2) / (2 * math.log(float(rho))))
             for node, weight in gauss(count):
@@ -318,24 +342,28 @@ class Stated(Oscillator):
             scale = 4 / arb.pi()
             coefficients = [-scale * (total[k].real + arb(0, (off / radius**k).upper())) for k in range(LENGTH)]
             ctx.cap = cap
-            return Piece(low, high if high < most else most, centre, radius, scale * bound, coefficients, in_t)
+            end = high if high < most else most
+            return Piece(low, end, centre, radius, scale * bound, coefficients, in_t, beyond)
 
     @cached_property
     def _pieces(self) -> list[Piece]:
         """That cover all amplitudes from `low` to `high`."""
         found: list[Piece] = []
 
-        def cover(start: arb, end: arb, in_t: bool) -> None:
+        def cover(start: arb, end: arb, in_t: bool, beyond: bool) -> None:
             while start < end:
-                found.append(self._piece(start, end, in_t))
+                found.append(self._piece(start, end, in_t, beyond))
                 start = found[-1].high
 
         low, high, edge = arb(self.low.mid()), arb(self.high.mid()), self.u_cr
         if edge is None or high < edge:
-            cover(low, high, False)
+            cover(low, high, False, False)
         else:
-            cover(low, edge, False)
-            cover(arb(0), arb(self.t(high).mid()), True)
+            cover(low, edge, False, False)
+            if self.force_.contact is not None:
+                cover(edge, high, False, True)
+            else:
+                cover(arb(0), arb(self.t(high).mid()), True, True)
         return found
 
     def _jet(self, piece: Piece, x: arb_series) -> Jet:
@@ -436,7 +464,8 @@ class Stated(Oscillator):
             for x in isolate(
                 lambda x, piece=piece: function(self._jet(piece, x)), piece.low, piece.high, exclude=without
             ):
-                found.append((self.u_cr * (1 + x * x).sqrt(), DETACHED) if piece.in_t else (x, ATTACHED))
+                A = self.u_cr * (1 + x * x).sqrt() if piece.in_t else x
+                found.append((A, DETACHED if piece.beyond else ATTACHED))
         return found
 
     def amplitudes(self, Omega: Number, F_0: Number) -> list[Amplitude]:
