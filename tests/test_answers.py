@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import importlib.util
 import json
 import pickle
 import sys
@@ -15,7 +16,7 @@ from slowflow import Duffing, Isolator, answer
 from slowflow.averaged.many import Batch
 from slowflow.oscillator import Oscillator
 from slowflow.paper.example import isolator
-from slowflow.sizing import fit, front
+from slowflow.sizing import fit, front, meet, tolerances
 from slowflow_kernels import rod_spring
 
 
@@ -24,6 +25,9 @@ def ask():
     iso = isolator()
     second, states, folds = iso.second_approximation, iso.amplitudes(Omega=0.9, F_0=0.04), iso.saddle_nodes(0.04)
     many = Isolator.many(lam=3, r=[[2.0], [3.0]], delta_h=[0.08, 0.1, 0.12], mu=0.012, zeta=0.02)
+    loaded = Duffing(1.0, 0.5, 0.01, 0.05, load=0.3)
+    several = Duffing.many(1.0, 0.5, 0.01, 0.05, load=[0.2, 0.3])
+    mount = Isolator.physical(m=12, k_v=2500, k_h=1700, L=0.080, preload=0.009, friction=0.4, zeta=0.02)
     return {
         "isolator": iso,
         "duffing": Duffing(1.0, 0.1, 0.01, 0.02),
@@ -73,7 +77,28 @@ def ask():
         "front": front(iso, {"zeta": (0.01, 0.1)}, high=["F_SN"], low=["A_peak"], F_0=0.04, points=2),
         "fit": fit(iso, A=[0.1, 0.2, 0.1], F_0=0.02, Omega=[0.7, 0.8, 0.9], free=["zeta"]),
         "states": many.amplitudes(Omega=0.9, F_0=0.04),
+        "at_rest": iso.at_rest(),
+        "spectrum": iso.spectrum(Omega=[0.9, 1.4], F_0=0.04),
+        "many at rest": many.at_rest(),
+        "tolerances": tolerances(iso, {"zeta": 0.1}, F_0=0.04, samples=20),
+        "met": meet(iso, {"zeta": (0.01, 0.1)}, at_least={"F_SN": 0.03}),
+        "off centre": loaded.off_centre,
+        "designs under a load": several,
+        "shocks under a load": several.shock_spectrum(acceleration=0.4, duration=2.0),
+        "mount": mount,
+        "mount's answer": mount.margins(5),
+        "mount at rest": mount.at_rest(),
+        **maps(),
     }
+
+
+def maps():
+    """Over named axes, where xarray is installed."""
+    if importlib.util.find_spec("xarray") is None:
+        return {}
+    from xarray import DataArray
+
+    return {"map": Isolator.many(lam=3, r=DataArray([1.0, 2.0], dims="r"), delta_h=0.1, mu=0.012, zeta=0.02)}
 
 
 OBJECTS = ask()
@@ -107,7 +132,8 @@ def test_an_answer_asked_again_is_equal_and_another_is_not(name):
     assert one != next(other for other in ANSWERS.values() if other is not one)
     assert not any(array.flags.writeable for array in arrays(one))
     assert list(arrays(one)) or name in {
-        *("peak", "no peak", "saddle_node_onset", "detachment", "transient", "margins", "isolation")
+        *("peak", "no peak", "saddle_node_onset", "detachment", "transient", "margins", "isolation", "at_rest", "met"),
+        *("mount's answer", "mount at rest"),
     }
 
 

@@ -14,7 +14,6 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
-from scipy.optimize import brentq
 
 from slowflow import validate
 from slowflow.answer import Single, Table, joined
@@ -360,6 +359,8 @@ def _between(oscillator: Averaged, F_0: float, A: float, other: float) -> float:
 
     if excess(A) * excess(other) > 0:  # the curve meets that frequency at the very point
         return A
+    from scipy.optimize import brentq  # here, not above: other questions do without SciPy
+
     return float(brentq(excess, A, other, rtol=4 * np.finfo(float).eps))
 
 

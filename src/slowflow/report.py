@@ -26,7 +26,7 @@ from slowflow.answer import Answer, head
 from slowflow.isolator import Isolator
 from slowflow.paper.report import read_ledger
 from slowflow.physical import EXCITED, KIND_OF, SHOWN, UNITS, Physical, Quantities
-from slowflow.scenes import Scene
+from slowflow.scenes import FORCINGS, Scene
 from slowflow.sizing.subject import Load, Subject
 from slowflow.sizing.tolerances import Tolerances
 from slowflow.validate import NotAvailable
@@ -89,6 +89,7 @@ th { background: var(--head); white-space: normal; } td:first-child, th:first-ch
 caption { text-align: left; font-weight: 600; padding: .5rem 0; width: max-content; max-width: 90vw; }
 figure { margin: 1rem 0; } figure svg { background: #ffffff; height: auto; width: 100%; max-width: 42rem; }
 a { color: inherit; }
+@media (max-width: 40rem) { th, td { padding: .2rem .3rem; font-size: .875rem; } .words { min-width: 6rem; } }
 @media print { body { max-width: none; } nav { display: none; } figure, table { break-inside: avoid; }
                h2, caption { break-after: avoid; } table { font-size: 9pt; }
                .wide { overflow: visible; } td, th { padding: .1rem .3rem; }
@@ -110,7 +111,7 @@ def html(scene: Scene) -> str:
         "In short": _summary(of, forcings),
         "The design": _design(of, scene),
         "What it does": _answers(of, forcings),
-        "Curves": _curves(of, forcings),
+        "Curves": _curves(of, forcings, scene),
         "Load spectrum": _spectrum(scene),
         "Shocks": _shocks(scene),
         "Tolerances": _tolerances(scene),
@@ -279,10 +280,12 @@ def _answers(of: Any, forcings: Sequence[float]) -> Iterator[str]:
     yield _left_out(left_out)
 
 
-def _curves(of: Any, forcings: Sequence[float]) -> Iterator[str]:
+def _curves(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     if not forcings:
         return
-    curves = [_shown(of.frequency_response(F)) for F in forcings]
+    asked = (one.arguments for one in scene.asked if one.question == "frequency_response")
+    own = {name: value for name, value in next(asked, {}).items() if name not in FORCINGS}  # the scene's window
+    curves = [_shown(of.frequency_response(F, **own)) for F in forcings]
     folds = [_shown(of.saddle_nodes(F)) for F in forcings]
     force, _ = _letter(of)
     oscillator = _plain(of)

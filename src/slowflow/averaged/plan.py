@@ -121,6 +121,8 @@ _NEWTON = (
 )
 _SWITCHES = "Taylor series from switch to switch: a stop, a breakpoint, a break-away"
 
+_NO_CURVE = Step("curve", False, "not needed: there is a formula")
+
 #: questions that ask others, or the equation of motion, by what they do
 COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
     {
@@ -147,6 +149,18 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
         "certify": (
             Step("folds", True, "as saddle_nodes has them"),
             Step("proof", True, "of folds, F_SN and F_cr, and of states where Omega is given, in interval arithmetic"),
+        ),
+        **dict.fromkeys(
+            ("force", "stiffness"),
+            (
+                Step("formula", True, "of the piece of the force that holds u"),
+                Step("averaging", False, "not needed: nothing moves"),
+            ),
+        ),
+        "backbone": (Step("formula", True, "explicit in A: where R = 0"), _NO_CURVE),
+        "limit_envelope": (
+            Step("formula", True, "explicit in Omega and F_0: where damping alone takes F_0, I = F_0 (27)"),
+            _NO_CURVE,
         ),
         "at_rest": (
             Step("force", True, "its stiffness at the centre, and how far friction holds the mass against it"),
@@ -182,6 +196,18 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
         ),
     }
 )
+#: those of them that search for no fold
+WITHOUT_FOLDS = (
+    "force",
+    "stiffness",
+    "backbone",
+    "limit_envelope",
+    "at_rest",
+    "rest",
+    "sweep",
+    "transient",
+    "shock_spectrum",
+)
 #: those of them that are about one forcing
 AT_ONE = ("margins", "hysteresis", "isolation", "certify", "steady_state", "exact_response", "sweep")
 
@@ -192,7 +218,7 @@ def plan_composed(question: str, F_0: float | None, whole: Model) -> Plan:
         question,
         F_0,
         whole,
-        question not in ("at_rest", "rest", "sweep", "transient", "shock_spectrum"),
+        question not in WITHOUT_FOLDS,
         COMPOSED[question],
     )
 

@@ -62,6 +62,16 @@ class Grid:
             self._given["load"] = values["load"]
         self.values = labelled(self._given)
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Grid):
+            return NotImplemented
+        own = (self.mechanism, self.excitation, self.rubs, self._depth, *self.values)
+        theirs = (other.mechanism, other.excitation, other.rubs, other._depth, *other.values)
+        return own == theirs and all(value.identical(other.values[name]) for name, value in self.values.items())
+
+    def __hash__(self) -> int:
+        return hash((self.mechanism, self.excitation, self.rubs, self._depth, *self.sizes.items()))
+
     @cached_property
     def second_approximation(self) -> Grid:
         """The same questions with the higher harmonics of force and friction; see `slowflow.second.many`."""

@@ -198,6 +198,16 @@ class OffCentreDesigns:
         self.shape = validate.common_shape(self.values)
         self._singles: dict[tuple[float, ...], OffCentre] = {}
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, OffCentreDesigns):
+            return NotImplemented
+        return self._unloaded == other._unloaded and np.array_equal(
+            self.values["load"], other.values["load"], equal_nan=True
+        )
+
+    def __hash__(self) -> int:
+        return hash((self._unloaded, self.values["load"].tobytes()))
+
     def __getattr__(self, name: str) -> Any:
         if name in CENTRED:
             raise validate.NotAvailable(AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load"))

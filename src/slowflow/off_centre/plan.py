@@ -50,7 +50,7 @@ STEPS: dict[str, tuple[Step, ...]] = {
         Step("states", True, "of each row"),
         Step("folds", True, "of the forcings on the way from row to row: on which side of it they lie"),
     ),
-    **{question: COMPOSED[question] for question in ("hysteresis", *EXACT)},
+    **{question: COMPOSED[question] for question in ("force", "stiffness", "hysteresis", *EXACT)},
 }
 
 

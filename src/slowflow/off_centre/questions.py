@@ -102,6 +102,14 @@ class OffCentre:
         self._reach = Reach(self._steps, self._m, self._zeta)
         self._known: dict[tuple[Any, ...], Any] = {}
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, OffCentre):
+            return NotImplemented
+        return (self._model, self.load) == (other._model, other.load)
+
+    def __hash__(self) -> int:
+        return hash((self._model, self.load))
+
     def _once(self, key: tuple[Any, ...], ask: Callable[[], _Answered]) -> _Answered:
         """An answer that is known, or asked for and kept for a while."""
         found: _Answered | None = self._known.get(key)
