@@ -195,13 +195,23 @@ def test_motions_detach_that_are_stable_beyond_the_stroke_of_many_and_of_one(giv
     assert (states.A[states.stable] > damped.u_cr).any()
 
 
-def test_between_two_folds_with_no_frequency_between_them_there_is_no_band():
-    """Both on the corner, an ulp apart."""
-    given = {"lam": 2, "r": 0.4778512754002988, "delta_h": 0.07053832840043835}
-    given |= {"mu": 0.00021943408712369537, "zeta": 0.14071260744854866}
-    designs, F_0 = Isolator.many(**given), 0.10315219523602766
-    assert designs.saddle_nodes(F_0).count == 2 and designs.hysteresis(F_0).count == 0
-    assert len(Isolator(**given).hysteresis(F_0)) == 0
+def test_between_two_folds_that_differ_by_rounding_there_is_no_band():
+    """Both on the corner, one and two ulps apart."""
+    for given, F_0 in (
+        (
+            {"lam": 2, "r": 0.4778512754002988, "delta_h": 0.07053832840043835}
+            | {"mu": 0.00021943408712369537, "zeta": 0.14071260744854866},
+            0.10315219523602766,
+        ),
+        (
+            {"lam": 3, "r": 0.1026703065545021, "delta_h": 0.2110794412770953}
+            | {"mu": 0.039439905240794944, "zeta": 0.2193201131082507},
+            0.3167111233623252,
+        ),
+    ):
+        designs = Isolator.many(**given)
+        assert designs.saddle_nodes(F_0).count == 2 and designs.hysteresis(F_0).count == 0
+        assert len(Isolator(**given).hysteresis(F_0)) == 0
 
 
 def test_what_is_unresolved_has_that_status_in_every_batch():

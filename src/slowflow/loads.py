@@ -373,7 +373,7 @@ def _highest(oscillator: Averaged, F_0: float) -> float:
     if not math.isfinite(A_max):
         A_max = words.cut(oscillator.model, F_0)[0]
     A = A_max * np.arange(1, SAMPLES + 1) / SAMPLES
-    return min(BEYOND * max(1.0, float(_of_full(oscillator, A).max())), HIGHEST_OMEGA)
+    return min(BEYOND * max(1.0, float(_of_full(oscillator, A).max())), float(HIGHEST_OMEGA))
 
 
 def spectrum(oscillator: Any, Omega: Any, F_0: Any, leaves: Callable[[Any], Flags] | None = None) -> Spectrum:

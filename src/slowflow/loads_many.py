@@ -38,6 +38,9 @@ AT_ONCE, HALVINGS = 1024, 60
 
 #: columns of a load spectrum: all have a place for each row
 OF_ROWS = ("A", "transmissibility_dB", "motions", "crosses", "detaches", "sticks", "status", "remarks")
+#: bands of this share of their frequency may be rounding
+NARROW = 1e-12
+
 #: where a question failed that may have an answer
 FAILED = (Status.NO_BOUND, Status.UNRESOLVED, Status.NO_MEMORY)
 
@@ -238,8 +241,7 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
     said = (folds.remarks & own) != 0
     # below two folds and above them there is one motion, so there are three between them, the middle one unstable
     low_end, high_end = folds.Omega[..., 0], folds.Omega[..., 1]
-    middle = 0.5 * (low_end + high_end)  # of a band in which there is a frequency
-    plain = (folds.count == 2) & (zeta > 0) & ~said & (low_end < middle) & (middle < high_end)
+    plain = (folds.count == 2) & (zeta > 0) & ~said & (high_end - low_end > NARROW * high_end)
     if designs.excitation != "force":  # a response that does not close has more
         plain &= designs.peak(F_0, workers=workers).status != Status.UNBOUNDED
     low[plain, 0], high[plain, 0] = low_end[plain], high_end[plain]
