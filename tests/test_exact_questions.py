@@ -291,3 +291,17 @@ def test_a_first_exact_motion_is_found_without_scipy():
 
 def test_the_answers_are_public():
     assert {"SteadyState", "Response", "Sweep"} <= set(exact.__all__)
+
+
+def test_a_motion_that_static_friction_holds_for_a_while_is_found_by_its_amplitude():
+    """Averaging leads to another one, which is not stable; a long run from elsewhere comes to this one."""
+    numbers = {"lam": 4, "r": 0.3642999918575798, "delta_h": 0.1218203045967167, "mu": 0.006930182403527397}
+    grips = Isolator(**numbers, zeta=0.023715239224332777, mu_s=0.01677457063343336)
+    F_0, Omega = 0.039136819446978534, 0.46166958703120337
+    curve = grips.exact_response(F_0, Omega=(Omega, Omega + 0.02))
+    found = grips.steady_state(Omega=Omega, F_0=F_0, A=float(curve.A[0]))
+    assert found.A == pytest.approx(curve.A[0], rel=1e-9) and found.stable and found.stops == 1
+    assert grips.sweep(Omega=[0.44, Omega], F_0=F_0).A[1] == pytest.approx(found.A, rel=1e-6)
+    # of the motions there are the nearest is taken still
+    other = grips.steady_state(Omega=Omega, F_0=F_0, A=0.0647)
+    assert not other.stable and other.A == pytest.approx(0.06471, rel=1e-3)

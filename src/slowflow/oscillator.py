@@ -322,7 +322,8 @@ class Oscillator(Averaged):
 
         A     -- the motion whose amplitude is nearest to A, stable or not, of those that averaging leads to: from its
                  states at Omega, its folds beside it, and A itself; where none of them leads to a motion near it, what
-                 the averaged state nearest to A settles to. Without it the motion that a mass at rest comes to
+                 the averaged state nearest to A settles to; with static friction that of a mass at rest is one of
+                 them. Without it the motion that a mass at rest comes to
         force -- "truncated" for (6), "untruncated" for (5); by default the one that is averaged
 
         `.force` of the answer is that on the mass: F_0 Omega^2 for an excitation by inertia.

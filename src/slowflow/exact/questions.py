@@ -61,9 +61,20 @@ def steady_state(
         return _off_centre(averaged, system, Omega, F_0, wanted)
     guesses = _guesses(averaged, Omega, F_0, wanted)
     found = [motion for motion in (shooting.near(system, Omega, F_0, guess) for guess in guesses) if motion is not None]
+    found += _held(averaged, system, Omega, F_0)
     if found:
         return min(found, key=lambda motion: abs(motion.A - wanted))
     return shooting.steady_state(system, Omega, F_0, guesses[0])
+
+
+def _held(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float) -> list[shooting.SteadyState]:
+    """Of static friction, which averaging knows nothing of: what a mass at rest comes to, if it settles."""
+    if not system.mu_s > system.mu:
+        return []
+    try:
+        return [_from_rest(averaged, system, Omega, F_0)]
+    except ArithmeticError:
+        return []
 
 
 def _off_centre(
@@ -74,6 +85,7 @@ def _off_centre(
     for state in _states(averaged, Omega, F_0):
         motion = shooting.near(system, Omega, F_0, (state.A, state.phi), B=state.B)
         found += [] if motion is None else [motion]
+    found += _held(averaged, system, Omega, F_0)
     if not found:
         raise ArithmeticError(f"no state at Omega = {Omega:g} leads to a periodic motion of the equation of motion")
     return min(found, key=lambda motion: abs(motion.A - A))
