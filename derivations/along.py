@@ -47,6 +47,7 @@ class Damped:
     """For zeta > 0; outputs beside lets are in these.
 
     fold      -- at a forcing: (23) less the R of F = F_A = 0, its slope along A, and Omega
+    fold_moves -- by how much F and F_A change with that, at the amplitude and the Omega of `fold`
     isola_Omega -- Omega where F_A = F_Omega = 0
     isola     -- F_Omega/(4 A) there and its slope; for m = 0 without the factor Omega, which then is common
     cusps     -- F_AA/2 as T^2 + 2 a T + b and as X^2 + 2 c X + d: a, b, c, d, and the discriminant a^2 - b of both
@@ -62,6 +63,7 @@ class Damped:
 
     fold_lets: tuple[Let, ...]
     fold: tuple[sp.Expr, ...]
+    fold_moves: tuple[sp.Expr, ...]
     isola_Omega: sp.Expr
     isola_lets: tuple[Let, ...]
     isola: tuple[sp.Expr, ...]
@@ -88,12 +90,16 @@ class Undamped:
 
     Omega   -- where F_A = 0 off the backbone R = 0
     fold    -- at a forcing: R^2 + I^2 - F_0^2 there, and its slope along A
+    level   -- the forcing of a fold
+    rises   -- has the sign of the level's slope along A; and, where that vanishes, of the slope's own
     factors -- the two of F_AA/2 there, h_AA and R, each with its slope
     """
 
     Omega: sp.Expr
     fold_lets: tuple[Let, ...]
     fold: tuple[sp.Expr, ...]
+    level: sp.Expr
+    rises: tuple[sp.Expr, ...]
     factors: tuple[sp.Expr, ...]
 
 
@@ -181,7 +187,7 @@ def _state_R(flow: SlowFlow) -> tuple[sp.Expr, ...]:
 
 
 def _damped(flow: SlowFlow) -> Damped:
-    fold_lets, fold = _fold(flow)
+    fold_lets, fold, fold_moves = _fold(flow)
     isola_lets, isola = _isola(flow)
     cusps_lets, cusps, cusp_R, cusp_lets, cusp = _cusps(flow)
     cusp_balance_lets, cusp_balance = _cusp_balance(flow, cusp_lets, cusp)
@@ -190,6 +196,7 @@ def _damped(flow: SlowFlow) -> Damped:
     return Damped(
         fold_lets=fold_lets,
         fold=fold,
+        fold_moves=fold_moves,
         isola_Omega=_isola_Omega(flow),
         isola_lets=isola_lets,
         isola=isola,
@@ -216,7 +223,7 @@ def _intercept(value: sp.Expr) -> sp.Expr:
     return sp.expand(value - A * slope(value))
 
 
-def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
+def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
     """The circle R^2 + I^2 = F_0^2 and the line k R + m I = F_0^2.
 
     They meet where |k| >= e = sqrt(F_0^2 - m^2), once with I >= m. With share = sqrt(1 - (e/k)^2) that is where
@@ -255,7 +262,9 @@ def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
         (_J, J),
         (_lag, lag),
     )
-    return lets, (value, along, w)
+    # beside the fold, at its Omega and I, what is zero there is what R exceeds its own by: A F_A/2 is F less the line
+    moves = sp.diff(flow.F, R), sp.factor(2 * (sp.diff(flow.F, R) - sp.diff(line, R)) / A)
+    return lets, (value, along, w), moves
 
 
 def _isola_Omega(flow: SlowFlow) -> sp.Expr:
@@ -421,10 +430,15 @@ def _undamped(flow: SlowFlow) -> Undamped:
         raise ArithmeticError(f"F_AA has no factor R where F_A = 0: {flow.F_AA}")
     second = flow.R.subs(Omega**2, square)
     # the level is stationary along the locus just where F_AA vanishes
-    _vanishes(slope(second**2 + flow.I**2) + 2 * A * first * second, "the level's slope along the undamped folds")
+    level = sp.sqrt(k**2 + flow.I**2)
+    _vanishes(level.subs(k, second) ** 2 - flow.F.subs({R: second, I: flow.I}) - F_0**2, "the undamped folds' level")
+    rises = -first * k
+    along_A = slope(level**2, {k: -A * h_AA})
+    _vanishes(along_A - 2 * A * rises, "the level's slope along the undamped folds")
+    bends = slope(along_A, {k: -A * h_AA}).subs(h_AA, 0) / (2 * A)
     value = (k - _least) * (k + _least)
     lets = ((_excess, (F_0 - flow.I) * (F_0 + flow.I)), (_least, sp.sqrt(_excess)))
     at_fold = flow.F.subs({R: second, I: flow.I})
     _vanishes(value.subs(reversed(lets)).subs(k, second) - at_fold, "F on the undamped folds")
     fold = (value, slope(value, {k: k_A}))
-    return Undamped(sp.sqrt(square), lets, fold, (first, slope(first), second, slope(second)))
+    return Undamped(sp.sqrt(square), lets, fold, level, (rises, bends), (first, slope(first), second, slope(second)))

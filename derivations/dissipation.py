@@ -24,11 +24,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from .along import k
 from .averaging import VELOCITY, Averaged, cycle_integral
 from .averaging import H as averaged_force
 from .gradients import Curve, I_0AAp, I_0Ap, I_0p, d_p, h_AAp, h_Ap, h_p, zeta_p
-from .motion import Motion, v
-from .motion import friction as slip_friction
 from .slow_flow import I, R, SlowFlow, m, slope
 from .symbols import F_0, A, Omega, c_2, eta, h, h_A, h_AA, mu, phi, psi, sigma, zeta
 
@@ -37,8 +36,9 @@ u_cr = sp.Symbol("u_cr", positive=True)
 #: I at Omega = 0 and its derivatives by A; 8 c_2/(3 pi)
 I_0, I_0A, I_0AA, I_0AAA = REST = sp.symbols("I_0 I_0A I_0AA I_0AAA", real=True)
 d = sp.Symbol("d", nonnegative=True)
-#: c_2 times the sign of u'
-quadratic = sp.Symbol("quadratic", real=True)
+#: dI/dA and dR/dA; what F_AOmega has beside R and A R_A; h/A, I_0/A and I/A
+I_A, R_A, beside = sp.symbols("I_A R_A beside", real=True)
+h_over_A, I_0_over_A, I_over_A = sp.symbols("h_over_A I_0_over_A I_over_A", real=True)
 #: 1/Omega
 x = sp.Symbol("x", positive=True)
 #: half the angle over which what is attached is not passed: cos(psi_0) = u_cr/A
@@ -65,7 +65,14 @@ class Dissipation:
     at_rest, released -- I_0 and three derivatives: friction acts throughout, or beyond u_cr nothing rubs any more
     I, I_A    -- sine balance (23), and its slope
     far       -- R, R_A, I and I_A over Omega^2, in x = 1/Omega
-    F_A, ...  -- derivatives of the response (24)
+    F         -- response (24), in R and I
+    F_A, ...  -- its derivatives
+    F_A_halved -- F_A/2 by R, I and their slopes
+    R_of_response, R_of_peak, R_of_fold -- what R, or its size, is where F, F_Omega or F_A vanishes, in I
+    h_A_of_turn -- what h_A is where F_AOmega vanishes, in R and `beside`
+    least_F_A -- 4 A times the least F_A/2 that any R leaves, in I and I_A
+    I_scaled, F_A_scaled -- I/A, and F_A/(2 A) by I/A and h/A, which stay as A falls to 0
+    least_scaled -- what least_F_A/A^2 is not below there: a number and the factor of A^2, where |k| <= A^2 |h_AA|/2
     Omega_A   -- slope of the response
     trace     -- -2 A Omega times the trace of the Jacobian (28)
     stability -- 4 Omega^2 times its determinant (30)
@@ -73,8 +80,6 @@ class Dissipation:
     fold_bend -- F_AOmega/Omega, likewise
     response_quartic, fold_quartic -- coefficients of F and F_A/2 by power of Omega, constant first
     limit_envelope -- (27) while friction acts throughout
-    resistance -- mu sign(u') + c_2 |u'|u' in one direction of slip, for friction in (3), and the zeta by which rates
-        depend on u'
     restoring -- the largest |h| of a state, by d: |R| <= F_0, and d (A Omega)^2 <= F_0
     turn_share -- D/Omega^2 in x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D
     systems   -- by what they are
@@ -88,8 +93,19 @@ class Dissipation:
     I: sp.Expr
     I_A: sp.Expr
     far: tuple[sp.Expr, ...]
+    F: sp.Expr
     F_A: sp.Expr
     F_AA: sp.Expr
+    F_AAA: sp.Expr
+    F_A_halved: sp.Expr
+    R_of_response: sp.Expr
+    R_of_peak: sp.Expr
+    R_of_fold: sp.Expr
+    h_A_of_turn: sp.Expr
+    least_F_A: sp.Expr
+    I_scaled: sp.Expr
+    F_A_scaled: sp.Expr
+    least_scaled: tuple[sp.Expr, sp.Expr]
     F_Omega: sp.Expr
     F_AOmega: sp.Expr
     F_OmegaOmega: sp.Expr
@@ -101,7 +117,6 @@ class Dissipation:
     response_quartic: tuple[sp.Expr, ...]
     fold_quartic: tuple[sp.Expr, ...]
     limit_envelope: sp.Expr
-    resistance: tuple[sp.Expr, sp.Expr]
     restoring: sp.Expr
     turn_share: sp.Expr
     systems: dict[str, System]
@@ -132,7 +147,7 @@ def by_A(expression: sp.Expr, slopes: dict[sp.Symbol, sp.Expr] | None = None) ->
     return slope(expression, {I_0: I_0A, I_0A: I_0AA, I_0AA: I_0AAA, **(slopes or {})})
 
 
-def dissipation(sharp: Motion, averaged: Averaged, flow: SlowFlow) -> Dissipation:
+def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
     """All of it."""
     viscous = share(lambda _: 2 * zeta * VELOCITY)
     friction = share(lambda sign: mu * sp.Integer(sign))
@@ -149,8 +164,8 @@ def dissipation(sharp: Motion, averaged: Averaged, flow: SlowFlow) -> Dissipatio
 
     factor = sp.cancel(of_quadratic / (A * Omega) ** 2)
     value = I_0 + viscous + d * A**2 * Omega**2
-    R_A, R_Omega = by_A(flow.R), sp.diff(flow.R, Omega)
-    along_A = {R: R_A, I: by_A(value)}
+    slope_of_R, R_Omega = by_A(flow.R), sp.diff(flow.R, Omega)
+    along_A = {R: slope_of_R, I: by_A(value)}
 
     def by_amplitude(expression: sp.Expr) -> sp.Expr:
         return by_A(expression, along_A)
@@ -176,9 +191,14 @@ def dissipation(sharp: Motion, averaged: Averaged, flow: SlowFlow) -> Dissipatio
     bend_over = sp.collect(bend_over, Omega) + linear / Omega
     turn = bend_over.subs(linear, of_linear)
     # where it vanishes R_A is -R/A less this over A
-    beside = sp.expand(sp.expand(turn / 2 - flow.R - A * R_A).subs(Omega, 1 / x) * x**2)
-    if beside.has(h, h_A) or any(power.exp < 0 for power in beside.atoms(sp.Pow) if power.base == x):
-        raise ArithmeticError(f"what F_AOmega has beside R and R_A: {beside}")
+    share_of_turn = sp.expand(sp.expand(turn / 2 - flow.R - A * slope_of_R).subs(Omega, 1 / x) * x**2)
+    if share_of_turn.has(h, h_A) or any(power.exp < 0 for power in share_of_turn.atoms(sp.Pow) if power.base == x):
+        raise ArithmeticError(f"what F_AOmega has beside R and R_A: {share_of_turn}")
+    halved = sp.expand((sp.diff(F, R) * R_A + sp.diff(F, I) * I_A) / 2)
+    _vanishes(halved.subs({R_A: slope_of_R, I_A: by_A(value)}) - F_A / 2, "F_A by R, I and their slopes")
+    R_of_peak = -sp.expand(sp.cancel(sp.diff(value, Omega) / R_Omega)) * I
+    _vanishes((peak - R + R_of_peak).subs(whole), "R where F_Omega vanishes")
+    least_F_A = _least_F_A(halved)
     trace = _trace(averaged, flow, value)
     at_rest, released = (chain((one + structural).subs(of_friction)) for one in (friction, attached))
     if sp.diff(factor, c_2) * c_2 != factor:
@@ -193,9 +213,20 @@ def dissipation(sharp: Motion, averaged: Averaged, flow: SlowFlow) -> Dissipatio
         released=released,
         I=value,
         I_A=by_A(value),
-        far=tuple(sp.expand((one / Omega**2).subs(Omega, 1 / x)) for one in (flow.R, R_A, value, by_A(value))),
+        far=tuple(sp.expand((one / Omega**2).subs(Omega, 1 / x)) for one in (flow.R, slope_of_R, value, by_A(value))),
+        F=F,
         F_A=F_A,
         F_AA=F_AA,
+        F_AAA=sp.factor_terms(by_amplitude(F_AA)),
+        F_A_halved=halved,
+        R_of_response=sp.sqrt(R**2 - sp.expand(F)),
+        R_of_peak=R_of_peak,
+        R_of_fold=sp.solve(halved, R)[0].subs(R_A, slope_of_R),
+        h_A_of_turn=_h_A_of_turn(slope_of_R),
+        least_F_A=least_F_A,
+        I_scaled=sp.expand(value.subs(I_0, A * I_0_over_A) / A),
+        F_A_scaled=_F_A_scaled(halved, flow.R),
+        least_scaled=_least_scaled(least_F_A, value),
         F_Omega=sp.factor_terms(F_Omega),
         F_AOmega=sp.factor_terms(F_AOmega),
         F_OmegaOmega=sp.factor_terms(by_Omega(F_Omega)),
@@ -207,9 +238,8 @@ def dissipation(sharp: Motion, averaged: Averaged, flow: SlowFlow) -> Dissipatio
         response_quartic=_coefficients((F + F_0**2).subs(whole)),
         fold_quartic=_coefficients((F_A / 2).subs(whole)),
         limit_envelope=_envelope(value),
-        resistance=_resistance(sharp),
         restoring=F_0 + (flow.R - h).subs(Omega, sp.sqrt(F_0 / d) / A),
-        turn_share=sp.collect(beside, x),
+        turn_share=sp.collect(share_of_turn, x),
         systems={
             # squares as squares: on intervals these are not negative
             name: System(values, tuple(sp.factor_terms(by(one)) for one in values for by in (by_amplitude, by_Omega)))
@@ -244,6 +274,39 @@ def dissipation(sharp: Motion, averaged: Averaged, flow: SlowFlow) -> Dissipatio
     )
 
 
+def _least_F_A(halved: sp.Expr) -> sp.Expr:
+    """R = k + A R_A: F_A/2 is least in R where its own slope by R vanishes."""
+    by_R = halved.subs(R_A, (R - k) / A)
+    if not sp.diff(by_R, R, 2).is_positive:
+        raise ArithmeticError(f"F_A/2 has no least value in R: {by_R}")
+    return sp.expand(4 * A * by_R.subs(R, sp.solve(sp.diff(by_R, R), R)[0]))
+
+
+def _h_A_of_turn(slope_of_R: sp.Expr) -> sp.Expr:
+    """R + A R_A + beside = 0."""
+    (found,) = sp.solve(slope_of_R - R_A, h_A)
+    return found.subs(R_A, -(R + beside) / A)
+
+
+def _F_A_scaled(halved: sp.Expr, value: sp.Expr) -> sp.Expr:
+    """F_A/(2 A) by what stays as A falls to 0."""
+    over, slope_of_R = sp.expand(value.subs(h, A * h_over_A) / A), by_A(value)
+    found = over * slope_of_R + I_over_A * I_A
+    _vanishes(found - halved.subs({R: A * over, R_A: slope_of_R, I: A * I_over_A}) / A, "F_A over 2 A")
+    return found
+
+
+def _least_scaled(least_F_A: sp.Expr, value: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Friction raises I by a number, and the first power of A raises the whole: both are left out."""
+    without = value.subs(I_0, eta * A)
+    whole = least_F_A.subs({I: without, I_A: sp.diff(without, A), k: A**2 * h_AA / 2})
+    scaled = sp.Poly(sp.expand(whole / A**2), A)
+    constant, first, second = (scaled.coeff_monomial(A**power) for power in range(3))
+    if scaled.degree() != 2 or any(term.could_extract_minus_sign() for term in sp.Add.make_args(first)):
+        raise ArithmeticError(f"what F_A is not below as A falls to 0: {scaled}")
+    return sp.factor(constant), second
+
+
 def _coefficients(expression: sp.Expr) -> tuple[sp.Expr, ...]:
     """By power of Omega, after a check of the signs that bound the number of roots."""
     polynomial = sp.Poly(sp.expand(expression), Omega)
@@ -274,16 +337,6 @@ def _trace(averaged: Averaged, flow: SlowFlow, value: sp.Expr) -> sp.Expr:
     rise = by_A(A * value)
     _vanishes(-2 * A * Omega * at_fixed_point - rise, "the trace of the Jacobian")
     return sp.collect(sp.expand(rise), (A, Omega))
-
-
-def _resistance(sharp: Motion) -> tuple[sp.Expr, sp.Expr]:
-    """What stands for friction in (3) while the mass slips one way, and the zeta by which its rates depend on u'."""
-    resists = slip_friction + quadratic * v**2
-    rates = [rate.subs(slip_friction, resists) for rate in sharp.rates]
-    damps = zeta + sp.diff(resists, v) / 2
-    for rate, by_v in zip(rates, sharp.by_state[1::2], strict=True):
-        _vanishes(sp.diff(rate, v) - by_v.subs(zeta, damps), "the slope of the rates by u'")
-    return resists, damps
 
 
 def _envelope(value: sp.Expr) -> sp.Expr:

@@ -40,6 +40,9 @@ x = sp.Symbol("x", positive=True)
 drag, share, root = sp.symbols("drag share root", real=True)
 #: the quadratic 4 rest x^2 + linear x - 4 fall, which the level's slope is Omega^2 times of
 fall, linear, rest = sp.symbols("fall linear rest", real=True)
+#: F over Omega^4 without its cubic term is square X^2 - 2 falls X + over, X = x^2; what its root is of, which rounding
+#: may take below 0
+square, falls, over, inner, spread = sp.symbols("square falls over inner spread", real=True)
 #: what h/A may at most take from the bound of the level
 lost = sp.Symbol("lost", real=True)
 
@@ -55,6 +58,9 @@ class Inertia:
     level_slope -- Omega^5 dlevel^2/dOmega, in R and I
     level_bend  -- its derivative by Omega, positive where it vanishes
     Omega_A     -- slope of the response, in R, I and F_A
+    outer, outer_beyond -- roots, the larger first, of what is left of F over Omega^4 without its cubic term, which only
+                   raises it: a quadratic in X = x^2; where it falls at X = 0, and where it does not
+    outer_falls -- not positive where it falls
     terms, least -- fall, linear, rest; and the x at which an amplitude's level is least in these, for fall > 0
     least_Omega_A -- dOmega/dA there, along these
     peak        -- level there less F_0, and its slope along A: R follows from I, and nothing cancels
@@ -72,6 +78,10 @@ class Inertia:
     level_slope: sp.Expr
     level_bend: sp.Expr
     Omega_A: sp.Expr
+    outer_lets: tuple[Let, ...]
+    outer: tuple[sp.Expr, ...]
+    outer_beyond: tuple[sp.Expr, ...]
+    outer_falls: sp.Expr
     terms: tuple[sp.Expr, ...]
     least: sp.Expr
     least_Omega_A: sp.Expr
@@ -112,18 +122,19 @@ def inertia(flow: SlowFlow) -> Inertia:
     F_value = flow.F.subs(F_0, force)
     level = sp.sqrt(R**2 + I**2) / Omega**2
     _vanishes(F_value.subs(F_0, level), "F at the level")
-    falls = sp.expand(Omega * sp.diff(G, Omega) - 4 * G)
-    _vanishes(Omega**5 * sp.diff(G / Omega**4, Omega) - falls, "the slope of the level")
+    of_level = sp.expand(Omega * sp.diff(G, Omega) - 4 * G)
+    _vanishes(Omega**5 * sp.diff(G / Omega**4, Omega) - of_level, "the slope of the level")
     # without what cancels between G and the derivative
     slope_of_level = -4 * (h * R + I * (friction + zeta * A * Omega))
-    _vanishes(slope_of_level.subs(whole) - falls, "the slope of the level in R and I")
-    bend = sp.factor_terms(sp.diff(falls, Omega))
-    quadratic = sp.Poly(falls, Omega)
+    _vanishes(slope_of_level.subs(whole) - of_level, "the slope of the level in R and I")
+    bend = sp.factor_terms(sp.diff(of_level, Omega))
+    quadratic = sp.Poly(of_level, Omega)
     if quadratic.degree() != 2 or sp.expand(G).coeff(Omega, 3) != 0:
-        raise ArithmeticError(f"the level's slope is no quadratic in Omega: {falls}")
+        raise ArithmeticError(f"the level's slope is no quadratic in Omega: {of_level}")
+    outer_lets, outer, outer_beyond, outer_falls = _outer(F_value.subs(whole))
     terms, least = _least(quadratic)
-    peak_lets, peak, isola = _peak(flow, slope_of_level, falls)
-    least_Omega_A = sp.factor_terms(-_x_A(falls) / x**2)
+    peak_lets, peak, isola = _peak(flow, slope_of_level, of_level)
+    least_Omega_A = sp.factor_terms(-_x_A(of_level) / x**2)
     F_AOmega, F_AA = flow.F_AOmega, flow.F_AA
     # bend/Omega is a force's F_OmegaOmega less 3 F_Omega/Omega; in the determinant of a force no squares cancel
     hessian_lets, of_force = hessian(flow)
@@ -138,6 +149,10 @@ def inertia(flow: SlowFlow) -> Inertia:
         level_bend=bend,
         # on F = 0: dF/dOmega = G_Omega - 4 F_0^2 Omega^3 is the level's slope over Omega
         Omega_A=-Omega * flow.F_A / slope_of_level,
+        outer_lets=outer_lets,
+        outer=outer,
+        outer_beyond=outer_beyond,
+        outer_falls=outer_falls,
         terms=terms,
         least=least,
         least_Omega_A=least_Omega_A,
@@ -154,6 +169,35 @@ def inertia(flow: SlowFlow) -> Inertia:
     )
 
 
+def _outer(F_value: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...], sp.Expr]:
+    """Roots of the quadratic in the forms in which nothing cancels; those of F lie inside of them."""
+    of_x = sp.Poly(sp.expand(sp.expand(F_value / Omega**4).subs(Omega, 1 / x)), x)
+    constant, linear_term, second, cubic, fourth = (of_x.coeff_monomial(x**power) for power in range(5))
+    if linear_term != 0 or of_x.degree() != 4 or cubic.could_extract_minus_sign():
+        raise ArithmeticError(f"more than a cubic term that is not negative beside a quadratic in x^2: {of_x}")
+    of_falls, of_over = sp.factor(-second / 2), (A - F_0) * (A + F_0)
+    _vanishes(of_over - constant, "F far above resonance")
+    # F_0^2 is put in by `square`: of A^2 (h + 2 zeta^2 A)^2 - A^2 square only small terms are left
+    of_inner = sp.expand(of_falls**2 - fourth * constant)
+    rest_of_it = sp.expand(of_inner - F_0**2 * fourth)
+    viscous = sp.factor(rest_of_it - rest_of_it.coeff(zeta, 0))
+    inner_value = F_0**2 * square + rest_of_it.coeff(zeta, 0) + viscous
+    _vanishes(inner_value.subs(square, fourth) - of_inner, "what the root is of")
+    roots = ((falls + spread) / square, over / (spread + falls)), (-over / (spread - falls), (falls - spread) / square)
+    for larger, smaller in roots:
+        product = (falls**2 - spread**2) / square
+        _vanishes((larger + smaller).subs(over, product) - 2 * falls / square, "the sum of the roots")
+        _vanishes((larger * smaller).subs(over, product) - product / square, "the product of the roots")
+    lets = (
+        (falls, of_falls),
+        (square, fourth),
+        (over, of_over),
+        (inner, inner_value),
+        (spread, sp.sqrt((inner + sp.Abs(inner)) / 2)),
+    )
+    return lets, *roots, sp.cancel(-of_falls / A)
+
+
 def _least(quadratic: sp.Poly) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
     """The positive root in the form in which nothing cancels."""
     constant, first, second = (quadratic.coeff_monomial(Omega**power) for power in range(3))
@@ -163,14 +207,14 @@ def _least(quadratic: sp.Poly) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
     return terms, value
 
 
-def _x_A(falls: sp.Expr) -> sp.Expr:
+def _x_A(of_level: sp.Expr) -> sp.Expr:
     """Slope of x along A where the level's slope over Omega^2 stays as it is: 0 where the level is least."""
-    of_x = sp.expand(falls.subs(Omega, 1 / x) * x**2)
+    of_x = sp.expand(of_level.subs(Omega, 1 / x) * x**2)
     return -slope(of_x) / sp.diff(of_x, x)
 
 
 def _peak(
-    flow: SlowFlow, slope_of_level: sp.Expr, falls: sp.Expr
+    flow: SlowFlow, slope_of_level: sp.Expr, of_level: sp.Expr
 ) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
     """R = -I drag/(h x) where the level is least: then level = I x root, and F_A/2 = I (2 zeta - share (...))/x."""
     at_x = {Omega: 1 / x}
@@ -191,7 +235,7 @@ def _peak(
     # -h F_A x^3/(2 I), h < 0
     value = drag * (1 + h_A * x**2) - 2 * zeta * h * x**2
     whole = value.subs(of_drag)
-    return lets, peak, (value, slope(whole) + sp.diff(whole, x) * _x_A(falls))
+    return lets, peak, (value, slope(whole) + sp.diff(whole, x) * _x_A(of_level))
 
 
 def _bound(G: sp.Expr) -> tuple[sp.Expr, ...]:

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from .oscillator import F, F_c, c, cos_forcing, groups, scaled_motion, sign_u_dot, u_ddot, u_dot
-from .symbols import F_0, Omega, mu, u, zeta
+from .symbols import F_0, Omega, mu, phi, u, zeta
 
 Let = tuple[sp.Symbol, sp.Expr]
 
@@ -22,6 +22,11 @@ theta, v = sp.symbols("theta v", real=True)
 cosine, sine = sp.symbols("cosine sine", real=True)
 # the whole restoring force u + F_k(u) and its slope; mu sign(u')
 f, f_u, friction = sp.symbols("f f_u friction", real=True)
+
+#: c_2 times the sign of u'
+quadratic = sp.Symbol("quadratic", real=True)
+#: amplitude of the displacement's first harmonic
+A_1 = sp.Symbol("A_1", real=True)
 
 # (A2): sharpness; the logistic steps at -u_cr and at u_cr, and tanh(nu u'); the pieces of the force and their slopes
 nu = sp.Symbol("nu", positive=True)
@@ -39,6 +44,10 @@ class Motion:
     push         -- what friction has to hold at rest
     cosine       -- cos theta at which the mass breaks away against that friction
     acceleration -- u'' of a slipping mass
+    resistance   -- mu sign(u') + c_2 |u'|u' in one direction of slip, for friction, and the zeta by which rates depend
+                    on u'
+    transmissibility -- fundamental harmonic of what spring, damper and friction pass on, over F_0, in its let: that of
+                    inertia, likewise
     push_slopes  -- of the push by theta, u, F_0
     rates        -- u', v' by theta
     by_state     -- derivatives of the rates by u, v: row by row
@@ -49,6 +58,9 @@ class Motion:
     push: sp.Expr
     cosine: sp.Expr
     acceleration: sp.Expr
+    resistance: tuple[sp.Expr, sp.Expr]
+    transmissibility_lets: tuple[Let, ...]
+    transmissibility: sp.Expr
     push_slopes: tuple[sp.Expr, ...]
     rates: tuple[sp.Expr, ...]
     by_state: tuple[sp.Expr, ...]
@@ -92,6 +104,29 @@ def _by(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     return sp.diff(expression, inner_symbol) * factor
 
 
+def _resistance(rates: tuple[sp.Expr, ...]) -> tuple[sp.Expr, sp.Expr]:
+    """What stands for friction in (3) while the mass slips one way, and the zeta by which its rates depend on u'."""
+    resists = friction + quadratic * v**2
+    damps = zeta + sp.diff(resists, v) / 2
+    for rate in rates:
+        whole = sp.diff(rate.subs(friction, resists), v) - _by(rate, v).subs(zeta, damps)
+        if sp.expand(whole) != 0:
+            raise ArithmeticError(f"the slope of the rates by u': {whole} is not zero")
+    return resists, damps
+
+
+def _transmissibility(equation: sp.Expr) -> tuple[tuple[Let, ...], sp.Expr]:
+    """Of u whose first harmonic is A_1 cos(theta + phi): what is passed on is the force less that of inertia."""
+    passed = -equation.subs({f: 0, v: 0, friction: 0})
+    if passed.free_symbols != {F_0, cosine, u_ddot}:
+        raise ArithmeticError(f"what is passed on depends on more than force and acceleration: {passed}")
+    # as complex amplitudes
+    of_inertia = sp.Symbol("of_inertia", real=True)
+    parts = ((1, sp.cos), (0, sp.sin))
+    both = (sp.expand(passed.subs({cosine: a, u_ddot: -F_0 * of_inertia * b(phi)}) / F_0) for a, b in parts)
+    return ((of_inertia, Omega**2 * A_1 / F_0),), sp.sqrt(sum(part**2 for part in both))
+
+
 def motion() -> Motion:
     """All of it."""
     equation = equation_of_motion()
@@ -99,11 +134,15 @@ def motion() -> Motion:
     # at rest the acceleration is zero too: friction is what keeps it so
     push = sp.solve(equation.subs({u_ddot: 0, v: 0}), friction)[0]
     rates = (v / Omega, acceleration / Omega)
+    transmissibility_lets, transmissibility = _transmissibility(equation)
     return Motion(
         equation=equation,
         push=push,
         cosine=sp.solve(push - friction, cosine)[0],
         acceleration=acceleration,
+        resistance=_resistance(rates),
+        transmissibility_lets=transmissibility_lets,
+        transmissibility=transmissibility,
         push_slopes=tuple(_by(push, symbol) for symbol in (theta, u, F_0)),
         rates=rates,
         by_state=tuple(_by(rate, symbol) for rate in rates for symbol in (u, v)),

@@ -138,7 +138,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
     equations = averaged()
     flows = {scene: slow_flow(equations, scene) for scene in SCENES}
     by_inertia, curve = inertia(flows[""]), Curve.of(flows[""])
-    by_laws = dissipation(sharp, equations, flows[""])
+    by_laws = dissipation(equations, flows[""])
     return Results(
         sharp,
         smoothed(sharp),

@@ -43,7 +43,8 @@ class Slopes:
     Omega_A -- slope of the response
     level   -- d L^2/dA along the fold locus, times F_AOmega^2
     cusp, isola -- d^2 L^2/dA^2 along the fold locus at a cusp and at an isola point, times F_AOmega^2 (and over A)
-    hessian -- determinant of F's second derivatives: negative at a saddle; in the slopes of R and I
+    determinant, isola_by_it -- of F's second derivatives, negative at a saddle; and `isola` by these
+    hessian -- the determinant in the slopes of R and I
     hessian_lets -- what it needs of these
     tail    -- an amplitude on the branch that comes from A = 0, in its lets
     """
@@ -53,6 +54,8 @@ class Slopes:
     level: sp.Expr
     cusp: sp.Expr
     isola: sp.Expr
+    determinant: sp.Expr
+    isola_by_it: sp.Expr
     hessian: sp.Expr
     hessian_lets: tuple[Let, ...]
     tail_lets: tuple[Let, ...]
@@ -70,9 +73,10 @@ def slopes(flow: SlowFlow) -> Slopes:
         return sp.diff(expression, A) + sp.diff(expression, Omega) * on_locus
 
     rise, bend = (_in_symbols(value).subs(F_A, 0) for value in (along_locus(_F), along_locus(along_locus(_F))))
-    hessian_lets, determinant = hessian(flow)
+    hessian_lets, of_flow = hessian(flow)
+    determinant = _in_symbols(sp.hessian(_F, (A, Omega)).det())
     isola = sp.factor(bend.subs(F_Omega, 0) * F_AOmega**2)
-    of_hessian, remainder = sp.div(isola, _in_symbols(sp.hessian(_F, (A, Omega)).det()), F_AA)
+    of_hessian, remainder = sp.div(isola, determinant, F_AA)
     if remainder != 0:
         raise ArithmeticError("the bend at an isola point is no multiple of the determinant")
     amplitude = sp.Symbol("amplitude", nonnegative=True)
@@ -89,8 +93,10 @@ def slopes(flow: SlowFlow) -> Slopes:
         Omega_A=_in_symbols(on_response),
         level=rise * F_AOmega**2,
         cusp=sp.factor(bend.subs(F_AA, 0) * F_AOmega**2 / A),
-        isola=of_hessian * determinant,
-        hessian=determinant,
+        isola=of_hessian * of_flow,
+        determinant=determinant,
+        isola_by_it=of_hessian * determinant,
+        hessian=of_flow,
         hessian_lets=hessian_lets,
         # the root of a product, which SymPy would take apart
         tail_lets=((_square, (F_0 - m) * (F_0 + m)),),

@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import json
 import os
+import re
 import subprocess
 import sys
 import warnings
@@ -75,18 +76,19 @@ def test_no_kernel_without_an_oracle(module):
     assert all(rows for rows in ORACLE[module].values())
 
 
-#: what NumPy's solvers alone call
-NOT_IN_C = {"dissipation", "off_centre"}
-IN_C = [(module, kernel) for module, kernel in KERNELS if module not in NOT_IN_C]
+PROTOTYPES = headers.prototypes()
+MECHANISMS = {path.stem for path in (HERE.parent / "derivations" / "mechanisms").glob("[!_]*.py")}
+IN_C = [one for one in KERNELS if "_".join(one) in PROTOTYPES]
 
 
 def test_every_c_function_has_an_oracle():
     known = {f"{module}_{kernel}" for module, kernel in IN_C}
-    prototypes = headers.prototypes()
-    found = set(prototypes)
-    assert known <= found
+    prototypes, found = PROTOTYPES, set(PROTOTYPES)
+    # what a mechanism has is listed in docs/kernels.md: all of it is in C, too
+    assert {f"{module}_{kernel}" for module, kernel in KERNELS if module in MECHANISMS} <= known
     helpers = {name for name in found - known if name.startswith("angles_")}
     regimes = {name for name in found - known if name.rpartition("_passed_")[0] in known}
+    regimes |= {name for name in found - known if name.removesuffix("_falling").removesuffix("_rising") in known}
     # of what kernels repeat each output has a pointer of its own
     repeated = {
         name
@@ -98,14 +100,41 @@ def test_every_c_function_has_an_oracle():
 
 
 def test_what_c_never_calls_is_not_printed_in_c():
-    headed = {header.stem for header in headers.HEADERS.glob("*.h")}
-    assert headed == {*MODULES, "angles"} - NOT_IN_C
-    text = "".join(
-        path.read_text()
-        for folder in ("generated/native", "src/slowflow/native")
-        for path in (headers.ROOT / folder).rglob("*.[ch]")
-    )
-    assert all(f'#include "{name}.h"' in text for name in headed)
+    left = set(PROTOTYPES) - headers.called()
+    assert left <= {f"{module}_{kernel}" for module, kernel in KERNELS if module in MECHANISMS}
+
+
+def test_what_python_never_calls_is_listed():
+    """Whether a name is called is told by its being an attribute, an import or a word of another generated function."""
+    page = (HERE.parent / "docs" / "kernels.md").read_text()
+    listed = set(re.findall(r"`([A-Za-z_0-9]+)(?:\([^`]*\))?`", page))
+    trees = [ast.parse(path.read_text()) for path in (HERE.parent / "src").rglob("*.py")]
+    named = {one for tree in trees for node in ast.walk(tree) for one in names_of(node)}
+    for path in PACKAGE.glob("[!_]*.py"):
+        tree = ast.parse(path.read_text())
+        own = {name for node in tree.body for name in defined_by(node) if not name.startswith("_")}
+        inside = {
+            one.id for node in ast.walk(tree) for one in ast.walk(node) if isinstance(one, ast.Name) and is_load(one)
+        }
+        assert own <= named | inside | listed, path.stem
+
+
+def is_load(node: ast.Name) -> bool:
+    return isinstance(node.ctx, ast.Load)
+
+
+def defined_by(node: ast.AST) -> set[str]:
+    if isinstance(node, ast.FunctionDef):
+        return {node.name}
+    targets = node.targets if isinstance(node, ast.Assign) else []
+    return {one.id for target in targets for one in ast.walk(target) if isinstance(one, ast.Name)}
+
+
+def names_of(node: ast.AST) -> set[str]:
+    """What a node of runtime code calls by name."""
+    if isinstance(node, ast.Attribute):
+        return {node.attr}
+    return {alias.name for alias in node.names} if isinstance(node, ast.ImportFrom) else set()
 
 
 @pytest.mark.parametrize(("module", "kernel"), KERNELS)

@@ -67,6 +67,7 @@ class Kernel:
     enclosed   -- whether it is wanted on intervals too, in C
     searched   -- and on intervals of any arithmetic, in Python
     looped     -- whether Python may have it as a compiled loop over arrays of floats: asked once an answer, it need not
+    in_c       -- whether anything in C calls it, where a module is in C at all
     paired     -- and in double-double, in C, and in balls, in Python
     to_pairs   -- of one in double-double: the lets that are wanted so, what is left to do being done in doubles; all
                   of it where there are none
@@ -84,6 +85,7 @@ class Kernel:
     enclosed: bool = False
     searched: bool = False
     looped: bool = True
+    in_c: bool = True
     paired: bool = False
     to_pairs: tuple[sp.Symbol, ...] = ()
 

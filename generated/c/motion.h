@@ -55,80 +55,15 @@ static inline double motion_acceleration(double cosine, double v, double F_0, do
     return F_0 * cosine - f - friction - 2.0 * v * zeta;
 }
 
-/* u and v by theta.
-   Equation (3). Domain: Omega > 0.
-   Operations: 8 structured, 9 common subexpressions, 9 power chains
-   Proved, error / u (1 + kappa): 0.67, 5.01
+/* Friction and quadratic damping, both times the sign of u'; and the zeta of the slope of all by u'.
+   Equation (3). Domain: any.
+   Operations: 5 structured, 5 common subexpressions, 5 power chains
+   Proved, error / u (1 + kappa): 1.01, 1.01
  */
-static inline void motion_rates(double cosine, double v, double Omega, double F_0, double zeta, double friction, double f, double *out)
+static inline void motion_resistance(double v, double zeta, double friction, double quadratic, double *out)
 {
-    const double t0 = 1.0 / Omega;
-    out[0] = t0 * v;
-    out[1] = t0 * (F_0 * cosine - f - friction - 2.0 * v * zeta);
-}
-
-/* Derivatives of the rates by u, v: of the first, then of the second.
-   Equation (3). Domain: Omega > 0.
-   Operations: 4 structured, 4 common subexpressions, 4 power chains
-   Proved, error / u (1 + kappa): 0.0, 0.51, 0.67, 0.67
- */
-static inline void motion_rates_by_state(double Omega, double zeta, double f_u, double *out)
-{
-    const double t0 = 1.0 / Omega;
-    out[0] = 0.0;
-    out[1] = t0;
-    out[2] = -f_u * t0;
-    out[3] = -2.0 * t0 * zeta;
-}
-
-/* Derivatives of the rates by Omega, F_0, zeta, friction, f: of the first, then of the second.
-   Equation (3). Domain: Omega > 0.
-   Operations: 13 structured, 13 common subexpressions, 13 power chains
-   Proved, error / u (1 + kappa): 0.76, 0.0, 0.0, 0.0, 0.0, 6.01, 0.67, 0.67, 0.51, 0.51
- */
-static inline void motion_rates_by_parameter(double cosine, double v, double Omega, double F_0, double zeta, double friction, double f, double *out)
-{
-    const double t0 = 1.0 / (Omega * Omega);
-    const double t1 = 2.0 * v;
-    const double t2 = 1.0 / Omega;
-    const double t3 = -t2;
-    out[0] = -t0 * v;
-    out[1] = 0.0;
-    out[2] = 0.0;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[5] = -t0 * (F_0 * cosine - f - friction - t1 * zeta);
-    out[6] = cosine * t2;
-    out[7] = -t1 * t2;
-    out[8] = t3;
-    out[9] = t3;
-}
-
-/* u and v by tau, smoothed: slip = tanh(nu v), left and right are logistic functions of nu (u +- u_cr).
-   Equation (A1), (A2). Domain: any.
-   Operations: 11 structured, 11 common subexpressions, 11 power chains
-   Proved, error / u (1 + kappa): 0.0, -
- */
-static inline void motion_smoothed(double cosine, double v, double F_0, double mu, double zeta, double left, double right, double slip, double inner, double outer, double *out)
-{
-    const double weight = left - right;
-    out[0] = v;
-    out[1] = F_0 * cosine - mu * slip - outer - 2.0 * v * zeta - weight * (inner - outer);
-}
-
-/* Derivatives of these rates by u, v: of the first, then of the second.
-   Equation (A1), (A2). Domain: any.
-   Operations: 18 structured, 18 common subexpressions, 18 power chains
-   Proved, error / u (1 + kappa): 0.0, 0.0, -, 4.51
- */
-static inline void motion_smoothed_by_state(double mu, double zeta, double nu, double left, double right, double slip, double inner, double outer, double inner_u, double outer_u, double *out)
-{
-    const double weight = left - right;
-    const double weight_u = -nu * weight * (left + right - 1.0);
-    out[0] = 0.0;
-    out[1] = 1.0;
-    out[2] = -inner_u * weight - outer_u * (1.0 - weight) - weight_u * (inner - outer);
-    out[3] = -mu * nu * (1.0 - slip * slip) - 2.0 * zeta;
+    out[0] = friction + quadratic * v * v;
+    out[1] = quadratic * v + zeta;
 }
 
 #endif

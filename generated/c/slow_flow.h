@@ -345,6 +345,17 @@ static inline void slow_flow_fold(double A, double F_0, double m, double zeta, d
     out[2] = 0.5 * lag * t5 / zeta;
 }
 
+/* What F and F_A change by beside a fold, per what vanishes there (`fold`), at its A, Omega and I.
+   Equation from (24), (30). Domain: A > 0.
+   Operations: 5 structured, 4 common subexpressions, 4 power chains
+ */
+static inline void slow_flow_fold_moves(double A, double k, double R, double *out)
+{
+    const double t0 = 2.0 * R;
+    out[0] = t0;
+    out[1] = -2.0 * (k - t0) / A;
+}
+
 /* Omega at an isola point.
    Equation from (30), (34). Domain: h_A >= 0.
    Operations: 1 structured, 1 common subexpressions, 1 power chains

@@ -241,6 +241,26 @@ static inline void slow_flow_mu0_zeta0_fold(double F_0, double m, double k, doub
     out[1] = 2.0 * k * k_A;
 }
 
+/* The forcing of a fold, whose R is k.
+   Equation from (24), (30). Domain: h_A <= 0.
+   Operations: 1 structured, 1 common subexpressions, 1 power chains
+ */
+static inline double slow_flow_mu0_zeta0_undamped_level(double m, double k)
+{
+    (void)(m);
+    return fabs(k);
+}
+
+/* The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own.
+   Equation from (24), (30). Domain: h_A <= 0.
+   Operations: 2 structured, 2 common subexpressions, 2 power chains
+ */
+static inline void slow_flow_mu0_zeta0_undamped_rises(double h_AA, double h_AAA, double k, double *out)
+{
+    out[0] = -h_AA * k;
+    out[1] = -h_AAA * k;
+}
+
 /* The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.
    Equation from (30), (33). Domain: A > 0.
    Operations: 3 structured, 3 common subexpressions, 3 power chains

@@ -71,6 +71,43 @@ static SF_WIDE void inertia_Omega_A_loop(ptrdiff_t n, const double *const *in, d
 
 static const sf_loop inertia_Omega_A_loops[] = {inertia_Omega_A_loop};
 
+static SF_WIDE void inertia_outer_falling_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i], F_0 = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i];
+        double values[2];
+        inertia_outer_falling(A, F_0, m, zeta, h, values);
+        for (int k = 0; k < 2; k++)
+            out[k][i] = values[k];
+    }
+}
+
+static SF_WIDE void inertia_outer_rising_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i], F_0 = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i];
+        double values[2];
+        inertia_outer_rising(A, F_0, m, zeta, h, values);
+        for (int k = 0; k < 2; k++)
+            out[k][i] = values[k];
+    }
+}
+
+static SF_WIDE void inertia_outer_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+{
+    /* a char may alias the table of arrays */
+    const double *A_ = in[0], *zeta_ = in[3], *h_ = in[4];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double A = A_[i], zeta = zeta_[i], h = h_[i];
+        regime[i] = 2.0 * A * zeta * zeta + h <= 0.0 ? 0 : 1;
+    }
+}
+
+static const sf_loop inertia_outer_loops[] = {
+    inertia_outer_falling_loop, inertia_outer_rising_loop
+};
+
 static SF_WIDE void inertia_terms_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     SF_EACH(i, n) {
@@ -199,6 +236,10 @@ static const sf_kernel kernels[] = {
     {"Omega_A",
      "dOmega/dA along the response. Equation from (24). Domain: Omega > 0, A > 0.",
      6, 1, 1, NULL, inertia_Omega_A_loops},
+    {"outer",
+     "1/Omega^2 below the low frequency of an amplitude, and above the high one, where it has that. Equation from "
+     "(24). Domain: A > 0, where F has a root.",
+     5, 2, 2, inertia_outer_regime, inertia_outer_loops},
     {"terms",
      "What the least level of an amplitude follows from; it has one where the first, fall, is positive. Equation "
      "from (24). Domain: A > 0.",

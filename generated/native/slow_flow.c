@@ -294,6 +294,19 @@ static SF_WIDE void slow_flow_fold_loop(ptrdiff_t n, const double *const *in, do
 
 static const sf_loop slow_flow_fold_loops[] = {slow_flow_fold_loop};
 
+static SF_WIDE void slow_flow_fold_moves_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i], k = in[1][i], R = in[2][i];
+        double values[2];
+        slow_flow_fold_moves(A, k, R, values);
+        for (int k = 0; k < 2; k++)
+            out[k][i] = values[k];
+    }
+}
+
+static const sf_loop slow_flow_fold_moves_loops[] = {slow_flow_fold_moves_loop};
+
 static SF_WIDE void slow_flow_isola_Omega_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     SF_EACH(i, n) {
@@ -568,6 +581,10 @@ static const sf_kernel kernels[] = {
      "Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega. Equation from (24), "
      "(30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2.",
      8, 3, 1, NULL, slow_flow_fold_loops},
+    {"fold_moves",
+     "What F and F_A change by beside a fold, per what vanishes there (`fold`), at its A, Omega and I. Equation from "
+     "(24), (30). Domain: A > 0.",
+     3, 2, 1, NULL, slow_flow_fold_moves_loops},
     {"isola_Omega",
      "Omega at an isola point. Equation from (30), (34). Domain: h_A >= 0.",
      1, 1, 1, NULL, slow_flow_isola_Omega_loops},

@@ -194,6 +194,29 @@ static SF_WIDE void slow_flow_zeta0_fold_loop(ptrdiff_t n, const double *const *
 
 static const sf_loop slow_flow_zeta0_fold_loops[] = {slow_flow_zeta0_fold_loop};
 
+static SF_WIDE void slow_flow_zeta0_undamped_level_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double m = in[0][i], k = in[1][i];
+        out[0][i] = slow_flow_zeta0_undamped_level(m, k);
+    }
+}
+
+static const sf_loop slow_flow_zeta0_undamped_level_loops[] = {slow_flow_zeta0_undamped_level_loop};
+
+static SF_WIDE void slow_flow_zeta0_undamped_rises_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double h_AA = in[0][i], h_AAA = in[1][i], k = in[2][i];
+        double values[2];
+        slow_flow_zeta0_undamped_rises(h_AA, h_AAA, k, values);
+        for (int k = 0; k < 2; k++)
+            out[k][i] = values[k];
+    }
+}
+
+static const sf_loop slow_flow_zeta0_undamped_rises_loops[] = {slow_flow_zeta0_undamped_rises_loop};
+
 static SF_WIDE void slow_flow_zeta0_undamped_loop(ptrdiff_t n, const double *const *in, double *const *out)
 {
     SF_EACH(i, n) {
@@ -264,6 +287,13 @@ static const sf_kernel kernels[] = {
      "Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A. Equation "
      "from (24), (30). Domain: F_0 > m.",
      4, 2, 1, NULL, slow_flow_zeta0_fold_loops},
+    {"undamped_level",
+     "The forcing of a fold, whose R is k. Equation from (24), (30). Domain: h_A <= 0.",
+     2, 1, 1, NULL, slow_flow_zeta0_undamped_level_loops},
+    {"undamped_rises",
+     "The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own. "
+     "Equation from (24), (30). Domain: h_A <= 0.",
+     3, 2, 1, NULL, slow_flow_zeta0_undamped_rises_loops},
     {"undamped",
      "The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R. Equation from (30), (33). Domain: A "
      "> 0.",

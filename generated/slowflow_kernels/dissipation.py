@@ -15,12 +15,13 @@ import numpy as np
 
 
 __all__ = [
-    "F_A", "F_AA", "I_A", "MOVES", "F_AOmega", "F_AOmegaOmega", "F_Omega", "F_OmegaOmega", "I", "Omega_A",
-    "at_rest", "beside", "cusps", "far", "fold_quartic", "folds", "isolas", "limit_envelope",
-    "moves_of_corner_backbone", "moves_of_corner_end", "moves_of_corner_fold", "moves_of_corner_rest",
-    "moves_of_corner_top", "moves_of_cusp", "moves_of_fold", "moves_of_isola", "moves_of_peak", "moves_of_phase",
-    "moves_of_state", "peaks", "quadratic", "released", "released_moves", "resistance", "response_quartic", "rest",
-    "rest_moves", "restoring", "stability", "stiffness", "turn_share", "turns",
+    "F_A", "F_AA", "I_A", "MOVES", "F", "F_AOmega", "F_AOmegaOmega", "F_A_halved", "F_A_scaled", "F_Omega",
+    "F_OmegaOmega", "I", "I_scaled", "Omega_A", "R_of_fold", "R_of_peak", "R_of_response", "at_rest", "beside",
+    "cusp_bend", "cusps", "far", "fold_quartic", "folds", "h_A_of_turn", "isola_bend", "isolas", "least_F_A",
+    "least_scaled", "limit_envelope", "moves_of_corner_backbone", "moves_of_corner_end", "moves_of_corner_fold",
+    "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp", "moves_of_fold", "moves_of_isola",
+    "moves_of_peak", "moves_of_phase", "moves_of_state", "peaks", "quadratic", "released", "released_moves",
+    "response_quartic", "rest", "rest_moves", "restoring", "stability", "stiffness", "turn_share", "turns",
 ]
 
 
@@ -41,19 +42,6 @@ def restoring(A, F_0, d):
     Proved, error / u (1 + kappa): 2.01
     """
     return F_0 + F_0 / (A * d)
-
-
-def resistance(v, zeta, friction, quadratic):
-    """Friction and quadratic damping, both times the sign of u'; and the zeta of the slope of all by u'.
-
-    Equation (3). Domain: any.
-    Operations: 5 structured, 5 common subexpressions, 5 power chains.
-    Proved, error / u (1 + kappa): 1.01, 1.01
-    """
-    return (
-        friction + quadratic * v * v,
-        quadratic * v + zeta,
-    )
 
 
 def at_rest(A, m, eta):
@@ -168,6 +156,18 @@ def far(x, A, I_0, I_0A, zeta, d, h, h_A):
         A * A * d + I_0 * t0 + t1 * t2,
         I_0A * t0 + d * t1 + 2.0 * t2,
     )
+
+
+def F(Omega, A, F_0, I_0, zeta, d, h):
+    """Zero at a steady state.
+
+    Equation (24). Domain: Omega > 0, A > 0.
+    Operations: 17 structured, 16 common subexpressions, 16 power chains.
+    """
+    t0 = Omega * Omega
+    R = A * t0 + h
+    I = A * A * d * t0 + 2.0 * A * Omega * zeta + I_0
+    return R * R + (-F_0 + I) * (F_0 + I)
 
 
 def F_A(Omega, A, I_0, I_0A, zeta, d, h, h_A):
@@ -288,6 +288,62 @@ def Omega_A(Omega, A, I_0, I_0A, zeta, d, h, h_A):
     )
 
 
+def cusp_bend(Omega, A, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA):
+    """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
+
+    Equation from (24), (30). Domain: Omega > 0, A > 0.
+    Operations: 97 structured, 55 common subexpressions, 55 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = 2.0 * Omega
+    t3 = t2 * zeta
+    t4 = d * t0
+    I = A * A * t4 + A * t3 + I_0
+    t5 = h_A + t0
+    t6 = I_0A + 2.0 * d * t1 + t3
+    F_AAA = (
+        2.0 * (I * I_0AAA + 2.0 * I_0AA * t6 + R * h_AAA + 3.0 * h_AA * t5 + 4.0 * t4 * t6 + t6 * (I_0AA + 2.0 *
+        t4))
+    )
+    t7 = Omega * R
+    t8 = A * Omega
+    t9 = d * t8 + zeta
+    F_Omega = 4.0 * A * (I * t9 + t7)
+    F_AOmega = 4.0 * (A * t6 * t9 + I * (A * d * t2 + zeta) + t5 * t8 + t7)
+    return -F_AAA * F_AOmega * F_Omega / A
+
+
+def isola_bend(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA):
+    """At an isola point: negative at a saddle of F; and as `cusp_bend`.
+
+    Equation from (24), (30). Domain: Omega > 0, A > 0.
+    Operations: 85 structured, 55 common subexpressions, 55 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = 2.0 * Omega
+    t3 = t2 * zeta
+    t4 = d * t0
+    I = A * A * t4 + A * t3 + I_0
+    t5 = h_A + t0
+    t6 = 2.0 * t1
+    t7 = I_0A + d * t6 + t3
+    F_AA = 2.0 * (I * I_0AA + 2.0 * I * t4 + R * h_AA + t5 * t5 + t7 * t7)
+    t8 = A * Omega
+    t9 = A * d
+    t10 = d * t8 + zeta
+    F_AOmega = 4.0 * (A * t10 * t7 + I * (t2 * t9 + zeta) + Omega * R + t5 * t8)
+    F_OmegaOmega = 4.0 * A * (2.0 * A * t10 * t10 + I * t9 + R + t6)
+    t11 = F_AA * F_OmegaOmega - F_AOmega * F_AOmega
+    return (
+        t11,
+        F_AA * t11,
+    )
+
+
 def stability(Omega, A, I_0, I_0A, zeta, d, h, h_A):
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
@@ -366,6 +422,94 @@ def turn_share(x, A, I_0, I_0A, zeta, d):
     return (
         4.0 * A3 * d * d + 9.0 * t0 * x * zeta + x2 * (2.0 * A * I_0 * d + 4.0 * A * zeta * zeta + I_0A * t0) + x3 *
         (A * I_0A * zeta + I_0 * zeta)
+    )
+
+
+def F_A_halved(R, R_A, I, I_A):
+    """F_A/2 by R, I and their slopes.
+
+    Equation (30). Domain: Omega >= 0, A > 0.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    """
+    return I * I_A + R * R_A
+
+
+def R_of_response(F_0, I):
+    """The size of R where F = 0.
+
+    Equation (24). Domain: Omega >= 0, A > 0.
+    Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    """
+    return np.sqrt(F_0 * F_0 - I * I)
+
+
+def R_of_peak(Omega, A, zeta, d, I):
+    """R where F_Omega = 0.
+
+    Equation from (24). Domain: Omega >= 0, A > 0.
+    Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    """
+    return I * (-A * d - zeta / Omega)
+
+
+def R_of_fold(Omega, h_A, I, I_A):
+    """R where F_A = 0.
+
+    Equation from (30). Domain: Omega >= 0, A > 0.
+    Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    """
+    return -I * I_A / (Omega * Omega + h_A)
+
+
+def h_A_of_turn(Omega, A, R, beside):
+    """h_A where F_AOmega = 0; beside is Omega^2 `turn_share`.
+
+    Equation from (30). Domain: Omega >= 0, A > 0.
+    Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    """
+    return -Omega * Omega + (-R - beside) / A
+
+
+def least_F_A(A, k, I, I_A):
+    """4 A times the least F_A/2 that any R leaves.
+
+    Equation from (30). Domain: Omega >= 0, A > 0.
+    Operations: 5 structured, 5 common subexpressions, 5 power chains.
+    """
+    return 4.0 * A * I * I_A - k * k
+
+
+def I_scaled(Omega, A, I_0_over_A, zeta, d):
+    """I/A, by I_0/A.
+
+    Equation (23). Domain: Omega >= 0, A > 0.
+    Operations: 7 structured, 7 common subexpressions, 7 power chains.
+    """
+    return A * Omega * Omega * d + I_0_over_A + 2.0 * Omega * zeta
+
+
+def F_A_scaled(Omega, h_over_A, h_A, I_over_A, I_A):
+    """F_A/(2 A), by h/A and I/A.
+
+    Equation (30). Domain: Omega >= 0, A > 0.
+    Operations: 7 structured, 6 common subexpressions, 6 power chains.
+    """
+    t0 = Omega * Omega
+    return I_A * I_over_A + (h_A + t0) * (h_over_A + t0)
+
+
+def least_scaled(Omega, zeta, eta, d, h_AA):
+    """Of what `least_F_A` over A^2 is not below where |k| <= A^2 |h_AA|/2, friction on all of the cycle: 1, A^2.
+
+    Equation from (30). Domain: Omega >= 0.
+    Operations: 14 structured, 14 common subexpressions, 13 power chains.
+    """
+    t0 = 2.0 * Omega * zeta + eta
+    Omega2 = Omega * Omega
+    Omega4 = Omega2 * Omega2
+    return (
+        4.0 * t0 * t0,
+        8.0 * Omega4 * d * d - 0.25 * h_AA * h_AA,
     )
 
 

@@ -14,12 +14,20 @@ the methods `square` and `sqrt`.
 __all__ = [
     "at_rest",
     "cusps",
+    "F_A_halved",
+    "F_A_scaled",
     "far",
     "folds",
+    "h_A_of_turn",
     "I",
     "I_A",
+    "I_scaled",
     "isolas",
+    "least_F_A",
     "peaks",
+    "R_of_fold",
+    "R_of_peak",
+    "R_of_response",
     "released",
     "rest",
     "stiffness",
@@ -107,6 +115,87 @@ def turn_share(x, A, I_0, I_0A, zeta, d):
     return (
         4.0 * A3 * d.square() + 9.0 * t0 * x * zeta + x2 * (2.0 * A * I_0 * d + 4.0 * A * zeta.square() + I_0A * t0)
         + x3 * (A * I_0A * zeta + I_0 * zeta)
+    )
+
+
+def F_A_halved(R, R_A, I, I_A):
+    """F_A/2 by R, I and their slopes.
+
+    Equation (30). Domain: Omega >= 0, A > 0.
+    """
+    return (
+        I * I_A + R * R_A
+    )
+
+
+def R_of_response(F_0, I):
+    """The size of R where F = 0.
+
+    Equation (24). Domain: Omega >= 0, A > 0.
+    """
+    return (
+        (F_0.square() - I.square()).sqrt()
+    )
+
+
+def R_of_peak(Omega, A, zeta, d, I):
+    """R where F_Omega = 0.
+
+    Equation from (24). Domain: Omega >= 0, A > 0.
+    """
+    return (
+        I * (-A * d - zeta / Omega)
+    )
+
+
+def R_of_fold(Omega, h_A, I, I_A):
+    """R where F_A = 0.
+
+    Equation from (30). Domain: Omega >= 0, A > 0.
+    """
+    return (
+        -I * I_A / (Omega.square() + h_A)
+    )
+
+
+def h_A_of_turn(Omega, A, R, beside):
+    """h_A where F_AOmega = 0; beside is Omega^2 `turn_share`.
+
+    Equation from (30). Domain: Omega >= 0, A > 0.
+    """
+    return (
+        -Omega.square() + (-R - beside) / A
+    )
+
+
+def least_F_A(A, k, I, I_A):
+    """4 A times the least F_A/2 that any R leaves.
+
+    Equation from (30). Domain: Omega >= 0, A > 0.
+    """
+    return (
+        4.0 * A * I * I_A - k.square()
+    )
+
+
+def I_scaled(Omega, A, I_0_over_A, zeta, d):
+    """I/A, by I_0/A.
+
+    Equation (23). Domain: Omega >= 0, A > 0.
+    """
+    return (
+        A * Omega.square() * d + I_0_over_A + 2.0 * Omega * zeta
+    )
+
+
+def F_A_scaled(Omega, h_over_A, h_A, I_over_A, I_A):
+    """F_A/(2 A), by h/A and I/A.
+
+    Equation (30). Domain: Omega >= 0, A > 0.
+    """
+    t0 = Omega.square()
+    return (
+        I_A * I_over_A + (h_A + t0) * (h_over_A + t0)
     )
 
 

@@ -26,4 +26,3 @@ EXCITATIONS = {
     "base": Parameter("F_0", "amplitude of the base's displacement, under a mass seen from the base", "L", above=0.0),
     "unbalance": Parameter("F_0", "a turning mass times its radius, on the mass that moves", "m L", above=0.0),
 }
-FORCING = EXCITATIONS["force"]

@@ -22,7 +22,7 @@ SCENE = "mu = zeta = 0: F is a quadratic in Omega^2, roots in closed form"
 __all__ = [
     "F_A", "F_AA", "SCENE", "F", "F_AOmega", "F_Omega", "I", "R", "backbone", "detachment", "equivalent_damping",
     "fold", "fold_quartic", "level", "limit_envelope", "peak_cubic", "phase", "response_quartic", "stability",
-    "undamped", "undamped_Omega",
+    "undamped", "undamped_Omega", "undamped_level", "undamped_rises",
 ]
 
 
@@ -247,6 +247,30 @@ def fold(F_0, m, k, k_A):
     )
 
 
+def undamped_level(m, k):
+    """The forcing of a fold, whose R is k.
+
+    Equation from (24), (30). Domain: h_A <= 0.
+    Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    """
+    m, k = floats(m, k)
+    return full(np.abs(k), (m, k))
+
+
+def undamped_rises(h_AA, h_AAA, k):
+    """The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own.
+
+    Equation from (24), (30). Domain: h_A <= 0.
+    Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    """
+    h_AA, h_AAA, k = floats(h_AA, h_AAA, k)
+    arguments = (h_AA, h_AAA, k)
+    return (
+        full(-h_AA * k, arguments),
+        full(-h_AAA * k, arguments),
+    )
+
+
 def undamped(A, h, h_A, h_AA, h_AAA):
     """The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.
 
@@ -267,10 +291,11 @@ def undamped(A, h, h_A, h_AA, h_AAA):
 if NATIVE is not None:
     (
         I, F, F_A, F_AA, F_Omega, F_AOmega, phase, limit_envelope, equivalent_damping, stability, response_quartic,
-        fold_quartic, peak_cubic, detachment, level, undamped_Omega, fold, undamped,
+        fold_quartic, peak_cubic, detachment, level, undamped_Omega, fold, undamped_level, undamped_rises, undamped,
     ) = compiled(
         (I, F, F_A, F_AA, F_Omega, F_AOmega, phase, limit_envelope, equivalent_damping, stability,
-         response_quartic, fold_quartic, peak_cubic, detachment, level, undamped_Omega, fold, undamped,),
+         response_quartic, fold_quartic, peak_cubic, detachment, level, undamped_Omega, fold, undamped_level,
+         undamped_rises, undamped,),
         NATIVE.slow_flow_mu0_zeta0(),
     )
     detachment = coefficients_of(detachment)

@@ -15,6 +15,7 @@ __all__ = [
     "F_Omega_reduced",
     "fold",
     "undamped_Omega",
+    "undamped_rises",
 ]
 
 
@@ -38,6 +39,17 @@ def fold(F_0, m, k, k_A):
     return (
         (k - least) * (k + least),
         2.0 * k * k_A,
+    )
+
+
+def undamped_rises(h_AA, h_AAA, k):
+    """The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own.
+
+    Equation from (24), (30). Domain: h_A <= 0.
+    """
+    return (
+        -h_AA * k,
+        -h_AAA * k,
     )
 
 

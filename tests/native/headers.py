@@ -21,6 +21,10 @@ INCLUDES = [f"-I{HEADERS}", f"-I{ROOT / 'src' / 'slowflow' / 'native'}"]
 WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
 FLAGS = ["-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"]
 PROTOTYPE = re.compile(r"^(?:static inline|TWOFOLD_INLINE) (double|void) (\w+)\(([^)]*)\)", re.MULTILINE)
+COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+WORD = re.compile(r"\b[A-Za-z_]\w*\b")
+#: names that a macro of the solvers puts together begin so
+PASTED = re.compile(r"\b(\w+)##")
 COMPILER = shutil.which("cc")
 WIDEST = 64
 LIBRARY = "kernels.so"
@@ -33,6 +37,28 @@ def prototypes() -> dict[str, tuple[str, list[str]]]:
         for kind, name, arguments in PROTOTYPE.findall(header.read_text()):
             found[name] = (kind, [argument.strip() for argument in arguments.split(",")])
     return found
+
+
+def called() -> set[str]:
+    """Those of these functions that the solvers, the explorer or loops over arrays call, by themselves or by others."""
+    bodies: dict[str, set[str]] = {}
+    for header in sorted(HEADERS.glob("*.h")):
+        text = COMMENT.sub("", header.read_text())
+        starts = [*PROTOTYPE.finditer(text)]
+        for one, following in zip(starts, [*(start.start() for start in starts[1:]), len(text)], strict=True):
+            bodies[one[2]] = set(WORD.findall(text[one.end() : following]))
+    folders = (ROOT / "src" / "slowflow" / "native", ROOT / "explorer", ROOT / "generated" / "native")
+    texts = [COMMENT.sub("", path.read_text()) for folder in folders for path in folder.rglob("*.[ch]")]
+    found = {word for text in texts for word in WORD.findall(text)}
+    pasted = {prefix for text in texts for prefix in PASTED.findall(text)}
+    left = [name for name in bodies if name in found or any(map(name.startswith, pasted))]
+    reached: set[str] = set()
+    while left:
+        name = left.pop()
+        if name not in reached:
+            reached.add(name)
+            left += bodies[name] & bodies.keys()
+    return reached
 
 
 def compile_alone(header: Path, directory: Path) -> str:

@@ -396,6 +396,30 @@ def undamped_frequency(h_A):
     return mp.findroot(lambda w: slope_of_response(1, w, mpf(1), 0, 0, mpf(1), h_A), 1.01 * mp.sqrt(-h_A))
 
 
+def undamped_rises(h_AA, h_AAA, k):
+    """The slope of level^2/2 at A = 1 along folds whose tangent meets A = 0 at k; the same of h_AAA where h_AA is 0."""
+
+    def slope(*derivatives):
+        h = near(mpf(1), (k, mpf(0), *derivatives))
+        tangent = lambda a: h(a) - a * mp.diff(h, a)  # noqa: E731
+        return lambda a: mp.diff(lambda s: level(0, 1, 0, 0, tangent(s)) ** 2 / 2, a)
+
+    return [slope(h_AA)(1), mp.diff(slope(0, h_AAA), 1)]
+
+
+def fold_moves(A, k, R):
+    """F and F_A beside a point with that R, whose tangent along A meets A = 0 at k, at an I that stays."""
+
+    def of(order):
+        def moved(y):
+            slope_of_R = (R + y - k) / A
+            return mp.diff(lambda a: (R + y + slope_of_R * (a - A)) ** 2, A, order)
+
+        return mp.diff(moved, 0)
+
+    return [of(0), of(1)]
+
+
 def undamped(A, *values):
     """F_AA/(2 R) and R at the undamped folds, each with its slope."""
     h, h_A = near(A, values), near(A, values[1:])
@@ -483,6 +507,8 @@ UNDAMPED: dict[str, tuple[str, Function, int]] = {
     "undamped_Omega": ("h_A", lambda h_A: [undamped_frequency(h_A)], -1),
     "undamped": ("A h h_A h_AA h_AAA", undamped, -1),
     "fold": ("F_0 m intercept k_A", undamped_fold, 0),
+    "undamped_level": ("m intercept", lambda m, k: [level(0, 1, m, 0, k)], 0),
+    "undamped_rises": ("h_AA h_AAA intercept", undamped_rises, 0),
 }
 
 
@@ -586,6 +612,7 @@ GRADIENTS: dict[str, tuple[str, Function]] = {
     **{f"moves_of_{kind}": (f"{AT} {CAUSES}", functools.partial(moves, kind)) for kind in PINNED},
     "beside": ("Omega A F_0 m zeta h h_A", lambda w, A, F_0, *x: beside_point(w, A, *x)),
     "moves_of_phase": ("Omega A F_0 m zeta h h_A h_p m_p zeta_p A_p Omega_p F_0_p", moves_of_phase),
+    "fold_moves": ("A intercept R", fold_moves),
 }
 
 
@@ -1094,6 +1121,24 @@ def smoothed_by_state(mu, zeta, nu, left, right, slip, inner, outer, inner_u, ou
     return matrix(rates, (mpf(0), mpf(0)))
 
 
+def resisting(v, zeta, friction, quadratic):
+    """By the derivative of all that resists."""
+    whole = 2 * zeta * v + friction + quadratic * v**2
+    slope = mp.diff(lambda x: 2 * zeta * x + friction + quadratic * x**2, v)
+    return [whole - 2 * zeta * v, slope / 2]
+
+
+def passed_on(Omega, A_1, F_0, phi):
+    """The first harmonic of the force less the acceleration of A_1 cos(theta + phi), by its Fourier integrals."""
+
+    def passed(theta):
+        return F_0 * mp.cos(theta) - mp.diff(lambda t: A_1 * mp.cos(t + phi), theta, 2) * Omega**2
+
+    # the trapezoidal rule is exact for harmonics
+    angles = [2 * mp.pi * k / 8 for k in range(8)]
+    return mp.hypot(*(sum(passed(t) * f(t) for t in angles) / 4 for f in (mp.cos, mp.sin))) / F_0
+
+
 MOTION: dict[str, tuple[str, Function]] = {
     "push": ("cosine F_0 f", lambda *x: [push(*x)]),
     "push_slopes": ("cosine sine F_0 f_u", push_slopes),
@@ -1104,6 +1149,8 @@ MOTION: dict[str, tuple[str, Function]] = {
     "rates_by_parameter": ("cosine v Omega F_0 zeta mu f", rates_by_parameter),
     "smoothed": ("cosine v F_0 mu zeta left right slip inner outer", smoothed),
     "smoothed_by_state": ("mu zeta nu left right slip inner outer inner_u outer_u", smoothed_by_state),
+    "resistance": ("v zeta friction quadratic", resisting),
+    "transmissibility": ("Omega A_1 F_0 phi", lambda *x: [passed_on(*x)]),
 }
 
 
@@ -1477,6 +1524,20 @@ def shaken_moves_of_phase(Omega, A, F_0, m, zeta, h, h_A, h_p, m_p, zeta_p, A_p,
     return [mp.diff(turned, 0), mp.diff(passed_on, 0)]
 
 
+def shaken_outer(A, F_0, m, zeta, h):
+    """Roots in X = 1/Omega^2 of F over Omega^4 without odd powers of Omega: of the mean over both its signs."""
+
+    def even(X):
+        x = mp.sqrt(X)
+        return sum(shaken_response(w, A, F_0, m, zeta, h) * x**4 for w in (1 / x, -1 / x)) / 2
+
+    nodes = [mpf(1), mpf(2), mpf(3)]
+    square, linear, over = mp.lu_solve(mp.matrix([[X**2, X, 1] for X in nodes]), mp.matrix([even(X) for X in nodes]))
+    root = mp.sqrt(linear**2 - 4 * square * over)
+    larger = (root - linear) / (2 * square)
+    return [larger, -(root + linear) / (2 * square)]
+
+
 SHAKEN_CAUSES = "h_p h_Ap h_AAp m_p zeta_p end_p forcing_p frequency_p"
 INERTIA: dict[str, tuple[str, Function]] = {
     "force": ("Omega F_0", lambda *x: [inertial(*x)]),
@@ -1500,6 +1561,7 @@ INERTIA: dict[str, tuple[str, Function]] = {
     "moves_of_phase": ("Omega A F_0 m zeta h h_A h_p m_p zeta_p A_p Omega_p F_0_p", shaken_moves_of_phase),
     "force_slopes": ("Omega F_0", lambda *x: [mp.diff(inertial, x, n) for n in ((1, 0), (0, 1))]),
     "least_Omega_A": ("x A m zeta h h_A", lambda *x: [shaken_drift(*x)]),
+    "outer": ("A F_0 m zeta h", shaken_outer),
 }
 
 
@@ -1512,6 +1574,12 @@ def inertia_table(rng: random.Random) -> dict:
             Omega, A, h = (names.split().index(x) for x in ("Omega", "A", "h"))
             for x in chosen[:2]:
                 x[h] = -x[A] * x[Omega] ** 2 * (1 + 1e-9)
+        if kernel == "outer":  # with roots, where the quadratic falls at first and where it does not
+            for number, x in enumerate(chosen):
+                x[3] *= 0.1
+                x[4] -= 0.2
+                if number % 3 == 2:
+                    x[0], x[4] = 0.5 * x[1], -x[4]
         table[kernel] = [entry(f, x) for x in chosen]
     return table
 
@@ -1833,13 +1901,6 @@ def largest_held(Omega, F_0, m, zeta, eta, d):
         return max(root.real for root in roots)
 
 
-def resisting(v, zeta, friction, quadratic):
-    """By the derivative of all that resists."""
-    whole = 2 * zeta * v + friction + quadratic * v**2
-    slope = mp.diff(lambda x: 2 * zeta * x + friction + quadratic * x**2, v)
-    return [whole - 2 * zeta * v, slope / 2]
-
-
 def law_balances(w, a, rest, zeta, d, h):
     """R and I of any laws, from I_0."""
     R, I = balances(w, a, rest, zeta, h)
@@ -1921,13 +1982,75 @@ def rest_moves(passed):
     return of
 
 
+def law_response(Omega, A, F_0, *others):
+    return sum(part**2 for part in law_balances(Omega, A, *others)) - F_0**2
+
+
+def law_bend(names):
+    """d^2 F_0^2/dA^2 along F_A = 0 with F_AA = 0, times F_AOmega^2 over A."""
+    parts = [dissipated_slope(order, names) for order in ((0, 1), (3, 0), (1, 1))]
+    at = names.split().index("A")
+    return lambda *x: [-mp.fprod(part(*x)[0] for part in parts) / x[at]]
+
+
+def law_isola(names):
+    parts = [dissipated_slope(order, names) for order in ((2, 0), (1, 1), (0, 2))]
+
+    def of(*x):
+        F_AA, F_AOmega, F_OmegaOmega = (part(*x)[0] for part in parts)
+        determinant = mp.det(mp.matrix([[F_AA, F_AOmega], [F_AOmega, F_OmegaOmega]]))
+        return [determinant, F_AA * determinant]
+
+    return of
+
+
+def slope_of_sum(pairs):
+    """Of the sum of squares of functions with these values and slopes."""
+    return mp.diff(lambda t: sum((value + slope * t) ** 2 for value, slope in pairs), 0)
+
+
+def vanishing_R(Omega, A, zeta, d, I):
+    """R at which R^2 + I^2 is stationary in Omega."""
+    by_R, by_I = (mp.diff(lambda w, n=n: law_balances(w, A, 0, zeta, d, 0)[n], Omega) for n in (0, 1))
+    return -I * by_I / by_R
+
+
+def least_slope(A, k, I, I_A):
+    def of(R):
+        return slope_of_sum(((R, (R - k) / A), (I, I_A))) / 2
+
+    # a parabola in R, by three of its values
+    below, at, above = of(k - 1), of(k), of(k + 1)
+    return [4 * A * (at - (above - below) ** 2 / (8 * (above - 2 * at + below)))]
+
+
+def scaled_slope(Omega, h_over_A, h_A, I_over_A, I_A):
+    """At A = 2, where h is 2 h_over_A and I is 2 I_over_A."""
+    A = mpf(2)
+    R, _ = balances(Omega, A, 0, 0, A * h_over_A)
+    R_A = mp.diff(lambda a: balances(Omega, a, 0, 0, a * h_A)[0], A)
+    return [slope_of_sum(((R, R_A), (A * I_over_A, I_A))) / (2 * A)]
+
+
+def least_from_rest(Omega, zeta, eta, d, h_AA):
+    """The least F_A for I_0 = eta A and k = A^2 h_AA/2, times 4 A over A^2: its first and third coefficient."""
+
+    def whole(A):
+        lag = lambda a: law_balances(Omega, a, eta * a, zeta, d, 0)[1]  # noqa: E731
+        return least_slope(A, A**2 * h_AA / 2, lag(A), mp.diff(lag, A))[0] / A**2
+
+    # a quadratic in A, by three of its values
+    nodes = [mpf(1), mpf(2), mpf(3)]
+    found = mp.lu_solve(mp.matrix([[1, A, A**2] for A in nodes]), mp.matrix([whole(A) for A in nodes]))
+    return [found[0], found[2]]
+
+
 LAW_AT, LAW_SLOWER = "Omega A F_0 I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA", "Omega A F_0 I_0 I_0A zeta d h h_A"
 LAW_CAUSES = "h_p h_Ap h_AAp I_0p I_0Ap I_0AAp zeta_p d_p end_p forcing_p frequency_p"
 DISSIPATION: dict[str, tuple[str, Function]] = {
     "quadratic": ("c_2", lambda c_2: [by_work(quadratic_work(1, 1, c_2), 1)]),
     # |h| is largest where R = -F_0 at the frequency at which quadratic damping takes all of the forcing
     "restoring": ("A F_0 d", lambda A, F_0, d: [F_0 + A * mp.findroot(lambda X: d * A**2 * X - F_0, F_0 / d / A**2)]),
-    "resistance": ("v zeta friction quadratic", resisting),
     "at_rest": ("A m eta", rest_share(passed=False)),
     "released": ("A m eta u_cr", rest_share(passed=True)),
     "I": ("Omega A I_0 zeta d", dissipated_balance("Omega A I_0 zeta d")),
@@ -1967,6 +2090,18 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
     "moves_of_phase": (f"{LAW_SLOWER} h_p I_0p zeta_p d_p A_p Omega_p F_0_p", law_moves_of_phase),
     "I_A": ("Omega A I_0A zeta d", dissipated_balance("Omega A I_0A zeta d", 1)),
     "far": ("x A I_0 I_0A zeta d h h_A", far_balances),
+    "F": (names := "Omega A F_0 I_0 zeta d h", lambda *x: [law_response(*x)]),
+    "cusp_bend": (names := "Omega A I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA", law_bend(names)),
+    "isola_bend": (names := "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA", law_isola(names)),
+    "F_A_halved": ("R R_A I I_A", lambda R, R_A, I, I_A: [slope_of_sum(((R, R_A), (I, I_A))) / 2]),
+    "R_of_response": ("F_0 I", lambda F_0, I: [mp.sqrt(mpf(F_0) ** 2 - mpf(I) ** 2)]),
+    "R_of_peak": ("Omega A zeta d I", lambda *x: [vanishing_R(*x)]),
+    "R_of_fold": ("Omega h_A I I_A", lambda w, h_A, I, I_A: [-I * I_A / mp.diff(lambda a: a * w**2 + h_A * a, 1)]),
+    "h_A_of_turn": ("Omega A R beside", lambda w, A, R, D: [mp.findroot(lambda s: R + A * (w**2 + s) + D, mpf(1))]),
+    "least_F_A": ("A k I I_A", least_slope),
+    "I_scaled": ("Omega A I_0_over_A zeta d", lambda w, A, r, *laws: [law_balances(w, A, r * A, *laws, 0)[1] / A]),
+    "F_A_scaled": ("Omega h_over_A h_A I_over_A I_A", scaled_slope),
+    "least_scaled": ("Omega zeta eta d h_AA", least_from_rest),
 }
 
 
@@ -1975,9 +2110,13 @@ def dissipation_table(rng: random.Random) -> dict:
     table = {}
     for kernel, (names, f) in DISSIPATION.items():
         chosen = points(rng, names, 6)
-        if kernel.startswith("released"):
-            for x in chosen:
+        for x in chosen:
+            if kernel.startswith("released"):
                 x[0] += x[-1]
+            elif kernel == "R_of_response":  # I < F_0
+                x[1] *= 0.25
+            elif kernel == "R_of_fold":  # Omega^2 + h_A > 0 on boxes too
+                x[1] = abs(x[1])
         table[kernel] = [entry(f, x) for x in chosen]
     return table
 
@@ -2040,6 +2179,13 @@ RANGES = {
     "u_cr": (0.05, 0.5),
     "I": (0.01, 0.1),
     "I_0": (0.005, 0.05),
+    "I_A": (-0.2, 0.2),
+    "R_A": (-2.0, 2.0),
+    "beside": (-0.1, 0.1),
+    "h_over_A": (-2.0, 1.0),
+    **dict.fromkeys(("I_0_over_A", "I_over_A"), (0.01, 0.5)),
+    "A_1": (0.01, 1.0),
+    "phi": (-3.1, -0.05),
     "I_0A": (-0.2, 0.2),
     "I_0AA": (-1.0, 1.0),
     "I_0AAA": (-5.0, 5.0),

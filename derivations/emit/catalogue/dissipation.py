@@ -11,10 +11,23 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ...dissipation import REST, d, quadratic, u_cr, x
+from ...along import k
+from ...dissipation import (
+    I_A,
+    R_A,
+    REST,
+    Dissipation,
+    I_0_over_A,
+    I_over_A,
+    beside,
+    d,
+    h_over_A,
+    u_cr,
+    x,
+)
 from ...gradients import OF_LAWS, I_0p, d_p, h_p, zeta_p
-from ...motion import friction, v
 from ...results import Results
+from ...slopes import DERIVATIVES
 from ...slow_flow import I, R, m
 from ...symbols import F_0, A, Omega, c_2, eta, h, h_A, h_AA, h_AAA, zeta
 from ..form import Kernel, Module, plain
@@ -50,6 +63,22 @@ def dissipation_module(results: Results) -> Module:
         arguments = needed([value, *(whole for _, whole in lets)])
         return plain(name, arguments, value, doc, equation, lets=lets)
 
+    def in_derivatives(name: str, values: Sequence[sp.Expr], doc: str) -> Kernel:
+        known = {DERIVATIVES[a, w]: one for (a, w), one in derivatives.items()}
+        used = [(symbol, one) for symbol, one in known.items() if any(value.has(symbol) for value in values)]
+        lets = [(R, flow.R), (I, of.I), *used]
+        arguments = needed([*values, *(whole for _, whole in lets)])
+        outputs = values if len(values) > 1 else values[0]
+        return plain(name, arguments, outputs, doc, "from (24), (30)", lets=lets)
+
+    slopes = results.slopes
+    derivatives = {
+        (2, 0): of.F_AA,
+        (3, 0): of.F_AAA,
+        (0, 1): of.F_Omega,
+        (1, 1): of.F_AOmega,
+        (0, 2): of.F_OmegaOmega,
+    }
     found = Module(
         name="dissipation",
         title="Structural and quadratic damping, and dry friction of what is attached",
@@ -66,14 +95,6 @@ def dissipation_module(results: Results) -> Module:
                 "The largest |h| of a state with this amplitude, as quadratic damping bounds its frequency.",
                 "from (23)",
                 "A > 0, d > 0",
-            ),
-            plain(
-                "resistance",
-                (v, zeta, friction, quadratic),
-                of.resistance,
-                "Friction and quadratic damping, both times the sign of u'; and the zeta of the slope of all by u'.",
-                "(3)",
-                "any",
             ),
             plain(
                 "at_rest",
@@ -120,6 +141,7 @@ def dissipation_module(results: Results) -> Module:
                 "x >= 0, A > 0",
                 searched=True,
             ),
+            at_point("F", of.F, "Zero at a steady state.", "(24)"),
             at_point("F_A", of.F_A, "dF/dA; positive where stable.", "(24), (30)"),
             at_point("F_AA", of.F_AA, "d2F/dA2.", "(24)"),
             at_point("F_Omega", of.F_Omega, "dF/dOmega.", "(24)"),
@@ -127,6 +149,16 @@ def dissipation_module(results: Results) -> Module:
             at_point("F_AOmega", of.F_AOmega, "d2F/dA dOmega.", "(24)"),
             at_point("F_AOmegaOmega", of.F_AOmegaOmega, "d3F/dA dOmega2.", "(24)"),
             at_point("Omega_A", of.Omega_A, "dOmega/dA along the response.", "from (24)"),
+            in_derivatives(
+                "cusp_bend",
+                (slopes.cusp,),
+                "Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.",
+            ),
+            in_derivatives(
+                "isola_bend",
+                (slopes.determinant, slopes.isola_by_it),
+                "At an isola point: negative at a saddle of F; and as `cusp_bend`.",
+            ),
             at_point("stability", of.stability, "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.", "(30)"),
             plain(
                 "response_quartic",
@@ -161,6 +193,7 @@ def dissipation_module(results: Results) -> Module:
                 "x >= 0, A > 0",
                 searched=True,
             ),
+            *searched_kernels(of),
             *(system(name, *of.systems[name].values, *of.systems[name].slopes) for name in of.systems),
             *gradient_kernels(
                 results.laws_gradients, (*REST, zeta, d), (*REST[:2], zeta, d), OF_LAWS, (h_p, I_0p, zeta_p, d_p)
@@ -169,6 +202,34 @@ def dissipation_module(results: Results) -> Module:
     )
     # solvers on NumPy ask these of many amplitudes at once, which compiled loops would not do faster
     return replace(found, kernels=tuple(replace(kernel, generic=True) for kernel in found.kernels))
+
+
+def searched_kernels(of: Dissipation) -> list[Kernel]:
+    """What the search in boxes takes from what vanishes at a point, and what excludes all points of a box."""
+    stated = (
+        (of.F_A_halved, "F_A_halved", (R, R_A, I, I_A), "F_A/2 by R, I and their slopes.", "(30)"),
+        (of.R_of_response, "R_of_response", (F_0, I), "The size of R where F = 0.", "(24)"),
+        (of.R_of_peak, "R_of_peak", (Omega, A, zeta, d, I), "R where F_Omega = 0.", "from (24)"),
+        (of.R_of_fold, "R_of_fold", (Omega, h_A, I, I_A), "R where F_A = 0.", "from (30)"),
+        (
+            of.h_A_of_turn,
+            "h_A_of_turn",
+            (Omega, A, R, beside),
+            "h_A where F_AOmega = 0; beside is Omega^2 `turn_share`.",
+            "from (30)",
+        ),
+        (of.least_F_A, "least_F_A", (A, k, I, I_A), "4 A times the least F_A/2 that any R leaves.", "from (30)"),
+        (of.I_scaled, "I_scaled", (Omega, A, I_0_over_A, zeta, d), "I/A, by I_0/A.", "(23)"),
+        (of.F_A_scaled, "F_A_scaled", (Omega, h_over_A, h_A, I_over_A, I_A), "F_A/(2 A), by h/A and I/A.", "(30)"),
+    )
+    least = "Of what `least_F_A` over A^2 is not below where |k| <= A^2 |h_AA|/2, friction on all of the cycle: 1, A^2."
+    return [
+        *(
+            plain(name, arguments, value, doc, equation, "Omega >= 0, A > 0", searched=True)
+            for value, name, arguments, doc, equation in stated
+        ),
+        plain("least_scaled", (Omega, zeta, eta, d, h_AA), of.least_scaled, least, "from (30)", "Omega >= 0"),
+    ]
 
 
 def system(name: str, *outputs: sp.Expr) -> Kernel:

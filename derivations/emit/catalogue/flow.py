@@ -45,7 +45,7 @@ IN_SCENES = (
     *("R", "I", "F", "F_A", "F_AA", "F_Omega", "F_AOmega", "level", "stability", "phase"),
     *("backbone", "limit_envelope", "equivalent_damping"),
     *("response_quartic", "fold_quartic", "peak_cubic", "detachment"),
-    *("isola_Omega", "isola", "undamped_Omega", "undamped", "fold"),
+    *("isola_Omega", "isola", "fold", "undamped_Omega", "undamped_level", "undamped_rises", "undamped"),
 )
 
 #: what the solvers and their proofs ask on whole intervals, by scene: the general form where it holds for zeros too
@@ -60,7 +60,7 @@ PROVED = {
         *("friction", "R", "F", "F_Omega", "F_OmegaOmega", "F_AOmega", "level", "backbone", "least_restoring"),
         *("most_restoring", "isola_Omega", "level_rise", "cusp_bend", "isola_bend"),
     ),
-    "zeta0": ("undamped_Omega",),
+    "zeta0": ("undamped_Omega", "undamped_rises"),
 }
 
 
@@ -443,6 +443,14 @@ def damped_kernels(along: Damped) -> list[Kernel]:
             "A > 0, F_0 > m, k^2 >= F_0^2 - m^2",
             lets=along.fold_lets,
         ),
+        plain(
+            "fold_moves",
+            (A, k, R),
+            along.fold_moves,
+            "What F and F_A change by beside a fold, per what vanishes there (`fold`), at its A, Omega and I.",
+            "from (24), (30)",
+            "A > 0",
+        ),
         plain("isola_Omega", (h_A,), along.isola_Omega, "Omega at an isola point.", "from (30), (34)", "h_A >= 0"),
         plain(
             "isola",
@@ -600,6 +608,17 @@ def undamped_kernels(along: Undamped) -> list[Kernel]:
             "from (24), (30)",
             "F_0 > m",
             lets=along.fold_lets,
+        ),
+        plain(
+            "undamped_level", (m, k), along.level, "The forcing of a fold, whose R is k.", "from (24), (30)", "h_A <= 0"
+        ),
+        plain(
+            "undamped_rises",
+            (h_AA, h_AAA, k),
+            along.rises,
+            "The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own.",
+            "from (24), (30)",
+            "h_A <= 0",
         ),
         plain(
             "undamped",

@@ -6,6 +6,7 @@ Out: `inertia_module`.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 
 import sympy as sp
@@ -14,7 +15,7 @@ from ...inertia import fall, linear, lost, rest, x
 from ...results import Results
 from ...slow_flow import I, R, m
 from ...symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
-from ..form import Kernel, Module, plain
+from ..form import Branch, Kernel, Module, plain
 from .flow import gradient_kernels, of_R_and_I
 
 
@@ -55,6 +56,18 @@ def inertia_module(results: Results) -> Module:
                 "from (24)",
             ),
             of_flow("Omega_A", (Omega, A, *damped, h, h_A), of.Omega_A, "dOmega/dA along the response.", "from (24)"),
+            Kernel(
+                "outer",
+                (A, F_0, *damped, h),
+                (
+                    Branch("falling", ((of.outer_falls, sp.S.Zero),), of.outer_lets, of.outer),
+                    Branch("rising", (), of.outer_lets, of.outer_beyond),
+                ),
+                "1/Omega^2 below the low frequency of an amplitude, and above the high one, where it has that.",
+                "from (24)",
+                "A > 0, where F has a root",
+                returns="tuple",
+            ),
             plain(
                 "terms",
                 (A, *damped, h),
@@ -126,6 +139,6 @@ def inertia_module(results: Results) -> Module:
                 "from (24)",
                 "A > 0, h < 0, lost <= 1/2",
             ),
-            *gradient_kernels(results.inertia_gradients),
+            *(replace(kernel, in_c=False) for kernel in gradient_kernels(results.inertia_gradients)),
         ),
     )

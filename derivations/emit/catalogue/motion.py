@@ -6,7 +6,10 @@ Out: `motion_module`.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from ...motion import (
+    A_1,
     cosine,
     f,
     f_u,
@@ -17,14 +20,18 @@ from ...motion import (
     nu,
     outer,
     outer_u,
+    quadratic,
     right,
     sine,
     slip,
     v,
 )
 from ...results import Results
-from ...symbols import F_0, Omega, mu, zeta
+from ...symbols import F_0, Omega, mu, phi, zeta
 from ..form import Module, plain
+
+#: what the compiled integrator asks for
+IN_C = ("push", "push_slopes", "breakaway", "acceleration", "resistance")
 
 
 def motion_module(results: Results) -> Module:
@@ -66,6 +73,25 @@ def motion_module(results: Results) -> Module:
             "u'' of a slipping mass; friction is mu sign(u').",
             "(3)",
             "any",
+            generic=True,
+        ),
+        plain(
+            "resistance",
+            (v, zeta, friction, quadratic),
+            sharp.resistance,
+            "Friction and quadratic damping, both times the sign of u'; and the zeta of the slope of all by u'.",
+            "(3)",
+            "any",
+            generic=True,
+        ),
+        plain(
+            "transmissibility",
+            (Omega, A_1, F_0, phi),
+            sharp.transmissibility,
+            "Fundamental harmonic of what is passed on over F_0, where that of u is A_1 cos(theta + phi).",
+            "(3)",
+            "F_0 > 0",
+            lets=sharp.transmissibility_lets,
             generic=True,
         ),
         plain("rates", known, sharp.rates, "u and v by theta.", "(3)", "Omega > 0", generic=True),
@@ -112,5 +138,6 @@ def motion_module(results: Results) -> Module:
         name="motion",
         title="The equation of motion of any mechanism, in the values of its force",
         inputs=("oscillator.py", "motion.py"),
-        kernels=kernels,
+        # the recurrences of `taylor` are the rates in C; only the paper's own way is smoothed
+        kernels=tuple(replace(kernel, in_c=kernel.name in IN_C) for kernel in kernels),
     )

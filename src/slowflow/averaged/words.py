@@ -14,6 +14,7 @@ import numpy as np
 from slowflow.answer import joined
 from slowflow.model import Floats, Model
 from slowflow.results import Remark, SaddleNodeOnset
+from slowflow_kernels import slow_flow, slow_flow_zeta0
 from slowflow_kernels.conventions import CLOSE, RUNGS, STATIC_MULTIPLE
 
 #: frequencies that a message names
@@ -127,7 +128,7 @@ def cut(model: Model, F_0: float) -> tuple[float, str]:
     """Where the response is cut that has no viscous damping and is unbounded for F_0 > m (27), and a remark.
 
     That is at the mechanism's reach, or at a multiple of the static deflection, doubled until the fold Omega^2 = -h_A,
-    whose level is hypot(m, h - A h_A), has passed F_0 or has ended for good.
+    whose R is k, has passed F_0 or has ended for good.
     """
     words = "unbounded without viscous damping: cut at A = "
     if np.isfinite(model.reach):
@@ -135,7 +136,8 @@ def cut(model: Model, F_0: float) -> tuple[float, str]:
     A_max = max(STATIC_MULTIPLE * F_0, 2 * max(model.breakpoints, default=0.0))
     for _ in range(0 if model.inertial else RUNGS):
         h, h_A, h_AA, h_AAA = map(float, model.averaged(A_max))
-        passed = math.hypot(model.m, h - A_max * h_A) > F_0 if h_A < 0 else h_AA >= 0
+        k = slow_flow.intercept(A_max, h, h_A, h_AA)[0]
+        passed = slow_flow_zeta0.undamped_level(model.m, k) > F_0 if h_A < 0 else h_AA >= 0
         if passed or h_AA == h_AAA == 0:
             break
         A_max *= 2

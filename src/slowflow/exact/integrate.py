@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.mechanism import Piece
-from slowflow_kernels import dissipation, motion
+from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import Event
 
 Array = NDArray[np.float64]
@@ -81,7 +81,7 @@ class Drive(NamedTuple):
         """What resists like friction at a velocity, quadratic damping included, and zeta with its slope beside it."""
         if self.quadratic == 0:
             return self.friction, self.zeta
-        resists, damps = dissipation.resistance(v, self.zeta, self.friction, self.quadratic)
+        resists, damps = motion.resistance(v, self.zeta, self.friction, self.quadratic)
         return resists, damps
 
 

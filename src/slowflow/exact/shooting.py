@@ -22,6 +22,7 @@ from slowflow.exact.cycle import Cycle, closed_cycle
 from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import TURN, Forced, Phase, follow
 from slowflow.mechanism import EquationOfMotion
+from slowflow_kernels.motion import acceleration
 
 Array = NDArray[np.float64]
 
@@ -197,7 +198,8 @@ class SteadyState(Answer):
         u, v = self._within(phase, theta).T
         drive = Forced(self.cycle.system, self.Omega, self.F_0, self.cycle.integrator).drive(phase.slip, phase.region)
         of_spring = self.cycle.system.force.piece(phase.region)(u)
-        return np.asarray(of_spring + 2.0 * drive.zeta * v + drive.resistance(v)[0])
+        # seen by who stands still the forcing is no force
+        return -np.asarray(acceleration(0.0, v, drive.F_0, drive.zeta, drive.resistance(v)[0], of_spring))
 
     def _highest_passed_on(self, phase: Phase) -> float:
         """The largest size of that within a phase, its ends included."""

@@ -41,6 +41,7 @@ typedef struct {
 
 /* For a question that has no k in it: here that is a difference, which may be all rounding. */
 static inline void sf_sample_without_k_at(const sf_model *model, double A, sf_sample *at) {
+    double tangent[2];
     at->A = A == 0 && model->breaks < model->mechanism->breakpoints ? SF_NEXT_TO_REST : A;
     model->mechanism->averaged(1, &at->A, model->p, at->averages);
     if (at->A != A) { /* what tends to 0 has |f - A f_A| <= A |f_A| next to it */
@@ -51,7 +52,8 @@ static inline void sf_sample_without_k_at(const sf_model *model, double A, sf_sa
         }
         at->A = A;
     }
-    at->k = A > 0 ? at->h - A * at->h_A : at->h; /* a slope that is infinite at rest takes nothing off h */
+    slow_flow_intercept(A, at->h, at->h_A, at->h_AA, tangent);
+    at->k = A > 0 ? tangent[0] : at->h; /* a slope that is infinite at rest takes nothing off h */
 }
 
 static inline void sf_sample_at(const sf_model *model, double A, sf_sample *at) {
@@ -138,12 +140,14 @@ static inline sf_interval sf_doubtful(double f, double A, double slope) {
 
 /* A sample as something known. */
 static inline void sf_know(const sf_sample *at, sf_known *out) {
+    double tangent[2];
     out->A = at->A;
     out->h_AAA = sfi_point(at->h_AAA);
     out->h_AA = sf_doubtful(at->h_AA, at->A, at->h_AAA);
     out->h_A = sf_doubtful(at->h_A, at->A, at->h_AA);
     out->h = sf_doubtful(at->h, at->A, at->h_A);
-    out->k = sf_doubtful(at->k, at->A, at->A * at->h_AA);
+    slow_flow_intercept(at->A, at->h, at->h_A, at->h_AA, tangent);
+    out->k = sf_doubtful(at->k, at->A, tangent[1]);
 }
 
 /* A function between two of its values, of which bounds are known, and its slope in between. */

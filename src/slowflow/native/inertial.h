@@ -72,21 +72,19 @@ static inline double sf_inertial_solve(const sf_model *model, const sf_sample *a
 /* Frequency number `index` of `count`; where rounding hides a pair, the place where it meets. Without its cubic term, which
  * only raises F, F over Omega^4 is a quadratic in x^2, whose roots lie outside of those of F. */
 static inline double sf_inertial_root(const sf_model *model, const sf_sample *at, double F_0, int count, int index) {
-    const double A = at->A, h = at->h, m = model->m, zeta = model->zeta, least = sf_least_x(model, at);
-    const double fall = -A * (h + 2 * zeta * zeta * A), square = h * h + m * m;
-    const double inner = F_0 * F_0 * square - m * A * (m * A) + 4 * zeta * zeta * A * A * A * (h + zeta * zeta * A);
-    const double root = sqrt(fmax(inner, 0)), over = (A - F_0) * (A + F_0);
+    const double least = sf_least_x(model, at);
     const int high = count == 2 && index == 1, shown = sf_inertial_count(model, at, F_0);
-    double x;
-    if (high && A <= F_0)
+    double outer[2], x;
+    inertia_outer(at->A, F_0, model->m, model->zeta, at->h, outer);
+    if (high && at->A <= F_0)
         return HUGE_VAL;
     if (shown < (high ? 2 : 1))
         return 1 / least;
     if (high) {
-        x = sqrt(fmax(over, 0) / (root + fall)) * (1 - 0x1p-40);
+        x = sqrt(fmax(outer[1], 0)) * (1 - 0x1p-40);
         return sf_inertial_solve(model, at, F_0, x, x, least, -1);
     }
-    x = sqrt(fall > 0 ? (root + fall) / square : -over / (root - fall)) * (1 + 0x1p-40);
+    x = sqrt(outer[0]) * (1 + 0x1p-40);
     return sf_inertial_solve(model, at, F_0, x, least, x, 1);
 }
 

@@ -146,7 +146,7 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
 }
 
 /* Where to stop at F_0: above every steady state, or, undamped, at the mechanism's reach or a multiple of F_0 that is doubled
- * until the fold, of level hypot(m, h - A h_A), has passed F_0 or has ended for good; or, with SF_UNBOUNDED, where a response
+ * until the fold, whose R is k, has passed F_0 or has ended for good; or, with SF_UNBOUNDED, where a response
  * is cut that does not close. */
 static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
     int i;
@@ -161,7 +161,7 @@ static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
     for (i = 0; !sf_inertial(model) && i < SF_RUNGS; i++, *A_max *= 2) {
         sf_sample at;
         sf_sample_at(model, *A_max, &at);
-        if (at.h_A < 0 ? hypot(model->m, at.h - at.A * at.h_A) > F_0 : at.h_AA >= 0)
+        if (at.h_A < 0 ? slow_flow_zeta0_undamped_level(model->m, at.k) > F_0 : at.h_AA >= 0)
             break;
         if (at.h_AA == 0 && at.h_AAA == 0)
             break;
@@ -453,9 +453,9 @@ static double sf_settled_Omega(const sf_model *model, double F_0, const sf_sampl
 }
 
 /* Whether the side below breakpoint b is stable at the state (b, w): F_A > 0. Where the state is, to rounding, the end of
- * the fold locus below, the sign of SF_FOLD_AT there decides, which decided whether that has a zero next to b. With y it,
- * F = 2 R y and F_A = (2/A) (2 R - k) y to first order, and F_A at the state is less by F_AOmega F/F_Omega; without viscous
- * damping F = y and F_A = 0. */
+ * the fold locus below, the sign of SF_FOLD_AT there decides, which decided whether that has a zero next to b. To first
+ * order F and F_A are multiples of it, and F_A at the state is less by F_AOmega F/F_Omega; without viscous damping it is F,
+ * and F_A is 0. */
 static int sf_is_stable_below(const sf_model *model, double F_0, const sf_sample *at, double w) {
     const sf_asked asked = sf_asked_of(SF_FOLD_AT, model, F_0);
     sf_answer fold;
@@ -463,10 +463,11 @@ static int sf_is_stable_below(const sf_model *model, double F_0, const sf_sample
         return sf_half_F_A(model, at, w) > 0;
     sf_ask(&asked, 1, at, &fold);
     if (fold.exists[0] && fabs(fold.Omega[0] - w) < SF_NEAR_END * w) {
-        const double R = slow_flow_R(w, at->A, at->h);
-        const double F = model->zeta > 0 ? 2 * R : 1, F_A = model->zeta > 0 ? 2 * (2 * R - at->k) / at->A : 0;
         const double turn = 4 * sf_quarter_F_AOmega(model, at, w) / sf_F_Omega(model, at, w);
-        return fold.y[0] * (F_A - turn * F) > 0;
+        double moves[2] = {1, 0}; /* of F and F_A */
+        if (model->zeta > 0)
+            slow_flow_fold_moves(at->A, at->k, slow_flow_R(w, at->A, at->h), moves);
+        return fold.y[0] * (moves[1] - turn * moves[0]) > 0;
     }
     return sf_half_F_A(model, at, w) > 0;
 }

@@ -169,7 +169,14 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
     return best->F_SN <= F_0 ? SF_OK : SF_NONE;
 }
 
-/* For zeta = 0 folds lie at Omega^2 = -h_A and their level is hypot(m, k), with R = k there. This says where a forcing is
+/* For zeta = 0, the sign of the level's slope along the folds, or, where that is 0, of the slope's own. */
+static double sf_undamped_rises(double h_AA, double h_AAA, double k, int order) {
+    double rises[2];
+    slow_flow_zeta0_undamped_rises(h_AA, h_AAA, k, rises);
+    return rises[order];
+}
+
+/* For zeta = 0 folds lie at Omega^2 = -h_A and their level is that of R = k. This says where a forcing is
  * the least inside a piece, and whether k tends to 0 there, so that the level only tends to m. */
 static int sf_undamped_in(const sf_model *model, const sf_stretch *piece, sf_zeros *zeros, sf_onset *best) {
     int i, tends = 0;
@@ -181,21 +188,21 @@ static int sf_undamped_in(const sf_model *model, const sf_stretch *piece, sf_zer
         sf_sample_at(model, zero->A, &at);
         if (zero->question == SF_UNDAMPED && zero->channel == 1)
             tends = 1;
-        else if (zero->question == SF_UNDAMPED && at.k * at.h_AAA < 0)
-            sf_consider(hypot(model->m, at.k), zero->Omega, zero->A, SF_CUSP_KIND, best);
+        else if (zero->question == SF_UNDAMPED && sf_undamped_rises(at.h_AA, at.h_AAA, at.k, 1) > 0)
+            sf_consider(slow_flow_zeta0_undamped_level(model->m, at.k), zero->Omega, zero->A, SF_CUSP_KIND, best);
         else if (zero->question == SF_STIFFNESS && zero->channel == 1)
-            best->rest = fmin(best->rest, hypot(model->m, at.h));
+            best->rest = fmin(best->rest, sf_level(model, &at, 0));
     }
     return tends;
 }
 
 /* The same on a breakpoint. Where the force jumps by J folds sit on it at Omega^2 > -h_A, if J < 0, or below. */
 static int sf_undamped_on(const sf_model *model, const sf_sample *at, const sf_sample *above, double J, sf_onset *best) {
-    const int moves = at->h_A < 0, falls = moves && at->k * at->h_AA > 0;
-    const double at_rest = hypot(model->m, at->h);
+    const int moves = at->h_A < 0, falls = moves && sf_undamped_rises(at->h_AA, at->h_AAA, at->k, 0) < 0;
+    const double at_rest = sf_level(model, at, 0);
     int turns;
     if (J == 0) {
-        turns = falls && at->k * above->h_AA < 0;
+        turns = falls && sf_undamped_rises(above->h_AA, above->h_AAA, at->k, 0) > 0;
     } else if (J < 0) {
         if ((moves ? at->k : at->h) <= 0)
             return 1;
@@ -210,7 +217,7 @@ static int sf_undamped_on(const sf_model *model, const sf_sample *at, const sf_s
             best->rest = fmin(best->rest, at_rest);
     }
     if (turns)
-        sf_consider(hypot(model->m, at->k), slow_flow_zeta0_undamped_Omega(at->h_A), at->A, SF_CORNER_KIND, best);
+        sf_consider(slow_flow_zeta0_undamped_level(model->m, at->k), slow_flow_zeta0_undamped_Omega(at->h_A), at->A, SF_CORNER_KIND, best);
     return 0;
 }
 
@@ -238,7 +245,7 @@ static int sf_undamped_beyond(const sf_model *model) {
 /* With a preload k is negative at rest: where folds of both signs of k are found it passes 0 between them, and folds come as
  * near to m as one asks. */
 static sf_status sf_onset_of_preload(const sf_model *model, double h, sf_work *work) {
-    const sf_status status = sf_saddle_nodes(model, hypot(model->m, 0.5 * h), work, &work->folds);
+    const sf_status status = sf_saddle_nodes(model, slow_flow_zeta0_undamped_level(model->m, 0.5 * h), work, &work->folds);
     int i, signs = 0;
     if (status != SF_OK)
         return status;

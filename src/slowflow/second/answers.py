@@ -12,6 +12,7 @@ from slowflow import validate
 from slowflow.answer import Table
 from slowflow.model import Floats
 from slowflow.results import DRAWN, InDecibels
+from slowflow_kernels import motion
 
 
 class SecondState(NamedTuple):
@@ -89,7 +90,7 @@ class SecondStates(InDecibels, SecondTable):
     @property
     def transmissibility(self) -> Floats:
         """Fundamental harmonic of what spring, damper and friction pass on, over `.force`: the force less inertia."""
-        return np.asarray(np.abs(1.0 + self.Omega**2 * self.A_1 / self.force * np.exp(1j * self.phi)))
+        return np.asarray(motion.transmissibility(self.Omega, self.A_1, self.force, self.phi))
 
 
 @dataclass(frozen=True, eq=False)

@@ -56,7 +56,7 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     environment = templates(Path(__file__).parent)
     result = {}
     for module in (one for one in modules if one.in_c):
-        views = [view(kernel, code[module.name][kernel.name], LANGUAGE) for kernel in module.kernels]
+        views = [view(one, code[module.name][one.name], LANGUAGE) for one in module.kernels if one.in_c]
         result[f"c/{module.name}.h"] = environment.get_template("header.h.jinja").render(
             module=module,
             kernels=views,

@@ -6,7 +6,7 @@ They are of its folds or states at a forcing, of F_SN and of F_cr.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
@@ -45,6 +45,17 @@ class Found:
         self.A.append(A)
         self.corner.append(corner)
         self.sign.append(sign)
+
+    def by_Omega(self) -> Found:
+        """By rising frequency."""
+        order = sorted(range(len(self.A)), key=lambda i: self.Omega[i].middle)
+        return Found(
+            [self.Omega[i] for i in order],
+            [self.A[i] for i in order],
+            [self.corner[i] for i in order],
+            [self.sign[i] for i in order],
+            self.doubts,
+        )
 
 
 def _doubts(given: Given, search: Search) -> list[Enclosure]:
@@ -101,13 +112,18 @@ class Asked:
         value, slope = own.F_Omega_reduced(w, on.A, self.m, self.zeta, on.h)
         return _enclosure(value), _enclosure(slope)
 
-    def frequencies(self, on: Cell, name: str) -> roots.Roots:
-        """All roots of one of these: beyond some frequency R exceeds F_0, or is positive with Omega^2 + h_A."""
-        level = self.F_0 if name == "F" else Enclosure(ZERO, ZERO)
-        highest = flow.backbone(on.A, on.h - level).hi
-        if name == "F_A":
-            highest = most(highest, of_zeta_0.undamped_Omega(on.h_A).hi)
-        return roots.up_to(partial(getattr(self, name), on), highest)
+    def frequencies(self, on: Cell) -> roots.Roots:
+        """All roots of F: beyond some frequency R exceeds F_0."""
+        return roots.up_to(partial(self.F, on), flow.backbone(on.A, on.h - self.F_0).hi)
+
+    def fold_frequencies(self, on: Cell) -> roots.Roots:
+        """All roots of F_A: beyond some frequency R is positive, and Omega^2 + h_A."""
+        highest = most(flow.backbone(on.A, on.h).hi, of_zeta_0.undamped_Omega(on.h_A).hi)
+        return roots.up_to(partial(self.F_A, on), highest)
+
+    def peak_frequencies(self, on: Cell) -> roots.Roots:
+        """All roots of F_Omega: beyond some frequency R is positive."""
+        return roots.up_to(partial(self.F_Omega, on), flow.backbone(on.A, on.h).hi)
 
     def level(self, Omega: Enclosure, on: Cell) -> Enclosure:
         """The forcing of a point."""
@@ -169,10 +185,7 @@ class Asked:
             sign = flow.F_AA(Omega, on.A, self.m, self.zeta, on.h, on.h_A, on.h_AA).sign
             found.add(Omega, given.beyond(zero.piece, zero.beyond), False, sign)
         self._corners(A_max, found)
-        order = sorted(range(len(found.A)), key=lambda i: found.Omega[i].middle)
-        for name in ("Omega", "A", "corner", "sign"):
-            setattr(found, name, [getattr(found, name)[i] for i in order])
-        return found
+        return found.by_Omega()
 
     def _corners(self, A_max: float, found: Found) -> None:
         """Folds on breakpoints where the force jumps: F_A has one sign below and another above."""
@@ -180,7 +193,7 @@ class Asked:
             if jump.lo == jump.hi == 0 or b.lo > A_max:
                 continue
             on = self.at_breakpoint(i)
-            at = self.frequencies(on, "F")
+            at = self.frequencies(on)
             if at.full:
                 found.doubts.append(b)
             for Omega, doubtful in zip(at.at, at.doubtful, strict=True):
@@ -218,7 +231,7 @@ class Asked:
         Each place that is tried is a bound from above, and the least lies at one of them: places in doubt do no harm.
         """
         on = self.at_breakpoint(0)
-        found = self.frequencies(on, "F_Omega")
+        found = self.peak_frequencies(on)
         if found.full:
             return None
         places = [(self.level(w, on), w) for w in (*found.at, Enclosure(ZERO, ZERO))]
@@ -353,20 +366,24 @@ class Candidates:
         if is_jump and on.h.lo < 0 and jump <= 0:
             Omega = flow.backbone(b, on.h)
             self.enter(asked.level(Omega, on), Omega, b, OnsetKind.CORNER, -jump if on.h.hi < 0 else 0)
-        for name in ("F_A", "F_Omega") if is_jump else ("F_A",):
-            found = asked.frequencies(on, name)
+
+        def consider(found: roots.Roots, signs: Callable[[Enclosure, int], tuple[int, int]]) -> None:
             self.full |= found.full
             for w, doubtful in zip(found.at, found.doubtful, strict=True):
-                R = flow.R(w, b, on.h).sign
-                if name == "F_A":
-                    one = -flow.level_rise(w, b, m, zeta, on.h, on.h_A, on.h_AA).sign
-                    slopes = flow.F_Omega(w, b, m, zeta, on.h) * flow.F_AOmega(w, b, m, zeta, on.h, on.h_A)
-                    other = -R * jump * slopes.sign
-                else:
-                    one = -R * jump * flow.F_A(w, b, m, zeta, on.h, on.h_A).sign
-                    other = flow.F_OmegaOmega(w, b, zeta, on.h).sign
+                one, other = signs(w, flow.R(w, b, on.h).sign * jump)
                 sign = 0 if doubtful else -1 if min(one, other) < 0 else one * other
                 self.enter(asked.level(w, on), w, b, OnsetKind.CORNER, sign)
+
+        def of_folds(w: Enclosure, beyond: int) -> tuple[int, int]:
+            slopes = flow.F_Omega(w, b, m, zeta, on.h) * flow.F_AOmega(w, b, m, zeta, on.h, on.h_A)
+            return -flow.level_rise(w, b, m, zeta, on.h, on.h_A, on.h_AA).sign, -beyond * slopes.sign
+
+        def of_peaks(w: Enclosure, beyond: int) -> tuple[int, int]:
+            return -beyond * flow.F_A(w, b, m, zeta, on.h, on.h_A).sign, flow.F_OmegaOmega(w, b, zeta, on.h).sign
+
+        consider(asked.fold_frequencies(on), of_folds)
+        if is_jump:
+            consider(asked.peak_frequencies(on), of_peaks)
 
 
 def _quadratic_root(a: Enclosure, b: Enclosure, root: Enclosure, larger: bool) -> Enclosure:
@@ -417,7 +434,7 @@ def lowest_next_to(given: Given, F_SN: float, A_max: float) -> tuple[Candidate |
     return best, bool(proved)
 
 
-# ---- without viscous damping: folds lie at Omega^2 = -h_A, their level is hypot(m, k) ---------------------------
+# ---- without viscous damping: folds lie at Omega^2 = -h_A, their R is k ---------------------------
 
 
 def tends_to_friction(given: Given) -> bool:
@@ -464,18 +481,24 @@ def lowest_undamped(given: Given) -> tuple[Candidate | None, bool]:
     candidates = Candidates(Asked(given, math.inf))
     asked, turns = candidates.asked, _undamped(given, 0)
     far = given.at(given.count, arb(ENDLESS))
-    rises = far.h_A.lo >= 0 or (-(far.k * far.h_AA)).lo >= 0
+    rises = far.h_A.lo >= 0 or of_zeta_0.undamped_rises(far.h_AA, far.h_AAA, far.k)[0].lo >= 0
     candidates.full = bool(turns.doubts or _undamped(given, 1).doubts or not rises)
     for zero in turns.zeros:
         on = zero.on
         Omega = of_zeta_0.undamped_Omega(on.h_A)
-        candidates.enter(asked.level(Omega, on), Omega, on.A, OnsetKind.CUSP, -(on.k * on.h_AAA).sign)
+        candidates.enter(
+            asked.level(Omega, on),
+            Omega,
+            on.A,
+            OnsetKind.CUSP,
+            of_zeta_0.undamped_rises(on.h_AA, on.h_AAA, on.k)[1].sign,
+        )
     for i, (jump, kink) in enumerate(zip(given.jumps, given.kinks, strict=True)):
         on, none = asked.at_breakpoint(i), jump.lo == jump.hi == 0
         if on.h_A.lo >= 0:
             continue
         # |k| falls below; above h_AA is infinite, with the sign of what the slope loses
-        falls = (on.k * on.h_AA).sign
+        falls = -of_zeta_0.undamped_rises(on.h_AA, on.h_AAA, on.k)[0].sign
         turn = -(on.k * kink).sign if none else 1 if jump.sign < 0 else -on.k.sign
         sign = 0 if not (on.h_A.sign and falls and turn and (none or jump.sign)) else min(falls, turn)
         Omega = of_zeta_0.undamped_Omega(on.h_A)

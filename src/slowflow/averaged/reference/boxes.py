@@ -129,10 +129,11 @@ class Searched:
         """What the functions take, on boxes."""
         A, zeta, d = cells.A, self.zeta, self.d
         I_0, I_0A, I_0AA, I_0AAA = self.rest(A, piece)
+        # where h/A is nearly its slope, and both nearly -Omega^2, the second is the narrower one
+        R, by_tangent = slow_flow_intervals.state_R(Omega, A, cells.h, cells.h_A, cells.k)
         return {
             **{"Omega": Omega, "A": A, "F_0": Interval.point(self.F_0), "zeta": zeta, "d": d},
-            # where h/A is nearly its slope, and both nearly -Omega^2, the second form is the narrower one
-            "R": slow_flow_intervals.R(Omega, A, cells.h).both(A * (Omega.square() + cells.h_A) + cells.k),
+            "R": R.both(by_tangent),
             "I": dissipation_intervals.I(Omega, A, I_0, zeta, d),
             **{"I_0": I_0, "I_0A": I_0A, "I_0AA": I_0AA, "I_0AAA": I_0AAA},
             **{"h": cells.h, "h_A": cells.h_A, "h_AA": cells.h_AA, "h_AAA": cells.h_AAA},
@@ -161,23 +162,21 @@ class Searched:
         A, zeta, d, R, lag = (known[name] for name in ("A", "zeta", "d", "R", "I"))
         I_A = dissipation_intervals.I_A(Omega, A, known["I_0A"], zeta, d)
         if self.system in FORCED:
-            forcing = known["F_0"]
             lag = lag.both(Interval.of(np.full(A.lo.shape, -self.F_0), self.F_0))
-            most = (forcing.square() - lag.square()).sqrt()
+            most = dissipation_intervals.R_of_response(known["F_0"], lag)
             R = R.both(Interval(np.array((-most.hi, most.hi))))
         if self.system in PEAKED:
-            R = R.both(-((zeta / Omega + A * d) * lag))
+            R = R.both(dissipation_intervals.R_of_peak(Omega, A, zeta, d, lag))
         if self.system in FOLDED:
-            R = R.both(-(lag * I_A / (Omega.square() + cells.h_A)))
-        if self.system == "turns":  # R + A R_A + D = 0
+            R = R.both(dissipation_intervals.R_of_fold(Omega, cells.h_A, lag, I_A))
+        if self.system == "turns":
             beside = Omega.square() * self._turn_share(1.0 / Omega, known)
-            known["h_A"] = known["h_A"].both(-((R + beside) / A) - Omega.square())
+            known["h_A"] = known["h_A"].both(dissipation_intervals.h_A_of_turn(Omega, A, R, beside))
         first, second, *_ = self._values({**known, "R": R, "I": lag})
         found = (R.lo > R.hi) | (lag.lo > lag.hi) | first.has_sign | second.has_sign
         found |= (R.square() + lag.square()).lo > self.most * self.most * (1 + 2.0**-40)
         if self.system in FOLDED:
-            # F_A/2 = R (R - k)/A + I I_A, of which the first part is not below -k^2/(4 A)
-            found |= (4.0 * (A * lag * I_A) - cells.k.square()).lo > 0
+            found |= dissipation_intervals.least_F_A(A, cells.k, lag, I_A).lo > 0
             found |= self._rises(cells, I_A, Omega) | self._far(known, Omega)
         return np.asarray(found)
 
@@ -192,27 +191,20 @@ class Searched:
         R, R_A, lag, I_A = dissipation_intervals.far(x, *(known[name] for name in names))
         if self.system == "turns":
             R_A = R_A.both(-((R + self._turn_share(x, known)) / known["A"]))
-        return np.asarray(np.isinf(Omega.hi) & (R * R_A + lag * I_A).has_sign)
+        return np.asarray(np.isinf(Omega.hi) & dissipation_intervals.F_A_halved(R, R_A, lag, I_A).has_sign)
 
     def _rises(self, cells: Cells, I_A: Interval, Omega: Interval) -> Bools:
         """Whether F_A is positive for 0 < A on boxes that reach down to A = 0, where it vanishes."""
-        A, start, (zeta, eta, d) = cells.A, samples_at(self.model, 0.0), self._laws
+        A, start, eta = cells.A, samples_at(self.model, 0.0), self.model.laws.eta
         slope = Interval.hull(np.minimum(start.h_A, cells.h_A.lo), np.maximum(start.h_A, cells.h_A.hi))
-        over = eta + self.model.m / A.hi
-        lag = Interval.of(over, over) + 2.0 * (self.zeta * Omega) + A * self.d * Omega.square()
-        value = (Omega.square() + slope) * (Omega.square() + cells.h_A) + lag * I_A
-        # |k| <= A^2 |h_AA|/2, so that 4 A I I_A - k^2 is at least A^2 times this sum
+        over = dissipation.at_rest(A.hi, self.model.m, eta)[0] / A.hi
+        lag = dissipation_intervals.I_scaled(Omega, A, Interval.of(over, over), self.zeta, self.d)
+        value = dissipation_intervals.F_A_scaled(Omega, slope, cells.h_A, lag, I_A)
         w = np.maximum(Omega.lo, 0.0) * (1 - 2.0**-40)
-        first, second = (
-            4 * eta**2 + 16 * (zeta * w) ** 2,
-            8 * (d * w * w) ** 2 - np.abs(cells.h_AA.ends).max(axis=0) ** 2 / 4,
-        )
+        bend = np.abs(cells.h_AA.ends).max(axis=0)
+        first, second = dissipation.least_scaled(w, self.model.zeta, eta, self.model.d, bend)
         least = first + A.hi**2 * np.minimum(second, 0.0) + np.where(first == 0, second, 0.0)
         return np.asarray((A.lo == 0) & (I_A.lo >= 0) & ((value.lo > 0) | (least > 2.0**-40 * first)))
-
-    @property
-    def _laws(self) -> tuple[float, float, float]:
-        return self.model.zeta, self.model.laws.eta, self.model.d
 
     def values(self, A: Floats, h: Sequence[Floats], piece: Ints, Omega: Floats) -> list[Floats]:
         """The same at points."""

@@ -17,6 +17,7 @@ import numpy as np
 from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.model import Floats, Model
+from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import CANCELLED, DOUBT
 
 
@@ -71,7 +72,7 @@ def samples_at(model: Model, A: Any) -> Samples:
     A = np.array(A, dtype=float, ndmin=1)
     h, h_A, h_AA, h_AAA = model.averaged(A)
     # at A = 0 a slope that is infinite there takes nothing off h
-    k = np.where(A > 0, h - A * h_A, h)
+    k = np.where(A > 0, slow_flow.intercept(A, h, h_A, h_AA)[0], h)
     lost = np.abs(k) < CANCELLED * np.abs(h)
     if lost.any():
         k[lost] = model.mechanism.intercept(A[lost], *model.parameters)

@@ -72,8 +72,8 @@ class _Quartics:
         """F, or F_A/2, from R and I, in which nothing cancels but what cancels in F."""
         if self.F_0 < 0:
             return 0.5 * self.model.F_A(w, self.A, self.beyond)
-        R, I = slow_flow.R(w, self.A, self.model.averaged(self.A)[0]), self.model.sine(w, self.A)
-        return np.asarray(R * R + (I - self.F_0) * (I + self.F_0))
+        model, I_0 = self.model, self.model.at_rest(self.A)[0]
+        return np.asarray(dissipation.F(w, self.A, self.F_0, I_0, model.zeta, model.d, model.averaged(self.A)[0]))
 
     @property
     def shown(self) -> Bools:
@@ -252,22 +252,16 @@ def rises_from_rest(model: Model, A: Floats) -> Bools:
 
 
 def is_minimum(model: Model, Omega: Floats, A: Floats) -> Bools:
-    """Whether the level has a minimum along the fold locus at these cusps: F_Omega F_AAA F_AOmega < 0."""
-    I_0, known = model.at_rest(A), model.averaged(A)
-    damping = model.zeta, model.d
-    R, I = slow_flow.R(Omega, A, known[0]), model.sine(Omega, A)
-    _, _, _, F_AOmega, F_AAA, _ = dissipation.cusps(Omega, A, *I_0[1:], *damping, *known[1:], R, I)
-    F_Omega = dissipation.F_Omega(Omega, A, I_0[0], *damping, known[0])
-    return np.asarray(F_Omega * F_AAA * F_AOmega < 0)
+    """Whether the level has a minimum along the fold locus at these cusps."""
+    bend = dissipation.cusp_bend(Omega, A, *model.at_rest(A), model.zeta, model.d, *model.averaged(A))
+    return np.asarray(bend > 0)
 
 
 def at_isola(model: Model, Omega: Floats, A: Floats) -> tuple[Bools, Bools]:
     """Whether F has a saddle at these isola points, and whether the level has a minimum along the fold locus."""
-    I_0, I_0A, *_ = model.at_rest(A)
-    h, h_A, *_ = model.averaged(A)
-    F_AA, F_AOmega = model.F_AA(Omega, A), dissipation.F_AOmega(Omega, A, I_0, I_0A, model.zeta, model.d, h, h_A)
-    determinant = F_AA * _F_OmegaOmega(model, Omega, A) - F_AOmega**2
-    return np.asarray(determinant < 0), np.asarray(F_AA * determinant > 0)
+    rest, known = model.at_rest(A)[:3], model.averaged(A)[:3]
+    determinant, bend = dissipation.isola_bend(Omega, A, *rest, model.zeta, model.d, *known)
+    return np.asarray(determinant < 0), np.asarray(bend > 0)
 
 
 def _F_OmegaOmega(model: Model, Omega: Floats, A: Floats) -> Floats:

@@ -128,8 +128,8 @@ def _is_stable_below(model: Model, F_0: float, b: float, Omega: Floats) -> Bools
     """Whether the side below breakpoint b is stable at the states (b, Omega): F_A > 0.
 
     Where the state is, to rounding, the end of the fold locus below, the sign of `Fold` there decides, which decided
-    whether that has a zero next to b. With y it, F = 2 R y and F_A = (2/A) (2 R - k) y to first order, and F_A at the
-    state is less by F_AOmega F/F_Omega; without viscous damping F = y and F_A = 0.
+    whether that has a zero next to b. To first order F and F_A are multiples of it, and F_A at the state is less
+    by F_AOmega F/F_Omega; without viscous damping it is F, and F_A is 0.
     """
     m, zeta, at = model.m, model.zeta, samples_at(model, b)
     if model.inertial or model.laws.any:
@@ -137,7 +137,7 @@ def _is_stable_below(model: Model, F_0: float, b: float, Omega: Floats) -> Bools
     (fold,) = FoldAt(model, F_0).ask(at)
     (h,), (h_A,), (k,) = at.h, at.h_A, at.k
     R = slow_flow.R(Omega, b, h)
-    F, F_A = (2 * R, 2 * (2 * R - k) / b) if zeta > 0 else (np.ones_like(R), np.zeros_like(R))
+    F, F_A = slow_flow.fold_moves(b, k, R) if zeta > 0 else (np.ones_like(R), np.zeros_like(R))
     turn = slow_flow.F_AOmega(Omega, b, m, zeta, h, h_A) / slow_flow.F_Omega(Omega, b, m, zeta, h)
     ends = fold.exists & (np.abs(fold.Omega - Omega) < NEAR_END * Omega)
     return np.asarray(np.where(ends, fold.y * (F_A - turn * F), slow_flow.F_A(Omega, b, m, zeta, h, h_A)) > 0)

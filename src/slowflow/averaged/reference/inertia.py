@@ -69,25 +69,15 @@ class Roots:
         """Where the response begins, at A = 0: below it the mass sticks."""
         return float(np.sqrt(self.model.m / self.F_0))
 
-    def _without_linear(self, A: Floats, h: Floats) -> tuple[Floats, Floats, Floats, Floats]:
-        """Of F over Omega^4 in x = 1/Omega, without its cubic term: h^2 + m^2, fall, root, A^2 - F_0^2."""
-        m, zeta, F_0 = self.model.m, self.model.zeta, self.F_0
-        fall = -A * (h + 2 * zeta**2 * A)
-        square = h * h + m * m
-        inner = F_0 * F_0 * square - (m * A) ** 2 + 4 * zeta**2 * A**3 * (h + zeta**2 * A)
-        return square, fall, np.sqrt(np.maximum(inner, 0.0)), (A - self.F_0) * (A + self.F_0)
-
     def _low(self, A: Floats, h: Floats, least: Floats) -> Floats:
-        """Below the frequency of the least level. The cubic term only raises F: without it x comes out too large."""
-        square, fall, root, over = self._without_linear(A, h)
-        X = np.where(fall > 0, (root + fall) / square, -over / (root - fall))
-        most = np.sqrt(X) * (1 + 2.0**-40)
+        """Below the frequency of the least level."""
+        most = np.sqrt(inertia.outer(A, self.F_0, self.model.m, self.model.zeta, h)[0]) * (1 + 2.0**-40)
         return self._solved(A, h, most, np.where(np.isnan(least), 0.0, 1 / least), most, 1.0)
 
     def _high(self, A: Floats, h: Floats, least: Floats) -> Floats:
-        """Above it, where x comes out too small."""
-        _, fall, root, over = self._without_linear(A, h)
-        first = np.sqrt(np.maximum(over, 0.0) / (root + fall)) * (1 - 2.0**-40)
+        """Above it."""
+        least_X = inertia.outer(A, self.F_0, self.model.m, self.model.zeta, h)[1]
+        first = np.sqrt(np.maximum(least_X, 0.0)) * (1 - 2.0**-40)
         return self._solved(A, h, first, first, 1 / least, -1.0)
 
     def _solved(self, A: Floats, h: Floats, x: Floats, lo: Floats, hi: Floats, rising: float) -> Floats:

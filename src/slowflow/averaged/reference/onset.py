@@ -35,7 +35,7 @@ from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound
-from slowflow_kernels import slow_flow
+from slowflow_kernels import slow_flow, slow_flow_zeta0
 from slowflow_kernels.conventions import COINCIDE, ENDLESS, FAR_OUT, FIRST_F_0, RAISE, RAISES, TENDS, Status
 
 #: of a force's size: what rounding its parameters may make of its jump
@@ -127,7 +127,7 @@ def _is_beside_breakpoint(model: Model, best: _Best) -> bool:
 
 
 def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
-    """zeta = 0: folds lie at Omega^2 = -h_A and their level is hypot(m, k), with R = k there.
+    """zeta = 0: folds lie at Omega^2 = -h_A and their level is that of R = k.
 
     Where k tends to 0 on the way, as to A = 0 with a stiffness that is not negative next to it, or as A grows where
     springs have left, there are folds as near to m as one asks. Raises ArithmeticError where the level falls to another
@@ -137,9 +137,9 @@ def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
     no_lowest = dataclasses.replace(none, message=words.NO_LOWEST.format(model.m), _status=Status.UNBOUNDED)
     if model.preload > 0:
         # R = k at a fold, and k = -preload at rest: it passes 0 between folds of both signs
-        A = saddle_nodes(model, math.hypot(model.m, 0.5 * model.preload)).A
-        h, h_A, _, _ = model.averaged(A)
-        if len(np.unique(h - A * h_A < 0)) > 1:
+        A = saddle_nodes(model, float(slow_flow_zeta0.undamped_level(model.m, 0.5 * model.preload))).A
+        h, h_A, h_AA, _ = model.averaged(A)
+        if len(np.unique(slow_flow.intercept(A, h, h_A, h_AA)[0] < 0)) > 1:
             return no_lowest
         raise ArithmeticError(words.unresolved_onset(model))
     if model.inertial:
@@ -179,20 +179,20 @@ def _tends_to_friction(model: Model, piece: Stretch, best: _Best) -> bool:
     if (turns.channel == 1).any():
         return True
     at = samples_at(model, turns.A)
-    least = at.k * at.h_AAA < 0
-    best.consider(np.hypot(model.m, at.k)[least], turns.Omega[least], turns.A[least], "cusp")
-    at_rest = model.averaged(ends.A[ends.channel == 1])[0]
-    best.rest = float(np.min(np.hypot(model.m, at_rest), initial=best.rest))
+    least = slow_flow_zeta0.undamped_rises(at.h_AA, at.h_AAA, at.k)[1] > 0
+    best.consider(slow_flow_zeta0.undamped_level(model.m, at.k)[least], turns.Omega[least], turns.A[least], "cusp")
+    best.rest = float(np.min(model.level(0.0, ends.A[ends.channel == 1]), initial=best.rest))
     return False
 
 
 def _tends_to_friction_on(model: Model, at: Samples, above: Samples, jump: float, best: _Best) -> bool:
     """The same on a breakpoint. Where the force jumps by J folds sit on it at Omega^2 > -h_A, if J < 0, or below."""
-    (h,), (h_A,), (h_AA,), (k,) = at.h, at.h_A, at.h_AA, at.k
+    (h,), (h_A,), (k,) = at.h, at.h_A, at.k
     moves = h_A < 0
-    turns, ends = moves and k * h_AA > 0, False
+    below, beyond = (slow_flow_zeta0.undamped_rises(side.h_AA, side.h_AAA, at.k)[0][0] for side in (at, above))
+    turns, ends = moves and below < 0, False
     if jump == 0:
-        turns = turns and k * above.h_AA[0] < 0
+        turns = turns and beyond > 0
     elif jump < 0:
         if (k if moves else h) <= 0:
             return True
@@ -202,9 +202,11 @@ def _tends_to_friction_on(model: Model, at: Samples, above: Samples, jump: float
             return True
         turns, ends = turns and k < 0, moves and h > 0
     if turns:
-        best.consider(np.hypot(model.m, at.k), np.sqrt(-at.h_A), at.A, "corner")
+        best.consider(
+            slow_flow_zeta0.undamped_level(model.m, at.k), slow_flow_zeta0.undamped_Omega(at.h_A), at.A, "corner"
+        )
     if ends:
-        best.rest = min(best.rest, math.hypot(model.m, h))
+        best.rest = min(best.rest, float(model.level(0.0, at.A)[0]))
     return False
 
 

@@ -143,7 +143,7 @@ static PyObject *until(PyObject *self, PyObject *arguments)
     sf_event event = SF_TIME;
     sf_outcome outcome = SF_GOOD;
     Py_BEGIN_ALLOW_THREADS
-    const double push = drive.F_0 * cos(theta) - sf_value(piece, u) - drive.friction;
+    const double push = motion_push(cos(theta), drive.F_0, sf_value(piece, u)) - drive.friction;
     if (theta < end)
         outcome = sf_until(piece, &drive, slip, edge, end, v != 0.0 ? 0 : slip * push > 0.0 ? 1 : 2, &theta, &u, &v, &left,
                            &event, &undecided);

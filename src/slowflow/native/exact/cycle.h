@@ -3,7 +3,7 @@
 #ifndef SF_CYCLE_H
 #define SF_CYCLE_H
 
-#include "motion.h"
+#include "follow.h"
 
 /* phases of a cycle with k of them: slip[i] and region[i], the factor `sign` of the state after the cycle */
 typedef struct {
@@ -54,7 +54,7 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
 {
     const sf_system *const system = forced->system;
     const long k = cycle->k, n = k + 4;
-    const double Omega = forced->Omega = z[k + 2], force = sf_forcing(forced);
+    const double Omega = forced->Omega = z[k + 2];
     double u = z[0], v = 0.0, theta = z[1];
     double *const of_u = work, *const of_v = work + n, *const of_theta = work + 2 * n;
     memset(work, 0, 3 * (size_t)n * sizeof *work);
@@ -76,16 +76,17 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
         if (slip == 0) {
             of_theta[2 + i] = 1.0;
             out->residual[i] = sf_push(forced, region, end, u) - next_slip * holds;
-            const double stiffness = sf_slope(piece, u);
+            double by[3];
+            sf_push_slopes(forced, region, end, u, by);
             for (long j = 0; j < n; j++) {
                 of_v[j] = 0.0;
-                row[j] = -force * sin(end) * of_theta[j] - stiffness * of_u[j];
+                row[j] = by[0] * of_theta[j] + by[1] * of_u[j];
             }
-            row[n - 1] += cos(end);
+            row[n - 1] += by[2];
             /* v is forgotten; where the push that breaks it away exceeds friction the acceleration jumps from 0, and u
              * tells when; elsewhere it is continuous */
             const double jump = system->mu_s > system->mu ? sf_acceleration(forced, next_slip, region, end, u, 0.0) : 0.0;
-            const double of_place = jump == 0.0 ? 0.0 : jump / Omega * (stiffness / (force * sin(end)));
+            const double of_place = jump == 0.0 ? 0.0 : jump / Omega * (by[1] / by[0]);
             M[1][0] = of_place * M[0][0], M[1][1] = of_place * M[0][1];
             v = 0.0, theta = end;
             continue;
@@ -142,10 +143,11 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
         }
         if (next_slip != 0 && holds > 0) {
             double *const gradient = out->gradients + out->borders * n;
-            const double stiffness = sf_slope(piece, u);
+            double by_push[3];
+            sf_push_slopes(forced, region, end, u, by_push);
             for (long j = 0; j < n; j++)
-                gradient[j] = next_slip * (-force * sin(end) * of_theta[j] - stiffness * of_u[j]);
-            gradient[n - 1] += next_slip * cos(end);
+                gradient[j] = next_slip * (by_push[0] * of_theta[j] + by_push[1] * of_u[j]);
+            gradient[n - 1] += next_slip * by_push[2];
             out->border[out->borders++] = (sf_border){(int)i, 1, next_slip * sf_push(forced, region, end, u) - holds};
         }
     }

@@ -3,7 +3,7 @@
 #ifndef SF_SHOCK_H
 #define SF_SHOCK_H
 
-#include "motion.h"
+#include "follow.h"
 
 /* the base's acceleration over a stretch of tau: -F cos(theta + Omega tau) */
 typedef struct {
@@ -134,8 +134,12 @@ static sf_outcome sf_accelerations(sf_shocked *shock, const sf_stretch *one, con
     *largest = -1.0;
     for (long k = 0; k < count; k++) {
         const double u = states[k][0], v = states[k][1];
-        const double resisted = drive.friction + 2.0 * drive.zeta * v + drive.quadratic * v * v;
-        const double a = phase->slip == 0 ? drive.F_0 * cos(theta[k]) : sf_value(piece, u) + resisted;
+        double resists[2];
+        motion_resistance(v, drive.zeta, drive.friction, drive.quadratic, resists);
+        /* seen by who stands still the forcing is no force */
+        const double a = phase->slip == 0
+                             ? drive.F_0 * cos(theta[k])
+                             : motion_acceleration(0.0, v, drive.F_0, drive.zeta, resists[0], sf_value(piece, u));
         if (fabs(a) > *largest)
             *largest = fabs(a), *where = k;
     }

@@ -1,12 +1,13 @@
 /* Motion from switch to switch, as slowflow.exact.motion states it: slip in one direction over one piece, or rest. */
-#ifndef SF_MOTION_H
-#define SF_MOTION_H
+#ifndef SF_FOLLOW_H
+#define SF_FOLLOW_H
 
 #include <stdlib.h>
 
 #include "exact_conventions.h"
 #include "inertia.h"
 #include "first_zero.h"
+#include "motion.h"
 #include "sides.h"
 
 #define SF_GLIMPSE 1e-6 /* a slip from rest of less, in theta, is none: the push exceeds friction by rounding */
@@ -85,15 +86,22 @@ static inline sf_drive sf_drive_of(const sf_forced *forced, int slip, int region
 static inline double sf_push(const sf_forced *forced, int region, double theta, double u)
 {
     const sf_system *const system = forced->system;
-    const double force = sf_value(sf_piece_of(system, region), u);
-    return sf_forcing(forced) * cos(theta) - (force - system->load);
+    return motion_push(cos(theta), sf_forcing(forced), sf_value(sf_piece_of(system, region), u) - system->load);
+}
+
+/* its derivatives by theta, u and the amplitude of the force */
+static inline void sf_push_slopes(const sf_forced *forced, int region, double theta, double u, double by[3])
+{
+    motion_push_slopes(cos(theta), sin(theta), sf_forcing(forced), sf_slope(sf_piece_of(forced->system, region), u), by);
 }
 
 static inline double sf_acceleration(const sf_forced *forced, int slip, int region, double theta, double u, double v)
 {
     const sf_system *const system = forced->system;
-    return sf_push(forced, region, theta, u) - 2.0 * system->zeta * v - slip * sf_friction(system, region) -
-           slip * system->c_2 * v * v;
+    double resists[2];
+    motion_resistance(v, system->zeta, slip * sf_friction(system, region), slip * system->c_2, resists);
+    return motion_acceleration(cos(theta), v, sf_forcing(forced), system->zeta, resists[0],
+                               sf_value(sf_piece_of(system, region), u) - system->load);
 }
 
 static inline double sf_edge_ahead(const sf_system *system, int slip, int region)
@@ -119,7 +127,7 @@ static double sf_break_away(const sf_forced *forced, int region, double theta, d
     double first = HUGE_VAL;
     *direction = 0;
     for (int slip = -1; slip <= 1; slip += 2) {
-        const double cosine = (force + slip * sf_holding(system, region)) / amplitude;
+        const double cosine = motion_breakaway(amplitude, slip * sf_holding(system, region), force);
         if (!(fabs(cosine) < 1.0))
             continue;
         /* cos theta rises through it for slip = 1 and falls for slip = -1 */
