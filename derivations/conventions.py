@@ -219,8 +219,6 @@ CONVENTIONS = (
                 "frequencies farther apart than this, relatively, are told apart by any rounding",
             ),
             Number("SPREAD", sp.Rational(1, 1000), "of a curve's points: the length that each part has beside its own"),
-            Number("PARTS", 24, "of the quarter cycle, of each piece, in which an average by quadrature is enclosed"),
-            Number("HALVED", 64, "how often the first of them is halved at most"),
             Number(
                 "COINCIDE", sp.Rational(1, 2**44), "events closer than this, relatively, may have changed their order"
             ),
@@ -241,6 +239,24 @@ CONVENTIONS = (
             Number("POLISHING", 8, "steps at most, of Newton's iteration to a critical point"),
             Number("NEARING", 12, "of Halley's to a root"),
             Number("CORRECTING", 100, "of Newton's after that, kept in its bracket"),
+        ),
+    ),
+    Conventions(
+        "quadrature_conventions",
+        "What integrals over the quarter cycle and their enclosures have in common",
+        (),
+        (
+            Number("AGREED", sp.Rational(1, 2**46), "what halving may change of a sum that has settled, of its size"),
+            Number("MOVED_BY", sp.Rational(1, 2**50), "what stands for a rounding of A and of a parameter, relatively"),
+            Number("SHORT_PART", sp.Rational(1, 2**20), "a part of the quarter that one panel is enough for"),
+            Number("FEWEST_PANELS", 16, "from which on rounding is looked at"),
+            Number("MOST_PANELS", 512, "after which a sum is given up"),
+            Number("NEXT_TO_REST", sp.Rational(1, 2**400), "an amplitude next to 0"),
+            Number("PARTS", 24, "of the quarter cycle, of each piece, in which an average by quadrature is enclosed"),
+            Number("HALVED", 64, "how often the first of them is halved at most"),
+            Number("ANGLE", sp.Rational(1, 2**48), "relative error of an angle in an enclosure"),
+            Number("LARGEST_SUM", sp.Integer(2**960), "of an enclosure, beyond which it is not known"),
+            Number("CONTACT_SUMS", 5, "integrals of a contact in an enclosure"),
         ),
     ),
     Conventions(

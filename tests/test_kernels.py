@@ -26,7 +26,15 @@ HERE = Path(__file__).parent
 PACKAGE = HERE.parent / "generated" / "slowflow_kernels"
 ORACLE = json.loads((HERE / "data" / "kernel_oracle.json").read_text())
 #: generated modules without kernels
-TABLES = {"domains", "conventions", "exact_conventions", "second_conventions", "scaling", "scenes"}
+TABLES = {
+    "domains",
+    "conventions",
+    "exact_conventions",
+    "second_conventions",
+    "quadrature_conventions",
+    "scaling",
+    "scenes",
+}
 # kernels on intervals and in balls hold these values: tests/test_intervals.py, tests/test_ball_kernels.py
 MODULES = sorted({path.stem for path in PACKAGE.glob("*.py") if not path.stem.startswith("_")} - TABLES)
 MODULES = [module for module in MODULES if not module.endswith(("_intervals", "_balls"))]

@@ -109,10 +109,6 @@ typedef enum {
 #define SF_TOLD_APART 0.001
 /* of a curve's points: the length that each part has beside its own */
 #define SF_SPREAD 0.001
-/* of the quarter cycle, of each piece, in which an average by quadrature is enclosed */
-#define SF_PARTS 24
-/* how often the first of them is halved at most */
-#define SF_HALVED 64
 /* events closer than this, relatively, may have changed their order */
 #define SF_COINCIDE 5.6843418860808015e-14
 /* share of its size that rounding may add to a value */

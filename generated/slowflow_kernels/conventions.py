@@ -158,10 +158,6 @@ STEEP = 16777216.0
 TOLD_APART = 0.001
 # of a curve's points: the length that each part has beside its own
 SPREAD = 0.001
-# of the quarter cycle, of each piece, in which an average by quadrature is enclosed
-PARTS = 24
-# how often the first of them is halved at most
-HALVED = 64
 # events closer than this, relatively, may have changed their order
 COINCIDE = 5.6843418860808015e-14
 # share of its size that rounding may add to a value

@@ -11,7 +11,7 @@ import contextlib
 import dataclasses
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial
 from types import MappingProxyType, SimpleNamespace
@@ -426,22 +426,6 @@ class Scales:
         return Quantities(values, units, answer, tuple(self.kind(name)[0] for name in entry), self)
 
 
-class _InTheseTerms:
-    """An oscillator whose refusals are in newtons, metres and hertz, as what it was asked for is."""
-
-    def __init__(self, oscillator: Any, scales: Scales) -> None:
-        self._oscillator, self._scales = oscillator, scales
-
-    def __getattr__(self, question: str) -> Any:
-        ask = getattr(self._oscillator, question)
-
-        def asked(*arguments: Any, **named: Any) -> Any:
-            with self._scales.in_these_terms():
-                return ask(*arguments, **named)
-
-        return asked
-
-
 @dataclass(frozen=True, repr=False)
 class Physical:
     """An oscillator whose questions take forces in N, frequencies f in Hz and lengths in m, and are answered in these.
@@ -491,7 +475,7 @@ class Physical:
         if (first := getattr(self.oscillator, "first", None)) is not None:  # the springs are the same at each depth
             return dataclasses.replace(self, oscillator=first).at_rest()
         m, k_v = self.scales.m, self.scales.k_v
-        found = self.scales.quantities(self._asked.at_rest())
+        found = self.scales.quantities(self._ask(self.oscillator.at_rest))
         beyond = None if found.x_cr is None else k_v * found.x_cr / g
         values = {
             "f_n": self.scales.sizes["frequency"],
@@ -523,31 +507,31 @@ class Physical:
 
     def rest(self) -> Quantities:
         """Every place at which the mass rests without friction: .x .stable .load, see `Oscillator.rest`."""
-        return self.scales.quantities(self._asked.rest())
+        return self.scales.quantities(self._ask(self.oscillator.rest))
 
     def force(self, x: Any) -> Floats:
         """The restoring force in N at displacements in m, without the weight that k_v is preset for."""
-        return np.asarray(self._asked.force(self._length("x", x)) * self.scales.sizes["force"])
+        return np.asarray(self._ask(self.oscillator.force, self._length("x", x)) * self.scales.sizes["force"])
 
     def stiffness(self, x: Any) -> Floats:
         """Its slope in N/m."""
-        return np.asarray(self._asked.stiffness(self._length("x", x)) * self.scales.k_v)
+        return np.asarray(self._ask(self.oscillator.stiffness, self._length("x", x)) * self.scales.k_v)
 
     def saddle_node_onset(self) -> Quantities:
         """The lowest force amplitude that has a fold: .F_SN .f .A, see `Averaged.saddle_node_onset`."""
-        return self.scales.quantities(self._asked.saddle_node_onset())
+        return self.scales.quantities(self._ask(self.oscillator.saddle_node_onset))
 
     def detachment(self) -> Quantities:
         """The lowest force amplitude that reaches the stroke: .F_cr .f_cr .x_cr, see `Averaged.detachment`."""
-        return self.scales.quantities(self._asked.detachment())
+        return self.scales.quantities(self._ask(self.oscillator.detachment))
 
     def saddle_nodes(self, F: Any) -> Quantities:
         """Where a sweep jumps at the force amplitude F: .f .A .kind .corner, see `Averaged.saddle_nodes`."""
-        return self.scales.quantities(self._asked.saddle_nodes(self._amplitude(F)))
+        return self.scales.quantities(self._ask(self.oscillator.saddle_nodes, self._amplitude(F)))
 
     def peak(self, F: Any) -> Quantities:
         """The highest peak: .A .f, see `Averaged.peak`; under a load .x_max at .f_max as well, see `OffCentre.peak`."""
-        return self.scales.quantities(self._asked.peak(self._amplitude(F)))
+        return self.scales.quantities(self._ask(self.oscillator.peak, self._amplitude(F)))
 
     def amplitudes(self, *, f: Any, F: Any) -> Quantities:
         """Every steady state at f: .f .A .phi .stable .transmissibility_dB, see `Averaged.amplitudes`.
@@ -555,32 +539,32 @@ class Physical:
         Under a load .A is the amplitude about the mean displacement .B, and .x_max the largest |x|, |B| + A.
         """
         Omega, F_0 = self._frequencies(f), self._amplitudes(F)
-        return self.scales.quantities(self._asked.amplitudes(Omega=Omega, F_0=F_0))
+        return self.scales.quantities(self._ask(self.oscillator.amplitudes, Omega=Omega, F_0=F_0))
 
     def frequency_response(self, F: Any, *, f: Any = None, samples: int = 1000) -> Quantities:
         """The response curve for frequencies in the window f, of up to twice f_n without: `amplitudes` and .branch."""
-        found = self._asked.frequency_response(self._amplitude(F), samples=samples, **self._window(f))
+        found = self._ask(self.oscillator.frequency_response, self._amplitude(F), samples=samples, **self._window(f))
         return self.scales.quantities(found)
 
     def fold_locus(self, *, samples: int = 1000, A_max: Any = None) -> Quantities:
         """The folds of every force amplitude: .f .A .F .branch, see `Averaged.fold_locus`."""
-        return self.scales.quantities(self._asked.fold_locus(samples=samples, A_max=self._most(A_max)))
+        return self.scales.quantities(self._ask(self.oscillator.fold_locus, samples=samples, A_max=self._most(A_max)))
 
     def cusps(self, *, A_max: Any = None) -> Quantities:
         """Where two folds come into being or meet: .F .f .A .minimum, see `Averaged.cusps`."""
-        return self.scales.quantities(self._asked.cusps(A_max=self._most(A_max)))
+        return self.scales.quantities(self._ask(self.oscillator.cusps, A_max=self._most(A_max)))
 
     def isola_points(self, *, A_max: Any = None) -> Quantities:
         """Where isolated curves are born or merge: .F .f .A .kind, see `Averaged.isola_points`."""
-        return self.scales.quantities(self._asked.isola_points(A_max=self._most(A_max)))
+        return self.scales.quantities(self._ask(self.oscillator.isola_points, A_max=self._most(A_max)))
 
     def backbone(self, A: Any) -> Floats:
         """f in Hz on the backbone at amplitudes in m, see `Averaged.backbone`."""
-        return np.asarray(self._asked.backbone(self._length("A", A)) * self.scales.sizes["frequency"])
+        return np.asarray(self._ask(self.oscillator.backbone, self._length("A", A)) * self.scales.sizes["frequency"])
 
     def limit_envelope(self, *, f: Any, F: Any) -> Floats:
         """The amplitude in m that no response exceeds, see `Averaged.limit_envelope`."""
-        A = self._asked.limit_envelope(Omega=self._frequencies(f), F_0=self._amplitudes(F))
+        A = self._ask(self.oscillator.limit_envelope, Omega=self._frequencies(f), F_0=self._amplitudes(F))
         return np.asarray(A * self.scales.sizes["length"])
 
     def certify(self, F: Any, *, f: Any = None) -> Quantities:
@@ -590,7 +574,7 @@ class Physical:
         times what is measured in, rounded.
         """
         Omega = None if f is None else self._frequency(f)
-        return self.scales.quantities(self._asked.certify(self._amplitude(F), Omega=Omega))
+        return self.scales.quantities(self._ask(self.oscillator.certify, self._amplitude(F), Omega=Omega))
 
     def plot(self, F: Any, *, f: Any = None, of: str = "A", ax: Any = None) -> Any:
         """Draw the response at one force, or at each of several, into Matplotlib axes, or new ones, and return these.
@@ -619,7 +603,7 @@ class Physical:
 
     def explain(self, question: str, F: Any = None) -> Plan:
         """What runs for a question and what is skipped, see `Averaged.explain`."""
-        found: Plan = self._asked.explain(question, None if F is None else self._amplitude(F))
+        found: Plan = self._ask(self.oscillator.explain, question, None if F is None else self._amplitude(F))
         steps = tuple(dataclasses.replace(step, why=self.scales.worded(step.why)) for step in found.steps)
         letter, kind, unit = EXCITED[self.scales.excitation]
         where = "" if F is None else f" at {letter} = {si(letter, F, unit):g} {next(iter(UNITS[kind]))}"
@@ -638,7 +622,7 @@ class Physical:
         `Oscillator.steady_state`, which `.answer` is from.
         """
         at = {"Omega": self._frequency(f), "F_0": self._amplitude(F), "A": self._most(A)}
-        found = self._asked.steady_state(**at)
+        found = self._ask(self.oscillator.steady_state, **at)
         tau, u, v = found.series(samples)
         said = {name: getattr(found, name) for name in ("Omega", "A", "stops", "stable", "period")}
         said |= {"F_0": at["F_0"], "message": "" if self.oscillator.load == 0 else LARGEST}
@@ -654,7 +638,7 @@ class Physical:
         if not (start is None or isinstance(start, Quantities)):
             raise ValueError(f"start = {start!r} is not allowed: start must be what steady_state gave")
         begun = None if start is None else start.answer
-        found = self._asked.exact_response(self._amplitude(F), start=begun, step=step, **self._window(f))
+        found = self._ask(self.oscillator.exact_response, self._amplitude(F), start=begun, step=step, **self._window(f))
         entry = ("Omega", "A", "stable", "stops")
         columns = ("Omega", "A", "kind", "corner")
         folds = {name: np.array([getattr(fold, name) for fold in found.folds]) for name in columns}
@@ -668,7 +652,7 @@ class Physical:
 
         See `Oscillator.sweep`.
         """
-        found = self._asked.sweep(Omega=self._frequencies(f), F_0=self._amplitude(F))
+        found = self._ask(self.oscillator.sweep, Omega=self._frequencies(f), F_0=self._amplitude(F))
         entry = ("Omega", "A", "stops", "settled")
         said = {name: getattr(found, name) for name in (*entry, "F_0")}
         jumps = np.array(found.jumps).reshape(-1, 2)
@@ -690,7 +674,7 @@ class Physical:
         pulse = {"acceleration": self._acceleration(acceleration)}
         times = {"duration": duration, "tau": t, "after": after}
         pulse |= {name: self._time(name, value) for name, value in times.items() if value is not None}
-        found = self._asked.transient(**pulse)
+        found = self._ask(self.oscillator.transient, **pulse)
         said = {field.name: getattr(found, field.name) for field in dataclasses.fields(found) if field.repr}
         return self.scales.named({**said, **found.series(samples)._asdict()}, found)
 
@@ -700,28 +684,29 @@ class Physical:
         In m/s^2 and s, numbers or arrays that broadcast; see `Oscillator.shock_spectrum`.
         """
         pulses = {"acceleration": self._acceleration(acceleration), "duration": self._time("duration", duration)}
-        return self.scales.quantities(self._asked.shock_spectrum(**pulses))
+        return self.scales.quantities(self._ask(self.oscillator.shock_spectrum, **pulses))
 
     def margins(self, F: Any) -> Quantities:
         """How far a force amplitude is from F_SN and F_cr: .of_SN .of_cr, see `Oscillator.margins`."""
-        return self.scales.quantities(self._asked.margins(self._amplitude(F)))
+        return self.scales.quantities(self._ask(self.oscillator.margins, self._amplitude(F)))
 
     def hysteresis(self, F: Any) -> Quantities:
         """Bands with several stable motions: .f_low .f_high .motions, see `Oscillator.hysteresis`."""
-        return self.scales.quantities(self._asked.hysteresis(self._amplitude(F)))
+        return self.scales.quantities(self._ask(self.oscillator.hysteresis, self._amplitude(F)))
 
     def isolation(self, F: Any) -> Quantities:
         """The frequency from which on less than F is transmitted: .f .A, see `Oscillator.isolation`."""
-        return self.scales.quantities(self._asked.isolation(self._amplitude(F)))
+        return self.scales.quantities(self._ask(self.oscillator.isolation, self._amplitude(F)))
 
     def spectrum(self, *, f: Any, F: Any) -> Quantities:
         """A load spectrum, row by row, see `Oscillator.spectrum`."""
         Omega, F_0 = self._frequencies(f), self._amplitudes(F)
-        return self.scales.quantities(self._asked.spectrum(Omega=Omega, F_0=F_0))
+        return self.scales.quantities(self._ask(self.oscillator.spectrum, Omega=Omega, F_0=F_0))
 
-    @property
-    def _asked(self) -> _InTheseTerms:
-        return _InTheseTerms(self.oscillator, self.scales)
+    def _ask(self, question: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
+        """The dimensionless answer; refusals are in newtons, metres and hertz, as what was asked for is."""
+        with self.scales.in_these_terms():
+            return question(*arguments, **named)
 
     # ---- arguments
 

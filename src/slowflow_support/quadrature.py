@@ -15,18 +15,16 @@ from typing import Any
 
 import numpy as np
 
+from slowflow_kernels.quadrature_conventions import (
+    AGREED,
+    FEWEST_PANELS,
+    MOST_PANELS,
+    MOVED_BY,
+    NEXT_TO_REST,
+    SHORT_PART,
+)
 from slowflow_support.broadcast import Floats
 
-#: what halving may change of a sum that has settled, in the integral of the integrand's size
-AGREED = 2.0**-46
-#: what stands for roundings of A and of a parameter, and a part of the quarter that one panel is enough for
-MOVED, SHORT = 2.0**-50, 2.0**-20
-#: panels from which on rounding is looked at
-FEWEST = 16
-#: an amplitude next to 0
-NEXT = 2.0**-400
-#: panels, after which a sum is given up
-MOST_PANELS = 512
 #: numbers that are held at a time
 TOGETHER = 1 << 20
 
@@ -76,7 +74,7 @@ def over_quarter(
             # a slope at rest that is a quotient of zeros, as of a broken power, is what it is next to it
             lost = np.isnan(found).any(axis=0) & (some[0] == 0)
             if lost.any():
-                beside = [np.full(int(lost.sum()), NEXT), *(one[lost] for one in some[1:])]
+                beside = [np.full(int(lost.sum()), NEXT_TO_REST), *(one[lost] for one in some[1:])]
                 near = _sums(beside, breakpoints, terms, width, graded, (at, weights), begins)
                 sums[:, np.flatnonzero(lost) + first] = np.where(np.isnan(found[:, lost]), near, found[:, lost])
     return tuple(closing(arrays[0], *(one.reshape(shape) for one in sums), *arrays[1:]))
@@ -145,11 +143,11 @@ class _Piece:
             if before is not None:
                 moved = np.abs(value - before)
                 # an infinite sum stays so
-                apart = (moved > AGREED * sizes) & ~(span[left] <= SHORT)
-                if panels >= FEWEST and apart.any():
+                apart = (moved > AGREED * sizes) & ~(span[left] <= SHORT_PART)
+                if panels >= FEWEST_PANELS and apart.any():
                     moves = np.zeros_like(value)
                     for k in range(len(some)):
-                        beside = [one * (1 + MOVED) if k == number else one for number, one in enumerate(some)]
+                        beside = [one * (1 + MOVED_BY) if k == number else one for number, one in enumerate(some)]
                         there, _ = self._by(panels, beside, *at)
                         moves += np.abs(there - value)
                     apart &= ~(moved <= moves)

@@ -9,13 +9,9 @@
 #ifndef SF_BENT_H
 #define SF_BENT_H
 
-#include "conventions.h"
 #include "elementary.h"
 #include "mechanism.h"
-
-/* an angle's relative error, and its least */
-#define SF_ANGLE 0x1p-48
-#define SF_LARGEST_SUM 0x1p960
+#include "quadrature_conventions.h"
 
 typedef void (*sf_bent_terms)(sf_interval A, sf_interval beyond, sf_interval sine, const sf_interval *p, sf_interval *out);
 typedef void (*sf_bent_closing)(sf_interval A, const sf_interval *roots, const sf_interval *sums, const sf_interval *p,
@@ -23,8 +19,8 @@ typedef void (*sf_bent_closing)(sf_interval A, const sf_interval *roots, const s
 
 typedef void (*sf_bent_contact)(sf_interval A, sf_interval share, const sf_interval *p, sf_interval *out);
 
-/* integrals of a contact, which follow h's and h_AAAA's: over dy/sqrt(1 - y), and their derivatives */
-enum { SF_CONTACT_SUMS = 5, SF_MOST_CONTACTS = 2 * SF_MOST_BREAKS };
+/* SF_CONTACT_SUMS integrals of a contact follow h's and h_AAAA's: over dy/sqrt(1 - y), and their derivatives */
+enum { SF_MOST_CONTACTS = 2 * SF_MOST_BREAKS };
 
 /* terms: of each piece; closing: by how many breakpoints are exceeded; contacts, begins: the breakpoint at which each begins */
 typedef struct {

@@ -7,19 +7,10 @@
 
 #include <math.h>
 
+#include "quadrature_conventions.h"
 #include "twofold.h"
 
-enum {
-    SF_FEWEST_PANELS = 16, /* from which on rounding is looked at */
-    SF_MOST_PANELS = 512,  /* after which a sum is given up */
-    SF_MOST_SUMS = 96
-};
-/* what halving may change of a sum that has settled, in the integral of the integrand's size */
-#define SF_AGREED 0x1p-46
-/* what stands for a rounding of A and of a parameter; a part of the quarter that one panel is enough for */
-#define SF_MOVED_BY 0x1p-50
-#define SF_SHORT_PART 0x1p-20
-#define SF_NEXT_TO_REST 0x1p-400
+enum { SF_MOST_SUMS = 96 };
 #define SF_QUARTER 1.57079632679489662
 
 /* At u less where the piece begins, and at the sine and the cosine of the angle, u = A sine. */

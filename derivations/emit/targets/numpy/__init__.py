@@ -54,7 +54,7 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
         excited=of_every_excitation(),
     )
     for conventions in CONVENTIONS:
-        width = max(len(word.name) for table in conventions.tables for word in table.words)
+        width = max((len(word.name) for table in conventions.tables for word in table.words), default=0)
         result[f"slowflow_kernels/{conventions.name}.py"] = environment.get_template("conventions.py.jinja").render(
             conventions=conventions, width=width, show=stated
         )

@@ -15,16 +15,11 @@ import numpy as np
 
 from slowflow.averaged.reference.intervals import Elementary, Interval
 from slowflow.model import Floats, Model
-from slowflow_kernels.conventions import HALVED, PARTS
+from slowflow_kernels.quadrature_conventions import ANGLE, CONTACT_SUMS, HALVED, LARGEST_SUM, PARTS
 
 #: shares of a piece at which it is divided: of equal angles where it begins at u = 0
 _SHARES = np.sin(np.linspace(0.0, 0.5 * np.pi, PARTS + 1))
 _SHARES[-1] = 1.0
-#: an angle's relative error, and its least
-_ANGLE = 2.0**-48
-_LARGEST = 2.0**960
-#: integrals of a contact
-CONTACT_SUMS = 5
 
 
 def enclosed(model: Model, low: Floats, high: Floats) -> tuple[Interval, Interval]:
@@ -64,7 +59,7 @@ def _enclosed(model: Model, ends: Floats, low: Floats, high: Floats) -> tuple[Fl
             parts = _interval(value, angle) * angle
             added = sums[k] + Interval(parts.ends.reshape(2, parts_of, -1).sum(axis=1))
             # a sum that is too large for a double is at least this large
-            sums[k] = Interval(np.clip(added.ends, [[-np.inf], [-_LARGEST]], [[_LARGEST], [np.inf]]))
+            sums[k] = Interval(np.clip(added.ends, [[-np.inf], [-LARGEST_SUM]], [[LARGEST_SUM], [np.inf]]))
     for contact, begin in zip(record.contacts, record.begins, strict=True):
         if begin < len(ends):
             shares = _shares(np.max(high) - ends[begin])
@@ -111,7 +106,7 @@ def _angles(sines: Floats) -> Floats:
 def _parts(lower: Floats, upper: Floats) -> Elementary:
     """Flat intervals, part by part."""
     wider = Elementary.of(lower.ravel(), upper.ravel()).ends
-    return Elementary(wider + np.array([[-_ANGLE], [_ANGLE]]) * np.abs(wider))
+    return Elementary(wider + np.array([[-ANGLE], [ANGLE]]) * np.abs(wider))
 
 
 def _passed_piece(
@@ -147,5 +142,5 @@ def _last_piece(shares: Floats, start: float, low: Floats, high: Floats) -> tupl
 
 def _widths(one: Floats, other: Floats) -> Interval:
     """Angles between two values, which are differences of others."""
-    least, most = np.minimum(one, other) - _ANGLE, np.maximum(one, other) + _ANGLE
+    least, most = np.minimum(one, other) - ANGLE, np.maximum(one, other) + ANGLE
     return Interval.of(np.maximum(least, 0.0).ravel(), most.ravel())
