@@ -251,7 +251,7 @@ CONVENTIONS = (
             Number("SHORT_PART", sp.Rational(1, 2**20), "a part of the quarter that one panel is enough for"),
             Number("FEWEST_PANELS", 16, "from which on rounding is looked at"),
             Number("MOST_PANELS", 512, "after which a sum is given up"),
-            Number("NEXT_TO_REST", sp.Rational(1, 2**400), "an amplitude next to 0"),
+            Number("NEXT_TO_ZERO", sp.Rational(1, 2**400), "an amplitude next to 0"),
             Number("PARTS", 24, "of the quarter cycle, of each piece, in which an average by quadrature is enclosed"),
             Number("HALVED", 64, "how often the first of them is halved at most"),
             Number("ANGLE", sp.Rational(1, 2**48), "relative error of an angle in an enclosure"),

@@ -17,7 +17,7 @@
 /* after which a sum is given up */
 #define SF_MOST_PANELS 512
 /* an amplitude next to 0 */
-#define SF_NEXT_TO_REST 3.8725919148493183e-121
+#define SF_NEXT_TO_ZERO 3.8725919148493183e-121
 /* of the quarter cycle, of each piece, in which an average by quadrature is enclosed */
 #define SF_PARTS 24
 /* how often the first of them is halved at most */

@@ -16,7 +16,7 @@ FEWEST_PANELS = 16
 # after which a sum is given up
 MOST_PANELS = 512
 # an amplitude next to 0
-NEXT_TO_REST = 3.8725919148493183e-121
+NEXT_TO_ZERO = 3.8725919148493183e-121
 # of the quarter cycle, of each piece, in which an average by quadrature is enclosed
 PARTS = 24
 # how often the first of them is halved at most

@@ -20,7 +20,7 @@ from slowflow_kernels.quadrature_conventions import (
     FEWEST_PANELS,
     MOST_PANELS,
     MOVED_BY,
-    NEXT_TO_REST,
+    NEXT_TO_ZERO,
     SHORT_PART,
 )
 from slowflow_support.broadcast import Floats
@@ -74,7 +74,7 @@ def over_quarter(
             # a slope at rest that is a quotient of zeros, as of a broken power, is what it is next to it
             lost = np.isnan(found).any(axis=0) & (some[0] == 0)
             if lost.any():
-                beside = [np.full(int(lost.sum()), NEXT_TO_REST), *(one[lost] for one in some[1:])]
+                beside = [np.full(int(lost.sum()), NEXT_TO_ZERO), *(one[lost] for one in some[1:])]
                 near = _sums(beside, breakpoints, terms, width, graded, (at, weights), begins)
                 sums[:, np.flatnonzero(lost) + first] = np.where(np.isnan(found[:, lost]), near, found[:, lost])
     return tuple(closing(arrays[0], *(one.reshape(shape) for one in sums), *arrays[1:]))

@@ -155,7 +155,7 @@ static inline void sf_over_quarter(const sf_quarter *of, int wanted, double A, c
     for (k = 0; k < wanted; k++)
         lost |= A == 0 && isnan(sums[k]);
     if (settled && lost) {
-        settled = sf_sums_at(of, wanted, SF_NEXT_TO_REST, p, ends, beside);
+        settled = sf_sums_at(of, wanted, SF_NEXT_TO_ZERO, p, ends, beside);
         for (k = 0; k < wanted; k++)
             sums[k] = isnan(sums[k]) ? beside[k] : sums[k];
     }
