@@ -305,3 +305,12 @@ def test_a_motion_that_static_friction_holds_for_a_while_is_found_by_its_amplitu
     # of the motions there are the nearest is taken still
     other = grips.steady_state(Omega=Omega, F_0=F_0, A=0.0647)
     assert not other.stable and other.A == pytest.approx(0.06471, rel=1e-3)
+
+
+def test_off_centre_a_state_settles_where_newton_leads_to_no_motion_from_it():
+    numbers = {"lam": 4, "r": 0.5567583726242005, "delta_h": 0.24291497227695394, "mu": 0.0035586068196308378}
+    loaded = Isolator(**numbers, zeta=0.030883306833416314, load=0.017411128934160736)
+    F_0, Omega = 0.10123289194313603, 0.820731195984093
+    (state,) = loaded.amplitudes(Omega=Omega, F_0=F_0)
+    found = loaded.steady_state(Omega=Omega, F_0=F_0, A=state.A)
+    assert found.stable and found.A == pytest.approx(loaded.steady_state(Omega=Omega, F_0=F_0).A, rel=1e-9)

@@ -80,12 +80,19 @@ def _held(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float
 def _off_centre(
     averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float, A: float
 ) -> shooting.SteadyState:
-    """The motion nearest to an amplitude of those that states off the centre lead to: A is |B| + A of these."""
-    found = []
-    for state in _states(averaged, Omega, F_0):
+    """The motion nearest to an amplitude of those that states off the centre lead to: A is |B| + A of these.
+
+    Where none leads to one by Newton's iteration, what the nearest of them settles to.
+    """
+    found, states = [], list(_states(averaged, Omega, F_0))
+    for state in states:
         motion = shooting.near(system, Omega, F_0, (state.A, state.phi), B=state.B)
         found += [] if motion is None else [motion]
     found += _held(averaged, system, Omega, F_0)
+    if not found and states:
+        nearest = min(states, key=lambda state: abs(state.A + abs(state.B) - A))
+        start = (nearest.A + max(nearest.B, 0.0), nearest.phi)
+        return shooting.steady_state(system, Omega, F_0, start)
     if not found:
         raise ArithmeticError(f"no state at Omega = {Omega:g} leads to a periodic motion of the equation of motion")
     return min(found, key=lambda motion: abs(motion.A - A))
