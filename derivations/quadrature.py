@@ -15,7 +15,8 @@ without the difference of h and A h_A, f(0+) being what the force is next to res
 
     h - A h_A = (4/pi) [A^2 int f''(A s) s c^2 dt - f(0+) + sum over b of ((r/A) (J_0 - b J_1) - J_0 b^2/(A r))]
 
-where J_0, J_1 are what f and f' lose at b, and r^2 = A^2 - b^2.
+where J_0, J_1 are what f and f' lose at b, and r^2 = A^2 - b^2. Of a first piece with broken powers, whose f'' is
+infinite at rest, f - u f' is integrated itself.
 
 What begins at a breakpoint as a broken power of what u exceeds it by is a `Contact`, with integrals of its own, from
 where it begins up to A; the pieces here are what is left.
@@ -146,7 +147,11 @@ class Quadrature:
         averaged, *further = (
             tuple(value * s**order * chebyshev(n, s) for order, value in enumerate(slopes)) for n in (1, *HARMONICS)
         )
-        return averaged, (slopes[2] * s * c**2,), tuple(value for one in further for value in one)
+        bent = slopes[2] * s * c**2
+        if singular_at(piece, sp.Integer(0)):
+            # over -A^2, A being u/s
+            bent = -sp.expand(sp.powsimp(sp.expand(_untilted(piece, v))) / v**2) * s**3
+        return averaged, (bent,), tuple(value for one in further for value in one)
 
     def regime(self, count: int) -> Regime:
         """Where A exceeds the first `count` breakpoints."""
@@ -170,7 +175,10 @@ class Quadrature:
 
         (integral,) = sums(1)
         at_ends = [root / A * (lost[0] - b * lost[1]) - lost[0] * b**2 / (A * root) for b, root, lost in ends]
-        intercept = 4 / sp.pi * (A**2 * integral - self.at_rest + sum(at_ends))
+        at_rest = self.at_rest
+        if self.is_broken:
+            at_rest = _untilted(self.pieces[0], u).subs(u, names[0]) * roots[0] / A if count else sp.Integer(0)
+        intercept = 4 / sp.pi * (A**2 * integral - at_rest + sum(at_ends))
         for number, (contact, b) in enumerate(contacts):
             value, inclined = contact.average(sums(2, 1 + 2 * number), b)
             intercept -= 4 / sp.pi * (value - A * inclined)
@@ -353,6 +361,11 @@ def singular_at(piece: sp.Expr, place: sp.Expr) -> list[sp.Expr]:
 def nested(expression: sp.Expr) -> sp.Expr:
     """A polynomial in Horner's form, in which intervals are narrower; anything else as it is."""
     return sp.horner(expression, v) if expression.is_polynomial(v) and expression.has(v) else expression
+
+
+def _untilted(piece: sp.Expr, at: sp.Symbol) -> sp.Expr:
+    """A force less what its slope makes of the displacement."""
+    return piece - at * sp.diff(piece, at)
 
 
 def _root(b: sp.Symbol) -> sp.Expr:

@@ -66,20 +66,15 @@ def test_there_are_three_cases_of_each_force_with_folds_on_both_sides_of_an_edge
     assert sum(case["onset"] is not None for case in CASES) >= 15
 
 
-#: states of such a power are refused in words: next to u = 0 its slope is infinite
-REFUSED = {"states": {"root"}, "onset": set()}
-
-
 def ways(question):
     """Each force on both solvers, as parameters."""
     marks = {True: [], False: [pytest.mark.slow]}
-    refused = pytest.mark.xfail(raises=ArithmeticError, strict=True, reason="the response is unresolved")
     return [
         pytest.param(
             name,
             compiled,
             id=f"{name}-{'compiled' if compiled else 'numpy'}",
-            marks=marks[FAST[compiled] == name] + ([refused] if name in REFUSED[question] else []),
+            marks=marks[FAST[compiled] == name],
         )
         for compiled in (False, True)
         for name in FORCES

@@ -621,11 +621,20 @@ static inline void sf_range_turn(const sf_model *model, const sf_cell *cell, int
     }
 }
 
+/* What F does not exceed at an extremum over Omega: R = -zeta I/Omega is not positive there, so that |R| <= |h| and
+ * A Omega^2 <= |h|. Of small amplitudes this tells all, also where h/A has no bound. */
+static inline double sf_most_of_peak(const sf_model *model, double F_0, const sf_cell *cell) {
+    const double size = sfi_most(fabs(cell->h.lo), fabs(cell->h.hi));
+    const double lag = model->m + 2 * model->zeta * sqrt(cell->A.hi * size);
+    return (size * size + lag * lag) * (1 + SF_DOUBT) - F_0 * F_0 * (1 - SF_DOUBT);
+}
+
 /* The critical values rise with A where Omega^2 > h_A, and fall where it is less. */
 static inline void sf_range_peak(const sf_model *model, double F_0, const sf_cell *cell, int open, sf_range out[2]) {
     const sf_interval m = sfi_point(model->m), zeta = sfi_point(model->zeta);
     const sf_interval one = sfi_point(1);
     const int next_to_0 = cell->A.lo == 0;
+    const double most = sf_most_of_peak(model, F_0, cell);
     sf_interval cubic[3], peak[2];
     sf_critical_box box;
     int i;
@@ -637,6 +646,8 @@ static inline void sf_range_peak(const sf_model *model, double F_0, const sf_cel
         if (out[i].where == SF_NOWHERE || !(open & 1 << i))
             continue;
         slow_flow_intervals_peak(w, cell->A, sfi_point(F_0), m, zeta, cell->h_A, peak);
+        peak[0].lo = peak[0].lo > -HUGE_VAL ? peak[0].lo : -HUGE_VAL;
+        peak[0].hi = sfi_least(peak[0].hi, most);
         sf_range_simple(peak[0], peak[1], box.where, &out[i]);
     }
 }

@@ -402,11 +402,22 @@ class Peak(Asked):
         A, h = _over_A(cells)
         q, p, _ = slow_flow_intervals.peak_cubic(A, self.m, self.zeta, h)
         where, *critical = _critical_of(cells, p, float(q.lo[0]))
-        ranges = []
+        ranges, most = [], self._most(cells)
         for channel, w in enumerate(critical):
             y, dy = slow_flow_intervals.peak(w, cells.A, Interval.point(self.F_0), self.m, self.zeta, cells.h_A)
+            y = Interval.of(np.where(y.lo > -np.inf, y.lo, -np.inf), np.fmin(y.hi, most))
             ranges.append(_range(cells, where if channel == 1 or model.m > 0 else NOWHERE, y, dy))
         return ranges
+
+    def _most(self, cells: Cells) -> Floats:
+        """What F does not exceed at an extremum over Omega.
+
+        There R = -zeta I/Omega is not positive, so that |R| <= |h| and A Omega^2 <= |h|: of small amplitudes this tells
+        all, also where h/A has no bound.
+        """
+        size = np.maximum(np.abs(cells.h.lo), np.abs(cells.h.hi))
+        lag = self.model.m + 2 * self.model.zeta * np.sqrt(cells.A.hi * size)
+        return np.asarray((size**2 + lag**2) * (1 + DOUBT) - self.F_0**2 * (1 - DOUBT))
 
 
 class Rest(Asked):
