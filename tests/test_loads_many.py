@@ -82,6 +82,10 @@ def test_at_rest_many_are_what_each_is(asked):
             value = getattr(single, name)
             expected = math.nan if value is None else value
             assert getattr(found, name)[k] == pytest.approx(expected, rel=1e-13, nan_ok=True), (k, name)
+    without = Isolator.many(lam=3, r=2.0, delta_h=[0.0, 0.08], mu=0.01, zeta=0.02).at_rest()
+    single = Isolator(lam=3, r=2.0, delta_h=0.0, mu=0.01, zeta=0.02).at_rest()
+    assert (without.k_0[0], without.Omega_0[0], without.rests_within[0]) == (1.0, 1.0, pytest.approx(0.01))
+    assert single.k_0 == 1.0 and single.rests_within == pytest.approx(0.01) and single.u_cr is None
 
 
 def test_bands_of_many_are_those_of_each(asked):

@@ -158,6 +158,9 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
             ),
         ),
         "backbone": (Step("formula", True, "explicit in A: where R = 0"), _NO_CURVE),
+        "stability": (Step("formula", True, "the left side of (30), explicit in Omega and A"), _NO_CURVE),
+        "equivalent_damping": (Step("formula", True, "explicit in Omega and A"), _NO_CURVE),
+        "transmissibility_floor": (Step("formula", True, "explicit in F_0: what friction passes on"), _NO_CURVE),
         "limit_envelope": (
             Step("formula", True, "explicit in Omega and F_0: where damping alone takes F_0, I = F_0 (27)"),
             _NO_CURVE,
@@ -198,15 +201,8 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
 )
 #: those of them that search for no fold
 WITHOUT_FOLDS = (
-    "force",
-    "stiffness",
-    "backbone",
-    "limit_envelope",
-    "at_rest",
-    "rest",
-    "sweep",
-    "transient",
-    "shock_spectrum",
+    *("force", "stiffness", "backbone", "stability", "equivalent_damping", "transmissibility_floor", "limit_envelope"),
+    *("at_rest", "rest", "sweep", "transient", "shock_spectrum"),
 )
 #: those of them that are about one forcing
 AT_ONE = ("margins", "hysteresis", "isolation", "certify", "steady_state", "exact_response", "sweep")
