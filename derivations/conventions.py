@@ -164,6 +164,16 @@ SECOND = Table(
     suffix="_SECOND",
 )
 
+WANTED = Table(
+    ("Wanted", "sf_wanted"),
+    "What a curve of the second approximation is followed for.",
+    (
+        Word("EVERY_POINT", "all of its points"),
+        Word("FOLDS_ONLY", "those beside which F_A may vanish"),
+        Word("TOP_ONLY", "those beside which u_max may be largest"),
+    ),
+)
+
 CONVENTIONS = (
     Conventions(
         "conventions",
@@ -262,7 +272,7 @@ CONVENTIONS = (
     Conventions(
         "second_conventions",
         "What the solvers of the second approximation have in common",
-        (SECOND,),
+        (SECOND, WANTED),
         (
             Number(
                 "SMALL", sp.Rational(1, 5), "change of ln A, ln Omega up to which it is a correction, share of A too"

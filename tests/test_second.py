@@ -25,6 +25,7 @@ from slowflow.second.balance import Balance
 from slowflow.second.curve import follow
 from slowflow_kernels import den_hartog, second_approximation
 from slowflow_kernels.conventions import Status
+from slowflow_kernels.second_conventions import Wanted
 from tests.oracles.second import DATA
 
 FORCES = ("truncated", "untruncated")
@@ -443,13 +444,35 @@ def test_compiled_and_numpy_find_the_same_curves_folds_states_and_peaks():
 
 
 @pytest.mark.skipif(backend.SOLVER is None, reason="the solvers are not compiled")
+def test_points_far_from_folds_and_peak_are_not_needed_for_them():
+    """The whole curve's folds and peak come of a fraction of its points."""
+    seen = 0
+    for oscillator, F_0 in random_oscillators(30):
+        balance = Balance(oscillator.model)
+        first = oscillator.curve(F_0, 600, (0.4, 2.5))
+        whole = compiled.follow(balance, first)
+        beside_folds, beside_top = (
+            compiled.follow(balance, first, one) for one in (Wanted.FOLDS_ONLY, Wanted.TOP_ONLY)
+        )
+        assert beside_folds.A.size < whole.A.size and beside_top.A.size < whole.A.size
+        folds, expected = (compiled.folds(balance, curve, F_0)[0] for curve in (beside_folds, whole))
+        assert np.allclose(folds, expected, rtol=1e-15, atol=0) and len(folds) == len(expected)
+        peak, expected = (compiled.peak(balance, curve, F_0) for curve in (beside_top, whole))
+        assert (peak is None) == (expected is None)
+        assert peak is None or np.allclose(peak, expected, rtol=1e-13, atol=0)
+        seen += len(folds) + (peak is not None)
+    assert seen > 100
+
+
+@pytest.mark.skipif(backend.SOLVER is None, reason="the solvers are not compiled")
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="fresh memory is filled by glibc")
 def test_a_curve_does_not_depend_on_what_memory_held():
-    """Points from which none had been sought yet passed for settled where their places held huge numbers, and were left out."""
+    """Points still to be sought passed for settled where their places held huge numbers, and were left out."""
     asked = (
         "from slowflow import Isolator\n"
-        "curve = Isolator(lam=1.05, r=2.87, delta_h=0.117, mu=0.0, zeta=0.00456).second_approximation.frequency_response\n"
-        "print(*(repr(curve(F_0).to_dict()) for F_0 in (0.0118, 0.0085)))"
+        "second = Isolator(lam=1.05, r=2.87, delta_h=0.117, mu=0.0, zeta=0.00456).second_approximation\n"
+        "for curve in map(second.frequency_response, (0.0118, 0.0085)):\n"
+        "    print(curve.message, curve.A.tolist())"
     )
     told = {
         subprocess.run(

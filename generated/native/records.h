@@ -11,6 +11,7 @@
 
 #include <math.h>
 
+#include "clones.h"
 #include "mechanism.h"
 
 #include "slow_flow.h"
@@ -88,19 +89,38 @@ static int rod_spring_untruncated_record_parameters_of(const double *design, dou
     return 1;
 }
 
+static SF_FLAT void duffing_record_averaged_loop(ptrdiff_t n, ptrdiff_t apart,
+    const double *A, const double *p, double *out)
+{
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[4];
+        duffing_averaged(A[i], p, h);
+        out[i] = h[0];
+        out[apart + i] = h[1];
+        out[2 * apart + i] = h[2];
+        out[3 * apart + i] = h[3];
+    }
+}
+
 static void duffing_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
 {
     if (n == 1) {
         duffing_averaged(A[0], p, out);
         return;
     }
+    duffing_record_averaged_loop(n, n, A, p, out);
+}
+
+static SF_FLAT void duffing_record_averaged_2_loop(ptrdiff_t n, ptrdiff_t apart,
+    const double *A, const double *p, double *out)
+{
+    SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        double h[4];
-        duffing_averaged(A[i], p, h);
+        double h[2];
+        duffing_averaged_2(A[i], p, h);
         out[i] = h[0];
-        out[n + i] = h[1];
-        out[2 * n + i] = h[2];
-        out[3 * n + i] = h[3];
+        out[apart + i] = h[1];
     }
 }
 
@@ -110,11 +130,24 @@ static void duffing_record_averaged_2(ptrdiff_t n, const double *A, const double
         duffing_averaged_2(A[0], p, out);
         return;
     }
+    duffing_record_averaged_2_loop(n, n, A, p, out);
+}
+
+static SF_FLAT void duffing_record_harmonics_loop(ptrdiff_t n, ptrdiff_t apart,
+    const double *A, const double *p, double *out)
+{
+    SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        double h[2];
-        duffing_averaged_2(A[i], p, h);
+        double h[8];
+        duffing_harmonics(A[i], p, h);
         out[i] = h[0];
-        out[n + i] = h[1];
+        out[apart + i] = h[1];
+        out[2 * apart + i] = h[2];
+        out[3 * apart + i] = h[3];
+        out[4 * apart + i] = h[4];
+        out[5 * apart + i] = h[5];
+        out[6 * apart + i] = h[6];
+        out[7 * apart + i] = h[7];
     }
 }
 
@@ -124,18 +157,7 @@ static void duffing_record_harmonics(ptrdiff_t n, const double *A, const double 
         duffing_harmonics(A[0], p, out);
         return;
     }
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[8];
-        duffing_harmonics(A[i], p, h);
-        out[i] = h[0];
-        out[n + i] = h[1];
-        out[2 * n + i] = h[2];
-        out[3 * n + i] = h[3];
-        out[4 * n + i] = h[4];
-        out[5 * n + i] = h[5];
-        out[6 * n + i] = h[6];
-        out[7 * n + i] = h[7];
-    }
+    duffing_record_harmonics_loop(n, n, A, p, out);
 }
 
 static double duffing_record_intercept(double A, const double *p)
@@ -222,19 +244,112 @@ static const sf_mechanism duffing_record = {
     .averaged_in_pairs = duffing_record_averaged_in_pairs,
 };
 
+static inline int rod_spring_record_averaged_regime(double A, const double *p)
+{
+    const double u_cr = p[3];
+    return A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
+}
+
+static SF_FLAT void rod_spring_record_averaged_loop_0(ptrdiff_t n, ptrdiff_t apart,
+    const double *A, const double *p, double *out)
+{
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[4];
+        rod_spring_averaged_passed_0(A[i], p, h);
+        out[i] = h[0];
+        out[apart + i] = h[1];
+        out[2 * apart + i] = h[2];
+        out[3 * apart + i] = h[3];
+    }
+}
+
+static SF_FLAT void rod_spring_record_averaged_loop_1(ptrdiff_t n, ptrdiff_t apart,
+    const double *A, const double *p, double *out)
+{
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[4];
+        rod_spring_averaged_passed_1(A[i], p, h);
+        out[i] = h[0];
+        out[apart + i] = h[1];
+        out[2 * apart + i] = h[2];
+        out[3 * apart + i] = h[3];
+    }
+}
+
+static SF_FLAT void rod_spring_record_averaged_loop_2(ptrdiff_t n, ptrdiff_t apart,
+    const double *A, const double *p, double *out)
+{
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[4];
+        rod_spring_averaged_passed_1_far_1(A[i], p, h);
+        out[i] = h[0];
+        out[apart + i] = h[1];
+        out[2 * apart + i] = h[2];
+        out[3 * apart + i] = h[3];
+    }
+}
+
 static void rod_spring_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
 {
     if (n == 1) {
         rod_spring_averaged(A[0], p, out);
         return;
     }
+    static void (*const loops[])(ptrdiff_t, ptrdiff_t, const double *, const double *, double *) = {
+        rod_spring_record_averaged_loop_0,
+        rod_spring_record_averaged_loop_1,
+        rod_spring_record_averaged_loop_2,
+    };
+    for (ptrdiff_t first = 0, end; first < n; first = end) {
+        const int regime = rod_spring_record_averaged_regime(A[first], p);
+        for (end = first + 1; end < n && rod_spring_record_averaged_regime(A[end], p) == regime; end++)
+            ;
+        loops[regime](end - first, n, A + first, p, out + first);
+    }
+}
+
+static inline int rod_spring_record_averaged_2_regime(double A, const double *p)
+{
+    const double u_cr = p[3];
+    return A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
+}
+
+static SF_FLAT void rod_spring_record_averaged_2_loop_0(ptrdiff_t n, ptrdiff_t apart,
+    const double *A, const double *p, double *out)
+{
+    SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        double h[4];
-        rod_spring_averaged(A[i], p, h);
+        double h[2];
+        rod_spring_averaged_2_passed_0(A[i], p, h);
         out[i] = h[0];
-        out[n + i] = h[1];
-        out[2 * n + i] = h[2];
-        out[3 * n + i] = h[3];
+        out[apart + i] = h[1];
+    }
+}
+
+static SF_FLAT void rod_spring_record_averaged_2_loop_1(ptrdiff_t n, ptrdiff_t apart,
+    const double *A, const double *p, double *out)
+{
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[2];
+        rod_spring_averaged_2_passed_1(A[i], p, h);
+        out[i] = h[0];
+        out[apart + i] = h[1];
+    }
+}
+
+static SF_FLAT void rod_spring_record_averaged_2_loop_2(ptrdiff_t n, ptrdiff_t apart,
+    const double *A, const double *p, double *out)
+{
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[2];
+        rod_spring_averaged_2_passed_1_far_1(A[i], p, h);
+        out[i] = h[0];
+        out[apart + i] = h[1];
     }
 }
 
@@ -244,11 +359,76 @@ static void rod_spring_record_averaged_2(ptrdiff_t n, const double *A, const dou
         rod_spring_averaged_2(A[0], p, out);
         return;
     }
+    static void (*const loops[])(ptrdiff_t, ptrdiff_t, const double *, const double *, double *) = {
+        rod_spring_record_averaged_2_loop_0,
+        rod_spring_record_averaged_2_loop_1,
+        rod_spring_record_averaged_2_loop_2,
+    };
+    for (ptrdiff_t first = 0, end; first < n; first = end) {
+        const int regime = rod_spring_record_averaged_2_regime(A[first], p);
+        for (end = first + 1; end < n && rod_spring_record_averaged_2_regime(A[end], p) == regime; end++)
+            ;
+        loops[regime](end - first, n, A + first, p, out + first);
+    }
+}
+
+static inline int rod_spring_record_harmonics_regime(double A, const double *p)
+{
+    const double u_cr = p[3];
+    return A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
+}
+
+static SF_FLAT void rod_spring_record_harmonics_loop_0(ptrdiff_t n, ptrdiff_t apart,
+    const double *A, const double *p, double *out)
+{
+    SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        double h[2];
-        rod_spring_averaged_2(A[i], p, h);
+        double h[8];
+        rod_spring_harmonics_passed_0(A[i], p, h);
         out[i] = h[0];
-        out[n + i] = h[1];
+        out[apart + i] = h[1];
+        out[2 * apart + i] = h[2];
+        out[3 * apart + i] = h[3];
+        out[4 * apart + i] = h[4];
+        out[5 * apart + i] = h[5];
+        out[6 * apart + i] = h[6];
+        out[7 * apart + i] = h[7];
+    }
+}
+
+static SF_FLAT void rod_spring_record_harmonics_loop_1(ptrdiff_t n, ptrdiff_t apart,
+    const double *A, const double *p, double *out)
+{
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[8];
+        rod_spring_harmonics_passed_1(A[i], p, h);
+        out[i] = h[0];
+        out[apart + i] = h[1];
+        out[2 * apart + i] = h[2];
+        out[3 * apart + i] = h[3];
+        out[4 * apart + i] = h[4];
+        out[5 * apart + i] = h[5];
+        out[6 * apart + i] = h[6];
+        out[7 * apart + i] = h[7];
+    }
+}
+
+static SF_FLAT void rod_spring_record_harmonics_loop_2(ptrdiff_t n, ptrdiff_t apart,
+    const double *A, const double *p, double *out)
+{
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[8];
+        rod_spring_harmonics_passed_1_far_1(A[i], p, h);
+        out[i] = h[0];
+        out[apart + i] = h[1];
+        out[2 * apart + i] = h[2];
+        out[3 * apart + i] = h[3];
+        out[4 * apart + i] = h[4];
+        out[5 * apart + i] = h[5];
+        out[6 * apart + i] = h[6];
+        out[7 * apart + i] = h[7];
     }
 }
 
@@ -258,17 +438,16 @@ static void rod_spring_record_harmonics(ptrdiff_t n, const double *A, const doub
         rod_spring_harmonics(A[0], p, out);
         return;
     }
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[8];
-        rod_spring_harmonics(A[i], p, h);
-        out[i] = h[0];
-        out[n + i] = h[1];
-        out[2 * n + i] = h[2];
-        out[3 * n + i] = h[3];
-        out[4 * n + i] = h[4];
-        out[5 * n + i] = h[5];
-        out[6 * n + i] = h[6];
-        out[7 * n + i] = h[7];
+    static void (*const loops[])(ptrdiff_t, ptrdiff_t, const double *, const double *, double *) = {
+        rod_spring_record_harmonics_loop_0,
+        rod_spring_record_harmonics_loop_1,
+        rod_spring_record_harmonics_loop_2,
+    };
+    for (ptrdiff_t first = 0, end; first < n; first = end) {
+        const int regime = rod_spring_record_harmonics_regime(A[first], p);
+        for (end = first + 1; end < n && rod_spring_record_harmonics_regime(A[end], p) == regime; end++)
+            ;
+        loops[regime](end - first, n, A + first, p, out + first);
     }
 }
 
@@ -356,19 +535,38 @@ static const sf_mechanism rod_spring_record = {
     .ends_in_pairs = rod_spring_pairs_breakpoints,
 };
 
+static SF_FLAT void rod_spring_untruncated_record_averaged_loop(ptrdiff_t n, ptrdiff_t apart,
+    const double *A, const double *p, double *out)
+{
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[4];
+        rod_spring_untruncated_averaged(A[i], p, h);
+        out[i] = h[0];
+        out[apart + i] = h[1];
+        out[2 * apart + i] = h[2];
+        out[3 * apart + i] = h[3];
+    }
+}
+
 static void rod_spring_untruncated_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
 {
     if (n == 1) {
         rod_spring_untruncated_averaged(A[0], p, out);
         return;
     }
+    rod_spring_untruncated_record_averaged_loop(n, n, A, p, out);
+}
+
+static SF_FLAT void rod_spring_untruncated_record_averaged_2_loop(ptrdiff_t n, ptrdiff_t apart,
+    const double *A, const double *p, double *out)
+{
+    SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        double h[4];
-        rod_spring_untruncated_averaged(A[i], p, h);
+        double h[2];
+        rod_spring_untruncated_averaged_2(A[i], p, h);
         out[i] = h[0];
-        out[n + i] = h[1];
-        out[2 * n + i] = h[2];
-        out[3 * n + i] = h[3];
+        out[apart + i] = h[1];
     }
 }
 
@@ -378,11 +576,48 @@ static void rod_spring_untruncated_record_averaged_2(ptrdiff_t n, const double *
         rod_spring_untruncated_averaged_2(A[0], p, out);
         return;
     }
+    rod_spring_untruncated_record_averaged_2_loop(n, n, A, p, out);
+}
+
+static inline int rod_spring_untruncated_record_harmonics_regime(double A, const double *p)
+{
+    const double delta_h = p[2];
+    return A <= sqrt(-delta_h * delta_h + 2.0 * delta_h) ? 0 : 1;
+}
+
+static SF_FLAT void rod_spring_untruncated_record_harmonics_loop_0(ptrdiff_t n, ptrdiff_t apart,
+    const double *A, const double *p, double *out)
+{
+    SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
-        double h[2];
-        rod_spring_untruncated_averaged_2(A[i], p, h);
+        double h[8];
+        rod_spring_untruncated_harmonics_passed_0(A[i], p, h);
         out[i] = h[0];
-        out[n + i] = h[1];
+        out[apart + i] = h[1];
+        out[2 * apart + i] = h[2];
+        out[3 * apart + i] = h[3];
+        out[4 * apart + i] = h[4];
+        out[5 * apart + i] = h[5];
+        out[6 * apart + i] = h[6];
+        out[7 * apart + i] = h[7];
+    }
+}
+
+static SF_FLAT void rod_spring_untruncated_record_harmonics_loop_1(ptrdiff_t n, ptrdiff_t apart,
+    const double *A, const double *p, double *out)
+{
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        double h[8];
+        rod_spring_untruncated_harmonics_passed_1(A[i], p, h);
+        out[i] = h[0];
+        out[apart + i] = h[1];
+        out[2 * apart + i] = h[2];
+        out[3 * apart + i] = h[3];
+        out[4 * apart + i] = h[4];
+        out[5 * apart + i] = h[5];
+        out[6 * apart + i] = h[6];
+        out[7 * apart + i] = h[7];
     }
 }
 
@@ -392,17 +627,15 @@ static void rod_spring_untruncated_record_harmonics(ptrdiff_t n, const double *A
         rod_spring_untruncated_harmonics(A[0], p, out);
         return;
     }
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[8];
-        rod_spring_untruncated_harmonics(A[i], p, h);
-        out[i] = h[0];
-        out[n + i] = h[1];
-        out[2 * n + i] = h[2];
-        out[3 * n + i] = h[3];
-        out[4 * n + i] = h[4];
-        out[5 * n + i] = h[5];
-        out[6 * n + i] = h[6];
-        out[7 * n + i] = h[7];
+    static void (*const loops[])(ptrdiff_t, ptrdiff_t, const double *, const double *, double *) = {
+        rod_spring_untruncated_record_harmonics_loop_0,
+        rod_spring_untruncated_record_harmonics_loop_1,
+    };
+    for (ptrdiff_t first = 0, end; first < n; first = end) {
+        const int regime = rod_spring_untruncated_record_harmonics_regime(A[first], p);
+        for (end = first + 1; end < n && rod_spring_untruncated_record_harmonics_regime(A[end], p) == regime; end++)
+            ;
+        loops[regime](end - first, n, A + first, p, out + first);
     }
 }
 

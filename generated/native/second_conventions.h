@@ -15,6 +15,13 @@ typedef enum {
     SF_FAR_SECOND = 4 /* it does not come near the first approximation: the harmonics are not small */
 } sf_second_status;
 
+/* What a curve of the second approximation is followed for. */
+typedef enum {
+    SF_EVERY_POINT = 0, /* all of its points */
+    SF_FOLDS_ONLY = 1, /* those beside which F_A may vanish */
+    SF_TOP_ONLY = 2 /* those beside which u_max may be largest */
+} sf_wanted;
+
 /* change of ln A, ln Omega up to which it is a correction, share of A too */
 #define SF_SMALL 0.20000000000000001
 /* the same of the spring's harmonics: from 1/8 on the mass might not turn where they add up */

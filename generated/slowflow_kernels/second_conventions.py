@@ -24,6 +24,19 @@ class SecondStatus(IntEnum):
     FAR = 4
 
 
+class Wanted(IntEnum):
+    """What a curve of the second approximation is followed for.
+
+    0  EVERY_POINT     all of its points
+    1  FOLDS_ONLY      those beside which F_A may vanish
+    2  TOP_ONLY        those beside which u_max may be largest
+    """
+
+    EVERY_POINT = 0
+    FOLDS_ONLY = 1
+    TOP_ONLY = 2
+
+
 # change of ln A, ln Omega up to which it is a correction, share of A too
 SMALL = 0.20000000000000001
 # the same of the spring's harmonics: from 1/8 on the mass might not turn where they add up

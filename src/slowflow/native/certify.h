@@ -13,7 +13,7 @@
 #include "proved_roots.h"
 
 /* an interval of Omega that is wider, relatively, is searched for roots */
-#define SF_WIDE 0x1p-20
+#define SF_BROAD 0x1p-20
 /* by how much, relatively, the forcing up to which an onset is proved to be the lowest exceeds the one that was found */
 #define SF_ABOVE_ONSET 0x1p-20
 
@@ -90,7 +90,7 @@ static sf_interval sf_fold_Omega_on(const sf_terms *terms, const sf_cell *cell) 
     slow_flow_intervals_fold(cell->A, terms->F_0, terms->m, terms->zeta, cell->h, cell->h_A, sf_k_of_fold(terms, cell),
                              cell->k_A, fold);
     Omega = sf_narrow_root(&q, fold[2]);
-    if (Omega.hi - Omega.lo > SF_WIDE * Omega.hi) { /* two roots may lie in it: at the fold R has the sign of k */
+    if (Omega.hi - Omega.lo > SF_BROAD * Omega.hi) { /* two roots may lie in it: at the fold R has the sign of k */
         const int side = sf_sign_of(sf_k_of_fold(terms, cell));
         sf_roots roots = {0};
         int i, n = 0;

@@ -2,6 +2,7 @@
  *
  *   SF_WIDE   before a function whose loop vectorises
  *   SF_FMA    before a function of scalar code that calls fma()
+ *   SF_FLAT   before one that is built once, with all that it calls in place: what is called does not vectorise
  *   SF_INDEPENDENT  before the for of such a loop: gcc does not heed restrict on local pointers, and gives up on loops
  *                   that need more than ten checks of overlap
  *
@@ -35,17 +36,19 @@
 #define SF_FMA_BUILDS "baseline, " SF_FMA_TARGET
 #define SF_PROCESSOR (SF_HAS("avx512f") ? "fma, avx2, avx512f" : SF_HAS("avx2") ? "fma, avx2" : "no avx2")
 #else
-#if defined(__GNUC__)
-#define SF_WIDE __attribute__((flatten))
-#else
-#define SF_WIDE
-#endif
+#define SF_WIDE SF_FLAT
 #define SF_FMA SF_WIDE
 #define SF_WIDE_BUILDS "one"
 #define SF_FMA_BUILDS "one"
 #define SF_WIDE_CHOSEN "the compiler's target"
 #define SF_FMA_CHOSEN "the compiler's target"
 #define SF_PROCESSOR "not asked"
+#endif
+
+#if defined(__GNUC__)
+#define SF_FLAT __attribute__((flatten))
+#else
+#define SF_FLAT
 #endif
 
 #if defined(__GNUC__) && !defined(__clang__)

@@ -20,6 +20,8 @@ enum {
     SF_BESIDE_B = 36 /* points beside a breakpoint */
 };
 
+/* changes between points that went their own way, as many as what is looked for is away where it is not between them */
+#define SF_AWAY 2.
 /* step to the frequency of a given R after which Newton's iteration takes over */
 #define SF_MATCHED 1e-5
 /* relative difference of amplitudes up to which powers of two are left out of an exponential */
@@ -28,6 +30,7 @@ enum {
 typedef struct {
     const sf_model *model;
     double F_0;
+    sf_wanted wanted;
 } sf_second;
 
 /* ==== The balance ================================================================================================== */
@@ -80,9 +83,10 @@ typedef struct {
     int n;
 } sf_lanes;
 
-/* Points where they end: with the last step, infinite where none was taken. */
+/* Points where they end: with the last step, infinite where none was taken, and -1 where none is wanted; and what is
+ * looked for there, F_A or u_max, of points that went their own way. */
 typedef struct {
-    double *Omega, *A, *R, *step;
+    double *Omega, *A, *R, *step, *value;
 } sf_moved;
 
 /* Whole vectors of lanes: the last one again and again. */
@@ -182,7 +186,7 @@ static long sf_stretch_end(const sf_model *model, const sf_first *first, long fr
 }
 
 static int sf_is_settled(const sf_second *second, const sf_moved *moved, long i) {
-    return moved->step[i] <= SF_MOVED + SF_ROUNDING * moved->A[i] * moved->Omega[i] * moved->Omega[i] / second->F_0;
+    return moved->step[i] >= 0 && moved->step[i] <= SF_MOVED + SF_ROUNDING * moved->A[i] * moved->Omega[i] * moved->Omega[i] / second->F_0;
 }
 
 /* The point of a stretch that goes its own way, by its number: the last one is the stretch's end. */
@@ -218,9 +222,56 @@ static int sf_expected(const sf_second *second, const sf_first *first, const sf_
     return 1;
 }
 
+/* Whether a point's way ends where the harmonics are a correction. */
+static int sf_is_kept(const sf_second *second, const sf_first *first, const sf_moved *moved, long i, double h, double A_1,
+                      double u_max) {
+    const double far = exp(SF_SMALL), Omega = moved->Omega[i], A = moved->A[i];
+    return sf_is_settled(second, moved, i) && A < far * first->A[i] && far * A > first->A[i] &&
+           Omega < far * first->Omega[i] && far * Omega > first->Omega[i] && sf_is_small(Omega, A, h, A_1, u_max);
+}
+
+/* What is looked for at the points of a stretch that went their own way; NaN where one is not kept. */
+static void sf_second_look(const sf_second *second, const sf_first *first, long from, long to, long anchors,
+                           const sf_moved *moved) {
+    double Omega[SF_LANES], A[SF_LANES], known[SF_KNOWN * SF_LANES], out[SF_BALANCE * SF_LANES];
+    long k, i, n;
+    for (k = 0; k < anchors; k += SF_LANES) {
+        n = anchors - k < SF_LANES ? anchors - k : SF_LANES;
+        for (i = 0; i < SF_LANES; i++) {
+            const long at = sf_anchor(from, to, k + (i < n ? i : n - 1));
+            Omega[i] = moved->Omega[at], A[i] = moved->A[at];
+        }
+        sf_second_known(second->model, SF_LANES, A, known);
+        sf_second_balances(SF_LANES, Omega, A, second->F_0, second->model->m, second->model->zeta, known, out);
+        for (i = 0; i < n; i++) {
+            const long at = sf_anchor(from, to, k + i);
+            if (!sf_is_kept(second, first, moved, at, known[i], out[SF_LANES + i], out[i]))
+                moved->value[at] = NAN;
+            else
+                moved->value[at] = second->wanted == SF_TOP_ONLY ? out[i] : out[5 * SF_LANES + i] * A[i];
+        }
+    }
+}
+
+/* Whether what is looked for is far from what lies between own[at] and own[at + 1]; best: the largest u_max so far. */
+static int sf_is_away(const sf_second *second, const sf_moved *moved, const long own[4], int at, double best) {
+    const double one = moved->value[own[at]], other = moved->value[own[at + 1]];
+    double change = 0;
+    int j;
+    for (j = 0; j < 4; j++)
+        if (isnan(moved->value[own[j]]))
+            return 0;
+    for (j = 0; j < 3; j++)
+        change = fmax(change, fabs(moved->value[own[j + 1]] - moved->value[own[j]]));
+    if (second->wanted == SF_TOP_ONLY)
+        return fmax(one, other) + SF_AWAY * change < best;
+    return second->wanted == SF_FOLDS_ONLY && one * other > 0 && fmin(fabs(one), fabs(other)) > SF_AWAY * change;
+}
+
 static void sf_second_stretch(const sf_second *second, const sf_first *first, long from, long to,
                               const sf_moved *moved) {
     const long anchors = (to - 1 - from + SF_APART - 1) / SF_APART + 1;
+    double best = 0;
     sf_lanes lanes;
     long i, k;
     if (anchors < 4) {
@@ -238,10 +289,19 @@ static void sf_second_stretch(const sf_second *second, const sf_first *first, lo
             sf_enter_lane(second, (int)i, first->Omega[i], first->A[i], first->R[i], 1, &lanes, moved);
     }
     sf_second_settle(second, &lanes, 1, moved);
+    if (second->wanted != SF_EVERY_POINT)
+        sf_second_look(second, first, from, to, anchors, moved);
+    for (k = 0; k < anchors && second->wanted == SF_TOP_ONLY; k++)
+        best = fmax(best, moved->value[sf_anchor(from, to, k)]); /* of numbers, if one is none */
     for (k = 0; k + 1 < anchors; k++) {
         const long left = k == 0 ? 0 : k + 3 > anchors ? anchors - 4 : k - 1, end = sf_anchor(from, to, k + 1);
         const long own[4] = {sf_anchor(from, to, left), sf_anchor(from, to, left + 1), sf_anchor(from, to, left + 2),
                              sf_anchor(from, to, left + 3)};
+        if (second->wanted != SF_EVERY_POINT && sf_is_away(second, moved, own, (int)(k - left), best)) {
+            for (i = sf_anchor(from, to, k) + 1; i < end; i++)
+                moved->step[i] = -1;
+            continue;
+        }
         for (i = sf_anchor(from, to, k) + 1; i < end; i++) {
             double Omega, A, R;
             if (sf_off_resonance(first->Omega[i], first->A[i], first->h[i]) &&
@@ -251,7 +311,8 @@ static void sf_second_stretch(const sf_second *second, const sf_first *first, lo
     }
     sf_second_settle(second, &lanes, 0, moved);
     for (i = from; i < to; i++) /* what has not come from there goes its own way */
-        if (!sf_is_settled(second, moved, i) && sf_off_resonance(first->Omega[i], first->A[i], first->h[i]))
+        if (!(moved->step[i] < 0) && !sf_is_settled(second, moved, i) &&
+            sf_off_resonance(first->Omega[i], first->A[i], first->h[i]))
             sf_enter_lane(second, (int)i, first->Omega[i], first->A[i], first->R[i], 1, &lanes, moved);
     sf_second_settle(second, &lanes, 1, moved);
 }
@@ -308,56 +369,102 @@ static int sf_passes(const sf_second_point *a, const sf_second_point *b, double 
     return a->part == b->part && (a->A > at) != (b->A > at);
 }
 
-/* More points between two that lie on both sides of breakpoint b, where the force jumps: folds are close there. */
+/* Balances at whole vectors of states; phi where every point is wanted, else none. */
+static void sf_second_told(const sf_second *second, int n, const double *Omega, const double *A, const double *known,
+                           double *out) {
+    int i;
+    if (second->wanted == SF_EVERY_POINT) {
+        sf_second_answers(n, Omega, A, second->F_0, second->model->m, second->model->zeta, known, out);
+        return;
+    }
+    sf_second_balances(n, Omega, A, second->F_0, second->model->m, second->model->zeta, known, out);
+    for (i = 0; i < n; i++)
+        out[2 * n + i] = NAN;
+}
+
+/* A point of a curve from lane i of n. */
+static void sf_from_lane(int n, const double *Omega, const double *A, const double *out, int i, sf_second_point *point) {
+    int k;
+    point->Omega = Omega[i], point->A = A[i];
+    for (k = 0; k < SF_BALANCE; k++)
+        point->at.values[k] = out[k * n + i];
+}
+
+/* More points between two that lie on both sides of breakpoint b, where the force jumps: folds are close there. They are
+ * sought as sf_second_frequency does, all at once. */
 static long sf_second_across(const sf_second *second, double b, const sf_second_point *from, const sf_second_point *to,
                              sf_second_point *out) {
     const int rising = to->A > b;
     const double share = (b - from->A) / (to->A - from->A), low = fmin(from->A, to->A), high = fmax(from->A, to->A);
-    long n = 0;
-    int k;
+    double known[SF_KNOWN * SF_LANES], at[SF_BALANCE * SF_LANES];
+    int under_way[SF_LANES], open, k, i, n;
+    sf_lanes lanes;
+    long found = 0;
+    lanes.n = 0;
     for (k = 0; k < SF_BESIDE_B; k++) {
         const double A = b * sf_beside(rising ? k : SF_BESIDE_B - 1 - k);
-        double step;
         if (!(A > low && A < high))
             continue;
-        out[n].Omega = sf_second_frequency(second, A, from->Omega + share * (to->Omega - from->Omega), &step);
-        out[n].A = A, out[n].part = from->part;
-        if (fabs(step) <= SF_DONE) {
-            sf_second_at(second, out[n].Omega, A, &out[n].at);
-            n++;
+        lanes.Omega[lanes.n] = from->Omega + share * (to->Omega - from->Omega);
+        lanes.R[lanes.n] = 0, lanes.A[lanes.n++] = A;
+    }
+    if (lanes.n == 0)
+        return 0;
+    n = sf_whole_lanes(&lanes), open = lanes.n;
+    for (i = 0; i < lanes.n; i++)
+        under_way[i] = 1;
+    sf_second_known(second->model, n, lanes.A, known);
+    for (k = 0; k < SF_STEPS && open > 0; k++) {
+        sf_second_balances(n, lanes.Omega, lanes.A, second->F_0, second->model->m, second->model->zeta, known, at);
+        for (i = 0; i < lanes.n; i++) {
+            const double step = sf_clipped(at[4 * n + i] / (at[6 * n + i] * lanes.Omega[i]));
+            if (!under_way[i])
+                continue;
+            lanes.Omega[i] *= sf_grown(-step);
+            if (fabs(step) <= SF_DONE)
+                under_way[i] = 0, open--;
         }
     }
-    return n;
+    sf_second_told(second, n, lanes.Omega, lanes.A, known, at);
+    for (i = 0; i < lanes.n; i++)
+        if (!under_way[i]) {
+            out[found].part = from->part;
+            sf_from_lane(n, lanes.Omega, lanes.A, at, i, &out[found++]);
+        }
+    return found;
 }
 
-/* The points that are kept, with their balances; kept: whether each is. */
+enum { SF_NOT_WANTED = 2 };
+
+/* The points that are kept, with their balances; kept: whether each is, or SF_NOT_WANTED. */
 static void sf_keep_points(const sf_second *second, const sf_first *first, const sf_moved *moved, unsigned char *kept,
                            sf_second_curve *curve) {
-    double Omega[SF_LANES], A[SF_LANES], known[SF_KNOWN * SF_LANES], out[SF_BALANCE * SF_LANES];
-    const double far = exp(SF_SMALL);
-    long i, k;
-    int j;
-    for (i = 0; i < first->n; i += SF_LANES) {
-        const long n = first->n - i < SF_LANES ? first->n - i : SF_LANES;
-        for (k = 0; k < SF_LANES; k++) {
-            const long at = i + (k < n ? k : n - 1);
-            const int here = sf_is_settled(second, moved, at);
-            Omega[k] = here ? moved->Omega[at] : first->Omega[at], A[k] = here ? moved->A[at] : first->A[at];
-        }
-        sf_second_known(second->model, SF_LANES, A, known);
-        sf_second_answers(SF_LANES, Omega, A, second->F_0, second->model->m, second->model->zeta, known, out);
-        for (k = 0; k < n; k++) {
-            const long at = i + k;
-            sf_second_point *point = &curve->point[curve->n];
-            kept[at] = sf_is_settled(second, moved, at) && A[k] < far * first->A[at] && far * A[k] > first->A[at] &&
-                       Omega[k] < far * first->Omega[at] && far * Omega[k] > first->Omega[at] &&
-                       sf_is_small(Omega[k], A[k], known[k], out[SF_LANES + k], out[k]);
-            if (!kept[at])
+    double known[SF_KNOWN * SF_LANES], out[SF_BALANCE * SF_LANES];
+    sf_lanes lanes;
+    long i = 0;
+    int k;
+    while (i < first->n) {
+        for (lanes.n = 0; i < first->n && lanes.n < SF_LANES; i++) {
+            const int here = sf_is_settled(second, moved, i);
+            kept[i] = SF_NOT_WANTED;
+            if (moved->step[i] < 0)
                 continue;
-            point->Omega = Omega[k], point->A = A[k];
-            for (j = 0; j < SF_BALANCE; j++)
-                point->at.values[j] = out[j * SF_LANES + k];
-            curve->n++;
+            lanes.Omega[lanes.n] = here ? moved->Omega[i] : first->Omega[i];
+            lanes.A[lanes.n] = here ? moved->A[i] : first->A[i], lanes.R[lanes.n] = 0;
+            lanes.which[lanes.n++] = (int)i;
+        }
+        if (lanes.n == 0)
+            return;
+        {
+            const int n = sf_whole_lanes(&lanes);
+            sf_second_known(second->model, n, lanes.A, known);
+            sf_second_told(second, n, lanes.Omega, lanes.A, known, out);
+            for (k = 0; k < lanes.n; k++) {
+                const long at = lanes.which[k];
+                kept[at] = (unsigned char)sf_is_kept(second, first, moved, at, known[k], out[n + k], out[k]);
+                if (kept[at])
+                    sf_from_lane(n, lanes.Omega, lanes.A, out, k, &curve->point[curve->n++]);
+            }
         }
     }
 }
@@ -369,8 +476,10 @@ static void sf_keep_parts(const sf_first *first, const unsigned char *closed, co
     for (from = 0; from < first->n; from = to) {
         int whole = closed[first->branch[from]], inside = 0;
         for (to = from; to < first->n && first->branch[to] == first->branch[from]; to++)
-            whole &= kept[to];
+            whole &= kept[to] != 0;
         for (i = from; i < to; i++) {
+            if (kept[i] == SF_NOT_WANTED)
+                continue;
             if (kept[i]) {
                 if (!inside)
                     curve->closed[curve->parts++] = (unsigned char)whole;
@@ -428,7 +537,8 @@ static int sf_insert_beside(const sf_second *second, double b, sf_second_curve *
 
 static int sf_second_move(const sf_second *second, const sf_first *first, const unsigned char *closed, double *room,
                           unsigned char *kept, sf_second_curve *curve) {
-    const sf_moved moved = {room, room + first->n, room + 2 * first->n, room + 3 * first->n};
+    const sf_moved moved = {room, room + first->n, room + 2 * first->n, room + 3 * first->n,
+                            room + 7 * first->n};
     long from, to;
     int k;
     sf_measure_first(second, first);
@@ -452,11 +562,11 @@ static int sf_second_move(const sf_second *second, const sf_first *first, const 
 
 /* The curve that n points of the first approximation's move to, on branches from 0 on, some of which are closed; to be
  * freed by sf_second_free. NULL if there is no memory. */
-static sf_second_curve *sf_second_follow(const sf_model *model, double F_0, long n, const double *Omega,
+static sf_second_curve *sf_second_follow(const sf_model *model, double F_0, sf_wanted wanted, long n, const double *Omega,
                                          const double *A, const long long *branch, const unsigned char *closed) {
-    const sf_second second = {model, F_0};
+    const sf_second second = {model, F_0, wanted};
     sf_second_curve *curve = calloc(1, sizeof *curve);
-    double *room = malloc((size_t)(7 * n + 1) * sizeof *room);
+    double *room = malloc((size_t)(8 * n + 1) * sizeof *room);
     unsigned char *kept = malloc((size_t)n + 1);
     int done = 0;
     if (curve != NULL) {
@@ -567,7 +677,7 @@ static int sf_is_same_fold(const sf_second_fold *a, const sf_second_fold *b) {
 
 /* Every fold between points of the curve, by rising Omega. */
 static void sf_folds_on(const sf_model *model, double F_0, const sf_second_curve *curve, sf_second_folds *out) {
-    const sf_second here = {model, F_0}, *second = &here;
+    const sf_second here = {model, F_0, SF_EVERY_POINT}, *second = &here;
     long i;
     int k;
     out->n = out->lost = out->tried = 0, out->status = SF_OK;
@@ -628,7 +738,7 @@ static int sf_second_state(const sf_second *second, double Omega, double low, do
  * says. */
 static int sf_states_on(const sf_model *model, double F_0, const sf_second_curve *curve, double Omega,
                         sf_second_point *out) {
-    const sf_second here = {model, F_0}, *second = &here;
+    const sf_second here = {model, F_0, SF_EVERY_POINT}, *second = &here;
     int n = 0, k;
     long i;
     for (i = 1; i < curve->n; i++) {
@@ -676,7 +786,7 @@ static void sf_second_cusp_at(const sf_second *second, double ln_Omega, double l
 /* The lowest forcing that has a fold, from the first approximation's cusp: F_A = F_AA = 0, which do not hold F_0, by
  * Newton's iteration with differences for slopes. */
 static sf_second_status sf_second_cusp(const sf_model *model, const sf_onset *first, sf_onset *out, double *u_max) {
-    const sf_second second = {model, first->F_SN};
+    const sf_second second = {model, first->F_SN, SF_EVERY_POINT};
     const double from[2] = {log(first->Omega), log(first->A)}, apart = 0x1p-20;
     double x[2] = {from[0], from[1]}, g[2], moved = HUGE_VAL, Omega, A, k[SF_KNOWN], balance[4];
     int i;
@@ -747,7 +857,7 @@ static double sf_turning_at(const void *given, double Omega) {
 static sf_second_status sf_second_detach(const sf_model *model, double F_first, double Omega_first, double u_cr,
                                          double *F_cr, double *Omega_cr) {
     const sf_second_reach reach = {model, u_cr};
-    const sf_second second = {model, F_first};
+    const sf_second second = {model, F_first, SF_EVERY_POINT};
     int i;
     if (Omega_first == 0)
         return SF_STATIC_SECOND;
@@ -798,7 +908,7 @@ static double sf_turning_near(const void *given, double Omega) {
 /* The highest peak of a curve; `far` where there is none between its points. */
 static sf_second_status sf_peak_on(const sf_model *model, double F_0, const sf_second_curve *curve,
                                    sf_second_point *out) {
-    const sf_second here = {model, F_0}, *second = &here;
+    const sf_second here = {model, F_0, SF_EVERY_POINT}, *second = &here;
     sf_second_near near = {second, 0};
     const sf_second_point *top = NULL, *low, *high;
     double f_low, f_high, balance[4];

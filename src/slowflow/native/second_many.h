@@ -12,7 +12,8 @@ static int sf_has_second(const sf_model *model) {
 }
 
 /* The curve about some frequencies and what may lie beside them; NULL if there is no memory. */
-static sf_second_curve *sf_second_around(const sf_model *model, double F_0, double low, double high, sf_work *work) {
+static sf_second_curve *sf_second_around(const sf_model *model, double F_0, sf_wanted wanted, double low, double high,
+                                         sf_work *work) {
     const long n = sf_show(model, F_0, low / SF_BEYOND, high * SF_BEYOND, SF_SAMPLES, work);
     double *room = malloc((size_t)(2 * n + 1) * sizeof *room);
     long long *branch = malloc((size_t)(n + 1) * sizeof *branch);
@@ -23,7 +24,7 @@ static sf_second_curve *sf_second_around(const sf_model *model, double F_0, doub
         sf_draw(model, F_0, SF_SAMPLES, &work->shown, room, room + n, flags, branch);
         for (i = 0; i < work->shown.curves; i++)
             flags[n + i] = (unsigned char)work->shown.closed[i];
-        curve = sf_second_follow(model, F_0, n, room, room + n, branch, flags + n);
+        curve = sf_second_follow(model, F_0, wanted, n, room, room + n, branch, flags + n);
     }
     free(room);
     free(branch);
@@ -50,7 +51,7 @@ static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_given *g
         low = fmin(low, work->folds.at[i].Omega), high = fmax(high, work->folds.at[i].Omega);
     if (high == 0)
         return SF_OK;
-    curve = sf_second_around(model, F_0, low, high, work);
+    curve = sf_second_around(model, F_0, SF_FOLDS_ONLY, low, high, work);
     if (curve == NULL)
         return SF_NO_MEMORY;
     sf_folds_on(model, F_0, curve, out);
@@ -71,7 +72,7 @@ static sf_status sf_second_peak(const sf_model *model, const sf_given *given, do
         status = sf_make_skeleton(model, given, F_0, room);
     if (status != SF_OK)
         return status;
-    curve = sf_second_around(model, F_0, first, first, work);
+    curve = sf_second_around(model, F_0, SF_TOP_ONLY, first, first, work);
     if (curve == NULL)
         return SF_NO_MEMORY;
     status = sf_peak_on(model, F_0, curve, &top) == SF_OK_SECOND ? SF_OK : SF_NONE;

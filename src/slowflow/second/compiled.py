@@ -10,6 +10,7 @@ from slowflow.results import FrequencyResponse
 from slowflow.second.balance import Balance
 from slowflow.second.found import Curve, Fold, State, told
 from slowflow_kernels.conventions import Status
+from slowflow_kernels.second_conventions import Wanted
 
 
 def serves(balance: Balance) -> bool:
@@ -18,10 +19,12 @@ def serves(balance: Balance) -> bool:
     return native is not None and not balance.model.inertial and backend.solver().has_second(native)
 
 
-def follow(balance: Balance, first: FrequencyResponse) -> Curve:
-    """The curve that the first approximation's moves to."""
+def follow(balance: Balance, first: FrequencyResponse, wanted: Wanted = Wanted.EVERY_POINT) -> Curve:
+    """The curve that the first approximation's moves to, as far as it is wanted."""
     closed = np.array(first.isola, dtype=bool)
-    found = backend.solver().second_follow(balance.model.native, first.F_0, first.Omega, first.A, first.branch, closed)
+    found = backend.solver().second_follow(
+        *(balance.model.native, first.F_0, wanted, first.Omega, first.A, first.branch, closed)
+    )
     Omega, A, u_max, A_1, phi, stable, part = (
         found[name] for name in ("Omega", "A", "u_max", "A_1", "phi", "stable", "part")
     )

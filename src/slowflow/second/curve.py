@@ -14,14 +14,14 @@ from slowflow.model import Floats
 from slowflow.results import FrequencyResponse
 from slowflow.second.balance import Balance, Flags
 from slowflow.second.found import Curve, told
-from slowflow_kernels.second_conventions import DONE, LONGEST, MATCHING, MOVED, ROUNDING, SMALL, STEPS, WEIGHT
+from slowflow_kernels.second_conventions import DONE, LONGEST, MATCHING, MOVED, ROUNDING, SMALL, STEPS, WEIGHT, Wanted
 
 #: amplitudes over that of a breakpoint at which the force jumps, and whose fold has another close above
 BESIDE = np.concatenate(([1 - 1e-6, 1.0], 1 + np.logspace(-13, -2, 34)))
 
 
-def follow(balance: Balance, first: FrequencyResponse) -> Curve:
-    """The curve that the first approximation's moves to."""
+def follow(balance: Balance, first: FrequencyResponse, wanted: Wanted = Wanted.EVERY_POINT) -> Curve:
+    """The curve that the first approximation's moves to; here all of its points, whatever they are wanted for."""
     at, A, kept = _moved(balance, first.Omega, first.A, first.F_0)
     at, A, lost = at[kept], A[kept], first.Omega[~kept]
     branch, isola = _parts(first, kept)

@@ -28,7 +28,7 @@ from slowflow.second import solvers
 from slowflow.second.answers import SecondFolds, SecondResponse, SecondStates
 from slowflow.second.balance import Balance
 from slowflow.second.found import Curve
-from slowflow_kernels.second_conventions import BEYOND, SAMPLES
+from slowflow_kernels.second_conventions import BEYOND, SAMPLES, Wanted
 
 if TYPE_CHECKING:
     from slowflow.averaged.questions import Averaged
@@ -150,7 +150,7 @@ class SecondApproximation:
         if not wanted.size or not first.A.size:
             none = np.empty(0)
             return SecondStates(none, none, none, none, np.empty(0, bool), first.message, F_0=first.F_0, force=none)
-        curve = self._around(F_0, wanted)
+        curve = self._around(F_0, wanted, Wanted.EVERY_POINT)
         found = self._solvers.states(self._balance, curve, wanted, float(F_0))
         at, u_max, A_1, phi, stable = np.array(found).reshape(-1, 5).T
         fewer = int(np.count_nonzero(_counts(wanted, at) < _counts(wanted, first.Omega)))
@@ -169,7 +169,7 @@ class SecondApproximation:
         marks = [*first.Omega.tolist(), *([peak.Omega] if peak.Omega else [])]
         found, lost, message = [], 0, first.message
         if marks:
-            curve = self._around(F_0, np.array(marks))
+            curve = self._around(F_0, np.array(marks), Wanted.FOLDS_ONLY)
             found, lost, tried = self._solvers.folds(self._balance, curve, first.F_0)
             none = "" if found else NO_FOLD.format(first.F_0)
             message = joined(none, curve.message, UNSOLVED.format(lost, tried) if lost else "")
@@ -186,7 +186,7 @@ class SecondApproximation:
             return first
         if first.Omega == 0:
             return Peak(None, None, first.F_0, NO_PEAK.format(AT_REST))
-        curve = self._around(first.F_0, np.array([first.Omega]))
+        curve = self._around(first.F_0, np.array([first.Omega]), Wanted.TOP_ONLY)
         found = self._solvers.peak(self._balance, curve, first.F_0)
         if found is None:
             return Peak(None, None, first.F_0, joined(NO_PEAK.format(LEFT_OUT), curve.message))
@@ -229,10 +229,10 @@ class SecondApproximation:
         """The amplitude of the force at each frequency."""
         return np.broadcast_to(self.first.model.force(F_0, Omega), Omega.shape)
 
-    def _around(self, F_0: float, Omega: Floats) -> Curve:
+    def _around(self, F_0: float, Omega: Floats, wanted: Wanted) -> Curve:
         """The curve that holds some frequencies and what may lie beside them."""
         shown = (float(Omega.min()) / BEYOND, float(Omega.max()) * BEYOND)
-        curve: Curve = self._solvers.follow(self._balance, self.first.curve(F_0, SAMPLES, shown))
+        curve: Curve = self._solvers.follow(self._balance, self.first.curve(F_0, SAMPLES, shown), wanted)
         return curve
 
     @cached_property

@@ -9,7 +9,7 @@ No formula is printed here but the bounds of domains: the records call the heade
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import sympy as sp
@@ -26,6 +26,27 @@ from .printer import CPrinter
 DESIGN, DAMPING_GIVEN = "design[{}]", "given[{}]"
 
 
+#: sums over the force that a record has of many amplitudes at once
+SUMS = ("averaged", "averaged_2", "harmonics")
+
+
+@dataclass(frozen=True)
+class Sums:
+    """One of these, with a loop for each regime of the force.
+
+    name, width -- of the function, and how many numbers it gives
+    functions   -- what the header calls its regimes; itself alone where a loop over it is all that there is
+    guards      -- C conditions of all regimes but the last
+    read        -- numbers of the parameters that the guards read, by name
+    """
+
+    name: str
+    width: int
+    functions: tuple[str, ...]
+    guards: tuple[str, ...] = ()
+    read: dict[str, int] = field(default_factory=dict)
+
+
 @dataclass(frozen=True)
 class Spring:
     """One record as the template needs it.
@@ -37,6 +58,7 @@ class Spring:
     paired      -- and before those in double-double
     averaged_by_pieces -- whether these take the number of breakpoints passed
     domain      -- C condition: the design lies inside its domain
+    sums        -- `SUMS` as they are for this force
     harmonics_up_to -- the largest breakpoint for which its harmonics hold
     bent        -- what stands before the names of what holds h and h_AAAA between two amplitudes, or ""
     begins      -- of that the number of the breakpoint at which each contact begins
@@ -46,6 +68,7 @@ class Spring:
     mechanism: Mechanism
     breakpoints: int
     domain: str
+    sums: tuple[Sums, ...]
     harmonics_up_to: sp.Expr
     enclosed: str = ""
     paired: str = ""
@@ -88,8 +111,26 @@ def spring_of(module: Module) -> Spring:
     exact = (interval.name_of(module), pair.name_of(module), len(mechanism.breakpoints) > 0) if module.cells else ()
     up_to = module.record.harmonics_up_to
     bent = interval.name_of(module) if module.enclosed else ""
+    sums = tuple(sums_of(name, width, module) for name, width in zip(SUMS, (4, 2, 8), strict=True))
     begins = module.enclosed.begins if module.enclosed else ()
-    return Spring(module.name, mechanism, len(mechanism.breakpoints), domain, up_to, *exact, bent=bent, begins=begins)
+    return Spring(
+        *(module.name, mechanism, len(mechanism.breakpoints), domain, sums, up_to, *exact), bent=bent, begins=begins
+    )
+
+
+def sums_of(name: str, width: int, module: Module) -> Sums:
+    """One of `SUMS`: regime by regime where the header has it so, by the amplitude and parameters."""
+    kernel = next((one for one in module.kernels if one.name == name), None)
+    if kernel is None or not all(branch.name and not branch.kernel for branch in kernel.branches):
+        return Sums(name, width, (f"{module.name}_{name}",))
+    show = CPrinter().doprint
+    pairs = [branch.guards for branch in kernel.branches[:-1]]
+    guards = [" && ".join(f"{show(left)} <= {show(right)}" for left, right in guarded) for guarded in pairs]
+    symbols = {symbol for guarded in pairs for pair in guarded for side in pair for symbol in side.free_symbols}
+    parameters = module.record.mechanism.parameters
+    read = {symbol.name: number for number, symbol in enumerate(parameters) if symbol in symbols}
+    functions = (f"{module.name}_{name}_{branch.name}" for branch in kernel.branches)
+    return Sums(name, width, tuple(functions), tuple(guards), read)
 
 
 def within(parameters: Sequence[Parameter], name: str) -> str:

@@ -77,9 +77,9 @@ static PyObject *second_follow(PyObject *self, PyObject *args)
     const void *values[4];
     double F_0;
     sf_second_curve *curve;
-    int i;
+    int i, wanted;
     (void)self;
-    if (!PyArg_ParseTuple(args, "OdOOOO", &given, &F_0, &columns[0], &columns[1], &columns[2], &columns[3]))
+    if (!PyArg_ParseTuple(args, "OdiOOOO", &given, &F_0, &wanted, &columns[0], &columns[1], &columns[2], &columns[3]))
         return NULL;
     const sf_model *model = sf_model_in(given);
     for (i = 0; i < 4 && model != NULL; i++)
@@ -88,7 +88,7 @@ static PyObject *second_follow(PyObject *self, PyObject *args)
     if (model != NULL && i == 4) {
         const long n = (long)PyArray_DIM(kept[0], 0);
         Py_BEGIN_ALLOW_THREADS
-        curve = sf_here()->second_follow(model, F_0, n, values[0], values[1], values[2], values[3]);
+        curve = sf_here()->second_follow(model, F_0, (sf_wanted)wanted, n, values[0], values[1], values[2], values[3]);
         Py_END_ALLOW_THREADS
         PyObject *capsule = curve == NULL ? PyErr_NoMemory() : PyCapsule_New(curve, CURVE, free_curve);
         if (capsule != NULL) {
@@ -234,7 +234,7 @@ static PyObject *has_second(PyObject *self, PyObject *given)
 
 static PyMethodDef functions[] = {
     {"second_follow", second_follow, METH_VARARGS,
-     "(model, F_0, Omega, A, branch, closed) of the first approximation -> columns, closed parts, (lost, of, from, to), curve"},
+     "(model, F_0, wanted, Omega, A, branch, closed) of the first approximation -> columns, closed parts, (lost, of, from, to), curve"},
     {"second_folds", second_folds, METH_VARARGS, "(model, F_0, curve) -> status, [(Omega, u_max, A_1, up, corner)], lost, tried"},
     {"second_states", second_states, METH_VARARGS, "(model, F_0, curve, Omega) -> [(Omega, u_max, A_1, phi, stable)]"},
     {"second_peak", second_peak, METH_VARARGS, "(model, F_0, curve) -> status, u_max, Omega"},
