@@ -201,7 +201,10 @@ def integrals(average_: Quadrature) -> Iterator[str]:
     slopes = ("f", "f'", "f''", "f'''")
     values = [rf"\int_0^{{\pi/2}} {slopes[order]}(A \sin t) \sin^{order + 1} t \, dt" for order in orders]
     yield from display(*zip(names, values, strict=True))
-    shown = {symbol: sp.Symbol(name) for symbol, name in zip(sums(ORDERS + 1), names, strict=True)}
+    for number in range(len(average_.contacts)):
+        yield from contact(average_, number)
+        names += [contact_sum(number, order) for order in orders]
+    shown = {symbol: sp.Symbol(name) for symbol, name in zip(sums(len(names)), names, strict=True)}
     breakpoints = tuple(average_.breakpoints)
     for count in range(len(average_.pieces)):
         yield from regime_of(breakpoints, count)
@@ -209,6 +212,37 @@ def integrals(average_: Quadrature) -> Iterator[str]:
         roots = [(sp.latex(symbol), value) for symbol, value in regime.lets if symbol not in average_.breakpoints]
         closed = zip(("h", "h_A", "h_{AA}", "h_{AAA}"), regime.averaged, strict=True)
         yield from display(*roots, *((name, value.subs(shown)) for name, value in closed))
+
+
+def contact(average_: Quadrature, number: int) -> Iterator[str]:
+    """The integrals of what begins as a broken power."""
+    one = average_.contacts[number]
+    b = sp.latex(tuple(average_.breakpoints)[one.begins - 1])
+    part, power = sp.latex(one.force), sp.latex(one.exponent)
+    yield f"There $f$ is without what begins at ${b}$ as a broken power and goes on from there:"
+    yield ""
+    yield from display((f"f_{{{number + 1}}}(u)", part))
+    yield f"That is differentiated at a fixed share $y$ of $A - {b}$, with $u = {b} + (A - {b}) y$:"
+    yield ""
+    under = (
+        rf"\frac{{f_{{{number + 1}}}(u)}}{{(A - {b})^{{{sp.latex(one.power)}}}}} \frac{{u}}{{A}} "
+        rf"\sqrt{{\frac{{A + {b}}}{{A + u}}}}"
+    )
+    before = rf"\frac{{(A - {b})^{{{power}}}}}{{\sqrt{{A + {b}}}}}"
+    values = [
+        (
+            contact_sum(number, order),
+            rf"{before} \int_0^1 \frac{{\partial^{order}}}{{\partial A^{order}}} "
+            rf"\left({under}\right) \frac{{dy}}{{\sqrt{{1 - y}}}}",
+        )
+        for order in range(ORDERS + 1)
+    ]
+    yield from display(*values)
+
+
+def contact_sum(number: int, order: int) -> str:
+    """The name of such an integral."""
+    return rf"\Gamma_{{{number + 1},{order}}}"
 
 
 def averages(derived: OfMechanism) -> Iterator[str]:

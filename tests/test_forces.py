@@ -240,6 +240,12 @@ def test_what_it_is_and_how_it_is_derived_is_said(derived):
     assert r"\int_0^{\pi/2} f''(A \sin t) \sin^3 t" in text and "For $u_{1} < A$:" in text
 
 
+def test_the_derivation_of_a_contact_tells_all_that_it_is_made_of(derived):
+    told = derived("hertz").document()
+    assert "sum_" not in told and r"\frac{(A - u_{1})^{2}}{\sqrt{A + u_{1}}} \int_0^1" in told
+    assert told.count(r"\Gamma_{1,3} &=") == 1 and r"without what begins at $u_{1}$" in told
+
+
 def test_a_parameter_may_be_called_as_something_in_the_derivation_or_in_printed_code(folder):
     """Each name stands for the same number: what else is called so is kept apart."""
     as_k = derive.mechanism("named", [(k * sp.sin(u), None)], {"k": ABOVE_0}).record.averaged(0.7, 1.3)
