@@ -314,3 +314,16 @@ def test_off_centre_a_state_settles_where_newton_leads_to_no_motion_from_it():
     (state,) = loaded.amplitudes(Omega=Omega, F_0=F_0)
     found = loaded.steady_state(Omega=Omega, F_0=F_0, A=state.A)
     assert found.stable and found.A == pytest.approx(loaded.steady_state(Omega=Omega, F_0=F_0).A, rel=1e-9)
+
+
+def test_a_curve_goes_on_where_the_highest_place_of_a_motion_passes_the_centre():
+    """Under a load, which pulls the whole motion to one side where its amplitude is little."""
+    numbers = {"lam": 2, "r": 0.8555935232516407, "delta_h": 0.11116695737395142, "mu": 0.0033268222931048283}
+    loaded, F_0 = Isolator(**numbers, zeta=0.052619698513897945, load=-0.03684908305690246), 0.06544331813808045
+    curve = loaded.exact_response(F_0, Omega=(1.45, 1.55))
+    highest = []
+    for k in (0, len(curve.A) - 1):
+        found = loaded.steady_state(Omega=float(curve.Omega[k]), F_0=F_0)
+        assert found.A == pytest.approx(curve.A[k], rel=1e-9)
+        highest.append(found.series()[1].max())
+    assert highest[0] > 0 > highest[1] and curve.Omega[-1] == pytest.approx(1.55)

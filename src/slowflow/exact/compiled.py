@@ -183,7 +183,7 @@ class TaylorIntegrator:
         half_turns: int,
         starts_from_rest: bool,
         F_0: float,
-        course: tuple[float, float, float, float, float],
+        course: tuple[float, float, float, float, float, float],
         point: Array,
         came_from: bool,
         size: float,
@@ -192,7 +192,8 @@ class TaylorIntegrator:
     ) -> tuple[Array, float, float]:
         """Points of the curve after one, up to the first step with which anything is to be decided.
 
-        course -- least and greatest Omega, largest step, least cosine between tangents, largest amplitude
+        course -- least and greatest Omega, largest step, least cosine between tangents, largest amplitude, and the
+                  least that steps of u_0 are measured in
         point  -- unknowns, tangent, and what `came_from` says is there: those of the point before, with its row
         first  -- unknowns and tangent of the point where the curve began, or nothing
         Gives a row for each point (unknowns, tangent, A, dA along the curve, monodromy), the next step's length, and

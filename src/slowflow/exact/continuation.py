@@ -195,7 +195,7 @@ def exact_response(
         start = steady_state(system, low, F_0, integrator=integrator)
     if not low <= start.Omega <= high:
         raise ValueError(f"start.Omega = {start.Omega} lies outside Omega_range = {Omega_range}")
-    path = _Path(F_0, low, high, step)
+    path = _Path(F_0, low, high, step, _least(start.cycle, start.A))
     first = path.begin(start, 1.0)
     forward = list(path.follow(first))
     closed = path.closed
@@ -211,7 +211,7 @@ def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, flo
 
     None where it leaves the range of Omega before, or cannot be followed.
     """
-    path = _Path(start.F_0, *Omega_range, STEP)
+    path = _Path(start.F_0, *Omega_range, STEP, _least(start.cycle, start.A))
     points: list[_Point] = []
     try:
         for point in path.follow(path.begin(start, towards)):
@@ -227,11 +227,19 @@ def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, flo
     return None
 
 
-class _Path:
-    """Follows a curve of cycles point by point."""
+def _least(cycle: Cycle, A: float) -> float:
+    """What steps of u_0 are measured in at least: about the centre it is the amplitude, and never 0."""
+    return 0.0 if cycle.system.centred else A
 
-    def __init__(self, F_0: float, low: float, high: float, step: float) -> None:
-        self.F_0, self.low, self.high, self.step = F_0, low, high, step
+
+class _Path:
+    """Follows a curve of cycles point by point.
+
+    least -- what steps of u_0 are measured in where it is less: off the centre it may pass 0
+    """
+
+    def __init__(self, F_0: float, low: float, high: float, step: float, least: float) -> None:
+        self.F_0, self.low, self.high, self.step, self.least = F_0, low, high, step, least
         self.closed = False
 
     def begin(self, start: SteadyState, direction: float) -> _Point:
@@ -314,7 +322,7 @@ class _Path:
             cycle.half_turns,
             cycle.starts_from_rest,
             self.F_0,
-            (self.low, self.high, self.step, STRAIGHT, LARGEST),
+            (self.low, self.high, self.step, STRAIGHT, LARGEST, self.least),
             here,
             point.came_from is not None,
             size,
@@ -332,7 +340,7 @@ class _Path:
     def _weights(self, z: Array) -> Array:
         # spans count too: where phases are about to vanish, the curve is smooth in them and in nothing else
         weights = np.full(z.size, 0.1)
-        weights[0] = 1.0 / z[0] ** 2
+        weights[0] = 1.0 / max(abs(float(z[0])), self.least) ** 2
         weights[1] = 1.0
         weights[-1] = 4.0
         return weights
@@ -506,7 +514,8 @@ class _Path:
                     new = self._with_fixed(cycle, at, row, last)
                     if new is None:
                         continue
-                    distance = max(abs(new.z[0] / last.z[0] - 1.0), abs(float(new.z[-1] - last.z[-1])))
+                    size = max(abs(float(last.z[0])), self.least)
+                    distance = max(abs(float(new.z[0] - last.z[0])) / size, abs(float(new.z[-1] - last.z[-1])))
                     if distance < best:
                         nearest, best = new, distance
                     if best < 1e-5:
@@ -607,8 +616,8 @@ def _without_short(trial: _Point, short: float) -> tuple[Cycle, Array] | None:
 
 def _highest(F_0: float, points: tuple[_Point, ...]) -> _Point:
     """The highest point of the curve through the points, between them too."""
-    path = _Path(F_0, 0.0, math.inf, STEP)
     best = max(points, key=lambda point: point.A)
+    path = _Path(F_0, 0.0, math.inf, STEP, _least(best.cycle, best.A))
     least = NEAR_TOP * best.A
     for a, b in pairwise(points):
         if max(a.A, b.A) < least:
@@ -633,7 +642,7 @@ def _fold_between(before: _Point, point: _Point, after: _Point) -> Fold:
     """What a sweep does at a fold: it leaves the stable side, for a larger amplitude if that is the lower one."""
     corner = point.role == "corner"
     # beside a sharp peak a neighbour may already lie beyond the peak, where the tangent tells better
-    rises = before.A < after.A if corner else float(point.tangent[0] * point.z[0]) > 0
+    rises = before.A < after.A if corner else point.rise > 0
     leaves = before.role not in FOLDS and bool(np.all(np.abs(before.multipliers) < 1.0))
     up = rises if leaves else not rises
     return Fold(float(point.z[-1]), point.A, "jump-up" if up else "jump-down", corner)

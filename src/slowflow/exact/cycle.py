@@ -410,8 +410,9 @@ class Cycle:
             # towards Omega = 0 a turn takes ever longer: a trial that goes half the way is none
             if extra is not None and not abs(step[-1]) < 0.5 * z[-1]:
                 return None
-            # next to a neutral motion a small residual says little: what is left of u_0 has to be small, too
-            own = abs(step[0] / z[0])
+            # next to a neutral motion a small residual says little: what is left of u_0 has to be small, too; off the
+            # centre u_0 itself may be 0
+            own = abs(step[0]) / max(abs(z[0]), found.A)
             stays = error <= 100.0 * tolerance and size >= 0.5 * last
             if stays and own > LOOSE:
                 return None

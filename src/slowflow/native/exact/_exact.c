@@ -269,9 +269,9 @@ static PyObject *trace(PyObject *self, PyObject *arguments)
     double F_0, step, travelled;
     int half_turns, has_before;
     long left;
-    if (!PyArg_ParseTuple(arguments, "Oy*ipd(ddddd)w*pddy*lw*", &capsule, &signature, &half_turns,
+    if (!PyArg_ParseTuple(arguments, "Oy*ipd(dddddd)w*pddy*lw*", &capsule, &signature, &half_turns,
                           &course.starts_from_rest, &F_0, &course.low, &course.high, &course.step, &course.straight,
-                          &course.largest, &point, &has_before, &step, &travelled, &first, &left, &rows))
+                          &course.largest, &course.least, &point, &has_before, &step, &travelled, &first, &left, &rows))
         return NULL;
     const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
     const long k = (long)(signature.len / (Py_ssize_t)(2 * sizeof(int))), n = k + 4, size = k + 3;

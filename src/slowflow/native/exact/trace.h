@@ -5,10 +5,11 @@
 
 #include "cycle.h"
 
-/* Where the curve may go, and with what steps. `first` is the point where it began, with its tangent, NULL where it
+/* Where the curve may go, and with what steps; steps of u_0 are a share of its size, of `least` at least: off the centre it
+ * may pass 0. `first` is the point where it began, with its tangent, NULL where it
  * cannot come back to it in this order of switches. */
 typedef struct {
-    double low, high, step, straight, largest;
+    double low, high, step, straight, largest, least;
     int starts_from_rest;
     const double *first, *first_tangent;
 } sf_course;
@@ -17,24 +18,25 @@ typedef struct {
 static inline size_t sf_numbers_of_point(long k) { return (size_t)(2 * (k + 3) + 6); }
 
 /* spans count too: where phases are about to vanish, the curve is smooth in them and in nothing else */
-static inline double sf_weight(const double *z, long j, long size)
+static inline double sf_weight(const sf_course *course, const double *z, long j, long size)
 {
-    return j == 0 ? 1.0 / (z[0] * z[0]) : j == 1 ? 1.0 : j == size - 1 ? 4.0 : 0.1;
+    const double u = fmax(fabs(z[0]), course->least);
+    return j == 0 ? 1.0 / (u * u) : j == 1 ? 1.0 : j == size - 1 ? 4.0 : 0.1;
 }
 
-static double sf_inner(const double *z, const double *a, const double *b, long size)
+static double sf_inner(const sf_course *course, const double *z, const double *a, const double *b, long size)
 {
     double sum = 0.0;
     for (long j = 0; j < size; j++)
-        sum += sf_weight(z, j, size) * a[j] * b[j];
+        sum += sf_weight(course, z, j, size) * a[j] * b[j];
     return sum;
 }
 
-static double sf_apart(const double *z, const double *other, long size)
+static double sf_apart(const sf_course *course, const double *z, const double *other, long size)
 {
     double sum = 0.0;
     for (long j = 0; j < size; j++)
-        sum += sf_weight(z, j, size) * (other[j] - z[j]) * (other[j] - z[j]);
+        sum += sf_weight(course, z, j, size) * (other[j] - z[j]) * (other[j] - z[j]);
     return sqrt(sum);
 }
 
@@ -102,24 +104,25 @@ static long sf_trace(sf_forced *forced, const sf_cycle *cycle, const sf_course *
     while (count < room) {
         double value = *step;
         for (long j = 0; j < size; j++) {
-            row[j] = sf_weight(z, j, size) * tangent[j];
+            row[j] = sf_weight(course, z, j, size) * tangent[j];
             value += row[j] * z[j];
         }
         sf_ahead(z, tangent, *has_before ? before : NULL, row, *step, size, next);
         const sf_extra extra = {SF_ROW, row, value, 0};
         if (sf_newton(forced, cycle, next, &extra, SF_ALONG, SF_TOLERANCE, found, along, rest) != SF_GOOD)
             break;
-        const double length = sqrt(sf_inner(next, along, along, size));
+        const double length = sqrt(sf_inner(course, next, along, along, size));
         for (long j = 0; j < size; j++)
             along[j] /= length;
-        const int usable = sf_inner(z, tangent, along, size) > course->straight && sf_apart(z, next, size) < 2.0 * *step;
+        const int usable = sf_inner(course, z, tangent, along, size) > course->straight &&
+                           sf_apart(course, z, next, size) < 2.0 * *step;
         const int inside = course->low < next[size - 1] && next[size - 1] < course->high;
         if (!usable || !inside || along[size - 1] * tangent[size - 1] < 0.0 || found->A > course->largest)
             break;
         if (course->first != NULL && *travelled + *step > 10.0 * course->step) {
             double from = 0.0, to = 0.0;
             for (long j = 0; j < size; j++) {
-                const double weight = sf_weight(course->first, j, size) * course->first_tangent[j];
+                const double weight = sf_weight(course, course->first, j, size) * course->first_tangent[j];
                 from += weight * (z[j] - course->first[j]), to += weight * (next[j] - course->first[j]);
             }
             if (from < 0.0 && to >= 0.0)
