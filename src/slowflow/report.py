@@ -39,6 +39,8 @@ MAPPED, REACH = 60, 0.5
 EXCITATION = {"force": "force", "base": "motion of the base", "unbalance": "unbalance"}
 #: columns that tables leave out: words beside them have them
 UNSHOWN = ("message", "remarks")
+#: and what is not of a force
+OF_INERTIA = ("f_sticks", "Omega_sticks")
 #: questions about shocks
 SHOCKS = ("transient", "shock_spectrum")
 #: what a cell of words begins with until it is written, and how much of a formula is shown
@@ -165,11 +167,17 @@ def _at_each(ask: Callable[[float], Any], forcings: Sequence[float], left_out: l
 
 
 def _letter(of: Any) -> tuple[str, str]:
-    """What the amplitude of the excitation is called, and its unit in a scene; "" without dimensions."""
+    """What the amplitude of the excitation is called, and the unit in which it is shown; "" without dimensions."""
     if not isinstance(of, Physical):
         return "F_0", ""
     letter, kind, _ = EXCITED[of.scales.excitation]
-    return letter, next(iter(UNITS[kind]))
+    return letter, SHOWN[kind]
+
+
+def _told(of: Any, F: float) -> str:
+    """An amplitude of the excitation in that unit."""
+    _, unit = _letter(of)
+    return f"{F / UNITS[KIND_OF[unit]][unit] if unit else F:.4g}"
 
 
 def _anchor(name: str) -> str:
@@ -264,7 +272,7 @@ def _design(of: Any, scene: Scene) -> Iterator[str]:
 
 
 def _answers(of: Any, forcings: Sequence[float]) -> Iterator[str]:
-    what = EXCITATION[_plain(of).excitation]
+    what, of_force = EXCITATION[_plain(of).excitation], _plain(of).excitation == "force"
     left_out: list[str] = []
     yield _table(f"It jumps from this {what} on", _shown(of.saddle_node_onset()))
     yield _table(f"Its springs leave from this {what} on", _shown(of.detachment()))
@@ -276,7 +284,8 @@ def _answers(of: Any, forcings: Sequence[float]) -> Iterator[str]:
         ("Bands with several stable motions", of.hysteresis),
     ):
         if found := _at_each(ask, forcings, left_out):
-            yield _table(caption, *found)
+            # a force moves the mass at all frequencies, or at none, which `sticks` says
+            yield _table(caption, *found, left_out=(*UNSHOWN, *OF_INERTIA) if of_force else UNSHOWN)
     yield _left_out(left_out)
 
 
@@ -402,7 +411,7 @@ def _jumps_by_depths(of: Any, forcings: Sequence[float]) -> Iterator[str]:
             second = f"{better[k]:.5g}" if len(better) == len(found) else "another number of folds"
             Omega, error, reason = exact[k]
             last = (f"{Omega:.5g}", f"{100 * error:+.2g} %") if not reason else (escape(reason), "")
-            rows.append((f"{F:.4g}", fold.kind, f"{getattr(fold, name):.5g}", second, *last))
+            rows.append((_told(of, F), fold.kind, f"{getattr(fold, name):.5g}", second, *last))
     if not rows:
         yield "<p>There is no jump at these amplitudes of the excitation.</p>"
         return
@@ -437,7 +446,7 @@ def _checked(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
                     compared = (f"{scale * exact:.5g}", f"{100 * (A / exact - 1):+.2g} %")
                 except ArithmeticError as error:
                     compared = (escape(str(error)), "")
-                rows.append((f"{F:.4g}", f"{at:.4g}", f"{scale * A:.5g}", *compared))
+                rows.append((_told(of, F), f"{at:.4g}", f"{scale * A:.5g}", *compared))
     of_f, of_A = ("f/Hz", "mm") if isinstance(of, Physical) else ("Omega", "")
     averaged = f"averaged/{of_A}" if of_A else "averaged"
     heads = (head(force, {force: unit}), of_f, averaged, "equation of motion", "error of averaging")
@@ -488,7 +497,7 @@ def _depths(of: Any, F: float) -> Iterator[str]:
             missing.append(f"<p>No {depth} here: {escape(str(error), quote=False)}.</p>")
     ax = pictures.depths(_axes(), found)
     force, unit = _letter(of)
-    at_F = f"{F:g} {unit}" if unit else f"{force} = {F:g}"
+    at_F = f"{_told(of, F)} {unit}" if unit else f"{force} = {F:g}"
     yield _figure(ax, f"The response at {at_F} about its peak, by three depths: they lie the closer the better.")
     yield from missing
 
