@@ -1,9 +1,9 @@
 """Omega roots of one response quartic: scenes in, time per quartic and error in u (1 + kappa) of each method out.
 
 Methods: the C solver (with a clone for fma, and without), the installed ufunc, the NumPy solver, a loop over
-`numpy.roots` and batched companion eigenvalues, and Boost.Math's quartic where it is at hand, the last three on the
-expanded coefficients of (24).  All methods are
-timed in turn in every round, each after a call that warms the caches for it, and the medians are compared.
+`numpy.roots` and batched companion eigenvalues, and Boost.Math's quartic and ACM's Algorithm 1010 where they are at
+hand, the last four on the expanded coefficients of (24). All methods are timed in turn in every round, each after a
+call that warms the caches for it, and the medians are compared.
 `python -m benchmarks.bench_roots` prints the table; `rows` gives it.
 """
 
@@ -18,13 +18,13 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks import boost
+from benchmarks import acm1010, boost
 from slowflow import backend
 from slowflow.averaged.reference.roots import numpy_response_roots, response_roots
 from tests.native.roots import build, why_not
 from tests.oracles.frequencies import U, relative_error, roots, stress_cases
 
-BOOST = "Boost.Math"
+BOOST, ACM = "Boost.Math", "ACM Algorithm 1010"
 SCENES = ("mild", "F_0 << |h|", "near tangent", "three roots")
 Method = Callable[[np.ndarray], np.ndarray]
 
@@ -103,9 +103,9 @@ def rows(count: int = 5000, repeats: int = 7, seed: int = 3) -> list[dict[str, A
             "companion eigenvalues, batched": companion_eigenvalues,
             "numpy.roots loop": numpy_roots_loop,
         }
-        boost_solve = boost.build(Path(directory))
-        if boost_solve is not None:
-            methods[BOOST] = boost_solve
+        for name, solve in ((BOOST, boost.build(Path(directory))), (ACM, acm1010.build(Path(directory)))):
+            if solve is not None:
+                methods[name] = solve
         table = []
         families = stress_cases("response", count, seed)
         for scene in SCENES:

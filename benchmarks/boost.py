@@ -36,7 +36,11 @@ def build(folder: Path) -> Callable[[np.ndarray], np.ndarray] | None:
     source, library = folder / "boost.cpp", folder / "boost.so"
     source.write_text(SOURCE)
     include = [f"-I{Path(name) / 'include'}" for name in folders]
-    command = ["g++", *FLAGS, *include, str(source), "-o", str(library)]
+    return solving(["g++", *FLAGS, *include, str(source), "-o", str(library)], library)
+
+
+def solving(command: list[str], library: Path) -> Callable[[np.ndarray], np.ndarray] | None:
+    """The function `solve` of a library that a command builds, as `build` gives it; None where it cannot be built."""
     if subprocess.run(command, capture_output=True, check=False).returncode:
         return None
     loaded = ctypes.CDLL(str(library))

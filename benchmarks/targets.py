@@ -107,17 +107,18 @@ def quartics(size: Size) -> list[Target]:
                 "quartic",
             )
         )
-    boost = [of[scene, bench_roots.BOOST] for scene in bench_roots.SCENES if (scene, bench_roots.BOOST) in of]
-    if boost:
-        out[0] = replace(out[0], ratio=f"{out[0].ratio}; {_boost(boost, size)}")
+    for name in (bench_roots.BOOST, bench_roots.ACM):
+        rows_of = [of[scene, name] for scene in bench_roots.SCENES if (scene, name) in of]
+        told = _of_peer(name, rows_of, size) if rows_of else f"{name} is not at hand here"
+        out[0] = replace(out[0], ratio=f"{out[0].ratio}; {told}")
     return out
 
 
-def _boost(rows: list[dict[str, Any]], size: Size) -> str:
-    """Boost.Math's quartic on the same scenes."""
+def _of_peer(name: str, rows: list[dict[str, Any]], size: Size) -> str:
+    """Another quartic on the same scenes."""
     least, most = (quantity(pick(row["ns"] for row in rows) * 1e-9, "s") for pick in (min, max))
     wrong = sum(row["wrong_counts"] for row in rows)
-    return f"Boost.Math {least} to {most}, {wrong} wrong counts of {size.quartics * len(rows)}"
+    return f"{name} {least} to {most}, {wrong} wrong counts of {size.quartics * len(rows)}"
 
 
 def kernels(size: Size) -> list[Target]:
