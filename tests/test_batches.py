@@ -228,7 +228,7 @@ def test_curves_of_many_that_have_no_answer_are_refused_in_words():
 
 @native_only
 @pytest.mark.parametrize("force", ["truncated", "untruncated", "cubic"])
-def test_states_and_peaks_of_designs_that_go_together_are_those_of_each_alone(force):
+def test_designs_that_go_together_are_answered_as_each_alone(force):
     """To the last bit, states from next to a fold, where a proof decides, to far from it; a block and a rest."""
     rng = np.random.default_rng(11)
     count = 130
@@ -251,6 +251,7 @@ def test_states_and_peaks_of_designs_that_go_together_are_those_of_each_alone(fo
     beside = 10 ** rng.uniform(-15, -1, count) * rng.choice([-1, 1], count)
     Omega = np.where(np.isfinite(fold) & (fold > 0), fold * (1 + beside), rng.uniform(0.1, 2, count))
     together, peaks = designs.amplitudes(Omega=Omega, F_0=F_0), designs.peak(F_0)
+    onsets = designs.saddle_node_onset()
     assert len(set(together.count)) > 1
     for k in range(count):
         one, n = make(**{name: value[k] for name, value in numbers.items()}), together.count[k]
@@ -261,6 +262,9 @@ def test_states_and_peaks_of_designs_that_go_together_are_those_of_each_alone(fo
         if peaks.status[k] == Status.OK:
             peak = one.peak(F_0[k])
             assert (peak.A, peak.Omega) == (peaks.A[k], peaks.Omega[k])
+        if onsets.status[k] == Status.OK:
+            onset = one.saddle_node_onset()
+            assert (onset.F_SN, onset.Omega, onset.A) == (onsets.F_SN[k], onsets.Omega[k], onsets.A[k])
 
 
 @pytest.mark.parametrize("force", ["truncated", "untruncated"])

@@ -44,6 +44,17 @@ typedef struct {
     double Omega[SF_LANE_CELLS]; /* of peaks */
 } sf_lane_zeros;
 
+/* Cells of a first piece in which cusps are looked for: rows of what is known at their ends with h - A h_A behind; m, zeta, and
+ * the forcing above which cusps may be left out; the verdict on each channel (along.h) */
+enum { SF_CUSP_ROWS = 6, SF_CUSP_ASKED_ROWS = 3 };
+typedef struct {
+    int n, of[SF_LANE_CELLS];
+    double low[SF_CUSP_ROWS][SF_LANE_CELLS], high[SF_CUSP_ROWS][SF_LANE_CELLS], asked[SF_CUSP_ASKED_ROWS][SF_LANE_CELLS];
+    double open[2][SF_LANE_CELLS], verdict[2][SF_LANE_CELLS];
+} sf_cusp_cells;
+
+/* The verdicts on the channels that are open. */
+void sf_judge_cusps(sf_cusp_cells *cells);
 /* The verdicts of all cells; places that are left over of a vector are overwritten. */
 void sf_judge_states(sf_lane_cells *cells);
 /* The same of the highest peak, SF_HAS_ONE only of one at which F rises with A. */

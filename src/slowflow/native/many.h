@@ -8,6 +8,7 @@
 
 #include <fenv.h>
 
+#include "many_onsets.h"
 #include "many_peaks.h"
 #include "many_states.h"
 
@@ -139,22 +140,55 @@ static void sf_loop_detachment(char **args, const ptrdiff_t *dimensions, const p
     }
 }
 
+/* Whether designs of a mechanism may go together: what is known of h on a cell, and in pairs. */
+static int sf_goes_in_lanes(const sf_mechanism *mechanism) {
+    return mechanism->bent == NULL && mechanism->averaged_in_pairs != NULL && !mechanism->inertial;
+}
+
+/* The onset of member d, which is design k. */
+static void sf_leave_onset(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_lane_onset *of,
+                           sf_work *work) {
+    sf_onset *found = &of->best;
+    sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
+    sf_exactly exactly;
+    if (of->begun) {
+        status = sf_end_onset(&of->model, of->ok ? &of->cusps : NULL, work, found);
+        if (status == SF_OK)
+            sf_settle_onset(&of->model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, found);
+    }
+    sf_write_onset(args, steps, mechanism->design_size + mechanism->damping_size, k, found, sf_is_rest_below(found), status);
+}
+
 /* design, damping -> F_SN, Omega, A, kind, whether folds that end at Omega = 0 are below it, status */
 static void sf_loop_onsets(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     const sf_mechanism *mechanism = data;
-    const int out = mechanism->design_size + mechanism->damping_size;
+    const sf_onset none = {NAN, NAN, NAN, SF_NO_KIND, HUGE_VAL, 0};
+    const int in_lanes = sf_goes_in_lanes(mechanism);
     sf_work *work = malloc(sizeof *work);
-    ptrdiff_t k;
-    for (k = 0; k < dimensions[0]; k++) {
-        sf_model model;
-        sf_exactly exactly;
-        sf_onset found = {NAN, NAN, NAN, SF_NO_KIND, HUGE_VAL};
-        sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
-        if (work != NULL && sf_design_at(mechanism, args, steps, k, 1, &model))
-            status = sf_settled_onset(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, work,
-                                      &found);
-        sf_write_onset(args, steps, out, k, &found, sf_is_rest_below(&found), status);
+    sf_onset_block *block = malloc(sizeof *block);
+    ptrdiff_t first, k;
+    for (first = 0; first < dimensions[0]; first += SF_ONSET_BLOCK) {
+        const ptrdiff_t end = first + SF_ONSET_BLOCK < dimensions[0] ? first + SF_ONSET_BLOCK : dimensions[0];
+        if (work == NULL || block == NULL) {
+            for (k = first; k < end; k++)
+                sf_write_onset(args, steps, mechanism->design_size + mechanism->damping_size, k, &none, 0, SF_NO_MEMORY);
+            continue;
+        }
+        block->cells[0].n = 0;
+        for (k = first; k < end; k++) {
+            sf_lane_onset *of = &block->at[k - first];
+            of->best = none, of->ok = 0;
+            of->begun = sf_design_at(mechanism, args, steps, k, 1, &of->model);
+            if (of->begun) {
+                sf_begin_onset(&of->model, &of->best);
+                of->ok = in_lanes && sf_begin_cusps(block, (int)(k - first));
+            }
+        }
+        sf_search_cusps(block);
+        for (k = first; k < end; k++)
+            sf_leave_onset(mechanism, args, steps, k, &block->at[k - first], work);
     }
+    free(block);
     free(work);
 }
 
@@ -194,11 +228,6 @@ static int sf_leave_peak(const sf_mechanism *mechanism, char **args, const ptrdi
         return 0;
     sf_write_peak(args, steps, mechanism->design_size + mechanism->damping_size + 1, k, A, Omega, SF_OK);
     return 1;
-}
-
-/* Whether designs of a mechanism may go together: what is known of h on a cell, and in pairs. */
-static int sf_goes_in_lanes(const sf_mechanism *mechanism) {
-    return mechanism->bent == NULL && mechanism->averaged_in_pairs != NULL && !mechanism->inertial;
 }
 
 /* design, damping, F_0 -> A, Omega, status */

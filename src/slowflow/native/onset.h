@@ -45,8 +45,28 @@ static int sf_only_falls(const sf_model *model, const sf_stretch *piece) {
     return first.h.hi <= 0 && cell.h_A.hi < 0;
 }
 
-/* Where the level may be least inside a piece: cusps, isola points, ends. */
-static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf_zeros *zeros, sf_onset *best) {
+/* All cusps of a piece that may be the lowest, each between two amplitudes, on the channel of its number. */
+enum { SF_MOST_CUSPS = 4 };
+typedef struct {
+    int n, channel[SF_MOST_CUSPS];
+    sf_sample low[SF_MOST_CUSPS], high[SF_MOST_CUSPS];
+} sf_cusps_between;
+
+static void sf_find_cusps_between(const sf_asked *asked, const sf_cusps_between *known, sf_zeros *zeros) {
+    int i;
+    for (i = 0; i < known->n; i++) {
+        const sf_search search = {*asked, 0, known->high[i].A, zeros};
+        sf_probe low, high;
+        low.at = known->low[i], high.at = known->high[i];
+        sf_ask(asked, 1 << known->channel[i], &low.at, &low.answer);
+        sf_ask(asked, 1 << known->channel[i], &high.at, &high.answer);
+        sf_find_zero(&search, &low, &high, known->channel[i], 0);
+    }
+}
+
+/* Where the level may be least inside a piece: cusps, isola points, ends. known: its cusps, or NULL */
+static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, const sf_cusps_between *known, sf_zeros *zeros,
+                              sf_onset *best) {
     sf_asked cusps = sf_asked_of(SF_CUSP, model, 0);
     double most = best->F_SN;
     int i;
@@ -59,7 +79,10 @@ static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf
         sf_ask_all(model, SF_ISOLA, 0, piece, zeros);
     }
     cusps.most = sf_inertial(model) ? NULL : &most; /* which is a force */
-    sf_find_zeros(&cusps, piece, zeros);
+    if (known != NULL)
+        sf_find_cusps_between(&cusps, known, zeros);
+    else
+        sf_find_zeros(&cusps, piece, zeros);
     best->undecided |= zeros->undecided;
     for (i = 0; i < zeros->n; i++) {
         const sf_zero *zero = &zeros->at[i];
@@ -153,7 +176,7 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
             if (first->A == 0 && first->h == 0 && piece.last.h_AA == 0 && piece.last.h_AAA == 0 && first->h_AAA == 0)
                 return SF_NONE; /* linear */
             sf_clear_zeros(&work->zeros);
-            sf_consider_piece(model, &piece, &work->zeros, best);
+            sf_consider_piece(model, &piece, NULL, &work->zeros, best);
             if (work->zeros.status != SF_OK)
                 return work->zeros.status;
         }
@@ -318,39 +341,47 @@ static int sf_falls_at_break(const sf_model *model, const sf_onset *best) {
     return 0;
 }
 
-/* The lowest forcing at which folds are born. */
-static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *best) {
-    sf_stretch piece;
-    sf_sample rest;
-    sf_status status;
+/* What is known of the lowest forcing before the pieces are searched: for zeta > 0 that on breakpoints, which leaves less to
+ * search. */
+static void sf_begin_onset(const sf_model *model, sf_onset *best) {
+    sf_sample rest, at, above;
     int k;
     best->F_SN = best->rest = HUGE_VAL;
     best->Omega = best->A = NAN, best->kind = SF_NO_KIND, best->undecided = 0;
     sf_sample_at(model, 0, &rest);
+    if (model->zeta == 0)
+        return;
+    if (rest.h < 0) /* R, -preload next to A = 0, vanishes at frequencies that tend to infinity there, and F_0 tends to m */
+        best->rest = model->m;
+    for (k = 0; k < model->breaks; k++) {
+        sf_sample_at(model, model->b[k], &at);
+        above = at;
+        sf_tend_from_above(model, k, &above);
+        if (sf_inertial(model))
+            sf_consider_inertial(model, &at, model->jump[k], best);
+        else if (model->jump[k] != 0)
+            sf_consider_jump(model, &at, model->jump[k], best);
+        else
+            sf_consider_bend(model, &at, &above, best);
+    }
+}
+
+/* The lowest forcing at which folds are born, from there. known: the cusps of the first piece, or NULL */
+static sf_status sf_end_onset(const sf_model *model, const sf_cusps_between *known, sf_work *work, sf_onset *best) {
+    sf_stretch piece;
+    sf_status status;
+    int k;
     if (model->zeta == 0) {
         status = sf_onset_undamped(model, work, best);
         if (best->kind == SF_NO_KIND)
             best->F_SN = best->Omega = best->A = NAN;
         return status;
     }
-    if (rest.h < 0) /* R, -preload next to A = 0, vanishes at frequencies that tend to infinity there, and F_0 tends to m */
-        best->rest = model->m;
-    for (k = 0; k < model->breaks; k++) { /* first what leaves less to search */
-        sf_sample_at(model, model->b[k], &piece.last);
-        piece.first = piece.last;
-        sf_tend_from_above(model, k, &piece.first);
-        if (sf_inertial(model))
-            sf_consider_inertial(model, &piece.last, model->jump[k], best);
-        else if (model->jump[k] != 0)
-            sf_consider_jump(model, &piece.last, model->jump[k], best);
-        else
-            sf_consider_bend(model, &piece.last, &piece.first, best);
-    }
-    piece.first = rest;
+    sf_sample_at(model, 0, &piece.first);
     for (k = 0; k < model->breaks; k++) {
         sf_sample_at(model, model->b[k], &piece.last);
         sf_clear_zeros(&work->zeros);
-        sf_consider_piece(model, &piece, &work->zeros, best);
+        sf_consider_piece(model, &piece, k == 0 ? known : NULL, &work->zeros, best);
         if (work->zeros.status != SF_OK)
             return work->zeros.status;
         piece.first = piece.last;
@@ -370,6 +401,11 @@ static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *b
         return status == SF_OK ? SF_NONE : status;
     }
     return status;
+}
+
+static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *best) {
+    sf_begin_onset(model, best);
+    return sf_end_onset(model, NULL, work, best);
 }
 
 /* ==== Peak ========================================================================================================= */

@@ -143,12 +143,17 @@ static void sf_settle_folds(const sf_exactly *exactly, const sf_model *model, do
     }
 }
 
+static void sf_settle_onset(const sf_model *model, const sf_exactly *exactly, sf_onset *out) {
+    if (out->kind == SF_CUSP_KIND)
+        sf_settle_numbers(slow_flow_pairs_cusp_step, SF_MOVES_ALL, 4, exactly, model, &out->Omega, &out->A, &out->F_SN);
+    if (out->kind == SF_ISOLA_KIND)
+        sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, &out->Omega, &out->A, &out->F_SN);
+}
+
 static sf_status sf_settled_onset(const sf_model *model, const sf_exactly *exactly, sf_work *work, sf_onset *out) {
     const sf_status status = sf_find_onset(model, work, out);
-    if (status == SF_OK && out->kind == SF_CUSP_KIND)
-        sf_settle_numbers(slow_flow_pairs_cusp_step, SF_MOVES_ALL, 4, exactly, model, &out->Omega, &out->A, &out->F_SN);
-    if (status == SF_OK && out->kind == SF_ISOLA_KIND)
-        sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, &out->Omega, &out->A, &out->F_SN);
+    if (status == SF_OK)
+        sf_settle_onset(model, exactly, out);
     return status;
 }
 
