@@ -34,7 +34,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 from flint import arb, ctx
@@ -625,6 +625,14 @@ def in_balls(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: Corner) -> tuple[Regime
     root = sp.Symbol("root", nonnegative=True)
     m = A**2
 
+    def on_circle(value: sp.Expr) -> sp.Expr:
+        """In factors, x^2 + y^2 being 1; what vanishes with y at x = 1 is a power of y."""
+        above, below = sp.fraction(sp.cancel(sp.together(value)))
+        above = sp.Poly(sp.rem(sp.Poly(above, y), sp.Poly(y**2 + x**2 - 1, y)).as_expr(), x)
+        while not above.is_zero and above.rem(sp.Poly(1 - x**2, x)).is_zero:
+            above, below = above.quo(sp.Poly(1 - x**2, x)), below / y**2
+        return sp.factor(above.as_expr() / below)
+
     def regime(inner: sp.Expr, of_linear: sp.Expr, moved: Mapping[sp.Symbol, sp.Expr], lets: Sequence[Let]) -> Regime:
         """h = A (of_linear + inner) with derivatives, by those of the names in it."""
         slopes = [inner]
@@ -634,7 +642,7 @@ def in_balls(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: Corner) -> tuple[Regime
             value = sp.expand(value)
             gathered = [value.coeff(name, 1) for name in (F, D)]
             none = value.subs({F: 0, D: 0})
-            slopes.append(sp.factor(gathered[0]) * F + sp.factor(gathered[1]) * D + sp.factor(none))
+            slopes.append(sp.factor(gathered[0]) * F + sp.factor(gathered[1]) * D + on_circle(none))
         derivatives = [A * (of_linear + inner), of_linear + inner + A * slopes[1]]
         derivatives += [n * slopes[n - 1] + A * slopes[n] for n in range(2, ORDERS + 1)]
         return Regime((), (), tuple(lets), tuple(derivatives), -m * slopes[1])
@@ -670,6 +678,146 @@ def in_balls(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: Corner) -> tuple[Regime
         ),
     )
     return attached_form, detached_form
+
+
+# --- in double-double: the mean with more steps, and the same closed forms ---
+
+#: steps of the mean for 32 digits, up to A = FEW and at any u_cr
+STEPS_CLOSE, STEPS_CLOSE_STEEP = 5, 10
+#: the powers of what Carlson's arguments differ by that his series keep
+KEPT = 7
+
+
+def mean_left_out(steps: int, least: sp.Expr) -> sp.Expr:
+    """What the mean's sums leave out after so many steps, relatively, and its limit, for sqrt(1 - m) >= `least`.
+
+    c_n/a_n falls as sqrt(1 - m) rises, and c_(n+1)/c_n = c_n/(4 a_(n+1)) <= c_n/(2 a_n) with it: so the worst is at
+    the least. The sums are no less than their first terms; what they leave out, 2^n c_n^2 and c_n, falls faster than
+    by halves.
+    """
+    with ctx.workprec(2000):
+        a, b = arb(1), (arb(int((least**2).p)) / int((least**2).q)).sqrt()
+        first = (a - b) / 2
+        for _ in range(steps):
+            c, a, b = (a - b) / 2, (a + b) / 2, (a * b).sqrt()
+        following = c**2 / (4 * a)
+        share = 2 * following / first * 2**steps
+        exponent = int(float(share.upper().log() / arb(2).log())) + 1
+    return sp.Integer(2) ** exponent
+
+
+def attached_closely(a: sp.Expr, b: sp.Expr) -> tuple[Regime, Regime]:
+    """The average where A <= u_cr by the mean, for A <= `FEW` and any; what its sums and its limit leave out."""
+    found = []
+    # at the end sqrt(1 - A^2) is the height of the corner, no less than half an ulp of 1
+    for steps, least in ((STEPS_CLOSE, sp.sqrt(1 - FEW**2)), (STEPS_CLOSE_STEEP, sp.Rational(1, 2**53))):
+        regime, ends, left_out = attached(a, b, steps), ("e", "tau", f"a_{steps}"), mean_left_out(steps, least)
+        found.append(
+            replace(regime, remainders=tuple((name, left_out) for name, _ in regime.lets if name.name in ends))
+        )
+    return found[0], found[1]
+
+
+@dataclass(frozen=True)
+class Parts:
+    """The average where A > u_cr, in closed form and in parts.
+
+    ends     -- A, sqrt(1 - u_cr^2), sine, cosine and angle of where the first piece ends, in `beyond`; with their lets
+    integral -- h, h_A, h_AA, h_AAA and h - A h_A over b of the first piece, without the last piece, in the ends' names
+                and Carlson's integrals of cosine^2, 1 - u_cr^2 and 1
+    whole    -- the same of all of the force, in A and in names for these
+    """
+
+    beyond: sp.Symbol
+    lets: tuple[Let, ...]
+    ends: tuple[sp.Symbol, ...]
+    carlson: tuple[sp.Symbol, sp.Symbol]
+    integral_lets: tuple[Let, ...]
+    integral: tuple[sp.Expr, ...]
+    names: tuple[sp.Symbol, ...]
+    whole: tuple[sp.Expr, ...]
+
+
+def detached_closely(b: sp.Expr, rest: sp.Expr, end: Corner) -> Parts:
+    """As `in_balls` where A > u_cr, with b and the last piece apart: they are no exact numbers."""
+    beyond = sp.Symbol("beyond", nonnegative=True)
+    first, second = sp.symbols("of_first of_second", positive=True)
+    names = sp.symbols("part_0:5", real=True)
+    _, regime = in_balls(sp.Integer(0), sp.Integer(1), sp.Integer(0), end)
+    lets = {name.name: (name, value) for name, value in regime.lets}
+    F, D = lets.pop("F"), lets.pop("D")
+    called = {R_F: first, R_D: second}
+    of_integrals = [
+        (name, value.replace(lambda part: part.func in called, lambda part: called[part.func]))
+        for name, value in (F, D)
+    ]
+    before = [lets[end.name.name], lets["c"], (A, end.name + beyond)]
+    after = [
+        (name, value.subs(A - end.name, beyond) if name.name == "root" else value)
+        for name, value in lets.values()
+        if name not in (end.name, lets["c"][0])
+    ]
+    ends = (A, *(lets[name][0] for name in ("c", "x", "y", "theta")))
+    alone = (-rest * A, -rest, sp.Integer(0), sp.Integer(0), sp.Integer(0))
+    return Parts(
+        beyond,
+        (*before, *after),
+        ends,
+        (first, second),
+        tuple(of_integrals),
+        (*regime.derivatives, regime.intercept),
+        names,
+        tuple(linear + b * name for linear, name in zip(alone, names, strict=True)),
+    )
+
+
+@dataclass(frozen=True)
+class Series:
+    """R_F or R_D of nearly equal arguments, times a power of their mean.
+
+    arguments -- what the first two arguments differ from the mean by
+    lets      -- the elementary symmetric functions of what all of them do
+    symmetric -- their names, from that of degree 2 on
+    first     -- terms of degree 3 and less
+    rest      -- the others
+    """
+
+    name: str
+    power: sp.Rational
+    arguments: tuple[sp.Symbol, sp.Symbol]
+    lets: tuple[Let, ...]
+    symmetric: tuple[sp.Symbol, ...]
+    first: sp.Expr
+    rest: sp.Expr
+
+
+def carlson() -> tuple[Series, Series]:
+    """Both series (DLMF 19.19.7, 19.36.1, 19.36.2).
+
+    R = mean^-a sum over N of (a)_N/(c)_N T_N, where sum T_N t^N = product (1 - t x_i)^(-1/2) over the arguments, each
+    as often as it stands there, c is half their number, and the x_i are what they lack of the mean, over it: their
+    sum is 0.
+    """
+    x, y, z, t = sp.symbols("x y z t", real=True)
+    found = []
+    for name, times, a in (("R_F", 1, sp.Rational(1, 2)), ("R_D", 3, sp.Rational(3, 2))):
+        count = 2 + times
+        all_of_them = [x, y, *[z] * times]
+        symmetric = sp.symbols(f"E2:{count + 1}", real=True)
+        product = sp.expand(sp.prod(1 + t * one for one in all_of_them)).subs(z, -(x + y) / times)
+        values = [sp.expand(product).coeff(t, degree) for degree in range(1, count + 1)]
+        if sp.expand(values[0]) != 0:
+            raise ArithmeticError("what the arguments differ by does not cancel")
+        lets = [(z, -(x + y) / times)]
+        lets += [
+            (symbol, sp.factor(sp.expand(sp.prod(1 + t * one for one in all_of_them)).coeff(t, degree)))
+            for degree, symbol in enumerate(symmetric, start=2)
+        ]
+        below = 1 + sum((-t) ** degree * symbol for degree, symbol in enumerate(symmetric, start=2))
+        terms = sp.expand(sp.series(1 / sp.sqrt(below), t, 0, KEPT + 1).removeO())
+        weights = [sp.rf(a, N) / sp.rf(sp.Rational(count, 2), N) * terms.coeff(t, N) for N in range(KEPT + 1)]
+        found.append(Series(name, -a, (x, y), tuple(lets), symmetric, sum(weights[:4]), sp.expand(sum(weights[4:]))))
+    return found[0], found[1]
 
 
 def at_rest(piece: sp.Expr) -> tuple[sp.Expr, ...]:

@@ -230,7 +230,8 @@ def test_a_double_state_that_is_exact_stays_undecided_in_words():
 
 def test_without_flint_the_answer_says_how_to_have_it(monkeypatch):
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    proof = proofs.saddle_nodes(untruncated(UNTRUNCATED[0]).model, 0.04, np.empty(0))
+    iso = untruncated(UNTRUNCATED[0])
+    proof = proofs.saddle_nodes(iso.model, float(np.nextafter(iso.saddle_node_onset().F_SN, 1)), np.empty(0))
     assert not proof.proved
     assert words.NO_BALLS in proof.message
 

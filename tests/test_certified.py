@@ -16,8 +16,9 @@ import pytest
 
 from slowflow import Duffing, Isolator, backend, cli
 from slowflow.averaged import proofs, solvers, words
+from slowflow.averaged.balls.given import Given, averages_of
 from slowflow.paper import example
-from tests.native.intervals import ELEMENTARY, OPERATIONS, Intervals
+from tests.native.intervals import ELEMENTARY, HELD, OPERATIONS, Intervals
 from tests.oracles import averaged
 
 DATA = Path(__file__).parent / "data"
@@ -218,8 +219,8 @@ def test_where_there_is_no_proof_the_answer_says_why():
     if backend.SOLVER is None:
         assert proofs.folds_in_doubles(iso.model, 0.04, NOWHERE).message == words.NO_SOLVERS
         return
-    untruncated = iso.replace(force="untruncated").model
-    assert proofs.folds_in_doubles(untruncated, 0.04, NOWHERE).message == words.NO_INTERVALS
+    on_a_base = iso.replace(excitation="base").model
+    assert proofs.folds_in_doubles(on_a_base, 0.04, NOWHERE).message == words.NO_INTERVALS
     undamped = iso.replace(zeta=0.0).certify(0.04)
     assert undamped.saddle_node_onset.message == words.OF_NO_LOWEST[True]
     assert not undamped.saddle_nodes.bounded
@@ -399,6 +400,79 @@ def test_averages_on_intervals_hold_their_balls(intervals):
                 intervals.known("rod_spring", design, 1, share * u_cr), (*h, h[0] - A * h[1], A), strict=True
             ):
                 assert flint.arb(low) <= value <= flint.arb(high)
+
+
+@pytest.mark.parametrize("name", HELD)
+def test_a_number_that_knows_how_far_it_is_off_holds_the_exact_result(intervals, name):
+    """Of exact pairs, and of some that are off, at both ends; exact ones lose no more than a few units in 2^-100."""
+    rng, count = np.random.default_rng(5), 1500
+    positive = name in ("sqrt", "atan2", "R_F", "R_D")
+    high = (1 if positive else rng.choice([-1, 1], (count, 3))) * 10.0 ** rng.uniform(-6, 6, (count, 3))
+    high[::5, 1] = high[::5, 0] * (
+        1 + rng.choice([-1, 1], len(high[::5])) * 2.0 ** rng.uniform(-52, -1, len(high[::5]))
+    )
+    if name.startswith("R_"):
+        high, high[:, 2] = 10.0 ** rng.uniform(-4, 0, (count, 3)), 1.0
+        high[::7, 0] = 0
+    low = high * rng.uniform(-1, 1, (count, 3)) * 2.0**-54
+    off = np.abs(high) * 2.0 ** rng.uniform(-110, -2, (count, 3)) * (np.arange(count)[:, None] % 2)
+    found = intervals.operate_held(name, np.stack([high, low, off], axis=2).reshape(count, 9))
+    known = 0
+    with flint.ctx.workprec(400):
+        for numbers, (middle, rest, radius, least, most) in zip(
+            np.stack([high, low, off], axis=2).tolist(), found.tolist(), strict=True
+        ):
+            if not radius < math.inf:
+                assert (least, most) == (-math.inf, math.inf)
+                continue
+            known += 1
+            for side in (-1, 1) if numbers[2][2] else (0,):
+                x, y, z = (flint.arb(one[0]) + flint.arb(one[1]) + side * flint.arb(one[2]) for one in numbers)
+                exact = {
+                    "add": lambda x, y, z: x + y,
+                    "sub": lambda x, y, z: x - y,
+                    "mul": lambda x, y, z: x * y,
+                    "div": lambda x, y, z: x / y,
+                    "square": lambda x, y, z: x * x,
+                    "sqrt": lambda x, y, z: x.sqrt(),
+                    "atan2": lambda x, y, z: flint.arb.atan2(x, y),
+                    "tenth": lambda x, y, z: flint.arb(0.1) * x,
+                    "R_F": lambda x, y, z: flint.acb.elliptic_rf(x, y, z).real,
+                    "R_D": lambda x, y, z: flint.acb.elliptic_rd(x, y, z).real,
+                }[name](x, y, z)
+                if not exact.is_finite():
+                    continue
+                assert abs(exact - flint.arb(middle) - flint.arb(rest)) <= flint.arb(radius)
+                assert flint.arb(least) <= exact <= flint.arb(most)
+                if side == 0:
+                    size = abs(x) + abs(y) if name in ("add", "sub") else abs(exact)
+                    assert flint.arb(radius) <= size * flint.arb(2) ** -88
+    assert known > 0.8 * count
+
+
+def test_averages_of_the_force_that_is_not_truncated_on_intervals_hold_their_balls(intervals):
+    """Against closed forms in balls; narrow at both ends, and next to A = 1, where the forms divide by 0."""
+    rng, widest = np.random.default_rng(13), 0.0
+    for k in range(80):
+        delta_h = 10 ** rng.uniform(-5, -0.005) if k % 2 else 1 - 10 ** rng.uniform(-9, -1)
+        design = {"lam": float(rng.integers(1, 5)), "r": 10 ** rng.uniform(-1, 1), "delta_h": delta_h}
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            model = Isolator(**design, mu=0.0, zeta=0.01, force="untruncated").model
+        u_cr = math.sqrt(delta_h * (2 - delta_h))
+        shares = [(0, share) for share in (1e-4, 0.3, 0.699 / u_cr, 0.9, 1 - 1e-12) if share < 1]
+        shares += [(1, share) for share in (1e-60, 1e-18, 1e-9, 1e-3, 0.2, abs(1.001 / u_cr - 1) + 1e-6, 9.0, 1e3)]
+        with flint.ctx.workprec(300):
+            given = Given(model, averages_of(model.mechanism))
+            for piece, share in shares:
+                held = given.at(piece, flint.arb(share * u_cr))
+                found = intervals.known("rod_spring_untruncated", tuple(design.values()), piece, share * u_cr)
+                for (low, high), ball in zip(found, (held.h, held.h_A, held.h_AA, held.h_AAA, held.k), strict=False):
+                    assert flint.arb(low) <= ball.lo
+                    assert ball.hi <= flint.arb(high)
+                    if share <= 1e3 and delta_h < 0.9:
+                        widest = max(widest, float((high - low) / abs(ball.lo)))
+    assert widest < 1e-7
 
 
 @pytest.mark.parametrize("name", ELEMENTARY)

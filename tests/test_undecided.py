@@ -285,8 +285,7 @@ def test_a_batch_of_proofs_is_that_of_single_ones():
             assert folds.status[i, j] == (Status.STICKS if one.model.sticks(float(F_0[i, 0])) else Status.OK)
             at = proofs.amplitudes(one.model, float(Omega[j]), float(F_0[i, 0]))
             assert (states.proved[i, j], states.count[i, j], states.bits[i, j]) == (at.proved, len(at.A), at.bits)
-        by_doubles = force == "truncated" and backend.SOLVER is not None
-        assert ((folds.bits == DOUBLES) == by_doubles).all()
+        assert ((folds.bits == DOUBLES) == (backend.SOLVER is not None)).all()
     assert (Isolator.many(**numbers).certify(-1.0).status == Status.INVALID).all()
     assert (Isolator.many(**numbers).certify(0.04, Omega=np.array([0.0, np.inf])).status == Status.INVALID).all()
 
@@ -311,5 +310,6 @@ def test_a_batch_says_of_what_doubles_leave_undecided_what_balls_prove():
 
 def test_a_batch_without_flint_is_that_of_doubles(monkeypatch):
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    found = Isolator.many(lam=3.0, r=[2.0], delta_h=0.08, mu=0.01, zeta=0.02, force="untruncated").certify(0.04)
-    assert (found.proved, found.bits, found.status) == (0, DOUBLES, Status.UNRESOLVED)
+    iso = Duffing(1.0, 2.0, mu=0.01, zeta=0.02)
+    found = batch(Duffing, (1.0, 2.0, 0.01, 0.02)).certify([np.nextafter(iso.saddle_node_onset().F_SN, 1)])
+    assert (found.proved, found.bits) == (0, DOUBLES)

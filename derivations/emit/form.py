@@ -299,6 +299,7 @@ class Module:
     cells      -- kernels that are wanted on intervals, and nowhere on doubles
     settled    -- kernels that are wanted in double-double only
     balls      -- kernels that are wanted in balls only
+    held       -- kernels that are wanted in double-double with a bound of their error, and in no other way
     native     -- whether its loops over arrays are compiled into the package
     in_c       -- whether anything in C calls it: loops over arrays, or a solver
     sums       -- averages by quadrature
@@ -319,6 +320,7 @@ class Module:
     cells: tuple[Kernel, ...] = ()
     settled: tuple[Kernel, ...] = ()
     balls: tuple[Kernel, ...] = ()
+    held: tuple[Kernel, ...] = ()
     native: bool = True
     in_c: bool = True
     sums: tuple[Sums, ...] = ()

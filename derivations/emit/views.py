@@ -141,6 +141,7 @@ def programs(module: Module) -> Code:
             *module.cells,
             *module.settled,
             *module.balls,
+            *module.held,
             *(module.enclosed.kernels if module.enclosed else ()),
         )
     }

@@ -22,6 +22,9 @@
 #include "duffing_pairs.h"
 #include "rod_spring_intervals.h"
 #include "rod_spring_pairs.h"
+#include "rod_spring_untruncated_intervals.h"
+#include "rod_spring_untruncated_pairs.h"
+#include "rod_spring_untruncated_held.h"
 
 /* mu, zeta -> m, zeta */
 static int records_damping_of(const double *given, double *damping)
@@ -655,6 +658,71 @@ static void rod_spring_untruncated_record_by_design(const double *design, double
     rod_spring_untruncated_by_design(design[0], design[1], design[2], out);
 }
 
+static void rod_spring_untruncated_record_parameters_within(const double *design, sf_interval *p)
+{
+    rod_spring_untruncated_intervals_given(sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]), p);
+}
+
+/* What stands for its average where A exceeds the breakpoint, by so much, `parts` of them. */
+static void rod_spring_untruncated_record_parts(sf_held beyond, const sf_held *p, sf_held *out)
+{
+    sf_held ends[5];
+    held_carlson integrals;
+    rod_spring_untruncated_held_ends(beyond, p, ends);
+    integrals = held_carlson_of(sfh_square(ends[3]), sfh_square(ends[1]), sfh_point(1));
+    rod_spring_untruncated_held_parts(ends[0], ends[1], ends[2], ends[3], ends[4], integrals.R_F, integrals.R_D, out);
+}
+
+/* h, h_A, h_AA, h_AAA and h - A h_A */
+static void rod_spring_untruncated_record_averaged_within(int passed, sf_interval A, sf_interval beyond,
+                                                           const sf_interval *p, sf_interval *out)
+{
+    sf_held parts[5], parameters[SF_MOST_PARAMETERS];
+    sf_interval part[5];
+    int i;
+    if (passed == 0) {
+        if (A.hi <= 0.69999999999999996)
+            rod_spring_untruncated_intervals_attached(A, p, out);
+        else
+            rod_spring_untruncated_intervals_attached_steep(A, p, out);
+        return;
+    }
+    for (i = 0; i < 3; i++)
+        parameters[i] = sfh_within(p[i]);
+    rod_spring_untruncated_record_parts(sfh_within(beyond), parameters, parts);
+    for (i = 0; i < 5; i++)
+        part[i] = sfh_interval(parts[i]);
+    rod_spring_untruncated_intervals_detached(A, part[0], part[1], part[2], part[3], part[4], p, out);
+}
+
+
+static void rod_spring_untruncated_record_parameters_in_pairs(const double *design, sf_pair *p)
+{
+    rod_spring_untruncated_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), p);
+}
+
+/* h, h_A, h_AA, h_AAA, as many as are wanted: fewer take less time */
+static void rod_spring_untruncated_record_averaged_in_pairs(int passed, int wanted, sf_pair A, sf_pair beyond, const sf_pair *p,
+                                                    sf_pair *out)
+{
+    sf_pair all[5];
+    int i;
+    (void)(wanted);
+    if (passed == 0 && A.high < 0.69999999999999996) {
+        rod_spring_untruncated_pairs_attached(A, p, all);
+    } else if (passed == 0) {
+        rod_spring_untruncated_pairs_attached_steep(A, p, all);
+    } else {
+        sf_held parts[5], parameters[SF_MOST_PARAMETERS];
+        for (i = 0; i < 3; i++)
+            parameters[i] = sfh_of(p[i], 0);
+        rod_spring_untruncated_record_parts(sfh_of(beyond, 0), parameters, parts);
+        rod_spring_untruncated_pairs_detached(A, parts[0].x, parts[1].x, parts[2].x, parts[3].x, parts[4].x, p, all);
+    }
+    for (i = 0; i < 4; i++)
+        out[i] = all[i];
+}
+
 _Static_assert(3 <= SF_MOST_DESIGN && 3 <= SF_MOST_PARAMETERS && 1 <= SF_MOST_BREAKS,
                "rod_spring_untruncated needs higher limits in mechanism.h");
 static const sf_mechanism rod_spring_untruncated_record = {
@@ -680,6 +748,13 @@ static const sf_mechanism rod_spring_untruncated_record = {
     .dissipation = records_dissipation,
     .level = records_level,
     .mean_offset = records_centred,
+    .parameters_within = rod_spring_untruncated_record_parameters_within,
+    .averaged_within = rod_spring_untruncated_record_averaged_within,
+    .ends_within = rod_spring_untruncated_intervals_breakpoints,
+    .kinks_within = rod_spring_untruncated_intervals_kinks,
+    .parameters_in_pairs = rod_spring_untruncated_record_parameters_in_pairs,
+    .averaged_in_pairs = rod_spring_untruncated_record_averaged_in_pairs,
+    .ends_in_pairs = rod_spring_untruncated_pairs_breakpoints,
 };
 
 static const sf_mechanism *const records[] = {

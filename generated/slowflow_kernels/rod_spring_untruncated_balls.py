@@ -25,6 +25,16 @@ __all__ = [
 ]
 
 
+def breakpoints(alpha, beta, delta_h):
+    """The |u| at which a piece of the force ends.
+
+    Equation (5). Domain: any parameters.
+    """
+    return (
+        (-delta_h**2 + 2.0 * delta_h).sqrt(),
+    )
+
+
 def given(lam, r, delta_h):
     """The parameters from the design, and what the force loses at each breakpoint.
 
@@ -36,16 +46,6 @@ def given(lam, r, delta_h):
         -0.5 * t0 * (delta_h - 1.0),
         delta_h,
         0.0,
-    )
-
-
-def breakpoints(alpha, beta, delta_h):
-    """The |u| at which a piece of the force ends.
-
-    Equation (5). Domain: any parameters.
-    """
-    return (
-        (-delta_h**2 + 2.0 * delta_h).sqrt(),
     )
 
 
@@ -132,72 +132,52 @@ def _known_passed_1(A, beyond, alpha, beta, delta_h):
     x3 = x * x2
     D = (arb(1) / 3) * (x3 * R_D(y2, t1, 1.0))
     t2 = 1.0 / c
-    t3 = (1 / arb.pi()) * beta
-    t4 = 8.0 * t3
-    t5 = t4 * (-D + 0.5 * t2 * (theta - x * y)) - 1.0
-    t6 = F * t4
-    t7 = A + 1.0
-    t8 = A - 1.0
-    t9 = t0 / (t7 * t8)
+    t3 = x * y
+    t4 = (1 / arb.pi()) * beta
+    t5 = 8.0 * t4
+    t6 = t5 * (-D + 0.5 * t2 * (-t3 + theta)) - 1.0
+    t7 = F * t5
+    t8 = A + 1.0
+    t9 = A - 1.0
+    t10 = t0 / (t8 * t9)
+    t11 = t10 * t5
+    t12 = t2 * t3
     A2 = A**2
-    t10 = D * (A2 - 2.0)
-    t11 = t4 * t9
-    t12 = t2 * t3 * x
-    t13 = 4.0 * t12
-    t14 = -x2
-    t15 = A2 * x2
-    t16 = A2 * y2
-    t17 = (-A2 + t14 + t15 + t16 - 3.0 * y2 + 1.0) / y
-    t18 = t10 * t11 + t13 * t17 * t9 + t6 * t9
-    t19 = 16.0 * t3
-    t20 = t19 * t9
-    t21 = 5.0 * A2
-    t22 = t7**2
-    t23 = t8**2
-    t24 = 1.0 / (A2 * t22 * t23)
-    t25 = t24 * (t21 - 3.0)
+    t13 = D * (A2 - 2.0)
+    t14 = t10 * t7 - t11 * t12 + t11 * t13
+    t15 = 16.0 * t4
+    t16 = t10 * t15
+    t17 = 5.0 * A2
+    t18 = t9**2
+    t19 = t8**2
+    t20 = 1.0 / (A2 * t18 * t19)
+    t21 = t20 * (t17 - 3.0)
     A4 = A2**2
-    t26 = D * t24 * (A4 - t21 + 3.0)
-    x4 = x2**2
-    y4 = y2**2
-    t27 = A4 * x4
-    t28 = A2 * x4
-    t29 = A2 * y4
-    t30 = A4 * x2
-    t31 = 2.0 * A4
-    t32 = x2 * y2
-    t33 = t15 * y2
-    t34 = t30 * y2
-    y3 = y * y2
-    t35 = (
-        t24 * (t14 + 2.0 * t15 + 6.0 * t16 + t27 - 2.0 * t28 - 16.0 * t29 - t30 - t31 * y2 + t31 * y4 + 5.0 * t32 -
-        10.0 * t33 + 5.0 * t34 + x4 - 4.0 * y2 + 10.0 * y4) / y3
-    )
-    t36 = t22 * t7
-    t37 = t23 * t8
+    t22 = 3.0 - t17
+    t23 = D * t20 * (A4 + t22)
+    t24 = A4 * x2
+    t25 = A2 * x2
+    t26 = t2 * x
+    t27 = t20 * t26 * (t22 + t24 + 4.0 * t25 - 3.0 * x2) / y
+    t28 = 24.0 * t4
+    t29 = -31.0 * A2 + 27.0 * A4 + 12.0
+    t30 = t18 * t9
+    t31 = t19 * t8
     A3 = A * A2
-    t38 = 1.0 / (A3 * t36 * t37)
+    t32 = 1.0 / (A3 * t30 * t31)
     A6 = A3**2
-    t39 = 6.0 * A6
-    t40 = 3.0 * x4
-    x6 = x3**2
-    t41 = 3.0 * x6
-    y6 = y3**2
-    t42 = 9.0 * x6
-    t43 = 27.0 * x2 * y4
-    t44 = 12.0 * x4 * y2
-    t45 = 81.0 * y4
-    y5 = y * y4
+    t33 = 6.0 * A6
+    t34 = t32 * t5
+    x4 = x2**2
+    y3 = y * y2
     return (
-        A * t5,
-        A * t18 + t5,
-        A * (-t13 * t35 - t19 * t26 - t25 * t6) + F * t20 + t10 * t20 + t11 * t17 * t2 * x,
-        A * (D * t38 * t4 * (65.0 * A2 - 55.0 * A4 + t39 - 24.0) + t13 * t38 * (A2 * t42 + 112.0 * A2 * y6 - A4 *
-        t42 + 38.0 * A4 * y4 - 92.0 * A4 * y6 - 7.0 * A6 * t32 - A6 * t40 + A6 * t41 + A6 * t43 + A6 * t44 + t15 *
-        t45 + 36.0 * t16 * x4 - 36.0 * t27 * y2 + 9.0 * t27 - 9.0 * t28 - 50.0 * t29 - t30 * t45 + 9.0 * t32 - 25.0
-        * t33 + 23.0 * t34 - t39 * y4 + t39 * y6 + t40 - t41 - t43 - t44 + 18.0 * y4 - 42.0 * y6) / y5 + t38 * t6 *
-        (-31.0 * A2 + 27.0 * A4 + 12.0)) - 24.0 * F * t25 * t3 - 12.0 * t12 * t35 - 48.0 * t26 * t3,
-        -A2 * t18,
+        A * t6,
+        A * t14 + t6,
+        A * (-t15 * t23 - t21 * t7 - t27 * t5) + F * t16 - t12 * t16 + t13 * t16,
+        A * (D * t34 * (65.0 * A2 - 55.0 * A4 + t33 - 24.0) - t26 * t34 * (-29.0 * A2 * x4 + 19.0 * A4 * x4 - 7.0 *
+        A6 * x2 - 44.0 * t24 + 59.0 * t25 + t29 + t33 * x4 - 24.0 * x2 + 12.0 * x4) / y3 + t29 * t32 * t7) - F * t21
+        * t28 - 48.0 * t23 * t4 - t27 * t28,
+        -A2 * t14,
     )
 
 

@@ -17,10 +17,12 @@ ELEMENTARY = (
     *("asin", "acos", "atan", "asinh", "acosh", "atanh", "power"),
 )
 OPERATIONS = ("add", "sub", "mul", "div", "square", "sqrt", "atan2", "tenth")
+#: on pairs that know how far they may be off
+HELD = (*OPERATIONS, "R_F", "R_D")
 
 
 class Intervals:
-    """operate(name, pairs of intervals (n, 4)) and known(mechanism, design, piece, beyond), each with bounds."""
+    """operate(name, pairs of intervals (n, 4)), operate_held, known(mechanism, design, piece, beyond)."""
 
     def __init__(self, directory: Path) -> None:
         library = directory / "intervals.so"
@@ -38,6 +40,13 @@ class Intervals:
         self.loaded.operate(
             (*OPERATIONS, *ELEMENTARY).index(name), ctypes.c_long(len(pairs)), _pointer(pairs), _pointer(out)
         )
+        return out
+
+    def operate_held(self, name: str, numbers: np.ndarray) -> np.ndarray:
+        """Three numbers (n, 9), each a pair and what it may be off, to one with the doubles around it (n, 5)."""
+        numbers = np.ascontiguousarray(numbers, dtype=np.float64)
+        out = np.empty((len(numbers), 5))
+        self.loaded.operate_held(HELD.index(name), ctypes.c_long(len(numbers)), _pointer(numbers), _pointer(out))
         return out
 
     def known(self, mechanism: str, design: Sequence[float], piece: int, beyond: float) -> np.ndarray:

@@ -75,6 +75,8 @@ def mechanism_module(mechanisms: Mapping[str, OfMechanism], name: str, flow: Mod
             *resultant_kernels(derived),
         ),
         cells=cell_kernels(derived),
+        settled=closely(derived),
+        held=held_kernels(derived),
         balls=ball_kernels(derived),
         selections=(*averages.selections, *selections(averages, compiled=not is_spelled_out(derived))),
         compositions=tuple(compositions(flow, mechanism, averages.pair, compiled=not is_spelled_out(derived)))
@@ -106,11 +108,6 @@ class Averages:
     @property
     def _named(self) -> tuple[Kernel | Selection, ...]:
         return self.whole, self.pair, self.beside, self.intercept
-
-
-def is_enclosed(derived: OfMechanism) -> bool:
-    """Whether its kernels hold on intervals: not where an average is an algorithm that only approaches it."""
-    return not is_spelled_out(derived)
 
 
 def is_spelled_out(derived: OfMechanism) -> bool:
@@ -221,8 +218,6 @@ def cell_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
 
     What it loses is a difference of larger numbers in the parameters, but not in the design: a number of its own.
     """
-    if not is_enclosed(derived):
-        return ()
     whole, mechanism = derived.whole, derived.oscillator.mechanism
     design = tuple(parameter.symbol for parameter in mechanism.design)
     named = tuple(sp.Symbol(f"jump_{k}", real=True) for k in range(1, len(whole.breakpoints) + 1))
@@ -233,6 +228,18 @@ def cell_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
         for end, jump in zip(whole.breakpoints, whole.jumps, strict=True)
     ]
     parameters = mechanism.parameters
+    given = plain(
+        "given",
+        design,
+        (*(name if name in whole.breakpoints else values[name] for name in parameters), *lost),
+        "The parameters from the design, and what the force loses at each breakpoint.",
+        "(5)-(7)",
+        "any design",
+        lets=ends,
+        paired=True,
+    )
+    if is_spelled_out(derived):
+        return given, kink_kernel(derived), *closely(derived)
     regimes = [(form, average(whole.pieces, whole.breakpoints, *form[2:], named)) for form in forms(whole.breakpoints)]
     cases = tuple(
         Branch(
@@ -246,16 +253,7 @@ def cell_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
         for (name, guards, passed, _), regime in regimes
     )
     return (
-        plain(
-            "given",
-            design,
-            (*(name if name in whole.breakpoints else values[name] for name in parameters), *lost),
-            "The parameters from the design, and what the force loses at each breakpoint.",
-            "(5)-(7)",
-            "any design",
-            lets=ends,
-            paired=True,
-        ),
+        given,
         replace(
             averaged_kernel(derived, "known", (*OF_H, "h - A h_A"), cases),
             arguments=(A, *parameters, *named),
@@ -265,44 +263,103 @@ def cell_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
     )
 
 
-def ball_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
-    """What a proof asks for where an average is an algorithm that only approaches it: closed forms, for balls."""
-    if is_enclosed(derived):
+def pieces_of(derived: OfMechanism) -> tuple[sp.Expr, sp.Expr, sp.Expr, elliptic.Corner]:
+    """Of a force that is not truncated: a, b of its first piece, its second's slope, and where the first ends."""
+    ((name, value),) = derived.oscillator.breakpoints.items()
+    (a, b), (rest, _) = (parts(piece) for piece in derived.whole.pieces)
+    return a, b, rest, elliptic.corner(name, value)
+
+
+def closely(derived: OfMechanism) -> tuple[Kernel, ...]:
+    """The average of a force that is not truncated, piece by piece: on intervals, and in double-double."""
+    if not is_spelled_out(derived):
         return ()
-    dimensionless, whole = derived.oscillator, derived.whole
-    mechanism = dimensionless.mechanism
-    parameters = mechanism.parameters
-    values = definitions_of(derived)
-    ((name, value),) = dimensionless.breakpoints.items()
-    (a, b), (rest, _) = (parts(piece) for piece in whole.pieces)
-    end, height = elliptic.corner(name, value), sp.Symbol("c", positive=True)
-    regimes = elliptic.in_balls(a, b, rest, end)
-    cases = tuple(
-        Branch(f"passed_{passed}", ((A, name),), regime.lets, (*regime.derivatives, regime.intercept), passed=passed)
-        for passed, regime in enumerate(regimes)
+    a, b, rest, end = pieces_of(derived)
+    of_parts = elliptic.detached_closely(b, rest, end)
+    known = averaged_kernel(derived, "attached", (*OF_H, "h - A h_A"), ())
+    below = f"{known.doc} Where A does not exceed the breakpoint"
+    few, steep = (
+        Branch("", (), regime.lets, (*regime.derivatives, regime.intercept), remainders=regime.remainders)
+        for regime in elliptic.attached_closely(a, b)
     )
-    below, above = (sp.diff(piece, u).subs(elliptic.ROOT, height).subs(u, name) for piece in whole.pieces)
+    return (
+        replace(known, branches=(few,), doc=f"{below}, nor {elliptic.FEW}."),
+        replace(known, name="attached_steep", branches=(steep,), doc=f"{below}."),
+        plain(
+            "detached",
+            (A, *of_parts.names, *derived.oscillator.mechanism.parameters),
+            of_parts.whole,
+            "The same where it does, from the parts.",
+            known.equation,
+            known.domain,
+            parameters=known.parameters,
+        ),
+    )
+
+
+def held_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
+    """What of it is computed to more digits: where A exceeds the breakpoint, in closed form."""
+    if not is_spelled_out(derived):
+        return ()
+    _, b, rest, end = pieces_of(derived)
+    of_parts = elliptic.detached_closely(b, rest, end)
+    parameters = derived.oscillator.mechanism.parameters
     return (
         plain(
-            "given",
-            tuple(parameter.symbol for parameter in mechanism.design),
-            (*(values[parameter] for parameter in parameters), *whole.jumps),
-            "The parameters from the design, and what the force loses at each breakpoint.",
-            "(5)-(7)",
-            "any design",
-        ),
-        plain(
-            "breakpoints", parameters, (value,), "The |u| at which a piece of the force ends.", "(5)", "any parameters"
-        ),
-        plain(
-            "kinks",
-            parameters,
-            (below - above,),
-            "What the slope of the force loses at each breakpoint.",
+            "ends",
+            (of_parts.beyond, *parameters),
+            of_parts.ends,
+            "A; sqrt(1 - u_cr^2); sine, cosine and angle of where the first piece ends.",
             "(5)",
-            "any parameters",
-            lets=((name, value), (height, end.height)),
+            "beyond > 0",
+            lets=of_parts.lets,
+            parameters=len(parameters),
         ),
+        plain(
+            "parts",
+            (*of_parts.ends, *of_parts.carlson),
+            of_parts.integral,
+            "The average without the last piece, over b: h, h_A, h_AA, h_AAA, h - A h_A by Carlson's integrals.",
+            "(20)-(22), (31)",
+            "A > u_cr",
+            lets=of_parts.integral_lets,
+        ),
+    )
+
+
+def kink_kernel(derived: OfMechanism) -> Kernel:
+    """What the slope of a force that is not truncated loses where its springs leave."""
+    *_, end = pieces_of(derived)
+    height = sp.Symbol("c", positive=True)
+    below, above = (sp.diff(piece, u).subs(elliptic.ROOT, height).subs(u, end.name) for piece in derived.whole.pieces)
+    parameters = derived.oscillator.mechanism.parameters
+    return plain(
+        "kinks",
+        parameters,
+        (below - above,),
+        "What the slope of the force loses at each breakpoint.",
+        "(5)",
+        "any parameters",
+        lets=((end.name, end.value), (height, end.height)),
+        parameters=len(parameters),
+        paired=True,
+    )
+
+
+def ball_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
+    """What a proof asks for where an average is an algorithm that only approaches it: closed forms, for balls."""
+    if not is_spelled_out(derived):
+        return ()
+    whole, parameters = derived.whole, derived.oscillator.mechanism.parameters
+    a, b, rest, end = pieces_of(derived)
+    regimes = elliptic.in_balls(a, b, rest, end)
+    cases = tuple(
+        Branch(
+            f"passed_{passed}", ((A, end.name),), regime.lets, (*regime.derivatives, regime.intercept), passed=passed
+        )
+        for passed, regime in enumerate(regimes)
+    )
+    return (
         plain(
             "at_rest",
             parameters,
@@ -479,7 +536,7 @@ def data_kernels(derived: OfMechanism) -> list[Kernel]:
     ):
         kernel = plain(name, parameters, values, doc, equation, "any parameters", parameters=count)
         kernel = replace(kernel, looped=name != "steps")
-        exact = name == "breakpoints" and bool(values) and is_enclosed(derived)
+        exact = name == "breakpoints" and bool(values)
         kernels.append(replace(kernel, enclosed=exact, paired=exact))
     return kernels
 

@@ -116,7 +116,7 @@ static void sf_certify_corners(const sf_given *given, const sf_terms *terms, sf_
         sf_roots roots;
         sf_cell on;
         const sf_interval b = given->b[k], jump = given->jump[k];
-        if (jump.lo == 0 && jump.hi == 0)
+        if (sf_is_continuous_at(given, k))
             continue;
         if (b.lo > out->A_max)
             return;
@@ -328,16 +328,16 @@ static void sf_enter_cusp(const sf_terms *terms, const sf_cell *on, int channel,
     sf_enter(list, sfi_both(cusp.level, sf_level_on(terms, Omega, on)), Omega, on->A, SF_CUSP_KIND, sf_sign_of(bend));
 }
 
-/* Minima on breakpoint k, where the force jumps: see sf_consider_jump. */
+/* Minima on breakpoint k, where the force jumps, see sf_consider_jump, or its slope: there the locus bends and does no more. */
 static void sf_enter_corners(const sf_given *given, const sf_terms *terms, int k, sf_candidates *list) {
     const sf_interval b = given->b[k];
-    const int J = sf_sign_of(given->jump[k]);
+    const int jumps = !sf_is_continuous_at(given, k), J = sf_sign_of(jumps ? given->jump[k] : given->kink[k]);
     sf_cell on;
     sf_at_amplitude q;
     sf_roots roots;
     int i;
     sf_breakpoint_on(given, k, &on);
-    if (on.h.lo < 0 && J <= 0) {
+    if (jumps && on.h.lo < 0 && J <= 0) {
         const sf_interval Omega = slow_flow_intervals_backbone(b, on.h);
         sf_enter(list, sf_level_on(terms, Omega, &on), Omega, b, SF_CORNER_KIND, on.h.hi < 0 ? -J : 0);
     }
@@ -353,6 +353,8 @@ static void sf_enter_corners(const sf_given *given, const sf_terms *terms, int k
         const int sign = falls < 0 || turns < 0 ? -1 : falls * turns;
         sf_enter(list, sf_level_on(terms, w, &on), w, b, SF_CORNER_KIND, roots.doubtful[i] ? 0 : sign);
     }
+    if (!jumps)
+        return;
     q.of = SF_ROOTS_OF_F_OMEGA;
     sf_prove_roots(&q, &roots);
     list->full |= roots.full;

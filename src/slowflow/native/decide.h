@@ -46,7 +46,7 @@ static int sf_are_corners_close(const sf_model *model, const sf_given *given, do
     for (k = 0; k < model->breaks && model->b[k] < work->A_max; k++) {
         const double J = model->jump[k];
         /* a jump that is 0 by rounding is none only if the force as it was given has none */
-        const int is_none = J == 0 && (given == NULL || (given->jump[k].lo == 0 && given->jump[k].hi == 0));
+        const int is_none = J == 0 && (given == NULL || sf_is_continuous_at(given, k));
         if (!is_none && sf_is_corner_close(model, F_0, model->b[k], J, &work->corner[k]))
             return 1;
     }

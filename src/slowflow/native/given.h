@@ -17,7 +17,7 @@ enum { SF_MOST_STEPS = 60 };
 typedef struct {
     const sf_mechanism *mechanism;
     sf_interval p[SF_MOST_PARAMETERS + SF_MOST_BREAKS], m, zeta;
-    sf_interval b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS];
+    sf_interval b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[SF_MOST_BREAKS];
     int breaks;
     sf_exactly exactly;
 } sf_given;
@@ -37,7 +37,9 @@ static inline int sf_give(const sf_mechanism *mechanism, const double *design, d
     if (out->breaks > 0)
         mechanism->ends_within(out->p, out->b);
     for (i = 0; i < out->breaks; i++)
-        out->jump[i] = out->p[mechanism->parameters + i];
+        out->jump[i] = out->p[mechanism->parameters + i], out->kink[i] = sfi_of(-HUGE_VAL, HUGE_VAL);
+    if (mechanism->kinks_within != NULL)
+        mechanism->kinks_within(out->p, out->kink);
     for (i = 0; i < out->breaks; i++)
         if (!(out->b[i].lo > (i > 0 ? out->b[i - 1].hi : 0)))
             return 0;
@@ -79,12 +81,22 @@ static inline void sf_know_below(const sf_given *given, int i, sf_known *out) {
     out->A = x.hi;
 }
 
-/* The limit from above at breakpoint i, as `sf_tend_from_above`; nothing is known of the derivatives where no jump is
- * proved. */
+/* Whether the force does not jump at breakpoint i. */
+static inline int sf_is_continuous_at(const sf_given *given, int i) {
+    return given->jump[i].lo == 0 && given->jump[i].hi == 0;
+}
+
+/* The limit from above at breakpoint i, as `sf_tend_from_above`: a jump of the force makes h_A infinite there, one of its
+ * slope h_AA; nothing is known of the derivatives where neither is proved. */
 static inline void sf_know_above(const sf_given *given, int i, sf_known *out) {
-    const sf_interval jump = given->jump[i];
+    const sf_interval jump = given->jump[i], kink = given->kink[i];
     sf_know_below(given, i, out);
     out->A = 0;
+    if (sf_is_continuous_at(given, i) && sfi_has_sign(kink)) {
+        out->h_AA = sfi_point(kink.lo > 0 ? HUGE_VAL : -HUGE_VAL);
+        out->h_AAA = sfi_neg(out->h_AA);
+        return;
+    }
     if (sfi_has_sign(jump)) {
         out->h_A = out->h_AAA = sfi_point(jump.lo > 0 ? HUGE_VAL : -HUGE_VAL);
         out->k = out->h_AA = sfi_neg(out->h_A);

@@ -14,7 +14,7 @@
 #include "pair.h"
 
 enum {
-    SF_FORM = 7, /* of the record below; one of another form is refused */
+    SF_FORM = 8, /* of the record below; one of another form is refused */
     SF_MOST_DESIGN = 16,
     SF_MOST_DAMPING = 2,
     SF_MOST_PARAMETERS = 16,
@@ -76,9 +76,11 @@ typedef struct sf_mechanism {
      * motion is about u = 0. p holds the parameters that follow from a design, then the jumps at its breakpoints.
      * ends_within is NULL where there are no breakpoints. averaged_within gives h, h_A, h_AA, h_AAA and h - A h_A on
      * the piece that begins at breakpoint number `passed`, which A exceeds by `beyond`; by its formula, which may be
-     * asked above its end too. */
+     * asked above its end too. kinks_within gives what the slope of the force loses at each breakpoint; NULL where the
+     * force jumps at all of them. */
     void (*parameters_within)(const double *design, sf_interval *p);
     void (*ends_within)(const sf_interval *p, sf_interval *b);
+    void (*kinks_within)(const sf_interval *p, sf_interval *kink);
     void (*averaged_within)(int passed, sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out);
 
     /* The same in double-double, for the last digits of an answer; NULL where no such form is known. averaged_in_pairs

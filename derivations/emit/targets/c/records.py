@@ -14,11 +14,12 @@ from pathlib import Path
 
 import sympy as sp
 
+from ....elliptic import FEW
 from ....mechanisms import DAMPING, FORCING, Mechanism, Parameter
 from ...form import GENERAL, Module
 from ...provenance import tools
 from ...views import templates
-from .. import interval, pair
+from .. import held, interval, pair
 from ..printing import literal
 from .printer import CPrinter
 
@@ -62,6 +63,8 @@ class Spring:
     harmonics_up_to -- the largest breakpoint for which its harmonics hold
     bent        -- what stands before the names of what holds h and h_AAAA between two amplitudes, or ""
     begins      -- of that the number of the breakpoint at which each contact begins
+    held        -- and before those in double-double with a bound of the error, or "": there the average has a form
+                   of its own on each side of its breakpoint
     """
 
     name: str
@@ -75,6 +78,7 @@ class Spring:
     averaged_by_pieces: bool = False
     bent: str = ""
     begins: tuple[int, ...] = ()
+    held: str = ""
 
 
 def text(modules: Sequence[Module]) -> str:
@@ -98,6 +102,7 @@ def _rendered(template: str, **content: object) -> str:
             damping_domain=within(DAMPING, DAMPING_GIVEN),
             forcing_domain=within((FORCING,), FORCING.symbol.name),
             forcing=FORCING.symbol,
+            few=literal(FEW),
             show=CPrinter().doprint,
             tools=tools(),
         )
@@ -113,9 +118,9 @@ def spring_of(module: Module) -> Spring:
     bent = interval.name_of(module) if module.enclosed else ""
     sums = tuple(sums_of(name, width, module) for name, width in zip(SUMS, (4, 2, 8), strict=True))
     begins = module.enclosed.begins if module.enclosed else ()
-    return Spring(
-        *(module.name, mechanism, len(mechanism.breakpoints), domain, sums, up_to, *exact), bent=bent, begins=begins
-    )
+    of_held = held.name_of(module) if module.held else ""
+    numbers = (module.name, mechanism, len(mechanism.breakpoints), domain, sums, up_to)
+    return Spring(*numbers, *exact, bent=bent, begins=begins, held=of_held)
 
 
 def sums_of(name: str, width: int, module: Module) -> Sums:

@@ -28,6 +28,8 @@ from .printer import PairPrinter, parts
 C = Language(PairPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
 DOUBLES = CPrinter()
 
+#: a series that leaves out no more than this is none that is cut short for doubles
+NEGLIGIBLE = sp.Rational(1, 2**110)
 #: what the template, which is that of intervals, says of pairs
 ABOUT = {
     "number": "sf_pair",
@@ -77,7 +79,7 @@ def choice(printed: KernelView) -> list[tuple[str, str]]:
 
 def closed(kernel: Kernel, code: Code) -> tuple[Kernel, list[Program]]:
     """A kernel without branches in which a series is cut short; the others differ in breakpoints passed."""
-    kept = [k for k, branch in enumerate(kernel.branches) if not branch.remainders]
+    kept = [k for k, one in enumerate(kernel.branches) if all(bound <= NEGLIGIBLE for _, bound in one.remainders)]
     programs = [code[kernel.name][k] for k in kept]
     kernel = replace(kernel, branches=tuple(kernel.branches[k] for k in kept))
     if len(kept) > 1:

@@ -1,0 +1,92 @@
+/* Arithmetic on pairs that know how far they may be off: in go numbers of some thirty digits with a bound of their error,
+ * out come such numbers. And Carlson's integrals of them, which closed forms of averages are made of: these divide by what
+ * may be small, and lose digits that doubles do not have.
+ *
+ * An operation on pairs errs by less than SFH_ERROR of its result, a sum by that of its terms (pair.h). Bounds are doubles;
+ * they are rounded up by a factor, which is more than their own few roundings.
+ */
+#ifndef SF_HELD_H
+#define SF_HELD_H
+
+#include "interval.h"
+#include "pair_angles.h"
+
+typedef struct {
+    sf_pair x;
+    double off;
+} sf_held;
+
+#define SFH_ERROR 0x1p-100
+#define SFH_UP (1 + 0x1p-40)
+/* no pair has lost more to underflow */
+#define SFH_LEAST 0x1p-960
+/* arguments of Carlson's integrals are nearly equal when they differ by so much, relatively; after as many duplications as
+ * that takes from any doubles */
+#define SFH_EQUAL 0x1p-14
+enum { SFH_MOST_DUPLICATIONS = 600 };
+
+TWOFOLD_INLINE sf_held sfh_of(sf_pair x, double off) {
+    const sf_held a = {x, off};
+    return a;
+}
+TWOFOLD_INLINE sf_held sfh_point(double x) { return sfh_of(sfp_point(x), 0); }
+/* of a constant that is no double: the pair next to it */
+TWOFOLD_INLINE sf_held sfh_around(double high, double low) { return sfh_of(sfp_of(high, low), SFH_ERROR * fabs(high)); }
+TWOFOLD_INLINE double sfh_size(sf_held a) { return fabs(a.x.high) * SFH_UP; }
+TWOFOLD_INLINE sf_held sfh_neg(sf_held a) { return sfh_of(sfp_neg(a.x), a.off); }
+TWOFOLD_INLINE sf_held sfh_add(sf_held a, sf_held b) {
+    return sfh_of(sfp_add(a.x, b.x), (a.off + b.off + SFH_ERROR * (sfh_size(a) + sfh_size(b))) * SFH_UP);
+}
+TWOFOLD_INLINE sf_held sfh_sub(sf_held a, sf_held b) { return sfh_add(a, sfh_neg(b)); }
+TWOFOLD_INLINE sf_held sfh_mul(sf_held a, sf_held b) {
+    const double one = sfh_size(a), other = sfh_size(b);
+    const double off = one * b.off + other * a.off + a.off * b.off + SFH_ERROR * one * other;
+    return sfh_of(sfp_mul(a.x, b.x), off * SFH_UP + SFH_LEAST);
+}
+TWOFOLD_INLINE sf_held sfh_times(double c, sf_held a) {
+    return sfh_of(sfp_times(c, a.x), fabs(c) * (a.off + SFH_ERROR * sfh_size(a)) * SFH_UP + SFH_LEAST);
+}
+TWOFOLD_INLINE sf_held sfh_square(sf_held a) { return sfh_mul(a, a); }
+/* nothing is known of a quotient by what may be 0 */
+static inline sf_held sfh_div(sf_held a, sf_held b) {
+    const double inverse = 1 / b.x.high, quotient = a.x.high * inverse, share = b.off * fabs(inverse) * SFH_UP;
+    const double left = fma(-quotient, b.x.high, a.x.high) + fma(-quotient, b.x.low, a.x.low);
+    const double size = fabs(quotient) * SFH_UP;
+    if (!(share < 0.5 && fabs(b.x.high) > SFH_LEAST))
+        return sfh_of(sfp_point(quotient), HUGE_VAL);
+    return sfh_of(sfp_of(quotient, left * inverse),
+                  ((a.off * fabs(inverse) + size * share) * (1 + 2 * share) + SFH_ERROR * size) * SFH_UP +
+                      SFH_LEAST * sfi_most(fabs(inverse), 1));
+}
+static inline sf_held sfh_inverse(sf_held a) { return sfh_div(sfh_point(1), a); }
+/* of what is not negative */
+static inline sf_held sfh_sqrt(sf_held a) {
+    const double root = sqrt(a.x.high), inverse = 1 / root, square_low = fma(root, root, -a.x.high);
+    if (!(a.x.high * (1 - 0x1p-40) > a.off && a.x.high > SFH_LEAST))
+        return sfh_of(sfp_point(0), sqrt((fmax(a.x.high, 0) + a.off) * SFH_UP) * SFH_UP + 0x1p-480);
+    return sfh_of(sfp_of(root, 0.5 * (a.x.low - square_low) * inverse), (a.off * inverse + SFH_ERROR * root) * SFH_UP);
+}
+/* The angle of (x, y) from 0 to pi/2: a point that is moved by so much is seen under no larger angle than the arcsine of
+ * its share, which is less than twice the share. */
+static inline sf_held sfh_atan2(sf_held y, sf_held x) {
+    const sf_pair angle = pair_angles_atan2(y.x, x.x);
+    const double moved = (y.off + x.off) * SFH_UP, away = fmax(fabs(y.x.high), fabs(x.x.high));
+    if (!(moved < 0.5 * away))
+        return sfh_of(angle, HUGE_VAL);
+    return sfh_of(angle, (2 * moved / away + SFH_ERROR * angle.high) * SFH_UP + SFH_LEAST);
+}
+
+/* The doubles around it. */
+static inline sf_interval sfh_interval(sf_held a) {
+    const double off = (a.off + 0x1p-50 * fabs(a.x.low)) * SFH_UP;
+    if (!(off < HUGE_VAL && fabs(a.x.high) < HUGE_VAL))
+        return sfi_of(-HUGE_VAL, HUGE_VAL);
+    return sfi_of(sfi_down(a.x.high + (a.x.low - off)), sfi_up(a.x.high + (a.x.low + off)));
+}
+/* of an interval, whose ends lie near to each other */
+static inline sf_held sfh_within(sf_interval a) {
+    const double middle = 0.5 * a.lo + 0.5 * a.hi;
+    return sfh_of(sfp_point(middle), sfi_most(sfi_up(a.hi - middle), sfi_up(middle - a.lo)) * SFH_UP);
+}
+
+#endif
