@@ -45,6 +45,8 @@ ORDERS = 3
 # A exceeds a breakpoint by far beyond this multiple of it: there sin^2(theta/2) < 0.35, and the closed form of the
 # moments is a difference of numbers three times as large
 FAR = sp.Rational(21, 20)
+# and in double-double beyond this multiple, where the series of doubles has more digits than a pair
+FAR_IN_PAIRS, OF_A_PAIR = sp.Integer(64), sp.Rational(1, 2**110)
 # the series ends where its terms fall below this share of the first
 NEGLIGIBLE = sp.Rational(1, 2**57)
 
@@ -155,24 +157,29 @@ def moment_series(power: int) -> sp.Poly:
     return sp.Poly(coefficients[::-1], q)
 
 
+<<<<<<< HEAD
 @functools.cache
 def series_remainder(power: int) -> sp.Expr:
     """A bound of the relative error of `moment_series`.
+=======
+def series_remainder(power: int, multiple: sp.Expr = FAR) -> sp.Expr:
+    """A bound of the relative error of `moment_series` where A is at least this multiple of the breakpoint.
+>>>>>>> ed38134 (F_cr is settled to its last digit, and answers far above a breakpoint: there pairs take the series of the moments)
 
     With e = (power - 1)/2 its coefficients fall in size from k = e on, as |e - k| <= k + 1 there, so that what is left
     out is below a geometric series; and the whole is not below its first term times (1 - q)^e, a factor of the
     integrand.
     """
-    kept, exponent, largest = moment_series(power).degree() + 1, sp.Rational(power - 1, 2), _largest_q()
+    kept, exponent, largest = moment_series(power).degree() + 1, sp.Rational(power - 1, 2), _largest_q(multiple)
     if kept < exponent:
         raise ArithmeticError(f"the series of the power {power} is cut while its coefficients may still grow")
     left_out = abs(_term(power, kept)) * largest**kept / (1 - largest)
     return left_out / (_term(power, 0) * (1 - largest) ** exponent)
 
 
-def _largest_q() -> sp.Expr:
-    """sin^2(theta/2) where A exceeds a breakpoint by far, at most."""
-    return (1 - sp.sqrt(1 - 1 / FAR**2)) / 2
+def _largest_q(multiple: sp.Expr = FAR) -> sp.Expr:
+    """sin^2(theta/2) where A exceeds a breakpoint that many times, at most."""
+    return (1 - sp.sqrt(1 - 1 / multiple**2)) / 2
 
 
 def _term(power: int, k: int) -> sp.Expr:
@@ -252,6 +259,8 @@ class End:
         even = [power for power in powers if power % 2 == 0]
         if not self.far or not even:
             return []
+        if series_remainder(max(even), FAR_IN_PAIRS) > OF_A_PAIR:
+            raise ArithmeticError(f"the series of the power {max(even)} has too few terms for a pair")
         return [(self.from_zero(max(even)), series_remainder(max(even)))]
 
     def from_zero(self, power: int) -> sp.Symbol:

@@ -31,7 +31,7 @@ static inline void rod_spring_untruncated_held_ends(sf_held beyond, const sf_hel
     out[4] = theta;
 }
 
-/* The average without the last piece, over the factor of the first, by Carlson's integrals; derivatives, h - A h_A.
+/* The average without the last piece, over b: h, h_A, h_AA, h_AAA, h - A h_A by Carlson's integrals.
    Equation (20)-(22), (31). Domain: A > u_cr. */
 static inline void rod_spring_untruncated_held_parts(sf_held A, sf_held c, sf_held x, sf_held y, sf_held theta, sf_held of_first, sf_held of_second, sf_held *out)
 {

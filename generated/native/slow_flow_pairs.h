@@ -176,4 +176,18 @@ static inline void slow_flow_pairs_corner_step(sf_pair Omega, sf_pair A, sf_pair
     out[1] = -F.high * F_OmegaOmega / (F_Omega * F_Omega);
 }
 
+/* By what F_0 change at a level, and how far that is from linear.
+   Equation from (24). Domain: Omega > 0, A > 0. */
+static inline void slow_flow_pairs_level_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
+{
+    (void)(h_A);
+    (void)(h_AA);
+    (void)(h_AAA);
+    const sf_pair R = sfp_add(sfp_mul(A, sfp_square(Omega)), h);
+    const sf_pair I_ = sfp_add(sfp_times(2.0, sfp_mul(sfp_mul(A, Omega), zeta)), m);
+    const sf_pair F = sfp_add(sfp_square(R), sfp_mul(sfp_add(sfp_neg(F_0), I_), sfp_add(F_0, I_)));
+    out[0] = 0.5 * F.high / F_0.high;
+    out[1] = 0.0;
+}
+
 #endif

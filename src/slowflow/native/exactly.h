@@ -7,9 +7,8 @@
 #include "cells.h"
 #include "slow_flow_pairs.h"
 
-/* so far above a breakpoint the closed forms of h and h_A have lost too many of a pair's digits, and of those that follow */
-#define SF_PAIRS_REACH 2048
-#define SF_PAIRS_REACH_FURTHER 64
+/* so far above a breakpoint h_AA and h_AAA are differences that have lost too many of a pair's digits */
+#define SF_PAIRS_REACH 64
 /* nearer to it, relatively, doubles do not give the higher derivatives */
 #define SF_PAIRS_NEXT 0x1p-20
 
@@ -43,8 +42,7 @@ static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, 
     int i;
     if (piece > 0) {
         beyond = sfp_sub(A, exactly->b[piece - 1]);
-        const double reach = wanted <= 2 ? SF_PAIRS_REACH : SF_PAIRS_REACH_FURTHER;
-        if (!(beyond.high > 0) || A.high > reach * exactly->b[piece - 1].high)
+        if (!(beyond.high > 0) || (wanted > 2 && A.high > SF_PAIRS_REACH * exactly->b[piece - 1].high))
             return 0;
         if (beyond.high < SF_PAIRS_NEXT * A.high)
             wanted = 4;

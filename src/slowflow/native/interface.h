@@ -11,7 +11,7 @@ typedef void (*sf_many)(char **args, const ptrdiff_t *dimensions, const ptrdiff_
 /* All that was built for one target: the questions about one oscillator, those about many, and the records. */
 typedef struct {
     sf_status (*onset)(const sf_model *, const sf_exactly *, sf_work *, sf_onset *);
-    sf_status (*detachment)(const sf_model *, double *F_cr, double *Omega_cr, double *u_cr);
+    sf_status (*detachment)(const sf_model *, const sf_exactly *, double *F_cr, double *Omega_cr, double *u_cr);
     sf_status (*peak)(const sf_model *, const sf_exactly *, double F_0, sf_work *, double *A, double *Omega);
     sf_status (*saddle_nodes)(const sf_model *, const sf_given *, double F_0, sf_room *, sf_folds *);
     sf_status (*fold_locus)(const sf_model *, double A_max, sf_work *);

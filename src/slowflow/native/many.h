@@ -132,10 +132,12 @@ static void sf_loop_detachment(char **args, const ptrdiff_t *dimensions, const p
     ptrdiff_t k;
     for (k = 0; k < dimensions[0]; k++) {
         sf_model model;
+        sf_exactly exactly;
         double F_cr = NAN, Omega_cr = NAN, u_cr = NAN;
         sf_status status = SF_INVALID;
         if (sf_design_at(mechanism, args, steps, k, 0, &model))
-            status = sf_detachment(&model, &F_cr, &Omega_cr, &u_cr);
+            status = sf_settled_detachment(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL,
+                                           &F_cr, &Omega_cr, &u_cr);
         sf_write_detachment(args, steps, out, k, F_cr, Omega_cr, u_cr, status);
     }
 }

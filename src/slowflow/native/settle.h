@@ -17,6 +17,8 @@
 /* steps are followed by another one while this is left to do, relatively; and a first one that is larger than this */
 #define SF_LEFT_TO_DO 0x1p-58
 #define SF_FEW_ROUNDINGS 0x1p-49
+/* the square of a step to a level is left out */
+#define SF_LEVEL_STEP 0x1p-30
 enum { SF_MOST_SETTLING = 8 };
 
 typedef void (*sf_step)(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A,
@@ -118,6 +120,19 @@ static inline void sf_settle_on(sf_step step, const sf_exactly *exactly, int i, 
         *Omega = of.Omega.high;
 }
 
+/* F_cr: the level at Omega on breakpoint i, where it is least, so that Omega has digits enough. */
+static inline void sf_settle_level_on(const sf_exactly *exactly, int i, double Omega, double *F_0) {
+    sf_exact_sample at;
+    sf_settling of = {sfp_point(Omega), {0, 0}, sfp_point(*F_0)};
+    double out[4];
+    if (exactly == NULL || !(*F_0 > 0) || !(exactly->b[i].high > 0))
+        return;
+    sf_exact_on(exactly, i, &at);
+    sf_take_step(slow_flow_pairs_level_step, exactly, &at, &of, out);
+    if (fabs(out[0]) <= SF_LEVEL_STEP * *F_0)
+        *F_0 += out[0];
+}
+
 /* The breakpoint that an amplitude is. */
 static inline int sf_breakpoint_at(const sf_model *model, double A) {
     int i = 0;
@@ -154,6 +169,14 @@ static sf_status sf_settled_onset(const sf_model *model, const sf_exactly *exact
     const sf_status status = sf_find_onset(model, work, out);
     if (status == SF_OK)
         sf_settle_onset(model, exactly, out);
+    return status;
+}
+
+static sf_status sf_settled_detachment(const sf_model *model, const sf_exactly *exactly, double *F_cr, double *Omega_cr,
+                                       double *u_cr) {
+    const sf_status status = sf_detachment(model, F_cr, Omega_cr, u_cr);
+    if (status == SF_OK)
+        sf_settle_level_on(exactly, 0, *Omega_cr, F_cr);
     return status;
 }
 

@@ -13,7 +13,7 @@
 
 const sf_solvers SF_SOLVERS = {
     sf_settled_onset,
-    sf_detachment,
+    sf_settled_detachment,
     sf_settled_peak,
     sf_settled_folds,
     sf_fold_locus,

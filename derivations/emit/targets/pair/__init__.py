@@ -4,8 +4,8 @@ In:  `Module`s with the straight-line code of their kernels; of these the kernel
 Out: a dict from file name (below `generated/`) to text.
 
 The C calls native/pair.h, which is runtime code. A kernel that says which lets are to be pairs computes what follows
-from these in doubles. Where a kernel has a series cut short for a double far from a breakpoint, that branch is left
-out: a pair has digits enough for the closed form, so far as its caller asks for it.
+from these in doubles. Where a kernel has a series cut short for a double far from a breakpoint, the closed form is taken
+until the series has a pair's digits.
 """
 
 from __future__ import annotations
@@ -16,6 +16,8 @@ from pathlib import Path
 
 import sympy as sp
 
+from ....restoring import FAR_IN_PAIRS, OF_A_PAIR
+from ....symbols import A
 from ...arctangent import PAIRS_CUT, in_pairs
 from ...form import Kernel, Module
 from ...passes import Program
@@ -23,13 +25,12 @@ from ...provenance import tools
 from ...views import BranchView, Code, KernelView, Language, Line, sources, templates, view, wrapped
 from .. import interval
 from ..c.printer import CPrinter
+from ..printing import literal
 from .printer import PairPrinter, parts
 
 C = Language(PairPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
 DOUBLES = CPrinter()
 
-#: a series that leaves out no more than this is none that is cut short for doubles
-NEGLIGIBLE = sp.Rational(1, 2**110)
 #: what the template, which is that of intervals, says of pairs
 ABOUT = {
     "number": "sf_pair",
@@ -73,13 +74,31 @@ def name_of(module: Module) -> str:
 
 def choice(printed: KernelView) -> list[tuple[str, str]]:
     """The condition and the name of each branch; the last holds where no other does."""
-    pairs = zip(printed.branches, printed.kernel.branches, strict=True)
-    return [(f"passed == {branch.passed}", view.name) for view, branch in pairs]
+    found = []
+    for shown, branch in zip(printed.branches, printed.kernel.branches, strict=True):
+        far = [f"{right}.high > {literal(FAR_IN_PAIRS)} * {left}.high" for left, right in branch.guards]
+        found.append((" && ".join([f"passed == {branch.passed}", *far]), shown.name))
+    return found
+
+
+def by_far(kernel: Kernel, code: Code) -> tuple[Kernel, list[Program]]:
+    """As `closed`, after the branches of each number of breakpoints whose series have a pair's digits."""
+    nearer, programs = closed(kernel, code)
+    ends = [right for branch in kernel.branches for _, right in branch.guards if right.is_Symbol]
+    all_far = {f"passed_{count}_far_{count}": end for count, end in enumerate(ends, start=1)}
+    beyond, other = interval.beyond_breakpoints(kernel, code[kernel.name])
+    both = [*zip(nearer.branches, programs, strict=True)]
+    for branch, program in zip(beyond.branches, other, strict=True):
+        if branch.name in all_far:
+            guarded = replace(branch, guards=((all_far[branch.name], A),))
+            place = next(k for k, (one, _) in enumerate(both) if one.passed == branch.passed)
+            both.insert(place, (guarded, program))
+    return replace(nearer, branches=tuple(one for one, _ in both)), [one for _, one in both]
 
 
 def closed(kernel: Kernel, code: Code) -> tuple[Kernel, list[Program]]:
     """A kernel without branches in which a series is cut short; the others differ in breakpoints passed."""
-    kept = [k for k, one in enumerate(kernel.branches) if all(bound <= NEGLIGIBLE for _, bound in one.remainders)]
+    kept = [k for k, one in enumerate(kernel.branches) if all(bound <= OF_A_PAIR for _, bound in one.remainders)]
     programs = [code[kernel.name][k] for k in kept]
     kernel = replace(kernel, branches=tuple(kernel.branches[k] for k in kept))
     if len(kept) > 1:
@@ -89,7 +108,7 @@ def closed(kernel: Kernel, code: Code) -> tuple[Kernel, list[Program]]:
 
 def near(kernel: Kernel, code: Code) -> KernelView:
     """The same printed."""
-    kernel, programs = closed(kernel, code)
+    kernel, programs = by_far(kernel, code)
     printed = view(kernel, programs, C)
     if not kernel.to_pairs:
         return printed

@@ -125,7 +125,7 @@ static PyObject *detachment(PyObject *self, PyObject *args)
     const sf_model *model = sf_model_in(given);
     if (model == NULL)
         return NULL;
-    const sf_status status = sf_here()->detachment(model, &F_cr, &Omega_cr, &u_cr);
+    const sf_status status = sf_here()->detachment(model, exactly_in(given), &F_cr, &Omega_cr, &u_cr);
     return Py_BuildValue("iddd", (int)status, F_cr, Omega_cr, u_cr);
 }
 
