@@ -158,10 +158,9 @@ class Averaged:
         """What is proved at F_0, in interval arithmetic: all folds, F_SN, F_cr, and all states at a frequency `Omega`.
 
         Each has enclosures and says whether it is proved, of the oscillator whose numbers are exactly the given
-        doubles. Where intervals of doubles do not decide, or have no proof, as of the untruncated force, balls of more
-        digits do, with python-flint (`pip install 'slowflow[proofs]'`); `bits` says which it was. Raises ValueError for
-        F_0 <= 0, for Omega <= 0 or > 1e40, for an excitation by inertia, and for other laws of damping than mu and
-        zeta.
+        doubles. Where intervals of doubles do not decide balls of more digits do, with python-flint
+        (`pip install 'slowflow[proofs]'`); `bits` says which it was. Raises ValueError for F_0 <= 0, for Omega <= 0 or
+        > 1e40, for an excitation by inertia, and for other laws of damping than mu and zeta.
         """
         self.only_for_a_force("certify")
         self.only_for_plain_damping("certify")

@@ -17,6 +17,9 @@
 /* steps are followed by another one while this is left to do, relatively; and a first one that is larger than this */
 #define SF_LEFT_TO_DO 0x1p-58
 #define SF_FEW_ROUNDINGS 0x1p-49
+/* how far a state is looked for from what doubles found, next to a breakpoint: so many doublings of a double */
+#define SF_ONE_DOUBLE 0x1p-52
+enum { SF_MOST_DOUBLINGS = 16 };
 /* the square of a step to a level is left out */
 #define SF_LEVEL_STEP 0x1p-30
 enum { SF_MOST_SETTLING = 8 };
@@ -101,6 +104,54 @@ static inline void sf_settle_numbers(sf_step step, sf_moves moves, int wanted, c
         *Omega = of.Omega.high, *A = of.A.high, *F_0 = of.F_0.high;
 }
 
+/* Which way a state at Omega lies from an amplitude: by the sign of Newton's step, on the side of each breakpoint that the
+ * double is on; 0 where that is not known. size: of the step */
+static inline int sf_way_to_state(const sf_exactly *exactly, const sf_model *model, double Omega, double F_0, double A,
+                                  double *size) {
+    const sf_settling of = {sfp_point(Omega), sfp_point(A), sfp_point(F_0)};
+    sf_exact_sample at;
+    double out[4];
+    int piece = 0;
+    while (piece < model->breaks && sfp_sub(of.A, exactly->b[piece]).high > 0)
+        piece++;
+    if (!sf_exact_at(exactly, model, piece, of.A, 2, NULL, &at))
+        return 0;
+    sf_take_step(slow_flow_pairs_state_step, exactly, &at, &of, out);
+    *size = fabs(out[0]);
+    return (out[0] > 0) - (out[0] < 0);
+}
+
+/* Next to a breakpoint a state's own slope turns too much for Newton's method: of two doubles between which it lies, the one
+ * that is nearer by its step. NaN where there are no such doubles nearby. */
+static inline double sf_state_between(const sf_exactly *exactly, const sf_model *model, double Omega, double F_0, double A) {
+    double size = HUGE_VAL, other = HUGE_VAL, far = A, width = A * SF_ONE_DOUBLE;
+    const int way = sf_way_to_state(exactly, model, Omega, F_0, A, &size);
+    int i, back = way;
+    if (way == 0 || model->breaks < exactly->mechanism->breakpoints)
+        return NAN;
+    for (i = 0; i < SF_MOST_DOUBLINGS && back == way; i++, width *= 2) {
+        if (i > 0)
+            A = far, size = other;
+        far = A + way * width;
+        back = sf_way_to_state(exactly, model, Omega, F_0, far, &other);
+    }
+    while (back == -way) {
+        const double middle = 0.5 * A + 0.5 * far;
+        double there = HUGE_VAL;
+        int on;
+        if (middle == A || middle == far)
+            return size <= other ? A : far;
+        on = sf_way_to_state(exactly, model, Omega, F_0, middle, &there);
+        if (on == way)
+            A = middle, size = there;
+        else if (on == back)
+            far = middle, other = there;
+        else
+            return on == 0 && there == 0 ? middle : NAN;
+    }
+    return back == 0 && other == 0 ? far : NAN;
+}
+
 /* Omega on breakpoint i. */
 static inline void sf_settle_on(sf_step step, const sf_exactly *exactly, int i, double F_0, double *Omega) {
     sf_exact_sample at;
@@ -149,7 +200,8 @@ static void sf_settle_folds(const sf_exactly *exactly, const sf_model *model, do
         const double low = i > 0 ? folds->at[i - 1].Omega : 0;
         const double high = i + 1 < folds->n ? folds->at[i + 1].Omega : HUGE_VAL;
         double Omega = fold->Omega, A = fold->A;
-        if (fold->corner)
+        /* one above a breakpoint by less than a double has the frequency of those on it */
+        if (fold->corner || (model->breaks > 0 && A == model->b[sf_breakpoint_at(model, A)]))
             sf_settle_on(slow_flow_pairs_corner_step, exactly, sf_breakpoint_at(model, A), F_0, &Omega);
         else
             sf_settle_numbers(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, &Omega, &A, &F_0);

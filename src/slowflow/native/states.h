@@ -36,9 +36,10 @@ static double sf_settled_amplitude(const sf_model *model, const sf_exactly *exac
     const double A = sf_amplitude_on(model, F_0, segment, Omega);
     const int piece = sf_piece_of(model, 0.5 * (segment->A[0] + segment->A[1]));
     sf_settling of = {sfp_point(Omega), sfp_point(A), sfp_point(F_0)};
-    if (exactly == NULL || sf_piece_of(model, A) != piece ||
-        !sf_settle_all(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, model, &of))
+    if (exactly == NULL)
         return A;
+    if (sf_piece_of(model, A) != piece || !sf_settle_all(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, model, &of))
+        of.A.high = model->breaks > 0 ? sf_state_between(exactly, model, Omega, F_0, A) : NAN;
     return segment->A[0] * (1 - SF_SAME) <= of.A.high && of.A.high <= segment->A[1] * (1 + SF_SAME) ? of.A.high : A;
 }
 

@@ -4,8 +4,8 @@ In:  `Module`s with the straight-line code of their kernels; of these the kernel
 Out: a dict from file name (below `generated/`) to text.
 
 The C calls native/pair.h, which is runtime code. A kernel that says which lets are to be pairs computes what follows
-from these in doubles. Where a kernel has a series cut short for a double far from a breakpoint, the closed form is taken
-until the series has a pair's digits.
+from these in doubles. Where a kernel has a series cut short for a double far from a breakpoint, the closed form is
+taken until the series has a pair's digits.
 """
 
 from __future__ import annotations
