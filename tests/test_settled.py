@@ -146,3 +146,79 @@ def test_states_at_the_frequency_of_a_peak_lie_between_the_doubles_beside_them()
             checked += 1
             assert F(Fraction(math.nextafter(A, 0))) * F(Fraction(math.nextafter(A, math.inf))) < 0
     assert checked > 300
+
+
+#: answers that erred by more than u (1 + kappa) before averages of both forces were settled wherever they lie, F_cr too
+@compiled
+@pytest.mark.parametrize(
+    ("mechanism", "kind", "at"),
+    [
+        # far above u_cr, where closed forms lose a pair's digits
+        (
+            "rod_spring",
+            "state at Omega, A",
+            (1.5031306072, 0.9920413230, 0.0883981811, 1.2220784620e-4, 1e-12, 0.0217085315397, 1.0000000000000007),
+        ),
+        # next to u_cr
+        (
+            "rod_spring_untruncated",
+            "state at Omega, A",
+            (
+                *(4.000000000000002, 0.09818323611382865, 0.9999994550876047, 0.023013098986391586),
+                *(0.05126951826779277, 0.1089704119495251, 0.7746448721204732),
+            ),
+        ),
+        # above u_cr by less than a double, beside the fold on it
+        (
+            "rod_spring",
+            "fold at F_0, Omega",
+            (
+                *(1.9999999999999991, 166.42069877047396, 0.0006476225282637772, 0.0002089718246822675),
+                *(0.04613359470261821, 0.6492116947112744, 0.9978685419760827),
+            ),
+        ),
+        (
+            "rod_spring",
+            "critical forcing, F_cr",
+            (
+                *(8.329139124874434, 5.567396062180983, 0.034860625216562455, 1.0000000416747408e-12),
+                *(0.0017727674504173156, 3.0310480931453105e-05, 0.4756743151388296),
+            ),
+        ),
+        (
+            "rod_spring_untruncated",
+            "critical forcing, F_cr",
+            (
+                *(4.000000000766324, 4.7978729915301574, 0.153534605343306, 6.088021516198863e-13),
+                *(0.0018332063087435604, 2.7083308820096853e-05, 0.41787962258913314),
+            ),
+        ),
+        (
+            "rod_spring_untruncated",
+            "cusp, Omega",
+            (
+                *(1.6176545804458629, 0.2921732609609394, 0.9999998006972208, 0.0417552492832115),
+                *(0.22684522748854116, 0.058494557332903284, 0.8011035402780147),
+            ),
+        ),
+        (
+            "rod_spring_untruncated",
+            "onset at a cusp, F_SN",
+            (
+                *(3.00000000413075, 0.25014429749550665, 0.9999998006972215, 0.04594151789800899),
+                *(0.22891620661499884, 0.058494557332903284, 0.8011035402780147),
+            ),
+        ),
+        (
+            "rod_spring_untruncated",
+            "peak, A",
+            (
+                *(1.0, 5.894842668830179, 0.40142869821865496, 0.00018883519212709677),
+                *(0.274411563448662, 0.18202983015569257, 1.2099387313071097),
+            ),
+        ),
+    ],
+)
+def test_answers_that_erred_most_are_right_to_their_condition(mechanism, kind, at):
+    error, _ = answers.measure(mechanism, kind)(at)
+    assert error <= 1

@@ -132,19 +132,24 @@ class Nearby:
             return None if condition is None else (point, condition)
 
     def state(self, Omega: float, A: float, F_0: float) -> tuple[Amplitude, Condition] | None:
-        """The steady state at a frequency."""
+        """The steady state at a frequency; next to u_cr its double may lie on the other side."""
         with precision(BITS):
-            frequency, forcing, regime = arb(exact(Omega)), arb(exact(F_0)), self.regime(A)
+            frequency, forcing = arb(exact(Omega)), arb(exact(F_0))
 
-            def system(x: Sequence[arb]) -> tuple[list[arb], list[list[arb]]]:
-                d = self.oscillator.derivatives(frequency, x[0], regime, forcing)
-                return [d["F"]], [[d["A"]]]
+            def on(regime: str) -> Amplitude | None:
+                def system(x: Sequence[arb]) -> tuple[list[arb], list[list[arb]]]:
+                    d = self.oscillator.derivatives(frequency, x[0], regime, forcing)
+                    return [d["F"]], [[d["A"]]]
 
-            found = _newton(system, [arb(A)])
-            if found is None or not self._stays(found[0], regime):
-                return None
-            state = Amplitude(found[0], arb(0), True, regime)
-            return state, self.conditions.amplitude(state, Omega, F_0)
+                start = arb(A) if self._stays(arb(A), regime) else self.oscillator.u_cr
+                found = _newton(system, [start])
+                stays = found is not None and self._stays(found[0], regime)
+                return Amplitude(found[0], arb(0), True, regime) if found is not None and stays else None
+
+            own = self.regime(A)
+            sides = [own] if self.oscillator.u_cr is None else [own, ATTACHED if own == DETACHED else DETACHED]
+            state = next((one for side in sides if (one := on(side)) is not None), None)
+            return None if state is None else (state, self.conditions.amplitude(state, Omega, F_0))
 
     def _stays(self, A: arb, regime: str) -> bool:
         u = self.oscillator.u_cr

@@ -192,21 +192,26 @@ static inline int sf_breakpoint_at(const sf_model *model, double A) {
     return i;
 }
 
-/* Folds, which stay in order. */
+/* Folds, which stay in order: one that would pass the next, where this settles too, stays as it was. */
 static void sf_settle_folds(const sf_exactly *exactly, const sf_model *model, double F_0, sf_folds *folds) {
+    double Omega[SF_MOST_FOLDS], A[SF_MOST_FOLDS];
     int i;
     for (i = 0; i < folds->n; i++) {
-        sf_fold *fold = &folds->at[i];
-        const double low = i > 0 ? folds->at[i - 1].Omega : 0;
-        const double high = i + 1 < folds->n ? folds->at[i + 1].Omega : HUGE_VAL;
-        double Omega = fold->Omega, A = fold->A;
+        const sf_fold *fold = &folds->at[i];
+        Omega[i] = fold->Omega, A[i] = fold->A;
         /* one above a breakpoint by less than a double has the frequency of those on it */
-        if (fold->corner || (model->breaks > 0 && A == model->b[sf_breakpoint_at(model, A)]))
-            sf_settle_on(slow_flow_pairs_corner_step, exactly, sf_breakpoint_at(model, A), F_0, &Omega);
+        if (fold->corner || (model->breaks > 0 && fold->A == model->b[sf_breakpoint_at(model, fold->A)]))
+            sf_settle_on(slow_flow_pairs_corner_step, exactly, sf_breakpoint_at(model, fold->A), F_0, &Omega[i]);
         else
-            sf_settle_numbers(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, &Omega, &A, &F_0);
-        if (low <= Omega && Omega <= high)
-            fold->Omega = Omega, fold->A = A;
+            sf_settle_numbers(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, &Omega[i], &A[i], &F_0);
+    }
+    for (i = 0; i < folds->n; i++) {
+        const double low = i > 0 ? folds->at[i - 1].Omega : 0;
+        const double high = i + 1 < folds->n ? fmax(Omega[i + 1], folds->at[i + 1].Omega) : HUGE_VAL;
+        if (low <= Omega[i] && Omega[i] <= high)
+            folds->at[i].Omega = Omega[i], folds->at[i].A = A[i];
+        else
+            folds->at[i].Omega = fmax(low, folds->at[i].Omega);
     }
 }
 
