@@ -157,14 +157,9 @@ def moment_series(power: int) -> sp.Poly:
     return sp.Poly(coefficients[::-1], q)
 
 
-<<<<<<< HEAD
 @functools.cache
-def series_remainder(power: int) -> sp.Expr:
-    """A bound of the relative error of `moment_series`.
-=======
 def series_remainder(power: int, multiple: sp.Expr = FAR) -> sp.Expr:
     """A bound of the relative error of `moment_series` where A is at least this multiple of the breakpoint.
->>>>>>> ed38134 (F_cr is settled to its last digit, and answers far above a breakpoint: there pairs take the series of the moments)
 
     With e = (power - 1)/2 its coefficients fall in size from k = e on, as |e - k| <= k + 1 there, so that what is left
     out is below a geometric series; and the whole is not below its first term times (1 - q)^e, a factor of the
