@@ -29,7 +29,7 @@ DESIGNS = 4096
 ROUNDS = 5
 FLAGS = ("-std=gnu11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-fno-tree-slp-vectorize")
 FOLDERS = ("src/slowflow/native", "generated/c", "generated/native")
-LANES = ("peak", "root", "second", "state")
+LANES = ("cusp", "peak", "root", "second", "state")
 SOURCES = ("benchmarks/counted.c", *(f"src/slowflow/native/solver/{name}_lanes.c" for name in LANES))
 #: by kind: its number in counted.c, the seconds that are asked of a design, its name
 KINDS = {
