@@ -26,6 +26,7 @@ EXAMPLES: dict[str, Any] = tomllib.loads(PAGE.with_suffix(".toml").read_text(enc
 MODULES = (
     "slowflow",
     "slowflow.physical",
+    "slowflow.quantities",
     "slowflow.oscillator",
     "slowflow.averaged.questions",
     "slowflow.results",

@@ -23,7 +23,7 @@ FLOORS = (
     ("loads_many",),
     ("exact", "second", "loads"),
     ("averaged",),
-    ("results",),
+    ("results", "quantities"),
     ("certificate", "measured", "files", "moves", "physical_moves"),
     ("gradient",),
     ("answer", "loaded"),

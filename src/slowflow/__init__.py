@@ -8,7 +8,8 @@ from slowflow.certificate import Certificate
 from slowflow.gradient import Gradient
 from slowflow.isolator import Duffing, Isolator
 from slowflow.oscillator import Oscillator
-from slowflow.physical import Physical, Quantities
+from slowflow.physical import Physical
+from slowflow.quantities import Quantities
 from slowflow.results import (
     Cusps,
     Detachment,

@@ -12,7 +12,9 @@ from slowflow import validate
 from slowflow.mechanism import LINEAR, Force, Mechanism, told
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.oscillator import FORCES, Oscillator, designs_of
-from slowflow.physical import Physical, Scales, g, si
+from slowflow.physical import Physical
+from slowflow.physical_moves import g
+from slowflow.quantities import Scales, si
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.domains import DAMPING, DISSIPATION, EXCITATIONS
 from slowflow_kernels.scaling import SCALES

@@ -30,7 +30,7 @@ WITHOUT_PRELOAD = "without preload the springs never touch the push-rod: no numb
 
 
 class Scales(Protocol):
-    """What of `physical.Scales` is asked here."""
+    """What of `quantities.Scales` is asked here."""
 
     @property
     def damping(self) -> str: ...

@@ -25,7 +25,8 @@ from slowflow import files, pictures
 from slowflow.answer import Answer, head
 from slowflow.isolator import Isolator
 from slowflow.paper.report import read_ledger
-from slowflow.physical import EXCITED, KIND_OF, SHOWN, UNITS, Physical, Quantities
+from slowflow.physical import Physical
+from slowflow.quantities import EXCITED, KIND_OF, SHOWN, UNITS, Quantities
 from slowflow.scenes import FORCINGS, Scene
 from slowflow.sizing.subject import Load, Subject
 from slowflow.sizing.tolerances import Tolerances

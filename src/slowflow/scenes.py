@@ -49,7 +49,7 @@ from slowflow.answer import Answer
 from slowflow.averaged import plan
 from slowflow.averaged.plan import Plan
 from slowflow.isolator import DUFFING, ROD_SPRING, Duffing, Isolator
-from slowflow.physical import EXCITED, Quantities
+from slowflow.quantities import EXCITED, Quantities
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 #: a scene to begin with

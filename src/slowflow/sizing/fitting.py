@@ -19,7 +19,8 @@ from scipy.stats import t as student
 from slowflow import validate
 from slowflow.answer import Table, joined
 from slowflow.mechanism import Floats
-from slowflow.physical import EXCITED, UNITS, Physical
+from slowflow.physical import Physical
+from slowflow.quantities import EXCITED, UNITS
 from slowflow.sizing.subject import Subject, first_jump
 
 #: share of all fits whose interval holds the number, if the noise is normal and the equations are right

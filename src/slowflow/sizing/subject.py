@@ -21,8 +21,9 @@ from slowflow.loads_many import lifting
 from slowflow.mechanism import Floats
 from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.oscillator import Designs
-from slowflow.physical import EXCITED, UNITS, Physical, g, si, size, sizes
-from slowflow.physical_moves import WORDS
+from slowflow.physical import Physical
+from slowflow.physical_moves import WORDS, g
+from slowflow.quantities import EXCITED, UNITS, si, size, sizes
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import FoldKind, Status
 from slowflow_kernels.domains import DAMPING

@@ -1,0 +1,420 @@
+"""Numbers with units: in go dimensionless answers and m, k_v, L, out come `Quantities`, the answers in SI units.
+
+What each number is measured in is derived (4): `slowflow_kernels.scaling`. Arguments are plain SI numbers (kg, N, N/m,
+m, s; frequencies in Hz), or quantities of pint. Answers are plain SI numbers again, and printed, or `in_units()`, in N,
+mm, Hz and ms.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import math
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property, partial
+from types import MappingProxyType, SimpleNamespace
+from typing import Any
+
+import numpy as np
+
+from slowflow import physical_moves, validate
+from slowflow.answer import PLAIN, Answer, Table, head, in_text, plain
+from slowflow.gradient import Gradient
+from slowflow_kernels.scaling import AMPLITUDES as AMPLITUDE_SCALES
+from slowflow_kernels.scaling import SCALES
+from slowflow_support.record import Parameter, Scale
+
+#: what units there are of each kind, by their size in SI units; the first is SI's, and a turn is what Hz counts
+UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
+    {
+        "force": {"N": 1.0, "mN": 1e-3, "kN": 1e3},
+        "length": {"m": 1.0, "mm": 1e-3, "um": 1e-6},
+        "frequency": {"Hz": 1.0, "rpm": 1 / 60, "rad/s": 1 / math.tau},
+        "time": {"s": 1.0, "ms": 1e-3},
+        "speed": {"m/s": 1.0, "mm/s": 1e-3},
+        "acceleration": {"m/s^2": 1.0, "g": physical_moves.g},
+        "unbalance": {"kg m": 1.0, "kg mm": 1e-3, "g mm": 1e-6},
+        "stiffness": {"N/m": 1.0, "N/mm": 1e3},
+        "mass": {"kg": 1.0},
+        "quadratic damping": {"N s^2/m^2": 1.0},
+    }
+)
+#: those in which answers are shown, one of each kind
+USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "kg", "kg m", "N s^2/m^2")
+#: of which kind the numbers of an answer are, and what they are called with a unit
+KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
+    {
+        **{name: (name, "length") for name in ("A", "A_1", "A_max", "B", "doubt")},
+        "u_max": ("x_max", "length"),
+        "load": ("load", "force"),
+        "u_cr": ("x_cr", "length"),
+        "u": ("x", "length"),
+        "v": ("v", "speed"),
+        "u_end": ("x_end", "length"),
+        **{name: (name, "acceleration") for name in ("a", "base", "a_max", "acceleration")},
+        "tau": ("t", "time"),
+        **{f"tau_{name}": (f"t_{name}", "time") for name in ("A", "a", "detaches")},
+        "duration": ("duration", "time"),
+        "Omega": ("f", "frequency"),
+        "Omega_low": ("f_low", "frequency"),
+        "Omega_high": ("f_high", "frequency"),
+        "Omega_cr": ("f_cr", "frequency"),
+        "Omega_max": ("f_max", "frequency"),
+        "Omega_undecided": ("f_undecided", "frequency"),
+        "Omega_0": ("f_0", "frequency"),
+        "Omega_sticks": ("f_sticks", "frequency"),
+        "k_0": ("k_0", "stiffness"),
+        "rests_within": ("rests_within", "length"),
+        **{name: (name, "force") for name in ("break_loose", "sticking", "force")},
+        "jumps": ("jumps", "frequency"),
+        "period": ("period", "time"),
+    }
+)
+#: amplitudes of the excitation: what is called F_0 without dimensions is F, Y or U, of this kind, and this to pint
+AMPLITUDES = ("F_0", "F_SN", "F_cr")
+EXCITED: Mapping[str, tuple[str, str, str]] = MappingProxyType(
+    {
+        "force": ("F", "force", "newton"),
+        "base": ("Y", "length", "meter"),
+        "unbalance": ("U", "unbalance", "kilogram*meter"),
+    }
+)
+#: and which unit is of which kind
+KIND_OF = {unit: kind for kind, units in UNITS.items() for unit in units}
+#: the unit of each kind in which answers are shown
+SHOWN = MappingProxyType({KIND_OF[unit]: unit for unit in USUAL})
+#: words about dimensionless answers that are followed by numbers: which, by what they are replaced, and of which kind
+PHRASES = (
+    (r"(?<![\w/])F_0 = ", "{} = ", "amplitude"),
+    (r"\b4 mu/pi = ", "4 friction/pi = ", "force"),
+    (r"\bmu = ", "friction = ", "force"),
+    (r"\bmu_s = ", "static_friction = ", "force"),
+    (r"\btau = ", "t = ", "time"),
+    (r"\bF_SN = ", "{}_SN = ", "amplitude"),
+    (r"\bOmega = ", "f = ", "frequency"),
+    (r"\bc_2 = ", "c_2 = ", "quadratic damping"),
+    (r"\bload = ", "load = ", "force"),
+    (r"\bfor Omega in \[", "for f in [", "frequency"),
+    (r"\bA = ", "A = ", "length"),
+    (r"\bamplitude up to ", "amplitude up to ", "length"),
+    (r"\bamplitudes above ", "amplitudes above ", "length"),
+)
+#: arguments of a question, which are in SI units
+CALLS = ((r"\bOmega=", "f=", "frequency"), (r"\bF_0=", "F=", "amplitude"), (r"\bA=", "A=", "length"))
+#: and letters that stand alone
+LETTERS = (
+    (r"\bmu/\(A Omega\^2\)", "friction/(m A omega^2)"),
+    (r"\bmu/\(F_0 Omega\^2\)", "friction over the force of inertia"),
+    (r"\bF_0\b", "{}"),
+    (r"\bmu\b", "friction"),
+    (r"\btau\b", "t"),
+    (r"\bOmega\b", "f"),
+    (r"\bu_cr\b", "x_cr"),
+    (r"\bu = 0\b", "x = 0"),
+)
+NUMBER = r"-?(?:\d+(?:\.\d+)?(?:e[+-]?\d+)?|inf)"
+#: what can be drawn of a response curve
+DRAWN = ("A", "phi", "transmissibility_dB")
+
+
+@dataclass(frozen=True, eq=False)
+class Quantities(Answer):
+    """An answer in physical units; its numbers are read by name, as `.F_SN`, `.f`, `.A`. Print it.
+
+    values -- numbers, words and arrays by name
+    units  -- the unit of each that has one
+    answer -- the same, dimensionless: its `.validity`, `.measure()` and so on
+    entry  -- names of what makes up one entry; an answer with several has a length, and an index or a loop gives one
+    scales -- what the numbers of the answer are measured in, None where they are no such answer's
+    """
+
+    values: Mapping[str, Any]
+    units: Mapping[str, str]
+    answer: Any
+    entry: tuple[str, ...] = ()
+    scales: Scales | None = dataclasses.field(default=None, repr=False)
+
+    def __post_init__(self) -> None:
+        for value in self.values.values():
+            if isinstance(value, np.ndarray):
+                value.flags.writeable = False
+        for name in ("values", "units"):
+            self.__dict__[name] = MappingProxyType(dict(getattr(self, name)))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Quantities, (dict(self.values), dict(self.units), self.answer, self.entry, self.scales)
+
+    def __getattr__(self, name: str) -> Any:
+        values = self.__dict__.get("values", {})  # not there yet while it is made
+        if name not in values:
+            raise AttributeError(f"{name!r} is no part of this answer: it has {', '.join(values)}")
+        return values[name]
+
+    def __len__(self) -> int:
+        return len(self.values[self._entries()[0]])
+
+    def __getitem__(self, k: int) -> SimpleNamespace:
+        return SimpleNamespace(**{name: self.values[name][k].item() for name in self._entries()})
+
+    def __iter__(self) -> Iterator[SimpleNamespace]:
+        return (self[k] for k in range(len(self)))
+
+    def _entries(self) -> tuple[str, ...]:
+        if not self.entry:
+            raise TypeError("this answer has no entries: it is a single one")
+        return self.entry
+
+    def columns(self) -> dict[str, Any]:
+        """As of the dimensionless answer, in SI units."""
+        if not self.entry:
+            return super().columns()
+        return {name: self.values[name] for name in self.entry}
+
+    def about(self) -> dict[str, Any]:
+        """What holds for all rows, and the dimensionless parameters."""
+        beside = self.answer.about() if isinstance(self.answer, Answer) else {}
+        said = {name: plain(value) for name, value in self.values.items() if isinstance(value, PLAIN)}
+        return {**beside, **(said if self.entry else {})}
+
+    @property
+    def has_rows(self) -> bool:
+        """Whether it has entries."""
+        return bool(self.entry)
+
+    def units_of_columns(self) -> Mapping[str, str]:
+        """`units`."""
+        return self.units
+
+    def _numbers(self) -> set[str]:
+        return set(self.units)
+
+    def _content(self) -> dict[str, Any]:
+        return {**self.values, "units": tuple(self.units.items())}
+
+    def to_dict(self) -> dict[str, Any]:
+        """The answer in plain Python: lists for arrays, numbers and words, by name; and `units`, a dictionary."""
+        return {**super().to_dict(), "units": dict(self.units)}
+
+    def in_units(self, *units: str) -> Quantities:
+        """The same in other units, as in_units("kN", "rpm"); those of a kind that is not given are N, mm, Hz, ms.
+
+        Raises ValueError for a unit that is none of `UNITS`.
+        """
+        wanted = {}
+        for unit in (*USUAL, *units):
+            validate.choice("unit", unit, tuple(KIND_OF))
+            wanted[KIND_OF[unit]] = unit
+        values, found = dict(self.values), {}
+        for name, unit in self.units.items():
+            kind = KIND_OF[unit]
+            found[name] = wanted[kind]
+            values[name] = _times(values[name], UNITS[kind][unit] / UNITS[kind][wanted[kind]])
+        for name, value in values.items():
+            if isinstance(value, Quantities):
+                values[name] = value.in_units(*units)
+        return Quantities(values, found, self.answer, self.entry, self.scales)
+
+    def gradient(self) -> Gradient:
+        """How the numbers move with those of the mount and with what was asked at, exactly: d(number)/d(number).
+
+        As the gradient of the dimensionless answer, but in SI units, whatever units this answer is in. `.of` are its
+        names, as "Y_SN" or "A", `.by` those of the mount: "k_h", "preload", "friction", "zeta" or "c", "m", "k_v", "L",
+        "n" as if it were any number, and F (Y, U) and f where it was asked there.
+        Raises ValueError for what is no averaged answer, and for a mount without preload, whose springs never touch.
+        """
+        if self.scales is None or not hasattr(self.answer, "gradient"):
+            raise ValueError("gradients are known of averaged answers: this is none")
+        return physical_moves.in_units(self.answer.gradient(), self.scales)
+
+    def __str__(self) -> str:
+        return "\n".join(_lines(self.in_units()))
+
+    def plot(self, ax: Any = None, *, of: str | None = None) -> Any:
+        """Draw a curve, folds, a fold locus or a shock, in mm, Hz, N, into Matplotlib axes, or new ones; return these.
+
+        of -- of a response curve what is drawn: "A", "phi" or "transmissibility_dB"
+
+        Other units: `in_units` first. Raises ValueError where there is no picture of this answer, ImportError without
+        Matplotlib.
+        """
+        picture = getattr(self.answer, "picture", None)
+        if picture is None:
+            raise ValueError(f"there is no picture of this answer: it has {', '.join(self.values)}")
+        from slowflow import pictures
+
+        shown = self if set(self.units.values()).isdisjoint(("m", "s")) else self.in_units()
+        if picture != "response":
+            return getattr(pictures, picture)(ax, shown)
+        return pictures.response(ax, shown, "A" if of is None else validate.choice("of", of, DRAWN))
+
+
+def _times(value: Any, size: float) -> Any:
+    return None if value is None else value * size
+
+
+def _digits(number: str) -> int:
+    """As many as a number was written with, four at least."""
+    return max(4, min(15, len(re.sub(r"e.*|[^\d]", "", number).lstrip("0"))))
+
+
+def _told(name: str, size: float, unit: str, match: re.Match[str]) -> str:
+    """Numbers of words times what they are measured in, after their name."""
+    numbers = re.findall(NUMBER, match["numbers"])
+    return name + ", ".join(f"{float(one) * size:.{_digits(one)}g}" for one in numbers) + unit
+
+
+def _lines(shown: Quantities) -> Iterator[str]:
+    """The answer, intervals that it holds, then answers that it holds."""
+    yield from in_text(shown)
+    for name, value in shown.values.items():
+        if isinstance(value, np.ndarray) and value.dtype.kind == "f" and value.shape[-1:] == (2,) and not shown.entry:
+            for low, high in value.reshape(-1, 2).tolist():
+                yield f"{head(name, shown.units):14}{low:.15g} to {high:.15g}"
+        if isinstance(value, Quantities):
+            yield from (f"{name}:", *(f"  {line}" for line in _lines(value)))
+
+
+# ---- what a user gives
+
+
+def si(name: str, value: Any, unit: str) -> Any:
+    """A number or array in SI units: a plain one as it is, a quantity of pint converted to `unit`."""
+    if not (hasattr(value, "magnitude") and hasattr(value, "to")):
+        return value
+    try:
+        return value.to(unit).magnitude
+    except TypeError:  # what pint raises for another dimension
+        raise ValueError(f"{name} = {value} is not allowed: {name} must be measured in {unit}") from None
+
+
+def turns(name: str, value: Any) -> Any:
+    """A frequency in turns per second: a plain number is in Hz.
+
+    A quantity of pint has to say whether it counts turns or radians, which pint takes for the same: 1/s does not.
+    """
+    if not (hasattr(value, "magnitude") and hasattr(value, "to")):
+        return value
+    if "hertz" in str(value.units):
+        return si(name, value, "hertz")
+    if "radian" not in str(value.to_base_units().units):
+        raise ValueError(f"{name} = {value} is not allowed: {name} must be in Hz, rpm, or rad/s")
+    return si(name, value, "radian/second") / math.tau
+
+
+def size(scale: Scale, *, m: Any, k_v: Any, L: Any) -> Any:
+    """What a dimensionless number is measured in (4), of one oscillator or of many: numbers or arrays, in SI units."""
+    return scale.factor * math.prod(base**power for base, power in zip((k_v, L, m), scale.powers, strict=True))
+
+
+def sizes(*, m: Any, k_v: Any, L: Any) -> dict[str, Any]:
+    """What numbers of each kind are measured in."""
+    base = {"m": m, "k_v": k_v, "L": L}
+    length, rate = size(SCALES["u"], **base), size(SCALES["Omega"], **base)
+    return {
+        "force": size(SCALES["F_0"], **base),
+        "length": length,
+        "frequency": rate / math.tau,
+        "time": size(SCALES["tau"], **base),
+        "speed": length * rate,
+        "stiffness": k_v,
+        "acceleration": length * rate**2,
+        "unbalance": size(AMPLITUDE_SCALES["unbalance"], **base),
+        "quadratic damping": size(SCALES["c_2"], **base),
+    }
+
+
+@dataclass(frozen=True, kw_only=True)
+class Scales:
+    """What the dimensionless numbers of an oscillator are measured in (4), in SI units: m in kg, k_v in N/m, L in m.
+
+    excitation -- what F_0 is the amplitude of, a key of `EXCITED`: of a base in L, of an unbalance in m L
+    damping    -- which number viscous damping is given by, "zeta" or "c"
+
+    Numbers, or quantities of pint. Raises ValueError for one that is not > 0.
+    """
+
+    m: float
+    k_v: float
+    L: float
+    excitation: str = "force"
+    damping: str = "zeta"
+
+    def __post_init__(self) -> None:
+        for name, unit in (("m", "kilogram"), ("k_v", "newton/meter"), ("L", "meter")):
+            self.__dict__[name] = validate.number(name, si(name, getattr(self, name), unit), above=0.0)
+        if not all(0 < value < math.inf for value in self.sizes.values()):
+            raise ValueError(
+                f"m = {self.m:g}, k_v = {self.k_v:g}, L = {self.L:g}: not allowed together, beyond doubles"
+            )
+
+    @cached_property
+    def sizes(self) -> dict[str, float]:
+        """What numbers of each kind are measured in."""
+        return sizes(m=self.m, k_v=self.k_v, L=self.L)
+
+    def of(self, scale: Scale) -> float:
+        """What one of these numbers is measured in."""
+        return float(size(scale, m=self.m, k_v=self.k_v, L=self.L))
+
+    def over(self, name: str, value: Any, domain: Parameter, scale: Scale) -> float:
+        """A given number over what it is measured in. Raises ValueError, in its terms, outside the domain."""
+        size = self.of(scale)
+        bounds = {b: getattr(domain, b) for b in ("above", "least", "below", "most") if getattr(domain, b) is not None}
+        allowed = {bound: limit * size for bound, limit in bounds.items()}
+        return validate.number(name, value, **allowed) / size
+
+    def quantities(self, answer: Answer) -> Quantities:
+        """An answer to a dimensionless question in SI units, and those that it holds."""
+        fields = dataclasses.fields(answer)  # type: ignore[arg-type]
+        found = {field.name: getattr(answer, field.name) for field in fields if field.repr}
+        entry = (*answer.entry._fields, *answer.beside) if isinstance(answer, Table) else ()
+        if entry and "F_0" not in entry and np.ndim(found.get("F_0", 0.0)):
+            entry += ("F_0",)
+        return self.named({**{name: getattr(answer, name) for name in entry}, **found}, answer, entry)
+
+    def worded(self, text: str) -> str:
+        """Words about a dimensionless answer with its letters, and numbers in N, mm and Hz."""
+        letter, of_amplitude, _ = EXCITED[self.excitation]
+        for pattern, name, kind in PHRASES:
+            kind = of_amplitude if kind == "amplitude" else kind
+            size = self.sizes[kind] / UNITS[kind][SHOWN[kind]]
+            told = partial(_told, name.format(letter), size, f" {SHOWN[kind]}")
+            text = re.sub(rf"{pattern}(?P<numbers>{NUMBER}(?:, {NUMBER})*)", told, text)
+        for pattern, name, kind in CALLS:
+            size = self.sizes[of_amplitude if kind == "amplitude" else kind]
+            text = re.sub(rf"{pattern}(?P<numbers>{NUMBER})", partial(_told, name, size, ""), text)
+        for pattern, name in LETTERS:
+            text = re.sub(pattern, name.format(letter), text)
+        return text
+
+    @contextlib.contextmanager
+    def in_these_terms(self) -> Iterator[None]:
+        """What the dimensionless oscillator refuses is said by `worded`."""
+        try:
+            yield
+        except (ValueError, ArithmeticError) as error:
+            error.args = (self.worded(str(error)),)
+            raise
+
+    def kind(self, name: str) -> tuple[str, str]:
+        """What a dimensionless number is called with a unit, and of which kind it is; "" for none."""
+        if name not in AMPLITUDES:
+            return KINDS.get(name, (name, ""))
+        letter, kind, _ = EXCITED[self.excitation]
+        return letter if name == "F_0" else letter + name[1:], kind
+
+    def named(self, found: Mapping[str, Any], answer: Any, entry: tuple[str, ...] = ()) -> Quantities:
+        """Dimensionless numbers by name, as `kind` has them, in SI units."""
+        values: dict[str, Any] = {}
+        units = {}
+        for name, value in found.items():
+            shown, kind = self.kind(name)
+            values[shown] = self.quantities(value) if isinstance(value, Answer) else value
+            if name == "message":
+                values[shown] = self.worded(value)
+            if kind:
+                values[shown] = _times(value, self.sizes[kind])
+                units[shown] = next(iter(UNITS[kind]))
+        return Quantities(values, units, answer, tuple(self.kind(name)[0] for name in entry), self)
