@@ -24,11 +24,18 @@ above it. With a = b - B it adds D_k to f^(k), and to c_n the sum of D_k L_(k-n)
 
 for k >= 0; those for k < 0 are derivatives of L_0 and M_0 by B. psi = 0 where the motion stays below the step, pi where
 it stays above: then they are polynomials. The first piece is a step at u = 0 that all of the motion is above.
+
+Just past a step c_1 and s_1 go as 1/sqrt(distance). In coordinates of the motion's ends nothing does: of x for the upper
+end B + A and y for the lower one B - A, each the root of how far that end is past a step, or the end itself,
+
+    (B + A)_x = 2 X    (B - A)_y = -2 Y    c_x = X (c_1 + s_1)    c_y = -Y (c_1 - s_1)    A_x = X    A_y = Y
+
+where X = x or 1/2. `Ended` has what vanishes at states and at folds in these.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -67,6 +74,10 @@ load_p, end_p = sp.symbols("load_p end_p", real=True)
 #: 1 where a motion comes to an end at B + A, -1 where it does at B - A
 side = sp.Symbol("side", real=True)
 
+#: of coordinates x and y of a motion's ends: A_x and A_y, with their slopes; those of c_0, and of each by its own one
+X, Y = sp.symbols("X Y", nonnegative=True)
+X_x, Y_y, c_x, c_y, c_xx, c_yy = sp.symbols("X_x Y_y c_x c_y c_xx c_yy", real=True)
+
 _f = sp.Function("f")
 _DISPLACED = B + A * sp.cos(psi)
 
@@ -85,6 +96,21 @@ class Moved:
 
 
 @dataclass(frozen=True)
+class Ended:
+    """What vanishes, in coordinates x and y of a motion's ends.
+
+    state -- f_0 and F, and their slopes by x and y in turn
+    along -- along the balance, where it goes as (-c_y, c_x): A's slope, and what F_A gains there by R; c_1 has the sign
+             of the first
+    fold  -- at a forcing, in x, y and t: f_0, F along the balance, whether R and I belong to one Omega; and slopes
+    """
+
+    state: tuple[sp.Expr, ...]
+    along: tuple[sp.Expr, sp.Expr]
+    fold: tuple[sp.Expr, ...]
+
+
+@dataclass(frozen=True)
 class OffCentre:
     """Of any mechanism, in c and s.
 
@@ -96,6 +122,7 @@ class OffCentre:
     past     -- `resists` where the motion passes a step at which the force gains D_0: root may be 0
     beside   -- `resists` of an odd force without a load, where B is not 0: with c_3 and s_2 at some B between
     moved    -- what a parameter does to B and h
+    ended    -- states and folds by the motion's ends
     """
 
     lets: tuple[Let, ...]
@@ -106,6 +133,7 @@ class OffCentre:
     past: sp.Expr
     beside: sp.Expr
     moved: Moved
+    ended: Ended
 
 
 @dataclass(frozen=True)
@@ -194,6 +222,7 @@ def off_centre(averaged: Averaged, flow: SlowFlow) -> OffCentre:
         _past(of_means[resists]),
         _beside(of_means[resists]),
         moved(),
+        _ended(R_value, I_value, f_0),
     )
 
 
@@ -278,6 +307,66 @@ def moved() -> Moved:
     return Moved(tuple(lets), (moves[0], *values), edge)
 
 
+def _by_ends() -> tuple[Callable[[sp.Expr], sp.Expr], Callable[[sp.Expr], sp.Expr]]:
+    """d/dx and d/dy, for coordinates of a motion's ends, of an expression in A, c_0, s_0 and the slopes of c_0."""
+    c_xy = -(Y * c_x + X * c_y) / (2 * A)
+    chains = (
+        ((A, X), (X, X_x), (c[0], c_x), (s[0], c_x - X * s[0] / A), (c_x, c_xx), (c_y, c_xy)),
+        ((A, Y), (Y, Y_y), (c[0], c_y), (s[0], -c_y - Y * s[0] / A), (c_x, c_xy), (c_y, c_yy)),
+    )
+    # by A and B: B + A and B - A move by 2 X and by -2 Y
+    of_means = {c_x: X * (c[1] + s[1]), c_y: -Y * (c[1] - s[1])}
+    for chain, by_A, by_B in zip(chains, (X, Y), (X, -Y), strict=True):
+        for value, slope in chain:
+            if value in (c[0], s[0]):
+                _vanishes(slope.subs(of_means) - by_A * _by_A(value) - by_B * _by_B(value), "slopes by the ends")
+    mixed = of_means[c_x]
+    _vanishes(c_xy.subs(of_means) - Y * (_by_A(mixed) - _by_B(mixed)), "the mixed slope of c_0")
+
+    def by(chain: tuple[tuple[sp.Symbol, sp.Expr], ...]) -> Callable[[sp.Expr], sp.Expr]:
+        return lambda expression: sum(sp.diff(expression, value) * slope for value, slope in chain)
+
+    return by(chains[0]), by(chains[1])
+
+
+def _ended(R_value: sp.Expr, I_value: sp.Expr, f_0: sp.Expr) -> Ended:
+    """As `state` and `fold` by A and B, by the chain rule."""
+    both = _by_ends()
+    slopes = tuple(2 * (R * by(R_value) + I * by(I_value)) for by in both)
+    F = R**2 + I**2 - F_0**2
+    # along the balance, as in `_fold`
+    A_t = -c_y * X + c_x * Y
+    turns = A * (-c_y * slopes[0] + c_x * slopes[1]) / 2
+    gain = s[0] * A_t + A * c_x * c_y
+    line = A_t * (F_0**2 - m * I) + 4 * gain * R
+    of_Omega = {R: R_value, I: I_value}
+    _vanishes((turns - line).subs(F_0**2, R**2 + I**2).subs(of_Omega), "a fold as a line in R and I, by the ends")
+    of_means = {c_x: X * (c[1] + s[1]), c_y: -Y * (c[1] - s[1])}
+    _vanishes(A_t.subs(of_means) - 2 * X * Y * c[1], "A rises along the balance where c_1 is positive")
+    values = (
+        f_0,
+        sp.expand(sp.cancel(line.subs(_CIRCLE) * (1 + t**2) / F_0)),
+        _one_Omega(),
+    )
+    by_each = (*both, lambda expression: sp.diff(expression, t))
+    return Ended(
+        (f_0, F, *(by(f_0) for by in both), *slopes),
+        (A_t, gain),
+        (*values, *(by(value) for value in values for by in by_each)),
+    )
+
+
+#: R and I of a motion at F_0
+_CIRCLE = {R: 2 * t * F_0 / (1 + t**2), I: (1 - t**2) * F_0 / (1 + t**2)}
+
+
+def _one_Omega() -> sp.Expr:
+    """What vanishes where R and I are of one Omega."""
+    return (F_0 * (1 - t**2) - m * (1 + t**2)) ** 2 - 4 * zeta**2 * A * (1 + t**2) * (
+        2 * F_0 * t + 2 * s[0] * (1 + t**2)
+    )
+
+
 def _fold(R_value: sp.Expr, I_value: sp.Expr, f_0: sp.Expr, slopes: tuple[sp.Expr, sp.Expr]) -> tuple[sp.Expr, ...]:
     """A fold turns along the balance: c_1 F_A - s_1 F_B = 0. With R and I of F = 0 it needs no Omega."""
     turns = A * (c[1] * slopes[0] - s[1] * slopes[1]) / 2
@@ -288,14 +377,13 @@ def _fold(R_value: sp.Expr, I_value: sp.Expr, f_0: sp.Expr, slopes: tuple[sp.Exp
     _vanishes((turns - line).subs(F_0**2, R**2 + I**2).subs(of_Omega), "a fold as a line in R and I")
     one_Omega = (I - m) ** 2 - 4 * zeta**2 * A * (R + 2 * s[0])
     _vanishes(one_Omega.subs(of_Omega), "R and I of one Omega")
-    circle = {R: 2 * t * F_0 / (1 + t**2), I: (1 - t**2) * F_0 / (1 + t**2)}
-    _vanishes((R**2 + I**2).subs(circle) - F_0**2, "R and I at F_0")
+    _vanishes((R**2 + I**2).subs(_CIRCLE) - F_0**2, "R and I at F_0")
     values = (
         f_0,
-        sp.collect(sp.expand(sp.cancel(line.subs(circle) * (1 + t**2) / F_0)), c[1]),
-        (F_0 * (1 - t**2) - m * (1 + t**2)) ** 2 - 4 * zeta**2 * A * (1 + t**2) * (2 * F_0 * t + 2 * s[0] * (1 + t**2)),
+        sp.collect(sp.expand(sp.cancel(line.subs(_CIRCLE) * (1 + t**2) / F_0)), c[1]),
+        _one_Omega(),
     )
-    _vanishes(values[2] - (one_Omega.subs(circle) * (1 + t**2) ** 2), "R and I of one Omega, in t")
+    _vanishes(values[2] - (one_Omega.subs(_CIRCLE) * (1 + t**2) ** 2), "R and I of one Omega, in t")
     by = (_by_A, _by_B, lambda expression: sp.diff(expression, t))
     return (*values, *(sp.expand(one(value)) for value in values for one in by))
 

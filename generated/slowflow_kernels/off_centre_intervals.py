@@ -14,6 +14,9 @@ the methods `square` and `sqrt`.
 __all__ = [
     "beside",
     "down",
+    "ended_along",
+    "ended_fold",
+    "ended_state",
     "fold",
     "past",
     "state",
@@ -92,6 +95,103 @@ def fold(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
         -s_1 * t25 - t26 * t27 - t27,
         8.0 * F_0 * m * t24 + 4.0 * t * t29 - t * t30 - t1 * t28 - t20 * t22 - 24.0 * t20 * t8 + 4.0 * t24 * t28 +
         4.0 * t24 * t29 - t24 * t30,
+    )
+
+
+def ended_state(Omega, A, F_0, m, zeta, load, c_0, s_0, c_x, c_y, X, Y):
+    """What vanishes at a steady state, by coordinates x and y of the motion's ends: the balance of the mean and F; slopes of each by x and y.
+
+    Equation (24) and the mean of (3). Domain: A > 0.
+    """
+    t0 = 2.0 * s_0
+    t1 = Omega.square()
+    R = A * t1 - t0
+    t2 = Omega * zeta
+    I = 2.0 * A * t2 + m
+    t3 = 4.0 * I * t2
+    t4 = t0 / A
+    t5 = 2.0 * R
+    return (
+        c_0 - load,
+        -F_0.square() + I.square() + R.square(),
+        c_x,
+        c_y,
+        X * t3 + t5 * (X * t1 + X * t4 - 2.0 * c_x),
+        Y * t3 + t5 * (Y * t1 + Y * t4 + 2.0 * c_y),
+    )
+
+
+def ended_along(A, s_0, c_x, c_y, X, Y):
+    """Along the balance, by coordinates of the motion's ends: A's slope, and what F_A gains there by R.
+
+    Equation (30) and the mean of (3). Domain: A > 0.
+    """
+    t0 = -X * c_y + Y * c_x
+    return (
+        t0,
+        A * c_x * c_y + s_0 * t0,
+    )
+
+
+def ended_fold(t, A, F_0, m, zeta, load, c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y):
+    """What vanishes at a fold at F_0 with cos phi = -2 t/(1 + t^2), by coordinates x and y of the motion's ends: the balance, F along it times a positive number, R and I of one Omega; slopes of each by x, y and t.
+
+    Equation (24), (30) and the mean of (3). Domain: A > 0, |t| <= 1.
+    """
+    t0 = F_0 * Y
+    t1 = c_x * t0
+    t2 = c_y * m
+    t3 = X * t2
+    t4 = F_0 * c_y
+    t5 = X * t4
+    t6 = Y * m
+    t7 = c_x * t6
+    t8 = 8.0 * t
+    t9 = c_y * t8
+    t10 = A * t9
+    t11 = X * c_y
+    t12 = s_0 * t8
+    t13 = Y * c_x
+    t14 = t.square()
+    t15 = t14 + 1.0
+    t16 = F_0 * (1.0 - t14) - m * t15
+    t17 = zeta.square()
+    t18 = 2.0 * F_0
+    t19 = 2.0 * s_0 * t15 + t * t18
+    t20 = A * t17 * t19
+    t21 = 4.0 * t15
+    t22 = t11 * t8
+    t23 = 1.0 / A
+    t24 = s_0 * t23
+    t25 = -X * t24 + c_x
+    t26 = 8.0 * Y * c_x * t - t22
+    t27 = Y * t12 + t0 * t14 + t0 + t10 + t14 * t6 - t6
+    t28 = F_0 * X
+    t29 = 8.0 * A * c_x * t - X * m * t14 + X * m - X * t12 - t14 * t28 - t28
+    t30 = 0.5 * t23 * (-t11 - t13)
+    t31 = -Y * t24 - c_y
+    t32 = F_0 * c_x
+    t33 = c_x * m
+    t34 = 8.0 * s_0
+    t35 = 2.0 * t
+    t36 = t17 * t21
+    t37 = t19 * t36
+    t38 = A * t36
+    t39 = t38 * (2.0 * t14 + 2.0)
+    t40 = 4.0 * t
+    return (
+        c_0 - load,
+        c_x * t10 + t1 * t14 + t1 - t11 * t12 + t12 * t13 - t14 * t3 - t14 * t5 + t14 * t7 + t3 - t5 - t7,
+        t16.square() - t20 * t21,
+        c_x,
+        c_y,
+        0.0,
+        X_x * (c_y * m - s_0 * t9 - t14 * t2 - t14 * t4 - t4) + c_x * t22 + c_xx * t27 + t25 * t26 + t29 * t30,
+        Y_y * (c_x * t12 + t14 * t32 + t14 * t33 + t32 - t33) + c_yy * t29 + t13 * t9 + t26 * t31 + t27 * t30,
+        8.0 * A * c_x * c_y + t1 * t35 - t11 * t34 + t13 * t34 - t3 * t35 - t35 * t5 + t35 * t7,
+        -X * t37 - t25 * t39,
+        -Y * t37 - t31 * t39,
+        t16 * (-F_0 * t40 - m * t40) - t20 * t8 - t38 * (s_0 * t40 + t18),
     )
 
 

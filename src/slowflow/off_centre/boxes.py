@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import itertools
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,17 +33,17 @@ MOST_BOXES, MOST_EACH = 150_000, 4_000
 
 
 class Equations(Protocol):
-    """As many equations as unknowns; `of` tells which of several systems each box or point belongs to.
+    """As many equations as unknowns; `of` tells which of several systems each box or point belongs to."""
 
-    positive -- whether the first unknown is not negative
-    """
+    def limits(self, of: Ints) -> tuple[Any, Any]:
+        """Lower and upper ends of all that there is, which broadcast to (d, n): no box is made larger beyond."""
+        ...
 
-    positive: bool
-
-    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, Floats]:
+    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
         """Values (2, d, n) and slopes (2, d, d, n), lower and upper ends, on boxes x +- r of shape (d, n).
 
-        Further rows of values may follow, of what vanishes at a solution too.
+        Further rows of values may follow, of what vanishes at a solution too. A third array (2, d, n) may follow:
+        between which ends the solutions of each box are.
         """
         ...
 
@@ -72,7 +72,7 @@ def solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solution
 
 
 def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutions:
-    d, looked_at = low.shape[0], 0
+    d, looked_at, doubt = low.shape[0], 0, np.zeros_like(low)
     most = max(MOST_BOXES, MOST_EACH * np.unique(of).size)
     found: list[tuple[Floats, Floats, Floats, Ints]] = []
     open_: list[tuple[Floats, Ints]] = []
@@ -81,10 +81,13 @@ def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutio
         if looked_at > most:
             raise ArithmeticError("the states are unresolved: too many boxes stay undecided")
         x, r = 0.5 * (low + high), 0.5 * (high - low)
-        wide = r * (1 + AROUND)
-        x_wide = np.concatenate((np.maximum(x[:1], wide[:1]), x[1:])) if equations.positive else x
+        least, most_ = equations.limits(of)
+        around = AROUND * r + doubt
+        ends = np.maximum(low - around, least), np.minimum(high + around, most_)
+        x_wide = 0.5 * (ends[0] + ends[1])
+        wide = np.maximum(ends[1] - x_wide, x_wide - ends[0])
         # on all of it and in its middle, at once
-        values, slopes = equations.on(
+        values, slopes, *held = equations.on(
             np.concatenate((x_wide, x_wide), axis=1),
             np.concatenate((wide, np.zeros_like(wide)), axis=1),
             np.concatenate((of, of)),
@@ -94,12 +97,17 @@ def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutio
         # by how much slopes can move the value in the middle
         reach = np.einsum("ijn,jn->in", np.max(np.abs(slopes), axis=0), wide) * (1 + 2.0**-48)
         none |= ((middle[0] - reach > 0) | (middle[1] + reach < 0)).any(axis=0)
-        centre, radius = _krawczyk(middle, x_wide, wide, slopes)
+        centre, radius, floor = _krawczyk(middle, x_wide, wide, slopes)
         none |= ((centre - radius > high) | (centre + radius < low)).any(axis=0)
         inside = (np.abs(centre - x_wide) + radius < wide).all(axis=0) & ~none
+        held.append(_alone(middle, x_wide, wide, slopes))
+        for holds in held:
+            low, high = np.fmax(low, holds[0, :, : of.size]), np.fmin(high, holds[1, :, : of.size])
+            none |= (low > high).any(axis=0)
+            inside &= ~none
+        narrow = (r <= NARROW * np.maximum(np.abs(x), 1.0)).all(axis=0)
         if inside.any():
             found.append((centre[:, inside], x_wide[:, inside], wide[:, inside], of[inside]))
-        narrow = (r <= NARROW * np.maximum(np.abs(x), 1.0)).all(axis=0)
         last = narrow & ~inside & ~none
         open_.append((x[:, last], of[last]))
         left = np.flatnonzero(~(none | inside | last))
@@ -109,6 +117,8 @@ def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutio
         # in no direction by so much that roundings would count there, while it is still wide in others
         more = np.maximum(THIN * np.maximum(np.abs(x[:, left]), 1.0) - 0.5 * (high - low), 0.0)
         low, high = low - more, high + more
+        # a proof has to be wider than the roundings that it holds
+        doubt = 2 * np.tile(np.where(np.isfinite(floor), floor, 0.0)[:, left], 2)
         low, high, of = _cut(low, high, of[left], slopes[..., left])
     undecided, undecided_of = _joined(open_, d)
     if not found:
@@ -127,8 +137,11 @@ def _joined(parts: list[tuple[Floats, Ints]], d: int) -> tuple[Floats, Ints]:
     return x, of
 
 
-def _krawczyk(values: Floats, x: Floats, r: Floats, slopes: Floats) -> tuple[Floats, Floats]:
-    """x - Y f(x) + (1 - Y J)(X - x), Y the inverse of J in the middle of X: its centre and radius; `values` at x."""
+def _krawczyk(values: Floats, x: Floats, r: Floats, slopes: Floats) -> tuple[Floats, Floats, Floats]:
+    """x - Y f(x) + (1 - Y J)(X - x), Y the inverse of J in the middle of X: its centre and radius; `values` at x.
+
+    And what of the radius is due to how `values` are known.
+    """
     d = x.shape[0]
     middle, spread = 0.5 * (slopes[0] + slopes[1]), 0.5 * (slopes[1] - slopes[0])
     known = np.isfinite(middle).all(axis=(0, 1)) & np.isfinite(spread).all(axis=(0, 1))
@@ -144,9 +157,30 @@ def _krawczyk(values: Floats, x: Floats, r: Floats, slopes: Floats) -> tuple[Flo
     apart = np.abs(np.eye(d) - Y @ J) + size @ spread.transpose(2, 0, 1)
     # some multiplications of doubles, each a rounding
     rounding = 2.0**-49 * (size @ np.abs(J) + 1.0) @ r.T[..., np.newaxis] + 2.0**-49 * size @ np.abs(value)
-    radius = (apart @ r.T[..., np.newaxis] + size @ doubt + rounding)[..., 0].T + 2.0**-51 * np.abs(x)
+    floor = (size @ doubt)[..., 0].T + 2.0**-51 * np.abs(x)
+    radius = (apart @ r.T[..., np.newaxis] + rounding)[..., 0].T + floor
     lost = singular | ~known
-    return centre, np.where(lost | np.isnan(radius), np.inf, radius)
+    return centre, np.where(lost | np.isnan(radius), np.inf, radius), np.where(lost, np.inf, floor)
+
+
+def _alone(values: Floats, x: Floats, r: Floats, slopes: Floats) -> Floats:
+    """Between which ends each equation by itself has its zeros in each unknown by which its slope has a sign."""
+    moves = np.max(np.abs(slopes), axis=0) * r * (1 + 2.0**-40)
+    low, high = np.full_like(x, -np.inf), np.full_like(x, np.inf)
+    for i, by in enumerate(moves):
+        for j in range(len(x)):
+            others = by.sum(axis=0) - by[j] + 2.0**-40 * by.sum(axis=0)
+            flat = np.where(
+                slopes[0, i, j] > 0, slopes[0, i, j], np.where(slopes[1, i, j] < 0, slopes[1, i, j], np.nan)
+            )
+            steep = np.where(flat > 0, slopes[1, i, j], slopes[0, i, j])
+            # -(value + what others move it by) over a slope between these two
+            ends = np.stack((others - values[0, i], -others - values[1, i]))
+            each = ends[:, np.newaxis] / np.stack((flat, steep))
+            doubt = 2.0**-40 * np.abs(each).max(axis=(0, 1))
+            low[j] = np.fmax(low[j], x[j] + each.min(axis=(0, 1)) - doubt)
+            high[j] = np.fmin(high[j], x[j] + each.max(axis=(0, 1)) + doubt)
+    return np.stack((low, high))
 
 
 def _cut(low: Floats, high: Floats, of: Ints, slopes: Floats) -> tuple[Floats, Floats, Ints]:

@@ -94,6 +94,13 @@ class Steps:
         self.gains = np.concatenate((np.where(odd, rows[0], 0.0)[np.newaxis], steps, steps))
         self._rows = rows
         self._of_c, self._of_s = self._weights()
+        mirrored = -((-1.0) ** np.arange(self.highest + 1))
+        right = [rows[0]]
+        for end, gained in zip(ends[:-1], rows[1:-2], strict=True):
+            right.append(right[-1] + _about(gained, -float(end)))
+        right = [*right, rows[-1]][: 1 + ends.size]
+        #: pieces by rising u, the derivatives of each at u = 0
+        self.pieces = np.array([*(mirrored * row for row in right[: None if first.any() else 0 : -1]), *right])
         #: the odd part of the last piece, which holds everywhere but for what is bounded
         self._last = rows[-1]
         self._base = np.zeros((ORDERS + 1, ORDERS + self.highest + 1))
@@ -121,6 +128,7 @@ class Steps:
             float(ends[about]) if about < ends.size else math.inf,
         )
         self.outer = (pieces[-1], -mirrored * pieces[0])
+        self.pieces = pieces
         self.places = np.array([0.0, *ends[right], *-ends[~right]])
         self.sides = np.array([1.0] * (1 + int(right.sum())) + [-1.0] * about)
         self.gains = np.concatenate((pieces[about : about + 1], gains[right], gains[~right] * mirrored))
@@ -159,19 +167,6 @@ class Steps:
             total += sum(row[k] * (at - place) ** (k - n) / math.factorial(k - n) for k in range(n, row.size))
         odd = self._last - self._even
         return float(total - sum(odd[k] * at ** (k - n) / math.factorial(k - n) for k in range(n, odd.size)))
-
-    @property
-    def jumps(self) -> list[int]:
-        """The steps at which the force itself jumps."""
-        return [int(step) for step in 1 + np.flatnonzero(self.gains[1:, 0])]
-
-    def touching(self, step: int) -> Steps:
-        """The same for motions that just touch that step, which they have nothing of."""
-        other = copy.copy(self)
-        other.gains = self.gains.copy()
-        other.gains[step] = 0.0
-        other._of_c, other._of_s = other._weights()
-        return other
 
     def at(self, A: Floats, B: Floats, orders: int) -> Means:
         """At numbers A > 0 and B of one shape (n,)."""
@@ -231,26 +226,6 @@ class Steps:
             moved = B.ends if self.sides[step] > 0 else -B.ends[::-1]
             self._step(A, Interval(self.places[step] - moved[::-1]), ends[:, :, step])
         return ends
-
-    def past(self, step: int, psi: Floats, sine: Floats, A: Floats, B: Floats) -> Means:
-        """Of motions that pass a step at an angle psi, with its sine: c_0, c_1, s_0 and s_1.
-
-        c_1 and s_1 without what the jump of the force adds there, D_0 L_-1 and side D_0 M_-1.
-        """
-        L, M = self._ladders(A, B)
-        L[step, :ORDERS], M[step, :ORDERS] = 0.0, 0.0
-        L[step, ORDERS], M[step, ORDERS] = psi / np.pi, sine / np.pi
-        of = ((self._of_c, L), (self._of_s, M))
-        return Means(*(tuple(self._summed(weights[n], ladder) for n in (0, 1)) for weights, ladder in of))
-
-    def past_on(self, step: int, psi: Interval, sine: Interval, A: Interval, B: Interval) -> Means:
-        """The same on boxes."""
-        ends = self._bounds(A, B)
-        ends[:, :, step, :ORDERS] = 0.0
-        for family, values in enumerate((psi, sine)):
-            ends[family, :, step, ORDERS] = (values * (1 / np.pi)).ends
-        of = ((self._of_c, ends[0]), (self._of_s, ends[1]))
-        return Means(*(tuple(self._held(weights[n], bounds) for n in (0, 1)) for weights, bounds in of))
 
     def resists(self, A: Interval, B: Interval, means: Means) -> tuple[Interval, Interval]:
         """(c_1^2 - s_1^2)/c_1 on the boxes of `on`, which stays finite where a motion comes to a jump of the force.
@@ -403,6 +378,13 @@ class Steps:
     def _needs_below_zero(self) -> bool:
         """Whether the force or a derivative that is asked for jumps at a breakpoint."""
         return bool(np.any(self.gains[1:, :ORDERS]))
+
+
+def _about(derivatives: Floats, at: float) -> Floats:
+    """Of a polynomial with these derivatives at 0 those at another place."""
+    n = derivatives.size
+    power = [at**k / math.factorial(k) for k in range(n)]
+    return np.array([sum(derivatives[j] * power[j - k] for j in range(k, n)) for k in range(n)])
 
 
 def _along(C: Interval, S: Interval) -> Interval:

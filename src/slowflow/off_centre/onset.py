@@ -18,16 +18,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
-from slowflow.averaged.reference.intervals import Interval
+from slowflow.averaged.reference.intervals import Bools, Interval
 from slowflow.averaged.reference.roots import fold_roots, peak_roots
 from slowflow.model import Floats
 from slowflow.off_centre.means import ORDERS, Steps
-from slowflow.off_centre.reach import ROUNDED, cut, on_balance
+from slowflow.off_centre.reach import ROUNDED
+from slowflow.off_centre.sheets import Cells, Corner, Sheets
 from slowflow_kernels import off_centre, slow_flow
 
 #: relative distance below F_SN within which no fold is proved to be absent
@@ -96,46 +96,28 @@ class Search:
         order = np.argsort(level)[:1]
         return [(float(A[i]), float(0.5 * (low[i] + high[i]))) for i in order if np.isfinite(level[i])]
 
-    def corners(self, offset_bound: Callable[[float], float]) -> list[Lowest]:
-        """Folds that sit where the motion comes to a jump of the force, at the lowest forcing each."""
+    def corners(self, corners: list[Corner]) -> list[Lowest]:
+        """Folds that sit where the motion comes to a jump of the force, at the lowest forcing each.
+
+        Where F_A along the balance has another sign on either side, the least level of the frequencies.
+        """
         found = []
-        for step in np.flatnonzero(self.steps.gains[:, 0] != 0):
-            if step == 0:
+        for corner in corners:
+            if not any(corner.stiff):
                 continue
-            place, side = float(self.steps.places[step]), float(self.steps.sides[step])
-
-            def balance(B: Floats, place: float = place, side: float = side) -> Floats:
-                means = self.steps.at(np.abs(place - side * B) * (1 - 1e-15), B, 0)
-                return np.asarray(means.c[0] - self.steps.load)
-
-            bound = offset_bound(2 * place)
-            grid = np.unique(np.concatenate((np.linspace(-bound, bound, 8 * ACROSS), [side * place])))
-            with np.errstate(all="ignore"):
-                values = np.where(grid == side * place, np.nan, balance(grid))
-            for i in np.flatnonzero(values[:-1] * values[1:] < 0):
-                one = partial(_at_one, balance)
-                B = float(brentq(one, grid[i], grid[i + 1], xtol=1e-300, rtol=1e-15))
-                found += self._corner(abs(place - side * B), B, side * np.sign(place - side * B))
+            A, s_0 = np.array([corner.A]), np.array([corner.s_0])
+            beside = [-2 * s_0 / A - e for e in corner.e]
+            candidates = [self._lowest(A, s_0, h_A) for h_A in beside]
+            Omega = peak_roots(A, -2 * s_0, self.m, self.zeta)[0][0]
+            Omega = Omega[Omega > 0]
+            turns = [slow_flow.F_A(Omega, corner.A, self.m, self.zeta, -2 * s_0, h_A) for h_A in beside]
+            Omega = Omega[turns[0] * turns[1] < 0]
+            candidates.append((slow_flow.level(Omega, corner.A, self.m, self.zeta, -2 * s_0), Omega))
+            level, Omega = (np.concatenate(column) for column in zip(*candidates, strict=True))
+            i = int(np.argmin(level))
+            if np.isfinite(level[i]):
+                found.append(Lowest(float(level[i]), float(Omega[i]), corner.A, corner.B, "corner"))
         return found
-
-    def _corner(self, A: float, B: float, x: float) -> list[Lowest]:
-        """At one of them: where F_A has another sign on either side, the least level of the frequencies."""
-        means = self.steps.at(np.array([A * (1 - 1e-12)]), np.array([B]), 1)
-        C, S, s_0 = means.c[1], means.s[1], means.s[0]
-        at = np.array([A])
-        if not C > 0:
-            return []
-        # the stiffness along the balance on either side, see `Steps.resists`
-        beside = [2 * s_0 / at - 2 * resists for resists in (C - S**2 / C, 2 * (C - x * S))]
-        candidates = [self._lowest(at, s_0, h_A) for h_A in beside]
-        Omega = peak_roots(at, -2 * s_0, self.m, self.zeta)[0][0]
-        Omega = Omega[Omega > 0]
-        turns = [slow_flow.F_A(Omega, A, self.m, self.zeta, -2 * s_0, h_A) for h_A in beside]
-        Omega = Omega[turns[0] * turns[1] < 0]
-        candidates.append((slow_flow.level(Omega, A, self.m, self.zeta, -2 * s_0), Omega))
-        level, Omega = (np.concatenate(column) for column in zip(*candidates, strict=True))
-        i = int(np.argmin(level))
-        return [Lowest(float(level[i]), float(Omega[i]), A, B, "corner")] if np.isfinite(level[i]) else []
 
     # ==== Down to the lowest ==========================================================================================
 
@@ -212,45 +194,41 @@ class Search:
 
     # ==== No fold is lower ============================================================================================
 
-    def lower(self, low: Floats, high: Floats, known: float) -> tuple[float, float] | None:
-        """A point of the balance with a lower fold in the boxes of A and B, or None: none is below (1 - GAP) of it.
+    def lower(self, sheets: Sheets, A_max: float, known: float) -> tuple[float, float] | None:
+        """A point of the balance with a lower fold up to an amplitude, or None: none is below (1 - GAP) of it.
 
         Raises ArithmeticError where too many boxes stay undecided.
         """
-        looked_at = 0
-        while low.size:
-            looked_at += low.shape[1]
+        looked_at, cells = 0, sheets.cells(A_max)
+        while cells.chart.size:
+            looked_at += cells.chart.size
             if looked_at > MOST_BOXES:
                 raise ArithmeticError("the onset is unresolved: too many boxes stay undecided")
             with np.errstate(all="ignore"):
-                low, high = self._left(low, high, known * (1 - GAP))
-            if 0 < low.shape[1] <= FEW:
-                A, B = 0.5 * (low + high)
+                cells = cells.take(self._may_be_lower(cells, known * (1 - GAP)))
+            if 0 < cells.chart.size <= FEW:
+                A, B = sheets.charts.motion(*(0.5 * (cells.low + cells.high)), cells.chart)
                 for _ in range(4):
                     means = self.steps.at(A, B, 1)
                     with np.errstate(all="ignore"):
                         B = B - (means.c[0] - self.steps.load) / means.c[1]
-                inside = np.isfinite(B) & (low[1] <= B) & (high[1] >= B)
+                inside = np.isfinite(B) & (cells.B.lo <= B) & (cells.B.hi >= B)
                 level = np.full(A.size, np.inf)
                 level[inside] = self.folds(A[inside], B[inside])[0]
                 if level.min() < known * (1 - GAP / 2):
                     i = int(np.argmin(level))
                     return float(A[i]), float(B[i])
-            low, high = cut(low, high)
+            with np.errstate(all="ignore"):
+                cells = sheets.cut(cells)
         return None
 
-    def _left(self, low: Floats, high: Floats, below: float) -> tuple[Floats, Floats]:
-        """Of boxes those, made smaller, that may hold a fold with a level below."""
-        found = on_balance(self.steps, low, high)
-        A, p = found.A, found.p
-        B = Interval(np.stack((low[1], high[1])))
-        short, past = self.steps.resists(A, B, found.means)
-        # on a corner F_A passes all between
-        e = (Interval(np.stack((np.minimum(short.lo, past.lo), np.maximum(short.hi, past.hi)))) - p) * 2.0
-        left = ~found.empty & (self._may(A, p, e.hi, below, 1.0) | self._may(A, p, -e.lo, below, -1.0))
-        return np.stack((low[0], found.B.lo))[:, left], np.stack((high[0], found.B.hi))[:, left]
+    def _may_be_lower(self, cells: Cells, below: float) -> Bools:
+        """Which cells may hold a fold with a level below."""
+        e = cells.e
+        may = self._may(cells.A, cells.p, e.hi, below, 1.0) | self._may(cells.A, cells.p, -e.lo, below, -1.0)
+        return np.asarray((cells.rising.hi > 0) & may)
 
-    def _may(self, A: Interval, p: Interval, e: Floats, below: float, sign: float) -> np.ndarray:
+    def _may(self, A: Interval, p: Interval, e: Floats, below: float, sign: float) -> Bools:
         """Whether there may be a fold with y of that sign, |e| <= e, and a level below."""
         rest = math.sqrt(max(below**2 - self.m**2, 0.0))
         most = np.where(np.isnan(e), np.inf, e) * (1 + ROUNDED)
@@ -276,7 +254,3 @@ class Search:
             n = np.arange(first.size)
             start, end = np.where(left, edges[first, n], start), np.where(left, edges[last + 1, n], end)
         return np.asarray(left | unknown)
-
-
-def _at_one(of: Callable[[Floats], Floats], x: float) -> float:
-    return float(of(np.array([x]))[0])

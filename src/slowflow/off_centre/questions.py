@@ -22,6 +22,7 @@ from slowflow.answer import joined
 from slowflow.averaged import remarks
 from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.questions import Averaged
+from slowflow.averaged.reference.roots import response_roots
 from slowflow.loaded import Loaded
 from slowflow.model import Floats, Model
 from slowflow.off_centre.answers import (
@@ -33,12 +34,13 @@ from slowflow.off_centre.answers import (
     OffCentreStates,
     RestPositions,
 )
-from slowflow.off_centre.beside_jumps import decided
 from slowflow.off_centre.boxes import Ints, Solutions, solve
 from slowflow.off_centre.curve import Curves, Slow, curves, on_curve
-from slowflow.off_centre.equations import Detaching, Fold, Resting, State, Touching
+from slowflow.off_centre.by_ends import EndedFold, EndedState
+from slowflow.off_centre.equations import Detaching, Fold, Resting
 from slowflow.off_centre.means import ORDERS, Means, Steps
 from slowflow.off_centre.onset import Lowest, Search
+from slowflow.off_centre.sheets import Corner, Sheets
 from slowflow.off_centre.reach import AMPLITUDE, BACKBONE, LARGEST, Farthest, Measure, Reach
 from slowflow.results import Remark, SaddleNodes
 from slowflow_kernels import off_centre, slow_flow
@@ -100,6 +102,7 @@ class OffCentre:
         self._steps = Steps(model.mechanism, model.parameters, load)
         self._m, self._zeta = model.m, model.zeta
         self._reach = Reach(self._steps, self._m, self._zeta)
+        self._sheets = Sheets(self._steps, self._offset_bound)
         self._known: dict[tuple[Any, ...], Any] = {}
 
     def __eq__(self, other: object) -> bool:
@@ -265,26 +268,31 @@ class OffCentre:
         return np.concatenate((x[:, off], centred), axis=1), np.concatenate((of[off], of_A))
 
     def _at(self, Omega: Floats, F_0: float) -> Solutions:
-        """All states at some frequencies."""
-        low: list[Any] = []
-        high: list[Any] = []
-        of: list[int] = []
+        """All states at some frequencies, by A and B."""
         with np.errstate(divide="ignore"):
-            bounds = (F_0 - self._m) / (2 * self._zeta * Omega)  # (27): I <= F_0
-        for i, most in enumerate(bounds.tolist()):
-            octaves = BELOW
-            if most == math.inf:  # a static state
-                most, octaves = self.A_max(F_0), BELOW + ABOVE
-            edges = most * (1 + 2.0**-40) * 0.5 ** np.arange(octaves, -1, -1)
-            self._add(np.concatenate(([0.0], edges)), low, high)
-            of += [i] * (len(low) - len(of))
-        equations = State(self._steps, self._m, self._zeta, Omega, F_0)
-        found = decided(solve(equations, np.array(low).T, np.array(high).T, np.array(of, dtype=np.intp)), equations)
-        if not self._has_centre:
-            return found
-        # those about the centre have solvers of their own
-        off = np.abs(found.undecided[1]) > AT_CENTRE
-        return replace(found, undecided=found.undecided[:, off], undecided_of=found.undecided_of[off])
+            bounds = (F_0 - self._m) / (2 * self._zeta * Omega) * (1 + 2.0**-40)  # (27): I <= F_0
+        # at Omega = 0 it is a static state
+        most = max(self.A_max(F_0), float(bounds[np.isfinite(bounds)].max(initial=0.0)))
+        boxes = self._sheets.states(most, Omega, F_0, self._m, self._zeta)
+        return self._solved(EndedState(self._sheets.charts, self._m, self._zeta, Omega, F_0), *boxes)
+
+    def _solved(self, equations: EndedState | EndedFold, low: Floats, high: Floats, of: Ints) -> Solutions:
+        """Solutions by A and B, and by the number of the frequency or forcing."""
+        found, motion = solve(equations, low, high, of), self._sheets.charts.motion
+        sides = []
+        for x, system in ((found.x, found.of), (found.undecided, found.undecided_of)):
+            z = np.concatenate((np.stack(motion(x[0], x[1], equations.chart(system))), x[2:]))
+            if x is found.x and x.size:
+                z = equations.refined(z, x, system)
+            number = equations.number(system)
+            if self._has_centre:
+                # those about the centre have solvers of their own, and all others are there mirrored as well
+                off = np.flatnonzero(z[1] > AT_CENTRE)
+                z, number = np.repeat(z[:, off], 2, axis=1), np.repeat(number[off], 2)
+                z[1, 1::2] *= -1.0
+            order = np.lexsort((*z[::-1], number))
+            sides += [z[:, order], number[order]]
+        return Solutions(*sides)
 
     def _add(self, edges: Floats, low: list[Any], high: list[Any]) -> None:
         """Boxes of A between neighbouring edges and of all B that the balance may have there."""
@@ -435,13 +443,13 @@ class OffCentre:
         search = Search(self._steps, self._m, self._zeta)
         size = max(1.0, abs(self.load), *map(abs, self.breakpoints))
         known = [search.descend(*at) for at in search.begin(size, self._offset_bound)]
-        known += search.corners(self._offset_bound)
+        known += search.corners(self._sheets.corners(self.A_max(self._m))[0])
         while True:
             best = min(known, key=lambda fold: fold.F_0, default=None)
             if best is not None and not best.kind:
                 raise ArithmeticError("a fold whose forcing only falls")
-            low, high = self._plane(self._m if best is None else best.F_0)
-            lower = search.lower(low, high, math.inf if best is None else best.F_0)
+            F_0 = math.inf if best is None else best.F_0
+            lower = search.lower(self._sheets, self.A_max(self._m if best is None else F_0), F_0)
             if lower is None:
                 return best
             known.append(search.descend(*lower))
@@ -485,7 +493,7 @@ class OffCentre:
 
     def _farthest(self, F_0: float, measure: Measure) -> Farthest | None:
         """The motion that goes farthest; of one about the centre as its own solvers have it."""
-        found = self._reach.farthest(*self._plane(F_0), F_0, measure)
+        found = self._reach.farthest(self._sheets, self.A_max(F_0), F_0, measure)
         if found is None or not self._has_centre or abs(found.B) > AT_CENTRE:
             return found
         centred = Averaged(self._model).peak(F_0)
@@ -543,7 +551,7 @@ class OffCentre:
         if F_0 <= self._m:
             return loads.Isolation(None, None, False, F_0, STICKS.format(F_0, self._m))
         # what is transmitted has the square h^2 + I^2, as much as F_0 where R = -h, at Omega^2 = 2 p with p = -h/A
-        backbone = self._reach.farthest(*self._plane(F_0), F_0, BACKBONE, COARSE)
+        backbone = self._reach.farthest(self._sheets, self.A_max(F_0), F_0, BACKBONE, COARSE)
         highest = loads.BEYOND * math.sqrt(2 * (1 + COARSE) * (1.0 if backbone is None else backbone.value))
         curve = self._curve(F_0, loads.SAMPLES, 0.0, highest)
         return loads.begins(curve, curve.transmissibility >= 1, partial(self._transmits, curve), F_0)
@@ -570,6 +578,14 @@ class OffCentre:
         return 2.0**ABOVE * max(sizes)
 
     def _all_folds(self, F_0: Floats) -> Solutions:
+        """All folds at some forcings but those on corners, by A, B and t."""
+        if self._has_centre:
+            return self._beside_centre(F_0)
+        boxes = self._sheets.folds(max(map(self.A_max, F_0.tolist())), F_0, self._m, self._zeta)
+        return self._solved(EndedFold(self._sheets.charts, self._m, self._zeta, F_0), *boxes)
+
+    def _beside_centre(self, F_0: Floats) -> Solutions:
+        """The same of an odd force without a load: where motions about the centre lose their stability others begin."""
         low: list[Any] = []
         high: list[Any] = []
         of: list[int] = []
@@ -580,7 +596,7 @@ class OffCentre:
                 low += [(*a, t) for t in phases[:-1]]
                 high += [(*b, t) for t in phases[1:]]
             of += [i] * (len(low) - len(of))
-        equations = Fold(self._steps, self._m, self._zeta, F_0, centred=self._has_centre)
+        equations = Fold(self._steps, self._m, self._zeta, F_0)
         return solve(equations, np.array(low).T, np.array(high).T, np.array(of, dtype=np.intp))
 
     def _phases(self, F_0: float) -> Floats:
@@ -591,44 +607,33 @@ class OffCentre:
 
     def _corners(self, F_0: float) -> tuple[Floats, list[str], Floats]:
         """The folds where a motion just touches a jump of the force, their kinds, and where there may be others."""
-        corners: list[tuple[float, ...]] = []
+        found: list[tuple[float, ...]] = []
         kinds: list[str] = []
-        open_: list[tuple[float, ...]] = []
-        edges = np.concatenate(([0.0], self.A_max(F_0) * 0.5 ** np.arange(ABOVE + BELOW, -1, -1)))
-        boxes = [(*A, *t) for A in pairwise(edges.tolist()) for t in pairwise(self._phases(F_0).tolist())]
-        low, high = np.array(boxes).T.reshape(2, 2, -1).swapaxes(0, 1)
-        for step in self._steps.jumps:
-            equations = Touching(self._steps, step, self._m, self._zeta, F_0)
-            found = solve(equations, low, high, np.zeros(low.shape[1], dtype=np.intp))
-            for points, kept in ((found.x, corners), (found.undecided, open_)):
-                for A, t in points.T.tolist():
-                    B = equations.offset(A)
-                    if self._has_centre and abs(B) <= AT_CENTRE:
-                        continue
-                    if kept is open_:
-                        kept.append((A, B, t))
-                    elif kind := self._kind_at_corner(A, B, t, F_0, step):
-                        kept.append((A, B, t))
-                        kinds.append(kind)
-        return np.array(corners).reshape(-1, 3).T, kinds, np.array(open_).reshape(-1, 3).T
+        corners, open_ = self._sheets.corners(self.A_max(F_0))
+        for corner in corners:
+            if self._has_centre and abs(corner.B) <= AT_CENTRE:
+                continue
+            A = np.array([corner.A])
+            Omega = response_roots(A, np.array([-2 * corner.s_0]), self._m, self._zeta, np.array([F_0]))[0]
+            for at in Omega[Omega > 0].tolist():
+                R, I = corner.A * at**2 - 2 * corner.s_0, self._m + 2 * self._zeta * corner.A * at
+                t = R / (F_0 + I)
+                if kind := self._kind_at_corner(corner, t, F_0):
+                    found.append((corner.A, corner.B, t))
+                    kinds.append(kind)
+        open_ = np.concatenate((open_, np.zeros((1, open_.shape[1]))))
+        return np.array(found).reshape(-1, 3).T, kinds, open_
 
-    def _kind_at_corner(self, A: float, B: float, t: float, F_0: float, step: int) -> str:
+    def _kind_at_corner(self, corner: Corner, t: float, F_0: float) -> str:
         """The kind of a fold there, "" for none: F_A has other signs where a motion reaches no jump and beyond it."""
-        place, side = self._steps.places[step], self._steps.sides[step]
-        inside = math.copysign(max(abs(place - side * B) * (1 - 1e-15), 0.0), 1.0)
-        means = self._steps.at(np.array([inside * (1 - 1e-12)]), np.array([B]), 1)
-        C, S = float(means.c[1][0]), float(means.s[1][0])
-        x = side * math.copysign(1.0, place - side * B)
-        before, after = C - S * S / C, 2 * (C - x * S)
-        h, gain = float(means.s[0][0]), float(self._steps.gains[step, 0])
-        below, beyond = (off_centre.turns(t, A, F_0, self._m, value, h) for value in (before, after))
-        if gain == 0 or below * beyond >= 0:
+        turns = [(F_0 + self._m) * t * t - 2 * corner.A * e * t + F_0 - self._m for e in corner.e]
+        if turns[0] * turns[1] >= 0:
             return ""
-        # just beyond the jump the mean stiffness has the sign of what the force gains
-        if not (C > 0 if below > 0 else gain > 0):
+        side = int(turns[1] > 0)
+        if not corner.stiff[side]:
             return "unstable"
-        # A rises beyond the jump where A + x B does along the balance
-        return "jump-up" if (below > 0) == (after > 0) else "jump-down"
+        # stable motions are above the corner or below it
+        return "jump-down" if corner.rises[side] else "jump-up"
 
     def _folds(self, x: Floats, on_corner: Any, F_0: float, said: _Said) -> OffCentreFolds:
         """Folds in A, B and t; of which kind those on a corner are, "" for others."""

@@ -6,7 +6,7 @@ A, and so does L. Where p > 0 the least is at Omega^2 <= p, as a higher Omega ma
 does; there, and at Omega = 0 where p < 0, the first square rises with |p|, and so does L. So L at the least A and the
 least |p| of a box is below that of all its motions, and no frequency has to be looked for.
 
-`farthest` cuts the plane of A and B into boxes and leaves those in which the balance does not hold, those that need
+`farthest` cuts the cells of the balance (`sheets`) and leaves those in which it does not hold, those that need
 more than F_0, and those that are nearer than a motion that is known. Motions with c_1 = df_0/dB > 0 are looked at, as
 those are of which stable ones are.
 """
@@ -22,7 +22,8 @@ import numpy as np
 from slowflow.averaged.reference.intervals import Bools, Interval
 from slowflow.averaged.reference.roots import peak_roots, response_roots
 from slowflow.model import Floats
-from slowflow.off_centre.means import Means, Steps
+from slowflow.off_centre.means import Steps
+from slowflow.off_centre.sheets import Cells, Sheets
 from slowflow_kernels import off_centre, slow_flow
 
 #: share of the farthest beyond which it is proved that no motion goes
@@ -62,60 +63,6 @@ LARGEST = Measure(lambda A, B, p: A + np.abs(B), lambda A, B, p: A.hi + np.maxim
 BACKBONE = Measure(lambda A, B, p: np.maximum(p, 1.0), lambda A, B, p: np.maximum(p.hi, 1.0))
 
 
-class Balance(NamedTuple):
-    """What is known of boxes on which f_0 = 0 may hold.
-
-    empty -- where it does not, or not with c_1 > 0
-    A, B  -- the boxes, those of B as narrow as the balance leaves them
-    p     -- -h/A on the boxes as they were
-    """
-
-    empty: Bools
-    A: Interval
-    B: Interval
-    p: Interval
-    means: Means
-
-
-def on_balance(steps: Steps, low: Floats, high: Floats) -> Balance:
-    """Boxes of A and B from low to high, shape (2, n)."""
-    A, B = Interval(np.stack((low[0], high[0]))), Interval(np.stack((low[1], high[1])))
-    # on all of it and in its middle, at once
-    n, centre = low.shape[1], 0.5 * (low + high)
-    A_all, B_all = (Interval(np.concatenate((x.ends, [y, y]), axis=1)) for x, y in zip((A, B), centre, strict=True))
-    whole = steps.on(A_all, B_all, 1)
-    c, s = (tuple(one.take(slice(n)) for one in of) for of in (whole.c, whole.s))
-    means = Means(c, s, whole.ladders[..., :n])
-    c_0, s_0 = (of[0].take(slice(n, None)) for of in (whole.c, whole.s))
-    r_A, r_B = np.maximum(high - centre, centre - low) * (1 + ROUNDED)
-    A_0, B_0 = (Interval(np.stack((x, x))) for x in centre)
-    f_0, f_middle = means.c[0] - steps.load, c_0 - steps.load
-    along = f_middle + means.s[1] * Interval(np.stack((-r_A, r_A)))
-    empty = f_0.has_sign | (means.c[1].hi <= 0)
-    rising = means.c[1].lo > 0
-    balanced = B_0 - along / means.c[1]
-    B_low = np.where(rising, np.fmax(low[1], balanced.lo), low[1])
-    B_high = np.where(rising, np.fmin(high[1], balanced.hi), high[1])
-    # p = 2 s_0/A with its slopes 2 (c_1 - p)/A and 2 s_1/A; a mean of c_1 over smaller amplitudes, too
-    p = means.s[0] * 2.0 / A
-    p = Interval(np.where(A.lo > 0, p.ends, means.c[1].ends))
-    slopes = (means.c[1] - p) * 2.0 / A, means.s[1] * 2.0 / A
-    sharper = s_0 * 2.0 / A_0
-    for slope, r in zip(slopes, (r_A, r_B), strict=True):
-        sharper = sharper + slope * Interval(np.stack((-r, r)))
-    # what is not known is NaN there
-    p = Interval(np.stack((np.fmax(p.lo, sharper.lo), np.fmin(p.hi, sharper.hi))))
-    return Balance(empty | (B_low > B_high), A, Interval(np.stack((B_low, B_high))), p, means)
-
-
-def cut(low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    """Each box of A and B in two, across its longer side."""
-    across = (high[1] - low[1] > high[0] - low[0]).astype(int)
-    n, middle, upper, lower = np.arange(across.size), 0.5 * (low + high), high.copy(), low.copy()
-    upper[across, n] = lower[across, n] = middle[across, n]
-    return np.concatenate((low, lower), axis=1), np.concatenate((upper, high), axis=1)
-
-
 class Reach:
     """For one force with its load, 4 mu/pi and zeta > 0."""
 
@@ -128,35 +75,38 @@ class Reach:
             roots = peak_roots(A, h, self.m, self.zeta)[0]
             Omega = np.concatenate((np.zeros((A.size, 1)), roots), axis=1)
             level = slow_flow.level(Omega, A[:, np.newaxis], self.m, self.zeta, h[:, np.newaxis])
-        lowest = np.nanargmin(level, axis=1)[:, np.newaxis]
+        level = np.where(np.isnan(level), np.inf, level)
+        lowest = np.argmin(level, axis=1)[:, np.newaxis]
         return np.take_along_axis(level, lowest, 1)[:, 0], np.take_along_axis(Omega, lowest, 1)[:, 0]
 
-    def farthest(self, low: Floats, high: Floats, F_0: float, measure: Measure, gap: float = GAP) -> Farthest | None:
-        """The motion at F_0 in boxes of A and B that goes farthest; no other goes farther by more than `gap` of that.
+    def farthest(self, sheets: Sheets, A_max: float, F_0: float, measure: Measure, gap: float = GAP) -> Farthest | None:
+        """The motion at F_0 up to an amplitude that goes farthest; no other goes farther by more than `gap` of that.
 
         None where no motion is found. Raises ArithmeticError where too many boxes stay undecided.
         """
-        best, looked_at, rounds = None, 0, 0
-        while low.size:
-            looked_at, rounds = looked_at + low.shape[1], rounds + 1
+        best, looked_at, rounds, cells = None, 0, 0, sheets.cells(A_max)
+        while cells.chart.size:
+            looked_at, rounds = looked_at + cells.chart.size, rounds + 1
             if looked_at > MOST_BOXES:
                 raise ArithmeticError("the farthest motion is unresolved: too many boxes stay undecided")
             with np.errstate(all="ignore"):
-                found = on_balance(self.steps, low, high)
-                most = measure.most(found.A, found.B, found.p)
-                left = ~(found.empty | (self._needed(found) * (1 - ROUNDED) > F_0))
-                # p is not known of what just passes a jump of the force
+                most = measure.most(cells.A, cells.B, cells.p)
+                left = ~((cells.rising.hi <= 0) | (self._needed(cells) * (1 - ROUNDED) > F_0))
+                # p is not known of what has no size
                 left &= np.isnan(most) | (most > (-np.inf if best is None else best.value * (1 + gap)))
-                low, high = np.stack((low[0], found.B.lo))[:, left], np.stack((high[0], found.B.hi))[:, left]
+                cells, most = cells.take(left), most[left]
                 # a motion that is found in one round mostly stays the farthest in the next ones
-                first = np.argsort(-most[left], kind="stable")[: MIDDLES if rounds % EVERY == 1 else 0]
-                for candidate in self._motions(0.5 * (low + high)[:, first], F_0, measure):
+                first = np.argsort(-most, kind="stable")[: MIDDLES if rounds % EVERY == 1 else 0]
+                middle = 0.5 * (cells.low + cells.high)[:, first]
+                for candidate in self._motions(
+                    np.stack(sheets.charts.motion(*middle, cells.chart[first])), F_0, measure
+                ):
                     if best is None or candidate.value > best.value:
                         best = candidate
-            low, high = cut(low, high)
+                cells = sheets.cut(cells)
         return best
 
-    def _needed(self, found: Balance) -> Floats:
+    def _needed(self, found: Cells) -> Floats:
         """The least forcing of what is on boxes, from below; 4 mu/pi where nothing is known."""
         p = np.where(found.p.lo > 0, found.p.lo, np.where(found.p.hi < 0, found.p.hi, 0.0))
         needed = np.full(p.size, self.m)

@@ -1,0 +1,199 @@
+"""States and folds by the motion's ends, as `boxes` takes them: in go charts and a forcing, out come equations.
+
+EndedState  f_0 = F = 0                  in x and y, at frequencies and a forcing
+EndedFold   f_0 = F = 0, F stationary    in x, y and t, at forcings; Omega follows
+EndedEdge   f_0 = 0                      in x or y, of motions that just come to the edge of a chart
+
+A system is a frequency, or a forcing, in one chart: its number is that of the first times the charts, and the chart's.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from slowflow.averaged.reference.intervals import Interval
+from slowflow.model import Floats
+from slowflow.off_centre.boxes import Ints
+from slowflow.off_centre.ends import Charts, Local
+from slowflow.off_centre.means import ALL
+from slowflow.off_centre.equations import _ends, _interval, _numbers
+from slowflow_kernels import off_centre, off_centre_intervals
+
+#: what rounding does to a bound
+ROUNDED = 2.0**-40
+#: x or y next to an edge of its chart
+NEAR = 2.0**-8
+
+
+def _point(values: Floats) -> Interval:
+    return Interval(np.stack((values, values)))
+
+
+class ByEnds:
+    """What both share.
+
+    given -- the frequencies or the forcings
+    """
+
+    unknowns = 2
+
+    def __init__(self, charts: Charts, m: float, zeta: float, given: Floats) -> None:
+        self.charts, self.m, self.zeta, self.given = charts, m, zeta, given
+
+    def chart(self, of: Ints) -> Ints:
+        """Of a system."""
+        return of % self.charts.rooted.size
+
+    def number(self, of: Ints) -> Ints:
+        """Of a system's frequency or forcing."""
+        return of // self.charts.rooted.size
+
+    def limits(self, of: Ints) -> tuple[Any, Any]:
+        """See `boxes.Equations`."""
+        chart = self.chart(of)
+        free = np.full((self.unknowns - 2, of.size), np.inf)
+        return np.concatenate((self.charts.low[:, chart], -free)), np.concatenate((self.charts.high[:, chart], free))
+
+    def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """See `boxes.Equations`; the middles of what is known of points."""
+        values, slopes, *_ = self.on(x, np.zeros_like(x), of)
+        return 0.5 * (values[0] + values[1])[: self.unknowns], 0.5 * (slopes[0] + slopes[1])
+
+    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
+        """See `boxes.Equations`."""
+        raise NotImplementedError
+
+    def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """As `at`, by A and B in the place of x and y."""
+        raise NotImplementedError
+
+    def refined(self, z: Floats, x: Floats, of: Ints) -> Floats:
+        """Solutions by A and B, to their last digits; not next to an edge, where x and y have more of these."""
+        near = self.charts.rooted[self.chart(of)] & (x[:2].min(axis=0) < NEAR)
+        with np.errstate(all="ignore"):
+            for _ in range(3):
+                values, slopes = self.by_motion(z, of)
+                known = ~near & np.isfinite(slopes).all(axis=(0, 1))
+                J = np.where(known, slopes, np.eye(len(z))[..., np.newaxis]).transpose(2, 0, 1)
+                change = np.linalg.solve(J, values.T[..., np.newaxis])[..., 0].T
+                size = np.maximum(np.abs(z), np.abs(z[:1]))
+                z = np.where(known & (np.abs(change) < 2.0**-30 * size).all(axis=0), z - change, z)
+        return z
+
+    def _numbers(self, *values: float) -> tuple[Interval, ...]:
+        return tuple(Interval.point(value) for value in values)
+
+
+class EndedState(ByEnds):
+    """At frequencies and one forcing."""
+
+    def __init__(self, charts: Charts, m: float, zeta: float, Omega: Floats, F_0: float) -> None:
+        super().__init__(charts, m, zeta, Omega)
+        self.F_0 = F_0
+
+    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
+        """See `boxes.Equations`."""
+        here = self.charts.on(_interval(x[0], r[0]), _interval(x[1], r[1]), self.chart(of))
+        Omega = _point(self.given[self.number(of)])
+        known = self._numbers(self.F_0, self.m, self.zeta, self.charts.steps.load)
+        of_means = here.c_0, here.s_0, here.c_x, here.c_y, here.X, here.Y
+        return _ends(off_centre_intervals.ended_state(Omega, here.A, *known, *of_means), 2, of.size)
+
+    def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """See `ByEnds`."""
+        means = self.charts.steps.at(z[0], z[1], 1)
+        known = self.F_0, self.m, self.zeta, self.charts.steps.load
+        return _numbers(off_centre.state(self.given[self.number(of)], z[0], *known, *means.c, *means.s), 2, of.size)
+
+
+class EndedFold(ByEnds):
+    """At forcings."""
+
+    unknowns = 3
+
+    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
+        """See `boxes.Equations`."""
+        xy = [_interval(*pair) for pair in zip(x, r, strict=True)]
+        here = self.charts.on(*xy[:2], self.chart(of))
+        F_0 = self.given[self.number(of)]
+        known = self._numbers(self.m, self.zeta, self.charts.steps.load)
+        of_means = (here.c_0, here.s_0, here.c_x, here.c_y, here.c_xx, here.c_yy, here.X, here.Y, here.X_x, here.Y_y)
+        found = off_centre_intervals.ended_fold(xy[2], here.A, _point(F_0), *known, *of_means)
+        holds = np.stack((np.full_like(x, -np.inf), np.full_like(x, np.inf)))
+        w = (here.A * resists(here)[0] - here.s_0) * 4.0
+        holds[:, 2] = phases(w, F_0, self.m, np.where(x[2] >= 0, 1.0, -1.0))
+        return *_ends(found, 3, of.size), holds
+
+    def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """See `ByEnds`."""
+        means = self.charts.steps.at(z[0], z[1], 2)
+        known = self.given[self.number(of)], self.m, self.zeta, self.charts.steps.load
+        return _numbers(off_centre.fold(z[2], z[0], *known, *means.c, *means.s), 3, of.size)
+
+
+class EndedEdge:
+    """On one edge of charts, which is a system: x = 0, or y = 0.
+
+    edge -- 0 for x = 0, 1 for y = 0
+    """
+
+    def __init__(self, charts: Charts, edge: int) -> None:
+        self.charts, self.edge = charts, edge
+
+    def limits(self, of: Ints) -> tuple[Any, Any]:
+        """See `boxes.Equations`."""
+        along = 1 - self.edge
+        return self.charts.low[along, of][np.newaxis], self.charts.high[along, of][np.newaxis]
+
+    def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
+        """See `boxes.Equations`."""
+        none, along = Interval(np.zeros((2, of.size))), _interval(x[0], r[0])
+        here = self.charts.on(*((along, none) if self.edge else (none, along)), of)
+        slope = here.c_x if self.edge else here.c_y
+        return (here.c_0 - self.charts.steps.load).ends[:, np.newaxis], slope.ends[:, np.newaxis, np.newaxis]
+
+    def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
+        """See `boxes.Equations`."""
+        values, slopes = self.on(x, np.zeros_like(x), of)
+        return 0.5 * (values[0] + values[1]), 0.5 * (slopes[0] + slopes[1])
+
+
+def resists(here: Local) -> tuple[Interval, Interval]:
+    """(c_1^2 - s_1^2)/(2 c_1) on boxes, as h_A = 2 s_0/A - 4 of it along the balance; and A's slope, of c_1's sign.
+
+    With p = c_x and q = -c_y it is p q/(X q + Y p), which rises with p and with q as long as c_1 has a sign.
+    """
+    A_t, _ = off_centre_intervals.ended_along(here.A, here.s_0, here.c_x, here.c_y, here.X, here.Y)
+    found = []
+    for outwards, p, q in ((-1.0, here.c_x.lo, here.c_y.hi), (1.0, here.c_x.hi, here.c_y.lo)):
+        X = np.where((p < 0) == (outwards < 0), here.X.lo, here.X.hi)
+        Y = np.where((q > 0) == (outwards < 0), here.Y.lo, here.Y.hi)
+        slope, gain = off_centre.ended_along(1.0, 0.0, p, q, X, Y)
+        value = -gain / slope
+        found.append(value + outwards * 2.0**-48 * np.abs(value))
+    known = A_t.has_sign & np.isfinite(found).all(axis=0)
+    return Interval(np.where(known, np.stack(found), ALL)), A_t
+
+
+def phases(w: Interval, F_0: Floats, m: float, sign: Floats) -> Floats:
+    """Between which t of that sign folds are at a forcing, lower and upper ends; none if they cross.
+
+    w -- -h_A A - h along the balance: F_A = 0 is (F_0 + m) t^2 - 2 w t + F_0 - m = 0, whose lesser
+         root falls with |w|
+    """
+    least, most = np.where(sign > 0, w.lo, -w.hi), np.where(sign > 0, w.hi, -w.lo)
+    # what is not known is NaN
+    least = np.where(least > 0, least * (1 - ROUNDED), 0.0)
+    most = np.where(most > 0, most * (1 + ROUNDED), np.where(np.isnan(most), np.inf, -1.0))
+    half = np.sqrt((F_0 - m) * (F_0 + m)) * (1 - ROUNDED)
+
+    def at(w: Floats) -> Floats:
+        w = np.maximum(w, half)
+        # next to where the root vanishes it has half the digits
+        return np.asarray((F_0 - m) / (w + np.sqrt((w - half) * (w + half))))
+
+    low, high = at(most) * (1 - 2.0**-22), at(least) * (1 + 2.0**-22)
+    low, high = np.where(most < half, 1.0, low), np.where(most < half, 0.0, high)
+    return np.where(sign > 0, np.stack((low, high)), np.stack((-high, -low)))

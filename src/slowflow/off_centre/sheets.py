@@ -1,0 +1,278 @@
+"""The balance of the mean as boxes that hold all of it: in go a force as steps, out come cells of its sheets.
+
+Where the mean is balanced is asked by every question alike, whatever the forcing and the frequency: so it is looked for
+once for an oscillator. Charts of the plane of a motion's ends (`ends`) are cut into boxes, and each is made smaller as
+far as f_0 = 0 leaves it; those without are left. What is known on a cell tells at once whether it may hold a state, a
+fold or a peak: `Sheets.states` and `Sheets.folds` are the boxes that may, from which `boxes.solve` goes on.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from slowflow.averaged.reference.intervals import Bools, Interval
+from slowflow.model import Floats
+from slowflow.off_centre.boxes import Ints, solve
+from slowflow.off_centre.by_ends import ROUNDED, EndedEdge, phases, resists
+from slowflow.off_centre.ends import Charts, above_diagonal
+from slowflow.off_centre.means import Steps
+
+#: octaves of the ends' distance from a chart's edge that are cut apart at first, and parts of a chart that has two edges
+BELOW, PARTS = 5, 4
+#: how small cells are beside their amplitude, which amplitude is small beside the problem, rounds of cuts
+FINE, SMALL, ROUNDS = 2.0**-4, 2.0**-8, 16
+
+
+@dataclass(frozen=True, eq=False)
+class Cells:
+    """Boxes that hold the balance, one column each.
+
+    chart, low, high -- the chart, and the ends of x and y
+    A, B, p, e -- intervals on each: p = -h/A, e = -h_A - p along the balance
+    rising    -- what the mean stiffness c_1 may be: an interval of its sign
+    """
+
+    chart: Ints
+    low: Floats
+    high: Floats
+    A: Interval
+    B: Interval
+    p: Interval
+    e: Interval
+    rising: Interval
+
+    def take(self, which: Bools) -> Cells:
+        """Some of them."""
+        some = np.flatnonzero(which)
+        of = (one.take(some) for one in (self.A, self.B, self.p, self.e, self.rising))
+        return Cells(self.chart[some], self.low[:, some], self.high[:, some], *of)
+
+
+class Corner(NamedTuple):
+    """Where the balance just comes to a jump of the force; the last three for motions that do not pass it, and that do.
+
+    A, B, s_0 -- there
+    e         -- -h_A - p along the balance
+    stiff     -- whether the mean stiffness is positive
+    rises     -- whether A rises away from the corner
+    """
+
+    A: float
+    B: float
+    s_0: float
+    e: tuple[float, float]
+    stiff: tuple[bool, bool]
+    rises: tuple[bool, bool]
+
+
+class Sheets:
+    """The balance of one force, up to amplitudes that are asked for.
+
+    offset_bound -- what |B| does not exceed for amplitudes up to one
+    """
+
+    def __init__(self, steps: Steps, offset_bound: Callable[[float], float]) -> None:
+        self.steps, self.charts, self._offset_bound = steps, Charts(steps), offset_bound
+        self._size = max(1.0, abs(steps.load), *map(abs, steps.breakpoints))
+        self._known: dict[int, Cells] = {}
+        self._corners: dict[int, tuple[list[Corner], Floats]] = {}
+
+    def cells(self, A_max: float) -> Cells:
+        """All of the balance up to an amplitude, and somewhat beyond."""
+        octave = self._octave(A_max)
+        found = self._known.get(octave)
+        if found is None:
+            with np.errstate(all="ignore"):
+                found = self._known[octave] = self._covered(2.0**octave)
+        return found
+
+    def cut(self, cells: Cells) -> Cells:
+        """Each in two, less what the balance leaves out."""
+        low, high = halved(cells.low, cells.high, self._wide(cells))
+        empty, found = self.looked_at(low, high, np.append(cells.chart, cells.chart))
+        return found.take(~empty)
+
+    def _wide(self, cells: Cells) -> Floats:
+        """By how much either end of the motion changes over cells."""
+        by = np.where(self.charts.rooted[cells.chart], 2 * cells.high, 1.0)
+        return np.asarray((cells.high - cells.low) * by)
+
+    def _octave(self, A_max: float) -> int:
+        """The least that is known and holds an amplitude, or that of the amplitude."""
+        needed = math.ceil(math.log2(A_max))
+        return min((octave for octave in self._known if octave >= needed), default=needed)
+
+    def corners(self, A_max: float) -> tuple[list[Corner], Floats]:
+        """All corners, and A and B next to which there may be others, (2, k)."""
+        cells, octave = self.cells(A_max), self._octave(A_max)
+        if octave not in self._corners:
+            found: list[Corner] = []
+            open_ = [np.empty((2, 0))]
+            for edge in (0, 1):
+                some = np.flatnonzero(self.charts.jumps(edge, cells.chart) & (cells.low[edge] == 0))
+                boxes = (ends[1 - edge : 2 - edge, some] for ends in (cells.low, cells.high))
+                solved = solve(EndedEdge(self.charts, edge), *boxes, cells.chart[some])
+                found += [self._corner(edge, *at) for at in zip(solved.x[0].tolist(), solved.of.tolist(), strict=True)]
+                along = solved.undecided[0]
+                place = (0 * along, along) if edge == 0 else (along, 0 * along)
+                open_.append(np.stack(self.charts.motion(*place, solved.undecided_of)))
+            self._corners[octave] = found, np.concatenate(open_, axis=1)
+        return self._corners[octave]
+
+    def _corner(self, edge: int, along: float, chart: int) -> Corner:
+        other, *inside = self.charts.inside(edge, along, chart)
+        places = np.array((inside, (0.0, along) if edge == 0 else (along, 0.0))).T
+        with np.errstate(all="ignore"):
+            here = self.charts.on(*(Interval(np.stack((at, at))) for at in places), np.array((other, chart)))
+            bent, A_t = resists(here)
+            e = (bent - here.s_0 / here.A) * 4.0
+        # the balance goes as (-c_y, c_x), away from the corner as x or y falls before it and rises past it
+        ahead = (here.c_x if edge else -here.c_y).ends.sum(axis=0) * np.array((-1.0, 1.0))
+        A_t, e, A, B, s_0 = (one.ends.sum(axis=0) for one in (A_t, e, here.A, here.B, here.s_0))
+        stiff, rises = (A_t > 0).tolist(), (A_t * ahead > 0).tolist()
+        return Corner(0.5 * A[1], 0.5 * B[1], 0.5 * s_0[1], tuple((0.5 * e).tolist()), tuple(stiff), tuple(rises))
+
+    def looked_at(self, low: Floats, high: Floats, chart: Ints) -> tuple[Bools, Cells]:
+        """Boxes less what the balance leaves out, and which of them may hold it."""
+        clipped = above_diagonal(
+            *(Interval(np.stack(pair)) for pair in zip(low, high, strict=True)), self.charts.rooted[chart]
+        )
+        low, high = (np.stack([getattr(one, end) for one in clipped]) for end in ("lo", "hi"))
+        n, centre = chart.size, 0.5 * (low + high)
+        x, y = (Interval(np.stack((np.append(low[i], centre[i]), np.append(high[i], centre[i])))) for i in (0, 1))
+        both = self.charts.on(x, y, np.append(chart, chart))
+        here, middle = both.take(slice(n)), both.take(slice(n, None))
+        r = [Interval(np.stack((-one, one))) for one in np.maximum(high - centre, centre - low) * (1 + ROUNDED)]
+        load = self.steps.load
+        f, f_0 = middle.c_0 - load, here.c_0 - load
+        moved = here.c_x * r[0], here.c_y * r[1]
+        empty = f_0.has_sign | (f + moved[0] + moved[1]).has_sign | (here.A.hi <= 0)
+        found = []
+        for i, slope in enumerate((here.c_x, here.c_y)):
+            at = Interval(np.stack((centre[i], centre[i])))
+            left = at - (f + moved[1 - i]) / slope
+            signed = slope.has_sign
+            found.append(
+                (
+                    np.where(signed, np.fmax(low[i], left.lo), low[i]),
+                    np.where(signed, np.fmin(high[i], left.hi), high[i]),
+                )
+            )
+        low, high = (np.stack(ends) for ends in zip(*found, strict=True))
+        empty |= (low > high).any(axis=0)
+        # p = 2 s_0/A, with its slopes 2 (c_x - X p)/A and -2 (c_y + Y p)/A
+        p = here.s_0 * 2.0 / here.A
+        nearer = middle.s_0 * 2.0 / middle.A
+        for slope, rise, one in ((here.c_x, here.X, r[0]), (-here.c_y, here.Y, r[1])):
+            nearer = nearer + (slope - rise * p) * 2.0 / here.A * one
+        p = p.both(nearer)
+        resting = np.flatnonzero(here.A.lo <= 0)
+        if resting.size:
+            ends = p.ends.copy()
+            ends[:, resting] = self.charts.stiffness(*(one.take(resting) for one in clipped), chart[resting]).ends
+            p = Interval(ends)
+        bent, A_t = resists(here)
+        return empty, Cells(chart, low, high, here.A, here.B, p, bent * 4.0 - p * 2.0, A_t)
+
+    def _covered(self, A_max: float) -> Cells:
+        low, high, chart = self._first(A_max)
+        done: list[Cells] = []
+        for number in range(ROUNDS):
+            empty, cells = self.looked_at(low, high, chart)
+            empty |= cells.A.lo > A_max
+            cells = cells.take(~empty)
+            wide = self._wide(cells)
+            fine = (wide.max(axis=0) <= FINE * cells.A.hi) | (cells.A.hi <= SMALL * self._size)
+            if number == ROUNDS - 1:
+                fine[:] = True
+            done.append(cells.take(fine))
+            low, high, chart = cells.low[:, ~fine], cells.high[:, ~fine], cells.chart[~fine]
+            if not chart.size:
+                break
+            low, high = halved(low, high, wide[:, ~fine])
+            chart = np.append(chart, chart)
+        # what is known of the smaller boxes
+        chart = np.concatenate([part.chart for part in done])
+        low, high = (np.concatenate([getattr(part, name) for part in done], axis=1) for name in ("low", "high"))
+        empty, cells = self.looked_at(low, high, chart)
+        return cells.take(~empty)
+
+    def _first(self, A_max: float) -> tuple[Floats, Floats, Ints]:
+        """Boxes of all charts: motions up to an amplitude."""
+        charts, bound = self.charts, A_max + self._offset_bound(A_max)
+        octaves = self._size * 0.5 ** np.arange(BELOW, -math.ceil(math.log2(bound / self._size)) - 1, -1)
+        boxes, number = [], []
+        for chart in range(charts.rooted.size):
+            edges = []
+            for low, high in zip(charts.low[:, chart], charts.high[:, chart], strict=True):
+                if math.isfinite(low) and math.isfinite(high):
+                    edges.append(np.linspace(low, high, PARTS + 1))
+                elif charts.rooted[chart]:
+                    edges.append(np.concatenate(([0.0], np.sqrt(octaves))))
+                else:
+                    # one end is at least as far as the step beside the chart
+                    both = np.concatenate((-octaves[::-1], [0.0], octaves))
+                    inside = both[(both > low) & (both < high)]
+                    edges.append(np.unique(np.concatenate(([max(low, both[0])], inside, [min(high, both[-1])]))))
+            for a, b in zip(edges[0], edges[0][1:], strict=False):
+                for c, d in zip(edges[1], edges[1][1:], strict=False):
+                    if charts.rooted[chart] or b + d > 0:
+                        boxes.append((a, c, b, d))
+                        number.append(chart)
+        low, high = np.array(boxes).T.reshape(2, 2, -1)
+        return low, high, np.array(number, dtype=np.intp)
+
+    def folds(self, A_max: float, F_0: Floats, m: float, zeta: float) -> tuple[Floats, Floats, Ints]:
+        """Boxes of x, y and t in which folds may be, and of which system each is (`by_ends`)."""
+        cells = self.cells(A_max)
+        lows, highs, systems = [], [], []
+        for i, forcing in enumerate(F_0.tolist()):
+            for sign in (-1.0, 1.0):
+                with np.errstate(all="ignore"):
+                    t = phases(cells.A * cells.e, np.full(cells.chart.size, forcing), m, np.full(cells.chart.size, sign))
+                    may = (t[0] <= t[1]) & _one_frequency(t, forcing, m, zeta, cells.A, cells.p)
+                lows.append(np.concatenate((cells.low, t[:1]))[:, may])
+                highs.append(np.concatenate((cells.high, t[1:]))[:, may])
+                systems.append(i * self.charts.rooted.size + cells.chart[may])
+        return np.concatenate(lows, axis=1), np.concatenate(highs, axis=1), np.concatenate(systems)
+
+    def states(self, A_max: float, Omega: Floats, F_0: float, m: float, zeta: float) -> tuple[Floats, Floats, Ints]:
+        """Boxes of x and y in which states may be, and of which system each is."""
+        cells = self.cells(A_max)
+        number = np.repeat(np.arange(Omega.size), cells.chart.size)
+        cell = np.tile(np.arange(cells.chart.size), Omega.size)
+        with np.errstate(all="ignore"):
+            at, A = Omega[number], cells.A.take(cell)
+            I = Interval(m + 2 * zeta * at * A.ends)
+            R = A * (-cells.p.take(cell) + at * at)
+            level = R.square() + I.square()
+            may = ~((level.lo > F_0**2 * (1 + ROUNDED)) | (level.hi < F_0**2 * (1 - ROUNDED)))
+        number, cell = number[may], cell[may]
+        return cells.low[:, cell], cells.high[:, cell], number * self.charts.rooted.size + cells.chart[cell]
+
+
+def _one_frequency(t: Floats, F_0: float, m: float, zeta: float, A: Interval, p: Interval) -> Bools:
+    """Whether R and I with t in an interval that does not pass 0 may be of one frequency."""
+    size = np.sort(np.abs(t), axis=0)
+    I = F_0 * ((1 - size) * (1 + size) / (1 + size * size))[::-1]
+    R = np.sort(F_0 * 2 * t / (1 + t * t), axis=0)
+    lag = Interval(
+        np.stack((np.maximum(I[0] - m, 0.0) * (1 - ROUNDED), np.maximum(I[1] - m, 0.0) * (1 + ROUNDED) + ROUNDED * F_0))
+    )
+    # 2 zeta A Omega, and (A Omega)^2 = A (R + A p)
+    square = A * (Interval(R + ROUNDED * np.array([[-F_0], [F_0]])) + A * p)
+    apart = (lag * (0.5 / zeta)).square() - square
+    return ~apart.has_sign
+
+
+def halved(low: Floats, high: Floats, wide: Floats) -> tuple[Floats, Floats]:
+    """Each box in two, across its wider side."""
+    across = (wide[1] > wide[0]).astype(int)
+    n, middle, upper, lower = np.arange(across.size), 0.5 * (low + high), high.copy(), low.copy()
+    upper[across, n] = lower[across, n] = middle[across, n]
+    return np.concatenate((low, lower), axis=1), np.concatenate((upper, high), axis=1)
