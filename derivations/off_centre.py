@@ -25,8 +25,8 @@ above it. With a = b - B it adds D_k to f^(k), and to c_n the sum of D_k L_(k-n)
 for k >= 0; those for k < 0 are derivatives of L_0 and M_0 by B. psi = 0 where the motion stays below the step, pi where
 it stays above: then they are polynomials. The first piece is a step at u = 0 that all of the motion is above.
 
-Just past a step c_1 and s_1 go as 1/sqrt(distance). In coordinates of the motion's ends nothing does: of x for the upper
-end B + A and y for the lower one B - A, each the root of how far that end is past a step, or the end itself,
+Just past a step c_1 and s_1 go as 1/sqrt(distance). In coordinates of the motion's ends nothing does: of x for B + A
+and y for B - A, each the root of how far that end is past a step, or the end itself,
 
     (B + A)_x = 2 X    (B - A)_y = -2 Y    c_x = X (c_1 + s_1)    c_y = -Y (c_1 - s_1)    A_x = X    A_y = Y
 

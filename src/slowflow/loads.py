@@ -5,7 +5,6 @@ In:  an averaged oscillator, forcings, frequencies. Out: records, from the avera
 
 from __future__ import annotations
 
-import functools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -376,20 +375,29 @@ def _highest(oscillator: Averaged, F_0: float) -> float:
     return min(BEYOND * max(1.0, float(_of_full(oscillator, A).max())), float(HIGHEST_OMEGA))
 
 
-def spectrum(oscillator: Any, Omega: Any, F_0: Any, leaves: Callable[[Any], Flags] | None = None) -> Spectrum:
-    """See `Oscillator.spectrum`; of an `Averaged`, or of an `OffCentre`, which tells of states which pass u_cr."""
+def spectrum(
+    oscillator: Any,
+    Omega: Any,
+    F_0: Any,
+    leaves: Callable[[Any], Flags] | None = None,
+    folds_at: Callable[[list[float]], list[Any]] | None = None,
+) -> Spectrum:
+    """See `Oscillator.spectrum`; of an `Averaged`, or of an `OffCentre`.
+
+    That tells of states which pass u_cr, and has the folds of several forcings together.
+    """
     given = {"Omega": validate.frequencies("Omega", Omega), "F_0": validate.positive_array("F_0", F_0)}
     shape = validate.common_shape(given)
     at, F = (np.broadcast_to(values, shape).ravel() for values in given.values())
     points = np.array([at, F])
 
-    @functools.cache  # rows share forcings
-    def folds(F_0: float) -> Floats:
-        found = oscillator.saddle_nodes(F_0)
-        return np.asarray(found.Omega[found.kind != "unstable"])
+    folds: dict[float, Floats] = {}  # rows share forcings
+    ask = folds_at or (lambda several: [oscillator.saddle_nodes(one) for one in several])
 
     def sides(_: Any, Omega: Floats, F_0: Floats) -> Ints:
-        found = [on_both_sides(folds(one), np.asarray(at)) for at, one in zip(Omega, F_0.tolist(), strict=True)]
+        new = [one for one in dict.fromkeys(F_0.tolist()) if one not in folds]
+        folds.update({one: found.Omega[found.kind != "unstable"] for one, found in zip(new, ask(new), strict=True)})
+        found = [on_both_sides(folds[one], np.asarray(at)) for at, one in zip(Omega, F_0.tolist(), strict=True)]
         return np.array(found, dtype=np.intp).reshape(-1, 2).T
 
     crosses = np.concatenate(([False], crossed(sides, points[:, :-1], points[:, 1:])))[: at.size]

@@ -2,8 +2,13 @@
 
 means      of a piecewise polynomial and its derivatives over a cycle, at numbers and on boxes
 boxes      all solutions of a few equations in a box, by exclusion and Krawczyk's test
-equations  what vanishes at states, at folds, at rest and where the springs detach, in the form that `boxes` takes
+equations  what vanishes at rest, where the springs detach, and at folds beside the centre, as `boxes` takes it
+ends       the means by the motion's ends, in which nothing is singular next to a jump of the force
+by_ends    what vanishes at states and at folds, in these
+sheets     the balance of the mean as cells that hold all of it, for all questions
 onset      the lowest forcing with a fold, and that none is below
+reach      how far motions go at a forcing, and that none is beyond
+curve      the response as curves, from all folds and all states at frequencies between
 questions  `OffCentre`, what a user asks
 answers    what is answered
 """

@@ -17,8 +17,8 @@ from slowflow.averaged.reference.intervals import Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints
 from slowflow.off_centre.ends import Charts, Local
-from slowflow.off_centre.means import ALL
 from slowflow.off_centre.equations import _ends, _interval, _numbers
+from slowflow.off_centre.means import ALL
 from slowflow_kernels import off_centre, off_centre_intervals
 
 #: what rounding does to a bound
@@ -44,11 +44,11 @@ class ByEnds:
 
     def chart(self, of: Ints) -> Ints:
         """Of a system."""
-        return of % self.charts.rooted.size
+        return np.asarray(of % self.charts.rooted.size)
 
     def number(self, of: Ints) -> Ints:
         """Of a system's frequency or forcing."""
-        return of // self.charts.rooted.size
+        return np.asarray(of // self.charts.rooted.size)
 
     def limits(self, of: Ints) -> tuple[Any, Any]:
         """See `boxes.Equations`."""
@@ -116,7 +116,7 @@ class EndedFold(ByEnds):
     def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
         """See `boxes.Equations`."""
         xy = [_interval(*pair) for pair in zip(x, r, strict=True)]
-        here = self.charts.on(*xy[:2], self.chart(of))
+        here = self.charts.on(xy[0], xy[1], self.chart(of))
         F_0 = self.given[self.number(of)]
         known = self._numbers(self.m, self.zeta, self.charts.steps.load)
         of_means = (here.c_0, here.s_0, here.c_x, here.c_y, here.c_xx, here.c_yy, here.X, here.Y, here.X_x, here.Y_y)
@@ -150,7 +150,8 @@ class EndedEdge:
     def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
         """See `boxes.Equations`."""
         none, along = Interval(np.zeros((2, of.size))), _interval(x[0], r[0])
-        here = self.charts.on(*((along, none) if self.edge else (none, along)), of)
+        x_, y_ = (along, none) if self.edge else (none, along)
+        here = self.charts.on(x_, y_, of)
         slope = here.c_x if self.edge else here.c_y
         return (here.c_0 - self.charts.steps.load).ends[:, np.newaxis], slope.ends[:, np.newaxis, np.newaxis]
 

@@ -188,6 +188,10 @@ class _Skeleton:
         more, at = (0, part.a) if a.shape[1] > b.shape[1] else (1, part.b)
         x = (a, b)[more]
         meet = {fold: self._meeting(x, fold) for fold in part.folds}
+        if len(part.folds) == 1:
+            # those that are left meet there, however near another fold is
+            left = set(range(x.shape[1])) - {pair[more] for pair in pairs}
+            meet = {part.folds[0]: sorted(left)}
         if sorted((*chain(*meet.values()), *(pair[more] for pair in pairs))) != list(range(x.shape[1])):
             return False
         for fold, states in meet.items():
@@ -226,7 +230,12 @@ class _Skeleton:
         others[i, j] = np.inf
         least = np.minimum(BY_FAR * np.minimum(others[i].min(axis=1), others[:, j].min(axis=0)), NEAR * self.size)
         linked = apart[i, j] < least
-        return [(int(one), int(two)) for one, two in zip(i[linked], j[linked], strict=True)]
+        pairs = [(int(one), int(two)) for one, two in zip(i[linked], j[linked], strict=True)]
+        if not part.folds and len(pairs) == a.shape[1] - 1 == b.shape[1] - 1:
+            # no arc ends between: what is left on either side is on one
+            (one,), (two,) = (set(range(a.shape[1])) - {pair[side] for pair in pairs} for side in (0, 1))
+            pairs.append((one, two))
+        return pairs
 
     def tours(self) -> list[tuple[list[Node], bool]]:
         """Each curve as its nodes in order, and whether it is closed."""

@@ -3,13 +3,13 @@
 In:  a force as steps; charts of the plane of both ends, and boxes of x and y in these.
 Out: `Local`: A, c_0 = <f>, s_0 = <f cos psi> and the slopes of c_0 by x and y, which hold all values on each box.
 
-Where a motion just passes a step, what the force gains there shares in c_1 as 1/sqrt(distance), and no box in A and B is
-narrow enough. Lines through the steps cut the plane of the ends into rectangles, the charts. In each the same steps are
-passed, and only those at its own lower edge of B + A and upper edge of B - A are near: with x and y the roots of the
-distances from these, everything is smooth up to the edges (derivations/off_centre.py).
+Where a motion just passes a step, what the force gains there shares in c_1 as 1/sqrt(distance), and no box in A and B
+is narrow enough. Lines through the steps cut the plane of the ends into rectangles, the charts. In each the same steps
+are passed, and only those at its own lower edge of B + A and upper edge of B - A are near: with x and y the roots of
+the distances from these, everything is smooth up to the edges (derivations/off_centre.py).
 
-U_k and V_k = L_k +- M_k are the means of (A cos psi - a)^k/k! with 1 +- cos psi. Both rise with either end of the motion,
-so that the values at two corners hold them.
+U_k and V_k = L_k +- M_k are the means of (A cos psi - a)^k/k! with 1 +- cos psi. Both rise with either end of the
+motion, so that the values at two corners hold them.
 """
 
 from __future__ import annotations
@@ -99,7 +99,7 @@ class Charts:
     def jumps(self, edge: int, chart: Ints) -> Bools:
         """Whether the force jumps at the edge x = 0 (0) or y = 0 (1) of charts."""
         jumps = np.append(self._gains[:, 0], 0.0) != 0
-        return self.rooted[chart] & jumps[(self.upper[chart] - 1, self.lower[chart])[edge]]
+        return np.asarray(self.rooted[chart] & jumps[(self.upper[chart] - 1, self.lower[chart])[edge]])
 
     def inside(self, edge: int, along: float, chart: int) -> tuple[int, float, float]:
         """The chart on the other side of the edge x = 0 or y = 0, of motions that are not past it; x and y there."""
@@ -123,6 +123,10 @@ class Charts:
 
     def on(self, x: Interval, y: Interval, chart: Ints) -> Local:
         """On boxes within the limits of their charts."""
+        with np.errstate(all="ignore"):
+            return self._on(x, y, chart)
+
+    def _on(self, x: Interval, y: Interval, chart: Ints) -> Local:
         rooted, (upper, lower) = self.rooted[chart], self.place[:, chart]
         x, y = above_diagonal(x, y, rooted)
         squares = x.square(), y.square()
@@ -222,13 +226,12 @@ class Charts:
         shares = np.zeros((4, *x.ends.shape))
         step, box = np.nonzero((gains[:2] != 0).any(axis=0))
         if box.size:
-            near = [
-                (Interval(one[:, step, box]).sqrt(), beyond[step, box])
-                for one, beyond in ((above, beyond_x), (below, beyond_y))
-            ]
+            near_x, near_y = (
+                (one.take(box), Interval(ends[:, step, box]).sqrt(), beyond[step, box])
+                for one, ends, beyond in ((x, above, beyond_x), (y, below, beyond_y))
+            )
             D_0, D_1 = self._gains[step, :2].T / np.pi
-            of = [one.take(box) for one in (x, y, A)]
-            for row, value in enumerate(_shares(*near, *of, D_0, D_1)):
+            for row, value in enumerate(_shares(near_x, near_y, A.take(box), D_0, D_1)):
                 for end in (0, 1):
                     np.add.at(shares[row, end], box, value.ends[end])
         return known, [Interval(_wide(one)) for one in shares]
@@ -255,32 +258,29 @@ def _scaled(value: Interval, by: Floats) -> Interval:
 
 
 def _shares(
-    near_x: tuple[Interval, Floats],
-    near_y: tuple[Interval, Floats],
-    x: Interval,
-    y: Interval,
+    near_x: tuple[Interval, Interval, Floats],
+    near_y: tuple[Interval, Interval, Floats],
     A: Interval,
     D_0: Floats,
     D_1: Floats,
 ) -> list[Interval]:
     """What gains D_0 pi of f and D_1 pi of f' share in c_x, -c_y, c_xx, -c_yy where a motion passes them.
 
-    near_x, near_y -- the root of how far each end is past the step, and the square of that at x = 0 or y = 0
+    near_x, near_y -- x, the root of how far that end is past the step, and the square of that where x = 0; of y too
 
     c_1 + s_1 has D_0 root_y/(root_x A), and c_1 - s_1 the inverse of that ratio; c_2 +- s_2 the same of D_1.
     """
-    (root_x, far_x), (root_y, far_y) = near_x, near_y
     found = []
-    for x_, root, far, other, sign in ((x, root_x, far_x, root_y, 1.0), (y, root_y, far_y, root_x, -1.0)):
+    for (x, root, far), (_, other, _), sign in ((near_x, near_y, 1.0), (near_y, near_x, -1.0)):
         # x/root rises from 0 to 1, and is 1 where the step is the chart's own
         own = far == 0
         with np.errstate(invalid="ignore", divide="ignore"):
-            ratio = np.where(own, 1.0, x_.ends / np.sqrt(x_.ends**2 + far))
-        ratio = Interval(np.where(own, 1.0, _wide(_wide(ratio))))
+            held = _wide(_wide(x.ends / np.sqrt(x.ends**2 + far)))
+        ratio = Interval(np.where(own, 1.0, held))
         share = ratio * other / A
         turn = Interval(np.where(own, 0.0, (Interval(_wide(np.stack((far, far)))) / (root.square() * root)).ends))
-        slope = other / A * (turn - ratio * x_ / A)
-        found.append((_scaled(share, D_0), _scaled(slope, D_0) + _scaled(x_ * share, 2.0 * sign * D_1)))
+        slope = other / A * (turn - ratio * x / A)
+        found.append((_scaled(share, D_0), _scaled(slope, D_0) + _scaled(x * share, 2.0 * sign * D_1)))
     return [found[0][0], found[1][0], found[0][1], found[1][1]]
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints
-from slowflow.off_centre.means import ALL, DOUBT, Means, Steps
+from slowflow.off_centre.means import ALL, Means, Steps
 from slowflow_kernels import off_centre, off_centre_intervals
 
 

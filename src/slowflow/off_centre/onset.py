@@ -207,7 +207,8 @@ class Search:
             with np.errstate(all="ignore"):
                 cells = cells.take(self._may_be_lower(cells, known * (1 - GAP)))
             if 0 < cells.chart.size <= FEW:
-                A, B = sheets.charts.motion(*(0.5 * (cells.low + cells.high)), cells.chart)
+                x, y = 0.5 * (cells.low + cells.high)
+                A, B = sheets.charts.motion(x, y, cells.chart)
                 for _ in range(4):
                     means = self.steps.at(A, B, 1)
                     with np.errstate(all="ignore"):

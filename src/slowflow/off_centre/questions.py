@@ -35,13 +35,13 @@ from slowflow.off_centre.answers import (
     RestPositions,
 )
 from slowflow.off_centre.boxes import Ints, Solutions, solve
-from slowflow.off_centre.curve import Curves, Slow, curves, on_curve
 from slowflow.off_centre.by_ends import EndedFold, EndedState
+from slowflow.off_centre.curve import Curves, Slow, curves, on_curve
 from slowflow.off_centre.equations import Detaching, Fold, Resting
 from slowflow.off_centre.means import ORDERS, Means, Steps
 from slowflow.off_centre.onset import Lowest, Search
-from slowflow.off_centre.sheets import Corner, Sheets
 from slowflow.off_centre.reach import AMPLITUDE, BACKBONE, LARGEST, Farthest, Measure, Reach
+from slowflow.off_centre.sheets import Corner, Sheets
 from slowflow.results import Remark, SaddleNodes
 from slowflow_kernels import off_centre, slow_flow
 
@@ -278,21 +278,23 @@ class OffCentre:
 
     def _solved(self, equations: EndedState | EndedFold, low: Floats, high: Floats, of: Ints) -> Solutions:
         """Solutions by A and B, and by the number of the frequency or forcing."""
-        found, motion = solve(equations, low, high, of), self._sheets.charts.motion
-        sides = []
-        for x, system in ((found.x, found.of), (found.undecided, found.undecided_of)):
-            z = np.concatenate((np.stack(motion(x[0], x[1], equations.chart(system))), x[2:]))
-            if x is found.x and x.size:
-                z = equations.refined(z, x, system)
-            number = equations.number(system)
-            if self._has_centre:
-                # those about the centre have solvers of their own, and all others are there mirrored as well
-                off = np.flatnonzero(z[1] > AT_CENTRE)
-                z, number = np.repeat(z[:, off], 2, axis=1), np.repeat(number[off], 2)
-                z[1, 1::2] *= -1.0
-            order = np.lexsort((*z[::-1], number))
-            sides += [z[:, order], number[order]]
-        return Solutions(*sides)
+        found = solve(equations, low, high, of)
+        x, of = self._motions(equations, found.x, found.of, exact=True)
+        return Solutions(x, of, *self._motions(equations, found.undecided, found.undecided_of, exact=False))
+
+    def _motions(self, equations: EndedState | EndedFold, x: Floats, of: Ints, *, exact: bool) -> tuple[Floats, Ints]:
+        """Points by A and B, and by the number of the frequency or forcing, in order."""
+        z = np.concatenate((np.stack(self._sheets.charts.motion(x[0], x[1], equations.chart(of))), x[2:]))
+        if exact and of.size:
+            z = equations.refined(z, x, of)
+        number = equations.number(of)
+        if self._has_centre:
+            # those about the centre have solvers of their own, and all others are there mirrored as well
+            off = np.flatnonzero(z[1] > AT_CENTRE)
+            z, number = np.repeat(z[:, off], 2, axis=1), np.repeat(number[off], 2)
+            z[1, 1::2] *= -1.0
+        order = np.lexsort((*z[::-1], number))
+        return z[:, order], number[order]
 
     def _add(self, edges: Floats, low: list[Any], high: list[Any]) -> None:
         """Boxes of A between neighbouring edges and of all B that the balance may have there."""
@@ -383,7 +385,22 @@ class OffCentre:
         centred = Averaged(self._model).saddle_nodes(F_0) if self._has_centre else None
         if centred is not None and self._keeps_centre:
             return self._folds_with(centred, None, F_0, _Said(centred.message, centred.remarks))
-        found = self._all_folds(np.array([F_0]))
+        return self._folds_of(self._all_folds(np.array([F_0])), centred, F_0)
+
+    def _folds_at(self, F_0: list[float]) -> list[OffCentreFolds]:
+        """`saddle_nodes` at several forcings together."""
+        several = [one for one in F_0 if one > self._m and ("saddle_nodes", one) not in self._known]
+        if len(several) > 1 and not self._has_centre:
+            self._damped("saddle_nodes")
+            found = self._all_folds(np.array(several))
+            for i, one in enumerate(several):
+                here, open_ = found.of == i, found.undecided_of == i
+                part = Solutions(found.x[:, here], found.of[here], found.undecided[:, open_], found.undecided_of[open_])
+                self._known["saddle_nodes", one] = self._folds_of(part, None, one)
+        return [self.saddle_nodes(one) for one in F_0]
+
+    def _folds_of(self, found: Solutions, centred: SaddleNodes | None, F_0: float) -> OffCentreFolds:
+        """With those on corners."""
         corners, kinds, undecided = self._corners(F_0)
         x, open_ = (np.concatenate(pair, axis=1) for pair in ((found.x, corners), (found.undecided, undecided)))
         kind = np.array([""] * found.x.shape[1] + kinds)
@@ -538,7 +555,7 @@ class OffCentre:
 
         A row with another forcing than the one before takes several seconds: folds of forcings between are found.
         """
-        return loads.spectrum(self, Omega, F_0, self._leaves)
+        return loads.spectrum(self, Omega, F_0, self._leaves, self._folds_at)
 
     def isolation(self, F_0: float) -> loads.Isolation:
         """The frequency from which on every stable motion at F_0 transmits less than F_0, see `Oscillator.isolation`.

@@ -97,10 +97,9 @@ class Reach:
                 cells, most = cells.take(left), most[left]
                 # a motion that is found in one round mostly stays the farthest in the next ones
                 first = np.argsort(-most, kind="stable")[: MIDDLES if rounds % EVERY == 1 else 0]
-                middle = 0.5 * (cells.low + cells.high)[:, first]
-                for candidate in self._motions(
-                    np.stack(sheets.charts.motion(*middle, cells.chart[first])), F_0, measure
-                ):
+                x, y = 0.5 * (cells.low + cells.high)[:, first]
+                motions = np.stack(sheets.charts.motion(x, y, cells.chart[first]))
+                for candidate in self._motions(motions, F_0, measure):
                     if best is None or candidate.value > best.value:
                         best = candidate
                 cells = sheets.cut(cells)

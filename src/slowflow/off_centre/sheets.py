@@ -22,7 +22,7 @@ from slowflow.off_centre.by_ends import ROUNDED, EndedEdge, phases, resists
 from slowflow.off_centre.ends import Charts, above_diagonal
 from slowflow.off_centre.means import Steps
 
-#: octaves of the ends' distance from a chart's edge that are cut apart at first, and parts of a chart that has two edges
+#: octaves of the ends' distance from a chart's edge that are cut apart at first, and parts of a chart between two edges
 BELOW, PARTS = 5, 4
 #: how small cells are beside their amplitude, which amplitude is small beside the problem, rounds of cuts
 FINE, SMALL, ROUNDS = 2.0**-4, 2.0**-8, 16
@@ -115,12 +115,12 @@ class Sheets:
             open_ = [np.empty((2, 0))]
             for edge in (0, 1):
                 some = np.flatnonzero(self.charts.jumps(edge, cells.chart) & (cells.low[edge] == 0))
-                boxes = (ends[1 - edge : 2 - edge, some] for ends in (cells.low, cells.high))
-                solved = solve(EndedEdge(self.charts, edge), *boxes, cells.chart[some])
+                low, high = (ends[1 - edge : 2 - edge, some] for ends in (cells.low, cells.high))
+                solved = solve(EndedEdge(self.charts, edge), low, high, cells.chart[some])
                 found += [self._corner(edge, *at) for at in zip(solved.x[0].tolist(), solved.of.tolist(), strict=True)]
                 along = solved.undecided[0]
-                place = (0 * along, along) if edge == 0 else (along, 0 * along)
-                open_.append(np.stack(self.charts.motion(*place, solved.undecided_of)))
+                x, y = (0 * along, along) if edge == 0 else (along, 0 * along)
+                open_.append(np.stack(self.charts.motion(x, y, solved.undecided_of)))
             self._corners[octave] = found, np.concatenate(open_, axis=1)
         return self._corners[octave]
 
@@ -128,7 +128,8 @@ class Sheets:
         other, *inside = self.charts.inside(edge, along, chart)
         places = np.array((inside, (0.0, along) if edge == 0 else (along, 0.0))).T
         with np.errstate(all="ignore"):
-            here = self.charts.on(*(Interval(np.stack((at, at))) for at in places), np.array((other, chart)))
+            x, y = (Interval(np.stack((at, at))) for at in places)
+            here = self.charts.on(x, y, np.array((other, chart)))
             bent, A_t = resists(here)
             e = (bent - here.s_0 / here.A) * 4.0
         # the balance goes as (-c_y, c_x), away from the corner as x or y falls before it and rises past it
@@ -139,13 +140,13 @@ class Sheets:
 
     def looked_at(self, low: Floats, high: Floats, chart: Ints) -> tuple[Bools, Cells]:
         """Boxes less what the balance leaves out, and which of them may hold it."""
-        clipped = above_diagonal(
-            *(Interval(np.stack(pair)) for pair in zip(low, high, strict=True)), self.charts.rooted[chart]
-        )
-        low, high = (np.stack([getattr(one, end) for one in clipped]) for end in ("lo", "hi"))
+        x, y = (Interval(np.stack(pair)) for pair in zip(low, high, strict=True))
+        x, y = above_diagonal(x, y, self.charts.rooted[chart])
+        low, high = np.stack((x.lo, y.lo)), np.stack((x.hi, y.hi))
         n, centre = chart.size, 0.5 * (low + high)
-        x, y = (Interval(np.stack((np.append(low[i], centre[i]), np.append(high[i], centre[i])))) for i in (0, 1))
-        both = self.charts.on(x, y, np.append(chart, chart))
+        # on all of each and in its middle, at once
+        x_all, y_all = (Interval(np.append(one.ends, [at, at], axis=1)) for one, at in zip((x, y), centre, strict=True))
+        both = self.charts.on(x_all, y_all, np.append(chart, chart))
         here, middle = both.take(slice(n)), both.take(slice(n, None))
         r = [Interval(np.stack((-one, one))) for one in np.maximum(high - centre, centre - low) * (1 + ROUNDED)]
         load = self.steps.load
@@ -174,7 +175,7 @@ class Sheets:
         resting = np.flatnonzero(here.A.lo <= 0)
         if resting.size:
             ends = p.ends.copy()
-            ends[:, resting] = self.charts.stiffness(*(one.take(resting) for one in clipped), chart[resting]).ends
+            ends[:, resting] = self.charts.stiffness(x.take(resting), y.take(resting), chart[resting]).ends
             p = Interval(ends)
         bent, A_t = resists(here)
         return empty, Cells(chart, low, high, here.A, here.B, p, bent * 4.0 - p * 2.0, A_t)
@@ -234,7 +235,9 @@ class Sheets:
         for i, forcing in enumerate(F_0.tolist()):
             for sign in (-1.0, 1.0):
                 with np.errstate(all="ignore"):
-                    t = phases(cells.A * cells.e, np.full(cells.chart.size, forcing), m, np.full(cells.chart.size, sign))
+                    t = phases(
+                        cells.A * cells.e, np.full(cells.chart.size, forcing), m, np.full(cells.chart.size, sign)
+                    )
                     may = (t[0] <= t[1]) & _one_frequency(t, forcing, m, zeta, cells.A, cells.p)
                 lows.append(np.concatenate((cells.low, t[:1]))[:, may])
                 highs.append(np.concatenate((cells.high, t[1:]))[:, may])
