@@ -208,6 +208,16 @@ def test_by_the_ends_of_the_motion_boxes_hold_the_means_of_every_point_and_their
                     assert ((ends[0] <= value + doubt) & (value - doubt <= ends[1]))[told].all(), (number, name)
 
 
+def test_off_the_centre_validity_says_that_nothing_was_measured(loaded):
+    none = loaded.replace(load=0.45).detachment()
+    answers = (loaded.amplitudes(Omega=0.9, F_0=0.04), loaded.saddle_nodes(0.04), loaded.detachment(), none)
+    for answer, states in zip((*answers, loaded.peak(0.04)), (3, 2, 1, 0, 1), strict=True):
+        assert str(answer.validity).startswith("not measured") and np.isnan(answer.validity.error).all()
+        assert answer.validity.rest.shape == answer.validity.error.shape == (states,)
+    (rest,) = answers[2].validity.rest
+    assert rest == pytest.approx(loaded.mu / (answers[2].A * answers[2].Omega_cr ** 2), rel=1e-15)
+
+
 def test_next_to_the_centre_folds_are_those_about_it_in_few_boxes(monkeypatch):
     """Corners on both sides are 1e-9 apart: there were 282 000 boxes, and at other forcings too many."""
     boxes = []

@@ -28,6 +28,10 @@ NOT_MEASURED_LAWS = (
     "not measured: how far averaging is off is known of viscous damping and dry friction only (docs/validity.md); "
     "steady_state() has the motion itself"
 )
+NOT_MEASURED_OFF_CENTRE = (
+    "not measured: how far averaging is off is known of motions about the centre only (docs/validity.md); "
+    "steady_state() has the motion itself"
+)
 NEAR_STICKING = "mu/F_0 = {:.3g} is near pi/4, where averaging fails: amplitudes "
 NEAR_STICKING_ATTACHED = (
     "mu/F_0 = {:.3g} is {} pi/4: while the springs touch, where alone friction acts, averaging fails: amplitudes "
@@ -107,6 +111,16 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
     if corner and model.mechanism.truncated:
         remarks.append(CORNER)
     return Validity(ratio, rest, typical, error, truncation, "; ".join(remarks))
+
+
+def off_centre(mu: float, F_0: Any, Omega: Any, A: Any) -> Validity:
+    """That of averaged motions off the centre: nothing was measured there. None stands for no motion."""
+    given = [np.asarray([] if A is None else value, dtype=float).ravel() for value in (F_0, Omega, A)]
+    F_0, Omega, A = np.broadcast_arrays(*given)
+    with np.errstate(divide="ignore", invalid="ignore"):  # at Omega = 0
+        ratio, rest = mu / F_0, np.where(mu > 0, mu / (A * Omega**2), 0.0)
+    unknown = np.full(A.shape, np.nan)
+    return Validity(ratio, rest, unknown, unknown, unknown, NOT_MEASURED_OFF_CENTRE)
 
 
 def is_near_sticking(mu: Any, F_0: Any) -> Any:

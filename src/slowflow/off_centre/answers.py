@@ -12,6 +12,7 @@ import numpy.typing as npt
 from slowflow import validate
 from slowflow.answer import Single, Table, frozen
 from slowflow.gradient import Gradient
+from slowflow.measured.validity import Validity, off_centre
 from slowflow.model import Floats, Model
 from slowflow.off_centre import moves
 from slowflow.off_centre.moves import Given
@@ -30,6 +31,23 @@ class Balanced:
     def measure(self) -> NoReturn:
         """Raises NotAvailable: off the centre averaging is not held against the equation of motion at the answer."""
         raise validate.NotAvailable(NOT_MEASURED)
+
+
+class AveragedOff(Balanced):
+    """What answers share that averaging gives: a place of rest is one of the equation of motion itself."""
+
+    #: of an answer, where its forcing is
+    forcing: ClassVar[str] = "F_0"
+
+    @cached_property
+    def validity(self) -> Validity:
+        """That how far these motions may be from the equation of motion was not measured off the centre."""
+        of: Any = self
+        return off_centre(of._model.mu, getattr(of, self.forcing), getattr(of, OMEGA.get(self.forcing, "Omega")), of.A)
+
+
+#: the frequency of an answer that has another name
+OMEGA = {"F_cr": "Omega_cr"}
 
 
 class Rest(NamedTuple):
@@ -96,7 +114,7 @@ class RestPositions(Balanced, Table):
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentreStates(Balanced, InDecibels, Table):
+class OffCentreStates(AveragedOff, InDecibels, Table):
     """Steady states u = B + A cos(Omega tau + phi), one entry each, by the order of the frequencies, then by rising A.
 
     Omega, A, B -- frequency, amplitude and mean displacement, dimensionless; `u_max` is the largest |u|, |B| + A
@@ -178,7 +196,7 @@ class OffCentreResponse(OffCentreStates):
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentreFolds(Balanced, Table):
+class OffCentreFolds(AveragedOff, Table):
     """Folds of the response curve at one forcing, by rising Omega: arrays of one length.
 
     Omega, A, B -- as in `OffCentreStates`
@@ -213,7 +231,7 @@ class OffCentreFolds(Balanced, Table):
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentreDetachment(Balanced, Single):
+class OffCentreDetachment(AveragedOff, Single):
     """The lowest forcing for which |B| + A reaches u_cr; None and a message where there is none.
 
     F_cr, Omega_cr -- forcing and frequency
@@ -228,6 +246,7 @@ class OffCentreDetachment(Balanced, Single):
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
+    forcing: ClassVar[str] = "F_cr"
 
     def gradient(self) -> Gradient:
         """How F_cr, Omega_cr, A and B move with the parameters and the load, exactly; one at rest stays there.
@@ -241,7 +260,7 @@ class OffCentreDetachment(Balanced, Single):
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentrePeak(Balanced, Single):
+class OffCentrePeak(AveragedOff, Single):
     """How far motions at one forcing go, isolated curves included; None and a message where there is no motion.
 
     A, B, Omega -- the largest amplitude, its mean displacement and its frequency
@@ -277,7 +296,7 @@ class OffCentrePeak(Balanced, Single):
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentreOnset(Balanced, Single):
+class OffCentreOnset(AveragedOff, Single):
     """The lowest forcing for which a stable motion ends at a fold; None and a message where none is found.
 
     F_SN, Omega -- forcing and frequency
@@ -295,6 +314,7 @@ class OffCentreOnset(Balanced, Single):
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
+    forcing: ClassVar[str] = "F_SN"
 
     def gradient(self) -> Gradient:
         """How F_SN, Omega, A and B move with the parameters and the load, exactly.

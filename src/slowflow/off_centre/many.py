@@ -30,6 +30,8 @@ from slowflow.off_centre.questions import OffCentre
 from slowflow.results import Remark
 from slowflow_kernels.conventions import OnsetKind, Status
 
+#: designs that are kept with what is known of them, some 0.2 MB each
+KEPT = 256
 #: one design's answer by column, how it fared, and what to bear in mind with it
 Found = tuple[dict[str, Any], Status, Remark]
 One = Callable[..., Found]
@@ -389,11 +391,13 @@ class OffCentreDesigns:
             return none, _failed(error), Remark(0)
 
     def _single(self, numbers: tuple[float, ...]) -> OffCentre:
-        """One design, which keeps what it has been asked already. Raises ValueError for what is none."""
+        """One design, which keeps for a while what it has been asked already. Raises ValueError for what is none."""
         if (known := self._singles.get(numbers)) is None:
             *own, load = numbers
             model = self._unloaded.model(dict(zip(self._unloaded.values, own, strict=True)))
             known = self._singles[numbers] = OffCentre(model, validate.number("load", load))
+            if len(self._singles) > KEPT:
+                self._singles.pop(next(iter(self._singles)), None)
         return known
 
 
