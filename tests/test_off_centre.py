@@ -175,19 +175,19 @@ def test_by_the_ends_of_the_motion_boxes_hold_the_means_of_every_point_and_their
     rng, n = np.random.default_rng(5), 400
     for steps in ended_forces():
         charts = Charts(steps)
-        for number in range(charts.rooted.size):
-            chart, rooted = np.full(n, number), charts.rooted[number]
+        for number in range(charts.passes.size):
+            chart, rooted = np.full(n, number), charts.rooted[:, number]
             least, most = np.maximum(charts.low[:, number], -1.5), np.minimum(charts.high[:, number], 1.5)
             low = least[:, np.newaxis] + (most - least)[:, np.newaxis] * rng.uniform(0, 1, (2, n)) ** 2
             high = np.minimum(low + 10 ** rng.uniform(-8, -0.5, n), most[:, np.newaxis])
             held = charts.on(*(Interval(np.stack(pair)) for pair in zip(low, high, strict=True)), chart)
-            if rooted and charts.upper[number] - charts.lower[number] > 1:
-                assert all(np.isfinite(one.ends).all() for one in vars(held).values())
+            if charts.upper[number] - charts.lower[number] > 1:
+                assert all(np.isfinite(getattr(held, name).ends).all() for name in ("c_0", "s_0", "c_x", "c_y"))
             for share in (0.25, 0.5, 0.8):
                 x, y = low[0] + share * (high[0] - low[0]), low[1] + (1 - share) * (high[1] - low[1])
                 A, B = charts.motion(x, y, chart)
                 means = steps.at(A, B, 2)
-                X, Y = (x, y) if rooted else (0.5, 0.5)
+                X, Y = np.where(rooted[0], x, 0.5), np.where(rooted[1], y, 0.5)
                 P_1, Q_1, P_2, Q_2 = (means.c[k] + sign * means.s[k] for k in (1, 2) for sign in (1, -1))
                 values = {
                     "A": A,
@@ -196,12 +196,12 @@ def test_by_the_ends_of_the_motion_boxes_hold_the_means_of_every_point_and_their
                     "s_0": means.s[0],
                     "c_x": X * P_1,
                     "c_y": -Y * Q_1,
-                    "c_xx": rooted * P_1 + X * X * (2 * P_2 - means.s[1] / A),
-                    "c_yy": Y * Y * (2 * Q_2 - means.s[1] / A) - rooted * Q_1,
+                    "c_xx": rooted[0] * P_1 + X * X * (2 * P_2 - means.s[1] / A),
+                    "c_yy": Y * Y * (2 * Q_2 - means.s[1] / A) - rooted[1] * Q_1,
                 }
                 # nearer to an edge A and B do not tell how far a step is passed
-                told = (A > 1e-6) & (np.minimum(x - least[0], y - least[1]) > 1e-2 if rooted else A > 1e-6)
-                told &= (np.minimum(most[0] - x, most[1] - y) > 1e-6) & ((x - least[0] > 1e-6) & (y - least[1] > 1e-6))
+                inner = np.minimum(x - least[0], y - least[1]) > (1e-2 if charts.passes[number] else 1e-6)
+                told = (A > 1e-6) & inner & (np.minimum(most[0] - x, most[1] - y) > 1e-6)
                 for name, value in values.items():
                     ends = getattr(held, name).ends
                     doubt = (1e-13 if name in ("A", "B", "c_0", "s_0") else 1e-7) * (1 + np.abs(value))

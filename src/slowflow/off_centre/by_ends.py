@@ -44,11 +44,11 @@ class ByEnds:
 
     def chart(self, of: Ints) -> Ints:
         """Of a system."""
-        return np.asarray(of % self.charts.rooted.size)
+        return np.asarray(of % self.charts.passes.size)
 
     def number(self, of: Ints) -> Ints:
         """Of a system's frequency or forcing."""
-        return np.asarray(of // self.charts.rooted.size)
+        return np.asarray(of // self.charts.passes.size)
 
     def limits(self, of: Ints) -> tuple[Any, Any]:
         """See `boxes.Equations`."""
@@ -71,7 +71,7 @@ class ByEnds:
 
     def refined(self, z: Floats, x: Floats, of: Ints) -> Floats:
         """Solutions by A and B, to their last digits; not next to an edge, where x and y have more of these."""
-        near = self.charts.rooted[self.chart(of)] & (x[:2].min(axis=0) < NEAR)
+        near = (self.charts.rooted[:, self.chart(of)] & (x[:2] < NEAR)).any(axis=0)
         with np.errstate(all="ignore"):
             for _ in range(3):
                 values, slopes = self.by_motion(z, of)

@@ -5,8 +5,8 @@ Out: `Local`: A, c_0 = <f>, s_0 = <f cos psi> and the slopes of c_0 by x and y, 
 
 Where a motion just passes a step, what the force gains there shares in c_1 as 1/sqrt(distance), and no box in A and B
 is narrow enough. Lines through the steps cut the plane of the ends into rectangles, the charts. In each the same steps
-are passed, and only those at its own lower edge of B + A and upper edge of B - A are near: with x and y the roots of
-the distances from these, everything is smooth up to the edges (derivations/off_centre.py).
+are passed, and only those at its own lower edge of B + A and upper edge of B - A are near: with x and y the distances
+from these, or their roots where the force jumps, everything is smooth up to the edges (derivations/off_centre.py).
 
 U_k and V_k = L_k +- M_k are the means of (A cos psi - a)^k/k! with 1 +- cos psi. Both rise with either end of the
 motion, so that the values at two corners hold them.
@@ -15,6 +15,7 @@ motion, so that the values at two corners hold them.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -58,9 +59,10 @@ class Local:
 class Charts:
     """The charts of one force, by number.
 
-    place     -- the ends' values where x = 0 and y = 0, (2, charts); 0 in charts of motions that pass no step, where
-                 x = B + A and y = A - B
-    rooted    -- whether x and y are roots
+    passes    -- whether its motions pass a step; where they do not x = B + A and y = A - B
+    place     -- the ends' values where x = 0 and y = 0, (2, charts)
+    rooted    -- whether x and y are roots, (2, charts): where the force jumps at x = 0 or y = 0. Elsewhere they are how
+                 far each end is past that
     low, high -- the limits of x and y in each, (2, charts)
     """
 
@@ -71,12 +73,6 @@ class Charts:
         edges = np.concatenate(([-np.inf], lines, [np.inf]))
         self.upper, self.lower = np.array([(i, k) for i in range(edges.size - 1) for k in range(i + 1)]).T
         i, k = self.upper, self.lower
-        self.rooted = i > k
-        self.place = np.where(self.rooted, np.stack((edges[i], edges[k + 1])), 0.0)
-        with np.errstate(invalid="ignore"):
-            lengths = np.stack((edges[i + 1] - edges[i], edges[k + 1] - edges[k]))
-        self.low = np.where(self.rooted, 0.0, np.stack((edges[i], -edges[k + 1])))
-        self.high = np.where(self.rooted, np.sqrt(lengths), np.stack((edges[i + 1], -edges[k])))
         self._at, self._line = lines[:, np.newaxis], 1 + np.arange(lines.size)[:, np.newaxis]
         #: what is gained at lines: above the piece that a motion's means begin with by steps on the right, and below it
         #: by steps on the left, which are those of -f(-u)
@@ -87,29 +83,31 @@ class Charts:
         ):
             self._gains[line - 1] += gain if side > 0 else self._mirrored * gain
         self._large = LARGE * float(np.abs(lines).max()) if lines.size and steps.odd else np.inf
+        self.passes = i > k
+        jumps = np.append(self._gains[:, 0], 0.0) != 0
+        self.rooted = self.passes & np.stack((jumps[i - 1], jumps[k]))
+        self.place = np.where(self.passes, np.stack((edges[i], edges[k + 1])), 0.0)
+        with np.errstate(invalid="ignore"):
+            lengths = np.stack((edges[i + 1] - edges[i], edges[k + 1] - edges[k]))
+        self.low = np.where(self.passes, 0.0, np.stack((edges[i], -edges[k + 1])))
+        self.high = np.where(self.passes, lengths, np.stack((edges[i + 1], -edges[k])))
+        self.high[self.rooted] = np.sqrt(self.high[self.rooted])
 
     def motion(self, x: Floats, y: Floats, chart: Ints) -> tuple[Floats, Floats]:
         """A and B at points."""
-        rooted, (upper, lower) = self.rooted[chart], self.place[:, chart]
-        apart = np.where(rooted, upper - lower, 0.0)
-        A = 0.5 * np.where(rooted, apart + x * x + y * y, x + y)
-        B = 0.5 * np.where(rooted, upper + lower + (x - y) * (x + y), x - y)
-        return A, B
-
-    def jumps(self, edge: int, chart: Ints) -> Bools:
-        """Whether the force jumps at the edge x = 0 (0) or y = 0 (1) of charts."""
-        jumps = np.append(self._gains[:, 0], 0.0) != 0
-        return np.asarray(self.rooted[chart] & jumps[(self.upper[chart] - 1, self.lower[chart])[edge]])
+        past_x, past_y = (np.where(self.rooted[i, chart], one * one, one) for i, one in enumerate((x, y)))
+        upper, lower = self.place[:, chart]
+        return 0.5 * (upper - lower + (past_x + past_y)), 0.5 * (upper + lower + (past_x - past_y))
 
     def inside(self, edge: int, along: float, chart: int) -> tuple[int, float, float]:
         """The chart on the other side of the edge x = 0 or y = 0, of motions that are not past it; x and y there."""
         i, k = int(self.upper[chart]) - (edge == 0), int(self.lower[chart]) + (edge == 1)
         (other,) = np.flatnonzero((self.upper == i) & (self.lower == k)).tolist()
-        at = [float(self.high[0, other]), along] if edge == 0 else [along, float(self.high[1, other])]
         if i == k:  # x and y are the ends there
-            top, bottom = self.place[:, chart]
-            at = [float(top), along**2 - bottom] if edge == 0 else [top + along**2, float(-bottom)]
-        return other, at[0], at[1]
+            past = along**2 if self.rooted[1 - edge, chart] else along
+            along = past + float(self.place[1 - edge, chart]) * (1 if edge else -1)
+        at = float(self.high[edge, other])
+        return (other, along, at) if edge else (other, at, along)
 
     def stiffness(self, x: Interval, y: Interval, chart: Ints) -> Interval:
         """f' on all that motions of charts in which x and y are the ends may pass: -h/A is a mean of it."""
@@ -127,25 +125,23 @@ class Charts:
             return self._on(x, y, chart)
 
     def _on(self, x: Interval, y: Interval, chart: Ints) -> Local:
-        rooted, (upper, lower) = self.rooted[chart], self.place[:, chart]
-        x, y = above_diagonal(x, y, rooted)
-        squares = x.square(), y.square()
-        top = (squares[0] + upper).where(rooted, x)
-        bottom = (-squares[1] + lower).where(rooted, -y)
-        A = (squares[0] + squares[1] + (upper - lower)).where(rooted, x + y) * 0.5
+        (root_x, root_y), (upper, lower) = self.rooted[:, chart], self.place[:, chart]
+        x, y = above_diagonal(x, y, self.passes[chart])
+        past_x, past_y = x.square().where(root_x, x), y.square().where(root_y, y)
+        top, bottom = past_x + upper, -past_y + lower
+        A = (past_x + past_y + (upper - lower)) * 0.5
         nowhere = A.hi < 0
         A = Interval(np.maximum(A.ends, 0.0))
-        half, one = np.full_like(x.ends, 0.5), np.ones_like(x.ends)
-        X, Y = (Interval(np.where(rooted, root.ends, half)) for root in (x, y))
-        X_x = Interval(np.where(rooted, one, 0.0))
+        one = np.ones_like(x.ends)
+        X, Y = (z.where(rooted, Interval(0.5 * one)) for z, rooted in ((x, root_x), (y, root_y)))
+        X_x, Y_y = Interval(root_x * one), Interval(root_y * one)
         # the piece in the middle of the motion: the others are passed least
         centre = np.searchsorted(self._at[:, 0], 0.25 * (top.ends + bottom.ends).sum(axis=0))
         base = np.clip(centre, self.lower[chart], self.upper[chart])
         known = [self._first(top, bottom, A, base)]
-        ends = Interval(np.zeros_like(one))
-        shares = [ends] * 4
+        shares = [Interval(0.0 * one)] * 4
         if self._at.size:
-            others, shares = self._others(top, bottom, x, y, A, chart, base)
+            others, shares = self._others((past_x, X, X_x), (past_y, Y, Y_y), A, chart, base)
             known.append(others)
         # where A is negative nothing is known: in the middle of a box that holds A = 0
         c_0, s_0, P_1, Q_1, P_2, Q_2 = (
@@ -155,9 +151,9 @@ class Charts:
         bent = s_1 / A
         c_x, c_y = X * P_1 + shares[0], -(Y * Q_1 + shares[1])
         c_xx = X_x * P_1 + X.square() * (P_2 * 2.0 - bent) + shares[2]
-        c_yy = Y.square() * (Q_2 * 2.0 - bent) - X_x * Q_1 - shares[3]
+        c_yy = Y.square() * (Q_2 * 2.0 - bent) - Y_y * Q_1 - shares[3]
         B = (top + bottom) * 0.5
-        return self._beside_large(Local(A, B, c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X_x, X_x))
+        return self._beside_large(Local(A, B, c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y))
 
     def _beside_large(self, found: Local) -> Local:
         """The same, of motions that are large beside all steps by the base alone too, see `Steps.on`."""
@@ -202,33 +198,29 @@ class Charts:
         return [*(one + other for one, other in zip(found, straight, strict=False)), *found[4:]]
 
     def _others(
-        self, top: Interval, bottom: Interval, x: Interval, y: Interval, A: Interval, chart: Ints, base: Ints
+        self, by_x: Sequence[Interval], by_y: Sequence[Interval], A: Interval, chart: Ints, base: Ints
     ) -> tuple[list[Interval], list[Interval]]:
         """The same of all other steps, and what c_x, -c_y, c_xx, -c_yy have of gains of f and f' that are passed."""
         upper, lower = self.upper[chart], self.lower[chart]
         passed = (lower < self._line) & (self._line <= upper)
         right = self._line > base
-        # from the roots themselves: exact where a step is near
-        rooted, (place_x, place_y) = self.rooted[chart], self.place[:, chart]
+        # from the coordinates themselves: exact where a step is near
+        place_x, place_y = self.place[:, chart]
         beyond_x, beyond_y = place_x - self._at, self._at - place_y
         above, below = (
-            _wide(np.where(rooted, one.square().ends[:, np.newaxis] + beyond, other))
-            for one, beyond, other in (
-                (x, beyond_x, top.ends[:, np.newaxis] - self._at),
-                (y, beyond_y, self._at - bottom.ends[::-1, np.newaxis]),
-            )
+            _wide(by[0].ends[:, np.newaxis] + beyond) for by, beyond in ((by_x, beyond_x), (by_y, beyond_y))
         )
         above, below = (np.where(passed, np.maximum(one, 0.0), 1.0) for one in (above, below))
         over, under = np.where(right, above, below), np.where(right, below, above)
         mirrored = np.where(right, 1.0, self._mirrored[:, np.newaxis, np.newaxis])
         gains = np.where(passed, self._gains.T[..., np.newaxis] * mirrored, 0.0)
         known = _summed(gains, right, _ladder(over, under, self.steps.highest))
-        shares = np.zeros((4, *x.ends.shape))
+        shares = np.zeros((4, *A.ends.shape))
         step, box = np.nonzero((gains[:2] != 0).any(axis=0))
         if box.size:
             near_x, near_y = (
-                (one.take(box), Interval(ends[:, step, box]).sqrt(), beyond[step, box])
-                for one, ends, beyond in ((x, above, beyond_x), (y, below, beyond_y))
+                (Interval(ends[:, step, box]).sqrt(), beyond[step, box], *(one.take(box) for one in by[1:]))
+                for by, ends, beyond in ((by_x, above, beyond_x), (by_y, below, beyond_y))
             )
             D_0, D_1 = self._gains[step, :2].T / np.pi
             for row, value in enumerate(_shares(near_x, near_y, A.take(box), D_0, D_1)):
@@ -237,10 +229,10 @@ class Charts:
         return known, [Interval(_wide(one)) for one in shares]
 
 
-def above_diagonal(x: Interval, y: Interval, rooted: Bools) -> tuple[Interval, Interval]:
-    """Where x = B + A and y = A - B the part of boxes in which A is not negative."""
+def above_diagonal(x: Interval, y: Interval, passes: Bools) -> tuple[Interval, Interval]:
+    """Where motions pass no step, x = B + A and y = A - B the part of boxes in which A is not negative."""
     low = (
-        np.where(rooted, one.lo, np.minimum(np.maximum(one.lo, -other.hi), one.hi)) for one, other in ((x, y), (y, x))
+        np.where(passes, one.lo, np.minimum(np.maximum(one.lo, -other.hi), one.hi)) for one, other in ((x, y), (y, x))
     )
     low_x, low_y = low
     return Interval(np.stack((low_x, x.hi))), Interval(np.stack((low_y, y.hi)))
@@ -253,34 +245,36 @@ def _wide(ends: Floats) -> Floats:
 
 
 def _scaled(value: Interval, by: Floats) -> Interval:
-    """Times numbers of any sign."""
-    return Interval(_wide(np.sort(value.ends * by, axis=0)))
+    """Times numbers of any sign; 0 times what is not known is 0."""
+    return Interval(_wide(np.where(by == 0, 0.0, np.sort(value.ends * by, axis=0))))
 
 
 def _shares(
-    near_x: tuple[Interval, Interval, Floats],
-    near_y: tuple[Interval, Interval, Floats],
+    near_x: tuple[Interval, Floats, Interval, Interval],
+    near_y: tuple[Interval, Floats, Interval, Interval],
     A: Interval,
     D_0: Floats,
     D_1: Floats,
 ) -> list[Interval]:
     """What gains D_0 pi of f and D_1 pi of f' share in c_x, -c_y, c_xx, -c_yy where a motion passes them.
 
-    near_x, near_y -- x, the root of how far that end is past the step, and the square of that where x = 0; of y too
+    near_x, near_y -- the root of how far that end is past the step, the square of that where x = 0, X and X_x; of y too
 
     c_1 + s_1 has D_0 root_y/(root_x A), and c_1 - s_1 the inverse of that ratio; c_2 +- s_2 the same of D_1.
     """
     found = []
-    for (x, root, far), (_, other, _), sign in ((near_x, near_y, 1.0), (near_y, near_x, -1.0)):
-        # x/root rises from 0 to 1, and is 1 where the step is the chart's own
-        own = far == 0
-        with np.errstate(invalid="ignore", divide="ignore"):
-            held = _wide(_wide(x.ends / np.sqrt(x.ends**2 + far)))
-        ratio = Interval(np.where(own, 1.0, held))
+    for (root, far, X, X_x), (other, _, _, _), sign in ((near_x, near_y, 1.0), (near_y, near_x, -1.0)):
+        rooted = X_x.lo > 0
+        own = rooted & (far == 0)
+        # of a root x/root rises from 0 to 1, and is 1 where the step is the chart's own; of an end 1/2 over it falls
+        rising, falling = X.ends / np.sqrt(X.ends**2 + far), 0.5 / root.ends[::-1]
+        ratio = Interval(np.where(own, 1.0, _wide(_wide(np.where(rooted, rising, falling)))))
         share = ratio * other / A
-        turn = Interval(np.where(own, 0.0, (Interval(_wide(np.stack((far, far)))) / (root.square() * root)).ends))
-        slope = other / A * (turn - ratio * x / A)
-        found.append((_scaled(share, D_0), _scaled(slope, D_0) + _scaled(x * share, 2.0 * sign * D_1)))
+        cube = root.square() * root
+        bent = Interval(np.where(rooted, np.stack((far, far)), -0.25)) / cube
+        turn = Interval(np.where(own, 0.0, _wide(bent.ends)))
+        slope = other / A * (turn - ratio * X / A)
+        found.append((_scaled(share, D_0), _scaled(slope, D_0) + _scaled(X * share, 2.0 * sign * D_1)))
     return [found[0][0], found[1][0], found[0][1], found[1][1]]
 
 

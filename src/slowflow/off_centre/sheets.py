@@ -99,7 +99,7 @@ class Sheets:
 
     def _wide(self, cells: Cells) -> Floats:
         """By how much either end of the motion changes over cells."""
-        by = np.where(self.charts.rooted[cells.chart], 2 * cells.high, 1.0)
+        by = np.where(self.charts.rooted[:, cells.chart], 2 * cells.high, 1.0)
         return np.asarray((cells.high - cells.low) * by)
 
     def _octave(self, A_max: float) -> int:
@@ -114,7 +114,7 @@ class Sheets:
             found: list[Corner] = []
             open_ = [np.empty((2, 0))]
             for edge in (0, 1):
-                some = np.flatnonzero(self.charts.jumps(edge, cells.chart) & (cells.low[edge] == 0))
+                some = np.flatnonzero(self.charts.rooted[edge, cells.chart] & (cells.low[edge] == 0))
                 low, high = (ends[1 - edge : 2 - edge, some] for ends in (cells.low, cells.high))
                 solved = solve(EndedEdge(self.charts, edge), low, high, cells.chart[some])
                 found += [self._corner(edge, *at) for at in zip(solved.x[0].tolist(), solved.of.tolist(), strict=True)]
@@ -141,7 +141,7 @@ class Sheets:
     def looked_at(self, low: Floats, high: Floats, chart: Ints) -> tuple[Bools, Cells]:
         """Boxes less what the balance leaves out, and which of them may hold it."""
         x, y = (Interval(np.stack(pair)) for pair in zip(low, high, strict=True))
-        x, y = above_diagonal(x, y, self.charts.rooted[chart])
+        x, y = above_diagonal(x, y, self.charts.passes[chart])
         low, high = np.stack((x.lo, y.lo)), np.stack((x.hi, y.hi))
         n, centre = chart.size, 0.5 * (low + high)
         # on all of each and in its middle, at once
@@ -208,12 +208,14 @@ class Sheets:
         charts, bound = self.charts, A_max + self._offset_bound(A_max)
         octaves = self._size * 0.5 ** np.arange(BELOW, -math.ceil(math.log2(bound / self._size)) - 1, -1)
         boxes, number = [], []
-        for chart in range(charts.rooted.size):
+        for chart in range(charts.passes.size):
             edges = []
-            for low, high in zip(charts.low[:, chart], charts.high[:, chart], strict=True):
+            for low, high, rooted in zip(
+                *(of[:, chart] for of in (charts.low, charts.high, charts.rooted)), strict=True
+            ):
                 if math.isfinite(low) and math.isfinite(high):
                     edges.append(np.linspace(low, high, PARTS + 1))
-                elif charts.rooted[chart]:
+                elif rooted:
                     edges.append(np.concatenate(([0.0], np.sqrt(octaves))))
                 else:
                     # one end is at least as far as the step beside the chart
@@ -222,7 +224,7 @@ class Sheets:
                     edges.append(np.unique(np.concatenate(([max(low, both[0])], inside, [min(high, both[-1])]))))
             for a, b in zip(edges[0], edges[0][1:], strict=False):
                 for c, d in zip(edges[1], edges[1][1:], strict=False):
-                    if charts.rooted[chart] or b + d > 0:
+                    if charts.passes[chart] or b + d > 0:
                         boxes.append((a, c, b, d))
                         number.append(chart)
         low, high = np.array(boxes).T.reshape(2, 2, -1)
@@ -241,7 +243,7 @@ class Sheets:
                     may = (t[0] <= t[1]) & _one_frequency(t, forcing, m, zeta, cells.A, cells.p)
                 lows.append(np.concatenate((cells.low, t[:1]))[:, may])
                 highs.append(np.concatenate((cells.high, t[1:]))[:, may])
-                systems.append(i * self.charts.rooted.size + cells.chart[may])
+                systems.append(i * self.charts.passes.size + cells.chart[may])
         return np.concatenate(lows, axis=1), np.concatenate(highs, axis=1), np.concatenate(systems)
 
     def states(self, A_max: float, Omega: Floats, F_0: float, m: float, zeta: float) -> tuple[Floats, Floats, Ints]:
@@ -256,7 +258,7 @@ class Sheets:
             level = R.square() + I.square()
             may = ~((level.lo > F_0**2 * (1 + ROUNDED)) | (level.hi < F_0**2 * (1 - ROUNDED)))
         number, cell = number[may], cell[may]
-        return cells.low[:, cell], cells.high[:, cell], number * self.charts.rooted.size + cells.chart[cell]
+        return cells.low[:, cell], cells.high[:, cell], number * self.charts.passes.size + cells.chart[cell]
 
 
 def _one_frequency(t: Floats, F_0: float, m: float, zeta: float, A: Interval, p: Interval) -> Bools:
