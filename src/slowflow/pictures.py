@@ -8,7 +8,7 @@ are drawn.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -333,6 +333,18 @@ def shocks(ax: Any, found: Any, place: str = "beside") -> Any:
     ax.set_ylim(bottom=0.0)
     legend(ax, axis(found, "acceleration"), place=place)
     return ax
+
+
+#: what draws an answer, by its `picture`
+PICTURES: Mapping[str, Callable[[Any, Any], Any]] = {
+    "response": response,
+    "folds": folds,
+    "locus": locus,
+    "motions": motions,
+    "sweep": sweep,
+    "history": history,
+    "shocks": shocks,
+}
 
 
 def depths(ax: Any, found: Mapping[str, Any]) -> Any:

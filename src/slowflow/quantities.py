@@ -246,7 +246,7 @@ class Quantities(Answer):
 
         shown = self if set(self.units.values()).isdisjoint(("m", "s")) else self.in_units()
         if picture != "response":
-            return getattr(pictures, picture)(ax, shown)
+            return pictures.PICTURES[picture](ax, shown)
         return pictures.response(ax, shown, "A" if of is None else validate.choice("of", of, DRAWN))
 
 

@@ -524,8 +524,9 @@ def _formula(text: str) -> str:
 def _data(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     force, _ = _letter(of)
     yield "<ul>"
-    for question in ("saddle_nodes", "frequency_response") if forcings else ():
-        text = files.in_csv([({force: F}, _shown(getattr(of, question)(F))) for F in forcings])
+    asked = {"saddle_nodes": of.saddle_nodes, "frequency_response": of.frequency_response}
+    for question, ask in asked.items() if forcings else ():
+        text = files.in_csv([({force: F}, _shown(ask(F))) for F in forcings])
         yield f"<li>{_download(f'{question}.csv', 'text/csv', text)}</li>"
     for question in ("spectrum", "tolerances", "transient", "shock_spectrum"):
         try:

@@ -41,6 +41,7 @@ import tomllib
 import warnings
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -49,6 +50,7 @@ from slowflow.answer import Answer
 from slowflow.averaged import plan
 from slowflow.averaged.plan import Plan
 from slowflow.isolator import DUFFING, ROD_SPRING, Duffing, Isolator
+from slowflow.physical import Physical
 from slowflow.quantities import EXCITED, Quantities
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
@@ -93,8 +95,9 @@ class SceneError(ValueError):
 
 @dataclass(frozen=True)
 class Question:
-    """What a scene may ask: a method of the oscillator.
+    """What a scene may ask.
 
+    of      -- the method of an oscillator that answers it
     forced  -- whether it is asked at each forcing
     at      -- whether it is asked at the frequencies
     window, samples -- whether it takes these
@@ -103,6 +106,7 @@ class Question:
     shock   -- whether it is asked of the pulses in [shock]
     """
 
+    of: Callable[[Isolator | Duffing | Physical], Callable[..., Answer]]
     forced: bool = True
     at: bool = False
     window: bool = False
@@ -112,26 +116,33 @@ class Question:
     shock: bool = False
 
 
+def _tolerances(of: Isolator | Duffing | Physical) -> Callable[..., Answer]:
+    """Here, not above: it imports SciPy's statistics."""
+    from slowflow.sizing import tolerances
+
+    return partial(tolerances, of)
+
+
 QUESTIONS: Mapping[str, Question] = {
-    "at_rest": Question(forced=False),
-    "rest": Question(forced=False),
-    "saddle_node_onset": Question(forced=False),
-    "detachment": Question(forced=False),
-    "saddle_nodes": Question(),
-    "peak": Question(),
-    "margins": Question(),
-    "hysteresis": Question(),
-    "isolation": Question(),
-    "amplitudes": Question(at=True),
-    "frequency_response": Question(window=True, samples=True),
-    "spectrum": Question(forced=False, spectrum=True),
-    "tolerances": Question(within=True),
-    "transient": Question(forced=False, shock=True),
-    "shock_spectrum": Question(forced=False, shock=True),
-    "exact_response": Question(window=True),
-    "fold_locus": Question(forced=False, samples=True),
-    "cusps": Question(forced=False),
-    "isola_points": Question(forced=False),
+    "at_rest": Question(lambda of: of.at_rest, forced=False),
+    "rest": Question(lambda of: of.rest, forced=False),
+    "saddle_node_onset": Question(lambda of: of.saddle_node_onset, forced=False),
+    "detachment": Question(lambda of: of.detachment, forced=False),
+    "saddle_nodes": Question(lambda of: of.saddle_nodes),
+    "peak": Question(lambda of: of.peak),
+    "margins": Question(lambda of: of.margins),
+    "hysteresis": Question(lambda of: of.hysteresis),
+    "isolation": Question(lambda of: of.isolation),
+    "amplitudes": Question(lambda of: of.amplitudes, at=True),
+    "frequency_response": Question(lambda of: of.frequency_response, window=True, samples=True),
+    "spectrum": Question(lambda of: of.spectrum, forced=False, spectrum=True),
+    "tolerances": Question(_tolerances, within=True),
+    "transient": Question(lambda of: of.transient, forced=False, shock=True),
+    "shock_spectrum": Question(lambda of: of.shock_spectrum, forced=False, shock=True),
+    "exact_response": Question(lambda of: of.exact_response, window=True),
+    "fold_locus": Question(lambda of: of.fold_locus, forced=False, samples=True),
+    "cusps": Question(lambda of: of.cusps, forced=False),
+    "isola_points": Question(lambda of: of.isola_points, forced=False),
 }
 
 
@@ -218,7 +229,7 @@ class Scene:
     path: Path
     text: str
     content: Mapping[str, Any]
-    oscillator: Any
+    oscillator: Isolator | Duffing | Physical
     asked: tuple[Asked, ...]
     warnings: tuple[str, ...] = ()
 
@@ -226,12 +237,7 @@ class Scene:
         """The answer to one of its questions, of a mount in N, mm and Hz."""
         # a mount's questions call the amplitude F, whatever it is of
         arguments = {"F" if name in LETTERS else name: value for name, value in asked.arguments.items()}
-        if asked.question == "tolerances":
-            # here, not above: it imports SciPy's statistics
-            from slowflow.sizing import tolerances
-
-            return tolerances(self.oscillator, **arguments)
-        found: Answer = getattr(self.oscillator, asked.question)(**arguments)
+        found = QUESTIONS[asked.question].of(self.oscillator)(**arguments)
         return found.in_units() if isinstance(found, Quantities) else found
 
     def explain(self, asked: Asked) -> Plan | None:

@@ -7,8 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -16,35 +15,35 @@ import numpy.typing as npt
 from slowflow import backend, loads_many, validate
 from slowflow.averaged import many
 from slowflow.averaged.asked import MORE_POINTS
-from slowflow.averaged.many import Column
+from slowflow.averaged.many import Column, Designs
 from slowflow.exact import shocks
 from slowflow.mechanism import Mechanism
 from slowflow.off_centre import many as off_centre
+from slowflow.off_centre.many import OffCentreDesigns
+from slowflow.second.many import UNANSWERED, SecondDesigns
 from slowflow.version import __version__
-
-if TYPE_CHECKING:
-    from slowflow.second.many import SecondDesigns
 
 
 class Question(NamedTuple):
     """One of the questions about many designs.
 
     answer  -- what it is answered by
+    by      -- what answers it, of the designs; beyond -- of those in the second approximation, None where that does not
     takes   -- numbers that it takes beside the designs', which broadcast with these; may -- and those that it may
     options -- what else it takes, the same for all designs, with its default
     along   -- the axis of a table or a record that such a number may have behind those of the designs
-    by      -- what answers it, of the designs; by default their method of that name
     """
 
     answer: type[many.Batch]
+    by: Callable[..., many.Batch]
+    beyond: Callable[..., many.Batch] | None = None
     takes: tuple[str, ...] = ()
     may: tuple[str, ...] = ()
     options: Mapping[str, Any] = {}
     along: Mapping[str, str] = {}
-    by: Callable[..., Any] | None = None
 
 
-def _transient(designs: many.Designs, acceleration: Any, workers: int, **pulse: Any) -> shocks.Transients:
+def _transient(designs: Designs, acceleration: Any, workers: int, **pulse: Any) -> shocks.Transients:
     given = {"duration": None, "tau": None, **pulse}
     return shocks.transients(designs, acceleration, workers=workers, **given)
 
@@ -52,43 +51,50 @@ def _transient(designs: many.Designs, acceleration: Any, workers: int, **pulse: 
 TABLE, RECORD = {"Omega": "row", "F_0": "row"}, {"tau": "instant", "acceleration": "instant"}
 CURVE = {"samples": 1000, "Omega": validate.WINDOW, "places": 6}
 PULSE = ("acceleration", "duration")
-#: by the names of the methods of designs
+#: by name
 QUESTIONS: Mapping[str, Question] = {
-    "detachment": Question(many.Detachments),
-    "saddle_node_onset": Question(many.Onsets),
-    "saddle_nodes": Question(many.Folds, ("F_0",), options={"places": 6}),
-    "amplitudes": Question(many.States, ("F_0", "Omega"), options={"places": 6}),
-    "frequency_response": Question(many.Curves, ("F_0",), options=CURVE),
-    "peak": Question(many.Peaks, ("F_0",)),
-    "certify": Question(many.Proofs, ("F_0",), ("Omega",)),
-    "at_rest": Question(loads_many.ManyAtRest, by=loads_many.at_rest),
-    "margins": Question(loads_many.ManyMargins, ("F_0",), by=loads_many.margins),
-    "hysteresis": Question(loads_many.ManyBands, ("F_0",), options={"places": 3}, by=loads_many.hysteresis),
-    "isolation": Question(loads_many.ManyIsolations, ("F_0",), by=loads_many.isolation),
-    "spectrum": Question(loads_many.ManySpectra, ("Omega", "F_0"), along=TABLE, by=loads_many.spectrum),
-    "transient": Question(
-        shocks.Transients, ("acceleration",), ("duration", "tau"), {"after": None}, RECORD, by=_transient
+    "detachment": Question(many.Detachments, Designs.detachment, SecondDesigns.detachment),
+    "saddle_node_onset": Question(many.Onsets, Designs.saddle_node_onset, SecondDesigns.saddle_node_onset),
+    "saddle_nodes": Question(
+        many.Folds, Designs.saddle_nodes, SecondDesigns.saddle_nodes, ("F_0",), options={"places": 6}
     ),
-    "shock_spectrum": Question(shocks.Shocks, PULSE, by=shocks.of_designs),
+    "amplitudes": Question(many.States, Designs.amplitudes, takes=("F_0", "Omega"), options={"places": 6}),
+    "frequency_response": Question(many.Curves, Designs.frequency_response, takes=("F_0",), options=CURVE),
+    "peak": Question(many.Peaks, Designs.peak, SecondDesigns.peak, ("F_0",)),
+    "certify": Question(many.Proofs, Designs.certify, takes=("F_0",), may=("Omega",)),
+    "at_rest": Question(loads_many.ManyAtRest, loads_many.at_rest),
+    "margins": Question(loads_many.ManyMargins, loads_many.margins, takes=("F_0",)),
+    "hysteresis": Question(loads_many.ManyBands, loads_many.hysteresis, takes=("F_0",), options={"places": 3}),
+    "isolation": Question(loads_many.ManyIsolations, loads_many.isolation, takes=("F_0",)),
+    "spectrum": Question(loads_many.ManySpectra, loads_many.spectrum, takes=("Omega", "F_0"), along=TABLE),
+    "transient": Question(
+        shocks.Transients,
+        _transient,
+        takes=("acceleration",),
+        may=("duration", "tau"),
+        options={"after": None},
+        along=RECORD,
+    ),
+    "shock_spectrum": Question(shocks.Shocks, shocks.of_designs, takes=PULSE),
 }
 #: the same of designs under a load
 LOADED: Mapping[str, Question] = {
-    "rest": Question(off_centre.ManyRests, options={"places": 3}),
+    "rest": Question(off_centre.ManyRests, OffCentreDesigns.rest, options={"places": 3}),
     **{
-        name: QUESTIONS[name]._replace(answer=answer, by=None)
-        for name, answer in {
-            "detachment": off_centre.ManyDetachments,
-            "saddle_node_onset": off_centre.ManyOnsets,
-            "saddle_nodes": off_centre.ManyFolds,
-            "amplitudes": off_centre.ManyStates,
-            "peak": off_centre.ManyPeaks,
-            "margins": off_centre.OffCentreMargins,
-            "hysteresis": off_centre.OffCentreBands,
-            "isolation": off_centre.OffCentreIsolations,
-            "spectrum": loads_many.ManySpectra,
-            "transient": off_centre.OffCentreTransients,
-            "shock_spectrum": off_centre.OffCentreShocks,
-        }.items()
+        name: QUESTIONS[name]._replace(answer=answer, by=by, beyond=None)
+        for name, answer, by in (
+            ("detachment", off_centre.ManyDetachments, OffCentreDesigns.detachment),
+            ("saddle_node_onset", off_centre.ManyOnsets, OffCentreDesigns.saddle_node_onset),
+            ("saddle_nodes", off_centre.ManyFolds, OffCentreDesigns.saddle_nodes),
+            ("amplitudes", off_centre.ManyStates, OffCentreDesigns.amplitudes),
+            ("peak", off_centre.ManyPeaks, OffCentreDesigns.peak),
+            ("margins", off_centre.OffCentreMargins, OffCentreDesigns.margins),
+            ("hysteresis", off_centre.OffCentreBands, OffCentreDesigns.hysteresis),
+            ("isolation", off_centre.OffCentreIsolations, OffCentreDesigns.isolation),
+            ("spectrum", loads_many.ManySpectra, OffCentreDesigns.spectrum),
+            ("transient", off_centre.OffCentreTransients, OffCentreDesigns.transient),
+            ("shock_spectrum", off_centre.OffCentreShocks, OffCentreDesigns.shock_spectrum),
+        )
     },
 }
 #: axes of places, of tables and of records, which are never cut
@@ -150,19 +156,17 @@ class Ask:
             if asked.along.get(name) == "row" and name not in self.tables:
                 beside[name] = np.asarray(beside[name])[..., np.newaxis]
         designs = self._designs(given)
-        ask: Any = getattr(designs, self.question) if asked.by is None else partial(asked.by, designs)
-        answer = ask(**beside, **dict(self.options), workers=self.workers)
+        by = asked.beyond if isinstance(designs, SecondDesigns) else asked.by
+        if by is None:
+            raise ValueError(f"{self.question}: {UNANSWERED[self.question]}")
+        answer = by(designs, **beside, **dict(self.options), workers=self.workers)
         return tuple(getattr(answer, name) for name in self.columns())
 
-    def _designs(self, given: dict[str, Any]) -> many.Designs | SecondDesigns | off_centre.OffCentreDesigns:
+    def _designs(self, given: dict[str, Any]) -> Designs | SecondDesigns | OffCentreDesigns:
         if "load" in given:
-            return off_centre.OffCentreDesigns(self.mechanism, given)
-        designs = many.Designs(self.mechanism, given, self.excitation, self.rubs)
-        if self.depth == DEPTHS[0]:
-            return designs
-        from slowflow.second.many import SecondDesigns
-
-        return SecondDesigns(designs)
+            return OffCentreDesigns(self.mechanism, given)
+        designs = Designs(self.mechanism, given, self.excitation, self.rubs)
+        return designs if self.depth == DEPTHS[0] else SecondDesigns(designs)
 
 
 def lengths(asked: Question, options: Mapping[str, Any], rows: int) -> tuple[tuple[str, int], ...]:

@@ -259,7 +259,7 @@ class Grid:
         if question == "certify":
             validate.is_force(question, self.excitation)
             validate.is_plain(question, self._laws)
-        if question in UNANSWERED and self._depth != DEPTHS[0]:
+        if self._depth != DEPTHS[0] and QUESTIONS[question].beyond is None:
             raise ValueError(f"{question}: {UNANSWERED[question]}")
 
     def _with(self, asked: Question, given: Mapping[str, Any]) -> tuple[dict[str, Any], tuple[str, ...]]:

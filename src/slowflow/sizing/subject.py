@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -237,11 +237,11 @@ class _Batch:
 
     def __init__(self, designs: Any, F_0: Any, Omega: Any, pulse: Any, table: Any) -> None:
         self.designs, self.F_0, self.Omega, self.pulse, self.table = designs, F_0, Omega, pulse, table
-        self.asked: dict[str, Any] = {}
+        self.asked: dict[Callable[..., Any], Any] = {}
 
-    def _ask(self, question: str, *arguments: Any) -> Any:
+    def _ask(self, question: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
         if question not in self.asked:
-            self.asked[question] = getattr(self.designs, question)(*arguments)
+            self.asked[question] = question(*arguments, **named)
         return self.asked[question]
 
     def answer(self, name: str) -> Floats:
@@ -255,21 +255,21 @@ class _Batch:
         if name == "break_loose":
             return self._of_designs("mu")
         if name == "rests_within":
-            return np.asarray(self._ask("at_rest").rests_within)
+            return np.asarray(self._ask(self.designs.at_rest).rests_within)
         if name == "sticks":
             with np.errstate(all="ignore"):  # what is no design does not stick
                 return np.asarray(np.sqrt(slow_flow.friction(self._of_designs("mu")) / self.F_0))
         if name == "F_SN":
-            onsets = self._ask("saddle_node_onset")
+            onsets = self._ask(self.designs.saddle_node_onset)
             lowest = np.where(onsets.status == Status.NONE, math.inf, onsets.F_SN)
             # folds below it end at Omega = 0; under a load the onset is undecided then
             return np.where(getattr(onsets, "at_rest", False), np.nan, lowest)
         if name == "F_cr":
-            return lifting(self.designs, self._ask("detachment"))
+            return lifting(self.designs, self._ask(self.designs.detachment))
         if name == "rest" and isinstance(self.designs, OffCentreDesigns):
             return np.sqrt(self._where_it_rests("stiffness"))
         if name == "stroke":
-            peaks = self._ask("peak", self.F_0)
+            peaks = self._ask(self.designs.peak, self.F_0)
             largest = np.where(peaks.status == Status.UNBOUNDED, math.inf, peaks.u_max)
             return np.where(peaks.status == Status.STICKS, np.abs(self._where_it_rests("u")), largest)
         if name == "rest":
@@ -278,20 +278,17 @@ class _Batch:
                 stiffness = -np.asarray(mechanism.at_rest(*mechanism.coefficients(*self.designs.design))[1])
                 return np.sqrt(np.where(stiffness > 0, stiffness, np.nan))
         if name == "isolation":
-            return np.asarray(self._ask("isolation", self.F_0).Omega)
+            return np.asarray(self._ask(self.designs.isolation, self.F_0).Omega)
         if name == "band":
-            bands = self._ask("hysteresis", self.F_0)
+            bands = self._ask(self.designs.hysteresis, self.F_0)
             width = np.nansum(bands.Omega_high - bands.Omega_low, axis=-1)
             return np.where(np.isin(bands.status, (Status.OK, Status.STICKS)), width, np.nan)
         if name in AT_A_FREQUENCY:
-            if "states" not in self.asked:
-                self.asked["states"] = self.designs.amplitudes(Omega=self.Omega, F_0=self.F_0)
-            return _of_the_largest(self.asked["states"], name)
+            states = self._ask(self.designs.amplitudes, Omega=self.Omega, F_0=self.F_0)
+            return _of_the_largest(states, name)
         if name in IN_A_SHOCK:
-            if "shock" not in self.asked:
-                acceleration, duration = self.pulse
-                self.asked["shock"] = self.designs.shock_spectrum(acceleration=acceleration, duration=duration)
-            shock = self.asked["shock"]
+            acceleration, duration = self.pulse
+            shock = self._ask(self.designs.shock_spectrum, acceleration=acceleration, duration=duration)
             if name == "of_cr_shock":
                 with np.errstate(all="ignore"):
                     own = [self._of_designs(domain.name) for domain in self.designs.mechanism.design]
@@ -299,14 +296,14 @@ class _Batch:
                     return np.asarray(end / shock.A)
             return np.asarray(shock.A if name == "A_shock" else shock.a_max)
         if name in ("A_peak", "peak"):
-            peaks = self._ask("peak", self.F_0)
+            peaks = self._ask(self.designs.peak, self.F_0)
             if name == "peak":
                 return np.asarray(peaks.Omega)
             bounded = np.where(peaks.status == Status.UNBOUNDED, math.inf, peaks.A)
             if self.designs.excitation != "force" and self.F_0 is not None:
                 bounded = np.where(peaks.status == Status.NONE, self.F_0, bounded)
             return np.where(peaks.status == Status.STICKS, 0.0, bounded)
-        return first_jump(self._ask("saddle_nodes", self.F_0), name == "jump_up")
+        return first_jump(self._ask(self.designs.saddle_nodes, self.F_0), name == "jump_up")
 
     def _of_designs(self, name: str) -> Floats:
         """One of the numbers of each design."""
@@ -318,9 +315,7 @@ class _Batch:
         if name.removesuffix("_spectrum") in OF_MARGINS:
             largest = np.asarray(F_0).max(axis=-1)
             return np.asarray(self.answer(f"F_{name.removesuffix('_spectrum')[3:]}") / largest)
-        if "spectrum" not in self.asked:
-            self.asked["spectrum"] = self.designs.spectrum(Omega=Omega, F_0=F_0)
-        rows = self.asked["spectrum"]
+        rows = self._ask(self.designs.spectrum, Omega=Omega, F_0=F_0)
         known = np.isin(rows.status, (Status.OK, Status.STICKS, Status.NONE)).all(axis=-1)
         if name == "A_spectrum":
             return np.asarray(rows.A.max(axis=-1))
@@ -332,7 +327,7 @@ class _Batch:
 
     def _where_it_rests(self, column: str) -> Floats:
         """Of the place of rest, if one only is stable; else NaN."""
-        rests = self._ask("rest")
+        rests = self._ask(self.designs.rest)
         stable = rests.stiffness > 0
         (first,) = np.take_along_axis(getattr(rests, column), stable.argmax(axis=-1)[..., np.newaxis], -1).T
         return np.where(stable.sum(axis=-1) == 1, first.T, np.nan)
