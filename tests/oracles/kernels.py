@@ -98,7 +98,7 @@ def _slope_of_frequency(*x: Any) -> Any:
 
 def is_of_gradients(kernel: str) -> bool:
     """Whether a kernel is one of the gradients', which differences of answers judge (`tests/test_gradients.py`)."""
-    return kernel in ("beside", "by_parameter", "by_design") or kernel.startswith("moves_of_")
+    return kernel in ("beside", "by_parameter", "by_design", "fold_moves") or kernel.startswith("moves_of_")
 
 
 def knows(module: str) -> bool:
