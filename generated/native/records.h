@@ -505,6 +505,26 @@ static void rod_spring_record_averaged_in_pairs(int passed, int wanted, sf_pair 
         out[i] = all[i];
 }
 
+/* The first breakpoint and h on it, two doubles each */
+static SF_FLAT void rod_spring_record_on_first_end_in_pairs(ptrdiff_t n, ptrdiff_t apart, const double *design,
+                                                                   double *out)
+{
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS], b[SF_MOST_BREAKS], all[5];
+        rod_spring_pairs_given(sfp_point(design[i]),
+sfp_point(design[apart + i]),
+sfp_point(design[2 * apart + i]),
+p);
+        rod_spring_pairs_breakpoints(p, b);
+        rod_spring_pairs_known(0, b[0], b[0], p, all);
+        out[i] = b[0].high;
+        out[apart + i] = b[0].low;
+        out[2 * apart + i] = all[0].high;
+        out[3 * apart + i] = all[0].low;
+    }
+}
+
 _Static_assert(3 <= SF_MOST_DESIGN && 4 <= SF_MOST_PARAMETERS && 1 <= SF_MOST_BREAKS,
                "rod_spring needs higher limits in mechanism.h");
 static const sf_mechanism rod_spring_record = {
@@ -536,6 +556,7 @@ static const sf_mechanism rod_spring_record = {
     .parameters_in_pairs = rod_spring_record_parameters_in_pairs,
     .averaged_in_pairs = rod_spring_record_averaged_in_pairs,
     .ends_in_pairs = rod_spring_pairs_breakpoints,
+    .on_first_end_in_pairs = rod_spring_record_on_first_end_in_pairs,
 };
 
 static SF_FLAT void rod_spring_untruncated_record_averaged_loop(ptrdiff_t n, ptrdiff_t apart,
@@ -723,6 +744,26 @@ static void rod_spring_untruncated_record_averaged_in_pairs(int passed, int want
         out[i] = all[i];
 }
 
+/* The first breakpoint and h on it, two doubles each, of h NaN where another form is needed */
+static SF_FLAT void rod_spring_untruncated_record_on_first_end_in_pairs(ptrdiff_t n, ptrdiff_t apart, const double *design,
+                                                                   double *out)
+{
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS], b[SF_MOST_BREAKS], all[5];
+        rod_spring_untruncated_pairs_given(sfp_point(design[i]),
+sfp_point(design[apart + i]),
+sfp_point(design[2 * apart + i]),
+p);
+        rod_spring_untruncated_pairs_breakpoints(p, b);
+        rod_spring_untruncated_pairs_attached(b[0], p, all);
+        out[i] = b[0].high;
+        out[apart + i] = b[0].low;
+        out[2 * apart + i] = b[0].high < 0.69999999999999996 ? all[0].high : NAN;
+        out[3 * apart + i] = all[0].low;
+    }
+}
+
 _Static_assert(3 <= SF_MOST_DESIGN && 3 <= SF_MOST_PARAMETERS && 1 <= SF_MOST_BREAKS,
                "rod_spring_untruncated needs higher limits in mechanism.h");
 static const sf_mechanism rod_spring_untruncated_record = {
@@ -755,6 +796,7 @@ static const sf_mechanism rod_spring_untruncated_record = {
     .parameters_in_pairs = rod_spring_untruncated_record_parameters_in_pairs,
     .averaged_in_pairs = rod_spring_untruncated_record_averaged_in_pairs,
     .ends_in_pairs = rod_spring_untruncated_pairs_breakpoints,
+    .on_first_end_in_pairs = rod_spring_untruncated_record_on_first_end_in_pairs,
 };
 
 static const sf_mechanism *const records[] = {

@@ -52,8 +52,9 @@ class Mechanism(ctypes.Structure):
         ("level", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, ctypes.c_double, Doubles, ctypes.c_double)),
         ("inertial", ctypes.c_int),
         ("mean_offset", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, Doubles)),
-        *((name, ctypes.c_void_p) for name in ("parameters_within", "ends_within", "averaged_within")),
+        *((name, ctypes.c_void_p) for name in ("parameters_within", "ends_within", "kinks_within", "averaged_within")),
         *((name, ctypes.c_void_p) for name in ("parameters_in_pairs", "ends_in_pairs", "averaged_in_pairs")),
+        ("on_first_end_in_pairs", ctypes.c_void_p),
     )
 
 

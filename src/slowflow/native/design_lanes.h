@@ -145,6 +145,23 @@ static inline double sf_lane_under(double f_a, double f_b, double slope_lo, doub
     return monotone ? least : under;
 }
 
+/* The critical points of F in Omega, as sf_critical_points has them: positive roots of A w^3 + p w + q, q >= 0, which exist
+ * for p < 0 up to rho = 1 */
+typedef struct {
+    double rho, w1, w2;
+} sf_lane_critical;
+
+static inline sf_lane_critical sf_lane_critical_at(double A, double p, double q) {
+    const double c0 = 0.86602540378443865, rise = 0.13397459621556135;
+    const double below = p < 0 ? -p : 1.0, r = sqrt(below / (3 * A)), rho = 1.5 * q / (below * r);
+    const double from = c0 + rho * (1. / 6 + rho * ((3 * rise - 4. / 9) + rho * (5. / 18 - 2 * rise)));
+    const double nearer = (8 * from * from * from + rho) / (12 * from * from - 3);
+    const double c = (8 * nearer * nearer * nearer + rho) / (12 * nearer * nearer - 3), gap = (1 - rho) * (1 + rho);
+    const double y2 = c + 1.7320508075688773 * sqrt(SF_GREATER(gap, 0.0)) / (4 * c * c - 1);
+    const sf_lane_critical found = {rho, r * rho / (y2 * c), r * y2};
+    return found;
+}
+
 /* An amplitude well inside a cell, as sf_amid; next to A = 0 in the middle. */
 static inline double sf_lane_amid(double base, double a, double b) {
     const double steps = base > 0 ? base : 1.0, pa = a / steps, pb = b / steps;

@@ -8,6 +8,7 @@
 
 #include <fenv.h>
 
+#include "many_detachment.h"
 #include "many_onsets.h"
 #include "many_peaks.h"
 #include "many_states.h"
@@ -125,20 +126,49 @@ static void sf_write_fold(char **args, const ptrdiff_t *steps, const ptrdiff_t *
 
 /* ==== Questions ================================================================================================== */
 
+/* Detachment of one design, by itself. */
+static void sf_answer_detachment(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k) {
+    sf_model model;
+    sf_exactly exactly;
+    double F_cr = NAN, Omega_cr = NAN, u_cr = NAN;
+    sf_status status = SF_INVALID;
+    if (sf_design_at(mechanism, args, steps, k, 0, &model))
+        status = sf_settled_detachment(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, &F_cr,
+                                       &Omega_cr, &u_cr);
+    sf_write_detachment(args, steps, mechanism->design_size + mechanism->damping_size, k, F_cr, Omega_cr, u_cr, status);
+}
+
+/* Whether design k becomes a member of a block. */
+static int sf_enter_detachment(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
+                               sf_detaching *block) {
+    sf_numbers given;
+    sf_model model;
+    sf_read_numbers_at(mechanism, args, steps, k, &given);
+    return mechanism->parameters_of(given.design, model.p) && mechanism->damping_of(given.damping, model.damping) &&
+           sf_prepare(mechanism, NULL, &model) && sf_begin_detachment(block, k, &given, &model);
+}
+
 /* design, damping -> F_cr, Omega_cr, u_cr, status */
 static void sf_loop_detachment(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     const sf_mechanism *mechanism = data;
-    const int out = mechanism->design_size + mechanism->damping_size;
-    ptrdiff_t k;
-    for (k = 0; k < dimensions[0]; k++) {
-        sf_model model;
-        sf_exactly exactly;
-        double F_cr = NAN, Omega_cr = NAN, u_cr = NAN;
-        sf_status status = SF_INVALID;
-        if (sf_design_at(mechanism, args, steps, k, 0, &model))
-            status = sf_settled_detachment(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL,
-                                           &F_cr, &Omega_cr, &u_cr);
-        sf_write_detachment(args, steps, out, k, F_cr, Omega_cr, u_cr, status);
+    const int out = mechanism->design_size + mechanism->damping_size, together = sf_detach_together(mechanism);
+    ptrdiff_t first, k;
+    for (first = 0; first < dimensions[0]; first += SF_DETACHING) {
+        const ptrdiff_t end = first + SF_DETACHING < dimensions[0] ? first + SF_DETACHING : dimensions[0];
+        sf_detaching block;
+        int d;
+        block.n = 0;
+        for (k = first; k < end; k++)
+            if (!(together && sf_enter_detachment(mechanism, args, steps, k, &block)))
+                sf_answer_detachment(mechanism, args, steps, k);
+        if (block.n > 0)
+            sf_settle_detachments(mechanism, &block);
+        for (d = 0; d < block.n; d++) {
+            if (isnan(block.change[d]))
+                sf_answer_detachment(mechanism, args, steps, block.k[d]);
+            else
+                sf_write_detachment(args, steps, out, block.k[d], block.F_0[d], block.Omega[d], block.u_cr[d], SF_OK);
+        }
     }
 }
 

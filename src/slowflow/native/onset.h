@@ -8,13 +8,18 @@
 
 #include "locus.h"
 
+/* |u| at most in a motion of an amplitude. */
+static double sf_largest_displacement(const sf_model *model, double A) {
+    return A + fabs(model->mechanism->mean_offset(A, model->p));
+}
+
 static sf_status sf_detachment(const sf_model *model, double *F_cr, double *Omega_cr, double *u_cr) {
     sf_sample at;
     *F_cr = *Omega_cr = *u_cr = NAN;
     if (model->breaks == 0)
         return SF_NONE;
     sf_sample_at(model, model->b[0], &at);
-    *u_cr = at.A + fabs(model->mechanism->mean_offset(at.A, model->p));
+    *u_cr = sf_largest_displacement(model, at.A);
     *F_cr = sf_least_forcing(model, &at, Omega_cr);
     if (*F_cr < HUGE_VAL)
         return SF_OK;

@@ -171,6 +171,12 @@ static inline void sf_settle_on(sf_step step, const sf_exactly *exactly, int i, 
         *Omega = of.Omega.high;
 }
 
+/* A level that Newton's method changes by so much on a breakpoint b. */
+static inline void sf_change_level(double b, double change, double *F_0) {
+    if (*F_0 > 0 && b > 0 && fabs(change) <= SF_LEVEL_STEP * *F_0)
+        *F_0 += change;
+}
+
 /* F_cr: the level at Omega on breakpoint i, where it is least, so that Omega has digits enough. */
 static inline void sf_settle_level_on(const sf_exactly *exactly, int i, double Omega, double *F_0) {
     sf_exact_sample at;
@@ -180,8 +186,7 @@ static inline void sf_settle_level_on(const sf_exactly *exactly, int i, double O
         return;
     sf_exact_on(exactly, i, &at);
     sf_take_step(slow_flow_pairs_level_step, exactly, &at, &of, out);
-    if (fabs(out[0]) <= SF_LEVEL_STEP * *F_0)
-        *F_0 += out[0];
+    sf_change_level(exactly->b[i].high, out[0], F_0);
 }
 
 /* The breakpoint that an amplitude is. */

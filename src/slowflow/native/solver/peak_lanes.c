@@ -7,24 +7,6 @@
 /* distance of rho from 1 up to which critical points may meet, or have lost digits */
 #define MAY_MEET 0x1p-20
 
-/* The critical points of F in Omega, as sf_critical_points has them: positive roots of A w^3 + p w + q, q >= 0, which exist
- * for p < 0 up to rho = 1 */
-typedef struct {
-    double rho, w1, w2;
-} critical;
-
-static inline critical critical_at(double A, double p, double q)
-{
-    const double c0 = 0.86602540378443865, rise = 0.13397459621556135;
-    const double below = p < 0 ? -p : 1.0, r = sqrt(below / (3 * A)), rho = 1.5 * q / (below * r);
-    const double from = c0 + rho * (1. / 6 + rho * ((3 * rise - 4. / 9) + rho * (5. / 18 - 2 * rise)));
-    const double nearer = (8 * from * from * from + rho) / (12 * from * from - 3);
-    const double c = (8 * nearer * nearer * nearer + rho) / (12 * nearer * nearer - 3), gap = (1 - rho) * (1 + rho);
-    const double y2 = c + 1.7320508075688773 * sqrt(SF_GREATER(gap, 0.0)) / (4 * c * c - 1);
-    const critical found = {rho, r * rho / (y2 * c), r * y2};
-    return found;
-}
-
 /* F at a critical point, in R = -(2 zeta^2 A + q/w) and I, and its slope along A over -2 R */
 typedef struct {
     double y, rise, size;
@@ -75,13 +57,13 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double h_over = -sf_lane_under(-h_a, -h_b, -on.h1_hi, -on.h1_lo, width);
         const double p_lo = (on.h2_hi <= 0 ? h_least : h_under) + e * a - doubt_h;
         const double p_hi = (on.h2_lo >= 0 ? h_most : h_over) + e * b + doubt_h;
-        const critical low = critical_at(a, p_lo, q), high = critical_at(b, p_hi, q);
+        const sf_lane_critical low = sf_lane_critical_at(a, p_lo, q), high = sf_lane_critical_at(b, p_hi, q);
         const int is_nowhere = (p_lo >= 0) | (low.rho > 1 + MAY_MEET), is_throughout = (p_hi < 0) & (high.rho < 1 - MAY_MEET);
         const channel lower = channel_on(low.w1 * (1 - SF_CLOSE), high.w1 * (1 + SF_CLOSE), a, b, F_0, m, zeta, on);
         const channel upper = channel_on(high.w2 * (1 - SF_CLOSE), low.w2 * (1 + SF_CLOSE), a, b, F_0, m, zeta, on);
 
         /* at the ends */
-        const critical at_a = critical_at(a, h_a + e * a, q), at_b = critical_at(b, h_b + e * b, q);
+        const sf_lane_critical at_a = sf_lane_critical_at(a, h_a + e * a, q), at_b = sf_lane_critical_at(b, h_b + e * b, q);
         const value lower_a = value_at(at_a.w1, a, F_0, m, zeta, h1_a), lower_b = value_at(at_b.w1, b, F_0, m, zeta, h1_b);
         const value upper_a = value_at(at_a.w2, a, F_0, m, zeta, h1_a), upper_b = value_at(at_b.w2, b, F_0, m, zeta, h1_b);
         const int lower_known = (fabs(lower_a.y) > 8 * SF_CLOSE * lower_a.size) & (fabs(lower_b.y) > 8 * SF_CLOSE * lower_b.size);
@@ -109,7 +91,7 @@ SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = zeros->at[0][i], h = zeros->at[1][i], h_A = zeros->at[2][i], h_AA = zeros->at[3][i];
         const double zeta = zeros->asked[0][i], m = zeros->asked[2][i], F_0 = zeros->asked[3][i];
-        const double q = m * zeta, e = 2 * zeta * zeta, p = h + e * A, rough = critical_at(A, p, q).w2;
+        const double q = m * zeta, e = 2 * zeta * zeta, p = h + e * A, rough = sf_lane_critical_at(A, p, q).w2;
         const double w = rough - (rough * (A * rough * rough + p) + q) / (3 * A * rough * rough + p);
         const value at = value_at(w, A, F_0, m, zeta, h_A);
         const double w_A = -w * (w * w + h_A + e) / (3 * A * w * w + p), R = e * A + q / w, R_A = e - q * w_A / (w * w);

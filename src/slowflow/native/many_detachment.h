@@ -1,0 +1,95 @@
+/* Detachment in batches of designs: in go designs by blocks, out come Omega_cr and F_cr, settled.
+ *
+ * What sf_settled_detachment does for one design, by loops that vectorise: a root in doubles and what corrects the level in
+ * pairs are long chains in which each operation waits for the one before, and designs do not wait for each other. What is
+ * not the usual case there is left to it.
+ */
+#ifndef SF_MANY_DETACHMENT_H
+#define SF_MANY_DETACHMENT_H
+
+#include "clones.h"
+#include "design_lanes.h"
+#include "many_lanes.h"
+#include "settle.h"
+
+enum { SF_DETACHING = 64 };
+
+/* n designs, row by row. number: number i of member d stands at i * SF_DETACHING + d; A, h: on the breakpoint in doubles;
+ * end: the breakpoint and h on it in pairs, their high and low parts laid out as numbers are; change: of F_cr, NaN where the
+ * design is left to sf_settled_detachment */
+typedef struct {
+    int n;
+    ptrdiff_t k[SF_DETACHING];
+    double number[SF_MOST_DESIGN * SF_DETACHING], mu[SF_DETACHING], m[SF_DETACHING], zeta[SF_DETACHING];
+    double A[SF_DETACHING], h[SF_DETACHING], u_cr[SF_DETACHING];
+    double end[4 * SF_DETACHING], Omega[SF_DETACHING], F_0[SF_DETACHING], change[SF_DETACHING];
+} sf_detaching;
+
+static int sf_detach_together(const sf_mechanism *mechanism) {
+    return mechanism->on_first_end_in_pairs != NULL && !mechanism->inertial;
+}
+
+/* Design k becomes a member; 0 where it is left to sf_settled_detachment. */
+static int sf_begin_detachment(sf_detaching *block, ptrdiff_t k, const sf_numbers *given, const sf_model *model) {
+    const int d = block->n;
+    sf_sample at;
+    int i;
+    if (model->breaks < model->mechanism->breakpoints)
+        return 0;
+    sf_sample_without_k_at(model, model->b[0], &at);
+    for (i = 0; i < model->mechanism->design_size; i++)
+        block->number[i * SF_DETACHING + d] = given->design[i];
+    block->k[d] = k, block->mu[d] = given->damping[0], block->m[d] = model->m, block->zeta[d] = model->zeta;
+    block->A[d] = at.A, block->h[d] = at.h, block->u_cr[d] = sf_largest_displacement(model, at.A);
+    block->n++;
+    return 1;
+}
+
+/* sf_least_forcing, with one step of sf_polish_cubic, which is nearly always the last */
+static SF_FLAT void sf_lane_least_forcings(ptrdiff_t n, sf_detaching *block) {
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double A = block->A[i], h = block->h[i], m = block->m[i], zeta = block->zeta[i];
+        double cubic[5];
+        frequencies_response_derivative(A, m, zeta, h, cubic);
+        const double p = cubic[0], q = cubic[2];
+        const sf_lane_critical at = sf_lane_critical_at(A, p, q);
+        const double near = q == 0 ? sqrt((p < 0 ? -p : 1.0) / A) : at.w2, slope = frequencies_cubic_slope(near, A, p);
+        const double step = frequencies_cubic_fine(near, A, p, cubic[1], q, cubic[3]) / slope, next = near - step;
+        const int is_step = fabs(step) <= SF_SIMPLE * near, has_one = (p < 0) & (at.rho <= 1 - SF_MAY_MEET);
+        const int is_last = !is_step | (3 * A * next * step * step <= SF_POLISHED * next * fabs(slope));
+        const double found = is_step ? next : near, last = has_one ? found : 0.0;
+        const double at_rest = slow_flow_level(0, A, m, zeta, h), level = slow_flow_level(last, A, m, zeta, h);
+        const double least = level < at_rest ? level : at_rest;
+        const int is_known = ((has_one & is_last) | (p >= 0) | (at.rho > 1 + SF_MAY_MEET)) & (A > 0) & (m >= 0) &
+                             (zeta >= 0) & (A + fabs(h) + m + zeta < HUGE_VAL) & (least < HUGE_VAL);
+        block->Omega[i] = level < at_rest ? last : 0.0;
+        block->F_0[i] = is_known ? least : NAN;
+    }
+}
+
+/* What sf_settle_level_on asks */
+static SF_FLAT void sf_lane_level_steps(ptrdiff_t n, sf_detaching *block) {
+    const double *end = block->end;
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const sf_pair b = {end[i], end[SF_DETACHING + i]}, none = {0, 0};
+        const sf_pair h = {end[2 * SF_DETACHING + i], end[3 * SF_DETACHING + i]};
+        const sf_pair m = slow_flow_pairs_friction(sfp_point(block->mu[i]));
+        double out[4];
+        slow_flow_pairs_level_step(sfp_point(block->Omega[i]), b, sfp_point(block->F_0[i]), m, sfp_point(block->zeta[i]), h,
+                                   none, none, none, out);
+        block->change[i] = out[0];
+    }
+}
+
+static void sf_settle_detachments(const sf_mechanism *mechanism, sf_detaching *block) {
+    int d;
+    sf_lane_least_forcings(block->n, block);
+    mechanism->on_first_end_in_pairs(block->n, SF_DETACHING, block->number, block->end);
+    sf_lane_level_steps(block->n, block);
+    for (d = 0; d < block->n; d++)
+        sf_change_level(block->end[d], block->change[d], &block->F_0[d]);
+}
+
+#endif
