@@ -69,6 +69,7 @@ class Inertia:
     hessian     -- as there, at an isola point, in its lets
     bound       -- 4 zeta^2 A^2 (1 - lost) - F_0^2 |h|/A and three derivatives, each times powers of A: while it is
                    positive no state above F_0 has the amplitude A if zeta^2 A is at most lost |h|
+    share       -- that of |h| which zeta^2 A is, for h < 0, in its let
     """
 
     force: sp.Expr
@@ -94,6 +95,8 @@ class Inertia:
     hessian_lets: tuple[Let, ...]
     hessian: sp.Expr
     bound: tuple[sp.Expr, ...]
+    share_lets: tuple[Let, ...]
+    share: sp.Expr
 
 
 def _vanishes(expression: sp.Expr, words: str) -> None:
@@ -137,6 +140,7 @@ def inertia(flow: SlowFlow) -> Inertia:
     least_Omega_A = sp.factor_terms(-_x_A(of_level) / x**2)
     F_AOmega, F_AA = flow.F_AOmega, flow.F_AA
     # bend/Omega is a force's F_OmegaOmega less 3 F_Omega/Omega; in the determinant of a force no squares cancel
+    bound, share_lets, share_of_h = _bound(G)
     hessian_lets, of_force = hessian(flow)
     determinant = of_force - 3 * flow.F_Omega * F_AA / Omega
     _vanishes((determinant.subs(hessian_lets) - (bend / Omega * F_AA - F_AOmega**2)).subs(whole), "the determinant")
@@ -165,7 +169,9 @@ def inertia(flow: SlowFlow) -> Inertia:
         cusp_bend=-slope_of_level * flow.F_AAA * F_AOmega,
         hessian_lets=hessian_lets,
         hessian=determinant,
-        bound=_bound(G),
+        bound=bound,
+        share_lets=share_lets,
+        share=share_of_h,
     )
 
 
@@ -238,7 +244,7 @@ def _peak(
     return lets, peak, (value, slope(whole) + sp.diff(whole, x) * _x_A(of_level))
 
 
-def _bound(G: sp.Expr) -> tuple[sp.Expr, ...]:
+def _bound(G: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[Let, ...], sp.Expr]:
     """Friction only raises the level, which without it is least at 4 zeta^2 A^3 (|h| - zeta^2 A)/h^2 = level^2."""
     smooth = sp.expand(G.subs(friction, 0))
     square = sp.Symbol("square", positive=True)
@@ -255,4 +261,6 @@ def _bound(G: sp.Expr) -> tuple[sp.Expr, ...]:
         chain.append(slope(chain[-1]))
     if h_AAA not in chain[-1].free_symbols or h_AA in chain[-1].free_symbols:
         raise ArithmeticError("the third derivative of the bound")
-    return tuple(chain)
+    twice = sp.Symbol("twice", nonnegative=True)
+    taken = sp.cancel(1 - least * -h / (4 * zeta**2 * A**3))
+    return tuple(chain), ((twice, zeta**2),), taken.subs(zeta, sp.sqrt(twice))

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from .oscillator import F, F_c, c, cos_forcing, groups, scaled_motion, sign_u_dot, u_ddot, u_dot
-from .symbols import F_0, Omega, mu, phi, u, zeta
+from .symbols import F_0, A, Omega, eta, mu, phi, u, zeta
 
 Let = tuple[sp.Symbol, sp.Expr]
 
@@ -51,6 +51,8 @@ class Motion:
     push_slopes  -- of the push by theta, u, F_0
     rates        -- u', v' by theta
     by_state     -- derivatives of the rates by u, v: row by row
+    stopping     -- friction over the largest force of inertia of A cos theta, in its let
+    structural   -- the zeta whose damper is (eta/Omega) u'
     by_parameter -- by Omega, F_0, zeta, friction and f, which any parameter of the force enters by: row by row
     """
 
@@ -62,6 +64,9 @@ class Motion:
     transmissibility_lets: tuple[Let, ...]
     transmissibility: sp.Expr
     push_slopes: tuple[sp.Expr, ...]
+    stopping_lets: tuple[Let, ...]
+    stopping: sp.Expr
+    structural: sp.Expr
     rates: tuple[sp.Expr, ...]
     by_state: tuple[sp.Expr, ...]
     by_parameter: tuple[sp.Expr, ...]
@@ -127,6 +132,20 @@ def _transmissibility(equation: sp.Expr) -> tuple[tuple[Let, ...], sp.Expr]:
     return ((of_inertia, Omega**2 * A_1 / F_0),), sp.sqrt(sum(part**2 for part in both))
 
 
+def _stopping() -> tuple[tuple[Let, ...], sp.Expr]:
+    """Near a turning point friction stops the mass the longer, the more of the force of inertia it is."""
+    turn = sp.Symbol("turn", positive=True)
+    largest = -(Omega**2) * sp.diff(A * sp.cos(theta), theta, 2).subs(theta, 0)
+    return ((turn, Omega**2),), mu / largest.subs(Omega, sp.sqrt(turn))
+
+
+def _structural(equation: sp.Expr) -> sp.Expr:
+    """Of what (3) has for zeta."""
+    damper = equation - equation.subs(zeta, 0)
+    (found,) = sp.solve(damper - eta / Omega * v, zeta)
+    return found
+
+
 def motion() -> Motion:
     """All of it."""
     equation = equation_of_motion()
@@ -135,6 +154,7 @@ def motion() -> Motion:
     push = sp.solve(equation.subs({u_ddot: 0, v: 0}), friction)[0]
     rates = (v / Omega, acceleration / Omega)
     transmissibility_lets, transmissibility = _transmissibility(equation)
+    stopping_lets, stopping = _stopping()
     return Motion(
         equation=equation,
         push=push,
@@ -143,6 +163,9 @@ def motion() -> Motion:
         resistance=_resistance(rates),
         transmissibility_lets=transmissibility_lets,
         transmissibility=transmissibility,
+        stopping_lets=stopping_lets,
+        stopping=stopping,
+        structural=_structural(equation),
         push_slopes=tuple(_by(push, symbol) for symbol in (theta, u, F_0)),
         rates=rates,
         by_state=tuple(_by(rate, symbol) for rate in rates for symbol in (u, v)),

@@ -15,7 +15,9 @@ import sympy as sp
 from slowflow import Duffing, backend, derive
 from slowflow.averaged.reference.cells import samples_at
 from slowflow.averaged.reference.enclosed import enclosed
+from slowflow.model import held
 from slowflow.results import Remark
+from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import Status
 
 u, k, c, p, gap = sp.symbols("u k c p gap")
@@ -363,6 +365,16 @@ def test_a_preload_on_a_linear_spring_has_the_fold_of_its_closed_form(preloaded,
     assert folds.A == pytest.approx([float((p_ * a - b * m) / (a**2 + b**2))], rel=1e-9)
     assert not len(one.saddle_nodes(1.01 * float(held)))
     assert one.saddle_node_onset().F_SN is None and "no lowest forcing" in one.saddle_node_onset().message
+
+
+def test_what_holds_a_mass_at_rest_is_the_derived_level_at_no_amplitude():
+    """Of any frequency, and of numbers whose squares are beyond doubles too."""
+    m, preload, Omega = np.random.default_rng(1).uniform(0.001, 1.0, (3, 1000))
+    found = held(m, preload)
+    np.testing.assert_array_max_ulp(found, slow_flow.level(Omega, 0.0, m, 0.02, -preload), 2)
+    np.testing.assert_array_equal(held(m * 2.0**-700, preload * 2.0**-700), found * 2.0**-700)
+    np.testing.assert_array_equal(held(m, -preload), m)
+    assert [float(held(*pair)) for pair in zip(m, preload, strict=True)] == found.tolist()
 
 
 def test_a_mass_that_a_preload_holds_at_rest_is_said_beside_the_motions(preloaded):

@@ -286,4 +286,14 @@ static inline void inertia_bound(double A, double F_0, double zeta, double h, do
     out[3] = h_AAA * t0 + t2;
 }
 
+/* What zeta^2 A is of |h|: `lost` of the `bound`.
+   Equation from (24). Domain: h < 0.
+   Operations: 3 structured, 3 common subexpressions, 3 power chains
+ */
+static inline double inertia_share(double A, double zeta, double h)
+{
+    const double twice = zeta * zeta;
+    return -A * twice / h;
+}
+
 #endif

@@ -216,6 +216,16 @@ static SF_WIDE void inertia_bound_loop(ptrdiff_t n, const double *const *in, dou
 
 static const sf_loop inertia_bound_loops[] = {inertia_bound_loop};
 
+static SF_WIDE void inertia_share_loop(ptrdiff_t n, const double *const *in, double *const *out)
+{
+    SF_EACH(i, n) {
+        const double A = in[0][i], zeta = in[1][i], h = in[2][i];
+        out[0][i] = inertia_share(A, zeta, h);
+    }
+}
+
+static const sf_loop inertia_share_loops[] = {inertia_share_loop};
+
 static const sf_kernel kernels[] = {
     {"force",
      "Amplitude of the force on the mass. Equation beside (3). Domain: Omega >= 0.",
@@ -276,6 +286,9 @@ static const sf_kernel kernels[] = {
      "Positive where no state has an amplitude A > F_0, if zeta^2 A <= lost |h|; three derivatives by A. Equation "
      "from (24). Domain: A > 0, h < 0, lost <= 1/2.",
      8, 4, 1, NULL, inertia_bound_loops},
+    {"share",
+     "What zeta^2 A is of |h|: `lost` of the `bound`. Equation from (24). Domain: h < 0.",
+     3, 1, 1, NULL, inertia_share_loops},
 };
 
 const sf_module sf_module_inertia = {"inertia", kernels, sizeof kernels / sizeof kernels[0]};

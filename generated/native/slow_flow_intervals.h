@@ -125,6 +125,14 @@ static inline sf_interval slow_flow_intervals_level(sf_interval Omega, sf_interv
     return sfi_sqrt(sfi_add(sfi_square(I_), sfi_square(R)));
 }
 
+/* k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.
+   Equation from (24), (30). Domain: A >= 0. */
+static inline void slow_flow_intervals_intercept(sf_interval A, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval *out)
+{
+    out[0] = sfi_add(sfi_neg(sfi_mul(A, h_A)), h);
+    out[1] = sfi_neg(sfi_mul(A, h_AA));
+}
+
 /* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
    Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2. */
 static inline void slow_flow_intervals_fold(sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval k, sf_interval k_A, sf_interval *out)

@@ -20,7 +20,7 @@ __all__ = [
     "MOVES", "F", "Omega_A", "beside", "bound", "cusp_bend", "force", "force_slopes", "hessian", "isola", "least",
     "least_Omega_A", "level", "level_rise", "level_slope", "moves_of_corner_backbone", "moves_of_corner_end",
     "moves_of_corner_fold", "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp", "moves_of_fold",
-    "moves_of_isola", "moves_of_peak", "moves_of_phase", "moves_of_state", "outer", "peak", "terms",
+    "moves_of_isola", "moves_of_peak", "moves_of_phase", "moves_of_state", "outer", "peak", "share", "terms",
 ]
 
 
@@ -333,6 +333,17 @@ def bound(A, F_0, zeta, h, h_A, h_AA, h_AAA, lost):
         full(A * t2 + h_AA * t0, arguments),
         full(h_AAA * t0 + t2, arguments),
     )
+
+
+def share(A, zeta, h):
+    """What zeta^2 A is of |h|: `lost` of the `bound`.
+
+    Equation from (24). Domain: h < 0.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    """
+    A, zeta, h = floats(A, zeta, h)
+    twice = zeta * zeta
+    return -A * twice / h
 
 
 def moves_of_state(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p):
@@ -760,10 +771,10 @@ def moves_of_phase(Omega, A, F_0, m, zeta, h, h_A, h_p, m_p, zeta_p, A_p, Omega_
 if NATIVE is not None:
     (
         force, force_slopes, level, F, level_slope, Omega_A, outer, terms, least, least_Omega_A, peak, isola,
-        level_rise, cusp_bend, hessian, bound,
+        level_rise, cusp_bend, hessian, bound, share,
     ) = compiled(
         (force, force_slopes, level, F, level_slope, Omega_A, outer, terms, least, least_Omega_A, peak, isola,
-         level_rise, cusp_bend, hessian, bound,),
+         level_rise, cusp_bend, hessian, bound, share,),
         NATIVE.inertia(),
     )
 

@@ -16,7 +16,7 @@ import numpy as np
 
 __all__ = [
     "acceleration", "breakaway", "push", "push_slopes", "rates", "rates_by_parameter", "rates_by_state",
-    "resistance", "smoothed", "smoothed_by_state", "transmissibility",
+    "resistance", "smoothed", "smoothed_by_state", "stopping", "structural", "transmissibility",
 ]
 
 
@@ -87,6 +87,25 @@ def transmissibility(Omega, A_1, F_0, phi):
     t0 = of_inertia * np.cos(phi) + 1.0
     t1 = np.sin(phi)
     return np.sqrt(of_inertia * of_inertia * t1 * t1 + t0 * t0)
+
+
+def stopping(Omega, A, mu):
+    """Friction over the largest force of inertia of A cos(theta), by which the mass stops within the cycle.
+
+    Equation (3). Domain: Omega > 0, A > 0.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    """
+    turn = Omega * Omega
+    return mu / (A * turn)
+
+
+def structural(Omega, eta):
+    """The zeta of structural damping at one frequency.
+
+    Equation beside (3). Domain: Omega > 0.
+    Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    """
+    return 0.5 * eta / Omega
 
 
 def rates(cosine, v, Omega, F_0, zeta, friction, f):

@@ -26,6 +26,7 @@ __all__ = [
     "F_OmegaOmega",
     "fold",
     "fold_quartic",
+    "intercept",
     "isola",
     "isola_bend",
     "isola_Omega",
@@ -174,6 +175,17 @@ def level(Omega, A, m, zeta, h):
     I = 2.0 * A * Omega * zeta + m
     return (
         (I.square() + R.square()).sqrt()
+    )
+
+
+def intercept(A, h, h_A, h_AA):
+    """k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.
+
+    Equation from (24), (30). Domain: A >= 0.
+    """
+    return (
+        -A * h_A + h,
+        -A * h_AA,
     )
 
 

@@ -20,7 +20,7 @@ from slowflow import loads, validate
 from slowflow.averaged.many import Batch, Codes, Designs, Detachments, Told, first_end
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
-from slowflow.model import THROUGHOUT
+from slowflow.model import THROUGHOUT, held
 from slowflow.results import Remark
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import Status
@@ -311,9 +311,9 @@ def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> ManySp
     with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
         parameters = designs.mechanism.coefficients(*rows.design)
         preload = -np.asarray(designs.mechanism.at_rest(*parameters)[0])
-        held = np.hypot(slow_flow.friction(rows.values["mu"]), np.maximum(preload, 0.0))
+        kept = held(slow_flow.friction(rows.values["mu"]), preload)
         force = F if designs.excitation == "force" else inertia.force(at, F)
-        sticks = ~moves & (force <= held) & np.isin(status, (Status.OK, Status.STICKS, Status.NONE))
+        sticks = ~moves & (force <= kept) & np.isin(status, (Status.OK, Status.STICKS, Status.NONE))
         detaches = moves & (first_end(designs.mechanism, parameters) < A)
         dB = np.where(moves, 20 * np.log10(passes), np.nan)
     status = np.where(sticks, Status.STICKS, np.where((status == Status.OK) & ~moves, Status.NONE, status))

@@ -6,7 +6,6 @@ zeros put in.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from functools import cached_property
@@ -115,6 +114,15 @@ def at_rest(A: Any, m: Any, eta: Any, u_cr: Any = None, beyond: Any = None) -> t
     passed = np.asarray(A) > u_cr if beyond is None else beyond
     released = dissipation.released(np.maximum(A, u_cr), m, eta, u_cr)
     return tuple(np.where(passed, two, one) for one, two in zip(within, released, strict=True))  # type: ignore[return-value]
+
+
+def held(m: Any, preload: Any) -> Floats:
+    """The forcing up to which a mass at rest stays there, whatever the frequency: sqrt(R^2 + I^2) (24) at A = 0.
+
+    That is m = 4 mu/pi, and more where a preload, -h as A tends to 0, pulls inwards: then there are motions beside the
+    rest. Numbers or arrays; no square leaves the range of doubles.
+    """
+    return np.asarray(np.hypot(m, np.maximum(preload, 0.0)))
 
 
 @dataclass(frozen=True)
@@ -344,11 +352,8 @@ class Model:
 
     @cached_property
     def held(self) -> float:
-        """The forcing up to which a mass at rest stays there, whatever the frequency: sqrt(R^2 + I^2) (24) at A = 0.
-
-        That is 4 mu/pi, and more where a preload pulls inwards: then there are motions beside the rest.
-        """
-        return math.hypot(self.m, self.preload) if self.preload > 0 else self.m
+        """The forcing up to which a mass at rest stays there, whatever the frequency: `held`."""
+        return float(held(self.m, self.preload))
 
     def holds(self, F_0: float) -> bool:
         """Whether a mass at rest stays there while there are motions as well.

@@ -22,6 +22,7 @@ from slowflow.loaded import Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, check_followed
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.results import Measured, MeasuredFolds, Remark, SaddleNodes, SteadyStates
+from slowflow_kernels import motion
 from slowflow_kernels.domains import EXCITATIONS, RUBS
 
 if TYPE_CHECKING:
@@ -311,7 +312,7 @@ class Oscillator(Averaged):
             raise validate.NotAvailable(
                 f"eta = {laws.eta:g} is not allowed here: structural damping is stated at one frequency"
             )
-        structural = 0.0 if laws.eta == 0 or Omega is None else laws.eta / (2 * Omega)
+        structural = 0.0 if laws.eta == 0 or Omega is None else motion.structural(Omega, laws.eta)
         beside = self.model.inertial, self.load, laws.c_2, laws.rubs != THROUGHOUT, self.given.get("mu_s", 0.0)
         return EquationOfMotion(force, self.mu, self.zeta + structural, *beside)
 

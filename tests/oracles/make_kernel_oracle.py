@@ -1139,6 +1139,16 @@ def passed_on(Omega, A_1, F_0, phi):
     return mp.hypot(*(sum(passed(t) * f(t) for t in angles) / 4 for f in (mp.cos, mp.sin))) / F_0
 
 
+def of_structural(Omega, eta):
+    """By the work of a cycle of amplitude 1: pi eta, and that of a damper 2 zeta u'."""
+    cycle = [2 * mp.pi * k / (8 * Omega) for k in range(8)]
+    return [mp.pi * eta / sum(2 * mp.diff(lambda t: mp.cos(Omega * t), t) ** 2 * mp.pi / (4 * Omega) for t in cycle)]
+
+
+def stopping(Omega, A, mu):
+    return [mu / abs(mp.diff(lambda t: A * mp.cos(Omega * t), 0, 2))]
+
+
 MOTION: dict[str, tuple[str, Function]] = {
     "push": ("cosine F_0 f", lambda *x: [push(*x)]),
     "push_slopes": ("cosine sine F_0 f_u", push_slopes),
@@ -1151,6 +1161,8 @@ MOTION: dict[str, tuple[str, Function]] = {
     "smoothed_by_state": ("mu zeta nu left right slip inner outer inner_u outer_u", smoothed_by_state),
     "resistance": ("v zeta friction quadratic", resisting),
     "transmissibility": ("Omega A_1 F_0 phi", lambda *x: [passed_on(*x)]),
+    "stopping": ("Omega A mu", stopping),
+    "structural": ("Omega eta", of_structural),
 }
 
 
@@ -1538,6 +1550,12 @@ def shaken_outer(A, F_0, m, zeta, h):
     return [larger, -(root + linear) / (2 * square)]
 
 
+def shaken_share(A, zeta, h):
+    """What the least level without friction is short of 4 zeta^2 A^3/|h|."""
+    least = shaken_level(1 / shaken_least(*shaken_terms(A, 0, zeta, h)), A, 0, zeta, h)
+    return [1 - least**2 * abs(h) / (4 * zeta**2 * A**3)]
+
+
 SHAKEN_CAUSES = "h_p h_Ap h_AAp m_p zeta_p end_p forcing_p frequency_p"
 INERTIA: dict[str, tuple[str, Function]] = {
     "force": ("Omega F_0", lambda *x: [inertial(*x)]),
@@ -1562,6 +1580,7 @@ INERTIA: dict[str, tuple[str, Function]] = {
     "force_slopes": ("Omega F_0", lambda *x: [mp.diff(inertial, x, n) for n in ((1, 0), (0, 1))]),
     "least_Omega_A": ("x A m zeta h h_A", lambda *x: [shaken_drift(*x)]),
     "outer": ("A F_0 m zeta h", shaken_outer),
+    "share": ("A zeta h", shaken_share),
 }
 
 

@@ -50,7 +50,7 @@ IN_SCENES = (
 
 #: what the solvers and their proofs ask on whole intervals, by scene: the general form where it holds for zeros too
 SEARCHED = {
-    "": ("F_A", "F_AA", "fold_quartic", "peak_cubic", "fold", "isola", "cusps", "cusp_R", "cusp", "peak"),
+    "": ("F_A", "F_AA", "fold_quartic", "peak_cubic", "fold", "isola", "cusps", "cusp_R", "cusp", "peak", "intercept"),
     "mu0": ("isola",),
     "zeta0": ("fold",),
 }

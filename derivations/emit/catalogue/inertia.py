@@ -139,6 +139,15 @@ def inertia_module(results: Results) -> Module:
                 "from (24)",
                 "A > 0, h < 0, lost <= 1/2",
             ),
+            plain(
+                "share",
+                (A, zeta, h),
+                of.share,
+                "What zeta^2 A is of |h|: `lost` of the `bound`.",
+                "from (24)",
+                "h < 0",
+                lets=of.share_lets,
+            ),
             *(replace(kernel, in_c=False) for kernel in gradient_kernels(results.inertia_gradients)),
         ),
     )

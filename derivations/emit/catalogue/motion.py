@@ -27,7 +27,7 @@ from ...motion import (
     v,
 )
 from ...results import Results
-from ...symbols import F_0, Omega, mu, phi, zeta
+from ...symbols import F_0, A, Omega, eta, mu, phi, zeta
 from ..form import Module, plain
 
 #: what the compiled integrator asks for
@@ -92,6 +92,25 @@ def motion_module(results: Results) -> Module:
             "(3)",
             "F_0 > 0",
             lets=sharp.transmissibility_lets,
+            generic=True,
+        ),
+        plain(
+            "stopping",
+            (Omega, A, mu),
+            sharp.stopping,
+            "Friction over the largest force of inertia of A cos(theta), by which the mass stops within the cycle.",
+            "(3)",
+            "Omega > 0, A > 0",
+            lets=sharp.stopping_lets,
+            generic=True,
+        ),
+        plain(
+            "structural",
+            (Omega, eta),
+            sharp.structural,
+            "The zeta of structural damping at one frequency.",
+            "beside (3)",
+            "Omega > 0",
             generic=True,
         ),
         plain("rates", known, sharp.rates, "u and v by theta.", "(3)", "Omega > 0", generic=True),

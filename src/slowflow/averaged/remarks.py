@@ -15,6 +15,7 @@ import numpy.typing as npt
 from slowflow.measured import validity
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, Model
+from slowflow.model import held as held_up_to
 from slowflow.results import Remark
 from slowflow_kernels import slow_flow
 
@@ -70,7 +71,7 @@ def of_designs(
     kept = keep_centre(mechanism, parameters, np.asarray(Omega), A)
     # at rest h_A is the stiffness with its sign turned, and h is 4/pi times a preload
     pull, at_rest = (np.asarray(value) for value in mechanism.at_rest(*parameters)[:2])
-    held = np.where((pull < 0) | (rubs != THROUGHOUT), np.hypot(slow_flow.friction(mu), pull), -np.inf)
+    held = np.where((pull < 0) | (rubs != THROUGHOUT), held_up_to(slow_flow.friction(mu), -pull), -np.inf)
     on_jump = np.zeros(A.shape[:-1], dtype=bool)
     if mechanism.truncated and corner is not None:
         jumps = zip(mechanism.breakpoints(*beside), mechanism.jumps(*beside), strict=True)

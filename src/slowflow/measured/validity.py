@@ -15,6 +15,7 @@ import numpy as np
 from slowflow.answer import Answer
 from slowflow.measured import table as measured
 from slowflow.model import THROUGHOUT, Floats, Model
+from slowflow_kernels import motion
 
 #: from this size on an error is worth a remark
 WORTH = 0.02
@@ -80,7 +81,7 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
     h = model.averaged(A)[0]
     F_0 = model.flow.level(Omega, A, *model.alike(Omega, A), h)
     with np.errstate(divide="ignore", invalid="ignore"):  # at Omega = 0
-        ratio, rest = model.mu / F_0, np.where(model.mu > 0, model.mu / (A * Omega**2), 0.0)
+        ratio, rest = model.mu / F_0, np.where(model.mu > 0, motion.stopping(Omega, A, model.mu), 0.0)
     if not _is_measured(model) or model.inertial:
         unknown = np.full(np.shape(A), np.nan)
         truncation = unknown if model.mechanism.truncated else np.zeros_like(unknown)
@@ -142,7 +143,7 @@ def near_sticking(model: Model, F_0: float) -> str:
 def of_second(model: Model, Omega: Floats, A: Floats) -> str:
     """The remark for states of the second approximation in which the mass stops; empty if there are none."""
     with np.errstate(divide="ignore"):
-        rest = model.mu / (A * Omega**2)
+        rest = motion.stopping(Omega, A, model.mu)
     off = np.array(measured.SECOND_BY_REST)[_bin(measured.RESTS, rest)]
     stopping = off >= WORTH
     if not stopping.any():

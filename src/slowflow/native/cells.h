@@ -13,6 +13,7 @@
 
 #include "interval.h"
 #include "model.h"
+#include "slow_flow_intervals.h"
 
 /* A piece of the force: from its first amplitude (0 or a breakpoint, as its own side has it) to its last. */
 typedef struct {
@@ -168,8 +169,10 @@ static inline void sf_make_slopes_on(sf_interval A, const sf_known *a, const sf_
 /* The rest. */
 static inline void sf_add_values(const sf_known *a, const sf_known *b, sf_cell *cell) {
     const double width = sfi_up(b->A - a->A);
+    sf_interval tangent[2];
     cell->h = sf_along(a->h, b->h, cell->h_A, width);
-    cell->k_A = sfi_neg(sfi_mul(cell->A, cell->h_AA));
+    slow_flow_intervals_intercept(cell->A, cell->h, cell->h_A, cell->h_AA, tangent);
+    cell->k_A = tangent[1];
     cell->k = sf_along(a->k, b->k, cell->k_A, width);
 }
 

@@ -88,7 +88,7 @@ static int sf_inertial_bounds(const sf_model *model, double F_0, double A) {
     sf_sample_at(model, SF_ENDLESS * fmax(A, 1), &far);
     /* zeta^2 A is at most so much of |h|: of all states half of it, and less where |h|/A is known to rise */
     if (at.k >= 0 && at.h_AA <= 0 && fmax(at.h_AAA, far.h_AAA) <= 0 && at.h < 0)
-        lost[1] = fmin(model->zeta * model->zeta * A / fabs(at.h), 0.5);
+        lost[1] = fmin(inertia_share(A, model->zeta, at.h), 0.5);
     for (i = 0; i < 2; i++) {
         inertia_bound(A, F_0, model->zeta, at.h, at.h_A, at.h_AA, fmin(at.h_AAA, far.h_AAA), lost[i], values);
         if (values[0] > 0 && values[1] > 0 && values[2] > 0 && values[3] > 0)

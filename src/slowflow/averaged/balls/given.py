@@ -18,7 +18,7 @@ from flint import arb, ctx
 from slowflow.averaged.balls.enclosure import ALL, INFINITE, ZERO, Enclosure, least, most
 from slowflow.mechanism import Mechanism
 from slowflow.model import Model
-from slowflow_kernels import slow_flow_balls
+from slowflow_kernels import slow_flow_balls, slow_flow_intervals
 
 #: bits that a closed form may lose by each doubling of what `bits_lost` looks at, and at most
 LOST, MOST_LOST = 12, 8_000
@@ -186,5 +186,6 @@ def cell_between(A: Enclosure, a: Known, b: Known) -> Cell:
     h_AAA = a.h_AAA.hull(b.h_AAA)
     h_AA = along(a.h_AA, b.h_AA, h_AAA, width)
     h_A = along(a.h_A, b.h_A, h_AA, width)
-    k_A = -(A * h_AA)
-    return Cell(A, along(a.h, b.h, h_A, width), h_A, h_AA, h_AAA, along(a.k, b.k, k_A, width), k_A)
+    h = along(a.h, b.h, h_A, width)
+    _, k_A = slow_flow_intervals.intercept(A, h, h_A, h_AA)
+    return Cell(A, h, h_A, h_AA, h_AAA, along(a.k, b.k, k_A, width), k_A)

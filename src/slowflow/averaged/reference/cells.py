@@ -17,7 +17,7 @@ import numpy as np
 from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.model import Floats, Model
-from slowflow_kernels import slow_flow
+from slowflow_kernels import slow_flow, slow_flow_intervals
 from slowflow_kernels.conventions import CANCELLED, DOUBT
 
 
@@ -191,7 +191,7 @@ def cells_of(model: Model, a: Samples, b: Samples) -> Cells:
     h_AA = along(a.h_AA, b.h_AA, a.h_AAA, b.h_AAA, h_AAA)
     h_A = along(a.h_A, b.h_A, a.h_AA, b.h_AA, h_AA)
     h = along(a.h, b.h, a.h_A, b.h_A, h_A)
-    k_A = -(A * h_AA)
+    _, k_A = slow_flow_intervals.intercept(A, h, h_A, h_AA)
     k = along(a.k, b.k, a.A * a.h_AA, b.A * b.h_AA, k_A)
     return Cells(A, h, h_A, h_AA, h_AAA, k, k_A)
 

@@ -113,7 +113,7 @@ def bound(model: Model, F_0: float, rungs: Floats) -> float | None:
     steepest = np.minimum(at.h_AAA, far.h_AAA)
     # zeta^2 A is at most so much of |h|: of all states half of it, and less where |h|/A is known to rise
     rises = (at.k >= 0) & (at.h_AA <= 0) & (np.maximum(at.h_AAA, far.h_AAA) <= 0)
-    share = np.where(rises & (at.h < 0), np.minimum(model.zeta**2 * at.A / np.abs(at.h), 0.5), 0.5)
+    share = np.where(rises & (at.h < 0), np.minimum(inertia.share(at.A, model.zeta, at.h), 0.5), 0.5)
     closed = np.zeros(rungs.shape, dtype=bool)
     for lost in (0.5, share):
         values = inertia.bound(at.A, F_0, model.zeta, at.h, at.h_A, at.h_AA, steepest, lost)
