@@ -119,7 +119,7 @@ def off_centre(mu: float, F_0: Any, Omega: Any, A: Any) -> Validity:
     given = [np.asarray([] if A is None else value, dtype=float).ravel() for value in (F_0, Omega, A)]
     F_0, Omega, A = np.broadcast_arrays(*given)
     with np.errstate(divide="ignore", invalid="ignore"):  # at Omega = 0
-        ratio, rest = mu / F_0, np.where(mu > 0, mu / (A * Omega**2), 0.0)
+        ratio, rest = mu / F_0, np.where(mu > 0, motion.stopping(Omega, A, mu), 0.0)
     unknown = np.full(A.shape, np.nan)
     return Validity(ratio, rest, unknown, unknown, unknown, NOT_MEASURED_OFF_CENTRE)
 
