@@ -1713,6 +1713,71 @@ def off_past(A, root, edge, D_0, C, S):
     return [(C**2 - S**2 + 2 * L * (C - edge * S) + (L * root / A) ** 2) / (C + L)]
 
 
+def by_ends(A, c_0, s_0, c_x, c_y, X, Y, c_xx=mpf(0), c_yy=mpf(0), X_x=mpf(0), Y_y=mpf(0)):
+    """A, and the means of a force and of its share in cos psi, by x and y: B + A and B - A move by 2 X and by -2 Y.
+
+    The force is one whose mean changes by each coordinate as given: c_1 +- s_1 and 2 c_2 - s_1/A +- 2 s_2, as A <f'' sin^2>
+    is s_1.
+    """
+    together, apart = c_x / X, c_y / Y
+    further, nearer = (c_xx - X_x * together) / X**2, (c_yy - Y_y * apart) / Y**2
+    c_1, s_1 = (together - apart) / 2, (together + apart) / 2
+    of = force_with(A, (c_0, c_1, (further + nearer + 2 * s_1 / A) / 4), (s_0, s_1, (further - nearer) / 4))
+
+    def at(x, y):
+        up, down = X * x + X_x * x**2 / 2, Y * y + Y_y * y**2 / 2
+        return A + up + down, *of(A + up + down, up - down)
+
+    return at
+
+
+def by_each(f, *place):
+    """Slopes of each of what f gives, by each of its arguments in turn."""
+    orders = [tuple(int(i == k) for i in range(len(place))) for k in range(len(place))]
+    return [[mp.diff(lambda *z, k=k: f(*z)[k], place, order) for order in orders] for k in range(len(f(*place)))]
+
+
+def ended_state(Omega, A, F_0, m, zeta, load, *ends):
+    of = by_ends(A, *ends)
+
+    def both(x, y):
+        at, mean, first = of(x, y)
+        return mean - load, response(Omega, at, F_0, m, zeta, -2 * first)
+
+    return [*both(mpf(0), mpf(0)), *itertools.chain(*by_each(both, mpf(0), mpf(0)))]
+
+
+def ended_along(A, s_0, c_x, c_y, X, Y):
+    """A and h/A along (-c_y, c_x), the latter times A^2/4: at a state R/2 of it is what F_A has beside A's own share."""
+    of = by_ends(A, mpf(0), s_0, c_x, c_y, X, Y)
+
+    def along(s):
+        at, _, first = of(-c_y * s, c_x * s)
+        return at, -2 * first / at
+
+    (slope,), (share,) = by_each(along, mpf(0))
+    return [slope, A**2 / 4 * share]
+
+
+def ended_fold(t, A, F_0, m, zeta, load, *rest):
+    """As `off_fold`, along the balance by the ends."""
+    c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y = rest
+    of = by_ends(A, c_0, s_0, c_x, c_y, X, Y, c_xx, c_yy, X_x, Y_y)
+
+    def three(x, y, t):
+        at, mean, first = of(x, y)
+        by_A, by_mean, by_first = by_each(of, x, y)
+        R, I = 2 * t * F_0 / (1 + t**2), (1 - t**2) * F_0 / (1 + t**2)
+        inertia, damping = R + 2 * first, I - m
+        half = [R * (inertia / at * a - 2 * s) + I * damping / at * a for a, s in zip(by_A, by_first, strict=True)]
+        turns = at * (by_mean[0] * half[1] - by_mean[1] * half[0])
+        agrees = damping**2 - 4 * zeta**2 * at * inertia
+        return mean - load, turns * (1 + t**2) / F_0, agrees * (1 + t**2) ** 2
+
+    with mp.workdps(90):
+        return [*three(mpf(0), mpf(0), t), *itertools.chain(*by_each(three, mpf(0), mpf(0), t))]
+
+
 OFF_CENTRE: dict[str, tuple[str, Function]] = {
     "averaged": ("A c_1 c_2 c_3 s_0 s_1 s_2 s_3", off_averaged),
     "state": ("Omega A F_0 m zeta load c_0 c_1 s_0 s_1", off_state),
@@ -1743,6 +1808,9 @@ OFF_CENTRE: dict[str, tuple[str, Function]] = {
     "beside": ("B c_3 s_2", lambda B, c_3, s_2: [(lambda c, s: (c + s) * (c - s) / c)(B**2 * c_3 / 3, B * s_2)]),
     "moved": ("A c_1 c_2 c_3 s_1 s_2 s_3 c_0_p c_1_p c_2_p s_0_p s_1_p s_2_p load_p", off_moved),
     "moved_at_end": ("side c_1 s_1 c_0_p load_p end_p", off_moved_at_end),
+    "ended_state": ("Omega A F_0 m zeta load c_0 s_0 c_x c_y X Y", ended_state),
+    "ended_along": ("A s_0 c_x c_y X Y", ended_along),
+    "ended_fold": ("t A F_0 m zeta load c_0 s_0 c_x c_y c_xx c_yy X Y X_x Y_y", ended_fold),
 }
 
 
@@ -2154,6 +2222,8 @@ RANGES = {
     "h_AA": (-5.0, 5.0),
     "h_AAA": (-20.0, 20.0),
     **{f"{name}_{n}": (-1.0, 1.0) for name in ("s", "c", "L", "M") for n in (0, 2, 3, "k")},
+    **{"X": (0.3, 1.5), "Y": (0.3, 1.5), "c_x": (0.1, 1.5), "c_y": (-1.5, 0.5)},
+    **{name: (-1.0, 1.0) for name in ("X_x", "Y_y", "c_xx", "c_yy")},
     **{"c_1": (0.2, 1.5), "s_1": (-0.5, 0.5), "L_1": (0.0, 1.0), "M_1": (0.0, 1.0)},
     **{
         "load": (-0.1, 0.1),
