@@ -1713,11 +1713,11 @@ def off_past(A, root, edge, D_0, C, S):
     return [(C**2 - S**2 + 2 * L * (C - edge * S) + (L * root / A) ** 2) / (C + L)]
 
 
-def by_ends(A, c_0, s_0, c_x, c_y, X, Y, c_xx=mpf(0), c_yy=mpf(0), X_x=mpf(0), Y_y=mpf(0)):
+def by_ends(A, c_0, s_0, c_x, c_y, X, Y, c_xx=0, c_yy=0, X_x=0, Y_y=0):
     """A, and the means of a force and of its share in cos psi, by x and y: B + A and B - A move by 2 X and by -2 Y.
 
-    The force is one whose mean changes by each coordinate as given: c_1 +- s_1 and 2 c_2 - s_1/A +- 2 s_2, as A <f'' sin^2>
-    is s_1.
+    The force is one whose mean changes by each coordinate as given: c_1 +- s_1 and 2 c_2 - s_1/A +- 2 s_2, as
+    A <f'' sin^2> is s_1.
     """
     together, apart = c_x / X, c_y / Y
     further, nearer = (c_xx - X_x * together) / X**2, (c_yy - Y_y * apart) / Y**2
@@ -1748,7 +1748,7 @@ def ended_state(Omega, A, F_0, m, zeta, load, *ends):
 
 
 def ended_along(A, s_0, c_x, c_y, X, Y):
-    """A and h/A along (-c_y, c_x), the latter times A^2/4: at a state R/2 of it is what F_A has beside A's own share."""
+    """A and h/A along (-c_y, c_x), the latter times A^2/4: what F_A has beside A's own share goes as this times R."""
     of = by_ends(A, mpf(0), s_0, c_x, c_y, X, Y)
 
     def along(s):
