@@ -157,7 +157,7 @@ int EXPORT(onset)(void)
 }
 
 /* out[0]: F_cr, Omega_cr, u_cr; returns the status. */
-int EXPORT(detachment)(void) { return sf_detachment(&model, out[0], out[0] + 1, out[0] + 2); }
+int EXPORT(detachment)(void) { return sf_settled_detachment(&model, exactly(), out[0], out[0] + 1, out[0] + 2); }
 
 /* out[0]: A, Omega; returns the status. */
 int EXPORT(peak)(double F_0)
