@@ -289,6 +289,7 @@ static inline void inertia_bound(double A, double F_0, double zeta, double h, do
 /* What zeta^2 A is of |h|: `lost` of the `bound`.
    Equation from (24). Domain: h < 0.
    Operations: 3 structured, 3 common subexpressions, 3 power chains
+   Proved, error / u (1 + kappa): 0.61
  */
 static inline double inertia_share(double A, double zeta, double h)
 {

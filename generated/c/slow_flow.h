@@ -348,6 +348,7 @@ static inline void slow_flow_fold(double A, double F_0, double m, double zeta, d
 /* What F and F_A change by beside a fold, per what vanishes there (`fold`), at its A, Omega and I.
    Equation from (24), (30). Domain: A > 0.
    Operations: 5 structured, 4 common subexpressions, 4 power chains
+   Proved, error / u (1 + kappa): 0.0, 3.01
  */
 static inline void slow_flow_fold_moves(double A, double k, double R, double *out)
 {

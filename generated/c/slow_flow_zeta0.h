@@ -245,6 +245,7 @@ static inline double slow_flow_zeta0_undamped_level(double m, double k)
 /* The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own.
    Equation from (24), (30). Domain: h_A <= 0.
    Operations: 2 structured, 2 common subexpressions, 2 power chains
+   Proved, error / u (1 + kappa): 0.34, 0.34
  */
 static inline void slow_flow_zeta0_undamped_rises(double h_AA, double h_AAA, double k, double *out)
 {

@@ -52,7 +52,7 @@ PAIR_ANGLES_CONST static sf_pair pair_angles_acute(sf_pair y, sf_pair x)
         -0.090909090909090912,
     };
     const sf_pair t = sfp_div(y, x);
-    const int k = (int)(16 * t.high + 0.5);
+    const int k = t.high > 0 ? (int)(16 * t.high + 0.5) : 0; /* of no number, as in a lane that is not asked, too */
     const double c = k / 16.0;
     const sf_pair z = k == 0 ? t : sfp_div(sfp_sub(t, sfp_point(c)), sfp_add(sfp_point(1.0), sfp_times(c, t)));
     const sf_pair w = sfp_square(z);

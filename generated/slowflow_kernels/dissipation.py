@@ -430,6 +430,7 @@ def F_A_halved(R, R_A, I, I_A):
 
     Equation (30). Domain: Omega >= 0, A > 0.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Proved, error / u (1 + kappa): 1.01
     """
     return I * I_A + R * R_A
 
@@ -448,6 +449,7 @@ def R_of_peak(Omega, A, zeta, d, I):
 
     Equation from (24). Domain: Omega >= 0, A > 0.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Proved, error / u (1 + kappa): 1.51
     """
     return I * (-A * d - zeta / Omega)
 
@@ -466,6 +468,7 @@ def h_A_of_turn(Omega, A, R, beside):
 
     Equation from (30). Domain: Omega >= 0, A > 0.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Proved, error / u (1 + kappa): 4.01
     """
     return -Omega * Omega + (-R - beside) / A
 
@@ -475,6 +478,7 @@ def least_F_A(A, k, I, I_A):
 
     Equation from (30). Domain: Omega >= 0, A > 0.
     Operations: 5 structured, 5 common subexpressions, 5 power chains.
+    Proved, error / u (1 + kappa): 1.01
     """
     return 4.0 * A * I * I_A - k * k
 
@@ -484,6 +488,7 @@ def I_scaled(Omega, A, I_0_over_A, zeta, d):
 
     Equation (23). Domain: Omega >= 0, A > 0.
     Operations: 7 structured, 7 common subexpressions, 7 power chains.
+    Proved, error / u (1 + kappa): 2.61
     """
     return A * Omega * Omega * d + I_0_over_A + 2.0 * Omega * zeta
 
@@ -503,6 +508,7 @@ def least_scaled(Omega, zeta, eta, d, h_AA):
 
     Equation from (30). Domain: Omega >= 0.
     Operations: 14 structured, 14 common subexpressions, 13 power chains.
+    Proved, error / u (1 + kappa): -, 1.01
     """
     t0 = 2.0 * Omega * zeta + eta
     Omega2 = Omega * Omega

@@ -340,6 +340,7 @@ def share(A, zeta, h):
 
     Equation from (24). Domain: h < 0.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Proved, error / u (1 + kappa): 0.61
     """
     A, zeta, h = floats(A, zeta, h)
     twice = zeta * zeta

@@ -94,6 +94,7 @@ def stopping(Omega, A, mu):
 
     Equation (3). Domain: Omega > 0, A > 0.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Proved, error / u (1 + kappa): 0.61
     """
     turn = Omega * Omega
     return mu / (A * turn)
@@ -104,6 +105,7 @@ def structural(Omega, eta):
 
     Equation beside (3). Domain: Omega > 0.
     Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    Proved, error / u (1 + kappa): 0.34
     """
     return 0.5 * eta / Omega
 

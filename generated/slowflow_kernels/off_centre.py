@@ -137,6 +137,7 @@ def ended_state(Omega, A, F_0, m, zeta, load, c_0, s_0, c_x, c_y, X, Y):
 
     Equation (24) and the mean of (3). Domain: A > 0.
     Operations: 44 structured, 34 common subexpressions, 34 power chains.
+    Proved, error / u (1 + kappa): 1.01, -, 0.0, 0.0, -, -
     """
     t0 = 2.0 * s_0
     t1 = Omega * Omega
@@ -161,6 +162,7 @@ def ended_along(A, s_0, c_x, c_y, X, Y):
 
     Equation (30) and the mean of (3). Domain: A > 0.
     Operations: 10 structured, 7 common subexpressions, 7 power chains.
+    Proved, error / u (1 + kappa): 1.01, 2.01
     """
     t0 = -X * c_y + Y * c_x
     return (
@@ -174,6 +176,7 @@ def ended_fold(t, A, F_0, m, zeta, load, c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X
 
     Equation (24), (30) and the mean of (3). Domain: A > 0, |t| <= 1.
     Operations: 357 structured, 161 common subexpressions, 161 power chains.
+    Proved, error / u (1 + kappa): 1.01, -, -, 0.0, 0.0, 0.0, -, -, -, -, -, -
     """
     t0 = F_0 * Y
     t1 = c_x * t0

@@ -262,6 +262,7 @@ def undamped_rises(h_AA, h_AAA, k):
 
     Equation from (24), (30). Domain: h_A <= 0.
     Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    Proved, error / u (1 + kappa): 0.34, 0.34
     """
     h_AA, h_AAA, k = floats(h_AA, h_AAA, k)
     arguments = (h_AA, h_AAA, k)

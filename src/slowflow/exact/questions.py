@@ -68,12 +68,12 @@ def steady_state(
 
 
 def _held(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float) -> list[shooting.SteadyState]:
-    """Of static friction, which averaging knows nothing of: what a mass at rest comes to, if it settles."""
+    """Of static friction, which averaging knows nothing of: what a mass at rest comes to, if it moves and settles."""
     if not system.mu_s > system.mu:
         return []
     try:
         return [_from_rest(averaged, system, Omega, F_0)]
-    except ArithmeticError:
+    except (ArithmeticError, ValueError):
         return []
 
 
