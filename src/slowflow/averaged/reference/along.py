@@ -417,7 +417,8 @@ class Peak(Asked):
         """
         size = np.maximum(np.abs(cells.h.lo), np.abs(cells.h.hi))
         lag = self.model.m + 2 * self.model.zeta * np.sqrt(cells.A.hi * size)
-        return np.asarray((size**2 + lag**2) * (1 + DOUBT) - self.F_0**2 * (1 - DOUBT))
+        with np.errstate(over="ignore", invalid="ignore"):  # beyond the range of doubles it tells nothing
+            return np.asarray((size**2 + lag**2) * (1 + DOUBT) - np.float64(self.F_0) ** 2 * (1 - DOUBT))
 
 
 class Rest(Asked):
