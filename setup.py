@@ -15,6 +15,8 @@ import shlex
 import subprocess
 import sysconfig
 import tomllib
+from concurrent.futures import ThreadPoolExecutor
+from itertools import chain, repeat
 from pathlib import Path
 
 import numpy as np
@@ -39,7 +41,7 @@ CFLAGS = shlex.split(os.environ.get("CFLAGS", ""))
 
 
 class Build(build_ext):
-    """Compiler flags by compiler; extensions at the same time."""
+    """Compiler flags by compiler; extensions, and the sources of each, at the same time."""
 
     def finalize_options(self):
         # here, as an editable install forgets what `options` says of this command
@@ -66,9 +68,24 @@ class Build(build_ext):
             extension.extra_compile_args = [*FLAGS.get(self.compiler.compiler_type, []), *CFLAGS]
         if self.runs_here and self.is_for_fma():
             (solvers,) = (one for one in self.extensions if one.name == "slowflow._native")
-            solvers.sources = [source for source in solvers.sources if Path(source).name != "solvers_baseline.c"]
+            solvers.sources = [source for source in solvers.sources if not source.endswith("_baseline.c")]
             solvers.define_macros = [*solvers.define_macros, ("SF_WITHOUT_BASELINE", "1")]
+        self.compiler.compile = self.in_parallel(self.compiler.compile)
         super().build_extensions()
+
+    def in_parallel(self, compile):
+        """The same `compile(sources, ...)` of the compiler, as many sources at a time as extensions."""
+
+        def one(source, args, options):
+            return compile([source], *args, **options)
+
+        def compiled(sources, *args, **options):
+            with ThreadPoolExecutor(self.parallel) as pool:
+                # from the last on: solvers and shipped records take longest, and one begun late has nobody beside it
+                made = pool.map(one, reversed(sources), repeat(args), repeat(options))
+                return list(chain.from_iterable(made))
+
+        return compiled
 
     def is_for_fma(self):
         """Whether this machine takes the solvers for fma: a checkout runs where it was built, others are not called."""

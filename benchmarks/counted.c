@@ -74,6 +74,8 @@ static void counted_in_pairs(int passed, int wanted, sf_pair A, sf_pair beyond, 
 #undef sf_find_range
 #undef sf_ask
 #define SF_SOLVERS solvers_counted
+#define SF_RECORDS records_counted
+#include "shipped.h"
 #include "solvers.h"
 
 static double now(void) {
@@ -153,9 +155,9 @@ static double seconds_in_pairs(long n) {
 
 static int find_record(const char *name) {
     record = NULL;
-    for (int i = 0; i < solvers_counted.count; i++)
-        if (strcmp(solvers_counted.records[i]->name, name) == 0)
-            record = solvers_counted.records[i];
+    for (int i = 0; i < records_counted.count; i++)
+        if (strcmp(records_counted.all[i]->name, name) == 0)
+            record = records_counted.all[i];
     return record != NULL;
 }
 

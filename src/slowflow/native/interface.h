@@ -8,6 +8,12 @@
 
 typedef void (*sf_many)(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data);
 
+/* The record of every mechanism that the package ships. */
+typedef struct {
+    const sf_mechanism *const *all;
+    int count;
+} sf_records;
+
 /* All that was built for one target: the questions about one oscillator, those about many, and the records. */
 typedef struct {
     sf_status (*onset)(const sf_model *, const sf_exactly *, sf_work *, sf_onset *);
@@ -45,11 +51,11 @@ typedef struct {
     sf_many many_curves;
     sf_many many_gradients;
     sf_many many_second_detachment, many_second_onsets, many_second_folds, many_second_peaks;
-    const sf_mechanism *const *records;
-    int count;
+    const sf_records *records;
 } sf_solvers;
 
 /* for any processor, and for those with fma */
 extern const sf_solvers sf_solvers_baseline, sf_solvers_fma;
+extern const sf_records sf_records_baseline, sf_records_fma;
 
 #endif

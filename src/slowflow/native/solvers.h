@@ -1,4 +1,4 @@
-/* All solvers and all records for one target: SF_SOLVERS is the name of the table that is defined here. */
+/* All solvers for one target: SF_SOLVERS is the name of the table that is defined here, SF_RECORDS that of its records. */
 #include "certify.h"
 #include "curve.h"
 #include "gradient.h"
@@ -7,7 +7,6 @@
 #include "many_curves.h"
 #include "many_proofs.h"
 #include "onset.h"
-#include "records.h"
 #include "second_many.h"
 #include "states.h"
 
@@ -50,6 +49,5 @@ const sf_solvers SF_SOLVERS = {
     sf_many_second_onsets,
     sf_many_second_folds,
     sf_many_second_peaks,
-    records,
-    sizeof records / sizeof records[0],
+    &SF_RECORDS,
 };

@@ -199,7 +199,7 @@ static PyMethodDef of_inertia = {"inertial", inertial, METH_O, "record -> the sa
 
 int sf_add_records(PyObject *module)
 {
-    const sf_solvers *solvers = sf_here();
+    const sf_records *shipped = sf_here()->records;
     PyObject *records = PyDict_New();
     if (records == NULL)
         return -1;
@@ -208,9 +208,9 @@ int sf_add_records(PyObject *module)
                  PyModule_AddObjectRef(module, of_inertia.ml_name, function) < 0;
     Py_XDECREF(cache);
     Py_XDECREF(function);
-    for (int i = 0; i < solvers->count && !failed; i++) {
-        PyObject *capsule = PyCapsule_New((void *)solvers->records[i], SF_RECORD, NULL);
-        failed = capsule == NULL || PyDict_SetItemString(records, solvers->records[i]->name, capsule) < 0;
+    for (int i = 0; i < shipped->count && !failed; i++) {
+        PyObject *capsule = PyCapsule_New((void *)shipped->all[i], SF_RECORD, NULL);
+        failed = capsule == NULL || PyDict_SetItemString(records, shipped->all[i]->name, capsule) < 0;
         Py_XDECREF(capsule);
     }
     if (!failed)

@@ -3,4 +3,5 @@
 #pragma GCC target("avx2,fma,bmi,bmi2,lzcnt")
 #endif
 #define SF_SOLVERS sf_solvers_fma
+#define SF_RECORDS sf_records_fma
 #include "solvers.h"
