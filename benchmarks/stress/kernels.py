@@ -49,7 +49,9 @@ def named() -> dict[tuple[str, str], tuple[str, ...]]:
     for module, functions in loaded()["numpy"].items():
         for name in functions.__all__ if exact.knows(module) else ():
             function = getattr(functions, name)
-            if callable(function) and hasattr(function, "__code__") and not exact.is_of_gradients(name):
+            # what a scene has from another module is that one's
+            own = getattr(function, "__module__", "").endswith(f".{module}")
+            if own and hasattr(function, "__code__") and not exact.is_of_gradients(name):
                 found[module, name] = tuple(inspect.signature(function).parameters)
     return found
 

@@ -292,7 +292,7 @@ class Module:
 
     inputs     -- file names below `derivations/` that it is derived from
     flow       -- name of the slow-flow module that compositions call
-    borrowed   -- names that a scene's module has from the general one, because nothing vanishes in them
+    borrowed   -- names that a scene's module has from others, because nothing changes in them, by module
     constants  -- Python constants (name, value)
     twofolds   -- kernels in double-double
     record     -- of a mechanism's own module
@@ -313,7 +313,7 @@ class Module:
     selections: tuple[Selection, ...] = ()
     compositions: tuple[Composition, ...] = ()
     flow: str = ""
-    borrowed: tuple[str, ...] = ()
+    borrowed: dict[str, tuple[str, ...]] = field(default_factory=dict)
     constants: dict[str, object] = field(default_factory=dict)
     twofolds: tuple[TwofoldKernel, ...] = ()
     record: Record | None = None

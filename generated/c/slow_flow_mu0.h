@@ -13,137 +13,6 @@
 
 #include <math.h>
 
-#include "angles.h"
-
-/* Sine balance, -F_0 sin phi at a fixed point.
-   Equation (23). Domain: Omega > 0, A > 0.
-   Operations: 3 structured, 3 common subexpressions, 3 power chains
-   Proved, error / u (1 + kappa): 0.51
- */
-static inline double slow_flow_mu0_I(double Omega, double A, double m, double zeta)
-{
-    (void)(m);
-    return 2.0 * A * Omega * zeta;
-}
-
-/* Frequency response; zero at a steady state.
-   Equation (24). Domain: Omega > 0, A > 0.
-   Operations: 11 structured, 11 common subexpressions, 11 power chains
- */
-static inline double slow_flow_mu0_F(double Omega, double A, double F_0, double m, double zeta, double h)
-{
-    (void)(m);
-    const double R = A * Omega * Omega + h;
-    const double I_ = 2.0 * A * Omega * zeta;
-    return R * R + (-F_0 + I_) * (F_0 + I_);
-}
-
-/* dF/dA; positive where stable.
-   Equation (24), (30). Domain: Omega > 0, A > 0.
-   Operations: 14 structured, 11 common subexpressions, 11 power chains
- */
-static inline double slow_flow_mu0_F_A(double Omega, double A, double m, double zeta, double h, double h_A)
-{
-    (void)(m);
-    const double t0 = Omega * Omega;
-    const double R = A * t0 + h;
-    const double t1 = 2.0 * Omega * zeta;
-    const double I_ = A * t1;
-    return 2.0 * (I_ * t1 + R * (h_A + t0));
-}
-
-/* d2F/dA2.
-   Equation (24), (33). Domain: Omega > 0, A > 0.
-   Operations: 14 structured, 12 common subexpressions, 12 power chains
- */
-static inline double slow_flow_mu0_F_AA(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
-{
-    (void)(m);
-    const double t0 = Omega * Omega;
-    const double R = A * t0 + h;
-    const double t1 = h_A + t0;
-    return 2.0 * (R * h_AA + 4.0 * t0 * zeta * zeta + t1 * t1);
-}
-
-/* dF/dOmega.
-   Equation (24), (34). Domain: Omega > 0, A > 0.
-   Operations: 11 structured, 11 common subexpressions, 11 power chains
-   Proved, error / u (1 + kappa): 3.51
- */
-static inline double slow_flow_mu0_F_Omega(double Omega, double A, double m, double zeta, double h)
-{
-    (void)(m);
-    const double R = A * Omega * Omega + h;
-    const double I_ = 2.0 * A * Omega * zeta;
-    return 4.0 * A * (I_ * zeta + Omega * R);
-}
-
-/* d2F/dA dOmega.
-   Equation (24). Domain: Omega > 0, A > 0.
-   Operations: 20 structured, 16 common subexpressions, 16 power chains
-   Proved, error / u (1 + kappa): 4.61
- */
-static inline double slow_flow_mu0_F_AOmega(double Omega, double A, double m, double zeta, double h, double h_A)
-{
-    (void)(m);
-    const double t0 = Omega * Omega;
-    const double R = A * t0 + h;
-    const double t1 = A * Omega;
-    const double t2 = 2.0 * t1;
-    const double I_ = t2 * zeta;
-    return 4.0 * (I_ * zeta + Omega * R + t1 * (h_A + t0) + t2 * zeta * zeta);
-}
-
-/* Phase phi of a steady state, from -pi to 0.
-   Equation (25). Domain: Omega > 0, A > 0.
-   Operations: 7 structured, 7 common subexpressions, 7 power chains
- */
-static inline double slow_flow_mu0_phase(double Omega, double A, double m, double zeta, double h)
-{
-    (void)(m);
-    const double R = A * Omega * Omega + h;
-    const double I_ = 2.0 * A * Omega * zeta;
-    return angles_atan2(-I_, -R);
-}
-
-/* Largest amplitude that the forcing can hold at this frequency.
-   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
-   Operations: 3 structured, 3 common subexpressions, 3 power chains
-   Proved, error / u (1 + kappa): 0.51
- */
-static inline double slow_flow_mu0_limit_envelope(double Omega, double F_0, double m, double zeta)
-{
-    (void)(m);
-    return 0.5 * F_0 / (Omega * zeta);
-}
-
-/* Viscous damping ratio that dissipates as much as zeta and friction together.
-   Equation (38). Domain: Omega > 0, A > 0.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
-   Proved, error / u (1 + kappa): 0.0
- */
-static inline double slow_flow_mu0_equivalent_damping(double Omega, double A, double m, double zeta)
-{
-    (void)(Omega);
-    (void)(A);
-    (void)(m);
-    return zeta;
-}
-
-/* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
-   Equation (30). Domain: Omega > 0, A > 0.
-   Operations: 14 structured, 11 common subexpressions, 11 power chains
- */
-static inline double slow_flow_mu0_stability(double Omega, double A, double m, double zeta, double h, double h_A)
-{
-    (void)(m);
-    const double t0 = Omega * Omega;
-    const double R = A * t0 + h;
-    const double t1 = 2.0 * Omega * zeta;
-    const double I_ = A * t1;
-    return (I_ * t1 + R * (h_A + t0)) / A;
-}
-
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24). Domain: A > 0.
    Operations: 11 structured, 10 common subexpressions, 10 power chains
@@ -157,33 +26,6 @@ static inline void slow_flow_mu0_response_quartic(double A, double F_0, double m
     out[1] = 0.0;
     out[2] = 2.0 * A * h + 4.0 * t0 * zeta * zeta;
     out[3] = t0;
-}
-
-/* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24), (30). Domain: A > 0.
-   Operations: 6 structured, 6 common subexpressions, 6 power chains
-   Proved, error / u (1 + kappa): 0.34, 0.0, 2.34, 0.0
- */
-static inline void slow_flow_mu0_fold_quartic(double A, double m, double zeta, double h, double h_A, double *out)
-{
-    (void)(m);
-    out[0] = h * h_A;
-    out[1] = 0.0;
-    out[2] = A * (h_A + 4.0 * zeta * zeta) + h;
-    out[3] = A;
-}
-
-/* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
-   Equation (34). Domain: A > 0.
-   Operations: 4 structured, 4 common subexpressions, 4 power chains
-   Proved, error / u (1 + kappa): 0.0, 1.01, 0.0
- */
-static inline void slow_flow_mu0_peak_cubic(double A, double m, double zeta, double h, double *out)
-{
-    (void)(m);
-    out[0] = 0.0;
-    out[1] = 2.0 * A * zeta * zeta + h;
-    out[2] = A;
 }
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
@@ -203,18 +45,6 @@ static inline void slow_flow_mu0_detachment(double A, double m, double zeta, dou
     out[0] = -t0 * t2 * (h + t1);
     out[1] = 4.0 * A * A * zeta4 + h * t2 - t0;
     out[2] = 1.0;
-}
-
-/* The forcing F_0 for which (Omega, A) is a steady state.
-   Equation (24). Domain: Omega >= 0, A > 0.
-   Operations: 10 structured, 10 common subexpressions, 10 power chains
- */
-static inline double slow_flow_mu0_level(double Omega, double A, double m, double zeta, double h)
-{
-    (void)(m);
-    const double R = A * Omega * Omega + h;
-    const double I_ = 2.0 * A * Omega * zeta;
-    return sqrt(I_ * I_ + R * R);
 }
 
 /* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.

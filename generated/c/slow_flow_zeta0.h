@@ -13,97 +13,6 @@
 
 #include <math.h>
 
-#include "angles.h"
-
-/* Sine balance, -F_0 sin phi at a fixed point.
-   Equation (23). Domain: Omega > 0, A > 0.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
-   Proved, error / u (1 + kappa): 0.0
- */
-static inline double slow_flow_zeta0_I(double Omega, double A, double m, double zeta)
-{
-    (void)(Omega);
-    (void)(A);
-    (void)(zeta);
-    return m;
-}
-
-/* Frequency response; zero at a steady state.
-   Equation (24). Domain: Omega > 0, A > 0.
-   Operations: 8 structured, 8 common subexpressions, 8 power chains
- */
-static inline double slow_flow_zeta0_F(double Omega, double A, double F_0, double m, double zeta, double h)
-{
-    (void)(zeta);
-    const double R = A * Omega * Omega + h;
-    return R * R + (-F_0 + m) * (F_0 + m);
-}
-
-/* dF/dA; positive where stable.
-   Equation (24), (30). Domain: Omega > 0, A > 0.
-   Operations: 7 structured, 6 common subexpressions, 6 power chains
- */
-static inline double slow_flow_zeta0_F_A(double Omega, double A, double m, double zeta, double h, double h_A)
-{
-    (void)(m);
-    (void)(zeta);
-    const double t0 = Omega * Omega;
-    const double R = A * t0 + h;
-    return 2.0 * R * (h_A + t0);
-}
-
-/* d2F/dA2.
-   Equation (24), (33). Domain: Omega > 0, A > 0.
-   Operations: 9 structured, 8 common subexpressions, 8 power chains
- */
-static inline double slow_flow_zeta0_F_AA(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
-{
-    (void)(m);
-    (void)(zeta);
-    const double t0 = Omega * Omega;
-    const double R = A * t0 + h;
-    const double t1 = h_A + t0;
-    return 2.0 * (R * h_AA + t1 * t1);
-}
-
-/* dF/dOmega.
-   Equation (24), (34). Domain: Omega > 0, A > 0.
-   Operations: 6 structured, 6 common subexpressions, 6 power chains
-   Proved, error / u (1 + kappa): 2.76
- */
-static inline double slow_flow_zeta0_F_Omega(double Omega, double A, double m, double zeta, double h)
-{
-    (void)(m);
-    (void)(zeta);
-    const double R = A * Omega * Omega + h;
-    return 4.0 * A * Omega * R;
-}
-
-/* d2F/dA dOmega.
-   Equation (24). Domain: Omega > 0, A > 0.
-   Operations: 9 structured, 8 common subexpressions, 8 power chains
-   Proved, error / u (1 + kappa): 3.01
- */
-static inline double slow_flow_zeta0_F_AOmega(double Omega, double A, double m, double zeta, double h, double h_A)
-{
-    (void)(m);
-    (void)(zeta);
-    const double t0 = Omega * Omega;
-    const double R = A * t0 + h;
-    return 4.0 * Omega * (A * (h_A + t0) + R);
-}
-
-/* Phase phi of a steady state, from -pi to 0.
-   Equation (25). Domain: Omega > 0, A > 0.
-   Operations: 4 structured, 4 common subexpressions, 4 power chains
- */
-static inline double slow_flow_zeta0_phase(double Omega, double A, double m, double zeta, double h)
-{
-    (void)(zeta);
-    const double R = A * Omega * Omega + h;
-    return angles_atan2_swapped(-R, -m);
-}
-
 /* Largest amplitude that the forcing can hold at this frequency.
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
@@ -115,73 +24,6 @@ static inline double slow_flow_zeta0_limit_envelope(double Omega, double F_0, do
     (void)(m);
     (void)(zeta);
     return INFINITY;
-}
-
-/* Viscous damping ratio that dissipates as much as zeta and friction together.
-   Equation (38). Domain: Omega > 0, A > 0.
-   Operations: 3 structured, 3 common subexpressions, 3 power chains
-   Proved, error / u (1 + kappa): 0.51
- */
-static inline double slow_flow_zeta0_equivalent_damping(double Omega, double A, double m, double zeta)
-{
-    (void)(zeta);
-    return 0.5 * m / (A * Omega);
-}
-
-/* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
-   Equation (30). Domain: Omega > 0, A > 0.
-   Operations: 7 structured, 6 common subexpressions, 6 power chains
- */
-static inline double slow_flow_zeta0_stability(double Omega, double A, double m, double zeta, double h, double h_A)
-{
-    (void)(m);
-    (void)(zeta);
-    const double t0 = Omega * Omega;
-    const double R = A * t0 + h;
-    return R * (h_A + t0) / A;
-}
-
-/* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24). Domain: A > 0.
-   Operations: 8 structured, 8 common subexpressions, 8 power chains
-   Proved, error / u (1 + kappa): -, 0.0, 0.34, 0.34
- */
-static inline void slow_flow_zeta0_response_quartic(double A, double F_0, double m, double zeta, double h, double *out)
-{
-    (void)(zeta);
-    out[0] = h * h + (-F_0 + m) * (F_0 + m);
-    out[1] = 0.0;
-    out[2] = 2.0 * A * h;
-    out[3] = A * A;
-}
-
-/* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24), (30). Domain: A > 0.
-   Operations: 3 structured, 3 common subexpressions, 3 power chains
-   Proved, error / u (1 + kappa): 0.34, 0.0, 1.01, 0.0
- */
-static inline void slow_flow_zeta0_fold_quartic(double A, double m, double zeta, double h, double h_A, double *out)
-{
-    (void)(m);
-    (void)(zeta);
-    out[0] = h * h_A;
-    out[1] = 0.0;
-    out[2] = A * h_A + h;
-    out[3] = A;
-}
-
-/* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
-   Equation (34). Domain: A > 0.
-   Operations: 0 structured, 0 common subexpressions, 0 power chains
-   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0
- */
-static inline void slow_flow_zeta0_peak_cubic(double A, double m, double zeta, double h, double *out)
-{
-    (void)(m);
-    (void)(zeta);
-    out[0] = 0.0;
-    out[1] = h;
-    out[2] = A;
 }
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
@@ -199,17 +41,6 @@ static inline void slow_flow_zeta0_detachment(double A, double m, double zeta, d
     out[0] = t0 * (t0 + t1);
     out[1] = -2.0 * t0 - t1;
     out[2] = 1.0;
-}
-
-/* The forcing F_0 for which (Omega, A) is a steady state.
-   Equation (24). Domain: Omega >= 0, A > 0.
-   Operations: 7 structured, 7 common subexpressions, 7 power chains
- */
-static inline double slow_flow_zeta0_level(double Omega, double A, double m, double zeta, double h)
-{
-    (void)(zeta);
-    const double R = A * Omega * Omega + h;
-    return sqrt(R * R + m * m);
 }
 
 /* Omega of the folds.

@@ -8,88 +8,43 @@
 
 #include "kernels.h"
 
-static SF_WIDE void den_hartog_V_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    SF_EACH(i, n) {
-        const double Omega = in[0][i];
-        out[0][i] = den_hartog_V(Omega);
-    }
-}
+SF_LOOP(den_hartog_V_loop, 1,
+    const double Omega = in[0][i];
+    values[0] = den_hartog_V(Omega);
+)
 
-static const sf_loop den_hartog_V_loops[] = {den_hartog_V_loop};
+SF_LOOP(den_hartog_U_loop, 1,
+    const double Omega = in[0][i];
+    values[0] = den_hartog_U(Omega);
+)
 
-static SF_WIDE void den_hartog_U_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    SF_EACH(i, n) {
-        const double Omega = in[0][i];
-        out[0][i] = den_hartog_U(Omega);
-    }
-}
+SF_LOOP(den_hartog_S_ratio_loop, 1,
+    const double tau = in[0][i], Omega = in[1][i];
+    values[0] = den_hartog_S_ratio(tau, Omega);
+)
 
-static const sf_loop den_hartog_U_loops[] = {den_hartog_U_loop};
+SF_LOOP(den_hartog_amplitude_loop, 1,
+    const double Omega = in[0][i], F_0 = in[1][i], mu = in[2][i];
+    values[0] = den_hartog_amplitude(Omega, F_0, mu);
+)
 
-static SF_WIDE void den_hartog_S_ratio_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    SF_EACH(i, n) {
-        const double tau = in[0][i], Omega = in[1][i];
-        out[0][i] = den_hartog_S_ratio(tau, Omega);
-    }
-}
+SF_LOOP(den_hartog_bound_loop, 1,
+    const double Omega = in[0][i], F_0 = in[1][i], S = in[2][i];
+    values[0] = den_hartog_bound(Omega, F_0, S);
+)
 
-static const sf_loop den_hartog_S_ratio_loops[] = {den_hartog_S_ratio_loop};
-
-static SF_WIDE void den_hartog_amplitude_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    SF_EACH(i, n) {
-        const double Omega = in[0][i], F_0 = in[1][i], mu = in[2][i];
-        out[0][i] = den_hartog_amplitude(Omega, F_0, mu);
-    }
-}
-
-static const sf_loop den_hartog_amplitude_loops[] = {den_hartog_amplitude_loop};
-
-static SF_WIDE void den_hartog_bound_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    SF_EACH(i, n) {
-        const double Omega = in[0][i], F_0 = in[1][i], S = in[2][i];
-        out[0][i] = den_hartog_bound(Omega, F_0, S);
-    }
-}
-
-static const sf_loop den_hartog_bound_loops[] = {den_hartog_bound_loop};
-
-static SF_WIDE void den_hartog_motion_loop(ptrdiff_t n, const double *const *in, double *const *out)
-{
-    SF_EACH(i, n) {
-        const double tau = in[0][i], Omega = in[1][i], A = in[2][i], mu = in[3][i];
-        out[0][i] = den_hartog_motion(tau, Omega, A, mu);
-    }
-}
-
-static const sf_loop den_hartog_motion_loops[] = {den_hartog_motion_loop};
+SF_LOOP(den_hartog_motion_loop, 1,
+    const double tau = in[0][i], Omega = in[1][i], A = in[2][i], mu = in[3][i];
+    values[0] = den_hartog_motion(tau, Omega, A, mu);
+)
 
 static const sf_kernel kernels[] = {
-    {"V",
-     "Response function. Equation (37). Domain: Omega > 0, Omega != 1.",
-     1, 1, 1, NULL, den_hartog_V_loops},
-    {"U",
-     "Damping function. Equation (37). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on.",
-     1, 1, 1, NULL, den_hartog_U_loops},
-    {"S_ratio",
-     "S is the maximum of this over 0 < tau < pi/Omega. Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega "
-     "not 1, 1/3, 1/5 and so on.",
-     2, 1, 1, NULL, den_hartog_S_ratio_loops},
-    {"amplitude",
-     "Amplitude of the motion. Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega not 1, 1/3, 1/5 and so on.",
-     3, 1, 1, NULL, den_hartog_amplitude_loops},
-    {"bound",
-     "The motion has no stops while its amplitude exceeds this. Equation (36). Domain: Omega > 0, Omega not 1, 1/3, "
-     "1/5 and so on.",
-     3, 1, 1, NULL, den_hartog_bound_loops},
-    {"motion",
-     "Displacement tau after a maximum. Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega not 1, "
-     "1/3, 1/5 and so on.",
-     4, 1, 1, NULL, den_hartog_motion_loops},
+    {"V", 1, 1, 1, NULL, SF_ONE(den_hartog_V_loop)},
+    {"U", 1, 1, 1, NULL, SF_ONE(den_hartog_U_loop)},
+    {"S_ratio", 2, 1, 1, NULL, SF_ONE(den_hartog_S_ratio_loop)},
+    {"amplitude", 3, 1, 1, NULL, SF_ONE(den_hartog_amplitude_loop)},
+    {"bound", 3, 1, 1, NULL, SF_ONE(den_hartog_bound_loop)},
+    {"motion", 4, 1, 1, NULL, SF_ONE(den_hartog_motion_loop)},
 };
 
 const sf_module sf_module_den_hartog = {"den_hartog", kernels, sizeof kernels / sizeof kernels[0]};

@@ -13,7 +13,10 @@ docstring gives equation number, domain and the operations after each pass.
 
 import numpy as np
 
-from slowflow_kernels.slow_flow import R, backbone, isola_Omega
+from slowflow_kernels.slow_flow import (
+    F_A, F_AA, F, F_AOmega, F_Omega, I, R, backbone, equivalent_damping, fold_quartic, isola_Omega, level,
+    limit_envelope, peak_cubic, phase, stability,
+)
 from slowflow_support.backend import NATIVE, coefficients_of, compiled
 from slowflow_support.broadcast import floats, full, stacked
 
@@ -24,133 +27,6 @@ __all__ = [
     "fold", "fold_quartic", "isola", "isola_Omega", "level", "limit_envelope", "peak_cubic", "phase",
     "response_quartic", "stability",
 ]
-
-
-def I(Omega, A, m, zeta):  # noqa: E743
-    """Sine balance, -F_0 sin phi at a fixed point.
-
-    Equation (23). Domain: Omega > 0, A > 0.
-    Operations: 3 structured, 3 common subexpressions, 3 power chains.
-    Proved, error / u (1 + kappa): 0.51
-    """
-    Omega, A, m, zeta = floats(Omega, A, m, zeta)
-    return full(2.0 * A * Omega * zeta, (Omega, A, m, zeta))
-
-
-def F(Omega, A, F_0, m, zeta, h):
-    """Frequency response; zero at a steady state.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    Operations: 11 structured, 11 common subexpressions, 11 power chains.
-    """
-    Omega, A, F_0, m, zeta, h = floats(Omega, A, F_0, m, zeta, h)
-    R = A * Omega * Omega + h
-    I = 2.0 * A * Omega * zeta
-    return full(R * R + (-F_0 + I) * (F_0 + I), (Omega, A, F_0, m, zeta, h))
-
-
-def F_A(Omega, A, m, zeta, h, h_A):
-    """dF/dA; positive where stable.
-
-    Equation (24), (30). Domain: Omega > 0, A > 0.
-    Operations: 14 structured, 11 common subexpressions, 11 power chains.
-    """
-    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    t1 = 2.0 * Omega * zeta
-    I = A * t1
-    return full(2.0 * (I * t1 + R * (h_A + t0)), (Omega, A, m, zeta, h, h_A))
-
-
-def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
-    """d2F/dA2.
-
-    Equation (24), (33). Domain: Omega > 0, A > 0.
-    Operations: 14 structured, 12 common subexpressions, 12 power chains.
-    """
-    Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    t1 = h_A + t0
-    return full(2.0 * (R * h_AA + 4.0 * t0 * zeta * zeta + t1 * t1), (Omega, A, m, zeta, h, h_A, h_AA))
-
-
-def F_Omega(Omega, A, m, zeta, h):
-    """dF/dOmega.
-
-    Equation (24), (34). Domain: Omega > 0, A > 0.
-    Operations: 11 structured, 11 common subexpressions, 11 power chains.
-    Proved, error / u (1 + kappa): 3.51
-    """
-    Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
-    R = A * Omega * Omega + h
-    I = 2.0 * A * Omega * zeta
-    return full(4.0 * A * (I * zeta + Omega * R), (Omega, A, m, zeta, h))
-
-
-def F_AOmega(Omega, A, m, zeta, h, h_A):
-    """d2F/dA dOmega.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    Operations: 20 structured, 16 common subexpressions, 16 power chains.
-    Proved, error / u (1 + kappa): 4.61
-    """
-    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    t1 = A * Omega
-    t2 = 2.0 * t1
-    I = t2 * zeta
-    return full(4.0 * (I * zeta + Omega * R + t1 * (h_A + t0) + t2 * zeta * zeta), (Omega, A, m, zeta, h, h_A))
-
-
-def phase(Omega, A, m, zeta, h):
-    """Phase phi of a steady state, from -pi to 0.
-
-    Equation (25). Domain: Omega > 0, A > 0.
-    Operations: 7 structured, 7 common subexpressions, 7 power chains.
-    """
-    Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
-    R = A * Omega * Omega + h
-    I = 2.0 * A * Omega * zeta
-    return full(np.arctan2(-I, -R), (Omega, A, m, zeta, h))
-
-
-def limit_envelope(Omega, F_0, m, zeta):
-    """Largest amplitude that the forcing can hold at this frequency.
-
-    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
-    Operations: 3 structured, 3 common subexpressions, 3 power chains.
-    Proved, error / u (1 + kappa): 0.51
-    """
-    Omega, F_0, m, zeta = floats(Omega, F_0, m, zeta)
-    return full(0.5 * F_0 / (Omega * zeta), (Omega, F_0, m, zeta))
-
-
-def equivalent_damping(Omega, A, m, zeta):
-    """Viscous damping ratio that dissipates as much as zeta and friction together.
-
-    Equation (38). Domain: Omega > 0, A > 0.
-    Operations: 0 structured, 0 common subexpressions, 0 power chains.
-    Proved, error / u (1 + kappa): 0.0
-    """
-    Omega, A, m, zeta = floats(Omega, A, m, zeta)
-    return full(zeta, (Omega, A, m, zeta))
-
-
-def stability(Omega, A, m, zeta, h, h_A):
-    """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
-
-    Equation (30). Domain: Omega > 0, A > 0.
-    Operations: 14 structured, 11 common subexpressions, 11 power chains.
-    """
-    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    t1 = 2.0 * Omega * zeta
-    I = A * t1
-    return full((I * t1 + R * (h_A + t0)) / A, (Omega, A, m, zeta, h, h_A))
 
 
 def response_quartic(A, F_0, m, zeta, h):
@@ -168,39 +44,6 @@ def response_quartic(A, F_0, m, zeta, h):
         full(0.0, arguments),
         full(2.0 * A * h + 4.0 * t0 * zeta * zeta, arguments),
         full(t0, arguments),
-    )
-
-
-def fold_quartic(A, m, zeta, h, h_A):
-    """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-
-    Equation (24), (30). Domain: A > 0.
-    Operations: 6 structured, 6 common subexpressions, 6 power chains.
-    Proved, error / u (1 + kappa): 0.34, 0.0, 2.34, 0.0
-    """
-    A, m, zeta, h, h_A = floats(A, m, zeta, h, h_A)
-    arguments = (A, m, zeta, h, h_A)
-    return (
-        full(h * h_A, arguments),
-        full(0.0, arguments),
-        full(A * (h_A + 4.0 * zeta * zeta) + h, arguments),
-        full(A, arguments),
-    )
-
-
-def peak_cubic(A, m, zeta, h):
-    """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
-
-    Equation (34). Domain: A > 0.
-    Operations: 4 structured, 4 common subexpressions, 4 power chains.
-    Proved, error / u (1 + kappa): 0.0, 1.01, 0.0
-    """
-    A, m, zeta, h = floats(A, m, zeta, h)
-    arguments = (A, m, zeta, h)
-    return (
-        full(0.0, arguments),
-        full(2.0 * A * zeta * zeta + h, arguments),
-        full(A, arguments),
     )
 
 
@@ -225,18 +68,6 @@ def detachment(A, m, zeta, h):
         ),
         (A, m, zeta, h),
     )
-
-
-def level(Omega, A, m, zeta, h):
-    """The forcing F_0 for which (Omega, A) is a steady state.
-
-    Equation (24). Domain: Omega >= 0, A > 0.
-    Operations: 10 structured, 10 common subexpressions, 10 power chains.
-    """
-    Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
-    R = A * Omega * Omega + h
-    I = 2.0 * A * Omega * zeta
-    return full(np.sqrt(I * I + R * R), (Omega, A, m, zeta, h))
 
 
 def fold(A, F_0, m, zeta, h, h_A, k, k_A):
@@ -286,11 +117,9 @@ def isola(A, m, zeta, h, h_A, h_AA):
 
 if NATIVE is not None:
     (
-        I, F, F_A, F_AA, F_Omega, F_AOmega, phase, limit_envelope, equivalent_damping, stability, response_quartic,
-        fold_quartic, peak_cubic, detachment, level, fold, isola,
+        response_quartic, detachment, fold, isola,
     ) = compiled(
-        (I, F, F_A, F_AA, F_Omega, F_AOmega, phase, limit_envelope, equivalent_damping, stability,
-         response_quartic, fold_quartic, peak_cubic, detachment, level, fold, isola,),
+        (response_quartic, detachment, fold, isola,),
         NATIVE.slow_flow_mu0(),
     )
     detachment = coefficients_of(detachment)

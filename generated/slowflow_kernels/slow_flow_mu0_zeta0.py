@@ -11,11 +11,16 @@ docstring gives equation number, domain and the operations after each pass.
 # a formatter would spread each polynomial over a page
 # fmt: off
 
-import numpy as np
-
-from slowflow_kernels.slow_flow import R, backbone
+from slowflow_kernels.slow_flow import (
+    F_A, F_AA, F, F_AOmega, F_Omega, I, R, backbone, equivalent_damping, fold_quartic, level, peak_cubic, phase,
+    stability,
+)
+from slowflow_kernels.slow_flow_mu0 import response_quartic
+from slowflow_kernels.slow_flow_zeta0 import (
+    fold, limit_envelope, undamped, undamped_Omega, undamped_level, undamped_rises,
+)
 from slowflow_support.backend import NATIVE, coefficients_of, compiled
-from slowflow_support.broadcast import floats, full, stacked
+from slowflow_support.broadcast import floats, stacked
 
 SCENE = "mu = zeta = 0: F is a quadratic in Omega^2, roots in closed form"
 
@@ -24,173 +29,6 @@ __all__ = [
     "fold", "fold_quartic", "level", "limit_envelope", "peak_cubic", "phase", "response_quartic", "stability",
     "undamped", "undamped_Omega", "undamped_level", "undamped_rises",
 ]
-
-
-def I(Omega, A, m, zeta):  # noqa: E743
-    """Sine balance, -F_0 sin phi at a fixed point.
-
-    Equation (23). Domain: Omega > 0, A > 0.
-    Operations: 0 structured, 0 common subexpressions, 0 power chains.
-    Proved, error / u (1 + kappa): 0.0
-    """
-    Omega, A, m, zeta = floats(Omega, A, m, zeta)
-    return full(0.0, (Omega, A, m, zeta))
-
-
-def F(Omega, A, F_0, m, zeta, h):
-    """Frequency response; zero at a steady state.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    Operations: 6 structured, 6 common subexpressions, 6 power chains.
-    """
-    Omega, A, F_0, m, zeta, h = floats(Omega, A, F_0, m, zeta, h)
-    R = A * Omega * Omega + h
-    return full(-F_0 * F_0 + R * R, (Omega, A, F_0, m, zeta, h))
-
-
-def F_A(Omega, A, m, zeta, h, h_A):
-    """dF/dA; positive where stable.
-
-    Equation (24), (30). Domain: Omega > 0, A > 0.
-    Operations: 7 structured, 6 common subexpressions, 6 power chains.
-    """
-    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    return full(2.0 * R * (h_A + t0), (Omega, A, m, zeta, h, h_A))
-
-
-def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
-    """d2F/dA2.
-
-    Equation (24), (33). Domain: Omega > 0, A > 0.
-    Operations: 9 structured, 8 common subexpressions, 8 power chains.
-    """
-    Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    t1 = h_A + t0
-    return full(2.0 * (R * h_AA + t1 * t1), (Omega, A, m, zeta, h, h_A, h_AA))
-
-
-def F_Omega(Omega, A, m, zeta, h):
-    """dF/dOmega.
-
-    Equation (24), (34). Domain: Omega > 0, A > 0.
-    Operations: 6 structured, 6 common subexpressions, 6 power chains.
-    Proved, error / u (1 + kappa): 2.76
-    """
-    Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
-    R = A * Omega * Omega + h
-    return full(4.0 * A * Omega * R, (Omega, A, m, zeta, h))
-
-
-def F_AOmega(Omega, A, m, zeta, h, h_A):
-    """d2F/dA dOmega.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    Operations: 9 structured, 8 common subexpressions, 8 power chains.
-    Proved, error / u (1 + kappa): 3.01
-    """
-    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    return full(4.0 * Omega * (A * (h_A + t0) + R), (Omega, A, m, zeta, h, h_A))
-
-
-def phase(Omega, A, m, zeta, h):
-    """Phase phi of a steady state, from -pi to 0.
-
-    Equation (25). Domain: Omega > 0, A > 0.
-    Operations: 4 structured, 4 common subexpressions, 4 power chains.
-    """
-    Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
-    R = A * Omega * Omega + h
-    I = 0.0
-    return full(np.arctan2(-I, -R), (Omega, A, m, zeta, h))
-
-
-def limit_envelope(Omega, F_0, m, zeta):
-    """Largest amplitude that the forcing can hold at this frequency.
-
-    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
-    Operations: 0 structured, 0 common subexpressions, 0 power chains.
-    """
-    Omega, F_0, m, zeta = floats(Omega, F_0, m, zeta)
-    return full(np.inf, (Omega, F_0, m, zeta))
-
-
-def equivalent_damping(Omega, A, m, zeta):
-    """Viscous damping ratio that dissipates as much as zeta and friction together.
-
-    Equation (38). Domain: Omega > 0, A > 0.
-    Operations: 0 structured, 0 common subexpressions, 0 power chains.
-    Proved, error / u (1 + kappa): 0.0
-    """
-    Omega, A, m, zeta = floats(Omega, A, m, zeta)
-    return full(0.0, (Omega, A, m, zeta))
-
-
-def stability(Omega, A, m, zeta, h, h_A):
-    """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
-
-    Equation (30). Domain: Omega > 0, A > 0.
-    Operations: 7 structured, 6 common subexpressions, 6 power chains.
-    """
-    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    return full(R * (h_A + t0) / A, (Omega, A, m, zeta, h, h_A))
-
-
-def response_quartic(A, F_0, m, zeta, h):
-    """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-
-    Equation (24). Domain: A > 0.
-    Operations: 6 structured, 6 common subexpressions, 6 power chains.
-    Proved, error / u (1 + kappa): -, 0.0, 0.34, 0.34
-    """
-    A, F_0, m, zeta, h = floats(A, F_0, m, zeta, h)
-    arguments = (A, F_0, m, zeta, h)
-    return (
-        full((-F_0 + h) * (F_0 + h), arguments),
-        full(0.0, arguments),
-        full(2.0 * A * h, arguments),
-        full(A * A, arguments),
-    )
-
-
-def fold_quartic(A, m, zeta, h, h_A):
-    """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-
-    Equation (24), (30). Domain: A > 0.
-    Operations: 3 structured, 3 common subexpressions, 3 power chains.
-    Proved, error / u (1 + kappa): 0.34, 0.0, 1.01, 0.0
-    """
-    A, m, zeta, h, h_A = floats(A, m, zeta, h, h_A)
-    arguments = (A, m, zeta, h, h_A)
-    return (
-        full(h * h_A, arguments),
-        full(0.0, arguments),
-        full(A * h_A + h, arguments),
-        full(A, arguments),
-    )
-
-
-def peak_cubic(A, m, zeta, h):
-    """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
-
-    Equation (34). Domain: A > 0.
-    Operations: 0 structured, 0 common subexpressions, 0 power chains.
-    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0
-    """
-    A, m, zeta, h = floats(A, m, zeta, h)
-    arguments = (A, m, zeta, h)
-    return (
-        full(0.0, arguments),
-        full(h, arguments),
-        full(A, arguments),
-    )
 
 
 def detachment(A, m, zeta, h):
@@ -210,93 +48,11 @@ def detachment(A, m, zeta, h):
     )
 
 
-def level(Omega, A, m, zeta, h):
-    """The forcing F_0 for which (Omega, A) is a steady state.
-
-    Equation (24). Domain: Omega >= 0, A > 0.
-    Operations: 4 structured, 4 common subexpressions, 4 power chains.
-    """
-    Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
-    R = A * Omega * Omega + h
-    return full(np.abs(R), (Omega, A, m, zeta, h))
-
-
-def undamped_Omega(h_A):
-    """Omega of the folds.
-
-    Equation from (30). Domain: h_A <= 0.
-    Operations: 1 structured, 1 common subexpressions, 1 power chains.
-    """
-    (h_A,) = floats(h_A)
-    return np.sqrt(-h_A)
-
-
-def fold(F_0, m, k, k_A):
-    """Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.
-
-    Equation from (24), (30). Domain: F_0 > m.
-    Operations: 7 structured, 7 common subexpressions, 7 power chains.
-    """
-    F_0, m, k, k_A = floats(F_0, m, k, k_A)
-    excess = F_0 * F_0
-    least = np.sqrt(excess)
-    arguments = (F_0, m, k, k_A)
-    return (
-        full((k - least) * (k + least), arguments),
-        full(2.0 * k * k_A, arguments),
-    )
-
-
-def undamped_level(m, k):
-    """The forcing of a fold, whose R is k.
-
-    Equation from (24), (30). Domain: h_A <= 0.
-    Operations: 1 structured, 1 common subexpressions, 1 power chains.
-    """
-    m, k = floats(m, k)
-    return full(np.abs(k), (m, k))
-
-
-def undamped_rises(h_AA, h_AAA, k):
-    """The sign of the level's slope along A on the undamped folds; and, where that is 0, of the slope's own.
-
-    Equation from (24), (30). Domain: h_A <= 0.
-    Operations: 2 structured, 2 common subexpressions, 2 power chains.
-    Proved, error / u (1 + kappa): 0.34, 0.34
-    """
-    h_AA, h_AAA, k = floats(h_AA, h_AAA, k)
-    arguments = (h_AA, h_AAA, k)
-    return (
-        full(-h_AA * k, arguments),
-        full(-h_AAA * k, arguments),
-    )
-
-
-def undamped(A, h, h_A, h_AA, h_AAA):
-    """The factors of F_AA/2 at the folds, each with its slope along A: h_AA, R.
-
-    Equation from (30), (33). Domain: A > 0.
-    Operations: 3 structured, 3 common subexpressions, 3 power chains.
-    Proved, error / u (1 + kappa): 0.0, 0.0, 1.01, 0.34
-    """
-    A, h, h_A, h_AA, h_AAA = floats(A, h, h_A, h_AA, h_AAA)
-    arguments = (A, h, h_A, h_AA, h_AAA)
-    return (
-        full(h_AA, arguments),
-        full(h_AAA, arguments),
-        full(-A * h_A + h, arguments),
-        full(-A * h_AA, arguments),
-    )
-
-
 if NATIVE is not None:
     (
-        I, F, F_A, F_AA, F_Omega, F_AOmega, phase, limit_envelope, equivalent_damping, stability, response_quartic,
-        fold_quartic, peak_cubic, detachment, level, undamped_Omega, fold, undamped_level, undamped_rises, undamped,
+        detachment,
     ) = compiled(
-        (I, F, F_A, F_AA, F_Omega, F_AOmega, phase, limit_envelope, equivalent_damping, stability,
-         response_quartic, fold_quartic, peak_cubic, detachment, level, undamped_Omega, fold, undamped_level,
-         undamped_rises, undamped,),
+        (detachment,),
         NATIVE.slow_flow_mu0_zeta0(),
     )
     detachment = coefficients_of(detachment)

@@ -13,7 +13,10 @@ docstring gives equation number, domain and the operations after each pass.
 
 import numpy as np
 
-from slowflow_kernels.slow_flow import R, backbone
+from slowflow_kernels.slow_flow import (
+    F_A, F_AA, F, F_AOmega, F_Omega, I, R, backbone, equivalent_damping, fold_quartic, level, peak_cubic, phase,
+    response_quartic, stability,
+)
 from slowflow_support.backend import NATIVE, coefficients_of, compiled
 from slowflow_support.broadcast import floats, full, stacked
 
@@ -26,89 +29,6 @@ __all__ = [
 ]
 
 
-def I(Omega, A, m, zeta):  # noqa: E743
-    """Sine balance, -F_0 sin phi at a fixed point.
-
-    Equation (23). Domain: Omega > 0, A > 0.
-    Operations: 0 structured, 0 common subexpressions, 0 power chains.
-    Proved, error / u (1 + kappa): 0.0
-    """
-    Omega, A, m, zeta = floats(Omega, A, m, zeta)
-    return full(m, (Omega, A, m, zeta))
-
-
-def F(Omega, A, F_0, m, zeta, h):
-    """Frequency response; zero at a steady state.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    Operations: 8 structured, 8 common subexpressions, 8 power chains.
-    """
-    Omega, A, F_0, m, zeta, h = floats(Omega, A, F_0, m, zeta, h)
-    R = A * Omega * Omega + h
-    return full(R * R + (-F_0 + m) * (F_0 + m), (Omega, A, F_0, m, zeta, h))
-
-
-def F_A(Omega, A, m, zeta, h, h_A):
-    """dF/dA; positive where stable.
-
-    Equation (24), (30). Domain: Omega > 0, A > 0.
-    Operations: 7 structured, 6 common subexpressions, 6 power chains.
-    """
-    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    return full(2.0 * R * (h_A + t0), (Omega, A, m, zeta, h, h_A))
-
-
-def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
-    """d2F/dA2.
-
-    Equation (24), (33). Domain: Omega > 0, A > 0.
-    Operations: 9 structured, 8 common subexpressions, 8 power chains.
-    """
-    Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    t1 = h_A + t0
-    return full(2.0 * (R * h_AA + t1 * t1), (Omega, A, m, zeta, h, h_A, h_AA))
-
-
-def F_Omega(Omega, A, m, zeta, h):
-    """dF/dOmega.
-
-    Equation (24), (34). Domain: Omega > 0, A > 0.
-    Operations: 6 structured, 6 common subexpressions, 6 power chains.
-    Proved, error / u (1 + kappa): 2.76
-    """
-    Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
-    R = A * Omega * Omega + h
-    return full(4.0 * A * Omega * R, (Omega, A, m, zeta, h))
-
-
-def F_AOmega(Omega, A, m, zeta, h, h_A):
-    """d2F/dA dOmega.
-
-    Equation (24). Domain: Omega > 0, A > 0.
-    Operations: 9 structured, 8 common subexpressions, 8 power chains.
-    Proved, error / u (1 + kappa): 3.01
-    """
-    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    return full(4.0 * Omega * (A * (h_A + t0) + R), (Omega, A, m, zeta, h, h_A))
-
-
-def phase(Omega, A, m, zeta, h):
-    """Phase phi of a steady state, from -pi to 0.
-
-    Equation (25). Domain: Omega > 0, A > 0.
-    Operations: 4 structured, 4 common subexpressions, 4 power chains.
-    """
-    Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
-    R = A * Omega * Omega + h
-    return full(np.arctan2(-m, -R), (Omega, A, m, zeta, h))
-
-
 def limit_envelope(Omega, F_0, m, zeta):
     """Largest amplitude that the forcing can hold at this frequency.
 
@@ -117,79 +37,6 @@ def limit_envelope(Omega, F_0, m, zeta):
     """
     Omega, F_0, m, zeta = floats(Omega, F_0, m, zeta)
     return full(np.inf, (Omega, F_0, m, zeta))
-
-
-def equivalent_damping(Omega, A, m, zeta):
-    """Viscous damping ratio that dissipates as much as zeta and friction together.
-
-    Equation (38). Domain: Omega > 0, A > 0.
-    Operations: 3 structured, 3 common subexpressions, 3 power chains.
-    Proved, error / u (1 + kappa): 0.51
-    """
-    Omega, A, m, zeta = floats(Omega, A, m, zeta)
-    return full(0.5 * m / (A * Omega), (Omega, A, m, zeta))
-
-
-def stability(Omega, A, m, zeta, h, h_A):
-    """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
-
-    Equation (30). Domain: Omega > 0, A > 0.
-    Operations: 7 structured, 6 common subexpressions, 6 power chains.
-    """
-    Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
-    t0 = Omega * Omega
-    R = A * t0 + h
-    return full(R * (h_A + t0) / A, (Omega, A, m, zeta, h, h_A))
-
-
-def response_quartic(A, F_0, m, zeta, h):
-    """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-
-    Equation (24). Domain: A > 0.
-    Operations: 8 structured, 8 common subexpressions, 8 power chains.
-    Proved, error / u (1 + kappa): -, 0.0, 0.34, 0.34
-    """
-    A, F_0, m, zeta, h = floats(A, F_0, m, zeta, h)
-    arguments = (A, F_0, m, zeta, h)
-    return (
-        full(h * h + (-F_0 + m) * (F_0 + m), arguments),
-        full(0.0, arguments),
-        full(2.0 * A * h, arguments),
-        full(A * A, arguments),
-    )
-
-
-def fold_quartic(A, m, zeta, h, h_A):
-    """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-
-    Equation (24), (30). Domain: A > 0.
-    Operations: 3 structured, 3 common subexpressions, 3 power chains.
-    Proved, error / u (1 + kappa): 0.34, 0.0, 1.01, 0.0
-    """
-    A, m, zeta, h, h_A = floats(A, m, zeta, h, h_A)
-    arguments = (A, m, zeta, h, h_A)
-    return (
-        full(h * h_A, arguments),
-        full(0.0, arguments),
-        full(A * h_A + h, arguments),
-        full(A, arguments),
-    )
-
-
-def peak_cubic(A, m, zeta, h):
-    """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
-
-    Equation (34). Domain: A > 0.
-    Operations: 0 structured, 0 common subexpressions, 0 power chains.
-    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0
-    """
-    A, m, zeta, h = floats(A, m, zeta, h)
-    arguments = (A, m, zeta, h)
-    return (
-        full(0.0, arguments),
-        full(h, arguments),
-        full(A, arguments),
-    )
 
 
 def detachment(A, m, zeta, h):
@@ -210,17 +57,6 @@ def detachment(A, m, zeta, h):
         ),
         (A, m, zeta, h),
     )
-
-
-def level(Omega, A, m, zeta, h):
-    """The forcing F_0 for which (Omega, A) is a steady state.
-
-    Equation (24). Domain: Omega >= 0, A > 0.
-    Operations: 7 structured, 7 common subexpressions, 7 power chains.
-    """
-    Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
-    R = A * Omega * Omega + h
-    return full(np.sqrt(R * R + m * m), (Omega, A, m, zeta, h))
 
 
 def undamped_Omega(h_A):
@@ -293,12 +129,9 @@ def undamped(A, h, h_A, h_AA, h_AAA):
 
 if NATIVE is not None:
     (
-        I, F, F_A, F_AA, F_Omega, F_AOmega, phase, limit_envelope, equivalent_damping, stability, response_quartic,
-        fold_quartic, peak_cubic, detachment, level, undamped_Omega, fold, undamped_level, undamped_rises, undamped,
+        limit_envelope, detachment, undamped_Omega, fold, undamped_level, undamped_rises, undamped,
     ) = compiled(
-        (I, F, F_A, F_AA, F_Omega, F_AOmega, phase, limit_envelope, equivalent_damping, stability,
-         response_quartic, fold_quartic, peak_cubic, detachment, level, undamped_Omega, fold, undamped_level,
-         undamped_rises, undamped,),
+        (limit_envelope, detachment, undamped_Omega, fold, undamped_level, undamped_rises, undamped,),
         NATIVE.slow_flow_zeta0(),
     )
     detachment = coefficients_of(detachment)

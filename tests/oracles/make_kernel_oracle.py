@@ -29,6 +29,7 @@ from pathlib import Path
 from flint import arb, arb_series, ctx, fmpq, fmpq_poly
 from mpmath import mp, mpf
 
+from derivations.emit.catalogue.flow import OWN
 from derivations.mechanisms import all_mechanisms
 from slowflow.paper import published
 from tests.oracles.stated import Stated
@@ -2351,19 +2352,11 @@ def zeroed(f: Function, names: Sequence[str], scene: str) -> Function:
     return lambda *x: f(*(value * 0 if k in gone else value for k, value in enumerate(x)))
 
 
-#: a scene takes these from the general module: nothing vanishes in them; or has them not
-SAME_IN_SCENES = {
-    *("friction", "R", "backbone", "transmissibility", "jacobian", "mean_stiffness", "offset_stiffness"),
-    *("rest", "intercept", "isola_Omega", "cusps", "cusp_R", "cusp", "cusp_balance", "peak", "peak_Omega_A"),
-    "F_OmegaOmega",
-}
-
-
 def slow_flow_table(rng: random.Random, scene: str) -> dict:
     table = {}
-    left_out = SAME_IN_SCENES if scene else set()
+    own = OWN.get(scene.removeprefix("_"))
     for name, (names, f) in (SLOW_FLOW if scene else SLOW_FLOW | SLOPES).items():
-        if name in left_out:
+        if own and name not in own:
             continue
         chosen = points(rng, names, 6)
         if {"Omega", "A", "h"} <= set(names.split()):  # next to the backbone: R is the small difference of two terms
@@ -2376,7 +2369,7 @@ def slow_flow_table(rng: random.Random, scene: str) -> dict:
         entry(zeroed(detachment, names.split(), scene), x, exact=True) for x in points(rng, names, 6)
     ]
     for name, (names, f, sign) in (LOCI | (UNDAMPED if "zeta" in SCENES[scene] else DAMPED)).items():
-        if name in left_out:
+        if own and name not in own:
             continue
         chosen = points(rng, names, 6)
         if sign:

@@ -6,7 +6,7 @@ Out: `slow_flow_modules`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -40,12 +40,18 @@ from ..form import GENERAL, Kernel, Module, by_even_power, in_words, plain, suff
 #: of a frequency
 square = sp.Symbol("square", real=True)
 
-#: what a scene has, its own or the general module's: what solvers call in it, and the polynomials, whose degree falls
+#: what a scene has of its own: where the mathematics changes. Elsewhere the general form divides by what vanishes, has
+#: more coefficients, or a sum for a product
+OWN = {
+    "mu0": ("response_quartic", "detachment", "isola", "fold"),
+    "zeta0": ("limit_envelope", "detachment", "fold", "undamped_Omega", "undamped_level", "undamped_rises", "undamped"),
+    "mu0_zeta0": ("detachment",),
+}
+#: what else is asked in a scene, of a module in which less vanishes: `no_other` proves that it is the same there
 IN_SCENES = (
     *("R", "I", "F", "F_A", "F_AA", "F_Omega", "F_AOmega", "level", "stability", "phase"),
-    *("backbone", "limit_envelope", "equivalent_damping"),
-    *("response_quartic", "fold_quartic", "peak_cubic", "detachment"),
-    *("isola_Omega", "isola", "fold", "undamped_Omega", "undamped_level", "undamped_rises", "undamped"),
+    *("backbone", "limit_envelope", "equivalent_damping", "isola_Omega"),
+    *("response_quartic", "fold_quartic", "peak_cubic"),
 )
 
 #: what the solvers and their proofs ask on whole intervals, by scene: the general form where it holds for zeros too
@@ -66,12 +72,11 @@ PROVED = {
 
 def slow_flow_modules(results: Results) -> list[Module]:
     """The mechanism-free functions, in general and in each scene."""
-    general = kernels_of(results, "")
+    kernels = {scene: {kernel.name: kernel for kernel in kernels_of(results, scene)} for scene in SCENES}
     modules = []
     for scene in SCENES:
-        kernels = [kernel for kernel in kernels_of(results, scene) if not scene or kernel.name in IN_SCENES]
         enclosed = (*SEARCHED.get(scene, ()), *PROVED.get(scene, ()))
-        borrowed = tuple(kernel.name for kernel in kernels if scene and kernel in general)
+        wanted = OWN[scene] if scene else kernels[scene]
         modules.append(
             Module(
                 name=GENERAL + suffix(scene),
@@ -95,16 +100,50 @@ def slow_flow_modules(results: Results) -> list[Module]:
                         searched=kernel.name in enclosed and kernel.name != "friction",
                         paired=not scene and kernel.name == "friction",
                     )
-                    for kernel in kernels
-                    if kernel.name not in borrowed
+                    for kernel in kernels[scene].values()
+                    if kernel.name in wanted
                 ),
-                borrowed=borrowed,
+                borrowed=borrowed(kernels, scene) if scene else {},
                 cells=cell_kernels(results.along[scene], scene),
                 settled=() if scene else step_kernels(results),
                 constants={"SCENE": told(results.flows[scene], scene)},
             )
         )
     return modules
+
+
+def borrowed(kernels: Mapping[str, Mapping[str, Kernel]], scene: str) -> dict[str, tuple[str, ...]]:
+    """What a scene has from other modules, by these: where less of it vanishes, or nothing."""
+    zeros = {symbol for symbol in SCENES[scene]}
+    others = [other for other in SCENES if other != scene and SCENES[other].keys() <= zeros]
+    found: dict[str, list[str]] = {}
+    for name in dict.fromkeys((*IN_SCENES, *(name for other in others for name in OWN.get(other, ())))):
+        if name in kernels[scene] and name not in OWN[scene]:
+            # the last that has it of its own
+            other = [other for other in others if not other or name in OWN[other]][-1]
+            no_other(kernels[other][name], kernels[scene][name], scene)
+            found.setdefault(GENERAL + suffix(other), []).append(name)
+    return {module: tuple(names) for module, names in found.items()}
+
+
+def no_other(kernel: Kernel, in_scene: Kernel, scene: str) -> None:
+    """That a kernel, where the scene's zeros are put in, is the one which is derived in the scene."""
+    zeros = {m if symbol == mu else symbol: 0 for symbol in SCENES[scene]}
+    if kernel.arguments != in_scene.arguments or kernel.width != in_scene.width:
+        raise ArithmeticError(f"{kernel.name} takes or gives something else in the scene {scene}")
+    for here, there in zip(whole(kernel), whole(in_scene), strict=True):
+        left, right = here.subs(zeros), there.subs(zeros)
+        if left != right and sp.simplify(left - right) != 0:
+            raise ArithmeticError(f"{kernel.name} in the scene {scene}: {left} is not {right}")
+
+
+def whole(kernel: Kernel) -> list[sp.Expr]:
+    """Its outputs in its arguments."""
+    (branch,) = kernel.branches
+    outputs = list(branch.outputs)
+    for symbol, value in reversed(branch.lets):
+        outputs = [output.subs(symbol, value) for output in outputs]
+    return outputs
 
 
 def told(flow: SlowFlow, scene: str) -> str:

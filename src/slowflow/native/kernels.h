@@ -29,9 +29,24 @@ enum {
 typedef void (*sf_loop)(ptrdiff_t n, const double *const *in, double *const *out);
 typedef void (*sf_choose)(ptrdiff_t n, const double *const *in, unsigned char *regime);
 
-/* loops: one for each regime; choose: NULL where there is one regime. */
+/* The loop of a kernel in one regime: the statements give the `values` of element i of `in`. */
+#define SF_LOOP(name, outputs, ...) \
+    static SF_WIDE void name(ptrdiff_t n, const double *const *in, double *const *out) \
+    { \
+        SF_EACH(i, n) { \
+            double values[outputs]; \
+            __VA_ARGS__ \
+            for (int k = 0; k < (outputs); k++) \
+                out[k][i] = values[k]; \
+        } \
+    }
+
+/* The table of a kernel with one loop. */
+#define SF_ONE(loop) ((const sf_loop[]){loop})
+
+/* loops: one for each regime; choose: NULL where there is one regime. What it gives says the function that calls it. */
 typedef struct {
-    const char *name, *doc;
+    const char *name;
     int inputs, outputs, regimes;
     sf_choose choose;
     const sf_loop *loops;

@@ -80,8 +80,7 @@ def text(module: Module, code: Code) -> str:
             compositions=[composition_view(composition, CALLS) for composition in module.compositions],
             exported=exported(module),
             moves=moves_of(module),
-            borrowed=sorted(module.borrowed, key=in_import),
-            general=GENERAL,
+            borrowed={other: sorted(names, key=in_import) for other, names in sorted(module.borrowed.items())},
             regimes=regimes(module),
             enclosed=[view(kernel, code[kernel.name], ENCLOSED) for kernel in enclosed],
             rule=[(literal(node), literal(weight)) for node, weight in rule()] if module.sums else [],
@@ -136,7 +135,7 @@ def exported(module: Module) -> list[str]:
     own = [
         *module.constants,
         *(one.name for one in (*module.kernels, *module.twofolds, *module.selections, *module.compositions)),
-        *module.borrowed,
+        *(name for names in module.borrowed.values() for name in names),
         *(["MECHANISM"] if module.record else []),
         *(["MOVES"] if moves_of(module) else []),
     ]

@@ -24,7 +24,7 @@ MOST_OPERANDS = 32
 
 @dataclass(frozen=True)
 class Loop:
-    """The loop of one regime: its name and the statements for element i."""
+    """The loop of one regime: its name and the statements that give the values of element i."""
 
     name: str
     body: tuple[str, ...]
@@ -32,7 +32,7 @@ class Loop:
 
 @dataclass(frozen=True)
 class Ufunc:
-    """A ufunc as the template needs it, with a loop for each regime.
+    """A ufunc as the template needs it, with a loop for each regime. What it gives, its function in Python says.
 
     guards     -- those of all regimes but the last
     guarded_by -- the arguments that they read, by their numbers
@@ -41,7 +41,6 @@ class Ufunc:
 
     name: str
     prefix: str
-    doc: str
     inputs: tuple[str, ...]
     outputs: int
     loops: tuple[Loop, ...]
@@ -95,16 +94,9 @@ def read(names: Sequence[str], plain: Sequence[str], packed: Sequence[str]) -> l
     return lines
 
 
-def store(call: str, outputs: int, returns: str) -> list[str]:
-    """Statements that call a function of a header, its last argument left open, and store its outputs."""
-    if returns == "scalar":
-        return [f"out[0][i] = {call});"]
-    return [
-        f"double values[{outputs}];",
-        f"{call}, values);",
-        f"for (int k = 0; k < {outputs}; k++)",
-        "    out[k][i] = values[k];",
-    ]
+def give(call: str, returns: str) -> list[str]:
+    """The statement that calls a function of a header, its last argument left open, for the values of element i."""
+    return [f"values[0] = {call});" if returns == "scalar" else f"{call}, values);"]
 
 
 def guards_of(kernel: Kernel, names: Sequence[str]) -> tuple[tuple[str, ...], dict[str, int]]:
@@ -132,9 +124,8 @@ def of(one: Kernel | Selection | Composition, module: Module) -> Ufunc:
         Loop("_".join([prefix, *filter(None, [branch.name]), "loop"]), tuple(body))
         for branch, body in zip(branches, bodies, strict=True)
     )
-    doc = f"{one.doc} Equation {one.equation}. Domain: {one.domain}."
     guards = guards_of(regimes, names) if regimes else ((), {})
-    return Ufunc(one.name, prefix, doc, names, one.width, loops, *guards)
+    return Ufunc(one.name, prefix, names, one.width, loops, *guards)
 
 
 def functions(kernel: Kernel, module: Module) -> list[str]:
@@ -152,19 +143,17 @@ def of_kernel(kernel: Kernel, module: Module) -> list[list[str]]:
     split = len(names) if kernel.returns == "scalar" else len(names) - kernel.parameters
     passed = ", ".join([*names[:split], *(["p"] if names[split:] else [])])
     given = read(names, names[:split], names[split:])
-    return [
-        [*given, *store(f"{function}({passed}", kernel.width, kernel.returns)] for function in functions(kernel, module)
-    ]
+    return [[*given, *give(f"{function}({passed}", kernel.returns)] for function in functions(kernel, module)]
 
 
 def of_selection(selection: Selection, module: Module) -> list[list[str]]:
     """Calls of its source, of which the compiler leaves out what is not taken."""
     names = [argument.name for argument in selection.arguments]
     split = len(names) - selection.parameters
-    given = [*read(names, names[:split], names[split:]), f"double values[{selection.source.width}];"]
-    taken = [f"out[{k}][i] = values[{number}];" for k, number in enumerate(selection.chosen)]
+    given = [*read(names, names[:split], names[split:]), f"double all[{selection.source.width}];"]
+    taken = [f"values[{k}] = all[{number}];" for k, number in enumerate(selection.chosen)]
     return [
-        [*given, f"{function}({', '.join(names[:split])}, p, values);", *taken]
+        [*given, f"{function}({', '.join(names[:split])}, p, all);", *taken]
         for function in functions(selection.source, module)
     ]
 
@@ -175,7 +164,7 @@ def of_composition(composition: Composition, module: Module) -> list[list[str]]:
     split = len(names) - composition.parameters
     given = read(names, names[:split], names[split:])
     seen = composition_view(composition, calls(module))
-    last = store(f"{seen['inner']}({', '.join(seen['passed'])}", composition.width, composition.returns)
+    last = give(f"{seen['inner']}({', '.join(seen['passed'])}", composition.returns)
     if composition.average is None:
         return [[*given, *last]]
     before = f"double average[{composition.average.width}];"
