@@ -13,6 +13,7 @@
 # make explorer   docs/explorer.html, the compiled solvers in a browser; same bytes whenever it is made
 # make dist       sdist and wheel, output/dist; the wheel twice, which has to be the same bytes
 # make docs       the site, output/docs: warnings are errors
+# make links      whether somebody answers at every address that the site names; needs a network
 
 PYTHON ?= python3
 BIN := .venv/bin
@@ -23,7 +24,7 @@ DEVELOPED := .venv/developed
 NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch] generated/c/*.h generated/native/*.[ch])
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
-.PHONY: paper figures test test-fast derive check lint bench validity stress explorer docs dist clean
+.PHONY: paper figures test test-fast derive check lint bench validity stress explorer docs links dist clean
 .DELETE_ON_ERROR:
 # containers often forbid Python to keep bytecode: all that is imported, SymPy too, would be compiled anew in each of the
 # some hundred processes of a test run
@@ -80,6 +81,9 @@ explorer: $(INSTALLED)
 docs: $(INSTALLED)
 	$(PIP) "slowflow[docs]"
 	$(BIN)/python -m sphinx --builder html --fail-on-warning --keep-going --jobs auto docs output/docs
+
+links: docs
+	$(BIN)/python -m sphinx --builder linkcheck --jobs auto docs output/links
 
 # the files of the wheel are dated as the last commit; both wheels are built from the sdist
 dist: export SOURCE_DATE_EPOCH := $(shell git log -1 --format=%ct 2>/dev/null || echo 315619200)

@@ -30,6 +30,11 @@ html_show_sphinx = False
 html_math_renderer = "mathml"
 pygments_style = "friendly"
 pygments_dark_style = "monokai"
+linkcheck_timeout = 20
+linkcheck_retries = 2
+linkcheck_allow_unauthorized = False
+# a publisher behind a DOI may turn away what is no browser: where the DOI leads to is what is asked
+linkcheck_allowed_redirects = {r"https://doi\.org/.*": r"https://.*"}
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"
 autodoc_default_options = {"members": True, "undoc-members": False, "show-inheritance": False}

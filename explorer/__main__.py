@@ -17,6 +17,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from derivations.library import stated
+from explorer import one_end
 from explorer.about import LIBRARY, about
 from slowflow import derive
 
@@ -37,7 +39,7 @@ def sources() -> list[Path]:
     """All that the page is made of but for the package's data and what is derived: its parts, what the library states,
     and the headers that explorer.c includes."""
     parts = [path for path in sorted(HERE.iterdir()) if path.suffix in {".c", ".py", ".html", ".css", ".js"}]
-    parts += [ROOT / f"derivations/library/{name}.py" for _, name, *_ in LIBRARY]
+    parts += [ROOT / f"derivations/library/{name}.py" for _, name, *_ in LIBRARY] + [ROOT / "derivations/one_end.py"]
     headers: set[Path] = set()
     left = [HERE / "explorer.c"]
     while left:
@@ -67,13 +69,17 @@ def mechanisms() -> tuple[list[str], dict[str, str], set[Path]]:
     """What the page calls the mechanisms; C by the name of its file; folders from which that includes.
 
     The C is a header with records and restoring forces in that order, and a source for each mechanism of the library:
-    in one the names of their statics would meet.
+    in one the names of their statics would meet. Those whose force is not odd have theirs in the header.
     """
     of_package = records((ROOT / "generated/native/records.h").read_text())
     table = [(name, name, count, f"records + {i}") for i, (name, count) in enumerate(of_package)]
     header, sources, folders = [], {}, set()
+    on_one_side: list[tuple[str, str]] = []
     for _, name, *_ in LIBRARY:
         derived = derive.library(name)
+        if not derived.record.odd:
+            on_one_side.append((name, one_end.text(name, stated(name))))
+            continue
         source = f"{derived.record.name}.c"
         ((kernels, count),) = records((derived.folder / source).read_text())
         table.append((name, kernels, count, f"&{name}_of_library"))
@@ -83,12 +89,18 @@ def mechanisms() -> tuple[list[str], dict[str, str], set[Path]]:
     for name, kernels, count, _ in table:
         arguments = "".join(f", p[{i}]" for i in range(count))
         header.append(f"static double {name}_at(double u, const double *p) {{ return {kernels}_force(u{arguments}); }}")
+    for name, text in on_one_side:
+        header.append(text)
+        table.append((name, name, 0, f"&{name}_of_library"))
     for kind, column in {
         "char *const names[]": [f'"{name}"' for name, *_ in table],
         "sf_mechanism *const *const mechanisms[]": [held for *_, held in table],
     }.items():
         header.append(f"static const {kind} = {{{', '.join(column)}}};")
-    of_each = ", ".join(f"{name}_at" for name, *_ in table)
+    places = ["NULL"] * (len(table) - len(on_one_side)) + [f"{name}_place" for name, _ in on_one_side]
+    header.append(f"static double (*const places_of[])(const double *) = {{{', '.join(places)}}};")
+    own = {name for name, _ in on_one_side}
+    of_each = ", ".join(f"{name}_force" if name in own else f"{name}_at" for name, *_ in table)
     header.append(f"static double (*const forces[])(double, const double *) = {{{of_each}}};")
     return [name for name, *_ in table], {**sources, "mechanisms.h": "\n".join(header) + "\n"}, folders
 

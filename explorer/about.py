@@ -40,6 +40,7 @@ PRESETS: tuple[tuple[str, Oscillator, float, float], ...] = (
 #: those of the library: a title, its name there, its numbers, F_0, and the highest frequency that is shown
 LIBRARY: tuple[tuple[str, str, Mapping[str, float], float, float], ...] = (
     ("Elastic stops", "elastic_stop", {"kappa": 8.0, "delta": 0.2, "mu": 0.005, "zeta": 0.03}, 0.05, 2.5),
+    ("A stop on one side", "one_sided_stop", {"kappa": 8.0, "delta": 0.2, "mu": 0.005, "zeta": 0.03}, 0.05, 2.0),
     ("A softer spring beyond", "bilinear", {"kappa": 0.4, "delta": 0.2, "mu": 0.005, "zeta": 0.03}, 0.05, WINDOW[1]),
     ("Play", "dead_zone", {"delta": 0.2, "mu": 0.005, "zeta": 0.05}, 0.05, WINDOW[1]),
     ("Three springs", "three_spring", {"alpha": 1.0, "ell": 1.5, "mu": 0.0, "zeta": 0.03}, 0.006, WINDOW[1]),
@@ -121,7 +122,12 @@ def about() -> dict[str, Any]:
             "off_unknown": validity.OFF_UNKNOWN,
             "not_measured": validity.NOT_MEASURED,
         },
-        "references": [_reference(one.mechanism, one.oscillator, one.F_0, one.shown) for one in presets],
+        # of a force that is not odd Python's digits are those of another search
+        "references": [
+            _reference(one.mechanism, one.oscillator, one.F_0, one.shown)
+            for one in presets
+            if one.oscillator.model.mechanism.odd
+        ],
         "measured": {name: getattr(table, name) for name in dir(table) if name.isupper()},
         "worth": {"error": validity.WORTH, "truncation": validity.WORTH_TRUNCATION},
     }
@@ -145,6 +151,7 @@ def _mechanism(design: Design) -> dict[str, Any]:
         "label": ", ".join([called, *words_given.values()]),
         "physical": hasattr(type(example), "physical"),
         "rod": record.design == ROD_SPRING.design,
+        "odd": record.odd,
     }
 
 

@@ -2,7 +2,7 @@
  *
  * A thin interface: it keeps one oscillator and one workspace, calls the solvers and the generated kernels, and computes
  * nothing itself. Everything is dimensionless. `python -m explorer` writes mechanisms.h: records and restoring forces of the
- * package's mechanisms and of the library's, and what the page calls them.
+ * package's mechanisms and of the library's, where the pieces of a force end that is not odd, and what the page calls them.
  */
 #include "curve.h"
 #include "inertial.h"
@@ -25,7 +25,7 @@ static sf_room room;
 static double in[SF_MOST_DESIGN + SF_MOST_DAMPING], out[COLUMNS][MOST];
 static unsigned char flags[2][MOST];
 static long long branch[MOST];
-static int undecided;
+static int undecided, rises;
 
 /* The oscillator as it was given, in pairs, for the last digits of an answer. */
 static const sf_exactly *exactly(void) { return known == NULL ? NULL : &known->exactly; }
@@ -49,7 +49,7 @@ int EXPORT(choose)(int i, int by_inertia)
     const double *of_damping = in + record->design_size;
     if (by_inertia)
         sf_excite_by_inertia(&excited);
-    known = NULL, model.mechanism = NULL;
+    known = NULL, model.mechanism = NULL, rises = places_of[i] != NULL;
     if (!record->parameters_of(in, model.p) || !record->damping_of(of_damping, model.damping) ||
         !sf_prepare(record, in, &model))
         return -1;
@@ -57,6 +57,18 @@ int EXPORT(choose)(int i, int by_inertia)
         known = &given;
     memcpy(out[0], model.b, sizeof model.b);
     return model.breaks;
+}
+
+/* out[0]: the u at which the force passes from one piece to the next, by rising u; returns their number. */
+int EXPORT(places)(int i)
+{
+    if (places_of[i] != NULL) {
+        out[0][0] = places_of[i](model.p);
+        return 1;
+    }
+    for (int k = 0; k < model.breaks; k++)
+        out[0][model.breaks - 1 - k] = -model.b[k], out[0][model.breaks + k] = model.b[k];
+    return 2 * model.breaks;
 }
 
 double EXPORT(sticking)(void) { return model.m; }
@@ -68,19 +80,25 @@ double EXPORT(stiffness_at_rest)(void)
     return -at.h_A;
 }
 
-static void add_phase_and_transmissibility(long i, double F_0)
+static void add_what_follows(long i, double F_0)
 {
     sf_sample at;
     sf_sample_at(&model, out[1][i], &at);
     out[2][i] = slow_flow_phase(out[0][i], out[1][i], model.m, model.zeta, at.h);
     const double force = sf_force(&model, F_0, out[0][i]);
     out[3][i] = slow_flow_transmissibility(out[0][i], out[1][i], force, model.m, model.zeta, at.h);
+    out[4][i] = model.mechanism->mean_offset(out[1][i], model.p);
 }
 
-/* As `slowflow.averaged.remarks.keeps_centre`; and whether the slow flow is stable there. */
+/* As `slowflow.averaged.remarks.keeps_centre`; and whether the slow flow is stable there. A force with one end rises, so that
+ * its mean stiffness is positive. */
 static void look_at(long i)
 {
     sf_sample at;
+    if (rises) {
+        flags[1][i] = 1;
+        return;
+    }
     sf_sample_at(&model, out[1][i], &at);
     flags[1][i] = slow_flow_mean_stiffness(at.A, at.h, at.h_A) >= 0 ||
                   slow_flow_offset_stiffness(out[0][i], at.A, at.h, at.h_A) > 0;
@@ -90,10 +108,10 @@ static void look_at(long i)
 static void look_at_all(long n, double F_0)
 {
     for (long i = 0; i < n; i++)
-        add_phase_and_transmissibility(i, F_0), look_at(i);
+        add_what_follows(i, F_0), look_at(i);
 }
 
-/* The response curve: out Omega, A, phi, transmissibility; flags stable, centred. Returns the number of points, or the
+/* The response curve: out Omega, A, phi, transmissibility, mean B; flags stable, centred. Returns the number of points, or the
  * status with its sign turned. */
 long EXPORT(respond)(double F_0, double low, double high, double samples)
 {

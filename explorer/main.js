@@ -19,7 +19,7 @@ function ask(solvers, state, shown) {
   const breaks = solvers.choose(state.mechanism, numbersOf(state, plain), state.excitation);
   if (breaks === null) return null;
   const about = DATA.mechanisms[state.mechanism];
-  const answer = { state, plain, breaks, sticking: solvers.sticking(), stiffnessAtRest: solvers.stiffnessAtRest() };
+  const answer = { state, plain, breaks, places: solvers.places(), sticking: solvers.sticking(), stiffnessAtRest: solvers.stiffnessAtRest() };
   /* a base or an unbalance moves the mass however small it is, from a frequency on */
   if (byInertia(state)) Object.assign(answer, { sticking: 0, sticksUpTo: Math.sqrt(answer.sticking / plain.F_0) });
   answer.onset = solvers.onset();
@@ -35,7 +35,8 @@ function ask(solvers, state, shown) {
   if (shown.envelope && plain.zeta > 0 && plain.F_0 > answer.sticking) answer.envelope = solvers.envelope(plain.F_0, state.high, 200);
   if (shown.regions) answer.unstable = solvers.unstable(top, state.high, ROWS);
   if (shown.locus) answer.locus = solvers.locus(top, 400);
-  const wide = 1.35 * Math.max(breaks[0] || 0, Math.min(top, 1.5 * seen || top));
+  const mean = curve.B.reduce((most, B) => Math.max(most, Math.abs(B)), 0);
+  const wide = 1.35 * Math.max(breaks[0] || 0, Math.min(top, 1.5 * seen || top) + mean, about.odd ? 0 : Math.abs(answer.places[0]));
   answer.force = solvers.force(about.reach === null || !breaks.length ? roundUp(wide) : Math.min(0.999 * about.reach, roundUp(wide)), 241);
   return answer;
 }
@@ -100,8 +101,15 @@ function draw() {
   const { answer, plots } = app;
   drawResponse(plots.response, answer, shownLayers());
   drawTransmissibility(plots.transmissibility, answer);
-  drawForce(plots.force, answer, app.now);
+  drawForce(plots.force, answer, present());
   drawMoving();
+}
+
+/** The present motion with its mean. */
+function present() {
+  const { now, states } = app;
+  const i = states.n ? nearest(states, now.A) : -1;
+  return { ...now, B: i < 0 ? 0 : states.B[i] };
 }
 
 /** What moves from frame to frame. */
@@ -110,9 +118,9 @@ function drawMoving() {
   drawPoint(plots.response, states, now, app.trail);
   const i = states.n ? nearest(states, now.A) : -1;
   const phi = i < 0 ? 0 : states.phi[i];
-  const u = now.shown * Math.cos(app.cycle + phi);
+  const u = (i < 0 ? 0 : states.B[i]) + now.shown * Math.cos(app.cycle + phi);
   const push = answer.curve.status === 0 ? Math.cos(app.cycle) : 0;
-  drawSchematic($("schematic-picture"), answer, now, u, push);
+  drawSchematic($("schematic-picture"), answer, present(), u, push);
   const T = i < 0 ? NaN : 20 * Math.log10(states.T[i]);
   const dot = (plot, x, y) => (Number.isFinite(y) ? `<circle class="now" cx="${plot.x(x).toFixed(1)}" cy="${plot.y(y).toFixed(1)}" r="5"/>` : "");
   plots.transmissibility.set("point", dot(plots.transmissibility, now.Omega, T));
@@ -180,9 +188,11 @@ function sayStates() {
   const { answer, states, now } = app;
   const { state, plain, breaks } = answer;
   const i = states.n ? nearest(states, now.A) : -1;
+  const about = DATA.mechanisms[state.mechanism];
+  $("about-what").textContent = about.odd ? "about the centre" : "about the mean of the motion";
   const rows = Array.from({ length: states.n }, (_, k) => {
     const errors = errorsOf(state.mechanism, state.excitation, breaks, plain.mu, plain.F_0, states.Omega[k], states.A[k]);
-    return `<tr${k === i ? ' class="here"' : ""}><td>${told(state, "A", states.A[k], 5)}</td><td>${states.stable[k] ? "stable" : "unstable"}</td><td>${short((states.phi[k] * 180) / Math.PI, 3)}°</td><td>${short(20 * Math.log10(states.T[k]), 3)} dB</td><td>${errors ? `${short(100 * errors.error, 2)} %` : "–"}</td></tr>`;
+    return `<tr${k === i ? ' class="here"' : ""}><td>${told(state, "A", states.A[k], 5)}${about.odd ? "" : ` about ${told(state, "A", states.B[k], 3)}`}</td><td>${states.stable[k] ? "stable" : "unstable"}</td><td>${short((states.phi[k] * 180) / Math.PI, 3)}°</td><td>${short(20 * Math.log10(states.T[k]), 3)} dB</td><td>${errors ? `${short(100 * errors.error, 2)} %` : "–"}</td></tr>`;
   });
   $("at").textContent = `${nameIn(state, "Omega")} = ${told(state, "Omega", now.Omega, 5)}`;
   $("states").innerHTML = rows.join("") || '<tr><td colspan="5">No motion.</td></tr>';
@@ -337,7 +347,7 @@ function fillFields() {
     for (const { name, shown } of BASE)
       write(name, tidy(state.base[name] * shown), 500 * (Math.log10(state.base[name] / DATA.mount.base[name]) + 1));
   write("high", short(state.high * measure(state, "Omega").size, 4), 1000 * Math.sqrt(Math.max(0, (state.high - 0.5) / 9.5)));
-  for (const option of $("excitation").options) option.disabled = option.value !== "force" && !(state.values.zeta > 0);
+  for (const option of $("excitation").options) option.disabled = option.value !== "force" && !(state.values.zeta > 0 && DATA.mechanisms[state.mechanism].odd);
   $("units-si").checked = state.si;
   $("units-one").checked = !state.si;
   $("units-si").disabled = !DATA.mechanisms[state.mechanism].physical;
@@ -387,7 +397,7 @@ function setFrequency(Omega) {
   state.Omega = Math.min(state.high, Math.max(1e-3 * state.high, Omega));
   moveTo(state.Omega);
   drawMoving();
-  drawForce(app.plots.force, app.answer, app.now);
+  drawForce(app.plots.force, app.answer, present());
   sayStates();
   app.address = true;
 }
@@ -422,7 +432,8 @@ function bindControls() {
     const preset = DATA.presets.find((one) => one.mechanism === event.target.value);
     const same = new Set(DATA.mechanisms[event.target.value].design.map((one) => one.name));
     const { state } = app;
-    if (DATA.mechanisms[state.mechanism].design.every((one) => same.has(one.name))) open({ ...state, mechanism: event.target.value });
+    const { odd } = DATA.mechanisms[event.target.value];
+    if (DATA.mechanisms[state.mechanism].design.every((one) => same.has(one.name)) && (odd || !byInertia(state))) open({ ...state, mechanism: event.target.value });
     else open(fromPreset(preset));
   });
   for (const [id, si] of [["units-si", true], ["units-one", false]])
@@ -529,7 +540,7 @@ function step(passed) {
       state.Omega = Omega;
       moveTo(Omega);
       sayStates();
-      drawForce(app.plots.force, app.answer, app.now);
+      drawForce(app.plots.force, app.answer, present());
     }
     moving = true;
   }

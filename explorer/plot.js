@@ -218,7 +218,7 @@ function drawTransmissibility(plot, answer) {
 
 /** The force, the present amplitude, and where pieces end. */
 function drawForce(plot, answer, now) {
-  const { state, breaks, force } = answer;
+  const { state, places, force } = answer;
   const length = measure(state, "A");
   const newton = measure(state, "force");
   const reach = force.u[force.n - 1];
@@ -229,11 +229,11 @@ function drawForce(plot, answer, now) {
   });
   let text = "";
   if (now && now.A > 0) {
-    const half = Math.min(now.A, reach);
-    text += rectangle("stroke", plot.x(-half), plot.box.top, plot.x(half) - plot.x(-half), plot.box.high);
+    const [low, high] = [Math.max(now.B - now.A, -reach), Math.min(now.B + now.A, reach)];
+    text += rectangle("stroke", plot.x(low), plot.box.top, plot.x(high) - plot.x(low), plot.box.high);
   }
-  for (const b of breaks)
-    for (const at of [-b, b]) if (b < reach) text += line("break", `M${plot.x(at).toFixed(1)},${plot.box.top}v${plot.box.high}`);
+  for (const at of places)
+    if (Math.abs(at) < reach) text += line("break", `M${plot.x(at).toFixed(1)},${plot.box.top}v${plot.box.high}`);
   text += line("break", `M${plot.box.left},${plot.y(0).toFixed(1)}h${plot.box.wide}`);
   plot.set("beside", text);
   plot.set("curve", line("stable", plot.path(force.u, force.f, force.n)));

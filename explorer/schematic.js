@@ -51,17 +51,16 @@ function rods(u, delta_h, breaks) {
 
 /** The picture at displacement u; force is its share of F_0 just now. */
 function drawSchematic(svg, answer, now, u, force) {
-  const { state, plain, breaks } = answer;
+  const { state, plain, breaks, places } = answer;
   let text;
   let y;
   if (DATA.mechanisms[state.mechanism].rod) {
     ({ text, y } = rods(Math.max(-1, Math.min(1, u)), plain.delta_h, breaks));
   } else {
-    const scale = 56 / Math.max(now ? now.A : 0, ...breaks, 1e-12);
+    const scale = 56 / Math.max(now ? now.A + Math.abs(now.B) : 0, ...places.map(Math.abs), 1e-12);
     y = CENTRE.y - u * scale;
-    text = breaks
-      .flatMap((b) => [-b, b])
-      .map((b) => `<path class="guide" d="M${CENTRE.x - 90},${CENTRE.y - b * scale}h180"/>`)
+    text = places
+      .map((at) => `<path class="guide" d="M${CENTRE.x - 90},${CENTRE.y - at * scale}h180"/>`)
       .join("");
   }
   const arrow = 34 * force;

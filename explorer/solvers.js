@@ -45,6 +45,11 @@ class Solvers {
     return n < 0 ? null : Array.from(this.column(0, n));
   }
 
+  /** The u at which the force passes from one piece to the next. */
+  places() {
+    return Array.from(this.column(0, this.native.places(this.mechanism)));
+  }
+
   sticking() {
     return this.native.sticking();
   }
@@ -72,6 +77,7 @@ class Solvers {
       A: this.column(1, n),
       phi: this.column(2, n),
       T: this.column(3, n),
+      B: this.column(4, n),
       stable: this.flag(0, n),
       centred: this.flag(1, n),
       branch: onCurve ? Array.from(this.branches.slice(0, n), Number) : null,

@@ -54,14 +54,15 @@ function toAddress(state) {
   return `#${new URLSearchParams(Object.entries(parts).filter(([, value]) => value !== undefined))}`;
 }
 
-/** Null where the address has no mechanism, another excitation, or a number that is not allowed. */
+/** Null where the address has no mechanism, another excitation, or a number that is not allowed: a force that is not odd is
+ * asked under a force only, as in Python. */
 function fromAddress(address) {
   const parts = new URLSearchParams(address.replace(/^#/, ""));
   const mechanism = parts.get("mechanism");
   if (!Object.hasOwn(DATA.mechanisms, mechanism || "")) return null;
   const number = (name, other) => (parts.has(name) ? Number(parts.get(name)) : other);
   const excitation = parts.get("excitation") || "force";
-  if (!Object.hasOwn(DATA.excitations, excitation)) return null;
+  if (!Object.hasOwn(DATA.excitations, excitation) || (excitation !== "force" && !DATA.mechanisms[mechanism].odd)) return null;
   const state = fromPreset({ mechanism, excitation, values: {}, shown: number("shown", 2) });
   if (!(state.high > 0 && state.high < 1e6)) return null;
   state.si = parts.get("units") === "si" && DATA.mechanisms[mechanism].physical;
@@ -106,8 +107,9 @@ function inCSV(answer) {
   const { state, curve } = answer;
   const [omega, length] = [measure(state, "Omega"), measure(state, "A")];
   const head = state.si ? "f/Hz,A/m" : "Omega,A";
-  const rows = [`${head},phi/rad,stable,transmissibility,branch`];
+  const { odd } = DATA.mechanisms[state.mechanism];
+  const rows = [`${head},phi/rad,stable,transmissibility,branch${odd ? "" : ",B"}`];
   for (let i = 0; i < curve.n; i++)
-    rows.push([curve.Omega[i] * omega.size, curve.A[i] * length.size, curve.phi[i], curve.stable[i], curve.T[i], curve.branch[i]].join());
+    rows.push([curve.Omega[i] * omega.size, curve.A[i] * length.size, curve.phi[i], curve.stable[i], curve.T[i], curve.branch[i], ...(odd ? [] : [curve.B[i] * length.size])].join());
   return rows.join("\n") + "\n";
 }

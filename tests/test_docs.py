@@ -13,6 +13,7 @@ import tomllib
 from importlib import import_module
 from pathlib import Path
 from typing import Any
+from urllib.parse import urlsplit
 
 import pytest
 from scipy.integrate import quad
@@ -225,3 +226,31 @@ def test_every_decision_says_why_and_what_it_costs() -> None:
 def test_links_lead_somewhere(page: Path) -> None:
     targets = LINK.findall(page.read_text(encoding="utf-8"))
     assert not [target for target in targets if not (page.parent / target).exists()]
+
+
+def headings(page: Path) -> set[str]:
+    """What a page's headings are called in addresses."""
+    text = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+    found = re.findall(r"^#{1,3} (.*?) *$", text, re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", re.sub(r"[`*]", "", one)).lower().replace(" ", "-") for one in found}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.relative_to(ROOT).as_posix())
+def test_links_into_a_page_lead_to_a_heading(page: Path) -> None:
+    text = page.read_text(encoding="utf-8")
+    for target, anchor in re.findall(r"\]\((?!\w+:)([^)#]*)#([^)]+)\)", text):
+        assert anchor in headings(page.parent / target if target else page), f"{target}#{anchor}"
+
+
+def test_addresses_on_the_web_are_whole() -> None:
+    """Whether somebody answers there `make links` asks, which needs a network."""
+    texts = [path.read_text(encoding="utf-8") for path in (*PAGES, ROOT / "pyproject.toml", ROOT / "CITATION.cff")]
+    found = {address for text in texts for address in re.findall(r"\bhttps?:[^\s\"'<>`]*", text)}
+    # brackets and full stops of the sentence around it
+    found = {re.sub(r"[).,;:\]}]+$", "", address) for address in found}
+    assert len(found) >= 2
+    for address in found:
+        parts = urlsplit(address)
+        assert parts.scheme == "https" and re.fullmatch(r"([a-z0-9-]+\.)+[a-z]{2,}", parts.hostname or ""), address
+    stated = re.findall(r"\bdoi\.org/(\S+?)[)\s\"]", "\n".join(texts))
+    assert stated and all(re.fullmatch(r"10\.\d{4,9}/[\w.()/-]+", one) for one in stated)

@@ -123,9 +123,64 @@ def test_its_numbers_of_the_library_are_those_of_what_is_derived_and_compiled(br
     pytest.importorskip("flint", reason="what derives is not installed")
     found = [one for one in designs() if one.oscillator.model.mechanism.name != one.mechanism]
     stated = importlib.import_module("slowflow_derivation.library")
-    assert {one.mechanism for one in found} == {name for name in stated.names() if derive.library(name).record.odd}
+    assert {one.mechanism for one in found} == set(stated.names())
+    found = [one for one in found if one.oscillator.model.mechanism.odd]
     hold(browser, [(one.mechanism, one.oscillator, part * one.F_0) for one in found for part in (1, 0.5, 10)])
     same_curve(browser, len(PRESETS) + 2)
+
+
+#: stiffness of the stop, gap, mu, zeta, F_0: free at rest, pressed on, just touching; with one state and with three
+STOPS = (
+    (8.0, 0.2, 0.005, 0.03, 0.05),
+    (8.0, -0.1, 0.005, 0.03, 0.05),
+    (100.0, 0.05, 0.002, 0.05, 0.03),
+    (0.5, 0.2, 0.0, 0.05, 0.05),
+    (3.0, 0.0, 0.002, 0.05, 0.03),
+    (0.6, -0.45, 0.0, 0.014, 0.13),
+)
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("ignore:overflow encountered")
+def test_a_stop_on_one_side_has_the_answers_of_the_search_in_amplitude_and_mean(browser: Any) -> None:
+    """Two methods: along the balance by the compiled solvers here, boxes in A and B there."""
+    pytest.importorskip("flint", reason="what derives is not installed")
+    stop = derive.library("one_sided_stop")
+    near = {"rtol": 1e-12, "atol": 1e-300}
+    with opened(browser) as page:
+        for kappa, delta, mu, zeta, F_0 in STOPS:
+            one = stop(kappa=kappa, delta=delta, mu=mu, zeta=zeta)
+            found = page.evaluate(ASK, ["one_sided_stop", [kappa, delta, mu, zeta], F_0, "force"])
+            onset, off, folds = one.saddle_node_onset(), one.detachment(), one.saddle_nodes(F_0)
+            assert (found["onset"]["status"] == 0) == (onset.F_SN is not None), one
+            if onset.F_SN is not None:
+                mine = [found["onset"][name] for name in ("F_SN", "Omega", "A")]
+                # an amplitude is the less certain where the forcing hardly moves with it
+                np.testing.assert_allclose(mine, [onset.F_SN, onset.Omega, onset.A], rtol=1e-6)
+                np.testing.assert_allclose(mine[0], onset.F_SN, **near)
+            if off.F_cr is not None:
+                np.testing.assert_allclose(
+                    [found["off"][name] for name in ("F_cr", "Omega")], [off.F_cr, off.Omega_cr], **near
+                )
+            np.testing.assert_allclose(found["peak"]["A"], one.peak(F_0).A, **near)
+            for name in ("Omega", "A"):
+                np.testing.assert_allclose(found["folds"][name], getattr(folds, name), **near)
+            for Omega, states in zip((0.3, 0.7, 0.9, 1.5), found["states"], strict=True):
+                theirs = one.amplitudes(Omega=Omega, F_0=F_0)
+                assert states["stable"] == theirs.stable.tolist(), one
+                for name, values in {"A": theirs.A, "phi": theirs.phi, "T": theirs.transmissibility}.items():
+                    np.testing.assert_allclose(states[name], values, **near)
+                np.testing.assert_allclose(states["B"], theirs.B, rtol=1e-12, atol=1e-13)
+    with opened(browser) as page:
+        page.select_option("#mechanism", "one_sided_stop")
+        page.evaluate("explorer.step(16)")
+        lines = page.evaluate("explorer.inPython(explorer.app.state)")
+        about = page.inner_text("#states")
+        assert page.locator("#excitation option[disabled]").count() == 2 and "about" in about
+    names: dict[str, Any] = {}
+    with contextlib.redirect_stdout(io.StringIO()) as printed:
+        exec(lines, names)
+    assert "jump-up" in printed.getvalue() and len(names["curve"]) > 800
 
 
 def hold(browser: Any, asked: list[tuple[str, Oscillator, float]]) -> None:
