@@ -24,6 +24,7 @@ html_theme = "furo"
 html_title = "slowflow"
 html_static_path = ["site/static"]
 html_css_files = ["site.css"]
+html_search_scorer = "site/scorer.js"
 html_extra_path = ["explorer.html"]
 html_copy_source = False
 html_show_sphinx = False

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from docs.site import docstrings
+from slowflow import cli
 from slowflow.paper import example
 from slowflow_kernels import rod_spring
 
@@ -71,6 +72,25 @@ def test_another_language_computes_the_same(section: str, tmp_path: Path) -> Non
     h, h_A, _, _ = rod_spring.averaged(0.5, *rod_spring.coefficients(*example.DESIGN))
     # the same operations in the same order; NumPy's arctangent may differ in the last place
     np.testing.assert_array_max_ulp(found, np.array([h, h_A], float), maxulp=4)
+
+
+@pytest.mark.slow
+def test_the_commands_of_the_page_on_the_command_line_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("matplotlib")
+    page = (DOCS / "howto" / "command_line.md").read_text(encoding="utf-8")
+    (lines,) = re.findall(r"```sh\n(.*?)```", page, re.DOTALL)
+    monkeypatch.chdir(tmp_path)
+    for line in lines.splitlines():
+        assert cli.main(line.split()[1:]) == 0, line
+        assert line.removesuffix(" -o answers") in page.split("```")[2]
+    assert (tmp_path / "answers" / "saddle_node_onset.csv").exists() and (tmp_path / "report.html").exists()
+    # the part that is shown is a part of the file, but for its questions
+    (shown,) = re.findall(r"```toml\n(.*?)```", page, re.DOTALL)
+    scene = (tmp_path / "scene.toml").read_text(encoding="utf-8").splitlines()
+    assert [line for line in shown.splitlines() if line not in scene] == [shown.splitlines()[-1]]
+    capsys.readouterr()
 
 
 def test_a_docstring_is_shown_as_it_stands() -> None:

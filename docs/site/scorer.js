@@ -1,0 +1,20 @@
+/* What a search finds first: in goes a result as Sphinx ranks it, out comes its rank. Pages that answer a question are
+before lists of names, and those before the reasons of decisions. */
+var Scorer = {
+  score: ([page, title, anchor, descr, score, filename, kind]) => {
+    if (/^howto\/questions$/.test(page)) return score + 60;
+    if (/^(howto\/|tutorial$|words$|try$|gallery$|mechanisms$|_made\/limits$)/.test(page)) return score + 50;
+    if (/^(validity|benchmarks|reliability|stability)$/.test(page)) return score + 20;
+    if (kind === "object" || kind === "index") return score - 5;
+    if (/^decisions\//.test(page)) return score - 10;
+    return score;
+  },
+  objNameMatch: 11,
+  objPartialMatch: 6,
+  objPrio: { 0: 15, 1: 5, 2: -5 },
+  objPrioDefault: 0,
+  title: 15,
+  partialTitle: 7,
+  term: 5,
+  partialTerm: 2,
+};
