@@ -217,7 +217,7 @@ def test_a_table_says_of_what_it_is():
         assert expected.items() <= attributes.items()
     mount = Isolator.physical(m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02)
     dataset = mount.frequency_response(5).to_xarray()
-    assert {name: dataset[name].attrs["units"] for name in ("f", "A", "phi")} == {"f": "Hz", "A": "m", "phi": "1"}
+    assert {name: dataset[name].attrs["units"] for name in ("f", "A", "phi")} == {"f": "Hz", "A": "m", "phi": "rad"}
     assert dataset.attrs["F"] == 5 and mount.peak(5).to_pandas().attrs["units"]["A"] == "m"
     assert np.isnan(mount.peak(0.1).to_pandas()["A"][0])
 

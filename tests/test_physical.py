@@ -250,6 +250,9 @@ def test_a_load_off_the_centre_rests_where_it_sags(mount):
     assert heavy.rest().x == pytest.approx(12 * 9.80665 / 2500) and heavy.rest().load == pytest.approx(12 * 9.80665)
     assert heavy.detachment().F_cr is None and "beyond" in heavy.detachment().message
     assert mount.replace(load=11).rest().x[0] < 0
+    stands = heavy.rest()
+    assert stands.units["stiffness"] == "N/m" and stands.stiffness == pytest.approx(heavy.stiffness(stands.x))
+    assert stands.in_units("N/mm").stiffness == pytest.approx(1e-3 * heavy.stiffness(stands.x))
     with pytest.raises(ValueError, match="at_rest is not available with load"):
         heavy.at_rest()
     with pytest.raises(ValueError, match="no polynomial"):

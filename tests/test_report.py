@@ -16,6 +16,7 @@ import pytest
 from slowflow import cli, files, scenes
 
 pytest.importorskip("matplotlib")
+from slowflow import page as pieces
 from slowflow import report
 
 ROOT = Path(__file__).parents[1]
@@ -102,7 +103,7 @@ def test_text_has_enough_contrast_on_both_grounds():
         high, low = sorted((luminance(one), luminance(other)), reverse=True)
         return (high + 0.05) / (low + 0.05)
 
-    themes = re.findall(r"--text: (#\w+); --ground: (#\w+); --line: (#\w+); --head: (#\w+)", report.STYLE)
+    themes = re.findall(r"--text: (#\w+); --ground: (#\w+); --line: (#\w+); --head: (#\w+)", pieces.STYLE)
     assert len(themes) == 2
     for words, ground, line, head in themes:
         assert contrast(words, ground) > 7 and contrast(words, head) > 7 and contrast(line, ground) > 3
@@ -117,7 +118,7 @@ def test_numbers_are_those_of_the_questions(page):
         assert cells[at - 2 : at] == ["5", fold.kind]
     (up, down) = mount.saddle_nodes(5).answer.measure()
     assert f"{up.Omega * mount.scales.sizes['frequency']:.5g}" in cells and f"{100 * down.error:+.2g} %" in cells
-    assert "tolerances at F = 5" in cells and "resultant for F_cr" in cells and "identical" in cells
+    assert "Tolerances at F = 5 N" in cells and "resultant for F_cr" in cells and "identical" in cells
     # and what is said twice is said in one unit
     assert all(cells[k + 1] == "mm" for k, cell in enumerate(cells) if cell == "A_peak")
     assert cells[cells.index("A_peak") + 2] == f"{1e3 * mount.peak(3).A:.4g}"
@@ -135,9 +136,11 @@ def test_the_page_says_in_short_what_happens_at_each_force(text):
     items = re.findall(r"<li>(At .*?)</li>", text)
     assert items == [
         "At 3 N it jumps up at 2.12 Hz, jumps down at 2.128 Hz; its springs stay up to 4.071 N. "
-        "Its highest motion is 26.97 mm, at 2.121 Hz. From 2.852 Hz on it transmits less than what drives it.",
+        "Its highest motion is 26.97 mm, at 2.121 Hz. From 2.852 Hz on it transmits less than what drives it. "
+        "At 5 Hz it transmits -11.37 dB.",
         "At 5 N it jumps up at 2.181 Hz, jumps down at 2.274 Hz; its springs leave. "
-        "Its highest motion is 45.55 mm, at 2.264 Hz. From 2.853 Hz on it transmits less than what drives it.",
+        "Its highest motion is 45.55 mm, at 2.264 Hz. From 2.853 Hz on it transmits less than what drives it. "
+        "At 5 Hz it transmits -12.8 dB.",
     ]
 
 
@@ -192,7 +195,8 @@ def test_under_a_load_the_report_leaves_out_what_is_about_the_centre_and_says_so
     said = (
         f"At 3 N it jumps up at {up.f:.4g} Hz, jumps down at {down.f:.4g} Hz; its springs stay up to "
         f"{mount.detachment().F_cr:.4g} N. Its highest motion is {1e3 * peak.A:.4g} mm, at {peak.f:.4g} Hz. "
-        f"From {begins.f:.4g} Hz on it transmits less than what drives it."
+        f"From {begins.f:.4g} Hz on it transmits less than what drives it. "
+        f"At 2.2 Hz it transmits {mount.amplitudes(f=2.2, F=3.0).transmissibility_dB[0]:.4g} dB."
     )
     assert said in lines and f"{1e3 * peak.x_max:.4g}" in lines
     assert f"{1e3 * mount.rest().x[0]:.4g}" in lines and f"{mount.saddle_node_onset().F_SN:.4g}" in lines
@@ -214,6 +218,41 @@ def test_with_other_laws_of_damping_the_report_leaves_out_what_needs_plain_ones(
         for line in lines
     )
     assert any(line.startswith("At 5 N it jumps up at 2.183 Hz") for line in lines)
+
+
+@pytest.mark.slow
+def test_shocks_say_which_are_beyond_the_stroke_and_are_in_short():
+    lines = lines_of(ROOT / "scenes" / "shock.toml")
+    mount = scenes.read(ROOT / "scenes" / "shock.toml").oscillator
+    found = [
+        mount.transient(acceleration=a, duration=d) for a in (10, 30) for d in (0.005, 0.011, 0.025, 0.05, 0.1, 0.2)
+    ]
+    leave = [one.A > one.x_cr for one in found]
+    assert f"In {sum(leave)} of 12 shocks the springs leave." in lines
+    assert [one.detaches for one in found] == leave
+    begin = lines.index("acceleration/(m/s^2)")
+    assert f"the stroke, {1e3 * found[0].x_cr:.4g} mm" in lines[begin - 1]
+    heads, rows = lines[begin : begin + 7], [lines[begin + 7 * k : begin + 7 * k + 7] for k in range(1, 13)]
+    assert heads[:2] == ["acceleration/(m/s^2)", "duration/ms"] and rows[1][:3] == [
+        "10",
+        "11",
+        f"{1e3 * found[1].A:.4g}",
+    ]
+    assert [row[4] for row in rows] == ["yes" if one else "no" for one in leave]
+    # 100 and 200 ms at 30 m/s^2 go beyond the rod: said of these only
+    (remark,) = [line for line in lines if "the push-rod stands vertical" in line]
+    assert remark.startswith("At acceleration/(m/s^2) = 30 and duration/ms = 100, ")
+
+
+@pytest.mark.slow
+def test_what_has_no_number_has_no_empty_table():
+    lines = lines_of(ROOT / "scenes" / "coulomb.toml")
+    at = lines.index("The highest peak")  # at 0.4 N it sticks, at 0.6 N it has no bound
+    assert lines[at + 1].startswith("sticks: F = 0.4 N")
+    at = lines.index("It jumps from this force on")
+    assert lines[at + 1].startswith("no lowest forcing")
+    assert any(line.startswith("Left out: a map of designs, none of which has") for line in lines)
+    assert not any(".validity" in line for line in lines)
 
 
 def test_what_has_no_report_is_said(tmp_path, capsys):

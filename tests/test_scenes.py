@@ -6,6 +6,7 @@ import csv
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -17,6 +18,7 @@ from slowflow import Isolator, cli, files, scenes
 from slowflow.averaged import solvers
 from slowflow.paper.example import isolator
 from slowflow.sizing import tolerances
+from slowflow.sizing.subject import IN_A_SHOCK, IN_A_SPECTRUM
 
 ROOT = Path(__file__).parents[1]
 SHIPPED = sorted((ROOT / "scenes").glob("*.toml"))
@@ -58,12 +60,40 @@ def test_a_shipped_scene_runs(path, tmp_path, capsys):
     assert {file.name for file in (tmp_path / "out").iterdir()} == expected
 
 
-def test_tolerances_of_a_mount_on_a_floor_that_shakes_are_asked_at_its_amplitude(scene, monkeypatch):
+def test_tolerances_are_asked_at_each_amplitude_and_frequency_in_the_spectrum_and_in_each_shock(scene, monkeypatch):
     text = (ROOT / "scenes" / "shaking_floor.toml").read_text().replace('"at_rest", ', '"tolerances", ')
-    read = scenes.read(scene(f"{text}\n[tolerances]\nk_h = 0.05\n"))
+    shock = "[shock]\nacceleration = 20.0\nduration = [0.011, 0.02]\n"
+    read = scenes.read(scene(f"{text}\n[tolerances]\nk_h = 0.05\n\n{shock}"))
     asked = [one for one in read.asked if one.question == "tolerances"]
     monkeypatch.setattr(slowflow.sizing, "tolerances", lambda of, **arguments: arguments)
-    assert [read.answer(one) for one in asked] == [{"F": Y, "within": {"k_h": 0.05}} for Y in (0.001, 0.004)]
+    found = [{name: value for name, value in read.answer(one).items() if name != "answers"} for one in asked]
+    within, at_a_frequency = {"within": {"k_h": 0.05}}, [{}, {"f": 5.0}, {"f": 10.0}]
+    expected = [{"F": Y, **at, **within} for Y in (0.001, 0.004) for at in at_a_frequency]
+    expected += [{"spectrum": ([2.2, 5.0, 25.0], [0.004, 0.002, 0.001]), **within}]
+    expected += [{"shock": (20.0, duration), **within} for duration in (0.011, 0.02)]
+    assert found == expected
+    assert [str(one) for one in asked[-3:]] == [
+        "tolerances in the load spectrum",
+        "tolerances at acceleration = 20 m/s^2, duration = 11 ms",
+        "tolerances at acceleration = 20 m/s^2, duration = 20 ms",
+    ]
+
+
+def test_tolerances_over_a_spectrum_and_shocks_are_those_of_python(scene, tmp_path, capsys):
+    ask = '[ask]\nquestions = ["tolerances"]\n[tolerances]\nzeta = 0.2\n'
+    spectrum, shock = "[spectrum]\nf = [2.2, 5.0]\nF = [5, 3]\n", "[shock]\nacceleration = 20\nduration = 0.011\n"
+    path = scene(MOUNT.partition("[ask]")[0] + ask + spectrum + shock)
+    assert run("run", path, "-o", tmp_path, "--quiet", capsys=capsys) == (0, "", "")
+    mount, rows = scenes.read(path).oscillator, list(rows_of(tmp_path / "tolerances.csv"))
+    expected = [
+        *tolerances(mount, {"zeta": 0.2}, spectrum=([2.2, 5.0], [5.0, 3.0]), answers=IN_A_SPECTRUM),
+        *tolerances(mount, {"zeta": 0.2}, shock=(20.0, 0.011), answers=IN_A_SHOCK),
+    ]
+    assert [row["answer"] for row in rows] == [*IN_A_SPECTRUM, *IN_A_SHOCK]
+    for row, one in zip(rows, expected, strict=True):
+        in_metres = 1e-3 if row["unit"] == "mm" else 1.0
+        assert float(row["high"]) * in_metres == pytest.approx(one.high, rel=1e-15)
+        assert (row["duration/ms"] == "11.0") == (row["answer"] in IN_A_SHOCK)
 
 
 def test_the_mount_is_answered_in_newtons_millimetres_and_hertz(tmp_path, capsys):
@@ -78,6 +108,41 @@ def test_the_mount_is_answered_in_newtons_millimetres_and_hertz(tmp_path, capsys
     assert float(row["k_0/(N/m)"]) == 1926.25
     states = list(rows_of(tmp_path / "amplitudes.csv"))
     assert round(float(states[1]["transmissibility_dB"]), 1) == -12.8
+
+
+#: amplitudes and pulses of the scenes, in the units in which answers are shown
+ASKED = {
+    ("shaking_floor", "saddle_nodes"): ("Y/mm", 4.0),
+    ("shaking_floor", "amplitudes"): ("Y/mm", 1.0),
+    ("shaking_floor", "peak"): ("Y/mm", 1.0),
+    ("machine", "isolation"): ("U/(kg m)", 0.030),
+    ("mount", "tolerances"): ("F/N", 3.0),
+    ("shock", "transient"): ("acceleration/(m/s^2)", 10.0),
+    ("table_1", "saddle_nodes"): ("F_0", 0.025),
+}
+
+
+@pytest.mark.parametrize("asked", ASKED, ids=" ".join)
+def test_what_was_asked_comes_first_in_the_unit_that_the_head_names(asked, tmp_path, capsys):
+    (name, question), (column, value) = asked, ASKED[asked]
+    text = (ROOT / "scenes" / f"{name}.toml").read_text()
+    path = tmp_path / "scene.toml"
+    path.write_text(re.sub(r"questions = .*", f'questions = ["{question}"]', text))
+    assert run("run", path, "-o", tmp_path, "--quiet", capsys=capsys) == (0, "", "")
+    row = next(rows_of(tmp_path / f"{question}.csv"))
+    assert next(iter(row)) == column and float(row[column]) == pytest.approx(value, rel=1e-15)
+    content = json.loads((tmp_path / "answers.json").read_text())
+    units = content["answers"][0]["asked_in"]  # JSON has what was asked as the scene has it
+    assert (
+        units
+        == {
+            "shaking_floor": {"Y": "m", "f": "Hz"} if question == "amplitudes" else {"Y": "m"},
+            "machine": {"U": "kg m"},
+            "mount": {"F": "N"},
+            "shock": {"acceleration": "m/s^2", "duration": "s"},
+            "table_1": {},
+        }[name]
+    )
 
 
 def test_written_numbers_have_all_digits_and_json_says_where_they_are_from(tmp_path, capsys):
@@ -98,7 +163,7 @@ def test_json_is_printed_when_wanted_and_text_otherwise(capsys):
     code, out, _ = run("run", ROOT / "scenes" / "table_1.toml", "--json", capsys=capsys)
     assert code == 0 and json.loads(out)["failed"] == []
     _, out, _ = run("run", ROOT / "scenes" / "mount.toml", capsys=capsys)
-    assert "# saddle_nodes at F = 5\n f/Hz   A/mm       kind  corner\n2.181  21.19    jump-up   False" in out
+    assert "# saddle_nodes at F = 5 N\n f/Hz   A/mm       kind  corner\n2.181  21.19    jump-up   False" in out
 
 
 def test_only_what_is_asked_for_is_computed(scene, monkeypatch, capsys):
@@ -112,7 +177,7 @@ def test_only_what_is_asked_for_is_computed(scene, monkeypatch, capsys):
 def test_explain_tells_what_runs_what_is_skipped_and_its_time(scene, capsys):
     path = scene(MOUNT.replace("F = [3.0, 5.0]", "F = [0.3]"))
     code, out, _ = run("explain", path, capsys=capsys)
-    assert code == 0 and "saddle_nodes at F = 0.3\n  force         skipped  sticks" in out and " ms\n" in out
+    assert code == 0 and "saddle_nodes at F = 0.3 N\n  force         skipped  sticks" in out and " ms\n" in out
     left = "rest, margins, hysteresis, isolation, spectrum, tolerances, transient, shock_spectrum, exact_response, "
     left += "fold_locus, cusps, isola_points"
     assert out.endswith(f"not asked for, and not computed: {left}\n")
@@ -123,7 +188,7 @@ def test_scenes_are_checked_one_after_the_other_and_nothing_is_computed(scene, m
     right = sorted((ROOT / "scenes").glob("*.toml"))
     code, out, err = run("check", *right, capsys=capsys)
     assert (code, err) == (0, "") and [line.partition(":")[0] for line in out.splitlines()] == list(map(str, right))
-    assert "to answer: rest, detachment, saddle_node_onset, saddle_nodes at F = 3, saddle_nodes at F = 5" in out
+    assert "to answer: rest, detachment, saddle_node_onset, saddle_nodes at F = 3 N, saddle_nodes at F = 5 N" in out
     code, out, err = run("check", scene(MOUNT.replace("L = 0.080", "L = 0")), right[0], capsys=capsys)
     assert code == 2 and ":8: L = 0 is not allowed" in err and out.startswith(str(right[0]))
 
@@ -209,7 +274,7 @@ WRONG = {
     "a spectrum without its pairs": (
         'questions = ["at_rest"',
         'questions = ["spectrum"',
-        "1: [spectrum] a table is missing",
+        "17: questions = 'spectrum' needs a table [spectrum], which is missing",
     ),
     "a spectrum with pairs that are none": (
         'questions = ["at_rest"',
@@ -254,7 +319,7 @@ def test_a_question_without_an_answer_is_said_and_the_others_are_written(scene, 
     text = MOUNT.replace("friction = 0.4\nzeta = 0.02\n", "").partition("questions")[0]
     path = scene(text + 'questions = ["exact_response", "detachment"]\n')
     code, _, err = run("run", path, "-o", tmp_path / "out", capsys=capsys)
-    assert code == 1 and "exact_response at F = 3: friction = 0 N and zeta = 0" in err
+    assert code == 1 and "exact_response at F = 3 N: friction = 0 N and zeta = 0" in err
     content = json.loads((tmp_path / "out" / "answers.json").read_text())
     assert len(content["failed"]) == 2 and content["answers"][0]["question"] == "detachment"
 
@@ -281,7 +346,8 @@ def test_tolerances_are_a_table_of_shares(scene, tmp_path, capsys):
     assert run("run", scene(text), "-o", tmp_path / "out", "--quiet", capsys=capsys) == (0, "", "")
     rows = list(rows_of(tmp_path / "out" / "tolerances.csv"))
     expected = tolerances(Isolator.physical(**scenes.read(scene(text)).content["mount"]), {"k_h": 0.05}, F=3)
-    assert [float(row["low"]) for row in rows if row["F"] == "3.0"] == expected.low.tolist()
+    low = [float(row["low"]) for row in rows if row["F/N"] == "3.0" and not row["f/Hz"]]
+    assert low == expected.in_units().low.tolist()
     for wrong, said in (
         ("k_h = 1.5", "20: k_h = 1.5 is not allowed"),
         ("kh = 0.05", "20: kh is no key of [tolerances]: it must be one of m,"),
@@ -297,7 +363,7 @@ def test_a_shock_is_every_pair_of_peaks_and_durations_or_a_record(scene, tmp_pat
     rows = {name: list(rows_of(tmp_path / "out" / f"{name}.csv")) for name in ("transient", "shock_spectrum")}
     mount = scenes.read(path).oscillator
     for one, row in zip(*rows.values(), strict=True):
-        given = {name: float(one[name]) for name in ("acceleration", "duration")}
+        given = {"acceleration": float(one["acceleration/(m/s^2)"]), "duration": float(one["duration/ms"]) / 1e3}
         found = mount.transient(**given)
         assert float(one["A/mm"]) == 1e3 * found.A == float(row["A/mm"]), given
         assert float(row["duration/ms"]) == pytest.approx(1e3 * given["duration"], rel=1e-15)
@@ -310,7 +376,7 @@ def test_a_shock_is_every_pair_of_peaks_and_durations_or_a_record(scene, tmp_pat
     for text, said in (
         (record.replace("0, 0.01, ", "0.01, "), "must be a time for each sample of acceleration"),
         (head, "acceleration is missing: [shock] needs acceleration, duration"),
-        (head.partition("[shock]")[0], "[shock] a table is missing"),
+        (head.partition("[shock]")[0], "questions = 'transient' needs a table [shock], which is missing"),
     ):
         code, _, err = run("run", scene(text), capsys=capsys)
         assert code == 2 and said in err

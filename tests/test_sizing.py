@@ -244,6 +244,10 @@ def test_what_is_not_allowed_is_refused_in_words(monkeypatch):
         (lambda: fit(MOUNT, jump_up=[2.1]), "F is needed"),
         (lambda: tolerances(MOUNT, {"k_h": 0.1}, answers=["A_shock"]), "A_shock needs a shock of the base: give shock"),
         (lambda: tolerances(MOUNT, {"k_h": 0.1}, shock=20), "it must be a pair"),
+        (
+            lambda: tolerances(MOUNT, {"k_h": 0.1}, shock={"acceleration": 20.0, "duration": 0.011}),
+            r"shock = {'acceleration': 20.0, .* is not allowed: it must be a pair \(acceleration, duration\)",
+        ),
         (lambda: front(MOUNT, {"k_h": (1, 2)}, high=["F_SN"]), "front needs two answers"),
     ]
     for call, said in refused:

@@ -178,7 +178,7 @@ def in_text(answer: Answer) -> Iterator[str]:
 def head(name: str, units: Mapping[str, str]) -> str:
     """A column's name, over its unit if it has one."""
     unit = units.get(name, "")
-    return f"{name}/({unit})" if "/" in unit else f"{name}/{unit}" if unit else name
+    return f"{name}/({unit})" if {"/", " "} & set(unit) else f"{name}/{unit}" if unit else name
 
 
 def _short(value: Any) -> str:

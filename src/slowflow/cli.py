@@ -118,7 +118,8 @@ def run_scene(given: argparse.Namespace) -> int:
         given.out.mkdir(parents=True, exist_ok=True)
         for question in dict.fromkeys(asked.question for asked, _ in answers):
             alike = [(asked.numbers(), answer) for asked, answer in answers if asked.question == question]
-            files.write(given.out / f"{question}.csv", files.in_csv(alike))
+            units = next(asked.units() for asked, _ in answers)
+            files.write(given.out / f"{question}.csv", files.in_csv(alike, units))
         files.write(given.out / "answers.json", files.in_json(content))
         if not given.quiet:
             print(f"{len(answers)} answers in {given.out}", file=sys.stderr)
@@ -127,7 +128,8 @@ def run_scene(given: argparse.Namespace) -> int:
 
 def told(asked: Asked, answer: Answer) -> dict[str, Any]:
     """An answer with what it was asked, as plain Python."""
-    return {"question": asked.question, "asked": dict(asked.arguments), **answer.to_dict()}
+    what = {"question": asked.question, "asked": dict(asked.arguments), "asked_in": asked.given_in()}
+    return {**what, **answer.to_dict()}
 
 
 def provenance(scene: Scene) -> dict[str, Any]:

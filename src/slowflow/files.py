@@ -15,6 +15,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from slowflow.answer import Answer, head
 
 
@@ -38,21 +40,25 @@ def _umask() -> int:
     return mask
 
 
-def in_csv(answers: Sequence[tuple[Mapping[str, float], Answer]]) -> str:
+def in_csv(answers: Sequence[tuple[Mapping[str, float], Answer]], units: Mapping[str, str]) -> str:
     """The columns of answers to one question, one below the other, each after what it was asked at; units in the head.
 
-    Numbers have all their digits; a number that there is not is empty.
+    units -- of what it was asked at
+
+    Numbers have all their digits, and one that there is not is empty.
     """
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
+    before = dict.fromkeys((name for asked, _ in answers for name in asked), math.nan)
     for asked, answer in answers:
-        columns = answer.columns()
-        units = answer.units_of_columns()
-        kept = {name: value for name, value in asked.items() if name not in columns}
+        own = answer.columns()
+        length = len(next(iter(own.values())))
+        columns = {name: own.get(name, np.full(length, value)) for name, value in {**before, **asked}.items()} | own
+        of = {**units, **answer.units_of_columns()}
         if not text.tell():
-            writer.writerow([head(name, units) for name in (*kept, *columns)])
+            writer.writerow([head(name, of) for name in columns])
         rows = zip(*(column.tolist() for column in columns.values()), strict=True)
-        writer.writerows([*kept.values(), *(_text(value) for value in row)] for row in rows)
+        writer.writerows([_text(value) for value in row] for row in rows)
     return text.getvalue()
 
 

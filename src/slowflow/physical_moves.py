@@ -96,6 +96,6 @@ def _word(name: str, scale: Scale, scales: Scales) -> str:
 
 def _scale(kind: str) -> Scale:
     """What numbers of a kind are measured in, but for the turn of a frequency."""
-    known: dict[str, Scale] = {"length": SCALES["u"], "frequency": SCALES["Omega"], "": PURE}
+    known: dict[str, Scale] = {"length": SCALES["u"], "frequency": SCALES["Omega"], "angle": PURE, "": PURE}
     known |= {"force": SCALES["F_0"], "unbalance": AMPLITUDES["unbalance"]}
     return known[kind]

@@ -18,6 +18,7 @@ import numpy as np
 import numpy.typing as npt
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.ticker import LogFormatter
 
 Values = npt.NDArray[Any]
 
@@ -37,7 +38,7 @@ LABELS = {
     "Omega": r"frequency $\Omega$",
     "A": "amplitude $A$",
     "B": "mean displacement $B$",
-    "phi": r"phase $\varphi$ / rad",
+    "phi": r"phase $\varphi$",
     "transmissibility_dB": "transmissibility / dB",
     "F_0": "forcing $F_0$",
     "u": "displacement $u$",
@@ -111,7 +112,7 @@ def ramp(count: int) -> list[Any]:
 
 def label(name: str) -> str:
     """What an axis is called: a letter with what stands below it, and after "/" a unit, if nothing else is said."""
-    name, *unit = name.split("/", 1)
+    name, *unit = (part.strip() for part in name.split("/", 1))
     letter, _, below = name.partition("_")
     if name not in LABELS and below and letter in LETTERS:
         words = below.replace("_", r"\ ")
@@ -121,7 +122,7 @@ def label(name: str) -> str:
 
 def axis(found: Any, name: str) -> str:
     """The same for a number of an answer, with its unit if it has one."""
-    unit = found.units_of_columns().get(name, "").replace("^2", "²")
+    unit = found.units_of_columns().get(name, "rad" if name == "phi" else "").replace("^2", "²")
     return f"{label(name)} / {f'({unit})' if '/' in unit else unit}" if unit else label(name)
 
 
@@ -230,7 +231,7 @@ def responses(
         ax.set_ylim(bottom=0.0)
     if of == "transmissibility_dB":
         ax.axhline(0.0, color="0.4", linewidth=0.8, zorder=-2)
-    if of == "phi":
+    if of == "phi" and not (found and found[0][0].units_of_columns().get(of) == "deg"):
         ax.set(ylim=(-np.pi, 0.0))
         ax.set_yticks([-np.pi, -np.pi / 2, 0], [r"$-\pi$", r"$-\pi/2$", "0"])
     return ax
@@ -330,6 +331,8 @@ def shocks(ax: Any, found: Any, place: str = "beside") -> Any:
         some = {"marker": LEAVES, "markersize": 3.5, "markevery": max(1, here.size // 20)}
         ax.plot(found.duration[off], found.ratio[off], linestyle="none", color=colour, **some)
     ax.set(xscale="log", xlabel=axis(found, "duration"), ylabel=axis(found, "ratio"))
+    for ticks in (ax.xaxis.set_major_formatter, ax.xaxis.set_minor_formatter):
+        ticks(LogFormatter(labelOnlyBase=False, minor_thresholds=(2, 0.5)))  # numbers, not powers of ten
     ax.set_ylim(bottom=0.0)
     legend(ax, axis(found, "acceleration"), place=place)
     return ax

@@ -37,12 +37,13 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "acceleration": {"m/s^2": 1.0, "g": physical_moves.g},
         "unbalance": {"kg m": 1.0, "kg mm": 1e-3, "g mm": 1e-6},
         "stiffness": {"N/m": 1.0, "N/mm": 1e3},
+        "angle": {"rad": 1.0, "deg": math.tau / 360},
         "mass": {"kg": 1.0},
         "quadratic damping": {"N s^2/m^2": 1.0},
     }
 )
 #: those in which answers are shown, one of each kind
-USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "kg", "kg m", "N s^2/m^2")
+USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "rad", "kg", "kg m", "N s^2/m^2")
 #: of which kind the numbers of an answer are, and what they are called with a unit
 KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
@@ -65,11 +66,12 @@ KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
         "Omega_undecided": ("f_undecided", "frequency"),
         "Omega_0": ("f_0", "frequency"),
         "Omega_sticks": ("f_sticks", "frequency"),
-        "k_0": ("k_0", "stiffness"),
+        **{name: (name, "stiffness") for name in ("k_0", "stiffness")},
         "rests_within": ("rests_within", "length"),
         **{name: (name, "force") for name in ("break_loose", "sticking", "force")},
         "jumps": ("jumps", "frequency"),
         "period": ("period", "time"),
+        "phi": ("phi", "angle"),
     }
 )
 #: amplitudes of the excitation: what is called F_0 without dimensions is F, Y or U, of this kind, and this to pint
@@ -188,7 +190,8 @@ class Quantities(Answer):
         return self.units
 
     def _numbers(self) -> set[str]:
-        return set(self.units)
+        # those without a unit, as a margin, are called the same in the dimensionless answer
+        return set(self.units) | (self.answer._numbers() if isinstance(self.answer, Answer) else set())
 
     def _content(self) -> dict[str, Any]:
         return {**self.values, "units": tuple(self.units.items())}
@@ -322,6 +325,7 @@ def sizes(*, m: Any, k_v: Any, L: Any) -> dict[str, Any]:
         "acceleration": length * rate**2,
         "unbalance": size(AMPLITUDE_SCALES["unbalance"], **base),
         "quadratic damping": size(SCALES["c_2"], **base),
+        "angle": 1.0,
     }
 
 

@@ -7,29 +7,22 @@ oscillator has no answer to, as one under a load or with another law of damping,
 
 from __future__ import annotations
 
-import base64
-import hashlib
-import io
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from html import escape
 from typing import Any
 
-import matplotlib as mpl
-import matplotlib.pyplot as plt
 import numpy as np
 
 import slowflow
-from slowflow import files, pictures
+from slowflow import files, page, pictures
 from slowflow.answer import Answer, head
 from slowflow.isolator import Isolator
+from slowflow.measured.validity import IN_PYTHON
 from slowflow.paper.report import read_ledger
 from slowflow.physical import Physical
 from slowflow.quantities import EXCITED, KIND_OF, SHOWN, UNITS, Quantities
-from slowflow.scenes import FORCINGS, Scene
+from slowflow.scenes import FORCINGS, Asked, Scene
 from slowflow.sizing.subject import Load, Subject
-from slowflow.sizing.tolerances import Tolerances
 from slowflow.validate import NotAvailable
 
 #: equations of the paper that the answers rest on
@@ -42,32 +35,44 @@ EXCITATION = {"force": "force", "base": "motion of the base", "unbalance": "unba
 UNSHOWN = ("message", "remarks")
 #: and what is not of a force
 OF_INERTIA = ("f_sticks", "Omega_sticks")
+#: bands that need no picture
+FEW = 2
+#: what else a scene may ask for that is a table
+ALSO = {
+    "amplitudes": "Motions at the frequencies asked for",
+    "cusps": "Where two folds come into being or meet",
+    "isola_points": "Where isolated curves are born or merge",
+}
 #: questions about shocks
 SHOCKS = ("transient", "shock_spectrum")
-#: what a cell of words begins with until it is written, and how much of a formula is shown
-WORDS, LONGEST = "\0", 160
 #: numbers of the map, of a mount and of an isolator without dimensions
 OF_MOUNT, OF_ISOLATOR = ("k_h", "preload"), ("r", "delta_h")
 
-#: what the numbers of a mount are measured in, and what a data sheet's mean
+#: what the numbers of a mount are measured in, and what they are; then what a data sheet's mean
 GIVEN = {
-    "m": "kg",
-    "k_v": "N/m",
-    "k_h": "N/m",
-    "L": "m",
-    "preload": "m",
-    "friction": "N",
-    "static_friction": "N",
-    "c_2": "N s^2/m^2",
-    "c": "N s/m",
-    "load": "kg",
+    "m": ("kg", "mass for which the vertical spring is preset"),
+    "load": ("kg", "mass that sits on it, where that is another one"),
+    "k_v": ("N/m", "stiffness of the vertical spring"),
+    "k_h": ("N/m", "stiffness of each horizontal spring"),
+    "n": ("", "number of horizontal springs"),
+    "L": ("m", "length of a push-rod"),
+    "preload": ("m", "compression of a horizontal spring at the centre"),
+    "friction": ("N", "dry friction"),
+    "static_friction": ("N", "dry friction that holds a mass at rest"),
+    "c": ("N s/m", "viscous damping"),
+    "zeta": ("", "viscous damping ratio, c/(2 sqrt(k_v m))"),
+    "eta": ("", "loss factor of the vertical spring"),
+    "c_2": ("N s^2/m^2", "quadratic damping"),
+    "rubs": ("", "where friction acts"),
+    "force": ("", "the springs' force that is averaged: truncated (6), or untruncated (5)"),
+    "excitation": ("", "what shakes it"),
 }
 MEANING = {
     "f_n": "natural frequency of the mass on the vertical spring alone",
     "f_0": "natural frequency of small motions about the centre",
     "x_cr": "stroke, at which the horizontal springs leave",
     "break_loose": "constant force that friction holds",
-    "sticking": "force amplitude up to which the mass does not move",
+    "sticking": "force amplitude up to which averaging has the mass at rest",
     "rests_within": "how far from the centre friction holds the mass at rest",
     "k_0": "stiffness at the centre",
     "preset": "compression of the vertical spring that holds the mass at the centre",
@@ -76,28 +81,6 @@ MEANING = {
 }
 #: around the frequency of the peak, in its multiples, where the three depths are drawn
 BESIDE = (0.8, 1.2)
-
-STYLE = """
-:root { color-scheme: light dark; --text: #1a1a1a; --ground: #ffffff; --line: #767676; --head: #eef2f6; }
-@media (prefers-color-scheme: dark) { :root { --text: #ececec; --ground: #16191d; --line: #8f8f8f; --head: #262c33; } }
-body { color: var(--text); background: var(--ground); font: 16px/1.5 system-ui, sans-serif; margin: 0 auto;
-       max-width: 60rem; padding: 1rem; overflow-wrap: anywhere; }
-h2 { border-top: 1px solid var(--line); margin-top: 2.5rem; padding-top: 1rem; }
-nav ul { display: flex; flex-wrap: wrap; gap: .25rem 1.25rem; list-style: none; padding: 0; }
-table { border-collapse: collapse; overflow-wrap: normal; }
-.wide { overflow-x: auto; margin: 1rem 0; }
-th, td { border-bottom: 1px solid var(--line); padding: .25rem .6rem; text-align: right; white-space: nowrap; }
-th { background: var(--head); white-space: normal; } td:first-child, th:first-child, .words { text-align: left; }
-.words { white-space: normal; min-width: 9rem; }
-caption { text-align: left; font-weight: 600; padding: .5rem 0; width: max-content; max-width: 90vw; }
-figure { margin: 1rem 0; } figure svg { background: #ffffff; height: auto; width: 100%; max-width: 42rem; }
-a { color: inherit; }
-@media (max-width: 40rem) { th, td { padding: .2rem .3rem; font-size: .875rem; } .words { min-width: 6rem; } }
-@media print { body { max-width: none; } nav { display: none; } figure, table { break-inside: avoid; }
-               h2, caption { break-after: avoid; } table { font-size: 9pt; }
-               .wide { overflow: visible; } td, th { padding: .1rem .3rem; }
-               figure svg { max-width: 30rem; } body { font-size: 11pt; } }
-"""
 
 
 def html(scene: Scene) -> str:
@@ -111,10 +94,11 @@ def html(scene: Scene) -> str:
         raise ValueError(f"{scene.path}: a report is of an isolator: the scene must hold [mount] or [isolator]")
     title = f"Vibration isolator: {scene.path.stem}"
     sections = {
-        "In short": _summary(of, forcings),
+        "In short": _summary(of, forcings, scene),
         "The design": _design(of, scene),
-        "What it does": _answers(of, forcings),
+        "What it does": _answers(of, forcings, scene),
         "Curves": _curves(of, forcings, scene),
+        "Folds": _locus(scene),
         "Load spectrum": _spectrum(scene),
         "Shocks": _shocks(scene),
         "Tolerances": _tolerances(scene),
@@ -124,19 +108,7 @@ def html(scene: Scene) -> str:
         "Data": _data(of, forcings, scene),
     }
     told = {name: parts for name, section in sections.items() if (parts := list(_available(section)))}
-    links = "".join(f'<li><a href="#{_anchor(name)}">{escape(name)}</a></li>' for name in told)
-    body = "\n".join(
-        line
-        for name, parts in told.items()
-        for line in (f'<section aria-labelledby="{_anchor(name)}">', _heading(name), *parts, "</section>")
-    )
-    return (
-        f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>{escape(title)}</title>\n'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<style>{STYLE}</style>\n</head>\n<body>\n<header><h1>{escape(title)}</h1>\n"
-        f'<nav aria-label="Contents"><ul>{links}</ul></nav></header>\n'
-        f"<main>\n{body}\n</main>\n</body>\n</html>\n"
-    )
+    return page.whole(title, told)
 
 
 def _plain(of: Any) -> Any:
@@ -175,28 +147,54 @@ def _letter(of: Any) -> tuple[str, str]:
     return letter, SHOWN[kind]
 
 
-def _told(of: Any, F: float) -> str:
+def _in_its_unit(of: Any, F: float) -> float:
     """An amplitude of the excitation in that unit."""
     _, unit = _letter(of)
-    return f"{F / UNITS[KIND_OF[unit]][unit] if unit else F:.4g}"
+    return F / UNITS[KIND_OF[unit]][unit] if unit else F
 
 
-def _anchor(name: str) -> str:
-    return name.lower().replace(" ", "-")
-
-
-def _heading(name: str) -> str:
-    return f'<h2 id="{_anchor(name)}">{escape(name)}</h2>'
+def _told(of: Any, F: float) -> str:
+    """The same as words."""
+    return f"{_in_its_unit(of, F):.4g}"
 
 
 # ---- sections
 
 
-def _summary(of: Any, forcings: Sequence[float]) -> Iterator[str]:
-    """A sentence or two for each force."""
-    lines = [f"<li>{escape(' '.join(_in_short(of, F)))}</li>" for F in forcings]
+def _summary(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
+    """A few sentences for each force, and for the shocks."""
+    lines = [" ".join([*_in_short(of, F), *_transmitted(of, F, scene)]) for F in forcings]
+    lines += _of_shocks(scene)
     if lines:
-        yield f"<ul>{''.join(lines)}</ul>"
+        yield f"<ul>{''.join(f'<li>{escape(line)}</li>' for line in lines)}</ul>"
+
+
+def _frequencies(scene: Scene) -> Sequence[float]:
+    """Those at which the scene asks for motions."""
+    asked = (one.arguments for one in scene.asked if one.question == "amplitudes")
+    return next((given.get("f", given.get("Omega")) for given in asked), ())
+
+
+def _transmitted(of: Any, F: float, scene: Scene) -> Iterator[str]:
+    """What stable motions transmit at the frequencies asked for."""
+    name, letter = ("f", "F") if isinstance(of, Physical) else ("Omega", "F_0")
+    for at in _frequencies(scene):
+        states = _shown(of.amplitudes(**{name: at, letter: F}))
+        if found := [f"{one:.4g}" for one in states.transmissibility_dB[states.stable].tolist()]:
+            yield f"At {_number(states, at, name)} it transmits {' or '.join(found)} dB."
+
+
+def _of_shocks(scene: Scene) -> Iterator[str]:
+    """How many of the half sines lift the springs, and the worst of them."""
+    answers = [(one, scene.answer(one)) for one in scene.asked if one.question == "transient"]
+    if not answers:
+        return
+    for name, most in (("A", "deflects it most, by"), ("a_max", "accelerates it most, to")):
+        one, found = max(answers, key=lambda pair: float(pair[1].columns()[name][0]))
+        shock = str(one).partition(" at ")[2]
+        yield f"The shock that {most} {_one(found, name)}{f', has {shock}' if shock else ''}."
+    leave, count = sum(bool(found.columns()["detaches"][0]) for _, found in answers), len(answers)
+    yield f"In {leave} of {count} shocks the springs leave." if count > 1 else "Its springs leave." if leave else ""
 
 
 def _in_short(of: Any, F: float) -> Iterator[str]:
@@ -254,8 +252,12 @@ def _number(answer: Any, value: float, *names: str) -> str:
 def _design(of: Any, scene: Scene) -> Iterator[str]:
     mount = isinstance(of, Physical)
     given = {name: value for name, value in of.given.items() if value is not None}
-    rows = [(escape(name), _text(value), GIVEN.get(name, "") if mount else "") for name, value in given.items()]
-    yield _rows("As it was given", ("number", "value", "unit"), rows)
+    if mount:
+        rows = [(name, page.cell(value), GIVEN[name][0], page.words(GIVEN[name][1])) for name, value in given.items()]
+        yield page.table("As it was given", ("number", "value", "unit", "what it is"), rows)
+    else:
+        numbers = [(escape(name), page.cell(value)) for name, value in given.items()]
+        yield page.table("As it was given", ("number", "value"), numbers)
     for text in scene.warnings:
         yield f"<p>Note: {escape(text)}</p>"
     if mount and _plain(of).load == 0:
@@ -263,16 +265,16 @@ def _design(of: Any, scene: Scene) -> Iterator[str]:
         units = shown.units_of_columns()
         found = {name: column[0] for name, column in shown.columns().items()}
         at_rest = [
-            (escape(name), _text(value), escape(units.get(name, "")), _words(MEANING[name]))
+            (escape(name), page.cell(value), escape(units.get(name, "")), page.words(MEANING[name]))
             for name, value in found.items()
             if not np.isnan(value)
         ]
-        yield _rows("At rest", ("number", "value", "unit", "what it is"), at_rest)
+        yield page.table("At rest", ("number", "value", "unit", "what it is"), at_rest)
     elif _plain(of).load != 0:
         yield _table("Where it stands under its load", _shown(of.rest()))
 
 
-def _answers(of: Any, forcings: Sequence[float]) -> Iterator[str]:
+def _answers(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     what, of_force = EXCITATION[_plain(of).excitation], _plain(of).excitation == "force"
     left_out: list[str] = []
     yield _table(f"It jumps from this {what} on", _shown(of.saddle_node_onset()))
@@ -287,6 +289,9 @@ def _answers(of: Any, forcings: Sequence[float]) -> Iterator[str]:
         if found := _at_each(ask, forcings, left_out):
             # a force moves the mass at all frequencies, or at none, which `sticks` says
             yield _table(caption, *found, left_out=(*UNSHOWN, *OF_INERTIA) if of_force else UNSHOWN)
+    for question, caption in ALSO.items():
+        if also := [scene.answer(one) for one in scene.asked if one.question == question]:
+            yield _table(caption, *also)
     yield _left_out(left_out)
 
 
@@ -301,13 +306,20 @@ def _curves(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     oscillator = _plain(of)
     letter, length = ("x", 1e3 * of.scales.sizes["length"]) if isinstance(of, Physical) else ("u", 1.0)
     for y, said in (("A", "Amplitude"), ("transmissibility_dB", "Transmissibility in decibels")):
-        ax = pictures.responses(_axes(), list(zip(curves, folds, strict=True)), y)
+        ax = pictures.responses(page.axes(), list(zip(curves, folds, strict=True)), y)
         if y == "A" and oscillator.load == 0:  # else springs leave on one side first, at |B| + A = u_cr
             pictures.breakpoints(ax, [length * end for end in oscillator.breakpoints], letter)
         pictures.legend(ax, pictures.axis(curves[0], force), place="below")
-        yield _figure(
+        yield page.figure(
             ax, f"{said} over frequency, a curve for each amplitude of the excitation; unstable motions dashed."
         )
+
+
+def _locus(scene: Scene) -> Iterator[str]:
+    """The folds of every forcing, if the scene asks for them."""
+    for one in (one for one in scene.asked if one.question == "fold_locus"):
+        ax = pictures.locus(page.axes(), scene.answer(one))
+        yield page.figure(ax, "The amplitudes of the excitation that have a fold, over its frequency.")
 
 
 def _spectrum(scene: Scene) -> Iterator[str]:
@@ -320,21 +332,28 @@ def _shocks(scene: Scene) -> Iterator[str]:
     asked = [one for one in scene.asked if one.question == "transient"]
     found = [scene.answer(one) for one in asked]
     if found:
-        units = {"acceleration": "m/s^2", "duration": "s"} if isinstance(scene.oscillator, Physical) else {}
-        pulses = [{head(name, units): value for name, value in one.numbers().items()} for one in asked]
+        pulses = [{head(name, one.units()): value for name, value in one.numbers().items()} for one in asked]
         more = (*UNSHOWN, "x_cr", "u_cr", "t_A", "tau_A", "t_a", "tau_a", "t_detaches", "tau_detaches")
-        yield _table("Shocks of the base, by the equation of motion", *found, beside=pulses, left_out=more)
+        stroke = _one(found[0], "x_cr", "u_cr")
+        leaves = f'; beyond the stroke, {stroke}, "detaches" says yes' if stroke else ""
+        yield _table(f"Shocks of the base, by the equation of motion{leaves}", *found, beside=pulses, left_out=more)
         worst = max(range(len(found)), key=lambda k: float(found[k].columns()["A"][0]))
-        ax = pictures.history(_axes(), found[worst], "below")
-        yield _figure(
-            ax, f"The motion of the mass, seen from its base, in the shock that deflects it most: {asked[worst]}."
+        ax = pictures.history(page.axes(), found[worst], "below")
+        yield page.figure(
+            ax, f"The motion of the mass, seen from its base, in the shock that deflects it most{_colon(asked[worst])}."
         )
     for one in (one for one in scene.asked if one.question == "shock_spectrum"):
         answer: Any = scene.answer(one)
         if not found:
             yield _table("Shocks of the base, by the equation of motion", answer)
-        ax = pictures.shocks(_axes(), answer, "below")
-        yield _figure(ax, "The largest acceleration of the mass over the pulse's, over the duration of the pulse.")
+        ax = pictures.shocks(page.axes(), answer, "below")
+        yield page.figure(ax, "The largest acceleration of the mass over the pulse's, over the duration of the pulse.")
+
+
+def _colon(shock: Asked) -> str:
+    """What a shock is, after a colon; nothing of a record."""
+    _, _, said = str(shock).partition(" at ")
+    return f": {said}" if said else ""
 
 
 def _tolerances(scene: Scene) -> Iterator[str]:
@@ -345,17 +364,10 @@ def _tolerances(scene: Scene) -> Iterator[str]:
         yield f"<p>{escape(within)}; 95 of 100 lie between low and high.</p>"
     for one in asked:
         found: Any = scene.answer(one)
-        yield _table(str(one), _in_usual_units(found))
-        ax = pictures.bands(_axes(), found)
-        yield _figure(ax, f"Where 95 of 100 designs lie, over the nominal value: {one}.")
-
-
-def _in_usual_units(found: Tolerances) -> Tolerances:
-    """Bands in the units in which all else is shown."""
-    shown = [SHOWN[KIND_OF[unit]] if unit else "" for unit in found.unit.tolist()]
-    size = np.array([UNITS[KIND_OF[unit]][unit] if unit else 1.0 for unit in shown])
-    bands = {name: getattr(found, name) / size for name in ("nominal", "low", "median", "high")}
-    return replace(found, unit=np.array(shown), **bands)
+        yield _table(f"T{str(one)[1:]}", found)
+        if len(found) > FEW:
+            ax = pictures.bands(page.axes(), found)
+            yield page.figure(ax, f"Where 95 of 100 designs lie, over the nominal value, as far as twice that: {one}.")
 
 
 def _map(of: Any) -> Iterator[str]:
@@ -369,6 +381,8 @@ def _map(of: Any) -> Iterator[str]:
     columns, rows = subject.nominal[x] * share, subject.nominal[y] * share
     onset = next(name for name, plain in subject.answers.items() if plain == "F_SN")
     values = subject.ask({x: columns[None, :], y: rows[:, None]}, [onset], Load(None, None, None))[onset]
+    if not np.isfinite(values).any():
+        raise NotAvailable("a map of designs, none of which has a lowest amplitude of the excitation with a jump")
     scale = 1e3 if subject.mount else 1.0
     shown = SHOWN[subject.amplitude]
     units = ("(N/m)", "mm", shown) if subject.mount else ("", "", "")
@@ -378,10 +392,10 @@ def _map(of: Any) -> Iterator[str]:
     )
     size = UNITS[subject.amplitude][shown] if subject.mount else 1.0
     found = (of_value, np.where(np.isfinite(values), values / size, np.nan))
-    ax = pictures.design_map(_axes(), (of_x, columns), (of_y, scale * rows), found)
+    ax = pictures.design_map(page.axes(), (of_x, columns), (of_y, scale * rows), found)
     ax.plot(subject.nominal[x], scale * subject.nominal[y], "o", color="white", markeredgecolor="black")
     what = EXCITATION[subject.excitation]
-    yield _figure(ax, f"The {what} from which on it jumps, over {x} and {y}; the circle is the design at hand.")
+    yield page.figure(ax, f"The {what} from which on it jumps, over {x} and {y}; the circle is the design at hand.")
 
 
 def _trust(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
@@ -426,7 +440,7 @@ def _jumps_by_depths(of: Any, forcings: Sequence[float]) -> Iterator[str]:
         "equation of motion",
         "error of averaging",
     )
-    yield _rows("Each jump by averaging, with higher harmonics, and by the equation of motion itself", heads, rows)
+    yield page.table("Each jump by averaging, with higher harmonics, and by the equation of motion itself", heads, rows)
 
 
 def _checked(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
@@ -435,7 +449,7 @@ def _checked(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     force, unit = _letter(of)
     rows = []
     for F in forcings:
-        for at in next((one.arguments[name] for one in scene.asked if one.question == "amplitudes"), ()):
+        for at in _frequencies(scene):
             states = of.amplitudes(**{name: at, letter: F})
             if states.stable.any():
                 # off the centre A is about the mean
@@ -452,7 +466,7 @@ def _checked(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     averaged = f"averaged/{of_A}" if of_A else "averaged"
     heads = (head(force, {force: unit}), of_f, averaged, "equation of motion", "error of averaging")
     if rows:
-        yield _rows("The largest displacement by averaging and by the equation of motion itself", heads, rows)
+        yield page.table("The largest displacement by averaging and by the equation of motion itself", heads, rows)
     else:
         yield "<p>Not compared with the equation of motion: the scene asks for amplitudes at no frequency.</p>"
 
@@ -473,7 +487,7 @@ def _expected(of: Any, forcings: Sequence[float]) -> Iterator[str]:
             remarks += [f"<p>At {F:.4g}{unit} elsewhere on the curve: {escape(said)}.</p>"] if said else []
     if rows:
         heads = (force, "friction over force", "half of them within", "95 of 100 within")
-        yield _rows("Error of the highest stable amplitude, as measured for such isolators", heads, rows)
+        yield page.table("Error of the highest stable amplitude, as measured for such isolators", heads, rows)
     yield from remarks
 
 
@@ -496,46 +510,43 @@ def _depths(of: Any, F: float) -> Iterator[str]:
             found[depth] = _shown(ask())
         except (ValueError, ArithmeticError) as error:
             missing.append(f"<p>No {depth} here: {escape(str(error), quote=False)}.</p>")
-    ax = pictures.depths(_axes(), found)
+    ax = pictures.depths(page.axes(), found)
     force, unit = _letter(of)
     at_F = f"{_told(of, F)} {unit}" if unit else f"{force} = {F:g}"
-    yield _figure(ax, f"The response at {at_F} about its peak, by three depths: they lie the closer the better.")
+    yield page.figure(ax, f"The response at {at_F} about its peak, by three depths: they lie the closer the better.")
     yield from missing
 
 
 def _equations(of: Any) -> Iterator[str]:
     ledger = read_ledger()
     rows = [
-        (row["where"], _words(row["quantity"]), _formula(row["published"]), escape(row["verdict"]))
+        (row["where"], page.words(row["quantity"]), escape(row["verdict"]), page.formula(row["published"]))
         for row in ledger["rows"]
         if row["kind"] == "formula" and row["where"] in EQUATIONS
     ]
     yield f"<p>Equations of {escape(ledger['paper'])}, each held against the derivation:</p>"
     if _plain(of).load != 0:
         yield "<p>Under a load these hold about a mean B, with its balance beside them, which the paper has not.</p>"
-    yield _rows("Verdicts", ("equation", "what", "as published; what vanishes, or the value", "verdict"), rows)
-
-
-def _formula(text: str) -> str:
-    shown = text if len(text) <= LONGEST else f"{text[:LONGEST]} ..."
-    return f"{WORDS}<code>{escape(shown)}</code>"
+    yield page.table("Verdicts", ("equation", "what", "verdict", "as published; what vanishes, or the value"), rows)
 
 
 def _data(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
-    force, _ = _letter(of)
+    force, unit = _letter(of)
     yield "<ul>"
     asked = {"saddle_nodes": of.saddle_nodes, "frequency_response": of.frequency_response}
     for question, ask in asked.items() if forcings else ():
-        text = files.in_csv([({force: F}, _shown(ask(F))) for F in forcings])
-        yield f"<li>{_download(f'{question}.csv', 'text/csv', text)}</li>"
+        text = files.in_csv([({force: _in_its_unit(of, F)}, _shown(ask(F))) for F in forcings], {force: unit})
+        yield f"<li>{page.download(f'{question}.csv', 'text/csv', text)}</li>"
     for question in ("spectrum", "tolerances", "transient", "shock_spectrum"):
+        alike = [one for one in scene.asked if one.question == question]
         try:
-            alike = [(one.numbers(), scene.answer(one)) for one in scene.asked if one.question == question]
+            answers = [(one.numbers(), scene.answer(one)) for one in alike]
         except NotAvailable:  # its own section says so
             continue
         if alike:
-            yield f"<li>{_download(f'{question}.csv', 'text/csv', files.in_csv(alike))}</li>"
-    yield f"<li>{_download(scene.path.name, 'application/toml', scene.text)}</li>"
+            text = files.in_csv(answers, alike[0].units())
+            yield f"<li>{page.download(f'{question}.csv', 'text/csv', text)}</li>"
+    yield f"<li>{page.download(scene.path.name, 'application/toml', scene.text)}</li>"
     yield "</ul>"
     yield f"<p>slowflow {slowflow.__version__}; scene {escape(scene.path.name)}, sha256 {scene.sha256}</p>"
 
@@ -545,11 +556,6 @@ def _data(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
 
 def _shown(answer: Any) -> Any:
     return answer.in_units() if isinstance(answer, Quantities) else answer
-
-
-def _axes() -> Any:
-    """Of a picture that is read on a phone too."""
-    return plt.subplots(figsize=(5.4, 4.4), layout="constrained")[1]
 
 
 def _table(
@@ -563,65 +569,37 @@ def _table(
     columns = [answer.columns() for answer in answers]
     units = answers[0].units_of_columns()
     kept = [name for name in columns[0] if name not in left_out]
+    kept.sort(key=lambda name: name not in pictures.AMPLITUDES or answers[0].has_rows)  # what it is asked at first
     before = beside or [_beside(answer, kept) for answer in answers]
     heads = [head(name, units) for name in (*before[0], *kept)]
-    rows = [
-        (*map(_text, asked.values()), *(_text(value) for value in row))
+    told = [
+        (asked, [page.cell(value) for value in row])
         for found, asked in zip(columns, before, strict=True)
         for row in zip(*(found[name].tolist() for name in kept), strict=True)
     ]
-    said = dict.fromkeys(str(answer.to_dict().get("message") or "") for answer in answers)
-    notes = "".join(f"<p>{escape(text)}</p>" for text in said if text)
-    return _rows(caption, heads, rows) + notes if rows else notes
+    notes = _notes(answers, beside or [_beside(answer, ()) for answer in answers], units)
+    found_any = any(
+        cell and name not in pictures.AMPLITUDES for _, row in told for name, cell in zip(kept, row, strict=True)
+    )
+    if not found_any:
+        return page.untabled(caption, notes)
+    rows = [(*map(page.cell, asked.values()), *row) for asked, row in told]
+    return page.table(caption, heads, rows) + notes
+
+
+def _notes(answers: Sequence[Answer], before: Sequence[Mapping[str, Any]], units: Mapping[str, str]) -> str:
+    """What answers have to say, and which ones where these are not all."""
+    told: dict[str, list[str]] = {}
+    for answer, asked in zip(answers, before, strict=True):
+        if message := str(answer.to_dict().get("message") or "").replace(IN_PYTHON, ""):
+            at = " and ".join(f"{head(name, units)} = {page.cell(value)}" for name, value in asked.items())
+            # some say by themselves at which forcing
+            told.setdefault(message, []).append("" if any(f" {name} = " in message for name in asked) else at)
+    of = {text: f"At {', '.join(at)}: " if len(at) < len(answers) and all(at) else "" for text, at in told.items()}
+    return "".join(f"<p>{escape(at + text)}.</p>" for text, at in of.items())
 
 
 def _beside(answer: Answer, kept: Iterable[str]) -> dict[str, Any]:
     """The forcing of an answer, where it is no column of it."""
     known = answer.to_dict()
     return {name: known[name] for name in pictures.AMPLITUDES if name in known and name not in kept}
-
-
-def _text(value: Any) -> str:
-    if isinstance(value, float):
-        return "" if np.isnan(value) else f"{value:.4g}"
-    return escape({True: "yes", False: "no"}.get(value, str(value)) if isinstance(value, bool) else str(value))
-
-
-def _words(text: str) -> str:
-    """A cell of words, which may break over lines."""
-    return f"{WORDS}{escape(text)}"
-
-
-def _rows(caption: str, heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """A table; its cells are HTML already, its heads are not. What is too wide is scrolled, by keys too."""
-    said = escape(caption, quote=True)
-    lines = [f'<div class="wide" role="region" tabindex="0" aria-label="{said}"><table>\n<caption>{said}</caption>']
-    listed = [list(row) for row in rows]
-    words = [any(row[k].startswith(WORDS) for row in listed) for k in range(len(heads))]
-    kinds = [' class="words"' if one else "" for one in words]
-    told = (f'<th scope="col"{kind}>{escape(one)}</th>' for one, kind in zip(heads, kinds, strict=True))
-    lines.append("<tr>" + "".join(told) + "</tr>")
-    for row in listed:
-        cells = (f"<td{kind}>{cell.removeprefix(WORDS)}</td>" for cell, kind in zip(row, kinds, strict=True))
-        lines.append("<tr>" + "".join(cells) + "</tr>")
-    return "\n".join([*lines, "</table></div>"])
-
-
-def _figure(ax: Any, said: str) -> str:
-    """Axes as SVG within the page, with a text for who does not see it; the figure is closed."""
-    text = io.StringIO()
-    with mpl.rc_context({"svg.fonttype": "none", "svg.hashsalt": "slowflow"}):
-        ax.figure.savefig(text, format="svg", metadata={"Date": None})
-    plt.close(ax.figure)
-    drawn = text.getvalue()
-    drawn = drawn[drawn.index("<svg") :]
-    # each drawing numbers its parts from 1: on one page they need names of their own
-    own = hashlib.sha256(said.encode()).hexdigest()[:8]
-    drawn = re.sub(r'(\bid="|url\(#|href="#)', rf"\g<1>{own}-", drawn)
-    drawn = drawn.replace("<svg", f'<svg role="img" aria-label="{escape(said, quote=True)}"', 1)
-    return f"<figure>\n{drawn}\n<figcaption>{escape(said)}</figcaption>\n</figure>"
-
-
-def _download(name: str, kind: str, text: str) -> str:
-    data = base64.b64encode(text.encode()).decode()
-    return f'<a download="{escape(name)}" href="data:{kind};base64,{data}">{escape(name)}</a>'

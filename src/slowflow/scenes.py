@@ -19,8 +19,8 @@
     f = [2.0, 2.2, 5.0]
     F = [5.0, 5.0, 3.0]
 
-    [tolerances]                # for the question "tolerances": shares of the numbers above
-    k_h = 0.05
+    [tolerances]                # for the question "tolerances": shares of the numbers above; of answers at each F,
+    k_h = 0.05                  # with each f, in the [spectrum] and in each half sine of the [shock], as far as given
 
     [shock]                     # for "transient" and "shock_spectrum": half sines of the base, every pair of these
     acceleration = [20.0]       # m/s^2
@@ -40,7 +40,7 @@ import re
 import tomllib
 import warnings
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -51,7 +51,7 @@ from slowflow.averaged import plan
 from slowflow.averaged.plan import Plan
 from slowflow.isolator import DUFFING, ROD_SPRING, Duffing, Isolator
 from slowflow.physical import Physical
-from slowflow.quantities import EXCITED, Quantities
+from slowflow.quantities import EXCITED, SHOWN, UNITS
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 #: a scene to begin with
@@ -136,7 +136,7 @@ QUESTIONS: Mapping[str, Question] = {
     "amplitudes": Question(lambda of: of.amplitudes, at=True),
     "frequency_response": Question(lambda of: of.frequency_response, window=True, samples=True),
     "spectrum": Question(lambda of: of.spectrum, forced=False, spectrum=True),
-    "tolerances": Question(_tolerances, within=True),
+    "tolerances": Question(_tolerances, forced=False, within=True),
     "transient": Question(lambda of: of.transient, forced=False, shock=True),
     "shock_spectrum": Question(lambda of: of.shock_spectrum, forced=False, shock=True),
     "exact_response": Question(lambda of: of.exact_response, window=True),
@@ -167,6 +167,11 @@ class Kind:
 #: what the amplitude of a mount's excitation is called, and that of any
 LETTERS = tuple(letter for letter, *_ in EXCITED.values())
 FORCINGS = (*LETTERS, "F_0")
+#: of which kind the arguments of a mount's questions are
+OF_MOUNT = {letter: kind for letter, kind, _ in EXCITED.values()}
+OF_MOUNT |= {"f": "frequency", "acceleration": "acceleration", "duration": "time", "t": "time"}
+#: what a half sine of the base is given by
+OF_A_PULSE = ("acceleration", "duration")
 #: names of forcing, frequency and time without dimensions
 PLAIN = ("F_0", "Omega", "tau")
 
@@ -196,23 +201,43 @@ NO_NUMBERS = ("load", "force", "excitation", "rubs", "mu_s", "static_friction")
 
 @dataclass(frozen=True)
 class Asked:
-    """One question of a scene: at which forcing and frequencies, by the names of the arguments."""
+    """One question of a scene: at which forcing and frequencies, by the names of the arguments.
+
+    kinds -- of a mount, of which kind these are: keys of `quantities.UNITS`
+    """
 
     question: str
     arguments: Mapping[str, Any]
+    kinds: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def forcing(self) -> float | None:
         """The forcing, if it is asked at one."""
-        known = (value for name, value in self.arguments.items() if name in FORCINGS)
-        return next(known, None) if QUESTIONS[self.question].forced else None
+        known = (value for name, value in self.arguments.items() if name in FORCINGS and isinstance(value, float))
+        return next(known, None)
 
     def numbers(self) -> dict[str, float]:
-        """The arguments that are a single number: the forcing, or a pulse."""
-        return {name: value for name, value in self.arguments.items() if isinstance(value, float)}
+        """The arguments that are a single number, the forcing or a pulse, in the units in which answers are shown."""
+        pulse = zip(OF_A_PULSE, self.arguments.get("shock", ()), strict=False)
+        found = {name: value for name, value in (*self.arguments.items(), *pulse) if isinstance(value, float)}
+        sizes = {name: UNITS[kind][SHOWN[kind]] for name, kind in self.kinds.items()}
+        return {name: value / sizes.get(name, 1.0) for name, value in found.items()}
+
+    def units(self) -> dict[str, str]:
+        """Those units, by the names of the arguments."""
+        return {name: SHOWN[kind] for name, kind in self.kinds.items()}
+
+    def given_in(self) -> dict[str, str]:
+        """The units in which a scene has the arguments, by their names; of those in pairs by the names of the parts."""
+        pairs = {"shock": OF_A_PULSE, "spectrum": [name for name in self.kinds if name in (*LETTERS, "f")]}
+        names = [part for name in self.arguments for part in pairs.get(name, [name])]
+        return {name: next(iter(UNITS[self.kinds[name]])) for name in names if name in self.kinds}
 
     def __str__(self) -> str:
-        said = ", ".join(f"{name} = {value:g}" for name, value in self.numbers().items())
+        units = self.units()
+        said = ", ".join(f"{name} = {value:g} {units.get(name, '')}".rstrip() for name, value in self.numbers().items())
+        if "spectrum" in self.arguments:
+            return f"{self.question} in the load spectrum"
         return f"{self.question} at {said}" if said else self.question
 
 
@@ -237,8 +262,9 @@ class Scene:
         """The answer to one of its questions, of a mount in N, mm and Hz."""
         # a mount's questions call the amplitude F, whatever it is of
         arguments = {"F" if name in LETTERS else name: value for name, value in asked.arguments.items()}
-        found = QUESTIONS[asked.question].of(self.oscillator)(**arguments)
-        return found.in_units() if isinstance(found, Quantities) else found
+        found: Any = QUESTIONS[asked.question].of(self.oscillator)(**arguments)
+        shown: Answer = found.in_units() if hasattr(found, "in_units") else found
+        return shown
 
     def explain(self, asked: Asked) -> Plan | None:
         """What runs for it and what is skipped; None for what is a formula, or put together from other questions."""
@@ -303,7 +329,9 @@ class _Reader:
             self._tried(
                 "ask", ask, lambda: validate.count("samples", ask["samples"], least=2, most=validate.MOST_SAMPLES)
             )
-        asked = tuple(self._asked(kind, ask))
+        mount = isinstance(oscillator, Physical)
+        kinds = {key: OF_MOUNT[key] for key in (kind.forcing, kind.frequency, *OF_A_PULSE, kind.time) if mount}
+        asked = tuple(replace(one, kinds=kinds) for one in self._asked(kind, ask))
         return Scene(self.path, self.text, self.content, oscillator, asked, tuple(str(one.message) for one in caught))
 
     def _asked(self, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
@@ -321,9 +349,10 @@ class _Reader:
             if question.at:
                 arguments[kind.frequency] = self._positive(kind.frequency)
             if question.spectrum:
-                arguments = self._spectrum(kind)
+                arguments = self._spectrum(name, kind)
             if question.within:
-                arguments = {"within": self._within(kind)}
+                yield from self._tolerances(name, kind)
+                continue
             if question.window and "window" in ask:
                 arguments[kind.frequency] = self._tried("ask", ask, lambda: validate.window("window", ask["window"]))
             if question.samples and "samples" in ask:
@@ -334,9 +363,9 @@ class _Reader:
             for forcing in self._positive(kind.forcing) if question.forced else [None]:
                 yield Asked(name, arguments if forcing is None else {kind.forcing: forcing, **arguments})
 
-    def _spectrum(self, kind: Kind) -> dict[str, Any]:
+    def _spectrum(self, question: str, kind: Kind) -> dict[str, Any]:
         """The pairs of a load spectrum."""
-        table = self._table("spectrum")
+        table = self._table("spectrum", question)
         names = (kind.frequency, kind.forcing)
         self._known("spectrum", table, names)
         self._complete("spectrum", table, names)
@@ -349,8 +378,8 @@ class _Reader:
 
     def _shocks(self, name: str, kind: Kind) -> Iterator[Asked]:
         """The pulses of a shock: every pair of a peak and a duration, or a record."""
-        table = self._table("shock")
-        self._known("shock", table, ("acceleration", "duration", kind.time))
+        table = self._table("shock", name)
+        self._known("shock", table, (*OF_A_PULSE, kind.time))
         if kind.time in table and name == "transient":
             self._complete("shock", table, ("acceleration", kind.time))
             samples = {key: self._list("shock", key, (int, float)) for key in ("acceleration", kind.time)}
@@ -359,17 +388,40 @@ class _Reader:
                 raise self._error("shock", kind.time, said)
             yield Asked(name, samples)
             return
-        self._complete("shock", table, ("acceleration", "duration"))
-        peaks, durations = (self._positive(key, "shock") for key in ("acceleration", "duration"))
+        self._complete("shock", table, OF_A_PULSE)
+        peaks, durations = (self._positive(key, "shock") for key in OF_A_PULSE)
         if name == "shock_spectrum":
             yield Asked(name, {"acceleration": [[peak] for peak in peaks], "duration": durations})
             return
         for peak, duration in itertools.product(peaks, durations):
             yield Asked(name, {"acceleration": peak, "duration": duration})
 
-    def _within(self, kind: Kind) -> dict[str, float]:
+    def _tolerances(self, name: str, kind: Kind) -> Iterator[Asked]:
+        """Shares by which numbers may be off: at each forcing, then with each frequency, in the spectrum, in shocks."""
+        # here, not above: it imports SciPy
+        from slowflow.sizing.subject import AT_A_FREQUENCY, IN_A_SHOCK, IN_A_SPECTRUM
+
+        within = {"within": self._within(name, kind)}
+        ask, spectrum, shock = (self.content.get(table, {}) for table in ("ask", "spectrum", "shock"))
+        forcings = self._positive(kind.forcing) if kind.forcing in ask else []
+        frequencies = self._positive(kind.frequency) if kind.frequency in ask else []
+        for forcing in forcings:
+            yield Asked(name, {kind.forcing: forcing, **within})
+            for at in frequencies:
+                yield Asked(name, {kind.forcing: forcing, kind.frequency: at, **within, "answers": [*AT_A_FREQUENCY]})
+        if spectrum:
+            pairs = tuple(self._spectrum(name, kind).values())
+            yield Asked(name, {"spectrum": pairs, **within, "answers": [*IN_A_SPECTRUM]})
+        if shock and kind.time not in shock:
+            for one in self._shocks("transient", kind):
+                pulse = tuple(one.arguments[key] for key in OF_A_PULSE)
+                yield Asked(name, {"shock": pulse, **within, "answers": [*IN_A_SHOCK]})
+        if not (forcings or spectrum or shock):
+            yield Asked(name, within)
+
+    def _within(self, question: str, kind: Kind) -> dict[str, float]:
         """Shares of its numbers by which these may be off."""
-        table = self._table("tolerances")
+        table = self._table("tolerances", question)
         self._known("tolerances", table, tuple(key for key in (*kind.needed, *kind.more) if key not in NO_NUMBERS))
         share = {"least": 0.0, "below": 1.0}
         found: dict[str, float] = self._tried(
@@ -384,8 +436,12 @@ class _Reader:
         found: list[float] = self._tried(table, given, lambda: [validate.number(key, v, above=0.0) for v in values])
         return found
 
-    def _table(self, name: str) -> dict[str, Any]:
+    def _table(self, name: str, question: str = "") -> dict[str, Any]:
+        """A table, and which question needs it, if one does."""
         value = self.content.get(name)
+        if value is None and question:
+            said = f"= {question!r} needs a table [{name}], which is missing"
+            raise self._error("ask", "questions", said)
         if not isinstance(value, dict):
             raise self._error(name, "", "a table is missing" if value is None else "must be a table")
         return value

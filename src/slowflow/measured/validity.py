@@ -37,7 +37,9 @@ NEAR_STICKING = "mu/F_0 = {:.3g} is near pi/4, where averaging fails: amplitudes
 NEAR_STICKING_ATTACHED = (
     "mu/F_0 = {:.3g} is {} pi/4: while the springs touch, where alone friction acts, averaging fails: amplitudes "
 )
-OFF_BY = "were measured to be off by up to {:.0%}, .validity tells it for each"
+#: and where that stands in Python
+IN_PYTHON = ", .validity tells it for each"
+OFF_BY = f"were measured to be off by up to {{:.0%}}{IN_PYTHON}"
 OFF_UNKNOWN = "are off, by how much was not measured for this mechanism"
 STOPS_SECOND = (
     "in {} of {} states the mass stops within the cycle, or nearly so (mu/(A Omega^2) >= {:g}): their amplitudes "

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Set
 from dataclasses import dataclass
 from typing import Any
 
@@ -338,8 +338,10 @@ def _pair(name: str, value: Any, what: str) -> Any:
     """Two things that were given as one, None where they were not."""
     if value is None:
         return None
+    # names, letters and what has no order could be taken apart too
+    parts: Any = () if isinstance(value, (str, Mapping, Set)) else value
     try:
-        one, other = value
+        one, other = parts
     except (TypeError, ValueError):
         raise ValueError(f"{name} = {value!r} is not allowed: it must be a pair {what}") from None
     return one, other

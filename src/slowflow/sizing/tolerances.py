@@ -7,7 +7,7 @@ package: `pip install 'slowflow[sizing]'`.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -17,6 +17,7 @@ from scipy.stats import qmc
 from slowflow import progress, validate
 from slowflow.answer import Table, frozen, optional
 from slowflow.mechanism import Floats
+from slowflow.quantities import KIND_OF, SHOWN, UNITS
 from slowflow.sizing.subject import Load, Subject
 
 #: ends of a band: 95 of 100 samples lie within
@@ -65,6 +66,16 @@ class Tolerances(Table):
     message: str
     samples: Mapping[str, Floats] = field(repr=False)
     drawn: Mapping[str, Floats] = field(repr=False)
+
+    def in_units(self) -> Tolerances:
+        """The same in the units in which answers are shown: N, mm, Hz, ... . What was drawn stays in SI units."""
+        kinds = [(KIND_OF[unit], unit) if unit else None for unit in self.unit.tolist()]
+        shown = np.array([SHOWN[one[0]] if one else "" for one in kinds], dtype=np.str_)
+        sizes = np.array([UNITS[one[0]][SHOWN[one[0]]] / UNITS[one[0]][one[1]] if one else 1.0 for one in kinds])
+        bands: dict[str, Any] = {name: getattr(self, name) / sizes for name in ("nominal", "low", "median", "high")}
+        own = zip(self.samples.items(), sizes, strict=True)
+        samples = {name: frozen(values / size) for (name, values), size in own}
+        return replace(self, unit=shown, samples=samples, **bands)
 
 
 class Index(NamedTuple):

@@ -1,0 +1,133 @@
+"""HTML of a page that needs nothing else: in go captions, cells and Matplotlib's axes, out come tables and figures.
+
+Cells and parts are HTML already; captions and heads are not. Everything can be read aloud and reached by keys.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import io
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from html import escape
+from typing import Any
+
+import matplotlib as mpl
+import matplotlib.pyplot as plt
+import numpy as np
+
+#: what a cell of words begins with until it is written, and how much of a formula is shown
+WORDS, LONGEST = "\0", 160
+#: colours light and dark; what is too wide for a screen is scrolled, and on paper it is smaller
+STYLE = """
+:root { color-scheme: light dark; --text: #1a1a1a; --ground: #ffffff; --line: #767676; --head: #eef2f6; }
+@media (prefers-color-scheme: dark) { :root { --text: #ececec; --ground: #16191d; --line: #8f8f8f; --head: #262c33; } }
+body { color: var(--text); background: var(--ground); font: 16px/1.5 system-ui, sans-serif; margin: 0 auto;
+       max-width: 60rem; padding: 1rem; overflow-wrap: anywhere; }
+h2 { border-top: 1px solid var(--line); margin-top: 2.5rem; padding-top: 1rem; }
+nav ul { display: flex; flex-wrap: wrap; gap: .25rem 1.25rem; list-style: none; padding: 0; }
+table { border-collapse: collapse; overflow-wrap: normal; }
+.wide { overflow-x: auto; margin: 1rem 0; }
+th, td { border-bottom: 1px solid var(--line); padding: .25rem .6rem; text-align: right; white-space: nowrap; }
+th { background: var(--head); white-space: normal; } td:first-child, th:first-child, .words { text-align: left; }
+.words { white-space: normal; min-width: 9rem; } code { overflow-wrap: anywhere; }
+caption, .caption { font-weight: 600; }
+caption { text-align: left; padding: .5rem 0; width: max-content; max-width: 90vw; }
+figure { margin: 1rem 0; } figure svg { background: #ffffff; height: auto; width: 100%; max-width: 42rem; }
+a { color: inherit; }
+@media (max-width: 40rem) { th, td { padding: .2rem .3rem; font-size: .875rem; } .words { min-width: 6rem; } }
+@media print { body { max-width: none; } nav { display: none; } figure, table { break-inside: avoid; }
+               h2, caption { break-after: avoid; } table { font-size: 9pt; }
+               .wide { overflow: visible; } td, th { padding: .1rem .3rem; }
+               figure svg { max-width: 30rem; } body { font-size: 11pt; } }
+"""
+
+
+def whole(title: str, sections: Mapping[str, Sequence[str]]) -> str:
+    """The page: its sections under their names, with links to them at the top."""
+    links = "".join(f'<li><a href="#{_anchor(name)}">{escape(name)}</a></li>' for name in sections)
+    body = "\n".join(
+        line
+        for name, parts in sections.items()
+        for line in (f'<section aria-labelledby="{_anchor(name)}">', _heading(name), *parts, "</section>")
+    )
+    return (
+        f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>{escape(title)}</title>\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        f"<style>{STYLE}</style>\n</head>\n<body>\n<header><h1>{escape(title)}</h1>\n"
+        f'<nav aria-label="Contents"><ul>{links}</ul></nav></header>\n'
+        f"<main>\n{body}\n</main>\n</body>\n</html>\n"
+    )
+
+
+def _anchor(name: str) -> str:
+    return name.lower().replace(" ", "-")
+
+
+def _heading(name: str) -> str:
+    return f'<h2 id="{_anchor(name)}">{escape(name)}</h2>'
+
+
+def cell(value: Any) -> str:
+    """A cell of a number, four digits of it, a truth or a word; empty for NaN."""
+    if isinstance(value, float):
+        return "" if np.isnan(value) else f"{value:.4g}"
+    return escape({True: "yes", False: "no"}.get(value, str(value)) if isinstance(value, bool) else str(value))
+
+
+def words(text: str) -> str:
+    """A cell of words, which may break over lines."""
+    return f"{WORDS}{escape(text)}"
+
+
+def formula(text: str) -> str:
+    """A cell of a formula as it was typed, its beginning if it is long."""
+    shown = text if len(text) <= LONGEST else f"{text[:LONGEST]} ..."
+    return f"{WORDS}<code>{escape(shown)}</code>"
+
+
+def untabled(caption: str, notes: str) -> str:
+    """What there is to say where a table of that caption would have no number."""
+    return f'<p class="caption">{escape(caption)}</p>{notes}' if notes else ""
+
+
+def table(caption: str, heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """A table; its cells are HTML already, its heads are not. What is too wide is scrolled, by keys too."""
+    said = escape(caption, quote=True)
+    lines = [f'<div class="wide" role="region" tabindex="0" aria-label="{said}"><table>\n<caption>{said}</caption>']
+    listed = [list(row) for row in rows]
+    worded = [any(row[k].startswith(WORDS) for row in listed) for k in range(len(heads))]
+    kinds = [' class="words"' if one else "" for one in worded]
+    told = (f'<th scope="col"{kind}>{escape(one)}</th>' for one, kind in zip(heads, kinds, strict=True))
+    lines.append("<tr>" + "".join(told) + "</tr>")
+    for row in listed:
+        cells = (f"<td{kind}>{cell.removeprefix(WORDS)}</td>" for cell, kind in zip(row, kinds, strict=True))
+        lines.append("<tr>" + "".join(cells) + "</tr>")
+    return "\n".join([*lines, "</table></div>"])
+
+
+def axes() -> Any:
+    """Of a picture that is read on a phone too."""
+    return plt.subplots(figsize=(5.4, 4.4), layout="constrained")[1]
+
+
+def figure(ax: Any, said: str) -> str:
+    """Axes as SVG within the page, with a text for who does not see it; the figure is closed."""
+    text = io.StringIO()
+    with mpl.rc_context({"svg.fonttype": "none", "svg.hashsalt": "slowflow"}):
+        ax.figure.savefig(text, format="svg", metadata={"Date": None})
+    plt.close(ax.figure)
+    drawn = text.getvalue()
+    drawn = drawn[drawn.index("<svg") :]
+    # each drawing numbers its parts from 1: on one page they need names of their own
+    own = hashlib.sha256(said.encode()).hexdigest()[:8]
+    drawn = re.sub(r'(\bid="|url\(#|href="#)', rf"\g<1>{own}-", drawn)
+    drawn = drawn.replace("<svg", f'<svg role="img" aria-label="{escape(said, quote=True)}"', 1)
+    return f"<figure>\n{drawn}\n<figcaption>{escape(said)}</figcaption>\n</figure>"
+
+
+def download(name: str, kind: str, text: str) -> str:
+    """A link that has a file of that kind in itself."""
+    data = base64.b64encode(text.encode()).decode()
+    return f'<a download="{escape(name)}" href="data:{kind};base64,{data}">{escape(name)}</a>'
