@@ -93,6 +93,17 @@ def test_every_extra_of_a_user_stands_on_the_page_that_tells_how_to_install() ->
     assert set(told) == set(extras) - {"paper", "explorer", "browser", "docs", "dev"}
 
 
+def test_the_conda_recipe_asks_for_what_the_package_asks_for() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    recipe = (ROOT / "packaging" / "conda" / "recipe.yaml").read_text(encoding="utf-8")
+    host, run = (re.search(rf"^  {part}:\n((?:    - .*\n)+)", recipe, re.MULTILINE) for part in ("host", "run"))
+    assert host and run and f'version: "{project["project"]["version"]}"' in recipe
+    asked = {line.removeprefix("    - ").replace(" ", "") for line in run[1].splitlines()}
+    assert asked == {*project["project"]["dependencies"], "python" + project["project"]["requires-python"]}
+    asked = {line.removeprefix("    - ").replace(" ", "") for line in host[1].splitlines()}
+    assert asked == {*project["build-system"]["requires"], "python", "pip"}
+
+
 def test_the_code_in_the_readme_runs() -> None:
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)
     assert len(blocks) >= 2
