@@ -229,6 +229,7 @@ CONVENTIONS = (
                 "frequencies farther apart than this, relatively, are told apart by any rounding",
             ),
             Number("SPREAD", sp.Rational(1, 1000), "of a curve's points: the length that each part has beside its own"),
+            Number("HARDLY", sp.Rational(1, 2**26), "share of Omega's change below which A hardly changes, relatively"),
             Number(
                 "COINCIDE", sp.Rational(1, 2**44), "events closer than this, relatively, may have changed their order"
             ),

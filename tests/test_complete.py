@@ -3,6 +3,7 @@
 import itertools
 import math
 import warnings
+from fractions import Fraction
 
 import mpmath
 import numpy as np
@@ -322,6 +323,59 @@ def test_far_above_resonance_the_mass_alone_holds_the_forcing(Omega):
     assert states.A.tolist() == pytest.approx([inertia / Omega**2], rel=3 / Omega + 1e-14)
     curve = oscillator.frequency_response(0.04, Omega=(0.0, Omega))
     assert curve.Omega.max() == Omega and curve.A.min() == pytest.approx(inertia / Omega**2, rel=3 / Omega + 1e-14)
+
+
+def _off_the_curve(alpha, gamma, mu, zeta, F_0, Omega, A):
+    """F of a cubic spring in fractions, over the change that a relative change of 1 of any of its terms makes."""
+    m, (alpha, gamma, zeta, F_0, Omega, A) = (
+        Fraction(4 * mu / math.pi),
+        map(Fraction, (alpha, gamma, zeta, F_0, Omega, A)),
+    )
+    h = alpha * A + Fraction(3, 4) * gamma * A**3
+    R, I = h - Omega**2 * A, 2 * zeta * Omega * A + m
+    R_A, I_A = alpha + Fraction(9, 4) * gamma * A**2 - Omega**2, 2 * zeta * Omega
+    F_A, F_Omega = 2 * R * R_A + 2 * I * I_A, -4 * R * Omega * A + 4 * I * zeta * A
+    return float(abs(R**2 + I**2 - F_0**2) / (abs(F_A) * A + abs(F_Omega) * Omega + abs(R * h) + I**2))
+
+
+@pytest.mark.parametrize(
+    ("alpha", "gamma", "mu", "zeta", "F_0", "window"),
+    [
+        (2.2e13, 1.0, 0.0, 0.01, 1.0, (0.5, 2.0)),
+        (8.9e13, 5.4e9, 0.6, 5.7e-6, 66.0, (0.08, 1.67)),
+        (0.0, -1222797.0, 0.0, 8.3e-8, 1.5e16, (0.283, 0.842)),
+        (-40341386164432.41, 6.658e21, 0.0, 15.3, 7537065.9, (2.53, 6.68)),
+        (0.0, -2.38, 0.0, 1.1e-11, 1.06e20, (0.0038, 0.103)),
+    ],
+)
+def test_a_curve_keeps_to_its_window_where_doubles_of_A_do_not_tell_Omega(alpha, gamma, mu, zeta, F_0, window):
+    curve = Duffing(alpha, gamma, mu, zeta).frequency_response(F_0, samples=60, Omega=window)
+    assert curve.Omega.min() == window[0] and curve.Omega.max() == window[1]
+    for at, A in zip(curve.Omega, curve.A, strict=True):
+        assert _off_the_curve(alpha, gamma, mu, zeta, F_0, at, A) < 1e-14
+
+
+@pytest.mark.parametrize(
+    ("oscillator", "F_0"),
+    [
+        # two branches are one in doubles: half of the curve was missing
+        (Duffing(0.0, 8.427993301202146e25, 0.0002189816747832573, 2.009615344372806e-14), 0.002189816747832573),
+        (Duffing(0.0, 8.1e24, zeta=1.7e-132, excitation="base"), 5.2e92),  # h^2 overflows: NaN, or A = F_0
+        (Duffing(0.0, 8.1e24, zeta=0.01, excitation="base"), 5.2e40),
+    ],
+)
+def test_what_doubles_do_not_hold_is_refused(oscillator, F_0):
+    with pytest.raises(ArithmeticError, match="unresolved"):
+        oscillator.frequency_response(F_0, Omega=(0.05, 0.4))
+
+
+def test_few_samples_lie_on_their_own_branches():
+    """Without a point inside a part that spans orders of magnitude the next part's were taken for its own, on NumPy."""
+    oscillator = Duffing(1.0, 0.05, 0.0, 0.02)
+    for samples in range(2, 40):
+        curve = oscillator.frequency_response(1.0, samples=samples, Omega=(0.01, 50.0))
+        for at, A in zip(curve.Omega[curve.A < 40], curve.A[curve.A < 40], strict=True):
+            assert _off_the_curve(1.0, 0.05, 0.0, 0.02, 1.0, at, A) < 1e-14
 
 
 def test_more_than_can_be_shown_is_refused_by_its_name():

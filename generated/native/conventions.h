@@ -109,6 +109,8 @@ typedef enum {
 #define SF_TOLD_APART 0.001
 /* of a curve's points: the length that each part has beside its own */
 #define SF_SPREAD 0.001
+/* share of Omega's change below which A hardly changes, relatively */
+#define SF_HARDLY 1.4901161193847656e-08
 /* events closer than this, relatively, may have changed their order */
 #define SF_COINCIDE 5.6843418860808015e-14
 /* share of its size that rounding may add to a value */

@@ -158,6 +158,8 @@ STEEP = 16777216.0
 TOLD_APART = 0.001
 # of a curve's points: the length that each part has beside its own
 SPREAD = 0.001
+# share of Omega's change below which A hardly changes, relatively
+HARDLY = 1.4901161193847656e-08
 # events closer than this, relatively, may have changed their order
 COINCIDE = 5.6843418860808015e-14
 # share of its size that rounding may add to a value

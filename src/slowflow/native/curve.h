@@ -344,16 +344,23 @@ static long sf_show(const sf_model *model, double F_0, double low, double high, 
  * still. */
 static double sf_share_at(int k, int n) { return 0.5 - 0.5 * cos(3.14159265358979312 * k / n); }
 
-/* n - 1 rising amplitudes inside a segment. Where it spans orders of magnitude half of them are shared out among these, as
- * Omega changes with each; the others follow its top. */
-static void sf_amplitudes_inside(const sf_segment *segment, int n, double *A) {
-    const double low = segment->A[0], high = segment->A[1];
+static void sf_turn_round(int n, double *x) {
+    int k;
+    for (k = 0; k < n / 2; k++) {
+        const double kept = x[k];
+        x[k] = x[n - 1 - k], x[n - 1 - k] = kept;
+    }
+}
+
+/* n - 1 rising numbers between two. Where they span orders of magnitude half of them are shared out among these, as Omega
+ * changes with each of A's; the others follow the top. */
+static void sf_numbers_between(double low, double high, int n, double *x) {
     const int many = low > 0 && high > 100 * low, orders = many ? n / 2 : 1, plain = n + 1 - orders;
     int i = 1, j = 1, k;
     for (k = 0; k < n - 1; k++) {
         const double of_plain = i < plain ? low + (high - low) * sf_share_at(i, plain) : HUGE_VAL;
         const double of_orders = j < orders ? low * exp(sf_share_at(j, orders) * log(high / low)) : HUGE_VAL;
-        A[k] = of_plain <= of_orders ? of_plain : of_orders;
+        x[k] = of_plain <= of_orders ? of_plain : of_orders;
         of_plain <= of_orders ? i++ : j++;
     }
 }
@@ -394,12 +401,37 @@ static void sf_frequencies_along(const sf_model *model, double F_0, const sf_seg
     }
 }
 
+/* Whether A hardly changes while Omega does, as where Omega^2 is small beside h_A: doubles of A do not tell Omega there. */
+static int sf_is_steep(const sf_segment *segment) {
+    const double low = fmin(segment->Omega[0], segment->Omega[1]), high = fmax(segment->Omega[0], segment->Omega[1]);
+    return segment->A[1] - segment->A[0] < SF_HARDLY * segment->A[1] * ((high - low) / high);
+}
+
+/* n - 1 points inside a segment in the order of its numbers by rising A: at amplitudes, or where it is steep at frequencies.
+ * Rounding takes none beyond its ends, between which Omega is monotone. */
+static void sf_points_inside(const sf_model *model, double F_0, const sf_segment *segment, int n, double *Omega, double *A) {
+    const double low = fmin(segment->Omega[0], segment->Omega[1]), high = fmax(segment->Omega[0], segment->Omega[1]);
+    int k;
+    if (sf_is_steep(segment)) {
+        sf_numbers_between(low, high, n, Omega);
+        if (segment->Omega[0] > segment->Omega[1])
+            sf_turn_round(n - 1, Omega);
+        for (k = 0; k < n - 1; k++)
+            A[k] = sf_amplitude_on(model, F_0, segment, Omega[k]);
+        return;
+    }
+    sf_numbers_between(segment->A[0], segment->A[1], n, A);
+    sf_frequencies_along(model, F_0, segment, n - 1, A, Omega);
+    for (k = 0; k < n - 1; k++)
+        Omega[k] = Omega[k] < low ? low : Omega[k] > high ? high : Omega[k];
+}
+
 /* Points of all shown segments in order. */
 static void sf_draw(const sf_model *model, double F_0, double samples, const sf_skeleton *shown, double *Omega,
                        double *A, unsigned char *stable, long long *branch) {
     sf_sharing sharing;
     long at = 0, point;
-    int i, k;
+    int i;
     sf_share_out(shown, &sharing);
     for (i = 0; i < shown->segments; i++) {
         const sf_segment *segment = &shown->segment[i];
@@ -407,12 +439,9 @@ static void sf_draw(const sf_model *model, double F_0, double samples, const sf_
         const long first = at;
         if (starts)
             A[at] = sf_first_of(segment, segment->A), Omega[at++] = sf_first_of(segment, segment->Omega);
-        sf_amplitudes_inside(segment, n, A + at);
-        for (k = 0; !segment->upward && k < (n - 1) / 2; k++) {
-            const double kept = A[at + k];
-            A[at + k] = A[at + n - 2 - k], A[at + n - 2 - k] = kept;
-        }
-        sf_frequencies_along(model, F_0, segment, n - 1, A + at, Omega + at);
+        sf_points_inside(model, F_0, segment, n, Omega + at, A + at);
+        if (!segment->upward)
+            sf_turn_round(n - 1, A + at), sf_turn_round(n - 1, Omega + at);
         at += n - 1;
         A[at] = sf_last_of(segment, segment->A), Omega[at++] = sf_last_of(segment, segment->Omega);
         for (point = first; point < at; point++)

@@ -34,6 +34,13 @@ static inline double sf_least_x(const sf_model *model, const sf_sample *at) {
     return at->A > 0 && terms[0] > 0 ? inertia_least(terms[0], terms[1], terms[2]) : 0;
 }
 
+/* Whether squares of h are beyond the range of doubles: then no frequency is found at A. */
+static inline int sf_inertial_overflows(const sf_model *model, const sf_sample *at, double F_0) {
+    double outer[2];
+    inertia_outer(at->A, F_0, model->m, model->zeta, at->h, outer);
+    return at->h != 0 && !(outer[0] < HUGE_VAL) && at->A < F_0;
+}
+
 /* How many frequencies there are at A. */
 static inline int sf_inertial_count(const sf_model *model, const sf_sample *at, double F_0) {
     double peak[2], x;

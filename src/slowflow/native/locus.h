@@ -190,7 +190,7 @@ static double sf_fold_branch(const sf_model *model, const sf_sample *at, int cou
 static int sf_response_count(const sf_model *model, const sf_sample *at, double F_0) {
     sf_isolated q;
     if (sf_inertial(model))
-        return sf_inertial_count(model, at, F_0);
+        return sf_inertial_overflows(model, at, F_0) ? -1 : sf_inertial_count(model, at, F_0);
     sf_isolate_response(&q, at->A, at->h, model->m, model->zeta, F_0);
     return sf_count(&q);
 }
@@ -221,6 +221,16 @@ static double sf_branch_at(const sf_curve *curve, const sf_sample *at, int count
                           : sf_response_branch(curve->model, at, curve->F_0, count, index);
 }
 
+/* Whether the numbers of a response's roots beside an event are not what it makes of them: roots coincide within rounding.
+ * Between events that are hardly apart rounding may have changed their order. */
+static int sf_contradicts(const sf_curve *curve, const sf_graph *graph, int k) {
+    const sf_event *event = &graph->event[k];
+    if (k == 0 || curve->F_0 < 0 || event->kind == SF_CUT || event->kind == SF_THROUGH)
+        return 0;
+    return event->A - event[-1].A > SF_HARDLY * event->A && event[1].A - event->A > SF_HARDLY * event->A &&
+           graph->count[k] - graph->count[k - 1] != event->gain;
+}
+
 /* The number of roots in each interval; where one is too narrow to hold an amplitude, the event's gain tells. */
 static void sf_count_intervals(const sf_curve *curve, sf_graph *graph) {
     int k;
@@ -232,7 +242,7 @@ static void sf_count_intervals(const sf_curve *curve, sf_graph *graph) {
             graph->count[k] = graph->count[k - 1] + graph->event[k].gain;
         else /* next to a breakpoint, or between its two sides */
             graph->count[k] = graph->event[k + 1].kind == SF_CUT ? 0 : sf_count_at(curve, low);
-        if (graph->count[k] < 0 || graph->count[k] > 3) {
+        if (graph->count[k] < 0 || graph->count[k] > 3 || sf_contradicts(curve, graph, k)) {
             graph->status = SF_UNRESOLVED;
             graph->count[k] = 0;
         }

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from slowflow.averaged.reference.roots import Quartics
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow_zeta0
-from slowflow_kernels.conventions import COINCIDE, NO_WIDTH
+from slowflow_kernels.conventions import COINCIDE, HARDLY, NO_WIDTH
 
 Ints = NDArray[np.intp]
 
@@ -182,9 +182,21 @@ class Graph:
                 counts.append(counts[-1] + self.events[k].gain)
             else:  # next to a breakpoint, or between its two sides
                 counts.append(0 if self.events[k + 1].kind == Kind.CUT else count)
-            if not 0 <= counts[-1] <= 3:
+            if not 0 <= counts[-1] <= 3 or self._contradict(counts):
                 raise ArithmeticError("the response is unresolved: branches coincide within rounding")
         return counts
+
+    def _contradict(self, counts: list[int]) -> bool:
+        """Whether the last two numbers of a response's roots are not what the event between makes of them.
+
+        Between events that are hardly apart rounding may have changed their order.
+        """
+        k = len(counts) - 1
+        event = self.events[k]
+        if k == 0 or self.roots.F_0 < 0 or event.kind in (Kind.CUT, Kind.THROUGH):
+            return False
+        apart = min(event.A - self.events[k - 1].A, self.events[k + 1].A - event.A) > HARDLY * event.A
+        return apart and counts[-1] - counts[-2] != event.gain
 
     def _at_events(self) -> dict[tuple[int, int], list[float]]:
         """At each event the roots that go through it or end there: by its number and by how many they are."""

@@ -40,11 +40,14 @@ class Roots:
     F_0: float
 
     def count(self, A: Floats) -> Ints:
-        """How many there are at each amplitude."""
+        """How many there are at each amplitude; -1 where squares of h are beyond the range of doubles."""
         h = self.model.averaged(A)[0]
+        outer = inertia.outer(A, self.F_0, self.model.m, self.model.zeta, h)[0]
+        beyond = (A < self.F_0) & (h != 0) & ~(outer < np.inf)
         falls, Omega = falls_to_least(self.model, A, h)
         above = inertia.peak(1 / Omega, A, self.F_0, self.model.m, self.model.zeta, h, 0.0)[0] < 0
-        return np.where(A < self.F_0, 1, np.where(falls & above, np.where(A > self.F_0, 2, 1), 0)).astype(np.intp)
+        pair = np.where(falls & above, np.where(A > self.F_0, 2, 1), 0)
+        return np.where(beyond, -1, np.where(A < self.F_0, 1, pair)).astype(np.intp)
 
     def at(self, A: Floats, count: Ints, index: Ints) -> Floats:
         """Number `index` of `count` at each amplitude; where rounding hides a pair, the place where it meets."""

@@ -28,7 +28,7 @@ from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates
 from slowflow_kernels import frequencies, slow_flow
-from slowflow_kernels.conventions import AT_ROOT, LAST_STEP, SAME, SLOW, SPREAD
+from slowflow_kernels.conventions import AT_ROOT, HARDLY, LAST_STEP, SAME, SLOW, SPREAD
 
 
 @dataclass(frozen=True)
@@ -319,29 +319,19 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     weights = _weights([segment for _, segment, _ in steps])
     inner = np.ceil(samples * weights / weights.sum()).astype(int) if steps else np.empty(0, dtype=int)
 
-    grids, count, index = [], [], []
-    for (_, segment, upward), n in zip(steps, inner.tolist(), strict=True):
-        grid = _inside(segment, n)
-        grids.append(grid if upward else grid[::-1])
-        count.append(np.full(grid.size, segment.count))
-        index.append(np.full(grid.size, segment.index))
-    A_inner = np.concatenate(grids) if grids else np.empty(0)
-    with np.errstate(all="ignore"):
-        Omega_inner = found.roots.at(A_inner, np.concatenate(count), np.concatenate(index)) if grids else np.empty(0)
+    drawn = _points_inside(found.roots, [segment for _, segment, _ in steps], inner.tolist())
 
     Omega: list[Any] = []
     A: list[Any] = []
     stable: list[Any] = []
     branch: list[Any] = []
-    at = 0
-    for k, ((number, segment, upward), n) in enumerate(zip(steps, inner, strict=True)):
+    for k, ((number, segment, upward), (at, own)) in enumerate(zip(steps, drawn, strict=True)):
         first, final = _end((segment, upward), True), _end((segment, upward), False)
-        inside = slice(at, at + max(n - 1, 0))
-        at = inside.stop
+        along = slice(None, None, 1 if upward else -1)
         starts = k == 0 or steps[k - 1][0] != number
-        Omega += [[first[1]] if starts else [], Omega_inner[inside], [final[1]]]
-        A += [[first[0]] if starts else [], A_inner[inside], [final[0]]]
-        points = int(starts) + (inside.stop - inside.start) + 1
+        Omega += [[first[1]] if starts else [], at[along], [final[1]]]
+        A += [[first[0]] if starts else [], own[along], [final[0]]]
+        points = int(starts) + at.size + 1
         stable.append(np.full(points, segment.stable))
         branch.append(np.full(points, number))
     if not steps:
@@ -364,16 +354,49 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     )
 
 
-def _inside(segment: Segment, n: int) -> Floats:
-    """n - 1 rising amplitudes inside a segment; they crowd towards its ends, where A or Omega may stand still.
+@np.errstate(all="ignore")
+def _points_inside(roots: Along, segments: list[Segment], numbers: list[int]) -> list[tuple[Floats, Floats]]:
+    """Omega and A of n - 1 points inside each segment, by rising A: at amplitudes, or where it is steep at frequencies.
 
-    Where it spans orders of magnitude half of them are shared out among these, as Omega changes with each; the others
-    follow its top.
+    Rounding takes none beyond a segment's ends, between which Omega is monotone.
     """
-    low, high = segment.low[0], segment.high[0]
-    orders = n // 2 if low > 0 and high > 100 * low else 1
+    if not segments:
+        return []
+    steep = [_is_steep(segment) for segment in segments]
+    A, Omega = [], []
+    for segment, n, by_Omega in zip(segments, numbers, steep, strict=True):
+        low, high = segment.range
+        if by_Omega:
+            frequencies = _between(low, high, n)
+            Omega.append(frequencies if segment.low[1] < segment.high[1] else frequencies[::-1])
+            A.append(solve_segments(roots, [segment] * (n - 1), Omega[-1]))
+        else:
+            A.append(_between(segment.low[0], segment.high[0], n))
+            Omega.append(np.full(n - 1, np.nan))
+    of = np.repeat(np.arange(len(segments)), [n - 1 for n in numbers])
+    at = np.flatnonzero(~np.array(steep)[of])
+    joined_Omega = np.concatenate(Omega)
+    count, index = (column[of[at]] for column in _numbers(segments))
+    low, high = np.array([segment.range for segment in segments]).T
+    joined_Omega[at] = np.clip(roots.at(np.concatenate(A)[at], count, index), low[of[at]], high[of[at]])
+    return list(zip(np.split(joined_Omega, np.cumsum([n - 1 for n in numbers])[:-1]), A, strict=True))
+
+
+def _is_steep(segment: Segment) -> bool:
+    """Whether A hardly changes while Omega does, where Omega^2 is small beside h_A: doubles of A do not tell Omega."""
+    low, high = segment.range
+    return segment.high[0] - segment.low[0] < float(HARDLY) * segment.high[0] * ((high - low) / high)
+
+
+def _between(low: float, high: float, n: int) -> Floats:
+    """n - 1 rising numbers between two; they crowd towards the ends, where A or Omega may stand still.
+
+    Where they span orders of magnitude half of them are shared out among these, as Omega changes with each of A's; the
+    others follow the top.
+    """
+    orders = max(n // 2, 1) if low > 0 and high > 100 * low else 1
     plain = n + 1 - orders
-    shares, of_orders = (0.5 - 0.5 * np.cos(np.pi * np.arange(1, count) / count) for count in (plain, max(orders, 1)))
+    shares, of_orders = (0.5 - 0.5 * np.cos(np.pi * np.arange(1, count) / count) for count in (plain, orders))
     return np.sort(np.concatenate((low + (high - low) * shares, low * np.exp(of_orders * np.log(high / (low or 1.0))))))
 
 
