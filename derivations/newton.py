@@ -11,6 +11,7 @@ Out: `steps`, by the kind of answer what its unknowns change by, in R, I and the
     cusp         F_A = F_AA = 0      Omega and A, and F_0 from F = 0
     isola        F_A = F_Omega = 0   Omega and A, and F_0 from F = 0
     corner       F = 0               Omega at F_0, A being a breakpoint
+    ridge        F_Omega = 0         Omega at an amplitude
     level        F = 0               F_0 at Omega and A: Omega need be right to first order only where F_Omega = 0
 
 With f to more digits than a double has, a step from an answer that is nearly right leaves its rounding alone; of J a
@@ -51,6 +52,7 @@ EQUATIONS = {
     "cusp": (("F_A", "F_AA"), (Omega, A, F_0), "F_AA"),
     "isola": (("F_A", "F_Omega"), (Omega, A, F_0), "F_A"),
     "corner": (("F",), (Omega,), "F"),
+    "ridge": (("F_Omega",), (Omega,), "F_Omega"),
     "level": ((), (F_0,), ""),
 }
 #: derivatives of these along A and along Omega

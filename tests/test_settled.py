@@ -101,6 +101,29 @@ def test_answers_are_right_to_one_rounding_of_their_condition(mechanism):
 
 
 @compiled
+@pytest.mark.parametrize("mechanism", ["rod_spring", "rod_spring_untruncated"])
+def test_peaks_and_folds_next_to_a_breakpoint_are_right_to_one_rounding_of_their_condition(mechanism):
+    """From an ulp above F_cr on, where slopes are as steep as 1/sqrt(A - u_cr); seen 45,134 u (1 + kappa) off."""
+    rng, asked = np.random.default_rng(5), 0
+    known = [
+        (4.0, 0.5420870022747798, 0.2870603613617843, 0.00019876134441345242, 1e-06, 0.00025428553329583814, 1.0),
+        (2.0000000000000036, 296.604925754428, 0.0006476225284155476, 0.0002089718, 0.0461335947, 0.6492116947, 1.0),
+        (1.0, 4.144227659036338, 0.24129948503662352, 0.002513681713525968, 0.003751740185398381, 0.0070897182235, 1.0),
+    ]
+    for k in range(15):
+        own = answers.design(mechanism, rng)[1]
+        F_cr = answers.oscillator(mechanism, (*own, 1.0, 1.0)).detachment().F_cr
+        above = [(*own, F_cr * (1 + 10 ** rng.uniform(-15.5, -4)), 1.0) for _ in range(3)] if F_cr else []
+        for at in (*above, *(known if k == 0 else ())):
+            for kind in ("peak", "fold"):
+                for _, answer in answers.answers(mechanism, at, kind):
+                    if answer is not None:
+                        asked += 1
+                        assert answers.judged(answer)[0] <= 1, (at, kind, answer)
+    assert asked > 60
+
+
+@compiled
 def test_a_fold_does_not_leave_its_piece_of_the_force():
     """Next to F_SN at the corner, zeta all but 0: by the formula below u_cr a fold would lie above it."""
     with pytest.warns(UserWarning, match="negative stiffness"):

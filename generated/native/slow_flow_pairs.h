@@ -176,6 +176,25 @@ static inline void slow_flow_pairs_corner_step(sf_pair Omega, sf_pair A, sf_pair
     out[1] = -F.high * F_OmegaOmega / (F_Omega * F_Omega);
 }
 
+/* By what Omega change at a ridge, and how far that is from linear.
+   Equation from (24). Domain: Omega > 0, A > 0. */
+static inline void slow_flow_pairs_ridge_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
+{
+    (void)(F_0);
+    (void)(h_A);
+    (void)(h_AA);
+    (void)(h_AAA);
+    const sf_pair t0 = sfp_mul(A, sfp_square(Omega));
+    const sf_pair R = sfp_add(h, t0);
+    const sf_pair t1 = sfp_times(2.0, A);
+    const sf_pair I_ = sfp_add(sfp_mul(sfp_mul(Omega, t1), zeta), m);
+    const sf_pair t2 = sfp_times(4.0, A);
+    const sf_pair F_Omega = sfp_mul(t2, sfp_add(sfp_mul(I_, zeta), sfp_mul(Omega, R)));
+    const double F_OmegaOmega = t2.high * (R.high + 2.0 * t0.high + t1.high * zeta.high * zeta.high);
+    out[0] = -F_Omega.high / F_OmegaOmega;
+    out[1] = 0.0;
+}
+
 /* By what F_0 change at a level, and how far that is from linear.
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_pairs_level_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)

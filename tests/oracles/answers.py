@@ -24,6 +24,8 @@ BITS = 420
 #: relative size of Newton's last step, which the error left is the square of
 SETTLED = arb(2) ** -120
 STEPS = 40
+#: what lies next to u_cr, relatively, and where what lies there is looked for from
+NEXT, BESIDE = arb(2) ** -48, arb(2) ** -100
 #: what vanishes, by what is asked: names in `averaged.Oscillator.derivatives`
 EQUATIONS = {"fold": ("F", "A"), "cusp": ("A", "AA"), "isola": ("A", "O"), "peak": ("F", "O")}
 SLOPES = {"F": ("O", "A"), "A": ("AO", "AA"), "AA": ("AAO", "AAA"), "O": ("OO", "AO")}
@@ -85,22 +87,27 @@ class Nearby:
             self.oscillator = MECHANISMS[mechanism](**parameters)
             self.conditions = Conditioning(self.oscillator)
 
-    def regime(self, A: float) -> str:
-        """On which side of the corner a double lies; a double next to the corner's counts as below."""
-        u = self.oscillator.u_cr
-        return ATTACHED if u is None or arb(A) <= u else DETACHED
+    def sides(self) -> list[str]:
+        """Of the corner, if there is one."""
+        return [ATTACHED] if self.oscillator.u_cr is None else [ATTACHED, DETACHED]
 
     def two(self, kind: str, Omega: float, A: float, F_0: float) -> tuple[Point, Condition] | None:
-        """A fold, cusp, isola point or peak, by its two equations in Omega and A."""
+        """A fold, cusp, isola point or peak, by its two equations in Omega and A.
+
+        The double of one next to u_cr may lie on the other side.
+        """
+        found = [one for side in self.sides() if (one := self._two(kind, Omega, A, F_0, side)) is not None]
+        return min(found, key=lambda one: abs(float(one[0].A - arb(A))), default=None)
+
+    def _two(self, kind: str, Omega: float, A: float, F_0: float, regime: str) -> tuple[Point, Condition] | None:
         with precision(BITS):
-            forcing, regime = arb(exact(F_0)), self.regime(A)
-            names = EQUATIONS[kind]
+            forcing, names = arb(exact(F_0)), EQUATIONS[kind]
 
             def system(x: Sequence[arb]) -> tuple[list[arb], list[list[arb]]]:
                 d = self.oscillator.derivatives(x[0], x[1], regime, forcing)
                 return [d[n] for n in names], [[d[k] for k in SLOPES[n]] for n in names]
 
-            found = _newton(system, [arb(Omega), arb(A)])
+            found = _newton(system, [arb(Omega), self._start(A, regime)])
             if found is None or not self._stays(found[1], regime):
                 return None
             point = Point(*found, regime, forcing, kind)
@@ -141,15 +148,20 @@ class Nearby:
                     d = self.oscillator.derivatives(frequency, x[0], regime, forcing)
                     return [d["F"]], [[d["A"]]]
 
-                start = arb(A) if self._stays(arb(A), regime) else self.oscillator.u_cr
-                found = _newton(system, [start])
+                found = _newton(system, [self._start(A, regime)])
                 stays = found is not None and self._stays(found[0], regime)
                 return Amplitude(found[0], arb(0), True, regime) if found is not None and stays else None
 
-            own = self.regime(A)
-            sides = [own] if self.oscillator.u_cr is None else [own, ATTACHED if own == DETACHED else DETACHED]
-            state = next((one for side in sides if (one := on(side)) is not None), None)
+            found = [one for side in self.sides() if (one := on(side)) is not None]
+            state = min(found, key=lambda one: abs(float(one.A - arb(A))), default=None)
             return None if state is None else (state, self.conditions.amplitude(state, Omega, F_0))
+
+    def _start(self, A: float, regime: str) -> arb:
+        """The double, but what lies next to u_cr for one that does, or lies beyond: h_A may be infinite there."""
+        u = self.oscillator.u_cr
+        if u is None or (self._stays(arb(A), regime) and not abs(arb(A) - u) < NEXT * u):
+            return arb(A)
+        return (u * (1 + (BESIDE if regime == DETACHED else -BESIDE))).mid()
 
     def _stays(self, A: arb, regime: str) -> bool:
         u = self.oscillator.u_cr

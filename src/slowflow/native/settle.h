@@ -17,12 +17,12 @@
 /* steps are followed by another one while this is left to do, relatively; and a first one that is larger than this */
 #define SF_LEFT_TO_DO 0x1p-58
 #define SF_FEW_ROUNDINGS 0x1p-49
-/* how far a state is looked for from what doubles found, next to a breakpoint: so many doublings of a double */
+/* how far an answer is looked for from what doubles found, where Newton's method fails: so many doublings of a double */
 #define SF_ONE_DOUBLE 0x1p-52
-enum { SF_MOST_DOUBLINGS = 16 };
+enum { SF_MOST_DOUBLINGS = 32 };
 /* the square of a step to a level is left out */
 #define SF_LEVEL_STEP 0x1p-30
-enum { SF_MOST_SETTLING = 8 };
+enum { SF_MOST_SETTLING = 8, SF_MOST_ABOVE = 24 };
 
 typedef void (*sf_step)(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A,
                         sf_pair h_AA, sf_pair h_AAA, double *out);
@@ -104,52 +104,179 @@ static inline void sf_settle_numbers(sf_step step, sf_moves moves, int wanted, c
         *Omega = of.Omega.high, *A = of.A.high, *F_0 = of.F_0.high;
 }
 
-/* Which way a state at Omega lies from an amplitude: by the sign of Newton's step, on the side of each breakpoint that the
- * double is on; 0 where that is not known. size: of the step */
-static inline int sf_way_to_state(const sf_exactly *exactly, const sf_model *model, double Omega, double F_0, double A,
-                                  double *size) {
-    const sf_settling of = {sfp_point(Omega), sfp_point(A), sfp_point(F_0)};
+/* The sides of each breakpoint that a double is on, and h there: how many breakpoints lie below; -1 where pairs have too few
+ * digits. */
+static inline int sf_exact_at_double(const sf_exactly *exactly, const sf_model *model, double A, sf_exact_sample *out) {
+    int piece = 0;
+    while (piece < model->breaks && sfp_sub(sfp_point(A), exactly->b[piece]).high > 0)
+        piece++;
+    return sf_exact_at(exactly, model, piece, sfp_point(A), 2, NULL, out) ? piece : -1;
+}
+
+/* An answer that is looked for between doubles, all but its amplitude; for peaks the frequency and level by which the last
+ * amplitude missed it */
+typedef struct {
+    const sf_exactly *exactly;
+    const sf_model *model;
+    double F_0;
+    sf_pair Omega;
+    double missing;
+    int piece;
+} sf_sought;
+
+/* Which way an answer lies from an amplitude, on the side of each breakpoint that the double is on; 0 where that is not known.
+ * size: by how much the amplitude misses it, in a unit that is the same at the next double */
+typedef int (*sf_way)(sf_sought *of, double A, double *size);
+
+/* By the sign of Newton's step. */
+static inline int sf_way_to_state(sf_sought *of, double A, double *size) {
+    const sf_settling from = {of->Omega, sfp_point(A), sfp_point(of->F_0)};
     sf_exact_sample at;
     double out[4];
-    int piece = 0;
-    while (piece < model->breaks && sfp_sub(of.A, exactly->b[piece]).high > 0)
-        piece++;
-    if (!sf_exact_at(exactly, model, piece, of.A, 2, NULL, &at))
+    if (sf_exact_at_double(of->exactly, of->model, A, &at) < 0)
         return 0;
-    sf_take_step(slow_flow_pairs_state_step, exactly, &at, &of, out);
+    sf_take_step(slow_flow_pairs_state_step, of->exactly, &at, &from, out);
     *size = fabs(out[0]);
     return (out[0] > 0) - (out[0] < 0);
 }
 
-/* Next to a breakpoint a state's own slope turns too much for Newton's method: of two doubles between which it lies, the one
- * that is nearer by its step. NaN where there are no such doubles nearby. */
-static inline double sf_state_between(const sf_exactly *exactly, const sf_model *model, double Omega, double F_0, double A) {
+/* By the least level at an amplitude, which rises to that of the peak. */
+static inline int sf_way_to_peak_from(sf_sought *of, const sf_exact_sample *at, double *size) {
+    sf_settling from = {of->Omega, at->A, sfp_point(of->F_0)};
+    double out[4];
+    int i, last = 0;
+    for (i = 0; i < SF_MOST_SETTLING && !last; i++) {
+        sf_take_step(slow_flow_pairs_ridge_step, of->exactly, at, &from, out);
+        if (!(fabs(out[0]) <= SF_LARGEST_STEP * from.Omega.high))
+            return 0;
+        sf_change_by(&from.Omega, out[0]);
+        last = fabs(out[0]) <= SF_LEFT_TO_DO * from.Omega.high;
+    }
+    sf_take_step(slow_flow_pairs_level_step, of->exactly, at, &from, out);
+    of->Omega = from.Omega, of->missing = -out[0], *size = fabs(out[0]);
+    return last ? (of->missing > 0) - (of->missing < 0) : 0;
+}
+
+static inline int sf_way_to_peak(sf_sought *of, double A, double *size) {
+    sf_exact_sample at;
+    of->piece = sf_exact_at_double(of->exactly, of->model, A, &at);
+    return of->piece < 0 ? 0 : sf_way_to_peak_from(of, &at, size);
+}
+
+/* Next to a breakpoint or a double root slopes turn too much for Newton's method: of two doubles between which an answer lies, the one that it
+ * misses by less, and the other. NaN where there are no such doubles nearby. */
+static inline double sf_double_between(sf_way way_from, sf_sought *of, double A, double *next) {
     double size = HUGE_VAL, other = HUGE_VAL, far = A, width = A * SF_ONE_DOUBLE;
-    const int way = sf_way_to_state(exactly, model, Omega, F_0, A, &size);
+    const int way = way_from(of, A, &size);
     int i, back = way;
-    if (way == 0 || model->breaks < exactly->mechanism->breakpoints)
-        return NAN;
+    *next = A;
+    if (way == 0 || of->model->breaks < of->exactly->mechanism->breakpoints)
+        return way == 0 && size == 0 ? A : NAN;
     for (i = 0; i < SF_MOST_DOUBLINGS && back == way; i++, width *= 2) {
         if (i > 0)
             A = far, size = other;
         far = A + way * width;
-        back = sf_way_to_state(exactly, model, Omega, F_0, far, &other);
+        back = way_from(of, far, &other);
     }
     while (back == -way) {
         const double middle = 0.5 * A + 0.5 * far;
         double there = HUGE_VAL;
         int on;
-        if (middle == A || middle == far)
+        if (middle == A || middle == far) {
+            *next = size <= other ? far : A;
             return size <= other ? A : far;
-        on = sf_way_to_state(exactly, model, Omega, F_0, middle, &there);
+        }
+        on = way_from(of, middle, &there);
         if (on == way)
             A = middle, size = there;
         else if (on == back)
             far = middle, other = there;
         else
-            return on == 0 && there == 0 ? middle : NAN;
+            return *next = middle, on == 0 && there == 0 ? middle : NAN;
     }
-    return back == 0 && other == 0 ? far : NAN;
+    return *next = far, back == 0 && other == 0 ? far : NAN;
+}
+
+static inline double sf_state_between(const sf_exactly *exactly, const sf_model *model, double Omega, double F_0, double A) {
+    sf_sought of = {exactly, model, F_0, sfp_point(Omega), 0, 0};
+    double next;
+    return sf_double_between(sf_way_to_state, &of, A, &next);
+}
+
+/* An answer just above a breakpoint, where slopes are as steep as 1/root, root^2 = A^2 - b^2: Newton's method in Omega and root,
+ * whose steps are the same but for how A follows from them. Begins with what doubles know, at most half of a root at a time. */
+static inline int sf_settle_above(sf_step step, sf_moves moves, const sf_exactly *exactly, const sf_model *model, int piece,
+                                  sf_settling *of) {
+    const sf_pair b = exactly->b[piece - 1];
+    double beyond = sfp_sub(of->A, b).high;
+    int i, last = 0;
+    if (!(b.high > 0) || !(of->Omega.high > 0) || !(fabs(beyond) <= SF_PAIRS_NEXT * b.high))
+        return 0;
+    beyond = fmax(beyond, SF_LEFT_TO_DO * b.high);
+    for (i = 0; i < SF_MOST_ABOVE && !last; i++) {
+        const double squared = beyond * (2 * b.high + beyond);
+        sf_exact_sample at;
+        double out[4], change, share, part, root;
+        of->A = sfp_add(b, sfp_point(beyond));
+        if (!sf_exact_at(exactly, model, piece, of->A, 4, NULL, &at))
+            return 0;
+        sf_take_step(step, exactly, &at, of, out);
+        change = out[moves > SF_MOVES_A], share = change * of->A.high / squared;
+        if (share != share || (moves > SF_MOVES_A && !(fabs(out[0]) <= SF_LARGEST_STEP * of->Omega.high)))
+            return 0;
+        part = fabs(share) > 0.5 ? 0.5 / fabs(share) : 1;
+        root = sqrt(squared) * (1 + part * share);
+        beyond = root * root / (b.high + sqrt(b.high * b.high + root * root));
+        last = part == 1 && fabs(change) <= SF_LEFT_TO_DO * of->A.high;
+        if (moves > SF_MOVES_A) {
+            sf_change_by(&of->Omega, part * out[0]);
+            last = last && fabs(out[0]) <= SF_LEFT_TO_DO * of->Omega.high;
+        }
+    }
+    of->A = sfp_add(b, sfp_point(beyond));
+    return last && beyond <= SF_PAIRS_NEXT * b.high;
+}
+
+static inline int sf_settle_state_above(const sf_exactly *exactly, const sf_model *model, int piece, double Omega, double F_0,
+                                        double A, sf_settling *of) {
+    const sf_settling begin = {sfp_point(Omega), sfp_point(A), sfp_point(F_0)};
+    *of = begin;
+    return piece > 0 && model->breaks == exactly->mechanism->breakpoints &&
+           sf_settle_above(slow_flow_pairs_state_step, SF_MOVES_A, exactly, model, piece, of);
+}
+
+/* The frequency is in the level what it is in the missing level: a straight line between the doubles, or between one of them
+ * and the breakpoint that parts them. */
+static inline void sf_peak_between(const sf_exactly *exactly, const sf_model *model, double F_0, double *A, double *Omega) {
+    sf_sought of = {exactly, model, F_0, sfp_point(*Omega), 0, 0}, end[2];
+    double ends[2], size;
+    int i;
+    ends[0] = sf_double_between(sf_way_to_peak, &of, *A, &ends[1]);
+    if (!(ends[0] > 0))
+        return;
+    for (i = 0; i < 2; i++) {
+        end[i] = of;
+        sf_way_to_peak(&end[i], ends[i], &size);
+    }
+    if (end[0].piece != end[1].piece) {
+        const int upper = end[1].piece > end[0].piece;
+        sf_exact_sample at;
+        sf_exact_on(exactly, end[!upper].piece, &at);
+        sf_way_to_peak_from(&of, &at, &size);
+        if (of.missing > 0) {
+            sf_settling above = {of.Omega, sfp_point(ends[upper]), sfp_point(F_0)};
+            if (sf_settle_above(slow_flow_pairs_peak_step, SF_MOVES_BOTH, exactly, model, end[upper].piece, &above)) {
+                *A = above.A.high, *Omega = above.Omega.high;
+                return;
+            }
+        }
+        end[(of.missing > 0) == (end[1].missing > 0)] = of;
+    }
+    if (end[0].missing != end[1].missing) {
+        const double share = end[0].missing / (end[0].missing - end[1].missing);
+        sf_change_by(&end[0].Omega, share * sfp_sub(end[1].Omega, end[0].Omega).high);
+    }
+    *A = ends[0], *Omega = end[0].Omega.high;
 }
 
 /* Omega on breakpoint i. */
@@ -197,10 +324,27 @@ static inline int sf_breakpoint_at(const sf_model *model, double A) {
     return i;
 }
 
-/* Folds, which stay in order: one that would pass the next, where this settles too, stays as it was. */
+static inline void sf_settle_fold(const sf_exactly *exactly, const sf_model *model, double F_0, double *Omega, double *A) {
+    sf_settling of = {sfp_point(*Omega), sfp_point(*A), sfp_point(F_0)}, above = of;
+    const int piece = sf_piece_of(model, *A);
+    if (exactly == NULL)
+        return;
+    if (sf_settle_all(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, &of))
+        *Omega = of.Omega.high, *A = of.A.high;
+    else if (piece > 0 && model->breaks == exactly->mechanism->breakpoints &&
+             sf_settle_above(slow_flow_pairs_fold_step, SF_MOVES_BOTH, exactly, model, piece, &above))
+        *Omega = above.Omega.high, *A = fmax(above.A.high, nextafter(model->b[piece - 1], HUGE_VAL));
+}
+
+static inline void sf_swap(double *x, double *y) {
+    const double kept = *x;
+    *x = *y, *y = kept;
+}
+
+/* Folds, by rising Omega also where doubles had them in another order. Two that were apart do not become one. */
 static void sf_settle_folds(const sf_exactly *exactly, const sf_model *model, double F_0, sf_folds *folds) {
     double Omega[SF_MOST_FOLDS], A[SF_MOST_FOLDS];
-    int i;
+    int i, j;
     for (i = 0; i < folds->n; i++) {
         const sf_fold *fold = &folds->at[i];
         Omega[i] = fold->Omega, A[i] = fold->A;
@@ -208,16 +352,24 @@ static void sf_settle_folds(const sf_exactly *exactly, const sf_model *model, do
         if (fold->corner || (model->breaks > 0 && fold->A == model->b[sf_breakpoint_at(model, fold->A)]))
             sf_settle_on(slow_flow_pairs_corner_step, exactly, sf_breakpoint_at(model, fold->A), F_0, &Omega[i]);
         else
-            sf_settle_numbers(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, &Omega[i], &A[i], &F_0);
+            sf_settle_fold(exactly, model, F_0, &Omega[i], &A[i]);
     }
-    for (i = 0; i < folds->n; i++) {
-        const double low = i > 0 ? folds->at[i - 1].Omega : 0;
-        const double high = i + 1 < folds->n ? fmax(Omega[i + 1], folds->at[i + 1].Omega) : HUGE_VAL;
-        if (low <= Omega[i] && Omega[i] <= high)
-            folds->at[i].Omega = Omega[i], folds->at[i].A = A[i];
-        else
-            folds->at[i].Omega = fmax(low, folds->at[i].Omega);
-    }
+    for (i = 1; i < folds->n; i++)
+        for (j = 0; j < i; j++) {
+            const sf_fold *one = &folds->at[i], *other = &folds->at[j];
+            if (Omega[i] == Omega[j] && A[i] == A[j] && fabs(one->A - other->A) > SF_FEW_ROUNDINGS * one->A) {
+                const int back = fabs(A[i] - one->A) > fabs(A[j] - other->A) ? i : j;
+                Omega[back] = folds->at[back].Omega, A[back] = folds->at[back].A;
+            }
+        }
+    for (i = 1; i < folds->n; i++)
+        for (j = i; j > 0 && Omega[j - 1] > Omega[j]; j--) {
+            const sf_fold fold = folds->at[j];
+            folds->at[j] = folds->at[j - 1], folds->at[j - 1] = fold;
+            sf_swap(&Omega[j], &Omega[j - 1]), sf_swap(&A[j], &A[j - 1]);
+        }
+    for (i = 0; i < folds->n; i++)
+        folds->at[i].Omega = Omega[i], folds->at[i].A = A[i];
 }
 
 static void sf_settle_onset(const sf_model *model, const sf_exactly *exactly, sf_onset *out) {
@@ -254,8 +406,14 @@ static sf_extremum sf_settled_extremum(const sf_model *model, const sf_exactly *
 static sf_status sf_settled_peak(const sf_model *model, const sf_exactly *exactly, double F_0, sf_work *work, double *A,
                                  double *Omega) {
     const sf_status status = sf_peak(model, F_0, work, A, Omega);
-    if (status == SF_OK)
-        sf_settle_numbers(slow_flow_pairs_peak_step, SF_MOVES_BOTH, 2, exactly, model, Omega, A, &F_0);
+    sf_settling of;
+    if (status != SF_OK || exactly == NULL)
+        return status;
+    of.Omega = sfp_point(*Omega), of.A = sfp_point(*A), of.F_0 = sfp_point(F_0);
+    if (sf_settle_all(slow_flow_pairs_peak_step, SF_MOVES_BOTH, 2, exactly, model, &of))
+        *Omega = of.Omega.high, *A = of.A.high;
+    else if (*A > 0 && *Omega > 0 && model->breaks > 0)
+        sf_peak_between(exactly, model, F_0, A, Omega);
     return status;
 }
 

@@ -38,8 +38,9 @@ static double sf_settled_amplitude(const sf_model *model, const sf_exactly *exac
     sf_settling of = {sfp_point(Omega), sfp_point(A), sfp_point(F_0)};
     if (exactly == NULL)
         return A;
-    if (sf_piece_of(model, A) != piece || !sf_settle_all(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, model, &of))
-        of.A.high = model->breaks > 0 ? sf_state_between(exactly, model, Omega, F_0, A) : NAN;
+    if ((sf_piece_of(model, A) != piece || !sf_settle_all(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, model, &of)) &&
+        !sf_settle_state_above(exactly, model, piece, Omega, F_0, A, &of))
+        of.A.high = sf_state_between(exactly, model, Omega, F_0, A);
     return segment->A[0] * (1 - SF_SAME) <= of.A.high && of.A.high <= segment->A[1] * (1 + SF_SAME) ? of.A.high : A;
 }
 
