@@ -534,6 +534,15 @@ def test_the_peak_is_the_highest_point_of_the_curve():
         curve = second.frequency_response(F_0, samples=5000, Omega=(0.98 * peak.Omega, 1.02 * peak.Omega))
         assert 0 <= 1 - curve.A.max() / peak.A < 1e-5
         assert abs(curve.Omega[curve.A.argmax()] / peak.Omega - 1) < 1e-3
+    # a sharp one lies between points that few samples leave, which took off 8e-4
+    numbers = {"lam": 1.8, "r": 2.284, "delta_h": 0.1072, "mu": 0.0133, "zeta": 0.00315, "force": "untruncated"}
+    second = Isolator(**numbers).second_approximation
+    peak = second.peak(0.2553)
+    for samples in (40, 60, 100, 599):
+        curve = second.frequency_response(0.2553, samples=samples)
+        top = curve.A.argmax()
+        assert abs(curve.A[top] / peak.A - 1) < 1e-12 and curve.force.size == curve.branch.size == curve.A.size
+        assert (curve.Omega[top - 1] - curve.Omega[top]) * (curve.Omega[top + 1] - curve.Omega[top]) < 0
     assert "sticks" in isolator().second_approximation.peak(0.01).message
     unbounded = isolator(zeta=0.0).second_approximation.peak(0.03)
     assert unbounded.A is None and unbounded.message

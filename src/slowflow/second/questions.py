@@ -43,6 +43,9 @@ NO_PEAK = "no peak of the second approximation beside the first's: {}"
 AT_REST = "the first's is the static amplitude, which has no harmonics"
 LEFT_OUT = "the curve ends before it turns"
 
+#: a peak is put between the points of a curve where it exceeds all of them by more
+HIGHER = 1 + 2.0**-40
+
 #: what is made of averaging's answer to a question
 SECOND = {
     "frequency_response": "each point moves to the balance of harmonics 1, 3 and 5 beside it",
@@ -125,15 +128,16 @@ class SecondApproximation:
     def frequency_response(
         self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
     ) -> SecondResponse:
-        """The response curve, as the first approximation's points move to it."""
+        """The response curve, as the first approximation's points move to it, with its peak among them."""
         first = self.first.curve(F_0, samples, Omega)
         curve = self._solvers.follow(self._balance, first)
-        message = self._remarked(curve.message, curve.Omega, curve.u_max)
+        Omega_, u_max, A_1, phi, stable, branch = self._with_peak(curve, first.F_0, samples)
+        message = self._remarked(curve.message, Omega_, u_max)
         return SecondResponse(
-            *(curve.Omega, curve.u_max, curve.A_1, curve.phi, curve.stable, message),
-            *(curve.branch, curve.isola),
+            *(Omega_, u_max, A_1, phi, stable, message),
+            *(branch, curve.isola),
             F_0=first.F_0,
-            force=self._force(first.F_0, curve.Omega),
+            force=self._force(first.F_0, Omega_),
         )
 
     def amplitudes(self, *, Omega: Any, F_0: Any) -> SecondStates:
@@ -218,6 +222,31 @@ class SecondApproximation:
             return Detachment(None, None, first.u_cr, FAR)
         F_cr, Omega_cr = found
         return Detachment(F_cr, Omega_cr, first.u_cr, first.message)
+
+    def _with_peak(self, curve: Curve, F_0: float, samples: int) -> tuple[Any, ...]:
+        """The columns of a curve, with its highest point where few samples leave that between two of them.
+
+        It is that of the curve in which `peak` looks for it, which takes longer than few points do.
+        """
+        columns = curve.Omega, curve.u_max, curve.A_1, curve.phi, curve.stable, curve.branch
+        first = self.first.peak(F_0).Omega if samples < SAMPLES else None
+        if not (first and curve.Omega.size and curve.Omega.min() < first < curve.Omega.max()):
+            return columns
+        beside = self._around(F_0, np.array([first]), Wanted.TOP_ONLY)
+        u_max, Omega = self._solvers.peak(self._balance, beside, F_0) or (0.0, 0.0)
+        highest = int(curve.u_max.argmax())
+        behind = highest > 0 and (curve.Omega[highest - 1] < Omega) == (Omega < curve.Omega[highest])
+        ends = curve.Omega[max(highest - 1, 0) : highest + 2]
+        if not (u_max > HIGHER * curve.u_max[highest] and ends.min() < Omega < ends.max()):
+            return columns
+        there = self._solvers.states(self._balance, beside, np.array([Omega]), F_0)
+        top = min(there, key=lambda one: abs(one.u_max - u_max), default=None)
+        if top is None or not top.u_max > HIGHER * curve.u_max[highest]:
+            return columns
+        point = *top, curve.branch[highest]
+        return tuple(
+            np.insert(column, highest + (not behind), value) for column, value in zip(columns, point, strict=True)
+        )
 
     def _remarked(self, message: str, Omega: Floats, A: Floats) -> str:
         """The message with what there is to say of amplitudes beyond the reach, and of motions that stop."""
