@@ -16,6 +16,7 @@ from scipy.integrate import quad, solve_ivp
 
 from slowflow import Duffing, Isolator, loads, results
 from slowflow.answer import SHOWN
+from slowflow.plausible import Implausible
 from slowflow.quantities import AMPLITUDES, KINDS, UNITS, Scales
 from slowflow_kernels.scaling import SCALES
 
@@ -496,3 +497,57 @@ def test_what_has_no_gradient_in_si_units_says_why(mount):
         mount.replace(preload=0.0).peak(5).gradient()
     # SI units, whatever the answer is shown in
     assert mount.peak(5).in_units().gradient()["A"].tolist() == mount.peak(5).gradient()["A"].tolist()
+
+
+#: slips of units: what is changed in the mount, and what is said of it
+SLIPS = {
+    "L in mm": ({"L": 80, "preload": 9}, r"L = 80 m is a push-rod as long as a house: is it in mm\?"),
+    "k_v in N/mm": ({"k_v": 2.5, "k_h": 1.7, "friction": 0.0}, r"k_v = 2.5 N/m is compressed by 47.07 m under 12 kg"),
+    "m in g": (
+        {"m": 12000},
+        r"is compressed by 47.07 m under 12000 kg: is it in N/mm, or the mass in g\?",
+    ),
+    "load in g": ({"load": 12360}, r"is compressed by 48.48 m under 12360 kg"),
+    "k_h in N/mm": ({"k_h": 1.7}, r"k_h = 1.7 N/m does next to nothing beside k_v = 2500 N/m: is it in N/mm\?"),
+    "friction in mN": ({"friction": 400}, r"friction = 400 N is more than the weight, 117.7 N: is it in mN\?"),
+    "zeta in per cent": ({"zeta": 2}, r"zeta = 2 is more than critical damping: is it in per cent\?"),
+}
+
+
+@pytest.mark.parametrize("slip", SLIPS)
+def test_a_slip_of_units_is_told_when_a_mount_is_made(slip, mount):
+    changes, said = SLIPS[slip]
+    with pytest.warns(Implausible, match=said) as told:
+        mount.replace(**changes)
+    assert len(told) == 1
+
+
+def test_preload_in_millimetres_is_no_design(mount):
+    with pytest.raises(ValueError, match=r"preload = 9 is not allowed: preload must be .* < 0.08"):
+        mount.replace(preload=9)
+
+
+def test_frequencies_in_rpm_and_shocks_in_ms_are_told(mount):
+    with pytest.warns(Implausible, match=r"f = 1500 Hz is 653 times f_n = 2.297 Hz, .*: is it in rpm\?"):
+        mount.amplitudes(f=[5.0, 1500.0], F=5)
+    with pytest.warns(Implausible, match=r"duration = 11 s lasts for 25.3 natural periods: is it in ms\?"):
+        mount.transient(acceleration=0.1, duration=11)
+
+
+@pytest.mark.parametrize(
+    "sheet",
+    [
+        {"m": 0.05, "k_v": 500, "k_h": 300, "L": 0.02, "preload": 0.002, "friction": 0.01, "zeta": 0.05},
+        {"m": 200, "k_v": 78480, "k_h": 2e4, "L": 0.15, "preload": 0.02, "friction": 20, "c": 800},
+        {"m": 5000, "k_v": 2e6, "k_h": 4e6, "L": 0.3, "preload": 0.02, "zeta": 0.1},
+        {"m": 50, "k_v": 500, "k_h": 250, "n": 4, "L": 0.5, "preload": 0.2, "zeta": 0.02},
+        {"m": 12, "k_v": 2500, "k_h": 1700, "L": 0.08, "preload": 0, "zeta": 0.9},
+    ],
+    ids=("a sensor", "a fan", "a press", "a table of half a hertz", "springs that are not preloaded"),
+)
+def test_sensible_mounts_are_not_nagged(sheet):
+    """Warnings are errors here."""
+    mount = Isolator.physical(**sheet)
+    f_n = mount.scales.sizes["frequency"]
+    mount.amplitudes(f=[0.5 * f_n, 50 * f_n], F=0.1 * sheet["m"])
+    mount.transient(acceleration=1.0, duration=2 / f_n)

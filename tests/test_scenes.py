@@ -405,6 +405,16 @@ def test_a_warning_about_the_design_is_passed_on(scene, capsys):
     assert code == 0 and "negative stiffness at rest" in err
 
 
+def test_slips_of_units_are_told_when_a_scene_is_checked(scene, capsys):
+    path = scene(MOUNT.replace("L = 0.080", "L = 80").replace("f = [5.0]", "f = [1500.0]"))
+    code, _, err = run("check", path, capsys=capsys)
+    assert code == 0 and [line.partition(f"{path}: ")[2][:12] for line in err.splitlines()] == [
+        "L = 80 m is ",
+        "f = 1500 Hz ",
+    ]
+    assert run("run", path, "--quiet", capsys=capsys)[0] == 0  # without another warning, which would be an error
+
+
 def test_a_file_is_written_whole_or_not_at_all(tmp_path, monkeypatch):
     path = tmp_path / "answers.json"
     files.write(path, "first")

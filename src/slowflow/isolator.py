@@ -8,7 +8,7 @@ from __future__ import annotations
 import warnings
 from typing import Any
 
-from slowflow import validate
+from slowflow import plausible, validate
 from slowflow.mechanism import LINEAR, Force, Mechanism, told
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.oscillator import FORCES, Oscillator, designs_of
@@ -147,7 +147,8 @@ class Isolator(Oscillator):
         rests off the centre, `rest()` tells where, and moves about there without symmetry: its answers have a mean B.
         Raises ValueError for a number outside its domain, for laws of damping as `Isolator`, and for such a load where
         motions off the centre are not derived: with the force that is not truncated, an excitation by inertia, or
-        another law of damping.
+        another law of damping. A number that is allowed, and looks as if it were in another unit, as L = 80, is told
+        in a warning.
         """
         moving = m if load is None else validate.number("load", si("load", load, "kilogram"), above=0.0)
         excited = validate.choice("excitation", excitation, tuple(EXCITATIONS))
@@ -176,6 +177,9 @@ class Isolator(Oscillator):
             isolator = cls(force=force, excitation=excitation, rubs=laws.rubs, **numbers)
         except ValueError as error:  # of the dimensionless numbers
             raise ValueError(scales.worded(str(error))) from None
+        sheet = {"k_v": scales.k_v, "L": scales.L, **{name: float(known[name]) for name in ("k_h", "n", "preload")}}
+        beside = {"m": max(scales.m, scales.m - beyond), "friction": mu * scales.sizes["force"], "zeta": isolator.zeta}
+        plausible.warn(plausible.of_mount(**sheet, **beside, g=g), stacklevel=2)
         told = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
         told |= {"c": c} if c is not None else {"zeta": isolator.zeta}
         told |= {name: {"c_2": c_2}.get(name, value) for name, value in laws.said.items()}

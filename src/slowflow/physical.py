@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import validate
+from slowflow import plausible, validate
 from slowflow.averaged.plan import Plan
 from slowflow.mechanism import Floats
 from slowflow.physical_moves import g
@@ -325,17 +325,26 @@ class Physical:
         return self._over("acceleration", si("acceleration", value, "meter/second**2"), "acceleration")
 
     def _time(self, name: str, value: Any) -> Any:
-        return self._over("t" if name == "tau" else name, si(name, value, "second"), "time")
+        found = self._over("t" if name == "tau" else name, si(name, value, "second"), "time")
+        if name == "duration" and np.size(found):
+            longest = float(np.max(found)) * self.scales.sizes["time"]
+            plausible.warn(plausible.of_duration(longest, self.scales.sizes["frequency"]), stacklevel=3)
+        return found
 
     def _most(self, A: Any) -> Any:
         return None if A is None else self._length("A", A)
 
     def _frequency(self, value: Any) -> float:
-        return validate.number("f", turns("f", value), above=0.0) / self.scales.sizes["frequency"]
+        found: float = self._frequencies(validate.number("f", turns("f", value), above=0.0))
+        return found
 
     def _frequencies(self, value: Any) -> Any:
         """One, or an array of them."""
-        return self._over("f", turns("f", value), "frequency", above=0.0)
+        f, f_n = turns("f", value), self.scales.sizes["frequency"]
+        Omega = self._over("f", f, "frequency", above=0.0)
+        if np.size(Omega):
+            plausible.warn(plausible.of_frequency(float(np.max(Omega)) * f_n, f_n), stacklevel=3)
+        return Omega
 
     def _window(self, f: Any) -> dict[str, Any]:
         """Of frequencies, as the oscillator takes it; nothing where it has its own."""

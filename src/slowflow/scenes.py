@@ -39,13 +39,13 @@ import itertools
 import re
 import tomllib
 import warnings
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-from slowflow import validate
+from slowflow import plausible, validate
 from slowflow.answer import Answer
 from slowflow.averaged import plan
 from slowflow.averaged.plan import Plan
@@ -262,7 +262,9 @@ class Scene:
         """The answer to one of its questions, of a mount in N, mm and Hz."""
         # a mount's questions call the amplitude F, whatever it is of
         arguments = {"F" if name in LETTERS else name: value for name, value in asked.arguments.items()}
-        found: Any = QUESTIONS[asked.question].of(self.oscillator)(**arguments)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", plausible.Implausible)  # among `warnings` already
+            found: Any = QUESTIONS[asked.question].of(self.oscillator)(**arguments)
         shown: Answer = found.in_units() if hasattr(found, "in_units") else found
         return shown
 
@@ -332,7 +334,8 @@ class _Reader:
         mount = isinstance(oscillator, Physical)
         kinds = {key: OF_MOUNT[key] for key in (kind.forcing, kind.frequency, *OF_A_PULSE, kind.time) if mount}
         asked = tuple(replace(one, kinds=kinds) for one in self._asked(kind, ask))
-        return Scene(self.path, self.text, self.content, oscillator, asked, tuple(str(one.message) for one in caught))
+        remarks = dict.fromkeys((*(str(one.message) for one in caught), *_implausible(oscillator, asked)))
+        return Scene(self.path, self.text, self.content, oscillator, asked, tuple(remarks))
 
     def _asked(self, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
         """The questions with their arguments."""
@@ -495,6 +498,20 @@ class _Reader:
             elif not inside and re.match(rf"\s*{re.escape(table)}\s*=", line):
                 return number
         return found
+
+
+def _implausible(of: Any, asked: Iterable[Asked]) -> Iterator[str]:
+    """What looks as if it were in another unit of the frequencies and durations that a mount is asked at."""
+    if not isinstance(of, Physical):
+        return
+    f_n = of.scales.sizes["frequency"]
+    for one in asked:
+        told = [("f", one.arguments.get("f")), ("f", one.arguments.get("spectrum", [None])[0])]
+        told += [("duration", one.arguments.get("duration")), ("duration", one.arguments.get("shock", [None])[-1])]
+        for name, value in told:
+            if value is not None:
+                remark = plausible.of_frequency if name == "f" else plausible.of_duration
+                yield from remark(max(value) if isinstance(value, (list, tuple)) else value, f_n)
 
 
 def _listed(names: Any, form: str) -> str:

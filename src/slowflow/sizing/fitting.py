@@ -7,6 +7,7 @@ counts.
 from __future__ import annotations
 
 import contextlib
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, NamedTuple
@@ -20,6 +21,7 @@ from slowflow import validate
 from slowflow.answer import Table, joined
 from slowflow.mechanism import Floats
 from slowflow.physical import Physical
+from slowflow.plausible import Implausible
 from slowflow.quantities import EXCITED, UNITS
 from slowflow.sizing.subject import Subject, first_jump
 
@@ -144,10 +146,12 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
 
     def residuals(x: Floats) -> Floats:
         """Measured less what the design has; what is no design, or does not move or jump, has 0."""
-        try:
-            design = subject.of.replace(**dict(zip(names, (x * start).tolist(), strict=True)))
-        except ValueError:
-            return measured.values.copy()
+        with warnings.catch_warnings():  # there is nothing to say of what a search passes
+            warnings.simplefilter("ignore")
+            try:
+                design = subject.of.replace(**dict(zip(names, (x * start).tolist(), strict=True)))
+            except ValueError:
+                return measured.values.copy()
         return measured.values - measured.of_design(design)
 
     found = least_squares(residuals, np.ones(len(names)), bounds=(LEAST, MOST), x_scale="jac", xtol=1e-12, ftol=1e-12)
@@ -160,7 +164,9 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
     error = np.sqrt(np.diag(covariance))
     value, error, correlation = found.x * start, error * start, covariance / np.outer(error, error)
     half = float(student.ppf(0.5 * (1 + CONFIDENCE), left)) * error
-    design = subject.of.replace(**dict(zip(names, value.tolist(), strict=True)))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", Implausible)  # the message says what numbers at the ends of the range are
+        design = subject.of.replace(**dict(zip(names, value.tolist(), strict=True)))
     ends = (found.x < LEAST * (1 + AT_AN_END)) | (found.x > MOST * (1 - AT_AN_END))
     absent = np.count_nonzero(found.fun == measured.values)
     message = joined(
