@@ -104,6 +104,33 @@ def test_the_conda_recipe_asks_for_what_the_package_asks_for() -> None:
     assert asked == {*project["build-system"]["requires"], "python", "pip"}
 
 
+#: what a newcomer types into the site's search, which wants all words, and the page that answers
+SEARCHED = {
+    "install compiler windows": "howto/install",
+    "jump force": "howto/questions",
+    "F_SN onset fold": "words",
+    "newton units millimetre": "howto/questions",
+    "base shakes floor": "howto/shocks",
+    "accurate trust averaging": "howto/questions",
+    "plot response curve": "howto/questions",
+    "custom spring force": "howto/questions",
+    "tolerances requirements": "howto/tolerances",
+    "no answer NaN": "howto/questions",
+    "export csv pandas": "howto/questions",
+    "command line scene report": "howto/command_line",
+    "fit measured damping": "howto/questions",
+    "million designs parallel": "howto/questions",
+    "matlab": "howto/languages",
+    "limits": "howto/questions",
+}
+
+
+@pytest.mark.parametrize("words", SEARCHED)
+def test_the_words_of_a_newcomer_stand_on_the_page_that_answers(words: str) -> None:
+    text = (ROOT / "docs" / f"{SEARCHED[words]}.md").read_text(encoding="utf-8").casefold()
+    assert [word for word in words.split() if word.casefold() not in text] == []
+
+
 def test_the_code_in_the_readme_runs() -> None:
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)
     assert len(blocks) >= 2
