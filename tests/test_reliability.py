@@ -86,6 +86,17 @@ def test_ctrl_c_ends_a_long_answer():
 
 
 @native_only
+def test_ctrl_c_ends_a_batch_whose_designs_take_far_longer_than_others():
+    """Subnormal numbers: 50 ms each, where a microsecond is usual."""
+    program = (
+        "import numpy as np; from slowflow import Isolator\n"
+        "many = Isolator.many(lam=1.0, r=1.0, delta_h=np.full(10**5, 5e-310), mu=0.01, zeta=0.1)\n"
+        "print('asked', flush=True); many.saddle_node_onset(); print('answered', flush=True)"
+    )
+    assert interrupted(program) == ENDING
+
+
+@native_only
 def test_ctrl_c_ends_an_exact_curve():
     program = (
         "from slowflow.paper.example import isolator\n"

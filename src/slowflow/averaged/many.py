@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import importlib.util
 import math
+import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, fields
 from functools import cached_property
@@ -726,9 +727,15 @@ def first_end(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Floats:
 
 # ---- designs in parts
 
+#: designs of the first part, few enough where each takes as long as any, and seconds that a part is to take at most
+FIRST_PART, TOO_LONG = 16, 0.4
+
 
 def _blocks(shape: tuple[int, ...], most: int) -> Iterator[tuple[slice | int, ...]]:
-    """Indices of parts of at most so many entries that make up an array of that shape."""
+    """Indices of parts of at most so many entries that make up an array of that shape.
+
+    Who takes long over a part gets fewer entries next: between parts Ctrl-C is heard.
+    """
     if not shape:
         yield (...,)  # type: ignore[misc]  # a view, where () would be the number itself
         return
@@ -738,9 +745,17 @@ def _blocks(shape: tuple[int, ...], most: int) -> Iterator[tuple[slice | int, ..
             for inner in _blocks(shape[1:], most):
                 yield (k, *inner)
         return
-    rows = most // max(beyond, 1)
-    for start in range(0, shape[0], rows):
+    most_rows = most // max(beyond, 1)
+    start, rows = 0, min(FIRST_PART, most_rows)
+    while start < shape[0]:
+        began = time.perf_counter()
         yield (slice(start, start + rows),)
+        start += rows
+        took = time.perf_counter() - began
+        if took > TOO_LONG:
+            rows = max(rows // 4, 1)
+        elif took < TOO_LONG / 8:
+            rows = min(4 * rows, most_rows)
 
 
 def share(work: Callable[[Any], None], parts: Iterator[Any], threads: int) -> None:
