@@ -1,46 +1,14 @@
 /* See design_lanes.h. */
-#define SF_INTERVALS_IN_LANES
 #include <math.h>
 
 #include "clones.h"
 #include "design_lanes.h"
 #include "slow_flow.h"
-#include "slow_flow_intervals.h"
 
 /* rho of a power of A that h may nearly be, as in cells.h */
 #define HIGHEST_POWER 16
-
-/* The larger root of x^2 + 2 a x + b, b <= 0, but for less than SF_DOUBT of it: nothing cancels. */
-static inline double larger_root_at(double a, double b)
-{
-    const double sum = sqrt(a * a - b) + fabs(a);
-    return a > 0 ? -b / sum : sum;
-}
-
-/* The same on a cell, as sf_larger_root_range has it. */
-static inline sf_interval larger_root(sf_interval a, sf_interval b, sf_interval root)
-{
-    const sf_interval sum = sfi_sub(root, a), quotient = sfi_neg(sfi_div(b, sfi_add(a, root)));
-    const double most = larger_root_at(a.lo, b.lo) * (1 + SF_DOUBT), least = larger_root_at(a.hi, b.hi) * (1 - SF_DOUBT);
-    double lo = sum.lo, hi = sum.hi;
-    lo = (a.lo >= 0) & (quotient.lo > lo) ? quotient.lo : lo, hi = (a.lo >= 0) & (quotient.hi < hi) ? quotient.hi : hi;
-    hi = (b.lo <= 0) & (most < hi) ? most : hi;
-    lo = (b.hi <= 0) & (least > lo) ? least : lo;
-    return sfi_of(lo, hi);
-}
-
-/* By a sign, 1 or -1 */
-static inline sf_interval signed_as(double sign, sf_interval a)
-{
-    const double lo = sign * a.lo, hi = sign * a.hi, known = sfi_known(a);
-    return sfi_of(known + SF_LESSER(lo, hi), known + SF_GREATER(lo, hi));
-}
-
-/* The larger root for a sign of 1, the smaller one for -1 */
-static inline sf_interval root_on(sf_interval a, sf_interval b, sf_interval root, double sign)
-{
-    return signed_as(sign, larger_root(signed_as(sign, a), b, root));
-}
+/* of A^3 h_AA^2, and of its inverse: beyond it products might underflow */
+#define SMALLEST 0x1p-900
 
 static inline double root_at(double a, double b, double root, double sign)
 {
@@ -65,25 +33,65 @@ static inline value value_at(double A, double h, double h_A, double h_AA, double
     return found;
 }
 
-/* The verdict on a channel of cell i, in terms of what `judge` knows of the cell: stated once, as gcc vectorises no loop in a
- * loop. The larger Omega^2, channel 0, has the larger t where h_AA > 0. */
-#define JUDGE(CHANNEL, SIGN) \
+/* x times any number of a range from lo to hi, x > 0 from x_lo to x_hi: the least, or with the ends in turn the most */
+#define LEAST(lo, x_lo, x_hi) ((lo) * ((lo) >= 0 ? (x_lo) : (x_hi)))
+#define MOST(hi, x_lo, x_hi) ((hi) * ((hi) >= 0 ? (x_hi) : (x_lo)))
+
+/* What both channels share on a cell, with B = A |h_AA|: tau = dR/dA / B is a root of tau^2 + 2 a tau + b, and then
+ * Omega^2 = B tau - h_A (`cusps_scaled`, `cusp_X`) */
+typedef struct {
+    double a, b, m, zeta, most, sign, B_lo, B_hi, P_lo, P_hi, h_A_lo, h_A_hi, kappa_lo, kappa_hi, rho_lo, rho_hi;
+} shared;
+
+typedef struct {
+    int none, throughout, monotone;
+} channel;
+
+/* A channel whose tau lies between these. F_A/2 over P = A B^2 is (kappa - 1) (t - 1) - 1 + Q/P, t = dR/dA / (A h_AA), Q = 2 m
+ * zeta Omega (`cusp_scaled`); its slope has the factors rho (kappa + t) + 3 t and kappa + 2 t + (m zeta/(A Omega) + 4
+ * zeta^2)/(A h_AA), and no other that vanishes (`cusp_scaled_slope`); F_0^2 is m^2 + A Q + A P kappa (kappa + t)
+ * (`cusp_scaled_level`). Each is bounded by its terms. */
+static inline channel channel_on(shared of, double tau_lo, double tau_hi)
+{
+    const double turned = of.sign > 0 ? 1.0 : 0.0, kappa_lo = of.kappa_lo, kappa_hi = of.kappa_hi;
+    const double t_lo = turned > 0 ? tau_lo : -tau_hi, t_hi = turned > 0 ? tau_hi : -tau_lo;
+    const double size = SF_GREATER(fabs(tau_lo), fabs(tau_hi)), deep = SF_GREATER(-kappa_lo, 1.0);
+    const double doubt_X = SF_DOUBT * (of.B_hi * size + SF_GREATER(fabs(of.h_A_lo), fabs(of.h_A_hi)));
+    const double X_lo = LEAST(tau_lo, of.B_lo, of.B_hi) - of.h_A_hi - doubt_X, X_hi = MOST(tau_hi, of.B_lo, of.B_hi) - of.h_A_lo + doubt_X;
+    const double w_lo = sqrt(SF_GREATER(X_lo, 0.0)), w_hi = sqrt(SF_GREATER(X_hi, 0.0));
+
+    const double q = of.m * of.zeta, Q_lo = 2 * q * w_lo * (1 - SF_DOUBT), Q_hi = 2 * q * w_hi * (1 + SF_DOUBT);
+    const double u_lo = 1 - kappa_hi, u_hi = 1 - kappa_lo, doubt_e = SF_DOUBT * (u_hi * (1 + size) + 1);
+    const double e_lo = LEAST(1 - t_hi, u_lo, u_hi) - 1 - doubt_e, e_hi = MOST(1 - t_lo, u_lo, u_hi) - 1 + doubt_e;
+    const int is_positive = e_lo * of.P_hi + Q_lo > 0, is_negative = (e_hi < 0) & (e_hi * of.P_lo + Q_hi < 0);
+
+    const double sum_lo = kappa_lo + t_lo, sum_hi = kappa_hi + t_hi, doubt_s = SF_DOUBT * (size + deep);
+    const double c = -MOST(sum_hi + doubt_s, -kappa_hi, -kappa_lo), level = of.m * of.m + of.a * Q_lo + LEAST(c, of.a * of.P_lo, of.b * of.P_hi);
+    const double doubt_F = SF_DOUBT * (of.m * of.m + of.a * Q_lo + of.b * of.P_hi * fabs(c));
+    const int is_above = (kappa_hi <= 0) & (level - doubt_F > of.most * of.most);
+
+    const double doubt_g = 4 * (1 + of.rho_hi) * doubt_s;
+    const double g_lo = LEAST(sum_lo, of.rho_lo, of.rho_hi) + 3 * t_lo, g_hi = MOST(sum_hi, of.rho_lo, of.rho_hi) + 3 * t_hi;
+    const double of_zeta = 4 * of.zeta * of.zeta;
+    const double by_hi = (q / (of.b * w_hi) + of_zeta) / of.B_hi * (1 - SF_DOUBT), by_lo = (q / (of.a * w_lo) + of_zeta) / of.B_lo * (1 + SF_DOUBT);
+    const double k_lo = sum_lo + t_lo + (turned > 0 ? by_hi : -by_lo), k_hi = sum_hi + t_hi + (turned > 0 ? by_lo : -by_hi);
+    const double doubt_k = 4 * doubt_s + SF_DOUBT * by_lo;
+    const channel found = {(X_hi <= 0) | is_positive | is_negative | is_above, X_lo > 0,
+                           ((g_lo > doubt_g) | (g_hi < -doubt_g)) & ((k_lo > doubt_k) | (k_hi < -doubt_k))};
+    return found;
+}
+
+/* Whether a channel has no zero, or one, given also its values at the ends: stated once, as gcc vectorises no loop in a loop.
+ * Channel 0 is the larger Omega^2. */
+#define JUDGE(CHANNEL, SIGN, LO, HI) \
     { \
-        const double sign = SIGN; \
-        const double sign_t = of_h_AA * sign; \
-        const sf_interval t = root_on(q[0], q[1], root, sign_t), whole = slow_flow_intervals_cusp_X(A, h_A, h_AA, t); \
-        const sf_interval X = sfi_of(whole.lo > 0 ? whole.lo : 0.0, whole.hi); \
-        const sf_interval y = slow_flow_intervals_cusp_scaled(A, m, zeta, h_AA, kappa, X, t); \
-        const sf_interval level = slow_flow_intervals_cusp_scaled_level(A, m, zeta, h_AA, kappa, X, t); \
-        const sf_interval dy = slow_flow_intervals_cusp_scaled_slope(A, m, zeta, h_AA, kappa, rho, X, t, signed_as(sign_t, root)); \
-        const int is_throughout = (whole.lo > 0) & (q[2].lo > 0); \
-        const int is_nowhere = (kappa.lo >= 0) | (q[2].hi < 0) | (whole.hi <= 0) | (y.lo > 0) | (y.hi < 0) | (level.lo > most); \
-        const int is_monotone = (dy.lo > 0) | (dy.hi < 0); \
-        const value at_a = value_at(a, h_a, h1_a, h2_a, h3_a, k_a, m_, zeta_, sign); \
-        const value at_b = value_at(b, h_b, h1_b, h2_b, h3_b, k_b, m_, zeta_, sign); \
+        const channel on = channel_on(of, LO, HI); \
+        const value at_a = value_at(a, h_a, h1_a, h2_a, h3_a, k_a, of.m, of.zeta, SIGN); \
+        const value at_b = value_at(b, h_b, h1_b, h2_b, h3_b, k_b, of.m, of.zeta, SIGN); \
         const double product = at_a.y * at_b.y, defined = SF_LESSER(at_a.least, at_b.least); \
-        const int is_settled = is_scaled & is_throughout & is_monotone & (defined > 0); \
-        const int has_none = (is_scaled & is_nowhere) | is_free | (is_settled & (product > 0)), has_one = is_settled & (product < 0); \
+        const int is_settled = is_scaled & on.throughout & on.monotone & (disc_lo > 0) & (defined > 0); \
+        const int has_none = (is_scaled & ((kappa_lo >= 0) | (disc_hi < 0) | on.none)) | is_free | (is_settled & (product > 0)); \
+        const int has_one = is_settled & (product < 0); \
         cells->verdict[CHANNEL][i] = has_none ? SF_HAS_NONE : has_one ? SF_HAS_ONE : (double)SF_IS_OPEN; \
     }
 
@@ -95,38 +103,53 @@ SF_WIDE static void judge(ptrdiff_t n, sf_cusp_cells *cells)
         const double a = cells->low[0][i], h_a = cells->low[1][i], h1_a = cells->low[2][i], h2_a = cells->low[3][i];
         const double b = cells->high[0][i], h_b = cells->high[1][i], h1_b = cells->high[2][i], h2_b = cells->high[3][i];
         const double h3_a = cells->low[4][i], k_a = cells->low[5][i], h3_b = cells->high[4][i], k_b = cells->high[5][i];
-        const double m_ = cells->asked[0][i], zeta_ = cells->asked[1][i], most = cells->asked[2][i], width = b - a;
+        const double m = cells->asked[0][i], zeta = cells->asked[1][i], most = cells->asked[2][i], width = b - a;
         const sf_lane_slopes on = sf_slopes_on(a, h_a, h1_a, h2_a, h3_a, b, h_b, h1_b, h2_b, h3_b, 0);
-        const sf_interval A = sfi_of(a, b), h_A = sfi_of(on.h1_lo, on.h1_hi), h_AA = sfi_of(on.h2_lo, on.h2_hi);
-        const sf_interval m = sfi_point(m_), zeta = sfi_point(zeta_);
 
         /* next to A = 0: sf_is_free_of_folds */
-        const double square = zeta_ * zeta_, apart = h_A.hi - h_A.lo, of_slope = 16 * square * (h_A.hi + square);
-        const int rises = ((h_A.lo >= 0) | (h_A.hi <= 0)) & (h_A.lo + 2 * square > SF_CLOSE * (fabs(h_A.lo) + square));
+        const double square = zeta * zeta, apart = on.h1_hi - on.h1_lo, of_slope = 16 * square * (on.h1_hi + square);
+        const int rises = ((on.h1_lo >= 0) | (on.h1_hi <= 0)) & (on.h1_lo + 2 * square > SF_CLOSE * (fabs(on.h1_lo) + square));
         const int is_free = (a + fabs(h_a) == 0) & (rises | (apart * apart + of_slope < -SF_CLOSE * (apart * apart + fabs(of_slope))));
 
         /* sf_scaled */
-        const double of_h_AA = h2_a < 0 ? -1.0 : 1.0, from = fabs(h2_a);
-        const double least_h_AA = signed_as(of_h_AA, h_AA).lo;
-        const double s_lo = SF_LESSER(of_h_AA * h3_a, of_h_AA * h3_b), s_hi = SF_GREATER(of_h_AA * h3_a, of_h_AA * h3_b);
-        const double rho_lo = SF_LESSER(a * s_lo / from, b * s_lo / (from + s_hi * width));
-        const double rho_hi = SF_GREATER(a * s_hi / from, b * s_hi / (from + s_lo * width));
-        const sf_interval rho = sfi_of((1 - SF_DOUBT) * rho_lo, (1 + SF_DOUBT) * rho_hi);
-        const int is_scaled = (least_h_AA > 0) & (a > 0) & (s_lo >= 0) & (rho.hi < HIGHEST_POWER);
+        const double sign = h2_a < 0 ? -1.0 : 1.0, from = fabs(h2_a);
+        const double least = sign > 0 ? on.h2_lo : -on.h2_hi, greatest = sign > 0 ? on.h2_hi : -on.h2_lo;
+        const double s_lo = SF_LESSER(sign * h3_a, sign * h3_b), s_hi = SF_GREATER(sign * h3_a, sign * h3_b);
+        const double rho_lo = (1 - SF_DOUBT) * SF_LESSER(a * s_lo / from, b * s_lo / (from + s_hi * width));
+        const double rho_hi = (1 + SF_DOUBT) * SF_GREATER(a * s_hi / from, b * s_hi / (from + s_lo * width));
         const double first = k_a / (a * a * h2_a), last = k_b / (b * b * h2_b), doubt = 4 * SF_DOUBT * (1 + fabs(first));
-        const sf_interval rough = sfi_of(SF_LESSER(first, -1 / (2 + rho.lo)) - doubt, SF_GREATER(first, -1 / (2 + rho.hi)) + doubt);
-        const sf_interval bent = sfi_add(sfi_point(1), sfi_mul(rough, sfi_add(sfi_point(2), rho)));
-        const sf_interval slope = sfi_neg(sfi_div(bent, A));
-        const double off = 2 * doubt + SF_DOUBT * width * (fabs(slope.lo) + fabs(slope.hi));
-        const sf_interval kappa = sfi_both(rough, sfi_of(sf_lane_under(first, last, slope.lo, slope.hi, width) - off,
-                                                         -sf_lane_under(-first, -last, -slope.hi, -slope.lo, width) + off));
+        const double rough_lo = SF_LESSER(first, -1 / (2 + rho_lo)) - doubt, rough_hi = SF_GREATER(first, -1 / (2 + rho_hi)) + doubt;
+        /* its slope is -(1 + kappa (2 + rho))/A */
+        const double bent_lo = 1 + LEAST(rough_lo, 2 + rho_lo, 2 + rho_hi), bent_hi = 1 + MOST(rough_hi, 2 + rho_lo, 2 + rho_hi);
+        const double steep = SF_DOUBT * (1 + fabs(rough_lo) + fabs(rough_hi)) * (2 + rho_hi);
+        const double slope_lo = -MOST(bent_hi + steep, 1 / b, 1 / a), slope_hi = -LEAST(bent_lo - steep, 1 / b, 1 / a);
+        const double off = 2 * doubt + SF_DOUBT * width * (fabs(slope_lo) + fabs(slope_hi));
+        const double under = sf_lane_under(first, last, slope_lo, slope_hi, width) - off;
+        const double over = -sf_lane_under(-first, -last, -slope_hi, -slope_lo, width) + off;
+        const double kappa_lo = SF_GREATER(rough_lo, under), kappa_hi = SF_LESSER(rough_hi, over);
 
         /* sf_range_cusp_scaled */
-        sf_interval q[3];
-        slow_flow_intervals_cusps_scaled(A, zeta, h_A, h_AA, kappa, q);
-        const sf_interval root = sfi_sqrt(q[2]);
-        JUDGE(0, 1.0)
-        JUDGE(1, -1.0)
+        const double B_lo = a * least * (1 - SF_DOUBT), B_hi = b * greatest * (1 + SF_DOUBT);
+        const double P_lo = a * B_lo * B_lo, P_hi = b * B_hi * B_hi;
+        const shared of = {a, b, m, zeta, most, sign, B_lo, B_hi, P_lo, P_hi, on.h1_lo, on.h1_hi, kappa_lo, kappa_hi, rho_lo, rho_hi};
+        const int is_scaled = (least > 0) & (a > 0) & (s_lo >= 0) & (rho_hi < HIGHEST_POWER) & (kappa_hi < 1) & (P_lo > SMALLEST) & (P_hi < 1 / SMALLEST);
+        const double z_lo = 2 * square / B_hi, z_hi = 2 * square / B_lo;
+        const double p_lo = z_lo + 0.5 * sign, p_hi = z_hi + 0.5 * sign;
+        const double less_lo = SF_LESSER(2 * on.h1_lo * z_lo / B_hi, 2 * on.h1_lo * z_hi / B_lo);
+        const double less_hi = SF_GREATER(2 * on.h1_hi * z_lo / B_hi, 2 * on.h1_hi * z_hi / B_lo);
+        const double c_lo = kappa_lo - less_hi, c_hi = kappa_hi - less_lo;
+        const double doubt_c = SF_DOUBT * (fabs(kappa_lo) + fabs(kappa_hi) + fabs(less_lo) + fabs(less_hi));
+        const double near = (p_lo > 0) | (p_hi < 0) ? SF_LESSER(fabs(p_lo), fabs(p_hi)) : 0.0, far = SF_GREATER(fabs(p_lo), fabs(p_hi));
+        const double b_lo = c_lo - doubt_c, b_hi = c_hi + doubt_c, doubt_d = SF_DOUBT * (far * far + fabs(b_lo) + fabs(b_hi));
+        const double disc_lo = near * near - b_hi - doubt_d, disc_hi = far * far - b_lo + doubt_d;
+        /* the larger root falls with a and b where b <= 0, and so does the other one, less itself, but that it rises with a */
+        const int corners = b_hi <= 0;
+        const double root_lo = sqrt(SF_GREATER(disc_lo, 0.0)), root_hi = sqrt(SF_GREATER(disc_hi, 0.0));
+        const double of_lo_lo = sqrt(SF_GREATER(p_lo * p_lo - b_lo, 0.0)), of_lo_hi = sqrt(SF_GREATER(p_lo * p_lo - b_hi, 0.0));
+        const double of_hi_lo = sqrt(SF_GREATER(p_hi * p_hi - b_lo, 0.0)), of_hi_hi = sqrt(SF_GREATER(p_hi * p_hi - b_hi, 0.0));
+        const double doubt_t = 4 * SF_DOUBT * (far + root_hi);
+        JUDGE(0, 1.0, (corners ? of_hi_hi : root_lo) - p_hi - doubt_t, (corners ? of_lo_lo : root_hi) - p_lo + doubt_t)
+        JUDGE(1, -1.0, -p_hi - (corners ? of_hi_lo : root_hi) - doubt_t, -p_lo - (corners ? of_lo_hi : root_lo) + doubt_t)
     }
 }
 
