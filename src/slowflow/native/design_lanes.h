@@ -2,9 +2,10 @@
  * by loops that vectorise.
  *
  * What h_A and h_AA are on a cell follows from their values at its ends, as h_AAA is monotone on a piece of the force
- * (cells.h). For states F's first and second derivative along A follow from these: F has no zero where R is too large or too small on all of the cell, or where F has one sign at both ends and is
- * monotone, or curved so that it cannot come to 0 between; and one where the signs differ and F is monotone or of one curvature. For a peak it
- * is F at its critical points in Omega, as in along.h.
+ * (cells.h). For states F's first and second derivative along A follow from these: F has no zero where R is too large or too
+ * small on all of the cell, or where F has one sign at both ends and is monotone, or curved so that it cannot come to 0
+ * between; and one where the signs differ and F is monotone or of one curvature. For a peak it is F at its critical points in
+ * Omega, and for a cusp F_A at the zeros of F_AA, as in along.h.
  * Bounds are computed in doubles and widened by more than rounding may make of them. Where a number of doubles is near to
  * deciding, or a design needs more cells than there are places, it is left to states.h.
  */
@@ -35,8 +36,8 @@ typedef struct {
     double verdict[SF_LANE_CELLS], cut[SF_LANE_CELLS], rises[SF_LANE_CELLS];
 } sf_lane_cells;
 
-/* Brackets with what is known of an amplitude inside. next: where F vanishes as far as that tells; left: by how much A may
- * be wrong then, relatively */
+/* Brackets with what is known of an amplitude inside. next: where F vanishes as far as that tells; moved: how far that is from
+ * there */
 typedef struct {
     int n, of[SF_LANE_CELLS];
     double at[SF_PROBE_ROWS][SF_LANE_CELLS], asked[SF_ASKED_ROWS][SF_LANE_CELLS];
@@ -44,17 +45,40 @@ typedef struct {
     double Omega[SF_LANE_CELLS]; /* of peaks */
 } sf_lane_zeros;
 
-/* Cells of a first piece in which cusps are looked for: rows of what is known at their ends with h - A h_A behind; m, zeta, and
- * the forcing above which cusps may be left out; the verdict on each channel (along.h) */
-enum { SF_CUSP_ROWS = 6, SF_CUSP_ASKED_ROWS = 3 };
+/* What is known of an amplitude where cusps are looked for, as rows: what is known of any, k = h - A h_A, then the function of
+ * each channel (along.h) and its slope, NaN where it is not defined. Asked are m, zeta, and of cells the forcing above which
+ * cusps may be left out */
+enum { SF_CUSP_PROBE_ROWS = 6, SF_CUSP_ROWS = SF_CUSP_PROBE_ROWS + 4, SF_CUSP_ASKED_ROWS = 3 };
+typedef struct {
+    int n;
+    double at[SF_CUSP_ROWS][SF_LANE_CELLS], asked[2][SF_LANE_CELLS];
+} sf_cusp_probes;
+
+/* Cells of a first piece in which cusps are looked for; the verdict on each channel; whether h_A < 0 on all of the cell */
 typedef struct {
     int n, of[SF_LANE_CELLS];
     double low[SF_CUSP_ROWS][SF_LANE_CELLS], high[SF_CUSP_ROWS][SF_LANE_CELLS], asked[SF_CUSP_ASKED_ROWS][SF_LANE_CELLS];
-    double open[2][SF_LANE_CELLS], verdict[2][SF_LANE_CELLS];
+    double open[2][SF_LANE_CELLS], verdict[2][SF_LANE_CELLS], falls[SF_LANE_CELLS];
 } sf_cusp_cells;
 
+/* Cusps between amplitudes with a channel's function on either side of zero. sign: 1 for the larger Omega^2, -1 for the other
+ * one; lo, hi, last: A, the function, its slope, at the ends and where it was asked last; next: where it is likely to vanish. What is asked at an amplitude: its function is 0
+ * but for a change of A by `left`, relatively; and what a cusp has there */
+typedef struct {
+    int n, of[SF_LANE_CELLS];
+    double at[SF_CUSP_PROBE_ROWS][SF_LANE_CELLS], asked[2][SF_LANE_CELLS], sign[SF_LANE_CELLS];
+    double lo[3][SF_LANE_CELLS], hi[3][SF_LANE_CELLS], last[3][SF_LANE_CELLS], next[SF_LANE_CELLS], left[SF_LANE_CELLS];
+    double Omega[SF_LANE_CELLS], level[SF_LANE_CELLS];
+} sf_cusp_zeros;
+
+/* The functions of all channels. */
+void sf_ask_cusps(sf_cusp_probes *probes);
 /* The verdicts on the channels that are open. */
 void sf_judge_cusps(sf_cusp_cells *cells);
+/* Where cusps are likely to be by the ends of their brackets. */
+void sf_start_cusps(sf_cusp_zeros *zeros);
+/* The same, once they are asked at an amplitude inside. */
+void sf_approach_cusps(sf_cusp_zeros *zeros);
 /* The verdicts of all cells; places that are left over of a vector are overwritten. */
 void sf_judge_states(sf_lane_cells *cells);
 /* The same of the highest peak, SF_HAS_ONE only of one at which F rises with A. */

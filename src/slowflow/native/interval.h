@@ -60,31 +60,6 @@ static inline sf_interval sfi_sub(sf_interval a, sf_interval b) {
     return sfi_of(sfi_down(a.lo - b.hi), sfi_up(a.hi - b.lo));
 }
 
-#if defined(SF_INTERVALS_IN_LANES)
-/* The same without branches, for loops that vectorise: wider by next to nothing, and what is infinite may become NaN. */
-static inline sf_interval sfi_outwards(double lo, double hi) { return sfi_of(sfi_down(lo) - SFI_LEAST, sfi_up(hi) + SFI_LEAST); }
-/* 0, or NaN where an end is not finite */
-static inline double sfi_known(sf_interval a) { return 0 * (a.lo + a.hi); }
-static inline sf_interval sfi_times(double c, sf_interval a) { return sfi_outwards(c * a.lo, c * a.hi); }
-static inline sf_interval sfi_mul(sf_interval a, sf_interval b) {
-    const double p = a.lo * b.lo, q = a.lo * b.hi, r = a.hi * b.lo, s = a.hi * b.hi, known = sfi_known(a) + sfi_known(b);
-    return sfi_outwards(known + sfi_least(sfi_least(p, q), sfi_least(r, s)), known + sfi_most(sfi_most(p, q), sfi_most(r, s)));
-}
-static inline sf_interval sfi_square(sf_interval a) {
-    const double lo = sfi_most(sfi_most(a.lo, -a.hi), 0), hi = sfi_most(-a.lo, a.hi), known = sfi_known(a);
-    return sfi_of(known + sfi_most(sfi_down(lo * lo) - SFI_LEAST, 0), known + sfi_up(hi * hi) + SFI_LEAST);
-}
-static inline sf_interval sfi_inverse(sf_interval a) {
-    const double off = (a.lo > 0) | (a.hi < 0) ? 0.0 : HUGE_VAL;
-    const sf_interval inside = sfi_outwards(1 / a.hi, 1 / a.lo);
-    return sfi_of(off > 0 ? -HUGE_VAL : inside.lo, off > 0 ? HUGE_VAL : inside.hi);
-}
-/* of the part that is not negative */
-static inline sf_interval sfi_sqrt(sf_interval a) {
-    const double known = sfi_known(a);
-    return sfi_of(known + sfi_down(sqrt(sfi_most(a.lo, 0))), known + sfi_up(sqrt(sfi_most(a.hi, 0))));
-}
-#else
 /* by c > 0 */
 static inline sf_interval sfi_times(double c, sf_interval a) {
     return sfi_of(sfi_product_down(c, a.lo), sfi_product_up(c, a.hi));
@@ -140,7 +115,6 @@ static inline sf_interval sfi_inverse(sf_interval a) {
 static inline sf_interval sfi_sqrt(sf_interval a) {
     return sfi_of(a.lo > 0 ? sfi_most(sfi_down(sqrt(a.lo)), 0) : 0, a.hi <= 0 ? 0 : sfi_up(sqrt(a.hi)));
 }
-#endif
 
 static inline sf_interval sfi_div(sf_interval a, sf_interval b) { return sfi_mul(a, sfi_inverse(b)); }
 

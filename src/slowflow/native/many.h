@@ -177,48 +177,58 @@ static int sf_goes_in_lanes(const sf_mechanism *mechanism) {
     return mechanism->bent == NULL && mechanism->averaged_in_pairs != NULL && !mechanism->inertial;
 }
 
-/* The onset of member d, which is design k. */
-static void sf_leave_onset(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_lane_onset *of,
-                           sf_work *work) {
-    sf_onset *found = &of->best;
+/* The onset of one design, by itself. */
+static void sf_answer_onset(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_work *work) {
+    sf_onset found = {NAN, NAN, NAN, SF_NO_KIND, HUGE_VAL, 0};
     sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
+    sf_model model;
     sf_exactly exactly;
-    if (of->begun) {
-        status = sf_end_onset(&of->model, of->ok ? &of->cusps : NULL, work, found);
-        if (status == SF_OK)
-            sf_settle_onset(&of->model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, found);
-    }
-    sf_write_onset(args, steps, mechanism->design_size + mechanism->damping_size, k, found, sf_is_rest_below(found), status);
+    if (work != NULL && sf_design_at(mechanism, args, steps, k, 1, &model))
+        status = sf_settled_onset(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, work, &found);
+    sf_write_onset(args, steps, mechanism->design_size + mechanism->damping_size, k, &found, sf_is_rest_below(&found), status);
+}
+
+/* Whether design k begins the search of a block as its member d. */
+static int sf_enter_onset(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_onset_block *block,
+                          int d) {
+    sf_lane_onset *of = &block->at[d];
+    if (!sf_design_at(mechanism, args, steps, k, 1, &of->model))
+        return 0;
+    sf_end_pieces(&of->model, &of->ends);
+    sf_begin_onset(&of->model, &of->ends, &of->best);
+    return sf_begin_cusps(block, d);
+}
+
+/* Whether the onset of a member, which is design k, settles, and is written. */
+static int sf_leave_onset(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_lane_onset *of,
+                          sf_work *work) {
+    sf_onset *found = &of->best;
+    sf_exactly exactly;
+    if (!of->ok || sf_end_onset(&of->model, &of->ends, 1, work, found) != SF_OK ||
+        !sf_exactly_at(mechanism, args, steps, k, &exactly) || !sf_settle_onset(&of->model, &exactly, found))
+        return 0;
+    sf_write_onset(args, steps, mechanism->design_size + mechanism->damping_size, k, found, sf_is_rest_below(found), SF_OK);
+    return 1;
 }
 
 /* design, damping -> F_SN, Omega, A, kind, whether folds that end at Omega = 0 are below it, status */
 static void sf_loop_onsets(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     const sf_mechanism *mechanism = data;
-    const sf_onset none = {NAN, NAN, NAN, SF_NO_KIND, HUGE_VAL, 0};
-    const int in_lanes = sf_goes_in_lanes(mechanism);
     sf_work *work = malloc(sizeof *work);
-    sf_onset_block *block = malloc(sizeof *block);
+    sf_onset_block *block = work != NULL && sf_goes_in_lanes(mechanism) ? malloc(sizeof *block) : NULL;
     ptrdiff_t first, k;
     for (first = 0; first < dimensions[0]; first += SF_ONSET_BLOCK) {
         const ptrdiff_t end = first + SF_ONSET_BLOCK < dimensions[0] ? first + SF_ONSET_BLOCK : dimensions[0];
-        if (work == NULL || block == NULL) {
-            for (k = first; k < end; k++)
-                sf_write_onset(args, steps, mechanism->design_size + mechanism->damping_size, k, &none, 0, SF_NO_MEMORY);
-            continue;
+        if (block != NULL) {
+            block->probes.n = block->zeros[0].n = 0;
+            for (k = 0; k < SF_ONSET_BLOCK; k++)
+                block->at[k].ok = first + k < end && sf_enter_onset(mechanism, args, steps, first + k, block, (int)k);
+            sf_search_cusps(block);
+            sf_approach_block_cusps(block);
         }
-        block->cells[0].n = 0;
-        for (k = first; k < end; k++) {
-            sf_lane_onset *of = &block->at[k - first];
-            of->best = none, of->ok = 0;
-            of->begun = sf_design_at(mechanism, args, steps, k, 1, &of->model);
-            if (of->begun) {
-                sf_begin_onset(&of->model, &of->best);
-                of->ok = in_lanes && sf_begin_cusps(block, (int)(k - first));
-            }
-        }
-        sf_search_cusps(block);
         for (k = first; k < end; k++)
-            sf_leave_onset(mechanism, args, steps, k, &block->at[k - first], work);
+            if (block == NULL || !sf_leave_onset(mechanism, args, steps, k, &block->at[k - first], work))
+                sf_answer_onset(mechanism, args, steps, k, work);
     }
     free(block);
     free(work);

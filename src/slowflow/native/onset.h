@@ -39,65 +39,44 @@ static void sf_consider_end(const sf_model *model, const sf_sample *at, double l
         best->rest = fmin(best->rest, level);
 }
 
-/* Whether h_A is negative on all of a piece, and so h behind its beginning: then nothing ends at Omega = 0 and there are no
- * isola points. */
-static int sf_only_falls(const sf_model *model, const sf_stretch *piece) {
-    sf_known first, last;
-    sf_cell cell;
-    sf_know(&piece->first, &first);
-    sf_know(&piece->last, &last);
-    sf_make_slopes(model, &piece->first, &piece->last, &first, &last, &cell);
-    return first.h.hi <= 0 && cell.h_A.hi < 0;
+/* Of a zero, what the level has there. */
+static void sf_consider_zero(const sf_model *model, const sf_zero *zero, const sf_sample *at, sf_onset *best) {
+    if (zero->question == SF_STIFFNESS)
+        sf_consider_end(model, at, zero->channel == 0 ? model->m : sf_level(model, at, 0), best);
+    else if (sf_is_minimum(model, zero->question, at, zero->Omega))
+        sf_consider(sf_extremum_level(model, zero, at), zero->Omega, zero->A,
+                    zero->question == SF_CUSP ? SF_CUSP_KIND : SF_ISOLA_KIND, best);
 }
 
-/* All cusps of a piece that may be the lowest, each between two amplitudes, on the channel of its number. */
-enum { SF_MOST_CUSPS = 4 };
-typedef struct {
-    int n, channel[SF_MOST_CUSPS];
-    sf_sample low[SF_MOST_CUSPS], high[SF_MOST_CUSPS];
-} sf_cusps_between;
-
-static void sf_find_cusps_between(const sf_asked *asked, const sf_cusps_between *known, sf_zeros *zeros) {
-    int i;
-    for (i = 0; i < known->n; i++) {
-        const sf_search search = {*asked, 0, known->high[i].A, zeros};
-        sf_probe low, high;
-        low.at = known->low[i], high.at = known->high[i];
-        sf_ask(asked, 1 << known->channel[i], &low.at, &low.answer);
-        sf_ask(asked, 1 << known->channel[i], &high.at, &high.answer);
-        sf_find_zero(&search, &low, &high, known->channel[i], 0);
-    }
-}
-
-/* Where the level may be least inside a piece: cusps, isola points, ends. known: its cusps, or NULL */
-static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, const sf_cusps_between *known, sf_zeros *zeros,
-                              sf_onset *best) {
+/* Where the level may be least inside a piece: cusps, isola points, ends. Where h_A is negative on all of it, and so h behind
+ * its beginning, nothing ends at Omega = 0 and there are no isola points; where h_AA and k have one sign, no cusps
+ * (sf_range_cusp). */
+static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf_zeros *zeros, sf_onset *best) {
     sf_asked cusps = sf_asked_of(SF_CUSP, model, 0);
     double most = best->F_SN;
+    sf_known first, last;
+    sf_cell cell;
     int i;
     if (!sf_has_force(piece))
         return;
+    sf_know(&piece->first, &first);
+    sf_know(&piece->last, &last);
+    sf_make_slopes(model, &piece->first, &piece->last, &first, &last, &cell);
     if (sf_inertial(model)) { /* at Omega = 0 the level is infinite */
         sf_ask_all(model, SF_ISOLA, 0, piece, zeros);
-    } else if (!sf_only_falls(model, piece)) {
+    } else if (!(first.h.hi <= 0 && cell.h_A.hi < 0)) {
         sf_ask_all(model, SF_STIFFNESS, 0, piece, zeros);
         sf_ask_all(model, SF_ISOLA, 0, piece, zeros);
     }
+    sf_add_values(&first, &last, &cell);
     cusps.most = sf_inertial(model) ? NULL : &most; /* which is a force */
-    if (known != NULL)
-        sf_find_cusps_between(&cusps, known, zeros);
-    else
+    if (!sf_are_alike(cell.h_AA, cell.k))
         sf_find_zeros(&cusps, piece, zeros);
     best->undecided |= zeros->undecided;
     for (i = 0; i < zeros->n; i++) {
-        const sf_zero *zero = &zeros->at[i];
         sf_sample at;
-        sf_sample_at(model, zero->A, &at);
-        if (zero->question == SF_STIFFNESS)
-            sf_consider_end(model, &at, zero->channel == 0 ? model->m : sf_level(model, &at, 0), best);
-        else if (sf_is_minimum(model, zero->question, &at, zero->Omega))
-            sf_consider(sf_extremum_level(model, zero, &at), zero->Omega, zero->A,
-                        zero->question == SF_CUSP ? SF_CUSP_KIND : SF_ISOLA_KIND, best);
+        sf_sample_at(model, zeros->at[i].A, &at);
+        sf_consider_zero(model, &zeros->at[i], &at, best);
     }
 }
 
@@ -181,7 +160,7 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
             if (first->A == 0 && first->h == 0 && piece.last.h_AA == 0 && piece.last.h_AAA == 0 && first->h_AAA == 0)
                 return SF_NONE; /* linear */
             sf_clear_zeros(&work->zeros);
-            sf_consider_piece(model, &piece, NULL, &work->zeros, best);
+            sf_consider_piece(model, &piece, &work->zeros, best);
             if (work->zeros.status != SF_OK)
                 return work->zeros.status;
         }
@@ -346,33 +325,43 @@ static int sf_falls_at_break(const sf_model *model, const sf_onset *best) {
     return 0;
 }
 
-/* What is known of the lowest forcing before the pieces are searched: for zeta > 0 that on breakpoints, which leaves less to
- * search. */
-static void sf_begin_onset(const sf_model *model, sf_onset *best) {
-    sf_sample rest, at, above;
+/* The ends of the pieces: at rest, on breakpoints, and above them. */
+typedef struct {
+    sf_sample rest, on[SF_MOST_BREAKS], above[SF_MOST_BREAKS];
+} sf_piece_ends;
+
+static void sf_end_pieces(const sf_model *model, sf_piece_ends *ends) {
     int k;
-    best->F_SN = best->rest = HUGE_VAL;
-    best->Omega = best->A = NAN, best->kind = SF_NO_KIND, best->undecided = 0;
-    sf_sample_at(model, 0, &rest);
-    if (model->zeta == 0)
-        return;
-    if (rest.h < 0) /* R, -preload next to A = 0, vanishes at frequencies that tend to infinity there, and F_0 tends to m */
-        best->rest = model->m;
+    sf_sample_at(model, 0, &ends->rest);
     for (k = 0; k < model->breaks; k++) {
-        sf_sample_at(model, model->b[k], &at);
-        above = at;
-        sf_tend_from_above(model, k, &above);
-        if (sf_inertial(model))
-            sf_consider_inertial(model, &at, model->jump[k], best);
-        else if (model->jump[k] != 0)
-            sf_consider_jump(model, &at, model->jump[k], best);
-        else
-            sf_consider_bend(model, &at, &above, best);
+        sf_sample_at(model, model->b[k], &ends->on[k]);
+        ends->above[k] = ends->on[k];
+        sf_tend_from_above(model, k, &ends->above[k]);
     }
 }
 
-/* The lowest forcing at which folds are born, from there. known: the cusps of the first piece, or NULL */
-static sf_status sf_end_onset(const sf_model *model, const sf_cusps_between *known, sf_work *work, sf_onset *best) {
+/* What is known of the lowest forcing before the pieces are searched: for zeta > 0 that on breakpoints, which leaves less to
+ * search. */
+static void sf_begin_onset(const sf_model *model, const sf_piece_ends *ends, sf_onset *best) {
+    int k;
+    best->F_SN = best->rest = HUGE_VAL;
+    best->Omega = best->A = NAN, best->kind = SF_NO_KIND, best->undecided = 0;
+    if (model->zeta == 0)
+        return;
+    if (ends->rest.h < 0) /* R, -preload next to A = 0, vanishes at frequencies that tend to infinity there, and F_0 tends to m */
+        best->rest = model->m;
+    for (k = 0; k < model->breaks; k++) {
+        if (sf_inertial(model))
+            sf_consider_inertial(model, &ends->on[k], model->jump[k], best);
+        else if (model->jump[k] != 0)
+            sf_consider_jump(model, &ends->on[k], model->jump[k], best);
+        else
+            sf_consider_bend(model, &ends->on[k], &ends->above[k], best);
+    }
+}
+
+/* The lowest forcing at which folds are born, from there. pieces: how many of the first have been considered */
+static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, int pieces, sf_work *work, sf_onset *best) {
     sf_stretch piece;
     sf_status status;
     int k;
@@ -382,17 +371,14 @@ static sf_status sf_end_onset(const sf_model *model, const sf_cusps_between *kno
             best->F_SN = best->Omega = best->A = NAN;
         return status;
     }
-    sf_sample_at(model, 0, &piece.first);
-    for (k = 0; k < model->breaks; k++) {
-        sf_sample_at(model, model->b[k], &piece.last);
+    for (k = pieces; k < model->breaks; k++) {
+        piece.first = k > 0 ? ends->above[k - 1] : ends->rest, piece.last = ends->on[k];
         sf_clear_zeros(&work->zeros);
-        sf_consider_piece(model, &piece, k == 0 ? known : NULL, &work->zeros, best);
+        sf_consider_piece(model, &piece, &work->zeros, best);
         if (work->zeros.status != SF_OK)
             return work->zeros.status;
-        piece.first = piece.last;
-        sf_tend_from_above(model, k, &piece.first);
     }
-    status = sf_onset_in_last(model, &piece.first, work, best);
+    status = sf_onset_in_last(model, model->breaks > 0 ? &ends->above[model->breaks - 1] : &ends->rest, work, best);
     if (best->undecided && sf_is_beside_break(model, best)) {
         best->kind = SF_NO_KIND;
         status = SF_UNRESOLVED;
@@ -409,8 +395,10 @@ static sf_status sf_end_onset(const sf_model *model, const sf_cusps_between *kno
 }
 
 static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *best) {
-    sf_begin_onset(model, best);
-    return sf_end_onset(model, NULL, work, best);
+    sf_piece_ends ends;
+    sf_end_pieces(model, &ends);
+    sf_begin_onset(model, &ends, best);
+    return sf_end_onset(model, &ends, 0, work, best);
 }
 
 /* ==== Peak ========================================================================================================= */

@@ -96,12 +96,14 @@ static inline int sf_settle_all(sf_step step, sf_moves moves, int wanted, const 
     return sf_settle_near(step, moves, wanted, exactly, model, NULL, of);
 }
 
-/* The same of numbers; F_0 stays what it is where it is no part of the answer */
-static inline void sf_settle_numbers(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly,
+/* The same of numbers, which stay as they are where they do not settle; F_0 does where it is no part of the answer */
+static inline int sf_settle_numbers(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly,
                                      const sf_model *model, double *Omega, double *A, double *F_0) {
     sf_settling of = {sfp_point(*Omega), sfp_point(*A), sfp_point(*F_0)};
-    if (exactly != NULL && sf_settle_all(step, moves, wanted, exactly, model, &of))
-        *Omega = of.Omega.high, *A = of.A.high, *F_0 = of.F_0.high;
+    if (exactly == NULL || !sf_settle_all(step, moves, wanted, exactly, model, &of))
+        return 0;
+    *Omega = of.Omega.high, *A = of.A.high, *F_0 = of.F_0.high;
+    return 1;
 }
 
 /* The sides of each breakpoint that a double is on, and h there: how many breakpoints lie below; -1 where pairs have too few
@@ -372,11 +374,13 @@ static void sf_settle_folds(const sf_exactly *exactly, const sf_model *model, do
         folds->at[i].Omega = Omega[i], folds->at[i].A = A[i];
 }
 
-static void sf_settle_onset(const sf_model *model, const sf_exactly *exactly, sf_onset *out) {
+/* Returns whether an onset settled, or is on a breakpoint, where it is what it is. */
+static int sf_settle_onset(const sf_model *model, const sf_exactly *exactly, sf_onset *out) {
     if (out->kind == SF_CUSP_KIND)
-        sf_settle_numbers(slow_flow_pairs_cusp_step, SF_MOVES_ALL, 4, exactly, model, &out->Omega, &out->A, &out->F_SN);
+        return sf_settle_numbers(slow_flow_pairs_cusp_step, SF_MOVES_ALL, 4, exactly, model, &out->Omega, &out->A, &out->F_SN);
     if (out->kind == SF_ISOLA_KIND)
-        sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, &out->Omega, &out->A, &out->F_SN);
+        return sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, &out->Omega, &out->A, &out->F_SN);
+    return 1;
 }
 
 static sf_status sf_settled_onset(const sf_model *model, const sf_exactly *exactly, sf_work *work, sf_onset *out) {

@@ -16,12 +16,14 @@ static inline double root_at(double a, double b, double root, double sign)
     return sign * (turned > 0 ? quotient : sum);
 }
 
-/* The function of a channel at an amplitude, as sf_ask_cusp has it; least: positive where it is defined */
+/* The function of a channel at an amplitude, its slope, and what a cusp there has, as sf_ask_cusp has it; least: positive where
+ * it is defined */
 typedef struct {
-    double y, least;
+    double y, dy, Omega, level, least;
 } value;
 
-static inline value value_at(double A, double h, double h_A, double h_AA, double h_AAA, double k, double m, double zeta, double sign)
+static inline value value_at(double A, double h, double h_A, double h_AA, double h_AAA, double k, double m, double zeta,
+                             double sign)
 {
     double q[5], R[2], cusp[4];
     slow_flow_cusps(A, zeta, h, h_A, h_AA, k, q);
@@ -29,8 +31,22 @@ static inline value value_at(double A, double h, double h_A, double h_AA, double
     slow_flow_cusp_R(A, zeta, h_AA, k, X, T, R);
     const double of_R = fabs(R[0]) < SF_CANCELLED * fabs(k) ? R[1] : R[0];
     slow_flow_cusp(A, m, zeta, h_AA, h_AAA, k, X, T, of_R, sign * root, cusp);
-    const value found = {cusp[0], SF_LESSER(X, q[4] >= 0 ? 1.0 : -1.0)};
+    const value found = {cusp[0], cusp[2], sqrt(X), cusp[3], SF_LESSER(X, q[4] >= 0 ? 1.0 : -1.0)};
     return found;
+}
+
+SF_WIDE static void ask(ptrdiff_t n, sf_cusp_probes *probes)
+{
+    n &= ~(ptrdiff_t)(SF_LANE_VECTOR - 1);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double A = probes->at[0][i], h = probes->at[1][i], h_A = probes->at[2][i], h_AA = probes->at[3][i];
+        const double h_AAA = probes->at[4][i], k = probes->at[5][i], m = probes->asked[0][i], zeta = probes->asked[1][i];
+        const value upper = value_at(A, h, h_A, h_AA, h_AAA, k, m, zeta, 1.0);
+        const value lower = value_at(A, h, h_A, h_AA, h_AAA, k, m, zeta, -1.0);
+        probes->at[6][i] = upper.least > 0 ? upper.y : NAN, probes->at[7][i] = lower.least > 0 ? lower.y : NAN;
+        probes->at[8][i] = upper.dy, probes->at[9][i] = lower.dy;
+    }
 }
 
 /* x times any number of a range from lo to hi, x > 0 from x_lo to x_hi: the least, or with the ends in turn the most */
@@ -57,7 +73,8 @@ static inline channel channel_on(shared of, double tau_lo, double tau_hi)
     const double t_lo = turned > 0 ? tau_lo : -tau_hi, t_hi = turned > 0 ? tau_hi : -tau_lo;
     const double size = SF_GREATER(fabs(tau_lo), fabs(tau_hi)), deep = SF_GREATER(-kappa_lo, 1.0);
     const double doubt_X = SF_DOUBT * (of.B_hi * size + SF_GREATER(fabs(of.h_A_lo), fabs(of.h_A_hi)));
-    const double X_lo = LEAST(tau_lo, of.B_lo, of.B_hi) - of.h_A_hi - doubt_X, X_hi = MOST(tau_hi, of.B_lo, of.B_hi) - of.h_A_lo + doubt_X;
+    const double X_lo = LEAST(tau_lo, of.B_lo, of.B_hi) - of.h_A_hi - doubt_X;
+    const double X_hi = MOST(tau_hi, of.B_lo, of.B_hi) - of.h_A_lo + doubt_X;
     const double w_lo = sqrt(SF_GREATER(X_lo, 0.0)), w_hi = sqrt(SF_GREATER(X_hi, 0.0));
 
     const double q = of.m * of.zeta, Q_lo = 2 * q * w_lo * (1 - SF_DOUBT), Q_hi = 2 * q * w_hi * (1 + SF_DOUBT);
@@ -66,14 +83,16 @@ static inline channel channel_on(shared of, double tau_lo, double tau_hi)
     const int is_positive = e_lo * of.P_hi + Q_lo > 0, is_negative = (e_hi < 0) & (e_hi * of.P_lo + Q_hi < 0);
 
     const double sum_lo = kappa_lo + t_lo, sum_hi = kappa_hi + t_hi, doubt_s = SF_DOUBT * (size + deep);
-    const double c = -MOST(sum_hi + doubt_s, -kappa_hi, -kappa_lo), level = of.m * of.m + of.a * Q_lo + LEAST(c, of.a * of.P_lo, of.b * of.P_hi);
+    const double c = -MOST(sum_hi + doubt_s, -kappa_hi, -kappa_lo);
+    const double level = of.m * of.m + of.a * Q_lo + LEAST(c, of.a * of.P_lo, of.b * of.P_hi);
     const double doubt_F = SF_DOUBT * (of.m * of.m + of.a * Q_lo + of.b * of.P_hi * fabs(c));
     const int is_above = (kappa_hi <= 0) & (level - doubt_F > of.most * of.most);
 
     const double doubt_g = 4 * (1 + of.rho_hi) * doubt_s;
     const double g_lo = LEAST(sum_lo, of.rho_lo, of.rho_hi) + 3 * t_lo, g_hi = MOST(sum_hi, of.rho_lo, of.rho_hi) + 3 * t_hi;
     const double of_zeta = 4 * of.zeta * of.zeta;
-    const double by_hi = (q / (of.b * w_hi) + of_zeta) / of.B_hi * (1 - SF_DOUBT), by_lo = (q / (of.a * w_lo) + of_zeta) / of.B_lo * (1 + SF_DOUBT);
+    const double by_hi = (q / (of.b * w_hi) + of_zeta) / of.B_hi * (1 - SF_DOUBT);
+    const double by_lo = (q / (of.a * w_lo) + of_zeta) / of.B_lo * (1 + SF_DOUBT);
     const double k_lo = sum_lo + t_lo + (turned > 0 ? by_hi : -by_lo), k_hi = sum_hi + t_hi + (turned > 0 ? by_lo : -by_hi);
     const double doubt_k = 4 * doubt_s + SF_DOUBT * by_lo;
     const channel found = {(X_hi <= 0) | is_positive | is_negative | is_above, X_lo > 0,
@@ -83,13 +102,11 @@ static inline channel channel_on(shared of, double tau_lo, double tau_hi)
 
 /* Whether a channel has no zero, or one, given also its values at the ends: stated once, as gcc vectorises no loop in a loop.
  * Channel 0 is the larger Omega^2. */
-#define JUDGE(CHANNEL, SIGN, LO, HI) \
+#define JUDGE(CHANNEL, LO, HI) \
     { \
         const channel on = channel_on(of, LO, HI); \
-        const value at_a = value_at(a, h_a, h1_a, h2_a, h3_a, k_a, of.m, of.zeta, SIGN); \
-        const value at_b = value_at(b, h_b, h1_b, h2_b, h3_b, k_b, of.m, of.zeta, SIGN); \
-        const double product = at_a.y * at_b.y, defined = SF_LESSER(at_a.least, at_b.least); \
-        const int is_settled = is_scaled & on.throughout & on.monotone & (disc_lo > 0) & (defined > 0); \
+        const double product = cells->low[SF_CUSP_PROBE_ROWS + (CHANNEL)][i] * cells->high[SF_CUSP_PROBE_ROWS + (CHANNEL)][i]; \
+        const int is_settled = is_scaled & on.throughout & on.monotone & (disc_lo > 0); \
         const int has_none = (is_scaled & ((kappa_lo >= 0) | (disc_hi < 0) | on.none)) | is_free | (is_settled & (product > 0)); \
         const int has_one = is_settled & (product < 0); \
         cells->verdict[CHANNEL][i] = has_none ? SF_HAS_NONE : has_one ? SF_HAS_ONE : (double)SF_IS_OPEN; \
@@ -106,10 +123,13 @@ SF_WIDE static void judge(ptrdiff_t n, sf_cusp_cells *cells)
         const double m = cells->asked[0][i], zeta = cells->asked[1][i], most = cells->asked[2][i], width = b - a;
         const sf_lane_slopes on = sf_slopes_on(a, h_a, h1_a, h2_a, h3_a, b, h_b, h1_b, h2_b, h3_b, 0);
 
+        cells->falls[i] = on.h1_hi < 0;
+
         /* next to A = 0: sf_is_free_of_folds */
         const double square = zeta * zeta, apart = on.h1_hi - on.h1_lo, of_slope = 16 * square * (on.h1_hi + square);
         const int rises = ((on.h1_lo >= 0) | (on.h1_hi <= 0)) & (on.h1_lo + 2 * square > SF_CLOSE * (fabs(on.h1_lo) + square));
-        const int is_free = (a + fabs(h_a) == 0) & (rises | (apart * apart + of_slope < -SF_CLOSE * (apart * apart + fabs(of_slope))));
+        const int is_free = (a + fabs(h_a) == 0) &
+                            (rises | (apart * apart + of_slope < -SF_CLOSE * (apart * apart + fabs(of_slope))));
 
         /* sf_scaled */
         const double sign = h2_a < 0 ? -1.0 : 1.0, from = fabs(h2_a);
@@ -118,7 +138,8 @@ SF_WIDE static void judge(ptrdiff_t n, sf_cusp_cells *cells)
         const double rho_lo = (1 - SF_DOUBT) * SF_LESSER(a * s_lo / from, b * s_lo / (from + s_hi * width));
         const double rho_hi = (1 + SF_DOUBT) * SF_GREATER(a * s_hi / from, b * s_hi / (from + s_lo * width));
         const double first = k_a / (a * a * h2_a), last = k_b / (b * b * h2_b), doubt = 4 * SF_DOUBT * (1 + fabs(first));
-        const double rough_lo = SF_LESSER(first, -1 / (2 + rho_lo)) - doubt, rough_hi = SF_GREATER(first, -1 / (2 + rho_hi)) + doubt;
+        const double rough_lo = SF_LESSER(first, -1 / (2 + rho_lo)) - doubt;
+        const double rough_hi = SF_GREATER(first, -1 / (2 + rho_hi)) + doubt;
         /* its slope is -(1 + kappa (2 + rho))/A */
         const double bent_lo = 1 + LEAST(rough_lo, 2 + rho_lo, 2 + rho_hi), bent_hi = 1 + MOST(rough_hi, 2 + rho_lo, 2 + rho_hi);
         const double steep = SF_DOUBT * (1 + fabs(rough_lo) + fabs(rough_hi)) * (2 + rho_hi);
@@ -131,8 +152,10 @@ SF_WIDE static void judge(ptrdiff_t n, sf_cusp_cells *cells)
         /* sf_range_cusp_scaled */
         const double B_lo = a * least * (1 - SF_DOUBT), B_hi = b * greatest * (1 + SF_DOUBT);
         const double P_lo = a * B_lo * B_lo, P_hi = b * B_hi * B_hi;
-        const shared of = {a, b, m, zeta, most, sign, B_lo, B_hi, P_lo, P_hi, on.h1_lo, on.h1_hi, kappa_lo, kappa_hi, rho_lo, rho_hi};
-        const int is_scaled = (least > 0) & (a > 0) & (s_lo >= 0) & (rho_hi < HIGHEST_POWER) & (kappa_hi < 1) & (P_lo > SMALLEST) & (P_hi < 1 / SMALLEST);
+        const shared of = {a, b, m, zeta, most, sign, B_lo, B_hi, P_lo, P_hi, on.h1_lo, on.h1_hi,
+                           kappa_lo, kappa_hi, rho_lo, rho_hi};
+        const int is_scaled = (least > 0) & (a > 0) & (s_lo >= 0) & (rho_hi < HIGHEST_POWER) & (kappa_hi < 1) &
+                              (P_lo > SMALLEST) & (P_hi < 1 / SMALLEST);
         const double z_lo = 2 * square / B_hi, z_hi = 2 * square / B_lo;
         const double p_lo = z_lo + 0.5 * sign, p_hi = z_hi + 0.5 * sign;
         const double less_lo = SF_LESSER(2 * on.h1_lo * z_lo / B_hi, 2 * on.h1_lo * z_hi / B_lo);
@@ -148,16 +171,92 @@ SF_WIDE static void judge(ptrdiff_t n, sf_cusp_cells *cells)
         const double of_lo_lo = sqrt(SF_GREATER(p_lo * p_lo - b_lo, 0.0)), of_lo_hi = sqrt(SF_GREATER(p_lo * p_lo - b_hi, 0.0));
         const double of_hi_lo = sqrt(SF_GREATER(p_hi * p_hi - b_lo, 0.0)), of_hi_hi = sqrt(SF_GREATER(p_hi * p_hi - b_hi, 0.0));
         const double doubt_t = 4 * SF_DOUBT * (far + root_hi);
-        JUDGE(0, 1.0, (corners ? of_hi_hi : root_lo) - p_hi - doubt_t, (corners ? of_lo_lo : root_hi) - p_lo + doubt_t)
-        JUDGE(1, -1.0, -p_hi - (corners ? of_hi_lo : root_hi) - doubt_t, -p_lo - (corners ? of_lo_hi : root_lo) + doubt_t)
+        JUDGE(0, (corners ? of_hi_hi : root_lo) - p_hi - doubt_t, (corners ? of_lo_lo : root_hi) - p_lo + doubt_t)
+        JUDGE(1, -p_hi - (corners ? of_hi_lo : root_hi) - doubt_t, -p_lo - (corners ? of_lo_hi : root_lo) + doubt_t)
     }
+}
+
+/* Where a function vanishes that has these values and slopes at two amplitudes, as far as they tell: by the cubic that gives A */
+static inline double zero_beside(double a, double y_a, double slope_a, double b, double y_b, double slope_b)
+{
+    const double over = 1 / (y_b - y_a), chord = (b - a) * over, flat_a = 1 / slope_a, flat_b = 1 / slope_b;
+    const double bend = (chord - flat_a) * over, third = ((flat_b - chord) * over - bend) * over;
+    return a - y_a * flat_a + y_a * y_a * (bend - y_b * third);
+}
+
+/* Into the bracket by that, else by Newton's step from the first, else in the middle */
+static inline double next_from(double a, double y_a, double slope_a, double b, double y_b, double slope_b, double lo, double hi)
+{
+    const double beside = zero_beside(a, y_a, slope_a, b, y_b, slope_b), step = a - y_a / slope_a;
+    const int is_near = (fabs(y_a) < 0.5 * fabs(y_b)) | ((y_a < 0) != (y_b < 0));
+    return is_near & (beside > lo) & (beside < hi) ? beside : (step > lo) & (step < hi) ? step : 0.5 * (lo + hi);
+}
+
+SF_WIDE static void start(ptrdiff_t n, sf_cusp_zeros *zeros)
+{
+    n &= ~(ptrdiff_t)(SF_LANE_VECTOR - 1);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double a = zeros->lo[0][i], y_a = zeros->lo[1][i], slope_a = zeros->lo[2][i];
+        const double b = zeros->hi[0][i], y_b = zeros->hi[1][i], slope_b = zeros->hi[2][i];
+        const int is_low = fabs(y_a) < fabs(y_b);
+        zeros->next[i] = is_low ? next_from(a, y_a, slope_a, b, y_b, slope_b, a, b) : next_from(b, y_b, slope_b, a, y_a, slope_a, a, b);
+        zeros->last[0][i] = is_low ? a : b, zeros->last[1][i] = is_low ? y_a : y_b, zeros->last[2][i] = is_low ? slope_a : slope_b;
+    }
+}
+
+SF_WIDE static void approach(ptrdiff_t n, sf_cusp_zeros *zeros)
+{
+    n &= ~(ptrdiff_t)(SF_LANE_VECTOR - 1);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double A = zeros->at[0][i], h = zeros->at[1][i], h_A = zeros->at[2][i], h_AA = zeros->at[3][i];
+        const double h_AAA = zeros->at[4][i], k = zeros->at[5][i], m = zeros->asked[0][i], zeta = zeros->asked[1][i];
+        const value at = value_at(A, h, h_A, h_AA, h_AAA, k, m, zeta, zeros->sign[i]);
+        const int is_low = (at.y < 0) == (zeros->lo[1][i] < 0);
+        const double lo = is_low ? A : zeros->lo[0][i], hi = is_low ? zeros->hi[0][i] : A;
+        zeros->lo[0][i] = lo, zeros->hi[0][i] = hi;
+        zeros->next[i] = next_from(A, at.y, at.dy, zeros->last[0][i], zeros->last[1][i], zeros->last[2][i], lo, hi);
+        zeros->last[0][i] = A, zeros->last[1][i] = at.y, zeros->last[2][i] = at.dy;
+        zeros->left[i] = at.least > 0 ? fabs(at.y) / (fabs(at.dy) * A) : HUGE_VAL;
+        zeros->Omega[i] = at.Omega, zeros->level[i] = at.level;
+    }
+}
+
+void sf_ask_cusps(sf_cusp_probes *probes)
+{
+    for (int k = 0; k < SF_CUSP_PROBE_ROWS; k++)
+        sf_fill(probes->at[k], probes->n);
+    sf_fill(probes->asked[0], probes->n), sf_fill(probes->asked[1], probes->n);
+    ask(sf_filled(probes->n), probes);
 }
 
 void sf_judge_cusps(sf_cusp_cells *cells)
 {
-    for (int k = 0; k < SF_CUSP_ROWS; k++)
+    for (int k = 0; k < SF_CUSP_PROBE_ROWS + 2; k++)
         sf_fill(cells->low[k], cells->n), sf_fill(cells->high[k], cells->n);
     for (int k = 0; k < SF_CUSP_ASKED_ROWS; k++)
         sf_fill(cells->asked[k], cells->n);
     judge(sf_filled(cells->n), cells);
+}
+
+static void fill_brackets(sf_cusp_zeros *zeros)
+{
+    for (int k = 0; k < 3; k++)
+        sf_fill(zeros->lo[k], zeros->n), sf_fill(zeros->hi[k], zeros->n), sf_fill(zeros->last[k], zeros->n);
+}
+
+void sf_start_cusps(sf_cusp_zeros *zeros)
+{
+    fill_brackets(zeros);
+    start(sf_filled(zeros->n), zeros);
+}
+
+void sf_approach_cusps(sf_cusp_zeros *zeros)
+{
+    fill_brackets(zeros);
+    for (int k = 0; k < SF_CUSP_PROBE_ROWS; k++)
+        sf_fill(zeros->at[k], zeros->n);
+    sf_fill(zeros->asked[0], zeros->n), sf_fill(zeros->asked[1], zeros->n), sf_fill(zeros->sign, zeros->n);
+    approach(sf_filled(zeros->n), zeros);
 }
