@@ -354,7 +354,9 @@ function fillFields() {
   $("mechanism").value = state.mechanism;
 }
 
-function changed() {
+function changed(name) {
+  /* a jump of another design */
+  if (name) $("events").textContent = "";
   ranges(app.state);
   app.trail = [];
   app.dirty = true;
@@ -442,7 +444,7 @@ function bindControls() {
       buildFields();
       changed();
     });
-  for (const name of ["regions", "backbone", "envelope", "locus"]) $(`show-${name}`).addEventListener("change", changed);
+  for (const name of ["regions", "backbone", "envelope", "locus"]) $(`show-${name}`).addEventListener("change", () => changed());
   for (const id of ["map-x", "map-y", "map-quantity"])
     $(id).addEventListener("change", () => {
       if ($("map-x").value === $("map-y").value) {

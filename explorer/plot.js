@@ -172,7 +172,7 @@ function drawResponse(plot, answer, shown) {
   }
   for (const [i, b] of breaks.entries())
     if (b < top)
-      regions += line("break", `M${left},${plot.y(b).toFixed(1)}h${wide}`) + `<text class="name" x="${left + wide - 4}" y="${(plot.y(b) - 5).toFixed(1)}" text-anchor="end">${breaks.length > 1 ? `u_cr ${i + 1}` : "u_cr"}</text>`;
+      regions += line("break", `M${left},${plot.y(b).toFixed(1)}h${wide}`) + `<text class="name" x="${left + wide - 4}" y="${(plot.y(b) - 5).toFixed(1)}" text-anchor="end">${breaks.length > 1 ? `u_cr ${i + 1}` : DATA.mechanisms[state.mechanism].odd ? "u_cr" : "to u_cr"}</text>`;
   plot.set("regions", regions);
   let beside = "";
   const { backbone, envelope, locus } = answer;
