@@ -75,6 +75,27 @@ def test_what_an_engineer_asks_of_many_designs_has_the_digits_of_single_answers(
     assert not any(answer.status.any() for answer in (*found.values(), rests))
 
 
+def test_curves_of_many_designs_have_the_points_of_single_ones():
+    """The last has no points, as it sticks; the forcing broadcasts."""
+    designs = Duffing.many([1.0, 1.2, 1.0], 0.5, 0.01, 0.05, load=[0.3, 0.2, 0.3])
+    found = designs.frequency_response([0.2, 0.2, 0.01], samples=40, Omega=(0.5, 2.0))
+    assert found.A.shape == (3, 104) and found.fold_A.shape == (3, 6)
+    assert found.status.tolist() == [Status.OK, Status.OK, Status.STICKS]
+    rows = found.columns()
+    for row, single in enumerate((Duffing(1.0, 0.5, 0.01, 0.05, load=0.3), Duffing(1.2, 0.5, 0.01, 0.05, load=0.2))):
+        curve, folds = single.frequency_response(0.2, samples=40, Omega=(0.5, 2.0)), single.saddle_nodes(0.2)
+        n, m = found.points[row], found.count[row]
+        assert n == len(curve) > 40 and m == len(folds) == 2
+        for name in ("Omega", "A", "B", "stable", "branch"):
+            assert np.array_equal(getattr(found, name)[row, :n], getattr(curve, name)), name
+            assert np.array_equal(rows[name][rows["load"] == single.load], getattr(curve, name)), name
+        assert not found.isola[row, :n].any() and np.array_equal(found.fold_Omega[row, :m], folds.Omega)
+        assert np.isnan(found.B[row, n:]).all() and (found.branch[row, n:] == -1).all()
+    assert np.isnan(found.A[2]).all() and found.points[2] == 0 and not found.remarks.any()
+    short = designs.frequency_response(0.2, samples=40, Omega=(0.5, 2.0), places=1)
+    assert short.status.tolist() == [Status.TOO_MANY] * 3
+
+
 def test_a_design_without_an_answer_has_a_status_that_says_why():
     designs = Duffing.many([1.0, 1.0, 1.0, np.nan, -0.5, 1.0], 0.5, 0.01, [0.05, 0.0, 0.05, 0.05, 0.05, 0.05],
                            load=[0.3, 0.3, np.inf, 0.3, 0.02, 0.0])  # fmt: skip

@@ -87,6 +87,7 @@ LOADED: Mapping[str, Question] = {
             ("saddle_node_onset", off_centre.ManyOnsets, OffCentreDesigns.saddle_node_onset),
             ("saddle_nodes", off_centre.ManyFolds, OffCentreDesigns.saddle_nodes),
             ("amplitudes", off_centre.ManyStates, OffCentreDesigns.amplitudes),
+            ("frequency_response", off_centre.OffCentreCurves, OffCentreDesigns.frequency_response),
             ("peak", off_centre.ManyPeaks, OffCentreDesigns.peak),
             ("margins", off_centre.OffCentreMargins, OffCentreDesigns.margins),
             ("hysteresis", off_centre.OffCentreBands, OffCentreDesigns.hysteresis),

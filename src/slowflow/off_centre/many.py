@@ -17,7 +17,7 @@ import numpy as np
 
 from slowflow import loads_many, validate
 from slowflow.averaged import many
-from slowflow.averaged.asked import FOLD_KINDS
+from slowflow.averaged.asked import FOLD_KINDS, MORE_POINTS
 from slowflow.averaged.many import Codes, Told
 from slowflow.exact import questions, shocks
 from slowflow.exact.transient import NO_PULSE
@@ -120,6 +120,18 @@ class ManyStates(OffCentreBatch):
 
     def _asked_at(self) -> dict[str, Any]:
         return {**super()._asked_at(), "Omega": np.asarray(self._Omega)}
+
+
+@dataclass(frozen=True, eq=False)
+class OffCentreCurves(OffCentreBatch, many.Curves):
+    """The response curve at one forcing, for each design, with every fold at that forcing, as `Curves`, and B.
+
+    B -- the mean displacement of each point, then NaN
+    """
+
+    inner: ClassVar[Mapping[str, str]] = MappingProxyType({**many.Curves.inner, "B": "point"})
+
+    B: Floats = field(kw_only=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -240,6 +252,25 @@ class OffCentreDesigns:
         """Every steady state at (Omega, F_0), which broadcast with the designs."""
         return self._answered(ManyStates, _states, {"F_0": F_0, "Omega": Omega}, workers, places)
 
+    def frequency_response(
+        self,
+        F_0: Any,
+        *,
+        samples: int = 1000,
+        Omega: tuple[float, float] = validate.WINDOW,
+        places: int = 6,
+        workers: int = 1,
+    ) -> OffCentreCurves:
+        """The response curve of every design at F_0, which broadcasts with them, in the window `Omega`.
+
+        `samples` as of a single `frequency_response`. The arrays are that long and 64 more: `Status.TOO_MANY` where a
+        curve has more points, which has none then, or more folds than `places`. A second or so a design.
+        """
+        samples = validate.count("samples", samples, least=2, most=validate.MOST_SAMPLES)
+        points = samples + MORE_POINTS
+        one = partial(_curve, samples, validate.window("Omega", Omega), points)
+        return self._answered(OffCentreCurves, one, {"F_0": F_0}, workers, places, points=points)
+
     def peak(self, F_0: Any, *, workers: int = 1) -> ManyPeaks:
         """The largest amplitude and the largest |u| at F_0, which broadcasts with the designs."""
         return self._answered(ManyPeaks, _peak, {"F_0": F_0}, workers)
@@ -338,9 +369,11 @@ class OffCentreDesigns:
         workers: int,
         places: int | None = None,
         beside: dict[str, Any] | None = None,
+        points: int = 0,
     ) -> Batched:
         """Columns by the answer's fields, design by design; the solvers off the centre use one thread.
 
+        places, points -- lengths of the axes of these
         beside -- what the answer holds of what was asked; by default `at`
         """
         validate.workers(workers)
@@ -348,8 +381,11 @@ class OffCentreDesigns:
         asked = {name: validate.real_array(name, value) for name, value in at.items()}
         values = {**self.values, **asked}
         shape = validate.common_shape(values)
+        lengths = {"place": several, "point": points}
         columns = {
-            name: np.zeros((*shape, several) if column.inner else shape, column.kind)
+            name: np.full(
+                (*shape, *(lengths[axis] for axis in column.inner)), -1 if name == "branch" else 0, column.kind
+            )
             for name, column in kind.layout().items()
             if name != "remarks"
         }
@@ -364,7 +400,8 @@ class OffCentreDesigns:
             found, columns["status"][place], said[place] = self._status(one, own, there, several)
             for name, value in found.items():
                 if name in kind.inner:
-                    columns[name][place][: min(several, len(value))] = value[:several]
+                    length = lengths[kind.inner[name]]
+                    columns[name][place][: min(length, len(value))] = value[:length]
                 else:
                     columns[name][place] = value
         if beside is None:
@@ -461,6 +498,20 @@ def _folds(single: OffCentre, F_0: float) -> Found:
     columns["kind"] = [FOLD_KINDS.get((fold.kind, fold.corner), 0) for fold in found]
     columns |= {"count": len(found), "undecided": Remark.UNDECIDED in found.remarks}
     return columns, Status.OK, found.remarks
+
+
+def _curve(samples: int, window: tuple[float, float], most: int, single: OffCentre, F_0: float) -> Found:
+    """A curve with more points than that has none."""
+    folds, status, said = _folds(single, F_0)
+    columns = {name if name in ("count", "undecided") else f"fold_{name}": value for name, value in folds.items()}
+    del columns["fold_B"]
+    found = single.frequency_response(F_0, samples=samples, Omega=window)
+    columns["points"] = len(found)
+    if len(found) > most:
+        return columns, Status.TOO_MANY, said
+    columns |= _columns(found, "Omega", "A", "B", "stable", "branch")
+    columns["isola"] = np.asarray(found.isola, dtype=np.int8)[found.branch]
+    return columns, status, said | found.remarks
 
 
 def _states(single: OffCentre, F_0: float, Omega: float) -> Found:
