@@ -39,6 +39,17 @@ def number_at(states, Omega):
 # ---- cases that were wrong without a word ----------------------------------------------------------------------------
 
 
+@compiled
+def test_a_state_that_is_proved_keeps_the_digits_that_it_was_found_with():
+    """Two were found next to the folds on u_cr, one is proved: it was the middle of its enclosure, 1.3e-7 off."""
+    lam, r, delta_h, zeta = 0.0003136947803582985, 1.5466986139745077e-06, 4.688433273630378e-09, 3.04952793752383e-17
+    Omega, F_0 = 1.0000000000065519, 1.5306356051987228e-18
+    found = Isolator(lam=lam, r=r, delta_h=delta_h, mu=0.0, zeta=zeta).amplitudes(Omega=Omega, F_0=F_0)
+    with mpmath.workdps(40):  # the cubic term is 1e-12 of the linear one's 1e-18
+        alpha = 1 - mpmath.mpf(lam) * r * delta_h
+        assert found.A.tolist() == pytest.approx([float(F_0 / (mpmath.mpf(Omega) ** 2 - alpha))], rel=1e-11)
+
+
 @pytest.mark.both_backends
 def test_a_state_next_to_a_fold_is_counted_or_said_to_be_undecided():
     """4 u (1 + kappa) from a level, delta_h an ulp or so from 1: 2 were given of 3."""

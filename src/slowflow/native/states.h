@@ -74,19 +74,30 @@ static int sf_is_at_fold(const sf_model *model, double F_0, const sf_folds *fold
     return 0;
 }
 
+/* The first of n amplitudes inside an enclosure of a state, its middle if there is none. */
+static double sf_first_within(sf_interval within, int n, const double *A) {
+    int i;
+    for (i = 0; i < n; i++)
+        if (within.lo <= A[i] && A[i] <= within.hi)
+            return A[i];
+    return sf_middle(within);
+}
+
 /* The states that are proved, those found moved into their enclosures; 0 if doubles do not decide. */
 static int sf_take_proved_states(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega,
                                  int *n, double *A, unsigned char *stable) {
     sf_certificate *found = &room->found;
+    double before[SF_MOST_STATES];
     int i, same;
     room->proofs++;
     if (sf_certify_states(model, given, F_0, Omega, &room->proof, found) != SF_OK || !sf_is_proved(found))
         return 0;
     sf_sort_by_amplitude(found);
     same = found->n == *n;
+    memcpy(before, A, (size_t)*n * sizeof *A);
     for (i = 0; i < found->n; i++) {
         const sf_interval within = found->at[i].A;
-        A[i] = same ? sfi_least(sfi_most(A[i], within.lo), within.hi) : sf_middle(within);
+        A[i] = same ? sfi_least(sfi_most(A[i], within.lo), within.hi) : sf_first_within(within, *n, before);
         stable[i] = (unsigned char)(found->at[i].sign > 0);
     }
     *n = found->n;
