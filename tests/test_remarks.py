@@ -1,6 +1,7 @@
 """What is said beside averaged answers: in single answers and in batches alike, and true of the exact motions."""
 
 import copy
+import math
 import pickle
 import warnings
 
@@ -13,6 +14,7 @@ from slowflow.exact import shooting
 from slowflow.paper.example import TABLE_1
 from slowflow.results import Remark
 from slowflow_kernels import duffing
+from slowflow_kernels.conventions import Status
 from tests.oracles import averaged, counts
 
 pytestmark = pytest.mark.both_backends
@@ -219,3 +221,19 @@ def test_the_force_and_its_stiffness_at_any_displacement():
     assert isolator.stiffness(inside) == pytest.approx(slope, rel=1e-8)
     with pytest.raises(ValueError, match="u = nan"):
         isolator.force(np.nan)
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("above", [1e-7, 1e-8, 1e-12])
+def test_an_onset_is_not_refused_for_the_other_force_whose_onset_is_unresolved(above):
+    """Next to delta_h = 1: the corner of the truncated force was refused singly, and given in batches."""
+    design = {"lam": 1.0, "r": 0.3, "delta_h": 1 - above, "mu": 0.01, "zeta": 0.05}
+    found, many = Isolator(**design).saddle_node_onset(), Isolator.many(**design).saddle_node_onset()
+    assert found.kind == "corner" and found.F_SN == many.F_SN and many.status == Status.OK
+    assert Remark.OF_TRUNCATION in found.remarks and int(found.remarks) == int(many.remarks)
+    assert found.untruncated.F_SN is None and np.isnan(many.untruncated)
+    assert f"without truncation: {found.untruncated.message}" in found.message
+    # on the backbone at A = u_cr, from F_0 = I on, but for the slope of h below u_cr: as steep as 1/(1 - delta_h)
+    u_cr = math.sqrt(1 - above**2)
+    Omega = Isolator(**design).backbone(u_cr)
+    assert found.F_SN == pytest.approx(4 * 0.01 / math.pi + 2 * 0.05 * u_cr * Omega, rel=max(above, 1e-14))

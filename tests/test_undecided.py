@@ -20,7 +20,7 @@ from tests.oracles.draws import batch, drawn_isolators, drawn_springs, forcings,
 
 compiled = pytest.mark.skipif(backend.SOLVER is None, reason="only the compiled solvers prove")
 #: drawn oscillators and forcings; without compiled code there is nothing to hold them against
-DRAWN = 20_000
+DRAWN = 50_000
 
 
 def exact(iso):

@@ -21,7 +21,7 @@ from slowflow.certificate import Certificate
 from slowflow.loaded import Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, check_followed
 from slowflow.model import THROUGHOUT, Laws, Model
-from slowflow.results import Measured, MeasuredFolds, Remark, SaddleNodes, SteadyStates
+from slowflow.results import Measured, MeasuredFolds, Remark, SaddleNodeOnset, SaddleNodes, SteadyStates
 from slowflow_kernels import motion
 from slowflow_kernels.domains import EXCITATIONS, RUBS
 
@@ -275,7 +275,10 @@ class Oscillator(Averaged):
             return found
         values = dict(zip(self.model.mechanism.design_names, self.design, strict=True))
         model = Model.of(load(), {**values, "mu": self.mu, "zeta": self.zeta}, self.excitation, self.model.laws)
-        other = Averaged(model).saddle_node_onset()
+        try:
+            other = Averaged(model).saddle_node_onset()
+        except ArithmeticError as unresolved:  # this force's onset is known all the same
+            other = SaddleNodeOnset(None, None, None, "", str(unresolved))
         if other.F_SN is None:
             beside = f"without truncation: {other.message}"
         else:

@@ -392,7 +392,8 @@ class SaddleNodeOnset(Single):
 
     kind -- "cusp" (the response gets a vertical inflection), "isola" (an isolated curve is born), "corner" (at a
             breakpoint)
-    untruncated -- the onset of the untruncated force, where this one is on a corner that only the truncation makes
+    untruncated -- the onset of the untruncated force, where this one is on a corner that only the truncation makes;
+                   without one its message says why, which may be that doubles do not tell
     """
 
     F_SN: float | None
