@@ -83,7 +83,7 @@ docs: $(INSTALLED)
 	$(BIN)/python -m sphinx --builder html --fail-on-warning --keep-going --jobs auto docs output/docs
 
 links: docs
-	$(BIN)/python -m sphinx --builder linkcheck --jobs auto docs output/links
+	$(BIN)/python -m sphinx --builder linkcheck --doctree-dir output/docs/.doctrees docs output/links
 
 # the files of the wheel are dated as the last commit; both wheels are built from the sdist
 dist: export SOURCE_DATE_EPOCH := $(shell git log -1 --format=%ct 2>/dev/null || echo 315619200)
