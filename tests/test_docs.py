@@ -250,6 +250,15 @@ def test_the_list_of_kernels_is_what_mechanisms_have() -> None:
     assert listed == has - {"force_2_u"}
 
 
+def test_each_section_of_the_gallery_has_a_picture() -> None:
+    page = ROOT / "docs" / "gallery.md"
+    sections = page.read_text(encoding="utf-8").split("\n## ")[1:]
+    assert len(sections) >= 6
+    for section in sections:
+        (picture,) = re.findall(r"!\[[^\]]+\]\(([^)]+)\)", section)
+        assert (page.parent / picture).stat().st_size > 5000
+
+
 def test_every_decision_says_why_and_what_it_costs() -> None:
     index = (DECISIONS / "README.md").read_text(encoding="utf-8")
     pages = [page for page in sorted(DECISIONS.glob("*.md")) if page.name != "README.md"]
