@@ -1,7 +1,7 @@
 /* How often a batch does what its time goes into, and what each of that costs here: in go designs, out come counts and seconds.
  *
- * The solvers are included as they are; the names that are counted are macros while they are read, and some of the calls are
- * kept and made once more by the clock.
+ * The solvers are included as they are; the names that are counted are macros while they are read. Some of the calls are kept
+ * and made once more by the clock; loops over many designs are timed where they stand.
  */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 #pragma GCC target("avx2,fma,bmi,bmi2,lzcnt")
@@ -73,16 +73,45 @@ static void counted_in_pairs(int passed, int wanted, sf_pair A, sf_pair beyond, 
 #include "scan.h"
 #undef sf_find_range
 #undef sf_ask
-#define SF_SOLVERS solvers_counted
-#define SF_RECORDS records_counted
-#include "shipped.h"
-#include "solvers.h"
+#include "design_lanes.h"
 
 static double now(void) {
     struct timespec t;
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
+
+/* loops over many designs: how many places they had, and their time with that of asking the clock */
+typedef struct {
+    long calls, places;
+    double seconds;
+} lanes;
+static lanes cells_in_lanes, amplitudes_in_lanes;
+
+#define COUNT_LANES(loop, type, kind) \
+    static void counted_##loop(type *places) { \
+        const double start = now(); \
+        loop(places); \
+        kind.seconds += now() - start, kind.calls++, kind.places += places->n; \
+    }
+COUNT_LANES(sf_judge_states, sf_lane_cells, cells_in_lanes)
+COUNT_LANES(sf_judge_peaks, sf_lane_cells, cells_in_lanes)
+COUNT_LANES(sf_judge_cusps, sf_cusp_cells, cells_in_lanes)
+COUNT_LANES(sf_ask_cusps, sf_cusp_probes, amplitudes_in_lanes)
+COUNT_LANES(sf_approach_states, sf_lane_zeros, amplitudes_in_lanes)
+COUNT_LANES(sf_approach_peaks, sf_lane_zeros, amplitudes_in_lanes)
+COUNT_LANES(sf_approach_cusps, sf_cusp_zeros, amplitudes_in_lanes)
+#define sf_judge_states counted_sf_judge_states
+#define sf_judge_peaks counted_sf_judge_peaks
+#define sf_judge_cusps counted_sf_judge_cusps
+#define sf_ask_cusps counted_sf_ask_cusps
+#define sf_approach_states counted_sf_approach_states
+#define sf_approach_peaks counted_sf_approach_peaks
+#define sf_approach_cusps counted_sf_approach_cusps
+#define SF_SOLVERS solvers_counted
+#define SF_RECORDS records_counted
+#include "shipped.h"
+#include "solvers.h"
 
 static double least(double a, double b) { return a < b ? a : b; }
 
@@ -153,6 +182,16 @@ static double seconds_in_pairs(long n) {
     return best;
 }
 
+/* Of a place of a loop, without the clock's own time. */
+static double seconds_in_lanes(const lanes *of) {
+    double clock = HUGE_VAL;
+    for (int round = 0; round < 1000; round++) {
+        const double start = now();
+        clock = least(clock, now() - start);
+    }
+    return of->places > 0 ? (of->seconds - clock * (double)of->calls) / (double)of->places : 0;
+}
+
 static int find_record(const char *name) {
     record = NULL;
     for (int i = 0; i < records_counted.count; i++)
@@ -162,8 +201,8 @@ static int find_record(const char *name) {
 }
 
 /* asked: 0 states, 1 folds, 2 peaks, 3 onsets; inputs: one column after another, n of each; out: how often a design has its
- * averages taken, in pairs too, a function's value at an amplitude and its range on a cell, then the seconds of one of each.
- * Returns 0 where there is no such record. */
+ * averages taken, in pairs too, a function's value at an amplitude and its range on a cell, and of loops over many designs a
+ * cell and an amplitude, then the seconds of one of each. Returns 0 where there is no such record. */
 int count(int asked, const char *name, long n, double *inputs, double *out) {
     const sf_many loops[] = {solvers_counted.many_states, solvers_counted.many_folds, solvers_counted.many_peaks,
                              solvers_counted.many_onsets};
@@ -183,14 +222,17 @@ int count(int asked, const char *name, long n, double *inputs, double *out) {
     counting = *record;
     counting.averaged = counted_average, counting.averaged_in_pairs = counted_in_pairs;
     ranges = values = averages = in_pairs = 0;
+    memset(&cells_in_lanes, 0, sizeof cells_in_lanes), memset(&amplitudes_in_lanes, 0, sizeof amplitudes_in_lanes);
     loops[asked](args, dimensions, steps, &counting);
     out[0] = (double)averages / (double)n, out[1] = (double)in_pairs / (double)n;
     out[2] = (double)values / (double)n, out[3] = (double)ranges / (double)n;
+    out[4] = (double)cells_in_lanes.places / (double)n, out[5] = (double)amplitudes_in_lanes.places / (double)n;
     mend();
-    out[4] = seconds_of_averages(averages < KEPT ? averages : KEPT);
-    out[5] = seconds_in_pairs(in_pairs < KEPT ? in_pairs : KEPT);
-    out[6] = seconds_of_values(values < KEPT ? values : KEPT);
-    out[7] = seconds_of_ranges(ranges < KEPT ? ranges : KEPT);
+    out[6] = seconds_of_averages(averages < KEPT ? averages : KEPT);
+    out[7] = seconds_in_pairs(in_pairs < KEPT ? in_pairs : KEPT);
+    out[8] = values > 0 ? seconds_of_values(values < KEPT ? values : KEPT) : 0;
+    out[9] = ranges > 0 ? seconds_of_ranges(ranges < KEPT ? ranges : KEPT) : 0;
+    out[10] = seconds_in_lanes(&cells_in_lanes), out[11] = seconds_in_lanes(&amplitudes_in_lanes);
     return 1;
 }
 

@@ -1,8 +1,9 @@
 """Why a batch is no faster: in go the kinds of a question, out come sentences that add up what an answer is made of.
 
 Counts and costs are measured by `counted.c`, which gcc builds around the solvers as they are: evaluations of the
-averages, these in double-double, values of the function that is searched, its ranges on cells. What is left over are
-the parameters of a design, the pieces of its force, and what the search does in between.
+averages, these in double-double, values of the function that is searched, its ranges on cells, and of loops over many
+designs cells and amplitudes. What is left over are the parameters of a design, the pieces of its force, roots of
+quartics on its breakpoints, and what the search does in between.
 """
 
 from __future__ import annotations
@@ -40,7 +41,14 @@ KINDS = {
 }
 #: what is asked of a curve of so many points with its folds, in seconds
 CURVE, SAMPLES, PLACES = 1 / 15e3, 1000, 4096
-PARTS = ("averages h to h_AAA", "the same in double-double", "values of what is searched", "ranges of it on cells")
+PARTS = (
+    "averages h to h_AAA",
+    "the same in double-double",
+    "values of what is searched",
+    "ranges of it on cells",
+    "cells judged in lanes",
+    "amplitudes asked in lanes",
+)
 
 
 def of(kinds: Iterable[str]) -> list[str]:
@@ -79,11 +87,11 @@ def _built(folder: Path) -> ctypes.CDLL:
 
 def _sentence(kind: str, count: Any, inputs: np.ndarray, ask: Callable[[], Any]) -> str:
     number, wanted, name = KINDS[kind]
-    out = np.zeros(8)
+    out = np.zeros(2 * len(PARTS))
     pointers = (array.ctypes.data_as(ctypes.POINTER(ctypes.c_double)) for array in (inputs, out))
     if not count(number, b"rod_spring", ctypes.c_long(inputs.shape[1]), *pointers):
         raise RuntimeError("the record of the isolator is not compiled in")
-    times, costs = out[:4], out[4:]
+    times, costs = np.split(out, 2)
     whole = _seconds(ask) / inputs.shape[1]
     parts = [f"{n:.3g} {part} of {quantity(cost, 's')}" for n, part, cost in zip(times, PARTS, costs, strict=True) if n]
     least = ", ".join(quantity(n * cost, "s") for n, cost in zip(times, costs, strict=True) if n)

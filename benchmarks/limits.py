@@ -7,6 +7,7 @@ Single libm calls, a triad and fused multiply-adds are timed in C; instructions 
 from __future__ import annotations
 
 import ctypes
+import os
 import re
 import shutil
 import subprocess
@@ -141,8 +142,10 @@ def instructions(kinds: set[str]) -> list[str]:
 
 def _counted(code: str, times: int) -> int:
     command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", sys.executable, "-c"]
+    # threads of a linear algebra library wait by counting
+    env = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
     done = subprocess.run(
-        [*command, COUNTED.format(code), str(times)], capture_output=True, text=True, check=True, cwd=ROOT
+        [*command, COUNTED.format(code), str(times)], capture_output=True, text=True, check=True, cwd=ROOT, env=env
     )
     return int(re.search(r"Collected : (\d+)", done.stderr)[1])
 

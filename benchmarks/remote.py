@@ -52,6 +52,8 @@ class Remote:
 
     def ask(self, job: str) -> dict[str, Any]:
         """The job's answer, and `seconds`."""
+        if self._process.stdin.closed:  # one of its jobs took too long
+            raise Failure("its process was ended")
         self._process.stdin.write(json.dumps(job) + "\n")
         self._process.stdin.flush()
         return self._answer()

@@ -269,11 +269,11 @@ def test_designs_that_go_together_are_answered_as_each_alone(force):
 
 @native_only
 def test_onsets_of_a_batch_are_those_of_each_alone_where_damping_is_weak():
-    """To the last bit: there the slopes of Newton's method have few digits, and where it ends depends on where it begins."""
+    """To the last bit: the slopes of Newton's method have few digits there, and its end depends on its beginning."""
     designs = {
         "lam": [34.923373761186475, 8.182419049017573, 49.466564841656314, 618.0433851778122, 1.4649991649637566],
         "r": [0.027837731440404932, 0.012471942009670382, 34.95335225220813, 326.86681061919, 3.0016274311152924],
-        "delta_h": [0.35146489, 0.0035537755295502456, 0.0005725779359160874, 4.900556566242701e-06, 0.008217634920344902],
+        "delta_h": [0.35146489, 0.0035537755295502456, 0.0005725779359160874, 4.9005565662e-06, 0.0082176349203449],
         "mu": [0.0] * 5,
         "zeta": [1.792261301048228e-08, 2.845047221993845e-09, 1.2082005373961054e-08, 3.15e-09, 3.859392788880549e-09],
     }

@@ -9,6 +9,7 @@ import pytest
 from benchmarks import certified, document, work_precision
 from benchmarks.peers import problem
 from benchmarks.peers.__main__ import with_earlier
+from benchmarks.remote import Remote, in_turn
 from slowflow.paper.example import DESIGN, TABLE_1
 from slowflow_kernels import rod_spring, slow_flow
 
@@ -78,3 +79,11 @@ def test_a_peer_that_cannot_be_installed_keeps_its_last_measured_rows() -> None:
     assert rows == [{**measured, "earlier": note}, ran, new]
     (again,) = with_earlier([missing], {"environment": {"processor": "a third"}, "rows": [rows[0]]})
     assert again["earlier"] == note
+
+
+def test_a_process_that_was_ended_is_said_to_be_so() -> None:
+    """Also of its other jobs, when one took too long."""
+    remote = Remote("benchmarks.peers.slowflow")
+    remote.stop()
+    _, failures = in_turn({"one": (remote, remote.jobs[0]), "other": (remote, remote.jobs[1])}, 1)
+    assert set(failures) == {"one", "other"} and "was ended" in failures["other"]
