@@ -29,11 +29,19 @@ U = 2.0**-53
 WHY = {
     "slow_flow.offset_stiffness": "k_0 and k_2^2/(2 (4 Omega^2 - k_0)) are half and one and a half times the result or "
     "more where h/A and Omega^2 are small beside h_A; over one denominator 700 u are lost where k_0 = 4 Omega^2 nearly",
-    "rod_spring.fold_quartic": "its coefficient h h_A: both are right to 0.7 u (1 + kappa) there, but their kappa, of "
-    "16 each, are of opposite signs, and that of the product is 2.6",
+    "rod_spring.F_A": "h and h_A are right to 0.3 u (1 + kappa), of kappa 20 and 21, but the conditions cancel: kappa "
+    "of F_A is 1.2. With both exact and rounded once it errs by 0.74",
+    "rod_spring.fold_quartic": "its coefficient h h_A: these are right to 0.3 and 2.1 u (1 + kappa), of kappa 5 and "
+    "7, which are of opposite signs, and that of the product is 1.3. With both exact and rounded once it errs by 0.67",
+    "rod_spring_untruncated.F_A": "as that of rod_spring: h and h_A err by 2 and 0.8 u (1 + kappa), of kappa 9. With "
+    "both exact and rounded once it errs by 0.95",
+    "rod_spring_untruncated.fold_quartic": "as that of rod_spring: h and h_A err by 0.6 and 1 u (1 + kappa), of kappa "
+    "7 and 8. With both exact and rounded once it errs by 0.65",
     "rod_spring_untruncated.averaged_2": "just above u_cr between 0.75 and 0.8 the average is a difference of the two "
     "integrals that R_D says, many times as large",
-    "rod_spring_untruncated.level": "by averaged_2",
+    "rod_spring_untruncated.detachment": "by averaged_2: with h exact and rounded once it errs by 0.01",
+    "rod_spring_untruncated.level": "by averaged_2: with h exact and rounded once it errs by 0.01",
+    "rod_spring_untruncated.peak_cubic": "by averaged_2: with h exact and rounded once it errs by 0.3",
     "rod_spring_untruncated.harmonics": "T_5 = 16 s^5 - 20 s^3 + 5 s: the fifth harmonic is a difference",
     "rod_spring_untruncated.stability": "far above u_cr at low frequencies the product of two numbers next to -1 that "
     "depend on no argument: seven roundings, each of one u, while kappa is next to 0",
