@@ -40,6 +40,7 @@ static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, 
                               const sf_sample *near, sf_exact_sample *out) {
     sf_pair beyond = A;
     int i;
+    piece += exactly->mechanism->breakpoints - model->breaks; /* pieces of no width come first */
     if (piece > 0) {
         beyond = sfp_sub(A, exactly->b[piece - 1]);
         if (!(beyond.high > 0) || (wanted > 2 && A.high > SF_PAIRS_REACH * exactly->b[piece - 1].high))

@@ -66,7 +66,7 @@ static inline int sf_settle_near(sf_step step, sf_moves moves, int wanted, const
     double before = HUGE_VAL;
     const int piece = sf_piece_of(model, of->A.high);
     int i, last = 0;
-    if (!(of->Omega.high > 0) || model->breaks < exactly->mechanism->breakpoints)
+    if (!(of->Omega.high > 0))
         return 0;
     for (i = 0; i < SF_MOST_SETTLING && !last; i++) {
         sf_exact_sample at;
