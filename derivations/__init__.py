@@ -15,6 +15,7 @@ Beside the paper, for the solvers and the further depths:
     motion         (3), (A1)  the equation of motion as it is followed in time
     elliptic       (20)       the averaged force that is not truncated
     quadrature     (20)       the averaged force of any kind, as integrals
+    sampled        (20)       the same of a force that is known by its values
     frequencies, along, slopes, bounds   what is solved at an amplitude, and what vanishes, rises, is bounded along it
     monotone                  proof of what the search along the amplitude stands on
     offset                    whether a motion about the centre stays there

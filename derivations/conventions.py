@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from .gradients import KINDS
+from .quadrature import DENSE, NODES
 
 
 @dataclass(frozen=True)
@@ -262,6 +263,8 @@ CONVENTIONS = (
             Number("SHORT_PART", sp.Rational(1, 2**20), "a part of the quarter that one panel is enough for"),
             Number("FEWEST_PANELS", 16, "from which on rounding is looked at"),
             Number("MOST_PANELS", 512, "after which a sum is given up"),
+            Number("NODES", NODES, "of Gauss's rule on a panel"),
+            Number("DENSE", DENSE, "power of what is divided into panels that the angle from a piece's begin is"),
             Number("NEXT_TO_ZERO", sp.Rational(1, 2**400), "an amplitude next to 0"),
             Number("PARTS", 24, "of the quarter cycle, of each piece, in which an average by quadrature is enclosed"),
             Number("HALVED", 64, "how often the first of them is halved at most"),

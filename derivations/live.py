@@ -107,14 +107,8 @@ def stated(
     name, pieces, parameters = given_by.module_name(name), given_by.pieces(pieces), given_by.parameters(parameters)
     title, reach_reason = given_by.text("title", title), given_by.text("reach_reason", reach_reason)
     furthest, odd = given_by.reach(reach), given_by.flag("odd", odd)
-    symbols = {}
-    for given in parameters:
-        if not given.isidentifier() or keyword.iskeyword(given) or given in TAKEN:
-            raise ValueError(f"parameter {given!r} is not allowed: it must be a name that is none of {sorted(TAKEN)}")
-        if given in WORDS_OF_C:
-            raise ValueError(f"parameter {given!r} is not allowed: it is a word of C")
-        symbols[given] = _symbol(given, parameters[given])
-    design = tuple(_parameter(symbols[given], about) for given, about in parameters.items())
+    design = designed(parameters)
+    symbols = {parameter.symbol.name: parameter.symbol for parameter in design}
     forces, ends = [], []
     for number, (force, end) in enumerate(pieces, start=1):
         last = number == len(pieces)
@@ -161,6 +155,18 @@ def stated(
     if not closed:
         check(quadrature(mechanism), name)
     return mechanism
+
+
+def designed(parameters: Mapping[str, Mapping[str, Any]]) -> tuple[Parameter, ...]:
+    """The numbers of a design, from what `given` has checked of them. Raises ValueError for names that are taken."""
+    found = []
+    for given, about in parameters.items():
+        if not given.isidentifier() or keyword.iskeyword(given) or given in TAKEN:
+            raise ValueError(f"parameter {given!r} is not allowed: it must be a name that is none of {sorted(TAKEN)}")
+        if given in WORDS_OF_C:
+            raise ValueError(f"parameter {given!r} is not allowed: it is a word of C")
+        found.append(_parameter(_symbol(given, about), about))
+    return tuple(found)
 
 
 def quadrature(mechanism: Mechanism) -> Quadrature:

@@ -174,7 +174,7 @@ class Quadrature:
             return total
 
         (integral,) = sums(1)
-        at_ends = [root / A * (lost[0] - b * lost[1]) - lost[0] * b**2 / (A * root) for b, root, lost in ends]
+        at_ends = [untilted_at(lost, b, root) for b, root, lost in ends]
         at_rest = self.at_rest
         if self.is_broken:
             at_rest = _untilted(self.pieces[0], u).subs(u, names[0]) * roots[0] / A if count else sp.Integer(0)
@@ -256,10 +256,7 @@ class Quadrature:
             lowest = next((order for order, lost in enumerate(losses) if lost != 0), None)
             if lowest is None:
                 continue
-            numerator = sp.Integer(0)
-            for order in range(ORDERS, lowest - 1, -1):
-                numerator = numerator * root**2 + losses[order] * _shape(order, b, root)
-            total += numerator / root ** (2 * (ORDERS - lowest) + 1)
+            total += bent_at(losses, lowest, b, root)
         for number, contact in enumerate(self.contacts):
             if contact.begins <= count:
                 root = sp.Symbol(f"root_{contact.begins}", nonnegative=True)
@@ -366,6 +363,19 @@ def nested(expression: sp.Expr) -> sp.Expr:
 def _untilted(piece: sp.Expr, at: sp.Symbol) -> sp.Expr:
     """A force less what its slope makes of the displacement."""
     return piece - at * sp.diff(piece, at)
+
+
+def untilted_at(lost: Sequence[sp.Expr], b: sp.Symbol, root: sp.Symbol) -> sp.Expr:
+    """What a breakpoint adds to h - A h_A over 4/pi, by what f and f' lose there."""
+    return root / A * (lost[0] - b * lost[1]) - lost[0] * b**2 / (A * root)
+
+
+def bent_at(losses: Sequence[sp.Expr], lowest: int, b: sp.Symbol, root: sp.Symbol) -> sp.Expr:
+    """What a breakpoint adds to h_AAAA over -4/pi: one quotient, by what is lost there from the lowest order on."""
+    numerator = sp.Integer(0)
+    for order in range(ORDERS, lowest - 1, -1):
+        numerator = numerator * root**2 + losses[order] * _shape(order, b, root)
+    return numerator / root ** (2 * (ORDERS - lowest) + 1)
 
 
 def _root(b: sp.Symbol) -> sp.Expr:

@@ -29,6 +29,7 @@ from .off_centre import Climb, OffCentre, climb, off_centre
 from .oscillator import Dimensionless, oscillator
 from .restoring import Case, Restoring, restoring
 from .resultants import Elimination
+from .sampled import Sampled, sampled
 from .second_approximation import SecondApproximation, second_approximation
 from .slopes import Slopes, slopes
 from .slow_flow import SCENES, SlowFlow, slow_flow
@@ -83,6 +84,7 @@ class Results:
     gradients, inertia_gradients, laws_gradients -- how answers move with the parameters: for a force, for an excitation
                   by inertia, and for a force with other laws of damping
     off_centre, climb -- motions about another place than the centre, and the means that these are made of
+    sampled    -- the average of a force that is known by its values
     steps      -- of Newton's method on the equations of each answer
     detachment -- (34), by scene
     second     -- the second approximation
@@ -105,6 +107,7 @@ class Results:
     laws_gradients: Gradients
     off_centre: OffCentre
     climb: Climb
+    sampled: Sampled
     steps: dict[str, Step]
     detachment: dict[str, Elimination]
     second: SecondApproximation
@@ -155,6 +158,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         gradients(by_laws.curve),
         off_centre(equations, flows[""]),
         climb(),
+        sampled(),
         steps(flows[""]),
         {scene: resultants.detachment(flow) for scene, flow in flows.items()},
         second_approximation(equations, flows[""]),

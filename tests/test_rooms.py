@@ -29,7 +29,7 @@ FLOORS = (
     ("answer", "loaded"),
     ("model",),
     ("validate",),
-    ("mechanism", "backend", "page", "pictures", "plausible", "progress", "version"),
+    ("mechanism", "sampled", "backend", "page", "pictures", "plausible", "progress", "version"),
 )
 FLOOR = {room: number for number, rooms in enumerate(reversed(FLOORS)) for room in rooms}
 FILES = sorted((SOURCE / "slowflow").rglob("*.py"))

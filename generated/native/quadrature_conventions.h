@@ -16,6 +16,10 @@
 #define SF_FEWEST_PANELS 16
 /* after which a sum is given up */
 #define SF_MOST_PANELS 512
+/* of Gauss's rule on a panel */
+#define SF_NODES 16
+/* power of what is divided into panels that the angle from a piece's begin is */
+#define SF_DENSE 3
 /* an amplitude next to 0 */
 #define SF_NEXT_TO_ZERO 3.8725919148493183e-121
 /* of the quarter cycle, of each piece, in which an average by quadrature is enclosed */

@@ -16,6 +16,7 @@ MODULES = (
     "inertia",
     "off_centre",
     "dissipation",
+    "sampled",
     "motion",
     "second_approximation",
     "den_hartog",

@@ -30,9 +30,9 @@ from typing import Any
 import numpy as np
 
 import slowflow_kernels
-from slowflow import backend, files
+from slowflow import backend, files, sampled
 from slowflow.exact.compiled import recurrences
-from slowflow.mechanism import Mechanism
+from slowflow.mechanism import Mechanism, Parameter
 from slowflow.model import THROUGHOUT
 from slowflow.oscillator import Oscillator
 from slowflow_support.quadrature import COMPILED
@@ -42,7 +42,40 @@ NEEDED = "deriving needs SymPy, python-flint, Jinja2 and platformdirs: pip insta
 FLAGS = ("-std=c11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-shared", "-fPIC")
 
 
-class Derived:
+class Stated:
+    """A mechanism of one's own: called with its numbers it makes an oscillator, `many` takes arrays of them.
+
+    record -- the same record as a generated module's `MECHANISM`
+    """
+
+    record: Mechanism
+
+    def __init__(self, record: Mechanism) -> None:
+        self.record = record
+
+    def __call__(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: float) -> Oscillator:
+        """An oscillator with these numbers, damping among them: `Oscillator(record, ...)`, whose errors are raised."""
+        return Oscillator(self.record, excitation=excitation, rubs=rubs, **numbers)
+
+    def many(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: Any) -> Any:
+        """Many designs at once: `Oscillator.many(record, ...)`."""
+        return Oscillator.many(self.record, excitation=excitation, rubs=rubs, **numbers)
+
+    def _told(self, how: str) -> str:
+        return f"{self.record.title}: {', '.join((*self.record.design_names, 'mu', 'zeta'))}; {how}"
+
+
+class Sampled(Stated):
+    """A mechanism whose force is stated by Python functions: what they are asked for stands in place of a derivation.
+
+    It has what `Stated` has; all of it is NumPy's and SciPy's, and slower.
+    """
+
+    def __repr__(self) -> str:
+        return self._told("a Python function: by its values, quadrature on NumPy, slower")
+
+
+class Derived(Stated):
     """A derived mechanism: called with its numbers it makes an oscillator, `many` takes arrays of them.
 
     record   -- the same record as a generated module's `MECHANISM`
@@ -50,11 +83,10 @@ class Derived:
     compiled -- whether compiled code answers for it; NumPy's solvers and SciPy's integrator do otherwise
     """
 
-    record: Mechanism
     folder: Path
 
     def __init__(self, record: Mechanism, folder: Path, stated: Any) -> None:
-        self.record = record
+        super().__init__(record)
         self.folder = folder
         self._stated = stated
 
@@ -68,14 +100,6 @@ class Derived:
     def compiled(self) -> bool:
         """Whether the compiled solvers have its record, and the compiled integrator its force."""
         return _is_attached(self.record)
-
-    def __call__(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: float) -> Oscillator:
-        """An oscillator with these numbers, damping among them: `Oscillator(record, ...)`, whose errors are raised."""
-        return Oscillator(self.record, excitation=excitation, rubs=rubs, **numbers)
-
-    def many(self, *, excitation: str = "force", rubs: str = THROUGHOUT, **numbers: Any) -> Any:
-        """Many designs at once: `Oscillator.many(record, ...)`."""
-        return Oscillator.many(self.record, excitation=excitation, rubs=rubs, **numbers)
 
     def document(self) -> str:
         """Its derivation to read, Markdown with LaTeX: motion, slow flow, average in each regime, response, folds."""
@@ -93,13 +117,12 @@ class Derived:
         return names
 
     def __repr__(self) -> str:
-        names = ", ".join(self.record.design_names)
         how = "compiled" if self.compiled else "on NumPy"
         if self.record.enclosed is not None:
             how += ", by quadrature"
         if not self.record.odd and self.compiled:
             how = "motions compiled, averages on NumPy"
-        return f"{self.record.title}: {names}, mu, zeta; {how}"
+        return self._told(how)
 
 
 def mechanism(
@@ -112,7 +135,7 @@ def mechanism(
     reach_reason: str = "",
     odd: bool = True,
     compile: bool = False,
-) -> Derived:
+) -> Stated:
     """Derive a mechanism from its force f(u), dimensionless; about a second, once for the same content.
 
     name       -- of a module
@@ -120,6 +143,10 @@ def mechanism(
                   parameters, and the |u| at which the piece ends, None for the last one. |u| is u there, a constant in
                   the first piece is a preload. Polynomials have averages in closed form; those of powers that are no
                   whole numbers, and of elementary functions, are summed by quadrature
+                  A piece may be a Python function instead, as all of them then are, called as f(u, **parameters): on
+                  NumPy, with one number for u or an array, whichever it takes. It ends at a number or at a function
+                  of the parameters. It needs the `reach`; it is smooth between its ends, which ends of pieces are
+                  where it is not; and the first one is odd. Its values are what is asked for, see `Sampled`
     parameters -- by name: "doc", "unit" and the bounds "above", "least", "below", "most", each if there is one
     reach      -- the largest |u| that makes sense, and why; a linear spring that closed gaps leave has none
     odd        -- whether the force is; else its pieces are polynomials for all u, by rising u, each with the u, of any
@@ -132,12 +159,16 @@ def mechanism(
     where slowflow itself is not compiled. Exact motions are SciPy's where it is not compiled, and take long.
     """
     furthest = () if reach is None else (reach, reach_reason)
-    stated = _derivation().stated(name, pieces, parameters, title, *furthest, odd=odd)
-    for parameter in stated.design:
-        if parameter.symbol.name in _taken():
-            raise ValueError(
-                f"parameter {parameter.symbol.name!r} is not allowed: an oscillator has something else by that name"
+    given = _derivation("slowflow_derivation.given")
+    functions = [_is_function(force) for force, _ in given.pieces(pieces)]
+    if any(functions):
+        if not all(functions):
+            raise TypeError(
+                f"piece {functions.index(False) + 1} is no Python function, as others are: all are, or none is"
             )
+        return _sampled(name, pieces, parameters, title, reach, reach_reason, odd, compile)
+    stated = _derivation().stated(name, pieces, parameters, title, *furthest, odd=odd)
+    _check_names(stated.design)
     return _derived(stated, compile)
 
 
@@ -164,6 +195,69 @@ def _taken() -> frozenset[str]:
     """Names that an oscillator has already: what it is made from, its parts, and its questions."""
     made_from = inspect.signature(Oscillator.__init__).parameters
     return frozenset((*made_from, *Oscillator.__annotations__, *dir(Oscillator), "model"))
+
+
+def _check_names(design: Sequence[Any]) -> None:
+    """Raises ValueError for a parameter that would hide something else of an oscillator."""
+    for parameter in design:
+        if parameter.symbol.name in _taken():
+            raise ValueError(
+                f"parameter {parameter.symbol.name!r} is not allowed: an oscillator has something else by that name"
+            )
+
+
+def _is_function(force: Any) -> bool:
+    """Whether a piece is a Python function; SymPy's symbols and functions can be called too."""
+    return callable(force) and not hasattr(force, "free_symbols")
+
+
+def _sampled(
+    name: str,
+    pieces: Sequence[tuple[Any, Any]],
+    parameters: Mapping[str, Mapping[str, Any]],
+    title: str,
+    reach: Any,
+    reach_reason: str,
+    odd: bool,
+    compile: bool,
+) -> Sampled:
+    """A mechanism whose pieces are Python functions, whose arguments are those of `mechanism`."""
+    given, live = _derivation("slowflow_derivation.given"), _derivation()
+    name, title = given.module_name(name), given.text("title", title)
+    reach_reason = given.text("reach_reason", reach_reason)
+    if given.flag("compile", compile):
+        raise ValueError("compile = True is not allowed: a Python function cannot be compiled, a SymPy expression can")
+    if not given.flag("odd", odd):
+        raise ValueError("odd = False is not allowed: a force that is not odd is stated as polynomials")
+    if reach is None:
+        raise ValueError(
+            "reach = None is not allowed: a Python function is asked for its values up to there, say how far"
+        )
+    design = live.designed(given.parameters(parameters))
+    _check_names(design)
+    names = [parameter.symbol.name for parameter in design]
+    functions, ends = [], []
+    for number, (force, end) in enumerate(pieces, start=1):
+        if (end is None) != (number == len(pieces)):
+            said = "have no end, it is the last" if end is not None else "say where it ends"
+            raise ValueError(f"piece {number} must {said}")
+        sampled.check_signature(f"piece {number}", force, names, 1)
+        functions.append(force)
+        if _is_function(end):
+            sampled.check_signature(f"the end of piece {number}", end, names, 0)
+            ends.append(end)
+        elif end is not None:
+            ends.append(float(given.exact(f"the end of piece {number}", end)))
+    bounds = [
+        {key: float(bound) for key in given.BOUNDS if (bound := getattr(parameter, key)) is not None}
+        for parameter in design
+    ]
+    of_record = tuple(
+        Parameter(one.symbol.name, one.doc, one.unit, **bound) for one, bound in zip(design, bounds, strict=True)
+    )
+    stated = sampled.Stated(name, tuple(functions), tuple(ends), tuple(names), float(given.reach(reach)))
+    titled = title or f"{name}, stated by Python functions"
+    return Sampled(sampled.record(stated, titled[0].upper() + titled[1:], of_record, reach_reason))
 
 
 def _derived(stated: Any, compile: bool) -> Derived:

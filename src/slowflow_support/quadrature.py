@@ -44,6 +44,7 @@ def over_quarter(
     graded: Sequence[int],
     rule: Sequence[tuple[float, float]],
     begins: Sequence[int] = (),
+    rough: Sequence[float] = (),
 ) -> tuple[Any, ...]:
     """The outputs of `closing` at A and parameters that broadcast.
 
@@ -52,6 +53,7 @@ def over_quarter(
     graded -- of each of these the power of what is divided into panels that its angle, from where it begins, is
     rule   -- positive nodes on [-1, 1], which stand for their negatives too, and weights
     begins -- the number of the breakpoint at which each contact begins
+    rough  -- what each integrand is in doubt by, wherever it is; () where rounding is relative to it
 
     Raises ArithmeticError where a sum does not settle: the force is all but singular.
     """
@@ -65,17 +67,18 @@ def over_quarter(
     at = np.array([x for node, _ in reversed(rule) for x in (-node,)] + [node for node, _ in rule])
     weights = np.array([weight for _, weight in reversed(rule)] + [weight for _, weight in rule])
     sums = np.zeros((width, flat[0].size))
+    doubt = np.array(rough).reshape(-1, 1)
     size = max(1, TOGETHER // (width * at.size * MOST_PANELS // 8))
     with np.errstate(all="ignore"):
         for first in range(0, flat[0].size, size):
             part = slice(first, first + size)
             some = [one[part] for one in flat]
-            sums[:, part] = found = _sums(some, breakpoints, terms, width, graded, (at, weights), begins)
+            sums[:, part] = found = _sums(some, breakpoints, terms, width, graded, (at, weights), begins, doubt)
             # a slope at rest that is a quotient of zeros, as of a broken power, is what it is next to it
             lost = np.isnan(found).any(axis=0) & (some[0] == 0)
             if lost.any():
                 beside = [np.full(int(lost.sum()), NEXT_TO_ZERO), *(one[lost] for one in some[1:])]
-                near = _sums(beside, breakpoints, terms, width, graded, (at, weights), begins)
+                near = _sums(beside, breakpoints, terms, width, graded, (at, weights), begins, doubt)
                 sums[:, np.flatnonzero(lost) + first] = np.where(np.isnan(found[:, lost]), near, found[:, lost])
     return tuple(closing(arrays[0], *(one.reshape(shape) for one in sums), *arrays[1:]))
 
@@ -88,6 +91,7 @@ def _sums(
     graded: Sequence[int],
     rule: tuple[Floats, Floats],
     begins: Sequence[int],
+    doubt: Floats,
 ) -> Floats:
     """The sums over the pieces and the contacts, an array (width, n)."""
     A, *parameters = numbers
@@ -108,7 +112,7 @@ def _sums(
         wide = span > 0
         if wide.any():
             chosen = [one[wide] for one in numbers]
-            own = _Piece(piece, width, graded[number], from_top, rule)
+            own = _Piece(piece, width, graded[number], from_top, rule, doubt)
             total[:, wide] += own.settled(chosen, low[wide], span[wide])
         low = high
     return total
@@ -119,6 +123,7 @@ class _Piece:
     """One piece of the force, to be integrated over low < t < low + span, or over the `span` below t = pi/2.
 
     terms, width, graded, rule -- as in `over_quarter`
+    doubt    -- of each integrand (width, 1), or empty
     from_top -- whether the angle is counted downwards from pi/2
     """
 
@@ -127,6 +132,7 @@ class _Piece:
     graded: int
     from_top: bool
     rule: tuple[Floats, Floats]
+    doubt: Floats
 
     def settled(self, numbers: list[Floats], low: Floats, span: Floats) -> Floats:
         """The integrals."""
@@ -143,7 +149,9 @@ class _Piece:
             if before is not None:
                 moved = np.abs(value - before)
                 # an infinite sum stays so
-                apart = (moved > AGREED * sizes) & ~(span[left] <= SHORT_PART)
+                apart = (moved > AGREED * sizes + (self.doubt * span[left] if self.doubt.size else 0.0)) & ~(
+                    span[left] <= SHORT_PART
+                )
                 if panels >= FEWEST_PANELS and apart.any():
                     moves = np.zeros_like(value)
                     for k in range(len(some)):

@@ -129,6 +129,7 @@ class Mechanism:
                    each breakpoint; and those of the last piece, by its formula, at u = 0. None where a piece is no
                    polynomial: then nothing is known off the centre. Of a force that is not odd: those of each piece by
                    its formula at u = 0, and their gains at each breakpoint
+    told        -- of the parameters: in words, how a force is known that is no formula; None for one that is
     odd         -- whether the force is odd, its pieces stated for u > 0; else they are by rising u, breakpoints are
                    such u, and what is about the centre is `unknown`
     """
@@ -157,6 +158,7 @@ class Mechanism:
     enclosed: Enclosed | None = None
     steps: Function | None = None
     odd: bool = True
+    told: Function | None = None
 
     @cached_property
     def design_names(self) -> tuple[str, ...]:

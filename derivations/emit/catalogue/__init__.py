@@ -16,6 +16,7 @@ from .inertia import inertia_module
 from .mechanism import mechanism_module
 from .motion import motion_module
 from .off_centre import off_centre_module
+from .sampled import sampled_module
 
 
 def all_modules(results: Results) -> list[Module]:
@@ -27,6 +28,7 @@ def all_modules(results: Results) -> list[Module]:
         inertia_module(results),
         off_centre_module(results),
         dissipation_module(results),
+        sampled_module(results),
         motion_module(results),
         second_approximation_module(results),
         den_hartog_module(results),

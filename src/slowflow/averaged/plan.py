@@ -91,6 +91,8 @@ def plan(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None)
         force = Step("force", True, "one piece: no angles, no corner")
     else:
         force = Step("force", True, "its pieces up to the highest amplitude at F_0")
+    if whole.mechanism.told is not None:
+        force = Step("force", True, whole.mechanism.told(*whole.parameters))
     told = f"{whole.laws.told()}: F is a quartic in Omega" if whole.laws.any else whole.flow.SCENE
     flow = Step("slow flow", True, told)
     if question == "peak":
@@ -226,6 +228,8 @@ def needs_no_solver(question: str, whole: Model) -> bool:
 
 def plan_of_all(question: str, whole: Model) -> Plan:
     """The plan for one of `OF_ALL`, which are about every forcing."""
+    if whole.mechanism.told is not None:
+        force = Step("force", True, whole.mechanism.told(*whole.parameters))
     told = f"{whole.laws.told()}: F is a quartic in Omega" if whole.laws.any else whole.flow.SCENE
     flow = Step("slow flow", True, told)
     if needs_no_solver(question, whole):

@@ -1,0 +1,77 @@
+"""Step 3 for a force that is known by its values, (20)-(22), (31): what stands under the integrals, and what ends add.
+
+In:  the force and its derivatives at u = A s, s = sin t, as numbers; what they lose at a breakpoint b.
+Out: `Sampled`: integrands of h and its derivatives, of h - A h_A and of the harmonics over the quarter cycle, what a
+     breakpoint that is passed adds to the integrals, and the same of h_AAAA.
+
+It is `quadrature`, in which the force is a formula, with numbers in its place: the same terms stand under the integrals
+and around them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from .harmonics import HARMONICS, boundary, chebyshev, derivatives_of
+from .quadrature import bent_at, c, s, untilted_at
+from .restoring import ORDERS
+from .symbols import A
+
+#: the force and four derivatives
+f = sp.symbols("f f_u f_uu f_uuu f_uuuu", real=True)
+#: a breakpoint, what the force and three derivatives lose there, and sqrt(A^2 - b^2)
+b = sp.Symbol("b", positive=True)
+lost = sp.symbols(f"lost_0:{ORDERS + 1}", real=True)
+root = sp.Symbol("root", nonnegative=True)
+lets = ((root, sp.sqrt((A - b) * (A + b))),)
+_FACTOR = -4 / sp.pi
+
+
+@dataclass(frozen=True)
+class Sampled:
+    """Each output is a share of what its integrals and ends sum up to.
+
+    at_rest    -- h as A tends to 0, of the force there
+    averaged   -- under the integrals of h, h_A, h_AA, h_AAA
+    averaged_end -- what a breakpoint adds to h_A, h_AA, h_AAA
+    intercept, intercept_end -- the same of h - A h_A, to which what is at rest adds itself
+    harmonics, harmonics_end -- of h_3 and its derivatives, then of h_5
+    bent       -- under the integrals of h and h_AAAA
+    bent_end   -- what a breakpoint adds to h_AAAA, by the lowest order of what is lost there
+    """
+
+    at_rest: sp.Expr
+    averaged: tuple[sp.Expr, ...]
+    averaged_end: tuple[sp.Expr, ...]
+    intercept: sp.Expr
+    intercept_end: sp.Expr
+    harmonics: tuple[sp.Expr, ...]
+    harmonics_end: tuple[sp.Expr, ...]
+    bent: tuple[sp.Expr, sp.Expr]
+    bent_end: tuple[sp.Expr, ...]
+
+
+def sampled() -> Sampled:
+    """All of it."""
+
+    def under(n: int) -> tuple[sp.Expr, ...]:
+        return tuple(_FACTOR * f[order] * s**order * chebyshev(n, s) for order in range(ORDERS + 1))
+
+    def end(n: int) -> tuple[sp.Expr, ...]:
+        terms = [boundary(lost[order], n, order, b, root) for order in range(ORDERS)]
+        _, *found = derivatives_of([sp.Integer(0)] * (ORDERS + 1), [(root, terms)])
+        return tuple(sp.collect(sp.expand(value), lost, sp.factor) for value in found)
+
+    return Sampled(
+        _FACTOR * f[0],
+        under(1),
+        end(1),
+        -_FACTOR * A**2 * f[2] * s * c**2,
+        -_FACTOR * untilted_at(lost, b, root),
+        tuple(value for n in HARMONICS for value in under(n)),
+        tuple(value for n in HARMONICS for value in end(n)),
+        (_FACTOR * f[0] * s, _FACTOR * f[ORDERS + 1] * s ** (ORDERS + 2)),
+        tuple(_FACTOR * bent_at(lost, lowest, b, root) for lowest in range(ORDERS + 1)),
+    )

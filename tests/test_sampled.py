@@ -1,0 +1,251 @@
+"""Forces that are Python functions: against certified answers, closed forms, derived forces and another integrator."""
+
+from __future__ import annotations
+
+import json
+import math
+import pickle
+from itertools import pairwise
+from pathlib import Path
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+
+from slowflow import derive
+from slowflow.averaged.reference.cells import samples_at
+from slowflow.averaged.reference.enclosed import enclosed
+from slowflow.averaged.reference.intervals import Elementary
+
+pytestmark = pytest.mark.usefixtures("folder")
+
+CASES = json.loads((Path(__file__).parent / "data" / "stated.json").read_text())
+DAMPING = {"mu": 0.01, "zeta": 0.03}
+ABOVE_0 = {"above": 0}
+
+
+def at_gap(gap, **_):
+    return gap
+
+
+def linear(u, **_):
+    return u
+
+
+def touching(u, k, c, gap):
+    return u + c * np.tanh(k * (u - gap))
+
+
+def one_by_one(u, k):
+    """It takes no arrays."""
+    return k * math.sin(u)
+
+
+#: pieces and their parameters; those of stated.json by the same names
+FORCES = {
+    "wave": ([(lambda u, k, c: u + k * np.sin(c * u), None)], "kc"),
+    "saturating": ([(lambda u, c, k: c * u + np.tanh(k * u), None)], "ck"),
+    "oblique": ([(lambda u, k, c: u + 2 * k * u * (1 - c / np.sqrt(c**2 + u**2)), None)], "kc"),
+    "preload": ([(lambda u, c, k: np.copysign(c + k * np.expm1(np.abs(u)), u), None)], "ck"),
+    "soft_stop": ([(linear, at_gap), (touching, None)], ("c", "k", "gap")),
+    "root_stop": (
+        [(linear, at_gap), (lambda u, k, c, gap: u + k * (np.sqrt(1 + c * (u - gap)) - 1), None)],
+        ("k", "c", "gap"),
+    ),
+    "pendulum": ([(one_by_one, None)], "k"),
+    "quadratic": ([(lambda u, k: u + k * u * np.abs(u), None)], "k"),
+    "cubic": ([(lambda u, k: k * u**3, None)], "k"),
+    "play": ([(lambda u, **_: 0.0, at_gap), (lambda u, k, gap: k * (u - gap) ** 2, None)], ("k", "gap")),
+}
+
+
+def mechanism(name, **given):
+    pieces, numbers = FORCES[name]
+    return derive.mechanism(name, pieces, {number: ABOVE_0 for number in numbers}, **{"reach": 3.1, **given})
+
+
+def relative(found, text):
+    return abs(mp.mpf(float(found)) / mp.mpf(text) - 1)
+
+
+@pytest.mark.parametrize("name", sorted({case["force"] for case in CASES} & set(FORCES)))
+def test_folds_states_and_onsets_are_the_certified_ones_and_no_others(name):
+    """Of the formula, which these functions are to rounding; a fold's A moves most, by the root of an error of h."""
+    for case in (case for case in CASES if case["force"] == name):
+        numbers = {key: value[1] for key, value in case["parameters"].items()}
+        one, F_0 = mechanism(name)(**numbers), case["F_0"][1]
+        folds = one.saddle_nodes(F_0)
+        assert [fold.kind for fold in folds] == [fold["kind"] for fold in case["folds"]]
+        for found, sure in zip(folds, case["folds"], strict=True):
+            kappa = sure["condition"]["A"] + sure["condition_kernel"]["A"]
+            assert relative(found.Omega, sure["Omega"]) < 1e-12
+            assert relative(found.A, sure["A"]) < 1e-14 * (10 + kappa)
+        for at in case["amplitudes"]:
+            found, sure = one.amplitudes(Omega=at["Omega"][1], F_0=F_0), at["steady"]
+            assert found.stable.tolist() == [state["stable"] for state in sure]
+            for A, known in zip(found.A, sure, strict=True):
+                kappa = known["condition"]["A"] + known["condition_kernel"]["A"]
+                assert relative(A, known["A"]) < 1e-14 * (10 + kappa)
+        if case["onset"] is not None:
+            assert relative(one.saddle_node_onset().F_SN, case["onset"]["F_SN"]) < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("name", "numbers", "closed"),
+    [
+        ("pendulum", {"k": 1.3}, lambda A: -2 * mp.mpf(1.3) * mp.besselj(1, A)),
+        ("quadratic", {"k": 0.7}, lambda A: -A - 8 * mp.mpf(0.7) / (3 * mp.pi) * A**2),
+        ("cubic", {"k": 2.0}, lambda A: -3 * mp.mpf(2) / 4 * A**3),
+    ],
+)
+def test_averages_are_those_of_a_closed_form(name, numbers, closed):
+    model = mechanism(name)(**numbers, **DAMPING).model
+    for A in (0.02, 0.3, 1.7, 3.0):
+        with mp.workdps(40):
+            expected = [float(mp.diff(closed, mp.mpf(A), order)) for order in range(4)]
+        # of a polynomial of degree 30, which the third derivative magnifies
+        for found, one, digits in zip(model.averaged(A), expected, (1e-15, 1e-14, 1e-12, 1e-11), strict=True):
+            assert float(found) == pytest.approx(one, rel=4 * digits, abs=4 * digits)
+
+
+def test_a_cubic_force_has_no_stiffness_at_rest_and_a_play_none_up_to_its_gap():
+    """Rounding would make folds at rest of either."""
+    cubic = mechanism("cubic")(k=2.0, **DAMPING)
+    assert cubic.model.averaged(0.0)[1] == 0
+    assert not cubic.saddle_node_onset().remarks
+    play = mechanism("play")(k=3.0, gap=0.1, **DAMPING)
+    assert play.model.averaged(0.1)[0] == play.model.averaged(0.1)[1] == 0
+    assert play.saddle_node_onset().message == ""
+    assert mechanism("quadratic")(k=1e-300, **DAMPING).saddle_node_onset().F_SN is None
+
+
+def test_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it():
+    for name, numbers in (("soft_stop", {"c": 3.0, "k": 6.0, "gap": 0.2}), ("wave", {"k": 0.2, "c": 3.0})):
+        model = mechanism(name)(**numbers, **DAMPING).model
+        edges = [1e-3, 0.1, 0.2, 0.3, 0.31, 0.8, 1.5, 3.0]
+        for low, high in pairwise(edges):
+            h, bend = (one.ends[:, 0] for one in enclosed(model, np.array([low]), np.array([high])))
+            inside = np.linspace(low, high, 14)[1:-1]
+            at = samples_at(model, inside)
+            assert np.all((h[0] <= at.h) & (at.h <= h[1]))
+            slopes = np.diff(at.h_AAA) / np.diff(inside)
+            doubt = 1e-8 * np.abs(slopes).max()
+            assert np.all((bend[0] <= slopes + doubt) & (slopes - doubt <= bend[1]))
+        h, _ = enclosed(model, np.array([3.0]), np.array([3.2]))
+        assert np.isnan(h.ends).all()  # beyond the reach
+
+
+def test_a_piece_is_within_its_bounds():
+    force = mechanism("soft_stop").record.averaged.stated.force((3.0, 6.0, 0.2))
+    rng = np.random.default_rng(1)
+    low = rng.uniform(0, 2.8, 200)
+    high = low + 10.0 ** rng.uniform(-6, -1, 200)
+    value, fourth = force.bounds(1, Elementary(np.array((low, high))))
+    for share in (0.0, 0.3, 1.0):
+        v = low + share * (high - low)
+        found, bent = force.smooth[1].at(v, (0, 4))
+        assert np.all((value.lo <= found) & (found <= value.hi))
+        assert np.all((fourth.lo <= bent) & (bent <= fourth.hi))
+
+
+@pytest.mark.slow
+def test_second_approximation_and_exact_motion_are_those_of_the_same_force():
+    """The one against the derived force's, the other against SciPy's integration of the function itself."""
+    numbers = {"c": 3.0, "k": 2.0, "gap": 0.2}
+    u, c, k, gap = sp.symbols("u c k gap")
+    pieces = [(u, gap), (u + c * sp.tanh(k * (u - gap)), None)]
+    other = derive.mechanism("soft_stop_too", pieces, dict.fromkeys(numbers, ABOVE_0), reach=3.1)(**numbers, **DAMPING)
+    one = mechanism("soft_stop")(**numbers, **DAMPING)
+    second, same = (each.second_approximation.saddle_nodes(F_0=0.05) for each in (one, other))
+    np.testing.assert_allclose(second.Omega, same.Omega, rtol=1e-9)
+    state = one.steady_state(Omega=1.1, F_0=0.1)
+    period = 2 * np.pi / 1.1
+
+    def f(x):
+        return math.copysign(touching(abs(x), **numbers) if abs(x) > 0.2 else abs(x), x)
+
+    def rates(t, y):
+        return y[1], 0.1 * np.cos(1.1 * t) - f(y[0]) - 0.06 * y[1] - 0.01 * np.sign(y[1])
+
+    done = solve_ivp(rates, (0, 60 * period), (0.0, 0.0), rtol=1e-8, atol=1e-10, max_step=period / 100)
+    last = done.t > 59 * period
+    assert np.abs(done.y[0][last]).max() == pytest.approx(state.A, rel=1e-4)
+
+
+def test_batches_and_other_excitations_are_answered():
+    made = mechanism("soft_stop")
+    numbers = {"c": [1.0, 3.0], "k": 2.0, "gap": 0.2}
+    many = made.many(**numbers, **DAMPING)
+    onsets, folds = many.saddle_node_onset(), many.saddle_nodes(F_0=0.05)
+    for k, c in enumerate(numbers["c"]):
+        one = made(c=c, k=2.0, gap=0.2, **DAMPING)
+        assert onsets.F_SN[k] == pytest.approx(one.saddle_node_onset().F_SN, rel=1e-14)
+        found = one.saddle_nodes(F_0=0.05).Omega
+        np.testing.assert_allclose(folds.Omega[k][: len(found)], found, rtol=1e-14)
+    shaken = made(c=1.0, k=2.0, gap=0.2, **DAMPING, excitation="base")
+    assert shaken.amplitudes(Omega=1.5, F_0=0.02).A.size
+    assert one.detachment().u_cr == 0.2
+
+
+def test_it_says_what_it_is():
+    made = mechanism("pendulum", reach_reason="it stands on its head")
+    assert "a Python function" in repr(made) and "NumPy" in repr(made)
+    one = made(k=1.0, **DAMPING)
+    assert "a Python function, by 32 of its values" in str(one.explain("saddle_nodes", 0.05))
+    assert "it stands on its head" in one.amplitudes(Omega=0.5, F_0=2.5).message
+    with pytest.raises(ValueError, match="no gradients"):
+        one.saddle_node_onset().gradient()
+
+
+def test_it_can_be_pickled_where_its_functions_can():
+    one = mechanism("pendulum")(k=1.0, **DAMPING)
+    again = pickle.loads(pickle.dumps(one))
+    assert again == one
+    assert again.saddle_node_onset().F_SN == one.saddle_node_onset().F_SN
+    with pytest.raises(TypeError, match=r"wave cannot be pickled, as its functions cannot: .*a module defines can"):
+        pickle.dumps(mechanism("wave")(k=0.1, c=2.0, **DAMPING))
+
+
+@pytest.mark.parametrize(
+    ("pieces", "told"),
+    [
+        ([(lambda u: u + max(abs(u) - 0.2, 0) * np.sign(u), None)], r"of its values leave .* not smooth at some \|u\|"),
+        ([(lambda u: np.sign(u) * abs(u) ** 1.5, None)], "a power that is no whole number"),
+        ([(lambda u: u + 0.3 * u**2, None)], r"0\.708 at u = 0\.6 and -0\.492 at u = -0\.6: it is not odd"),
+        ([(lambda u: float("nan"), None)], r"is nan at u = .*finite"),
+        ([(lambda u: [u, u], None)], "must be a real number"),
+        ([(lambda u: "3", None)], "'3': it must be a real number"),
+        ([(lambda u: u + 1j, None)], "must be a real number"),
+        ([(lambda u: 1 / 0, None)], r"raises ZeroDivisionError at u = .*division"),
+        ([(lambda u: u + 1e-9 * np.random.rand(), None)], "of it open"),
+        ([(lambda u: np.tanh(3000 * u), None)], "is not the polynomial|of it open"),
+        ([(linear, lambda: math.nan), (linear, None)], "end of piece 1 of bad is nan: it must be finite"),
+        ([(linear, 0.3), (linear, 0.2), (linear, None)], r"\|u\| = 0\.3, 0\.2, 3: these must rise up to the reach"),
+        ([(linear, 4), (linear, None)], "must rise up to the reach"),
+    ],
+)
+def test_a_function_that_is_no_such_force_is_refused_before_any_work(pieces, told):
+    made = derive.mechanism("bad", pieces, {}, reach=3.0)
+    with pytest.raises(ValueError, match=told):
+        made(**DAMPING)
+
+
+def test_what_cannot_be_had_is_refused_when_it_is_stated():
+    def stated(*pieces, **given):
+        return derive.mechanism("bad", [*pieces], {}, **{"reach": 3.0, **given})
+
+    with pytest.raises(TypeError, match=r"piece 1 cannot be called as f\(u\): missing a required argument: 'k'"):
+        stated((one_by_one, None))
+    with pytest.raises(TypeError, match="piece 2 is no Python function, as others are"):
+        stated((linear, 0.1), (sp.Symbol("u"), None))
+    with pytest.raises(ValueError, match="piece 1 must say where it ends"):
+        stated((linear, None), (linear, None))
+    for given, told in (
+        ({"reach": None}, "say how far"),
+        ({"odd": False}, "polynomials"),
+        ({"compile": True}, "compiled"),
+    ):
+        with pytest.raises(ValueError, match=told):
+            stated((linear, None), **given)
