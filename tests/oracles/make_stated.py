@@ -59,7 +59,9 @@ from tests.oracles.make_damped import bezout
 from tests.oracles.make_random_isolators import SEED, conditions, given, log_uniform, write
 
 OUT = Path(__file__).parents[1] / "data" / "stated.json"
+#: of each force
 EACH = 3
+MORE = {"contact": 30}
 #: above 4 mu/pi: up to there onsets are looked for
 HIGHEST = 0.15
 #: bits and length of the series that zeros are isolated on; ellipses, and what their sum's error is below, in bits
@@ -539,7 +541,10 @@ def case(name: str, index: int) -> dict:
     rng = random.Random(f"{SEED} stated {name} {index}")
     force = FORCES[name]
     parameters = force.draw(rng)
-    parameters |= {"mu": 0.0 if index == EACH - 1 else rng.uniform(0.001, 0.02), "zeta": log_uniform(rng, 0.02, 0.06)}
+    parameters |= {
+        "mu": 0.0 if index % EACH == EACH - 1 else rng.uniform(0.001, 0.02),
+        "zeta": log_uniform(rng, 0.02, 0.06),
+    }
     oscillator = mechanism(name)(**parameters)
     conditioning, onset = Conditioning(oscillator), None
     m = float(oscillator.m.mid())
@@ -598,7 +603,7 @@ def case(name: str, index: int) -> dict:
 
 
 def main() -> None:
-    cases = [case(name, index) for name in FORCES for index in range(EACH)]
+    cases = [case(name, index) for name in FORCES for index in range(MORE.get(name, EACH))]
     write(OUT, cases)
     print(json.dumps({"cases": len(cases), "folds": sum(len(one["folds"]) for one in cases)}))
 
