@@ -31,13 +31,14 @@ table { border-collapse: collapse; overflow-wrap: normal; }
 .wide { overflow-x: auto; margin: 1rem 0; }
 th, td { border-bottom: 1px solid var(--line); padding: .25rem .6rem; text-align: right; white-space: nowrap; }
 th { background: var(--head); white-space: normal; } td:first-child, th:first-child, .words { text-align: left; }
-.words { white-space: normal; min-width: 9rem; } code { overflow-wrap: anywhere; }
+.words { white-space: normal; min-width: 9rem; } code { display: block; min-width: 16rem; overflow-wrap: anywhere; }
 caption, .caption { font-weight: 600; }
 caption { text-align: left; padding: .5rem 0; width: max-content; max-width: 90vw; }
 figure { margin: 1rem 0; } figure svg { background: #ffffff; height: auto; width: 100%; max-width: 42rem; }
 a { color: inherit; }
-@media (max-width: 40rem) { th, td { padding: .2rem .3rem; font-size: .875rem; } .words { min-width: 6rem; } }
-@media print { body { max-width: none; } nav { display: none; } figure, table { break-inside: avoid; }
+@media (max-width: 40rem) { th, td { padding: .2rem .3rem; font-size: .875rem; } .words { min-width: 4.5rem; }
+                               code { min-width: 7rem; } }
+@media print { body { max-width: none; } nav { display: none; } figure, tr { break-inside: avoid; }
                h2, caption { break-after: avoid; } table { font-size: 9pt; }
                .wide { overflow: visible; } td, th { padding: .1rem .3rem; }
                figure svg { max-width: 30rem; } body { font-size: 11pt; } }

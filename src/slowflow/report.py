@@ -520,7 +520,7 @@ def _depths(of: Any, F: float) -> Iterator[str]:
 def _equations(of: Any) -> Iterator[str]:
     ledger = read_ledger()
     rows = [
-        (row["where"], page.words(row["quantity"]), escape(row["verdict"]), page.formula(row["published"]))
+        (row["where"], page.words(row["quantity"]), page.words(row["verdict"]), page.formula(row["published"]))
         for row in ledger["rows"]
         if row["kind"] == "formula" and row["where"] in EQUATIONS
     ]
