@@ -561,3 +561,17 @@ def test_what_is_not_sized_under_a_load_is_refused():
         tolerances(isolator(load=0.03), {"r": 0.05}, answers=["rests_within"])
     with pytest.raises(ValueError, match=r"fit is not available with load = 9.8\d* N"):
         fit(MOUNT.replace(load=13.0), A=[0.01], F=5, f=[2.0], free=["k_h"])
+
+
+def test_static_friction_changes_no_averaged_answer_and_those_that_it_changes_are_refused():
+    grips = MOUNT.replace(static_friction=0.6)
+    one, other = (tolerances(mount, {"k_h": 0.05, "friction": 0.2}, F=5, samples=200) for mount in (grips, MOUNT))
+    assert set(other.answer) - set(one.answer) == {"break_loose", "rests_within"}
+    kept = [name in one.answer for name in other.answer]
+    assert np.array_equal(one.low, other.low[kept]) and np.array_equal(one.high, other.high[kept])
+    found = meet(grips, {"zeta": (0.01, 0.1)}, at_least={"F_SN": 4.0})
+    assert found.feasible and found.design.given["static_friction"] == 0.6
+    assert found.numbers == meet(MOUNT, {"zeta": (0.01, 0.1)}, at_least={"F_SN": 4.0}).numbers
+    for name in ("break_loose", "A_shock"):
+        with pytest.raises(ValueError, match=f"{name} is not available with static friction above the kinetic one"):
+            tolerances(grips, {"k_h": 0.05}, shock=(20.0, 0.011), answers=[name])

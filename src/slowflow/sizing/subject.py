@@ -49,6 +49,8 @@ ABOUT_THE_CENTRE = {"rests_within": "length"}
 OF_INERTIA = {"sticks": "frequency"}
 KIND = OF_ALL_FORCINGS | OF_FRICTION | ABOUT_THE_CENTRE | AT_A_FORCING | OF_INERTIA | UNDER_A_LOAD
 KIND |= AT_A_FREQUENCY | IN_A_SPECTRUM | IN_A_SHOCK
+#: what static friction changes, where that is more than the kinetic one
+BY_STATIC_FRICTION = ("break_loose", "rests_within", *IN_A_SHOCK)
 
 
 #: kinds of what has no unit, and what a load spectrum is
@@ -91,8 +93,6 @@ class Subject:
             raise ValueError(f"{of!r} is not allowed: it must be an Isolator, or one made by Isolator.physical")
         with contextlib.nullcontext() if self.mount is None else self.mount.scales.in_these_terms():
             isolator.only_for_plain_damping("sizing")
-            if isolator.mu_s > isolator.mu:
-                raise validate.NotAvailable(f"sizing is not available with mu_s = {isolator.mu_s:g}, only with mu")
         self.mechanism, self.excitation = isolator.model.mechanism, isolator.excitation
         self.loaded = isolator.load != 0
         self.one_by_one = self.loaded or backend.SOLVER is None
@@ -100,6 +100,9 @@ class Subject:
         letter = "Omega" if self.mount is None else "f"
         others = ABOUT_THE_CENTRE if self.loaded else UNDER_A_LOAD
         others = others | (OF_INERTIA if self.excitation == "force" else {})
+        # averaging does not ask for static friction; batches, which answer the others, do not know it
+        self.of_static_friction = tuple(BY_STATIC_FRICTION) if isolator.mu_s > isolator.mu else ()
+        others = others | dict.fromkeys(self.of_static_friction, "")
         known = {name: kind for name, kind in KIND.items() if name not in others}
         self.answers = {f"{letter}_{name}" if kind == "frequency" else name: name for name, kind in known.items()}
         if self.mount is not None:
@@ -183,6 +186,8 @@ class Subject:
         if names is None:
             return [name for name, plain in self.answers.items() if plain not in missing]
         for name in names:
+            if name in self.of_static_friction:
+                raise validate.NotAvailable(f"{name} is not available with static friction above the kinetic one")
             if name not in self.answers:
                 raise ValueError(f"{name!r} is no answer: it must be one of {', '.join(self.answers)}")
             if needed := missing.get(self.answers[name]):
