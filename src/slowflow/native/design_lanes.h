@@ -119,6 +119,18 @@ static inline void sf_fill_zeros(sf_lane_zeros *zeros) {
     sf_fill(zeros->lo, zeros->n), sf_fill(zeros->hi, zeros->n), sf_fill(zeros->rises, zeros->n);
 }
 
+/* Halley's step from A to where a function vanishes that has this value, slope and bend there, kept in bracket i. is_low: whether
+ * it is not there yet. Returns the step. */
+static inline double sf_halley(sf_lane_zeros *zeros, ptrdiff_t i, double A, int is_low, double f, double slope, double bend) {
+    const double lo = is_low ? A : zeros->lo[i], hi = is_low ? zeros->hi[i] : A;
+    const double step = 2 * f * slope / (2 * slope * slope - f * bend), next = A - step;
+    const int is_inside = (next >= lo) & (next <= hi);
+    zeros->lo[i] = lo, zeros->hi[i] = hi;
+    zeros->next[i] = is_inside ? next : 0.5 * (lo + hi);
+    zeros->moved[i] = is_inside ? fabs(step) : HUGE_VAL;
+    return step;
+}
+
 /* The least of what lies above the line that falls from f_a with the slope `falls` <= 0 and above the one that rises to f_b
  * with `rises` >= 0, on a cell of this width: where both meet. */
 static inline double sf_lane_least(double f_a, double f_b, double falls, double rises, double width) {

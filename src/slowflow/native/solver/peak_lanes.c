@@ -83,7 +83,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
     }
 }
 
-/* Halley's step for F at its minimum over Omega, kept in the bracket, and Omega there */
+/* F at its minimum over Omega, and Omega there */
 SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
 {
     n &= ~(ptrdiff_t)(SF_LANE_VECTOR - 1);
@@ -96,12 +96,7 @@ SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
         const value at = value_at(w, A, F_0, m, zeta, h_A);
         const double w_A = -w * (w * w + h_A + e) / (3 * A * w * w + p), R = e * A + q / w, R_A = e - q * w_A / (w * w);
         const double bend = 2 * R_A * (w * w - h_A) + 2 * R * (2 * w * w_A - h_AA);
-        const double lo = at.y < 0 ? A : zeros->lo[i], hi = at.y < 0 ? zeros->hi[i] : A;
-        const double step = 2 * at.y * at.rise / (2 * at.rise * at.rise - at.y * bend), next = A - step;
-        const int is_inside = (next >= lo) & (next <= hi);
-        zeros->lo[i] = lo, zeros->hi[i] = hi;
-        zeros->next[i] = is_inside ? next : 0.5 * (lo + hi);
-        zeros->moved[i] = is_inside ? fabs(step) : HUGE_VAL;
+        const double step = sf_halley(zeros, i, A, at.y < 0, at.y, at.rise, bend);
         zeros->Omega[i] = w - w_A * step;
     }
 }

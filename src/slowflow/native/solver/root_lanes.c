@@ -4,15 +4,10 @@
 #include <math.h>
 
 #include "clones.h"
+#include "design_lanes.h"
 #include "frequencies.h"
 
 enum { HALLEY = 2 };
-
-#define LESSER(a, b) ((a) < (b) ? (a) : (b))
-#define GREATER(a, b) ((a) > (b) ? (a) : (b))
-
-/* As many places from n on as fill a vector, with copies of the last. */
-static ptrdiff_t filled(ptrdiff_t n) { return (n + SF_IN_VECTOR - 1) & ~(ptrdiff_t)(SF_IN_VECTOR - 1); }
 
 /* sf_critical_points and what sf_isolate does with them */
 SF_WIDE static void isolate(ptrdiff_t n, sf_quartics *block)
@@ -21,17 +16,12 @@ SF_WIDE static void isolate(ptrdiff_t n, sf_quartics *block)
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = block->A[i], h = block->h[i], m = block->m[i], zeta = block->zeta[i], F_0 = block->F_0[i];
-        const double c0 = 0.86602540378443865, rise = 0.13397459621556135;
         double derivative[5], at_0[2], at_1[2], at_2[2];
         frequencies_response_derivative(A, m, zeta, h, derivative);
         frequencies_response_at_0(F_0, m, h, at_0);
-        const double p = derivative[0], q = derivative[2], below = p < 0 ? -p : 1.0;
-        const double r = sqrt(below / (3 * A)), rho = 1.5 * q / (below * r), gap = (1 - rho) * (1 + rho);
-        const double from = c0 + rho * (1. / 6 + rho * ((3 * rise - 4. / 9) + rho * (5. / 18 - 2 * rise)));
-        const double nearer = (8 * from * from * from + rho) / (12 * from * from - 3);
-        const double c = (8 * nearer * nearer * nearer + rho) / (12 * nearer * nearer - 3);
-        const double y2 = c + 1.7320508075688773 * sqrt(GREATER(gap, 0.0)) / (4 * c * c - 1);
-        const double w1 = r * rho / (y2 * c), w2 = r * y2;
+        const double p = derivative[0], q = derivative[2];
+        const sf_lane_critical at = sf_lane_critical_at(A, p, q);
+        const double rho = at.rho, w1 = at.w1, w2 = at.w2;
         const int is_critical = (p < 0) & (rho <= 1 - SF_MAY_MEET);
         frequencies_response(w1, A, F_0, m, zeta, h, at_1);
         frequencies_response(w2, A, F_0, m, zeta, h, at_2);
@@ -56,15 +46,15 @@ SF_WIDE static void refine(ptrdiff_t n, sf_jobs *jobs)
         const double A = jobs->A[i], h = jobs->h[i], m = jobs->m[i], zeta = jobs->zeta[i], F_0 = jobs->F_0[i];
         const double p = jobs->p[i], q = jobs->q[i], w1 = jobs->w1[i], w2 = jobs->w2[i], place = jobs->place[i];
         const double f1 = jobs->f1[i], f2 = jobs->f2[i], k = 4 * A, E = -jobs->f0[i] / k, line = E / q;
-        const double sum = 3 * w2 * w2 + p / A, vv = 0.5 * GREATER(sum, 0.0);
-        const double depth = GREATER(-f2, 0.0), twice_S = 2 * sqrt(depth / (k * A)), signed_S = place == 2 ? twice_S : -twice_S;
+        const double sum = 3 * w2 * w2 + p / A, vv = 0.5 * SF_GREATER(sum, 0.0);
+        const double depth = SF_GREATER(-f2, 0.0), twice_S = 2 * sqrt(depth / (k * A)), signed_S = place == 2 ? twice_S : -twice_S;
         const double under = vv + signed_S;
-        const double by_minimum = w2 + signed_S / (sqrt(vv) + sqrt(GREATER(under, 0.0)));
-        const double drop = sqrt(2 * GREATER(f1, 0.0) / (-k * frequencies_cubic_slope(w1, A, p)));
+        const double by_minimum = w2 + signed_S / (sqrt(vv) + sqrt(SF_GREATER(under, 0.0)));
+        const double drop = sqrt(2 * SF_GREATER(f1, 0.0) / (-k * frequencies_cubic_slope(w1, A, p)));
         const double less = w1 - drop;
         const double root = sqrt(p * p + 4 * A * E), high = sqrt(p > 0 ? 4 * E / (p + root) : (root - p) / A);
-        const double below = GREATER(line, less), between = f1 < -f2 ? w1 + drop : by_minimum;
-        const double rising = p >= 0 ? LESSER(high, line) : high;
+        const double below = SF_GREATER(line, less), between = f1 < -f2 ? w1 + drop : by_minimum;
+        const double rising = p >= 0 ? SF_LESSER(high, line) : high;
         const double start = place == 0 ? below : place == 1 ? between : place == 2 ? by_minimum : rising;
         const double lo = place == 1 ? w1 : place == 2 ? w2 : 0.0;
         const double hi = place == 0 ? w1 : place == 1 ? w2 : 2 * (place == 2 ? by_minimum : high);
@@ -87,7 +77,7 @@ SF_WIDE static void refine(ptrdiff_t n, sf_jobs *jobs)
 
 void sf_isolate_lanes(ptrdiff_t n, sf_quartics *block)
 {
-    const ptrdiff_t all = filled(n);
+    const ptrdiff_t all = sf_filled(n);
     for (ptrdiff_t i = n; i < all; i++) {
         block->A[i] = block->A[n - 1], block->h[i] = block->h[n - 1], block->m[i] = block->m[n - 1];
         block->zeta[i] = block->zeta[n - 1], block->F_0[i] = block->F_0[n - 1];
@@ -97,7 +87,7 @@ void sf_isolate_lanes(ptrdiff_t n, sf_quartics *block)
 
 void sf_refine_lanes(sf_jobs *jobs)
 {
-    const ptrdiff_t n = jobs->n, all = filled(n); /* none, if there are no jobs */
+    const ptrdiff_t n = jobs->n, all = sf_filled(n); /* none, if there are no jobs */
     for (ptrdiff_t i = n; i < all; i++) {
         jobs->A[i] = jobs->A[n - 1], jobs->h[i] = jobs->h[n - 1], jobs->m[i] = jobs->m[n - 1];
         jobs->zeta[i] = jobs->zeta[n - 1], jobs->F_0[i] = jobs->F_0[n - 1], jobs->p[i] = jobs->p[n - 1];

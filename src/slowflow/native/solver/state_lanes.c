@@ -95,7 +95,6 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
     }
 }
 
-/* Halley's step, kept in the bracket */
 SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
 {
     n &= ~(ptrdiff_t)(SF_LANE_VECTOR - 1);
@@ -106,12 +105,7 @@ SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
         const double R = X * A + h, S = X + h_A, I = c * A + m;
         const double F = R * R + (I - F_0) * (I + F_0), slope = 2 * (c * I + R * S), bend = 2 * (S * S + R * h_AA + c * c);
         const int is_low = (F < 0) == (zeros->rises[i] != 0);
-        const double lo = is_low ? A : zeros->lo[i], hi = is_low ? zeros->hi[i] : A;
-        const double step = 2 * F * slope / (2 * slope * slope - F * bend), next = A - step;
-        const int is_inside = (next >= lo) & (next <= hi);
-        zeros->lo[i] = lo, zeros->hi[i] = hi;
-        zeros->next[i] = is_inside ? next : 0.5 * (lo + hi);
-        zeros->moved[i] = is_inside ? fabs(step) : HUGE_VAL;
+        sf_halley(zeros, i, A, is_low, F, slope, bend);
     }
 }
 
