@@ -74,3 +74,27 @@ def test_the_slope_of_the_level_along_the_fold_locus_is_the_derived_one():
         found = slow_flow.level_rise(*map(float, (OMEGA, A, M, ZETA, *values)))
     assert abs(expected) > 1e-4
     assert found == pytest.approx(float(expected), rel=1e-12)
+
+
+@pytest.mark.parametrize(("h", "h_AA"), [(-0.3, -0.4), (-0.9, 0.4)])
+def test_the_terms_by_which_lanes_bound_a_cusp_are_the_derived_ones(h, h_AA):
+    """The forms that solver/cusp_lanes.c states of F_A/2, of its slope's factors and of the forcing, where F_AA = 0."""
+    a, m, zeta, h_A, h_AAA = 0.625, 0.015625, 0.0625, -0.9, 1.3
+    k = h - a * h_A
+    half_e, _, _, _, square = slow_flow.cusps(a, zeta, h, h_A, h_AA, k)
+    roots = [sign * square**0.5 for sign in (1, -1)]
+    seen = 0
+    for root in roots:
+        T = root - half_e
+        X = T - h_A
+        if X <= 0:
+            continue
+        seen += 1
+        value, _, slope, level = slow_flow.cusp(a, m, zeta, h_AA, h_AAA, k, X, T, k + a * T, root)
+        t, kappa, rho, w = T / (a * h_AA), k / (a**2 * h_AA), a * h_AAA / h_AA, X**0.5
+        P, Q = a**3 * h_AA**2, 2 * m * zeta * w
+        assert value == pytest.approx(P * ((kappa - 1) * (t - 1) - 1) + Q, rel=1e-12)
+        assert level**2 == pytest.approx(m**2 + a * Q + a * P * kappa * (kappa + t), rel=1e-12)
+        factors = (rho * (kappa + t) + 3 * t) * (kappa + 2 * t + (m * zeta / (a * w) + 4 * zeta**2) / (a * h_AA))
+        assert slope == pytest.approx(-(a**3) * h_AA**3 * factors / (2 * root), rel=1e-12)
+    assert seen > 0
