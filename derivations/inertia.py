@@ -43,6 +43,9 @@ fall, linear, rest = sp.symbols("fall linear rest", real=True)
 #: F over Omega^4 without its cubic term is square X^2 - 2 falls X + over, X = x^2; what its root is of, which rounding
 #: may take below 0
 square, falls, over, inner, spread = sp.symbols("square falls over inner spread", real=True)
+#: a force; what holds a mass at rest; Omega^2
+excited, holds = sp.symbols("force holds", nonnegative=True)
+turn = sp.Symbol("turn", nonnegative=True)
 #: what h/A may at most take from the bound of the level
 lost = sp.Symbol("lost", real=True)
 
@@ -53,6 +56,8 @@ class Inertia:
 
     force       -- amplitude of the force
     force_slopes -- its derivatives by Omega and F_0
+    amplitude   -- the F_0 of a force at one frequency
+    moves_from  -- the Omega from which on the force exceeds what holds a mass at rest, in its let
     level       -- the F_0 for which (Omega, A) is a steady state, in R and I
     F           -- response, in R and I
     level_slope -- Omega^5 dlevel^2/dOmega, in R and I
@@ -74,6 +79,9 @@ class Inertia:
 
     force: sp.Expr
     force_slopes: tuple[sp.Expr, ...]
+    amplitude: sp.Expr
+    moves_from_lets: tuple[Let, ...]
+    moves_from: sp.Expr
     level: sp.Expr
     F: sp.Expr
     level_slope: sp.Expr
@@ -147,6 +155,9 @@ def inertia(flow: SlowFlow) -> Inertia:
     return Inertia(
         force=force,
         force_slopes=(sp.diff(force, Omega), sp.diff(force, F_0)),
+        amplitude=sp.solve(force - excited, F_0)[0],
+        moves_from_lets=((turn, sp.solve(force.subs(Omega**2, turn) - holds, turn)[0]),),
+        moves_from=sp.sqrt(turn),
         level=level,
         F=F_value,
         level_slope=slope_of_level,

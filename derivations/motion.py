@@ -120,6 +120,13 @@ def _resistance(rates: tuple[sp.Expr, ...]) -> tuple[sp.Expr, sp.Expr]:
     return resists, damps
 
 
+def _check_linear(acceleration: sp.Expr) -> None:
+    """In all that depends on time, so that it gives each coefficient of its Taylor series from theirs."""
+    varies = (cosine, v, f, friction)
+    if sp.Poly(acceleration, *varies).total_degree() != 1 or acceleration.subs(dict.fromkeys(varies, 0)) != 0:
+        raise ArithmeticError(f"not linear in what depends on time: {acceleration}")
+
+
 def _transmissibility(equation: sp.Expr) -> tuple[tuple[Let, ...], sp.Expr]:
     """Of u whose first harmonic is A_1 cos(theta + phi): what is passed on is the force less that of inertia."""
     passed = -equation.subs({f: 0, v: 0, friction: 0})
@@ -150,6 +157,7 @@ def motion() -> Motion:
     """All of it."""
     equation = equation_of_motion()
     acceleration = sp.solve(equation, u_ddot)[0]
+    _check_linear(acceleration)
     # at rest the acceleration is zero too: friction is what keeps it so
     push = sp.solve(equation.subs({u_ddot: 0, v: 0}), friction)[0]
     rates = (v / Omega, acceleration / Omega)

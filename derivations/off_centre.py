@@ -42,8 +42,8 @@ from itertools import pairwise
 import sympy as sp
 
 from .averaging import Averaged, F_k, cycle_integral, psi
-from .slow_flow import I, R, SlowFlow, m
-from .symbols import F_0, A, h, sigma, u, zeta
+from .slow_flow import I, R, SlowFlow, m, turn
+from .symbols import F_0, A, Omega, h, sigma, u, zeta
 
 Let = tuple[sp.Symbol, sp.Expr]
 
@@ -54,6 +54,9 @@ c = sp.symbols(f"c_0:{ORDERS + 1}", real=True)
 s = sp.symbols(f"s_0:{ORDERS + 1}", real=True)
 #: phase: R = 2 t F_0/(1 + t^2), I = (1 - t^2) F_0/(1 + t^2), all with I >= 0 for |t| <= 1
 t = sp.Symbol("t", real=True)
+
+#: h - A h_A along the balance; the least size that it has at a fold
+intercept, least = sp.symbols("intercept least", real=True)
 
 #: the step's place seen from B, sqrt(A^2 - a^2), the angle at which it is passed
 a, root, angle = sp.symbols("a root angle", real=True)
@@ -111,6 +114,25 @@ class Ended:
 
 
 @dataclass(frozen=True)
+class Phases:
+    """At a forcing.
+
+    balance -- R and I of a motion by t
+    of      -- t by R and I
+    turns   -- what vanishes at a fold, in k = h - A h_A along the balance: a quadratic in t
+    lesser  -- its lesser root, in the least size that k has at a fold
+    by_I, by_R -- Omega of a motion by I; Omega^2 by R
+    """
+
+    balance: tuple[sp.Expr, sp.Expr]
+    of: sp.Expr
+    turns: sp.Expr
+    lesser: sp.Expr
+    by_I: sp.Expr
+    by_R: sp.Expr
+
+
+@dataclass(frozen=True)
 class OffCentre:
     """Of any mechanism, in c and s.
 
@@ -123,6 +145,8 @@ class OffCentre:
     beside   -- `resists` of an odd force without a load, where B is not 0: with c_3 and s_2 at some B between
     moved    -- what a parameter does to B and h
     ended    -- states and folds by the motion's ends
+    phases   -- states and folds by t
+    versine  -- the mean of (1 - cos psi)^(k + 1) over that of (1 - cos psi)^k
     """
 
     lets: tuple[Let, ...]
@@ -134,6 +158,8 @@ class OffCentre:
     beside: sp.Expr
     moved: Moved
     ended: Ended
+    phases: Phases
+    versine: sp.Expr
 
 
 @dataclass(frozen=True)
@@ -208,8 +234,8 @@ def off_centre(averaged: Averaged, flow: SlowFlow) -> OffCentre:
         _vanishes((slope.subs({R: R_value, I: I_value}) - value), "the slopes of F")
     fold = _fold(R_value, I_value, f_0, slopes)
     along_balance = 2 * s[0] / A - 2 * resists
-    intercept = of_h[h] - A * along_balance
-    turns = sp.expand(F_0 * (1 + t**2) - m * (1 - t**2) - 2 * t * intercept)
+    phases = _phases(flow)
+    turns = sp.expand(phases.turns.subs(intercept, of_h[h] - A * along_balance))
     of_means = {resists: (c[1] ** 2 - s[1] ** 2) / c[1]}
     _vanishes(along_balance.subs(of_means) - chain[1].subs(lets), "h_A along the balance")
     _vanishes(c[1] * turns.subs(of_means) - fold[1], "F_A along the balance")
@@ -223,7 +249,33 @@ def off_centre(averaged: Averaged, flow: SlowFlow) -> OffCentre:
         _beside(of_means[resists]),
         moved(),
         _ended(R_value, I_value, f_0),
+        phases,
+        _versine(),
     )
+
+
+def _versine() -> sp.Expr:
+    """By parts: the derivative of sin(psi) w^k, w = 1 - cos(psi), has no mean."""
+    w, power = sp.symbols("w power", positive=True)
+    over = 1 - sp.cos(psi)
+    whole = sp.expand(sp.diff(sp.sin(psi) * over**power, psi) / over**power)
+    of_w = sp.cancel(sp.expand(whole.subs(sp.sin(psi) ** 2, w * (2 - w)).subs(sp.cos(psi), 1 - w)))
+    rise, fall = (sp.Poly(of_w, w).coeff_monomial(w**n) for n in (0, 1))
+    _vanishes(of_w - rise - fall * w, "by parts")
+    return sp.factor(-rise / fall).subs(power, k)
+
+
+def _phases(flow: SlowFlow) -> Phases:
+    """With R and I of F = 0 and k for h - A h_A a fold is a line in R and I: F_0^2 - m I = k R."""
+    balance = (_CIRCLE[R], _CIRCLE[I])
+    of = R / (F_0 + I)
+    _vanishes(of.subs(_CIRCLE) - t, "t by R and I")
+    line = sp.cancel((F_0**2 - m * I - intercept * R).subs(_CIRCLE) * (1 + t**2) / F_0)
+    turns = sp.collect(sp.expand(line), t)
+    lesser = (F_0 - m) / (intercept + sp.sqrt((intercept - least) * (intercept + least)))
+    _vanishes(turns.subs(t, lesser).subs(least, sp.sqrt(F_0**2 - m**2)), "the fold's t")
+    square = sp.solve(R - flow.R.subs(Omega**2, turn), turn)[0]
+    return Phases(balance, of, turns, lesser, sp.solve(I - flow.I, Omega)[0], square)
 
 
 def _past(of_means: sp.Expr) -> sp.Expr:
@@ -357,7 +409,7 @@ def _ended(R_value: sp.Expr, I_value: sp.Expr, f_0: sp.Expr) -> Ended:
 
 
 #: R and I of a motion at F_0
-_CIRCLE = {R: 2 * t * F_0 / (1 + t**2), I: (1 - t**2) * F_0 / (1 + t**2)}
+_CIRCLE = {R: 2 * t * F_0 / (1 + t**2), I: (1 - t) * (1 + t) * F_0 / (1 + t**2)}
 
 
 def _one_Omega() -> sp.Expr:

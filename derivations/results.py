@@ -33,6 +33,7 @@ from .sampled import Sampled, sampled
 from .second_approximation import SecondApproximation, second_approximation
 from .slopes import Slopes, slopes
 from .slow_flow import SCENES, SlowFlow, slow_flow
+from .switching import Switching, switching
 from .symbols import u
 
 
@@ -73,6 +74,7 @@ class Results:
 
     motion     -- the equation of motion (3)
     smoothed   -- (A1), (A2)
+    switching  -- what a deviation from a motion becomes where (3) switches
     averaged   -- steps (8)-(20)
     flows      -- slow flow and its polynomials, by scene
     frequencies -- the quartics whose roots are the frequencies at an amplitude
@@ -94,6 +96,7 @@ class Results:
 
     motion: Motion
     smoothed: Smoothed
+    switching: Switching
     averaged: Averaged
     flows: dict[str, SlowFlow]
     frequencies: Frequencies
@@ -145,6 +148,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
     return Results(
         sharp,
         smoothed(sharp),
+        switching(),
         equations,
         flows,
         frequencies(flows[""]),

@@ -13,12 +13,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import sympy as sp
+from sympy.codegen.cfunctions import hypot
 
 from .averaging import Averaged, H
 from .symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, phi, sigma, zeta
 
 R, I = sp.symbols("R I", real=True)
 m = sp.Symbol("m", nonnegative=True)
+#: -h as A tends to 0, where it pulls inwards; Omega^2
+preload, turn = sp.symbols("preload turn", nonnegative=True)
 
 #: the scenes that vanishing damping parameters give, by name
 SCENES: dict[str, dict[sp.Symbol, sp.Expr]] = {
@@ -45,6 +48,8 @@ class SlowFlow:
     stability     -- (30): 4 Omega^2 times the determinant of (28); stable where positive
     equivalent_damping -- (38)
     transmissibility -- amplitude of the transmitted force's fundamental harmonic over F_0
+    isolation      -- the frequency at which that is 1 though the mass moves, in its let
+    held           -- the level where A tends to 0 under a preload, below which a mass stays at rest
     response_quartic, fold_quartic, peak_cubic -- coefficients by power of Omega, constant first, of F + F_0^2,
         of F_A/2 and of F_Omega/(4 A); all three lack their second-highest power
     """
@@ -67,6 +72,9 @@ class SlowFlow:
     stability: sp.Expr
     equivalent_damping: sp.Expr
     transmissibility: sp.Expr
+    isolation_lets: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    isolation: sp.Expr
+    held: sp.Expr
     response_quartic: tuple[sp.Expr, ...]
     fold_quartic: tuple[sp.Expr, ...]
     peak_cubic: tuple[sp.Expr, ...]
@@ -84,6 +92,14 @@ def _coefficients(expression: sp.Expr, degree: int) -> tuple[sp.Expr, ...]:
     if polynomial.degree() != degree or polynomial.coeff_monomial(Omega ** (degree - 1)) != 0:
         raise ArithmeticError(f"not a depressed polynomial of degree {degree} in Omega: {expression}")
     return tuple(sp.collect(polynomial.coeff_monomial(Omega**k), (h, A)) for k in range(degree + 1))
+
+
+def _isolation(R_value: sp.Expr) -> sp.Expr:
+    """Omega^2 where h^2 + I^2 = R^2 + I^2, but for Omega = 0: what is transmitted is what drives."""
+    found = [root for root in sp.solve(R_value.subs(Omega**2, turn) ** 2 - h**2, turn) if root != 0]
+    if len(found) != 1:
+        raise ArithmeticError(f"isolation does not begin at one frequency: {found}")
+    return found[0]
 
 
 def slow_flow(averaged: Averaged, scene: str = "") -> SlowFlow:
@@ -154,6 +170,9 @@ def slow_flow(averaged: Averaged, scene: str = "") -> SlowFlow:
         equivalent_damping=equivalent,
         # the base feels F_0 cos(Omega tau) - u'': at a fixed point its harmonics are h and I
         transmissibility=sp.sqrt(h**2 + I**2) / F_0,
+        isolation_lets=((turn, _isolation(R_value)),),
+        isolation=sp.sqrt(turn),
+        held=hypot(I_value.subs(A, 0), -R_value.subs({A: 0, h: -preload})),
         response_quartic=_coefficients((F + F_0**2).subs(whole), 4),
         fold_quartic=_coefficients((F_A / 2).subs(whole), 4),
         peak_cubic=_coefficients(sp.cancel(F_Omega.subs(whole) / (4 * A)), 3),

@@ -17,10 +17,11 @@ from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import by_regime, floats, full
 
 __all__ = [
-    "MOVES", "F", "Omega_A", "beside", "bound", "cusp_bend", "force", "force_slopes", "hessian", "isola", "least",
-    "least_Omega_A", "level", "level_rise", "level_slope", "moves_of_corner_backbone", "moves_of_corner_end",
-    "moves_of_corner_fold", "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp", "moves_of_fold",
-    "moves_of_isola", "moves_of_peak", "moves_of_phase", "moves_of_state", "outer", "peak", "share", "terms",
+    "MOVES", "F", "Omega_A", "amplitude", "beside", "bound", "cusp_bend", "force", "force_slopes", "hessian",
+    "isola", "least", "least_Omega_A", "level", "level_rise", "level_slope", "moves_from",
+    "moves_of_corner_backbone", "moves_of_corner_end", "moves_of_corner_fold", "moves_of_corner_rest",
+    "moves_of_corner_top", "moves_of_cusp", "moves_of_fold", "moves_of_isola", "moves_of_peak", "moves_of_phase",
+    "moves_of_state", "outer", "peak", "share", "terms",
 ]
 
 
@@ -48,6 +49,28 @@ def force_slopes(Omega, F_0):
         2.0 * F_0 * Omega,
         full(Omega * Omega, arguments),
     )
+
+
+def amplitude(Omega, force):
+    """The F_0 of a force at one frequency.
+
+    Equation beside (3). Domain: Omega > 0.
+    Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    Proved, error / u (1 + kappa): 0.51
+    """
+    Omega, force = floats(Omega, force)
+    return force / (Omega * Omega)
+
+
+def moves_from(F_0, holds):
+    """The Omega from which on the force exceeds what holds a mass at rest, 4 mu/pi on the average.
+
+    Equation beside (3). Domain: F_0 > 0, holds >= 0.
+    Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    """
+    F_0, holds = floats(F_0, holds)
+    turn = holds / F_0
+    return np.sqrt(turn)
 
 
 def level(Omega, A, m, zeta, h):

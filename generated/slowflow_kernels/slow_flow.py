@@ -21,12 +21,12 @@ SCENE = "mu > 0, zeta > 0: F is a quartic in Omega"
 __all__ = [
     "F_A", "F_AA", "MOVES", "SCENE", "F", "F_AOmega", "F_Omega", "F_OmegaOmega", "I", "Omega_A", "R", "backbone",
     "beside", "cusp", "cusp_R", "cusp_balance", "cusp_bend", "cusps", "detachment", "equivalent_damping", "fold",
-    "fold_moves", "fold_quartic", "friction", "hessian", "intercept", "isola", "isola_Omega", "isola_bend",
-    "jacobian", "least_restoring", "level", "level_rise", "limit_envelope", "mean_stiffness", "most_restoring",
-    "moves_of_corner_backbone", "moves_of_corner_end", "moves_of_corner_fold", "moves_of_corner_rest",
-    "moves_of_corner_top", "moves_of_cusp", "moves_of_fold", "moves_of_isola", "moves_of_peak", "moves_of_phase",
-    "moves_of_state", "offset_stiffness", "peak", "peak_Omega_A", "peak_cubic", "phase", "response_quartic", "rest",
-    "stability", "tail", "transmissibility",
+    "fold_moves", "fold_quartic", "friction", "held", "hessian", "intercept", "isola", "isola_Omega", "isola_bend",
+    "isolation", "jacobian", "least_restoring", "level", "level_rise", "limit_envelope", "mean_stiffness",
+    "most_restoring", "moves_of_corner_backbone", "moves_of_corner_end", "moves_of_corner_fold",
+    "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp", "moves_of_fold", "moves_of_isola",
+    "moves_of_peak", "moves_of_phase", "moves_of_state", "offset_stiffness", "peak", "peak_Omega_A", "peak_cubic",
+    "phase", "response_quartic", "rest", "stability", "tail", "transmissibility",
 ]
 
 
@@ -184,6 +184,27 @@ def transmissibility(Omega, A, F_0, m, zeta, h):
     Omega, A, F_0, m, zeta, h = floats(Omega, A, F_0, m, zeta, h)
     I = 2.0 * A * Omega * zeta + m
     return np.sqrt(I * I + h * h) / F_0
+
+
+def isolation(A, h):
+    """Frequency of a state that transmits as much as drives it, though it moves.
+
+    Equation from (23). Domain: A > 0, h <= 0.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    """
+    A, h = floats(A, h)
+    turn = -2.0 * h / A
+    return np.sqrt(turn)
+
+
+def held(m, preload):
+    """The forcing up to which a mass at rest stays there: that of a state as A tends to 0.
+
+    Equation (24). Domain: preload >= 0, -h as A tends to 0.
+    Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    """
+    m, preload = floats(m, preload)
+    return np.hypot(m, preload)
 
 
 def jacobian(Omega, A, m, zeta, h, h_A):

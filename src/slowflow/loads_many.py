@@ -197,7 +197,7 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
     if designs.excitation != "force":  # an amplitude that only rises tends to F_0
         passes |= (peaks.status == Status.NONE) & (forcing > F_cr)
         with np.errstate(all="ignore"):
-            sticks_below = np.sqrt(slow_flow.friction(designs.values["mu"]) / forcing)
+            sticks_below = inertia.moves_from(forcing, slow_flow.friction(designs.values["mu"]))
     detaches = passes & np.isfinite(F_cr) & ((peaks.remarks & Remark.LEAVES_CENTRE) == 0)
     status = np.where(folds.status == Status.STICKS, Status.OK, folds.status)
     for one, asked in ((onsets, True), (detachments, True), (peaks, np.isfinite(F_cr))):
@@ -383,12 +383,12 @@ def _isolated(
     def full(A: Floats, at: Any) -> tuple[Floats, Floats, Floats]:
         """Omega at which a motion of that amplitude transmits as much as drives it, h, and h by A."""
         h, h_A, *_ = designs.mechanism.averaged(A, *(value[at] for value in parameters))
-        return np.sqrt(-2 * h / A), h, h_A
+        return slow_flow.isolation(A, h), h, h_A
 
     def excess(A: Floats, at: Any) -> Floats:
         """What drives it less F_0: the sign counts."""
         at_A, h, _ = full(A, at)
-        driven: Floats = np.hypot(h, slow_flow.I(at_A, A, m[at], zeta[at]))
+        driven: Floats = slow_flow.transmissibility(at_A, A, 1.0, m[at], zeta[at], h)
         if designs.excitation != "force":
             driven = driven / inertia.force(at_A, 1.0)
         return np.asarray(driven - F_0[at])

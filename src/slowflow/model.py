@@ -122,7 +122,7 @@ def held(m: Any, preload: Any) -> Floats:
     That is m = 4 mu/pi, and more where a preload, -h as A tends to 0, pulls inwards: then there are motions beside the
     rest. Numbers or arrays; no square leaves the range of doubles.
     """
-    return np.asarray(np.hypot(m, np.maximum(preload, 0.0)))
+    return np.asarray(general_flow.held(m, np.maximum(preload, 0.0)))
 
 
 @dataclass(frozen=True)

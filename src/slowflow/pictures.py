@@ -20,6 +20,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import LogFormatter
 
+from slowflow_kernels import motion
+
 Values = npt.NDArray[Any]
 
 #: of things without an order, told apart with red-green blindness too, each with a contrast of 3 to white or more
@@ -182,7 +184,9 @@ def stopping(ax: Any, mu: float) -> None:
         low, high = ax.get_xlim()
         bottom, top = ax.get_ylim()
         Omega = np.linspace(max(low, 1e-3 * high), high, 400)
-        ax.fill_between(Omega, bottom, np.minimum(mu / Omega**2, top), color=STOPPING, zorder=-3, linewidth=0)
+        # the quotient at A = 1 is the A where it is 1
+        edge = np.minimum(motion.stopping(Omega, 1.0, mu), top)
+        ax.fill_between(Omega, bottom, edge, color=STOPPING, zorder=-3, linewidth=0)
         ax.set(xlim=(low, high), ylim=(bottom, top))
 
 

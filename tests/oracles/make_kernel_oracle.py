@@ -477,6 +477,22 @@ def most_restoring(A, F_0, m, zeta):
     return F_0 + A * ((F_0 - at_0) / (at_1 - at_0)) ** 2
 
 
+def isolation(A, h):
+    """Where the force on the base, h beside the same damping, is as large as the forcing, found as a root."""
+    m, zeta = mpf("0.01"), mpf("0.03")
+
+    def excess(w):
+        R, I = balances(w, A, m, zeta, h)
+        return mp.sqrt(h**2 + I**2) - mp.sqrt(R**2 + I**2)
+
+    return mp.findroot(excess, 1.4 * mp.sqrt(-h / A))
+
+
+def response_at_rest(m, preload):
+    """The forcing of a motion of no amplitude."""
+    return mp.sqrt(response(mpf(1), mpf(0), 0, m, mpf("0.03"), -preload))
+
+
 SLOPES: dict[str, tuple[str, Function]] = {
     "Omega_A": ("Omega A m zeta h h_A", lambda *x: [slope_of_frequency(*x)]),
     "level_rise": ("Omega A m zeta h h_A h_AA", lambda *x: [level_rise(*x)]),
@@ -486,6 +502,8 @@ SLOPES: dict[str, tuple[str, Function]] = {
     "most_restoring": ("A F_0 m zeta", lambda *x: [most_restoring(*x)]),
     "least_restoring": ("F_0 m", lambda *x: [mp.sqrt(mp.mpf(x[0]) ** 2 - mp.mpf(x[1]) ** 2)]),
     "tail": ("Omega F_0 m", lambda *x: [tail(*x)]),
+    "isolation": ("A h", lambda *x: [isolation(*x)]),
+    "held": ("m preload", lambda *x: [response_at_rest(*x)]),
 }
 LOCI: dict[str, tuple[str, Function, int]] = {
     "F_OmegaOmega": ("Omega A zeta h", lambda w, A, z, h: [mp.diff(lambda v: response(v, A, 0, 0, z, h), w, 2)], 0),
@@ -1150,6 +1168,38 @@ def stopping(Omega, A, mu):
     return [mu / abs(mp.diff(lambda t: A * mp.cos(Omega * t), 0, 2))]
 
 
+def passed_edge(before, after, v):
+    """What v is of u that is ahead by d: it meets the edge the earlier, and has what follows it for as long."""
+
+    def later(d):
+        tau = mp.findroot(lambda s: d + v * s + before * s**2 / 2, -d / v) if d else mpf(0)
+        return v + before * tau - after * tau
+
+    return mp.diff(later, 0)
+
+
+def turned_round(before, after):
+    """What is left of v that is larger by d: it vanishes the later."""
+    return mp.diff(lambda d: after * (0 - mp.findroot(lambda s: d + before * s, -d / before)) if d else mpf(0), 0)
+
+
+def broken_away(after, Omega, by_theta, by_u):
+    """What v is of u that is ahead by d: the push is as large as friction at another time."""
+
+    def later(d):
+        tau = mp.findroot(lambda s: by_u * d + by_theta * Omega * s, mpf(0)) if d else mpf(0)
+        return after * (0 - tau)
+
+    return mp.diff(later, 0)
+
+
+def falling(order):
+    """Time after which what has that derivative, and no lower one, is `far` from where it began."""
+    return lambda far, rate: [
+        mp.findroot(lambda s: rate * s**order / mp.factorial(order) - far, mp.root(far / rate, order))
+    ]
+
+
 MOTION: dict[str, tuple[str, Function]] = {
     "push": ("cosine F_0 f", lambda *x: [push(*x)]),
     "push_slopes": ("cosine sine F_0 f_u", push_slopes),
@@ -1164,6 +1214,11 @@ MOTION: dict[str, tuple[str, Function]] = {
     "transmissibility": ("Omega A_1 F_0 phi", lambda *x: [passed_on(*x)]),
     "stopping": ("Omega A mu", stopping),
     "structural": ("Omega eta", of_structural),
+    "across": ("before after v", lambda *x: [passed_edge(*x)]),
+    "turned": ("before after", lambda *x: [turned_round(*x)]),
+    "released": ("after Omega by_theta by_u", lambda *x: [broken_away(*x)]),
+    "out": ("beyond pull", falling(2)),
+    "back": ("beyond growth", falling(3)),
 }
 
 
@@ -1582,6 +1637,8 @@ INERTIA: dict[str, tuple[str, Function]] = {
     "least_Omega_A": ("x A m zeta h h_A", lambda *x: [shaken_drift(*x)]),
     "outer": ("A F_0 m zeta h", shaken_outer),
     "share": ("A zeta h", shaken_share),
+    "amplitude": ("Omega force", lambda w, force: [mp.findroot(lambda F_0: inertial(w, F_0) - force, force)]),
+    "moves_from": ("F_0 holds", lambda F_0, holds: [mp.findroot(lambda w: inertial(w, F_0) - holds, mpf("0.7"))]),
 }
 
 
@@ -1812,6 +1869,32 @@ OFF_CENTRE: dict[str, tuple[str, Function]] = {
     "ended_state": ("Omega A F_0 m zeta load c_0 s_0 c_x c_y X Y", ended_state),
     "ended_along": ("A s_0 c_x c_y X Y", ended_along),
     "ended_fold": ("t A F_0 m zeta load c_0 s_0 c_x c_y c_xx c_yy X Y X_x Y_y", ended_fold),
+    "balance_by_phase": (
+        "t F_0",  # F_0 exp(i angle), t the tangent of half of what is left to a right angle
+        lambda t, F_0: [F_0 * mp.sin(2 * mp.atan(t)), F_0 * mp.cos(2 * mp.atan(t))],
+    ),
+    "phase": ("R I F_0", lambda R, I, F_0: [R / (F_0 + I)]),
+    "turns_by": (
+        "t F_0 m intercept",
+        lambda t, F_0, m, k: [(1 + t**2) * (F_0 - m * mp.cos(2 * mp.atan(t)) - k * mp.sin(2 * mp.atan(t)))],
+    ),
+    "fold_phase": (
+        "F_0 m intercept least",
+        lambda F_0, m, k, least: [(F_0 - m) / (k + mp.sqrt(k**2 - least**2))],
+    ),
+    "frequency_by_phase": (
+        "A R I m zeta h",
+        lambda A, R, I, m, zeta, h: [
+            mp.findroot(lambda w: balances(w, A, m, zeta, h)[1] - I, mpf(1)),
+            mp.findroot(lambda square: balances(mp.sqrt(square), A, m, zeta, h)[0] - R, mpf(1)),
+        ],
+    ),
+    "versine": (
+        "k",
+        lambda k: [
+            mp.beta(k + mpf(3) / 2, mpf(1) / 2) * 2 / mp.beta(k + mpf(1) / 2, mpf(1) / 2),  # of (2 sin^2(psi/2))^k
+        ],
+    ),
 }
 
 
@@ -2370,6 +2453,10 @@ RANGES = {
     **dict.fromkeys(("f_u", "inner_u", "outer_u"), (-0.5, 2.0)),
     **dict.fromkeys(("left", "right"), (0.01, 0.99)),
     "nu": (10.0, 1000.0),
+    **dict.fromkeys(("before", "after", "by_theta", "by_u"), (-1.0, 1.0)),
+    **dict.fromkeys(("beyond", "holds", "preload", "force"), (0.001, 0.1)),
+    **dict.fromkeys(("pull", "growth"), (0.01, 1.0)),
+    "least": (0.03, 0.9),
     **dict.fromkeys(("tail", "p_low", "q_low"), (-1e-21, 1e-21)),
     "k": (0.04, 4.0),
     # what a parameter does, and what an answer does then

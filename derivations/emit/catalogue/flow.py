@@ -33,7 +33,7 @@ from ...offset import mean_stiffness, offset_stiffness
 from ...resultants import Elimination
 from ...results import Results
 from ...slopes import Slopes
-from ...slow_flow import SCENES, I, R, SlowFlow, m
+from ...slow_flow import SCENES, I, R, SlowFlow, m, preload
 from ...symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, zeta
 from ..form import GENERAL, Kernel, Module, by_even_power, in_words, plain, suffix
 
@@ -234,6 +234,27 @@ def slow_flow_kernels(flow: SlowFlow, detachment: Elimination) -> list[Kernel]:
             "Fundamental harmonic of the force on the base over F_0, at a steady state.",
             "from (23)",
             "Omega > 0, A > 0, F_0 > 0",
+        ),
+        plain(
+            "isolation",
+            (A, h),
+            flow.isolation,
+            "Frequency of a state that transmits as much as drives it, though it moves.",
+            "from (23)",
+            "A > 0, h <= 0",
+            lets=flow.isolation_lets,
+            looped=False,
+            in_c=False,
+        ),
+        plain(
+            "held",
+            (m, preload),
+            flow.held,
+            "The forcing up to which a mass at rest stays there: that of a state as A tends to 0.",
+            "(24)",
+            "preload >= 0, -h as A tends to 0",
+            looped=False,
+            in_c=False,
         ),
         plain(
             "jacobian",

@@ -11,7 +11,7 @@ from functools import partial
 
 import sympy as sp
 
-from ...inertia import fall, linear, lost, rest, x
+from ...inertia import excited, fall, holds, linear, lost, rest, x
 from ...results import Results
 from ...slow_flow import I, R, m
 from ...symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
@@ -39,6 +39,25 @@ def inertia_module(results: Results) -> Module:
             plain("force", (Omega, F_0), of.force, "Amplitude of the force on the mass.", "beside (3)", "Omega >= 0"),
             plain(
                 "force_slopes", (Omega, F_0), of.force_slopes, "Its slopes by Omega, F_0.", "beside (3)", "Omega >= 0"
+            ),
+            plain(
+                "amplitude",
+                (Omega, excited),
+                of.amplitude,
+                "The F_0 of a force at one frequency.",
+                "beside (3)",
+                "Omega > 0",
+                looped=False,
+            ),
+            plain(
+                "moves_from",
+                (F_0, holds),
+                of.moves_from,
+                "The Omega from which on the force exceeds what holds a mass at rest, 4 mu/pi on the average.",
+                "beside (3)",
+                "F_0 > 0, holds >= 0",
+                lets=of.moves_from_lets,
+                looped=False,
             ),
             of_flow(
                 "level",

@@ -27,16 +27,20 @@ from ...motion import (
     v,
 )
 from ...results import Results
+from ...switching import after, before, beyond, by_theta, by_u, growth, pull
 from ...symbols import F_0, A, Omega, eta, mu, phi, zeta
 from ..form import Module, plain
 
 #: what the compiled integrator asks for
-IN_C = ("push", "push_slopes", "breakaway", "acceleration", "resistance")
+IN_C = (
+    *("push", "push_slopes", "breakaway", "acceleration", "resistance"),
+    *("across", "turned", "released"),
+)
 
 
 def motion_module(results: Results) -> Module:
     """The equation of motion and its derivatives; v = u', f and f_u are the whole restoring force and its slope."""
-    sharp, smoothed = results.motion, results.smoothed
+    sharp, smoothed, switching = results.motion, results.smoothed, results.switching
     known = (cosine, v, Omega, F_0, zeta, friction, f)
     kernels = (
         plain(
@@ -113,6 +117,54 @@ def motion_module(results: Results) -> Module:
             "Omega > 0",
             generic=True,
         ),
+        plain(
+            "across",
+            (before, after, v),
+            switching.across,
+            "What u' gains of a deviation of u where u'' changes at an edge.",
+            "beside (3)",
+            "v other than 0",
+            generic=True,
+        ),
+        plain(
+            "turned",
+            (before, after),
+            switching.turned,
+            "What is left of a deviation of u' where the velocity changes its sign and u'' with it; 0 where the mass "
+            "stops.",
+            "beside (3)",
+            "before other than 0",
+            generic=True,
+        ),
+        plain(
+            "released",
+            (after, Omega, by_theta, by_u),
+            switching.released,
+            "What u' is of a deviation of u where the push on a mass at rest, with these slopes, breaks it away.",
+            "beside (3)",
+            "Omega > 0, by_theta other than 0",
+            generic=True,
+        ),
+        plain(
+            "out",
+            (beyond, pull),
+            switching.out,
+            "The time of a way beyond an edge, up to where a constant pull turns it.",
+            "beside (3)",
+            "beyond >= 0, pull > 0",
+            lets=switching.out_lets,
+            generic=True,
+        ),
+        plain(
+            "back",
+            (beyond, growth),
+            switching.back,
+            "The time of the way back to it from rest, under a push that grows steadily from 0.",
+            "beside (3)",
+            "beyond >= 0, growth > 0",
+            lets=switching.back_lets,
+            generic=True,
+        ),
         plain("rates", known, sharp.rates, "u and v by theta.", "(3)", "Omega > 0", generic=True),
         plain(
             "rates_by_state",
@@ -156,7 +208,7 @@ def motion_module(results: Results) -> Module:
     return Module(
         name="motion",
         title="The equation of motion of any mechanism, in the values of its force",
-        inputs=("oscillator.py", "motion.py"),
+        inputs=("oscillator.py", "motion.py", "switching.py"),
         # the recurrences of `taylor` are the rates in C; only the paper's own way is smoothed
         kernels=tuple(replace(kernel, in_c=kernel.name in IN_C) for kernel in kernels),
     )

@@ -1,6 +1,6 @@
 """What others published, one file a publication, typed by hand from a text that is named there, errors included.
 
-In:  nothing: a file here imports this one and nothing else of the project.
+In:  published texts, typed by hand; a file here imports this one and nothing else of the project.
 Out: `Publication`, `Formula` and `Claim`, its form; `all_publications()`, every one of this folder.
 
 A formula is a function over a namespace `xp` with integer literals only, as in published.py: a relation returns

@@ -14,7 +14,7 @@ import numpy as np
 from slowflow.answer import joined
 from slowflow.model import Floats, Model
 from slowflow.results import Remark, SaddleNodeOnset
-from slowflow_kernels import slow_flow, slow_flow_zeta0
+from slowflow_kernels import inertia, slow_flow, slow_flow_zeta0
 from slowflow_kernels.conventions import CLOSE, RUNGS, STATIC_MULTIPLE
 
 #: frequencies that a message names
@@ -174,7 +174,8 @@ def sticks_below(model: Model, F_0: float, Omega: Floats) -> str:
     """That the force of an excitation by inertia does not move the mass at the lower ones of the frequencies."""
     if not model.inertial or not np.any(model.force(F_0, Omega) <= model.m):
         return ""
-    return f"sticks up to Omega = {math.sqrt(model.m / F_0):g}: the force F_0 Omega^2 does not exceed 4 mu/pi there"
+    begin = inertia.moves_from(F_0, model.m)
+    return f"sticks up to Omega = {begin:g}: the force F_0 Omega^2 does not exceed 4 mu/pi there"
 
 
 def at_several(messages: Iterable[str]) -> str:

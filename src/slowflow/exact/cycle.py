@@ -26,6 +26,7 @@ from slowflow.exact.compiled import TaylorIntegrator
 from slowflow.exact.integrate import PHASE_WORK, Integrator, spend
 from slowflow.exact.motion import Forced, Phase, break_away, edge_ahead, follow, signature
 from slowflow.mechanism import EquationOfMotion
+from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import FAR, LOOSE, ON_TIME, OVER_END, TIGHT, TOLERANCE, ExtraKind
 
 Array = NDArray[np.float64]
@@ -151,7 +152,7 @@ class Cycle:
                 # v is forgotten; where the push that breaks it away exceeds friction the acceleration jumps from 0, and
                 # u tells when
                 jump = forced.acceleration(next_slip, region, end, u, 0.0) if system.mu_s > system.mu else 0.0
-                monodromy[1] = jump / Omega * by_u / by_theta * monodromy[0]
+                monodromy[1] = motion.released(jump, Omega, by_theta, by_u) * monodromy[0]
                 v, theta = 0.0, end
                 continue
             piece, drive = forced.piece(region), forced.drive(slip, region)
@@ -171,16 +172,16 @@ class Cycle:
                 edge = edge_ahead(system, slip, region)
                 residual[i] = u - edge
                 jacobian[i] = of_state[0]
-                jump = forced.acceleration(slip, next_region, end, u, v) - acceleration
                 if v != 0.0:
-                    monodromy[1] += (jump / v) * monodromy[0]
+                    after = forced.acceleration(slip, next_region, end, u, v)
+                    monodromy[1] += motion.across(acceleration, after, v) * monodromy[0]
             else:
                 residual[i] = v
                 jacobian[i] = of_state[1]
                 if next_slip == 0:
                     monodromy[1] = 0.0
                 elif acceleration != 0.0:
-                    monodromy[1] *= forced.acceleration(next_slip, region, end, u, v) / acceleration
+                    monodromy[1] *= motion.turned(acceleration, forced.acceleration(next_slip, region, end, u, v))
                 borders += self._borders(forced, i, next_slip, end, u, of_state[0], of_theta)
         residual[k] = u - self.sign * float(z[0])
         jacobian[k] = of_state[0]
@@ -273,8 +274,7 @@ class Cycle:
         pulls = [-slip * forced.acceleration(s, region + slip, theta, u, 0.0) for s in (slip, -slip)]
         if min(pulls) <= 0.0:
             return None
-        out, back = (math.sqrt(2.0 * beyond / pull) for pull in pulls)
-        out, back = out * forced.Omega, back * forced.Omega
+        out, back = (float(motion.out(beyond, pull)) * forced.Omega for pull in pulls)
         return self._with(z, phase, [(slip, region + slip)], [out], [(-slip, region + slip)], [back])
 
     def _with_rest_beyond(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array] | None:
@@ -292,7 +292,7 @@ class Cycle:
         growth = forced.Omega * abs(forced.push_slopes(region, theta + spans[rest], u)[0])
         if min(pull, growth) <= 0.0:
             return None
-        out, back = math.sqrt(2.0 * beyond / pull) * forced.Omega, math.cbrt(6.0 * beyond / growth) * forced.Omega
+        out, back = (float(time) * forced.Omega for time in (motion.out(beyond, pull), motion.back(beyond, growth)))
         spans[phase] -= out
         spans[0 if last else rest + 1] -= back
         signature[rest] = (0, region + slip)

@@ -23,6 +23,7 @@ from slowflow.exact.transient import transient as followed
 from slowflow.loaded import Loaded
 from slowflow.mechanism import EquationOfMotion
 from slowflow.results import Remark
+from slowflow_kernels import inertia
 
 if TYPE_CHECKING:
     from slowflow.averaged.questions import Averaged
@@ -69,11 +70,11 @@ def steady_state(
 
 def _held(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float) -> list[shooting.SteadyState]:
     """Of static friction, which averaging knows nothing of: what a mass at rest comes to, if it moves and settles."""
-    if not system.mu_s > system.mu:
+    if not system.mu_s > system.mu or shooting.stays_at_rest(system, Omega, F_0):
         return []
     try:
         return [_from_rest(averaged, system, Omega, F_0)]
-    except (ArithmeticError, ValueError):
+    except ArithmeticError:
         return []
 
 
@@ -113,7 +114,7 @@ def exact_response(
     step = validate.number("step", step, above=0.0, most=0.5)
     rests = ""
     if system.inertial and system.forcing(low, F_0) < EXCEEDS * system.holds(0):
-        alone = math.sqrt(system.holds(0) / F_0)
+        alone = float(inertia.moves_from(F_0, system.holds(0)))
         low = min(high, math.sqrt(EXCEEDS) * alone)
         rests = RESTS.format(alone, low)
     shooting.check_forcing(system, low, F_0)

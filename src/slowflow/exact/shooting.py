@@ -340,6 +340,11 @@ def _near(forced: Forced, theta: float, u: float, tries: tuple[int, ...], A: flo
     return None
 
 
+def stays_at_rest(system: EquationOfMotion, Omega: float, F_0: float) -> bool:
+    """Whether friction holds a mass at rest for ever, as the forcing does not exceed it."""
+    return system.forcing(Omega, F_0) <= system.holds(0)
+
+
 def check_forcing(system: EquationOfMotion, Omega: float, F_0: float, *, from_rest: bool = False) -> None:
     """Raises ValueError unless Omega > 0, F_0 > 0 are finite, damping settles a motion, and the forcing keeps one up.
 
@@ -351,7 +356,7 @@ def check_forcing(system: EquationOfMotion, Omega: float, F_0: float, *, from_re
     told = f"F_0 Omega^2 = {F_0} {Omega}^2" if system.inertial else f"F_0 = {F_0}"
     if force <= system.mu and not system.released:
         raise ValueError(f"{told} does not exceed mu = {system.mu}: friction holds the mass for ever, it never moves")
-    if from_rest and force <= system.holds(0):
+    if from_rest and stays_at_rest(system, Omega, F_0):
         name = "mu_s" if system.mu_s > system.mu else "mu"
         raise ValueError(
             f"{told} does not exceed {name} = {system.holds(0)}: friction holds a mass at rest for ever; of motions "

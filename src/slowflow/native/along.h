@@ -99,7 +99,7 @@ static inline void sf_ask_stiffness(const sf_sample *at, sf_answer *out) {
 /* Omega where a fold at F_0 may be, from I or from R, y being what the two lack of agreeing: the one that rounding moves
  * less. I exceeds m by little if damping is weak, and |k| the least if Omega is low. */
 static inline double sf_fold_Omega(const sf_asked *asked, const sf_sample *at, double Omega, double y) {
-    const double lag = 2 * asked->model->zeta * at->A * Omega, square = Omega * Omega - y / at->A;
+    const double lag = slow_flow_I(Omega, at->A, 0, asked->model->zeta), square = Omega * Omega - y / at->A;
     const double least = asked->least / at->k;
     const double of_I = (lag + asked->model->m) / (lag * (1 - least) * (1 + least));
     const double of_R = (2 * fabs(at->h) + at->A * square) / (at->A * square);
@@ -625,7 +625,7 @@ static inline void sf_range_turn(const sf_model *model, const sf_cell *cell, int
  * A Omega^2 <= |h|. Of small amplitudes this tells all, also where h/A has no bound. */
 static inline double sf_most_of_peak(const sf_model *model, double F_0, const sf_cell *cell) {
     const double size = sfi_most(fabs(cell->h.lo), fabs(cell->h.hi));
-    const double lag = model->m + 2 * model->zeta * sqrt(cell->A.hi * size);
+    const double lag = slow_flow_I(sqrt(cell->A.hi * size), 1, model->m, model->zeta); /* A Omega = sqrt(A size) at most */
     return (size * size + lag * lag) * (1 + SF_DOUBT) - F_0 * F_0 * (1 - SF_DOUBT);
 }
 

@@ -45,7 +45,7 @@ static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) 
     sf_zeros *zeros = &work->zeros;
     int i, k, passed = !sf_inertial(model);
     graph->events = 0, graph->status = SF_OK;
-    sf_add_event(graph, 0, sf_inertial(model) ? sqrt(model->m / F_0) : HUGE_VAL, SF_CUT, 0);
+    sf_add_event(graph, 0, sf_inertial(model) ? inertia_moves_from(F_0, model->m) : HUGE_VAL, SF_CUT, 0);
     for (i = 0; i < work->pieces.n; i++) {
         sf_clear_zeros(zeros);
         sf_ask_all(model, SF_PEAK, F_0, &work->pieces.at[i], zeros);

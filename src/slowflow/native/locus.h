@@ -104,7 +104,9 @@ static int sf_is_far(const sf_model *model, double F_0, double A) {
     sf_sample_at(model, A, &at);
     sf_sample_at(model, 0, &rest);
     sf_sample_at(model, A / SF_STATIC_MULTIPLE, &less);
-    return -at.h / A >= SF_STATIC_MULTIPLE * (fabs(rest.h_A) + model->zeta * model->zeta) && less.A > F_0 &&
+    /* the slope at rest and what zeta^2 A is of |h|, as shares of |h|/A */
+    const double shares = at.h < 0 ? -fabs(rest.h_A) * A / at.h + inertia_share(A, model->zeta, at.h) : HUGE_VAL;
+    return SF_STATIC_MULTIPLE * shares <= 1 && less.A > F_0 &&
            sf_inertial_count(model, &less, F_0) == 2;
 }
 
@@ -602,7 +604,7 @@ static double sf_extremum_level(const sf_model *model, const sf_zero *zero, cons
     if (zero->question != SF_CUSP)
         return sf_level(model, at, zero->Omega);
     if (sf_inertial(model))
-        return zero->level / (zero->Omega * zero->Omega);
+        return inertia_amplitude(zero->Omega, zero->level);
     /* by what the record's excitation differs from a force */
     return zero->level *
            (sf_level(model, at, zero->Omega) / slow_flow_level(zero->Omega, at->A, model->m, model->zeta, at->h));

@@ -84,7 +84,7 @@ static int sf_is_close(const sf_search *search, const sf_probe *probe) {
         return 0;
     if (zeta > 0) {
         const double least = asked->least / at->k;
-        size += Omega * (2 * zeta * at->A * Omega + asked->model->m) / (zeta * fmax((1 - least) * (1 + least), SF_CLOSE));
+        size += Omega * slow_flow_I(Omega, at->A, asked->model->m, zeta) / (zeta * fmax((1 - least) * (1 + least), SF_CLOSE));
     } else {
         size *= size;
     }
@@ -191,8 +191,9 @@ static void sf_find_zero(const sf_search *search, const sf_probe *a, const sf_pr
 static sf_interval sf_F_A_within(const sf_search *search, const sf_probe *probe) {
     const sf_model *model = search->asked.model;
     const sf_sample *at = &probe->at;
-    const double w = search->asked.Omega, I_A = 2 * model->zeta * w, dy = probe->answer.dy[0];
-    const double size = (fabs(at->h) + at->A * w * w) * (fabs(at->h_A) + w * w) + (I_A * at->A + model->m) * I_A;
+    const double w = search->asked.Omega, I_A = slow_flow_I(w, 1, 0, model->zeta), dy = probe->answer.dy[0];
+    const double I = slow_flow_I(w, at->A, model->m, model->zeta);
+    const double size = (fabs(at->h) + at->A * w * w) * (fabs(at->h_A) + w * w) + I * I_A;
     return sfi_of(dy - SF_CLOSE * size, dy + SF_CLOSE * size);
 }
 

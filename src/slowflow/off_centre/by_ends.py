@@ -19,7 +19,7 @@ from slowflow.off_centre.boxes import Ints
 from slowflow.off_centre.ends import Charts, Local
 from slowflow.off_centre.equations import _ends, _interval, _numbers
 from slowflow.off_centre.means import ALL
-from slowflow_kernels import off_centre, off_centre_intervals
+from slowflow_kernels import off_centre, off_centre_intervals, slow_flow
 
 #: what rounding does to a bound
 ROUNDED = 2.0**-40
@@ -181,19 +181,18 @@ def resists(here: Local) -> tuple[Interval, Interval]:
 def phases(w: Interval, F_0: Floats, m: float, sign: Floats) -> Floats:
     """Between which t of that sign folds are at a forcing, lower and upper ends; none if they cross.
 
-    w -- -h_A A - h along the balance: F_A = 0 is (F_0 + m) t^2 - 2 w t + F_0 - m = 0, whose lesser
-         root falls with |w|
+    w -- h - A h_A along the balance: the lesser t at which F_A vanishes falls with |w|
     """
     least, most = np.where(sign > 0, w.lo, -w.hi), np.where(sign > 0, w.hi, -w.lo)
     # what is not known is NaN
     least = np.where(least > 0, least * (1 - ROUNDED), 0.0)
     most = np.where(most > 0, most * (1 + ROUNDED), np.where(np.isnan(most), np.inf, -1.0))
-    half = np.sqrt((F_0 - m) * (F_0 + m)) * (1 - ROUNDED)
+    half = slow_flow.least_restoring(F_0, m) * (1 - ROUNDED)
 
     def at(w: Floats) -> Floats:
         w = np.maximum(w, half)
         # next to where the root vanishes it has half the digits
-        return np.asarray((F_0 - m) / (w + np.sqrt((w - half) * (w + half))))
+        return np.asarray(off_centre.fold_phase(F_0, m, w, half))
 
     low, high = at(most) * (1 - 2.0**-22), at(least) * (1 + 2.0**-22)
     low, high = np.where(most < half, 1.0, low), np.where(most < half, 0.0, high)

@@ -246,9 +246,11 @@ class Search:
             y_0, y_1 = edges[:-1] * (1 - ROUNDED), edges[1:] * (1 + ROUNDED)
             x = np.maximum(p.lo + (y_0 if sign > 0 else -y_1), 0.0)
             highest = np.clip(0.5 * e, y_0, y_1)
-            needed = 4 * self.zeta**2 * x + 2 * self.zeta * self.m * np.sqrt(x) / A.hi
+            # I times its slope along A, over A
+            w = np.sqrt(x)
+            needed = slow_flow.I(w, 1.0, 0.0, self.zeta) * slow_flow.I(w, A.hi, self.m, self.zeta) / A.hi
             fold = np.isinf(e) | (highest * (e - highest) * (1 + ROUNDED) >= needed * (1 - ROUNDED))
-            level = (A.lo * y_0) ** 2 + (self.m + 2 * self.zeta * A.lo * np.sqrt(x)) ** 2
+            level = (A.lo * y_0) ** 2 + slow_flow.I(w, A.lo, self.m, self.zeta) ** 2
             holds = fold & (level * (1 - ROUNDED) <= below**2)
             left &= holds.any(axis=0)
             first, last = np.argmax(holds, axis=0), PARTS - 1 - np.argmax(holds[::-1], axis=0)

@@ -198,8 +198,7 @@ class OffCentre:
         n = np.arange(about.size)
         factorials = np.cumprod(np.maximum(n, 1.0))
         at_end = [float(about[k:] @ (end ** n[: n.size - k] / factorials[: n.size - k])) for k in n]
-        # <(1 - cos psi)^k> = (2 k - 1)!!/k!
-        means = np.cumprod(np.maximum(2.0 * n - 1, 1.0)) / factorials
+        means = np.cumprod(np.append(1.0, off_centre.versine(n[:-1])))
         coefficients = np.trim_zeros(np.array(at_end) * means / factorials * (-1.0 if of == 0 else 1.0) ** n, "b")
         if coefficients.size < 2:
             raise ValueError(UNBOUNDED)
@@ -270,7 +269,7 @@ class OffCentre:
     def _at(self, Omega: Floats, F_0: float) -> Solutions:
         """All states at some frequencies, by A and B."""
         with np.errstate(divide="ignore"):
-            bounds = (F_0 - self._m) / (2 * self._zeta * Omega) * (1 + 2.0**-40)  # (27): I <= F_0
+            bounds = slow_flow.limit_envelope(Omega, F_0, self._m, self._zeta) * (1 + 2.0**-40)  # I <= F_0
         # at Omega = 0 it is a static state
         most = max(self.A_max(F_0), float(bounds[np.isfinite(bounds)].max(initial=0.0)))
         boxes = self._sheets.states(most, Omega, F_0, self._m, self._zeta)
@@ -619,7 +618,8 @@ class OffCentre:
     def _phases(self, F_0: float) -> Floats:
         """Ends of parts of all t."""
         # I >= m: beyond it the phase belongs to no Omega
-        most = math.sqrt((F_0 - self._m) / (F_0 + self._m)) * (1 + 2.0**-40)
+        least = slow_flow.least_restoring(F_0, self._m)
+        most = float(off_centre.fold_phase(F_0, self._m, least, least)) * (1 + 2.0**-40)
         return np.linspace(-most, most, 5)
 
     def _corners(self, F_0: float) -> tuple[Floats, list[str], Floats]:
@@ -633,8 +633,8 @@ class OffCentre:
             A = np.array([corner.A])
             Omega = response_roots(A, np.array([-2 * corner.s_0]), self._m, self._zeta, np.array([F_0]))[0]
             for at in Omega[Omega > 0].tolist():
-                R, I = corner.A * at**2 - 2 * corner.s_0, self._m + 2 * self._zeta * corner.A * at
-                t = R / (F_0 + I)
+                R, I = slow_flow.R(at, corner.A, -2 * corner.s_0), slow_flow.I(at, corner.A, self._m, self._zeta)
+                t = off_centre.phase(R, I, F_0)
                 if kind := self._kind_at_corner(corner, t, F_0):
                     found.append((corner.A, corner.B, t))
                     kinds.append(kind)
@@ -643,7 +643,7 @@ class OffCentre:
 
     def _kind_at_corner(self, corner: Corner, t: float, F_0: float) -> str:
         """The kind of a fold there, "" for none: F_A has other signs where a motion reaches no jump and beyond it."""
-        turns = [(F_0 + self._m) * t * t - 2 * corner.A * e * t + F_0 - self._m for e in corner.e]
+        turns = [off_centre.turns_by(t, F_0, self._m, corner.A * e) for e in corner.e]
         if turns[0] * turns[1] >= 0:
             return ""
         side = int(turns[1] > 0)
@@ -671,8 +671,8 @@ class OffCentre:
     def _frequency(self, A: Floats, t: Floats, F_0: Any, h: Any) -> Floats:
         """Omega of a fold: from I = m + 2 zeta A Omega, or from R = A Omega^2 + h where that moves it less."""
         with np.errstate(all="ignore"):
-            I, R = F_0 * (1 - t) * (1 + t) / (1 + t * t), 2 * F_0 * t / (1 + t * t)
-            lag, square = (I - self._m) / (2 * self._zeta * A), (R - h) / A
+            R, I = off_centre.balance_by_phase(t, F_0)
+            lag, square = off_centre.frequency_by_phase(A, R, I, self._m, self._zeta, h)
             by_R = (np.abs(R) + np.abs(h)) * (I - self._m) < 2 * A * square * (I + self._m)
             return np.asarray(np.where((square > 0) & by_R, np.sqrt(np.maximum(square, 0.0)), lag))
 

@@ -21,6 +21,7 @@ from slowflow.off_centre.boxes import Ints, solve
 from slowflow.off_centre.by_ends import ROUNDED, EndedEdge, phases, resists
 from slowflow.off_centre.ends import Charts, above_diagonal
 from slowflow.off_centre.means import Steps
+from slowflow_kernels import slow_flow
 
 #: octaves of the ends' distance from a chart's edge that are cut apart at first, and parts of a chart between two edges
 BELOW, PARTS = 5, 4
@@ -253,7 +254,7 @@ class Sheets:
         cell = np.tile(np.arange(cells.chart.size), Omega.size)
         with np.errstate(all="ignore"):
             at, A = Omega[number], cells.A.take(cell)
-            I = Interval(m + 2 * zeta * at * A.ends)
+            I = Interval(slow_flow.I(at, A.ends, m, zeta))
             R = A * (-cells.p.take(cell) + at * at)
             level = R.square() + I.square()
             may = ~((level.lo > F_0**2 * (1 + ROUNDED)) | (level.hi < F_0**2 * (1 - ROUNDED)))

@@ -24,7 +24,7 @@ from slowflow.oscillator import Designs
 from slowflow.physical import Physical
 from slowflow.physical_moves import WORDS, g
 from slowflow.quantities import EXCITED, UNITS, si, size, sizes
-from slowflow_kernels import slow_flow
+from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, Status
 from slowflow_kernels.domains import DAMPING
 from slowflow_kernels.scaling import SCALES
@@ -264,7 +264,7 @@ class _Batch:
             return np.asarray(self._ask(self.designs.at_rest).rests_within)
         if name == "sticks":
             with np.errstate(all="ignore"):  # what is no design does not stick
-                return np.asarray(np.sqrt(slow_flow.friction(self._of_designs("mu")) / self.F_0))
+                return np.asarray(inertia.moves_from(self.F_0, slow_flow.friction(self._of_designs("mu"))))
         if name == "F_SN":
             onsets = self._ask(self.designs.saddle_node_onset)
             lowest = np.where(onsets.status == Status.NONE, math.inf, onsets.F_SN)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import ClassVar
 
 import sympy as sp
+from sympy.codegen.cfunctions import hypot
 from sympy.printing.c import C99CodePrinter
 
 from ...compensated import copysign, fma
@@ -18,6 +19,7 @@ class CPrinter(Rules, C99CodePrinter):
     functions: ClassVar = {
         sp.sqrt: "sqrt",
         sp.cbrt: "cbrt",
+        hypot: "hypot",
         sp.Abs: "fabs",
         sp.sin: "sin",
         sp.cos: "cos",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import ClassVar
 
 import sympy as sp
+from sympy.codegen.cfunctions import hypot
 from sympy.printing.numpy import NumPyPrinter
 from sympy.printing.precedence import PRECEDENCE
 
@@ -19,6 +20,7 @@ class NumpyPrinter(Rules, NumPyPrinter):
     functions: ClassVar = {
         sp.sqrt: "np.sqrt",
         sp.cbrt: "np.cbrt",
+        hypot: "np.hypot",
         sp.Abs: "np.abs",
         sp.sin: "np.sin",
         sp.cos: "np.cos",

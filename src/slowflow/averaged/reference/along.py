@@ -165,7 +165,7 @@ class FoldAt(Asked):
 
         I exceeds m by little if damping is weak, and |k| the least if Omega is low.
         """
-        lag, square = 2 * self.model.zeta * at.A * Omega, Omega * Omega - y / at.A
+        lag, square = slow_flow.I(Omega, at.A, 0.0, self.model.zeta), Omega * Omega - y / at.A
         least = self.least / at.k
         of_I = (lag + self.model.m) / (lag * (1 - least) * (1 + least))
         of_R = (2 * np.abs(at.h) + at.A * square) / (at.A * square)
@@ -416,7 +416,8 @@ class Peak(Asked):
         all, also where h/A has no bound.
         """
         size = np.maximum(np.abs(cells.h.lo), np.abs(cells.h.hi))
-        lag = self.model.m + 2 * self.model.zeta * np.sqrt(cells.A.hi * size)
+        # A Omega = sqrt(A size) at most
+        lag = slow_flow.I(np.sqrt(cells.A.hi * size), 1.0, self.model.m, self.model.zeta)
         with np.errstate(over="ignore", invalid="ignore"):  # beyond the range of doubles it tells nothing
             return np.asarray((size**2 + lag**2) * (1 + DOUBT) - np.float64(self.F_0) ** 2 * (1 - DOUBT))
 

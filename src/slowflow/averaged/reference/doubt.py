@@ -33,7 +33,7 @@ def is_fold_close(model: Model, F_0: float, least: float, at: Samples, y: Floats
     else:
         share = least / at.k
         left = np.maximum((1 - share) * (1 + share), CLOSE)
-        size = size + Omega * (2 * model.zeta * at.A * Omega + model.m) / (model.zeta * left)
+        size = size + Omega * slow_flow.I(Omega, at.A, model.m, model.zeta) / (model.zeta * left)
     return np.asarray(np.isfinite(at.h_A) & (np.abs(y) <= CLOSE * size))
 
 

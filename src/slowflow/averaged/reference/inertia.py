@@ -70,7 +70,7 @@ class Roots:
 
     def start(self) -> float:
         """Where the response begins, at A = 0: below it the mass sticks."""
-        return float(np.sqrt(self.model.m / self.F_0))
+        return float(inertia.moves_from(self.F_0, self.model.m))
 
     def _low(self, A: Floats, h: Floats, least: Floats) -> Floats:
         """Below the frequency of the least level."""
@@ -160,6 +160,8 @@ def cut(model: Model, F_0: float, rungs: Floats) -> float:
 def _is_far(model: Model, F_0: float, rungs: Floats) -> Bools:
     """Of amplitudes, whether the spring is far from its slope at rest, and one that is much less is reached."""
     at = samples_at(model, rungs)
-    steep = -at.h / at.A >= STATIC_MULTIPLE * (abs(samples_at(model, 0.0).h_A[0]) + model.zeta**2)
+    # the slope at rest and what zeta^2 A is of |h|, as shares of |h|/A
+    h = np.where(at.h < 0, at.h, np.nan)
+    shares = -abs(samples_at(model, 0.0).h_A[0]) * at.A / h + inertia.share(at.A, model.zeta, h)
     less = rungs / STATIC_MULTIPLE
-    return np.asarray(steep & (less > F_0) & (Roots(model, F_0).count(less) == 2))
+    return np.asarray((STATIC_MULTIPLE * shares <= 1) & (less > F_0) & (Roots(model, F_0).count(less) == 2))

@@ -20,6 +20,7 @@ from slowflow.averaged.reference.minima import cusp_is_minimum, is_saddle, isola
 from slowflow.averaged.reference.search import Zeros, find_zeros
 from slowflow.model import Floats, Model
 from slowflow.results import Cusps, FoldLocus, IsolaPoints
+from slowflow_kernels import inertia
 from slowflow_kernels.conventions import SPREAD
 
 
@@ -110,7 +111,7 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
 
 def of_cusps(model: Model, cusps: Zeros) -> Floats:
     """The level at zeros of `Cusp`, from the force there."""
-    return cusps.level / cusps.Omega**2 if model.inertial else cusps.level
+    return inertia.amplitude(cusps.Omega, cusps.level) if model.inertial else cusps.level
 
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:

@@ -86,7 +86,7 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
             /* v is forgotten; where the push that breaks it away exceeds friction the acceleration jumps from 0, and u
              * tells when; elsewhere it is continuous */
             const double jump = system->mu_s > system->mu ? sf_acceleration(forced, next_slip, region, end, u, 0.0) : 0.0;
-            const double of_place = jump == 0.0 ? 0.0 : jump / Omega * (by[1] / by[0]);
+            const double of_place = jump == 0.0 ? 0.0 : motion_released(jump, Omega, by[0], by[1]);
             M[1][0] = of_place * M[0][0], M[1][1] = of_place * M[0][1];
             v = 0.0, theta = end;
             continue;
@@ -124,17 +124,18 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
         if (next_region != region) {
             out->residual[i] = u - edge;
             memcpy(row, of_u, (size_t)n * sizeof *row);
-            const double jump = sf_acceleration(forced, slip, next_region, end, u, v) - acceleration;
-            if (v != 0.0)
+            if (v != 0.0) {
+                const double gains = motion_across(acceleration, sf_acceleration(forced, slip, next_region, end, u, v), v);
                 for (int c = 0; c < 2; c++)
-                    M[1][c] += jump / v * M[0][c];
+                    M[1][c] += gains * M[0][c];
+            }
             continue;
         }
         out->residual[i] = v;
         memcpy(row, of_v, (size_t)n * sizeof *row);
         const double after = sf_acceleration(forced, next_slip, region, end, u, v);
         for (int c = 0; c < 2; c++)
-            M[1][c] *= next_slip == 0 ? 0.0 : acceleration != 0.0 ? after / acceleration : 1.0;
+            M[1][c] *= next_slip == 0 ? 0.0 : acceleration != 0.0 ? motion_turned(acceleration, after) : 1.0;
         if (fabs(edge) != SF_FAR) {
             double *const gradient = out->gradients + out->borders * n;
             for (long j = 0; j < n; j++)

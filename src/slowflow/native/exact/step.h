@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "motion.h"
 #include "series.h"
 
 /* the constants of a slip phase: friction is mu times the sign of the velocity, less a static load, and quadratic is c_2
@@ -122,19 +123,32 @@ static SF_INLINE void sf_fours_with_v(const sf_series v, const sf_four *a, int n
         *sum = sf_more(*sum, sf_all(v[j]), a[n - j]);
 }
 
-/* u' = v, v' = F_0 cos theta - f(u) - 2 zeta v - friction - quadratic v^2; at the start in the same order of operations as in a push less
- * friction. The piece has `series`, f is number `value` of them; `fours` groups of sums. */
+/* v' where a step begins, in a force f, as in the events of a motion */
+static SF_INLINE double sf_rate(const sf_drive *drive, double cosine, double f, double v)
+{
+    double resists[2];
+    motion_resistance(v, drive->zeta, drive->friction, drive->quadratic, resists);
+    return motion_acceleration(cosine, v, drive->F_0, drive->zeta, resists[0], f);
+}
+
+/* coefficient n of v', n > 0, from those of cos theta and f: of what resists a constant is in the first alone */
+static SF_INLINE double sf_rate_of(const sf_drive *drive, double cosine, double f, const sf_series v, int n)
+{
+    const double resists = drive->quadratic != 0.0 ? drive->quadratic * sf_with_v(v, v, n) : 0.0;
+    return motion_acceleration(cosine, v[n], drive->F_0, drive->zeta, resists, f);
+}
+
+/* u' = v and v' by the equation of motion. The piece has `series`, f is number `value` of them; `fours` groups of sums. */
 static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p, const sf_drive *drive, double theta,
                                 double u, double v, int series, int fours, int value, double *over, double *w,
                                 sf_four *left, sf_four *right, sf_expansion *x)
 {
-    const double damping = 2.0 * drive->zeta;
     double cosine = cos(theta), sine = sin(theta);
     memset(w + series, 0, (size_t)series * sizeof *w); /* taken while coefficients 1 are put in, times zero */
     w[0] = u;
     begin(p, w, over);
     x->u[0] = u, x->v[0] = v;
-    double rate = drive->F_0 * cosine - w[value] - damping * v - drive->friction - drive->quadratic * v * v;
+    double rate = sf_rate(drive, cosine, w[value], v);
     x->u[1] = v;
     for (int n = 1;; n++) {
         x->v[n] = rate * sf_over[n];
@@ -144,9 +158,7 @@ static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p,
         const double turned = -drive->Omega * sine * sf_over[n];
         sine = drive->Omega * cosine * sf_over[n], cosine = turned;
         const double *const now = sf_carried(next, p, n, x->u[n], series, fours, over, w, left, right);
-        rate = drive->F_0 * cosine - damping * x->v[n] - now[value];
-        if (drive->quadratic != 0.0)
-            rate -= drive->quadratic * sf_with_v(x->v, x->v, n);
+        rate = sf_rate_of(drive, cosine, now[value], x->v, n);
     }
 }
 
@@ -167,7 +179,7 @@ static SF_INLINE void sf_expand_both(sf_begin *begin, sf_next *next, const doubl
     x->u[0] = u, x->v[0] = v;
     x->U[0] = flow[0], x->V[0] = flow[1];
     slopes[0] = sf_all(w[slope]);
-    double rate = drive->F_0 * cosine - w[value] - damping * v - drive->friction - drive->quadratic * v * v;
+    double rate = sf_rate(drive, cosine, w[value], v);
     sf_four pull = sf_times(slopes[0], flow[0]);
     x->u[1] = v;
     for (int n = 1;; n++) {
@@ -187,9 +199,7 @@ static SF_INLINE void sf_expand_both(sf_begin *begin, sf_next *next, const doubl
         const double turned = -drive->Omega * sine * sf_over[n];
         sine = drive->Omega * cosine * sf_over[n], cosine = turned;
         const double *const now = sf_carried(next, p, n, x->u[n], series, fours, over, w, left, right);
-        rate = drive->F_0 * cosine - damping * x->v[n] - now[value];
-        if (drive->quadratic != 0.0)
-            rate -= drive->quadratic * sf_with_v(x->v, x->v, n);
+        rate = sf_rate_of(drive, cosine, now[value], x->v, n);
         pull = sf_times(slopes[0], x->U[n]);
         if (!linear) {
             sf_four below;
