@@ -9,8 +9,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy as sp
 
-from slowflow import Duffing, Isolator
+from slowflow import Duffing, Isolator, derive
 from slowflow.results import Remark
 from tests.oracles.errors import U, error
 
@@ -40,6 +41,50 @@ def oscillator(case):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         return Duffing(**values) if case["mechanism"] == "duffing" else Isolator(**values, rubs=case["rubs"])
+
+
+@pytest.fixture(scope="module")
+def by_quadrature(folder):
+    """The same force, with a term without a closed average that its factor leaves out."""
+    u, alpha, beta, gamma, end, nothing = sp.symbols("u a b g end nothing")
+    inside = alpha * u + beta * u**3 + gamma * u**5 + nothing * sp.sin(u) ** 3
+    given = {name: {} for name in ("a", "b", "g")} | {"end": {"above": 0}, "nothing": {"least": 0}}
+    made = derive.mechanism("damped_by_quadrature", [(inside, end), (u, None)], given)
+
+    def get(case):
+        alone = oscillator(case)
+        numbers = dict(zip(("a", "b", "g", "end"), alone.model.parameters, strict=True))
+        damping = {name: getattr(alone, name) for name in ("mu", "zeta", "eta", "c_2")}
+        return made(**numbers, nothing=0.0, rubs=case["rubs"], **damping)
+
+    return get
+
+
+@pytest.mark.parametrize(
+    ("law", "number"),
+    [("rubs", 6), *(pytest.param(*one, marks=pytest.mark.slow) for one in (("eta", 18), ("c_2", 6), ("rubs", 24)))],
+)
+def test_a_force_that_is_averaged_by_quadrature_has_the_certified_answers(by_quadrature, law, number):
+    case = CASES[law][number]
+    osc = by_quadrature(case)
+    assert osc.model.mechanism.enclosed is not None
+    found = osc.saddle_nodes(case["F_0"][1])
+    assert [(fold.kind, fold.corner) for fold in found] == [(fold["kind"], fold["corner"]) for fold in case["folds"]]
+    for fold, known in zip(found, case["folds"], strict=True):
+        assert error(fold.Omega, known, "Omega") < FOLD
+        assert error(fold.A, known, "A") < FOLD
+    for at in case["amplitudes"]:
+        states = osc.amplitudes(Omega=at["Omega"][1], F_0=case["F_0"][1])
+        for A, known in zip(states.A, at["steady"], strict=True):
+            assert error(A, known, "A") < STATE
+    assert error(osc.saddle_node_onset().F_SN, case["onset"], "F_SN") < ONSET
+
+
+def test_laws_are_refused_where_the_stiffness_at_rest_is_infinite(folder):
+    u, k = sp.symbols("u k")
+    root = derive.mechanism("damped_root", [(u + k * sp.sqrt(u), None)], {"k": {"above": 0}})
+    with pytest.raises(ValueError, match="its stiffness is infinite at u = 0"):
+        root(k=0.05, c_2=0.05, mu=0.01)
 
 
 def is_hard(osc, case):

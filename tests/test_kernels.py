@@ -42,8 +42,8 @@ KERNELS = [(module, kernel) for module, kernels in ORACLE.items() for kernel in 
 U = Fraction(1, 2**53)
 # measured: at most 2.4, of h_A well beyond u_cr; half of all kernels stay below 0.8
 BOUND = 4
-# T_5 = 16 s^5 - 20 s^3 + 5 s: the fifth harmonic is a difference; measured: at most 5.7, of h_5_AA at 1.25 u_cr, and 4.1
-# of what stands under its integral
+# T_5 = 16 s^5 - 20 s^3 + 5 s: the fifth harmonic is a difference; measured: at most 5.7, of h_5_AA at 1.25 u_cr,
+# and 4.1 of what stands under its integral
 # F_A along the balance and its slopes by the ends are sums of some fifty terms; measured: at most 5.3
 BOUNDS = {"harmonics": 8, "harmonics_terms": 8, "ended_fold": 8}
 INFINITE = {"inf": np.inf, "+inf": np.inf}

@@ -6,6 +6,7 @@ zeros put in.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from functools import cached_property
@@ -98,8 +99,6 @@ def check_told(told: str, mechanism: Mechanism, excitation: str) -> None:
     """Raises ValueError for an excitation or a mechanism that laws of damping, told in words, have no answer for."""
     if excitation != "force":
         raise ValueError(f"{told} is not allowed with excitation = {excitation!r}: only with 'force'")
-    if mechanism.enclosed is not None:
-        raise ValueError(f"{told} is not allowed for {mechanism.name}: its force is averaged by quadrature")
 
 
 def at_rest(A: Any, m: Any, eta: Any, u_cr: Any = None, beyond: Any = None) -> tuple[Floats, Floats, Floats, Floats]:
@@ -183,6 +182,8 @@ class Model:
         check_told(told, self.mechanism, self.excitation)
         if self.preload != 0:
             raise ValueError(f"{told} is not allowed for {self.mechanism.name}: its force jumps at u = 0")
+        if not math.isfinite(self.mechanism.pieces[0].slope(0.0, *self.parameters)):
+            raise ValueError(f"{told} is not allowed for {self.mechanism.name}: its stiffness is infinite at u = 0")
         if self.laws.rubs == THROUGHOUT:
             return
         if not self.breakpoints:

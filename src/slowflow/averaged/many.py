@@ -462,7 +462,7 @@ class Designs:
 
     With eta, c_2 or rubs="attached" designs are answered one by one on NumPy, as single ones are: some tenths of a
     second each. Raises TypeError for a name that is missing or unknown, ValueError for such laws with another
-    excitation, or a force that is averaged by quadrature.
+    excitation.
     """
 
     def __init__(

@@ -46,30 +46,37 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
     if model.zeta == 0 and not model.laws.any:
         return words.cut(model, F_0)
     rungs = max(2 * max(model.breakpoints, default=0.0), F_0) * _RUNGS
-    if model.laws.any:
-        found = dissipated.bound(model, F_0, rungs)
-        if found < np.inf:
-            return found, ""
-        raise OverflowError(words.unbounded(model, F_0))
     if model.inertial:
         closed = inertia.bound(model, F_0, rungs)
         return (closed, "") if closed is not None else words.does_not_close(inertia.cut(model, F_0, rungs))
-    most = slow_flow.most_restoring(rungs, F_0, model.m, model.zeta)
+    by_damping = np.inf
+    if model.laws.any:
+        most, by_damping = dissipated.most_restoring(model, F_0, rungs)
+    else:
+        most = slow_flow.most_restoring(rungs, F_0, model.m, model.zeta)
     if model.mechanism.enclosed is not None:
         bounds = least_beyond(model, rungs) > most
-        if np.isfinite(model.reach) and not (bounds & (rungs <= model.reach)).any():
-            h = model.averaged(model.reach)[0]
-            _, states = response_roots(np.array([model.reach]), np.array([h]), model.m, model.zeta, F_0)
-            return words.cut_at_reach(model) if states.any() else (model.reach, "")
+        bounded = (bounds & (rungs <= model.reach)).any() or by_damping <= model.reach
+        if np.isfinite(model.reach) and not bounded:
+            return words.cut_at_reach(model) if _has_state(model, model.reach, F_0) else (model.reach, "")
     else:
         at, far = samples_at(model, rungs), samples_at(model, ENDLESS * np.maximum(rungs, 1.0))
         slope = cells_of(model, at, far).h_A
         rises = np.where(at.h > 0, slope.lo >= 0, slope.hi <= 0)
         bounds = rises & (np.abs(at.h) > most)
     bounds &= np.isfinite(rungs)
-    if not bounds.any():
+    found = min(float(rungs[np.argmax(bounds)]) if bounds.any() else np.inf, by_damping)
+    if not found < np.inf:
         raise OverflowError(words.unbounded(model, F_0))
-    return float(rungs[np.argmax(bounds)]), ""
+    return found, ""
+
+
+def _has_state(model: Model, A: float, F_0: float) -> bool:
+    """Whether an amplitude is a steady state at some frequency."""
+    if model.laws.any:
+        return bool(dissipated.frequencies_at(model, A, F_0).size)
+    h = model.averaged(A)[0]
+    return bool(response_roots(np.array([A]), np.array([h]), model.m, model.zeta, F_0)[1].any())
 
 
 def least_beyond(model: Model, rungs: Floats) -> Floats:

@@ -1,4 +1,4 @@
-"""Other laws of damping: in go a model and a forcing, out come frequencies at an amplitude, events, a bound.
+"""Other laws of damping: in go a model and a forcing, out come frequencies at an amplitude, events, bounds.
 
 With I = I_0(A) + 2 zeta A Omega + d (A Omega)^2, F and F_A/2 are quartics in Omega whose coefficients of Omega, Omega^3
 and Omega^4 are not negative (derivations/dissipation.py): they have at most two positive critical points, a maximum w1
@@ -14,10 +14,9 @@ from numpy.typing import NDArray
 
 from slowflow.averaged.reference.arcs import Event, Ints, Kind, merged
 from slowflow.averaged.reference.boxes import points_of
-from slowflow.averaged.reference.cells import cells_of, samples_at, stretches_up_to
+from slowflow.averaged.reference.cells import stretches_up_to
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow_kernels import dissipation, slow_flow
-from slowflow_kernels.conventions import ENDLESS
 
 Bools = NDArray[np.bool_]
 
@@ -153,26 +152,19 @@ def _critical(c: list[Floats]) -> tuple[Floats, Floats]:
     return np.where(exist, w1, np.nan), np.where(exist, w2, np.nan)
 
 
-def bound(model: Model, F_0: float, rungs: Floats) -> float:
-    """An amplitude above that of every steady state at F_0; inf where none is known.
+def most_restoring(model: Model, F_0: float, rungs: Floats) -> tuple[Floats, float]:
+    """What |h| is at most at a state of each amplitude, and an amplitude above all states that damping alone gives.
 
-    From a rung on |h| is too large for a state: it is so there, and rises up to where it has no bound in doubles, while
-    the frequencies that damping leaves to a state only fall.
+    The frequencies that damping leaves to a state fall as the amplitude rises. Either is inf where it is not known.
     """
-    at, far = samples_at(model, rungs), samples_at(model, ENDLESS * np.maximum(rungs, 1.0))
-    slope = cells_of(model, at, far).h_A
-    rises = np.where(at.h > 0, slope.lo >= 0, slope.hi <= 0)
     friction = model.m if model.laws.rubs == THROUGHOUT else 0.0
     most = np.full(rungs.shape, np.inf)
     if model.zeta > 0:
         most = np.minimum(most, slow_flow.most_restoring(rungs, F_0, friction, model.zeta))
     if model.d > 0:
         most = np.minimum(most, dissipation.restoring(rungs, F_0, model.d))
-    bounds = rises & (np.abs(at.h) > most)
-    by_spring = float(rungs[np.argmax(bounds)]) if bounds.any() else np.inf
     # I is not less than its structural part
-    by_loss = 2 * (F_0 - friction) / model.laws.eta if model.laws.eta > 0 else np.inf
-    return min(by_spring, by_loss)
+    return most, 2 * (F_0 - friction) / model.laws.eta if model.laws.eta > 0 else np.inf
 
 
 def response_events(model: Model, F_0: float, A_max: float) -> list[Event]:
