@@ -13,6 +13,7 @@ Out: exact SymPy expressions, which `emit/` prints as kernels and `ledger/` hold
 Beside the paper, for the solvers and the further depths:
 
     motion         (3), (A1)  the equation of motion as it is followed in time
+    switching                 what a deviation from a motion becomes where the mass stops, moves off or passes an edge
     elliptic       (20)       the averaged force that is not truncated
     quadrature     (20)       the averaged force of any kind, as integrals
     sampled        (20)       the same of a force that is known by its values

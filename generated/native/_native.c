@@ -35,7 +35,7 @@ static PyObject *ufunc_of(const sf_kernel *kernel)
         return PyErr_NoMemory();
     data[0] = (void *)kernel;
     return PyUFunc_FromFuncAndData(run, data, all_double, 1, kernel->inputs, kernel->outputs, PyUFunc_None,
-                                   kernel->name, NULL, 0);
+                                   kernel->name, "", 0);
 }
 
 /* The compiled kernels of a generated module, in the order in which it assigns them. */
