@@ -23,7 +23,6 @@ class Kernel(ctypes.Structure):
 
     _fields_ = (
         ("name", ctypes.c_char_p),
-        ("doc", ctypes.c_char_p),
         ("inputs", ctypes.c_int),
         ("outputs", ctypes.c_int),
         ("regimes", ctypes.c_int),
