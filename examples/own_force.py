@@ -8,7 +8,7 @@ from slowflow.oscillator import Oscillator
 
 def averaged(A, s, gap):
     """h(A) and its first three derivatives (20): closed forms, with cos psi_0 = gap/A where the stops are reached."""
-    c = np.minimum(1.0, gap / np.where(A > 0, A, 1.0))
+    c = gap / np.maximum(A, gap)
     S, psi_0, more = np.sqrt((1 - c) * (1 + c)), np.arctan2(np.sqrt((1 - c) * (1 + c)), c), 2 * s / np.pi
     with np.errstate(divide="ignore", invalid="ignore"):
         h_AA = np.where(S > 0, -2 * more * c**3 / (A * S), 0.0)
@@ -18,7 +18,7 @@ def averaged(A, s, gap):
 
 def intercept(A, s, gap):
     """h - A h_A, in which the linear parts are gone."""
-    c = np.minimum(1.0, gap / np.where(A > 0, A, 1.0))
+    c = gap / np.maximum(A, gap)
     return 4 * s / np.pi * gap * np.sqrt((1 - c) * (1 + c))
 
 
