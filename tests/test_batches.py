@@ -217,13 +217,9 @@ def test_a_response_whose_amplitudes_are_beyond_doubles_is_refused_and_in_a_batc
 
 
 def test_curves_of_many_that_have_no_answer_are_refused_in_words():
-    given = {"lam": 3, "r": 2.0, "delta_h": 0.08, "zeta": 0.02}
-    for designs, why in (
-        (Isolator.many(**given).second_approximation, "a batch has no curves of the second approximation"),
-        (Isolator.many(**given, load=[0.0, 0.01]), "a single oscillator has it"),
-    ):
-        with pytest.raises(AttributeError, match=why):
-            designs.frequency_response(0.04)
+    designs = Isolator.many(lam=3, r=2.0, delta_h=0.08, zeta=0.02).second_approximation
+    with pytest.raises(AttributeError, match="a batch has no curves of the second approximation"):
+        designs.frequency_response(0.04)
 
 
 @native_only
