@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from mpmath import mp, mpf
+from sympy.codegen.cfunctions import hypot
 
 from derivations.averaging import averaged
 from derivations.emit.catalogue import all_modules
@@ -253,6 +254,7 @@ EVALUATED = {
     sp.cos: mp.cos,
     sp.tan: mp.tan,
     sp.atan2: mp.atan2,
+    hypot: mp.hypot,
     sp.Abs: abs,
     sp.sign: mp.sign,
     sp.UnevaluatedExpr: lambda value: value,

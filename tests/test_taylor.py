@@ -118,8 +118,16 @@ int main(void)
 }}
 """
     )
-    source = headers.HEADERS.parents[1] / "src" / "slowflow" / "native"
-    command = [headers.COMPILER, "-std=c11", "-O2", f"-I{source}", f"-I{source / 'exact'}", f"-I{folder}"]
+    source, generated = headers.HEADERS.parents[1] / "src" / "slowflow" / "native", headers.HEADERS
+    command = [
+        headers.COMPILER,
+        "-std=c11",
+        "-O2",
+        f"-I{source}",
+        f"-I{source / 'exact'}",
+        f"-I{folder}",
+        f"-I{generated}",
+    ]
     subprocess.run([*command, str(folder / "main.c"), "-o", str(folder / "main"), "-lm"], check=True)
     lines = subprocess.run([str(folder / "main")], check=True, capture_output=True, text=True).stdout.splitlines()
     return {name: np.array(line.split(), dtype=float) for name, line in zip(FORCES, lines, strict=True)}

@@ -40,6 +40,13 @@ CHECKED = 500
 CELLS = 256
 #: derivatives that are asked for
 ORDERS = 4
+#: what a breakpoint adds, by the lowest order of what is lost there
+BENT_ENDS = (
+    sampled_intervals.bent_end_0,
+    sampled_intervals.bent_end_1,
+    sampled_intervals.bent_end_2,
+    sampled_intervals.bent_end_3,
+)
 #: a function stated for u > 0 and u < 0 is odd within this share of itself
 ODD = 1e-9
 #: designs whose polynomials are kept
@@ -590,8 +597,7 @@ class Asked:
         for end, lost in list(zip(force.ends, force.lost, strict=True))[: self.number]:
             lowest = next((order for order, one in enumerate(lost) if one != 0), None)
             if lowest is not None and end > 0:
-                of_end = getattr(sampled_intervals, f"bent_end_{lowest}")
-                bend = bend + of_end(A, *(A.point(one) for one in (end, *lost[lowest:])))
+                bend = bend + BENT_ENDS[lowest](A, *(A.point(one) for one in (end, *lost[lowest:])))
         return h, bend
 
     def _of(self, given: Sequence[Any]) -> Force:

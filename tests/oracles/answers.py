@@ -96,10 +96,15 @@ class Nearby:
 
         The double of one next to u_cr may lie on the other side.
         """
-        found = [one for side in self.sides() if (one := self._two(kind, Omega, A, F_0, side)) is not None]
+        found = [
+            one
+            for side in self.sides()
+            for start in self._starts(A, side)
+            if (one := self._two(kind, Omega, start, F_0, side)) is not None
+        ]
         return min(found, key=lambda one: abs(float(one[0].A - arb(A))), default=None)
 
-    def _two(self, kind: str, Omega: float, A: float, F_0: float, regime: str) -> tuple[Point, Condition] | None:
+    def _two(self, kind: str, Omega: float, start: arb, F_0: float, regime: str) -> tuple[Point, Condition] | None:
         with precision(BITS):
             forcing, names = arb(exact(F_0)), EQUATIONS[kind]
 
@@ -107,7 +112,7 @@ class Nearby:
                 d = self.oscillator.derivatives(x[0], x[1], regime, forcing)
                 return [d[n] for n in names], [[d[k] for k in SLOPES[n]] for n in names]
 
-            found = _newton(system, [arb(Omega), self._start(A, regime)])
+            found = _newton(system, [arb(Omega), start])
             if found is None or not self._stays(found[1], regime):
                 return None
             point = Point(*found, regime, forcing, kind)
@@ -143,25 +148,28 @@ class Nearby:
         with precision(BITS):
             frequency, forcing = arb(exact(Omega)), arb(exact(F_0))
 
-            def on(regime: str) -> Amplitude | None:
+            def on(regime: str, start: arb) -> Amplitude | None:
                 def system(x: Sequence[arb]) -> tuple[list[arb], list[list[arb]]]:
                     d = self.oscillator.derivatives(frequency, x[0], regime, forcing)
                     return [d["F"]], [[d["A"]]]
 
-                found = _newton(system, [self._start(A, regime)])
+                found = _newton(system, [start])
                 stays = found is not None and self._stays(found[0], regime)
                 return Amplitude(found[0], arb(0), True, regime) if found is not None and stays else None
 
-            found = [one for side in self.sides() if (one := on(side)) is not None]
+            found = [
+                one for side in self.sides() for start in self._starts(A, side) if (one := on(side, start)) is not None
+            ]
             state = min(found, key=lambda one: abs(float(one.A - arb(A))), default=None)
             return None if state is None else (state, self.conditions.amplitude(state, Omega, F_0))
 
-    def _start(self, A: float, regime: str) -> arb:
-        """The double, but what lies next to u_cr for one that does, or lies beyond: h_A may be infinite there."""
-        u = self.oscillator.u_cr
-        if u is None or (self._stays(arb(A), regime) and not abs(arb(A) - u) < NEXT * u):
-            return arb(A)
-        return (u * (1 + (BESIDE if regime == DETACHED else -BESIDE))).mid()
+    def _starts(self, A: float, regime: str) -> list[arb]:
+        """The double on its side; and what lies next to u_cr for one that does, or lies beyond: h_A may be infinite."""
+        u, stays = self.oscillator.u_cr, self._stays(arb(A), regime)
+        own = [arb(A)] if stays else []
+        if u is None or (stays and not abs(arb(A) - u) < NEXT * u):
+            return own
+        return [*own, (u * (1 + (BESIDE if regime == DETACHED else -BESIDE))).mid()]
 
     def _stays(self, A: arb, regime: str) -> bool:
         u = self.oscillator.u_cr
