@@ -601,21 +601,27 @@ def by_second_parameter(F: sp.Expr, D: sp.Expr, m: sp.Expr, xy: sp.Expr, c: sp.E
 
     An error where the derivatives by theta of both sides are not the same; at theta = 0 both vanish.
     """
+    _proved_by_second_parameter()
+    return _of_second_parameter(F, D, m, xy, c)
+
+
+def _of_second_parameter(F: sp.Expr, D: sp.Expr, m: sp.Expr, xy: sp.Expr, c: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    F_m = (F - D - xy / c) / (2 * (1 - m))
+    return F_m, (F_m - D / 2) / m
+
+
+@functools.cache
+def _proved_by_second_parameter() -> None:
     theta, k, f, d = sp.symbols("theta k f d", positive=True)
     delta = sp.sqrt(1 - k * sp.sin(theta) ** 2)
-
-    def of(f: sp.Expr, d: sp.Expr, m: sp.Expr, xy: sp.Expr, c: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-        F_m = (f - d - xy / c) / (2 * (1 - m))
-        return F_m, (F_m - d / 2) / m
-
-    forms = of(f, d, k, sp.sin(theta) * sp.cos(theta), delta)
+    forms = _of_second_parameter(f, d, k, sp.sin(theta) * sp.cos(theta), delta)
     for form, power in zip(forms, (2, 4), strict=True):
         slope_ = sp.diff(form, theta) + (sp.diff(form, f) + sp.diff(form, d) * sp.sin(theta) ** 2) / delta
         if sp.simplify(slope_ - sp.sin(theta) ** power / (2 * delta**3)) != 0:
             raise ArithmeticError("d/dm of an elliptic integral")
-    return of(F, D, m, xy, c)
 
 
+@functools.cache
 def in_balls(a: sp.Expr, b: sp.Expr, rest: sp.Expr, end: Corner) -> tuple[Regime, Regime]:
     """The average with three derivatives in closed form, attached and detached: for as many digits as it takes.
 
