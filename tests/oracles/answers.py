@@ -9,8 +9,8 @@ Condition numbers are those of `conditioning`: of the inputs, and of the values 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, TypeVar
 
 from flint import arb, arb_mat, fmpq
 from mpmath import mpf, workdps
@@ -21,6 +21,7 @@ from tests.oracles.certified_roots import precision
 from tests.oracles.conditioning import Condition, Conditioning
 
 BITS = 420
+T = TypeVar("T")
 #: relative size of Newton's last step, which the error left is the square of
 SETTLED = arb(2) ** -120
 STEPS = 40
@@ -87,22 +88,12 @@ class Nearby:
             self.oscillator = MECHANISMS[mechanism](**parameters)
             self.conditions = Conditioning(self.oscillator)
 
-    def sides(self) -> list[str]:
-        """Of the corner, if there is one."""
-        return [ATTACHED] if self.oscillator.u_cr is None else [ATTACHED, DETACHED]
-
     def two(self, kind: str, Omega: float, A: float, F_0: float) -> tuple[Point, Condition] | None:
         """A fold, cusp, isola point or peak, by its two equations in Omega and A.
 
         The double of one next to u_cr may lie on the other side.
         """
-        found = [
-            one
-            for side in self.sides()
-            for start in self._starts(A, side)
-            if (one := self._two(kind, Omega, start, F_0, side)) is not None
-        ]
-        return min(found, key=lambda one: abs(float(one[0].A - arb(A))), default=None)
+        return self._nearest(A, lambda side, start: self._two(kind, Omega, start, F_0, side), lambda one: one[0].A)
 
     def _two(self, kind: str, Omega: float, start: arb, F_0: float, regime: str) -> tuple[Point, Condition] | None:
         with precision(BITS):
@@ -157,19 +148,23 @@ class Nearby:
                 stays = found is not None and self._stays(found[0], regime)
                 return Amplitude(found[0], arb(0), True, regime) if found is not None and stays else None
 
-            found = [
-                one for side in self.sides() for start in self._starts(A, side) if (one := on(side, start)) is not None
-            ]
-            state = min(found, key=lambda one: abs(float(one.A - arb(A))), default=None)
+            state = self._nearest(A, on, lambda one: one.A)
             return None if state is None else (state, self.conditions.amplitude(state, Omega, F_0))
 
-    def _starts(self, A: float, regime: str) -> list[arb]:
-        """The double on its side; and what lies next to u_cr for one that does, or lies beyond: h_A may be infinite."""
-        u, stays = self.oscillator.u_cr, self._stays(arb(A), regime)
-        own = [arb(A)] if stays else []
-        if u is None or (stays and not abs(arb(A) - u) < NEXT * u):
-            return own
-        return [*own, (u * (1 + (BESIDE if regime == DETACHED else -BESIDE))).mid()]
+    def _nearest(self, A: float, on: Callable[[str, arb], T | None], amplitude: Callable[[T], arb]) -> T | None:
+        """The solution next to a double, on its side; next to u_cr, or where there is none, of those on both."""
+        u = self.oscillator.u_cr
+        if u is None:
+            return on(ATTACHED, arb(A))
+        own = ATTACHED if arb(A) <= u else DETACHED
+        found = on(own, arb(A))
+        if found is not None and not abs(arb(A) - u) < NEXT * u:
+            return found
+        # h_A may be infinite at u_cr: from beside it too
+        with precision(BITS):
+            beside = [on(side, (u * (1 + share)).mid()) for side, share in ((ATTACHED, -BESIDE), (DETACHED, BESIDE))]
+        solutions = [one for one in (found, *beside) if one is not None]
+        return min(solutions, key=lambda one: abs(float(amplitude(one) - arb(A))), default=None)
 
     def _stays(self, A: arb, regime: str) -> bool:
         u = self.oscillator.u_cr
