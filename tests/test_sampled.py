@@ -194,6 +194,7 @@ def test_it_says_what_it_is():
     assert "a Python function" in repr(made) and "NumPy" in repr(made)
     one = made(k=1.0, **DAMPING)
     assert "a Python function, by 32 of its values" in str(one.explain("saddle_nodes", 0.05))
+    assert "a Python function, by 32 of its values" in str(one.explain("saddle_node_onset"))
     assert "it stands on its head" in one.amplitudes(Omega=0.5, F_0=2.5).message
     with pytest.raises(ValueError, match="no gradients"):
         one.saddle_node_onset().gradient()

@@ -505,18 +505,21 @@ def _real(what: str, value: Any, finite: bool = True) -> float:
 
 @dataclass(frozen=True)
 class Asked:
-    """One function of the record: of a piece by its number, where it is of one."""
+    """One function of the record: of a piece by its number, where it is of one.
+
+    what -- one of those below
+    """
 
     stated: Stated
-    what: str
+    what: Callable[..., Any]
     number: int = 0
 
     @property
     def __name__(self) -> str:
-        return self.what
+        return self.what.__name__
 
     def __call__(self, *arguments: Any) -> Any:
-        return getattr(self, f"_{self.what}")(*arguments)
+        return self.what(self, *arguments)
 
     def _numbers(self, given: Sequence[Any]) -> tuple[float, ...]:
         return tuple(float(one) for one in given)
@@ -542,55 +545,55 @@ class Asked:
 
     # --- of the parameters ---
 
-    def _coefficients(self, *design: Any) -> Any:
+    def coefficients(self, *design: Any) -> Any:
         """The parameters are the design; a force that is not allowed is told here, before any work."""
         self._by_design(design, of=lambda force: (0.0,))
         return tuple(design)
 
-    def _breakpoints(self, *given: Any) -> Any:
+    def breakpoints(self, *given: Any) -> Any:
         return self._by_design(given, of=lambda force: force.ends[:-1])
 
-    def _jumps(self, *given: Any) -> Any:
+    def jumps(self, *given: Any) -> Any:
         return self._by_design(given, of=lambda force: [lost[0] for lost in force.lost[:-1]])
 
-    def _kinks(self, *given: Any) -> Any:
+    def kinks(self, *given: Any) -> Any:
         return self._by_design(given, of=lambda force: [one for lost in force.lost[:-1] for one in lost[1:3]])
 
-    def _hardening(self, *given: Any) -> Any:
+    def hardening(self, *given: Any) -> Any:
         return self._by_design(given, of=lambda force: (-1.0,))
 
-    def _told(self, *given: Any) -> str:
+    def told(self, *given: Any) -> str:
         force = self.stated.force(self._numbers(given))
         by = f"by {force.points} of its values, error {force.error:.1g}"
         return f"a Python function, {by}; quadrature on NumPy, not compiled"
 
     # --- of the amplitude ---
 
-    def _averaged(self, A: Any, *given: Any) -> Any:
+    def averaged(self, A: Any, *given: Any) -> Any:
         return self._by_design(given, A, of=Force.averaged)
 
-    def _harmonics(self, A: Any, *given: Any) -> Any:
+    def harmonics(self, A: Any, *given: Any) -> Any:
         return self._by_design(given, A, of=Force.harmonics)
 
-    def _intercept(self, A: Any, *given: Any) -> Any:
+    def intercept(self, A: Any, *given: Any) -> Any:
         (found,) = self._by_design(given, A, of=lambda force, A: (force.intercept(A),))
         return found
 
     # --- of a piece ---
 
-    def _force(self, u: Any, *given: Any) -> Any:
+    def force(self, u: Any, *given: Any) -> Any:
         return self.stated.force(self._numbers(given)).value(self.number, u, 0)
 
-    def _slope(self, u: Any, *given: Any) -> Any:
+    def slope(self, u: Any, *given: Any) -> Any:
         return self.stated.force(self._numbers(given)).value(self.number, u, 1)
 
     # --- on intervals ---
 
-    def _enclosed_terms(self, around: Any, A: Any, beyond: Any, sine: Any, *given: Any) -> Any:
+    def enclosed_terms(self, around: Any, A: Any, beyond: Any, sine: Any, *given: Any) -> Any:
         value, fourth = self._of(given).bounds(self.number, beyond)
         return sampled_intervals.bent_terms(sine, value, fourth)
 
-    def _enclosed_closing(self, around: Any, A: Any, *numbers: Any) -> Any:
+    def enclosed_closing(self, around: Any, A: Any, *numbers: Any) -> Any:
         """The number is how many breakpoints are exceeded; their roots come before the sums."""
         h, bend = numbers[self.number : self.number + 2]
         force = self._of(numbers[self.number + 2 :])
@@ -612,25 +615,25 @@ def record(stated: Stated, title: str, design: tuple[Parameter, ...], reach_reas
         title=title,
         design=design,
         parameters=design,
-        coefficients=Asked(stated, "coefficients"),
-        pieces=tuple(Law(Asked(stated, "force", k), Asked(stated, "slope", k)) for k in range(count)),
-        breakpoints=Asked(stated, "breakpoints"),
-        jumps=Asked(stated, "jumps"),
-        kinks=Asked(stated, "kinks"),
-        hardening=Asked(stated, "hardening"),
-        averaged=Asked(stated, "averaged"),
-        intercept=Asked(stated, "intercept"),
-        harmonics=Asked(stated, "harmonics"),
+        coefficients=Asked(stated, Asked.coefficients),
+        pieces=tuple(Law(Asked(stated, Asked.force, k), Asked(stated, Asked.slope, k)) for k in range(count)),
+        breakpoints=Asked(stated, Asked.breakpoints),
+        jumps=Asked(stated, Asked.jumps),
+        kinks=Asked(stated, Asked.kinks),
+        hardening=Asked(stated, Asked.hardening),
+        averaged=Asked(stated, Asked.averaged),
+        intercept=Asked(stated, Asked.intercept),
+        harmonics=Asked(stated, Asked.harmonics),
         harmonics_up_to=math.inf,
         reach=stated.reach,
         reach_reason=reach_reason or REACHED,
         truncated=False,
         load_untruncated=None,
         enclosed=Enclosed(
-            tuple(Asked(stated, "enclosed_terms", k) for k in range(count)),
-            tuple(Asked(stated, "enclosed_closing", k) for k in range(count)),
+            tuple(Asked(stated, Asked.enclosed_terms, k) for k in range(count)),
+            tuple(Asked(stated, Asked.enclosed_closing, k) for k in range(count)),
         ),
-        told=Asked(stated, "told"),
+        told=Asked(stated, Asked.told),
     )
 
 

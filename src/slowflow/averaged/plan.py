@@ -86,13 +86,11 @@ def plan(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None)
             tuple(Step(name, False, words.sticks(whole, F_0)) for name in ("force", "slow flow", "curve", "folds")),
         )
     if whole.linear:
-        force = Step("force", True, "linear: one piece, no angles, no corner")
+        force = _force(whole, "linear: one piece, no angles, no corner")
     elif not whole.breakpoints:
-        force = Step("force", True, "one piece: no angles, no corner")
+        force = _force(whole, "one piece: no angles, no corner")
     else:
-        force = Step("force", True, "its pieces up to the highest amplitude at F_0")
-    if whole.mechanism.told is not None:
-        force = Step("force", True, whole.mechanism.told(*whole.parameters))
+        force = _force(whole, "its pieces up to the highest amplitude at F_0")
     told = f"{whole.laws.told()}: F is a quartic in Omega" if whole.laws.any else whole.flow.SCENE
     flow = Step("slow flow", True, told)
     if question == "peak":
@@ -221,6 +219,12 @@ def plan_composed(question: str, F_0: float | None, whole: Model) -> Plan:
     )
 
 
+def _force(whole: Model, asked: str) -> Step:
+    """The step of the force: what is asked of it, or what the mechanism itself tells of how it is known."""
+    told = whole.mechanism.told
+    return Step("force", True, asked if told is None else told(*whole.parameters))
+
+
 def needs_no_solver(question: str, whole: Model) -> bool:
     """Whether it is known beforehand that there is no onset, or no detachment."""
     return whole.linear if question == "saddle_node_onset" else question == "detachment" and not whole.breakpoints
@@ -228,8 +232,6 @@ def needs_no_solver(question: str, whole: Model) -> bool:
 
 def plan_of_all(question: str, whole: Model) -> Plan:
     """The plan for one of `OF_ALL`, which are about every forcing."""
-    if whole.mechanism.told is not None:
-        force = Step("force", True, whole.mechanism.told(*whole.parameters))
     told = f"{whole.laws.told()}: F is a quartic in Omega" if whole.laws.any else whole.flow.SCENE
     flow = Step("slow flow", True, told)
     if needs_no_solver(question, whole):
@@ -238,7 +240,7 @@ def plan_of_all(question: str, whole: Model) -> Plan:
         return Plan(question, None, None, False, (Step(name, False, why),))
     if question == "detachment":
         return Plan(question, None, whole, False, (Step("force", True, "its first piece, at A = u_cr only"), flow))
-    force = Step("force", True, "all its pieces" if whole.breakpoints else "one piece: no angles, no corner")
+    force = _force(whole, "all its pieces" if whole.breakpoints else "one piece: no angles, no corner")
     if question == "saddle_node_onset" and whole.zeta == 0 and not whole.laws.any:
         search = Step("fold locus", True, "zeta = 0: Omega^2 = -h_A, so that the level says h - A h_A")
         return Plan(question, None, whole, True, (force, flow, search))
