@@ -372,8 +372,9 @@ def _tolerances(scene: Scene) -> Iterator[str]:
 
 def _map(of: Any) -> Iterator[str]:
     subject = Subject(of)
-    if subject.loaded:
-        raise NotAvailable("a map of designs under a load, as each of its points takes tenths of a second")
+    if subject.loaded or subject.laws:
+        which = "under a load" if subject.loaded else "with other laws of damping than friction and viscous damping"
+        raise NotAvailable(f"a map of designs {which}, as each of its points takes tenths of a second")
     x, y = OF_MOUNT if subject.mount else OF_ISOLATOR
     if not subject.nominal[y]:
         return

@@ -109,7 +109,7 @@ def fit(
     approximation, which may move a number by a percent. Raises ValueError for what is not allowed, as fewer points
     than free numbers, and ArithmeticError where the points do not determine these.
     """
-    subject = Subject(of)
+    subject = Subject(of, () if free is None else free)
     with contextlib.nullcontext() if subject.mount is None else subject.mount.scales.in_these_terms():
         (of if subject.mount is None else of.oscillator).at_centre("fit")
     if (A is None) == (jump_up is None and jump_down is None):
@@ -138,7 +138,6 @@ class _Measured:
 
 def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
     """The numbers that leave the least squares."""
-    subject.check_varied(names)
     size = measured.values.size
     if size <= len(names):
         raise ValueError(f"{size} points are too few for {len(names)} numbers")
@@ -209,7 +208,8 @@ def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
         mount = isinstance(design, Physical)
         isolator, units = (design.oscillator, design.scales.sizes) if mount else (design, None)
         F_0 = forces / units[subject.amplitude] if units else forces
-        folds = type(isolator).many(**isolator.given).saddle_nodes(F_0)
+        known = {name: value for name, value in isolator.given.items() if name != "mu_s"}  # no fold asks for it
+        folds = type(isolator).many(**known).saddle_nodes(F_0)
         found = np.array([first_jump(folds, True), first_jump(folds, False)]) * (units["frequency"] if units else 1.0)
         return np.asarray(np.nan_to_num(found)[there])
 

@@ -118,7 +118,6 @@ class _Search:
         self, subject: Subject, free: Mapping[str, Any], at_least: Any, at_most: Any, load: Load, seed: int
     ) -> None:
         self.subject, self.load, self.seed = subject, load, seed
-        validate.mapping("free", free, "pairs (lowest, highest)")
         limits = (("at_least", at_least or {}, 1.0), ("at_most", at_most or {}, -1.0))
         wanted = [
             (name, limit, sign)
@@ -127,7 +126,6 @@ class _Search:
         ]
         self.names = subject.answered([name for name, _, _ in wanted], load)
         self.wanted = [(name, validate.number(name, limit, above=0.0), sign) for name, limit, sign in wanted]
-        subject.check_varied(free)
         self.free = list(free)
         ends = [validate.window(name, pair) for name, pair in free.items()]
         self.low, self.high = np.array(ends, dtype=float).reshape(-1, 2).T
@@ -335,7 +333,7 @@ def meet(
     Where no design meets all, `.feasible` is False and `.message` names the binding requirement. Raises ValueError for
     what is not allowed.
     """
-    subject = Subject(of)
+    subject = Subject(of, validate.mapping("free", free, "pairs (lowest, highest)"))
     search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, f, Omega, shock, spectrum), seed)
     if not search.wanted or not free:
         raise ValueError("meet needs at least one requirement and one free number")
@@ -376,7 +374,7 @@ def front(
     best in both, nothing is traded off: it is the only row, and `.message` says so. Where no design meets the
     requirements there is no row, and `.message` names the binding one. Raises ValueError for what is not allowed.
     """
-    subject = Subject(of)
+    subject = Subject(of, validate.mapping("free", free, "pairs (lowest, highest)"))
     search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, f, Omega, shock, spectrum), seed)
     pair = [(name, 1.0) for name in high] + [(name, -1.0) for name in low]
     if len({name for name, _ in pair}) != 2 or len(pair) != 2 or not free:

@@ -17,12 +17,14 @@ from slowflow.gradient import Gradient
 from slowflow.isolator import Isolator
 from slowflow.model import OF_DAMPING
 from slowflow.physical import Physical
-from slowflow.sizing.subject import OF_MARGINS, Load, Subject
+from slowflow.sizing.subject import LAWS, OF_MARGINS, STATIC, Load, Subject
 from slowflow_kernels.conventions import MovesStatus
 
 
 def slopes(subject: Subject, numbers: Mapping[str, float], answer: str, load: Load) -> dict[str, float] | None:
     """d(answer)/d(number) by name, of the design with these numbers and else nominal ones; None where none is known.
+
+    By eta and c_2 too, of a design that has one of these or rubs="attached".
 
     answer -- as `slowflow.sizing` lists them: of F_SN, F_cr, their margins, A_peak, and frequencies at rest, of peaks
               and of jumps
@@ -42,7 +44,8 @@ def slopes(subject: Subject, numbers: Mapping[str, float], answer: str, load: Lo
     if gradient.status[k]:
         return None
     by = dict(zip(gradient.by, (gradient[name][k] / over).tolist(), strict=True))
-    return {number: by[number] for number in subject.nominal}
+    by |= {name: 0.0 for name in ("mu_s", STATIC) if name in subject.nominal}  # averaging does not ask for it
+    return {number: by[number] for number in subject.nominal if number in by}
 
 
 def _moves(of: Any, answer: str, F: float | None) -> tuple[Gradient, Any] | None:
@@ -75,7 +78,8 @@ def _at_rest(isolator: Isolator) -> Gradient | None:
     by_design = np.array(mechanism.by_design(*isolator.design)).reshape(-1, len(isolator.design))
     frequency = math.sqrt(-averaged[1])
     moved = -by_parameter @ by_design[: len(parameters)] / (2 * frequency)
-    names = (*mechanism.design_names, *OF_DAMPING)
-    slopes = np.array([[*moved, *(0.0 for _ in OF_DAMPING)]])
+    damping = (*OF_DAMPING, *(LAWS if isolator.model.laws.any else ()))
+    slopes = np.array([[*moved, *(0.0 for _ in damping)]])
     status = np.array(int(MovesStatus.OK), dtype=np.int8)
-    return Gradient(("Omega",), names, slopes, status, (frequency,), (*isolator.design, isolator.mu, isolator.zeta))
+    numbers = (*isolator.design, *(getattr(isolator, name) for name in damping))
+    return Gradient(("Omega",), (*mechanism.design_names, *damping), slopes, status, (frequency,), numbers)

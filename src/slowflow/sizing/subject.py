@@ -5,11 +5,10 @@ A number of a mount is varied in its own terms, and may change what the answers 
 
 from __future__ import annotations
 
-import contextlib
 import math
 from collections.abc import Callable, Iterable, Mapping, Set
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -20,13 +19,13 @@ from slowflow.isolator import ROD_SPRING, Isolator
 from slowflow.loads_many import lifting
 from slowflow.mechanism import Floats
 from slowflow.off_centre.many import OffCentreDesigns
-from slowflow.oscillator import Designs
+from slowflow.oscillator import Designs, Oscillator
 from slowflow.physical import Physical
 from slowflow.physical_moves import WORDS, g
 from slowflow.quantities import EXCITED, UNITS, si, size, sizes
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, Status
-from slowflow_kernels.domains import DAMPING
+from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_kernels.scaling import SCALES
 
 #: what can be asked of designs, by kind; a frequency is called with an f of a mount, with an Omega of an isolator, and
@@ -49,12 +48,23 @@ ABOUT_THE_CENTRE = {"rests_within": "length"}
 OF_INERTIA = {"sticks": "frequency"}
 KIND = OF_ALL_FORCINGS | OF_FRICTION | ABOUT_THE_CENTRE | AT_A_FORCING | OF_INERTIA | UNDER_A_LOAD
 KIND |= AT_A_FREQUENCY | IN_A_SPECTRUM | IN_A_SHOCK
-#: what static friction changes, where that is more than the kinetic one
-BY_STATIC_FRICTION = ("break_loose", "rests_within", *IN_A_SHOCK)
+#: what is not known with structural damping
+AT_NO_FREQUENCY = "{} is not available with structural damping, which is stated at one frequency"
 
 
 #: kinds of what has no unit, and what a load spectrum is
 WITHOUT_UNIT, PAIR = ("ratio", "rows"), "({1}, {0}), the columns of a table"
+
+
+#: laws of damping beside mu and zeta, by the names of their numbers, and a mount's word for mu_s
+LAWS, STATIC = tuple(one.name for one in DISSIPATION), "static_friction"
+
+
+class Shocked(NamedTuple):
+    """The largest deflection and acceleration of each design in a shock."""
+
+    A: Floats
+    a_max: Floats
 
 
 @dataclass(frozen=True)
@@ -76,56 +86,69 @@ class Load:
 class Subject:
     """An isolator or a mount whose numbers are varied.
 
+    varied  -- names of those that are
     nominal -- the numbers that can be varied, by name, as they are
     answers -- names of what can be asked of it, and what they are among `KIND`
     loaded  -- whether it is under a load
-    one_by_one -- whether designs are asked one by one, up to some tenths of a second each: under a load, and on NumPy
+    one_by_one -- whether designs are asked one by one, up to some tenths of a second each: under a load, with other
+               laws of damping than mu and zeta, and on NumPy
     excitation -- what the forcing is the amplitude of
 
-    Raises ValueError for what is no isolator.
+    Raises ValueError for what is no isolator, and for a number that cannot be varied.
     """
 
-    def __init__(self, of: Any) -> None:
+    def __init__(self, of: Any, varied: Iterable[str] = ()) -> None:
         self.of = of
         self.mount = of if isinstance(of, Physical) else None
         isolator = of.oscillator if isinstance(of, Physical) else of
         if not isinstance(isolator, Isolator):
             raise ValueError(f"{of!r} is not allowed: it must be an Isolator, or one made by Isolator.physical")
-        with contextlib.nullcontext() if self.mount is None else self.mount.scales.in_these_terms():
-            isolator.only_for_plain_damping("sizing")
         self.mechanism, self.excitation = isolator.model.mechanism, isolator.excitation
-        self.loaded = isolator.load != 0
-        self.one_by_one = self.loaded or backend.SOLVER is None
+        self.loaded, self.rubs = isolator.load != 0, isolator.rubs
         self.nominal = self._numbers(isolator)
+        self._check_varied(varied)
+        # laws of damping beside mu and zeta that some design has
+        self.laws = {*isolator.model.laws.said, *(name for name in LAWS if name in varied)}
+        self.one_by_one = self.loaded or bool(self.laws) or backend.SOLVER is None
         letter = "Omega" if self.mount is None else "f"
         others = ABOUT_THE_CENTRE if self.loaded else UNDER_A_LOAD
         others = others | (OF_INERTIA if self.excitation == "force" else {})
-        # averaging does not ask for static friction; batches, which answer the others, do not know it
-        self.of_static_friction = tuple(BY_STATIC_FRICTION) if isolator.mu_s > isolator.mu else ()
-        others = others | dict.fromkeys(self.of_static_friction, "")
+        others = others | (IN_A_SHOCK if "eta" in self.laws else {})
         known = {name: kind for name, kind in KIND.items() if name not in others}
         self.answers = {f"{letter}_{name}" if kind == "frequency" else name: name for name, kind in known.items()}
         if self.mount is not None:
             self.answers = {self.mount.scales.kind(name)[0]: plain for name, plain in self.answers.items()}
 
     def _numbers(self, isolator: Isolator) -> dict[str, float]:
-        """What an isolator was made from, a mount's in SI units."""
-        names = (*(domain.name for domain in ROD_SPRING.design), *(domain.name for domain in DAMPING))
+        """What an isolator was made from, a mount's in SI units; static friction only where it is given."""
         if self.mount is None:
-            return {name: getattr(isolator, name) for name in (*names, *(["load"] if self.loaded else []))}
+            beside = {name: isolator.given[name] for name in ("load", "mu_s") if name in isolator.given}
+            return {name: getattr(isolator, name) for name in self._scales()} | beside
         base = {name: getattr(self.mount.scales, name) for name in ("m", "k_v", "L")}
         found = dict(base)
         if self.loaded:  # what moves is the load; m is what the vertical spring is preset for
             found |= {"load": base["m"], "m": float(si("m", self.mount.given["m"], "kilogram"))}
-        for name, scale in zip(names, self._scales(), strict=True):
-            if scale.letter == "c" and "c" not in self.mount.given:
+        for name, scale in self._scales().items():
+            if self._word(name) == "zeta":
                 found["zeta"] = isolator.zeta
             else:
-                found[WORDS[scale.letter]] = getattr(isolator, name) * size(scale, **base)
+                found[self._word(name)] = getattr(isolator, name) * size(scale, **base)
+        if (static := self.mount.given.get(STATIC)) is not None:
+            # as it was given: rounded, it may be less than friction
+            found[STATIC] = max(float(si(STATIC, static, "newton")), found["friction"])
         return found
 
-    def _scales(self) -> list[Any]:
-        return [*ROD_SPRING.scales, *(SCALES[domain.name] for domain in DAMPING)]
+    def _scales(self) -> dict[str, Any]:
+        """What the numbers of a design are measured in, by name; under a load, or by inertia, without other laws."""
+        design = {domain.name: scale for domain, scale in zip(ROD_SPRING.design, ROD_SPRING.scales, strict=True)}
+        laws = () if self.loaded or self.excitation != "force" else DISSIPATION
+        return {**design, **{domain.name: SCALES[domain.name] for domain in (*DAMPING, *laws)}}
+
+    def _word(self, name: str) -> str:
+        """What a number of a design is called here."""
+        if self.mount is None or (name == "zeta" and "c" not in self.mount.given):
+            return name
+        return WORDS.get(self._scales()[name].letter, name)
 
     @property
     def amplitude(self) -> str:
@@ -186,8 +209,8 @@ class Subject:
         if names is None:
             return [name for name, plain in self.answers.items() if plain not in missing]
         for name in names:
-            if name in self.of_static_friction:
-                raise validate.NotAvailable(f"{name} is not available with static friction above the kinetic one")
+            if name in IN_A_SHOCK and "eta" in self.laws:
+                raise validate.NotAvailable(AT_NO_FREQUENCY.format(name))
             if name not in self.answers:
                 raise ValueError(f"{name!r} is no answer: it must be one of {', '.join(self.answers)}")
             if needed := missing.get(self.answers[name]):
@@ -196,7 +219,7 @@ class Subject:
                 raise ValueError(f"{name} needs {what}: give {needed}")
         return list(names)
 
-    def check_varied(self, names: Iterable[str]) -> None:
+    def _check_varied(self, names: Iterable[str]) -> None:
         """Raises ValueError for a number that cannot be varied."""
         for name in names:
             if name not in self.nominal:
@@ -210,38 +233,42 @@ class Subject:
         given: dict[str, Any] = {**self.nominal, **values}
         shape = np.broadcast_shapes(*(np.shape(value) for value in given.values()))
         units: dict[str, Any] = dict.fromkeys((*UNITS, *WITHOUT_UNIT), 1.0)
+        static, kinetic = given.pop(STATIC if self.mount else "mu_s", None), given[self._word("mu")]
         if self.mount is not None:
             base = {"m": given["load" if self.loaded else "m"], "k_v": given["k_v"], "L": given["L"]}
             units = {**sizes(**base), **dict.fromkeys(WITHOUT_UNIT, 1.0)}
-            names_of = (*(domain.name for domain in ROD_SPRING.design), *(domain.name for domain in DAMPING))
             weight = {"load": (given["load"] - given["m"]) * g / units["force"]} if self.loaded else {}
-            given = weight | {
-                name: given["zeta"]
-                if scale.letter == "c" and "zeta" in given
-                else given[WORDS[scale.letter]] / size(scale, **base)
-                for name, scale in zip(names_of, self._scales(), strict=True)
-            }
+            measures = {name: size(scale, **base) for name, scale in self._scales().items()}
+            measures |= {"zeta": 1.0} if "zeta" in given else {}
+            given = weight | {name: given[self._word(name)] / one for name, one in measures.items()}
+        given = {name: value for name, value in given.items() if name not in LAWS or name in self.laws}
         arrays = {name: np.broadcast_to(np.asarray(value, dtype=float), shape) for name, value in given.items()}
+        mu_s = None
+        if static is not None:  # less of it than of the kinetic one is no design
+            arrays["mu"] = np.where(np.less_equal(kinetic, static), arrays["mu"], np.nan)
+            mu_s = np.maximum(arrays["mu"], np.broadcast_to(static / units["force"], shape))
         F_0 = None if load.forcing is None else np.broadcast_to(load.forcing / units[self.amplitude], shape)
         Omega = None if load.frequency is None else np.broadcast_to(load.frequency / units["frequency"], shape)
         pulse = load.shock and (load.shock[0] / units["acceleration"], load.shock[1] / units["time"])
         if self.loaded:
             designs: Any = OffCentreDesigns(self.mechanism, {**arrays, "load": arrays.pop("load")})
         else:
-            designs = Designs(self.mechanism, arrays, self.excitation)
+            designs = Designs(self.mechanism, arrays, self.excitation, self.rubs)
         table = None
         if load.spectrum is not None:
             rows = zip(load.spectrum, (units["frequency"], units[self.amplitude]), strict=True)
             table = tuple(value / np.broadcast_to(unit, shape)[..., np.newaxis] for value, unit in rows)
-        batch = _Batch(designs, F_0, Omega, pulse, table)
+        batch = _Batch(designs, mu_s, F_0, Omega, pulse, table)
         return {name: frozen(batch.answer(self.answers[name]) * units[self.kind(name)]) for name in names}
 
 
 class _Batch:
-    """Answers to a batch of designs, each question asked once."""
+    """Answers to a batch of designs, each question asked once; mu_s is None where friction holds as it rubs."""
 
-    def __init__(self, designs: Any, F_0: Any, Omega: Any, pulse: Any, table: Any) -> None:
+    def __init__(self, designs: Any, mu_s: Any, F_0: Any, Omega: Any, pulse: Any, table: Any) -> None:
         self.designs, self.F_0, self.Omega, self.pulse, self.table = designs, F_0, Omega, pulse, table
+        self.holds = self._of_designs("mu") if mu_s is None else mu_s
+        self.sticks_more = mu_s is not None
         self.asked: dict[Callable[..., Any], Any] = {}
 
     def _ask(self, question: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
@@ -259,9 +286,10 @@ class _Batch:
         if name == "sticking":
             return np.asarray(slow_flow.friction(self._of_designs("mu")))
         if name == "break_loose":
-            return self._of_designs("mu")
+            return self.holds
         if name == "rests_within":
-            return np.asarray(self._ask(self.designs.at_rest).rests_within)
+            held = Designs(self.designs.mechanism, {**self.designs.values, "mu": self.holds}, rubs=self.designs.rubs)
+            return np.asarray(held.at_rest().rests_within)
         if name == "sticks":
             with np.errstate(all="ignore"):  # what is no design does not stick
                 return np.asarray(inertia.moves_from(self.F_0, slow_flow.friction(self._of_designs("mu"))))
@@ -293,8 +321,7 @@ class _Batch:
             states = self._ask(self.designs.amplitudes, Omega=self.Omega, F_0=self.F_0)
             return _of_the_largest(states, name)
         if name in IN_A_SHOCK:
-            acceleration, duration = self.pulse
-            shock = self._ask(self.designs.shock_spectrum, acceleration=acceleration, duration=duration)
+            shock = self._ask(self._shock)
             if name == "of_cr_shock":
                 with np.errstate(all="ignore"):
                     own = [self._of_designs(domain.name) for domain in self.designs.mechanism.design]
@@ -310,6 +337,27 @@ class _Batch:
                 bounded = np.where(peaks.status == Status.NONE, self.F_0, bounded)
             return np.where(peaks.status == Status.STICKS, 0.0, bounded)
         return first_jump(self._ask(self.designs.saddle_nodes, self.F_0), name == "jump_up")
+
+    def _shock(self) -> Any:
+        """.A and .a_max in the half sine: of static friction, which batches do not know, by single questions."""
+        peak, span = self.pulse
+        if not self.sticks_more:
+            return self.designs.shock_spectrum(acceleration=peak, duration=span)
+        shape = np.shape(self.holds)
+        columns = {**self.designs.values, "mu_s": self.holds, "peak": peak, "span": span}
+        rows = zip(*(np.broadcast_to(value, shape).ravel().tolist() for value in columns.values()), strict=True)
+        found = np.array([self._shocked(**dict(zip(columns, row, strict=True))) for row in rows])
+        return Shocked(*found.reshape(-1, 2).T.reshape(2, *shape))
+
+    def _shocked(self, peak: float, span: float, **numbers: float) -> tuple[float, float]:
+        """Of one design, NaN for what is none and for a motion that escapes."""
+        try:
+            laws: dict[str, Any] = {**numbers, "rubs": self.designs.rubs}
+            one = Oscillator(self.designs.mechanism, excitation=self.designs.excitation, **laws)
+            shock = one.shock_spectrum(acceleration=peak, duration=span)
+        except (ValueError, ArithmeticError):
+            return math.nan, math.nan
+        return float(shock.A[0]), float(shock.a_max[0])
 
     def _of_designs(self, name: str) -> Floats:
         """One of the numbers of each design."""

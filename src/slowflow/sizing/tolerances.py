@@ -124,12 +124,11 @@ def _drawn(subject: Subject, within: Mapping[str, Any], shares: Floats) -> dict[
     return found
 
 
-def _within(subject: Subject, given: Any) -> Mapping[str, Any]:
+def _within(given: Any) -> Mapping[str, Any]:
     """How far which numbers may be off, as it was given. Raises ValueError for what is not allowed."""
     within = validate.mapping("within", given, "how far each number may be off")
     if not within:
         raise ValueError("within = {} is not allowed: name at least one number and how far it may be off")
-    subject.check_varied(within)
     return within
 
 
@@ -174,9 +173,8 @@ def tolerances(
 
     Raises ValueError for what is not allowed.
     """
-    subject = Subject(of)
+    subject = Subject(of, _within(within))
     load = subject.load(F, F_0, f, Omega, shock, spectrum)
-    within = _within(subject, within)
     names = subject.answered(answers, load)
     if samples is None:
         samples = FEW_SAMPLES if subject.one_by_one else SAMPLES
@@ -216,9 +214,8 @@ def sobol(
     Arguments as in `tolerances`; `samples` a power of two, by default 1024, under a load and on NumPy 32. Raises
     ValueError for what is not allowed, ImportError without SALib.
     """
-    subject = Subject(of)
+    subject = Subject(of, _within(within))
     load = subject.load(F, F_0, f, Omega, shock, spectrum)
-    within = _within(subject, within)
     names = subject.answered(answers, load)
     if samples is None:
         samples = FEW_OF_INDICES if subject.one_by_one else OF_INDICES
