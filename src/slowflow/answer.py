@@ -149,8 +149,8 @@ class Table(Answer):
 def _freeze(value: Any) -> None:
     """No array can be written to, in tuples neither."""
     if isinstance(value, np.ndarray):
-        value.flags.writeable = False
-    elif isinstance(value, (tuple, Mapping)):
+        value.setflags(write=False)
+    elif not isinstance(value, PLAIN) and isinstance(value, (tuple, Mapping)):  # what is plain is told sooner
         for part in value.values() if isinstance(value, Mapping) else value:
             _freeze(part)
 

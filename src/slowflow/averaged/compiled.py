@@ -127,8 +127,9 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     answer = backend.solver().frequency_response(model.native, F_0, samples, *window)
     status, Omega, A, stable, branch, isola, undecided = answer
     _check(status, model, F_0)
-    moves = A > 0  # where the response to an excitation by inertia begins the mass is at rest
-    Omega, A, stable, branch = Omega[moves], A[moves], stable[moves], branch[moves]
+    moves = A > 0
+    if not moves.all():  # where the response to an excitation by inertia begins the mass is at rest
+        Omega, A, stable, branch = Omega[moves], A[moves], stable[moves], branch[moves]
     message = _remark(model, F_0)
     if not A.size:
         message = joined(message, words.empty_window(window))

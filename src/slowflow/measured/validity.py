@@ -146,11 +146,12 @@ def of_second(model: Model, Omega: Floats, A: Floats) -> str:
     """The remark for states of the second approximation in which the mass stops; empty if there are none."""
     with np.errstate(divide="ignore"):
         rest = motion.stopping(Omega, A, model.mu)
-    off = np.array(measured.SECOND_BY_REST)[_bin(measured.RESTS, rest)]
+    least = next(edge for edge, size in zip(measured.RESTS, measured.SECOND_BY_REST, strict=True) if size >= WORTH)
+    above = rest[~(rest < least)]
+    off = np.array(measured.SECOND_BY_REST)[_bin(measured.RESTS, above)] if above.size else above
     stopping = off >= WORTH
     if not stopping.any():
         return ""
-    least = next(edge for edge, size in zip(measured.RESTS, measured.SECOND_BY_REST, strict=True) if size >= WORTH)
     known = _is_measured(model) and not model.inertial
     size = OFF_SECOND.format(off.max()) if known else OFF_UNKNOWN
     return STOPS_SECOND.format(np.count_nonzero(stopping), A.size, least) + size

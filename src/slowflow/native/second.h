@@ -24,8 +24,6 @@ enum {
 #define SF_AWAY 2.
 /* step to the frequency of a given R after which Newton's iteration takes over */
 #define SF_MATCHED 1e-5
-/* relative difference of amplitudes up to which powers of two are left out of an exponential */
-#define SF_SHORT 1e-5
 
 typedef struct {
     const sf_model *model;
@@ -71,8 +69,7 @@ static int sf_second_is_small(const sf_second *second, double Omega, double A) {
 
 static inline double sf_clipped(double step) { return fmin(fmax(step, -SF_LONGEST), SF_LONGEST); }
 
-/* exp(x), to roundings where x is short */
-static inline double sf_grown(double x) { return fabs(x) < SF_SHORT ? 1 + x * (1 + 0.5 * x) : exp(x); }
+static inline double sf_grown(double x) { return fabs(x) < SF_SHORT ? sf_short_exp(x) : exp(x); }
 
 /* ==== Newton's iteration in lanes ================================================================================== */
 
@@ -97,21 +94,25 @@ static int sf_whole_lanes(sf_lanes *lanes) {
     return i;
 }
 
+/* Steps of the lanes to logarithms, which are taken: values times exp(step). */
+static void sf_take_steps(int n, const double *steps, const double *grown, double *values) {
+    int i;
+    for (i = 0; i < n; i++)
+        values[i] *= fabs(steps[i]) < SF_SHORT ? grown[i] : exp(steps[i]);
+}
+
 /* The frequency at which the cosine balance is R, the one given where R hardly depends on it. */
 static void sf_second_match(const sf_second *second, int n, const double *known, sf_lanes *lanes) {
-    double from[SF_LANES], out[SF_BALANCE * SF_LANES];
+    double out[SF_BALANCE * SF_LANES], matches[SF_MATCH * SF_LANES], way[SF_LANES] = {0};
     int i, k;
-    memcpy(from, lanes->Omega, sizeof from);
     for (k = 0; k < SF_MATCHING; k++) {
         int open = 0;
         sf_second_balances(n, lanes->Omega, lanes->A, second->F_0, second->model->m, second->model->zeta, known, out);
+        sf_second_matches(n, lanes->Omega, lanes->R, way, second->F_0, out, matches);
+        sf_take_steps(n, matches, matches + n, lanes->Omega);
         for (i = 0; i < n; i++) {
-            const double R_z = out[8 * n + i] * lanes->Omega[i] / second->F_0, z = log(lanes->Omega[i] / from[i]);
-            const double off = (lanes->R[i] - out[3 * n + i]) / second->F_0;
-            const double step =
-                sf_clipped((R_z * off - SF_WEIGHT * SF_WEIGHT * z) / (R_z * R_z + SF_WEIGHT * SF_WEIGHT));
-            lanes->Omega[i] *= sf_grown(step);
-            open |= fabs(step) > SF_MATCHED;
+            way[i] += matches[i];
+            open |= fabs(matches[i]) > SF_MATCHED;
         }
         if (!open)
             break;
@@ -121,34 +122,25 @@ static void sf_second_match(const sf_second *second, int n, const double *known,
 /* Newton's iteration of the lanes; match: whether they are so far that their frequencies should first match R. */
 static void sf_second_settle(const sf_second *second, sf_lanes *lanes, int match, const sf_moved *moved) {
     const double F_0 = second->F_0;
-    double known[SF_KNOWN * SF_LANES], out[SF_BALANCE * SF_LANES];
+    double known[SF_KNOWN * SF_LANES], out[SF_BALANCE * SF_LANES], newton[SF_NEWTON * SF_LANES];
     int i, k;
     for (k = 0; k < SF_STEPS && lanes->n > 0; k++) {
         const int n = sf_whole_lanes(lanes), count = lanes->n;
+        const double *size = newton, *done = newton + n, *R = newton + 2 * n, *x = newton + 3 * n, *z = newton + 5 * n;
         sf_second_known(second->model, n, lanes->A, known);
         if (match)
             sf_second_match(second, n, known, lanes);
-        sf_second_balances(n, lanes->Omega, lanes->A, second->F_0, second->model->m, second->model->zeta, known, out);
+        sf_second_balances(n, lanes->Omega, lanes->A, F_0, second->model->m, second->model->zeta, known, out);
+        sf_second_newton(n, lanes->Omega, lanes->A, F_0, out, newton);
+        sf_take_steps(count, x, x + n, lanes->A);
+        sf_take_steps(count, z, z + n, lanes->Omega);
         lanes->n = 0;
         for (i = 0; i < count; i++) {
-            const double Omega = lanes->Omega[i], A = lanes->A[i], per = 1 / F_0;
-            const double F = out[4 * n + i] * per * per, F_x = out[5 * n + i] * A * per * per;
-            const double F_z = out[6 * n + i] * Omega * per * per;
-            const double R_x = out[7 * n + i] * A * per, R_z = out[8 * n + i] * Omega * per;
-            /* the gradient in the metric dx^2 + dR^2 + (WEIGHT dz)^2 */
-            const double to_x = (R_z * R_z + SF_WEIGHT * SF_WEIGHT) * F_x - R_x * R_z * F_z;
-            const double to_z = (1 + R_x * R_x) * F_z - R_x * R_z * F_x;
-            const double way = -F / (F_x * to_x + F_z * to_z), x = way * to_x, z = way * to_z;
-            const double y = R_x * x + R_z * z, size = fmax(fabs(x), fmax(fabs(y), fabs(z)));
-            const double share = size > SF_LONGEST ? SF_LONGEST / size : 1;
-            const double next_A = A * sf_grown(share * x), next_Omega = Omega * sf_grown(share * z);
-            const double next_R = out[3 * n + i] + F_0 * share * y;
+            const double Omega = lanes->Omega[i], A = lanes->A[i];
             const int which = lanes->which[i], to = lanes->n;
-            moved->Omega[which] = next_Omega, moved->A[which] = next_A, moved->R[which] = next_R;
-            moved->step[which] = size;
-            /* on a peak as sharp as a needle R/F_0 is known to no more; NaN ends it too */
-            if (size > SF_MOVED + SF_ROUNDING * A * Omega * Omega / F_0) {
-                lanes->Omega[to] = next_Omega, lanes->A[to] = next_A, lanes->R[to] = next_R;
+            moved->Omega[which] = Omega, moved->A[which] = A, moved->R[which] = R[i], moved->step[which] = size[i];
+            if (size[i] > done[i]) { /* NaN ends it too */
+                lanes->Omega[to] = Omega, lanes->A[to] = A, lanes->R[to] = R[i];
                 lanes->which[to] = which, lanes->n++;
             }
         }
@@ -201,25 +193,43 @@ static int sf_are_parallel(const sf_second *second, const sf_first *first, const
            sqrt(x * x + y * y + z * z) < 0.5 * (first->along[b] - first->along[a]);
 }
 
-/* Where a point between is expected, from the four nearest that went their own way; 0 where that is not known. */
-static int sf_expected(const sf_second *second, const sf_first *first, const sf_moved *moved, const long own[4], long i,
-                       double *Omega, double *A, double *R) {
-    double at_Omega = 0, at_A = 0, at_R = 0;
+/* The four points nearest to a gap that went their own way: how far along they lie, where each went to from where, and
+ * the factors of their weights. */
+typedef struct {
+    double along[4], Omega[4], A[4], R[4], factor[4];
+} sf_beside_gap;
+
+/* 0 where what is between cannot be told from them. */
+static int sf_look_beside(const sf_second *second, const sf_first *first, const sf_moved *moved, const long own[4],
+                          sf_beside_gap *beside) {
     int j, k;
     for (j = 0; j < 3; j++)
         if (!sf_are_parallel(second, first, moved, own[j], own[j + 1]))
             return 0;
     for (j = 0; j < 4; j++) {
-        double weight = 1;
+        double apart = 1;
         for (k = 0; k < 4; k++)
             if (k != j)
-                weight *= (first->along[i] - first->along[own[k]]) / (first->along[own[j]] - first->along[own[k]]);
-        at_Omega += weight * (moved->Omega[own[j]] / first->Omega[own[j]]);
-        at_A += weight * (moved->A[own[j]] / first->A[own[j]]);
-        at_R += weight * (moved->R[own[j]] - first->R[own[j]]);
+                apart *= first->along[own[j]] - first->along[own[k]];
+        beside->along[j] = first->along[own[j]], beside->factor[j] = 1 / apart;
+        beside->Omega[j] = moved->Omega[own[j]] / first->Omega[own[j]];
+        beside->A[j] = moved->A[own[j]] / first->A[own[j]];
+        beside->R[j] = moved->R[own[j]] - first->R[own[j]];
     }
-    *Omega = first->Omega[i] * at_Omega, *A = first->A[i] * at_A, *R = first->R[i] + at_R;
     return 1;
+}
+
+/* Where a point of a gap is expected. */
+static void sf_expected(const sf_first *first, const sf_beside_gap *beside, long i, double *Omega, double *A, double *R) {
+    const double along = first->along[i], *at = beside->along, *factor = beside->factor;
+    const double first_two = (along - at[0]) * (along - at[1]), last_two = (along - at[2]) * (along - at[3]);
+    const double weight[4] = {factor[0] * (along - at[1]) * last_two, factor[1] * (along - at[0]) * last_two,
+                              factor[2] * (along - at[3]) * first_two, factor[3] * (along - at[2]) * first_two};
+    double at_Omega = 0, at_A = 0, at_R = 0;
+    int j;
+    for (j = 0; j < 4; j++)
+        at_Omega += weight[j] * beside->Omega[j], at_A += weight[j] * beside->A[j], at_R += weight[j] * beside->R[j];
+    *Omega = first->Omega[i] * at_Omega, *A = first->A[i] * at_A, *R = first->R[i] + at_R;
 }
 
 /* Whether a point's way ends where the harmonics are a correction. */
@@ -272,6 +282,7 @@ static void sf_second_stretch(const sf_second *second, const sf_first *first, lo
                               const sf_moved *moved) {
     const long anchors = (to - 1 - from + SF_APART - 1) / SF_APART + 1;
     double best = 0;
+    sf_beside_gap beside;
     sf_lanes lanes;
     long i, k;
     if (anchors < 4) {
@@ -302,11 +313,14 @@ static void sf_second_stretch(const sf_second *second, const sf_first *first, lo
                 moved->step[i] = -1;
             continue;
         }
+        if (!sf_look_beside(second, first, moved, own, &beside))
+            continue;
         for (i = sf_anchor(from, to, k) + 1; i < end; i++) {
             double Omega, A, R;
-            if (sf_off_resonance(first->Omega[i], first->A[i], first->h[i]) &&
-                sf_expected(second, first, moved, own, i, &Omega, &A, &R))
-                sf_enter_lane(second, (int)i, Omega, A, R, 0, &lanes, moved);
+            if (!sf_off_resonance(first->Omega[i], first->A[i], first->h[i]))
+                continue;
+            sf_expected(first, &beside, i, &Omega, &A, &R);
+            sf_enter_lane(second, (int)i, Omega, A, R, 0, &lanes, moved);
         }
     }
     sf_second_settle(second, &lanes, 0, moved);

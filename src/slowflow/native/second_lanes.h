@@ -7,7 +7,10 @@
 enum {
     SF_VECTOR = 8,   /* a number of states is a multiple of it */
     SF_KNOWN = 12,   /* rows of averages: h, h_3 and h_5, each with three derivatives */
-    SF_BALANCE = 9   /* rows of the balance: u_max, A_1, phi, R, F, F_A, F_Omega, R_A, R_Omega */
+    SF_BALANCE = 9,  /* rows of the balance: u_max, A_1, phi, R, F, F_A, F_Omega, R_A, R_Omega */
+    SF_MATCH = 2,    /* rows of a step to the frequency of a given R: the step to ln Omega, and sf_short_exp of it */
+    SF_NEWTON = 7    /* rows of a step of Newton's: its size, the one that ends the iteration, R after it, the steps to
+                        ln A and to ln Omega, each with its sf_short_exp */
 };
 
 /* Row k of the n states begins at known[k * n], and at out[k * n]; no row of phi is written by the first. */
@@ -15,5 +18,14 @@ void sf_second_balances(ptrdiff_t n, const double *Omega, const double *A, doubl
                         const double *known, double *out);
 void sf_second_answers(ptrdiff_t n, const double *Omega, const double *A, double F_0, double m, double zeta,
                        const double *known, double *out);
+
+/* exp(x) to rounding up to |x| = SF_SHORT */
+#define SF_SHORT 1e-3
+static inline double sf_short_exp(double x) { return 1 + x * (1 + x * (0.5 + x * (1. / 6 + x * (1. / 24)))); }
+
+/* Steps from balances; way: how far ln Omega has gone already. */
+void sf_second_matches(ptrdiff_t n, const double *Omega, const double *R, const double *way, double F_0,
+                       const double *balances, double *out);
+void sf_second_newton(ptrdiff_t n, const double *Omega, const double *A, double F_0, const double *balances, double *out);
 
 #endif

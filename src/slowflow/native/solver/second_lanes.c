@@ -3,6 +3,7 @@
 
 #include "clones.h"
 #include "second_approximation.h"
+#include "second_conventions.h"
 
 /* The loop of both; `phase` is known when it is compiled. */
 #define OVER_STATES(phase)                                                                                             \
@@ -36,4 +37,53 @@ SF_WIDE void sf_second_answers(ptrdiff_t n, const double *Omega, const double *A
                                const double *known, double *out)
 {
     OVER_STATES(1);
+}
+
+static inline double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+SF_WIDE void sf_second_matches(ptrdiff_t n, const double *Omega, const double *R, const double *way, double F_0,
+                               const double *balances, double *out)
+{
+    const double *restrict at_R = balances + 3 * n, *restrict R_Omega = balances + 8 * n;
+    double *restrict steps = out, *restrict growth = out + n;
+    n &= ~(ptrdiff_t)(SF_VECTOR - 1);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double R_z = R_Omega[i] * Omega[i] / F_0, off = (R[i] - at_R[i]) / F_0;
+        const double step = (R_z * off - SF_WEIGHT * SF_WEIGHT * way[i]) / (R_z * R_z + SF_WEIGHT * SF_WEIGHT);
+        const double below = step > SF_LONGEST ? SF_LONGEST : step, within = below > -SF_LONGEST ? below : -SF_LONGEST;
+        steps[i] = within, growth[i] = sf_short_exp(within);
+    }
+}
+
+SF_WIDE void sf_second_newton(ptrdiff_t n, const double *Omega, const double *A, double F_0, const double *balances,
+                              double *out)
+{
+    const double *restrict R = balances + 3 * n, *restrict at_F = balances + 4 * n, *restrict F_A = balances + 5 * n;
+    const double *restrict F_Omega = balances + 6 * n, *restrict R_A = balances + 7 * n;
+    const double *restrict R_Omega = balances + 8 * n;
+    double *restrict sizes = out, *restrict done = out + n, *restrict next_R = out + 2 * n;
+    double *restrict to_A = out + 3 * n, *restrict growth_A = out + 4 * n;
+    double *restrict to_Omega = out + 5 * n, *restrict growth_Omega = out + 6 * n;
+    const double per = 1 / F_0;
+    n &= ~(ptrdiff_t)(SF_VECTOR - 1);
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double F = at_F[i] * per * per, F_x = F_A[i] * A[i] * per * per, F_z = F_Omega[i] * Omega[i] * per * per;
+        const double R_x = R_A[i] * A[i] * per, R_z = R_Omega[i] * Omega[i] * per;
+        /* the gradient in the metric dx^2 + dR^2 + (WEIGHT dz)^2 */
+        const double to_x = (R_z * R_z + SF_WEIGHT * SF_WEIGHT) * F_x - R_x * R_z * F_z;
+        const double to_z = (1 + R_x * R_x) * F_z - R_x * R_z * F_x;
+        const double way = -F / (F_x * to_x + F_z * to_z), x = way * to_x, z = way * to_z;
+        const double y = R_x * x + R_z * z, size = larger(fabs(x), larger(fabs(y), fabs(z)));
+        const double share = size > SF_LONGEST ? SF_LONGEST / size : 1;
+        sizes[i] = size, next_R[i] = R[i] + F_0 * share * y;
+        /* on a peak as sharp as a needle R/F_0 is known to no more */
+        done[i] = SF_MOVED + SF_ROUNDING * A[i] * Omega[i] * Omega[i] / F_0;
+        to_A[i] = share * x, growth_A[i] = sf_short_exp(share * x);
+        to_Omega[i] = share * z, growth_Omega[i] = sf_short_exp(share * z);
+    }
 }
