@@ -98,9 +98,23 @@ static sf_status sf_decided_folds(const sf_model *model, const sf_given *given, 
     return folds->status;
 }
 
+/* Whether the averaged force is proportional to the amplitude: there are no folds then, however near to 4 mu/pi. */
+static int sf_is_linear(const sf_model *model) {
+    sf_sample at;
+    if (model->breaks > 0 || sf_inertial(model))
+        return 0;
+    sf_sample_without_k_at(model, fmin(1, 0.5 * model->mechanism->reach), &at);
+    return at.h_AA == 0 && fabs(at.k) <= SF_LINEAR * fabs(at.h);
+}
+
 /* The same to their last digit. */
 static sf_status sf_settled_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room, sf_folds *folds) {
-    const sf_status status = sf_decided_folds(model, given, F_0, room, folds);
+    sf_status status;
+    if (sf_is_linear(model) && !sf_sticks(model, F_0)) {
+        folds->n = folds->undecided = 0;
+        return folds->status = SF_OK;
+    }
+    status = sf_decided_folds(model, given, F_0, room, folds);
     if (status == SF_OK && given != NULL)
         sf_settle_folds(&given->exactly, model, F_0, folds);
     return status;

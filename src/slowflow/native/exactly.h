@@ -12,9 +12,11 @@
 /* nearer to it, relatively, doubles do not give the higher derivatives */
 #define SF_PAIRS_NEXT 0x1p-20
 
+/* b: the breakpoints > 0, as many as `breaks`; empty: how many pieces below them have no width */
 typedef struct {
     const sf_mechanism *mechanism;
     sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS], b[SF_MOST_BREAKS], m, zeta;
+    int breaks, empty;
 } sf_exactly;
 
 typedef struct {
@@ -24,13 +26,21 @@ typedef struct {
 /* 0 where the mechanism has no form in pairs, or its excitation is no force, which the forms in pairs are about. */
 static inline int sf_make_exact(const sf_mechanism *mechanism, const double *design, double mu, double zeta,
                                 sf_exactly *out) {
+    sf_pair b[SF_MOST_BREAKS];
+    int i;
     out->mechanism = mechanism;
     if (mechanism->averaged_in_pairs == NULL || mechanism->inertial)
         return 0;
     out->m = slow_flow_pairs_friction(sfp_point(mu)), out->zeta = sfp_point(zeta);
     mechanism->parameters_in_pairs(design, out->p);
     if (mechanism->breakpoints > 0)
-        mechanism->ends_in_pairs(out->p, out->b);
+        mechanism->ends_in_pairs(out->p, b);
+    out->empty = 0;
+    while (out->empty < mechanism->breakpoints && b[out->empty].high == 0)
+        out->empty++;
+    out->breaks = mechanism->breakpoints - out->empty;
+    for (i = 0; i < mechanism->breakpoints; i++)
+        out->b[i] = i < out->breaks ? b[out->empty + i] : sfp_point(0);
     return 1;
 }
 
@@ -40,7 +50,8 @@ static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, 
                               const sf_sample *near, sf_exact_sample *out) {
     sf_pair beyond = A;
     int i;
-    piece += exactly->mechanism->breakpoints - model->breaks; /* pieces of no width come first */
+    if (model->breaks != exactly->breaks)
+        return 0;
     if (piece > 0) {
         beyond = sfp_sub(A, exactly->b[piece - 1]);
         if (!(beyond.high > 0) || (wanted > 2 && A.high > SF_PAIRS_REACH * exactly->b[piece - 1].high))
@@ -49,7 +60,7 @@ static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, 
             wanted = 4;
     }
     out->A = A;
-    exactly->mechanism->averaged_in_pairs(piece, wanted, A, beyond, exactly->p, out->h);
+    exactly->mechanism->averaged_in_pairs(exactly->empty + piece, wanted, A, beyond, exactly->p, out->h);
     if (wanted <= 2) {
         sf_sample at;
         if (near == NULL)
@@ -64,7 +75,7 @@ static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, 
 static inline void sf_exact_on(const sf_exactly *exactly, int i, sf_exact_sample *out) {
     const sf_pair b = exactly->b[i];
     out->A = b, out->h[2] = out->h[3] = sfp_point(0);
-    exactly->mechanism->averaged_in_pairs(i, 2, b, i > 0 ? sfp_sub(b, exactly->b[i - 1]) : b, exactly->p, out->h);
+    exactly->mechanism->averaged_in_pairs(exactly->empty + i, 2, b, i > 0 ? sfp_sub(b, exactly->b[i - 1]) : b, exactly->p, out->h);
 }
 
 #endif

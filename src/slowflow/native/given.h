@@ -14,17 +14,19 @@ enum { SF_MOST_STEPS = 60 };
 /* what a function does on an interval is no more than what it is not known by at the ends, up to this */
 #define SF_NOISE 4
 
+/* breaks, empty: as in sf_exactly */
 typedef struct {
     const sf_mechanism *mechanism;
     sf_interval p[SF_MOST_PARAMETERS + SF_MOST_BREAKS], m, zeta;
     sf_interval b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[SF_MOST_BREAKS];
-    int breaks;
+    int breaks, empty;
     sf_exactly exactly;
 } sf_given;
 
-/* 0 where no proof is possible: the mechanism has no form on intervals, the excitation is no force, or a breakpoint cannot be
- * told from 0. What has such a form has one in pairs too. */
+/* 0 where no proof is possible: the mechanism has no form on intervals, the excitation is no force, or a breakpoint can be
+ * told neither from 0 nor to be 0. What has such a form has one in pairs too. */
 static inline int sf_give(const sf_mechanism *mechanism, const double *design, double mu, double zeta, sf_given *out) {
+    sf_interval b[SF_MOST_BREAKS], kink[SF_MOST_BREAKS];
     int i;
     if (mechanism->averaged_within == NULL)
         return 0;
@@ -32,14 +34,20 @@ static inline int sf_give(const sf_mechanism *mechanism, const double *design, d
     if (!sf_make_exact(mechanism, design, mu, zeta, &out->exactly))
         return 0;
     out->m = slow_flow_intervals_friction(sfi_point(mu)), out->zeta = sfi_point(zeta);
-    out->breaks = mechanism->breakpoints;
+    out->breaks = out->exactly.breaks, out->empty = out->exactly.empty;
     mechanism->parameters_within(design, out->p);
-    if (out->breaks > 0)
-        mechanism->ends_within(out->p, out->b);
-    for (i = 0; i < out->breaks; i++)
-        out->jump[i] = out->p[mechanism->parameters + i], out->kink[i] = sfi_of(-HUGE_VAL, HUGE_VAL);
+    if (mechanism->breakpoints > 0)
+        mechanism->ends_within(out->p, b);
+    for (i = 0; i < out->empty; i++)
+        if (!(b[i].lo == 0 && b[i].hi == 0))
+            return 0;
     if (mechanism->kinks_within != NULL)
-        mechanism->kinks_within(out->p, out->kink);
+        mechanism->kinks_within(out->p, kink);
+    for (i = 0; i < out->breaks; i++) {
+        const int of = out->empty + i;
+        out->b[i] = b[of], out->jump[i] = out->p[mechanism->parameters + of];
+        out->kink[i] = mechanism->kinks_within != NULL ? kink[of] : sfi_of(-HUGE_VAL, HUGE_VAL);
+    }
     for (i = 0; i < out->breaks; i++)
         if (!(out->b[i].lo > (i > 0 ? out->b[i - 1].hi : 0)))
             return 0;
@@ -52,7 +60,7 @@ static inline sf_interval sf_or_unknown(sf_interval x) {
 
 static inline void sf_know_within(const sf_given *given, int piece, sf_interval A, sf_interval beyond, sf_known *out) {
     sf_interval values[5];
-    given->mechanism->averaged_within(piece, A, beyond, given->p, values);
+    given->mechanism->averaged_within(given->empty + piece, A, beyond, given->p, values);
     out->h = sf_or_unknown(values[0]), out->h_A = sf_or_unknown(values[1]);
     out->h_AA = sf_or_unknown(values[2]), out->h_AAA = sf_or_unknown(values[3]);
     out->k = sf_or_unknown(values[4]);

@@ -172,7 +172,7 @@ static inline double sf_double_between(sf_way way_from, sf_sought *of, double A,
     const int way = way_from(of, A, &size);
     int i, back = way;
     *next = A;
-    if (way == 0 || of->model->breaks < of->exactly->mechanism->breakpoints)
+    if (way == 0 || of->model->breaks < of->exactly->breaks)
         return way == 0 && size == 0 ? A : NAN;
     for (i = 0; i < SF_MOST_DOUBLINGS && back == way; i++, width *= 2) {
         if (i > 0)
@@ -243,7 +243,7 @@ static inline int sf_settle_state_above(const sf_exactly *exactly, const sf_mode
                                         double A, sf_settling *of) {
     const sf_settling begin = {sfp_point(Omega), sfp_point(A), sfp_point(F_0)};
     *of = begin;
-    return piece > 0 && model->breaks == exactly->mechanism->breakpoints &&
+    return piece > 0 && model->breaks == exactly->breaks &&
            sf_settle_above(slow_flow_pairs_state_step, SF_MOVES_A, exactly, model, piece, of);
 }
 
@@ -333,7 +333,7 @@ static inline void sf_settle_fold(const sf_exactly *exactly, const sf_model *mod
         return;
     if (sf_settle_all(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, &of))
         *Omega = of.Omega.high, *A = of.A.high;
-    else if (piece > 0 && model->breaks == exactly->mechanism->breakpoints &&
+    else if (piece > 0 && model->breaks == exactly->breaks &&
              sf_settle_above(slow_flow_pairs_fold_step, SF_MOVES_BOTH, exactly, model, piece, &above))
         *Omega = above.Omega.high, *A = fmax(above.A.high, nextafter(model->b[piece - 1], HUGE_VAL));
 }
