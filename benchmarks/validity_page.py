@@ -325,7 +325,7 @@ def _second(numbers: dict[str, Any], ranges: tuple[tuple[float, float], ...]) ->
 def _table_2(rows: list[dict[str, Any]]) -> str:
     """Table 2 by each way."""
     ways = [way for way in rows[0] if way != "what"]
-    lines = ["| | " + " | ".join(ways) + " |", "|---" * (len(ways) + 1) + "|"]
+    lines = ["| answer | " + " | ".join(ways) + " |", "|---" * (len(ways) + 1) + "|"]
     for row in rows:
         lines.append(
             f"| {row['what']} | " + " | ".join("-" if row[way] is None else f"{row[way]:.5f}" for way in ways) + " |"

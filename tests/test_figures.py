@@ -388,3 +388,28 @@ def test_colours_are_told_apart_with_deuteranopia():
         seen = [lab(colour) for colour in family]
         gaps = [np.linalg.norm(a - b) for k, a in enumerate(seen) for b in seen[:k]]
         assert min(gaps) >= 10
+
+
+@pytest.mark.slow
+def test_depths_off_the_centre_are_compared_by_the_largest_displacement():
+    """Averaging's A is about the mean there, that of the equation of motion is not."""
+    loaded = isolator(load=0.05, mu=0.0, zeta=0.05)
+    curve = loaded.frequency_response(0.03, Omega=(0.9, 1.1), samples=50)
+    assert np.abs(curve.B).min() > 0.01
+    exact = loaded.exact_response(0.03, Omega=(0.9, 1.1), step=0.1)
+    ax = pictures.depths(None, {"averaging": curve, "equation of motion": exact})
+    averaged, followed = (
+        max(max(line.get_ydata()) for line in ax.lines if line.get_linewidth() == width and len(line.get_ydata()))
+        for width in (3.2, 2.2)
+    )
+    assert averaged == (np.abs(curve.B) + curve.A).max() and followed == pytest.approx(averaged, rel=0.02)
+    assert ax.get_ylabel() == "largest $|u|$"
+
+
+@pytest.mark.parametrize(("curves", "first"), [(2, ["0.025", "0.03", ""]), (3, ["0.025", "0.03", "0.04"])])
+def test_what_was_named_has_a_column_of_the_legend_by_itself(curves, first):
+    ax = pictures.responses(None, [(isolator().frequency_response(F_0), None) for F_0 in (0.025, 0.03, 0.04)[:curves]])
+    ax.plot([0.9], [0.1], marker=pictures.JUMP_UP, color="k")
+    pictures.legend(ax, place="below", more=[(pictures.Line2D([], []), one) for one in ("c", "d", "e")[: 5 - curves]])
+    told = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert told[: len(first)] == first and "" not in told[len(first) :]

@@ -145,7 +145,8 @@ def test_the_page_says_in_short_what_happens_at_each_force(text):
 
 
 @pytest.mark.slow
-def test_axe_finds_nothing_on_the_page_light_and_dark_on_a_desk_and_on_a_phone(text, tmp_path):
+@pytest.mark.parametrize("scene", sorted((ROOT / "scenes").glob("*.toml")), ids=lambda path: path.stem)
+def test_axe_finds_nothing_on_the_page_light_and_dark_on_a_desk_and_on_a_phone(scene, tmp_path):
     """Deque's checker in a headless browser; both are found where a developer has them: `npm install axe-core`."""
     axe, browser = ROOT / "node_modules" / "axe-core" / "axe.min.js", shutil.which("chromium") or shutil.which("chrome")
     if not axe.exists() or browser is None:
@@ -154,7 +155,7 @@ def test_axe_finds_nothing_on_the_page_light_and_dark_on_a_desk_and_on_a_phone(t
     asked += "found.violations.map(one => [one.id, one.nodes[0].html])) + ':' + found.passes.length }))"
     scripts = f"<script>{axe.read_text().replace('</script>', '')}</script><script>{asked}</script>"
     page = tmp_path / "page.html"
-    page.write_text(text.replace("</body>", scripts + "</body>"))
+    page.write_text(report.html(scenes.read(scene)).replace("</body>", scripts + "</body>"))
     for scheme, width in itertools.product((0, 1), (1100, 390)):
         options = ["--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=60000", "--dump-dom"]
         options += [f"--blink-settings=preferredColorScheme={scheme}", f"--window-size={width},900"]

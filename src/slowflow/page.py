@@ -39,7 +39,7 @@ a { color: inherit; }
 @media (max-width: 40rem) { th, td { padding: .2rem .3rem; font-size: .875rem; } .words { min-width: 4.5rem; }
                                code { min-width: 7rem; } }
 @media print { body { max-width: none; } nav { display: none; } figure, tr { break-inside: avoid; }
-               h2, caption { break-after: avoid; } table { font-size: 9pt; }
+               h2, caption, tr:nth-child(-n+2), tr:nth-last-child(2) { break-after: avoid; } table { font-size: 9pt; }
                .wide { overflow: visible; } td, th { padding: .1rem .3rem; }
                figure svg { max-width: 30rem; } body { font-size: 11pt; } }
 """

@@ -8,6 +8,7 @@ are drawn.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
@@ -44,6 +45,8 @@ LABELS = {
     "transmissibility_dB": "transmissibility / dB",
     "F_0": "forcing $F_0$",
     "u": "displacement $u$",
+    "u_max": "largest $|u|$",
+    "x_max": "largest $|x|$",
     "lam": r"number of springs $\lambda$",
     "r": "stiffness ratio $r$",
     "delta_h": r"preload $\delta_h$",
@@ -196,13 +199,19 @@ def legend(ax: Any, title: str = "", *, place: str = "beside", more: Sequence[tu
     more -- what is to stand in it besides: handles and their words
     """
     handles, labels = ax.get_legend_handles_labels()
-    for handle, text in (*more, *_signs(ax)):
-        handles.append(handle)
-        labels.append(text)
-    if handles:
+    beside = [*more, *_signs(ax)]
+    if handles or beside:
         where = PLACES[place]
         if place == "below":
-            where = {**where, "ncols": 3 if max(map(len, labels)) <= SHORT else 2}
+            columns = 3 if max(map(len, (*labels, *(text for _, text in beside)))) <= SHORT else 2
+            where = {**where, "ncols": columns}
+            rows = math.ceil((len(handles) + len(beside)) / columns)
+            if math.ceil(len(handles) / rows) + math.ceil(len(beside) / rows) <= columns:  # what was named by itself
+                empty = -len(handles) % rows if beside else 0
+                handles += [Line2D([], [], linestyle="none")] * empty
+                labels += [""] * empty
+        handles += [handle for handle, _ in beside]
+        labels += [text for _, text in beside]
         ax.legend(handles, labels, title=title or None, frameon=False, handlelength=2.6, **where)
 
 
@@ -355,13 +364,19 @@ PICTURES: Mapping[str, Callable[[Any, Any], Any]] = {
 
 
 def depths(ax: Any, found: Mapping[str, Any]) -> Any:
-    """One response by several depths, by their names; the last in the list lies on top."""
+    """One response by several depths, by their names; the last in the list lies on top.
+
+    The largest displacement of each, which off the centre is more than averaging's A.
+    """
     ax = axes(ax)
+    of_all = ""
     for (name, one), colour, width in zip(found.items(), COLOURS, (3.2, 2.2, 1.2), strict=False):
         over = _has(one, "Omega", "f")
         branch = getattr(one, "branch", None)
-        curve(ax, getattr(one, over), one.A, one.stable, branch, colour=colour, name=name, width=width)
-        ax.set(xlabel=axis(one, over), ylabel=axis(one, "A"))
+        largest = _has(one, "x_max", "u_max", "A")
+        of_all = of_all or axis(one, largest)
+        curve(ax, getattr(one, over), getattr(one, largest), one.stable, branch, colour=colour, name=name, width=width)
+        ax.set(xlabel=axis(one, over), ylabel=of_all)
     legend(ax, place="below")
     return ax
 

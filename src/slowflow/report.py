@@ -511,10 +511,12 @@ def _depths(of: Any, F: float) -> Iterator[str]:
             found[depth] = _shown(ask())
         except (ValueError, ArithmeticError) as error:
             missing.append(f"<p>No {depth} here: {escape(str(error), quote=False)}.</p>")
-    ax = pictures.depths(page.axes(), found)
-    force, unit = _letter(of)
-    at_F = f"{_told(of, F)} {unit}" if unit else f"{force} = {F:g}"
-    yield page.figure(ax, f"The response at {at_F} about its peak, by three depths: they lie the closer the better.")
+    if len(found) > 1:
+        ax = pictures.depths(page.axes(), found)
+        force, unit = _letter(of)
+        at_F = f"{_told(of, F)} {unit}" if unit else f"{force} = {F:g}"
+        said = f"by {'two' if len(found) == 2 else 'three'} depths: they lie the closer the better."
+        yield page.figure(ax, f"The response at {at_F} about its peak, {said}")
     yield from missing
 
 
