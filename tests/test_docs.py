@@ -40,7 +40,13 @@ LINK = re.compile(r"\]\(([^)#:]+)\)")
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
 
 
-@pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "example",
+    [
+        pytest.param(path, id=path.stem, marks=[pytest.mark.slow] if path.stem in {"derived", "own_force"} else [])
+        for path in EXAMPLES
+    ],
+)
 def test_an_example_runs(example: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for package in NEEDED.get(example.stem, ()):
         pytest.importorskip(package, reason=f"an extra is not installed: {package}")
@@ -205,7 +211,7 @@ def test_every_name_of_the_list_has_an_example_and_no_other() -> None:
 @pytest.mark.parametrize(
     "path",
     [
-        pytest.param(path, marks=[pytest.mark.slow] if path == "slowflow.derive" else [])
+        pytest.param(path, marks=[pytest.mark.slow] if path in {"slowflow.derive", "slowflow.off_centre.many"} else [])
         for path in api.EXAMPLES
         if path != "begin"
     ],

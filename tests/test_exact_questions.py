@@ -169,6 +169,7 @@ def test_slow_drift_near_sticking_ends_where_an_independent_integration_stays(ra
     assert swept.A[[1, 3]] == pytest.approx(found.A, rel=1e-9)
 
 
+@pytest.mark.slow
 @compiled
 def test_no_trial_runs_off_to_zero_frequency():
     """A Newton trial at Omega = 4.9e-7, where a turn takes 10^7 units of time, asked for 3e9 steps."""
@@ -228,7 +229,7 @@ with ThreadPoolExecutor({threads}) as pool:
 
 @compiled
 @pytest.mark.parametrize("ratio", [0.98, 0.99, 0.995, 0.999, 0.9999])
-@pytest.mark.parametrize("Omega", [0.9, 2.0])
+@pytest.mark.parametrize("Omega", [0.9, pytest.param(2.0, marks=pytest.mark.slow)])
 def test_a_drift_below_rounding_is_refused_not_settled(ratio, Omega):
     """So near sticking that a turn's drift is lost in rounding: one amplitude wherever one comes from, or none."""
     oscillator = Duffing(0.0, 1.0, 0.1 * ratio, 0.05)

@@ -106,6 +106,7 @@ def test_curve_by_amplitude(curves, exact, F_0):
     assert turns == len(curve.folds)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("exact", "F_0"), CURVES)
 def test_peak_by_amplitude(curves, exact, F_0):
     """The highest motion maximised over Omega by SciPy, the force typed in: independent of everything but the start.

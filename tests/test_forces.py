@@ -85,7 +85,16 @@ def closed(name, A, n=1):
     return -2 / mp.sqrt(mp.pi) * A**power * mp.gamma(power / 2 + 1) / mp.gamma(power / 2 + 1.5)
 
 
-@pytest.mark.parametrize("name", sorted({case["force"] for case in CASES}))
+#: what fast tests ask of: a smooth force, one with a breakpoint, one in numbers
+FEW = {"pendulum", "hertz", "numbers"}
+
+
+def slow_but_few(names):
+    """As parameters of a test."""
+    return [pytest.param(name, marks=[] if name in FEW else pytest.mark.slow) for name in names]
+
+
+@pytest.mark.parametrize("name", slow_but_few(sorted({case["force"] for case in CASES})))
 def test_an_average_and_its_slopes_are_right_to_rounding(derived, name):
     """Against certified values; error over u (1 + kappa), of which closed forms have less than 4 too."""
     for case in CASES:
@@ -120,7 +129,7 @@ def test_harmonics_are_those_of_a_closed_form(oscillator):
             np.testing.assert_allclose(values, [float(one) for one in expected], rtol=1e-14, atol=1e-15)
 
 
-@pytest.mark.parametrize("name", FORCES)
+@pytest.mark.parametrize("name", slow_but_few(FORCES))
 def test_h_less_its_tangent_at_rest_is_the_difference_that_it_stands_for(oscillator, name):
     model = oscillator(name).model
     A = np.array([0.15, 0.7, 2.0])
@@ -248,6 +257,7 @@ def test_the_derivation_of_a_contact_tells_all_that_it_is_made_of(derived):
     assert told.count(r"\Gamma_{1,3} &=") == 1 and r"without what begins at $u_{1}$" in told
 
 
+@pytest.mark.slow
 def test_a_parameter_may_be_called_as_something_in_the_derivation_or_in_printed_code(folder):
     """Each name stands for the same number: what else is called so is kept apart."""
     as_k = derive.mechanism("named", [(k * sp.sin(u), None)], {"k": ABOVE_0}).record.averaged(0.7, 1.3)

@@ -47,6 +47,7 @@ def test_each_design_has_the_digits_of_its_single_answer():
     assert not (states.status.any() or states.remarks.any() or states.undecided.any())
 
 
+@pytest.mark.slow
 def test_what_an_engineer_asks_of_many_designs_has_the_digits_of_single_answers():
     designs = Duffing.many([1.0, 1.2], 0.5, 0.01, 0.05, load=[0.3, 0.2])
     F_0 = 0.2

@@ -162,6 +162,7 @@ def test_no_breakpoint_no_lets():
     assert restoring((u + u**3,), ()).far_regimes == {}
 
 
+@pytest.mark.slow
 def test_without_cancellation_is_the_same():
     exact = den_hartog()
     rewritten = without_cancellation(exact)

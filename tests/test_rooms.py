@@ -1,6 +1,7 @@
 """The rooms of src/slowflow: imports run one way, down, and what is heavy or above is not imported from below."""
 
 import ast
+import functools
 import tomllib
 from pathlib import Path
 
@@ -39,13 +40,16 @@ def room_of(path):
     return path.relative_to(SOURCE / "slowflow").with_suffix("").parts[0]
 
 
+@functools.cache
 def imported(path):
     """Every module that a file imports, at its top or inside a function, type checking included."""
+    found = []
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
-            yield from (name.name for name in node.names)
+            found += [name.name for name in node.names]
         elif isinstance(node, ast.ImportFrom):
-            yield from (f"{node.module}.{name.name}" for name in node.names)
+            found += [f"{node.module}.{name.name}" for name in node.names]
+    return found
 
 
 def test_every_room_is_packed():

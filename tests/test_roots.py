@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+
 import numpy as np
 import pytest
 from hypothesis import example, given, settings
@@ -52,19 +54,16 @@ def solver(request, tmp_path_factory) -> Solver:
     return build(tmp_path_factory.mktemp("native"), clones)
 
 
-@pytest.fixture(scope="session")
-def certified():
-    """Stress rows and their certified roots, found once for all solvers."""
-    return {
-        (kind, name): (rows, [roots(kind, tuple(map(float, row))) for row in rows])
-        for kind in KINDS
-        for name, rows in stress_cases(kind, 300, 20240).items()
-    }
+@functools.cache
+def certified(kind, name):
+    """Stress rows of a family and their certified roots, found once for all solvers."""
+    rows = stress_cases(kind, 300, 20240)[name]
+    return rows, [roots(kind, tuple(map(float, row))) for row in rows]
 
 
 @pytest.mark.parametrize(("kind", "name"), FAMILIES)
-def test_every_root_and_no_other(solver, certified, kind, name):
-    rows, expected = certified[kind, name]
+def test_every_root_and_no_other(solver, kind, name):
+    rows, expected = certified(kind, name)
     Omega, count = solver(kind, rows)
     np.testing.assert_array_equal(count, [len(e) for e in expected])
     np.testing.assert_array_equal(np.isnan(Omega), np.arange(Omega.shape[1]) >= count[:, None])
@@ -82,9 +81,9 @@ def test_a_quartic_has_the_same_roots_alone_and_among_others():
         assert one == number and np.array_equal(alone, found, equal_nan=True)
 
 
-def test_the_stress_cases_reach_three_roots(certified):
+def test_the_stress_cases_reach_three_roots():
     for kind, name in (("response", "three roots"), ("fold", "three roots")):
-        assert sum(len(e) == 3 for e in certified[kind, name][1]) > 30
+        assert sum(len(e) == 3 for e in certified(kind, name)[1]) > 30
 
 
 # Exactly representable tangencies.  With F_Omega = 0 at w: R = -zeta I/w, so zeta/w = 3/4 makes F_0 = 5/4 I.
