@@ -216,12 +216,6 @@ def test_a_response_whose_amplitudes_are_beyond_doubles_is_refused_and_in_a_batc
     assert found.status.tolist() == [Status.NO_BOUND, Status.OK] and found.points[0] == 0
 
 
-def test_curves_of_many_that_have_no_answer_are_refused_in_words():
-    designs = Isolator.many(lam=3, r=2.0, delta_h=0.08, zeta=0.02).second_approximation
-    with pytest.raises(AttributeError, match="a batch has no curves of the second approximation"):
-        designs.frequency_response(0.04)
-
-
 @native_only
 @pytest.mark.parametrize("force", ["truncated", "untruncated", "cubic"])
 def test_designs_that_go_together_are_answered_as_each_alone(force):

@@ -578,6 +578,37 @@ def test_many_designs_have_the_answers_of_each():
     assert np.count_nonzero(folds.status == Status.OK) == n - 1
 
 
+@pytest.mark.both_backends
+def test_states_and_curves_of_many_designs_are_those_of_each():
+    """The same digits, and what is left out is said of each."""
+    design = {"lam": 3.0, "r": 2.0, "delta_h": np.array([0.05, 0.08, 0.1, -1.0]), "mu": 0.012, "zeta": 0.02}
+    F_0, window = np.array([[0.04], [0.014]]), (0.7, 1.1)
+    many = Isolator.many(**design).second_approximation
+    states = many.amplitudes(Omega=0.9, F_0=F_0)
+    curves = many.frequency_response(F_0, samples=60, Omega=window)
+    assert states.A.shape == (2, 4, 6) and curves.A.shape == (2, 4, 316)
+    several = 0
+    for j, k in np.ndindex(2, 3):
+        first = Isolator(**{**design, "delta_h": design["delta_h"][k]})
+        one, F = first.second_approximation, float(F_0[j, 0])
+        for found, single, size in (
+            (states, one.amplitudes(Omega=0.9, F_0=F), states.count[j, k]),
+            (curves, one.frequency_response(F, samples=60, Omega=window), curves.points[j, k]),
+        ):
+            assert size == len(single)
+            assert found.status[j, k] == (Status.OK if size else Status.STICKS if F < first.model.m else Status.NONE)
+            for name in ("A", "A_1", "phi", "stable", "transmissibility"):
+                assert np.array_equal(getattr(found, name)[j, k, :size], getattr(single, name)), name
+                assert name == "stable" or np.isnan(getattr(found, name)[j, k, size:]).all()
+            said = "left out" in single.message or "fewer states" in single.message
+            assert bool(found.undecided[j, k]) == said
+        several += states.count[j, k] > 1
+    assert several and np.all(states.status[:, 3] == Status.INVALID)
+    few = many.amplitudes(Omega=0.9, F_0=0.04, places=1)
+    assert (few.status == Status.TOO_MANY).any() and np.array_equal(few.A[:, 0], states.A[0, :, 0], equal_nan=True)
+    assert len(curves.columns()["A_1"]) == curves.points.sum()
+
+
 @pytest.mark.parametrize("of", ["second", "load"])
 def test_states_at_pairs_are_those_of_each_pair(of):
     """Beyond averaging too Omega and F_0 broadcast; states come in the order of the pairs."""
@@ -596,7 +627,7 @@ def test_states_at_pairs_are_those_of_each_pair(of):
 
 def test_what_batches_of_the_second_approximation_do_not_answer_is_said():
     second = Isolator.many(lam=3, r=2.0, delta_h=[0.05, 0.08], mu=0.01, zeta=0.02).second_approximation
-    for name in ("amplitudes", "certify", "spectrum", "transient"):
+    for name in ("certify", "margins", "spectrum", "transient"):
         with pytest.raises(AttributeError, match=f"has no {name}: "):
             getattr(second, name)
     assert pickle.loads(pickle.dumps(second)) == second and copy.deepcopy(second) == second

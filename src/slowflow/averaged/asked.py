@@ -121,14 +121,15 @@ class Question:
 
     one     -- the answer of one design; None of a proof, which only the compiled solvers give in doubles
     outputs -- shape behind the designs' and type of each part of the answer, from the number of places
-    batch   -- from the compiled solvers what gives the generalised ufunc of a record
+    batch   -- from the compiled solvers what gives the generalised ufunc of a record; None where designs are asked
+               one by one
     at_once -- designs that take no more than some tenths of a second: until then Ctrl-C is not heard
     by_inertia -- whether the compiled solvers answer it of an excitation by inertia too
     """
 
     one: One | None
     outputs: Callable[[int], list[tuple[tuple[int, ...], type]]]
-    batch: Callable[[ModuleType], Callable[[Any], Callable[..., Any]]]
+    batch: Callable[[ModuleType], Callable[[Any], Callable[..., Any]]] | None
     at_once: int
     by_inertia: bool = True
 

@@ -669,7 +669,7 @@ class Designs:
         record = None
         if not self.laws and (self.excitation == "force" or question.by_inertia):
             record = backend.record_of(self.mechanism, inertial=self.excitation != "force")
-        if backend.SOLVER is not None and record is not None:
+        if question.batch is not None and backend.SOLVER is not None and record is not None:
             solve = question.batch(backend.SOLVER)(record)
             # what the solvers do not take as it is, long doubles
             doubles = (value if np.can_cast(value.dtype, float) else value.astype(float) for value in values.values())

@@ -20,7 +20,8 @@ from slowflow.exact import shocks
 from slowflow.mechanism import Mechanism
 from slowflow.off_centre import many as off_centre
 from slowflow.off_centre.many import OffCentreDesigns
-from slowflow.second.many import UNANSWERED, SecondDesigns
+from slowflow.second.many import UNANSWERED as OF_BATCHES
+from slowflow.second.many import SecondDesigns
 from slowflow.version import __version__
 
 
@@ -47,6 +48,13 @@ def _transient(designs: Designs, acceleration: Any, workers: int, **pulse: Any) 
     given = {"duration": None, "tau": None, **pulse}
     return shocks.transients(designs, acceleration, workers=workers, **given)
 
+
+#: why maps have no answer to a question in the second approximation
+UNANSWERED = {
+    **OF_BATCHES,
+    "amplitudes": "a map has no states of the second approximation, many designs without named axes have",
+    "frequency_response": "a map has no curves of the second approximation, many designs without named axes have",
+}
 
 TABLE, RECORD = {"Omega": "row", "F_0": "row"}, {"tau": "instant", "acceleration": "instant"}
 CURVE = {"samples": 1000, "Omega": validate.WINDOW, "places": 6}

@@ -17,12 +17,11 @@ from slowflow import validate
 from slowflow.answer import optional
 from slowflow.exact.transient import NO_PULSE
 from slowflow.grid import meaning
-from slowflow.grid.block import DEPTHS, INNER, LOADED, QUESTIONS, Ask, Question, lengths, made_by
+from slowflow.grid.block import DEPTHS, INNER, LOADED, QUESTIONS, UNANSWERED, Ask, Question, lengths, made_by
 from slowflow.loaded import AT_CENTRE, off_centre_by
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, check_names, check_told
 from slowflow.off_centre.many import check_polynomial
-from slowflow.second.many import UNANSWERED
 from slowflow_kernels.domains import DISSIPATION
 
 __all__ = ["Grid"]

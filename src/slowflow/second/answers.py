@@ -86,6 +86,8 @@ class SecondStates(InDecibels, SecondTable):
     message: str
     F_0: float | Floats = field(kw_only=True)
     force: Floats = field(kw_only=True, repr=False)
+    #: whether the message says that some are left out which averaging has
+    _lost: bool = field(default=False, kw_only=True, repr=False)
 
     @property
     def transmissibility(self) -> Floats:

@@ -3,33 +3,120 @@
 The answers are those of `slowflow.averaged.many`, with the largest displacement as A. A design has the status
 `Status.NONE` where the second approximation has no answer though averaging may have one, as where its harmonics are not
 small, and `Status.INVALID` also where the harmonics of its force are not derived. Designs that are excited by inertia
-are answered one by one, on NumPy.
+are answered one by one, on NumPy; states and curves of all designs one by one, some milliseconds each.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import Any
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from types import MappingProxyType
+from typing import Any, ClassVar
 
 import numpy as np
+import numpy.typing as npt
 
 from slowflow import validate
+from slowflow.answer import frozen
 from slowflow.averaged import asked
-from slowflow.averaged.many import Designs, Detachments, Folds, Onsets, Peaks
+from slowflow.averaged.many import Codes, Counted, Curves, Designs, Detachments, Folds, Onsets, Peaks
 from slowflow.averaged.questions import Averaged
+from slowflow.mechanism import Floats
 from slowflow.results import Remark
 from slowflow.second.questions import SecondApproximation
+from slowflow_kernels import inertia, motion
 from slowflow_kernels.conventions import OnsetKind, Status
 
+#: points of curves beyond the samples: those of `asked.curves`, and what is put where the harmonics change fast
+MORE_POINTS = 4 * asked.MORE_POINTS
 #: why a question about designs has no answer here, where it has one of averaging
 UNANSWERED = {
     "certify": "nothing is proved of the second approximation",
-    "amplitudes": "a batch has no states of the second approximation, ask a single oscillator",
-    "frequency_response": "a batch has no curves of the second approximation, ask a single oscillator",
     **dict.fromkeys(("margins", "hysteresis", "isolation", "spectrum"), "it is put together from averaging's answers"),
     **dict.fromkeys(("at_rest", "transient", "shock_spectrum"), "it is asked of the designs, at each depth the same"),
 }
+
+
+@dataclass(frozen=True, eq=False)
+class ManySecondStates(Counted):
+    """The steady states at one frequency and forcing, for each design; A to stable have one more axis, of places.
+
+    A, A_1, phi, stable -- as in `SecondStates`, by the order of a single answer, then NaN and 0
+    count  -- how many states there are, also where they are more than places
+    undecided -- 1 where averaging has more
+    """
+
+    inner: ClassVar[Mapping[str, str]] = MappingProxyType(dict.fromkeys(("A", "A_1", "phi", "stable"), "place"))
+
+    A: Floats
+    A_1: Floats
+    phi: Floats
+    stable: Codes
+    count: Codes
+    undecided: Codes
+    status: Codes
+    _Omega: Any = field(repr=False, kw_only=True)
+
+    @cached_property
+    def transmissibility(self) -> Floats:
+        """As of single `SecondStates`; NaN in an empty place. Computed when first asked for."""
+        return _transmissibility(self, self._frequency)
+
+    def _asked_at(self) -> dict[str, Any]:
+        return {**super()._asked_at(), "Omega": np.asarray(self._Omega)}
+
+    @property
+    def _frequency(self) -> Floats:
+        """Along the axis of places."""
+        return np.asarray(self._Omega, dtype=float)[..., np.newaxis]
+
+    def _found(self) -> tuple[Any, Any, Any]:
+        return self._frequency, self.A, None
+
+
+@dataclass(frozen=True, eq=False)
+class ManySecondCurves(Counted):
+    """The response curve at one forcing, for each design; what has points has one more axis, as in `Curves`.
+
+    A, A_1, phi, stable -- as in `SecondResponse`
+    branch, isola, points -- as in `Curves`
+    undecided -- 1 where points of averaging's curve are left out, at which the harmonics are not small
+    """
+
+    inner: ClassVar[Mapping[str, str]] = MappingProxyType(
+        dict.fromkeys(("Omega", "A", "A_1", "phi", "stable", "branch", "isola"), "point")
+    )
+
+    Omega: Floats
+    A: Floats
+    A_1: Floats
+    phi: Floats
+    stable: Codes
+    branch: npt.NDArray[np.int16]
+    isola: Codes
+    points: npt.NDArray[np.intc]
+    undecided: Codes
+    status: Codes
+
+    @cached_property
+    def transmissibility(self) -> Floats:
+        """As of single `SecondResponse`; NaN behind the last point. Computed when first asked for."""
+        return _transmissibility(self, self.Omega)
+
+    def _found(self) -> tuple[Any, Any, Any]:
+        return self.Omega, self.A, None
+
+    columns = Curves.columns
+
+
+def _transmissibility(found: Any, Omega: Floats) -> Floats:
+    """Of states with the first harmonic's amplitude and phase."""
+    force = found._forcing
+    with np.errstate(all="ignore"):  # empty places
+        if found._designs.excitation != "force":
+            force = inertia.force(Omega, force)
+        return frozen(np.asarray(motion.transmissibility(Omega, found.A_1, force, found.phi)))
 
 
 @dataclass(frozen=True)
@@ -63,6 +150,23 @@ class SecondDesigns:
         """
         places = validate.count("places", places, least=1)
         return Folds(*self.first.ask(SADDLE_NODES, workers, F_0, places), _designs=self.first, _F_0=F_0)
+
+    def amplitudes(self, *, Omega: Any, F_0: Any, places: int = 6) -> ManySecondStates:
+        """Every steady state at (Omega, F_0), which broadcast with the designs; one by one, as of single ones."""
+        places = validate.count("places", places, least=1)
+        found = self.first.ask(AMPLITUDES, 1, F_0, places, Omega=Omega)
+        return ManySecondStates(*found, _designs=self.first, _F_0=F_0, _Omega=Omega)
+
+    def frequency_response(
+        self, F_0: Any, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
+    ) -> ManySecondCurves:
+        """The response curve of every design at F_0, in the window `Omega`; one by one, as of single ones.
+
+        `Status.TOO_MANY` where a curve has more points than samples and 256 more, which has none then.
+        """
+        samples = validate.count("samples", samples, least=2, most=validate.MOST_SAMPLES)
+        found = self.first.ask(_curves(samples, validate.window("Omega", Omega)), 1, F_0)
+        return ManySecondCurves(*found, _designs=self.first, _F_0=F_0)
 
     def peak(self, F_0: Any, *, workers: int = 1) -> Peaks:
         """The highest peak at F_0 beside averaging's: its largest displacement and frequency."""
@@ -107,6 +211,49 @@ def _detachment(second: SecondApproximation | None, _: int) -> tuple[Any, ...]:
     return found.F_cr, found.Omega_cr, found.u_cr, Status.OK
 
 
+def _amplitudes(second: SecondApproximation | None, F_0: float, Omega: float, places: int) -> tuple[Any, ...]:
+    A, A_1, phi = (np.full(places, np.nan) for _ in range(3))
+    stable = np.zeros(places, np.int8)
+    if second is None:
+        return A, A_1, phi, stable, 0, False, Status.NONE
+    found = second.amplitudes(Omega=Omega, F_0=F_0)
+    n = min(places, len(found))
+    for column, of in ((A, found.A), (A_1, found.A_1), (phi, found.phi), (stable, found.stable)):
+        column[:n] = of[:n]
+    fits = Status.OK if n == len(found) else Status.TOO_MANY
+    return A, A_1, phi, stable, len(found), found._lost, fits if len(found) else Status.NONE
+
+
+def _curves(samples: int, window: tuple[float, float]) -> asked.Question:
+    """The question about response curves of so many samples in a window of Omega."""
+    n = samples + MORE_POINTS
+
+    def one(second: SecondApproximation | None, F_0: float, _: int) -> tuple[Any, ...]:
+        found = None if second is None else second.frequency_response(F_0, samples=samples, Omega=window)
+        size = 0 if found is None else len(found)
+        Omega, A, A_1, phi = (np.full(n, np.nan) for _ in range(4))
+        branch = np.full(n, -1, np.int16)
+        stable, isola = np.zeros(n, np.int8), np.zeros(n, np.int8)
+        columns: tuple[npt.NDArray[Any], ...] = Omega, A, A_1, phi, stable, branch, isola
+        lost = found is not None and found._lost
+        if found is None or not 0 < size <= n:
+            return *columns, size, lost, Status.TOO_MANY if size else Status.NONE
+        own = found.Omega, found.A, found.A_1, found.phi, found.stable, found.branch
+        for column, of in zip(columns, (*own, np.array(found.isola)[found.branch]), strict=True):
+            column[:size] = of
+        return *columns, size, lost, Status.OK
+
+    points = [*[((n,), float)] * 4, ((n,), np.int8), ((n,), np.int16), ((n,), np.int8), ((), np.intc)]
+    return asked.Question(_second(one), lambda _: [*points, *[((), np.int8)] * 2], None, 1, by_inertia=False)
+
+
+AMPLITUDES = asked.Question(
+    _second(_amplitudes),
+    lambda k: [*[((k,), float)] * 3, ((k,), np.int8), *[((), np.int8)] * 3],
+    None,
+    at_once=1,
+    by_inertia=False,
+)
 DETACHMENT = replace(
     asked.DETACHMENT,
     one=_second(_detachment),

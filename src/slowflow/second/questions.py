@@ -138,6 +138,7 @@ class SecondApproximation:
             *(branch, curve.isola),
             F_0=first.F_0,
             force=self._force(first.F_0, Omega_),
+            _lost=curve.message != first.message,
         )
 
     def amplitudes(self, *, Omega: Any, F_0: Any) -> SecondStates:
@@ -160,7 +161,7 @@ class SecondApproximation:
         fewer = int(np.count_nonzero(_counts(wanted, at) < _counts(wanted, first.Omega)))
         message = joined(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
         said, force = self._remarked(message, at, u_max), self._force(F_0, at)
-        return SecondStates(at, u_max, A_1, phi, stable != 0, said, F_0=first.F_0, force=force)
+        return SecondStates(at, u_max, A_1, phi, stable != 0, said, F_0=first.F_0, force=force, _lost=fewer > 0)
 
     def saddle_nodes(self, F_0: float) -> SecondFolds:
         """Every fold of the response curve between two of its points, by rising Omega.
