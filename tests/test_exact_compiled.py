@@ -2,6 +2,7 @@
 
 import importlib
 import math
+from concurrent.futures import ThreadPoolExecutor
 
 import mpmath as mp
 import numpy as np
@@ -154,6 +155,36 @@ def test_200_random_motions_by_heyoka():
         assert abs(other.A - found.A) <= 1e-10 * condition * found.A, case
         assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-10 * condition, case
         assert found.residual <= 1e-13, case
+
+
+def motion(asked):
+    """What is found at one forcing: the signature of the motion, its amplitude and multipliers."""
+    system, Omega, F_0 = asked
+    found = steady_state(system, Omega, F_0)
+    return found.cycle.signature, found.A, tuple(found.multipliers)
+
+
+@pytest.mark.slow
+def test_motions_of_every_compiled_mechanism_are_scipys_at_one_thread_and_at_sixteen():
+    """Those of 200 random isolators too: to 1e-10 times the motion's condition, and of all threads the same digits."""
+    asked = [(case.system, case.Omega, case.F_0) for case in random_cases(200, seed=11)]
+    forces = [
+        *(ISOLATOR.restoring_force(which) for which in ("truncated", "untruncated")),
+        *(Duffing(alpha, beta).restoring_force() for alpha, beta in ((1.0, 0.5), (0.0, 1.0), (1.0, -0.05))),
+    ]
+    damping = ((0.0, 0.05), (0.02, 0.03))
+    asked += [(EquationOfMotion(f, *d), at, 0.1) for f in forces for d in damping for at in (0.2, 0.6, 1.4)]
+    alone = [motion(one) for one in asked]
+    with ThreadPoolExecutor(16) as pool:
+        assert list(pool.map(motion, asked)) == alone
+    for one, (signature, A, multipliers) in zip(asked, alone, strict=True):
+        start = steady_state(*one)
+        assert start.cycle.integrator is TAYLOR
+        other = steady_state(*one, start, integrator=ScipyIntegrator())
+        condition = 1.0 / (1.0 - np.max(np.abs(multipliers)))
+        assert other.cycle.signature == signature, one
+        assert abs(other.A - A) <= 1e-10 * condition * A, one
+        assert np.max(np.abs(other.multipliers - multipliers)) <= 1e-10 * condition, one
 
 
 @pytest.mark.parametrize(

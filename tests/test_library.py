@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import importlib
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import mpmath as mp
+import numpy as np
 import pytest
 import sympy as sp
 
@@ -14,6 +17,7 @@ from derivations.restoring import restoring
 from derivations.symbols import A
 from slowflow import derive
 from slowflow.cli import main
+from slowflow.exact import steady_state
 
 PAGE = Path(__file__).parents[1] / "docs" / "mechanisms.md"
 F = mp.mpf
@@ -51,6 +55,8 @@ CASES = {
 }
 #: of those that are not odd, for any u
 SIDED = {"one_sided_stop": ({"kappa": 8, "delta": "0.2"}, lambda u: u + 8 * max(u - F("0.2"), 0), "0.2")}
+#: forcings at Omega = 0.3 that take the mass beyond where the force bends; the three springs' is a polynomial up to 2
+BEYOND_THE_BEND = {"bilinear": 0.3, "cam_roller": 0.7, "dead_zone": 0.3, "elastic_stop": 0.3, "one_sided_stop": 0.3}
 
 
 def test_every_mechanism_of_the_library_is_tried_here_and_shown_on_its_page():
@@ -93,6 +99,31 @@ def test_states_on_both_sides_of_the_bend_have_the_mean_and_the_first_harmonic_o
         middle, first = (mp.quad(lambda t, n=n, u=motion: force(u(t)) * mp.cos(t) ** n, edges) / mp.pi for n in (0, 1))
         assert abs(middle) < 1e-14
         assert mp.hypot(size * Omega**2 - 2 * first, 2 * one.zeta * size * Omega) == pytest.approx(0.04, rel=1e-12)
+
+
+@pytest.mark.slow
+def test_their_exact_motions_are_heyokas_at_one_thread_and_at_sixteen():
+    """On both sides of the bend: to 1e-10 times the motion's condition, and of all threads the same digits."""
+    pytest.importorskip("heyoka")
+    heyoka = importlib.import_module("tests.oracles.exact_heyoka").HeyokaIntegrator()
+    systems = {}
+    for name, (numbers, _, _) in (CASES | SIDED).items():
+        one = derive.library(name)(**{key: float(value) for key, value in numbers.items()}, mu=0.02, zeta=0.03)
+        systems[name] = one.equation_of_motion()
+    alone = {name: steady_state(system, 0.6, 0.1) for name, system in systems.items()}
+    with ThreadPoolExecutor(16) as pool:
+        for one, found in zip(
+            alone.values(), pool.map(lambda one: steady_state(one, 0.6, 0.1), systems.values()), strict=True
+        ):
+            assert found.A == one.A and np.array_equal(found.multipliers, one.multipliers)
+    beyond = {name: steady_state(systems[name], 0.3, F_0) for name, F_0 in BEYOND_THE_BEND.items()}
+    assert all(found.A > float((CASES | SIDED)[name][2]) for name, found in beyond.items())
+    for name, found in [*alone.items(), *beyond.items()]:
+        other = steady_state(systems[name], found.Omega, found.F_0, found, integrator=heyoka)
+        condition = 1.0 / (1.0 - np.max(np.abs(found.multipliers)))
+        assert other.cycle.signature == found.cycle.signature, name
+        assert abs(other.A - found.A) <= 1e-10 * condition * found.A, name
+        assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-10 * condition, name
 
 
 def test_a_name_that_the_library_has_not_is_refused_with_those_that_it_has(tmp_path, capsys):

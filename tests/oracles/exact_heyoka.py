@@ -44,6 +44,13 @@ def _square_root(expression: Any) -> Any:
     return heyoka.sqrt(expression)
 
 
+def _with_sign(size: Any, sign: Any) -> Any:
+    """For a size that is not negative."""
+    import heyoka
+
+    return heyoka.select(heyoka.gte(sign, 0.0), size, -size)
+
+
 _UFUNCS: dict[str, Callable[..., Any]] = {
     "add": operator.add,
     "subtract": operator.sub,
@@ -51,6 +58,7 @@ _UFUNCS: dict[str, Callable[..., Any]] = {
     "divide": operator.truediv,
     "negative": operator.neg,
     "sqrt": _square_root,
+    "copysign": _with_sign,
 }
 
 
