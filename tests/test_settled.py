@@ -242,6 +242,22 @@ def test_states_at_the_frequency_of_a_peak_lie_between_the_doubles_beside_them()
                 *(0.274411563448662, 0.18202983015569257, 1.2099387313071097),
             ),
         ),
+        (  # a fold 5e-26 above u_cr, beside the corner's
+            "rod_spring",
+            "fold at F_0, Omega",
+            (
+                *(4.000000000000001, 0.07457274515725477, 0.9999998447584667, 0.0001253758814606588),
+                *(0.0013314041170495263, 0.0023902168162566375, 0.8376807832275951),
+            ),
+        ),
+        (  # a state 5e-24 above u_cr, where the peak is
+            "rod_spring",
+            "state at Omega, A",
+            (
+                *(1.000000000001718, 3.527055030161899, 0.2835226531619753, 0.00033833460479608586),
+                *(0.13181385782111177, 0.14097741884074902, 0.7527268167473721),
+            ),
+        ),
     ],
 )
 def test_answers_that_erred_most_are_right_to_their_condition(mechanism, kind, at):

@@ -106,12 +106,18 @@ static inline int sf_settle_numbers(sf_step step, sf_moves moves, int wanted, co
     return 1;
 }
 
-/* The sides of each breakpoint that a double is on, and h there: how many breakpoints lie below; -1 where pairs have too few
- * digits. */
-static inline int sf_exact_at_double(const sf_exactly *exactly, const sf_model *model, double A, sf_exact_sample *out) {
+/* The same of the breakpoints in pairs. */
+static inline int sf_exact_piece_of(const sf_exactly *exactly, const sf_model *model, double A) {
     int piece = 0;
     while (piece < model->breaks && sfp_sub(sfp_point(A), exactly->b[piece]).high > 0)
         piece++;
+    return piece;
+}
+
+/* The sides of each breakpoint that a double is on, and h there: how many breakpoints lie below; -1 where pairs have too few
+ * digits. */
+static inline int sf_exact_at_double(const sf_exactly *exactly, const sf_model *model, double A, sf_exact_sample *out) {
+    const int piece = sf_exact_piece_of(exactly, model, A);
     return sf_exact_at(exactly, model, piece, sfp_point(A), 2, NULL, out) ? piece : -1;
 }
 
@@ -199,16 +205,11 @@ static inline double sf_double_between(sf_way way_from, sf_sought *of, double A,
     return *next = far, back == 0 && other == 0 ? far : NAN;
 }
 
-static inline double sf_state_between(const sf_exactly *exactly, const sf_model *model, double Omega, double F_0, double A) {
-    sf_sought of = {exactly, model, F_0, sfp_point(Omega), 0, 0};
-    double next;
-    return sf_double_between(sf_way_to_state, &of, A, &next);
-}
-
 /* An answer just above a breakpoint, where slopes are as steep as 1/root, root^2 = A^2 - b^2: Newton's method in Omega and root,
- * whose steps are the same but for how A follows from them. Begins with what doubles know, at most half of a root at a time. */
-static inline int sf_settle_above(sf_step step, sf_moves moves, const sf_exactly *exactly, const sf_model *model, int piece,
-                                  sf_settling *of) {
+ * whose steps are the same but for how A follows from them. Begins with what doubles know, at most half of a root at a time. first: of Omega alone, onto the response, where
+ * such parts of steps of both would leave it; or NULL */
+static inline int sf_settle_above(sf_step step, sf_moves moves, sf_step first, const sf_exactly *exactly, const sf_model *model,
+                                  int piece, sf_settling *of) {
     const sf_pair b = exactly->b[piece - 1];
     double beyond = sfp_sub(of->A, b).high;
     int i, last = 0;
@@ -222,6 +223,12 @@ static inline int sf_settle_above(sf_step step, sf_moves moves, const sf_exactly
         of->A = sfp_add(b, sfp_point(beyond));
         if (!sf_exact_at(exactly, model, piece, of->A, 4, NULL, &at))
             return 0;
+        if (first != NULL) {
+            sf_take_step(first, exactly, &at, of, out);
+            if (!(fabs(out[0]) <= SF_LARGEST_STEP * of->Omega.high))
+                return 0;
+            sf_change_by(&of->Omega, out[0]);
+        }
         sf_take_step(step, exactly, &at, of, out);
         change = out[moves > SF_MOVES_A], share = change * of->A.high / squared;
         if (share != share || (moves > SF_MOVES_A && !(fabs(out[0]) <= SF_LARGEST_STEP * of->Omega.high)))
@@ -244,7 +251,21 @@ static inline int sf_settle_state_above(const sf_exactly *exactly, const sf_mode
     const sf_settling begin = {sfp_point(Omega), sfp_point(A), sfp_point(F_0)};
     *of = begin;
     return piece > 0 && model->breaks == exactly->breaks &&
-           sf_settle_above(slow_flow_pairs_state_step, SF_MOVES_A, exactly, model, piece, of);
+           sf_settle_above(slow_flow_pairs_state_step, SF_MOVES_A, NULL, exactly, model, piece, of);
+}
+
+/* Of two doubles on both sides of a breakpoint steps do not tell which is nearer: the state between them may be just above it. */
+static inline double sf_state_between(const sf_exactly *exactly, const sf_model *model, double Omega, double F_0, double A) {
+    sf_sought of = {exactly, model, F_0, sfp_point(Omega), 0, 0};
+    sf_settling above;
+    double next;
+    const double found = sf_double_between(sf_way_to_state, &of, A, &next);
+    const double upper = fmax(found, next), lower = fmin(found, next);
+    const int piece = sf_exact_piece_of(exactly, model, upper);
+    if (found > 0 && piece > sf_exact_piece_of(exactly, model, lower) &&
+        sf_settle_state_above(exactly, model, piece, Omega, F_0, upper, &above) && above.A.high >= lower && above.A.high <= upper)
+        return above.A.high;
+    return found;
 }
 
 /* The frequency is in the level what it is in the missing level: a straight line between the doubles, or between one of them
@@ -267,7 +288,7 @@ static inline void sf_peak_between(const sf_exactly *exactly, const sf_model *mo
         sf_way_to_peak_from(&of, &at, &size);
         if (of.missing > 0) {
             sf_settling above = {of.Omega, sfp_point(ends[upper]), sfp_point(F_0)};
-            if (sf_settle_above(slow_flow_pairs_peak_step, SF_MOVES_BOTH, exactly, model, end[upper].piece, &above)) {
+            if (sf_settle_above(slow_flow_pairs_peak_step, SF_MOVES_BOTH, NULL, exactly, model, end[upper].piece, &above)) {
                 *A = above.A.high, *Omega = above.Omega.high;
                 return;
             }
@@ -334,7 +355,7 @@ static inline void sf_settle_fold(const sf_exactly *exactly, const sf_model *mod
     if (sf_settle_all(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, &of))
         *Omega = of.Omega.high, *A = of.A.high;
     else if (piece > 0 && model->breaks == exactly->breaks &&
-             sf_settle_above(slow_flow_pairs_fold_step, SF_MOVES_BOTH, exactly, model, piece, &above))
+             sf_settle_above(slow_flow_pairs_fold_step, SF_MOVES_BOTH, slow_flow_pairs_corner_step, exactly, model, piece, &above))
         *Omega = above.Omega.high, *A = fmax(above.A.high, nextafter(model->b[piece - 1], HUGE_VAL));
 }
 

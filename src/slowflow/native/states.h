@@ -30,17 +30,27 @@ static int sf_add_state(double found, int is_stable, int is_end, int n, double *
     return n + 1;
 }
 
-/* The amplitude at which a segment has the given Omega inside, to its last digit. */
-static double sf_settled_amplitude(const sf_model *model, const sf_exactly *exactly, double F_0, const sf_segment *segment,
-                                   double Omega) {
+/* Whether an amplitude is that of a fold, which has its digits. */
+static int sf_is_of_fold(const sf_folds *folds, double Omega, double A) {
+    int i = 0;
+    while (i < folds->n && !(folds->at[i].Omega == Omega && folds->at[i].A == A))
+        i++;
+    return i < folds->n;
+}
+
+/* The amplitude at which a segment has the given Omega, to its last digit. At an end it moves by no more than rounding. */
+static double sf_settled_amplitude(const sf_model *model, const sf_exactly *exactly, double F_0, const sf_work *work,
+                                   const sf_segment *segment, int is_end, double Omega) {
     const double A = sf_amplitude_on(model, F_0, segment, Omega);
     const int piece = sf_piece_of(model, 0.5 * (segment->A[0] + segment->A[1]));
     sf_settling of = {sfp_point(Omega), sfp_point(A), sfp_point(F_0)};
-    if (exactly == NULL)
+    if (exactly == NULL || (is_end && sf_is_of_fold(&work->folds, Omega, A)))
         return A;
     if ((sf_piece_of(model, A) != piece || !sf_settle_all(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, model, &of)) &&
         !sf_settle_state_above(exactly, model, piece, Omega, F_0, A, &of))
         of.A.high = sf_state_between(exactly, model, Omega, F_0, A);
+    if (is_end)
+        return fabs(of.A.high - A) <= SF_FEW_ROUNDINGS * A ? of.A.high : A;
     return segment->A[0] * (1 - SF_SAME) <= of.A.high && of.A.high <= segment->A[1] * (1 + SF_SAME) ? of.A.high : A;
 }
 
@@ -53,9 +63,8 @@ static int sf_states_of_segments(const sf_model *model, const sf_exactly *exactl
         const int is_end = Omega == segment->Omega[0] || Omega == segment->Omega[1];
         const int is_at_rest = is_end && Omega == segment->Omega[0] && segment->A[0] == 0;
         if (sf_holds(segment, Omega) && !is_at_rest)
-            n = sf_add_state(is_end ? sf_amplitude_on(model, F_0, segment, Omega)
-                                    : sf_settled_amplitude(model, exactly, F_0, segment, Omega),
-                             segment->stable, is_end, n, A, stable);
+            n = sf_add_state(sf_settled_amplitude(model, exactly, F_0, work, segment, is_end, Omega), segment->stable,
+                             is_end, n, A, stable);
     }
     return n;
 }
