@@ -74,6 +74,8 @@ static void counted_in_pairs(int passed, int wanted, sf_pair A, sf_pair beyond, 
 #undef sf_find_range
 #undef sf_ask
 #include "design_lanes.h"
+#include "root_lanes.h"
+#include "second_lanes.h"
 
 static double now(void) {
     struct timespec t;
@@ -86,7 +88,7 @@ typedef struct {
     long calls, places;
     double seconds;
 } lanes;
-static lanes cells_in_lanes, amplitudes_in_lanes;
+static lanes cells_in_lanes, amplitudes_in_lanes, averages_in_lanes, balances_in_lanes;
 
 #define COUNT_LANES(loop, type, kind) \
     static void counted_##loop(type *places) { \
@@ -108,6 +110,18 @@ COUNT_LANES(sf_approach_cusps, sf_cusp_zeros, amplitudes_in_lanes)
 #define sf_approach_states counted_sf_approach_states
 #define sf_approach_peaks counted_sf_approach_peaks
 #define sf_approach_cusps counted_sf_approach_cusps
+
+#define COUNT_BALANCES(loop) \
+    static void counted_##loop(ptrdiff_t n, const double *Omega, const double *A, double F_0, double m, double zeta, \
+                               const double *known, double *out) { \
+        const double start = now(); \
+        loop(n, Omega, A, F_0, m, zeta, known, out); \
+        balances_in_lanes.seconds += now() - start, balances_in_lanes.calls++, balances_in_lanes.places += n; \
+    }
+COUNT_BALANCES(sf_second_balances)
+COUNT_BALANCES(sf_second_answers)
+#define sf_second_balances counted_sf_second_balances
+#define sf_second_answers counted_sf_second_answers
 #define SF_SOLVERS solvers_counted
 #define SF_RECORDS records_counted
 #include "shipped.h"
@@ -182,14 +196,19 @@ static double seconds_in_pairs(long n) {
     return best;
 }
 
-/* Of a place of a loop, without the clock's own time. */
-static double seconds_in_lanes(const lanes *of) {
+/* What asking the clock takes. */
+static double seconds_of_clock(void) {
     double clock = HUGE_VAL;
     for (int round = 0; round < 1000; round++) {
         const double start = now();
         clock = least(clock, now() - start);
     }
-    return of->places > 0 ? (of->seconds - clock * (double)of->calls) / (double)of->places : 0;
+    return clock;
+}
+
+/* Of a place of a loop, without the clock's own time. */
+static double seconds_in_lanes(const lanes *of) {
+    return of->places > 0 ? (of->seconds - seconds_of_clock() * (double)of->calls) / (double)of->places : 0;
 }
 
 static int find_record(const char *name) {
@@ -274,4 +293,84 @@ int curve(const char *name, const double *design, double F_0, const double *wind
     }
     free(room), free(Omega), free(A), free(branch), free(stable);
     return answered;
+}
+
+static void timed_averages(ptrdiff_t n, const double *A, const double *p, double *out) {
+    const double start = now();
+    record->averaged(n, A, p, out);
+    averages_in_lanes.seconds += now() - start, averages_in_lanes.calls++, averages_in_lanes.places += n;
+}
+
+/* of the amplitudes whose averages were taken just before */
+static void timed_harmonics(ptrdiff_t n, const double *A, const double *p, double *out) {
+    const double start = now();
+    record->harmonics(n, A, p, out);
+    averages_in_lanes.seconds += now() - start, averages_in_lanes.calls++;
+}
+
+/* What n points of averaging's curve move to, on branches that are not closed; design as for `curve`, wanted: as in
+ * second_conventions.h. out: amplitudes whose averages are taken, and states whose balance is, then the seconds of one of
+ * each. Returns 0 where there is no such record or no room. */
+int second(const char *name, const double *design, double F_0, int wanted, long n, const double *Omega, const double *A,
+           const long long *branch, double *out) {
+    static const unsigned char closed[64];
+    sf_mechanism counting;
+    sf_model model;
+    if (!find_record(name) || record->harmonics == NULL || !record->parameters_of(design, model.p) ||
+        !record->damping_of(design + record->design_size, model.damping) || !sf_prepare(record, design, &model))
+        return 0;
+    counting = *record, counting.averaged = timed_averages, counting.harmonics = timed_harmonics;
+    model.mechanism = &counting;
+    memset(&averages_in_lanes, 0, sizeof averages_in_lanes), memset(&balances_in_lanes, 0, sizeof balances_in_lanes);
+    for (int round = 0; round < ROUNDS; round++) {
+        sf_second_curve *moved = solvers_counted.second_follow(&model, F_0, (sf_wanted)wanted, n, Omega, A, branch, closed);
+        if (moved == NULL)
+            return 0;
+        solvers_counted.second_free(moved);
+    }
+    out[0] = (double)averages_in_lanes.places / ROUNDS, out[1] = (double)balances_in_lanes.places / ROUNDS;
+    out[2] = seconds_in_lanes(&averages_in_lanes), out[3] = seconds_in_lanes(&balances_in_lanes);
+    return 1;
+}
+
+/* Roots in Omega of n quartics, rows of A, h, m, zeta, F_0, a whole number of blocks; out: of a quartic the roots in lanes, those
+ * of them that go on by themselves, and how often its signs are unsure in double, then the seconds of the signs of one in lanes, of a
+ * root there, of one that goes on, and of a quartic that is unsure. */
+void quartics(long n, const double (*rows)[5], double *out) {
+    const double clock = seconds_of_clock();
+    long roots = 0, on = 0, unsure = 0;
+    double taken[4] = {0};
+    for (int round = 0; round < ROUNDS; round++)
+        for (long first = 0; first < n; first += SF_QUARTICS) {
+            static sf_quartics block;
+            static sf_jobs jobs;
+            double start;
+            int i, k;
+            for (i = 0; i < SF_QUARTICS; i++) {
+                const double *row = rows[first + i];
+                block.A[i] = row[0], block.h[i] = row[1], block.m[i] = row[2], block.zeta[i] = row[3], block.F_0[i] = row[4];
+            }
+            start = now(), sf_isolate_lanes(SF_QUARTICS, &block), taken[0] += now() - start - clock;
+            for (i = jobs.n = 0; i < SF_QUARTICS; i++) {
+                int place[3];
+                const int found = block.signs[i] == SF_UNSURE ? 0 : sf_places_of_signs((int)block.signs[i], place);
+                for (k = 0; k < found; k++)
+                    sf_add_job(&block, i, place[k], &jobs);
+            }
+            start = now(), sf_refine_lanes(&jobs), taken[1] += now() - start - clock, roots += jobs.n, start = now();
+            for (k = 0; k < jobs.n; k++)
+                if (jobs.is_last[k] == 0)
+                    sink = sf_root_of_job(&jobs, k), on++;
+            taken[2] += now() - start - clock, start = now();
+            for (i = 0; i < SF_QUARTICS; i++)
+                if (block.signs[i] == SF_UNSURE) {
+                    double Omega[3];
+                    sink = sf_response_roots(block.A[i], block.h[i], block.m[i], block.zeta[i], block.F_0[i], Omega), unsure++;
+                }
+            taken[3] += now() - start - clock;
+        }
+    const double all = (double)ROUNDS * (double)n;
+    out[0] = (double)roots / all, out[1] = (double)on / all, out[2] = (double)unsure / all;
+    out[3] = taken[0] / all, out[4] = taken[1] / fmax((double)roots, 1), out[5] = taken[2] / fmax((double)on, 1);
+    out[6] = taken[3] / fmax((double)unsure, 1);
 }
