@@ -38,6 +38,8 @@ kappa, rho, t, scaled_root = sp.symbols("kappa rho t root", real=True)
 _w, _bracket, _bracket_A = sp.symbols("w bracket bracket_A", real=True)
 _product = sp.Symbol("product", nonnegative=True)
 _c, _X, _p = sp.symbols("c X p", real=True)
+#: R less the R of F = F_A = 0
+lacks = sp.Symbol("lacks", real=True)
 _half_e = sp.Symbol("half_e", real=True)
 _excess, _least, _share, _J, _lag = sp.symbols("excess least share J lag", nonnegative=True)
 
@@ -47,6 +49,7 @@ class Damped:
     """For zeta > 0; outputs beside lets are in these.
 
     fold      -- at a forcing: (23) less the R of F = F_A = 0, its slope along A, and Omega
+    fold_square -- Omega^2 of the R that `fold` has of F = F_A = 0, by Omega and what `fold` is
     fold_moves -- by how much F and F_A change with that, at the amplitude and the Omega of `fold`
     isola_Omega -- Omega where F_A = F_Omega = 0
     isola     -- F_Omega/(4 A) there and its slope; for m = 0 without the factor Omega, which then is common
@@ -64,6 +67,7 @@ class Damped:
     fold_lets: tuple[Let, ...]
     fold: tuple[sp.Expr, ...]
     fold_moves: tuple[sp.Expr, ...]
+    fold_square: sp.Expr
     isola_Omega: sp.Expr
     isola_lets: tuple[Let, ...]
     isola: tuple[sp.Expr, ...]
@@ -196,6 +200,7 @@ def _damped(flow: SlowFlow) -> Damped:
     return Damped(
         fold_lets=fold_lets,
         fold=fold,
+        fold_square=_fold_square(flow),
         fold_moves=fold_moves,
         isola_Omega=_isola_Omega(flow),
         isola_lets=isola_lets,
@@ -221,6 +226,13 @@ def _damped(flow: SlowFlow) -> Damped:
 def _intercept(value: sp.Expr) -> sp.Expr:
     """Where the tangent along A of a function of A and Omega meets A = 0."""
     return sp.expand(value - A * slope(value))
+
+
+def _fold_square(flow: SlowFlow) -> sp.Expr:
+    """R is linear in Omega^2."""
+    square = sp.Symbol("square", positive=True)
+    lacking = flow.R.subs(Omega, sp.sqrt(square)) - (flow.R - lacks)
+    return sp.expand(sp.solve(lacking, square)[0])
 
 
 def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:

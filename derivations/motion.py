@@ -12,6 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import sympy as sp
+from sympy.codegen.cfunctions import hypot
 
 from .oscillator import F, F_c, c, cos_forcing, groups, scaled_motion, sign_u_dot, u_ddot, u_dot
 from .symbols import F_0, A, Omega, eta, mu, phi, u, zeta
@@ -136,7 +137,7 @@ def _transmissibility(equation: sp.Expr) -> tuple[tuple[Let, ...], sp.Expr]:
     of_inertia = sp.Symbol("of_inertia", real=True)
     parts = ((1, sp.cos), (0, sp.sin))
     both = (sp.expand(passed.subs({cosine: a, u_ddot: -F_0 * of_inertia * b(phi)}) / F_0) for a, b in parts)
-    return ((of_inertia, Omega**2 * A_1 / F_0),), sp.sqrt(sum(part**2 for part in both))
+    return ((of_inertia, Omega**2 * A_1 / F_0),), hypot(*both)
 
 
 def _stopping() -> tuple[tuple[Let, ...], sp.Expr]:

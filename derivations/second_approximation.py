@@ -35,6 +35,7 @@ from itertools import pairwise
 
 import sympy as sp
 from flint import arb, ctx
+from sympy.codegen.cfunctions import hypot
 
 from .averaging import Averaged, F_k, psi
 from .elliptic import DIGITS, Let, digits
@@ -69,6 +70,7 @@ class SecondApproximation:
         A_1   -- amplitude of the first harmonic
         phi   -- its phase, in its quadrant (25)
         F     -- response, R^2 + (I - F_0)(I + F_0); zero at a steady state
+        level -- the forcing for which this is a steady state, and of an excitation by inertia level_by_inertia
         turning -- zero where the forcing that reaches a given u_max is least
         turning_by_inertia -- the same of an excitation by inertia, whose force is F_0 Omega^2
         and derivatives, as F_A
@@ -176,6 +178,9 @@ def second_approximation(averaged: Averaged, flow: SlowFlow) -> SecondApproximat
     # Omega^5 d(level^2)/dOmega, level = sqrt(R^2 + I^2)/Omega^2, without the force of inertia, which cancels
     R_falls, I_falls = (sp.expand(Omega * chain.slope(of, chain.by_Omega) - 2 * of) for of in (of_R, of_I))
     level_slope = 2 * (R * R_falls + I * I_falls)
+    response, level = R**2 + (I - F_0) * (I + F_0), hypot(R, I)
+    if sp.expand(response.subs(F_0, sp.sqrt(sum(part**2 for part in level.args)))) != 0:
+        raise ArithmeticError("F does not vanish at the forcing of a steady state")
     return SecondApproximation(
         tuple(chain.lets),
         {
@@ -184,7 +189,9 @@ def second_approximation(averaged: Averaged, flow: SlowFlow) -> SecondApproximat
             "u_max": u_max,
             "A_1": A_1,
             "phi": flow.phase.subs({R_1: R, I_1: I}),
-            "F": R**2 + (I - F_0) * (I + F_0),
+            "F": response,
+            "level": level,
+            "level_by_inertia": level / Omega**2,
             "R_A": chain.by_A[R],
             "R_Omega": chain.by_Omega[R],
             "F_A": F_A,

@@ -169,7 +169,7 @@ def slow_flow(averaged: Averaged, scene: str = "") -> SlowFlow:
         stability=sp.factor_terms(F_A / (2 * A)),
         equivalent_damping=equivalent,
         # the base feels F_0 cos(Omega tau) - u'': at a fixed point its harmonics are h and I
-        transmissibility=sp.sqrt(h**2 + I**2) / F_0,
+        transmissibility=hypot(h, I) / F_0,
         isolation_lets=((turn, _isolation(R_value)),),
         isolation=sp.sqrt(turn),
         held=hypot(I_value.subs(A, 0), -R_value.subs({A: 0, h: -preload})),

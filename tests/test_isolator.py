@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from slowflow import Duffing, Isolator
 from slowflow.paper.example import isolator
+from slowflow_kernels import motion, slow_flow
 
 pytestmark = pytest.mark.both_backends
 
@@ -294,6 +295,12 @@ def test_the_limit_envelope_broadcasts_over_forcings():
     iso = isolator()
     found = iso.limit_envelope(Omega=[0.5, 0.9], F_0=[[0.01], [0.04]])
     assert found.tolist() == [[0.0, 0.0], [iso.limit_envelope(Omega=O, F_0=0.04) for O in (0.5, 0.9)]]
+
+
+def test_transmissibility_is_known_where_squares_leave_the_range_of_doubles():
+    for size in (1e-250, 1e250):
+        assert slow_flow.transmissibility(1.0, size, size, 3 * size, 0.0, -4 * size) == pytest.approx(5, rel=1e-15)
+        assert motion.transmissibility(1.0, 1e250, 2.0, 0.0) == pytest.approx(0.5e250, rel=1e-15)
 
 
 def test_transmissibility_is_the_force_on_the_base_over_the_forcing():

@@ -352,14 +352,15 @@ def test_bad_input_is_refused_as_in_the_first():
 
 
 def test_kernels_agree_with_one_another():
-    """R and u_max of `response` and `detachment`, F and F_A of `response` and `folds`."""
+    """The forcing of `detachment` and R, F of `response`, u_max of both; F and F_A of `response` and `folds`."""
     rng = np.random.default_rng(3)
     ends = ((0.7, 1.5), (0.1, 0.9), (0.02, 0.1), (0, 0.02), (0, 0.1))
     Omega, A, F_0, m, zeta = (rng.uniform(*pair, 50) for pair in ends)
     four = [-A * Omega**2 * rng.uniform(0.5, 3, 50), *(A * rng.uniform(-0.1, 0.1, 50) for _ in range(11))]
     three = [values for k, values in enumerate(four) if k % 4 != 3]
-    u_max, _, _, R, F, F_A, *_ = second_approximation.response(Omega, A, F_0, m, zeta, *three)
-    assert np.allclose((R, u_max), second_approximation.detachment(Omega, A, m, zeta, *three)[::2][:2], rtol=1e-12)
+    u_max, _, _, _, F, F_A, *_ = second_approximation.response(Omega, A, F_0, m, zeta, *three)
+    level = np.sqrt(F + F_0**2)
+    assert np.allclose((level, u_max), second_approximation.detachment(Omega, A, m, zeta, *three)[:2], rtol=1e-12)
     assert np.allclose((F, F_A), second_approximation.folds(Omega, A, F_0, m, zeta, *four)[:2], rtol=1e-9, atol=1e-13)
 
 

@@ -118,9 +118,9 @@ static inline void second_approximation_response(double Omega, double A, double 
     out[8] = R_Omega;
 }
 
-/* R, I, largest displacement, and what vanishes where the forcing that reaches it is least.
+/* The forcing (24), largest displacement, and what vanishes where the forcing that reaches it is least.
    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2.
-   Operations: 356 structured, 252 common subexpressions, 251 power chains
+   Operations: 357 structured, 253 common subexpressions, 252 power chains
  */
 static inline void second_approximation_detachment(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
 {
@@ -207,15 +207,14 @@ static inline void second_approximation_detachment(double Omega, double A, doubl
     const double I_Omega = A_1_Omega * t34 + a_3_Omega * t32 + a_5_Omega * t33 + t19 * u_max_Omega + 2.0 * t30;
     const double t35 = 2.0 * I_;
     const double t36 = 2.0 * R;
-    out[0] = R;
-    out[1] = I_;
-    out[2] = u_max;
-    out[3] = u_max_A * (I_Omega * t35 + R_Omega * t36) - u_max_Omega * (I_A * t35 + R_A * t36);
+    out[0] = hypot(R, I_);
+    out[1] = u_max;
+    out[2] = u_max_A * (I_Omega * t35 + R_Omega * t36) - u_max_Omega * (I_A * t35 + R_A * t36);
 }
 
 /* The same of an excitation by inertia.
    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2.
-   Operations: 387 structured, 286 common subexpressions, 285 power chains
+   Operations: 390 structured, 288 common subexpressions, 287 power chains
  */
 static inline void second_approximation_detachment_by_inertia(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
 {
@@ -305,10 +304,9 @@ static inline void second_approximation_detachment_by_inertia(double Omega, doub
     const double t38 = 18.0 * t30;
     const double t39 = 50.0 * t31;
     const double t40 = A_1_Omega * Omega2 * t22 * zeta;
-    out[0] = R;
-    out[1] = I_;
-    out[2] = u_max;
-    out[3] = -u_max_Omega * (I_A * t36 + R_A * t37) + u_max_A * (t36 * (-A_1 * t33 - A_1_Omega * Omega * t35 + 2.0
+    out[0] = t1 * hypot(R, I_);
+    out[1] = u_max;
+    out[2] = -u_max_Omega * (I_A * t36 + R_A * t37) + u_max_A * (t36 * (-A_1 * t33 - A_1_Omega * Omega * t35 + 2.0
         * A_1_Omega * Omega2 * zeta + Omega * m * t18 * u_max_Omega + 36.0 * Omega2 * a_3 * a_3_Omega * t18 * zeta +
         100.0 * Omega2 * a_5 * a_5_Omega * t18 * zeta - 2.0 * t29 - t34 * t38 - t34 * t39 - t38 * t40 - t39 * t40) +
         t37 * (A_1_Omega * Omega3 - Omega * m * sine_Omega + Omega * spring_Omega - 2.0 * spring + 2.0 * t27)) /

@@ -16,7 +16,7 @@ SF_LOOP(second_approximation_response_loop, 9,
         values);
 )
 
-SF_LOOP(second_approximation_detachment_loop, 4,
+SF_LOOP(second_approximation_detachment_loop, 3,
     const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i], h_AA =
         in[6][i], h_3 = in[7][i], h_3_A = in[8][i], h_3_AA = in[9][i], h_5 = in[10][i], h_5_A = in[11][i], h_5_AA =
         in[12][i];
@@ -24,7 +24,7 @@ SF_LOOP(second_approximation_detachment_loop, 4,
         values);
 )
 
-SF_LOOP(second_approximation_detachment_by_inertia_loop, 4,
+SF_LOOP(second_approximation_detachment_by_inertia_loop, 3,
     const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i], h_AA =
         in[6][i], h_3 = in[7][i], h_3_A = in[8][i], h_3_AA = in[9][i], h_5 = in[10][i], h_5_A = in[11][i], h_5_AA =
         in[12][i];
@@ -42,8 +42,8 @@ SF_LOOP(second_approximation_folds_loop, 3,
 
 static const sf_kernel kernels[] = {
     {"response", 14, 9, 1, NULL, SF_ONE(second_approximation_response_loop)},
-    {"detachment", 13, 4, 1, NULL, SF_ONE(second_approximation_detachment_loop)},
-    {"detachment_by_inertia", 13, 4, 1, NULL, SF_ONE(second_approximation_detachment_by_inertia_loop)},
+    {"detachment", 13, 3, 1, NULL, SF_ONE(second_approximation_detachment_loop)},
+    {"detachment_by_inertia", 13, 3, 1, NULL, SF_ONE(second_approximation_detachment_by_inertia_loop)},
     {"folds", 17, 3, 1, NULL, SF_ONE(second_approximation_folds_loop)},
 };
 

@@ -140,6 +140,11 @@ SF_LOOP(slow_flow_fold_loop, 3,
     slow_flow_fold(A, F_0, m, zeta, h, h_A, k, k_A, values);
 )
 
+SF_LOOP(slow_flow_fold_square_loop, 1,
+    const double Omega = in[0][i], A = in[1][i], lacks = in[2][i];
+    values[0] = slow_flow_fold_square(Omega, A, lacks);
+)
+
 SF_LOOP(slow_flow_fold_moves_loop, 2,
     const double A = in[0][i], k = in[1][i], R = in[2][i];
     slow_flow_fold_moves(A, k, R, values);
@@ -258,6 +263,7 @@ static const sf_kernel kernels[] = {
     {"rest", 4, 3, 1, NULL, SF_ONE(slow_flow_rest_loop)},
     {"intercept", 4, 2, 1, NULL, SF_ONE(slow_flow_intercept_loop)},
     {"fold", 8, 3, 1, NULL, SF_ONE(slow_flow_fold_loop)},
+    {"fold_square", 3, 1, 1, NULL, SF_ONE(slow_flow_fold_square_loop)},
     {"fold_moves", 3, 2, 1, NULL, SF_ONE(slow_flow_fold_moves_loop)},
     {"isola_Omega", 1, 1, 1, NULL, SF_ONE(slow_flow_isola_Omega_loop)},
     {"isola", 6, 2, 1, NULL, SF_ONE(slow_flow_isola_loop)},

@@ -21,6 +21,7 @@ from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats, Law, Mechanism
 from slowflow.model import THROUGHOUT
 from slowflow.results import Remark
+from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA
 
 Flags = npt.NDArray[np.bool_]
@@ -301,8 +302,8 @@ def isolation(oscillator: Averaged, F_0: float) -> Isolation:
     """See `Oscillator.isolation`.
 
     A state has R^2 + I^2 = F_0^2 and transmits the square root of h^2 + I^2: as much as F_0 where R = -h, which is at
-    sqrt(2) times the frequency of the backbone, as for a linear spring. That is explicit in A. Of an excitation by
-    inertia F_0 Omega^2 takes the place of F_0 in this.
+    sqrt(2) times the frequency of the backbone, as for a linear spring (`slow_flow.isolation`). That is explicit in A.
+    Of an excitation by inertia F_0 Omega^2 takes the place of F_0 in this.
     """
     F_0 = validate.number("F_0", F_0, above=0.0)
     if oscillator.model.inertial and not oscillator.closes(F_0):
@@ -344,7 +345,7 @@ def begins(curve: Any, transmits: Flags, passes: Callable[[int, int], tuple[floa
 def _of_full(oscillator: Averaged, A: Floats) -> Floats:
     """The frequency at which motions of these amplitudes transmit the whole force; -inf where there is none."""
     with np.errstate(all="ignore"):
-        Omega = math.sqrt(2) * oscillator.backbone(A)
+        Omega = slow_flow.isolation(A, oscillator.model.averaged(A)[0])
     return np.where(np.isnan(Omega), -math.inf, Omega)
 
 

@@ -212,7 +212,7 @@ def second_kernel(kernel):
             return [F(Omega, A), F_A, slope(F, (0, 2))]
         if kernel == "detachment":
             by_A, by_Omega = (slope(lambda w, a: at(w, a)[2], by) for by in ((0, 1), (1, 0)))
-            return [R, I, u_max, F_Omega * by_A - F_A * by_Omega]
+            return [mp.hypot(R, I), u_max, F_Omega * by_A - F_A * by_Omega]
         if kernel == "detachment_by_inertia":
 
             def level_squared(w, a):
@@ -221,7 +221,7 @@ def second_kernel(kernel):
             (by_A, by_Omega), (rise, along) = (
                 [slope(f, by) for by in ((0, 1), (1, 0))] for f in (lambda w, a: at(w, a)[2], level_squared)
             )
-            return [R, I, u_max, Omega**4 * (along * by_A - rise * by_Omega)]
+            return [mp.hypot(R, I) / Omega**2, u_max, Omega**4 * (along * by_A - rise * by_Omega)]
         slopes = [slope(lambda w, a: at(w, a)[0], by) for by in ((0, 1), (1, 0))]
         return [u_max, A_1, mp.arg(mp.mpc(-R, -I)), R, F(Omega, A), F_A, F_Omega, *slopes]
 
@@ -632,6 +632,7 @@ GRADIENTS: dict[str, tuple[str, Function]] = {
     "beside": ("Omega A F_0 m zeta h h_A", lambda w, A, F_0, *x: beside_point(w, A, *x)),
     "moves_of_phase": ("Omega A F_0 m zeta h h_A h_p m_p zeta_p A_p Omega_p F_0_p", moves_of_phase),
     "fold_moves": ("A intercept R", fold_moves),
+    "fold_square": ("Omega A lacks", lambda w, A, y: [mp.findroot(lambda x: A * (w**2 - x) - y, w**2)]),
 }
 
 
@@ -2421,6 +2422,7 @@ RANGES = {
     # k = h - A h_A, in size above F_0 and A |T|
     "intercept": (1.0, 3.0),
     "k_A": (-3.0, 3.0),
+    "lacks": (-0.5, 0.5),
     "X": (0.1, 4.0),
     "T": (-0.9, 0.9),
     "R": (0.1, 4.0),

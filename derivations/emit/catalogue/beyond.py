@@ -47,14 +47,14 @@ def second_approximation_module(results: Results) -> Module:
                 "detachment",
                 (),
                 2,
-                ("R", "I", "u_max", "turning"),
-                "R, I, largest displacement, and what vanishes where the forcing that reaches it is least.",
+                ("level", "u_max", "turning"),
+                "The forcing (24), largest displacement, and what vanishes where the forcing that reaches it is least.",
             ),
             kernel(
                 "detachment_by_inertia",
                 (),
                 2,
-                ("R", "I", "u_max", "turning_by_inertia"),
+                ("level_by_inertia", "u_max", "turning_by_inertia"),
                 "The same of an excitation by inertia.",
             ),
             kernel(

@@ -22,6 +22,7 @@ from ...along import (
     k,
     k_A,
     kappa,
+    lacks,
     rho,
     root,
     scaled_root,
@@ -502,6 +503,14 @@ def damped_kernels(along: Damped) -> list[Kernel]:
             "from (24), (30)",
             "A > 0, F_0 > m, k^2 >= F_0^2 - m^2",
             lets=along.fold_lets,
+        ),
+        plain(
+            "fold_square",
+            (Omega, A, lacks),
+            along.fold_square,
+            "Omega^2 beside a fold by the R of F = F_A = 0, from the Omega by I and what R lacks of agreeing (`fold`).",
+            "from (23)",
+            "A > 0",
         ),
         plain(
             "fold_moves",

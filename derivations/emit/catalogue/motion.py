@@ -34,7 +34,7 @@ from ..form import Module, plain
 #: what the compiled integrator asks for
 IN_C = (
     *("push", "push_slopes", "breakaway", "acceleration", "resistance"),
-    *("across", "turned", "released"),
+    *("across", "turned", "released", "rates_by_state", "rates_by_parameter"),
 )
 
 

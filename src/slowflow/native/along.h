@@ -99,7 +99,7 @@ static inline void sf_ask_stiffness(const sf_sample *at, sf_answer *out) {
 /* Omega where a fold at F_0 may be, from I or from R, y being what the two lack of agreeing: the one that rounding moves
  * less. I exceeds m by little if damping is weak, and |k| the least if Omega is low. */
 static inline double sf_fold_Omega(const sf_asked *asked, const sf_sample *at, double Omega, double y) {
-    const double lag = slow_flow_I(Omega, at->A, 0, asked->model->zeta), square = Omega * Omega - y / at->A;
+    const double lag = slow_flow_I(Omega, at->A, 0, asked->model->zeta), square = slow_flow_fold_square(Omega, at->A, y);
     const double least = asked->least / at->k;
     const double of_I = (lag + asked->model->m) / (lag * (1 - least) * (1 + least));
     const double of_R = (2 * fabs(at->h) + at->A * square) / (at->A * square);

@@ -802,7 +802,7 @@ static void sf_second_cusp_at(const sf_second *second, double ln_Omega, double l
 static sf_second_status sf_second_cusp(const sf_model *model, const sf_onset *first, sf_onset *out, double *u_max) {
     const sf_second second = {model, first->F_SN, SF_EVERY_POINT};
     const double from[2] = {log(first->Omega), log(first->A)}, apart = 0x1p-20;
-    double x[2] = {from[0], from[1]}, g[2], moved = HUGE_VAL, Omega, A, k[SF_KNOWN], balance[4];
+    double x[2] = {from[0], from[1]}, g[2], moved = HUGE_VAL, Omega, A, k[SF_KNOWN], balance[3];
     int i;
     for (i = 0; i < SF_STEPS && moved > 0x1p-50; i++) {
         double by[2][2], determinant, step[2];
@@ -829,17 +829,17 @@ static sf_second_status sf_second_cusp(const sf_model *model, const sf_onset *fi
     sf_second_known(model, 1, &A, k);
     second_approximation_detachment(Omega, A, model->m, model->zeta, k[0], k[1], k[2], k[4], k[5], k[6], k[8], k[9],
                                     k[10], balance);
-    out->F_SN = sqrt(balance[0] * balance[0] + balance[1] * balance[1]);
+    out->F_SN = balance[0];
     if (!(fabs(log(out->F_SN / first->F_SN)) <= SF_SMALL && sf_second_is_small(&second, Omega, A)))
         return SF_FAR_SECOND;
     out->Omega = Omega, out->A = A, out->kind = SF_CUSP_KIND, out->rest = first->rest;
-    *u_max = balance[2];
+    *u_max = balance[1];
     return SF_OK_SECOND;
 }
 
-/* A at which the largest displacement is u at a frequency: above it by what friction's harmonics take off; and R, I,
+/* A at which the largest displacement is u at a frequency: above it by what friction's harmonics take off; and the forcing,
  * u_max and what vanishes where the forcing is least. */
-static double sf_second_reaching(const sf_model *model, double u, double Omega, double balance[4]) {
+static double sf_second_reaching(const sf_model *model, double u, double Omega, double balance[3]) {
     double A = u;
     int i;
     for (i = 0; i < SF_STEPS; i++) {
@@ -847,9 +847,9 @@ static double sf_second_reaching(const sf_model *model, double u, double Omega, 
         sf_second_known(model, 1, &A, k);
         second_approximation_detachment(Omega, A, model->m, model->zeta, k[0], k[1], k[2], k[4], k[5], k[6], k[8], k[9],
                                         k[10], balance);
-        if (fabs(u / balance[2] - 1) <= SF_ROUNDING)
+        if (fabs(u / balance[1] - 1) <= SF_ROUNDING)
             break;
-        A *= u / balance[2];
+        A *= u / balance[1];
     }
     return A;
 }
@@ -861,9 +861,9 @@ typedef struct {
 
 static double sf_turning_at(const void *given, double Omega) {
     const sf_second_reach *reach = given;
-    double balance[4];
+    double balance[3];
     sf_second_reaching(reach->model, reach->u, Omega, balance);
-    return balance[3];
+    return balance[2];
 }
 
 /* The lowest forcing whose largest displacement is u_cr; no iteration over A and Omega at once: next to u_cr, above which
@@ -878,12 +878,12 @@ static sf_second_status sf_second_detach(const sf_model *model, double F_first, 
     for (i = 10; i >= 0; i--) {
         const double width = ldexp(SF_SMALL, -i), low = Omega_first * exp(-width), high = Omega_first * exp(width);
         const double f_low = sf_turning_at(&reach, low), f_high = sf_turning_at(&reach, high);
-        double balance[4], A;
+        double balance[3], A;
         if (!(f_low < 0 && f_high > 0))
             continue;
         *Omega_cr = sf_zero_between(sf_turning_at, &reach, low, f_low, high, f_high, 0x1p-46);
         A = sf_second_reaching(model, u_cr, *Omega_cr, balance);
-        *F_cr = sqrt(balance[0] * balance[0] + balance[1] * balance[1]);
+        *F_cr = balance[0];
         /* without damping it is nought to rounding */
         if (fabs(A / u_cr - 1) < SF_SMALL && fabs(*F_cr - F_first) < SF_SMALL * F_first + SF_DONE * u_cr &&
             sf_second_is_small(&second, *Omega_cr, A))
@@ -898,7 +898,7 @@ typedef struct {
     double A;
 } sf_second_near;
 
-static double sf_amplitude_near(const sf_second_near *near, double Omega, double balance[4]) {
+static double sf_amplitude_near(const sf_second_near *near, double Omega, double balance[3]) {
     double A = near->A, step = HUGE_VAL, k[SF_KNOWN];
     int i;
     for (i = 0; i < SF_STEPS && fabs(step) > SF_DONE; i++) {
@@ -914,9 +914,9 @@ static double sf_amplitude_near(const sf_second_near *near, double Omega, double
 }
 
 static double sf_turning_near(const void *given, double Omega) {
-    double balance[4];
+    double balance[3];
     sf_amplitude_near(given, Omega, balance);
-    return balance[3];
+    return balance[2];
 }
 
 /* The highest peak of a curve; `far` where there is none between its points. */
@@ -925,7 +925,7 @@ static sf_second_status sf_peak_on(const sf_model *model, double F_0, const sf_s
     const sf_second here = {model, F_0, SF_EVERY_POINT}, *second = &here;
     sf_second_near near = {second, 0};
     const sf_second_point *top = NULL, *low, *high;
-    double f_low, f_high, balance[4];
+    double f_low, f_high, balance[3];
     long i;
     for (i = 1; i + 1 < curve->n; i++)
         if (curve->point[i - 1].part == curve->point[i + 1].part &&

@@ -21,7 +21,7 @@ from slowflow.off_centre.boxes import Ints, solve
 from slowflow.off_centre.by_ends import ROUNDED, EndedEdge, phases, resists
 from slowflow.off_centre.ends import Charts, above_diagonal
 from slowflow.off_centre.means import Steps
-from slowflow_kernels import slow_flow
+from slowflow_kernels import off_centre, slow_flow
 
 #: octaves of the ends' distance from a chart's edge that are cut apart at first, and parts of a chart between two edges
 BELOW, PARTS = 5, 4
@@ -265,14 +265,15 @@ class Sheets:
 def _one_frequency(t: Floats, F_0: float, m: float, zeta: float, A: Interval, p: Interval) -> Bools:
     """Whether R and I with t in an interval that does not pass 0 may be of one frequency."""
     size = np.sort(np.abs(t), axis=0)
-    I = F_0 * ((1 - size) * (1 + size) / (1 + size * size))[::-1]
-    R = np.sort(F_0 * 2 * t / (1 + t * t), axis=0)
-    lag = Interval(
-        np.stack((np.maximum(I[0] - m, 0.0) * (1 - ROUNDED), np.maximum(I[1] - m, 0.0) * (1 + ROUNDED) + ROUNDED * F_0))
-    )
-    # 2 zeta A Omega, and (A Omega)^2 = A (R + A p)
-    square = A * (Interval(R + ROUNDED * np.array([[-F_0], [F_0]])) + A * p)
-    apart = (lag * (0.5 / zeta)).square() - square
+    # I falls with |t|, R rises with t
+    I = off_centre.balance_by_phase(size, F_0)[1][::-1]
+    R = np.sort(off_centre.balance_by_phase(t, F_0)[0], axis=0)
+    # A Omega by I: what the forcing I holds at Omega = 1
+    reach, doubt = np.maximum(slow_flow.limit_envelope(1.0, I, m, zeta), 0.0), ROUNDED * F_0 / zeta
+    by_I = Interval(np.stack((reach[0] * (1 - ROUNDED), reach[1] * (1 + ROUNDED) + doubt)))
+    # its square by R, in which Omega^2 is multiplied by A only
+    by_R = A * (Interval(R + ROUNDED * np.array([[-F_0], [F_0]])) + A * p)
+    apart = by_I.square() - by_R
     return ~apart.has_sign
 
 

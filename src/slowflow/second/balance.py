@@ -57,8 +57,8 @@ class Balance:
     def detachment(self, Omega: Any, A: Any) -> tuple[Floats, ...]:
         """The forcing for which that is a steady state, u_max, turning"""
         of = kernels.detachment_by_inertia if self.model.inertial else kernels.detachment
-        R, I, u_max, turning = of(Omega, A, self.model.m, self.model.zeta, *self.averages(A))
-        return np.hypot(R, I) / self.model.force(1.0, Omega), u_max, turning
+        values: tuple[Floats, ...] = of(Omega, A, self.model.m, self.model.zeta, *self.averages(A))
+        return values
 
     def folds(self, Omega: Any, A: Any, F_0: Any) -> tuple[Floats, ...]:
         """F, F_A, F_AA"""

@@ -165,7 +165,7 @@ class FoldAt(Asked):
 
         I exceeds m by little if damping is weak, and |k| the least if Omega is low.
         """
-        lag, square = slow_flow.I(Omega, at.A, 0.0, self.model.zeta), Omega * Omega - y / at.A
+        lag, square = slow_flow.I(Omega, at.A, 0.0, self.model.zeta), slow_flow.fold_square(Omega, at.A, y)
         least = self.least / at.k
         of_I = (lag + self.model.m) / (lag * (1 - least) * (1 + least))
         of_R = (2 * np.abs(at.h) + at.A * square) / (at.A * square)

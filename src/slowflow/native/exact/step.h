@@ -138,6 +138,22 @@ static SF_INLINE double sf_rate_of(const sf_drive *drive, double cosine, double 
     return motion_acceleration(cosine, v[n], drive->F_0, drive->zeta, resists, f);
 }
 
+/* What v' falls by per V, by zeta; of what is quadratic in v it is the same of that times v. */
+static SF_INLINE double sf_damped(double zeta)
+{
+    double by_state[4];
+    motion_rates_by_state(1.0, zeta, 0.0, by_state);
+    return -by_state[3];
+}
+
+/* What a rate in time changes by with Omega at a fixed theta, over the rate. */
+static SF_INLINE double sf_by_Omega(double Omega)
+{
+    double by_parameter[10];
+    motion_rates_by_parameter(0.0, 1.0, Omega, 0.0, 0.0, 0.0, 0.0, by_parameter);
+    return by_parameter[0] * Omega;
+}
+
 /* u' = v and v' by the equation of motion. The piece has `series`, f is number `value` of them; `fours` groups of sums. */
 static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p, const sf_drive *drive, double theta,
                                 double u, double v, int series, int fours, int value, double *over, double *w,
@@ -162,15 +178,16 @@ static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p,
     }
 }
 
-/* The same with the derivatives: of u, U' = V and of v, V' = -f'(u) U - 2 (zeta + quadratic v) V, less the rates of u and v over Omega
- * in the column of Omega, plus cos theta in that of F_0. f' is series `slope`; where it is linear, its first coefficient. */
+/* The same with the derivatives: of u, U' = V; of v, V' = -f'(u) U less what resists it, plus cos theta in the column of F_0;
+ * and in that of Omega what the rates of u and v have of it at a fixed theta. f' is series `slope`; where it is linear, its
+ * first coefficient. */
 static SF_INLINE void sf_expand_both(sf_begin *begin, sf_next *next, const double *p, const sf_drive *drive,
                                      double theta, double u, double v, const sf_four flow[2], int series, int fours,
                                      int value, int slope, int linear, double *over, double *w, sf_four *left,
                                      sf_four *right, sf_expansion *x)
 {
-    const double damping = 2.0 * drive->zeta, by_Omega = -1.0 / drive->Omega;
-    const sf_four damped = sf_all(damping);
+    const double by_Omega = sf_by_Omega(drive->Omega);
+    const sf_four damped = sf_all(sf_damped(drive->zeta)), damped_by_v = sf_all(sf_damped(drive->quadratic));
     double cosine = cos(theta), sine = sin(theta);
     sf_four slopes[SF_TERMS];
     memset(w + series, 0, (size_t)series * sizeof *w); /* taken while coefficients 1 are put in, times zero */
@@ -190,7 +207,7 @@ static SF_INLINE void sf_expand_both(sf_begin *begin, sf_next *next, const doubl
         if (drive->quadratic != 0.0) {
             sf_four with_v;
             sf_fours_with_v(x->v, x->V, n - 1, &with_v);
-            resisted = sf_more(resisted, sf_all(2.0 * drive->quadratic), with_v);
+            resisted = sf_more(resisted, damped_by_v, with_v);
         }
         x->V[n] = sf_times(sf_less(sf_four_of(0.0, 0.0, rate * by_Omega, cosine), resisted), each);
         if (n == SF_ORDER)
