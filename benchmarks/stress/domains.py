@@ -43,6 +43,7 @@ BOX: dict[str, tuple[float, float, bool, bool]] = {
     "root": (1e-9, 1e3, True, False),
     "k": (1e-9, 1e3, True, False),
     "k_A": (1e-9, 1e6, True, True),
+    "lacks": (1e-9, 1e3, True, True),
     "preload": (1e-12, 1.0, False, True),
     "X": (1e-6, 1e6, False, False),
     "T": (1e-9, 1e6, True, True),

@@ -82,7 +82,12 @@ def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
     else:
         of_locus = definitions.UNDAMPED if "zeta" in definitions.SCENES[scene] else definitions.DAMPED
         table = {
-            "slow_flow": definitions.SLOW_FLOW | definitions.SLOPES | definitions.LOCI | of_locus | SLOPE,
+            "slow_flow": definitions.SLOW_FLOW
+            | definitions.SLOPES
+            | definitions.LOCI
+            | of_locus
+            | SLOPE
+            | definitions.BESIDE_FOLDS,
             "frequencies": definitions.FREQUENCIES,
             "motion": definitions.MOTION,
             "den_hartog": definitions.DEN_HARTOG,

@@ -92,7 +92,7 @@ def rates(Omega, A, phi, F_0, m, zeta, h):
 
 def jacobian(Omega, A, m, zeta, h, h_A):
     R, I = balances(Omega, A, m, zeta, h)
-    F_0, phi = mp.hypot(R, I), mp.arg(mp.mpc(-R, -I))
+    F_0, phi = mp.sqrt(R**2 + I**2), mp.arg(mp.mpc(-R, -I))
     local = near(A, (h, h_A))
     entries = []
     for k in (0, 1):
@@ -212,7 +212,7 @@ def second_kernel(kernel):
             return [F(Omega, A), F_A, slope(F, (0, 2))]
         if kernel == "detachment":
             by_A, by_Omega = (slope(lambda w, a: at(w, a)[2], by) for by in ((0, 1), (1, 0)))
-            return [mp.hypot(R, I), u_max, F_Omega * by_A - F_A * by_Omega]
+            return [mp.sqrt(R**2 + I**2), u_max, F_Omega * by_A - F_A * by_Omega]
         if kernel == "detachment_by_inertia":
 
             def level_squared(w, a):
@@ -221,7 +221,7 @@ def second_kernel(kernel):
             (by_A, by_Omega), (rise, along) = (
                 [slope(f, by) for by in ((0, 1), (1, 0))] for f in (lambda w, a: at(w, a)[2], level_squared)
             )
-            return [mp.hypot(R, I) / Omega**2, u_max, Omega**4 * (along * by_A - rise * by_Omega)]
+            return [mp.sqrt(R**2 + I**2) / Omega**2, u_max, Omega**4 * (along * by_A - rise * by_Omega)]
         slopes = [slope(lambda w, a: at(w, a)[0], by) for by in ((0, 1), (1, 0))]
         return [u_max, A_1, mp.arg(mp.mpc(-R, -I)), R, F(Omega, A), F_A, F_Omega, *slopes]
 
@@ -632,7 +632,10 @@ GRADIENTS: dict[str, tuple[str, Function]] = {
     "beside": ("Omega A F_0 m zeta h h_A", lambda w, A, F_0, *x: beside_point(w, A, *x)),
     "moves_of_phase": ("Omega A F_0 m zeta h h_A h_p m_p zeta_p A_p Omega_p F_0_p", moves_of_phase),
     "fold_moves": ("A intercept R", fold_moves),
-    "fold_square": ("Omega A lacks", lambda w, A, y: [mp.findroot(lambda x: A * (w**2 - x) - y, w**2)]),
+}
+#: what is asked beside a fold
+BESIDE_FOLDS: dict[str, tuple[str, Function]] = {
+    "fold_square": ("Omega A lacks", lambda w, A, y: [w**2 - y / A]),
 }
 
 
@@ -1403,7 +1406,7 @@ def balanced(x, A, m, zeta, h):
 def shaken_peak(x, A, F_0, m, zeta, h, h_A):
     """F_A by differentiation at that R."""
     w, R, I = balanced(x, A, m, zeta, h)
-    least = mp.hypot(R, I) / shaken(w, 1)
+    least = mp.sqrt(R**2 + I**2) / shaken(w, 1)
     return [least - F_0, slope_of_response(1, w, A, m, zeta, R - A * w**2, h_A) / (2 * least * shaken(w, 1) ** 2)]
 
 
@@ -2556,7 +2559,7 @@ def slow_flow_table(rng: random.Random, scene: str) -> dict:
                 for k in with_it:
                     x[k] *= -1
         table[name] = [entry(zeroed(f, names.split(), scene), x) for x in chosen]
-    for name, (names, f) in ({} if scene else GRADIENTS).items():
+    for name, (names, f) in ({} if scene else GRADIENTS | BESIDE_FOLDS).items():
         table[name] = [entry(f, x) for x in points(rng, names, 6)]
     return table
 
