@@ -24,6 +24,7 @@ from slowflow.off_centre.answers import OffCentreStates
 from slowflow.off_centre.ends import Charts
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.questions import OffCentre
+from slowflow.paper.example import isolator
 
 CERTIFIED = json.loads((Path(__file__).parent / "data" / "off_centre.json").read_text())
 TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
@@ -688,6 +689,16 @@ def test_isolation_that_begins_at_a_fold_begins_there_and_not_at_a_point_beside_
     duffing = Duffing(alpha=0.3174721, beta=9.8818251, zeta=0.02781846, load=0.0262015738)
     folds, found = duffing.saddle_nodes(0.0172011016), duffing.isolation(0.0172011016)
     assert found.at_fold and (found.Omega, found.A) == (folds.Omega[-1], folds.A[-1])
+
+
+@pytest.mark.slow
+def test_rows_of_many_forcings_under_a_load_cross_a_fold_where_the_same_two_rows_do():
+    """Ways share forcings; two rows by themselves share others."""
+    loaded = isolator(load=0.03)
+    Omega, F_0 = np.array([0.9, 0.95, 1.2, 0.76, 0.8]), np.array([0.03, 0.04, 0.02, 0.025, 0.035])
+    crosses = loaded.spectrum(Omega=Omega, F_0=F_0).crosses[1:]
+    pairs = [loaded.spectrum(Omega=Omega[k : k + 2], F_0=F_0[k : k + 2]).crosses[1] for k in range(4)]
+    assert crosses.tolist() == pairs and any(pairs) and not all(pairs)
 
 
 def test_a_load_spectrum_off_the_centre_says_of_each_row_what_its_states_and_folds_say(loaded):

@@ -41,9 +41,13 @@ BEYOND = 1.1
 SAMPLES = 2000
 #: places up to which friction may hold the mass, between which its force is looked at, and halvings that leave rounding
 PLACES, HALVINGS = 256, 110
-#: steps between two rows of a load spectrum whose forcings differ, and the share of the way that is halved no more
+#: steps between two rows of a load spectrum whose forcings differ, and the share of the way that is cut no more
 STEPS = 16
 SHORTEST = 1e-6
+#: into how many parts a way is cut: two, or as many as are asked of together at the cost of few
+HALVES, AT_ONCE = 2, 16
+#: forcings that many ways share where each takes hundredths of a second, and up to which fraction two are one
+SHARED, ROUNDED = 32, 1e-13
 
 
 @dataclass(frozen=True, eq=False)
@@ -401,7 +405,18 @@ def spectrum(
         found = [on_both_sides(folds[one], np.asarray(at)) for at, one in zip(Omega, F_0.tolist(), strict=True)]
         return np.array(found, dtype=np.intp).reshape(-1, 2).T
 
-    crosses = np.concatenate(([False], crossed(sides, points[:, :-1], points[:, 1:])))[: at.size]
+    if folds_at is None:
+        ways = crossed(sides, points[:, :-1], points[:, 1:])
+    else:
+        shared = np.linspace(F.min(), F.max(), min(STEPS * at.size, SHARED)) if at.size else F
+
+        def on_shared(which: Ints, Omega: Floats, F_0: Floats) -> Ints:
+            """At the forcings that ways share, to their last digit."""
+            nearest = shared[np.abs(shared[:, np.newaxis] - F_0).argmin(axis=0)]
+            return sides(which, Omega, np.where(np.abs(nearest - F_0) < ROUNDED * F_0, nearest, F_0))
+
+        ways = crossed(on_shared, points[:, :-1], points[:, 1:], AT_ONCE, shared)
+    crosses = np.concatenate(([False], ways))[: at.size]
     rows, said, codes = [], [], []
     passes = leaves or (lambda states: states.A > oscillator.breakpoints[0])
     for here in zip(at.tolist(), F.tolist(), crosses.tolist(), strict=True):
@@ -423,13 +438,29 @@ def on_both_sides(folds: Floats, Omega: Any) -> Ints:
     return np.array([(~above & ~np.isnan(folds)).sum(axis=-1), above.sum(axis=-1)])
 
 
-def crossed(sides: Callable[[Ints, Floats, Floats], Ints], start: Floats, end: Floats) -> Flags:
+def _shares(start: float, end: float, forcings: Floats) -> Floats:
+    """Of a way from one forcing to another, where it passes these, with its own ends."""
+    if start == end:
+        return np.array([0.0, 1.0])
+    t = (forcings - start) / (end - start)
+    return np.concatenate(([0.0], np.sort(t[(t > 0) & (t < 1)]), [1.0]))
+
+
+def crossed(
+    sides: Callable[[Ints, Floats, Floats], Ints],
+    start: Floats,
+    end: Floats,
+    parts: int = HALVES,
+    forcings: Floats | None = None,
+) -> Flags:
     """On which of the straight ways from one (Omega, F_0) to another, each of shape (2, n), a fold lies.
 
     sides -- of ways by their number, at (Omega, F_0) on them: `on_both_sides`
+    parts -- into how many the way is cut at once: more where several forcings cost hardly more than one
+    forcings -- at which ways are cut first; without at `STEPS` shares of each
 
     As every fold of a forcing is known, one that is met is one that changes sides. Where folds are born or end as well,
-    the way is halved until they do so on a piece too short to matter.
+    the way is cut until they do so on a piece too short to matter.
     """
     found = np.zeros(start.shape[1], dtype=bool)
 
@@ -437,10 +468,15 @@ def crossed(sides: Callable[[Ints, Floats, Floats], Ints], start: Floats, end: F
         here = start[:, which] + (end - start)[:, which] * t
         return sides(which, *np.where(t == 1, end[:, which], here))
 
-    steps = np.where(start[1] == end[1], 1, STEPS)
-    which = np.repeat(np.arange(found.size), steps)
-    number = np.arange(which.size) - np.repeat(np.cumsum(steps) - steps, steps)
-    low, high = number / steps[which], (number + 1) / steps[which]
+    if forcings is None:
+        steps = np.where(start[1] == end[1], 1, STEPS)
+        which = np.repeat(np.arange(found.size), steps)
+        number = np.arange(which.size) - np.repeat(np.cumsum(steps) - steps, steps)
+        low, high = number / steps[which], (number + 1) / steps[which]
+    else:
+        cuts = [_shares(*ends, forcings) for ends in zip(start[1].tolist(), end[1].tolist(), strict=True)]
+        which = np.repeat(np.arange(found.size), [len(one) - 1 for one in cuts])
+        low, high = (np.concatenate([[], *(one[part] for one in cuts)]) for part in (slice(-1), slice(1, None)))
     known = at(np.repeat(which, 2), np.column_stack((low, high)).ravel())
     of_low, of_high = known[:, ::2], known[:, 1::2]
     while which.size:
@@ -448,10 +484,11 @@ def crossed(sides: Callable[[Ints, Floats, Floats], Ints], start: Floats, end: F
         found[which[as_many & (of_low != of_high).any(axis=0)]] = True
         left = np.flatnonzero(~as_many & (high - low >= SHORTEST) & ~found[which])
         which, low, high, of_low, of_high = which[left], low[left], high[left], of_low[:, left], of_high[:, left]
-        middle = 0.5 * (low + high)
-        between = at(which, middle)
-        which, low, high = np.tile(which, 2), np.append(low, middle), np.append(middle, high)
-        of_low, of_high = np.hstack((of_low, between)), np.hstack((between, of_high))
+        ends = [low + (high - low) * (k / parts) for k in range(1, parts)]
+        between = [*at(np.tile(which, parts - 1), np.concatenate(ends)).reshape(2, parts - 1, -1).transpose(1, 0, 2)]
+        which = np.tile(which, parts)
+        low, high = np.concatenate((low, *ends)), np.concatenate((*ends, high))
+        of_low, of_high = np.hstack((of_low, *between)), np.hstack((*between, of_high))
     return found
 
 

@@ -325,9 +325,9 @@ class Oscillator(Averaged):
         """A periodic motion of the equation of motion (3) itself: series, harmonics, stops, multipliers, residual.
 
         A     -- the motion whose amplitude is nearest to A, stable or not, of those that averaging leads to: from its
-                 states at Omega, its folds beside it, and A itself; where none of them leads to a motion near it, what
-                 the averaged state nearest to A settles to; with static friction that of a mass at rest is one of
-                 them. Without it the motion that a mass at rest comes to
+                 states at Omega, its folds beside it, and A itself, under a load from its states alone; where none of
+                 them leads to a motion near it, what the averaged state nearest to A settles to; with static friction
+                 that of a mass at rest is one of them. Without it the motion that a mass at rest comes to
         force -- "truncated" for (6), "untruncated" for (5); by default the one that is averaged
 
         `.force` of the answer is that on the mass: F_0 Omega^2 for an excitation by inertia.
@@ -456,7 +456,7 @@ class Oscillator(Averaged):
         """A load spectrum, one tone at a time: what the motion at each pair (Omega, F_0) does, in their order.
 
         Which have several motions, cross a fold from the one before, detach, stick; see `slowflow.loads.Spectrum`.
-        Under a load a row with another forcing than the one before takes several seconds.
+        Under a load rows with several forcings take some tenths of a second each.
         Raises ValueError for numbers <= 0 and for shapes that do not broadcast.
         """
         from slowflow import loads

@@ -290,7 +290,7 @@ class OffCentreDesigns:
     def spectrum(self, *, Omega: Any, F_0: Any, workers: int = 1) -> ManySpectra:
         """A load spectrum, of each design, one tone at a time; see `slowflow.oscillator.Designs.spectrum`.
 
-        A row with another forcing than the one before takes several seconds.
+        Rows with several forcings take some tenths of a second each.
         """
         validate.workers(workers)
         asked = {"Omega": validate.real_array("Omega", Omega), "F_0": validate.real_array("F_0", F_0)}

@@ -552,7 +552,8 @@ class OffCentre:
     def spectrum(self, *, Omega: Any, F_0: Any) -> loads.Spectrum:
         """A load spectrum, one tone at a time, see `Oscillator.spectrum`; of each motion A is about its mean.
 
-        A row with another forcing than the one before takes several seconds: folds of forcings between are found.
+        Rows with several forcings take some tenths of a second each, few rows two seconds: folds of forcings between
+        are found, which rows share.
         """
         return loads.spectrum(self, Omega, F_0, self._leaves, self._folds_at)
 

@@ -34,7 +34,7 @@ damping is stated at one frequency: with it there is no answer in a shock.
 F_SN does not tell of folds below it that end at Omega = 0, where a design has such: it has no F_SN here then.
 
 Of a design under a load A_peak and A are about the mean, A_shock is the largest |x|. Its mass is `load`, and m what k_v
-is preset for. Each answer takes tenths of a second then, not microseconds, and a row of a spectrum seconds.
+is preset for. Each answer takes tenths of a second then, not microseconds, and a row of a spectrum too.
 """
 
 from slowflow.sizing.fitting import fit
