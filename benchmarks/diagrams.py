@@ -25,8 +25,9 @@ COLOURS = {
     "DOP853, events": "#D55E00",
     "LSODA, events": "#009E73",
     "Radau, events": "#000000",
+    "AUTO-07p by bifpy": "#882255",
 }
-MARKERS = dict(zip(COLOURS, "oso^DvPsdX", strict=True))
+MARKERS = dict(zip(COLOURS, "oso^DvPsdX<", strict=True))
 #: offset of a text in points, and which of its ends is there
 BELOW, ABOVE = ((0, -7), "center", "top"), ((0, 7), "center", "bottom")
 LEFT, RIGHT = ((-8, 0), "right", "center"), ((9, 0), "left", "center")

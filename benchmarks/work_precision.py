@@ -8,6 +8,7 @@ largest of F_SN, Omega and A. A value that is not found to 1 % counts as missed,
 from __future__ import annotations
 
 import statistics
+import sys
 from collections.abc import Sequence
 from typing import Any
 
@@ -16,7 +17,9 @@ import numpy as np
 from benchmarks import certified, jobs
 from benchmarks.baselines import METHODS
 from benchmarks.bench_exact import by_stops
-from benchmarks.remote import Remote, in_turn
+from benchmarks.peers import bifpy
+from benchmarks.peers.__main__ import interpreter
+from benchmarks.remote import Failure, Remote, in_turn
 from slowflow import backend
 
 MISSED = 0.01
@@ -116,13 +119,23 @@ def precision(processes: Processes, rounds: int) -> list[dict[str, Any]]:
     return scenes
 
 
+def collocation() -> list[Remote]:
+    """AUTO's collocation, where it can be installed."""
+    try:
+        return [Remote("benchmarks.peers.bifpy_motion", interpreter("bifpy", bifpy.PACKAGES))]
+    except Failure as failure:
+        print(f"{bifpy.NAME}, exact motion: not measured here: {failure}", file=sys.stderr, flush=True)
+        return []
+
+
 def motion() -> dict[str, Any]:
     """The scene of the equation of motion itself, in one round: some integrators take half a minute."""
-    remote = Remote("benchmarks.motions")
+    remotes = [Remote("benchmarks.motions"), *collocation()]
     try:
-        answers, failures = in_turn({job: (remote, job) for job in remote.jobs}, 1)
+        answers, failures = in_turn({job: (remote, job) for remote in remotes for job in remote.jobs}, 1)
     finally:
-        remote.stop()
+        for remote in remotes:
+            remote.stop()
     if failures:
         raise RuntimeError(f"jobs failed: {failures}")
     exact = certified.motion()
