@@ -39,6 +39,7 @@ PLACES = {
     ("motion", "DOP853, events"): LEFT,
     ("motion", "LSODA, events"): ((4, -14), "left", "top"),
     ("motion", "the paper's recipe"): RIGHT,
+    ("motion", "AUTO-07p by bifpy"): ((0, -17), "center", "top"),
 }
 #: methods named above their least accurate point
 ON_TOP = ("bracketing",)
