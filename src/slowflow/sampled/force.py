@@ -1,9 +1,7 @@
-"""Forces that are Python functions: in go functions of u, out comes a mechanism's record, with averages by quadrature.
+"""The force of a design of stated functions: in go functions of u with numbers, out come values, averages and bounds.
 
-Such a function has no derivatives, and nothing encloses it. On each of its pieces it is replaced by the polynomial
-through its values at Chebyshev's points, as many as it takes; that has derivatives, bounds, and an error that is
-measured. All else is of this polynomial: sums over the quarter cycle, what ends of pieces add to them, and the bounds
-by which no fold is missed. From the reach on the force goes on as a straight line, which no answer is about.
+All is of the pieces' polynomials: sums over the quarter cycle, what ends of pieces add to them, and the bounds by which
+no fold is missed. From the reach on the force goes on as a straight line, which no answer is about.
 """
 
 from __future__ import annotations
@@ -18,191 +16,20 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from numpy.polynomial import chebyshev
 from numpy.polynomial.legendre import leggauss
-from numpy.typing import NDArray
-from scipy.fft import dct
 
-from slowflow_kernels import sampled, sampled_intervals
+from slowflow.sampled.polynomial import ORDERS, Floats, Smooth
+from slowflow_kernels import sampled
 from slowflow_kernels.quadrature_conventions import DENSE, NODES
 from slowflow_support.quadrature import over_quarter
-from slowflow_support.record import Enclosed, Law, Mechanism, Parameter
 
-Floats = NDArray[np.float64]
-
-#: points of the first look, and of the last
-FEWEST, MOST = 16, 1024
-#: what the last eighth of the coefficients is of the largest where a function is known to rounding, and at most
-ROUNDED, RESOLVED = 2.0**-51, 2.0**-44
-#: points at which the error is measured
-CHECKED = 500
-#: parts of a piece on which its values are bounded
-CELLS = 256
-#: derivatives that are asked for
-ORDERS = 4
-#: what a breakpoint adds, by the lowest order of what is lost there
-BENT_ENDS = (
-    sampled_intervals.bent_end_0,
-    sampled_intervals.bent_end_1,
-    sampled_intervals.bent_end_2,
-    sampled_intervals.bent_end_3,
-)
 #: a function stated for u > 0 and u < 0 is odd within this share of itself
 ODD = 1e-9
 #: designs whose polynomials are kept
 KEPT = 4096
 
-REACHED = "the function is not asked for what lies beyond"
 _HALF = leggauss(NODES)
 RULE = tuple((float(node), float(weight)) for node, weight in zip(*_HALF, strict=True) if node > 0)
-
-
-class Smooth:
-    """One piece as a polynomial in v, what u exceeds its begin by, from 0 to its length.
-
-    Where it begins with 0, as at rest, it is a polynomial times a power of v, which keeps its digits there.
-
-    power  -- that of v
-    points -- how many values it goes through
-    noise  -- what its coefficients are in doubt by
-    error  -- the largest that was measured between these points, of the largest force
-    """
-
-    points: int
-    noise: float
-    of: list[Any]
-
-    def __init__(self, values: Callable[[Floats], Floats], length: float, from_zero: bool, told: str) -> None:
-        self.length, self.power = length, 0
-        coefficients = self._through(values, told)
-        while from_zero and self.power < ORDERS and np.any(coefficients):
-            start = float(chebyshev.chebval(-1.0, coefficients))
-            if abs(start) > max(RESOLVED * np.abs(coefficients).max(), self._doubt(coefficients, 0)):
-                break
-            kept = self.points, self.noise
-            try:
-                coefficients = self._through(lambda v: values(v) / v ** (self.power + 1), told)
-            except ValueError:
-                self.points, self.noise = kept
-                break
-            self.power += 1
-        self.of = [coefficients]
-        for _ in range(ORDERS):
-            self.of.append(chebyshev.chebder(self.of[-1], scl=2 / length))
-        v = np.concatenate((self._places(CHECKED), length * np.linspace(0, 1, CHECKED + 2)[1:-1]))
-        given = values(v)
-        size = float(np.abs(given).max(initial=0.0))
-        self.error = float(np.abs(given - self.at(v, (0,))[0]).max()) / size if size > 0 else 0.0
-        if self.error > math.sqrt(RESOLVED):
-            raise ValueError(f"{told} is not the polynomial through {self.points} of its values: {_LEFT}")
-
-    def _places(self, count: int) -> Floats:
-        return np.asarray(0.5 * self.length * (1 - np.cos(np.pi * (np.arange(count) + 0.5) / count)))
-
-    def _through(self, values: Callable[[Floats], Floats], told: str) -> Floats:
-        """Coefficients of Chebyshev's polynomials; what is left out is rounding."""
-        found, count = None, FEWEST
-        while count <= MOST:
-            # by rising v: the polynomials' signs alternate
-            coefficients = dct(values(self._places(count)), type=2) / count
-            coefficients[0] *= 0.5
-            coefficients *= (-1.0) ** np.arange(count)
-            tail, size = np.abs(coefficients[-(count // 8) :]).max(), np.abs(coefficients).max()
-            if found is None and tail <= RESOLVED * size:
-                found = coefficients, tail, count
-            if tail <= ROUNDED * size:
-                found = coefficients, tail, count
-                break
-            count *= 2
-        if found is None:
-            raise ValueError(f"{told}: {MOST} of its values leave {tail / size:.1g} of it open: {_LEFT}")
-        coefficients, tail, self.points = found
-        self.noise = float(max(tail, 2.0**-53 * np.abs(coefficients).max()))
-        kept = np.flatnonzero(np.abs(coefficients) > self.noise)
-        return np.asarray(coefficients[: kept[-1] + 1 if kept.size else 1])
-
-    def _doubt(self, coefficients: Floats, order: int) -> float:
-        """What noise in the coefficients makes of a derivative where the piece begins or ends, at most."""
-        k = np.arange(coefficients.size, dtype=float)
-        steep = np.ones_like(k)
-        for j in range(order):
-            steep *= (k * k - j * j) / (2 * j + 1)
-        return float(self.noise * np.abs(steep).sum() * (2 / self.length) ** order)
-
-    def _bound(self, order: int, known: Callable[[int], float]) -> float:
-        """Of a derivative, from those of the polynomial beside the power of v."""
-        return math.fsum(factor * self.length**power * known(k) for factor, power, k in self._terms(order))
-
-    def _terms(self, order: int) -> list[tuple[int, int, int]]:
-        """A derivative of v^m q as a sum: factor, power of v, which derivative of q; by Leibniz's rule."""
-        lowered = range(min(order, self.power) + 1)
-        return [(math.comb(order, j) * math.perm(self.power, j), self.power - j, order - j) for j in lowered]
-
-    def doubt(self, order: int) -> float:
-        """The same of the force."""
-        return self._bound(order, lambda k: self._doubt(self.of[0], k))
-
-    def rough(self, order: int) -> float:
-        """By what rounding makes a derivative wrong, at most."""
-        return float((4 + self.of[0].size) * 2.0**-52 * self.size(order))
-
-    def size(self, order: int) -> float:
-        """What a derivative does not exceed."""
-        return self._bound(order, lambda k: float(np.abs(self.of[k]).sum()))
-
-    def raise_by(self, amount: float) -> None:
-        """Adds a constant."""
-        self.of[0] = self.of[0].copy()
-        self.of[0][0] += amount
-
-    def at(self, v: Any, orders: Sequence[int]) -> list[Any]:
-        """The force and its derivatives, those of these orders."""
-        x = 2 * np.asarray(v) / self.length - 1
-        terms = [self._terms(order) for order in orders]
-        of = {k: chebyshev.chebval(x, self.of[k]) for k in {k for some in terms for _, _, k in some}}
-        return [sum(factor * v**power * of[k] for factor, power, k in some) for some in terms]
-
-    @cached_property
-    def ranges(self) -> tuple[_Ranges, _Ranges]:
-        """Of the force, and of its fourth derivative."""
-        return _Ranges(self, 0), _Ranges(self, ORDERS)
-
-
-_LEFT = "what is not smooth at some |u| ends a piece there, and a power that is no whole number is stated as a formula"
-
-
-class _Ranges:
-    """What a polynomial is on intervals, by what it is on parts, dense where the piece begins."""
-
-    def __init__(self, piece: Smooth, order: int) -> None:
-        edges = piece.length * (np.arange(CELLS + 1) / CELLS) ** 2
-        self.edges = edges
-        # on a part it is the polynomial through so many of its values, whose coefficients bound it
-        count = piece.of[0].size + piece.power
-        places = 0.5 * (1 - np.cos(np.pi * (np.arange(count) + 0.5) / count))
-        (values,) = piece.at(edges[:-1, np.newaxis] + np.diff(edges)[:, np.newaxis] * places, (order,))
-        coefficients = dct(np.broadcast_to(values, (CELLS, count)), type=2, axis=1) / count
-        middle, beside = 0.5 * coefficients[:, 0], np.abs(coefficients[:, 1:]).sum(axis=1)
-        beside += 4 * count * 2.0**-52 * piece.size(order)
-        # of 2^k parts from each on
-        self.least, self.most = [middle - beside], [middle + beside]
-        while self.least[-1].size > 1:
-            step = 2 ** (len(self.least) - 1)
-            self.least.append(np.minimum(self.least[-1][:-step], self.least[-1][step:]))
-            self.most.append(np.maximum(self.most[-1][:-step], self.most[-1][step:]))
-
-    def on(self, low: Floats, high: Floats) -> Floats:
-        """Ends (2, n) of what it is from low to high."""
-        first = np.clip(np.searchsorted(self.edges, low, side="right") - 1, 0, CELLS - 1)
-        last = np.clip(np.searchsorted(self.edges, high, side="left") - 1, first, CELLS - 1)
-        level = np.frexp(last - first + 1)[1] - 1
-        found = np.empty((2, low.size))
-        for k in np.unique(level):
-            here = level == k
-            a, b = first[here], last[here] + 1 - 2**k
-            found[0, here] = np.minimum(self.least[k][a], self.least[k][b])
-            found[1, here] = np.maximum(self.most[k][a], self.most[k][b])
-        return found
 
 
 class Force:
@@ -501,140 +328,6 @@ def _real(what: str, value: Any, finite: bool = True) -> float:
     if finite and not math.isfinite(found):
         raise ValueError(f"{what} is {found!r}: it must be finite")
     return found
-
-
-@dataclass(frozen=True)
-class Asked:
-    """One function of the record: of a piece by its number, where it is of one.
-
-    what -- one of those below
-    """
-
-    stated: Stated
-    what: Callable[..., Any]
-    number: int = 0
-
-    @property
-    def __name__(self) -> str:
-        return self.what.__name__
-
-    def __call__(self, *arguments: Any) -> Any:
-        return self.what(self, *arguments)
-
-    def _numbers(self, given: Sequence[Any]) -> tuple[float, ...]:
-        return tuple(float(one) for one in given)
-
-    def _by_design(self, given: Sequence[Any], *beside: Any, of: Callable[..., Sequence[Any]]) -> tuple[Any, ...]:
-        """What is of one design, of arrays of them: each once."""
-        if all(np.ndim(one) == 0 for one in given):
-            return tuple(of(self.stated.force(self._numbers(given)), *beside))
-        *arrays, shaped = np.broadcast_arrays(*given, *(beside or (0.0,)))
-        arrays.append(shaped)
-        rows = np.stack([np.asarray(one, dtype=float).ravel() for one in arrays[: len(given)]], axis=-1)
-        others = [np.asarray(one, dtype=float).ravel() for one in arrays[len(given) :]]
-        designs, of_row = np.unique(rows, axis=0, return_inverse=True)
-        found: list[Floats] = []
-        for k, design in enumerate(designs):
-            here = of_row.ravel() == k
-            values = of(self.stated.force(self._numbers(design)), *((one[here] for one in others) if beside else ()))
-            if not found:
-                found = [np.empty(len(rows)) for _ in values]
-            for whole, value in zip(found, values, strict=True):
-                whole[here] = value
-        return tuple(one.reshape(arrays[0].shape) for one in found)
-
-    # --- of the parameters ---
-
-    def coefficients(self, *design: Any) -> Any:
-        """The parameters are the design; a force that is not allowed is told here, before any work."""
-        self._by_design(design, of=lambda force: (0.0,))
-        return tuple(design)
-
-    def breakpoints(self, *given: Any) -> Any:
-        return self._by_design(given, of=lambda force: force.ends[:-1])
-
-    def jumps(self, *given: Any) -> Any:
-        return self._by_design(given, of=lambda force: [lost[0] for lost in force.lost[:-1]])
-
-    def kinks(self, *given: Any) -> Any:
-        return self._by_design(given, of=lambda force: [one for lost in force.lost[:-1] for one in lost[1:3]])
-
-    def hardening(self, *given: Any) -> Any:
-        return self._by_design(given, of=lambda force: (-1.0,))
-
-    def told(self, *given: Any) -> str:
-        force = self.stated.force(self._numbers(given))
-        by = f"by {force.points} of its values, error {force.error:.1g}"
-        return f"a Python function, {by}; quadrature on NumPy, not compiled"
-
-    # --- of the amplitude ---
-
-    def averaged(self, A: Any, *given: Any) -> Any:
-        return self._by_design(given, A, of=Force.averaged)
-
-    def harmonics(self, A: Any, *given: Any) -> Any:
-        return self._by_design(given, A, of=Force.harmonics)
-
-    def intercept(self, A: Any, *given: Any) -> Any:
-        (found,) = self._by_design(given, A, of=lambda force, A: (force.intercept(A),))
-        return found
-
-    # --- of a piece ---
-
-    def force(self, u: Any, *given: Any) -> Any:
-        return self.stated.force(self._numbers(given)).value(self.number, u, 0)
-
-    def slope(self, u: Any, *given: Any) -> Any:
-        return self.stated.force(self._numbers(given)).value(self.number, u, 1)
-
-    # --- on intervals ---
-
-    def enclosed_terms(self, around: Any, A: Any, beyond: Any, sine: Any, *given: Any) -> Any:
-        value, fourth = self._of(given).bounds(self.number, beyond)
-        return sampled_intervals.bent_terms(sine, value, fourth)
-
-    def enclosed_closing(self, around: Any, A: Any, *numbers: Any) -> Any:
-        """The number is how many breakpoints are exceeded; their roots come before the sums."""
-        h, bend = numbers[self.number : self.number + 2]
-        force = self._of(numbers[self.number + 2 :])
-        for end, lost in list(zip(force.ends, force.lost, strict=True))[: self.number]:
-            lowest = next((order for order, one in enumerate(lost) if one != 0), None)
-            if lowest is not None and end > 0:
-                bend = bend + BENT_ENDS[lowest](A, *(A.point(one) for one in (end, *lost[lowest:])))
-        return h, bend
-
-    def _of(self, given: Sequence[Any]) -> Force:
-        return self.stated.force(tuple(float(one.ends[0, 0]) for one in given))
-
-
-def record(stated: Stated, title: str, design: tuple[Parameter, ...], reach_reason: str) -> Mechanism:
-    """The record of a mechanism whose force is stated by functions."""
-    count = len(stated.functions)
-    return Mechanism(
-        name=stated.name,
-        title=title,
-        design=design,
-        parameters=design,
-        coefficients=Asked(stated, Asked.coefficients),
-        pieces=tuple(Law(Asked(stated, Asked.force, k), Asked(stated, Asked.slope, k)) for k in range(count)),
-        breakpoints=Asked(stated, Asked.breakpoints),
-        jumps=Asked(stated, Asked.jumps),
-        kinks=Asked(stated, Asked.kinks),
-        hardening=Asked(stated, Asked.hardening),
-        averaged=Asked(stated, Asked.averaged),
-        intercept=Asked(stated, Asked.intercept),
-        harmonics=Asked(stated, Asked.harmonics),
-        harmonics_up_to=math.inf,
-        reach=stated.reach,
-        reach_reason=reach_reason or REACHED,
-        truncated=False,
-        load_untruncated=None,
-        enclosed=Enclosed(
-            tuple(Asked(stated, Asked.enclosed_terms, k) for k in range(count)),
-            tuple(Asked(stated, Asked.enclosed_closing, k) for k in range(count)),
-        ),
-        told=Asked(stated, Asked.told),
-    )
 
 
 def check_signature(what: str, function: Callable[..., Any], names: Sequence[str], before: int) -> None:

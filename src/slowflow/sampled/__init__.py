@@ -1,0 +1,10 @@
+"""Forces that are Python functions: in go functions of u, out comes a mechanism's record, with averages by quadrature.
+
+Such a function has no derivatives, and nothing encloses it. On each of its pieces it is replaced by the polynomial
+through its values (`polynomial`); all else is of this (`force`), and stands in a record as of any mechanism (`record`).
+"""
+
+from slowflow.sampled.force import Stated, check_signature
+from slowflow.sampled.record import record
+
+__all__ = ["Stated", "check_signature", "record"]
