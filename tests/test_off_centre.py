@@ -854,3 +854,13 @@ def test_where_there_is_no_gradient_off_the_centre_the_reason_is_said(loaded):
     )
     with pytest.raises(ValueError, match="says how its force moves"):
         stop(k=2.0, g=0.2, mu=0.005, zeta=0.03).detachment().gradient()
+
+
+def test_a_motion_under_a_load_that_averaging_does_not_know_is_found_from_its_amplitude():
+    """Averaging has one at A = 0.1275 there, of which the exact one is unstable; what a sweep sees is larger."""
+    design = {"lam": 4, "r": 1.7557163929700856, "delta_h": 0.1196097311753126, "zeta": 0.013149868738899468}
+    loaded, at = Isolator(**design, load=0.012862148104504246), {"Omega": 0.95482, "F_0": 0.04221152153801278}
+    (seen,) = loaded.sweep(Omega=[at["Omega"]], F_0=at["F_0"]).A
+    found = loaded.steady_state(**at, A=seen)
+    assert found.A == pytest.approx(seen, rel=1e-6) and found.stable
+    assert min(abs(loaded.amplitudes(**at).u_max - seen)) > 0.05

@@ -325,9 +325,9 @@ class Oscillator(Averaged):
         """A periodic motion of the equation of motion (3) itself: series, harmonics, stops, multipliers, residual.
 
         A     -- the motion whose amplitude is nearest to A, stable or not, of those that averaging leads to: from its
-                 states at Omega, its folds beside it, and A itself, under a load from its states alone; where none of
-                 them leads to a motion near it, what the averaged state nearest to A settles to; with static friction
-                 that of a mass at rest is one of them. Without it the motion that a mass at rest comes to
+                 states at Omega, its folds beside it, and A itself, under a load without its folds; where none of them
+                 leads to a motion near it, what the averaged state nearest to A settles to; with static friction that
+                 of a mass at rest is one of them. Without it the motion that a mass at rest comes to
         force -- "truncated" for (6), "untruncated" for (5); by default the one that is averaged
 
         `.force` of the answer is that on the mass: F_0 Omega^2 for an excitation by inertia.

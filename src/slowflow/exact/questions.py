@@ -83,12 +83,15 @@ def _off_centre(
 ) -> shooting.SteadyState:
     """The motion nearest to an amplitude of those that states off the centre lead to: A is |B| + A of these.
 
+    So does the amplitude itself about the mean of each, at resonance: averaging does not know all motions.
     Where none leads to one by Newton's iteration, what the nearest of them settles to.
     """
     found, states = [], list(_states(averaged, Omega, F_0))
     for state in states:
-        motion = shooting.near(system, Omega, F_0, (state.A, state.phi), B=state.B)
-        found += [] if motion is None else [motion]
+        own = [(A - abs(state.B), -math.pi / 2)] if abs(state.B) < A else []
+        for guess in ((state.A, state.phi), *own):
+            motion = shooting.near(system, Omega, F_0, guess, B=state.B)
+            found += [] if motion is None else [motion]
     found += _held(averaged, system, Omega, F_0)
     if not found and states:
         nearest = min(states, key=lambda state: abs(state.A + abs(state.B) - A))
