@@ -1,10 +1,12 @@
-/* Averages of forces of any kind between two amplitudes: in goes an interval of A, out comes what h and h_AAAA are there.
+/* Averages of forces of any kind between two amplitudes: in goes an interval of A, out comes what h and h_AAAA are
+ * there.
  *
  * The quarter cycle is divided at displacements, each piece of the force for itself: at fixed ones where the amplitude
- * exceeds the piece, at fixed shares of the last piece. The first share of a long piece is halved again and again, down to
- * displacements of the size of the spring: all that a force does lies there. On each part u, sine and the angle that it
- * takes are known on an interval of A by their values at its ends, as each is monotone in A; what stands under the
- * integrals is generated. A contact's are over shares of what A exceeds its begin by, whose weight is known. As slowflow/averaged/reference/enclosed.py.
+ * exceeds the piece, at fixed shares of the last piece. The first share of a long piece is halved again and again,
+ * down to displacements of the size of the spring: all that a force does lies there. On each part u, sine and the
+ * angle that it takes are known on an interval of A by their values at its ends, as each is monotone in A; what stands
+ * under the integrals is generated. A contact's are over shares of what A exceeds its begin by, whose weight is known.
+ * As slowflow/averaged/reference/enclosed.py.
  */
 #ifndef SF_BENT_H
 #define SF_BENT_H

@@ -61,9 +61,10 @@ typedef struct {
     double open[2][SF_LANE_CELLS], verdict[2][SF_LANE_CELLS], falls[SF_LANE_CELLS];
 } sf_cusp_cells;
 
-/* Cusps between amplitudes with a channel's function on either side of zero. sign: 1 for the larger Omega^2, -1 for the other
- * one; lo, hi, last: A, the function, its slope, at the ends and where it was asked last; next: where it is likely to vanish. What is asked at an amplitude: its function is 0
- * but for a change of A by `left`, relatively; and what a cusp has there */
+/* Cusps between amplitudes with a channel's function on either side of zero. sign: 1 for the larger Omega^2, -1 for
+ * the other one; lo, hi, last: A, the function, its slope, at the ends and where it was asked last; next: where it is
+ * likely to vanish. What is asked at an amplitude: its function is 0 but for a change of A by `left`, relatively; and
+ * what a cusp has there */
 typedef struct {
     int n, of[SF_LANE_CELLS];
     double at[SF_CUSP_PROBE_ROWS][SF_LANE_CELLS], asked[2][SF_LANE_CELLS], sign[SF_LANE_CELLS];

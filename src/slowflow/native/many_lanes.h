@@ -23,8 +23,8 @@ typedef struct {
     double design[SF_MOST_DESIGN], damping[SF_MOST_DAMPING];
 } sf_numbers;
 
-/* A member of a block. asked: its rows (design_lanes.h); ok: whether it is not left to the solvers of one; what was found, by rising A: A,
- * the bracket, whether F rises there, and what is known near by */
+/* A member of a block. asked: its rows (design_lanes.h); ok: whether it is not left to the solvers of one; what was
+ * found, by rising A: A, the bracket, whether F rises there, and what is known near by */
 typedef struct {
     double F_0, Omega, asked[SF_ASKED_ROWS];
     sf_model model;

@@ -1,9 +1,9 @@
-/* Answers to their last digit: in goes an answer as the solvers found it, out comes the double next to the exact one of the
- * oscillator as it was given.
+/* Answers to their last digit: in goes an answer as the solvers found it, out comes the double next to the exact one
+ * of the oscillator as it was given.
  *
- * Newton's method on the equations that define the answer (derivations/newton.py), their values in double-double, their
- * slopes in doubles: one step, but next to a double root or a breakpoint. An answer is left alone where the first step is not small beside it, or the slopes change
- * along it by too much: there it may lead to another answer.
+ * Newton's method on the equations that define the answer (derivations/newton.py), their values in double-double,
+ * their slopes in doubles: one step, but next to a double root or a breakpoint. An answer is left alone where the
+ * first step is not small beside it, or the slopes change along it by too much: there it may lead to another answer.
  */
 #ifndef SF_SETTLE_H
 #define SF_SETTLE_H
@@ -171,8 +171,8 @@ static inline int sf_way_to_peak(sf_sought *of, double A, double *size) {
     return of->piece < 0 ? 0 : sf_way_to_peak_from(of, &at, size);
 }
 
-/* Next to a breakpoint or a double root slopes turn too much for Newton's method: of two doubles between which an answer lies, the one that it
- * misses by less, and the other. NaN where there are no such doubles nearby. */
+/* Next to a breakpoint or a double root slopes turn too much for Newton's method: of two doubles between which an
+ * answer lies, the one that it misses by less, and the other. NaN where there are no such doubles nearby. */
 static inline double sf_double_between(sf_way way_from, sf_sought *of, double A, double *next) {
     double size = HUGE_VAL, other = HUGE_VAL, far = A, width = A * SF_ONE_DOUBLE;
     const int way = way_from(of, A, &size);
@@ -205,9 +205,9 @@ static inline double sf_double_between(sf_way way_from, sf_sought *of, double A,
     return *next = far, back == 0 && other == 0 ? far : NAN;
 }
 
-/* An answer just above a breakpoint, where slopes are as steep as 1/root, root^2 = A^2 - b^2: Newton's method in Omega and root,
- * whose steps are the same but for how A follows from them. Begins with what doubles know, at most half of a root at a time. first: of Omega alone, onto the response, where
- * such parts of steps of both would leave it; or NULL */
+/* An answer just above a breakpoint, where slopes are as steep as 1/root, root^2 = A^2 - b^2: Newton's method in Omega
+ * and root, whose steps are the same but for how A follows from them. Begins with what doubles know, at most half of a
+ * root at a time. first: of Omega alone, onto the response, where such parts of steps of both would leave it; or NULL */
 static inline int sf_settle_above(sf_step step, sf_moves moves, sf_step first, const sf_exactly *exactly, const sf_model *model,
                                   int piece, sf_settling *of) {
     const sf_pair b = exactly->b[piece - 1];

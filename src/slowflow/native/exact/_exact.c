@@ -23,7 +23,8 @@ static void numbers(PyObject *tuple, double *out, Py_ssize_t count)
         out[i] = PyFloat_AsDouble(PyTuple_GetItem(tuple, i));
 }
 
-/* (laws, constants, edges, about, odd, mu, zeta, inertial, load, c_2, released, mu_s): pieces by rising u; constants less the side of u = 0 */
+/* (laws, constants, edges, about, odd, mu, zeta, inertial, load, c_2, released, mu_s): pieces by rising u; constants
+ * less the side of u = 0 */
 static PyObject *make_system(PyObject *self, PyObject *arguments)
 {
     (void)self;

@@ -18,7 +18,8 @@
 #define S NPY_SHORT
 #define N NPY_INT
 
-/* A question: the outputs behind the design, the damping and what is asked at, F_0 and Omega or less, and of an answer A and what it is. */
+/* A question: the outputs behind the design, the damping and what is asked at, F_0 and Omega or less, and of an answer
+ * A and what it is. */
 typedef struct {
     const char *name, *out, *doc;
     int at, outputs;
