@@ -28,11 +28,14 @@ from .along import k
 from .averaging import VELOCITY, Averaged, cycle_integral
 from .averaging import H as averaged_force
 from .gradients import Curve, I_0AAp, I_0Ap, I_0p, d_p, h_AAp, h_Ap, h_p, zeta_p
+from .slopes import DERIVATIVES
 from .slow_flow import I, R, SlowFlow, m, slope
 from .symbols import F_0, A, Omega, c_2, eta, h, h_A, h_AA, mu, phi, psi, sigma, zeta
 
 #: the |u| up to which something is attached
 u_cr = sp.Symbol("u_cr", positive=True)
+#: what |h| grows by at most, over dA
+steepest = sp.Symbol("steepest", nonnegative=True)
 #: I at Omega = 0 and its derivatives by A; 8 c_2/(3 pi)
 I_0, I_0A, I_0AA, I_0AAA = REST = sp.symbols("I_0 I_0A I_0AA I_0AAA", real=True)
 d = sp.Symbol("d", nonnegative=True)
@@ -82,6 +85,15 @@ class Dissipation:
     limit_envelope -- (27) while friction acts throughout
     restoring -- the largest |h| of a state, by d: |R| <= F_0, and d (A Omega)^2 <= F_0
     turn_share -- D/Omega^2 in x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D
+    least_by_inertia -- -Omega^5/4 dlevel^2/dOmega of an excitation by inertia, in R, I and h
+    far_by_inertia -- F/Omega^4 of such an excitation in x = 1/Omega, and `least_by_inertia`/Omega^2 in two parts: the
+                 second, which is not negative, grows with Omega
+    cusp_bend_by_inertia -- `Slopes.cusp` of such an excitation, less positive factors, in R, I and derivatives of F
+    Omega_A_by_inertia -- slope of such a response
+    F_OmegaOmega_by_inertia -- F_OmegaOmega of such an excitation where the level is stationary
+    full_by_inertia -- the amplitude that a response tends to as Omega grows
+    structural_bound -- above A, where |h| grows by s dA at most, no state lies where these are positive: and its slope
+    quadratic_bound -- the amplitude that no state under an excitation by inertia exceeds, by d
     systems   -- by what they are
     curve     -- the response, for how answers move
     rest_moves, released_moves -- what m, eta and, where friction ends there, u_cr do to I_0, I_0A and I_0AA
@@ -119,6 +131,14 @@ class Dissipation:
     limit_envelope: sp.Expr
     restoring: sp.Expr
     turn_share: sp.Expr
+    least_by_inertia: sp.Expr
+    far_by_inertia: tuple[sp.Expr, ...]
+    cusp_bend_by_inertia: sp.Expr
+    Omega_A_by_inertia: sp.Expr
+    F_OmegaOmega_by_inertia: sp.Expr
+    full_by_inertia: sp.Expr
+    structural_bound: tuple[sp.Expr, ...]
+    quadratic_bound: sp.Expr
     systems: dict[str, System]
     curve: Curve
     rest_moves: tuple[sp.Expr, ...]
@@ -200,6 +220,12 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
     _vanishes((peak - R + R_of_peak).subs(whole), "R where F_Omega vanishes")
     least_F_A = _least_F_A(halved)
     trace = _trace(averaged, flow, value)
+    by_inertia = F.subs(F_0, F_0 * Omega**2)
+    least = h * R + I * (I_0 + zeta * A * Omega)
+    _vanishes(
+        (4 * least + Omega**5 * sp.diff((F + F_0**2).subs(whole) / Omega**4, Omega)).subs(whole),
+        "the slope of the level of an excitation by inertia",
+    )
     at_rest, released = (chain((one + structural).subs(of_friction)) for one in (friction, attached))
     if sp.diff(factor, c_2) * c_2 != factor:
         raise ArithmeticError("quadratic damping's share of I is not proportional to c_2")
@@ -240,6 +266,16 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
         limit_envelope=_envelope(value),
         restoring=F_0 + (flow.R - h).subs(Omega, sp.sqrt(F_0 / d) / A),
         turn_share=sp.collect(share_of_turn, x),
+        least_by_inertia=least,
+        far_by_inertia=_far_by_inertia(flow.R, value, by_inertia.subs(whole), least.subs(whole)),
+        # dlevel^2/dOmega takes the place of a force's F_Omega
+        cusp_bend_by_inertia=least * DERIVATIVES[3, 0] * DERIVATIVES[1, 1],
+        # on F = 0: dF/dOmega is Omega^4 times the slope of the squared level
+        Omega_A_by_inertia=Omega * F_A / (4 * least),
+        F_OmegaOmega_by_inertia=-4 * by_Omega(least) / Omega,
+        full_by_inertia=_full(by_inertia.subs(whole)),
+        structural_bound=_structural_bound(),
+        quadratic_bound=_quadratic_bound(value),
         systems={
             # squares as squares: on intervals these are not negative
             name: System(values, tuple(sp.factor_terms(by(one)) for one in values for by in (by_amplitude, by_Omega)))
@@ -251,6 +287,9 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
                 ("turns", (F_A, turn)),
                 ("rest", (F,)),
                 ("stiffness", (F_A,)),
+                ("folds_by_inertia", (by_inertia, F_A)),
+                ("peaks_by_inertia", (by_inertia, least)),
+                ("isolas_by_inertia", (F_A, least)),
             )
         },
         curve=Curve(
@@ -272,6 +311,42 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
         rest_moves=moves(at_rest, m, eta),
         released_moves=moves(released, m, eta, u_cr),
     )
+
+
+def _far_by_inertia(R: sp.Expr, I: sp.Expr, F: sp.Expr, least: sp.Expr) -> tuple[sp.Expr, ...]:
+    """The first as squares, of which nothing cancels but F_0^2."""
+    at_x = {Omega: 1 / x}
+    of_least = sp.expand(sp.expand(least).subs(at_x) * x**2)
+    grows = of_least.coeff(x, -1)
+    stays = sp.expand(of_least - grows / x)
+    if grows != zeta * d * A**3 or sp.Poly(stays, x).degree() != 2:
+        raise ArithmeticError(f"what vanishes where a level is least: {of_least}")
+    whole = sum(sp.expand(one.subs(at_x) * x**2) ** 2 for one in (R, I)) - F_0**2
+    _vanishes(whole - F.subs(at_x) * x**4, "F over Omega^4")
+    _vanishes(whole.subs(x, 0) - (A**2 + d**2 * A**4 - F_0**2), "the leading coefficient of F")
+    return whole, sp.collect(stays, x), grows
+
+
+def _full(F: sp.Expr) -> sp.Expr:
+    """The positive amplitude at which F/Omega^4 vanishes as Omega grows, in the form that stays for d = 0."""
+    X = sp.Symbol("X", nonnegative=True)
+    leading = sp.Poly(sp.expand(F), Omega).coeff_monomial(Omega**4).subs(A, sp.sqrt(X))
+    found = 2 * F_0**2 / (1 + sp.sqrt(1 + 4 * d**2 * F_0**2))
+    _vanishes(leading.subs(X, found), "the amplitude as Omega grows")
+    return sp.sqrt(found)
+
+
+def _structural_bound() -> tuple[sp.Expr, ...]:
+    """eta A <= I <= F_0 Omega^2, and A Omega^2 - |h| <= |R| <= F_0 Omega^2: so eta A (A - F_0) <= F_0 |h|."""
+    excess = eta * A * (A - F_0) - F_0 * sp.Abs(h)
+    return excess, sp.diff(excess.subs(h, 0), A) - F_0 * steepest
+
+
+def _quadratic_bound(value: sp.Expr) -> sp.Expr:
+    """d (A Omega)^2 <= I <= F_0 Omega^2."""
+    found = sp.sqrt(F_0 / d)
+    _vanishes(sp.Poly(value, Omega).coeff_monomial(Omega**2).subs(A, found) - F_0, "quadratic damping at its bound")
+    return found
 
 
 def _least_F_A(halved: sp.Expr) -> sp.Expr:

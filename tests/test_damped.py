@@ -156,3 +156,63 @@ def test_onsets_are_the_certified_ones(law, number):
         assert error(getattr(found, name), sure, name) < ONSET
         known = sure["condition"]["F_0" if name == "F_SN" else name]
         assert found.gradient().condition(name) == pytest.approx(known, rel=ROUNDED)
+
+
+BASE = json.loads((DATA / "damped_base.json").read_text())
+
+
+def on_a_base(case):
+    return oscillator(case).replace(excitation="base")
+
+
+def on_bases(first):
+    """Cases on a base that shakes as parameters, as `singles`."""
+    return [
+        pytest.param(number, marks=[] if number % FEW == first else pytest.mark.slow) for number in range(len(BASE))
+    ]
+
+
+def test_there_are_forty_cases_on_a_base_of_laws_alone_and_together():
+    assert len(BASE) == 40
+    laws = {(*(bool(case["parameters"][name][1]) for name in ("zeta", "eta", "c_2")), case["rubs"]) for case in BASE}
+    assert {(True, True, True, "throughout"), (False, True, False, "throughout")} < laws
+    assert (True, False, False, "attached") in laws
+    assert any(fold["corner"] for case in BASE for fold in case["folds"])
+    assert sum(len(case["folds"]) for case in BASE) > 50
+
+
+@pytest.mark.parametrize("number", on_bases(1))
+def test_folds_on_a_base_are_the_certified_ones_and_no_others(number):
+    case = BASE[number]
+    found, sure = on_a_base(case).saddle_nodes(case["F_0"][1]), case["folds"]
+    assert [(fold.kind, fold.corner) for fold in found] == [(fold["kind"], fold["corner"]) for fold in sure]
+    for fold, known in zip(found, sure, strict=True):
+        assert error(fold.Omega, known, "Omega") < FOLD
+        assert error(fold.A, known, "A") < FOLD
+
+
+@pytest.mark.parametrize("number", on_bases(2))
+def test_states_on_a_base_are_the_certified_ones_and_no_others(number):
+    case = BASE[number]
+    osc, F_0 = on_a_base(case), case["F_0"][1]
+    for at in case["amplitudes"]:
+        found, sure = osc.amplitudes(Omega=at["Omega"][1], F_0=F_0), at["steady"]
+        assert all(known["stable"] or not said for said, known in zip(found.stable, sure, strict=True))
+        if Remark.LEAVES_CENTRE not in found.remarks:
+            assert found.stable.tolist() == [known["stable"] for known in sure]
+        for A, phi, known in zip(found.A, found.phi, sure, strict=True):
+            assert error(A, known, "A") < STATE
+            kappa = known["condition"]["A"] + known["condition_kernel"]["A"]
+            assert phi == pytest.approx(float(known["phi"]), abs=PHASE * U * (1 + kappa))
+
+
+@pytest.mark.parametrize("number", on_bases(3))
+def test_folds_on_a_base_come_at_the_onset(number):
+    """None below it, and above it there are some next to where it says."""
+    osc = on_a_base(BASE[number])
+    onset = osc.saddle_node_onset()
+    if onset.F_SN is None:
+        return
+    below, above = (osc.saddle_nodes(onset.F_SN * factor) for factor in (1 - 1e-4, 1 + 1e-4))
+    assert len(below) == 0
+    assert min(abs(above.A - onset.A)) < 0.1 * onset.A

@@ -234,6 +234,57 @@ def test_exact_motions_are_those_of_an_independent_integration_and_near_the_aver
         assert state.A > osc.breakpoints[0]
 
 
+#: damping laws alone and together, each with a frequency, an amplitude of the base, and how near averages are
+SHAKEN = [
+    (Duffing(1.0, 0.5, eta=0.15, excitation="base"), 1.0, 0.04, 0.005),
+    (Duffing(1.0, 0.5, mu=0.01, eta=0.03, c_2=0.5, excitation="unbalance"), 1.1, 0.06, 0.005),
+    (RUBBING.replace(zeta=0.08, excitation="base"), 0.95, 0.1, 0.02),
+]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("osc", "Omega", "F_0", "within"), SHAKEN, ids=repr)
+def test_exact_motions_under_inertia_are_those_of_an_independent_integration(osc, Omega, F_0, within):
+    state = osc.steady_state(Omega=Omega, F_0=F_0)
+    assert state.stops == 0 and state.stable
+    expected = settled(osc.replace(excitation="force"), Omega, F_0 * Omega**2, 40)
+    assert state.A == pytest.approx(expected, rel=1e-6)
+    (A,) = osc.amplitudes(Omega=Omega, F_0=F_0).A
+    assert pytest.approx(A, rel=within) == state.A
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("osc", [one[0] for one in SHAKEN], ids=repr)
+def test_states_under_inertia_are_those_under_the_force_that_it_is_at_their_frequency(osc):
+    """And the curve ends, at its highest peak and as Omega grows, where it has to."""
+    F_0 = 0.08
+    for Omega in (0.4, 0.8, 0.95, 1.0, 1.1, 1.3, 3.0):
+        force = osc.replace(excitation="force").amplitudes(Omega=Omega, F_0=F_0 * Omega**2)
+        found = osc.amplitudes(Omega=Omega, F_0=F_0)
+        np.testing.assert_allclose(found.A, force.A, rtol=1e-13)
+        np.testing.assert_allclose(found.transmissibility, force.transmissibility, rtol=1e-12)
+        assert found.stable.tolist() == force.stable.tolist()
+    curve, peak = osc.frequency_response(F_0, Omega=(0.1, 5.0)), osc.peak(F_0)
+    if peak.A is None:
+        assert "does not close" in peak.message and "does not close" in curve.message
+    else:
+        assert curve.A.max() == peak.A
+    # quadratic damping alone is left over as Omega grows: d A^2/F_0 where A sqrt(1 + (d A)^2) = F_0
+    d = 8 * osc.c_2 / (3 * np.pi)
+    far = osc.amplitudes(Omega=1e4, F_0=F_0)
+    assert far.A[-1] * np.sqrt(1 + (d * far.A[-1]) ** 2) == pytest.approx(F_0, rel=1e-3)
+    assert osc.transmissibility_floor(F_0) == pytest.approx(d * far.A[-1] ** 2 / F_0, rel=2e-3)
+
+
+@pytest.mark.slow
+def test_batches_under_inertia_have_single_answers():
+    many = Duffing.many(alpha=1.0, beta=[0.5, 2.0], mu=0.001, zeta=0.02, c_2=0.05, excitation="base")
+    single = Duffing(1.0, 2.0, mu=0.001, zeta=0.02, c_2=0.05, excitation="base")
+    assert many.saddle_node_onset().F_SN[1] == single.saddle_node_onset().F_SN
+    assert many.peak(0.1).A[1] == single.peak(0.1).A
+    assert many.amplitudes(Omega=1.1, F_0=0.1).A[1, 0] == single.amplitudes(Omega=1.1, F_0=0.1).A[0]
+
+
 #: of a batch: arrays of what laws there are; the second has none, the last is no design
 MANY = {"lam": 3.0, "r": [2.0, 0.5, 2.0], "delta_h": [0.08, 0.02, 0.08], "mu": 0.02}
 MANY |= {"zeta": [0.04, 0.03, 0.0], "eta": [0.01, 0.0, -1.0], "c_2": [0.1, 0.0, 0.2]}
@@ -564,8 +615,13 @@ def test_what_has_no_answer_is_refused_in_words():
             ask()
     with pytest.raises(ValueError, match="limit_envelope is not available with rubs = 'attached'"):
         rubbing.limit_envelope(Omega=1.0, F_0=0.04)
-    with pytest.raises(ValueError, match=r"eta = 0.02 is not allowed with excitation = 'base'"):
-        damped.replace(zeta=0.1, excitation="base")
+    shaken = damped.replace(excitation="base")
+    with pytest.raises(ValueError, match="gradients are not available with excitation = 'base' and other laws"):
+        shaken.amplitudes(Omega=1.0, F_0=0.04).gradient()
+    with pytest.raises(ValueError, match=r"second_approximation is not available with eta = 0\.02"):
+        _ = shaken.second_approximation
+    with pytest.raises(ValueError, match="viscous, structural or quadratic damping only"):
+        Duffing(1.0, 0.5, mu=0.01, excitation="base")
     with pytest.raises(ValueError, match="its force has one piece"):
         Oscillator(duffing.MECHANISM, alpha=1.0, beta=0.5, mu=0.01, zeta=0.02, rubs="attached")
     with pytest.raises(ValueError, match="nothing would dissipate beyond"):

@@ -16,12 +16,14 @@ import numpy as np
 
 __all__ = [
     "F_A", "F_AA", "I_A", "MOVES", "F", "F_AOmega", "F_AOmegaOmega", "F_A_halved", "F_A_scaled", "F_Omega",
-    "F_OmegaOmega", "I", "I_scaled", "Omega_A", "R_of_fold", "R_of_peak", "R_of_response", "at_rest", "beside",
-    "cusp_bend", "cusps", "far", "fold_quartic", "folds", "h_A_of_turn", "isola_bend", "isolas", "least_F_A",
-    "least_scaled", "limit_envelope", "moves_of_corner_backbone", "moves_of_corner_end", "moves_of_corner_fold",
-    "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp", "moves_of_fold", "moves_of_isola",
-    "moves_of_peak", "moves_of_phase", "moves_of_state", "peaks", "quadratic", "released", "released_moves",
-    "response_quartic", "rest", "rest_moves", "restoring", "stability", "stiffness", "turn_share", "turns",
+    "F_OmegaOmega", "I", "I_scaled", "Omega_A", "Omega_A_by_inertia", "R_of_fold", "R_of_peak", "R_of_response",
+    "at_rest", "beside", "cusp_bend", "cusp_bend_by_inertia", "cusps", "far", "far_by_inertia", "fold_quartic",
+    "folds", "folds_by_inertia", "full_by_inertia", "h_A_of_turn", "isola_bend", "isola_bend_by_inertia", "isolas",
+    "isolas_by_inertia", "least_F_A", "least_scaled", "limit_envelope", "moves_of_corner_backbone",
+    "moves_of_corner_end", "moves_of_corner_fold", "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp",
+    "moves_of_fold", "moves_of_isola", "moves_of_peak", "moves_of_phase", "moves_of_state", "peaks",
+    "peaks_by_inertia", "quadratic", "quadratic_bound", "released", "released_moves", "response_quartic", "rest",
+    "rest_moves", "restoring", "stability", "stiffness", "structural_bound", "turn_share", "turns",
 ]
 
 
@@ -288,6 +290,23 @@ def Omega_A(Omega, A, I_0, I_0A, zeta, d, h, h_A):
     )
 
 
+def Omega_A_by_inertia(Omega, A, I_0, I_0A, zeta, d, h, h_A):
+    """The same of an excitation by inertia.
+
+    Equation from (24). Domain: Omega > 0, A > 0.
+    Operations: 36 structured, 29 common subexpressions, 29 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = Omega * zeta
+    t3 = A * t2
+    I = A * A * d * t0 + I_0 + 2.0 * t3
+    return (
+        2.0 * Omega * (I * (I_0A + 2.0 * d * t1 + 2.0 * t2) + R * (h_A + t0)) / (4.0 * I * (I_0 + t3) + 4.0 * R * h)
+    )
+
+
 def cusp_bend(Omega, A, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA):
     """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
 
@@ -519,6 +538,115 @@ def least_scaled(Omega, zeta, eta, d, h_AA):
     )
 
 
+def far_by_inertia(x, A, F_0, I_0, zeta, d, h):
+    """F/Omega^4 at x = 1/Omega; and -Omega^3/4 dlevel^2/dOmega, less Omega times the third.
+
+    Equation (24). Domain: x >= 0, A > 0.
+    Operations: 42 structured, 35 common subexpressions, 34 power chains.
+    """
+    t0 = x * x
+    A2 = A * A
+    t1 = A2 * d
+    t2 = A * x * zeta
+    t3 = A + h * t0
+    t4 = I_0 * t0 + t1 + 2.0 * t2
+    A3 = A * A2
+    return (
+        -F_0 * F_0 + t3 * t3 + t4 * t4,
+        A * h + 2.0 * A2 * zeta * zeta + I_0 * t1 + 3.0 * I_0 * t2 + t0 * (I_0 * I_0 + h * h),
+        A3 * d * zeta,
+    )
+
+
+def cusp_bend_by_inertia(Omega, A, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA):
+    """As `cusp_bend`, for an excitation by inertia.
+
+    Equation from (24), (30). Domain: Omega > 0, A > 0.
+    Operations: 94 structured, 54 common subexpressions, 54 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = Omega * zeta
+    t3 = 2.0 * t2
+    t4 = d * t0
+    I = A * A * t4 + A * t3 + I_0
+    t5 = h_A + t0
+    t6 = I_0A + 2.0 * d * t1 + t3
+    F_AAA = (
+        2.0 * (I * I_0AAA + 2.0 * I_0AA * t6 + R * h_AAA + 3.0 * h_AA * t5 + 4.0 * t4 * t6 + t6 * (I_0AA + 2.0 *
+        t4))
+    )
+    t7 = A * Omega
+    t8 = d * t7
+    F_AOmega = 4.0 * (A * t6 * (t8 + zeta) + I * (2.0 * t8 + zeta) + Omega * R + t5 * t7)
+    return F_AAA * F_AOmega * (I * (A * t2 + I_0) + R * h)
+
+
+def isola_bend_by_inertia(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA):
+    """As `isola_bend`, for an excitation by inertia.
+
+    Equation from (24), (30). Domain: Omega > 0, A > 0.
+    Operations: 90 structured, 61 common subexpressions, 61 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = A * t0
+    R = h + t1
+    t2 = Omega * zeta
+    t3 = 2.0 * t2
+    t4 = A * A
+    t5 = d * t0
+    I = A * t3 + I_0 + t4 * t5
+    t6 = h_A + t0
+    t7 = 2.0 * d
+    t8 = I_0A + t1 * t7 + t3
+    F_AA = 2.0 * (I * I_0AA + 2.0 * I * t5 + R * h_AA + t6 * t6 + t8 * t8)
+    t9 = A * Omega
+    t10 = d * t9
+    F_AOmega = 4.0 * (A * t8 * (t10 + zeta) + I * (2.0 * t10 + zeta) + Omega * R + t6 * t9)
+    t11 = A * zeta
+    F_OmegaOmega = (
+        (-4.0 * I * t11 - 8.0 * h * t9 - 4.0 * (A * t2 + I_0) * (Omega * t4 * t7 + 2.0 * t11)) / Omega
+    )
+    t12 = F_AA * F_OmegaOmega - F_AOmega * F_AOmega
+    return (
+        t12,
+        F_AA * t12,
+    )
+
+
+def full_by_inertia(F_0, d):
+    """The amplitude that the response tends to as Omega grows.
+
+    Equation from (24). Domain: F_0 > 0.
+    Operations: 10 structured, 10 common subexpressions, 10 power chains.
+    """
+    return 1.4142135623730951 * F_0 / np.sqrt(np.sqrt(4.0 * F_0 * F_0 * d * d + 1.0) + 1.0)
+
+
+def structural_bound(A, F_0, eta, h, steepest):
+    """Both positive: no state above A, while |h| grows by steepest dA at most.
+
+    Equation from (23), (24). Domain: A > 0.
+    Operations: 12 structured, 10 common subexpressions, 10 power chains.
+    """
+    t0 = A - F_0
+    t1 = A * eta
+    return (
+        -F_0 * np.abs(h) + t0 * t1,
+        -F_0 * steepest + eta * t0 + t1,
+    )
+
+
+def quadratic_bound(F_0, d):
+    """What no amplitude exceeds.
+
+    Equation from (23), (24). Domain: d > 0.
+    Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    """
+    return np.sqrt(F_0) / np.sqrt(d)
+
+
 def folds(Omega, A, F_0, I_0A, I_0AA, zeta, d, h_A, h_AA, R, I):
     """F and F_A; derivatives by A and by Omega of the first, then of the second.
 
@@ -703,6 +831,92 @@ def stiffness(Omega, A, I_0A, I_0AA, zeta, d, h_A, h_AA, R, I):
         2.0 * (I * t5 + R * t1),
         2.0 * (I * I_0AA + I * d * t4 + R * h_AA + t1 * t1 + t5 * t5),
         4.0 * (A * t5 * (d * t6 + zeta) + I * (t2 * t3 + zeta) + Omega * R + t1 * t6),
+    )
+
+
+def folds_by_inertia(Omega, A, F_0, I_0A, I_0AA, zeta, d, h_A, h_AA, R, I):
+    """F and F_A by inertia; derivatives by A and by Omega of the first, then of the second.
+
+    Equation from (24), (30). Domain: Omega > 0, A > 0.
+    Operations: 110 structured, 54 common subexpressions, 54 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = F_0 * t0
+    t2 = I + t1
+    t3 = I - t1
+    t4 = h_A + t0
+    t5 = 2.0 * Omega
+    t6 = 2.0 * A
+    t7 = d * t0
+    t8 = I_0A + t5 * zeta + t6 * t7
+    t9 = 2.0 * (I * t8 + R * t4)
+    t10 = Omega * R
+    t11 = A * Omega
+    t12 = A * (d * t11 + zeta)
+    t13 = 2.0 * I
+    t14 = F_0 * Omega
+    return (
+        R * R + t2 * t3,
+        t9,
+        t9,
+        2.0 * (t10 * t6 + t12 * t13 - t14 * t2 + t14 * t3),
+        2.0 * (I * I_0AA + R * h_AA + t13 * t7 + t4 * t4 + t8 * t8),
+        4.0 * (I * (A * d * t5 + zeta) + t10 + t11 * t4 + t12 * t8),
+    )
+
+
+def peaks_by_inertia(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A, R, I):
+    """F and -Omega^5/4 dlevel^2/dOmega by inertia; derivatives by A and by Omega of the first, then of the second.
+
+    Equation from (24). Domain: Omega > 0, A > 0.
+    Operations: 89 structured, 55 common subexpressions, 55 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = F_0 * t0
+    t2 = I + t1
+    t3 = I - t1
+    t4 = Omega * zeta
+    t5 = A * t4 + I_0
+    t6 = h_A + t0
+    t7 = A * d
+    t8 = I_0A + 2.0 * t0 * t7 + 2.0 * t4
+    t9 = 2.0 * Omega
+    t10 = 2.0 * Omega * t7 + 2.0 * zeta
+    t11 = F_0 * Omega
+    t12 = I * zeta
+    return (
+        R * R + t2 * t3,
+        I * t5 + R * h,
+        2.0 * (I * t8 + R * t6),
+        2.0 * (A * I * t10 + A * R * t9 - t11 * t2 + t11 * t3),
+        I * I_0A + Omega * t12 + R * h_A + h * t6 + t5 * t8,
+        A * (h * t9 + t10 * t5 + t12),
+    )
+
+
+def isolas_by_inertia(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA, R, I):
+    """F_A and -Omega^5/4 dlevel^2/dOmega by inertia; derivatives by A and by Omega of the first, then of the second.
+
+    Equation from (30). Domain: Omega > 0, A > 0.
+    Operations: 107 structured, 59 common subexpressions, 59 power chains.
+    """
+    t0 = Omega * Omega
+    t1 = h_A + t0
+    t2 = Omega * zeta
+    t3 = 2.0 * d * t0
+    t4 = A * t3 + I_0A + 2.0 * t2
+    t5 = A * t2 + I_0
+    t6 = A * Omega
+    t7 = d * t6
+    t8 = t7 + zeta
+    t9 = I * zeta
+    return (
+        2.0 * (I * t4 + R * t1),
+        I * t5 + R * h,
+        2.0 * (I * I_0AA + I * t3 + R * h_AA + t1 * t1 + t4 * t4),
+        4.0 * (A * t4 * t8 + I * (2.0 * t7 + zeta) + Omega * R + t1 * t6),
+        I * I_0A + Omega * t9 + R * h_A + h * t1 + t4 * t5,
+        A * (2.0 * Omega * h + 2.0 * t5 * t8 + t9),
     )
 
 

@@ -17,14 +17,18 @@ __all__ = [
     "F_A_halved",
     "F_A_scaled",
     "far",
+    "far_by_inertia",
     "folds",
+    "folds_by_inertia",
     "h_A_of_turn",
     "I",
     "I_A",
     "I_scaled",
     "isolas",
+    "isolas_by_inertia",
     "least_F_A",
     "peaks",
+    "peaks_by_inertia",
     "R_of_fold",
     "R_of_peak",
     "R_of_response",
@@ -199,6 +203,25 @@ def F_A_scaled(Omega, h_over_A, h_A, I_over_A, I_A):
     )
 
 
+def far_by_inertia(x, A, F_0, I_0, zeta, d, h):
+    """F/Omega^4 at x = 1/Omega; and -Omega^3/4 dlevel^2/dOmega, less Omega times the third.
+
+    Equation (24). Domain: x >= 0, A > 0.
+    """
+    t0 = x.square()
+    A2 = A.square()
+    t1 = A2 * d
+    t2 = A * x * zeta
+    t3 = A + h * t0
+    t4 = I_0 * t0 + t1 + 2.0 * t2
+    A3 = A * A2
+    return (
+        -F_0.square() + t3.square() + t4.square(),
+        A * h + 2.0 * A2 * zeta.square() + I_0 * t1 + 3.0 * I_0 * t2 + t0 * (I_0.square() + h.square()),
+        A3 * d * zeta,
+    )
+
+
 def folds(Omega, A, F_0, I_0A, I_0AA, zeta, d, h_A, h_AA, R, I):
     """F and F_A; derivatives by A and by Omega of the first, then of the second.
 
@@ -369,4 +392,87 @@ def stiffness(Omega, A, I_0A, I_0AA, zeta, d, h_A, h_AA, R, I):
         2.0 * (I * t5 + R * t1),
         2.0 * (I * I_0AA + I * d * t4 + R * h_AA + t1.square() + t5.square()),
         4.0 * (A * t5 * (d * t6 + zeta) + I * (t2 * t3 + zeta) + Omega * R + t1 * t6),
+    )
+
+
+def folds_by_inertia(Omega, A, F_0, I_0A, I_0AA, zeta, d, h_A, h_AA, R, I):
+    """F and F_A by inertia; derivatives by A and by Omega of the first, then of the second.
+
+    Equation from (24), (30). Domain: Omega > 0, A > 0.
+    """
+    t0 = Omega.square()
+    t1 = F_0 * t0
+    t2 = I + t1
+    t3 = I - t1
+    t4 = h_A + t0
+    t5 = 2.0 * Omega
+    t6 = 2.0 * A
+    t7 = d * t0
+    t8 = I_0A + t5 * zeta + t6 * t7
+    t9 = 2.0 * (I * t8 + R * t4)
+    t10 = Omega * R
+    t11 = A * Omega
+    t12 = A * (d * t11 + zeta)
+    t13 = 2.0 * I
+    t14 = F_0 * Omega
+    return (
+        R.square() + t2 * t3,
+        t9,
+        t9,
+        2.0 * (t10 * t6 + t12 * t13 - t14 * t2 + t14 * t3),
+        2.0 * (I * I_0AA + R * h_AA + t13 * t7 + t4.square() + t8.square()),
+        4.0 * (I * (A * d * t5 + zeta) + t10 + t11 * t4 + t12 * t8),
+    )
+
+
+def peaks_by_inertia(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A, R, I):
+    """F and -Omega^5/4 dlevel^2/dOmega by inertia; derivatives by A and by Omega of the first, then of the second.
+
+    Equation from (24). Domain: Omega > 0, A > 0.
+    """
+    t0 = Omega.square()
+    t1 = F_0 * t0
+    t2 = I + t1
+    t3 = I - t1
+    t4 = Omega * zeta
+    t5 = A * t4 + I_0
+    t6 = h_A + t0
+    t7 = A * d
+    t8 = I_0A + 2.0 * t0 * t7 + 2.0 * t4
+    t9 = 2.0 * Omega
+    t10 = 2.0 * Omega * t7 + 2.0 * zeta
+    t11 = F_0 * Omega
+    t12 = I * zeta
+    return (
+        R.square() + t2 * t3,
+        I * t5 + R * h,
+        2.0 * (I * t8 + R * t6),
+        2.0 * (A * I * t10 + A * R * t9 - t11 * t2 + t11 * t3),
+        I * I_0A + Omega * t12 + R * h_A + h * t6 + t5 * t8,
+        A * (h * t9 + t10 * t5 + t12),
+    )
+
+
+def isolas_by_inertia(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA, R, I):
+    """F_A and -Omega^5/4 dlevel^2/dOmega by inertia; derivatives by A and by Omega of the first, then of the second.
+
+    Equation from (30). Domain: Omega > 0, A > 0.
+    """
+    t0 = Omega.square()
+    t1 = h_A + t0
+    t2 = Omega * zeta
+    t3 = 2.0 * d * t0
+    t4 = A * t3 + I_0A + 2.0 * t2
+    t5 = A * t2 + I_0
+    t6 = A * Omega
+    t7 = d * t6
+    t8 = t7 + zeta
+    t9 = I * zeta
+    return (
+        2.0 * (I * t4 + R * t1),
+        I * t5 + R * h,
+        2.0 * (I * I_0AA + I * t3 + R * h_AA + t1.square() + t4.square()),
+        4.0 * (A * t4 * t8 + I * (2.0 * t7 + zeta) + Omega * R + t1 * t6),
+        I * I_0A + Omega * t9 + R * h_A + h * t1 + t4 * t5,
+        A * (2.0 * Omega * h + 2.0 * t5 * t8 + t9),
     )

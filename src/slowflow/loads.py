@@ -235,8 +235,8 @@ def margins(oscillator: Any, F_0: float, detaches: Callable[[float], bool] | Non
     onset, detachment = oscillator.saddle_node_onset(), oscillator.detachment()
     model, F_cr = oscillator.model, detachment.F_cr
     if F_cr is None and model.inertial and oscillator.breakpoints:
-        # as no amplitude is lower at a higher frequency, which tends to F_0
-        F_cr = oscillator.breakpoints[0]
+        # as no amplitude is lower at a higher frequency
+        F_cr = model.full_level(oscillator.breakpoints[0]) if model.laws.any else oscillator.breakpoints[0]
     # beside a mass at rest that stays there motions may be that detach
     sticks, moves = folds.F_0 <= oscillator.sticking_forcing, not model.sticks(folds.F_0)
     leaves = moves and (detaches(folds.F_0) if detaches else passes_first_end(oscillator, folds.F_0))

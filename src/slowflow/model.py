@@ -28,7 +28,9 @@ __all__ = ["Floats", "Laws", "Model", "check_names"]
 #: of a force's parameters: beyond it a force of ordinary amplitudes is beyond the range of doubles
 LARGEST = 1e300
 
-WITHOUT_DAMPING = "the response to an excitation by inertia is derived with viscous damping only"
+WITHOUT_DAMPING = (
+    "the response to an excitation by inertia is derived with viscous, structural or quadratic damping only"
+)
 
 
 #: names of `DAMPING`
@@ -93,12 +95,6 @@ class Laws:
 
 
 NO_LAWS = Laws()
-
-
-def check_told(told: str, mechanism: Mechanism, excitation: str) -> None:
-    """Raises ValueError for an excitation or a mechanism that laws of damping, told in words, have no answer for."""
-    if excitation != "force":
-        raise ValueError(f"{told} is not allowed with excitation = {excitation!r}: only with 'force'")
 
 
 def at_rest(A: Any, m: Any, eta: Any, u_cr: Any = None, beyond: Any = None) -> tuple[Floats, Floats, Floats, Floats]:
@@ -170,7 +166,7 @@ class Model:
     @np.errstate(all="ignore")
     def _check_inertia(self) -> None:
         """Raises ValueError for an excitation by inertia that has no answer here."""
-        if self.zeta == 0:
+        if self.zeta == self.laws.eta == self.laws.c_2 == 0:
             raise ValueError(f"excitation = {self.excitation!r} is not allowed with zeta = 0: {WITHOUT_DAMPING}")
         if self.preload != 0:
             raise ValueError(f"excitation = {self.excitation!r} is not allowed for a force that jumps at u = 0")
@@ -179,7 +175,6 @@ class Model:
     def _check_laws(self) -> None:
         """Raises ValueError for laws that have no answer here."""
         told = self.laws.told()
-        check_told(told, self.mechanism, self.excitation)
         if self.preload != 0:
             raise ValueError(f"{told} is not allowed for {self.mechanism.name}: its force jumps at u = 0")
         if not math.isfinite(self.mechanism.pieces[0].slope(0.0, *self.parameters)):
@@ -339,8 +334,15 @@ class Model:
     def Omega_A(self, Omega: Any, A: Any) -> Floats:
         """dOmega/dA along the response (24), likewise."""
         h, h_A, _, _ = self.averaged(A)
+        if self.inertial and self.laws.any:
+            return np.asarray(dissipation.Omega_A_by_inertia(Omega, A, *self._damping(A, 2), h, h_A))
         kernels: Any = inertia if self.inertial else dissipation if self.laws.any else general_flow
         return np.asarray(kernels.Omega_A(Omega, A, *self._damping(A, 2), h, h_A))
+
+    def full_level(self, A: float) -> float:
+        """The amplitude of an excitation by inertia under which A is what the response tends to as Omega grows."""
+        I_0, h = self.at_rest(A)[0], self.averaged(A)[0]
+        return math.sqrt(dissipation.far_by_inertia(0.0, A, 0.0, I_0, self.zeta, self.d, h)[0])
 
     def level(self, Omega: Any, A: Any) -> Floats:
         """The amplitude F_0 of the excitation for which (Omega, A), shapes that broadcast, is a steady state (24)."""

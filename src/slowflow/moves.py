@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import backend
+from slowflow import backend, validate
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats, Mechanism
 from slowflow.model import THROUGHOUT, at_rest
@@ -97,6 +97,11 @@ def _moves(given: Given, kind: Any, at: tuple[Any, Any, Any], rows: int, columns
     arrays = (*given.numbers, F_0, Omega, A, kind)
     shape = np.broadcast(*arrays).shape
     slopes, status = np.empty((*shape, rows, columns)), np.empty(shape, np.int8)
+    if given.excitation != "force" and given.rubs is not None:
+        raise validate.NotAvailable(
+            f"gradients are not available with excitation = {given.excitation!r} and other laws of damping than mu and "
+            "zeta: their slopes are derived of a force"
+        )
     if given.mechanism.by_parameter is None:
         raise ValueError(f"{given.mechanism.name} does not say how its average changes: there are no gradients")
     plain = given.excitation == "force" and given.rubs is None

@@ -14,6 +14,7 @@ locus; where the two differ the run stops.
 import json
 import random
 from collections.abc import Callable, Sequence
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -41,6 +42,8 @@ from tests.oracles.make_random_isolators import SEED, conditions, draw_duffing, 
 
 LAWS = ("eta", "c_2", "rubs")
 EACH = 30
+#: on a base that shakes, of four combinations of laws
+SHAKEN = 40
 DATA = Path(__file__).parents[1] / "data"
 Coefficients = Sequence[Any]
 
@@ -474,6 +477,53 @@ class DampedDuffing(Damped, Duffing):
     inputs = (*Duffing.inputs, "eta", "c_2")
 
 
+class ShakenDamped(Damped):
+    """On a base that shakes: F_0 Omega^2 in the place of F_0; to be mixed into a kind of oscillator."""
+
+    plain: type[Damped]
+
+    def derivatives(self, Omega: arb, A: arb, regime: str, F_0: arb) -> dict[str, arb]:
+        d = super().derivatives(Omega, A, regime, arb(0))
+        square = Omega * Omega
+        d["F"] = d["F"] - (F_0 * square) ** 2
+        d["O"] = d["O"] - 4 * F_0 * F_0 * Omega * square
+        d["OO"] = d["OO"] - 12 * F_0 * F_0 * square
+        return d
+
+    def forcing(self, Omega: arb, A: arb, regime: str) -> arb:
+        return super().forcing(Omega, A, regime) / (Omega * Omega)
+
+    def _response_polynomial(self, j: Jet, F_0: Any) -> list[Any]:
+        *lower, leading = super()._response_polynomial(j, 0 * F_0)
+        return [*lower, leading - F_0 * F_0]
+
+    def _lag_polynomial(self, j: Jet, F_0: Any) -> list[Any]:
+        *lower, leading = super()._lag_polynomial(j, 0 * F_0)
+        return [*lower, leading + j.s * F_0 * F_0]
+
+    def amplitudes(self, Omega: Number, F_0: Number) -> list[Amplitude]:
+        force = Fraction(F_0) * Fraction(Omega) ** 2
+        return [] if not arb(exact(force)) > self.m else self.plain(**self.parameters).amplitudes(Omega, force)
+
+
+class ShakenRod(ShakenDamped, DampedRod):
+    """The isolator."""
+
+    plain = DampedRod
+
+
+class ShakenReleased(ShakenDamped, ReleasedRod):
+    """The isolator whose bearings rub while the rods are attached."""
+
+    plain = ReleasedRod
+
+
+class ShakenDuffing(ShakenDamped, DampedDuffing):
+    """One cubic piece."""
+
+    plain = DampedDuffing
+
+
 def drawn(law: str, index: int, rng: random.Random) -> tuple[Damped, dict[str, float]]:
     """Random oscillator number `index` of a law; every third has no viscous damping where it can do without."""
     rod = law == "rubs" or index % 2 == 0
@@ -549,11 +599,66 @@ def case(law: str, index: int) -> dict:
     return record
 
 
+def shaken(index: int) -> dict:
+    """Oscillator number `index` of the four combinations in turn, on a base that shakes."""
+    rng = random.Random(f"{SEED} damped base {index}")
+    law = ("eta", "c_2", "both", "rubs")[index % 4]
+    rod = law == "rubs" or index // 4 % 2 == 0
+    numbers = draw_isolator(rng, lambda: rng.uniform(0.02, 0.97)) if rod else draw_duffing(rng, index // 4)
+    bare = index // 4 % 3 == 0 and law != "rubs" and numbers.get("beta", 1.0) > 0
+    parameters = {
+        **numbers,
+        "zeta": 0.0 if bare else numbers["zeta"],
+        "eta": log_uniform(rng, 0.003, 0.15) if law in ("eta", "both") else 0.0,
+        "c_2": log_uniform(rng, 0.01, 1) if law in ("c_2", "both") else 0.0,
+    }
+    if law == "rubs":
+        parameters["mu"] = log_uniform(rng, 0.001, 0.03)
+    kind = ShakenReleased if law == "rubs" else ShakenRod if rod else ShakenDuffing
+    oscillator = kind(**parameters)
+    with precision(BITS):
+        levels = [float(oscillator.forcing(p.Omega, p.A, p.regime).mid()) for p in oscillator._cusps()]
+    F_0 = log_uniform(rng, 0.6, 3) * min(levels, default=0.05)
+    if rod:
+        F_0 = min(F_0, 0.9 * float(oscillator.u_cr.mid()))
+    conditioning, folds = Conditioning(oscillator), oscillator.folds(F_0)
+    around = float(folds[0].Omega.mid()) if folds else 1.0
+    return {
+        "mechanism": "rod_spring" if rod else "duffing",
+        "parameters": {k: given(v) for k, v in parameters.items()},
+        "rubs": "attached" if law == "rubs" else "throughout",
+        "F_0": given(F_0),
+        "folds": [
+            {
+                **{"Omega": digits(p.Omega), "A": digits(p.A), "kind": p.kind, "corner": p.regime == CORNER},
+                **conditions(conditioning.fold(p)),
+            }
+            for p in folds
+        ],
+        "amplitudes": [
+            {
+                "Omega": given(Omega),
+                "steady": [
+                    {
+                        **{"A": digits(state.A), "phi": digits(state.phi), "stable": state.stable},
+                        **conditions(conditioning.amplitude(state, Omega, F_0)),
+                    }
+                    for state in oscillator.amplitudes(Omega, F_0)
+                ],
+            }
+            for Omega in (around * rng.uniform(1.005, 1.05), log_uniform(rng, 0.3, 3))
+        ],
+    }
+
+
 def main() -> None:
     for law in LAWS:
         cases = [case(law, index) for index in range(EACH)]
         write(DATA / f"damped_{law}.json", cases)
         print(json.dumps({"law": law, "cases": len(cases), "folds": sum(len(one["folds"]) for one in cases)}))
+    cases = [shaken(index) for index in range(SHAKEN)]
+    write(DATA / "damped_base.json", cases)
+    print(json.dumps({"base": len(cases), "folds": sum(len(one["folds"]) for one in cases)}))
 
 
 if __name__ == "__main__":

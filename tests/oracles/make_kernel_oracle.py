@@ -2023,7 +2023,7 @@ def rest_share(passed):
     return lambda A, *x: [mp.chop(mp.diff(lambda a: share(a, *x), A, order), mpf(10) ** -45) for order in range(4)]
 
 
-def by_laws(names):
+def by_laws(names, by_inertia=False):
     """F and I of a kernel's arguments, as functions of A and Omega next to these; and R, I where they are given.
 
     Where R and I are arguments they stand for the values at (Omega, A), and their slopes are those of A Omega^2 + h
@@ -2046,7 +2046,9 @@ def by_laws(names):
         off_R, off_I = (at[name] - f(A, Omega) if name in at else 0 for name, f in (("R", R), ("I", I)))
 
         def F(a, w):
-            return (R(a, w) + off_R) ** 2 + (I(a, w) + off_I) ** 2 - at.get("F_0", 0) ** 2
+            return (
+                (R(a, w) + off_R) ** 2 + (I(a, w) + off_I) ** 2 - (at.get("F_0", 0) * (w**2 if by_inertia else 1)) ** 2
+            )
 
         def peak(a, w):
             """F_Omega/(4 a w), in which the I of I_0 counts; with the slopes of R and I themselves."""
@@ -2056,7 +2058,11 @@ def by_laws(names):
             """F_AOmega/(2 w) of the R and I that h and I_0 give."""
             return mp.diff(lambda b, v: R(b, v) ** 2 + I(b, v) ** 2, (a, w), (1, 1)) / (2 * w)
 
-        return A, Omega, F, I, peak, bend
+        def least(a, w):
+            """-w^5/4 times the slope of (R^2 + I^2)/w^4 by w, in which h and I_0 count; with the slopes of R and I."""
+            return (R(a, w) + off_R) * h(a) + (I(a, w) + off_I) * (rest(a) + zeta * a * w)
+
+        return A, Omega, F, I, peak, bend, least
 
     return made
 
@@ -2085,16 +2091,18 @@ def dissipated_slope(order, names, halved=False):
 
 def dissipated_system(first, second, names):
     """Two functions, or one, and their slopes."""
-    made = by_laws(names)
+    made = by_laws(names, by_inertia="least" in (first, second) or "inertia" in first)
+    first = first.removesuffix(" by inertia")
 
     def system(*x):
-        A, Omega, F, _, peak, bend = made(*x)
+        A, Omega, F, _, peak, bend, least = made(*x)
         of = {
             "F": F,
             "F_A": lambda a, w: mp.diff(lambda b: F(b, w), a),
             "F_AA": lambda a, w: mp.diff(lambda b: F(b, w), a, 2),
             "peak": peak,
             "bend": bend,
+            "least": least,
         }
         both = [name for name in (first, second) if name]
         values = [of[name](A, Omega) for name in both]
@@ -2137,6 +2145,67 @@ def dissipated_frequency(names):
         return [mp.diff(lambda a: mp.findroot(lambda w: F(a, w) - here, Omega, tol=mpf(10) ** -110), A)]
 
     return slope
+
+
+def level_of_laws(w, a, rest, zeta, d, h):
+    """Of an excitation by inertia."""
+    return sum(part**2 for part in law_balances(w, a, rest, zeta, d, h)) / w**4
+
+
+def level_along(names):
+    """The squared level as a function of A and Omega, and where a kernel asks for it."""
+    known = names.split()
+
+    def made(*x):
+        at = dict(zip(known, x, strict=True))
+        A, zeta, d = (at[name] for name in ("A", "zeta", "d"))
+        h = near(A, [at.get(f"h{order}", mpf(0)) for order in ("", "_A", "_AA", "_AAA")])
+        rest = near(A, [at.get(f"I_0{order}", mpf(0)) for order in ("", "A", "AA", "AAA")])
+        return A, at["Omega"], lambda a, w: level_of_laws(w, a, rest(a), zeta, d, h(a))
+
+    return made
+
+
+def cusp_by_inertia(names):
+    """d^2 level^2/dA^2 along F_A = 0 with F_AA = 0, times Omega^5 F_AOmega^2/4."""
+    parts = [dissipated_slope(order, names) for order in ((3, 0), (1, 1))]
+
+    def of(*x):
+        A, Omega, level = level_along(names)(*x)
+        return [-(Omega**5) / 4 * mp.diff(level, (A, Omega), (0, 1)) * mp.fprod(part(*x)[0] for part in parts)]
+
+    return of
+
+
+def isola_by_inertia(names):
+    """As `law_isola`, of what the level's slope leaves where it vanishes."""
+    parts = [dissipated_slope(order, names) for order in ((2, 0), (1, 1))]
+
+    def of(*x):
+        A, Omega, level = level_along(names)(*x)
+        F_AA, F_AOmega = (part(*x)[0] for part in parts)
+        bend = mp.diff(lambda w: w**5 * mp.diff(lambda v: level(A, v), w), Omega) / Omega
+        determinant = mp.det(mp.matrix([[F_AA, F_AOmega], [F_AOmega, bend]]))
+        return [determinant, F_AA * determinant]
+
+    return of
+
+
+def frequency_by_inertia(names):
+    """dOmega/dA of the states at one level."""
+
+    def of(*x):
+        A, Omega, level = level_along(names)(*x)
+        return [-mp.diff(level, (A, Omega), (1, 0)) / mp.diff(level, (A, Omega), (0, 1))]
+
+    return of
+
+
+def far_by_inertia(x, A, F_0, I_0, zeta, d, h):
+    """The level less F_0, squares; and what its slope is, without what grows with Omega."""
+    w, grows = 1 / x, zeta * d * A**3
+    slope = mp.diff(lambda v: level_of_laws(v, A, I_0, zeta, d, h), w)
+    return [level_of_laws(w, A, I_0, zeta, d, h) - F_0**2, -(w**3) / 4 * slope - w * grows, grows]
 
 
 def far_balances(x, A, I_0, I_0A, zeta, d, h, h_A):
@@ -2362,6 +2431,33 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
     "I_scaled": ("Omega A I_0_over_A zeta d", lambda w, A, r, *laws: [law_balances(w, A, r * A, *laws, 0)[1] / A]),
     "F_A_scaled": ("Omega h_over_A h_A I_over_A I_A", scaled_slope),
     "least_scaled": ("Omega zeta eta d h_AA", least_from_rest),
+    "Omega_A_by_inertia": (names := "Omega A I_0 I_0A zeta d h h_A", frequency_by_inertia(names)),
+    "far_by_inertia": ("x A F_0 I_0 zeta d h", far_by_inertia),
+    "cusp_bend_by_inertia": (
+        names := "Omega A I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA",
+        cusp_by_inertia(names),
+    ),
+    "isola_bend_by_inertia": (names := "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA", isola_by_inertia(names)),
+    "full_by_inertia": (
+        "F_0 d",
+        lambda F_0, d: [mp.findroot(lambda a: a**2 + (d * a**2) ** 2 - F_0**2, F_0 / (1 + d * F_0))],
+    ),
+    "structural_bound": (
+        "A F_0 eta h steepest",
+        lambda A, F_0, eta, h, s: [
+            eta * A * (A - F_0) - F_0 * abs(h),
+            mp.diff(lambda a: eta * a * (a - F_0), A) - F_0 * s,
+        ],
+    ),
+    "quadratic_bound": ("F_0 d", lambda F_0, d: [mp.findroot(lambda a: d * a**2 - F_0, mp.sqrt(F_0 / d))]),
+    **{
+        name: (names, dissipated_system(first, second, names))
+        for name, first, second, names in (
+            ("folds_by_inertia", "F by inertia", "F_A", "Omega A F_0 I_0A I_0AA zeta d h_A h_AA R I"),
+            ("peaks_by_inertia", "F by inertia", "least", "Omega A F_0 I_0 I_0A zeta d h h_A R I"),
+            ("isolas_by_inertia", "F_A", "least", "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA R I"),
+        )
+    },
 }
 
 
@@ -2391,6 +2487,7 @@ RANGES = {
     "mu": (0.001, 0.02),
     "zeta": (0.004, 0.1),
     "h": (-1.0, -0.001),
+    "steepest": (0.0, 3.0),
     "h_A": (-2.0, 1.0),
     "h_AA": (-5.0, 5.0),
     "h_AAA": (-20.0, 20.0),

@@ -6,13 +6,14 @@ Out: `dissipation_module`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
 from ...along import k
 from ...dissipation import (
+    I_0,
     I_A,
     R_A,
     REST,
@@ -22,12 +23,13 @@ from ...dissipation import (
     beside,
     d,
     h_over_A,
+    steepest,
     u_cr,
     x,
 )
 from ...gradients import OF_LAWS, I_0p, d_p, h_p, zeta_p
 from ...results import Results
-from ...slopes import DERIVATIVES
+from ...slopes import DERIVATIVES, Slopes
 from ...slow_flow import I, R, m
 from ...symbols import F_0, A, Omega, c_2, eta, h, h_A, h_AA, h_AAA, zeta
 from ..form import Kernel, Module, plain
@@ -44,6 +46,9 @@ SYSTEMS = {
     "turns": ("F_A and F_AOmega/Omega, less constant factors", "(30)"),
     "rest": ("F, for Omega = 0", "(24)"),
     "stiffness": ("F_A, for Omega = 0", "(30)"),
+    "folds_by_inertia": ("F and F_A by inertia", "(24), (30)"),
+    "peaks_by_inertia": ("F and -Omega^5/4 dlevel^2/dOmega by inertia", "(24)"),
+    "isolas_by_inertia": ("F_A and -Omega^5/4 dlevel^2/dOmega by inertia", "(30)"),
 }
 
 
@@ -63,8 +68,10 @@ def dissipation_module(results: Results) -> Module:
         arguments = needed([value, *(whole for _, whole in lets)])
         return plain(name, arguments, value, doc, equation, lets=lets)
 
-    def in_derivatives(name: str, values: Sequence[sp.Expr], doc: str) -> Kernel:
-        known = {DERIVATIVES[a, w]: one for (a, w), one in derivatives.items()}
+    def in_derivatives(
+        name: str, values: Sequence[sp.Expr], doc: str, others: dict[tuple[int, int], sp.Expr] | None = None
+    ) -> Kernel:
+        known = {DERIVATIVES[a, w]: one for (a, w), one in {**derivatives, **(others or {})}.items()}
         used = [(symbol, one) for symbol, one in known.items() if any(value.has(symbol) for value in values)]
         lets = [(R, flow.R), (I, of.I), *used]
         arguments = needed([*values, *(whole for _, whole in lets)])
@@ -149,6 +156,7 @@ def dissipation_module(results: Results) -> Module:
             at_point("F_AOmega", of.F_AOmega, "d2F/dA dOmega.", "(24)"),
             at_point("F_AOmegaOmega", of.F_AOmegaOmega, "d3F/dA dOmega2.", "(24)"),
             at_point("Omega_A", of.Omega_A, "dOmega/dA along the response.", "from (24)"),
+            at_point("Omega_A_by_inertia", of.Omega_A_by_inertia, "The same of an excitation by inertia.", "from (24)"),
             in_derivatives(
                 "cusp_bend",
                 (slopes.cusp,),
@@ -194,6 +202,7 @@ def dissipation_module(results: Results) -> Module:
                 searched=True,
             ),
             *searched_kernels(of),
+            *inertial_kernels(of, slopes, in_derivatives),
             *(system(name, *of.systems[name].values, *of.systems[name].slopes) for name in of.systems),
             *gradient_kernels(
                 results.laws_gradients, (*REST, zeta, d), (*REST[:2], zeta, d), OF_LAWS, (h_p, I_0p, zeta_p, d_p)
@@ -202,6 +211,51 @@ def dissipation_module(results: Results) -> Module:
     )
     # solvers on NumPy ask these of many amplitudes at once, which compiled loops would not do faster
     return replace(found, kernels=tuple(replace(kernel, generic=True) for kernel in found.kernels))
+
+
+def inertial_kernels(of: Dissipation, slopes: Slopes, in_derivatives: Callable[..., Kernel]) -> list[Kernel]:
+    """What an excitation by inertia takes from what vanishes at a point, and where its response ends."""
+    return [
+        plain(
+            "far_by_inertia",
+            (x, A, F_0, I_0, zeta, d, h),
+            of.far_by_inertia,
+            "F/Omega^4 at x = 1/Omega; and -Omega^3/4 dlevel^2/dOmega, less Omega times the third.",
+            "(24)",
+            "x >= 0, A > 0",
+            searched=True,
+        ),
+        in_derivatives(
+            "cusp_bend_by_inertia",
+            (of.cusp_bend_by_inertia,),
+            "As `cusp_bend`, for an excitation by inertia.",
+        ),
+        in_derivatives(
+            "isola_bend_by_inertia",
+            (slopes.determinant, slopes.isola_by_it),
+            "As `isola_bend`, for an excitation by inertia.",
+            {(0, 2): of.F_OmegaOmega_by_inertia},
+        ),
+        plain(
+            "full_by_inertia",
+            (F_0, d),
+            of.full_by_inertia,
+            "The amplitude that the response tends to as Omega grows.",
+            "from (24)",
+            "F_0 > 0",
+        ),
+        plain(
+            "structural_bound",
+            (A, F_0, eta, h, steepest),
+            of.structural_bound,
+            "Both positive: no state above A, while |h| grows by steepest dA at most.",
+            "from (23), (24)",
+            "A > 0",
+        ),
+        plain(
+            "quadratic_bound", (F_0, d), of.quadratic_bound, "What no amplitude exceeds.", "from (23), (24)", "d > 0"
+        ),
+    ]
 
 
 def searched_kernels(of: Dissipation) -> list[Kernel]:

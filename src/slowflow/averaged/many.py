@@ -40,7 +40,7 @@ from slowflow.averaged.questions import Averaged
 from slowflow.certificate import DOUBLES
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Mechanism
-from slowflow.model import THROUGHOUT, Floats, Laws, Model, at_rest, check_names, check_told
+from slowflow.model import THROUGHOUT, Floats, Laws, Model, at_rest, check_names
 from slowflow.moves import Given, of_detachment, of_folds, of_onset, of_peak, of_states
 from slowflow.results import NOT_AVERAGED, Remark
 from slowflow_kernels import dissipation, inertia, slow_flow
@@ -472,8 +472,6 @@ class Designs:
         self.mechanism, self.excitation, self.rubs = mechanism, excitation, rubs
         self.values = {name: validate.real_array(name, values[name]) for name in names}
         self.shape = validate.common_shape(self.values)
-        if self.laws:
-            check_told(self.laws, mechanism, excitation)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Designs) or (self.mechanism, *self.values) != (other.mechanism, *other.values):

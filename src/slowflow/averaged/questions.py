@@ -218,11 +218,13 @@ class Averaged:
         """What transmissibility tends to as Omega tends to inf: 4 mu/(pi F_0) for a force, 0 for one of inertia.
 
         There A Omega vanishes, or does beside a force that grows with Omega^2: friction, and a preload, are all that a
-        constant force leaves. Raises ValueError for F_0 <= 0.
+        constant force leaves. Quadratic damping grows with Omega^2 too: under inertia 8 c_2 A^2/(3 pi F_0) is left, at
+        the amplitude A that the response tends to. Raises ValueError for F_0 <= 0.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
         if self.model.inertial:
-            return 0.0
+            A = float(dissipation.full_by_inertia(F_0, self.model.d))
+            return float(dissipation.I(1.0, A, 0.0, 0.0, self.model.d)) / F_0
         return min(1.0, float(slow_flow.transmissibility(1.0, 0.0, F_0, self.model.m, self.zeta, self.model.preload)))
 
     def closes(self, F_0: float) -> bool:

@@ -41,6 +41,10 @@ NO_TOP = "no peak: the amplitude tends to F_0 = {:g} from below as Omega tends t
 NOT_REACHED = (
     "the amplitude u_cr = {0:g} is tended to as Omega tends to inf, at F_0 = {0:g}, and not reached below that"
 )
+NO_TOP_BELOW = "no peak: the amplitude tends to {:g} from below as Omega tends to inf"
+NOT_REACHED_BELOW = (
+    "the amplitude u_cr = {:g} is tended to as Omega tends to inf, at F_0 = {:g}, and not reached below that"
+)
 NOT_CLOSED = "the response does not close: it has states of any amplitude; cut at A = {:g}"
 OPEN = (
     "no lowest amplitude of the excitation is attained: folds come ever lower as they go to higher amplitudes or Omega"

@@ -20,7 +20,7 @@ from slowflow.grid import meaning
 from slowflow.grid.block import DEPTHS, INNER, LOADED, QUESTIONS, UNANSWERED, Ask, Question, lengths, made_by
 from slowflow.loaded import AT_CENTRE, off_centre_by
 from slowflow.mechanism import Mechanism
-from slowflow.model import THROUGHOUT, check_names, check_told
+from slowflow.model import THROUGHOUT, check_names
 from slowflow.off_centre.many import check_polynomial
 from slowflow_kernels.domains import DISSIPATION
 
@@ -54,8 +54,6 @@ class Grid:
         self._depth = DEPTHS[0]
         own = {name: value for name, value in values.items() if name != "load"}
         self._given = {name: own[name] for name in check_names(mechanism, own, DISSIPATION)}
-        if self._laws:
-            check_told(self._laws, mechanism, excitation)
         if "load" in values:
             check_polynomial(mechanism)
             self._given["load"] = values["load"]

@@ -47,8 +47,12 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
         return words.cut(model, F_0)
     rungs = max(2 * max(model.breakpoints, default=0.0), F_0) * _RUNGS
     if model.inertial:
-        closed = inertia.bound(model, F_0, rungs)
-        return (closed, "") if closed is not None else words.does_not_close(inertia.cut(model, F_0, rungs))
+        known = [inertia.bound(model, F_0, rungs) if model.zeta > 0 else None]
+        if model.laws.any:
+            known.append(dissipated.bound_by_inertia(model, F_0, rungs))
+        closed = min((one for one in known if one is not None), default=None)
+        along = dissipated.Roots(model, F_0) if model.laws.any else inertia.Roots(model, F_0)
+        return (closed, "") if closed is not None else words.does_not_close(inertia.cut(along, rungs))
     by_damping = np.inf
     if model.laws.any:
         most, by_damping = dissipated.most_restoring(model, F_0, rungs)

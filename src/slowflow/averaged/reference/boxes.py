@@ -17,7 +17,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.averaged.reference.cells import Cells, Samples, Stretch, amid, cells_of, joined, samples_at
+from slowflow.averaged.reference.cells import (
+    Cells,
+    Samples,
+    Stretch,
+    amid,
+    cells_of,
+    joined,
+    samples_at,
+    stretches_up_to,
+)
 from slowflow.averaged.reference.intervals import Bools, Interval
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow_kernels import dissipation, dissipation_intervals, slow_flow, slow_flow_intervals
@@ -34,13 +43,18 @@ SYSTEMS: dict[str, tuple[Callable[..., Any], Callable[..., Any]]] = {
     "turns": (dissipation.turns, dissipation_intervals.turns),
     "rest": (dissipation.rest, dissipation_intervals.rest),
     "stiffness": (dissipation.stiffness, dissipation_intervals.stiffness),
+    "folds_by_inertia": (dissipation.folds_by_inertia, dissipation_intervals.folds_by_inertia),
+    "peaks_by_inertia": (dissipation.peaks_by_inertia, dissipation_intervals.peaks_by_inertia),
+    "isolas_by_inertia": (dissipation.isolas_by_inertia, dissipation_intervals.isolas_by_inertia),
 }
-#: systems with F, with F_A, and with F_Omega
-FORCED, FOLDED, PEAKED = (
-    {"folds", "peaks", "rest"},
-    {"folds", "cusps", "isolas", "turns", "stiffness"},
+#: systems with F, with F_A, with F_Omega, and with the level of an excitation by inertia stationary
+FORCED, FOLDED, PEAKED, STATIONARY = (
+    {"folds", "peaks", "rest", "folds_by_inertia", "peaks_by_inertia"},
+    {"folds", "cusps", "isolas", "turns", "stiffness", "folds_by_inertia", "isolas_by_inertia"},
     {"peaks", "isolas"},
+    {"peaks_by_inertia", "isolas_by_inertia"},
 )
+INERTIAL = STATIONARY | {"folds_by_inertia"}
 #: systems of points at Omega = 0, and how far from there they are looked for
 STATIC, ASIDE = {"rest", "stiffness"}, 2.0**-20
 #: a frequency that counts as 0 where widths are compared
@@ -162,8 +176,9 @@ class Searched:
         A, zeta, d, R, lag = (known[name] for name in ("A", "zeta", "d", "R", "I"))
         I_A = dissipation_intervals.I_A(Omega, A, known["I_0A"], zeta, d)
         if self.system in FORCED:
-            lag = lag.both(Interval.of(np.full(A.lo.shape, -self.F_0), self.F_0))
-            most = dissipation_intervals.R_of_response(known["F_0"], lag)
+            force = self._force(self.F_0, Omega)
+            lag = lag.both(Interval(np.array((-force.hi, force.hi))))
+            most = dissipation_intervals.R_of_response(force, lag)
             R = R.both(Interval(np.array((-most.hi, most.hi))))
         if self.system in PEAKED:
             R = R.both(dissipation_intervals.R_of_peak(Omega, A, zeta, d, lag))
@@ -174,11 +189,47 @@ class Searched:
             known["h_A"] = known["h_A"].both(dissipation_intervals.h_A_of_turn(Omega, A, R, beside))
         first, second, *_ = self._values({**known, "R": R, "I": lag})
         found = (R.lo > R.hi) | (lag.lo > lag.hi) | first.has_sign | second.has_sign
-        found |= (R.square() + lag.square()).lo > self.most * self.most * (1 + 2.0**-40)
+        if self.most < np.inf:
+            found |= (R.square() + lag.square()).lo > self._force(self.most, Omega).hi ** 2 * (1 + 2.0**-40)
         if self.system in FOLDED:
             found |= dissipation_intervals.least_F_A(A, cells.k, lag, I_A).lo > 0
             found |= self._rises(cells, I_A, Omega) | self._far(known, Omega)
+        if self.system in INERTIAL:
+            found |= self._far_by_inertia(known, Omega)
+        if self.system == "peaks_by_inertia":
+            found |= self._far_from_peaks(cells, Omega)
         return np.asarray(found)
+
+    def _force(self, F_0: float, Omega: Interval) -> Interval:
+        """Amplitude of the force."""
+        return Interval.point(F_0) * Omega.square() if self.model.inertial else Interval.of(0.0 * Omega.lo + F_0, F_0)
+
+    def _far_by_inertia(self, known: dict[str, Interval], Omega: Interval) -> Bools:
+        """Whether F, or what vanishes where the level is stationary, has one sign, in x = 1/Omega."""
+        names = ("A", "F_0", "I_0", "zeta", "d", "h")
+        F, stays, grows = dissipation_intervals.far_by_inertia(1.0 / Omega, *(known[name] for name in names))
+        found = np.zeros(Omega.lo.shape, dtype=bool)
+        if self.system in FORCED:
+            found |= F.has_sign
+        if self.system in STATIONARY:
+            found |= (stays.lo > 0) | (stays.lo + Omega.lo * np.maximum(grows.lo, 0.0) > 2.0**-40 * np.abs(stays.lo))
+            found |= (stays.hi < 0) & (self.model.zeta * self.model.d == 0)
+        return found
+
+    def _far_from_peaks(self, cells: Cells, Omega: Interval) -> Bools:
+        """Whether there is no peak on boxes that reach down to A = 0, by what both functions are over A^2."""
+        A, start, model = cells.A, samples_at(self.model, 0.0), self.model
+        slope = Interval.hull(np.minimum(start.h_A, cells.h_A.lo), np.maximum(start.h_A, cells.h_A.hi))
+        over = dissipation.at_rest(A.hi, model.m, model.laws.eta)[0] / A.hi
+        rest = Interval.of(over, np.full(over.shape, np.inf) if model.m > 0 else over)
+        one = Interval.point(1.0)
+        known = {
+            **{"Omega": Omega, "A": one, "F_0": Interval.point(self.F_0) / A, "zeta": self.zeta, "d": self.d},
+            **{"I_0": rest, "h": slope, "R": slope + Omega.square()},
+            "I": dissipation_intervals.I_scaled(Omega, A, rest, self.zeta, self.d),
+        }
+        first, second, *_ = self.on_boxes(*(known.get(name, one) for name in self.names))
+        return np.asarray((A.lo == 0) & (first.has_sign | second.has_sign))
 
     def _turn_share(self, x: Interval, known: dict[str, Interval]) -> Interval:
         names = ("A", "I_0", "I_0A", "zeta", "d")
@@ -219,6 +270,13 @@ class Searched:
         }
         found = self.at_points(*(known[name] for name in self.names))
         return [np.asarray(one + 0.0 * A) for one in self._with_Omega(found, Omega)]
+
+
+def slopes_at(model: Model, system: str, points: Points, F_0: float) -> list[Floats]:
+    """The four slopes of a system's functions at points of it."""
+    pieces = stretches_up_to(model, np.inf if not points.A.size else 2 * float(points.A.max()))
+    searched = Searched(model, system, F_0, pieces, np.inf)
+    return searched.values(points.A, model.averaged(points.A), points.piece, points.Omega)[2:]
 
 
 def _interval(value: Any, like: Interval) -> Interval:
@@ -314,6 +372,8 @@ def _highest(searched: Searched, cells: Cells, numbers: Ints, piece: Stretch, mo
         over = over.both(slope)
     if searched.system == "peaks":  # R is not positive there
         squared = np.maximum(-over.lo, 0.0)
+    elif searched.system == "peaks_by_inertia":
+        squared = np.full(over.lo.shape, np.inf)
     else:
         I_0, I_0A, *_ = searched.rest(cells.A, numbers)
         falls = np.where(I_0A.lo < 0, (I_0 * I_0A / cells.A).lo, 0.0)
@@ -321,6 +381,9 @@ def _highest(searched: Searched, cells: Cells, numbers: Ints, piece: Stretch, mo
         B, C = np.maximum(-second, 0.0), np.maximum(-constant, 0.0)
         squared = 0.5 * (B + np.sqrt(B * B + 4 * C))
     by_force = (most + np.abs(cells.h.ends).max(axis=0)) / cells.A.lo
+    if searched.model.inertial:  # of the force F_0 Omega^2
+        left = cells.A.lo - most
+        by_force = np.where(left > 0, np.abs(cells.h.ends).max(axis=0) / left, np.inf)
     bounds = np.fmin(np.where(np.isnan(squared), np.inf, squared), np.where(np.isnan(by_force), np.inf, by_force))
     return np.asarray(np.sqrt(bounds) * (1 + 2.0**-10) + 2.0**-10)
 
@@ -410,6 +473,8 @@ def _cut(
         relative = width / boxes.b.A, height / np.maximum(np.abs(boxes.high), LOW)
         of_A = np.where(np.isfinite(by_A + by_Omega), by_A >= by_Omega, relative[0] >= relative[1])
         of_A = np.where(relative[0] > 64 * relative[1], True, np.where(relative[1] > 64 * relative[0], False, of_A))
+    if searched.system in INERTIAL:  # what A does to R/Omega^2 = A + h/Omega^2, where Omega has no end
+        of_A |= np.isinf(boxes.high) & (width * boxes.low**2 > np.abs(at.h))
     of_A = (of_A & ~ended[0]) | ended[1]
     model = searched.model
     shrunk = np.flatnonzero(small)

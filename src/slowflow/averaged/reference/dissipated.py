@@ -3,6 +3,10 @@
 With I = I_0(A) + 2 zeta A Omega + d (A Omega)^2, F and F_A/2 are quartics in Omega whose coefficients of Omega, Omega^3
 and Omega^4 are not negative (derivations/dissipation.py): they have at most two positive critical points, a maximum w1
 and then a minimum w2, and are monotone between. Where the number of roots changes along the amplitude, `boxes` finds.
+
+Under an excitation by inertia F has -F_0^2 Omega^4 in the place of -F_0^2: over Omega^4 it is such a quartic in
+x = 1/Omega, with the same coefficients the other way round. Its root that comes from x = 0, Omega = inf, is there below
+the amplitude that the response tends to. F_A is the same.
 """
 
 from __future__ import annotations
@@ -13,10 +17,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.averaged.reference.arcs import Event, Ints, Kind, merged
-from slowflow.averaged.reference.boxes import points_of
-from slowflow.averaged.reference.cells import stretches_up_to
+from slowflow.averaged.reference.boxes import Points, points_of, slopes_at
+from slowflow.averaged.reference.cells import cells_of, samples_at, stretches_up_to
+from slowflow.averaged.reference.enclosed import enclosed
+from slowflow.averaged.reference.inertia import intervals_beyond
 from slowflow.model import THROUGHOUT, Floats, Model
-from slowflow_kernels import dissipation, slow_flow
+from slowflow_kernels import dissipation, inertia, slow_flow
+from slowflow_kernels.conventions import ENDLESS
 
 Bools = NDArray[np.bool_]
 
@@ -44,14 +51,16 @@ class Roots:
         if event.kind in (Kind.PAIR_LOW, Kind.PAIR_HIGH):
             return event.kind == Kind.PAIR_LOW, event.Omega
         one = _Quartics(self.model, self.F_0, np.array([event.A]))
-        lower = bool(one.w1[0] > 0 and abs(one.f1[0]) < abs(one.f2[0]))
-        return lower, float(one.w1[0] if lower else one.w2[0])
+        first = bool(one.w1[0] > 0 and abs(one.f1[0]) < abs(one.f2[0]))
+        w = float(one.w1[0] if first else one.w2[0])
+        return (not first, 1 / w) if one.by_x else (first, w)
 
 
 class _Quartics:
     """The quartic of each amplitude: its coefficients c, its critical points w1 <= w2 or NaN, its values there.
 
     beyond -- as in `Model.at_rest`
+    by_x   -- whether it is one in 1/Omega: w is 1/Omega then
     """
 
     def __init__(self, model: Model, F_0: float, A: Floats, beyond: bool | None = None) -> None:
@@ -64,6 +73,9 @@ class _Quartics:
         else:
             coefficients = dissipation.response_quartic(A, I_0, *damping, h)
         self.c = [np.asarray(one + np.zeros_like(A)) for one in coefficients]
+        self.by_x = model.inertial and F_0 >= 0
+        if self.by_x:
+            self.c = self.c[::-1]
         self.w1, self.w2 = _critical(self.c)
         self.f0, self.f1, self.f2 = (self.value(w) for w in (np.zeros_like(A), self.w1, self.w2))
 
@@ -72,6 +84,9 @@ class _Quartics:
         if self.F_0 < 0:
             return 0.5 * self.model.F_A(w, self.A, self.beyond)
         model, I_0 = self.model, self.model.at_rest(self.A)[0]
+        if self.by_x:
+            known = (self.A, self.F_0, I_0, model.zeta, model.d, model.averaged(self.A)[0])
+            return np.asarray(dissipation.far_by_inertia(w, *known)[0])
         return np.asarray(dissipation.F(w, self.A, self.F_0, I_0, model.zeta, model.d, model.averaged(self.A)[0]))
 
     @property
@@ -84,6 +99,12 @@ class _Quartics:
 
     def roots(self, count: Ints, index: Ints) -> Floats:
         """See `Roots.at`."""
+        if self.by_x:
+            return np.asarray(1 / self._roots(count, count - 1 - index))
+        return self._roots(count, index)
+
+    def _roots(self, count: Ints, index: Ints) -> Floats:
+        """By rising w."""
         shown = self.shown
         missing = count - shown.sum(axis=0)
         # next to where a pair meets rounding may hide or show it: at the critical point whose value is next to 0
@@ -167,9 +188,33 @@ def most_restoring(model: Model, F_0: float, rungs: Floats) -> tuple[Floats, flo
     return most, 2 * (F_0 - friction) / model.laws.eta if model.laws.eta > 0 else np.inf
 
 
+def bound_by_inertia(model: Model, F_0: float, rungs: Floats) -> float | None:
+    """The same under an excitation by inertia, by quadratic or structural damping; None where none is known."""
+    found = [np.inf]
+    if model.d > 0:
+        found.append(2 * float(dissipation.quadratic_bound(F_0, model.d)))
+    eta = model.laws.eta
+    if eta > 0 and model.mechanism.enclosed is None:
+        at, far = samples_at(model, rungs), samples_at(model, ENDLESS * np.maximum(rungs, 1.0))
+        steepest = np.abs(cells_of(model, at, far).h_A.ends).max(axis=0)
+        holds = np.all([one > 0 for one in dissipation.structural_bound(rungs, F_0, eta, at.h, steepest)], axis=0)
+        found.append(float(rungs[np.argmax(holds)]) if holds.any() else np.inf)
+    elif eta > 0:
+        nodes = intervals_beyond(model, rungs)
+        low = nodes[:-1]
+        most = np.abs(enclosed(model, low, nodes[1:])[0].ends).max(axis=0)
+        excluded = dissipation.structural_bound(low, F_0, eta, most, 0.0)[0] > 0
+        beyond = low[np.logical_and.accumulate(excluded[::-1])[::-1]]
+        found.append(float(np.min(rungs[np.isin(rungs, beyond)], initial=np.inf)))
+    least = min(found)
+    return least if least < np.inf else None
+
+
 def response_events(model: Model, F_0: float, A_max: float) -> list[Event]:
     """Where the number of frequencies of the response may change, by rising A: peaks, static states, breakpoints."""
     pieces = stretches_up_to(model, A_max)
+    if model.inertial:
+        return _events_of_inertia(model, F_0, A_max)
     peaks, static = points_of(model, "peaks", pieces, F_0), points_of(model, "rest", pieces, F_0)
     found = [Event(0.0, np.inf, Kind.CUT)]
     with np.errstate(all="ignore"):
@@ -193,6 +238,33 @@ def response_events(model: Model, F_0: float, A_max: float) -> list[Event]:
     return merged([*found, Event(A_max, 0.0, Kind.CUT)])
 
 
+def _events_of_inertia(model: Model, F_0: float, A_max: float) -> list[Event]:
+    """The same under an excitation by inertia, which leaves none at rest: a frequency comes from inf."""
+    pieces = stretches_up_to(model, A_max)
+    peaks = points_of(model, "peaks_by_inertia", pieces, F_0)
+    full = float(dissipation.full_by_inertia(F_0, model.d))
+    c = _Quartics(model, F_0, np.array([full])).c
+    falls = bool(c[1][0] == 0 and c[2][0] < 0)
+    inside = [Event(full, np.inf, Kind.TO_INFINITY, 1 if falls else -1)]
+    with np.errstate(all="ignore"):
+        rises, bends = model.F_A(peaks.Omega, peaks.A) > 0, _bends(model, peaks, F_0)
+    for A, Omega, up, low in zip(peaks.A.tolist(), peaks.Omega.tolist(), rises.tolist(), bends.tolist(), strict=True):
+        gain = 2 if up == low else -2
+        inside.append(Event(A, Omega, Kind.PAIR_HIGH if low else Kind.PAIR_LOW, gain))
+    inside += [Event(float(piece.last.A[0]), 0.0, Kind.THROUGH) for piece in pieces[:-1]]
+    inside.sort(key=lambda event: event.A)
+    start = float(inertia.moves_from(F_0, model.m))
+    return [Event(0.0, start, Kind.CUT), *inside, Event(A_max, 0.0, Kind.CUT)]
+
+
+def _bends(model: Model, peaks: Points, F_0: float) -> Bools:
+    """Whether F has a maximum over Omega at these peaks."""
+    if not model.inertial:
+        return np.asarray(_F_OmegaOmega(model, peaks.Omega, peaks.A) < 0)
+    # F_OmegaOmega is -4/Omega times that of the second function by Omega
+    return np.asarray(slopes_at(model, "peaks_by_inertia", peaks, F_0)[3] > 0)
+
+
 @dataclass(frozen=True)
 class Stations:
     """What happens along the fold locus, by rising A."""
@@ -204,7 +276,7 @@ class Stations:
         """Up to an amplitude."""
         pieces = [piece for piece in stretches_up_to(model, A_max) if piece.has_force]
         stiffness, cusps, isolas, turns = (
-            points_of(model, system, pieces) for system in ("stiffness", "cusps", "isolas", "turns")
+            points_of(model, system, pieces) for system in ("stiffness", "cusps", isolas_of(model), "turns")
         )
         with np.errstate(all="ignore"):
             low, rising = _F_AOmegaOmega(model, turns.Omega, turns.A) < 0, model.F_AA(turns.Omega, turns.A) > 0
@@ -231,10 +303,15 @@ class Stations:
         return self.found
 
 
-def is_top(model: Model, Omega: Floats, A: Floats) -> Bools:
+def is_top(model: Model, peaks: Points, F_0: float) -> Bools:
     """Whether two frequencies that are there below these peaks meet in them."""
     with np.errstate(all="ignore"):
-        return np.asarray((model.F_A(Omega, A) > 0) == (_F_OmegaOmega(model, Omega, A) > 0))
+        return np.asarray((model.F_A(peaks.Omega, peaks.A) > 0) != _bends(model, peaks, F_0))
+
+
+def isolas_of(model: Model) -> str:
+    """The system of isola points, where the level of the excitation is stationary."""
+    return "isolas_by_inertia" if model.inertial else "isolas"
 
 
 def rises_from_rest(model: Model, A: Floats) -> Bools:
@@ -245,14 +322,16 @@ def rises_from_rest(model: Model, A: Floats) -> Bools:
 
 def is_minimum(model: Model, Omega: Floats, A: Floats) -> Bools:
     """Whether the level has a minimum along the fold locus at these cusps."""
-    bend = dissipation.cusp_bend(Omega, A, *model.at_rest(A), model.zeta, model.d, *model.averaged(A))
+    kernel = dissipation.cusp_bend_by_inertia if model.inertial else dissipation.cusp_bend
+    bend = kernel(Omega, A, *model.at_rest(A), model.zeta, model.d, *model.averaged(A))
     return np.asarray(bend > 0)
 
 
 def at_isola(model: Model, Omega: Floats, A: Floats) -> tuple[Bools, Bools]:
     """Whether F has a saddle at these isola points, and whether the level has a minimum along the fold locus."""
     rest, known = model.at_rest(A)[:3], model.averaged(A)[:3]
-    determinant, bend = dissipation.isola_bend(Omega, A, *rest, model.zeta, model.d, *known)
+    kernel = dissipation.isola_bend_by_inertia if model.inertial else dissipation.isola_bend
+    determinant, bend = kernel(Omega, A, *rest, model.zeta, model.d, *known)
     return np.asarray(determinant < 0), np.asarray(bend > 0)
 
 
@@ -272,7 +351,8 @@ def stationary_at(model: Model, A: float, F_0: float = 0.0) -> Floats:
     """Every Omega > 0 at which the level of the amplitude is stationary, by its size."""
     one = _Quartics(model, F_0, np.array([A]))
     found = np.concatenate((one.w1, one.w2))
-    return np.asarray(found[found > 0])
+    found = found[found > 0]
+    return np.sort(1 / found) if one.by_x else np.asarray(found)
 
 
 def frequencies_at(model: Model, A: float, F_0: float, beyond: bool | None = None) -> Floats:

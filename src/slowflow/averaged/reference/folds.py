@@ -52,7 +52,8 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
 
 def _points(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, bool]:
     """A and Omega of the folds inside of pieces, and whether there may be others; for other laws of damping."""
-    found = points_of(model, "folds", stretches_up_to(model, A_max), F_0)
+    system = "folds_by_inertia" if model.inertial else "folds"
+    found = points_of(model, system, stretches_up_to(model, A_max), F_0)
     return found.A, found.Omega, found.undecided
 
 

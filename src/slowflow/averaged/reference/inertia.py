@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.averaged.reference.arcs import Event, Ints, Kind
+from slowflow.averaged.reference.arcs import Along, Event, Ints, Kind
 from slowflow.averaged.reference.cells import samples_at
 from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.model import Floats, Model
@@ -143,25 +143,27 @@ def intervals_beyond(model: Model, rungs: Floats) -> Floats:
     return np.unique(np.concatenate((nodes, [b for b in model.breakpoints if rungs[0] < b < end])))
 
 
-def cut(model: Model, F_0: float, rungs: Floats) -> float:
+def cut(along: Along, rungs: Floats) -> float:
     """Where a response is cut that does not close: at the reach, or far from the spring's slope at rest.
 
     Amplitudes that are much less are reached there.
     """
+    model = along.model
     if np.isfinite(model.reach):
         return model.reach
     if model.mechanism.enclosed is None:
-        far = _is_far(model, F_0, rungs)
+        far = _is_far(along, rungs)
         return float(rungs[np.argmax(far)]) if far.any() else float(rungs[-1])
     # one by one: at amplitudes beyond sums may not settle
-    return next((float(A) for A in rungs[:-1] if _is_far(model, F_0, np.array([A])).all()), float(rungs[-1]))
+    return next((float(A) for A in rungs[:-1] if _is_far(along, np.array([A])).all()), float(rungs[-1]))
 
 
-def _is_far(model: Model, F_0: float, rungs: Floats) -> Bools:
+def _is_far(along: Along, rungs: Floats) -> Bools:
     """Of amplitudes, whether the spring is far from its slope at rest, and one that is much less is reached."""
+    model, F_0 = along.model, along.F_0
     at = samples_at(model, rungs)
     # the slope at rest and what zeta^2 A is of |h|, as shares of |h|/A
     h = np.where(at.h < 0, at.h, np.nan)
     shares = -abs(samples_at(model, 0.0).h_A[0]) * at.A / h + inertia.share(at.A, model.zeta, h)
     less = rungs / STATIC_MULTIPLE
-    return np.asarray((STATIC_MULTIPLE * shares <= 1) & (less > F_0) & (Roots(model, F_0).count(less) == 2))
+    return np.asarray((STATIC_MULTIPLE * shares <= 1) & (less > F_0) & (along.count(less) == 2))

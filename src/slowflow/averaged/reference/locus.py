@@ -134,7 +134,7 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
 def _extrema_in_boxes(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The same by other laws of damping."""
     pieces = [piece for piece in stretches_up_to(model, A_max) if piece.has_force]
-    cusps, isolas = (points_of(model, system, pieces) for system in ("cusps", "isolas"))
+    cusps, isolas = (points_of(model, system, pieces) for system in ("cusps", dissipated.isolas_of(model)))
     with np.errstate(all="ignore"):
         levels = [model.level(points.Omega, points.A) for points in (cusps, isolas)]
         minimum = dissipated.is_minimum(model, cusps.Omega, cusps.A)

@@ -35,7 +35,7 @@ from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound
-from slowflow_kernels import slow_flow, slow_flow_zeta0
+from slowflow_kernels import dissipation, slow_flow, slow_flow_zeta0
 from slowflow_kernels.conventions import COINCIDE, ENDLESS, FAR_OUT, FIRST_F_0, RAISE, RAISES, TENDS, Status
 
 #: of a force's size: what rounding its parameters may make of its jump
@@ -260,10 +260,11 @@ def _consider_boxes(model: Model, pieces: list[Stretch], best: _Best) -> None:
     Only what lies below the best so far is looked for: next to u_cr, where friction ends and I falls, F_A and F_AA are
     nearly proportional on boxes that reach down to it.
     """
-    ends = points_of(model, "stiffness", pieces)
-    best.undecided |= ends.undecided
-    best.consider_ends(model, ends.A, model.level(0.0, ends.A))
-    for system, kind in (("isolas", "isola"), ("cusps", "cusp")):
+    if not model.inertial:  # at Omega = 0 the level is infinite
+        ends = points_of(model, "stiffness", pieces)
+        best.undecided |= ends.undecided
+        best.consider_ends(model, ends.A, model.level(0.0, ends.A))
+    for system, kind in ((dissipated.isolas_of(model), "isola"), ("cusps", "cusp")):
         points = points_of(model, system, pieces, most=best.F_SN)
         best.undecided |= points.undecided
         best.consider(model.level(points.Omega, points.A), points.Omega, points.A, kind)
@@ -347,7 +348,7 @@ def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
     if not model.breakpoints:
         return Detachment(None, None, None, words.NO_DETACHMENT)
-    if model.inertial:
+    if model.inertial and not model.laws.any:
         u_cr = model.breakpoints[0]
         falls = stationary_at(model, u_cr)
         if not falls.size:
@@ -355,8 +356,10 @@ def detachment(model: Model) -> Detachment:
         return Detachment(float(model.level(falls[0], u_cr)), float(falls[0]), u_cr, "")
     if model.laws.any:
         u_cr = model.breakpoints[0]
-        at = np.append(stationary_at(model, u_cr), 0.0)
-        levels = model.level(at, np.full(at.size, u_cr))
+        at = stationary_at(model, u_cr) if model.inertial else np.append(stationary_at(model, u_cr), 0.0)
+        levels, full = model.level(at, np.full(at.size, u_cr)), model.full_level(u_cr)
+        if model.inertial and not (levels < full).any():
+            return Detachment(None, None, None, words.NOT_REACHED_BELOW.format(u_cr, full))
         least = int(np.argmin(levels))
         return Detachment(float(levels[least]), float(at[least]), u_cr, "")
     level, Omega = least_forcing(model, np.array([model.breakpoints[0]]))
@@ -371,7 +374,7 @@ def peak(model: Model, F_0: float) -> PeakFound:
     if model.zeta == 0 and not model.laws.any:
         return PeakFound(None, None, F_0, words.NO_PEAK, _status=Status.UNBOUNDED)
     A_max, cut = amplitude_bound(model, F_0)
-    if model.laws.any:
+    if model.laws.any and not (model.inertial and cut):
         return _peak_in_boxes(model, F_0, A_max)
     if cut:
         return PeakFound(None, None, F_0, cut, _status=Status.UNBOUNDED)
@@ -393,8 +396,15 @@ def peak(model: Model, F_0: float) -> PeakFound:
 def _peak_in_boxes(model: Model, F_0: float, A_max: float) -> PeakFound:
     """The same by other laws of damping: where a pair of frequencies ends that is there below."""
     pieces = stretches_up_to(model, A_max)
+    if model.inertial:
+        peaks = points_of(model, "peaks_by_inertia", pieces, F_0)
+        tops = peaks.take(dissipated.is_top(model, peaks, F_0))
+        if not len(tops):
+            full = dissipation.full_by_inertia(F_0, model.d)
+            return PeakFound(None, None, F_0, words.NO_TOP_BELOW.format(float(full)))
+        return PeakFound(float(tops.A[-1]), float(tops.Omega[-1]), F_0, "")
     peaks, static = points_of(model, "peaks", pieces, F_0), points_of(model, "rest", pieces, F_0)
-    tops = peaks.take(dissipated.is_top(model, peaks.Omega, peaks.A))
+    tops = peaks.take(dissipated.is_top(model, peaks, F_0))
     A, Omega = (tops.A, tops.Omega) if len(tops) else (static.A, np.zeros(len(static)))
     if not A.size and F_0 <= model.m:
         return PeakFound(None, None, F_0, words.sticks(model, F_0), _status=Status.STICKS)
