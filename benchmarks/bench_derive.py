@@ -2,18 +2,21 @@
 
     python -m benchmarks.bench_derive
 
-The clock is the processor's, children included; `start` is Python with NumPy, SymPy and slowflow.
+Out: a table on the terminal, benchmarks/results/derive.json, docs/benchmarks.md. The clock is the processor's, children
+included; `start` is Python with NumPy, SymPy and slowflow.
 """
 
 from __future__ import annotations
 
+import argparse
 import json
 import os
 import subprocess
 import sys
 import tempfile
-import time
 from typing import Any
+
+from benchmarks import document, environment
 
 NUMBERS = {"k": 3.0, "c": 0.6, "gap": 0.2, "further": 0.1}
 #: name, and whether it is compiled
@@ -23,6 +26,7 @@ CASES = (
     ("two_stops", False),
     ("septic", False),
     ("soft_stop", False),
+    ("soft_stop", True),
 )
 
 
@@ -42,8 +46,10 @@ def pieces(name: str) -> list[tuple[Any, Any]]:
 
 def clock() -> float:
     """Seconds of processor time, of this process and of the compilers that it called."""
-    times = os.times()
-    return times.user + times.system + times.children_user + times.children_system
+    import resource  # os.times counts by hundredths
+
+    both = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    return sum(used.ru_utime + used.ru_stime for used in both)
 
 
 def one(name: str, compiled: bool) -> dict[str, float]:
@@ -61,9 +67,9 @@ def one(name: str, compiled: bool) -> dict[str, float]:
     answered = clock()
     times = []
     for F_0 in (0.11, 0.12, 0.13):
-        before = time.perf_counter()
+        before = clock()
         mount.frequency_response(F_0)
-        times.append(time.perf_counter() - before)
+        times.append(clock() - before)
     return {"start": start, "derive": derived - start, "first folds": answered - derived, "curve": min(times)}
 
 
@@ -72,7 +78,7 @@ def rows() -> list[dict[str, Any]]:
     found = []
     for name, compiled in CASES:
         with tempfile.TemporaryDirectory() as folder:
-            command = [sys.executable, "-m", "benchmarks.bench_derive", name, str(int(compiled))]
+            command = [sys.executable, "-m", "benchmarks.bench_derive", "--one", name, str(int(compiled))]
             done = subprocess.run(
                 command, capture_output=True, text=True, check=True, env={**os.environ, "SLOWFLOW_DERIVED": folder}
             )
@@ -82,13 +88,19 @@ def rows() -> list[dict[str, Any]]:
 
 
 def main() -> None:
-    if len(sys.argv) > 1:
-        print(json.dumps(one(sys.argv[1], bool(int(sys.argv[2])))))
+    """Measure, print, write."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--busy", action="store_true", help="say on the page that other work kept the machine busy")
+    parser.add_argument("--one", nargs=2, metavar=("FORCE", "COMPILED"), help="one force, in this process, as JSON")
+    options = parser.parse_args()
+    if options.one:
+        print(json.dumps(one(options.one[0], bool(int(options.one[1])))))
         return
-    steps = ("start", "derive", "first folds", "curve")
-    print(f"{'force':12}{'':10}" + "".join(f"{step:>13}" for step in steps))
-    for row in rows():
-        print(f"{row['force']:12}{row['how']:10}" + "".join(f"{row[step]:11.3f} s" for step in steps))
+    found = rows()
+    print("\n".join(document.derive_table(found)))
+    busy = {"earlier": document.BUSY} if options.busy else {}
+    document.save(document.RESULTS / "derive.json", {"environment": environment.describe(), **busy, "rows": found})
+    document.write()
 
 
 if __name__ == "__main__":

@@ -17,6 +17,8 @@ Written by `make bench` from the measurements that it makes; the same numbers st
 """
 
 
+#: of rows that are not from a quiet machine
+BUSY = "measured in another run, while other work kept the machine busy"
 #: parts of a second
 PARTS = ((1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns"))
 
@@ -116,6 +118,13 @@ def grid_table(rows: list[dict[str, Any]]) -> list[str]:
     return table(head, cells)
 
 
+def derive_table(rows: list[dict[str, Any]]) -> list[str]:
+    """Force, how it is solved, time of each step."""
+    steps = ("start", "derive", "first folds", "curve")
+    cells = [(row["force"], row["how"], *(quantity(row[step], "s") for step in steps)) for row in rows]
+    return table(("force", "solved", *steps), cells)
+
+
 def stops_table(rows: list[dict[str, Any]]) -> list[str]:
     """Stops a turn, Omega, time."""
     cells = [(str(row["stops"]), f"{row['Omega']:.3g}", quantity(row["seconds"], "s")) for row in rows]
@@ -142,8 +151,8 @@ def precision_table(scene: dict[str, Any]) -> list[str]:
 def write(results: Path = RESULTS, docs: Path = DOCS) -> None:
     """Write docs/benchmarks.md from whatever results there are."""
     lines = [HEAD]
-    names = ("bench", "work_precision", "grid", "peers")
-    bench, precision, grid, peers = (_read(results / f"{name}.json") for name in names)
+    names = ("bench", "work_precision", "derive", "grid", "peers")
+    bench, precision, derive, grid, peers = (_read(results / f"{name}.json") for name in names)
     if bench:
         lines += ["## Targets", "", *environment_lines(bench["environment"]), "", *bench_table(bench["rows"]), ""]
         if bench["limits"]:
@@ -155,6 +164,10 @@ def write(results: Path = RESULTS, docs: Path = DOCS) -> None:
             lines += [f"### {scene['title']}", "", *precision_table(scene), ""]
         lines += ["## How cost grows", "", "![Cost against size](scaling.png)", ""]
         lines += [*STOPS_WORDS, "", *stops_table(precision["scaling"]["stops"]), ""]
+    if derive:
+        about = [f"{derive['earlier'].capitalize()}."] if "earlier" in derive else []
+        lines += ["## A force of one's own", "", *DERIVE_WORDS, *about, ""]
+        lines += [*environment_lines(derive["environment"]), "", *derive_table(derive["rows"]), ""]
     if grid:
         lines += ["## Maps in stores", "", *GRID_WORDS, "", *environment_lines(grid["environment"]), ""]
         lines += [*grid_table(grid["rows"]), ""]
@@ -170,6 +183,13 @@ def write(results: Path = RESULTS, docs: Path = DOCS) -> None:
 STOPS_WORDS = (
     "One periodic motion with its multipliers from the one beside it, by how often the mass stops in a turn: linear",
     "spring, mu = 0.2, F_0 = 1.",
+)
+DERIVE_WORDS = (
+    "Forces given as SymPy expressions (`python -m benchmarks.bench_derive`), each in a process of its own that finds",
+    "nothing kept by another. Time is the processor's, the compiler's included: Python's start with NumPy, SymPy and",
+    "slowflow; `derive.mechanism`; the first folds, with what is made ready for them; and one later curve,",
+    "`frequency_response`. Stops and the septic are derived in closed form; the soft stop, with tanh beyond its gap,",
+    "is averaged by sums.",
 )
 GRID_WORDS = (
     "Designs of the isolator over r, preload and mu, written block by block into a Zarr store on a local disk by one",
