@@ -34,6 +34,8 @@ EXAMPLES_NEED = {
     "slowflow.grid.designs": ("xarray", "dask", "zarr"),
     "slowflow.sizing.tolerances": ("SALib",),
 }
+#: modules whose examples take seconds
+SLOW = {"slowflow.derive", *(f"slowflow.off_centre.{room}" for room in ("answers", "many", "questions"))}
 DECISIONS = ROOT / "docs" / "decisions"
 LINK = re.compile(r"\]\(([^)#:]+)\)")
 #: pages whose links must lead somewhere
@@ -70,6 +72,7 @@ def own_force() -> dict[str, Any]:
     return runpy.run_path(str(ROOT / "examples" / "own_force.py"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("A", [0.3, 0.5, 0.51, 0.9, 4.0])
 def test_the_example_of_ones_own_force_averages_that_force(A: float) -> None:
     """h by quadrature of the pieces, the derivatives by differences of the next lower one."""
@@ -210,11 +213,7 @@ def test_every_name_of_the_list_has_an_example_and_no_other() -> None:
 
 @pytest.mark.parametrize(
     "path",
-    [
-        pytest.param(path, marks=[pytest.mark.slow] if path in {"slowflow.derive", "slowflow.off_centre.many"} else [])
-        for path in api.EXAMPLES
-        if path != "begin"
-    ],
+    [pytest.param(path, marks=[pytest.mark.slow] if path in SLOW else []) for path in api.EXAMPLES if path != "begin"],
 )
 def test_examples_of_the_list_run(path: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """An example of a class gives one, that of a function or a method names it; none warns."""

@@ -199,6 +199,7 @@ def test_folds_end_the_branches_of_the_curve(oscillator, name):
     assert turns == len(folds)
 
 
+@pytest.mark.slow
 def test_answers_at_all_depths_agree(oscillator):
     """The second approximation lies between averaging and the motion by SciPy."""
     one = oscillator("soft_stop")
@@ -434,6 +435,7 @@ def test_small_motions_with_a_preload_are_not_missed(folder, compiled):
     assert f"from F_0 = {4 * 0.004 / math.pi:g} on" in outward.message
 
 
+@pytest.mark.slow
 def test_within_a_play_no_mean_is_singled_out_and_that_is_said(folder):
     """There u = B + F_0/(Omega sqrt(Omega^2 + 4 zeta^2)) cos(...) is a motion for every B that keeps it in the play."""
     play = derive.mechanism("a_play", [(0, gap), (k * (u - gap), None)], {"k": ABOVE_0, "gap": ABOVE_0})

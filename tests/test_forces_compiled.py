@@ -106,6 +106,7 @@ def test_compiled_solvers_give_the_answers_of_those_on_numpy(derived, name):
     assert one.frequency_response(0.3).message == other.frequency_response(0.3).message
 
 
+@pytest.mark.slow
 def test_compiled_onsets_are_those_of_numpy_where_h_bends_without_bound_at_rest(derived):
     """And where there is no stiffness at rest."""
     for damping in (DAMPING, {"mu": 0.01, "zeta": 0.2}):
@@ -113,6 +114,7 @@ def test_compiled_onsets_are_those_of_numpy_where_h_bends_without_bound_at_rest(
         same(one.saddle_node_onset(), other.saddle_node_onset())
 
 
+@pytest.mark.slow
 def test_many_designs_are_single_ones_and_have_their_gradients(derived):
     """Those of NumPy's solvers."""
     numbers = {**FORCES["soft_stop"][1], "k": np.array([2.5, 3.0])}
@@ -148,7 +150,7 @@ def test_in_C_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(d
             assert np.isfinite([found[1].lo, found[1].hi]).all()
 
 
-@pytest.mark.parametrize("name", slow_beside(sorted(set(FORCES) - {"preload"}), ("power", "hertz")))
+@pytest.mark.parametrize("name", slow_beside(sorted(set(FORCES) - {"preload"}), ("power",)))
 def test_exact_motions_are_those_of_another_integrator(derived, name):
     """At a frequency below resonance and above: switches, amplitude, multipliers; a preload's are not followed."""
     numbers = FORCES[name][1]
@@ -180,6 +182,7 @@ def test_a_curve_goes_on_where_the_mass_first_touches_a_contact(derived):
         np.testing.assert_allclose(np.sort(other.multipliers), np.sort(state.multipliers), atol=1e-9)
 
 
+@pytest.mark.slow
 def test_an_average_that_does_not_settle_is_no_answer(folder):
     """A step that is steeper than any panel: both kinds of solvers refuse, and the average says why."""
     pieces = [(u + sp.tanh(k * (u - c)), None)]

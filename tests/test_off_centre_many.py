@@ -113,6 +113,7 @@ def test_a_design_without_an_answer_has_a_status_that_says_why():
     assert last == Duffing(1.0, 0.5, 0.01, 0.05).saddle_node_onset().F_SN
 
 
+@pytest.mark.slow
 def test_what_the_message_of_a_single_answer_says_is_a_remark():
     designs = Isolator.many(**TABLE_1, load=[0.03, 0.1])
     onset = designs.saddle_node_onset()

@@ -79,6 +79,7 @@ def test_tolerances_are_asked_at_each_amplitude_and_frequency_in_the_spectrum_an
     ]
 
 
+@pytest.mark.slow
 def test_tolerances_over_a_spectrum_and_shocks_are_those_of_python(scene, tmp_path, capsys):
     ask = '[ask]\nquestions = ["tolerances"]\n[tolerances]\nzeta = 0.2\n'
     spectrum, shock = "[spectrum]\nf = [2.2, 5.0]\nF = [5, 3]\n", "[shock]\nacceleration = 20\nduration = 0.011\n"

@@ -102,6 +102,7 @@ def test_answers_are_right_to_one_rounding_of_their_condition(mechanism):
     assert asked > 300
 
 
+@pytest.mark.slow
 @compiled
 @pytest.mark.parametrize("mechanism", ["rod_spring", "rod_spring_untruncated"])
 def test_peaks_and_folds_next_to_a_breakpoint_are_right_to_one_rounding_of_their_condition(mechanism):
