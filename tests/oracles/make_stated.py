@@ -61,7 +61,7 @@ from tests.oracles.make_random_isolators import SEED, conditions, given, log_uni
 OUT = Path(__file__).parents[1] / "data" / "stated.json"
 #: of each force
 EACH = 3
-MORE = {"contact": 30}
+MORE = {"contact": 30, "preload": 10, "preload_power": 10, "preloaded_stop": 10}
 #: above 4 mu/pi: up to there onsets are looked for
 HIGHEST = 0.15
 #: bits and length of the series that zeros are isolated on; ellipses, and what their sum's error is below, in bits
