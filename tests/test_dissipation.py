@@ -7,8 +7,8 @@ import warnings
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
-from scipy.optimize import brentq
+from scipy.integrate import quad, solve_ivp
+from scipy.optimize import brentq, minimize_scalar
 
 from slowflow import Duffing, Isolator, Oscillator
 from slowflow.results import Remark
@@ -634,3 +634,52 @@ def test_what_has_no_answer_is_refused_in_words():
         rubbing.replace(rubs="never")
     assert "viscous damping and dry friction only" in str(damped.amplitudes(Omega=1.0, F_0=0.04).validity)
     assert "eta = 0.02" in str(damped.explain("saddle_nodes", 0.04))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("F_0", [0.1, 0.3])
+def test_structural_damping_alone_on_a_stop_that_is_averaged_by_sums(folder, F_0):
+    """Without zeta Omega^2 is explicit in A, with h by quadrature of the force as typed: it turns at the folds."""
+    sp = pytest.importorskip("sympy")
+    from slowflow import derive
+
+    u, k, c, gap = sp.symbols("u k c gap")
+    pieces = [(u, gap), (u + c * sp.tanh(k * (u - gap)), None)]
+    made = derive.mechanism("stop_of_rubber", pieces, {name: {"above": 0} for name in ("k", "c", "gap")})
+    osc = made(c=0.8, k=1.5, gap=0.3, mu=0.01, zeta=0.0, eta=0.05)
+
+    def h(A):
+        edge = math.acos(min(1.0, 0.3 / A))
+        beyond = quad(lambda y: 0.8 * math.tanh(1.5 * (A * math.cos(y) - 0.3)) * math.cos(y), 0, edge, epsabs=1e-13)
+        return -A - 4 / math.pi * beyond[0]
+
+    def squared(A, side):
+        left = F_0**2 - (0.04 / math.pi + 0.05 * A) ** 2
+        return (-h(A) + side * math.sqrt(left)) / A
+
+    grid = np.linspace(0.03, (F_0 - 0.04 / math.pi) / 0.05, 3000)[:-1]
+    turns = []
+    for side in (-1, 1):
+        values = np.array([squared(A, side) for A in grid])
+        bent = np.flatnonzero(np.diff(np.sign(np.diff(values))) != 0)
+        bent = bent[values[bent + 1] > 0]
+        sign = [1 if values[i] > values[i + 1] else -1 for i in bent]
+        turns += [
+            minimize_scalar(
+                lambda A, s=s, side=side: s * squared(A, side),
+                bounds=(grid[i], grid[i + 2]),
+                method="bounded",
+                options={"xatol": 1e-9},
+            ).x
+            for i, s in zip(bent, sign, strict=True)
+        ]
+    folds = osc.saddle_nodes(F_0)
+    assert Remark.UNDECIDED not in folds.remarks and len(turns) >= 2
+    assert sorted(folds.A) == pytest.approx(sorted(turns), abs=2e-6)
+    states = osc.amplitudes(Omega=1.2, F_0=F_0)
+    crossings = [
+        brentq(lambda A, s=side: squared(A, s) - 1.44, grid[i], grid[i + 1], xtol=1e-14)
+        for side in (-1, 1)
+        for i in np.flatnonzero(np.diff([squared(A, side) > 1.44 for A in grid]))
+    ]
+    assert sorted(states.A) == pytest.approx(sorted(crossings), rel=1e-9)

@@ -330,6 +330,7 @@ def points_of(model: Model, system: str, pieces: Sequence[Stretch], F_0: float =
             (left_over[0].take(kept), left_over[1].take(kept)),
             (narrow[kept], thin[kept]),
             [one.take(kept) for one in slopes],
+            np.asarray(np.isinf(cells.h.ends[:, left[kept]]).any(axis=0)),
         )
     if not found:
         none = np.empty(0)
@@ -455,8 +456,12 @@ def _cut(
     left: tuple[Interval, Interval],
     ended: tuple[Bools, Bools],
     slopes: list[Interval],
+    unknown: Bools,
 ) -> _Boxes:
-    """What is left of the boxes; those of which much is left are cut in two, across what moves the functions most."""
+    """What is left of the boxes; those of which much is left are cut in two, across what moves the functions most.
+
+    unknown -- where h has no bounds, as averages by sums have none on wide intervals: no frequency decides there
+    """
     if not len(boxes):
         return boxes
     A, Omega = left
@@ -475,7 +480,7 @@ def _cut(
         of_A = np.where(relative[0] > 64 * relative[1], True, np.where(relative[1] > 64 * relative[0], False, of_A))
     if searched.system in INERTIAL:  # what A does to R/Omega^2 = A + h/Omega^2, where Omega has no end
         of_A |= np.isinf(boxes.high) & (width * boxes.low**2 > np.abs(at.h))
-    of_A = (of_A & ~ended[0]) | ended[1]
+    of_A = ((of_A | unknown) & ~ended[0]) | ended[1]
     model = searched.model
     shrunk = np.flatnonzero(small)
     parts = []
