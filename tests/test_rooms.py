@@ -2,6 +2,7 @@
 
 import ast
 import functools
+import graphlib
 import tomllib
 from pathlib import Path
 
@@ -40,6 +41,11 @@ def room_of(path):
     return path.relative_to(SOURCE / "slowflow").with_suffix("").parts[0]
 
 
+def name_of(path):
+    """Of a module."""
+    return ".".join(path.relative_to(SOURCE).with_suffix("").parts).removesuffix(".__init__")
+
+
 @functools.cache
 def imported(path):
     """Every module that a file imports, at its top or inside a function, type checking included."""
@@ -68,6 +74,17 @@ def test_imports_run_down(path):
             # a name of the package itself, such as __version__, is its face's
             room = rest.split(".")[0] if rest.split(".")[0] in FLOOR else "__init__"
             assert room == here or FLOOR[room] < FLOOR[here], f"{path.name} imports {module}"
+
+
+def test_no_import_goes_round():
+    """Not within a room either, nor by what is imported for types only."""
+    names = {name_of(path): path for path in FILES}
+    arrows = {}
+    for name, path in names.items():
+        rooms = {module if module in names else module.rpartition(".")[0] for module in imported(path)}
+        arrows[name] = rooms & set(names) - {name}
+    assert sum(map(len, arrows.values())) > len(FILES)
+    graphlib.TopologicalSorter(arrows).prepare()  # names a circle, if there is one
 
 
 def test_what_derives_is_not_imported_by_what_runs():
