@@ -254,7 +254,8 @@ EVALUATED = {
     sp.cos: mp.cos,
     sp.tan: mp.tan,
     sp.atan2: mp.atan2,
-    hypot: mp.hypot,
+    # at the numbers that are drawn a root may be imaginary, which mp.hypot does not take
+    hypot: lambda x, y: mp.sqrt(x**2 + y**2),
     sp.Abs: abs,
     sp.sign: mp.sign,
     sp.UnevaluatedExpr: lambda value: value,
