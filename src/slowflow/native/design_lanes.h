@@ -22,7 +22,7 @@ enum { SF_LANE_CELLS = 264, SF_LANE_VECTOR = 8 };
 /* What is known of an amplitude, as rows: A, h, h_A, h_AA, h_AAA */
 enum { SF_PROBE_ROWS = 5 };
 
-/* What a design is to these loops, as rows: for states Omega^2, 2 zeta Omega, m, F_0; for peaks zeta, nothing, m, F_0 */
+/* What a design is to these loops, as rows: Omega, of which peaks have none, zeta, m, F_0 */
 enum { SF_ASKED_ROWS = 4 };
 
 typedef enum { SF_HAS_NONE, SF_HAS_ONE, SF_IS_OPEN, SF_IS_DOUBTFUL } sf_verdict;

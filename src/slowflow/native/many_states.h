@@ -31,7 +31,7 @@ static int sf_begin_states(sf_lane_block *block, int d, const sf_numbers *given)
         pieces++;
     if (pieces > 0 && !sf_prepare(mechanism, given->design, model))
         return 0;
-    of->asked[0] = of->Omega * of->Omega, of->asked[1] = 2 * model->zeta * of->Omega, of->asked[2] = model->m, of->asked[3] = of->F_0;
+    of->asked[0] = of->Omega, of->asked[1] = model->zeta, of->asked[2] = model->m, of->asked[3] = of->F_0;
     sf_average_at(model, 0, &low);
     if (block->cells[0].n + pieces + 1 > SF_LANE_CELLS || low.h != 0)
         return 0;

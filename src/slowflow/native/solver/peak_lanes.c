@@ -3,19 +3,22 @@
 
 #include "clones.h"
 #include "design_lanes.h"
+#include "slow_flow.h"
 
 /* distance of rho from 1 up to which critical points may meet, or have lost digits */
 #define MAY_MEET 0x1p-20
 
-/* F at a critical point, in R = -(2 zeta^2 A + q/w) and I, and its slope along A over -2 R */
+/* F at a critical point w, and its slope along A. size: R^2 + I^2 + F_0^2. For m = 0 the lower one is w = 0, where these are
+ * NaN: no verdict asks for it then */
 typedef struct {
     double y, rise, size;
 } value;
 
 static inline value value_at(double w, double A, double F_0, double m, double zeta, double h_A)
 {
-    const double R = 2 * zeta * zeta * A + (m > 0 ? m * zeta / w : 0.0), I = 2 * zeta * A * w + m;
-    const value found = {R * R + (I - F_0) * (I + F_0), 2 * R * (w * w - h_A), R * R + I * I + F_0 * F_0};
+    double peak[2];
+    slow_flow_peak(w, A, F_0, m, zeta, h_A, peak);
+    const value found = {peak[0], peak[1], peak[0] + 2 * F_0 * F_0};
     return found;
 }
 
@@ -45,7 +48,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double a = cells->low[0][i], h_a = cells->low[1][i], h1_a = cells->low[2][i], h2_a = cells->low[3][i];
         const double b = cells->high[0][i], h_b = cells->high[1][i], h1_b = cells->high[2][i], h2_b = cells->high[3][i];
         const double h3_a = cells->low[4][i], h3_b = cells->high[4][i], base = cells->base[i];
-        const double zeta = cells->asked[0][i], m = cells->asked[2][i], F_0 = cells->asked[3][i];
+        const double zeta = cells->asked[1][i], m = cells->asked[2][i], F_0 = cells->asked[3][i];
         const double width = b - a, q = m * zeta, e = 2 * zeta * zeta;
         const sf_lane_slopes on = sf_slopes_on(a, h_a, h1_a, h2_a, h3_a, b, h_b, h1_b, h2_b, h3_b, base);
 
@@ -63,7 +66,9 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const channel upper = channel_on(high.w2 * (1 - SF_CLOSE), low.w2 * (1 + SF_CLOSE), a, b, F_0, m, zeta, on);
 
         /* at the ends */
-        const sf_lane_critical at_a = sf_lane_critical_at(a, h_a + e * a, q), at_b = sf_lane_critical_at(b, h_b + e * b, q);
+        double cubic_a[3], cubic_b[3];
+        slow_flow_peak_cubic(a, m, zeta, h_a, cubic_a), slow_flow_peak_cubic(b, m, zeta, h_b, cubic_b);
+        const sf_lane_critical at_a = sf_lane_critical_at(a, cubic_a[1], q), at_b = sf_lane_critical_at(b, cubic_b[1], q);
         const value lower_a = value_at(at_a.w1, a, F_0, m, zeta, h1_a), lower_b = value_at(at_b.w1, b, F_0, m, zeta, h1_b);
         const value upper_a = value_at(at_a.w2, a, F_0, m, zeta, h1_a), upper_b = value_at(at_b.w2, b, F_0, m, zeta, h1_b);
         const int lower_known = (fabs(lower_a.y) > 8 * SF_CLOSE * lower_a.size) & (fabs(lower_b.y) > 8 * SF_CLOSE * lower_b.size);
@@ -90,12 +95,14 @@ SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = zeros->at[0][i], h = zeros->at[1][i], h_A = zeros->at[2][i], h_AA = zeros->at[3][i];
-        const double zeta = zeros->asked[0][i], m = zeros->asked[2][i], F_0 = zeros->asked[3][i];
-        const double q = m * zeta, e = 2 * zeta * zeta, p = h + e * A, rough = sf_lane_critical_at(A, p, q).w2;
-        const double w = rough - (rough * (A * rough * rough + p) + q) / (3 * A * rough * rough + p);
+        const double zeta = zeros->asked[1][i], m = zeros->asked[2][i], F_0 = zeros->asked[3][i];
+        double cubic[3];
+        slow_flow_peak_cubic(A, m, zeta, h, cubic);
+        const double q = cubic[0], p = cubic[1], rough = sf_lane_critical_at(A, p, q).w2;
+        const double w = rough - (rough * (A * rough * rough + p) + q) / (3 * A * rough * rough + p); /* Newton's step */
         const value at = value_at(w, A, F_0, m, zeta, h_A);
-        const double w_A = -w * (w * w + h_A + e) / (3 * A * w * w + p), R = e * A + q / w, R_A = e - q * w_A / (w * w);
-        const double bend = 2 * R_A * (w * w - h_A) + 2 * R * (2 * w * w_A - h_AA);
+        const double w_A = slow_flow_peak_Omega_A(w, A, m, zeta, h_A);
+        const double bend = slow_flow_F_AA(w, A, m, zeta, h, h_A, h_AA) + slow_flow_F_AOmega(w, A, m, zeta, h, h_A) * w_A;
         const double step = sf_halley(zeros, i, A, at.y < 0, at.y, at.rise, bend);
         zeros->Omega[i] = w - w_A * step;
     }

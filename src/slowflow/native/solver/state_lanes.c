@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "clones.h"
+#include "slow_flow.h"
 
 SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
 {
@@ -13,14 +14,14 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double a = cells->low[0][i], h_a = cells->low[1][i], h1_a = cells->low[2][i], h2_a = cells->low[3][i];
         const double b = cells->high[0][i], h_b = cells->high[1][i], h1_b = cells->high[2][i], h2_b = cells->high[3][i];
         const double h3_a = cells->low[4][i], h3_b = cells->high[4][i], base = cells->base[i];
-        const double X = cells->asked[0][i], c = cells->asked[1][i], m = cells->asked[2][i], F_0 = cells->asked[3][i];
-        const double width = b - a;
+        const double Omega = cells->asked[0][i], zeta = cells->asked[1][i], m = cells->asked[2][i], F_0 = cells->asked[3][i];
+        const double width = b - a, X = Omega * Omega, c = 2 * zeta * Omega; /* slopes of R - h and of I */
 
         const sf_lane_slopes on = sf_slopes_on(a, h_a, h1_a, h2_a, h3_a, b, h_b, h1_b, h2_b, h3_b, base);
         const double S_lo = X + on.h1_lo, S_hi = X + on.h1_hi, h2_lo = on.h2_lo, h2_hi = on.h2_hi, e1 = on.e1;
 
         /* R: above its chord where it is concave, below it where it is convex */
-        const double R_a = X * a + h_a, R_b = X * b + h_b;
+        const double R_a = slow_flow_R(Omega, a, h_a), R_b = slow_flow_R(Omega, b, h_b);
         const double slope = SF_GREATER(SF_FINITE_SIZE(S_lo), SF_FINITE_SIZE(S_hi));
         const double eR = SF_CLOSE * (fabs(h_a) + fabs(h_b) + b * (X + slope)) + width * e1;
         const double R_least = SF_LESSER(R_a, R_b), R_most = SF_GREATER(R_a, R_b);
@@ -30,7 +31,7 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double R_hi = (h2_lo >= 0 ? R_most : R_over) + eR;
 
         /* F by R and I alone */
-        const double I_a = c * a + m, I_b = c * b + m;
+        const double I_a = slow_flow_I(Omega, a, m, zeta), I_b = slow_flow_I(Omega, b, m, zeta);
         const double R_near = R_lo > 0 ? R_lo : R_hi < 0 ? -R_hi : 0.0, R_far = SF_GREATER(-R_lo, R_hi);
         const double eF = SF_CLOSE * (R_far * R_far + I_b * I_b + F_0 * F_0);
         const int is_above = R_near * R_near + (I_a - F_0) * (I_a + F_0) > eF;
@@ -53,9 +54,8 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const int is_concave = q_known & (bend_hi < -SF_CLOSE * (SF_FINITE_SIZE(q_hi) + S_far * S_far + c * c));
 
         /* the ends, and where their tangents meet */
-        const double S_a = X + h1_a, S_b = X + h1_b;
-        const double F_a = R_a * R_a + (I_a - F_0) * (I_a + F_0), F_b = R_b * R_b + (I_b - F_0) * (I_b + F_0);
-        const double T_a = 2 * (c * I_a + R_a * S_a), T_b = 2 * (c * I_b + R_b * S_b);
+        const double F_a = slow_flow_F(Omega, a, F_0, m, zeta, h_a), F_b = slow_flow_F(Omega, b, F_0, m, zeta, h_b);
+        const double T_a = slow_flow_F_A(Omega, a, m, zeta, h_a, h1_a), T_b = slow_flow_F_A(Omega, b, m, zeta, h_b, h1_b);
         const int negative_a = F_a < 0, negative_b = F_b < 0, passes = negative_a != negative_b;
         const double apart = T_a - T_b, meet = (F_b - F_a - T_b * width) / (apart != 0 ? apart : 1.0);
         const double within = meet > 0 ? SF_LESSER(meet, width) : 0.0;
@@ -101,9 +101,9 @@ SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = zeros->at[0][i], h = zeros->at[1][i], h_A = zeros->at[2][i], h_AA = zeros->at[3][i];
-        const double X = zeros->asked[0][i], c = zeros->asked[1][i], m = zeros->asked[2][i], F_0 = zeros->asked[3][i];
-        const double R = X * A + h, S = X + h_A, I = c * A + m;
-        const double F = R * R + (I - F_0) * (I + F_0), slope = 2 * (c * I + R * S), bend = 2 * (S * S + R * h_AA + c * c);
+        const double Omega = zeros->asked[0][i], zeta = zeros->asked[1][i], m = zeros->asked[2][i], F_0 = zeros->asked[3][i];
+        const double F = slow_flow_F(Omega, A, F_0, m, zeta, h), slope = slow_flow_F_A(Omega, A, m, zeta, h, h_A);
+        const double bend = slow_flow_F_AA(Omega, A, m, zeta, h, h_A, h_AA);
         const int is_low = (F < 0) == (zeros->rises[i] != 0);
         sf_halley(zeros, i, A, is_low, F, slope, bend);
     }
