@@ -199,6 +199,11 @@ def window(name: str, value: Any) -> tuple[float, float]:
     return low, number(f"{name}[1]", high, above=low, most=HIGHEST_OMEGA)
 
 
+def curve(samples: Any, Omega: Any) -> tuple[int, tuple[float, float]]:
+    """What is asked of a response curve: how many samples, from 2 to `MOST_SAMPLES`, and a window of frequencies."""
+    return count("samples", samples, least=2, most=MOST_SAMPLES), window("Omega", Omega)
+
+
 def several(name: str, value: Any) -> list[float]:
     """A number > 0, or an array of at least one."""
     found: list[float] = positive_array(name, value).ravel().tolist()

@@ -554,8 +554,7 @@ class Designs:
         curve has more points, which has none then, or more folds than `places`. Some 25 bytes a point.
         """
         places = validate.count("places", places, least=1)
-        samples = validate.count("samples", samples, least=2, most=validate.MOST_SAMPLES)
-        question = curves(samples, validate.window("Omega", Omega))
+        question = curves(*validate.curve(samples, Omega))
         found, A, stable, *rest = self.ask(question, workers, F_0, places)
         self._leave_out_what_drifts(found, A, stable)
         return Curves(found, A, stable, *rest, _designs=self, _F_0=F_0, _averaged=True)

@@ -105,8 +105,7 @@ class Averaged:
     def curve(self, F_0: float, samples: int, Omega: tuple[float, float]) -> FrequencyResponse:
         """`frequency_response` without the remarks on averaging: what another approximation starts from."""
         F_0 = validate.number("F_0", F_0, above=0.0)
-        samples = validate.count("samples", samples, least=2, most=validate.MOST_SAMPLES)
-        shown = validate.window("Omega", Omega)
+        samples, shown = validate.curve(samples, Omega)
         planned = self._plan("frequency_response", F_0)
         if planned.model is None:
             none, flags = np.empty(0), np.empty(0, dtype=bool)

@@ -247,8 +247,7 @@ class Grid:
         if "places" in options:
             validate.count("places", options["places"], least=1)
         if "samples" in options:
-            validate.count("samples", options["samples"], least=2, most=validate.MOST_SAMPLES)
-            validate.window("Omega", options["Omega"])
+            validate.curve(options["samples"], options["Omega"])
         if options.get("after") is not None:
             validate.number("after", options["after"], least=0.0)
         if question == "transient" and ("duration" in given) == ("tau" in given):

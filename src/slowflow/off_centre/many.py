@@ -263,12 +263,11 @@ class OffCentreDesigns:
     ) -> OffCentreCurves:
         """The response curve of every design at F_0, which broadcasts with them, in the window `Omega`.
 
-        `samples` as of a single `frequency_response`. The arrays are that long and 64 more: `Status.TOO_MANY` where a
-        curve has more points, which has none then, or more folds than `places`. A second or so a design.
+        Arrays and statuses as of `slowflow.averaged.many.Designs.frequency_response`. A second or so a design.
         """
-        samples = validate.count("samples", samples, least=2, most=validate.MOST_SAMPLES)
+        samples, window = validate.curve(samples, Omega)
         points = samples + MORE_POINTS
-        one = partial(_curve, samples, validate.window("Omega", Omega), points)
+        one = partial(_curve, samples, window, points)
         return self._answered(OffCentreCurves, one, {"F_0": F_0}, workers, places, points=points)
 
     def peak(self, F_0: Any, *, workers: int = 1) -> ManyPeaks:

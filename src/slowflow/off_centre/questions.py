@@ -314,8 +314,7 @@ class OffCentre:
         which states are on one curve.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
-        samples = validate.count("samples", samples, least=2, most=validate.MOST_SAMPLES)
-        low, high = validate.window("Omega", Omega)
+        samples, (low, high) = validate.curve(samples, Omega)
         self._damped("frequency_response")
         return self._once(("frequency_response", F_0, samples, low, high), lambda: self._curve(F_0, samples, low, high))
 

@@ -164,8 +164,7 @@ class SecondDesigns:
 
         `Status.TOO_MANY` where a curve has more points than samples and 256 more, which has none then.
         """
-        samples = validate.count("samples", samples, least=2, most=validate.MOST_SAMPLES)
-        found = self.first.ask(_curves(samples, validate.window("Omega", Omega)), 1, F_0)
+        found = self.first.ask(_curves(*validate.curve(samples, Omega)), 1, F_0)
         return ManySecondCurves(*found, _designs=self.first, _F_0=F_0)
 
     def peak(self, F_0: Any, *, workers: int = 1) -> Peaks:
