@@ -20,7 +20,7 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from slowflow import Duffing, backend, derive
+from slowflow import Duffing, backend, derive, include
 from slowflow.cli import main
 
 u, k_1, k_2, gap, alpha, beta = sp.symbols("u k_1 k_2 gap alpha beta")
@@ -211,7 +211,7 @@ def test_the_command_line_writes_what_a_program_derives(tmp_path, capsys):
     assert math.isclose(h, average(0.5), rel_tol=1e-14)
     compiler = shlex.split(sysconfig.get_config_var("CC") or "cc")
     if shutil.which(compiler[0]):
-        headers = [f"-I{place}" for place in (folder, *derive.include())]
+        headers = [f"-I{place}" for place in (folder, *include())]
         sources = sorted(folder.glob("*.c"))
         assert [path.stem for path in sources] == [module.stem, f"{module.stem}_motion"]
         done = subprocess.run(
@@ -369,7 +369,7 @@ def test_without_the_extra_its_name_is_said(monkeypatch):
 
 
 def test_headers_are_where_it_is_said():
-    solvers, kernels, records = derive.include()
+    solvers, kernels, records = include()
     assert (solvers / "mechanism.h").exists()
     assert (kernels / "slow_flow.h").exists()
     assert (records / "records.h").exists()

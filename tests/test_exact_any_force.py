@@ -12,7 +12,7 @@ from derivations.emit.compensated import copysign
 from derivations.emit.targets.c import taylor
 from derivations.emit.views import templates
 from derivations.symbols import u
-from slowflow import derive
+from slowflow import derive, include
 from slowflow.backend import EXACT
 from slowflow.exact import EquationOfMotion, exact_response, steady_state
 from slowflow.exact.compiled import TAYLOR, default_integrator
@@ -44,7 +44,7 @@ def pieces(tmp_path_factory):
     environment = templates(headers.HEADERS.parents[1] / "derivations" / "emit" / "targets" / "c")
     text = taylor.text([fake_module(name, force) for name, force in FORCES.items()], environment)
     (folder / "laws.c").write_text(f"{text}\nconst sf_law *const slowflow_laws = sf_laws;\n")
-    places = [f"-I{place}" for place in derive.include()]
+    places = [f"-I{place}" for place in include()]
     command = [headers.COMPILER, *derive.FLAGS, *places, str(folder / "laws.c"), "-o", str(folder / "laws.so"), "-lm"]
     subprocess.run(command, check=True)
     table = derive._capsule(ctypes.CDLL(str(folder / "laws.so")), "slowflow_laws", derive.LAWS)

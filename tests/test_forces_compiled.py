@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from slowflow import backend, derive, exact
+from slowflow import backend, derive, exact, include
 from tests.native.headers import COMPILER
 from tests.native.records import Interval, doubles, opened
 from tests.test_forces import ABOVE_0, CASES, DAMPING, FORCES, MORE, c, k, u
@@ -204,7 +204,7 @@ def test_what_is_written_for_other_programs_compiles_alone(derived, tmp_path):
         f"    {prefix}_averaged(0.9, p, h);\n"
         '    printf("%.17g\\n", h[0]);\n    return 0;\n}\n'
     )
-    includes = [f"-I{place}" for place in (tmp_path, *derive.include())]
+    includes = [f"-I{place}" for place in (tmp_path, *include())]
     command = [COMPILER, "-std=c11", "-Wall", "-Wextra", "-Werror", "-O1", "-ffp-contract=off", *includes, "user.c"]
     subprocess.run([*command, "-o", "user", "-lm"], check=True, cwd=tmp_path)
     found = float(subprocess.run([tmp_path / "user"], check=True, capture_output=True, text=True).stdout)

@@ -312,6 +312,16 @@ def test_units_are_those_that_were_asked_for(mount):
         folds.in_units("furlong")
 
 
+def test_an_answer_is_printed_in_the_units_that_were_chosen(mount):
+    onset = mount.saddle_node_onset()
+    assert "2.106 Hz" in str(onset) and "2671 mN" not in str(onset)
+    assert "126.3 rpm" in str(onset.in_units("rpm")) and "0.02064 m\n" in str(onset.in_units("m"))
+    chosen = pickle.loads(pickle.dumps(onset.in_units("rpm")))
+    assert str(chosen) == str(onset.in_units("rpm")) and "Hz" in str(chosen.in_units())
+    folds = str(mount.saddle_nodes(5).in_units("kN", "rpm", "m"))
+    assert folds.startswith("f/rpm") and "A/m " in folds
+
+
 def test_an_answer_in_units_is_printed_with_them(mount):
     text = str(mount.saddle_nodes(5))
     assert text.splitlines()[0].split() == ["f/Hz", "A/mm", "kind", "corner"] and "jump-up" in text

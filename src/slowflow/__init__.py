@@ -22,7 +22,7 @@ from slowflow.results import (
     SaddleNodes,
     SteadyStates,
 )
-from slowflow.version import __version__
+from slowflow.version import __version__, include
 
 __all__ = [
     "Certificate",
@@ -43,4 +43,5 @@ __all__ = [
     "SaddleNodes",
     "SteadyStates",
     "__version__",
+    "include",
 ]

@@ -29,12 +29,12 @@ from typing import Any
 
 import numpy as np
 
-import slowflow_kernels
 from slowflow import backend, files, sampled
 from slowflow.exact.compiled import recurrences
 from slowflow.mechanism import Mechanism, Parameter
 from slowflow.model import THROUGHOUT
 from slowflow.oscillator import Oscillator
+from slowflow.version import include
 from slowflow_support.quadrature import COMPILED
 
 NEEDED = "deriving needs SymPy, python-flint, Jinja2 and platformdirs: pip install 'slowflow[derive]'"
@@ -180,14 +180,6 @@ def library(name: str, *, compile: bool = False) -> Derived:
     Raises ValueError for a name that is not in the library, with those that are; else as `mechanism` does.
     """
     return _derived(_derivation("slowflow_derivation.library").stated(name), compile)
-
-
-def include() -> list[Path]:
-    """The folders of the C headers: the solvers' own, and the generated ones, which they include."""
-    kernels = Path(slowflow_kernels.__file__).parent
-    # of an installed package, or beside it in a checkout
-    generated = kernels if (kernels / "c").is_dir() else kernels.parent
-    return [Path(__file__).parent / "native", generated / "c", generated / "native"]
 
 
 @functools.cache

@@ -130,6 +130,7 @@ class Quantities(Answer):
     answer -- the same, dimensionless: its `.validity`, `.measure()` and so on
     entry  -- names of what makes up one entry; an answer with several has a length, and an index or a loop gives one
     scales -- what the numbers of the answer are measured in, None where they are no such answer's
+    chosen -- whether the units are those of `in_units`, and shown; others are shown in N, mm, Hz, ms
     """
 
     values: Mapping[str, Any]
@@ -137,6 +138,7 @@ class Quantities(Answer):
     answer: Any
     entry: tuple[str, ...] = ()
     scales: Scales | None = dataclasses.field(default=None, repr=False)
+    chosen: bool = dataclasses.field(default=False, repr=False)
 
     def __post_init__(self) -> None:
         for value in self.values.values():
@@ -146,7 +148,7 @@ class Quantities(Answer):
             self.__dict__[name] = MappingProxyType(dict(getattr(self, name)))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Quantities, (dict(self.values), dict(self.units), self.answer, self.entry, self.scales)
+        return Quantities, (dict(self.values), dict(self.units), self.answer, self.entry, self.scales, self.chosen)
 
     def __getattr__(self, name: str) -> Any:
         values = self.__dict__.get("values", {})  # not there yet while it is made
@@ -217,7 +219,7 @@ class Quantities(Answer):
         for name, value in values.items():
             if isinstance(value, Quantities):
                 values[name] = value.in_units(*units)
-        return Quantities(values, found, self.answer, self.entry, self.scales)
+        return Quantities(values, found, self.answer, self.entry, self.scales, chosen=True)
 
     def gradient(self) -> Gradient:
         """How the numbers move with those of the mount and with what was asked at, exactly: d(number)/d(number).
@@ -232,7 +234,7 @@ class Quantities(Answer):
         return physical_moves.in_units(self.answer.gradient(), self.scales)
 
     def __str__(self) -> str:
-        return "\n".join(_lines(self.in_units()))
+        return "\n".join(_lines(self if self.chosen else self.in_units()))
 
     def plot(self, ax: Any = None, *, of: str | None = None) -> Any:
         """Draw a curve, folds, a fold locus or a shock, in mm, Hz, N, into Matplotlib axes, or new ones; return these.
@@ -247,7 +249,7 @@ class Quantities(Answer):
             raise ValueError(f"there is no picture of this answer: it has {', '.join(self.values)}")
         from slowflow import pictures
 
-        shown = self if set(self.units.values()).isdisjoint(("m", "s")) else self.in_units()
+        shown = self if self.chosen else self.in_units()
         if picture != "response":
             return pictures.PICTURES[picture](ax, shown)
         return pictures.response(ax, shown, "A" if of is None else validate.choice("of", of, DRAWN))
