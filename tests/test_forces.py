@@ -89,12 +89,12 @@ def closed(name, A, n=1):
 FEW = {"pendulum", "hertz", "numbers"}
 
 
-def slow_but_few(names):
-    """As parameters of a test."""
-    return [pytest.param(name, marks=[] if name in FEW else pytest.mark.slow) for name in names]
+def slow_beside(names, few):
+    """Parameters of which all but a few are slow: each is a mechanism that is derived."""
+    return [name if name in few else pytest.param(name, marks=pytest.mark.slow) for name in names]
 
 
-@pytest.mark.parametrize("name", slow_but_few(sorted({case["force"] for case in CASES})))
+@pytest.mark.parametrize("name", slow_beside(sorted({case["force"] for case in CASES}), FEW))
 def test_an_average_and_its_slopes_are_right_to_rounding(derived, name):
     """Against certified values; error over u (1 + kappa), of which closed forms have less than 4 too."""
     for case in CASES:
@@ -129,7 +129,7 @@ def test_harmonics_are_those_of_a_closed_form(oscillator):
             np.testing.assert_allclose(values, [float(one) for one in expected], rtol=1e-14, atol=1e-15)
 
 
-@pytest.mark.parametrize("name", slow_but_few(FORCES))
+@pytest.mark.parametrize("name", slow_beside(FORCES, FEW))
 def test_h_less_its_tangent_at_rest_is_the_difference_that_it_stands_for(oscillator, name):
     model = oscillator(name).model
     A = np.array([0.15, 0.7, 2.0])

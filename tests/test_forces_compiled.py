@@ -15,7 +15,7 @@ import sympy as sp
 from slowflow import backend, derive, exact, include
 from tests.native.headers import COMPILER
 from tests.native.records import Interval, doubles, opened
-from tests.test_forces import ABOVE_0, CASES, DAMPING, FORCES, MORE, c, k, u
+from tests.test_forces import ABOVE_0, CASES, DAMPING, FORCES, MORE, c, k, slow_beside, u
 
 pytestmark = [
     pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use"),
@@ -24,11 +24,6 @@ pytestmark = [
 
 #: compiled in the fast run too: one piece, two pieces, a broken power
 FEW = ("wave", "soft_stop", "power")
-
-
-def slow_beside(names, few=FEW):
-    """Parameters of which all but a few are slow: each is a mechanism that is derived and compiled."""
-    return [name if name in few else pytest.param(name, marks=pytest.mark.slow) for name in names]
 
 
 @pytest.fixture(scope="module")
@@ -50,7 +45,7 @@ def derived(folder):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", slow_beside(sorted({case["force"] for case in CASES})))
+@pytest.mark.parametrize("name", slow_beside(sorted({case["force"] for case in CASES}), FEW))
 def test_a_compiled_average_and_its_slopes_are_right_to_rounding(derived, name, monkeypatch):
     """Error over u (1 + kappa), as on NumPy, which is not asked."""
     monkeypatch.setattr("slowflow_support.quadrature._sums", None)
@@ -83,7 +78,7 @@ def same(one, other):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", slow_beside(FORCES))
+@pytest.mark.parametrize("name", slow_beside(FORCES, FEW))
 def test_compiled_solvers_give_the_answers_of_those_on_numpy(derived, name):
     one, other = (derived(name, compile)(**FORCES[name][1], **DAMPING) for compile in (False, True))
     assert one.model.native is None
@@ -131,7 +126,7 @@ def test_many_designs_are_single_ones_and_have_their_gradients(derived):
         np.testing.assert_allclose(other["Omega", by], moves["Omega", by], rtol=1e-10)
 
 
-@pytest.mark.parametrize("name", slow_beside(FORCES))
+@pytest.mark.parametrize("name", slow_beside(FORCES, FEW))
 def test_in_C_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(derived, name):
     """Between any two amplitudes of a piece; h_AAAA by differences of h_AAA."""
     one = derived(name)(**FORCES[name][1], **DAMPING)

@@ -392,9 +392,14 @@ Isolator.many(lam=3, r=r, delta_h=share / (3 * r), mu=0.012, zeta=0.02).store(sy
 """
 
 
+def written(path):
+    """The files of the blocks that are written; what a process was killed at has another name still."""
+    return [file for file in path.glob("done/c/**/*") if file.is_file() and file.name.isdigit()]
+
+
 def ticked(path):
-    """How many blocks are written; what a process was killed at has another name still."""
-    return len([file for file in path.glob("done/c/**/*") if file.is_file() and file.name.isdigit()])
+    """How many these are."""
+    return len(written(path))
 
 
 def wait_for(path, blocks, alive):
@@ -414,9 +419,7 @@ def test_a_process_that_was_killed_is_continued_by_another(tmp_path):
     assert process.returncode == -signal.SIGKILL
     before = ticked(path)
     assert 5 <= before < 40 and xarray.open_zarr(path, consolidated=False).attrs["complete"] == 0
-    kept = {
-        file: file.stat().st_mtime_ns for file in path.glob("done/c/**/*") if file.name.isdigit() and file.is_file()
-    }
+    kept = {file: file.stat().st_mtime_ns for file in written(path)}
     subprocess.run([sys.executable, "-c", PROGRAM, str(path)], check=True)
     assert ticked(path) == 40 and {file: file.stat().st_mtime_ns for file in kept} == kept
     found = xarray.open_zarr(path, consolidated=False)

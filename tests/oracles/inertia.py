@@ -48,7 +48,7 @@ from tests.oracles.make_random_isolators import (
 EACH = 20
 
 
-class Shaken(Oscillator):
+class ByInertia(Oscillator):
     """In place of a force F_0 one of F_0 Omega^2; to be mixed into a kind of oscillator."""
 
     plain: type[Oscillator]
@@ -63,6 +63,10 @@ class Shaken(Oscillator):
 
     def forcing(self, Omega: arb, A: arb, regime: str) -> arb:
         return super().forcing(Omega, A, regime) / (Omega * Omega)
+
+
+class Shaken(ByInertia):
+    """With viscous damping and friction."""
 
     def _fold_quadratic(self, j: Jet, F_0: Any) -> tuple[Any, Any, Any]:
         zeta, m = self._constants(j.A)

@@ -38,6 +38,7 @@ from tests.oracles.averaged import (
 )
 from tests.oracles.certified_roots import polynomial_roots, precision
 from tests.oracles.conditioning import Conditioning
+from tests.oracles.inertia import ByInertia
 from tests.oracles.make_random_isolators import SEED, conditions, draw_duffing, draw_isolator, given, log_uniform, write
 
 LAWS = ("eta", "c_2", "rubs")
@@ -477,21 +478,8 @@ class DampedDuffing(Damped, Duffing):
     inputs = (*Duffing.inputs, "eta", "c_2")
 
 
-class ShakenDamped(Damped):
-    """On a base that shakes: F_0 Omega^2 in the place of F_0; to be mixed into a kind of oscillator."""
-
-    plain: type[Damped]
-
-    def derivatives(self, Omega: arb, A: arb, regime: str, F_0: arb) -> dict[str, arb]:
-        d = super().derivatives(Omega, A, regime, arb(0))
-        square = Omega * Omega
-        d["F"] = d["F"] - (F_0 * square) ** 2
-        d["O"] = d["O"] - 4 * F_0 * F_0 * Omega * square
-        d["OO"] = d["OO"] - 12 * F_0 * F_0 * square
-        return d
-
-    def forcing(self, Omega: arb, A: arb, regime: str) -> arb:
-        return super().forcing(Omega, A, regime) / (Omega * Omega)
+class ShakenDamped(ByInertia, Damped):
+    """On a base that shakes; to be mixed into a kind of oscillator."""
 
     def _response_polynomial(self, j: Jet, F_0: Any) -> list[Any]:
         *lower, leading = super()._response_polynomial(j, 0 * F_0)

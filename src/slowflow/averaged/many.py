@@ -125,6 +125,10 @@ class Batch(Answer):
         """Along the axis of places."""
         return np.asarray(self._F_0, dtype=float)[..., np.newaxis]
 
+    def _force_at(self, Omega: Any) -> Any:
+        """Amplitude of the force at these frequencies, which have the axis of places."""
+        return self._forcing if self._designs.excitation == "force" else inertia.force(Omega, self._forcing)
+
     def _found(self) -> tuple[Any, Any, Any]:
         """Omega and A of each design's states along one more axis, NaN for none, and of folds which are on a corner.
 
@@ -268,6 +272,49 @@ class Counted(Batch):
 
 
 @dataclass(frozen=True, eq=False)
+class AtFrequency(Counted):
+    """What answers share that were asked for at one frequency of each design."""
+
+    if TYPE_CHECKING:
+        A: Floats
+    _Omega: Any = field(repr=False, kw_only=True)
+
+    def _asked_at(self) -> dict[str, Any]:
+        return {**super()._asked_at(), "Omega": np.asarray(self._Omega)}
+
+    @property
+    def _frequency(self) -> Floats:
+        """Along the axis of places."""
+        return np.asarray(self._Omega, dtype=float)[..., np.newaxis]
+
+    def _found(self) -> tuple[Any, Any, Any]:
+        return self._frequency, self.A, None
+
+
+@dataclass(frozen=True, eq=False)
+class AlongCurves(Counted):
+    """What answers share that have points along a curve of each design."""
+
+    if TYPE_CHECKING:
+        Omega: Floats
+        A: Floats
+
+    def _found(self) -> tuple[Any, Any, Any]:
+        return self.Omega, self.A, None
+
+    def columns(self) -> dict[str, Any]:
+        """A row for each point of each design, in the order of the flattened arrays: the design's numbers, the point's.
+
+        The folds are columns of `saddle_nodes`.
+        """
+        here = ~np.isnan(self.A)
+        given = {**self._designs.values, **self._asked_at()}
+        several = {name: np.asarray(value)[..., np.newaxis] for name, value in given.items()}
+        found = {name: np.broadcast_to(value, self.A.shape)[here] for name, value in several.items()}
+        return found | {name: value[here] for name, value in self._content().items() if self.inner.get(name) == "point"}
+
+
+@dataclass(frozen=True, eq=False)
 class Folds(Counted):
     """The folds at one forcing, for each design; Omega, A and kind have one more axis, with `places` places.
 
@@ -300,7 +347,7 @@ class Folds(Counted):
 
 
 @dataclass(frozen=True, eq=False)
-class States(Counted):
+class States(AtFrequency):
     """The steady states at one frequency and forcing, for each design; A, stable and phi have one more axis, of places.
 
     A      -- by rising A, then NaN
@@ -316,7 +363,6 @@ class States(Counted):
     count: Codes
     undecided: Codes
     status: Codes
-    _Omega: Any = field(repr=False, kw_only=True)
 
     @cached_property
     def phi(self) -> Floats:
@@ -331,9 +377,7 @@ class States(Counted):
     def transmissibility(self) -> Floats:
         """As of single `SteadyStates`; NaN in an empty place. Computed when first asked for."""
         with np.errstate(all="ignore"):
-            force = self._forcing
-            if self._designs.excitation != "force":
-                force = inertia.force(self._frequency, force)
+            force = self._force_at(self._frequency)
             return frozen(slow_flow.transmissibility(self._frequency, self.A, force, *self._of_designs))
 
     def gradient(self) -> Gradient:
@@ -359,20 +403,9 @@ class States(Counted):
             I_0 = at_rest(self.A, m, eta, u_cr)[0]
             return dissipation.I(self._frequency, self.A, I_0, zeta, dissipation.quadratic(c_2)), np.zeros(()), h
 
-    def _asked_at(self) -> dict[str, Any]:
-        return {**super()._asked_at(), "Omega": np.asarray(self._Omega)}
-
-    @property
-    def _frequency(self) -> Floats:
-        """Along the axis of places."""
-        return np.asarray(self._Omega, dtype=float)[..., np.newaxis]
-
-    def _found(self) -> tuple[Any, Any, Any]:
-        return self._frequency, self.A, None
-
 
 @dataclass(frozen=True, eq=False)
-class Curves(Counted):
+class Curves(AlongCurves):
     """The response curve at one forcing, for each design, with every fold at that forcing.
 
     Omega, A, stable, branch and isola have one more axis, of points, in order along each branch; the curves of designs
@@ -403,20 +436,6 @@ class Curves(Counted):
     count: Codes
     undecided: Codes
     status: Codes
-
-    def _found(self) -> tuple[Any, Any, Any]:
-        return self.Omega, self.A, None
-
-    def columns(self) -> dict[str, Any]:
-        """A row for each point of each design, in the order of the flattened arrays: the design's numbers, the point's.
-
-        The folds are columns of `saddle_nodes`.
-        """
-        here = ~np.isnan(self.A)
-        given = {**self._designs.values, **self._asked_at()}
-        several = {name: np.asarray(value)[..., np.newaxis] for name, value in given.items()}
-        found = {name: np.broadcast_to(value, self.A.shape)[here] for name, value in several.items()}
-        return found | {name: value[here] for name, value in self._content().items() if self.inner.get(name) == "point"}
 
 
 @dataclass(frozen=True, eq=False)

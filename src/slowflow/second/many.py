@@ -9,7 +9,7 @@ are answered one by one, on NumPy; states and curves of all designs one by one, 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
 from typing import Any, ClassVar
@@ -20,12 +20,12 @@ import numpy.typing as npt
 from slowflow import validate
 from slowflow.answer import frozen
 from slowflow.averaged import asked
-from slowflow.averaged.many import Codes, Counted, Curves, Designs, Detachments, Folds, Onsets, Peaks
+from slowflow.averaged.many import AlongCurves, AtFrequency, Codes, Designs, Detachments, Folds, Onsets, Peaks
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
 from slowflow.results import Remark
 from slowflow.second.questions import SecondApproximation
-from slowflow_kernels import inertia, motion
+from slowflow_kernels import motion
 from slowflow_kernels.conventions import OnsetKind, Status
 
 #: points of curves beyond the samples: those of `asked.curves`, and what is put where the harmonics change fast
@@ -39,7 +39,7 @@ UNANSWERED = {
 
 
 @dataclass(frozen=True, eq=False)
-class ManySecondStates(Counted):
+class ManySecondStates(AtFrequency):
     """The steady states at one frequency and forcing, for each design; A to stable have one more axis, of places.
 
     A, A_1, phi, stable -- as in `SecondStates`, by the order of a single answer, then NaN and 0
@@ -56,27 +56,15 @@ class ManySecondStates(Counted):
     count: Codes
     undecided: Codes
     status: Codes
-    _Omega: Any = field(repr=False, kw_only=True)
 
     @cached_property
     def transmissibility(self) -> Floats:
         """As of single `SecondStates`; NaN in an empty place. Computed when first asked for."""
         return _transmissibility(self, self._frequency)
 
-    def _asked_at(self) -> dict[str, Any]:
-        return {**super()._asked_at(), "Omega": np.asarray(self._Omega)}
-
-    @property
-    def _frequency(self) -> Floats:
-        """Along the axis of places."""
-        return np.asarray(self._Omega, dtype=float)[..., np.newaxis]
-
-    def _found(self) -> tuple[Any, Any, Any]:
-        return self._frequency, self.A, None
-
 
 @dataclass(frozen=True, eq=False)
-class ManySecondCurves(Counted):
+class ManySecondCurves(AlongCurves):
     """The response curve at one forcing, for each design; what has points has one more axis, as in `Curves`.
 
     A, A_1, phi, stable -- as in `SecondResponse`
@@ -104,19 +92,11 @@ class ManySecondCurves(Counted):
         """As of single `SecondResponse`; NaN behind the last point. Computed when first asked for."""
         return _transmissibility(self, self.Omega)
 
-    def _found(self) -> tuple[Any, Any, Any]:
-        return self.Omega, self.A, None
-
-    columns = Curves.columns
-
 
 def _transmissibility(found: Any, Omega: Floats) -> Floats:
     """Of states with the first harmonic's amplitude and phase."""
-    force = found._forcing
     with np.errstate(all="ignore"):  # empty places
-        if found._designs.excitation != "force":
-            force = inertia.force(Omega, force)
-        return frozen(np.asarray(motion.transmissibility(Omega, found.A_1, force, found.phi)))
+        return frozen(np.asarray(motion.transmissibility(Omega, found.A_1, found._force_at(Omega), found.phi)))
 
 
 @dataclass(frozen=True)

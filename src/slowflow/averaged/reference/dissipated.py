@@ -212,9 +212,9 @@ def bound_by_inertia(model: Model, F_0: float, rungs: Floats) -> float | None:
 
 def response_events(model: Model, F_0: float, A_max: float) -> list[Event]:
     """Where the number of frequencies of the response may change, by rising A: peaks, static states, breakpoints."""
-    pieces = stretches_up_to(model, A_max)
     if model.inertial:
         return _events_of_inertia(model, F_0, A_max)
+    pieces = stretches_up_to(model, A_max)
     peaks, static = points_of(model, "peaks", pieces, F_0), points_of(model, "rest", pieces, F_0)
     found = [Event(0.0, np.inf, Kind.CUT)]
     with np.errstate(all="ignore"):
