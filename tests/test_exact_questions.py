@@ -192,6 +192,15 @@ def test_work_is_bounded_and_said_so():
         exact.steady_state(slow, 1e-9, 0.04)
 
 
+@pytest.mark.slow
+def test_a_chaotic_motion_is_called_so_with_its_exponent():
+    """Ueda's oscillator, u'' + 0.05 u' + u^3 = 7.5 cos tau: its Lyapunov exponent is 0.10 (Sprott 2003, appendix A)."""
+    with pytest.raises(ArithmeticError, match="the motion is chaotic") as refused:
+        Duffing(0.0, 1.0, zeta=0.025).steady_state(Omega=1.0, F_0=7.5)
+    factor = float(re.search(r"by a factor of ([\d.]+) in each", str(refused.value)).group(1))
+    assert np.log(factor) / (2 * np.pi) == pytest.approx(0.10, rel=0.25)  # of 30 turns only
+
+
 def test_ctrl_c_interrupts():
     """A question of hours stops when it is interrupted."""
     program = (

@@ -27,6 +27,11 @@ from slowflow_kernels.motion import acceleration
 Array = NDArray[np.float64]
 
 MOST_TURNS = 3000  # of the forcing, before time stepping gives up
+#: turns by SciPy, some tenths of a second each, before it is asked whether the motion is chaotic and ever will settle
+SLOW_TURNS = 60
+PARTING_TURNS = 30  # over which motions that begin next to each other are compared
+#: by what they part in these turns at least where it is chaotic; else they do so in proportion to time at most
+PARTED = 1e3
 HALF_TURNS = (1, 2, 3, 4, 6)  # lengths of a cycle that are tried: the forcing's period, then subharmonics
 
 
@@ -48,6 +53,12 @@ ADRIFT = (
     "no steady state is singled out at Omega = {Omega:g}, F_0 = {F_0:g}: a motion of amplitude {A:.6g} stays within "
     "|u| = {gap:g}, where no force brings its mean back, and each such mean is as good as another; "
     "A = {A:.6g} gives the one about u = 0"
+)
+
+CHAOTIC = (
+    "no steady state found at Omega = {Omega:g}, F_0 = {F_0:g}: the motion is chaotic, as far as {turns} turns of the "
+    "forcing tell: motions that begin beside each other part by a factor of {rate:.2g} in each; A= gives the periodic "
+    "motion, stable or not, next to an amplitude"
 )
 
 COMES_TO_REST = (
@@ -502,7 +513,11 @@ def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, .
 
 def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, ...]) -> SteadyState:
     """The motion that the one from rest at (theta, u) settles to."""
-    settled = settle(forced, theta, u, 0.0, tries, MOST_TURNS)
+    turns = MOST_TURNS if isinstance(forced.integrator, TaylorIntegrator) else SLOW_TURNS
+    settled = settle(forced, theta, u, 0.0, tries, turns)
+    parted = _parted(forced, theta, settled)
+    if parted < PARTED and turns < MOST_TURNS and _on_its_way(settled):
+        settled = settle(forced, theta, settled.u, settled.v, tries, MOST_TURNS - turns)
     if settled.found is not None:
         return settled.found
     if settled.adrift is not None:
@@ -510,6 +525,11 @@ def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, 
         raise ArithmeticError(ADRIFT.format(Omega=forced.Omega, F_0=forced.F_0, A=A, gap=gap))
     if at_rest(settled.phases):
         raise NotSettled(COMES_TO_REST.format(Omega=forced.Omega, F_0=forced.F_0, u=u))
+    if parted >= PARTED:
+        rate = parted ** (1.0 / PARTING_TURNS)
+        raise NotSettled(
+            CHAOTIC.format(Omega=forced.Omega, F_0=forced.F_0, turns=settled.turns + PARTING_TURNS, rate=rate)
+        )
     drifts = settled.change < 1e-3 * _largest(settled.phases)
     raise NotSettled(
         f"no steady state found at Omega = {forced.Omega}, F_0 = {forced.F_0}: after {settled.turns} turns of the "
@@ -520,6 +540,32 @@ def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, 
             else f"it may be on its way still, or chaotic, or a subharmonic that half_turns = {tries} do not allow"
         )
     )
+
+
+def _on_its_way(settled: Settled) -> bool:
+    """Whether a motion that was followed neither settled, nor rests, nor is adrift."""
+    return settled.found is None and settled.adrift is None and not at_rest(settled.phases)
+
+
+def _parted(forced: Forced, theta: float, settled: Settled) -> float:
+    """By what a motion that has not settled and one beside it part within `PARTING_TURNS` turns, on average of these.
+
+    The one beside is brought near again after each turn; 1 of a motion that has an end.
+    """
+    if not _on_its_way(settled):
+        return 1.0
+    parted, near = 1.0, 1e-7 * _largest(settled.phases)
+    here, beside = (settled.u, settled.v), (settled.u + near, settled.v)
+    for _ in range(PARTING_TURNS):
+        here, there = (
+            (last.u_end, last.v_end)
+            for last in (follow(forced, theta, *state, theta + TURN)[-1] for state in (here, beside))
+        )
+        way = there[0] - here[0], there[1] - here[1]
+        share = near / max(math.hypot(*way), 1e-6 * near)
+        parted /= share
+        beside = here[0] + share * way[0], here[1] + share * way[1]
+    return parted
 
 
 def calmed(forced: Forced, theta: float, end: Settled, most_turns: int) -> Settled:
