@@ -83,8 +83,8 @@ class Results:
     along      -- what vanishes along the amplitude, by scene
     slopes     -- along the response and the fold locus
     bounds     -- what no state at a forcing exceeds
-    gradients, inertia_gradients, laws_gradients -- how answers move with the parameters: for a force, for an excitation
-                  by inertia, and for a force with other laws of damping
+    gradients, inertia_gradients -- how answers move with the parameters, for a force and for an excitation by inertia
+    laws_gradients, laws_inertia_gradients -- the same with other laws of damping
     off_centre, climb -- motions about another place than the centre, and the means that these are made of
     sampled    -- the average of a force that is known by its values
     steps      -- of Newton's method on the equations of each answer
@@ -108,6 +108,7 @@ class Results:
     gradients: Gradients
     inertia_gradients: Gradients
     laws_gradients: Gradients
+    laws_inertia_gradients: Gradients
     off_centre: OffCentre
     climb: Climb
     sampled: Sampled
@@ -160,6 +161,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         gradients(curve),
         gradients(curve, by_inertia.force),
         gradients(by_laws.curve),
+        gradients(by_laws.curve, by_inertia.force),
         off_centre(equations, flows[""]),
         climb(),
         sampled(),

@@ -16,6 +16,7 @@ MODULES = (
     "inertia",
     "off_centre",
     "dissipation",
+    "dissipation_by_inertia",
     "sampled",
     "motion",
     "second_approximation",

@@ -14,11 +14,11 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import backend, validate
+from slowflow import backend
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats, Mechanism
 from slowflow.model import THROUGHOUT, at_rest
-from slowflow_kernels import dissipation, inertia, slow_flow
+from slowflow_kernels import dissipation, dissipation_by_inertia, inertia, slow_flow
 from slowflow_kernels.conventions import CLOSE, COINCIDE, MEETING, SAME, MovesStatus, OnsetKind, Pinned
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
@@ -32,6 +32,15 @@ ON_BREAK = (
     Pinned.CORNER_BACKBONE,
     Pinned.CORNER_REST,
 )
+
+
+#: by whether there are other laws of damping, and whether inertia excites
+KERNELS: dict[tuple[bool, bool], Any] = {
+    (False, False): slow_flow,
+    (False, True): inertia,
+    (True, False): dissipation,
+    (True, True): dissipation_by_inertia,
+}
 
 
 class Given(NamedTuple):
@@ -97,11 +106,6 @@ def _moves(given: Given, kind: Any, at: tuple[Any, Any, Any], rows: int, columns
     arrays = (*given.numbers, F_0, Omega, A, kind)
     shape = np.broadcast(*arrays).shape
     slopes, status = np.empty((*shape, rows, columns)), np.empty(shape, np.int8)
-    if given.excitation != "force" and given.rubs is not None:
-        raise validate.NotAvailable(
-            f"gradients are not available with excitation = {given.excitation!r} and other laws of damping than mu and "
-            "zeta: their slopes are derived of a force"
-        )
     if given.mechanism.by_parameter is None:
         raise ValueError(f"{given.mechanism.name} does not say how its average changes: there are no gradients")
     plain = given.excitation == "force" and given.rubs is None
@@ -177,7 +181,7 @@ def _by_laws(
 def _of_kind(given: Given, kind: Pinned, arrays: list[Floats], inner: tuple[int, ...]) -> tuple[Floats, Codes]:
     """Slopes of shape (n, rows, parameters), and their status; for flat arrays."""
     mechanism, laws = given.mechanism, given.rubs is not None
-    kernels: Any = dissipation if laws else slow_flow if given.excitation == "force" else inertia
+    kernels: Any = KERNELS[laws, given.excitation != "force"]
     *numbers, F_0, Omega, A, _ = arrays
     n = len(mechanism.design)
     design, damping = numbers[:n], numbers[n:]
@@ -222,7 +226,7 @@ def _of_kind(given: Given, kind: Pinned, arrays: list[Floats], inner: tuple[int,
     own, past = dissipates(), np.zeros(A.shape, bool)
     beside = [np.asarray(value) for value in kernels.beside(Omega, A, F_0, *own.slower, h, h_A)]
     if kind >= Pinned.CUSP:  # those before are at a forcing
-        force = inertia.force(Omega, F_0) if kernels is inertia else F_0
+        force = F_0 if given.excitation == "force" else inertia.force(Omega, F_0)
         status[_vanishes(force, beside[5], MEETING)] = MovesStatus.BOUNDLESS
     kinds, beyond = np.full(A.shape, kind), None
     if kind in (Pinned.CORNER_FOLD, Pinned.CORNER_END) and leaves:

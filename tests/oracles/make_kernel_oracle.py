@@ -2236,8 +2236,8 @@ def law_balances(w, a, rest, zeta, d, h):
     return R, I + d * (a * w) ** 2
 
 
-def law_moves(kind):
-    """As `shaken_moves`, under a force."""
+def law_moves(kind, force):
+    """As `shaken_moves`, under a force, or what takes its place."""
 
     def of(Omega, A, F_0, *x):
         rest, (zeta, d), h = x[:4], x[4:6], x[6:10]
@@ -2249,50 +2249,60 @@ def law_moves(kind):
                 w, a, of_rest(a) + of_rest_p(a) * p, zeta + zeta_p * p, d + d_p * p, of_A(a) + of_p(a) * p
             )
 
-        size = law_sizes(Omega, A, rest, zeta, d, h)
-        return solved_moves(kind, (A, Omega, F_0, mpf(0)), both, lambda w, f: f, size, *others)
+        size = law_sizes(Omega, A, rest, zeta, d, h, force=lambda w: force(w, F_0))
+        return solved_moves(kind, (A, Omega, F_0, mpf(0)), both, force, size, *others)
 
     return of
 
 
-def law_sizes(Omega, A, rest, zeta, d, h):
-    """As `shaken_sizes`: with h and I_0 without their signs no term of F's derivatives is negative."""
+def law_sizes(Omega, A, rest, zeta, d, h, force=lambda w: mpf(0)):
+    """As `shaken_sizes`: with h and I_0 without their signs no term of F's derivatives is negative but the force's."""
 
     def by(order):
-        def derivative(sign):
+        def derivative(sign, of_force):
             local, lag = (near(A, [sign(value) for value in values]) for values in (h, rest))
-            return mp.diff(
-                lambda a, w: sum(part**2 for part in law_balances(w, a, lag(a), zeta, d, local(a))), (A, Omega), order
-            )
 
-        return derivative(mpf), derivative(abs)
+            def both(a, w):
+                squares = (part**2 for part in law_balances(w, a, lag(a), zeta, d, local(a)))
+                return sum(squares) + of_force * force(w) ** 2
+
+            return mp.diff(both, (A, Omega), order)
+
+        return derivative(mpf, -1), derivative(abs, 1)
 
     return by
 
 
-def law_beside(Omega, A, F_0, I_0, I_0A, zeta, d, *h):
-    """F_A, F_Omega and R, each with its size."""
-    size = law_sizes(Omega, A, (I_0, I_0A), zeta, d, h)
-    return [*size((1, 0)), *size((0, 1)), *(balances(Omega, A, 0, 0, value)[0] for value in (h[0], abs(h[0])))]
+def law_beside(force):
+    """F_A, F_Omega and R, each with its size; the force from Omega and F_0."""
+
+    def of(Omega, A, F_0, I_0, I_0A, zeta, d, *h):
+        size = law_sizes(Omega, A, (I_0, I_0A), zeta, d, h, lambda w: force(w, F_0))
+        return [*size((1, 0)), *size((0, 1)), *(balances(Omega, A, 0, 0, value)[0] for value in (h[0], abs(h[0])))]
+
+    return of
 
 
-def law_moves_of_phase(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A, h_p, I_0p, zeta_p, d_p, A_p, Omega_p, F_0_p):
-    """Phase and transmissibility along the moves, from R, I and h."""
+def law_moves_of_phase(force):
+    """Phase and transmissibility along the moves, from R, I and h; the force from Omega and F_0."""
 
-    def along(p):
-        w, a, force = Omega + Omega_p * p, A + A_p * p, h + (h_p + h_A * A_p) * p
-        rest = I_0 + (I_0p + I_0A * A_p) * p
-        return *law_balances(w, a, rest, zeta + zeta_p * p, d + d_p * p, force), force
+    def of(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A, h_p, I_0p, zeta_p, d_p, A_p, Omega_p, F_0_p):
+        def along(p):
+            w, a, restoring = Omega + Omega_p * p, A + A_p * p, h + (h_p + h_A * A_p) * p
+            rest = I_0 + (I_0p + I_0A * A_p) * p
+            return w, *law_balances(w, a, rest, zeta + zeta_p * p, d + d_p * p, restoring), restoring
 
-    def turned(p):
-        R, I, _ = along(p)
-        return mp.arg(mp.mpc(-R, -I))
+        def turned(p):
+            _, R, I, _ = along(p)
+            return mp.arg(mp.mpc(-R, -I))
 
-    def passed_on(p):
-        _, I, force = along(p)
-        return mp.hypot(force, I) / (F_0 + F_0_p * p)
+        def passed_on(p):
+            w, _, I, restoring = along(p)
+            return mp.hypot(restoring, I) / force(w, F_0 + F_0_p * p)
 
-    return [mp.diff(turned, 0), mp.diff(passed_on, 0)]
+        return [mp.diff(turned, 0), mp.diff(passed_on, 0)]
+
+    return of
 
 
 def rest_moves(passed):
@@ -2376,6 +2386,18 @@ def least_from_rest(Omega, zeta, eta, d, h_AA):
 
 LAW_AT, LAW_SLOWER = "Omega A F_0 I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA", "Omega A F_0 I_0 I_0A zeta d h h_A"
 LAW_CAUSES = "h_p h_Ap h_AAp I_0p I_0Ap I_0AAp zeta_p d_p end_p forcing_p frequency_p"
+
+
+def law_gradients(force) -> dict[str, tuple[str, Function]]:
+    """Of other laws of damping, for a force from Omega and F_0."""
+    return {
+        **{f"moves_of_{kind}": (f"{LAW_AT} {LAW_CAUSES}", law_moves(kind, force)) for kind in SHAKEN_ANSWERS},
+        "beside": (LAW_SLOWER, law_beside(force)),
+        "moves_of_phase": (f"{LAW_SLOWER} h_p I_0p zeta_p d_p A_p Omega_p F_0_p", law_moves_of_phase(force)),
+    }
+
+
+SHAKEN_LAWS = law_gradients(shaken)
 DISSIPATION: dict[str, tuple[str, Function]] = {
     "quadratic": ("c_2", lambda c_2: [by_work(quadratic_work(1, 1, c_2), 1)]),
     # |h| is largest where R = -F_0 at the frequency at which quadratic damping takes all of the forcing
@@ -2414,9 +2436,7 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
     },
     "rest_moves": ("A", rest_moves(passed=False)),
     "released_moves": ("A m u_cr", rest_moves(passed=True)),
-    **{f"moves_of_{kind}": (f"{LAW_AT} {LAW_CAUSES}", law_moves(kind)) for kind in SHAKEN_ANSWERS},
-    "beside": (LAW_SLOWER, law_beside),
-    "moves_of_phase": (f"{LAW_SLOWER} h_p I_0p zeta_p d_p A_p Omega_p F_0_p", law_moves_of_phase),
+    **law_gradients(lambda w, f: f),
     "I_A": ("Omega A I_0A zeta d", dissipated_balance("Omega A I_0A zeta d", 1)),
     "far": ("x A I_0 I_0A zeta d h h_A", far_balances),
     "F": (names := "Omega A F_0 I_0 zeta d h", lambda *x: [law_response(*x)]),
@@ -2459,6 +2479,11 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
         )
     },
 }
+
+
+def shaken_laws_table(rng: random.Random) -> dict:
+    """Six points of each kernel."""
+    return {kernel: [entry(f, x) for x in points(rng, names, 6)] for kernel, (names, f) in SHAKEN_LAWS.items()}
 
 
 def dissipation_table(rng: random.Random) -> dict:
@@ -2905,6 +2930,7 @@ def tables() -> dict[str, Callable[[random.Random], dict]]:
         made["slow_flow" + scene] = functools.partial(slow_flow_table, scene=scene)
     made["inertia"] = inertia_table
     made["dissipation"] = dissipation_table
+    made["dissipation_by_inertia"] = shaken_laws_table
     made["second_approximation"] = second_approximation_table
     made["frequencies"] = frequencies_table
     made["motion"] = motion_table

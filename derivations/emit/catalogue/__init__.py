@@ -9,7 +9,7 @@ from __future__ import annotations
 from ...results import Results
 from ..form import Module
 from .beyond import den_hartog_module, second_approximation_module
-from .dissipation import dissipation_module
+from .dissipation import dissipation_module, shaken_module
 from .flow import slow_flow_modules
 from .frequencies import frequencies_module
 from .inertia import inertia_module
@@ -28,6 +28,7 @@ def all_modules(results: Results) -> list[Module]:
         inertia_module(results),
         off_centre_module(results),
         dissipation_module(results),
+        shaken_module(results),
         sampled_module(results),
         motion_module(results),
         second_approximation_module(results),

@@ -1,7 +1,7 @@
 """The kernels of other laws of damping: functions of I_0, the part of I that knows no frequency, and of d.
 
 In:  `Results`.
-Out: `dissipation_module`.
+Out: `dissipation_module`, and `shaken_module` with the gradients under an excitation by inertia.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from ...dissipation import (
     u_cr,
     x,
 )
-from ...gradients import OF_LAWS, I_0p, d_p, h_p, zeta_p
+from ...gradients import OF_LAWS, Gradients, I_0p, d_p, h_p, zeta_p
 from ...results import Results
 from ...slopes import DERIVATIVES, Slopes
 from ...slow_flow import I, R, m
@@ -204,13 +204,27 @@ def dissipation_module(results: Results) -> Module:
             *searched_kernels(of),
             *inertial_kernels(of, slopes, in_derivatives),
             *(system(name, *of.systems[name].values, *of.systems[name].slopes) for name in of.systems),
-            *gradient_kernels(
-                results.laws_gradients, (*REST, zeta, d), (*REST[:2], zeta, d), OF_LAWS, (h_p, I_0p, zeta_p, d_p)
-            ),
+            *gradients_by_laws(results.laws_gradients),
         ),
     )
     # solvers on NumPy ask these of many amplitudes at once, which compiled loops would not do faster
     return replace(found, kernels=tuple(replace(kernel, generic=True) for kernel in found.kernels))
+
+
+def gradients_by_laws(gradients: Gradients) -> list[Kernel]:
+    """How each kind of answer moves with a parameter, by what dissipates."""
+    return gradient_kernels(gradients, (*REST, zeta, d), (*REST[:2], zeta, d), OF_LAWS, (h_p, I_0p, zeta_p, d_p))
+
+
+def shaken_module(results: Results) -> Module:
+    """What is of an excitation by inertia alone: gradients; all else of it is of `dissipation`."""
+    return Module(
+        name="dissipation_by_inertia",
+        title="Gradients with other laws of damping under excitation by inertia",
+        inputs=("averaging.py", "slow_flow.py", "dissipation.py", "inertia.py", "gradients.py"),
+        in_c=False,
+        kernels=tuple(gradients_by_laws(results.laws_inertia_gradients)),
+    )
 
 
 def inertial_kernels(of: Dissipation, slopes: Slopes, in_derivatives: Callable[..., Kernel]) -> list[Kernel]:
