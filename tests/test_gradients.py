@@ -354,3 +354,21 @@ def test_a_gradient_is_an_answer_like_others():
         moves.slopes[0] = 0
     with pytest.raises(KeyError, match="the numbers are Omega, A"):
         moves["phi"]
+
+
+def test_a_gradient_is_read_row_by_row_and_is_a_table():
+    """A slope for each number and each parameter; of an answer with several entries that of each, in rows too."""
+    folds = example.isolator().saddle_nodes(0.04)
+    moves = folds.gradient()
+    rows = list(moves)
+    assert len(rows) == len(moves) == len(moves.of) * len(moves.by)
+    assert all(np.array_equal(row.slope, moves[row.of, row.by]) for row in rows)
+    columns = moves.columns()
+    for entry, of, by, slope in zip(*(columns[name].tolist() for name in ("entry", "of", "by", "slope")), strict=True):
+        assert slope == moves[of, by][entry]
+    assert len(columns["slope"]) == len(folds) * len(moves)
+    single = example.isolator().saddle_node_onset().gradient()
+    assert list(single.columns()) == ["of", "by", "slope"] and str(single).splitlines()[1].split()[:2] == [
+        "F_SN",
+        "lam",
+    ]

@@ -18,6 +18,7 @@ from slowflow import Duffing, Isolator, loads, results
 from slowflow.answer import SHOWN
 from slowflow.plausible import Implausible
 from slowflow.quantities import AMPLITUDES, KINDS, UNITS, Scales
+from slowflow.sizing import fit, meet, tolerances
 from slowflow_kernels.scaling import SCALES
 
 #: a mount that was sized by hand: 12 kg on 2500 N/m, three springs of 1700 N/m on rods of 80 mm
@@ -249,15 +250,15 @@ def test_a_load_off_the_centre_rests_where_it_sags(mount):
     """12 kg more than a mount is preset for sag by 47 mm, beyond the stroke, where k_v is all that holds."""
     assert mount.replace(load=12.0) == mount.replace(load=12) and mount.replace(load=12.0).oscillator.load == 0
     heavy = mount.replace(load=24)
-    assert heavy.rest().x == pytest.approx(12 * 9.80665 / 2500) and heavy.rest().load == pytest.approx(12 * 9.80665)
+    stands = heavy.rest()
+    assert stands.x == pytest.approx(12 * 9.80665 / 2500) and (stands.load, stands.units["load"]) == (24.0, "kg")
     assert heavy.detachment().F_cr is None and "beyond" in heavy.detachment().message
     assert mount.replace(load=11).rest().x[0] < 0
-    stands = heavy.rest()
     assert stands.units["stiffness"] == "N/m" and stands.stiffness == pytest.approx(heavy.stiffness(stands.x))
     assert stands.in_units("N/mm").stiffness == pytest.approx(1e-3 * heavy.stiffness(stands.x))
     with pytest.raises(ValueError, match="at_rest is not available with load"):
         heavy.at_rest()
-    with pytest.raises(ValueError, match="no polynomial"):
+    with pytest.raises(ValueError, match="load = 24 kg is not available with force"):
         mount.replace(load=24, force="untruncated")
     x = mount.sag(14)  # of the force as the geometry gives it
     height = math.sqrt(0.080**2 - x**2)
@@ -369,6 +370,76 @@ def test_quantities_of_pint_are_taken(mount):
         other.amplitudes(f=u.Quantity(5, "1/s"), F=5)
     with pytest.raises(ValueError, match="F = 5 kilogram is not allowed: F must be measured in newton"):
         other.peak(u.Quantity(5, "kg"))
+
+
+def test_quantities_of_pint_without_a_unit_are_numbers(mount):
+    """A damping ratio in percent, too; and tolerances, limits and ranges are as those of a mount in plain numbers."""
+    pint = pytest.importorskip("pint")
+    u = pint.UnitRegistry()
+    assert mount.replace(zeta=u.Quantity(2, "percent"), n=u.Quantity(3, "dimensionless")).oscillator == mount.oscillator
+    rubber = mount.replace(eta=u.Quantity(5, "percent"))
+    assert rubber.given["eta"] == 0.05 or rubber.oscillator.eta == 0.05
+    with pytest.raises(ValueError, match="zeta = 2 newton is not allowed: zeta must be a plain number"):
+        mount.replace(zeta=u.Quantity(2, "N"))
+    force = u.Quantity(5000, "mN")
+    shown = tolerances(mount, {"k_h": u.Quantity(5, "percent")}, F=force, f=u.Quantity(300, "rpm"), samples=20)
+    assert shown == tolerances(mount, {"k_h": 0.05}, F=5.0, f=5.0, samples=20)
+    free, wanted = {"preload": (u.Quantity(8, "mm"), u.Quantity(1, "cm"))}, {"f_jump_up": u.Quantity(129, "rpm")}
+    found = meet(mount, free, at_most=wanted, F=force)
+    assert found == meet(mount, {"preload": (0.008, 0.01)}, at_most={"f_jump_up": 2.15}, F=5.0) and found.feasible
+    jumps = {"jump_up": u.Quantity([130, 129], "rpm"), "free": ["preload"]}
+    assert (
+        fit(mount, F=u.Quantity([5, 6], "N"), **jumps).value
+        == fit(mount, F=[5, 6], jump_up=[130 / 60, 129 / 60], free=["preload"]).value
+    )
+
+
+def test_a_table_says_which_mount_it_is_of_and_in_which_units(mount):
+    """Of xarray and pandas: the numbers of the data sheet, as they were given, beside the dimensionless ones."""
+    pytest.importorskip("xarray")
+    states = mount.amplitudes(f=5, F=5)
+    for attributes in (states.to_xarray().attrs, states.in_units().to_xarray().attrs):
+        assert {name: attributes[name] for name in MOUNT} == MOUNT and attributes["lam"] == 3
+        units = {"m": "kg", "k_v": "N/m", "k_h": "N/m", "L": "m", "preload": "m", "friction": "N", "F": "N"}
+        assert {name: attributes[f"{name}_units"] for name in units} == units
+        assert "zeta_units" not in attributes and "n_units" not in attributes
+    assert states.to_pandas().attrs["units"]["preload"] == "m"
+
+
+def test_a_number_that_is_no_argument_is_said_with_the_nearest():
+    with pytest.raises(TypeError, match=r"Isolator.physical has no argument 'prelod': .*\. Did you mean 'preload'\?"):
+        Isolator.physical(**{**MOUNT, "prelod": 0.009})
+    with pytest.raises(TypeError, match=r"Isolator has no argument 'zetta': .*\. Did you mean 'zeta'\?"):
+        Isolator(lam=3, r=0.68, delta_h=0.1, zetta=0.02)
+    with pytest.raises(ValueError, match=r"Did you mean 'peak'\?"):
+        Isolator.physical(**MOUNT).explain("peek", 5)
+
+
+def test_a_load_that_is_refused_is_the_mass_that_was_given(mount):
+    for change in ({"excitation": "base"}, {"force": "untruncated"}):
+        with pytest.raises(ValueError, match=r"^load = 10 kg is not available with (excitation|force) = "):
+            mount.replace(load=10, **change)
+
+
+def test_what_sticks_and_what_a_high_frequency_transmits_are_known_of_mounts(mount):
+    """By the formulas of the slow flow (27), in newtons; on a base that shakes each amplitude moves the mass."""
+    assert mount.sticking_forcing == pytest.approx(4 * 0.4 / math.pi)
+    assert mount.transmissibility_floor(5) == pytest.approx(4 * 0.4 / (math.pi * 5))
+    assert mount.replace(excitation="base").sticking_forcing == 0
+
+
+def test_up_to_which_frequency_it_sticks_is_said_in_words_where_that_is_none_or_all(mount):
+
+    assert "f_sticks      at no frequency" in str(mount.margins(5))
+    assert "f_sticks      at every frequency" in str(mount.margins(0.3))
+    assert re.search(r"f_sticks +0\.\d+ Hz", str(mount.replace(excitation="base").margins(0.004)))
+
+
+def test_what_an_answer_in_units_has_not_is_said_as_by_the_dimensionless_one(mount):
+    with pytest.raises(AttributeError, match="second approximation has no validity: its errors are no table"):
+        mount.second_approximation.saddle_nodes(5).validity  # noqa: B018
+    with pytest.raises(AttributeError, match=r"\.answer\.validity is dimensionless"):
+        mount.saddle_nodes(5).validity  # noqa: B018
 
 
 def test_a_linear_oscillator_can_be_physical_too():

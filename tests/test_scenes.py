@@ -54,7 +54,9 @@ def test_a_shipped_scene_runs(path, tmp_path, capsys):
     content = json.loads((tmp_path / "out" / "answers.json").read_text())
     asked = scenes.read(path).asked
     # on a busy machine a question may say that it takes more than a second
-    assert (code, out) == (0, "") and err.endswith(f"{len(asked)} answers in {tmp_path / 'out'}\n")
+    assert (code, out) == (0, "") and err.endswith(
+        f"{len(asked)} answers are written to the folder {tmp_path / 'out'}\n"
+    )
     assert [answer["question"] for answer in content["answers"]] == [one.question for one in asked]
     expected = {f"{one.question}.csv" for one in asked} | {"answers.json"}
     assert {file.name for file in (tmp_path / "out").iterdir()} == expected
@@ -221,6 +223,16 @@ WRONG = {
         'm = "12 kg"',
         "4: m = '12 kg' is not allowed: m must be a finite real number > 0",
     ),
+    "a number in quotes": (
+        "m = 12.0",
+        'm = "12"',
+        "4: m = '12' is not allowed: m must be a finite real number > 0. Remove the quotes: 12 is a number",
+    ),
+    "forces in quotes": (
+        "F = [3.0, 5.0]",
+        'F = [3.0, "5.0"]',
+        "14: F = [3.0, '5.0'] is not allowed: F must be a list of numbers. Remove the quotes: 5 is a number",
+    ),
     "a key that is missing": (
         "k_v = 2500.0\n",
         "",
@@ -302,8 +314,14 @@ def test_a_wrong_scene_is_refused_with_file_line_key_value_and_what_is_allowed(w
 
 
 def test_a_file_that_cannot_be_read_is_named(tmp_path, capsys):
-    code, _, err = run("run", tmp_path / "none.toml", capsys=capsys)
-    assert code == 2 and "none.toml" in err
+    for command in ("run", "check", "explain", "report"):
+        code, out, err = run(command, tmp_path / "none.toml", capsys=capsys)
+        assert (code, out) == (2, "") and err.startswith(f"{tmp_path / 'none.toml'}: there is no such file")
+        assert run(command, tmp_path, capsys=capsys) == (2, "", f"{tmp_path}: this is a folder, not a scene\n")
+    (tmp_path / "taken").write_text("")
+    (tmp_path / "scene.toml").write_text(MOUNT)
+    code, out, err = run("run", tmp_path / "scene.toml", "-o", tmp_path / "taken", capsys=capsys)
+    assert (code, out) == (2, "") and err.endswith(f"{tmp_path / 'taken'}: File exists\n")
     (tmp_path / "bytes.toml").write_bytes(b"\xff\xfe")
     assert run("run", tmp_path / "bytes.toml", capsys=capsys)[0] == 2
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import dataclasses
 import importlib
 from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 from typing import Any, ClassVar
 
 import numpy as np
@@ -16,12 +17,19 @@ import numpy.typing as npt
 
 #: what a table has in one place
 PLAIN = (bool, int, float, str)
+#: a name of an answer, and words for some of its numbers
+Words = Mapping[str, Mapping[float, str]]
 #: rows that are printed at most
 SHOWN = 30
 
 
 class Answer:
-    """What all answers share: read-only arrays, equality by content, plain numbers and lists on demand."""
+    """What all answers share: read-only arrays, equality by content, plain numbers and lists on demand.
+
+    in_words -- of some names, what is printed for some numbers
+    """
+
+    in_words: ClassVar[Words] = MappingProxyType({})
 
     def __post_init__(self) -> None:
         for value in self.__dict__.values():
@@ -48,6 +56,14 @@ class Answer:
 
     def units_of_columns(self) -> Mapping[str, str]:
         """The units of numbers that have one; by default none is known."""
+        return {}
+
+    def words_of(self, name: str, value: Any) -> str:
+        """What is printed instead of a number; empty for most."""
+        return self.in_words.get(name, {}).get(value, "") if isinstance(value, float) else ""
+
+    def units_beside(self) -> Mapping[str, str]:
+        """The units of what `about` says; by default none is known."""
         return {}
 
     def __eq__(self, other: object) -> bool:
@@ -84,19 +100,20 @@ class Answer:
         """`columns` as a DataFrame, with what holds for all rows in its `.attrs`. Raises ImportError without pandas."""
         pandas = optional("pandas", "to_pandas")
         frame = pandas.DataFrame(self.columns())
-        frame.attrs.update({**self.about(), "units": dict(self.units_of_columns())})
+        frame.attrs.update({**self.about(), "units": {**self.units_beside(), **self.units_of_columns()}})
         return frame
 
     def to_xarray(self) -> Any:
         """`columns` as a Dataset along "entry", each with its units. Raises ImportError without xarray.
 
-        What holds for all rows are its attributes.
+        What holds for all rows are its attributes, and their units, as "F" and "F_units".
         """
         xarray = optional("xarray", "to_xarray")
         units = self.units_of_columns()
         found = {name: ("entry", column, {"units": units.get(name, "1")}) for name, column in self.columns().items()}
         entry = {"entry": np.arange(max((len(column) for column in self.columns().values()), default=0))}
         attributes = {name: value for name, value in self.about().items() if value is not None}
+        attributes |= {f"{name}_units": unit for name, unit in self.units_beside().items()}
         return xarray.Dataset(found, coords=entry, attrs=attributes)
 
 
@@ -161,7 +178,8 @@ def in_text(answer: Answer) -> Iterator[str]:
     if not answer.has_rows:
         for name, (value,) in answer.columns().items():
             if name != "remarks" and str(value) not in ("", "nan"):
-                yield f"{name:14}{_short(value)} {units.get(name, '')}".rstrip()
+                told = answer.words_of(name, value)
+                yield f"{name:14}{told}" if told else f"{name:14}{_short(value)} {units.get(name, '')}".rstrip()
         return
     columns = answer.columns()
     rows = [[head(name, units) for name in columns]]

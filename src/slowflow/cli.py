@@ -122,7 +122,7 @@ def run_scene(given: argparse.Namespace) -> int:
             files.write(given.out / f"{question}.csv", files.in_csv(alike, units))
         files.write(given.out / "answers.json", files.in_json(content))
         if not given.quiet:
-            print(f"{len(answers)} answers in {given.out}", file=sys.stderr)
+            print(f"{len(answers)} answers are written to the folder {given.out}", file=sys.stderr)
     return 1 if failed else 0
 
 
@@ -264,7 +264,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = parser.parse_args(arguments)
     try:
         return COMMANDS[given.command](given)
-    except (OSError, UnicodeDecodeError, SceneError) as error:
+    except OSError as error:
+        print(f"{error.filename}: {error.strerror}" if error.filename and error.strerror else error, file=sys.stderr)
+        return 2
+    except (UnicodeDecodeError, SceneError) as error:
         print(error, file=sys.stderr)
         return 2
     except KeyboardInterrupt:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from slowflow.answer import Answer
+from slowflow.answer import Answer, in_text
 from slowflow.mechanism import Floats
 from slowflow_kernels.conventions import MovesStatus
 
@@ -23,6 +24,14 @@ WITHOUT_GRADIENT = {
 }
 
 
+class Slope(NamedTuple):
+    """How one number of an answer moves with one parameter: of each entry, where the answer has several."""
+
+    of: str
+    by: str
+    slope: Any
+
+
 @dataclass(frozen=True, eq=False)
 class Gradient(Answer):
     """How numbers of an answer change with each parameter, exactly: d(number)/d(parameter).
@@ -35,7 +44,8 @@ class Gradient(Answer):
     status  -- whether there is one, a number of `slowflow_kernels.conventions.MovesStatus`, 0 where there is
     message -- why some have none, in words; empty if all have one
 
-    `gradient["A", "delta_h"]` is one slope of each entry of the answer, `gradient["A"]` that by every parameter.
+    `gradient["A", "delta_h"]` is one slope of each entry of the answer, `gradient["A"]` that by every parameter. A loop
+    gives a `Slope` for each number and each parameter; of a table, as pandas', each entry has a row of its own.
     """
 
     of: tuple[str, ...]
@@ -55,6 +65,35 @@ class Gradient(Answer):
             raise KeyError(f"{what!r}: the numbers are {', '.join(self.of)}, the parameters {', '.join(self.by)}")
         found = self.slopes[..., self.of.index(of), :]
         return found if by is None else found[..., self.by.index(by)][()]
+
+    def __iter__(self) -> Iterator[Slope]:
+        return (Slope(of, by, self[of, by]) for of, by in self._pairs())
+
+    def __len__(self) -> int:
+        return len(self.of) * len(self.by)
+
+    def __str__(self) -> str:
+        return "\n".join(in_text(self))
+
+    @property
+    def has_rows(self) -> bool:
+        """True."""
+        return True
+
+    def columns(self) -> dict[str, Any]:
+        """A row for each slope of each entry; an answer with a single entry has none in front."""
+        rows = [(*entry, *pair) for entry in np.ndindex(self.status.shape) for pair in self._pairs()]
+        names = [f"entry_{k}" if k else "entry" for k in range(self.status.ndim)]
+        columns = zip(*rows, strict=True) if rows else ([],) * (len(names) + 2)
+        found = dict(zip((*names, "of", "by"), map(np.array, columns), strict=True))
+        return {**found, "slope": self.slopes.ravel()}
+
+    def _pairs(self) -> list[tuple[str, str]]:
+        return [(of, by) for of in self.of for by in self.by]
+
+    def about(self) -> dict[str, Any]:
+        """Why some have none."""
+        return {"message": self.message}
 
     @property
     def message(self) -> str:

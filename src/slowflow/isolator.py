@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import warnings
 from typing import Any
 
@@ -14,7 +15,7 @@ from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.oscillator import FORCES, Oscillator, designs_of
 from slowflow.physical import Physical
 from slowflow.physical_moves import g
-from slowflow.quantities import Scales, si
+from slowflow.quantities import PINT, SHEET, Scales, si
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.domains import DAMPING, DISSIPATION, EXCITATIONS
 from slowflow_kernels.scaling import SCALES
@@ -54,6 +55,7 @@ class Isolator(Oscillator):
     gamma: float
     u_cr: float
 
+    @validate.asked_by_name
     def __init__(
         self,
         *,
@@ -83,12 +85,18 @@ class Isolator(Oscillator):
         del self.given["mechanism"]
         self.given["force"] = force
         if load != 0:
+            if not self.model.mechanism.truncated and self.delta_h > 0:
+                load = validate.number("load", load)
+                raise validate.NotAvailable(
+                    f"load = {load:g} is not available with force = 'untruncated', only with 'truncated': "
+                    "a piece of that force is no polynomial, and motions off the centre are not derived for such a one"
+                )
             self._put(load)
         if self.alpha < 0:
             warnings.warn(
                 f"delta_h = {self.delta_h:g} exceeds 1/(lam r) = {1 / (self.lam * self.r):g}: "
                 f"negative stiffness at rest (alpha = {self.alpha:g}); the averaged motion is about u = 0",
-                stacklevel=2,
+                stacklevel=3,
             )
 
     def __repr__(self) -> str:
@@ -104,6 +112,7 @@ class Isolator(Oscillator):
         return super().restoring_force(which)
 
     @classmethod
+    @validate.asked_by_name
     def physical(
         cls,
         *,
@@ -153,8 +162,10 @@ class Isolator(Oscillator):
         moving = m if load is None else validate.number("load", si("load", load, "kilogram"), above=0.0)
         excited = validate.choice("excitation", excitation, tuple(EXCITATIONS))
         scales = Scales(m=moving, k_v=k_v, L=L, excitation=excited, damping="zeta" if c is None else "c")
-        beyond = scales.m - validate.number("m", si("m", m, "kilogram"), above=0.0)
-        known = {"n": n, "k_h": si("k_h", k_h, "newton/meter"), "preload": si("preload", preload, "meter")}
+        preset = validate.number("m", si("m", m, "kilogram"), above=0.0)
+        beyond = scales.m - preset
+        of_springs = {"n": n, "k_h": k_h, "preload": preload}
+        known = {name: si(name, value, PINT[SHEET[name]]) for name, value in of_springs.items()}
         of_design = zip(known.items(), ROD_SPRING.design, ROD_SPRING.scales, strict=True)
         lam, r, delta_h = (scales.over(name, value, domain, scale) for (name, value), domain, scale in of_design)
         of_mu, of_zeta = DAMPING
@@ -168,8 +179,9 @@ class Isolator(Oscillator):
             raise ValueError("c and zeta say the same: give one of them")
         if c is not None:
             zeta = scales.over("c", si("c", c, "newton*second/meter"), of_zeta, SCALES["zeta"])
-        zeta = 0.0 if zeta is None else zeta
-        laws = Laws.of(eta, scales.over("c_2", si("c_2", c_2, "newton*second**2/meter**2"), *OF_C_2), rubs)
+        zeta = 0.0 if zeta is None else si("zeta", zeta, "dimensionless")
+        quadratic = scales.over("c_2", si("c_2", c_2, PINT[SHEET["c_2"]]), *OF_C_2)
+        laws = Laws.of(si("eta", eta, "dimensionless"), quadratic, rubs)
         weight = beyond * g / scales.sizes["force"]
         numbers = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta, "load": weight}
         numbers |= {"eta": laws.eta, "c_2": laws.c_2, "mu_s": mu_s}
@@ -179,14 +191,17 @@ class Isolator(Oscillator):
             raise ValueError(scales.worded(str(error))) from None
         sheet = {"k_v": scales.k_v, "L": scales.L, **{name: float(known[name]) for name in ("k_h", "n", "preload")}}
         beside = {"m": max(scales.m, scales.m - beyond), "friction": mu * scales.sizes["force"], "zeta": isolator.zeta}
-        plausible.warn(plausible.of_mount(**sheet, **beside, g=g), stacklevel=2)
+        plausible.warn(plausible.of_mount(**sheet, **beside, g=g), stacklevel=3)
         told = {"m": m, "k_v": k_v, "k_h": k_h, "n": n, "L": L, "preload": preload, "friction": friction}
         told |= {"c": c} if c is not None else {"zeta": isolator.zeta}
         told |= {name: {"c_2": c_2}.get(name, value) for name, value in laws.said.items()}
         told |= {} if static_friction is None else {"static_friction": static_friction}
-        return Physical(isolator, scales, {**told, "load": load, "force": force, "excitation": excitation})
+        told |= {"load": load, "force": force, "excitation": excitation}
+        in_si = {name: si(name, value, PINT[SHEET[name]]) for name, value in told.items() if value is not None}
+        return Physical(isolator, dataclasses.replace(scales, sheet=in_si), told)
 
     @classmethod
+    @validate.asked_by_name
     def many(  # type: ignore[override]
         cls,
         *,
@@ -228,6 +243,7 @@ class Duffing(Oscillator):
     alpha: float
     beta: float
 
+    @validate.asked_by_name
     def __init__(
         self,
         alpha: float,
@@ -250,6 +266,7 @@ class Duffing(Oscillator):
         return f"Duffing({', '.join(self._told())})"
 
     @classmethod
+    @validate.asked_by_name
     def many(  # type: ignore[override]
         cls,
         alpha: Any,

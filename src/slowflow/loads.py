@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import validate
-from slowflow.answer import Single, Table, joined
+from slowflow.answer import Single, Table, Words, joined
 from slowflow.averaged import remarks, words
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats, Law, Mechanism
@@ -85,6 +85,8 @@ class Margins(Single):
     message     -- what to bear in mind
     remarks     -- those of the onset, the detachment and the folds
     """
+
+    in_words: ClassVar[Words] = {"Omega_sticks": {0.0: "at no frequency", math.inf: "at every frequency"}}
 
     F_0: float
     F_SN: float | None

@@ -156,6 +156,18 @@ class Physical:
         """Where isolated curves are born or merge: .F .f .A .kind, see `Averaged.isola_points`."""
         return self.scales.quantities(self._ask(self.oscillator.isola_points, A_max=self._most(A_max)))
 
+    @property
+    def sticking_forcing(self) -> float:
+        """The amplitude of the excitation that leaves a mass at rest at every frequency, see `Averaged`."""
+        _, kind, _ = EXCITED[self.scales.excitation]
+        found: float = self.oscillator.sticking_forcing * self.scales.sizes[kind]
+        return found
+
+    def transmissibility_floor(self, F: Any) -> float:
+        """What the ratio that is transmitted tends to as f rises without end, see `Averaged.transmissibility_floor`."""
+        found: float = self._ask(self.oscillator.transmissibility_floor, self._amplitude(F))
+        return found
+
     def backbone(self, A: Any) -> Floats:
         """f in Hz on the backbone at amplitudes in m, see `Averaged.backbone`."""
         return np.asarray(self._ask(self.oscillator.backbone, self._length("A", A)) * self.scales.sizes["frequency"])

@@ -49,7 +49,7 @@ KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
         **{name: (name, "length") for name in ("A", "A_1", "A_max", "B", "doubt")},
         "u_max": ("x_max", "length"),
-        "load": ("load", "force"),
+        "load": ("load", "mass"),
         "u_cr": ("x_cr", "length"),
         "u": ("x", "length"),
         "v": ("v", "speed"),
@@ -87,6 +87,38 @@ EXCITED: Mapping[str, tuple[str, str, str]] = MappingProxyType(
 KIND_OF = {unit: kind for kind, units in UNITS.items() for unit in units}
 #: the unit of each kind in which answers are shown
 SHOWN = MappingProxyType({KIND_OF[unit]: unit for unit in USUAL})
+#: the numbers of a data sheet and their units, "" for what has none, and what pint calls these
+SHEET: Mapping[str, str] = MappingProxyType(
+    {
+        "m": "kg",
+        "load": "kg",
+        "k_v": "N/m",
+        "k_h": "N/m",
+        "n": "",
+        "L": "m",
+        "preload": "m",
+        "friction": "N",
+        "static_friction": "N",
+        "c": "N s/m",
+        "zeta": "",
+        "eta": "",
+        "c_2": "N s^2/m^2",
+        "rubs": "",
+        "force": "",
+        "excitation": "",
+    }
+)
+PINT: Mapping[str, str] = MappingProxyType(
+    {
+        "": "dimensionless",
+        "kg": "kilogram",
+        "N": "newton",
+        "m": "meter",
+        "N/m": "newton/meter",
+        "N s/m": "newton*second/meter",
+        "N s^2/m^2": "newton*second**2/meter**2",
+    }
+)
 #: words about dimensionless answers that are followed by numbers: which, by what they are replaced, and of which kind
 PHRASES = (
     (r"(?<![\w/])F_0 = ", "{} = ", "amplitude"),
@@ -97,12 +129,13 @@ PHRASES = (
     (r"\bF_SN = ", "{}_SN = ", "amplitude"),
     (r"\bOmega = ", "f = ", "frequency"),
     (r"\bc_2 = ", "c_2 = ", "quadratic damping"),
-    (r"\bload = ", "load = ", "force"),
     (r"\bfor Omega in \[", "for f in [", "frequency"),
     (r"\bA = ", "A = ", "length"),
     (r"\bamplitude up to ", "amplitude up to ", "length"),
     (r"\bamplitudes above ", "amplitudes above ", "length"),
 )
+#: the load of a mount, which is given as a mass
+LOAD = r"\bload = "
 #: arguments of a question, which are in SI units
 CALLS = ((r"\bOmega=", "f=", "frequency"), (r"\bF_0=", "F=", "amplitude"), (r"\bA=", "A=", "length"))
 #: and letters that stand alone
@@ -117,6 +150,8 @@ LETTERS = (
     (r"\bu = 0\b", "x = 0"),
 )
 NUMBER = r"-?(?:\d+(?:\.\d+)?(?:e[+-]?\d+)?|inf)"
+#: what only the dimensionless answer has
+OF_THE_ANSWER = ("validity", "measure")
 #: what can be drawn of a response curve
 DRAWN = ("A", "phi", "transmissibility_dB")
 
@@ -153,6 +188,9 @@ class Quantities(Answer):
     def __getattr__(self, name: str) -> Any:
         values = self.__dict__.get("values", {})  # not there yet while it is made
         if name not in values:
+            if name in OF_THE_ANSWER and isinstance(answer := self.__dict__.get("answer"), Answer):
+                getattr(answer, name)  # which may say why it has none
+                raise AttributeError(f"{name!r} is no part of an answer in units: .answer.{name} is dimensionless")
             raise AttributeError(f"{name!r} is no part of this answer: it has {', '.join(values)}")
         return values[name]
 
@@ -177,10 +215,15 @@ class Quantities(Answer):
         return {name: self.values[name] for name in self.entry}
 
     def about(self) -> dict[str, Any]:
-        """What holds for all rows, and the dimensionless parameters."""
+        """What holds for all rows, the numbers of the mount, and the dimensionless parameters."""
         beside = self.answer.about() if isinstance(self.answer, Answer) else {}
         said = {name: plain(value) for name, value in self.values.items() if isinstance(value, PLAIN)}
-        return {**beside, **(said if self.entry else {})}
+        sheet = {} if self.scales is None else self.scales.sheet
+        return {**beside, **sheet, **(said if self.entry else {})}
+
+    def units_beside(self) -> Mapping[str, str]:
+        """The units of what `about` says."""
+        return {name: unit for name in self.about() if (unit := self.units.get(name, SHEET.get(name, "")))}
 
     @property
     def has_rows(self) -> bool:
@@ -190,6 +233,13 @@ class Quantities(Answer):
     def units_of_columns(self) -> Mapping[str, str]:
         """`units`."""
         return self.units
+
+    def words_of(self, name: str, value: Any) -> str:
+        """As of the dimensionless answer: nothing and what has no end are the same in all units."""
+        if self.scales is None or not isinstance(self.answer, Answer):
+            return ""
+        plain_name = next((one for one in self.answer.in_words if self.scales.kind(one)[0] == name), name)
+        return self.answer.words_of(plain_name, value)
 
     def _numbers(self) -> set[str]:
         # those without a unit, as a margin, are called the same in the dimensionless answer
@@ -291,7 +341,8 @@ def si(name: str, value: Any, unit: str) -> Any:
     try:
         return value.to(unit).magnitude
     except TypeError:  # what pint raises for another dimension
-        raise ValueError(f"{name} = {value} is not allowed: {name} must be measured in {unit}") from None
+        measured = "a plain number" if unit == PINT[""] else f"measured in {unit}"
+        raise ValueError(f"{name} = {value} is not allowed: {name} must be {measured}") from None
 
 
 def turns(name: str, value: Any) -> Any:
@@ -337,6 +388,7 @@ class Scales:
 
     excitation -- what F_0 is the amplitude of, a key of `EXCITED`: of a base in L, of an unbalance in m L
     damping    -- which number viscous damping is given by, "zeta" or "c"
+    sheet      -- the numbers that a mount was made from, in the units of `SHEET`
 
     Numbers, or quantities of pint. Raises ValueError for one that is not > 0.
     """
@@ -346,6 +398,7 @@ class Scales:
     L: float
     excitation: str = "force"
     damping: str = "zeta"
+    sheet: Mapping[str, Any] = dataclasses.field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         for name, unit in (("m", "kilogram"), ("k_v", "newton/meter"), ("L", "meter")):
@@ -383,6 +436,7 @@ class Scales:
     def worded(self, text: str) -> str:
         """Words about a dimensionless answer with its letters, and numbers in N, mm and Hz."""
         letter, of_amplitude, _ = EXCITED[self.excitation]
+        text = re.sub(rf"({LOAD}){NUMBER}", rf"\g<1>{self.m:g} kg", text)
         for pattern, name, kind in PHRASES:
             kind = of_amplitude if kind == "amplitude" else kind
             size = self.sizes[kind] / UNITS[kind][SHOWN[kind]]
@@ -420,7 +474,9 @@ class Scales:
             values[shown] = self.quantities(value) if isinstance(value, Answer) else value
             if name == "message":
                 values[shown] = self.worded(value)
-            if kind:
+            if name == "load":
+                values[shown], units[shown] = self.m, SHEET[name]
+            elif kind:
                 values[shown] = _times(value, self.sizes[kind])
                 units[shown] = next(iter(UNITS[kind]))
         return Quantities(values, units, answer, tuple(self.kind(name)[0] for name in entry), self)

@@ -20,7 +20,7 @@ from slowflow.isolator import Isolator
 from slowflow.measured.validity import IN_PYTHON
 from slowflow.paper.report import read_ledger
 from slowflow.physical import Physical
-from slowflow.quantities import EXCITED, KIND_OF, SHOWN, UNITS, Quantities
+from slowflow.quantities import EXCITED, KIND_OF, SHEET, SHOWN, UNITS, Quantities
 from slowflow.scenes import FORCINGS, Asked, Scene
 from slowflow.sizing.subject import Load, Subject
 from slowflow.validate import NotAvailable
@@ -48,24 +48,24 @@ SHOCKS = ("transient", "shock_spectrum")
 #: numbers of the map, of a mount and of an isolator without dimensions
 OF_MOUNT, OF_ISOLATOR = ("k_h", "preload"), ("r", "delta_h")
 
-#: what the numbers of a mount are measured in, and what they are; then what a data sheet's mean
+#: what the numbers of a mount are; then what a data sheet's mean
 GIVEN = {
-    "m": ("kg", "mass for which the vertical spring is preset"),
-    "load": ("kg", "mass that sits on it, where that is another one"),
-    "k_v": ("N/m", "stiffness of the vertical spring"),
-    "k_h": ("N/m", "stiffness of each horizontal spring"),
-    "n": ("", "number of horizontal springs"),
-    "L": ("m", "length of a push-rod"),
-    "preload": ("m", "compression of a horizontal spring at the centre"),
-    "friction": ("N", "dry friction"),
-    "static_friction": ("N", "dry friction that holds a mass at rest"),
-    "c": ("N s/m", "viscous damping"),
-    "zeta": ("", "viscous damping ratio, c/(2 sqrt(k_v m))"),
-    "eta": ("", "loss factor of the vertical spring"),
-    "c_2": ("N s^2/m^2", "quadratic damping"),
-    "rubs": ("", "where friction acts"),
-    "force": ("", "the springs' force that is averaged: truncated (6), or untruncated (5)"),
-    "excitation": ("", "what shakes it"),
+    "m": "mass for which the vertical spring is preset",
+    "load": "mass that sits on it, where that is another one",
+    "k_v": "stiffness of the vertical spring",
+    "k_h": "stiffness of each horizontal spring",
+    "n": "number of horizontal springs",
+    "L": "length of a push-rod",
+    "preload": "compression of a horizontal spring at the centre",
+    "friction": "dry friction",
+    "static_friction": "dry friction that holds a mass at rest",
+    "c": "viscous damping",
+    "zeta": "viscous damping ratio, c/(2 sqrt(k_v m))",
+    "eta": "loss factor of the vertical spring",
+    "c_2": "quadratic damping",
+    "rubs": "where friction acts",
+    "force": "the springs' force that is averaged: truncated (6), or untruncated (5)",
+    "excitation": "what shakes it",
 }
 MEANING = {
     "f_n": "natural frequency of the mass on the vertical spring alone",
@@ -251,9 +251,9 @@ def _number(answer: Any, value: float, *names: str) -> str:
 
 def _design(of: Any, scene: Scene) -> Iterator[str]:
     mount = isinstance(of, Physical)
-    given = {name: value for name, value in of.given.items() if value is not None}
+    given = of.scales.sheet if mount else of.given
     if mount:
-        rows = [(name, page.cell(value), GIVEN[name][0], page.words(GIVEN[name][1])) for name, value in given.items()]
+        rows = [(name, page.cell(value), SHEET[name], page.words(GIVEN[name])) for name, value in given.items()]
         yield page.table("As it was given", ("number", "value", "unit", "what it is"), rows)
     else:
         numbers = [(escape(name), page.cell(value)) for name, value in given.items()]

@@ -32,7 +32,6 @@ wrong in it raises `SceneError`, which says where, what is allowed, and which kn
 
 from __future__ import annotations
 
-import difflib
 import hashlib
 import inspect
 import itertools
@@ -290,9 +289,13 @@ class Scene:
 
 
 def read(path: Path) -> Scene:
-    """A scene's file. Raises SceneError for what is wrong in it, OSError where it cannot be read."""
+    """A scene's file. Raises SceneError for what is wrong in it or no file, OSError where it cannot be read."""
     try:
         text = path.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        raise SceneError(f"{path}: there is no such file; `slowflow new` writes a scene to begin with") from None
+    except IsADirectoryError:
+        raise SceneError(f"{path}: this is a folder, not a scene") from None
     except UnicodeDecodeError as error:
         raise SceneError(f"{path}: this is not UTF-8: {error.reason} at byte {error.start}") from None
     try:
@@ -455,7 +458,8 @@ class _Reader:
         values = value if isinstance(value, list) else [value]
         if not values or not all(isinstance(one, kind) and not isinstance(one, bool) for one in values):
             what = "words" if kind is str else "numbers"
-            raise self._error(table, key, f"= {value!r} is not allowed: {key} must be a list of {what}")
+            quoted = "" if kind is str else next(filter(None, map(_quoted, values)), "")
+            raise self._error(table, key, f"= {value!r} is not allowed: {key} must be a list of {what}{quoted}")
         return values
 
     def _known(self, table: str, given: Mapping[str, Any], known: tuple[str, ...]) -> None:
@@ -477,13 +481,11 @@ class _Reader:
         except ValueError as error:
             key = re.split(r"[ \[]", str(error), maxsplit=1)[0]
             line = self._line(table, key if key in given else "")
-            raise SceneError(f"{self.path}:{line}: {error}") from None
+            raise SceneError(f"{self.path}:{line}: {error}{_quoted(given.get(key))}") from None
 
     def _error(self, table: str, key: str, said: str, word: str = "", known: Any = ()) -> SceneError:
-        near = difflib.get_close_matches(word, known, 1) if word else []
-        meant = f". Did you mean {near[0]!r}?" if near else ""
         name = key or (f"[{table}]" if table else "the scene")
-        return SceneError(f"{self.path}:{self._line(table, key)}: {name} {said}{meant}")
+        return SceneError(f"{self.path}:{self._line(table, key)}: {name} {said}{validate.meant(word, known or ())}")
 
     def _line(self, table: str, key: str) -> int:
         """Where a table or a key of it stands; 1 where that cannot be told, as in a table on one line."""
@@ -512,6 +514,14 @@ def _implausible(of: Any, asked: Iterable[Asked]) -> Iterator[str]:
             if value is not None:
                 remark = plausible.of_frequency if name == "f" else plausible.of_duration
                 yield from remark(max(value) if isinstance(value, (list, tuple)) else value, f_n)
+
+
+def _quoted(value: Any) -> str:
+    """What to do with a number that was written as a word; empty for anything else."""
+    try:
+        return f". Remove the quotes: {float(value):g} is a number" if isinstance(value, str) else ""
+    except ValueError:
+        return ""
 
 
 def _listed(names: Any, form: str) -> str:

@@ -5,12 +5,15 @@ Nothing a user gives is parsed or evaluated: numbers are taken as numbers, anyth
 
 from __future__ import annotations
 
+import difflib
+import functools
+import inspect
 import math
 import os
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from numbers import Real
-from typing import Any
+from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +21,8 @@ import numpy.typing as npt
 from slowflow.mechanism import Floats, Parameter
 from slowflow_kernels.conventions import HIGHEST_OMEGA
 
+P = ParamSpec("P")
+R = TypeVar("R")
 #: frequencies shown unless others are asked for
 WINDOW = (0.0, 2.0)
 #: the most points that are asked for
@@ -125,8 +130,34 @@ def is_plain(question: str, laws: str) -> None:
 def choice(name: str, value: Any, allowed: tuple[str, ...]) -> str:
     """One of the words allowed."""
     if not isinstance(value, str) or value not in allowed:
-        raise _refuse(name, value, " or ".join(map(repr, allowed)))
+        raise _refuse(name, value, " or ".join(map(repr, allowed)) + meant(value, allowed))
     return value
+
+
+def meant(word: Any, known: Iterable[str]) -> str:
+    """The known word that is nearest to another one, as the end of a sentence; empty where none is near."""
+    if not isinstance(word, str):
+        return ""
+    folded = {one.lower(): one for one in known}
+    near = [folded[one] for one in difflib.get_close_matches(word.lower(), folded, 1)]
+    return f". Did you mean {near[0]!r}?" if near else ""
+
+
+def asked_by_name(function: Callable[P, R]) -> Callable[P, R]:
+    """The same function, which says of an argument that it does not know which ones there are, and which is nearest."""
+    known = [name for name in inspect.signature(function).parameters if name not in ("self", "cls")]
+
+    @functools.wraps(function)
+    def told(*given: P.args, **named: P.kwargs) -> R:
+        for name in named:
+            if name not in known:
+                allowed, called = f"{', '.join(known)}{meant(name, known)}", function.__qualname__
+                raise TypeError(
+                    f"{called.removesuffix('.__init__')} has no argument {name!r}: it must be one of {allowed}"
+                )
+        return function(*given, **named)
+
+    return told
 
 
 def _array(name: str, value: Any, allowed: str) -> npt.NDArray[Any]:

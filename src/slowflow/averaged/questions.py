@@ -334,7 +334,8 @@ class Averaged:
         ValueError for another question, F_0 <= 0, and one that is missing or not needed.
         """
         if question not in (known := (*plan.QUESTIONS, *plan.OF_ALL, *plan.COMPOSED)):
-            raise ValueError(f"question = {question!r} is not allowed: it must be one of {', '.join(known)}")
+            allowed = f"{', '.join(known)}{validate.meant(question, known)}"
+            raise ValueError(f"question = {question!r} is not allowed: it must be one of {allowed}")
         if question in ("certify", "rest"):
             self.only_for_a_force(question)
             self.only_for_plain_damping(question)

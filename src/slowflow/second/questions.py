@@ -119,7 +119,8 @@ class SecondApproximation:
         """
         if question not in SECOND:
             why = f"; {question}: {UNANSWERED[question]}" if question in UNANSWERED else ""
-            raise ValueError(f"question = {question!r} is not allowed: it must be one of {', '.join(SECOND)}{why}")
+            allowed = f"{', '.join(SECOND)}{why or validate.meant(question, SECOND)}"
+            raise ValueError(f"question = {question!r} is not allowed: it must be one of {allowed}")
         first = self.first.explain(question, F_0)
         skipped = first.sticks or (question == "saddle_nodes" and not first.folds)
         after = Step("harmonics", not skipped, "nothing to begin with" if skipped else SECOND[question])

@@ -22,7 +22,7 @@ from slowflow.answer import Table, joined
 from slowflow.mechanism import Floats
 from slowflow.physical import Physical
 from slowflow.plausible import Implausible
-from slowflow.quantities import EXCITED, UNITS
+from slowflow.quantities import EXCITED, SHEET, UNITS, si, turns
 from slowflow.sizing.subject import Subject, first_jump
 
 #: share of all fits whose interval holds the number, if the noise is normal and the equations are right
@@ -41,6 +41,7 @@ class Fitted(NamedTuple):
     """A row of `Fit`."""
 
     parameter: str
+    unit: str
     value: float
     error: float
     low: float
@@ -51,7 +52,7 @@ class Fitted(NamedTuple):
 class Fit(Table):
     """Numbers that a measurement says, one row each.
 
-    value     -- the number, in SI units of a mount
+    value     -- the number, of a mount in SI units, which `unit` says
     error     -- its standard error; low, high -- its 95 % confidence interval
     design    -- the isolator or the mount that has these numbers
     residuals -- measured less fitted amplitude, or jump frequency, at each point, in the order of the points; up first
@@ -63,6 +64,7 @@ class Fit(Table):
     entry: ClassVar[Any] = Fitted
 
     parameter: npt.NDArray[np.str_]
+    unit: npt.NDArray[np.str_]
     value: Floats
     error: Floats
     low: Floats
@@ -114,6 +116,9 @@ def fit(
         (of if subject.mount is None else of.oscillator).at_centre("fit")
     if (A is None) == (jump_up is None and jump_down is None):
         raise ValueError("a fit needs either measured amplitudes A, or jump_up or jump_down")
+    if subject.mount:
+        F, f, A = si("F", F, EXCITED[subject.excitation][2]), turns("f", f), si("A", A, "meter")
+        jump_up, jump_down = turns("jump_up", jump_up), turns("jump_down", jump_down)
     if A is None:
         measured = _jumps(subject, F if subject.mount else F_0, jump_up, jump_down)
     else:
@@ -173,7 +178,8 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
         RAN_OUT.format(", ".join(np.array(names)[ends])) if ends.any() else "",
         ABSENT.format(absent, size) if absent else "",
     )
-    columns = (np.array(names), value, error, value - half, value + half)
+    units = np.array([SHEET[name] if subject.mount else "" for name in names], dtype=np.str_)
+    columns = (np.array(names), units, value, error, value - half, value + half)
     return Fit(*columns, design, np.asarray(found.fun), measured.at, measured.names, deviation, correlation, message)
 
 

@@ -125,9 +125,11 @@ class _Search:
             for name, limit in validate.mapping(which, given, "limits").items()
         ]
         self.names = subject.answered([name for name, _, _ in wanted], load)
-        self.wanted = [(name, validate.number(name, limit, above=0.0), sign) for name, limit, sign in wanted]
+        self.wanted = [
+            (name, validate.number(name, subject.limit(name, limit), above=0.0), sign) for name, limit, sign in wanted
+        ]
         self.free = list(free)
-        ends = [validate.window(name, pair) for name, pair in free.items()]
+        ends = [validate.window(name, _ends(subject, name, pair)) for name, pair in free.items()]
         self.low, self.high = np.array(ends, dtype=float).reshape(-1, 2).T
         self.start = np.array([subject.nominal[name] for name in free])
         # of designs that are asked one by one: answers by names and numbers, and shares of ranges that were tried
@@ -424,6 +426,15 @@ def front(
     columns = (answers[one][order], answers[other][order])
     said = NO_TRADE if len(kept) == 1 else ""
     return Front(*columns, (one, other), _units(subject, names), numbers, said, of)
+
+
+def _ends(subject: Subject, name: str, pair: Any) -> Any:
+    """A range of a number, as it was given or with its ends in SI units."""
+    try:
+        low, high = pair
+    except (TypeError, ValueError):  # said where it is told to be a pair
+        return pair
+    return subject.number(name, low), subject.number(name, high)
 
 
 def _over(worth: Callable[[Floats], Floats], which: int, level: float, values: Floats) -> Floats:

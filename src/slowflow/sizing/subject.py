@@ -22,7 +22,7 @@ from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.oscillator import Designs, Oscillator
 from slowflow.physical import Physical
 from slowflow.physical_moves import WORDS, g
-from slowflow.quantities import EXCITED, UNITS, si, size, sizes
+from slowflow.quantities import EXCITED, PINT, SHEET, UNITS, si, size, sizes, turns
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
@@ -165,12 +165,25 @@ class Subject:
         kind = self.kind(answer)
         return next(iter(UNITS[kind])) if self.mount and kind in UNITS else ""
 
+    def number(self, name: str, value: Any) -> Any:
+        """A value of a number of the design, of a mount in SI units if it is a quantity of pint."""
+        return si(name, value, PINT[SHEET[name]]) if self.mount else value
+
+    def limit(self, answer: str, value: Any) -> Any:
+        """A value of an answer, of a mount in SI units if it is a quantity of pint."""
+        unit = self.unit(answer)
+        if not self.mount:
+            return value
+        return turns(answer, value) if unit == "Hz" else si(answer, value, PINT.get(unit, unit))
+
     def load(self, F: Any, F_0: Any, f: Any, Omega: Any, shock: Any, spectrum: Any) -> Load:
         """What was given of F and f, of a mount, or F_0 and Omega, of an isolator, a shock and a load spectrum.
 
         Raises ValueError for those of the other one.
         """
         of, names = ("a mount", ("F", "f")) if self.mount else ("an isolator", ("F_0", "Omega"))
+        unit = EXCITED[self.excitation][2]
+        F, f = si("F", F, unit), turns("f", f)
         (forcing, frequency), others = ((F, f), (F_0, Omega)) if self.mount else ((F_0, Omega), (F, f))
         for what, name, other in zip(("forcing", "frequency"), names, others, strict=True):
             if other is not None:
@@ -183,6 +196,9 @@ class Subject:
             _pair("shock", shock, "(acceleration, duration)"),
             _pair("spectrum", spectrum, PAIR.format(*names)),
         )
+        if self.mount:
+            pulse = pulse and (si("shock[0]", pulse[0], "meter/second**2"), si("shock[1]", pulse[1], "second"))
+            table = table and (turns("spectrum[0]", table[0]), si("spectrum[1]", table[1], unit))
         if pulse is not None:
             pulse = tuple(validate.number(f"shock[{k}]", value, above=0.0) for k, value in enumerate(pulse))
         if table is not None:
@@ -212,7 +228,8 @@ class Subject:
             if name in IN_A_SHOCK and "eta" in self.laws:
                 raise validate.NotAvailable(AT_NO_FREQUENCY.format(name))
             if name not in self.answers:
-                raise ValueError(f"{name!r} is no answer: it must be one of {', '.join(self.answers)}")
+                allowed = f"{', '.join(self.answers)}{validate.meant(name, self.answers)}"
+                raise ValueError(f"{name!r} is no answer: it must be one of {allowed}")
             if needed := missing.get(self.answers[name]):
                 known = {"shock": "a shock of the base", "spectrum": "a load spectrum", frequency: "a frequency"}
                 what = known.get(needed, "a forcing")
@@ -223,7 +240,8 @@ class Subject:
         """Raises ValueError for a number that cannot be varied."""
         for name in names:
             if name not in self.nominal:
-                raise ValueError(f"{name!r} cannot be varied: it must be one of {', '.join(self.nominal)}")
+                known = f"{', '.join(self.nominal)}{validate.meant(name, self.nominal)}"
+                raise ValueError(f"{name!r} cannot be varied: it must be one of {known}")
 
     def ask(self, values: Mapping[str, Any], names: Iterable[str], load: Load) -> dict[str, Floats]:
         """These answers of designs whose numbers are as given, arrays of one shape, and else nominal.

@@ -15,9 +15,9 @@ import numpy.typing as npt
 from scipy.stats import qmc
 
 from slowflow import progress, validate
-from slowflow.answer import Table, frozen, optional
+from slowflow.answer import Table, frozen, in_text, optional
 from slowflow.mechanism import Floats
-from slowflow.quantities import KIND_OF, SHOWN, UNITS
+from slowflow.quantities import KIND_OF, PINT, SHOWN, UNITS, si
 from slowflow.sizing.subject import Load, Subject
 
 #: ends of a band: 95 of 100 samples lie within
@@ -67,6 +67,9 @@ class Tolerances(Table):
     samples: Mapping[str, Floats] = field(repr=False)
     drawn: Mapping[str, Floats] = field(repr=False)
 
+    def __str__(self) -> str:
+        return "\n".join(in_text(self.in_units()))
+
     def in_units(self) -> Tolerances:
         """The same in the units in which answers are shown: N, mm, Hz, ... . What was drawn stays in SI units."""
         kinds = [(KIND_OF[unit], unit) if unit else None for unit in self.unit.tolist()]
@@ -115,7 +118,8 @@ def _drawn(subject: Subject, within: Mapping[str, Any], shares: Floats) -> dict[
         if hasattr(off, "ppf"):
             found[name] = np.asarray(off.ppf(share), dtype=float)
         else:
-            part = validate.number(f"within[{name!r}]", off, least=0.0, below=1.0)
+            share_of = f"within[{name!r}]"
+            part = validate.number(share_of, si(share_of, off, PINT[""]), least=0.0, below=1.0)
             if part and not subject.nominal[name]:
                 raise ValueError(
                     f"within[{name!r}] = {part:g} is a share of 0: give a distribution of the value itself"
