@@ -14,8 +14,9 @@ from filelock import FileLock
 
 from tests.native import headers
 
-# what is derived in tests and examples, in this process and in those that it starts
-os.environ.setdefault("SLOWFLOW_DERIVED", tempfile.mkdtemp(prefix="slowflow-derived-"))
+# what is derived in tests and examples: once for all workers, which have it from the process that starts them
+if "PYTEST_XDIST_WORKER" not in os.environ:
+    os.environ["SLOWFLOW_DERIVED"] = tempfile.mkdtemp(prefix="slowflow-derived-")
 
 # figures are drawn, none is shown
 os.environ.setdefault("MPLBACKEND", "Agg")
@@ -50,18 +51,6 @@ def once(tmp_path_factory: pytest.TempPathFactory) -> Once:
         return folder
 
     return once
-
-
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """A folder of a module's own for what is derived in it."""
-    import slowflow_derived
-
-    with pytest.MonkeyPatch.context() as patch:
-        made = tmp_path_factory.mktemp("derived")
-        patch.setattr(slowflow_derived, "FOLDER", made)
-        patch.setattr(slowflow_derived, "__path__", [str(made)])
-        yield made
 
 
 @pytest.fixture(scope="session")

@@ -45,7 +45,7 @@ def oscillator(case):
 
 
 @pytest.fixture(scope="module")
-def by_quadrature(folder):
+def by_quadrature():
     """The same force, with a term without a closed average that its factor leaves out."""
     u, alpha, beta, gamma, end, nothing = sp.symbols("u a b g end nothing")
     inside = alpha * u + beta * u**3 + gamma * u**5 + nothing * sp.sin(u) ** 3
@@ -81,7 +81,7 @@ def test_a_force_that_is_averaged_by_quadrature_has_the_certified_answers(by_qua
     assert error(osc.saddle_node_onset().F_SN, case["onset"], "F_SN") < ONSET
 
 
-def test_laws_are_refused_where_the_stiffness_at_rest_is_infinite(folder):
+def test_laws_are_refused_where_the_stiffness_at_rest_is_infinite():
     u, k = sp.symbols("u k")
     root = derive.mechanism("damped_root", [(u + k * sp.sqrt(u), None)], {"k": {"above": 0}})
     with pytest.raises(ValueError, match="its stiffness is infinite at u = 0"):

@@ -13,6 +13,8 @@ import shutil
 import subprocess
 import sys
 import sysconfig
+from collections.abc import Iterator
+from pathlib import Path
 
 import mpmath as mp
 import numpy as np
@@ -35,6 +37,18 @@ NUMBERS = {"k_1": 0.8, "k_2": 6.0, "gap": 0.2, "mu": 0.01, "zeta": 0.02}
 pytestmark = pytest.mark.usefixtures("folder")
 
 COMPILED = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """A folder of a module's own for what is derived in it."""
+    import slowflow_derived
+
+    with pytest.MonkeyPatch.context() as patch:
+        made = tmp_path_factory.mktemp("derived")
+        patch.setattr(slowflow_derived, "FOLDER", made)
+        patch.setattr(slowflow_derived, "__path__", [str(made)])
+        yield made
 
 
 @pytest.fixture(scope="module")

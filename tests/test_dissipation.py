@@ -638,7 +638,7 @@ def test_what_has_no_answer_is_refused_in_words():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("F_0", [0.1, 0.3])
-def test_structural_damping_alone_on_a_stop_that_is_averaged_by_sums(folder, F_0):
+def test_structural_damping_alone_on_a_stop_that_is_averaged_by_sums(F_0):
     """Without zeta Omega^2 is explicit in A, with h by quadrature of the force as typed: it turns at the folds."""
     sp = pytest.importorskip("sympy")
     from slowflow import derive

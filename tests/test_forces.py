@@ -51,13 +51,12 @@ MORE = {
         ("k", "c", "gap"),
     ),
 }
-pytestmark = pytest.mark.usefixtures("folder")
 
 CASES = json.loads((Path(__file__).parent / "data" / "forces.json").read_text())
 
 
 @pytest.fixture(scope="module")
-def derived(folder):
+def derived():
     """Each mechanism, derived once."""
     made = {}
 
@@ -226,7 +225,7 @@ def test_gradients_are_what_neighbours_differ_by(derived, name, numbers):
             np.testing.assert_allclose(moves[x, by], expected, rtol=1e-5, atol=1e-7)
 
 
-def test_stiffnesses_that_cancel_leave_what_rounding_allows(folder):
+def test_stiffnesses_that_cancel_leave_what_rounding_allows():
     """Three springs without stiffness at rest: an error as of some roundings of the parameters."""
     pieces = [(u + 2 * k * u * (1 - c / sp.sqrt(1 + u**2)), None)]
     springs = derive.mechanism("three", pieces, {"k": ABOVE_0, "c": ABOVE_0}, reach=3)
@@ -259,7 +258,7 @@ def test_the_derivation_of_a_contact_tells_all_that_it_is_made_of(derived):
 
 
 @pytest.mark.slow
-def test_a_parameter_may_be_called_as_something_in_the_derivation_or_in_printed_code(folder):
+def test_a_parameter_may_be_called_as_something_in_the_derivation_or_in_printed_code():
     """Each name stands for the same number: what else is called so is kept apart."""
     as_k = derive.mechanism("named", [(k * sp.sin(u), None)], {"k": ABOVE_0}).record.averaged(0.7, 1.3)
     for name in ("L", "k_v", "sine", "np", "sum_0", "t0"):
@@ -284,7 +283,7 @@ def test_the_fold_locus_of_a_preload_passes_through_its_folds(oscillator):
 
 
 @pytest.mark.slow
-def test_a_dead_zone_has_an_onset(folder):
+def test_a_dead_zone_has_an_onset():
     """Where there is no force at all there is nothing to search; beyond the onset there are two folds more."""
     pieces, parameters = [(0, gap), (k * (u - gap), None)], {"k": ABOVE_0, "gap": ABOVE_0}
     found = []
@@ -299,7 +298,7 @@ def test_a_dead_zone_has_an_onset(folder):
 
 
 @pytest.mark.slow
-def test_a_piece_without_extent_says_nothing_of_the_rest(folder):
+def test_a_piece_without_extent_says_nothing_of_the_rest():
     """With its gap closed a spring is linear, whatever it does in the gap; single and in a batch with open ones."""
     for name, inside in (("pushes", -u), ("pulls", u + 1 - u**3)):
         closing = derive.mechanism(name, [(inside, gap), (3 * u, None)], {"gap": {"least": 0, "below": 0.5}}, reach=2)
@@ -314,7 +313,7 @@ def test_a_piece_without_extent_says_nothing_of_the_rest(folder):
             assert many.saddle_node_onset().status[0] == Status.NONE and many.margins(4.0).F_SN[0] == np.inf
 
 
-def test_a_response_is_cut_at_the_reach(folder):
+def test_a_response_is_cut_at_the_reach():
     """A pendulum that is driven over the top has no steady state there; below it the response is whole."""
     pendulum = derive.mechanism(
         "to_the_top", [(k * sp.sin(u), None)], {"k": ABOVE_0}, reach=3.1, reach_reason="it stands on its head"
@@ -329,7 +328,7 @@ def test_a_response_is_cut_at_the_reach(folder):
 
 
 @pytest.mark.parametrize("compiled", [False, pytest.param(True, marks=pytest.mark.slow)])
-def test_it_is_told_whether_the_response_to_a_force_closes(folder, compiled):
+def test_it_is_told_whether_the_response_to_a_force_closes(compiled):
     """A force that gives way: the response closes where a peak ends it below the reach, and not where none does."""
     if compiled and backend.SOLVER is None:
         pytest.skip("the compiled solvers are not there")
@@ -353,7 +352,7 @@ def test_a_preload_moves_but_is_not_followed_in_time(oscillator):
 
 
 @pytest.fixture(scope="module")
-def preloaded(folder):
+def preloaded():
     """A preload on a linear spring, whose folds have a closed form."""
     return derive.mechanism("preloaded", [(c + k * u, None)], {"c": ABOVE_0, "k": ABOVE_0})
 
@@ -411,7 +410,7 @@ def test_a_mass_that_a_preload_holds_at_rest_is_said_beside_the_motions(preloade
 
 
 @pytest.mark.parametrize("compiled", [False, pytest.param(True, marks=pytest.mark.slow)])
-def test_small_motions_with_a_preload_are_not_missed(folder, compiled):
+def test_small_motions_with_a_preload_are_not_missed(compiled):
     """Where h is not 0 at rest h/A has no bound: without friction the peak is a root of (k - zeta^2) A^2 + 4c/pi A =
     (F_0/(2 zeta))^2; a preload that pushes outwards balances the spring at A = -4c/(pi k), from where folds begin.
     """
@@ -436,7 +435,7 @@ def test_small_motions_with_a_preload_are_not_missed(folder, compiled):
 
 
 @pytest.mark.slow
-def test_within_a_play_no_mean_is_singled_out_and_that_is_said(folder):
+def test_within_a_play_no_mean_is_singled_out_and_that_is_said():
     """There u = B + F_0/(Omega sqrt(Omega^2 + 4 zeta^2)) cos(...) is a motion for every B that keeps it in the play."""
     play = derive.mechanism("a_play", [(0, gap), (k * (u - gap), None)], {"k": ABOVE_0, "gap": ABOVE_0})
     Omega, F_0, zeta = 0.6, 0.05, 0.1
@@ -453,7 +452,7 @@ def test_within_a_play_no_mean_is_singled_out_and_that_is_said(folder):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("compiled", [False, True])
-def test_ends_that_do_not_rise_with_the_numbers_given_are_refused(folder, compiled):
+def test_ends_that_do_not_rise_with_the_numbers_given_are_refused(compiled):
     """The second stop inside the first, both at one place, and a gap below 0: no piece lies there."""
     if compiled and backend.SOLVER is None:
         pytest.skip("the compiled solvers are not there")
@@ -498,7 +497,7 @@ def test_the_compiled_solvers_know_what_a_preload_does_to_the_onset(preloaded):
         preloaded(c=0.05, k=1.0).saddle_node_onset()
 
 
-def test_where_a_hyperbolic_tangent_saturates_nothing_cancels(folder):
+def test_where_a_hyperbolic_tangent_saturates_nothing_cancels():
     """1 - tanh^2 in its derivatives is 1/cosh^2: as a difference it kept sums from settling at all at A = 3."""
     pad = derive.mechanism("saturates", [(c * u + k * sp.tanh(3 * u), None)], {"k": {}, "c": ABOVE_0})
     found = pad(k=0.99, c=1.41).model.averaged(3.0)
@@ -522,7 +521,7 @@ def test_where_a_hyperbolic_tangent_saturates_nothing_cancels(folder):
     ],
     ids=["exp(u) - 1", "log(1 + u)", "sqrt(1 + u) - 1", "cosh(u) - 1"],
 )
-def test_a_force_whose_terms_cancel_at_rest_keeps_its_digits_there(folder, force, value):
+def test_a_force_whose_terms_cancel_at_rest_keeps_its_digits_there(force, value):
     """exp(u) - 1 for u > 0, and the like: as a difference no sum settled next to rest, and no question was answered."""
     made = derive.mechanism("cancels", [(k * force, None)], {"k": ABOVE_0}, reach=5, reach_reason="it is no longer")
     one = made(k=1.0, mu=0.01, zeta=0.05)
@@ -534,20 +533,20 @@ def test_a_force_whose_terms_cancel_at_rest_keeps_its_digits_there(folder, force
 
 
 @pytest.mark.parametrize("force", [sp.sin(u), sp.tan(u)], ids=str)
-def test_a_force_that_does_not_hold_motions_of_any_size_asks_for_its_reach(folder, force):
+def test_a_force_that_does_not_hold_motions_of_any_size_asks_for_its_reach(force):
     stated = "endless", [(k * force, None)], {"k": ABOVE_0}
     with pytest.raises(OverflowError, match=r"does not hold motions of any size.*`reach`, a number > 0"):
         derive.mechanism(*stated)(k=1.0, zeta=0.05).saddle_nodes(0.05)
     assert derive.mechanism(*stated, reach=1.5)(k=1.0, zeta=0.05).saddle_node_onset().kind == "cusp"
 
 
-def test_nothing_is_asked_beyond_the_reach(folder):
+def test_nothing_is_asked_beyond_the_reach():
     """u/(1 - u), infinite at 1: whether it is linear was asked there."""
     made = derive.mechanism("pole", [(k * u / (1 - u), None)], {"k": ABOVE_0}, reach=0.95)
     assert made(k=1.0, mu=0.01, zeta=0.05).saddle_node_onset().kind == "cusp"
 
 
-def test_motions_of_a_force_with_no_finite_stiffness_at_rest_are_refused(folder):
+def test_motions_of_a_force_with_no_finite_stiffness_at_rest_are_refused():
     root = derive.mechanism("root", [(k * sp.sqrt(u), None)], {"k": ABOVE_0})(k=1.0, zeta=0.05)
     with pytest.raises(ValueError, match="its stiffness is infinite at u = 0"):
         root.steady_state(Omega=0.6, F_0=0.05)
@@ -556,7 +555,7 @@ def test_motions_of_a_force_with_no_finite_stiffness_at_rest_are_refused(folder)
 @pytest.mark.parametrize(
     ("slope", "power", "zeta"), [(1.0, 1.5, 0.03), (1.0, 1.2, 0.03), (0.01, 1.5, 0.2), (0.0, 1.5, 0.03)]
 )
-def test_an_onset_is_found_where_h_bends_without_bound_at_rest(folder, slope, power, zeta):
+def test_an_onset_is_found_where_h_bends_without_bound_at_rest(slope, power, zeta):
     """It satisfies F = F_A = F_AA = 0, and two folds are born there; also where damping outweighs the slope at rest."""
     made = derive.mechanism("bends", [(c * u + k * u**p, None)], {"c": {}, "k": ABOVE_0, "p": ABOVE_0})
     one = made(c=slope, k=0.5, p=power, mu=0.01, zeta=zeta)

@@ -19,7 +19,6 @@ from tests.test_forces import ABOVE_0, CASES, DAMPING, FORCES, MORE, c, k, slow_
 
 pytestmark = [
     pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use"),
-    pytest.mark.usefixtures("folder"),
 ]
 
 #: compiled in the fast run too: one piece, two pieces, a broken power
@@ -27,7 +26,7 @@ FEW = ("wave", "soft_stop", "power")
 
 
 @pytest.fixture(scope="module")
-def derived(folder):
+def derived():
     """Each mechanism, derived once: on NumPy, and compiled under another name."""
     made = {}
 
@@ -178,7 +177,7 @@ def test_a_curve_goes_on_where_the_mass_first_touches_a_contact(derived):
 
 
 @pytest.mark.slow
-def test_an_average_that_does_not_settle_is_no_answer(folder):
+def test_an_average_that_does_not_settle_is_no_answer():
     """A step that is steeper than any panel: both kinds of solvers refuse, and the average says why."""
     pieces = [(u + sp.tanh(k * (u - c)), None)]
     step = derive.mechanism("step", pieces, {"k": ABOVE_0, "c": ABOVE_0}, compile=True)

@@ -19,8 +19,6 @@ from slowflow.averaged.reference.cells import samples_at
 from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.averaged.reference.intervals import Elementary
 
-pytestmark = pytest.mark.usefixtures("folder")
-
 CASES = json.loads((Path(__file__).parent / "data" / "stated.json").read_text())
 DAMPING = {"mu": 0.01, "zeta": 0.03}
 ABOVE_0 = {"above": 0}

@@ -46,7 +46,7 @@ FAST = {False: "root", True: "exponential"}
 
 
 @pytest.fixture(scope="module")
-def derived(folder):
+def derived():
     """A mechanism, derived once."""
     made = {}
 

@@ -6,6 +6,7 @@ Out: `KernelView`, or a dict for what only calls others.
 
 from __future__ import annotations
 
+import functools
 import itertools
 import textwrap
 from collections import Counter
@@ -147,8 +148,9 @@ def programs(module: Module) -> Code:
     }
 
 
+@functools.cache
 def templates(folder: Path) -> jinja2.Environment:
-    """The templates below `folder`, which is a target's; what they use and nobody defined is an error."""
+    """The templates below `folder`, which is a target's, each compiled once; what they use undefined is an error."""
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(folder / "templates"),
         undefined=jinja2.StrictUndefined,
