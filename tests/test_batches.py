@@ -316,7 +316,7 @@ def test_springs_that_never_touch_leave_a_linear_mount_without_an_end(force):
     states = designs.amplitudes(Omega=Omega, F_0=F_0)
     expected = F_0 / np.hypot(1 - Omega**2, 2 * np.array([0.0, 0.01]) * Omega)
     np.testing.assert_allclose(states.A[:, 0, 0], expected, rtol=1e-14)
-    assert states.remarks[:, 0].tolist() == [0, 0] and states.remarks[1, 1] == Remark.BEYOND_REACH
+    assert states.remarks[:, 0].tolist() == [Remark.CUT, 0] and states.remarks[1, 1] == Remark.BEYOND_REACH
     onset = designs.saddle_node_onset()
     assert onset.status[:, 0].tolist() == [Status.NONE] * 2 and np.isinf(designs.margins(F_0).F_SN[:, 0]).all()
     np.testing.assert_allclose(designs.isolation(F_0).Omega[:, 0], math.sqrt(2), rtol=1e-13)

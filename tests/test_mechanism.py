@@ -11,7 +11,8 @@ from numpy.testing import assert_allclose
 
 from slowflow.mechanism import Law, Mechanism
 from slowflow.oscillator import Oscillator
-from slowflow_kernels import duffing
+from slowflow_kernels import duffing, rod_spring, rod_spring_untruncated
+from slowflow_kernels.conventions import Status
 
 
 def _doubled(A, alpha, beta):
@@ -59,3 +60,49 @@ def test_a_record_of_ones_own_is_pickled_by_its_functions():
     own = Mechanism(**{**stated, "pieces": (law,), **dict.fromkeys(named, _doubled), "load_untruncated": None})
     assert pickle.loads(pickle.dumps(own)) == own
     assert pickle.loads(pickle.dumps(duffing.MECHANISM)) is duffing.MECHANISM
+
+
+def _zero_over_zero(A, alpha, beta):
+    """Right wherever A > 0."""
+    A = np.asarray(A, dtype=float)
+    with np.errstate(invalid="ignore"):
+        own = A / A
+    return tuple(own * value for value in duffing.MECHANISM.averaged(A, alpha, beta))
+
+
+def _without_alpha_at_rest(A, alpha, beta):
+    """As where the limit is stated as a special case, wrong."""
+    at = np.asarray(A, dtype=float) > 0
+    return duffing.MECHANISM.averaged(A, np.where(at, alpha, 0.0), beta)
+
+
+def _with_a_step_at_rest(A, alpha, beta):
+    h, *slopes = duffing.MECHANISM.averaged(A, alpha, beta)
+    return h - np.where(np.asarray(A, dtype=float) > 0, 0.0, 0.25), *slopes
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize(
+    ("averaged", "said"),
+    [
+        (_zero_over_zero, "h = nan there"),
+        (_without_alpha_at_rest, "h_A = -0 there, while .* df/du = 1"),
+        (_with_a_step_at_rest, r"h = -0.25 there, while its force has f\(0\) = 0"),
+    ],
+)
+def test_a_record_that_does_not_hold_at_rest_is_refused(averaged, said):
+    """Folds and onsets of it were answered, with what a wrong stiffness at rest makes of them."""
+    wrong = dataclasses.replace(duffing.MECHANISM, averaged=averaged)
+    numbers = {"alpha": 1.0, "beta": 0.3, "mu": 0.01, "zeta": 0.05}
+    with pytest.raises(ValueError, match=f"the record of duffing does not hold at A = 0: averaged gives {said}"):
+        Oscillator(wrong, **numbers)
+    assert Oscillator.many(wrong, **numbers).saddle_node_onset().status == Status.INVALID
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("delta_h", [0.0, 1e-300, 0.3, 1 - 1e-12])
+def test_a_record_that_was_changed_elsewhere_is_not_refused(delta_h):
+    """Of delta_h = 0 the first piece has no extent; next to 1 that piece is as steep as 1/(1 - delta_h)."""
+    for shipped in (rod_spring.MECHANISM, rod_spring_untruncated.MECHANISM):
+        changed, numbers = dataclasses.replace(shipped, title="another"), {"lam": 1.0, "r": 0.3, "delta_h": delta_h}
+        assert Oscillator(changed, **numbers, mu=0.01, zeta=0.05).model.preload == 0

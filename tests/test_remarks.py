@@ -237,3 +237,26 @@ def test_an_onset_is_not_refused_for_the_other_force_whose_onset_is_unresolved(a
     u_cr = math.sqrt(1 - above**2)
     Omega = Isolator(**design).backbone(u_cr)
     assert found.F_SN == pytest.approx(4 * 0.01 / math.pi + 2 * 0.05 * u_cr * Omega, rel=max(above, 1e-14))
+
+
+@pytest.mark.both_backends
+def test_where_a_response_is_cut_is_said_in_codes_by_the_batch_too():
+    """It was said in words only: a batch has none, and eight bits held eight codes."""
+    undamped, ends_open = {"mu": 0.01, "zeta": 0.0}, {"mu": 0.0, "zeta": 0.05, "excitation": "unbalance"}
+    asked = (
+        (Duffing, {"alpha": 1.0, "beta": 0.5, **undamped}, 0.4, True),
+        (Duffing, {"alpha": 1.0, "beta": 0.01, **ends_open}, 0.4, False),
+        (Duffing, {"alpha": 1.0, "beta": 0.5, **ends_open}, 0.4, True),
+        (Duffing, {"alpha": 1.0, "beta": 0.5, "mu": 0.01, "zeta": 0.05}, 0.4, False),
+        (Isolator, {"lam": 1.0, "r": 1.0, "delta_h": 0.5, **undamped}, 0.2, True),
+    )
+    for make, design, F_0, cut in asked:
+        one, many = make(**design), make.many(**design)
+        for single, batch in (
+            (one.saddle_nodes(F_0), many.saddle_nodes(F_0)),
+            (one.amplitudes(Omega=1.3, F_0=F_0), many.amplitudes(Omega=1.3, F_0=F_0)),
+            (one.frequency_response(F_0, samples=20), many.frequency_response(F_0, samples=20)),
+        ):
+            assert int(single.remarks) == int(batch.remarks)
+            assert (Remark.CUT in single.remarks) == ("cut at A = " in single.message)
+        assert (Remark.CUT in single.remarks) == cut

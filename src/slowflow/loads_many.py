@@ -216,7 +216,7 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
         status=status.astype(np.int8),
         _designs=designs,
         _F_0=F_0,
-        _said=np.where(allowed, folds.remarks | onsets.remarks | detachments.remarks, np.uint8(0)),
+        _said=np.where(allowed, folds.remarks | onsets.remarks | detachments.remarks, np.uint16(0)),
     )
 
 

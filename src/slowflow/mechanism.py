@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from slowflow_kernels import duffing, inertia
+from slowflow_kernels import duffing, inertia, slow_flow
 from slowflow_support.record import Function, Law, Mechanism, Parameter
 
 __all__ = [
@@ -228,6 +228,31 @@ def check_followed(force: Force, name: str) -> None:
 
 #: alpha and beta of the cubic spring that is linear
 LINEAR = (1.0, 0.0)
+
+
+#: of the numbers that h and its slope are made of: what rounding in a formula of another's may cost
+LOST_AT_REST = 1e-6
+
+
+def check_at_rest(mechanism: Mechanism, parameters: tuple[float, ...]) -> None:
+    """Raises ValueError for a record whose average at A = 0 is not that of its force: -4/pi f (20), and -df/du.
+
+    A formula of h that is 0/0 there, or wrong, is no formula at rest, where every search begins.
+    """
+    if not mechanism.odd:
+        return
+    piece = Force.of(mechanism, parameters).pieces[0]
+    with np.errstate(all="ignore"):
+        f, slope = piece.value(0.0), piece.slope(0.0)
+        found = tuple(float(value) for value in mechanism.at_rest(*parameters)[:2])
+        expected = -float(slow_flow.friction(f)), -slope
+    near = LOST_AT_REST * max(map(abs, (*parameters, *expected, 1.0)))
+    for name, value, wanted in zip(("h", "h_A"), found, expected, strict=True):
+        if math.isfinite(wanted) and not abs(value - wanted) <= near:
+            raise ValueError(
+                f"the record of {mechanism.name} does not hold at A = 0: averaged gives {name} = {value:g} there, "
+                f"while its force has f(0) = {f:g} and df/du = {slope:g}, so that {name} is {wanted:g}"
+            )
 
 
 def linear() -> Force:

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from slowflow import backend, validate
-from slowflow.mechanism import Floats, Mechanism, Parameter
+from slowflow.mechanism import Floats, Mechanism, Parameter, check_at_rest
 from slowflow_kernels import dissipation, inertia
 from slowflow_kernels import slow_flow as general_flow
 from slowflow_kernels.domains import DAMPING, DISSIPATION, RUBS
@@ -159,6 +159,8 @@ class Model:
         m, breakpoints, jumps = self._prepared() if native is None else backend.prepared(native)
         flow = general_flow if self.laws.any else flow_of(*damping)
         self.__dict__.update(flow=flow, m=m, breakpoints=breakpoints, jumps=jumps, native=native)
+        if native is None and not self.mechanism.is_generated:
+            check_at_rest(self.mechanism, self.parameters)
         if self.laws.any:
             self._check_laws()
 

@@ -43,6 +43,8 @@ class Remark(IntFlag):
     HELD_AT_REST = 64
     #: next to where folds meet, or states do: doubles do not tell how many there are, nor does a proof in intervals
     UNDECIDED = 128
+    #: states of larger amplitudes there are, or may be: the response is cut, as nothing bounds it or at the reach
+    CUT = 256
 
 
 class State(NamedTuple):

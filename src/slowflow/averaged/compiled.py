@@ -18,7 +18,6 @@ from slowflow.results import (
     FrequencyResponse,
     IsolaPoints,
     Peak,
-    Remark,
     SaddleNodeOnset,
     SaddleNodes,
     SteadyStates,
@@ -61,10 +60,9 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
     status, Omega, A, up, corner, undecided = backend.solver().saddle_nodes(model.native, F_0)
     _check(status, model, F_0)
-    remark = _remark(model, F_0)
-    message = remark if A.size or undecided or (remark and model.inertial) else words.NO_FOLD.format(F_0)
-    beside = Remark.UNDECIDED if undecided else Remark(0)
-    return SaddleNodes(Omega, A, np.where(up, "jump-up", "jump-down"), corner, F_0, message, model, remarks=beside)
+    message, cut = words.of_folds(model, F_0, A.size > 0 or undecided, _remark(model, F_0))
+    codes = words.beside(undecided, cut)
+    return SaddleNodes(Omega, A, np.where(up, "jump-up", "jump-down"), corner, F_0, message, model, remarks=codes)
 
 
 def onset(model: Model) -> SaddleNodeOnset:
@@ -130,19 +128,19 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     moves = A > 0
     if not moves.all():  # where the response to an excitation by inertia begins the mass is at rest
         Omega, A, stable, branch = Omega[moves], A[moves], stable[moves], branch[moves]
-    message = _remark(model, F_0)
-    if not A.size:
-        message = joined(message, words.empty_window(window))
-    beside = Remark.UNDECIDED if undecided else Remark(0)
-    return FrequencyResponse(Omega, A, stable, F_0, message, model, branch, isola, remarks=beside)
+    remark = _remark(model, F_0)
+    message = remark if A.size else joined(remark, words.empty_window(window))
+    codes = words.beside(undecided, remark)
+    return FrequencyResponse(Omega, A, stable, F_0, message, model, branch, isola, remarks=codes)
 
 
 def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
     status, at, A, stable, undecided = backend.solver().steady_states(model.native, F_0, Omega)
     _check(status, model, F_0)
-    message = joined(_remark(model, F_0), words.without_a_state(np.setdiff1d(Omega, undecided), at))
+    remark = _remark(model, F_0)
+    message = joined(remark, words.without_a_state(np.setdiff1d(Omega, undecided), at))
     message = joined(message, words.sticks_below(model, F_0, Omega))
     message = joined(message, words.undecided_at(undecided))
-    beside = Remark.UNDECIDED if undecided.size else Remark(0)
-    return SteadyStates(at, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=beside)
+    codes = words.beside(undecided.size > 0, remark)
+    return SteadyStates(at, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=codes)

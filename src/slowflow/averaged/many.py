@@ -83,7 +83,7 @@ class Batch(Answer):
     def layout(cls) -> dict[str, Column]:
         """What each column is, by name; remarks last."""
         kinds = {field.name: TYPES[str(field.type)] for field in fields(cls) if field.repr}
-        kinds["remarks"] = np.uint8
+        kinds["remarks"] = np.uint16
         axes = {name: (cls.inner[name],) if name in cls.inner else () for name in kinds}
         return {name: Column(axes[name], np.dtype(kind)) for name, kind in kinds.items()}
 
@@ -186,7 +186,7 @@ class Batch(Answer):
     def remarks(self) -> remarks.Codes:
         """What to bear in mind with each design's answer, sums of `slowflow.results.Remark`, as a single one has it."""
         asked = (self.status != Status.INVALID) & (self.status != Status.STICKS)
-        return frozen(np.where(asked, self._designs.remarks(self._F_0, *self._found()), np.uint8(0)))
+        return frozen(np.where(asked, self._designs.remarks(self._F_0, *self._found()), np.uint16(0)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -236,7 +236,7 @@ class Onsets(Batch):
     @cached_property
     def remarks(self) -> remarks.Codes:
         """As of all batches, and `Remark.FOLDS_AT_REST`."""
-        return frozen(super().remarks | np.where(self.at_rest, np.uint8(Remark.FOLDS_AT_REST), np.uint8(0)))
+        return frozen(super().remarks | np.where(self.at_rest, np.uint16(Remark.FOLDS_AT_REST), np.uint16(0)))
 
     @cached_property
     def untruncated(self) -> Floats:
@@ -265,10 +265,29 @@ class Counted(Batch):
     if TYPE_CHECKING:  # each has it as a column
         undecided: Codes
 
+    @property
+    def _are_cut(self) -> Any:
+        """Whose response is cut: nothing bounds it, or nothing below the mechanism's reach."""
+        designs = self._designs
+        damping = (np.asarray(designs.values.get(name, 0.0)) for name in ("zeta", *(one.name for one in DISSIPATION)))
+        undamped = np.all(np.broadcast_arrays(*(value == 0 for value in damping)), axis=0)
+        if designs.excitation == "force" and designs.mechanism.enclosed is None:
+            return undamped
+        # what does not close has no peak
+        return undamped | (designs.peak(self._F_0).status == Status.UNBOUNDED)
+
+    @property
+    def _may_be_cut(self) -> Any:
+        """Whether what lies beyond a cut would be part of the answer."""
+        return True
+
     @cached_property
     def remarks(self) -> remarks.Codes:
-        """As of all batches, and `Remark.UNDECIDED`."""
-        return frozen(super().remarks | np.where(self.undecided, np.uint8(Remark.UNDECIDED), np.uint8(0)))
+        """As of all batches, `Remark.UNDECIDED` and `Remark.CUT`."""
+        undecided = np.where(self.undecided, np.uint16(Remark.UNDECIDED), np.uint16(0))
+        asked = (self.status != Status.INVALID) & (self.status != Status.STICKS)
+        cut = np.where(asked & self._may_be_cut & self._are_cut, np.uint16(Remark.CUT), np.uint16(0))
+        return frozen(super().remarks | undecided | cut)
 
 
 @dataclass(frozen=True, eq=False)
@@ -336,6 +355,10 @@ class Folds(Counted):
 
     def _found(self) -> tuple[Any, Any, Any]:
         return self.Omega, self.A, self._corner
+
+    @property
+    def _may_be_cut(self) -> Any:
+        return (self.count > 0) | (self.undecided != 0) | (self._designs.excitation != "force")
 
     @property
     def _corner(self) -> Any:

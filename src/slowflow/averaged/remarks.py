@@ -19,7 +19,7 @@ from slowflow.model import held as held_up_to
 from slowflow.results import Remark
 from slowflow_kernels import slow_flow
 
-Codes = npt.NDArray[np.uint8]
+Codes = npt.NDArray[np.uint16]
 Flags = npt.NDArray[np.bool_]
 
 NOTHING = Remark(0)
@@ -84,7 +84,7 @@ def of_designs(
         Remark.OF_TRUNCATION: on_jump,
         Remark.HELD_AT_REST: (force <= held[..., np.newaxis]).any(axis=-1),
     }
-    return np.asarray(sum(int(remark) * holds for remark, holds in codes.items()), dtype=np.uint8)
+    return np.asarray(sum(int(remark) * holds for remark, holds in codes.items()), dtype=np.uint16)
 
 
 def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = None, *, centred: bool = False) -> Remark:

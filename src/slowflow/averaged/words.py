@@ -78,6 +78,21 @@ def does_not_close(A_max: float) -> tuple[float, str]:
     return A_max, NOT_CLOSED.format(A_max)
 
 
+def beside(undecided: bool, cut: str) -> Remark:
+    """What is said in codes of an answer whose number rounding may decide; `cut` in words, empty where it is not."""
+    return Remark(int(Remark.UNDECIDED) * bool(undecided) + int(Remark.CUT) * bool(cut))
+
+
+def of_folds(model: Model, F_0: float, told: bool, cut: str) -> tuple[str, str]:
+    """The message of folds, and what it has of where the response is cut, `cut`, in words or empty.
+
+    told -- whether there are folds, or may be. Where there are none, cutting an undamped response leaves none out: it
+        ends where what is beyond has no fold
+    """
+    kept = cut if told or model.inertial else ""
+    return kept if told or kept else NO_FOLD.format(F_0), kept
+
+
 def sticks(model: Model, F_0: float) -> str:
     """Why the mass stays at rest (27)."""
     return f"sticks: F_0 = {F_0:g} does not exceed 4 mu/pi = {model.m:g}"

@@ -84,7 +84,7 @@ class Shocked(Batch):
         mechanism, design = self._designs.mechanism, self._designs.design
         with np.errstate(all="ignore"):  # what is no design has no pieces
             beyond = mechanism.reach_at(*mechanism.coefficients(*design)) < self.A
-        return frozen(np.where(beyond, np.uint8(Remark.BEYOND_REACH), np.uint8(0)))
+        return frozen(np.where(beyond, np.uint16(Remark.BEYOND_REACH), np.uint16(0)))
 
     def _asked_at(self) -> dict[str, Any]:
         return {name: np.asarray(value) for name, value in self._pulse.items()}

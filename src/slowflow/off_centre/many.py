@@ -299,7 +299,7 @@ class OffCentreDesigns:
         tones = [np.broadcast_to(value, shape).astype(float) for value in asked.values()]
         columns: dict[str, Any] = {name: np.full(shape, np.nan) for name in ("A", "transmissibility_dB")}
         columns |= {name: np.zeros(shape, np.int8) for name in ("motions", "crosses", "detaches", "sticks")}
-        status, said = np.full(shape, Status.INVALID, np.int8), np.zeros(shape, np.uint8)
+        status, said = np.full(shape, Status.INVALID, np.int8), np.zeros(shape, np.uint16)
         for place in np.ndindex(shape[:-1]):
             own = tuple(float(value[place]) for value in numbers)
             for run in _runs(*(tone[place] for tone in tones)):
@@ -391,7 +391,7 @@ class OffCentreDesigns:
         for column in columns.values():
             if column.dtype == float:
                 column[...] = np.nan
-        said = np.zeros(shape, np.uint8)
+        said = np.zeros(shape, np.uint16)
         given = np.broadcast_arrays(*values.values())
         for place in np.ndindex(shape):
             numbers = tuple(float(value[place]) for value in given)

@@ -24,7 +24,7 @@ from slowflow.averaged.reference.locus import Stations
 from slowflow.averaged.reference.roots import fold_roots, response_roots
 from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import THROUGHOUT, Floats, Model
-from slowflow.results import Remark, SaddleNodes
+from slowflow.results import SaddleNodes
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import CLOSE, NEAR_END
 
@@ -44,10 +44,10 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     up = np.concatenate((up, corner_up))
     corner = np.arange(A.size) >= A.size - corner_A.size
     order = np.argsort(Omega, kind="stable")
-    message = remark if A.size or undecided or (remark and model.inertial) else words.NO_FOLD.format(F_0)
+    message, cut = words.of_folds(model, F_0, A.size > 0 or undecided, remark)
     kind = np.where(up, "jump-up", "jump-down")[order]
-    beside = Remark.UNDECIDED if undecided else Remark(0)
-    return SaddleNodes(Omega[order], A[order], kind, corner[order], F_0, message, model, remarks=beside)
+    codes = words.beside(undecided, cut)
+    return SaddleNodes(Omega[order], A[order], kind, corner[order], F_0, message, model, remarks=codes)
 
 
 def _points(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, bool]:

@@ -66,6 +66,11 @@ class Skeleton:
     message: str
 
     @property
+    def remarks(self) -> Remark:
+        """Of a curve."""
+        return words.beside(Remark.UNDECIDED in self.folds.remarks, self.message)
+
+    @property
     def segments(self) -> list[Segment]:
         return [segment for curve in self.curves for segment, _ in curve]
 
@@ -338,8 +343,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
         empty = np.empty(0)
         message = joined(found.message, words.empty_window(window))
         none = np.empty(0, np.intp)
-        beside = found.folds.remarks
-        return FrequencyResponse(empty, empty, empty > 0, F_0, message, model, none, (), remarks=beside)
+        return FrequencyResponse(empty, empty, empty > 0, F_0, message, model, none, (), remarks=found.remarks)
     moves = np.concatenate(A) > 0  # where the response begins the mass is at rest
     return FrequencyResponse(
         np.concatenate(Omega)[moves],
@@ -350,7 +354,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
         model,
         np.concatenate(branch)[moves],
         tuple(closed for _, closed in curves),
-        remarks=found.folds.remarks,
+        remarks=found.remarks,
     )
 
 
@@ -416,9 +420,9 @@ def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     at, A, stable = states_at(found, Omega)
     with np.errstate(all="ignore"):
         in_doubt = doubt.is_at_fold(model, F_0, Omega, found.folds.Omega, found.folds.A)
-    undecided = Omega if found.folds.remarks else Omega[in_doubt]
+    undecided = Omega if Remark.UNDECIDED in found.folds.remarks else Omega[in_doubt]
     message = joined(found.message, words.without_a_state(np.setdiff1d(Omega, undecided), at))
     message = joined(message, words.sticks_below(model, F_0, Omega))
     message = joined(message, words.undecided_at(undecided))
-    beside = Remark.UNDECIDED if undecided.size else Remark(0)
-    return SteadyStates(at, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=beside)
+    codes = words.beside(undecided.size > 0, found.message)
+    return SteadyStates(at, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=codes)
