@@ -12,6 +12,7 @@ import os
 import pickle
 import platform
 import pydoc
+import re
 import shutil
 import subprocess
 import sys
@@ -172,7 +173,7 @@ def test_kernels_keep_their_names_arguments_and_words():
     assert str(inspect.signature(slow_flow.F)) == "(Omega, A, F_0, m, zeta, h)"
     assert slow_flow.F.__module__ == "slowflow_kernels.slow_flow"
     shown = pydoc.render_doc(slow_flow.F, renderer=pydoc.plaintext)
-    assert "F(Omega, A, F_0, m, zeta, h)" in shown and "Equation (24)." in shown
+    assert all(word in shown for word in ("F(Omega, A, F_0, m, zeta, h)", "Equation (24).", "Shape: as the arguments"))
     p = rod_spring.coefficients(3.0, 2.0, 0.08)
     named = dict(zip((one.name for one in rod_spring.MECHANISM.parameters), p, strict=True))
     assert rod_spring.averaged(A=0.3, **named) == rod_spring.averaged(0.3, *p)
@@ -187,6 +188,39 @@ def test_kernels_keep_their_names_arguments_and_words():
         slow_flow.R(0.9, 0.3, Omega=0.9, h=-0.2)
     with pytest.raises(TypeError, match="unexpected keyword argument 'f'"):
         slow_flow.R(0.9, 0.3, -0.2, f=1)
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("name", MODULES)
+def test_help_of_each_kernel_states_the_shape_it_gives(name):
+    """Arguments of shapes (2, 1) and (3,) in turn, so that "as the arguments broadcast" is (2, 3)."""
+    module = importlib.import_module(f"slowflow_kernels.{name}")
+    for kernel in kernels_of(module) or module.__all__:
+        function = getattr(module, kernel)
+        stated = re.search(r"Shape: (.*?)\.\n", function.__doc__ or "", re.S) if inspect.isfunction(function) else None
+        if stated is None:
+            continue
+        words = " ".join(stated[1].split())
+        given = arguments(function, 3, 6)
+        shaped = [value[:2, np.newaxis] if i % 2 else value[:3] for i, value in enumerate(given.values())]
+        common = np.broadcast_shapes(*(np.shape(value) for value in shaped))
+        with np.errstate(all="ignore"):
+            found = function(*shaped)
+        form = re.fullmatch(
+            r"(?:\((?P<rows>\d+), \.\.\.\), coefficients by rising power, each |(?P<one>a tuple of one, )"
+            r"|(?P<many>\d+) results, each )?(?P<each>as the arguments broadcast"
+            r"|the arguments that it depends on, broadcast)|none, \(\)",
+            words,
+        )
+        assert form, f"{kernel}: {words}"
+        assert isinstance(found, tuple) == (words == "none, ()" or bool(form["one"] or form["many"])), kernel
+        count = 0 if words == "none, ()" else int(form["rows"] or form["many"] or 1)
+        shapes = [np.shape(value) for value in (found if form["rows"] or isinstance(found, tuple) else (found,))]
+        assert len(shapes) == count, kernel
+        if form["each"] == "as the arguments broadcast":
+            assert shapes == [common] * count, kernel
+        else:
+            assert all(np.broadcast_shapes(shape, common) == common for shape in shapes), kernel
 
 
 @pytest.mark.both_backends

@@ -5,7 +5,7 @@ Input: none but the equation of motion in derivations/den_hartog.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
-docstring gives equation number, domain and the operations after each pass.
+docstring gives equation number, domain, shape and the operations after each pass.
 """
 
 # a formatter would spread each polynomial over a page
@@ -24,7 +24,7 @@ __all__ = [
 def V(Omega):
     """Response function.
 
-    Equation (37). Domain: Omega > 0, Omega != 1.
+    Equation (37). Domain: Omega > 0, Omega != 1. Shape: as the arguments broadcast.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
     """
     (Omega,) = floats(Omega)
@@ -34,7 +34,7 @@ def V(Omega):
 def U(Omega):
     """Damping function.
 
-    Equation (37). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on.
+    Equation (37). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the arguments broadcast.
     Operations: 5 structured, 6 common subexpressions, 6 power chains.
     """
     (Omega,) = floats(Omega)
@@ -45,7 +45,8 @@ def U(Omega):
 def S_ratio(tau, Omega):
     """S is the maximum of this over 0 < tau < pi/Omega.
 
-    Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on.
+    Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the arguments
+    broadcast.
     Operations: 24 structured, 23 common subexpressions, 23 power chains.
     """
     tau, Omega = floats(tau, Omega)
@@ -62,7 +63,8 @@ def S_ratio(tau, Omega):
 def amplitude(Omega, F_0, mu):
     """Amplitude of the motion.
 
-    Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega not 1, 1/3, 1/5 and so on.
+    Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the arguments
+    broadcast.
     Operations: 16 structured, 14 common subexpressions, 14 power chains.
     """
     Omega, F_0, mu = floats(Omega, F_0, mu)
@@ -78,7 +80,7 @@ def amplitude(Omega, F_0, mu):
 def bound(Omega, F_0, S):
     """The motion has no stops while its amplitude exceeds this.
 
-    Equation (36). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on.
+    Equation (36). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the arguments broadcast.
     Operations: 21 structured, 21 common subexpressions, 20 power chains.
     """
     Omega, F_0, S = floats(Omega, F_0, S)
@@ -94,7 +96,8 @@ def bound(Omega, F_0, S):
 def motion(tau, Omega, A, mu):
     """Displacement tau after a maximum.
 
-    Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on.
+    Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the
+    arguments broadcast.
     Operations: 30 structured, 27 common subexpressions, 27 power chains.
     """
     tau, Omega, A, mu = floats(tau, Omega, A, mu)

@@ -24,7 +24,8 @@ __all__ = [
 def moves_of_state(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of a steady state; with Omega = 0 a peak at rest; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 94 structured, 66 common subexpressions, 63 power chains.
     """
     Omega2 = Omega * Omega
@@ -55,7 +56,8 @@ def moves_of_state(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_A
 def moves_of_fold(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of a fold at a forcing; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 229 structured, 121 common subexpressions, 118 power chains.
     """
     Omega2 = Omega * Omega
@@ -105,7 +107,8 @@ def moves_of_fold(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA
 def moves_of_corner_fold(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of a fold at a forcing, on a breakpoint; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 91 structured, 62 common subexpressions, 59 power chains.
     """
     Omega2 = Omega * Omega
@@ -138,7 +141,8 @@ def moves_of_corner_fold(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_
 def moves_of_peak(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of a peak at a forcing; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 201 structured, 108 common subexpressions, 105 power chains.
     """
     Omega2 = Omega * Omega
@@ -186,7 +190,8 @@ def moves_of_peak(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA
 def moves_of_cusp(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of where two folds meet; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 391 structured, 171 common subexpressions, 168 power chains.
     """
     Omega2 = Omega * Omega
@@ -250,7 +255,8 @@ def moves_of_cusp(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA
 def moves_of_isola(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of where an isolated curve is born; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 326 structured, 156 common subexpressions, 154 power chains.
     """
     Omega2 = Omega * Omega
@@ -310,7 +316,8 @@ def moves_of_isola(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_A
 def moves_of_corner_top(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of the least forcing on a breakpoint; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 161 structured, 94 common subexpressions, 92 power chains.
     """
     Omega2 = Omega * Omega
@@ -352,7 +359,8 @@ def moves_of_corner_top(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A
 def moves_of_corner_end(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of where the fold locus meets a breakpoint; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 188 structured, 110 common subexpressions, 107 power chains.
     """
     Omega2 = Omega * Omega
@@ -398,7 +406,8 @@ def moves_of_corner_end(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A
 def moves_of_corner_backbone(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of where the backbone meets a breakpoint; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 67 structured, 53 common subexpressions, 50 power chains.
     """
     t0 = 2.0 * Omega
@@ -431,7 +440,8 @@ def moves_of_corner_backbone(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h
 def moves_of_corner_rest(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of at Omega = 0 on a breakpoint; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 63 structured, 53 common subexpressions, 50 power chains.
     """
     Omega2 = Omega * Omega
@@ -460,7 +470,8 @@ def moves_of_corner_rest(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_
 def beside(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A):
     """F_A, F_Omega and R, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
+    broadcast.
     Operations: 103 structured, 52 common subexpressions, 51 power chains.
     """
     Omega2 = Omega * Omega
@@ -491,7 +502,8 @@ def beside(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A):
 def moves_of_phase(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A, h_p, I_0p, zeta_p, d_p, A_p, Omega_p, F_0_p):
     """d/dp of the phase (25) and of the transmissibility of a state that moves by A_p, Omega_p, F_0_p.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 2 results, each the arguments that it depends on,
+    broadcast.
     Operations: 80 structured, 61 common subexpressions, 61 power chains.
     """
     t0 = Omega * Omega

@@ -5,7 +5,7 @@ Input: derivations/mechanisms/duffing.py, sha256 9373efd0233ac344ef6400339d5e072
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
-docstring gives equation number, domain and the operations after each pass.
+docstring gives equation number, domain, shape and the operations after each pass.
 """
 
 # a formatter would spread each polynomial over a page
@@ -28,7 +28,7 @@ __all__ = [
 def averaged(A, alpha, beta):
     """h, h_A, h_AA, h_AAA together.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0. Shape: 4 results, each as the arguments broadcast.
     Operations: 12 structured, 9 common subexpressions, 9 power chains.
     Proved, error / u (1 + kappa): 1.84, 1.26, 0.67, 0.51
     """
@@ -47,7 +47,7 @@ def averaged(A, alpha, beta):
 def averaged_2(A, alpha, beta):
     """h, h_A together.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
     Operations: 9 structured, 7 common subexpressions, 7 power chains.
     Proved, error / u (1 + kappa): 1.84, 1.26
     """
@@ -62,7 +62,7 @@ def averaged_2(A, alpha, beta):
 def averaged_H(A, alpha, beta):
     """H, H_A together.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
     Operations: 11 structured, 8 common subexpressions, 8 power chains.
     Proved, error / u (1 + kappa): 6.01, 4.01
     """
@@ -78,7 +78,7 @@ def averaged_H(A, alpha, beta):
 def intercept(A, alpha, beta):
     """h - A h_A, where the tangent of h meets A = 0; linear terms are none.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0. Shape: as the arguments broadcast.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
     Proved, error / u (1 + kappa): 0.81
     """
@@ -91,7 +91,7 @@ def intercept(A, alpha, beta):
 def harmonics(A, alpha, beta):
     """Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
 
-    Equation beyond (20). Domain: A >= 0.
+    Equation beyond (20). Domain: A >= 0. Shape: 8 results, each as the arguments broadcast.
     Operations: 10 structured, 9 common subexpressions, 8 power chains.
     Proved, error / u (1 + kappa): 0.61, 0.76, 0.67, 0.51, 0.0, 0.0, 0.0, 0.0
     """
@@ -115,7 +115,7 @@ def harmonics(A, alpha, beta):
 def by_parameter(A, h, h_A, h_AA, alpha, beta):
     """d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
 
-    Equation from (20)-(22), (31). Domain: A > 0.
+    Equation from (20)-(22), (31). Domain: A > 0. Shape: 6 results, each as the arguments broadcast.
     Operations: 6 structured, 6 common subexpressions, 5 power chains.
     Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.76, 0.67, 0.51
     """
@@ -136,7 +136,7 @@ def by_parameter(A, h, h_A, h_AA, alpha, beta):
 def by_design(alpha, beta):
     """d/d of each number of the design: of each parameter in turn, then of each breakpoint.
 
-    Equation (5), (7). Domain: any design.
+    Equation (5), (7). Domain: any design. Shape: 4 results, each as the arguments broadcast.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
     Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0
     """
@@ -153,7 +153,7 @@ def by_design(alpha, beta):
 def coefficients(alpha, beta):
     """The parameters alpha, beta from the design.
 
-    Equation (5), (7). Domain: any design.
+    Equation (5), (7). Domain: any design. Shape: 2 results, each as the arguments broadcast.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
     Proved, error / u (1 + kappa): 0.0, 0.0
     """
@@ -168,7 +168,7 @@ def coefficients(alpha, beta):
 def breakpoints(alpha, beta):
     """The |u| at which a piece of the force ends.
 
-    Equation (5). Domain: any parameters.
+    Equation (5). Domain: any parameters. Shape: none, ().
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
     """
     alpha, beta = floats(alpha, beta)
@@ -178,7 +178,7 @@ def breakpoints(alpha, beta):
 def jumps(alpha, beta):
     """What the force loses at each breakpoint: f below less f above.
 
-    Equation (5). Domain: any parameters.
+    Equation (5). Domain: any parameters. Shape: none, ().
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
     """
     alpha, beta = floats(alpha, beta)
@@ -188,7 +188,7 @@ def jumps(alpha, beta):
 def hardening(alpha, beta):
     """The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
 
-    Equation from (3). Domain: any parameters.
+    Equation from (3). Domain: any parameters. Shape: a tuple of one, as the arguments broadcast.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
     Proved, error / u (1 + kappa): 0.0
     """
@@ -202,7 +202,7 @@ def hardening(alpha, beta):
 def steps(alpha, beta):
     """f and its derivatives just above 0, their gains at each breakpoint, and the last piece's by its formula at 0.
 
-    Equation (3), (5). Domain: any parameters.
+    Equation (3), (5). Domain: any parameters. Shape: 8 results, each as the arguments broadcast.
     Operations: 2 structured, 1 common subexpressions, 1 power chains.
     Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.51, 0.0, 0.0, 0.0, 0.51
     """
@@ -224,7 +224,7 @@ def steps(alpha, beta):
 def force_1(u, alpha, beta):
     """Piece 1 of the whole restoring force u + F_k(u).
 
-    Equation (3), (5). Domain: where it holds.
+    Equation (3), (5). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
     Proved, error / u (1 + kappa): 1.67
     """
@@ -234,7 +234,7 @@ def force_1(u, alpha, beta):
 def force_1_u(u, alpha, beta):
     """d/du of piece 1 of the whole restoring force u + F_k(u).
 
-    Equation (3), (5). Domain: where it holds.
+    Equation (3), (5). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
     Proved, error / u (1 + kappa): 1.26
     """
@@ -244,7 +244,7 @@ def force_1_u(u, alpha, beta):
 def force(u, alpha, beta):
     """Whole dimensionless restoring force u + F_k(u).
 
-    Equation (3), (5). Domain: any u.
+    Equation (3), (5). Domain: any u. Shape: as the arguments broadcast.
     """
     arguments = floats(u, alpha, beta)
     u, alpha, beta = arguments
@@ -256,7 +256,8 @@ def force(u, alpha, beta):
 def saddle_node_onset(m, zeta, alpha, beta):
     """Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
 
-    Equation (33). Domain: roots with A > 0.
+    Equation (33). Domain: roots with A > 0. Shape: (11, ...), coefficients by rising power, each as the arguments
+    broadcast.
     Operations: 117 structured, 77 common subexpressions, 52 power chains.
     Proved, error / u (1 + kappa): 0.82, 0.91, 0.91, 0.91, 0.91, 7.67, 3.2, 0.91, 7.34, 0.91, 0.89
     """
@@ -297,7 +298,8 @@ def saddle_node_onset(m, zeta, alpha, beta):
 def saddle_nodes(F_0, m, zeta, alpha, beta):
     """Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
 
-    Equation from (24), (30). Domain: roots with A > 0.
+    Equation from (24), (30). Domain: roots with A > 0. Shape: (11, ...), coefficients by rising power, each as the
+    arguments broadcast.
     Operations: 191 structured, 115 common subexpressions, 98 power chains.
     Proved, error / u (1 + kappa): -, -, -, -, -, -, -, -, -, 0.91, 0.91
     """
@@ -349,7 +351,7 @@ def saddle_nodes(F_0, m, zeta, alpha, beta):
 def h(A, alpha, beta):
     """The averaged restoring force h = H - A.
 
-    Equation (20)-(22). Domain: A >= 0.
+    Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged_2(A, alpha, beta)[0]
 
@@ -357,7 +359,7 @@ def h(A, alpha, beta):
 def h_A(A, alpha, beta):
     """d/dA of the averaged restoring force h = H - A.
 
-    Equation (31). Domain: A >= 0.
+    Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged_2(A, alpha, beta)[1]
 
@@ -365,7 +367,7 @@ def h_A(A, alpha, beta):
 def h_AA(A, alpha, beta):
     """d2/dA2 of the averaged restoring force h = H - A.
 
-    Equation from (31). Domain: A >= 0.
+    Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged(A, alpha, beta)[2]
 
@@ -373,7 +375,7 @@ def h_AA(A, alpha, beta):
 def h_AAA(A, alpha, beta):
     """d3/dA3 of the averaged restoring force h = H - A.
 
-    Equation from (31). Domain: A >= 0.
+    Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged(A, alpha, beta)[3]
 
@@ -381,7 +383,7 @@ def h_AAA(A, alpha, beta):
 def H(A, alpha, beta):
     """The averaged force H beside the vertical spring.
 
-    Equation (20)-(22). Domain: A >= 0.
+    Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged_H(A, alpha, beta)[0]
 
@@ -389,7 +391,7 @@ def H(A, alpha, beta):
 def H_A(A, alpha, beta):
     """d/dA of the averaged force H beside the vertical spring.
 
-    Equation (31). Domain: A >= 0.
+    Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged_H(A, alpha, beta)[1]
 
@@ -397,7 +399,7 @@ def H_A(A, alpha, beta):
 def H_AA(A, alpha, beta):
     """d2/dA2 of the averaged force H beside the vertical spring.
 
-    Equation from (31). Domain: A >= 0.
+    Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged(A, alpha, beta)[2]
 
@@ -405,7 +407,7 @@ def H_AA(A, alpha, beta):
 def F(Omega, A, F_0, mu, zeta, alpha, beta):
     """Frequency response; zero at a steady state.
 
-    Equation (24). Domain: Omega > 0, A > 0.
+    Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.F(Omega, A, F_0, flow.friction(mu), zeta, average)
@@ -414,7 +416,7 @@ def F(Omega, A, F_0, mu, zeta, alpha, beta):
 def F_A(Omega, A, mu, zeta, alpha, beta):
     """dF/dA; positive where stable.
 
-    Equation (24), (30). Domain: Omega > 0, A > 0.
+    Equation (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     """
     average, average_A = averaged_2(A, alpha, beta)
     return flow.F_A(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -423,7 +425,7 @@ def F_A(Omega, A, mu, zeta, alpha, beta):
 def level(Omega, A, mu, zeta, alpha, beta):
     """The forcing F_0 for which (Omega, A) is a steady state.
 
-    Equation (24). Domain: Omega >= 0, A > 0.
+    Equation (24). Domain: Omega >= 0, A > 0. Shape: as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.level(Omega, A, flow.friction(mu), zeta, average)
@@ -432,7 +434,7 @@ def level(Omega, A, mu, zeta, alpha, beta):
 def phase(Omega, A, mu, zeta, alpha, beta):
     """Phase phi of a steady state, from -pi to 0.
 
-    Equation (25). Domain: Omega > 0, A > 0.
+    Equation (25). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.phase(Omega, A, flow.friction(mu), zeta, average)
@@ -441,7 +443,7 @@ def phase(Omega, A, mu, zeta, alpha, beta):
 def jacobian(Omega, A, mu, zeta, alpha, beta):
     """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
 
-    Equation (28). Domain: Omega > 0, A > 0.
+    Equation (28). Domain: Omega > 0, A > 0. Shape: 4 results, each as the arguments broadcast.
     """
     average, average_A = averaged_2(A, alpha, beta)
     return flow.jacobian(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -450,7 +452,7 @@ def jacobian(Omega, A, mu, zeta, alpha, beta):
 def stability(Omega, A, mu, zeta, alpha, beta):
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
-    Equation (30). Domain: Omega > 0, A > 0.
+    Equation (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     """
     average, average_A = averaged_2(A, alpha, beta)
     return flow.stability(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -459,7 +461,7 @@ def stability(Omega, A, mu, zeta, alpha, beta):
 def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta):
     """Fundamental harmonic of the force on the base over F_0, at a steady state.
 
-    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
+    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Shape: as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.transmissibility(Omega, A, F_0, flow.friction(mu), zeta, average)
@@ -468,7 +470,7 @@ def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta):
 def backbone(A, alpha, beta):
     """Frequency on the backbone.
 
-    Equation (26). Domain: A > 0, h <= 0.
+    Equation (26). Domain: A > 0, h <= 0. Shape: as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.backbone(A, average)
@@ -477,7 +479,7 @@ def backbone(A, alpha, beta):
 def limit_envelope(Omega, F_0, mu, zeta):
     """Largest amplitude that the forcing can hold at this frequency.
 
-    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
+    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Shape: as the arguments broadcast.
     """
     return flow.limit_envelope(Omega, F_0, flow.friction(mu), zeta)
 
@@ -485,7 +487,7 @@ def limit_envelope(Omega, F_0, mu, zeta):
 def equivalent_damping(Omega, A, mu, zeta):
     """Viscous damping ratio that dissipates as much as zeta and friction together.
 
-    Equation (38). Domain: Omega > 0, A > 0.
+    Equation (38). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     """
     return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
@@ -493,7 +495,7 @@ def equivalent_damping(Omega, A, mu, zeta):
 def response_quartic(A, F_0, mu, zeta, alpha, beta):
     """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
-    Equation (24). Domain: A > 0.
+    Equation (24). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.response_quartic(A, F_0, flow.friction(mu), zeta, average)
@@ -502,7 +504,7 @@ def response_quartic(A, F_0, mu, zeta, alpha, beta):
 def fold_quartic(A, mu, zeta, alpha, beta):
     """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
-    Equation (24), (30). Domain: A > 0.
+    Equation (24), (30). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
     """
     average, average_A = averaged_2(A, alpha, beta)
     return flow.fold_quartic(A, flow.friction(mu), zeta, average, average_A)
@@ -511,7 +513,7 @@ def fold_quartic(A, mu, zeta, alpha, beta):
 def peak_cubic(A, mu, zeta, alpha, beta):
     """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
 
-    Equation (34). Domain: A > 0.
+    Equation (34). Domain: A > 0. Shape: 3 results, each as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.peak_cubic(A, flow.friction(mu), zeta, average)
@@ -520,7 +522,7 @@ def peak_cubic(A, mu, zeta, alpha, beta):
 def detachment(A, mu, zeta, alpha, beta):
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
-    Equation (34). Domain: A > 0.
+    Equation (34). Domain: A > 0. Shape: (4, ...), coefficients by rising power, each as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.detachment(A, flow.friction(mu), zeta, average)

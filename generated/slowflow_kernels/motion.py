@@ -24,7 +24,7 @@ __all__ = [
 def push(cosine, F_0, f):
     """What friction has to hold at rest; cosine of theta = Omega tau.
 
-    Equation (3). Domain: any.
+    Equation (3). Domain: any. Shape: the arguments that it depends on, broadcast.
     Operations: 2 structured, 2 common subexpressions, 2 power chains.
     Proved, error / u (1 + kappa): 1.01
     """
@@ -34,7 +34,7 @@ def push(cosine, F_0, f):
 def push_slopes(cosine, sine, F_0, f_u):
     """Derivatives of the push by theta, u, F_0.
 
-    Equation (3). Domain: any.
+    Equation (3). Domain: any. Shape: 3 results, each the arguments that it depends on, broadcast.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
     Proved, error / u (1 + kappa): 0.34, 0.0, 0.0
     """
@@ -48,7 +48,7 @@ def push_slopes(cosine, sine, F_0, f_u):
 def breakaway(F_0, friction, f):
     """The cosine of theta at which a mass at rest breaks away against friction mu or -mu.
 
-    Equation (3). Domain: F_0 > 0.
+    Equation (3). Domain: F_0 > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 2 structured, 2 common subexpressions, 2 power chains.
     Proved, error / u (1 + kappa): 3.01
     """
@@ -58,7 +58,7 @@ def breakaway(F_0, friction, f):
 def acceleration(cosine, v, F_0, zeta, friction, f):
     """u'' of a slipping mass; friction is mu sign(u').
 
-    Equation (3). Domain: any.
+    Equation (3). Domain: any. Shape: the arguments that it depends on, broadcast.
     Operations: 6 structured, 6 common subexpressions, 6 power chains.
     Proved, error / u (1 + kappa): 3.01
     """
@@ -68,7 +68,7 @@ def acceleration(cosine, v, F_0, zeta, friction, f):
 def resistance(v, zeta, friction, quadratic):
     """Friction and quadratic damping, both times the sign of u'; and the zeta of the slope of all by u'.
 
-    Equation (3). Domain: any.
+    Equation (3). Domain: any. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 5 structured, 5 common subexpressions, 5 power chains.
     Proved, error / u (1 + kappa): 1.01, 1.01
     """
@@ -81,7 +81,7 @@ def resistance(v, zeta, friction, quadratic):
 def transmissibility(Omega, A_1, F_0, phi):
     """Fundamental harmonic of what is passed on over F_0, where that of u is A_1 cos(theta + phi).
 
-    Equation (3). Domain: F_0 > 0.
+    Equation (3). Domain: F_0 > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 9 structured, 9 common subexpressions, 9 power chains.
     """
     of_inertia = A_1 * Omega * Omega / F_0
@@ -91,7 +91,7 @@ def transmissibility(Omega, A_1, F_0, phi):
 def stopping(Omega, A, mu):
     """Friction over the largest force of inertia of A cos(theta), by which the mass stops within the cycle.
 
-    Equation (3). Domain: Omega > 0, A > 0.
+    Equation (3). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
     Proved, error / u (1 + kappa): 0.61
     """
@@ -102,7 +102,7 @@ def stopping(Omega, A, mu):
 def structural(Omega, eta):
     """The zeta of structural damping at one frequency.
 
-    Equation beside (3). Domain: Omega > 0.
+    Equation beside (3). Domain: Omega > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 2 structured, 2 common subexpressions, 2 power chains.
     Proved, error / u (1 + kappa): 0.34
     """
@@ -112,7 +112,7 @@ def structural(Omega, eta):
 def across(before, after, v):
     """What u' gains of a deviation of u where u'' changes at an edge.
 
-    Equation beside (3). Domain: v other than 0.
+    Equation beside (3). Domain: v other than 0. Shape: the arguments that it depends on, broadcast.
     Operations: 2 structured, 2 common subexpressions, 2 power chains.
     Proved, error / u (1 + kappa): 3.01
     """
@@ -122,7 +122,7 @@ def across(before, after, v):
 def turned(before, after):
     """What is left of a deviation of u' where the velocity changes its sign and u'' with it; 0 where the mass stops.
 
-    Equation beside (3). Domain: before other than 0.
+    Equation beside (3). Domain: before other than 0. Shape: the arguments that it depends on, broadcast.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
     Proved, error / u (1 + kappa): 0.34
     """
@@ -132,7 +132,8 @@ def turned(before, after):
 def released(after, Omega, by_theta, by_u):
     """What u' is of a deviation of u where the push on a mass at rest, with these slopes, breaks it away.
 
-    Equation beside (3). Domain: Omega > 0, by_theta other than 0.
+    Equation beside (3). Domain: Omega > 0, by_theta other than 0. Shape: the arguments that it depends on,
+    broadcast.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
     Proved, error / u (1 + kappa): 0.61
     """
@@ -142,7 +143,7 @@ def released(after, Omega, by_theta, by_u):
 def out(beyond, pull):
     """The time of a way beyond an edge, up to where a constant pull turns it.
 
-    Equation beside (3). Domain: beyond >= 0, pull > 0.
+    Equation beside (3). Domain: beyond >= 0, pull > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
     """
     square = 2.0 * beyond / pull
@@ -152,7 +153,7 @@ def out(beyond, pull):
 def back(beyond, growth):
     """The time of the way back to it from rest, under a push that grows steadily from 0.
 
-    Equation beside (3). Domain: beyond >= 0, growth > 0.
+    Equation beside (3). Domain: beyond >= 0, growth > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
     """
     cube = 6.0 * beyond / growth
@@ -162,7 +163,7 @@ def back(beyond, growth):
 def rates(cosine, v, Omega, F_0, zeta, friction, f):
     """u and v by theta.
 
-    Equation (3). Domain: Omega > 0.
+    Equation (3). Domain: Omega > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 8 structured, 9 common subexpressions, 9 power chains.
     Proved, error / u (1 + kappa): 0.67, 5.01
     """
@@ -176,7 +177,7 @@ def rates(cosine, v, Omega, F_0, zeta, friction, f):
 def rates_by_state(Omega, zeta, f_u):
     """Derivatives of the rates by u, v: of the first, then of the second.
 
-    Equation (3). Domain: Omega > 0.
+    Equation (3). Domain: Omega > 0. Shape: 4 results, each the arguments that it depends on, broadcast.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
     Proved, error / u (1 + kappa): 0.0, 0.51, 0.67, 0.67
     """
@@ -192,7 +193,7 @@ def rates_by_state(Omega, zeta, f_u):
 def rates_by_parameter(cosine, v, Omega, F_0, zeta, friction, f):
     """Derivatives of the rates by Omega, F_0, zeta, friction, f: of the first, then of the second.
 
-    Equation (3). Domain: Omega > 0.
+    Equation (3). Domain: Omega > 0. Shape: 10 results, each the arguments that it depends on, broadcast.
     Operations: 13 structured, 13 common subexpressions, 13 power chains.
     Proved, error / u (1 + kappa): 0.76, 0.0, 0.0, 0.0, 0.0, 6.01, 0.67, 0.67, 0.51, 0.51
     """
@@ -217,7 +218,7 @@ def rates_by_parameter(cosine, v, Omega, F_0, zeta, friction, f):
 def smoothed(cosine, v, F_0, mu, zeta, left, right, slip, inner, outer):
     """u and v by tau, smoothed: slip = tanh(nu v), left and right are logistic functions of nu (u +- u_cr).
 
-    Equation (A1), (A2). Domain: any.
+    Equation (A1), (A2). Domain: any. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 11 structured, 11 common subexpressions, 11 power chains.
     Proved, error / u (1 + kappa): 0.0, -
     """
@@ -231,7 +232,7 @@ def smoothed(cosine, v, F_0, mu, zeta, left, right, slip, inner, outer):
 def smoothed_by_state(mu, zeta, nu, left, right, slip, inner, outer, inner_u, outer_u):
     """Derivatives of these rates by u, v: of the first, then of the second.
 
-    Equation (A1), (A2). Domain: any.
+    Equation (A1), (A2). Domain: any. Shape: 4 results, each the arguments that it depends on, broadcast.
     Operations: 18 structured, 18 common subexpressions, 18 power chains.
     Proved, error / u (1 + kappa): 0.0, 0.0, -, 4.51
     """

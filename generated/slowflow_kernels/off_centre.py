@@ -24,7 +24,8 @@ __all__ = [
 def averaged(A, c_1, c_2, c_3, s_0, s_1, s_2, s_3):
     """h, h_A, h_AA, h_AAA along the balance of the mean.
 
-    Equation (20), (31). Domain: A > 0, c_1 other than 0.
+    Equation (20), (31). Domain: A > 0, c_1 other than 0. Shape: 4 results, each the arguments that it depends on,
+    broadcast.
     Operations: 124 structured, 107 common subexpressions, 105 power chains.
     Proved, error / u (1 + kappa): 0.0, 2.01, 28.01, -
     """
@@ -60,7 +61,8 @@ def averaged(A, c_1, c_2, c_3, s_0, s_1, s_2, s_3):
 def state(Omega, A, F_0, m, zeta, load, c_0, c_1, s_0, s_1):
     """What vanishes at a steady state: the balance of the mean and F; slopes of each by A and B.
 
-    Equation (24) and the mean of (3). Domain: A > 0.
+    Equation (24) and the mean of (3). Domain: A > 0. Shape: 6 results, each the arguments that it depends on,
+    broadcast.
     Operations: 28 structured, 25 common subexpressions, 25 power chains.
     Proved, error / u (1 + kappa): 1.01, -, 0.0, 0.0, -, 1.51
     """
@@ -82,7 +84,8 @@ def state(Omega, A, F_0, m, zeta, load, c_0, c_1, s_0, s_1):
 def fold(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
     """What vanishes at a fold at F_0 with cos phi = -2 t/(1 + t^2): the balance, F_A along it times c_1 and a positive number, R and I of one Omega; slopes of each by A, B and t.
 
-    Equation (24), (30) and the mean of (3). Domain: A > 0, |t| <= 1.
+    Equation (24), (30) and the mean of (3). Domain: A > 0, |t| <= 1. Shape: 12 results, each the arguments that it
+    depends on, broadcast.
     Operations: 233 structured, 137 common subexpressions, 134 power chains.
     Proved, error / u (1 + kappa): 1.01, 11.51, -, 0.0, 0.0, 0.0, -, 13.01, 4.01, 6.34, 1.01, 45.68
     """
@@ -138,7 +141,8 @@ def fold(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
 def ended_state(Omega, A, F_0, m, zeta, load, c_0, s_0, c_x, c_y, X, Y):
     """What vanishes at a steady state, by coordinates x and y of the motion's ends: the balance of the mean and F; slopes of each by x and y.
 
-    Equation (24) and the mean of (3). Domain: A > 0.
+    Equation (24) and the mean of (3). Domain: A > 0. Shape: 6 results, each the arguments that it depends on,
+    broadcast.
     Operations: 44 structured, 34 common subexpressions, 34 power chains.
     Proved, error / u (1 + kappa): 1.01, -, 0.0, 0.0, -, -
     """
@@ -163,7 +167,8 @@ def ended_state(Omega, A, F_0, m, zeta, load, c_0, s_0, c_x, c_y, X, Y):
 def ended_along(A, s_0, c_x, c_y, X, Y):
     """Along the balance, by coordinates of the motion's ends: A's slope, and what F_A gains there by R.
 
-    Equation (30) and the mean of (3). Domain: A > 0.
+    Equation (30) and the mean of (3). Domain: A > 0. Shape: 2 results, each the arguments that it depends on,
+    broadcast.
     Operations: 10 structured, 7 common subexpressions, 7 power chains.
     Proved, error / u (1 + kappa): 1.01, 2.01
     """
@@ -177,7 +182,8 @@ def ended_along(A, s_0, c_x, c_y, X, Y):
 def ended_fold(t, A, F_0, m, zeta, load, c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y):
     """What vanishes at a fold at F_0 with cos phi = -2 t/(1 + t^2), by coordinates x and y of the motion's ends: the balance, F along it times a positive number, R and I of one Omega; slopes of each by x, y and t.
 
-    Equation (24), (30) and the mean of (3). Domain: A > 0, |t| <= 1.
+    Equation (24), (30) and the mean of (3). Domain: A > 0, |t| <= 1. Shape: 12 results, each the arguments that it
+    depends on, broadcast.
     Operations: 357 structured, 161 common subexpressions, 161 power chains.
     Proved, error / u (1 + kappa): 1.01, -, -, 0.0, 0.0, 0.0, -, -, -, -, -, -
     """
@@ -241,7 +247,7 @@ def ended_fold(t, A, F_0, m, zeta, load, c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X
 def turns(t, A, F_0, m, resists, s_0):
     """The second of what vanishes at a fold over c_1; resists = (c_1^2 - s_1^2)/c_1.
 
-    Equation (30). Domain: A > 0, |t| <= 1.
+    Equation (30). Domain: A > 0, |t| <= 1. Shape: the arguments that it depends on, broadcast.
     Operations: 14 structured, 13 common subexpressions, 13 power chains.
     Proved, error / u (1 + kappa): 8.51
     """
@@ -252,7 +258,7 @@ def turns(t, A, F_0, m, resists, s_0):
 def balance_by_phase(t, F_0):
     """R and I of a motion with cos phi = -2 t/(1 + t^2).
 
-    Equation (23). Domain: |t| <= 1.
+    Equation (23). Domain: |t| <= 1. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 12 structured, 9 common subexpressions, 9 power chains.
     """
     t0 = F_0 / (t * t + 1.0)
@@ -265,7 +271,7 @@ def balance_by_phase(t, F_0):
 def phase(R, I, F_0):
     """The t of a motion by R and I.
 
-    Equation (23). Domain: I >= 0.
+    Equation (23). Domain: I >= 0. Shape: the arguments that it depends on, broadcast.
     Operations: 2 structured, 2 common subexpressions, 2 power chains.
     """
     return R / (F_0 + I)
@@ -274,7 +280,7 @@ def phase(R, I, F_0):
 def turns_by(t, F_0, m, intercept):
     """What vanishes at a fold, by the intercept h - A h_A along the balance: a quadratic in t.
 
-    Equation (30). Domain: |t| <= 1.
+    Equation (30). Domain: |t| <= 1. Shape: the arguments that it depends on, broadcast.
     Operations: 8 structured, 8 common subexpressions, 8 power chains.
     Proved, error / u (1 + kappa): 5.76
     """
@@ -284,7 +290,7 @@ def turns_by(t, F_0, m, intercept):
 def fold_phase(F_0, m, intercept, least):
     """The lesser t where that vanishes, by the least intercept of a fold (`slow_flow.least_restoring`).
 
-    Equation (30). Domain: F_0 >= m, intercept >= least.
+    Equation (30). Domain: F_0 >= m, intercept >= least. Shape: the arguments that it depends on, broadcast.
     Operations: 7 structured, 7 common subexpressions, 7 power chains.
     """
     return (F_0 - m) / (intercept + np.sqrt((intercept - least) * (intercept + least)))
@@ -293,7 +299,7 @@ def fold_phase(F_0, m, intercept, least):
 def frequency_by_phase(A, R, I, m, zeta, h):
     """Omega of a motion by I; and its square by R.
 
-    Equation (23). Domain: A > 0, zeta > 0.
+    Equation (23). Domain: A > 0, zeta > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 6 structured, 7 common subexpressions, 7 power chains.
     Proved, error / u (1 + kappa): 4.01, 3.01
     """
@@ -307,7 +313,7 @@ def frequency_by_phase(A, R, I, m, zeta, h):
 def versine(k):
     """The mean of (1 - cos psi)^(k + 1) over that of (1 - cos psi)^k.
 
-    Equation the mean of (3). Domain: k >= 0.
+    Equation the mean of (3). Domain: k >= 0. Shape: the arguments that it depends on, broadcast.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
     """
     return (2.0 * k + 1.0) / (k + 1.0)
@@ -316,7 +322,8 @@ def versine(k):
 def past(A, root, edge, D_0, C_1, S_1):
     """(c_1^2 - s_1^2)/c_1 where the motion passes a step at which the force gains D_0, with C_1 and S_1 of all else; edge = a/A, of the other sign on the left.
 
-    Equation the mean of (3). Domain: A > 0, 0 <= root <= A, D_0 + pi root C_1 other than 0.
+    Equation the mean of (3). Domain: A > 0, 0 <= root <= A, D_0 + pi root C_1 other than 0. Shape: the arguments
+    that it depends on, broadcast.
     Operations: 20 structured, 19 common subexpressions, 19 power chains.
     """
     t0 = 3.1415926535897931 * root
@@ -329,7 +336,7 @@ def past(A, root, edge, D_0, C_1, S_1):
 def beside(B, c_3, s_2):
     """(c_1^2 - s_1^2)/c_1 of an odd force without a load where f_0 = 0 and B is not 0, with c_3 and s_2 of some B between 0 and there.
 
-    Equation the mean of (3). Domain: c_3 other than 0.
+    Equation the mean of (3). Domain: c_3 other than 0. Shape: the arguments that it depends on, broadcast.
     Operations: 7 structured, 7 common subexpressions, 7 power chains.
     Proved, error / u (1 + kappa): 1.51
     """
@@ -339,7 +346,8 @@ def beside(B, c_3, s_2):
 def moved(A, c_1, c_2, c_3, s_1, s_2, s_3, c_0_p, c_1_p, c_2_p, s_0_p, s_1_p, s_2_p, load_p):
     """B_p, h_p, h_Ap, h_AAp along the balance at a fixed A, by what a parameter does to means and load.
 
-    Equation (20), (31). Domain: A > 0, c_1 other than 0.
+    Equation (20), (31). Domain: A > 0, c_1 other than 0. Shape: 4 results, each the arguments that it depends on,
+    broadcast.
     Operations: 146 structured, 119 common subexpressions, 119 power chains.
     Proved, error / u (1 + kappa): 3.01, 5.01, -, -
     """
@@ -381,7 +389,8 @@ def moved(A, c_1, c_2, c_3, s_1, s_2, s_3, c_0_p, c_1_p, c_2_p, s_0_p, s_1_p, s_
 def moved_at_end(side, c_1, s_1, c_0_p, load_p, end_p):
     """A_p of a motion that comes to an end of a piece: at B + A for side = 1, at B - A for side = -1.
 
-    Equation the mean of (3). Domain: side c_1 other than s_1.
+    Equation the mean of (3). Domain: side c_1 other than s_1. Shape: a tuple of one, the arguments that it depends
+    on, broadcast.
     Operations: 7 structured, 6 common subexpressions, 6 power chains.
     """
     t0 = c_1 * side
@@ -393,7 +402,8 @@ def moved_at_end(side, c_1, s_1, c_0_p, load_p, end_p):
 def begin(A, a, root, angle):
     """L_-1, L_0, M_-1, M_0 of a step at B + a that the motion passes at psi = angle.
 
-    Equation the mean of (3). Domain: root = sqrt(A^2 - a^2).
+    Equation the mean of (3). Domain: root = sqrt(A^2 - a^2). Shape: 4 results, each the arguments that it depends
+    on, broadcast.
     Operations: 7 structured, 7 common subexpressions, 7 power chains.
     """
     t0 = 0.31830988618379069 / root
@@ -409,7 +419,7 @@ def begin(A, a, root, angle):
 def up(k, A, a, L_2, L_1, M_2, M_1):
     """L_k and M_k from the two below each.
 
-    Equation the mean of (3). Domain: k >= 1.
+    Equation the mean of (3). Domain: k >= 1. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 26 structured, 23 common subexpressions, 23 power chains.
     """
     t0 = 2.0 * k
@@ -425,7 +435,7 @@ def up(k, A, a, L_2, L_1, M_2, M_1):
 def down(k, A, a, root, L_1, L_k, M_1, M_k):
     """L_(k-2) and M_(k-2) from the two above each.
 
-    Equation the mean of (3). Domain: root > 0.
+    Equation the mean of (3). Domain: root > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 22 structured, 21 common subexpressions, 21 power chains.
     Proved, error / u (1 + kappa): 14.01, -
     """

@@ -5,7 +5,7 @@ Input: derivations/mechanisms/rod_spring.py, sha256 32547d193395cd270acc3f273e70
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
-docstring gives equation number, domain and the operations after each pass.
+docstring gives equation number, domain, shape and the operations after each pass.
 Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 21/20 times.
 """
 
@@ -152,7 +152,7 @@ def _averaged_passed_1_far_1(A, alpha, beta, gamma, u_cr):
 def averaged(A, alpha, beta, gamma, u_cr):
     """h, h_A, h_AA, h_AAA together.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0. Shape: 4 results, each as the arguments broadcast.
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
@@ -247,7 +247,7 @@ def _averaged_2_passed_1_far_1(A, alpha, beta, gamma, u_cr):
 def averaged_2(A, alpha, beta, gamma, u_cr):
     """h, h_A together.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
@@ -340,7 +340,7 @@ def _averaged_H_passed_1_far_1(A, alpha, beta, gamma, u_cr):
 def averaged_H(A, alpha, beta, gamma, u_cr):
     """H, H_A together.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
@@ -416,7 +416,7 @@ def _intercept_passed_1_far_1(A, alpha, beta, gamma, u_cr):
 def intercept(A, alpha, beta, gamma, u_cr):
     """h - A h_A, where the tangent of h meets A = 0; linear terms are none.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
@@ -663,7 +663,7 @@ def _harmonics_passed_1_far_1(A, alpha, beta, gamma, u_cr):
 def harmonics(A, alpha, beta, gamma, u_cr):
     """Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
 
-    Equation beyond (20). Domain: A >= 0.
+    Equation beyond (20). Domain: A >= 0. Shape: 8 results, each as the arguments broadcast.
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
@@ -813,7 +813,7 @@ def _by_parameter_passed_1_far_1(A, h, h_A, h_AA, alpha, beta, gamma, u_cr):
 def by_parameter(A, h, h_A, h_AA, alpha, beta, gamma, u_cr):
     """d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
 
-    Equation from (20)-(22), (31). Domain: A > 0.
+    Equation from (20)-(22), (31). Domain: A > 0. Shape: 12 results, each as the arguments broadcast.
     """
     arguments = floats(A, h, h_A, h_AA, alpha, beta, gamma, u_cr)
     A, h, h_A, h_AA, alpha, beta, gamma, u_cr = arguments
@@ -825,7 +825,7 @@ def by_parameter(A, h, h_A, h_AA, alpha, beta, gamma, u_cr):
 def by_design(lam, r, delta_h):
     """d/d of each number of the design: of each parameter in turn, then of each breakpoint.
 
-    Equation (5), (7). Domain: any design that has a breakpoint.
+    Equation (5), (7). Domain: any design that has a breakpoint. Shape: 15 results, each as the arguments broadcast.
     Operations: 31 structured, 17 common subexpressions, 17 power chains.
     """
     lam, r, delta_h = floats(lam, r, delta_h)
@@ -857,7 +857,7 @@ def by_design(lam, r, delta_h):
 def coefficients(lam, r, delta_h):
     """The parameters alpha, beta, gamma, u_cr from the design.
 
-    Equation (5), (7). Domain: any design.
+    Equation (5), (7). Domain: any design. Shape: 4 results, each as the arguments broadcast.
     Operations: 15 structured, 11 common subexpressions, 11 power chains.
     Proved, error / u (1 + kappa): 1.34, 6.01, 8.01, -
     """
@@ -876,7 +876,7 @@ def coefficients(lam, r, delta_h):
 def breakpoints(alpha, beta, gamma, u_cr):
     """The |u| at which a piece of the force ends.
 
-    Equation (5). Domain: any parameters.
+    Equation (5). Domain: any parameters. Shape: a tuple of one, as the arguments broadcast.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
     Proved, error / u (1 + kappa): 0.0
     """
@@ -890,7 +890,7 @@ def breakpoints(alpha, beta, gamma, u_cr):
 def jumps(alpha, beta, gamma, u_cr):
     """What the force loses at each breakpoint: f below less f above.
 
-    Equation (6). Domain: any parameters.
+    Equation (6). Domain: any parameters. Shape: a tuple of one, as the arguments broadcast.
     Operations: 8 structured, 7 common subexpressions, 7 power chains.
     Proved, error / u (1 + kappa): 7.67
     """
@@ -904,7 +904,7 @@ def jumps(alpha, beta, gamma, u_cr):
 def hardening(alpha, beta, gamma, u_cr):
     """The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
 
-    Equation from (3). Domain: any parameters.
+    Equation from (3). Domain: any parameters. Shape: 3 results, each as the arguments broadcast.
     Operations: 8 structured, 7 common subexpressions, 7 power chains.
     Proved, error / u (1 + kappa): 0.0, 0.0, 7.67
     """
@@ -921,7 +921,7 @@ def hardening(alpha, beta, gamma, u_cr):
 def steps(alpha, beta, gamma, u_cr):
     """f and its derivatives just above 0, their gains at each breakpoint, and the last piece's by its formula at 0.
 
-    Equation (3), (5). Domain: any parameters.
+    Equation (3), (5). Domain: any parameters. Shape: 18 results, each as the arguments broadcast.
     Operations: 33 structured, 21 common subexpressions, 21 power chains.
     Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.51, 0.0, 0.51, 7.67, 7.34, 2.34, 1.51, 0.67, 0.51, 0.0, 0.0,
     0.0, 0.0, 0.0, 0.0
@@ -957,7 +957,7 @@ def steps(alpha, beta, gamma, u_cr):
 def force_1(u, alpha, beta, gamma, u_cr):
     """Piece 1 of the whole restoring force u + F_k(u).
 
-    Equation (3), (6). Domain: where it holds.
+    Equation (3), (6). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
     Operations: 7 structured, 6 common subexpressions, 6 power chains.
     Proved, error / u (1 + kappa): 4.76
     """
@@ -968,7 +968,7 @@ def force_1(u, alpha, beta, gamma, u_cr):
 def force_1_u(u, alpha, beta, gamma, u_cr):
     """d/du of piece 1 of the whole restoring force u + F_k(u).
 
-    Equation (3), (6). Domain: where it holds.
+    Equation (3), (6). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
     Operations: 8 structured, 7 common subexpressions, 7 power chains.
     Proved, error / u (1 + kappa): 4.51
     """
@@ -979,7 +979,7 @@ def force_1_u(u, alpha, beta, gamma, u_cr):
 def force_2(u, alpha, beta, gamma, u_cr):
     """Piece 2 of the whole restoring force u + F_k(u).
 
-    Equation (3), (6). Domain: where it holds.
+    Equation (3), (6). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
     Proved, error / u (1 + kappa): 0.0
     """
@@ -989,7 +989,7 @@ def force_2(u, alpha, beta, gamma, u_cr):
 def force_2_u(u, alpha, beta, gamma, u_cr):
     """d/du of piece 2 of the whole restoring force u + F_k(u).
 
-    Equation (3), (6). Domain: where it holds.
+    Equation (3), (6). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
     Proved, error / u (1 + kappa): 0.0
     """
@@ -999,7 +999,7 @@ def force_2_u(u, alpha, beta, gamma, u_cr):
 def force(u, alpha, beta, gamma, u_cr):
     """Whole dimensionless restoring force u + F_k(u), truncated.
 
-    Equation (3), (6). Domain: any u.
+    Equation (3), (6). Domain: any u. Shape: as the arguments broadcast.
     """
     arguments = floats(u, alpha, beta, gamma, u_cr)
     u, alpha, beta, gamma, u_cr = arguments
@@ -1011,7 +1011,8 @@ def force(u, alpha, beta, gamma, u_cr):
 def saddle_node_onset(m, zeta, alpha, beta, gamma, u_cr):
     """Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.
 
-    Equation (33). Domain: roots with 0 < A <= u_cr.
+    Equation (33). Domain: roots with 0 < A <= u_cr. Shape: (19, ...), coefficients by rising power, each as the
+    arguments broadcast.
     Operations: 546 structured, 276 common subexpressions, 238 power chains.
     Proved, error / u (1 + kappa): 0.82, 0.91, 6.01, 4.01, 8.17, -, -, -, -, -, -, -, -, -, -, 4.8, 5.04, 0.89, 0.89
     """
@@ -1092,7 +1093,8 @@ def saddle_node_onset(m, zeta, alpha, beta, gamma, u_cr):
 def saddle_nodes(F_0, m, zeta, alpha, beta, gamma, u_cr):
     """Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
 
-    Equation from (24), (30). Domain: roots with 0 < A <= u_cr.
+    Equation from (24), (30). Domain: roots with 0 < A <= u_cr. Shape: (17, ...), coefficients by rising power, each
+    as the arguments broadcast.
     Operations: 780 structured, 382 common subexpressions, 355 power chains.
     """
     F_0, m, zeta, alpha, beta, gamma, u_cr = floats(F_0, m, zeta, alpha, beta, gamma, u_cr)
@@ -1201,7 +1203,7 @@ def saddle_nodes(F_0, m, zeta, alpha, beta, gamma, u_cr):
 def h(A, alpha, beta, gamma, u_cr):
     """The averaged restoring force h = H - A.
 
-    Equation (20)-(22). Domain: A >= 0.
+    Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged_2(A, alpha, beta, gamma, u_cr)[0]
 
@@ -1209,7 +1211,7 @@ def h(A, alpha, beta, gamma, u_cr):
 def h_A(A, alpha, beta, gamma, u_cr):
     """d/dA of the averaged restoring force h = H - A.
 
-    Equation (31). Domain: A >= 0.
+    Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged_2(A, alpha, beta, gamma, u_cr)[1]
 
@@ -1217,7 +1219,7 @@ def h_A(A, alpha, beta, gamma, u_cr):
 def h_AA(A, alpha, beta, gamma, u_cr):
     """d2/dA2 of the averaged restoring force h = H - A.
 
-    Equation from (31). Domain: A >= 0.
+    Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged(A, alpha, beta, gamma, u_cr)[2]
 
@@ -1225,7 +1227,7 @@ def h_AA(A, alpha, beta, gamma, u_cr):
 def h_AAA(A, alpha, beta, gamma, u_cr):
     """d3/dA3 of the averaged restoring force h = H - A.
 
-    Equation from (31). Domain: A >= 0.
+    Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged(A, alpha, beta, gamma, u_cr)[3]
 
@@ -1233,7 +1235,7 @@ def h_AAA(A, alpha, beta, gamma, u_cr):
 def H(A, alpha, beta, gamma, u_cr):
     """The averaged force H beside the vertical spring.
 
-    Equation (20)-(22). Domain: A >= 0.
+    Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged_H(A, alpha, beta, gamma, u_cr)[0]
 
@@ -1241,7 +1243,7 @@ def H(A, alpha, beta, gamma, u_cr):
 def H_A(A, alpha, beta, gamma, u_cr):
     """d/dA of the averaged force H beside the vertical spring.
 
-    Equation (31). Domain: A >= 0.
+    Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged_H(A, alpha, beta, gamma, u_cr)[1]
 
@@ -1249,7 +1251,7 @@ def H_A(A, alpha, beta, gamma, u_cr):
 def H_AA(A, alpha, beta, gamma, u_cr):
     """d2/dA2 of the averaged force H beside the vertical spring.
 
-    Equation from (31). Domain: A >= 0.
+    Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged(A, alpha, beta, gamma, u_cr)[2]
 
@@ -1257,7 +1259,7 @@ def H_AA(A, alpha, beta, gamma, u_cr):
 def F(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
     """Frequency response; zero at a steady state.
 
-    Equation (24). Domain: Omega > 0, A > 0.
+    Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.F(Omega, A, F_0, flow.friction(mu), zeta, average)
@@ -1266,7 +1268,7 @@ def F(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
 def F_A(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     """dF/dA; positive where stable.
 
-    Equation (24), (30). Domain: Omega > 0, A > 0.
+    Equation (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     """
     average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.F_A(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -1275,7 +1277,7 @@ def F_A(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
 def level(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     """The forcing F_0 for which (Omega, A) is a steady state.
 
-    Equation (24). Domain: Omega >= 0, A > 0.
+    Equation (24). Domain: Omega >= 0, A > 0. Shape: as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.level(Omega, A, flow.friction(mu), zeta, average)
@@ -1284,7 +1286,7 @@ def level(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
 def phase(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     """Phase phi of a steady state, from -pi to 0.
 
-    Equation (25). Domain: Omega > 0, A > 0.
+    Equation (25). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.phase(Omega, A, flow.friction(mu), zeta, average)
@@ -1293,7 +1295,7 @@ def phase(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
 def jacobian(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
 
-    Equation (28). Domain: Omega > 0, A > 0.
+    Equation (28). Domain: Omega > 0, A > 0. Shape: 4 results, each as the arguments broadcast.
     """
     average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.jacobian(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -1302,7 +1304,7 @@ def jacobian(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
 def stability(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
-    Equation (30). Domain: Omega > 0, A > 0.
+    Equation (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     """
     average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.stability(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -1311,7 +1313,7 @@ def stability(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
 def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
     """Fundamental harmonic of the force on the base over F_0, at a steady state.
 
-    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
+    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Shape: as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.transmissibility(Omega, A, F_0, flow.friction(mu), zeta, average)
@@ -1320,7 +1322,7 @@ def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
 def backbone(A, alpha, beta, gamma, u_cr):
     """Frequency on the backbone.
 
-    Equation (26). Domain: A > 0, h <= 0.
+    Equation (26). Domain: A > 0, h <= 0. Shape: as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.backbone(A, average)
@@ -1329,7 +1331,7 @@ def backbone(A, alpha, beta, gamma, u_cr):
 def limit_envelope(Omega, F_0, mu, zeta):
     """Largest amplitude that the forcing can hold at this frequency.
 
-    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
+    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Shape: as the arguments broadcast.
     """
     return flow.limit_envelope(Omega, F_0, flow.friction(mu), zeta)
 
@@ -1337,7 +1339,7 @@ def limit_envelope(Omega, F_0, mu, zeta):
 def equivalent_damping(Omega, A, mu, zeta):
     """Viscous damping ratio that dissipates as much as zeta and friction together.
 
-    Equation (38). Domain: Omega > 0, A > 0.
+    Equation (38). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     """
     return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
@@ -1345,7 +1347,7 @@ def equivalent_damping(Omega, A, mu, zeta):
 def response_quartic(A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
     """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
-    Equation (24). Domain: A > 0.
+    Equation (24). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.response_quartic(A, F_0, flow.friction(mu), zeta, average)
@@ -1354,7 +1356,7 @@ def response_quartic(A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
 def fold_quartic(A, mu, zeta, alpha, beta, gamma, u_cr):
     """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
-    Equation (24), (30). Domain: A > 0.
+    Equation (24), (30). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
     """
     average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.fold_quartic(A, flow.friction(mu), zeta, average, average_A)
@@ -1363,7 +1365,7 @@ def fold_quartic(A, mu, zeta, alpha, beta, gamma, u_cr):
 def peak_cubic(A, mu, zeta, alpha, beta, gamma, u_cr):
     """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
 
-    Equation (34). Domain: A > 0.
+    Equation (34). Domain: A > 0. Shape: 3 results, each as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.peak_cubic(A, flow.friction(mu), zeta, average)
@@ -1372,7 +1374,7 @@ def peak_cubic(A, mu, zeta, alpha, beta, gamma, u_cr):
 def detachment(A, mu, zeta, alpha, beta, gamma, u_cr):
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
-    Equation (34). Domain: A > 0.
+    Equation (34). Domain: A > 0. Shape: (4, ...), coefficients by rising power, each as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.detachment(A, flow.friction(mu), zeta, average)

@@ -6,7 +6,7 @@ Input: derivations/mechanisms/rod_spring_untruncated.py, sha256 fcc795df716f7e2f
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
-docstring gives equation number, domain and the operations after each pass.
+docstring gives equation number, domain, shape and the operations after each pass.
 Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 21/20 times.
 """
 
@@ -1207,7 +1207,7 @@ def _averaged_all_passed_1_steep(A, alpha, beta, delta_h):
 def averaged_all(A, alpha, beta, delta_h):
     """h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0. Shape: 7 results, each as the arguments broadcast.
     """
     arguments = floats(A, alpha, beta, delta_h)
     A, alpha, beta, delta_h = arguments
@@ -1484,7 +1484,7 @@ def _harmonics_passed_1(A, alpha, beta, delta_h):
 def harmonics(A, alpha, beta, delta_h):
     """Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
 
-    Equation beyond (20). Domain: A >= 0, u_cr <= 3/4.
+    Equation beyond (20). Domain: A >= 0, u_cr <= 3/4. Shape: 8 results, each as the arguments broadcast.
     """
     arguments = floats(A, alpha, beta, delta_h)
     A, alpha, beta, delta_h = arguments
@@ -1587,7 +1587,7 @@ def _by_parameter_passed_1_far_1(A, h, h_A, h_AA, alpha, beta, delta_h):
 def by_parameter(A, h, h_A, h_AA, alpha, beta, delta_h):
     """d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.
 
-    Equation from (20)-(22), (31). Domain: A > 0.
+    Equation from (20)-(22), (31). Domain: A > 0. Shape: 9 results, each as the arguments broadcast.
     """
     arguments = floats(A, h, h_A, h_AA, alpha, beta, delta_h)
     A, h, h_A, h_AA, alpha, beta, delta_h = arguments
@@ -1599,7 +1599,7 @@ def by_parameter(A, h, h_A, h_AA, alpha, beta, delta_h):
 def by_design(lam, r, delta_h):
     """d/d of each number of the design: of each parameter in turn, then of each breakpoint.
 
-    Equation (5), (7). Domain: any design that has a breakpoint.
+    Equation (5), (7). Domain: any design that has a breakpoint. Shape: 12 results, each as the arguments broadcast.
     Operations: 17 structured, 13 common subexpressions, 13 power chains.
     Proved, error / u (1 + kappa): 0.34, 0.34, 0.34, 4.01, 4.01, 0.34, 0.0, 0.0, 0.0, 0.0, 0.0, -
     """
@@ -1627,7 +1627,7 @@ def by_design(lam, r, delta_h):
 def coefficients(lam, r, delta_h):
     """The parameters alpha, beta, delta_h from the design.
 
-    Equation (5), (7). Domain: any design.
+    Equation (5), (7). Domain: any design. Shape: 3 results, each as the arguments broadcast.
     Operations: 7 structured, 6 common subexpressions, 6 power chains.
     Proved, error / u (1 + kappa): 1.34, 6.01, 0.0
     """
@@ -1644,7 +1644,7 @@ def coefficients(lam, r, delta_h):
 def breakpoints(alpha, beta, delta_h):
     """The |u| at which a piece of the force ends.
 
-    Equation (5). Domain: any parameters.
+    Equation (5). Domain: any parameters. Shape: a tuple of one, as the arguments broadcast.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
     """
     alpha, beta, delta_h = floats(alpha, beta, delta_h)
@@ -1657,7 +1657,7 @@ def breakpoints(alpha, beta, delta_h):
 def jumps(alpha, beta, delta_h):
     """What the force loses at each breakpoint: f below less f above.
 
-    Equation (5). Domain: any parameters.
+    Equation (5). Domain: any parameters. Shape: a tuple of one, as the arguments broadcast.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
     Proved, error / u (1 + kappa): 0.0
     """
@@ -1671,7 +1671,7 @@ def jumps(alpha, beta, delta_h):
 def hardening(alpha, beta, delta_h):
     """The force over the displacement, f(u)/u, rises with |u| where none of these is negative.
 
-    Equation from (3). Domain: any parameters.
+    Equation from (3). Domain: any parameters. Shape: a tuple of one, as the arguments broadcast.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
     Proved, error / u (1 + kappa): 0.0
     """
@@ -1685,7 +1685,7 @@ def hardening(alpha, beta, delta_h):
 def force_1(u, alpha, beta, delta_h):
     """Piece 1 of the whole restoring force u + F_k(u).
 
-    Equation (3), (5). Domain: where it holds.
+    Equation (3), (5). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
     Operations: 16 structured, 12 common subexpressions, 12 power chains.
     """
     t0 = np.sqrt((1.0 - u) * (u + 1.0))
@@ -1695,7 +1695,7 @@ def force_1(u, alpha, beta, delta_h):
 def force_1_u(u, alpha, beta, delta_h):
     """d/du of piece 1 of the whole restoring force u + F_k(u).
 
-    Equation (3), (5). Domain: where it holds.
+    Equation (3), (5). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
     Operations: 30 structured, 23 common subexpressions, 23 power chains.
     """
     root_1 = np.sqrt((1.0 - u) * (u + 1.0))
@@ -1710,7 +1710,7 @@ def force_1_u(u, alpha, beta, delta_h):
 def force_2(u, alpha, beta, delta_h):
     """Piece 2 of the whole restoring force u + F_k(u).
 
-    Equation (3), (5). Domain: where it holds.
+    Equation (3), (5). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
     Proved, error / u (1 + kappa): 0.0
     """
@@ -1720,7 +1720,7 @@ def force_2(u, alpha, beta, delta_h):
 def force_2_u(u, alpha, beta, delta_h):
     """d/du of piece 2 of the whole restoring force u + F_k(u).
 
-    Equation (3), (5). Domain: where it holds.
+    Equation (3), (5). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
     Proved, error / u (1 + kappa): 0.0
     """
@@ -1730,7 +1730,7 @@ def force_2_u(u, alpha, beta, delta_h):
 def force(u, alpha, beta, delta_h):
     """Whole dimensionless restoring force u + F_k(u), untruncated.
 
-    Equation (3), (5). Domain: |u| < 1.
+    Equation (3), (5). Domain: |u| < 1. Shape: as the arguments broadcast.
     """
     arguments = floats(u, alpha, beta, delta_h)
     u, alpha, beta, delta_h = arguments
@@ -1742,7 +1742,7 @@ def force(u, alpha, beta, delta_h):
 def averaged(A, alpha, beta, delta_h):
     """h, h_A, h_AA, h_AAA together.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0. Shape: 4 results, each as the arguments broadcast.
     """
     values = averaged_all(A, alpha, beta, delta_h)
     return values[0], values[1], values[2], values[3]
@@ -1751,7 +1751,7 @@ def averaged(A, alpha, beta, delta_h):
 def averaged_2(A, alpha, beta, delta_h):
     """h, h_A together.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
     """
     values = averaged_all(A, alpha, beta, delta_h)
     return values[0], values[1]
@@ -1760,7 +1760,7 @@ def averaged_2(A, alpha, beta, delta_h):
 def averaged_H(A, alpha, beta, delta_h):
     """H, H_A together.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
     """
     values = averaged_all(A, alpha, beta, delta_h)
     return values[4], values[5]
@@ -1769,7 +1769,7 @@ def averaged_H(A, alpha, beta, delta_h):
 def intercept(A, alpha, beta, delta_h):
     """h - A h_A, where the tangent of h meets A = 0; linear terms are none.
 
-    Equation (20)-(22), (31). Domain: A >= 0.
+    Equation (20)-(22), (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged_all(A, alpha, beta, delta_h)[6]
 
@@ -1777,7 +1777,7 @@ def intercept(A, alpha, beta, delta_h):
 def h(A, alpha, beta, delta_h):
     """The averaged restoring force h = H - A.
 
-    Equation (20)-(22). Domain: A >= 0.
+    Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged_2(A, alpha, beta, delta_h)[0]
 
@@ -1785,7 +1785,7 @@ def h(A, alpha, beta, delta_h):
 def h_A(A, alpha, beta, delta_h):
     """d/dA of the averaged restoring force h = H - A.
 
-    Equation (31). Domain: A >= 0.
+    Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged_2(A, alpha, beta, delta_h)[1]
 
@@ -1793,7 +1793,7 @@ def h_A(A, alpha, beta, delta_h):
 def h_AA(A, alpha, beta, delta_h):
     """d2/dA2 of the averaged restoring force h = H - A.
 
-    Equation from (31). Domain: A >= 0.
+    Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged(A, alpha, beta, delta_h)[2]
 
@@ -1801,7 +1801,7 @@ def h_AA(A, alpha, beta, delta_h):
 def h_AAA(A, alpha, beta, delta_h):
     """d3/dA3 of the averaged restoring force h = H - A.
 
-    Equation from (31). Domain: A >= 0.
+    Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged(A, alpha, beta, delta_h)[3]
 
@@ -1809,7 +1809,7 @@ def h_AAA(A, alpha, beta, delta_h):
 def H(A, alpha, beta, delta_h):
     """The averaged force H beside the vertical spring.
 
-    Equation (20)-(22). Domain: A >= 0.
+    Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged_H(A, alpha, beta, delta_h)[0]
 
@@ -1817,7 +1817,7 @@ def H(A, alpha, beta, delta_h):
 def H_A(A, alpha, beta, delta_h):
     """d/dA of the averaged force H beside the vertical spring.
 
-    Equation (31). Domain: A >= 0.
+    Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged_H(A, alpha, beta, delta_h)[1]
 
@@ -1825,7 +1825,7 @@ def H_A(A, alpha, beta, delta_h):
 def H_AA(A, alpha, beta, delta_h):
     """d2/dA2 of the averaged force H beside the vertical spring.
 
-    Equation from (31). Domain: A >= 0.
+    Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
     """
     return averaged(A, alpha, beta, delta_h)[2]
 
@@ -1833,7 +1833,7 @@ def H_AA(A, alpha, beta, delta_h):
 def F(Omega, A, F_0, mu, zeta, alpha, beta, delta_h):
     """Frequency response; zero at a steady state.
 
-    Equation (24). Domain: Omega > 0, A > 0.
+    Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.F(Omega, A, F_0, flow.friction(mu), zeta, average)
@@ -1842,7 +1842,7 @@ def F(Omega, A, F_0, mu, zeta, alpha, beta, delta_h):
 def F_A(Omega, A, mu, zeta, alpha, beta, delta_h):
     """dF/dA; positive where stable.
 
-    Equation (24), (30). Domain: Omega > 0, A > 0.
+    Equation (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     """
     average, average_A = averaged_2(A, alpha, beta, delta_h)
     return flow.F_A(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -1851,7 +1851,7 @@ def F_A(Omega, A, mu, zeta, alpha, beta, delta_h):
 def level(Omega, A, mu, zeta, alpha, beta, delta_h):
     """The forcing F_0 for which (Omega, A) is a steady state.
 
-    Equation (24). Domain: Omega >= 0, A > 0.
+    Equation (24). Domain: Omega >= 0, A > 0. Shape: as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.level(Omega, A, flow.friction(mu), zeta, average)
@@ -1860,7 +1860,7 @@ def level(Omega, A, mu, zeta, alpha, beta, delta_h):
 def phase(Omega, A, mu, zeta, alpha, beta, delta_h):
     """Phase phi of a steady state, from -pi to 0.
 
-    Equation (25). Domain: Omega > 0, A > 0.
+    Equation (25). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.phase(Omega, A, flow.friction(mu), zeta, average)
@@ -1869,7 +1869,7 @@ def phase(Omega, A, mu, zeta, alpha, beta, delta_h):
 def jacobian(Omega, A, mu, zeta, alpha, beta, delta_h):
     """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
 
-    Equation (28). Domain: Omega > 0, A > 0.
+    Equation (28). Domain: Omega > 0, A > 0. Shape: 4 results, each as the arguments broadcast.
     """
     average, average_A = averaged_2(A, alpha, beta, delta_h)
     return flow.jacobian(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -1878,7 +1878,7 @@ def jacobian(Omega, A, mu, zeta, alpha, beta, delta_h):
 def stability(Omega, A, mu, zeta, alpha, beta, delta_h):
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
-    Equation (30). Domain: Omega > 0, A > 0.
+    Equation (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     """
     average, average_A = averaged_2(A, alpha, beta, delta_h)
     return flow.stability(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -1887,7 +1887,7 @@ def stability(Omega, A, mu, zeta, alpha, beta, delta_h):
 def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, delta_h):
     """Fundamental harmonic of the force on the base over F_0, at a steady state.
 
-    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
+    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Shape: as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.transmissibility(Omega, A, F_0, flow.friction(mu), zeta, average)
@@ -1896,7 +1896,7 @@ def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, delta_h):
 def backbone(A, alpha, beta, delta_h):
     """Frequency on the backbone.
 
-    Equation (26). Domain: A > 0, h <= 0.
+    Equation (26). Domain: A > 0, h <= 0. Shape: as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.backbone(A, average)
@@ -1905,7 +1905,7 @@ def backbone(A, alpha, beta, delta_h):
 def limit_envelope(Omega, F_0, mu, zeta):
     """Largest amplitude that the forcing can hold at this frequency.
 
-    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
+    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Shape: as the arguments broadcast.
     """
     return flow.limit_envelope(Omega, F_0, flow.friction(mu), zeta)
 
@@ -1913,7 +1913,7 @@ def limit_envelope(Omega, F_0, mu, zeta):
 def equivalent_damping(Omega, A, mu, zeta):
     """Viscous damping ratio that dissipates as much as zeta and friction together.
 
-    Equation (38). Domain: Omega > 0, A > 0.
+    Equation (38). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     """
     return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
@@ -1921,7 +1921,7 @@ def equivalent_damping(Omega, A, mu, zeta):
 def response_quartic(A, F_0, mu, zeta, alpha, beta, delta_h):
     """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
-    Equation (24). Domain: A > 0.
+    Equation (24). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.response_quartic(A, F_0, flow.friction(mu), zeta, average)
@@ -1930,7 +1930,7 @@ def response_quartic(A, F_0, mu, zeta, alpha, beta, delta_h):
 def fold_quartic(A, mu, zeta, alpha, beta, delta_h):
     """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
-    Equation (24), (30). Domain: A > 0.
+    Equation (24), (30). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
     """
     average, average_A = averaged_2(A, alpha, beta, delta_h)
     return flow.fold_quartic(A, flow.friction(mu), zeta, average, average_A)
@@ -1939,7 +1939,7 @@ def fold_quartic(A, mu, zeta, alpha, beta, delta_h):
 def peak_cubic(A, mu, zeta, alpha, beta, delta_h):
     """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
 
-    Equation (34). Domain: A > 0.
+    Equation (34). Domain: A > 0. Shape: 3 results, each as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.peak_cubic(A, flow.friction(mu), zeta, average)
@@ -1948,7 +1948,7 @@ def peak_cubic(A, mu, zeta, alpha, beta, delta_h):
 def detachment(A, mu, zeta, alpha, beta, delta_h):
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
-    Equation (34). Domain: A > 0.
+    Equation (34). Domain: A > 0. Shape: (4, ...), coefficients by rising power, each as the arguments broadcast.
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.detachment(A, flow.friction(mu), zeta, average)

@@ -5,7 +5,7 @@ Input: none but the equation of motion in derivations/averaging.py, derivations/
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
-docstring gives equation number, domain and the operations after each pass.
+docstring gives equation number, domain, shape and the operations after each pass.
 """
 
 # a formatter would spread each polynomial over a page
@@ -33,7 +33,7 @@ __all__ = [
 def friction(mu):
     """Dry friction's share of I.
 
-    Equation (23). Domain: mu >= 0.
+    Equation (23). Domain: mu >= 0. Shape: as the arguments broadcast.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
     """
     (mu,) = floats(mu)
@@ -43,7 +43,7 @@ def friction(mu):
 def R(Omega, A, h):
     """Cosine balance, -F_0 cos phi at a fixed point.
 
-    Equation (23). Domain: Omega > 0, A > 0.
+    Equation (23). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
     Proved, error / u (1 + kappa): 1.01
     """
@@ -54,7 +54,7 @@ def R(Omega, A, h):
 def I(Omega, A, m, zeta):  # noqa: E743
     """Sine balance, -F_0 sin phi at a fixed point.
 
-    Equation (23). Domain: Omega > 0, A > 0.
+    Equation (23). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
     Proved, error / u (1 + kappa): 0.76
     """
@@ -65,7 +65,7 @@ def I(Omega, A, m, zeta):  # noqa: E743
 def F(Omega, A, F_0, m, zeta, h):
     """Frequency response; zero at a steady state.
 
-    Equation (24). Domain: Omega > 0, A > 0.
+    Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 12 structured, 12 common subexpressions, 12 power chains.
     """
     Omega, A, F_0, m, zeta, h = floats(Omega, A, F_0, m, zeta, h)
@@ -77,7 +77,7 @@ def F(Omega, A, F_0, m, zeta, h):
 def F_A(Omega, A, m, zeta, h, h_A):
     """dF/dA; positive where stable.
 
-    Equation (24), (30). Domain: Omega > 0, A > 0.
+    Equation (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 15 structured, 12 common subexpressions, 12 power chains.
     """
     Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
@@ -91,7 +91,7 @@ def F_A(Omega, A, m, zeta, h, h_A):
 def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
     """d2F/dA2.
 
-    Equation (24), (33). Domain: Omega > 0, A > 0.
+    Equation (24), (33). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 14 structured, 12 common subexpressions, 12 power chains.
     """
     Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
@@ -104,7 +104,7 @@ def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
 def F_Omega(Omega, A, m, zeta, h):
     """dF/dOmega.
 
-    Equation (24), (34). Domain: Omega > 0, A > 0.
+    Equation (24), (34). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 12 structured, 12 common subexpressions, 12 power chains.
     Proved, error / u (1 + kappa): 3.67
     """
@@ -117,7 +117,7 @@ def F_Omega(Omega, A, m, zeta, h):
 def F_AOmega(Omega, A, m, zeta, h, h_A):
     """d2F/dA dOmega.
 
-    Equation (24). Domain: Omega > 0, A > 0.
+    Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 21 structured, 17 common subexpressions, 17 power chains.
     Proved, error / u (1 + kappa): 4.72
     """
@@ -133,7 +133,7 @@ def F_AOmega(Omega, A, m, zeta, h, h_A):
 def phase(Omega, A, m, zeta, h):
     """Phase phi of a steady state, from -pi to 0.
 
-    Equation (25). Domain: Omega > 0, A > 0.
+    Equation (25). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 8 structured, 8 common subexpressions, 8 power chains.
     """
     Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
@@ -145,7 +145,7 @@ def phase(Omega, A, m, zeta, h):
 def backbone(A, h):
     """Frequency on the backbone.
 
-    Equation (26). Domain: A > 0, h <= 0.
+    Equation (26). Domain: A > 0, h <= 0. Shape: as the arguments broadcast.
     Operations: 2 structured, 2 common subexpressions, 2 power chains.
     """
     A, h = floats(A, h)
@@ -156,7 +156,7 @@ def backbone(A, h):
 def limit_envelope(Omega, F_0, m, zeta):
     """Largest amplitude that the forcing can hold at this frequency.
 
-    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
+    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Shape: as the arguments broadcast.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
     Proved, error / u (1 + kappa): 4.01
     """
@@ -167,7 +167,7 @@ def limit_envelope(Omega, F_0, m, zeta):
 def equivalent_damping(Omega, A, m, zeta):
     """Viscous damping ratio that dissipates as much as zeta and friction together.
 
-    Equation (38). Domain: Omega > 0, A > 0.
+    Equation (38). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
     Proved, error / u (1 + kappa): 0.76
     """
@@ -178,7 +178,7 @@ def equivalent_damping(Omega, A, m, zeta):
 def transmissibility(Omega, A, F_0, m, zeta, h):
     """Fundamental harmonic of the force on the base over F_0, at a steady state.
 
-    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
+    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Shape: as the arguments broadcast.
     Operations: 6 structured, 6 common subexpressions, 6 power chains.
     """
     Omega, A, F_0, m, zeta, h = floats(Omega, A, F_0, m, zeta, h)
@@ -189,7 +189,7 @@ def transmissibility(Omega, A, F_0, m, zeta, h):
 def isolation(A, h):
     """Frequency of a state that transmits as much as drives it, though it moves.
 
-    Equation from (23). Domain: A > 0, h <= 0.
+    Equation from (23). Domain: A > 0, h <= 0. Shape: as the arguments broadcast.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
     """
     A, h = floats(A, h)
@@ -200,7 +200,7 @@ def isolation(A, h):
 def held(m, preload):
     """The forcing up to which a mass at rest stays there: that of a state as A tends to 0.
 
-    Equation (24). Domain: preload >= 0, -h as A tends to 0.
+    Equation (24). Domain: preload >= 0, -h as A tends to 0. Shape: as the arguments broadcast.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
     """
     m, preload = floats(m, preload)
@@ -210,7 +210,7 @@ def held(m, preload):
 def jacobian(Omega, A, m, zeta, h, h_A):
     """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
 
-    Equation (28). Domain: Omega > 0, A > 0.
+    Equation (28). Domain: Omega > 0, A > 0. Shape: 4 results, each as the arguments broadcast.
     Operations: 17 structured, 13 common subexpressions, 13 power chains.
     Proved, error / u (1 + kappa): 0.0, 2.01, 3.01, 3.01
     """
@@ -230,7 +230,7 @@ def jacobian(Omega, A, m, zeta, h, h_A):
 def mean_stiffness(A, h, h_A):
     """Mean of the stiffness over a cycle of a motion about u = 0, which stays about it where this is positive.
 
-    Equation beside (30). Domain: A > 0.
+    Equation beside (30). Domain: A > 0. Shape: as the arguments broadcast.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
     Proved, error / u (1 + kappa): 1.01
     """
@@ -241,7 +241,7 @@ def mean_stiffness(A, h, h_A):
 def offset_stiffness(Omega, A, h, h_A):
     """What carries a small mean offset back; where the mean stiffness is negative this decides.
 
-    Equation beside (30). Domain: Omega > 0, A > 0.
+    Equation beside (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 14 structured, 14 common subexpressions, 14 power chains.
     """
     Omega, A, h, h_A = floats(Omega, A, h, h_A)
@@ -254,7 +254,7 @@ def offset_stiffness(Omega, A, h, h_A):
 def stability(Omega, A, m, zeta, h, h_A):
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
-    Equation (30). Domain: Omega > 0, A > 0.
+    Equation (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 15 structured, 12 common subexpressions, 12 power chains.
     """
     Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
@@ -268,7 +268,7 @@ def stability(Omega, A, m, zeta, h, h_A):
 def response_quartic(A, F_0, m, zeta, h):
     """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
-    Equation (24). Domain: A > 0.
+    Equation (24). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
     Operations: 16 structured, 15 common subexpressions, 15 power chains.
     Proved, error / u (1 + kappa): -, 0.51, 1.61, 0.34
     """
@@ -286,7 +286,7 @@ def response_quartic(A, F_0, m, zeta, h):
 def fold_quartic(A, m, zeta, h, h_A):
     """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
-    Equation (24), (30). Domain: A > 0.
+    Equation (24), (30). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
     Operations: 8 structured, 8 common subexpressions, 8 power chains.
     Proved, error / u (1 + kappa): 0.34, 0.34, 2.34, 0.0
     """
@@ -303,7 +303,7 @@ def fold_quartic(A, m, zeta, h, h_A):
 def peak_cubic(A, m, zeta, h):
     """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
 
-    Equation (34). Domain: A > 0.
+    Equation (34). Domain: A > 0. Shape: 3 results, each as the arguments broadcast.
     Operations: 5 structured, 5 common subexpressions, 5 power chains.
     Proved, error / u (1 + kappa): 0.34, 1.01, 0.0
     """
@@ -319,7 +319,7 @@ def peak_cubic(A, m, zeta, h):
 def detachment(A, m, zeta, h):
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
-    Equation (34). Domain: A > 0.
+    Equation (34). Domain: A > 0. Shape: (4, ...), coefficients by rising power, each as the arguments broadcast.
     Operations: 72 structured, 41 common subexpressions, 37 power chains.
     Proved, error / u (1 + kappa): -, -, 6.67, 0.0
     """
@@ -349,7 +349,7 @@ def detachment(A, m, zeta, h):
 def F_OmegaOmega(Omega, A, zeta, h):
     """d2F/dOmega2.
 
-    Equation (24). Domain: Omega > 0, A > 0.
+    Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 13 structured, 11 common subexpressions, 11 power chains.
     Proved, error / u (1 + kappa): 2.67
     """
@@ -362,7 +362,7 @@ def F_OmegaOmega(Omega, A, zeta, h):
 def level(Omega, A, m, zeta, h):
     """The forcing F_0 for which (Omega, A) is a steady state.
 
-    Equation (24). Domain: Omega >= 0, A > 0.
+    Equation (24). Domain: Omega >= 0, A > 0. Shape: as the arguments broadcast.
     Operations: 11 structured, 11 common subexpressions, 11 power chains.
     """
     Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
@@ -374,7 +374,7 @@ def level(Omega, A, m, zeta, h):
 def rest(F_0, m, h, h_A):
     """F at Omega = 0 as a product: h - c, h + c, and the slope of both along A.
 
-    Equation from (24). Domain: F_0 >= m.
+    Equation from (24). Domain: F_0 >= m. Shape: 3 results, each as the arguments broadcast.
     Operations: 6 structured, 6 common subexpressions, 6 power chains.
     """
     F_0, m, h, h_A = floats(F_0, m, h, h_A)
@@ -391,7 +391,7 @@ def rest(F_0, m, h, h_A):
 def intercept(A, h, h_A, h_AA):
     """k = h - A h_A, where the tangent of h meets A = 0, and its slope along A.
 
-    Equation from (24), (30). Domain: A >= 0.
+    Equation from (24), (30). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
     Proved, error / u (1 + kappa): 1.01, 0.34
     """
@@ -406,7 +406,8 @@ def intercept(A, h, h_A, h_AA):
 def fold(A, F_0, m, zeta, h, h_A, k, k_A):
     """Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
 
-    Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2.
+    Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2. Shape: 3 results, each as the arguments
+    broadcast.
     Operations: 51 structured, 48 common subexpressions, 48 power chains.
     """
     A, F_0, m, zeta, h, h_A, k, k_A = floats(A, F_0, m, zeta, h, h_A, k, k_A)
@@ -434,7 +435,7 @@ def fold(A, F_0, m, zeta, h, h_A, k, k_A):
 def fold_square(Omega, A, lacks):
     """Omega^2 beside a fold by the R of F = F_A = 0, from the Omega by I and what R lacks of agreeing (`fold`).
 
-    Equation from (23). Domain: A > 0.
+    Equation from (23). Domain: A > 0. Shape: as the arguments broadcast.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
     Proved, error / u (1 + kappa): 1.01
     """
@@ -445,7 +446,7 @@ def fold_square(Omega, A, lacks):
 def fold_moves(A, k, R):
     """What F and F_A change by beside a fold, per what vanishes there (`fold`), at its A, Omega and I.
 
-    Equation from (24), (30). Domain: A > 0.
+    Equation from (24), (30). Domain: A > 0. Shape: 2 results, each as the arguments broadcast.
     Operations: 5 structured, 4 common subexpressions, 4 power chains.
     Proved, error / u (1 + kappa): 0.0, 3.01
     """
@@ -461,7 +462,7 @@ def fold_moves(A, k, R):
 def isola_Omega(h_A):
     """Omega at an isola point.
 
-    Equation from (30), (34). Domain: h_A >= 0.
+    Equation from (30), (34). Domain: h_A >= 0. Shape: as the arguments broadcast.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
     """
     (h_A,) = floats(h_A)
@@ -471,7 +472,8 @@ def isola_Omega(h_A):
 def isola(A, m, zeta, h, h_A, h_AA):
     """Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
 
-    Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A.
+    Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. Shape: 2 results, each as the arguments
+    broadcast.
     Operations: 20 structured, 18 common subexpressions, 18 power chains.
     """
     A, m, zeta, h, h_A, h_AA = floats(A, m, zeta, h, h_A, h_AA)
@@ -489,7 +491,7 @@ def isola(A, m, zeta, h, h_A, h_AA):
 def cusps(A, zeta, h, h_A, h_AA, k):
     """F_AA/2 = T^2 + 2 a T + b = X^2 + 2 c X + d, T = dR/dA, X = Omega^2: a, b, c, d, and a^2 - b = c^2 - d.
 
-    Equation from (33). Domain: A > 0.
+    Equation from (33). Domain: A > 0. Shape: 5 results, each as the arguments broadcast.
     Operations: 21 structured, 15 common subexpressions, 15 power chains.
     Proved, error / u (1 + kappa): 1.01, 1.01, 1.51, 1.01, -
     """
@@ -510,7 +512,7 @@ def cusps(A, zeta, h, h_A, h_AA, k):
 def cusp_R(A, zeta, h_AA, k, X, T):
     """R where F_AA = 0 (`cusps`), in two forms: by its tangent, and from F_AA itself.
 
-    Equation from (33). Domain: A > 0, X >= 0.
+    Equation from (33). Domain: A > 0, X >= 0. Shape: 2 results, each as the arguments broadcast.
     Operations: 8 structured, 8 common subexpressions, 8 power chains.
     Proved, error / u (1 + kappa): 1.01, 1.81
     """
@@ -525,7 +527,7 @@ def cusp_R(A, zeta, h_AA, k, X, T):
 def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
     """Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.
 
-    Equation from (33). Domain: A > 0, X > 0.
+    Equation from (33). Domain: A > 0, X > 0. Shape: 4 results, each as the arguments broadcast.
     Operations: 47 structured, 37 common subexpressions, 37 power chains.
     """
     A, m, zeta, h_AA, h_AAA, k, X, T, R, root = floats(A, m, zeta, h_AA, h_AAA, k, X, T, R, root)
@@ -545,7 +547,7 @@ def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
 def cusp_balance(A, m, zeta, h, k, X, T):
     """Omega^2 and F_0^2 at a cusp with R from F_A = 0, by an X = Omega^2 that is nearly right, and T (`cusps`).
 
-    Equation from (30). Domain: A > 0, X > 0, T not 0.
+    Equation from (30). Domain: A > 0, X > 0, T not 0. Shape: 2 results, each as the arguments broadcast.
     Operations: 19 structured, 14 common subexpressions, 14 power chains.
     """
     A, m, zeta, h, k, X, T = floats(A, m, zeta, h, k, X, T)
@@ -563,7 +565,7 @@ def cusp_balance(A, m, zeta, h, k, X, T):
 def peak(Omega, A, F_0, m, zeta, h_A):
     """F where F_Omega = 0: an extremum of F over Omega, and its slope along A.
 
-    Equation from (24), (34). Domain: Omega > 0, A > 0.
+    Equation from (24), (34). Domain: Omega > 0, A > 0. Shape: 2 results, each as the arguments broadcast.
     Operations: 19 structured, 18 common subexpressions, 18 power chains.
     Proved, error / u (1 + kappa): -, 3.67
     """
@@ -581,7 +583,7 @@ def peak(Omega, A, F_0, m, zeta, h_A):
 def peak_Omega_A(Omega, A, m, zeta, h_A):
     """dOmega/dA along F_Omega = 0: what a rounding of A does to Omega at a peak.
 
-    Equation from (34). Domain: Omega > 0, A > 0.
+    Equation from (34). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 14 structured, 13 common subexpressions, 12 power chains.
     """
     Omega, A, m, zeta, h_A = floats(Omega, A, m, zeta, h_A)
@@ -593,7 +595,7 @@ def peak_Omega_A(Omega, A, m, zeta, h_A):
 def Omega_A(Omega, A, m, zeta, h, h_A):
     """dOmega/dA along the response.
 
-    Equation from (24). Domain: Omega > 0, A > 0.
+    Equation from (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 21 structured, 18 common subexpressions, 18 power chains.
     """
     Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
@@ -610,7 +612,7 @@ def Omega_A(Omega, A, m, zeta, h, h_A):
 def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
     """Positive where the level rises with A along the fold locus, negative where it falls.
 
-    Equation from (24), (30). Domain: Omega > 0, A > 0.
+    Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 39 structured, 28 common subexpressions, 28 power chains.
     """
     Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
@@ -631,7 +633,7 @@ def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
 def cusp_bend(Omega, A, m, zeta, h, h_A, h_AA, h_AAA):
     """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
 
-    Equation from (24), (30). Domain: Omega > 0, A > 0.
+    Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 36 structured, 27 common subexpressions, 27 power chains.
     """
     Omega, A, m, zeta, h, h_A, h_AA, h_AAA = floats(Omega, A, m, zeta, h, h_A, h_AA, h_AAA)
@@ -651,7 +653,7 @@ def cusp_bend(Omega, A, m, zeta, h, h_A, h_AA, h_AAA):
 def isola_bend(Omega, A, m, zeta, h, h_A, h_AA):
     """The same at an isola point.
 
-    Equation from (24), (30). Domain: Omega > 0, A > 0.
+    Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 77 structured, 50 common subexpressions, 50 power chains.
     """
     Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
@@ -683,7 +685,7 @@ def isola_bend(Omega, A, m, zeta, h, h_A, h_AA):
 def hessian(Omega, A, m, zeta, h, h_A, h_AA):
     """F_AA F_OmegaOmega - F_AOmega^2: negative at a saddle.
 
-    Equation from (24). Domain: Omega > 0, A > 0.
+    Equation from (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 65 structured, 47 common subexpressions, 47 power chains.
     """
     Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
@@ -714,7 +716,7 @@ def hessian(Omega, A, m, zeta, h, h_A, h_AA):
 def tail(Omega, F_0, m):
     """An amplitude of the size of that far above resonance.
 
-    Equation from (24). Domain: Omega > 0, F_0 >= m.
+    Equation from (24). Domain: Omega > 0, F_0 >= m. Shape: as the arguments broadcast.
     Operations: 7 structured, 7 common subexpressions, 7 power chains.
     """
     Omega, F_0, m = floats(Omega, F_0, m)
@@ -725,7 +727,7 @@ def tail(Omega, F_0, m):
 def most_restoring(A, F_0, m, zeta):
     """The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
 
-    Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0.
+    Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0. Shape: as the arguments broadcast.
     Operations: 6 structured, 6 common subexpressions, 6 power chains.
     """
     A, F_0, m, zeta = floats(A, F_0, m, zeta)
@@ -737,7 +739,7 @@ def most_restoring(A, F_0, m, zeta):
 def least_restoring(F_0, m):
     """The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
 
-    Equation from (24), (30). Domain: F_0 >= m.
+    Equation from (24), (30). Domain: F_0 >= m. Shape: as the arguments broadcast.
     Operations: 5 structured, 5 common subexpressions, 5 power chains.
     """
     F_0, m = floats(F_0, m)
@@ -747,7 +749,8 @@ def least_restoring(F_0, m):
 def moves_of_state(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of a steady state; with Omega = 0 a peak at rest; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 51 structured, 39 common subexpressions, 39 power chains.
     Proved, error / u (1 + kappa): -, 0.0, 0.0, -, -, 0.0, 0.0
     """
@@ -775,7 +778,8 @@ def moves_of_state(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp
 def moves_of_fold(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of a fold at a forcing; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 107 structured, 71 common subexpressions, 71 power chains.
     """
     t0 = Omega * Omega
@@ -814,7 +818,8 @@ def moves_of_fold(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp,
 def moves_of_corner_fold(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of a fold at a forcing, on a breakpoint; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 47 structured, 35 common subexpressions, 35 power chains.
     Proved, error / u (1 + kappa): 0.0, -, 0.0, 3.67, -, 0.0, 0.0
     """
@@ -843,7 +848,8 @@ def moves_of_corner_fold(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap,
 def moves_of_peak(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of a peak at a forcing; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 99 structured, 67 common subexpressions, 67 power chains.
     """
     t0 = Omega * Omega
@@ -880,7 +886,8 @@ def moves_of_peak(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp,
 def moves_of_cusp(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of where two folds meet; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 135 structured, 95 common subexpressions, 95 power chains.
     """
     t0 = Omega * Omega
@@ -919,7 +926,8 @@ def moves_of_cusp(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp,
 def moves_of_isola(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of where an isolated curve is born; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 155 structured, 96 common subexpressions, 96 power chains.
     """
     t0 = Omega * Omega
@@ -964,7 +972,8 @@ def moves_of_isola(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp
 def moves_of_corner_top(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of the least forcing on a breakpoint; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 76 structured, 53 common subexpressions, 53 power chains.
     Proved, error / u (1 + kappa): 0.0, -, -, 2.67, -, 0.0, 0.0
     """
@@ -999,7 +1008,8 @@ def moves_of_corner_top(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, 
 def moves_of_corner_end(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of where the fold locus meets a breakpoint; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 100 structured, 70 common subexpressions, 70 power chains.
     """
     t0 = Omega * Omega
@@ -1034,7 +1044,8 @@ def moves_of_corner_end(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, 
 def moves_of_corner_backbone(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of where the backbone meets a breakpoint; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 37 structured, 29 common subexpressions, 29 power chains.
     Proved, error / u (1 + kappa): 0.0, 4.34, 17.67, 0.34, 0.34, 0.0, 0.0
     """
@@ -1061,7 +1072,8 @@ def moves_of_corner_backbone(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h
 def moves_of_corner_rest(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p):
     """A_p, Omega_p, F_0_p of at Omega = 0 on a breakpoint; then what must not vanish, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
+    broadcast.
     Operations: 34 structured, 29 common subexpressions, 29 power chains.
     Proved, error / u (1 + kappa): 0.0, 0.0, -, 0.0, 0.0, 0.0, 0.0
     """
@@ -1088,7 +1100,8 @@ def moves_of_corner_rest(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap,
 def beside(Omega, A, F_0, m, zeta, h, h_A):
     """F_A, F_Omega and R, each with its size.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
+    broadcast.
     Operations: 54 structured, 30 common subexpressions, 30 power chains.
     """
     t0 = Omega * Omega
@@ -1115,7 +1128,8 @@ def beside(Omega, A, F_0, m, zeta, h, h_A):
 def moves_of_phase(Omega, A, F_0, m, zeta, h, h_A, h_p, m_p, zeta_p, A_p, Omega_p, F_0_p):
     """d/dp of the phase (25) and of the transmissibility of a state that moves by A_p, Omega_p, F_0_p.
 
-    Equation from (23)-(34). Domain: Omega > 0, A > 0.
+    Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 2 results, each the arguments that it depends on,
+    broadcast.
     Operations: 49 structured, 41 common subexpressions, 41 power chains.
     """
     t0 = Omega * Omega
