@@ -37,7 +37,7 @@ from .emit.views import programs
 from .emit.write import MANIFEST, write
 from .mechanisms import DAMPING, DISSIPATION, FORCING, Mechanism, Parameter, Piece
 from .monotone import not_shown
-from .oscillator import oscillator
+from .oscillator import oscillator, without_poles_that_cancel
 from .quadrature import FUNCTIONS, Quadrature, singular_at, v
 from .results import of_mechanism
 from .sided import Sided
@@ -114,7 +114,7 @@ def stated(
         last = number == len(pieces)
         if (end is None) != last:
             raise ValueError(f"piece {number} must {'have no end, it is the last' if last else 'say where it ends'}")
-        forces.append(_in_ours(f"piece {number}", force, symbols, {"u": u}, odd=odd))
+        forces.append(without_poles_that_cancel(_in_ours(f"piece {number}", force, symbols, {"u": u}, odd=odd)))
         if end is not None:
             ends.append(_in_ours(f"the end of piece {number}", end, symbols, {}))
     named = title or f"{name}, stated in a program"

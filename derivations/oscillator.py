@@ -126,6 +126,30 @@ def without_cancellation(force: sp.Expr) -> sp.Expr:
     return force.replace(lambda part: part.is_Add, rationalised)
 
 
+def without_poles_that_cancel(force: sp.Expr) -> sp.Expr:
+    """The same with quotients that only together vanish at u = 0 as one, which keeps the digits next to rest.
+
+    1/(d - u)^2 - 1/(d + u)^2, as of two magnets, is 4 d u/(d^2 - u^2)^2: where it is odd, u times a function of u^2, of
+    which derivatives keep their digits too.
+    """
+    terms = sp.Add.make_args(force)
+    quotients = [one for one in terms if not one.has(u) or (one.is_rational_function(u) and not one.is_polynomial(u))]
+    together = sp.Add(*quotients)
+    parts = [part for one in quotients for part in sp.Add.make_args(sp.expand(one))]
+    if together.subs(u, 0).has(sp.zoo, sp.nan) or all(part.subs(u, 0) == 0 for part in parts):
+        return force
+    over, square = sp.cancel(together / u), sp.Dummy("square")
+    if over.subs(u, 0).has(sp.zoo, sp.nan):
+        return force  # a preload
+    halves = [sp.Poly(one, u) for one in sp.fraction(over)]
+    if any(power % 2 for half in halves for (power,) in half.monoms()):
+        whole = u * sp.factor(over)
+    else:
+        in_square = [sum(value * square ** (power // 2) for (power,), value in half.terms()) for half in halves]
+        whole = u * sp.factor(in_square[0] / in_square[1]).subs(square, u**2)
+    return whole + sp.Add(*(one for one in terms if one not in quotients))
+
+
 def taylor_polynomial(force: sp.Expr, order: int) -> dict[int, sp.Expr]:
     """(6), (7): coefficients of F_k(u) by power of u, up to `order`."""
     coefficients: dict[int, sp.Expr] = {}

@@ -167,6 +167,21 @@ def test_no_state_is_missed_or_made_up(oscillator, name):
             np.testing.assert_allclose(found.A[found.Omega == Omega], expected, rtol=2e-3)
 
 
+def test_quotients_that_cancel_at_rest_keep_their_digits(folder):
+    """Two magnets, as one would type them; and a quotient that is not odd, whose |u| is u."""
+    pieces = {
+        "magnets": u + k * (1 / (c - u) ** 2 - 1 / (c + u) ** 2),
+        "one_sided": u + k / (c - u) - k / c,
+    }
+    for name, force in pieces.items():
+        one = derive.mechanism(name, [(force, None)], {"k": ABOVE_0, "c": ABOVE_0}, reach=0.9)(k=0.05, c=1.1, **DAMPING)
+        exact = sp.lambdify(u, force.subs({k: sp.Rational(0.05), c: sp.Rational(1.1)}), "mpmath")
+        for A in (1e-13, 1e-9, 1e-4, 0.5):
+            with mp.workdps(40):
+                average = mp.quad(lambda t, A=A, f=exact: f(A * mp.sin(t)) * mp.sin(t), [0, mp.pi / 2])
+                assert one.model.averaged(A)[0] == pytest.approx(float(-4 / mp.pi * average), rel=1e-15)
+
+
 @pytest.mark.both_backends
 def test_no_state_on_a_base_that_shakes_is_missed_or_made_up(oscillator):
     """Against signs on a grid far beyond what bounds the response; sums that do not settle there are not asked."""

@@ -142,7 +142,8 @@ class _Piece:
             if panels > MOST_PANELS:
                 raise ArithmeticError(
                     f"the average at A = {numbers[0][left[0]]:.17g} does not settle: "
-                    "the force is all but singular there; what lies beyond its `reach` is not asked for"
+                    "the force is all but singular there, or a difference in which its digits are lost; what lies "
+                    "beyond a `reach` that is stated with it is not asked for"
                 )
             some, at = [one[left] for one in numbers], (low[left], span[left])
             value, sizes = self._by(panels, some, *at)
