@@ -64,6 +64,7 @@ def test_an_operation_on_enclosures_holds_what_exact_arithmetic_gives(name):
                 assert not found.hi < value
 
 
+@pytest.mark.slow
 def test_what_doubles_leave_undecided_beside_a_double_fold_is_decided_and_right():
     """At F_SN, to an ulp of it: two folds above, none below."""
     by_balls = 0

@@ -57,7 +57,16 @@ def test_a_number_of_workers_that_is_none_is_refused(workers):
 
 
 @native_only
-@pytest.mark.parametrize("question", ["saddle_nodes(0.05)", "saddle_nodes(0.05, workers=2)", "saddle_node_onset()"])
+@pytest.mark.parametrize(
+    "question",
+    [
+        "saddle_nodes(0.05)",
+        *(
+            pytest.param(one, marks=pytest.mark.slow)
+            for one in ("saddle_nodes(0.05, workers=2)", "saddle_node_onset()")
+        ),
+    ],
+)
 def test_ctrl_c_ends_a_batch(question):
     """A batch of minutes: the interrupt is heard while it runs."""
     program = (

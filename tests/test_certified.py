@@ -346,6 +346,7 @@ def sizes(rng, count):
     return values
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", OPERATIONS)
 def test_an_operation_on_intervals_holds_what_exact_arithmetic_gives(intervals, name):
     rng = np.random.default_rng(7)
@@ -378,6 +379,7 @@ def test_an_operation_on_intervals_holds_what_exact_arithmetic_gives(intervals, 
                 assert math.isinf(high) or value <= Fraction(high)
 
 
+@pytest.mark.slow
 def test_averages_on_intervals_hold_their_balls(intervals):
     """Design exact, A = u_cr + d above u_cr, d a double: the reference's own formulas in balls of 400 bits."""
     rng = np.random.default_rng(11)
@@ -402,6 +404,7 @@ def test_averages_on_intervals_hold_their_balls(intervals):
                 assert flint.arb(low) <= value <= flint.arb(high)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", HELD)
 def test_a_number_that_knows_how_far_it_is_off_holds_the_exact_result(intervals, name):
     """Of exact pairs, and of some that are off, at both ends; exact ones lose no more than a few units in 2^-100."""
@@ -450,6 +453,7 @@ def test_a_number_that_knows_how_far_it_is_off_holds_the_exact_result(intervals,
     assert known > 0.8 * count
 
 
+@pytest.mark.slow
 def test_averages_of_the_force_that_is_not_truncated_on_intervals_hold_their_balls(intervals):
     """Against closed forms in balls; narrow at both ends, and next to A = 1, where the forms divide by 0."""
     rng, widest = np.random.default_rng(13), 0.0
@@ -475,6 +479,7 @@ def test_averages_of_the_force_that_is_not_truncated_on_intervals_hold_their_bal
     assert widest < 1e-7
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ELEMENTARY)
 def test_an_elementary_function_of_an_interval_holds_its_values(intervals, name):
     """At both ends and inside, against 30 digits; arguments of all sizes, which leave domains and pass poles."""

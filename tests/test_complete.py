@@ -111,6 +111,7 @@ def test_the_onset_is_the_lowest_minimum_that_dense_samples_show_and_two_folds_a
             assert after == before + 2, oscillator
 
 
+@pytest.mark.slow
 def test_above_the_peak_dense_samples_show_no_other():
     """Every peak begins two branches, as A falls; a static state begins one, without which there is none."""
     rows = random_designs(2, MANY)

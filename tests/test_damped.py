@@ -61,9 +61,10 @@ def by_quadrature():
     return get
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("law", "number"),
-    [("rubs", 6), *(pytest.param(*one, marks=pytest.mark.slow) for one in (("eta", 18), ("c_2", 6), ("rubs", 24)))],
+    [("rubs", 6), ("eta", 18), ("c_2", 6), ("rubs", 24)],
 )
 def test_a_force_that_is_averaged_by_quadrature_has_the_certified_answers(by_quadrature, law, number):
     case = CASES[law][number]

@@ -130,6 +130,7 @@ LENGTH = {"gap": 1, "mu": 1, "F_0": 1, "A": 1, "F_SN": 1, "F_cr": 1, "u_cr": 1}
 FREQUENCY = {"k_1": 2, "k_2": 2, "mu": 2, "zeta": 1, "F_0": 2, "Omega": 1, "F_SN": 2, "F_cr": 2, "Omega_cr": 1}
 
 
+@pytest.mark.slow
 @COMPILED
 def test_gradients_hold_what_other_units_say(stop, compiled):
     """Euler's theorem, on both paths; attached, on the stop, and where the stop is."""

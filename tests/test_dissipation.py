@@ -410,6 +410,7 @@ def test_slopes_are_those_of_differences_by_every_parameter(osc, questions):
                 assert moves[name, by] == pytest.approx(slope.tolist(), rel=1e-6, abs=1e-7 * size), (question, name, by)
 
 
+@pytest.mark.slow
 def test_a_law_that_is_not_there_has_a_slope_too():
     """By eta and c_2 at 0, from above; and where friction ends a motion at u_cr has none."""
     osc = LOOSE.replace(force="truncated")
@@ -427,6 +428,7 @@ def test_a_law_that_is_not_there_has_a_slope_too():
     assert passes.gradient().status.tolist() == [MovesStatus.OK]
 
 
+@pytest.mark.slow
 def test_a_batch_and_a_mount_have_the_same_gradients():
     given = {"lam": 3.0, "r": 0.5, "delta_h": 0.02, "mu": 0.03, "zeta": 0.03, "rubs": "attached"}
     many = Isolator.many(**given, eta=[0.0, 0.002], c_2=0.02).amplitudes(Omega=1.02, F_0=0.0502, places=3)

@@ -35,7 +35,11 @@ EXAMPLES_NEED = {
     "slowflow.sizing.tolerances": ("SALib",),
 }
 #: modules whose examples take seconds
-SLOW = {"slowflow.derive", *(f"slowflow.off_centre.{room}" for room in ("answers", "many", "questions"))}
+SLOW = {
+    "slowflow.derive",
+    "slowflow.sizing.requirements",
+    *(f"slowflow.off_centre.{room}" for room in ("answers", "many", "questions")),
+}
 DECISIONS = ROOT / "docs" / "decisions"
 LINK = re.compile(r"\]\(([^)#:]+)\)")
 #: pages whose links must lead somewhere
@@ -45,7 +49,11 @@ PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").r
 @pytest.mark.parametrize(
     "example",
     [
-        pytest.param(path, id=path.stem, marks=[pytest.mark.slow] if path.stem in {"derived", "own_force"} else [])
+        pytest.param(
+            path,
+            id=path.stem,
+            marks=[pytest.mark.slow] if path.stem in {"derived", "mount", "own_force", "stored_map"} else [],
+        )
         for path in EXAMPLES
     ],
 )
@@ -140,6 +148,7 @@ def test_the_words_of_a_newcomer_stand_on_the_page_that_answers(words: str) -> N
     assert [word for word in words.split() if word.casefold() not in text] == []
 
 
+@pytest.mark.slow
 def test_the_code_in_the_readme_runs() -> None:
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)
     assert len(blocks) >= 2

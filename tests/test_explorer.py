@@ -111,6 +111,7 @@ def test_the_page_is_made_again_byte_for_byte() -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(backend.SOLVER is None, reason="the page has the digits of the compiled solvers")
 @pytest.mark.filterwarnings("ignore:delta_h")
 def test_its_numbers_are_those_of_the_package(browser: Any) -> None:
@@ -222,6 +223,7 @@ def hold(browser: Any, asked: list[tuple[str, Oscillator, float]]) -> None:
                 np.testing.assert_allclose(truncation, validity.truncation, rtol=1e-12, atol=1e-18)
 
 
+@pytest.mark.slow
 def test_it_compares_itself_and_measures_its_frames(browser: Any) -> None:
     with opened(browser) as page:
         page.click("#check")
@@ -232,6 +234,7 @@ def test_it_compares_itself_and_measures_its_frames(browser: Any) -> None:
         assert told and told[1] == told[2] and int(told[1]) > 50
 
 
+@pytest.mark.slow
 def test_dragging_the_force_passes_sticking_onset_and_detachment(browser: Any) -> None:
     with opened(browser) as page:
         box = page.locator("#range-F_0").bounding_box()
@@ -248,6 +251,7 @@ def test_dragging_the_force_passes_sticking_onset_and_detachment(browser: Any) -
         assert {0, 1, 2} <= cards
 
 
+@pytest.mark.slow
 def test_a_sweep_jumps_where_the_fold_is(browser: Any) -> None:
     folds = example.isolator().saddle_nodes(F_0=0.04)
     with opened(browser) as page:
@@ -283,6 +287,7 @@ def test_extreme_numbers_every_mechanism_and_both_units_are_shown_without_a_comp
             assert page.locator("#answers .card").count() == 5
 
 
+@pytest.mark.slow
 def test_an_address_and_lines_of_python_give_the_same_curve(browser: Any) -> None:
     for preset in (1, 6, 7):
         same_curve(browser, preset)
@@ -311,6 +316,7 @@ def same_curve(browser: Any, preset: int) -> dict[str, Any]:
     return names
 
 
+@pytest.mark.slow
 def test_the_map_is_painted_and_a_click_goes_there(browser: Any) -> None:
     with opened(browser) as page:
         page.wait_for_selector("#map[data-whole=yes]")
@@ -330,6 +336,7 @@ def test_the_map_is_painted_and_a_click_goes_there(browser: Any) -> None:
         assert float(page.input_value("#number-r")) > before
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_nothing_is_wider_than_a_phone(browser: Any, scheme: str) -> None:
     with opened(browser, viewport={"width": 390, "height": 844}, color_scheme=scheme) as page:

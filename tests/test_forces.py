@@ -167,7 +167,7 @@ def test_no_state_is_missed_or_made_up(oscillator, name):
             np.testing.assert_allclose(found.A[found.Omega == Omega], expected, rtol=2e-3)
 
 
-def test_quotients_that_cancel_at_rest_keep_their_digits(folder):
+def test_quotients_that_cancel_at_rest_keep_their_digits():
     """Two magnets, as one would type them; and a quotient that is not odd, whose |u| is u."""
     pieces = {
         "magnets": u + k * (1 / (c - u) ** 2 - 1 / (c + u) ** 2),
@@ -182,6 +182,7 @@ def test_quotients_that_cancel_at_rest_keep_their_digits(folder):
                 assert one.model.averaged(A)[0] == pytest.approx(float(-4 / mp.pi * average), rel=1e-15)
 
 
+@pytest.mark.slow
 @pytest.mark.both_backends
 def test_no_state_on_a_base_that_shakes_is_missed_or_made_up(oscillator):
     """Against signs on a grid far beyond what bounds the response; sums that do not settle there are not asked."""
@@ -266,6 +267,7 @@ def test_what_it_is_and_how_it_is_derived_is_said(derived):
     assert r"\int_0^{\pi/2} f''(A \sin t) \sin^3 t" in text and "For $u_{1} < A$:" in text
 
 
+@pytest.mark.slow
 def test_the_derivation_of_a_contact_tells_all_that_it_is_made_of(derived):
     told = derived("hertz").document()
     assert "sum_" not in told and r"\frac{(A - u_{1})^{2}}{\sqrt{A + u_{1}}} \int_0^1" in told
@@ -402,6 +404,7 @@ def test_what_holds_a_mass_at_rest_is_the_derived_level_at_no_amplitude():
     assert [float(held(*pair)) for pair in zip(m, preload, strict=True)] == found.tolist()
 
 
+@pytest.mark.slow
 def test_a_mass_that_a_preload_holds_at_rest_is_said_beside_the_motions(preloaded):
     """Next to rest a state has R = -4c/pi and I = 4 mu/pi: up to the level of that no state comes out of rest."""
     one = preloaded(c=0.05, k=1.0, mu=0.01, zeta=0.02)

@@ -197,6 +197,7 @@ def test_a_question_pickles():
     assert copy(*numbers, 0.012, 0.02, 0.05) == ask(*numbers, 0.012, 0.02, 0.05)
 
 
+@pytest.mark.slow
 def test_tables_and_records_may_differ_from_design_to_design(tmp_path):
     """Rows lie along "row", samples along "instant"; what is plain is the same for all."""
     forces = xarray.DataArray(np.outer(np.append(R, 1.0), [0.01, 0.02, 0.03]), dims=("r", "row"))
@@ -290,7 +291,7 @@ def files(folder):
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
-@pytest.mark.parametrize("written", [0, 1, 5])
+@pytest.mark.parametrize("written", [1, *(pytest.param(one, marks=pytest.mark.slow) for one in (0, 5))])
 def test_a_map_that_was_stopped_is_continued_with_the_same_bits(written, tmp_path, monkeypatch):
     over({"r": 2, "share": 2}).store(tmp_path / "whole.zarr", "saddle_node_onset")
     path = tmp_path / "map.zarr"

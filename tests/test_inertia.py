@@ -87,6 +87,7 @@ def test_an_onset_is_where_folds_come():
             assert len(osc.saddle_nodes(onset.F_SN * (1 + 1e-4))) >= 2
 
 
+@pytest.mark.slow
 def test_compiled_solvers_and_those_on_numpy_agree():
     for case in CASES[::3]:
         osc, F_0 = oscillator(case), case["F_0"][1]

@@ -28,6 +28,7 @@ def test_the_error_of_a_linear_oscillator_is_that_beside_den_hartogs_amplitude()
     np.testing.assert_allclose(measured.error, asked.A / exact - 1.0, rtol=0, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_every_state_is_measured_by_the_motion_that_scipy_finds_too():
     """Two stable states and the unstable one between them."""
     iso = isolator()

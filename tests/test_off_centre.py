@@ -171,6 +171,7 @@ def ended_forces():
     return [*(one.off_centre._steps for one in (*others, stop)), Steps(record, (), 0.0)]
 
 
+@pytest.mark.slow
 def test_by_the_ends_of_the_motion_boxes_hold_the_means_of_every_point_and_their_slopes():
     """In every chart, up to its edges, where c_1 has no bound: the slopes by x and y have."""
     rng, n = np.random.default_rng(5), 400
@@ -383,6 +384,7 @@ def test_the_response_off_the_centre_is_all_of_that_by_hand(alpha, beta, load, F
     assert 2 * len(found.isola) == at_edges and not any(found.isola)
 
 
+@pytest.mark.slow
 def test_a_response_off_the_centre_has_the_states_and_folds_that_are_asked_for_one_by_one(loaded):
     found, folds = loaded.frequency_response(0.04, Omega=(0.5, 1.4)), loaded.saddle_nodes(0.04)
     points = list(zip(found.Omega, found.A, found.B, strict=True))
@@ -402,6 +404,7 @@ def test_a_response_off_the_centre_has_the_states_and_folds_that_are_asked_for_o
     )
 
 
+@pytest.mark.slow
 def test_a_response_turns_at_the_corner_that_a_jump_makes_as_the_balance_does():
     """On a grid of amplitudes that crowd about the corner: B by bisection of f_0, and where F has other signs.
 
@@ -476,7 +479,10 @@ def test_detachment_under_a_load_comes_sooner_and_at_the_edge(loaded):
     assert loaded.replace(load=1e-12).detachment().F_cr == pytest.approx(centred.F_cr, rel=1e-10)
 
 
-@pytest.mark.parametrize("oscillator", [Isolator(**TABLE_1, load=0.03), Duffing(1.0, 0.5, 0.01, 0.05, load=0.3)])
+@pytest.mark.parametrize(
+    "oscillator",
+    [pytest.param(Isolator(**TABLE_1, load=0.03), marks=pytest.mark.slow), Duffing(1.0, 0.5, 0.01, 0.05, load=0.3)],
+)
 def test_two_folds_are_born_at_the_onset_and_none_is_below(oscillator):
     onset = oscillator.saddle_node_onset()
     m = oscillator.model.m
@@ -490,6 +496,7 @@ def test_two_folds_are_born_at_the_onset_and_none_is_below(oscillator):
     assert mirrored.F_SN == pytest.approx(onset.F_SN, rel=1e-13) and mirrored.B == pytest.approx(-onset.B, rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("centred", [Isolator(**TABLE_1), Duffing(1.0, 0.5, 0.01, 0.05)])
 def test_the_onset_tends_to_that_about_the_centre_as_the_square_of_the_load(centred):
     at_centre = centred.saddle_node_onset()

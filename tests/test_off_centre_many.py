@@ -173,6 +173,7 @@ def test_load_spectra_of_many_designs_have_the_digits_of_single_ones():
     assert found.columns()["load"].tolist() == [0.3] * 5 + [0.2] * 5 and found.to_xarray()["A"].dims[-1] == "row"
 
 
+@pytest.mark.slow
 def test_a_force_that_is_not_odd_has_batches_too():
     import sympy as sp
 

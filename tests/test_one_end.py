@@ -56,6 +56,7 @@ def numbers(A: Any, kappa: Any, delta: Any) -> tuple[list[Any], Any]:
     return rows, rest - side * A * sp.lambdify((one_end.a, one_end.g), of.offset, mp)(a, g)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("kappa", "delta", "A"), [("8", "0.2", "0.3"), ("8", "-0.9", "0.2"), ("0.3", "0.2", "5")])
 def test_the_closed_forms_are_the_averages_along_the_balance(kappa: str, delta: str, A: str) -> None:
     stiff, gap, at = mp.mpf(kappa), mp.mpf(delta), mp.mpf(A)

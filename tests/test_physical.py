@@ -111,6 +111,7 @@ def test_a_mount_with_every_law_of_damping_balances_in_newtons():
             assert held * 2 / math.pi == pytest.approx(F * pushed, rel=1e-9, abs=1e-9 * F)
 
 
+@pytest.mark.slow
 def test_laws_of_damping_are_those_of_the_mount(mount):
     pint = pytest.importorskip("pint")
     u = pint.UnitRegistry()

@@ -75,6 +75,7 @@ with multiprocessing.get_context("fork").Pool(2) as pool:
     subprocess.run([sys.executable, "-c", program], check=True, timeout=120)
 
 
+@pytest.mark.slow
 @native_only
 def test_ctrl_c_ends_a_long_answer():
     program = (
@@ -85,6 +86,7 @@ def test_ctrl_c_ends_a_long_answer():
     assert interrupted(program) == ENDING
 
 
+@pytest.mark.slow
 @native_only
 def test_ctrl_c_ends_a_batch_whose_designs_take_far_longer_than_others():
     """Subnormal numbers: 50 ms each, where a microsecond is usual."""

@@ -40,7 +40,14 @@ def precise():
         yield
 
 
-@pytest.fixture(scope="module", params=FORCES)
+#: the fast tests have one of the three: each is derived anew
+SLOW = ("even powers", "linear, then not")
+
+
+@pytest.fixture(
+    scope="module",
+    params=[pytest.param(name, marks=[pytest.mark.slow] * (name in SLOW), id=name) for name in FORCES],
+)
 def pieces(request):
     return FORCES[request.param]
 

@@ -170,6 +170,7 @@ ROWS = {kind: st.tuples(*(SIZES.get(name, numbers(-20, 8, True)) for name in nam
 ANY = st.one_of(*(st.tuples(st.just(kind), row) for kind, row in ROWS.items()))
 
 
+@pytest.mark.slow
 @settings(max_examples=400, deadline=None, derandomize=True)
 @given(ANY)
 @example(("response", (1.0, -3.0, 4.0, 2.0**-60, 5.0)))  # F(0) = 0, and F hardly rises to its maximum

@@ -57,6 +57,8 @@ FORCES = {
     "cubic": ([(lambda u, k: k * u**3, None)], "k"),
     "play": ([(lambda u, **_: 0.0, at_gap), (lambda u, k, gap: k * (u - gap) ** 2, None)], ("k", "gap")),
 }
+#: their answers are not among the fast tests: some second each
+SLOW = ("oblique", "preload", "saturating")
 
 
 def mechanism(name, **given):
@@ -68,7 +70,13 @@ def relative(found, text):
     return abs(mp.mpf(float(found)) / mp.mpf(text) - 1)
 
 
-@pytest.mark.parametrize("name", sorted({case["force"] for case in CASES} & set(FORCES)))
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.slow] * (name in SLOW))
+        for name in sorted({case["force"] for case in CASES} & set(FORCES))
+    ],
+)
 def test_folds_states_and_onsets_are_the_certified_ones_and_no_others(name):
     """Of the formula, which these functions are to rounding; a fold's A moves most, by the root of an error of h."""
     for case in (case for case in CASES if case["force"] == name):

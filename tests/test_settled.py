@@ -33,6 +33,7 @@ def ball(x):
     return flint.arb(flint.fmpq(x.numerator, x.denominator))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", OPERATIONS)
 def test_an_operation_on_pairs_is_right_to_thirty_digits(pairs, name):
     rng = np.random.default_rng(3)
@@ -59,6 +60,7 @@ def test_an_operation_on_pairs_is_right_to_thirty_digits(pairs, name):
         assert abs(found - value) <= ERROR * (size or abs(value))
 
 
+@pytest.mark.slow
 def test_averages_in_pairs_have_twenty_digits_and_more(pairs):
     """Against the reference's own formulas in balls; A is a double on either side of u_cr, the design exact."""
     rng = np.random.default_rng(5)
@@ -79,7 +81,7 @@ def test_averages_in_pairs_have_twenty_digits_and_more(pairs):
 
 
 @compiled
-@pytest.mark.parametrize("mechanism", ["rod_spring", "duffing"])
+@pytest.mark.parametrize("mechanism", [pytest.param("rod_spring", marks=pytest.mark.slow), "duffing"])
 def test_answers_are_right_to_one_rounding_of_their_condition(mechanism):
     """Seeded oscillators and forcings at hard places, which `make stress` does not ask.
 

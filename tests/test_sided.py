@@ -75,6 +75,7 @@ def test_means_of_a_force_of_any_kind_are_those_of_exact_integrals(patched, A, B
                 assert held[n].lo[0] <= family[n][0] <= held[n].hi[0]
 
 
+@pytest.mark.slow
 def test_an_odd_force_that_is_stated_as_one_that_is_not_has_the_same_answers():
     pieces = [(u + k * (u + g), -g), (u, g), (u + k * (u - g), None)]
     both = derive.mechanism("two_stops", pieces, {"k": ABOVE, "g": ABOVE}, odd=False)
@@ -227,6 +228,7 @@ def test_exact_motions_against_a_stop_are_those_of_integration_by_time_and_avera
     assert state.A == pytest.approx(A, rel=0.02) and state.B == pytest.approx(B, rel=0.1)
 
 
+@pytest.mark.slow
 def test_a_force_of_four_pieces_is_followed_through_all_of_them(patched):
     oscillator = patched(p=0.0, q=0.3, mu=0.002, zeta=0.06)
     grid = np.array([-0.5, -0.4, -0.3, -0.1, 0.0, 0.2, 0.25, 0.5])
@@ -319,6 +321,7 @@ def test_a_force_that_is_not_odd_cannot_be_stated_as_anything():
         crossing(g=0.3, p=0.1, **DAMPED)
 
 
+@pytest.mark.slow
 def test_its_derivation_is_told(stop, tmp_path):
     text = stop.document()
     assert "The force is not odd" in text and r"B + A \cos\psi" in text and "D_1" in text

@@ -173,6 +173,7 @@ def test_compiled_and_numpy_find_the_same_for_designs_of_every_kind():
             assert_alike(*states, ("Omega", "A", "stable"), 1e-7)
 
 
+@pytest.mark.slow
 @compiled_only
 def test_compiled_and_numpy_draw_the_same_fold_locus():
     """As many branches, and as many points but for one at an end; NumPy had 563 in 4 branches for 305 in 2."""
