@@ -20,6 +20,7 @@ from slowflow.exact.compiled import TAYLOR
 from slowflow.exact.integrate import ScipyIntegrator
 from slowflow.exact.motion import Forced, follow
 from slowflow.off_centre.means import ORDERS, Steps
+from slowflow.validate import NotAvailable
 from tests.oracles.errors import U, error
 from tests.test_off_centre import mean
 
@@ -298,12 +299,12 @@ def test_a_force_that_is_not_odd_is_refused_what_is_about_the_centre(stop):
         lambda: oscillator.saddle_nodes(0.03, certify=True),
         lambda: oscillator.certify(0.03),
         lambda: oscillator.explain("cusps"),
-        lambda: stop(k=8.0, g=0.2, **DAMPED, excitation="base"),
     ):
         with pytest.raises(ValueError, match="not odd"):
             ask()
-    with pytest.raises(ValueError, match="not odd"):
-        stop(k=8.0, g=0.2, **DAMPED, rubs="attached")
+    for name, value in (("excitation", "base"), ("rubs", "attached"), ("eta", 0.02), ("c_2", 0.1)):
+        with pytest.raises(NotAvailable, match=f"a force that is not odd is not available with {name} = '?{value}"):
+            oscillator.replace(**{name: value})
     with pytest.raises(ValueError, match="does not grow"):
         derive.mechanism("bounce", [(0 * u, 0), (k * u, None)], {"k": ABOVE}, odd=False)(k=2.0, **DAMPED).rest()
     assert pickle.loads(pickle.dumps(oscillator)) == oscillator

@@ -60,15 +60,14 @@ class Oscillator(Averaged):
         it; averaging, whose motions never rest, and what follows from it do not ask for it
     design    -- the numbers that `mechanism.design` names, each within its domain
     excitation -- what F_0 is the amplitude of: "force", over k_v L; "base", the displacement of the base, over L;
-        "unbalance", a turning mass times its radius, over m L. The last two push with F_0 Omega^2, need zeta > 0, and
-        leave proofs to a force.
+        "unbalance", a turning mass times its radius, over m L. The last two push with F_0 Omega^2, need zeta, eta
+        or c_2 > 0, and leave proofs to a force.
         A base whose acceleration has a constant amplitude a is a force: F_0 = m a/(k_v L)
     load      -- what rests on it beyond what the vertical spring holds at the centre, over k_v L. It takes the motion
         off the centre: what has no answer there, see `off_centre`, raises ValueError
 
-    With eta, c_2 or rubs="attached" the averaged questions are answered on NumPy, in some tenths of a second each; the
-    excitation is a force then. There are no proofs, no second approximation, and with eta > 0 no exact
-    response curves, sweeps or shocks.
+    With eta, c_2 or rubs="attached" the averaged questions are answered on NumPy, in some tenths of a second each.
+    There are no proofs, no second approximation, and with eta > 0 no exact response curves, sweeps or shocks.
 
     It does not change. Each of these numbers, and each parameter of the force, can be read under its name; `replace`
     makes another oscillator. Raises ValueError for a number outside its domain, TypeError for a name that is missing
@@ -95,6 +94,9 @@ class Oscillator(Averaged):
         values = {**design, "mu": mu, "zeta": zeta}
         laws = Laws.of(eta, c_2, rubs)
         known_as = validate.choice("excitation", excitation, tuple(EXCITATIONS))
+        if not mechanism.odd:  # nothing is averaged about the centre, which these would be asked of
+            validate.is_force(off_centre_by(mechanism, 0.0), known_as)
+            validate.is_plain(off_centre_by(mechanism, 0.0), laws.told())
         super().__init__(Model.of(mechanism, values, known_as, laws))
         model = self.model
         own = dict(zip(mechanism.design_names, model.design, strict=True))
