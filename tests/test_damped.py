@@ -25,7 +25,7 @@ ROUNDED = 5.01e-3
 #: relative distance of a fold from u_cr below which counts may be said to be undecided
 NEAR = 1e-8
 #: one in so many belongs to the fast tests
-FEW = 6
+FEW = 10
 
 
 def singles(laws, first):

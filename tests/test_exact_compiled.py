@@ -143,6 +143,7 @@ def test_a_graze_is_told_from_a_stop():
         assert first.undecided is told, depth
 
 
+@pytest.mark.slow
 def test_200_random_motions_by_heyoka():
     """Amplitude, multipliers and switches of independent integrators: to 1e-10 times the motion's condition."""
     pytest.importorskip("heyoka")

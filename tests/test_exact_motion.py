@@ -94,6 +94,7 @@ def test_residual_of_random_isolators(states):
         assert state.stable
 
 
+@pytest.mark.slow
 def test_integrators_agree_phase_by_phase():
     """The same phases, from rest over three turns, by every integrator, and the same end by brute force."""
     system = table_1(exact=False)

@@ -317,6 +317,7 @@ def test_a_motion_that_static_friction_holds_for_a_while_is_found_by_its_amplitu
     assert not other.stable and other.A == pytest.approx(0.06471, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_off_centre_a_state_settles_where_newton_leads_to_no_motion_from_it():
     numbers = {"lam": 4, "r": 0.5567583726242005, "delta_h": 0.24291497227695394, "mu": 0.0035586068196308378}
     loaded = Isolator(**numbers, zeta=0.030883306833416314, load=0.017411128934160736)

@@ -259,6 +259,7 @@ def test_many_designs_are_single_ones(derived):
     assert many.F_SN[1] == derived("wave")(**numbers, **DAMPING).saddle_node_onset().F_SN
 
 
+@pytest.mark.slow
 def test_what_it_is_and_how_it_is_derived_is_said(derived):
     made = derived("soft_stop")
     assert repr(made).endswith("on NumPy, by quadrature")

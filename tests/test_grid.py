@@ -106,7 +106,7 @@ def test_a_map_is_the_batch_of_its_designs_with_names(question, cut):
     assert {Status.OK, Status.INVALID} <= codes if proves else codes == {Status.UNRESOLVED}
 
 
-@pytest.mark.parametrize("question", ASK)
+@pytest.mark.parametrize("question", [pytest.param(one, marks=[pytest.mark.slow] * (one not in SOON)) for one in ASK])
 def test_a_store_has_the_bits_of_the_batch(question, tmp_path):
     found = over({"r": 3}).store(tmp_path / "map.zarr", question, **ASK[question])
     assert_same_bits(found, batch(question), question)

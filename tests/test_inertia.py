@@ -443,6 +443,7 @@ def test_margins_bands_and_isolation_of_many_are_those_of_each():
     assert bands.count.sum() > 5
 
 
+@pytest.mark.slow
 def test_a_map_over_named_axes_keeps_the_excitation():
     xarray = pytest.importorskip("xarray")
     zeta = xarray.DataArray([0.02, 0.05, 0.0], dims="zeta")

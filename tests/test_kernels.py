@@ -123,9 +123,7 @@ def test_what_python_never_calls_is_listed():
     for path in PACKAGE.glob("[!_]*.py"):
         tree = ast.parse(path.read_text())
         own = {name for node in tree.body for name in defined_by(node) if not name.startswith("_")}
-        inside = {
-            one.id for node in ast.walk(tree) for one in ast.walk(node) if isinstance(one, ast.Name) and is_load(one)
-        }
+        inside = {one.id for one in ast.walk(tree) if isinstance(one, ast.Name) and is_load(one)}
         assert own <= named | inside | listed, path.stem
 
 

@@ -65,7 +65,7 @@ def test_every_mechanism_of_the_library_is_tried_here_and_shown_on_its_page():
     assert all(f'picture("{name}"' in shown for name in library.names())
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", [pytest.param(one, marks=[pytest.mark.slow] * (one == "cam_roller")) for one in CASES])
 def test_its_average_is_that_of_its_force(name):
     numbers, force, bend = CASES[name]
     stated = oscillator(library.stated(name))

@@ -72,6 +72,7 @@ def test_where_folds_end_at_rest_margins_of_many_say_so_as_single_ones_do():
     assert (found.remarks & Remark.FOLDS_AT_REST).any()
 
 
+@pytest.mark.slow
 def test_at_rest_many_are_what_each_is(asked):
     given, _, designs = asked
     found = designs.at_rest()
@@ -150,6 +151,7 @@ def test_spectra_of_many_are_those_of_each(asked):
         )
 
 
+@pytest.mark.slow
 def test_a_spectrum_of_many_says_of_a_row_without_a_stable_motion_that_there_is_none():
     """Beside a row that is none, and after it: what crosses on the way there is not known either."""
     softens = Duffing.many(alpha=1.0, beta=-1.0, mu=0.0, zeta=0.05)

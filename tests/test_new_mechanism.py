@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import os
 import shutil
 import subprocess
@@ -110,9 +111,13 @@ def test_a_first_piece_with_even_powers_is_refused():
         oscillator(changed(pieces=(Piece(bilinear.k_v * (x + d), until=x - d), bilinear.MECHANISM.pieces[1])))
 
 
+@functools.cache
+def of_bilinear():
+    return restoring(oscillator(bilinear.MECHANISM).polynomials, bilinear.MECHANISM.breakpoints)
+
+
 @pytest.mark.parametrize("scene", SCENES)
 def test_a_linear_first_piece_has_no_candidate_for_an_onset(scene):
     """F_A and F_AA vanish together nowhere, or, without friction, where one vanishes: no amplitude stands out."""
-    whole = restoring(oscillator(bilinear.MECHANISM).polynomials, bilinear.MECHANISM.breakpoints)
-    found = saddle_node_onset(slow_flow(averaged(), scene), whole)
+    found = saddle_node_onset(slow_flow(averaged(), scene), of_bilinear())
     assert list(found.reduced) == [0]

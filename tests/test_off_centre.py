@@ -723,6 +723,7 @@ def test_a_load_spectrum_off_the_centre_says_of_each_row_what_its_states_and_fol
     assert (stuck[0].A, stuck[0].motions, stuck[0].sticks) == (0.0, 0, True) and "sticks" in stuck.message
 
 
+@pytest.mark.slow
 def test_across_forcings_a_fold_off_the_centre_is_crossed_where_the_number_of_motions_changes():
     spring = Duffing(1.0, 0.5, zeta=0.05, load=0.3)
     Omega, F_0 = np.linspace((1.0, 0.05), (1.3, 0.2), 30).T

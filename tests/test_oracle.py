@@ -321,6 +321,7 @@ def test_components_by_contours(name: str, index: int, forcing: int) -> None:
     assert len(contourpy.contour_generator(R, A, F).lines(0.0)) == record["components"]
 
 
+@pytest.mark.slow
 def test_detachment_is_the_least_forcing_at_u_cr() -> None:
     for case in cases("random_isolators")[::10]:
         with mp.workdps(50):

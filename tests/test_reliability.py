@@ -98,6 +98,7 @@ def test_ctrl_c_ends_a_batch_whose_designs_take_far_longer_than_others():
     assert interrupted(program) == ENDING
 
 
+@pytest.mark.slow
 @native_only
 def test_ctrl_c_ends_an_exact_curve():
     program = (

@@ -162,6 +162,7 @@ def test_written_numbers_have_all_digits_and_json_says_where_they_are_from(tmp_p
     assert onset["F_SN"] == isolator().saddle_node_onset().F_SN
 
 
+@pytest.mark.slow
 def test_json_is_printed_when_wanted_and_text_otherwise(capsys):
     code, out, _ = run("run", ROOT / "scenes" / "table_1.toml", "--json", capsys=capsys)
     assert code == 0 and json.loads(out)["failed"] == []
@@ -360,6 +361,7 @@ def test_a_load_spectrum_is_a_table_of_pairs(scene, tmp_path, capsys):
     assert code == 2 and ":21: F has 2 numbers, and f has 3: they are pairs" in err
 
 
+@pytest.mark.slow
 def test_tolerances_are_a_table_of_shares(scene, tmp_path, capsys):
     text = MOUNT.partition("questions")[0] + 'questions = ["tolerances"]\n\n[tolerances]\nk_h = 0.05\n'
     assert run("run", scene(text), "-o", tmp_path / "out", "--quiet", capsys=capsys) == (0, "", "")

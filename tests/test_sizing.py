@@ -431,6 +431,7 @@ class OneByOne(Subject):
         return super().ask(values, names, load)
 
 
+@pytest.mark.slow
 def test_designs_that_take_long_are_found_by_steps_along_slopes_and_are_the_same(monkeypatch):
     """A front on NumPy took minutes, of tens of thousands of designs."""
     free = {"k_h": (500.0, 2500.0), "preload": (0.002, 0.02)}
