@@ -10,7 +10,7 @@ import pytest
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq, minimize_scalar
 
-from slowflow import Duffing, Isolator, Oscillator
+from slowflow import Duffing, Isolator, Oscillator, derive
 from slowflow.results import Remark
 from slowflow.sizing import tolerances
 from slowflow_kernels import duffing
@@ -598,6 +598,20 @@ def test_a_curve_with_static_friction_goes_through_the_motions_and_a_shock_rests
     free, held = (osc.replace(mu_s=mu_s).transient(**pulse) for mu_s in (0.02, 0.06))
     # it breaks away later, and is held farther from the centre
     assert held.A < free.A and held.rests and 0.02 < abs(osc.force(held.u_end)) <= 0.06
+
+
+def test_onsets_that_boxes_cannot_tell_are_refused_with_the_reason():
+    """Folds that come down to rest, a level that does not change with Omega; with a law that decides they are there."""
+    play = derive.library("dead_zone")
+    for kept in ({}, {"zeta": 0.02}, {"mu": 0.01}):
+        with pytest.raises(ArithmeticError, match=r"up to \|u\| = 0\.2 there is no spring"):
+            play(delta=0.2, c_2=0.1, **kept).saddle_node_onset()
+    assert play(delta=0.2, c_2=0.1, eta=0.02).saddle_node_onset().kind == "cusp"
+    assert play(delta=0.2, c_2=0.1, zeta=0.02, excitation="base").saddle_node_onset().kind == "isola"
+    wells = Duffing(-0.5, 1.0, c_2=0.1, excitation="base")
+    with pytest.raises(ArithmeticError, match="quadratic damping alone"):
+        wells.saddle_node_onset()
+    assert wells.replace(eta=0.02).saddle_node_onset().kind == "isola"
 
 
 def test_what_has_no_answer_is_refused_in_words():

@@ -123,6 +123,16 @@ def unbounded(model: Model, F_0: float | None) -> str:
     )
 
 
+SLIDES_FREE = (
+    "the onset is not resolved: up to |u| = {:.6g} there is no spring, and no damping at Omega = 0 that grows with the "
+    "amplitude, so folds come down to Omega = 0 there; with eta > 0 it is"
+)
+BALANCED = (
+    "the onset is not resolved: with quadratic damping alone the level does not change with Omega where the stiffness "
+    "over a cycle is 0, as between negative stiffness at rest and the springs beyond it; with zeta > 0 or eta > 0 it is"
+)
+
+
 def unresolved_onset(model: Model) -> str:
     """That rounding may decide where folds are born, and next to which amplitudes."""
     if model.zeta == 0 and model.preload > 0:

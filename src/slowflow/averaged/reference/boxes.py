@@ -318,7 +318,8 @@ def points_of(model: Model, system: str, pieces: Sequence[Stretch], F_0: float =
             found.append((boxes.piece[single], *_solved(searched, boxes.take(single), at.A[single], w[single])))
         narrow = (boxes.b.A - boxes.a.A <= NARROW * boxes.b.A) | ~inside
         low, high = boxes.low, boxes.high
-        thin = np.isfinite(high) & (high - low <= NARROW * np.maximum(np.abs(high), LOW))
+        # Omega = 0 is known of a static system: nothing is cut across it
+        thin = np.isfinite(high) & (high - low <= NARROW * np.maximum(np.abs(high), LOW)) | (system in STATIC)
         ends = ~single & ~gone & ((narrow & thin) | (boxes.b.A < FIRST))
         undecided |= bool((ends & (boxes.b.A >= FIRST)).any())
         kept = np.flatnonzero(~(single | gone | ends))

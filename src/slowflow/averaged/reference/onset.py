@@ -260,6 +260,7 @@ def _consider_boxes(model: Model, pieces: list[Stretch], best: _Best) -> None:
     Only what lies below the best so far is looked for: next to u_cr, where friction ends and I falls, F_A and F_AA are
     nearly proportional on boxes that reach down to it.
     """
+    _check_not_degenerate(model, pieces)
     if not model.inertial:  # at Omega = 0 the level is infinite
         ends = points_of(model, "stiffness", pieces)
         best.undecided |= ends.undecided
@@ -268,6 +269,18 @@ def _consider_boxes(model: Model, pieces: list[Stretch], best: _Best) -> None:
         points = points_of(model, system, pieces, most=best.F_SN)
         best.undecided |= points.undecided
         best.consider(model.level(points.Omega, points.A), points.Omega, points.A, kind)
+
+
+def _check_not_degenerate(model: Model, pieces: list[Stretch]) -> None:
+    """Raises ArithmeticError where both functions of a system vanish together, of which boxes would be cut for ever."""
+    if model.d == 0 or model.laws.eta > 0 or (model.inertial and model.zeta + model.m > 0):
+        return
+    for piece in pieces:
+        starts = piece.first
+        if piece.base > 0 and starts.h[0] == 0 and starts.h_A[0] == 0:
+            raise ArithmeticError(words.SLIDES_FREE.format(piece.base))
+        if model.inertial and (starts.h[0] > 0 or (piece.base == 0 and starts.h_A[0] > 0)):
+            raise ArithmeticError(words.BALANCED)
 
 
 def _consider_corner(model: Model, i: int, best: _Best) -> None:
