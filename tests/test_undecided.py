@@ -324,3 +324,22 @@ def test_a_batch_without_flint_is_that_of_doubles(monkeypatch):
     iso = Duffing(1.0, 2.0, mu=0.01, zeta=0.02)
     found = batch(Duffing, (1.0, 2.0, 0.01, 0.02)).certify([np.nextafter(iso.saddle_node_onset().F_SN, 1)])
     assert (found.proved, found.bits) == (0, DOUBLES)
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("delta_h", [1e-85, 1e-200, 5e-324])
+def test_an_onset_on_a_jump_below_the_range_of_doubles_is_refused_and_not_denied(delta_h):
+    """The force jumps at u_cr by some r u_cr^7: it was 0 in doubles, and "no saddle node" was said."""
+    design = {"lam": 2.0, "r": 3.43e-83, "delta_h": delta_h, "mu": 1e-12, "zeta": 0.02}
+    iso, many = Isolator(**design), Isolator.many(**design).saddle_node_onset()
+    with pytest.raises(ArithmeticError, match="the onset is unresolved"):
+        iso.saddle_node_onset()
+    assert many.status == Status.UNRESOLVED and np.isnan(many.F_SN)
+
+
+@compiled
+@pytest.mark.slow
+def test_balls_hold_the_onset_on_a_jump_below_the_range_of_doubles():
+    pytest.importorskip("flint")
+    proof = Isolator(lam=2, r=3.43e-83, delta_h=1e-300, mu=1e-12, zeta=0.02).certify(5.7e-5).saddle_node_onset
+    assert proof.proved and proof.kind == "corner"

@@ -20,7 +20,8 @@
 
 /* m, zeta: the damping as the quartics of roots.h take it, I = 2 zeta A Omega + m; breaks: number of breakpoints b > 0,
  * by rising size; jump: force just below less force just above; kink: the same of its slope and of its curvature; reach:
- * the mechanism's, infinite where of its pieces a linear one is left */
+ * the mechanism's, infinite where of its pieces a linear one is left; in_doubt: whether the sign of a jump is lost, as where
+ * the jump is below the range of doubles */
 typedef struct {
     const sf_mechanism *mechanism;
     double p[SF_MOST_PARAMETERS];
@@ -31,7 +32,7 @@ typedef struct {
         };
     };
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[SF_MOST_BREAKS][2];
-    int breaks;
+    int breaks, in_doubt;
     double reach;
 } sf_model;
 
@@ -51,19 +52,23 @@ typedef struct {
 } sf_point;
 
 /* What the force loses at its breakpoints: as a difference of parameters it may be all rounding, so it is that of the
- * design, if the design and its form on intervals are known. */
-static inline void sf_jumps_of(const sf_mechanism *mechanism, const double *design, const double *p, double *jump) {
+ * design, if the design and its form on intervals are known. Returns a bit for each whose sign is lost even so. */
+static inline unsigned sf_jumps_of(const sf_mechanism *mechanism, const double *design, const double *p, double *jump) {
     sf_interval given[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
+    unsigned in_doubt = 0;
     int i;
     mechanism->jumps(p, jump);
     if (design == NULL || mechanism->parameters_within == NULL)
-        return;
+        return 0;
     mechanism->parameters_within(design, given);
     for (i = 0; i < mechanism->breakpoints; i++) {
         const sf_interval lost = given[mechanism->parameters + i];
         if (sfi_has_sign(lost))
             jump[i] = 0.5 * lost.lo + 0.5 * lost.hi;
+        else if (!(lost.lo == 0 && lost.hi == 0))
+            in_doubt |= 1u << i;
     }
+    return in_doubt;
 }
 
 /* The share of h by which it is rounded where it is proportional to A. */
@@ -73,13 +78,14 @@ static inline void sf_jumps_of(const sf_mechanism *mechanism, const double *desi
  * it is not known */
 static inline int sf_prepare(const sf_mechanism *mechanism, const double *design, sf_model *model) {
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[2 * SF_MOST_BREAKS];
+    unsigned in_doubt;
     int i;
     model->mechanism = mechanism;
-    model->breaks = 0, model->reach = mechanism->reach;
+    model->breaks = model->in_doubt = 0, model->reach = mechanism->reach;
     if (mechanism->breakpoints == 0)
         return 1;
     mechanism->ends(model->p, b);
-    sf_jumps_of(mechanism, design, model->p, jump);
+    in_doubt = sf_jumps_of(mechanism, design, model->p, jump);
     if (mechanism->kinks != NULL)
         mechanism->kinks(model->p, kink);
     for (i = 0; i < mechanism->breakpoints; i++) {
@@ -89,6 +95,7 @@ static inline int sf_prepare(const sf_mechanism *mechanism, const double *design
             model->b[model->breaks] = b[i];
             model->kink[model->breaks][0] = mechanism->kinks != NULL ? kink[2 * i] : 1;
             model->kink[model->breaks][1] = mechanism->kinks != NULL ? kink[2 * i + 1] : 0;
+            model->in_doubt |= (in_doubt >> i & 1u) != 0;
             model->jump[model->breaks++] = jump[i];
         }
     }

@@ -360,6 +360,12 @@ static void sf_begin_onset(const sf_model *model, const sf_piece_ends *ends, sf_
     }
 }
 
+/* No onset, for the reason that a status gives. */
+static sf_status sf_without_onset(sf_status status, sf_onset *best) {
+    best->F_SN = best->Omega = best->A = NAN, best->kind = SF_NO_KIND;
+    return status;
+}
+
 /* The lowest forcing at which folds are born, from there. pieces: how many of the first have been considered */
 static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, int pieces, sf_work *work, sf_onset *best) {
     sf_stretch piece;
@@ -367,31 +373,25 @@ static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, 
     int k;
     if (model->zeta == 0) {
         status = sf_onset_undamped(model, work, best);
-        if (best->kind == SF_NO_KIND)
-            best->F_SN = best->Omega = best->A = NAN;
-        return status;
+        return best->kind == SF_NO_KIND ? sf_without_onset(status, best) : status;
     }
+    if (model->in_doubt) /* whether a corner is the lowest is the sign of a jump */
+        return sf_without_onset(SF_UNRESOLVED, best);
     for (k = pieces; k < model->breaks; k++) {
         piece.first = k > 0 ? ends->above[k - 1] : ends->rest, piece.last = ends->on[k];
         sf_clear_zeros(&work->zeros);
         sf_consider_piece(model, &piece, &work->zeros, best);
         if (work->zeros.status != SF_OK)
-            return work->zeros.status;
+            return sf_without_onset(work->zeros.status, best);
     }
     status = sf_onset_in_last(model, model->breaks > 0 ? &ends->above[model->breaks - 1] : &ends->rest, work, best);
-    if (best->undecided && sf_is_beside_break(model, best)) {
-        best->kind = SF_NO_KIND;
+    if (best->undecided && sf_is_beside_break(model, best))
         status = SF_UNRESOLVED;
-    }
     if (sf_inertial(model) && (status == SF_OK || status == SF_NONE) && sf_falls_at_break(model, best))
         status = SF_UNBOUNDED;
-    if (status == SF_UNBOUNDED) /* no lowest amplitude of the excitation is attained */
-        best->kind = SF_NO_KIND, best->Omega = best->A = NAN;
-    if (best->kind == SF_NO_KIND) {
-        best->F_SN = NAN;
-        return status == SF_OK ? SF_NONE : status;
-    }
-    return status;
+    if (status == SF_OK && best->kind == SF_NO_KIND)
+        status = SF_NONE;
+    return status == SF_OK ? status : sf_without_onset(status, best);
 }
 
 static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *best) {
