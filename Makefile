@@ -18,13 +18,16 @@
 PYTHON ?= python3
 BIN := .venv/bin
 PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check install
-# stamps: the package with what derives and draws, compiled from the C as it is now; what tests and benchmarks need besides
+# stamps: the package with what derives and draws; compiled from the C as it is now; what tests and benchmarks need besides
 INSTALLED := .venv/installed
+COMPILED := .venv/compiled
 DEVELOPED := .venv/developed
+# what was derived anew, before it is in generated/
+DERIVED := build/derived
 NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch] generated/c/*.h generated/native/*.[ch])
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
-.PHONY: paper figures test test-fast derive check lint bench validity stress explorer docs links dist clean
+.PHONY: paper figures test test-fast derive $(DERIVED) check lint bench validity stress explorer docs links dist clean
 .DELETE_ON_ERROR:
 # containers often forbid Python to keep bytecode: all that is imported, SymPy too, would be compiled anew in each of the
 # some hundred processes of a test run
@@ -33,7 +36,7 @@ unexport PYTHONDONTWRITEBYTECODE
 paper: derive
 	$(BIN)/slowflow paper --out output
 
-figures: $(INSTALLED)
+figures: $(INSTALLED) $(COMPILED)
 	$(BIN)/slowflow figures --out output
 
 test: $(DEVELOPED) lint
@@ -44,10 +47,15 @@ test: $(DEVELOPED) lint
 test-fast: $(DEVELOPED)
 	$(PYTEST) -m "not slow"
 
-# in a make of its own, which sees the C that was written
-derive: $(INSTALLED)
-	$(BIN)/python -m derivations
-	@$(MAKE) --no-print-directory $(INSTALLED)
+# Derived beside the compiler, which reads generated/; and compiled again in a make of its own, which sees what was written.
+# Where nothing differs, as in a fresh clone, nothing is.
+derive:
+	@$(MAKE) --no-print-directory -j 2 $(COMPILED) $(DERIVED)
+	$(BIN)/python -m derivations --from $(DERIVED)
+	@$(MAKE) --no-print-directory $(COMPILED)
+
+$(DERIVED): $(INSTALLED)
+	$(BIN)/python -m derivations --out $@
 
 check: $(INSTALLED)
 	$(BIN)/python -m derivations --check
@@ -74,11 +82,11 @@ stress: $(DEVELOPED)
 	$(BIN)/python -m benchmarks.stress
 
 # the compiler has 90 MB: not among what tests need
-explorer: $(INSTALLED)
+explorer: $(INSTALLED) $(COMPILED)
 	$(PIP) "slowflow[explorer]"
 	$(BIN)/python -m explorer
 
-docs: $(INSTALLED)
+docs: $(INSTALLED) $(COMPILED)
 	$(PIP) "slowflow[docs]"
 	$(BIN)/python -m sphinx --builder html --fail-on-warning --keep-going --jobs auto docs output/docs
 
@@ -98,14 +106,19 @@ dist: $(INSTALLED)
 .venv/pyvenv.cfg:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "slowflow needs Python 3.11 or newer: make PYTHON=python3.12"; exit 1; }
 	@$(PYTHON) -m venv .venv || { echo "no venv module: on Debian, apt install python3-venv"; exit 1; }
-	$(PIP) --upgrade setuptools numpy
+	$(PIP) --no-compile --upgrade setuptools numpy
 
-# what is imported is compiled to bytecode then; all of SymPy would take longer than the derivation
-$(INSTALLED): .venv/pyvenv.cfg pyproject.toml setup.py $(NATIVE)
-	$(PIP) --no-compile --no-build-isolation --editable ".[paper]"
+# What is imported is compiled to bytecode then; all of SymPy would take longer than the derivation. The C is left to the
+# next rule, which pip need not be waited for.
+$(INSTALLED): .venv/pyvenv.cfg pyproject.toml setup.py
+	SLOWFLOW_PURE=1 $(PIP) --no-compile --no-build-isolation --editable ".[paper]"
 	@touch $@
 
-$(DEVELOPED): $(INSTALLED)
+$(COMPILED): .venv/pyvenv.cfg setup.py $(NATIVE)
+	$(BIN)/python setup.py --quiet build_ext --inplace
+	@touch $@
+
+$(DEVELOPED): $(INSTALLED) $(COMPILED)
 	$(PIP) --no-compile "slowflow[dev]"
 	@touch $@
 

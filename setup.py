@@ -37,6 +37,12 @@ FLAGS = {
     "mingw32": STRICT,
     "msvc": ["/std:c11", "/O2", "/fp:precise"],
 }
+# what the processor has of what the solvers and the loops are built for
+FMA = {"__FMA__", "__AVX2__", "__BMI__", "__BMI2__", "__LZCNT__", "__F16C__", "__MOVBE__"}
+TARGETS = {
+    "x86-64-v4": FMA | {f"__AVX512{part}__" for part in ("F", "BW", "CD", "DQ", "VL")},
+    "x86-64-v3": FMA,
+}
 CFLAGS = shlex.split(os.environ.get("CFLAGS", ""))
 
 
@@ -66,10 +72,14 @@ class Build(build_ext):
         for extension in self.extensions:
             # the user's have the last word
             extension.extra_compile_args = [*FLAGS.get(self.compiler.compiler_type, []), *CFLAGS]
-        if self.runs_here and self.is_for_fma():
-            (solvers,) = (one for one in self.extensions if one.name == "slowflow._native")
-            solvers.sources = [source for source in solvers.sources if not source.endswith("_baseline.c")]
-            solvers.define_macros = [*solvers.define_macros, ("SF_WITHOUT_BASELINE", "1")]
+        if self.runs_here and (target := self.target_here()):
+            for extension in self.extensions:
+                extension.sources = [source for source in extension.sources if not source.endswith("_baseline.c")]
+                extension.define_macros = [
+                    *extension.define_macros,
+                    ("SF_WITHOUT_BASELINE", "1"),
+                    ("SF_HERE", f'"{target}"'),
+                ]
         self.compiler.compile = self.in_parallel(self.compiler.compile)
         super().build_extensions()
 
@@ -87,12 +97,17 @@ class Build(build_ext):
 
         return compiled
 
-    def is_for_fma(self):
-        """Whether this machine takes the solvers for fma: a checkout runs where it was built, others are not called."""
+    def target_here(self):
+        """The widest target that this machine takes: a checkout runs where it was built. None where it takes every one.
+
+        gcc knows the names since its version 12.
+        """
         command = [*getattr(self.compiler, "compiler", ["false"]), "-march=native", "-dM", "-E", "-x", "c", os.devnull]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
-        told = set(done.stdout.split())
-        return {"__x86_64__", "__FMA__", "__AVX2__", "__BMI__", "__BMI2__"} <= told and "__clang__" not in told
+        told = dict(line.split(" ", 2)[1:] for line in done.stdout.splitlines())
+        if "__x86_64__" not in told or "__clang__" in told or int(told.get("__GNUC__", 0)) < 12:
+            return None
+        return next((target for target, features in TARGETS.items() if features <= told.keys()), None)
 
 
 def extension(name, sources):

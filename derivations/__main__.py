@@ -1,4 +1,4 @@
-"""The pipeline: `python -m derivations [--out DIR] [--check]`.
+"""The pipeline: `python -m derivations [--out DIR] [--check] [--from DIR]`.
 
     1. derive   mechanisms/*.py                  -> Results: exact expressions           (derivations.results)
     2. choose   Results                          -> Modules of Kernels                   (derivations.emit.catalogue)
@@ -86,6 +86,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m derivations", description=__doc__.splitlines()[0])
     parser.add_argument("--out", type=Path, default=ROOT / "generated", metavar="DIR", help="default: %(default)s")
     parser.add_argument("--check", action="store_true", help="compare DIR with fresh derivations, do not write it")
+    parser.add_argument("--from", type=Path, dest="made", metavar="DIR", help="write what is in DIR, derive nothing")
     parser.add_argument("--alone", action="store_true", help="in one process: more time, and less of the processors'")
     options = parser.parse_args(arguments)
     if options.check:
@@ -94,7 +95,7 @@ def main(arguments: list[str] | None = None) -> int:
             differing = report(options.out, Path(scratch))
         sys.stdout.writelines(differing)
         return 1 if differing else 0
-    write(generate(options.alone), options.out)
+    write(on_disk(options.made) if options.made else generate(options.alone), options.out)
     return 0
 
 

@@ -16,6 +16,12 @@
 /* builds: the targets that the loops were built for; chosen: the one that runs here */
 static int sf_add_build(PyObject *module, const char *builds, const char *chosen)
 {
+#ifdef SF_HERE
+    if (!SF_HAS(SF_HERE)) {
+        PyErr_SetString(PyExc_ImportError, "they were compiled for a processor of " SF_HERE);
+        return -1;
+    }
+#endif
     PyObject *build = Py_BuildValue("{s:s,s:s,s:s,s:s,s:s}", "compiler", SF_COMPILER, "abi", SF_ABI, "builds", builds,
                                     "chosen", chosen, "processor", SF_PROCESSOR);
     if (build == NULL)

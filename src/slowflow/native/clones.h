@@ -8,7 +8,8 @@
  *
  * The clones differ in speed only: no build contracts a*b + c, and fma() rounds once with and without the instruction.
  * "arch=x86-64-v3" asks for features (gcc 12); "arch=haswell" would ask for that very model of processor.
- * SF_NO_CLONES leaves the compiler's own target, for builds with -march and for comparing the clones.
+ * SF_NO_CLONES leaves the compiler's own target, for builds with -march and for comparing the clones; SF_HERE, as
+ * "x86-64-v4", is the one target of a build that runs on no other machine.
  */
 #ifndef SF_CLONES_H
 #define SF_CLONES_H
@@ -30,10 +31,17 @@
 #define SF_WIDE_CHOSEN (SF_HAS("avx512f") ? "avx512f" : SF_HAS("avx2") ? "avx2" : "baseline")
 #define SF_FMA_CHOSEN (SF_HAS("fma") ? "fma" : "baseline")
 #endif
+#ifdef SF_HERE
+#define SF_WIDE __attribute__((flatten, target("arch=" SF_HERE)))
+#define SF_FMA __attribute__((flatten, target(SF_FMA_TARGET)))
+#define SF_WIDE_BUILDS "arch=" SF_HERE
+#define SF_FMA_BUILDS SF_FMA_TARGET
+#else
 #define SF_WIDE __attribute__((flatten, target_clones("default", SF_V3, SF_V4)))
 #define SF_FMA __attribute__((flatten, target_clones("default", SF_FMA_TARGET)))
 #define SF_WIDE_BUILDS "baseline, " SF_V3 ", " SF_V4
 #define SF_FMA_BUILDS "baseline, " SF_FMA_TARGET
+#endif
 #define SF_PROCESSOR (SF_HAS("avx512f") ? "fma, avx2, avx512f" : SF_HAS("avx2") ? "fma, avx2" : "no avx2")
 #else
 #define SF_WIDE SF_FLAT
