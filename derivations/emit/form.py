@@ -331,6 +331,11 @@ class Module:
         """What is compiled into loops over arrays."""
         return tuple(one for one in (*self.kernels, *self.selections, *self.compositions) if one.compiled)
 
+    @property
+    def in_balls(self) -> tuple[Kernel, ...]:
+        """What is printed in balls."""
+        return (*(one for one in (*self.kernels, *self.cells) if one.paired), *self.balls)
+
 
 def plain(
     name: str,

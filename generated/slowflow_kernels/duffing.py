@@ -547,6 +547,12 @@ if NATIVE is not None:
     hardening = in_tuple(hardening)
 
 
+def _load_balls():
+    from slowflow_kernels import duffing_balls
+
+    return duffing_balls
+
+
 _PIECES = (
     Law(force_1, force_1_u, "duffing.force_1"),
 )
@@ -579,4 +585,5 @@ MECHANISM = Mechanism(
     truncated=False,
     steps=steps,
     load_untruncated=None,
+    load_balls=_load_balls,
 )

@@ -1406,6 +1406,12 @@ def _load_untruncated():
     return rod_spring_untruncated.MECHANISM
 
 
+def _load_balls():
+    from slowflow_kernels import rod_spring_balls
+
+    return rod_spring_balls
+
+
 _PIECES = (
     Law(force_1, force_1_u, "rod_spring.force_1"),
     Law(force_2, force_2_u, "rod_spring.force_2"),
@@ -1442,6 +1448,7 @@ MECHANISM = Mechanism(
     truncated=True,
     steps=steps,
     load_untruncated=_load_untruncated,
+    load_balls=_load_balls,
     scales=(
         Scale("lam", 1.0, (0.0, 0.0, 0.0)),
         Scale("k_h", 1.0, (1.0, 0.0, 0.0)),

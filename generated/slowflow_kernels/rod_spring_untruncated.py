@@ -1968,6 +1968,12 @@ if NATIVE is not None:
     hardening = in_tuple(hardening)
 
 
+def _load_balls():
+    from slowflow_kernels import rod_spring_untruncated_balls
+
+    return rod_spring_untruncated_balls
+
+
 _PIECES = (
     Law(force_1, force_1_u, "rod_spring_untruncated.force_1"),
     Law(force_2, force_2_u, "rod_spring_untruncated.force_2"),
@@ -2002,6 +2008,7 @@ MECHANISM = Mechanism(
     reach_reason="the push-rod stands vertical",
     truncated=False,
     load_untruncated=None,
+    load_balls=_load_balls,
     scales=(
         Scale("lam", 1.0, (0.0, 0.0, 0.0)),
         Scale("k_h", 1.0, (1.0, 0.0, 0.0)),

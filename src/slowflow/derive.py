@@ -262,9 +262,10 @@ def _derived(stated: Any, compile: bool) -> Derived:
     if not (folder / f"{module}.py").exists():
         _write(folder, live.sources(stated))
     importlib.invalidate_caches()
-    record: Mechanism = importlib.import_module(f"slowflow_derived.{module}").MECHANISM
+    printed = importlib.import_module(f"slowflow_derived.{module}")
+    record: Mechanism = printed.MECHANISM
     if compile and not _is_attached(record):
-        _attach(record, _compiled(folder, module))
+        _attach(printed, _compiled(folder, module))
     return Derived(record, folder, stated)
 
 
@@ -323,19 +324,19 @@ def _is_attached(record: Mechanism) -> bool:
     return recurrences(record.pieces[0]) is not None and (not record.odd or backend.record_of(record) is not None)
 
 
-def _attach(record: Mechanism, library: Path) -> None:
+def _attach(printed: ModuleType, library: Path) -> None:
     """Hands what is in a library to the compiled code, and its averages to NumPy's; neither is ever let go.
 
     To the integrator the pieces of the force, to the solvers the record, which only an odd force has.
     """
+    record: Mechanism = printed.MECHANISM
     loaded = ctypes.CDLL(str(library))
     assert backend.EXACT is not None and backend.SOLVER is not None
     backend.EXACT.LAWS.update(backend.EXACT.laws(_capsule(loaded, "slowflow_laws", LAWS)))
     if record.odd:
         backend.SOLVER.RECORDS[record.name] = _capsule(loaded, "slowflow_record", CAPSULE)
     if record.enclosed is not None:
-        closing = importlib.import_module(f"slowflow_derived.{record.name}").averaged_of
-        COMPILED[closing] = functools.partial(_averaged, loaded.slowflow_averaged)
+        COMPILED[printed.averaged_of] = functools.partial(_averaged, loaded.slowflow_averaged)
 
 
 def _capsule(loaded: ctypes.CDLL, name: str, kind: bytes) -> Any:

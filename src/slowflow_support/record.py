@@ -14,6 +14,7 @@ from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from itertools import pairwise
 from math import inf, isfinite
+from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -118,6 +119,7 @@ class Mechanism:
                    design `reach_at`
     truncated   -- whether the force is a Taylor polynomial that stands for another
     load_untruncated -- loads the record of the force that `truncated` stands for; None where there is none
+    load_balls  -- loads the module that has the averages in balls, for proofs; None where none is generated
     scales      -- what each number of the design is measured in; () where the design has no dimensional quantities
     by_parameter -- d/dp of h, h_A, h_AA at (A, h, h_A, h_AA, *parameters), for each parameter p in turn
     by_design   -- d/d of each number of the design, of each parameter in turn, then of each breakpoint; without these
@@ -151,6 +153,7 @@ class Mechanism:
     reach_reason: str
     truncated: bool
     load_untruncated: Callable[[], Mechanism] | None
+    load_balls: Callable[[], ModuleType] | None = None
     scales: tuple[Scale, ...] = ()
     by_parameter: Function | None = None
     by_design: Function | None = None

@@ -26,10 +26,9 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     template = templates(Path(__file__).parent).get_template("module.py.jinja")
     result = {}
     for module in modules:
-        kernels = [*(one for one in (*module.kernels, *module.cells) if one.paired), *module.balls]
-        if kernels:
+        if module.in_balls:
             result[f"slowflow_kernels/{module.name}_balls.py"] = template.render(
-                kernels=[view(*closed(kernel, code[module.name]), PYTHON) for kernel in kernels],
+                kernels=[view(*closed(kernel, code[module.name]), PYTHON) for kernel in module.in_balls],
                 module=module,
                 tools=tools(),
                 **sources(module),

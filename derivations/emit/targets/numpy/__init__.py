@@ -84,6 +84,7 @@ def text(module: Module, code: Code) -> str:
             regimes=regimes(module),
             enclosed=[view(kernel, code[kernel.name], ENCLOSED) for kernel in enclosed],
             rule=[(literal(node), literal(weight)) for node, weight in rule()] if module.sums else [],
+            has_balls=module.native and bool(module.in_balls),
             constants={name: constant(value) for name, value in module.constants.items()},
             **compiled(module),
             tools=tools(),

@@ -6,7 +6,6 @@ begins, an exact number, so that one next to a breakpoint has all its digits.
 
 from __future__ import annotations
 
-import importlib
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -25,13 +24,8 @@ LOST, MOST_LOST = 12, 8_000
 
 
 def averages_of(mechanism: Mechanism) -> ModuleType | None:
-    """The generated module with the mechanism's averages in balls, None where there is none."""
-    if not mechanism.is_generated:
-        return None
-    try:
-        return importlib.import_module(f"slowflow_kernels.{mechanism.name}_balls")
-    except ModuleNotFoundError:
-        return None
+    """The module with the mechanism's averages in balls, None where there is none of this very one."""
+    return mechanism.load_balls() if mechanism.load_balls is not None and mechanism.is_generated else None
 
 
 def bits_lost(A: arb, ends: Sequence[arb]) -> int:
