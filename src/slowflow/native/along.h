@@ -1,5 +1,5 @@
-/* What is asked along the amplitude: in goes one sample of the averaged force, or a cell of amplitudes, out come functions
- * of A whose zeros count, or what these functions and their slopes are on all of the cell.
+/* What is asked along the amplitude: in goes one sample of the averaged force, or a cell of amplitudes, out come
+ * functions of A whose zeros count, or what these functions and their slopes are on all of the cell.
  *
  * Everything that can change along a locus changes at a zero of a function that is explicit in A:
  *
@@ -13,8 +13,8 @@
  *   SF_REST       F = Omega = 0                  h^2 + m^2 = F_0^2
  *   SF_STATE      F = 0 at a given Omega         a steady state
  *
- * For an excitation by inertia SF_ISOLA and SF_PEAK are asked where the level of an amplitude is least, which is known in
- * closed form, and SF_REST has no zeros.
+ * For an excitation by inertia SF_ISOLA and SF_PEAK are asked where the level of an amplitude is least, which is known
+ * in closed form, and SF_REST has no zeros.
  *
  * The functions are generated, for numbers and for intervals: derivations/along.py eliminates Omega.
  */
@@ -52,8 +52,8 @@ typedef struct {
 typedef enum { SF_NOWHERE, SF_PARTLY, SF_THROUGHOUT } sf_where;
 
 /* One of these functions on a cell: where it is defined, what holds it and its slope there, and in a proof that slope's
- * slope, if it is known. edge: its sign at the end of where it is defined, if there is one such end in the cell and the sign
- * is known; else 0 */
+ * slope, if it is known. edge: its sign at the end of where it is defined, if there is one such end in the cell and the
+ * sign is known; else 0 */
 typedef struct {
     sf_where where;
     sf_interval y, dy, ddy;
@@ -88,7 +88,7 @@ static inline sf_asked sf_asked_of(sf_question question, const sf_model *model, 
     return asked;
 }
 
-/* ==== At a sample ================================================================================================== */
+/* ==== At a sample ================================================================================================= */
 
 /* h over A at A = 0 */
 static inline void sf_ask_stiffness(const sf_sample *at, sf_answer *out) {
@@ -97,8 +97,8 @@ static inline void sf_ask_stiffness(const sf_sample *at, sf_answer *out) {
     out->y[1] = at->h_A, out->dy[1] = at->h_AA;
 }
 
-/* Omega where a fold at F_0 may be, from I or from R, y being what the two lack of agreeing: the one that rounding moves
- * less. I exceeds m by little if damping is weak, and |k| the least if Omega is low. */
+/* Omega where a fold at F_0 may be, from I or from R, y being what the two lack of agreeing: the one that rounding
+ * moves less. I exceeds m by little if damping is weak, and |k| the least if Omega is low. */
 static inline double sf_fold_Omega(const sf_asked *asked, const sf_sample *at, double Omega, double y) {
     const double lag = slow_flow_I(Omega, at->A, 0, asked->model->zeta), square = slow_flow_fold_square(Omega, at->A, y);
     const double least = asked->least / at->k;
@@ -354,7 +354,7 @@ static inline int sf_channels(sf_question question) {
 /* farther from a breakpoint than this, relatively, the gains' roundings are lost in those of kernels */
 #define SF_NEXT_TO_BREAK 1.01
 
-/* ==== On a cell ==================================================================================================== */
+/* ==== On a cell =================================================================================================== */
 
 static inline sf_where sf_where_positive(sf_interval x) {
     return x.lo > 0 ? SF_THROUGHOUT : x.hi <= 0 ? SF_NOWHERE : SF_PARTLY;
@@ -508,8 +508,8 @@ static inline int sf_are_alike(sf_interval x, sf_interval y) {
 }
 
 /* Whether F_A > 0 next to A = 0, where h_AA may be infinite, at all frequencies. With X = Omega^2 it is no less than
- * 2 A [(X + h/A) (X + h_A) + 4 zeta^2 X]. That is positive where no coefficient is negative, or where its discriminant is,
- * (h/A - h_A)^2 + 8 zeta^2 (h/A + h_A) + 16 zeta^4. Where h = 0 at A = 0, h/A is a slope of h. */
+ * 2 A [(X + h/A) (X + h_A) + 4 zeta^2 X]. That is positive where no coefficient is negative, or where its discriminant
+ * is, (h/A - h_A)^2 + 8 zeta^2 (h/A + h_A) + 16 zeta^4. Where h = 0 at A = 0, h/A is a slope of h. */
 static inline int sf_is_free_of_folds(const sf_known *a, const sf_cell *cell, sf_interval zeta) {
     const sf_interval slope = cell->h_A, square = sfi_square(zeta), apart = sfi_square(sfi_sub(slope, slope));
     if (cell->A.lo > 0 || a->h.lo != 0 || a->h.hi != 0)
@@ -559,8 +559,8 @@ static inline void sf_range_undamped(const sf_cell *cell, sf_range out[2]) {
                     &out[1]);
 }
 
-/* Positive roots w1 < w2 of A w^3 + p w + q for q > 0: both exist where p is low enough. As A and p rise w1 rises and w2
- * falls, so the corners of the box (A, p) hold them. */
+/* Positive roots w1 < w2 of A w^3 + p w + q for q > 0: both exist where p is low enough. As A and p rise w1 rises and
+ * w2 falls, so the corners of the box (A, p) hold them. */
 typedef struct {
     sf_where where;
     sf_interval w1, w2;
@@ -671,8 +671,8 @@ static inline void sf_range_state(const sf_terms *terms, sf_interval Omega, cons
     out->ddy = state[2];
 }
 
-/* Parameters are rounded, and with them what the force gains at a breakpoint: next to it that moves h_A, as the inverse of the
- * root there, by more than k, which has the gain itself. */
+/* Parameters are rounded, and with them what the force gains at a breakpoint: next to it that moves h_A, as the inverse
+ * of the root there, by more than k, which has the gain itself. */
 static inline void sf_doubt_gains(const sf_model *model, sf_cell *cell) {
     const double A[2] = {cell->A.lo, cell->A.hi}, size = SF_DOUBT * (A[1] + fabs(cell->h.lo));
     double doubt[2];
@@ -687,8 +687,8 @@ static inline void sf_doubt_gains(const sf_model *model, sf_cell *cell) {
     }
 }
 
-/* The same, F_A and F_AA only where what comes before them has no sign on the cell. Inlined, so that no call computes what is
- * not taken of it. */
+/* The same, F_A and F_AA only where what comes before them has no sign on the cell. Inlined, so that no call computes
+ * what is not taken of it. */
 SF_FLAT static inline void sf_range_state_in_turn(const sf_terms *terms, sf_interval Omega, const sf_cell *cell, sf_range *out) {
     const sf_interval F_0 = terms->F_0, m = terms->m, zeta = terms->zeta, A = cell->A, h_A = cell->h_A, h_AA = cell->h_AA;
     sf_interval R[2], state[3];
@@ -707,8 +707,9 @@ SF_FLAT static inline void sf_range_state_in_turn(const sf_terms *terms, sf_inte
     out->ddy = state[2];
 }
 
-/* x rises with the first of its terms and falls with the others, so their corners hold it. No level of A is above A, so that
- * a peak exceeds F_0; and below the least amplitude that is looked at the force is its slope, where nothing vanishes. */
+/* x rises with the first of its terms and falls with the others, so their corners hold it. No level of A is above A, so
+ * that a peak exceeds F_0; and below the least amplitude that is looked at the force is its slope, where nothing
+ * vanishes. */
 static inline void sf_range_inertial(const sf_asked *asked, const sf_cell *cell, sf_range out[2]) {
     const sf_interval m = asked->terms.m, zeta = asked->terms.zeta;
     sf_range *own = &out[asked->question == SF_PEAK];

@@ -1,4 +1,5 @@
-/* Curves from roots: in go events along the amplitude, out come arcs, which of their ends meet, and curves through them.
+/* Curves from roots: in go events along the amplitude, out come arcs, which of their ends meet, and curves through
+ * them.
  *
  * Between neighbouring events the number of roots Omega is constant and each root is an arc, continuous in A. At an
  * event a pair of arcs may meet and end, or the lowest may end at Omega = 0; all others go on.

@@ -24,7 +24,8 @@ typedef void (*sf_bent_contact)(sf_interval A, sf_interval share, const sf_inter
 /* SF_CONTACT_SUMS integrals of a contact follow h's and h_AAAA's: over dy/sqrt(1 - y), and their derivatives */
 enum { SF_MOST_CONTACTS = 2 * SF_MOST_BREAKS };
 
-/* terms: of each piece; closing: by how many breakpoints are exceeded; contacts, begins: the breakpoint at which each begins */
+/* terms: of each piece; closing: by how many breakpoints are exceeded; contacts, begins: the breakpoint at which each
+ * begins */
 typedef struct {
     int breakpoints, parameters;
     const sf_bent_terms *terms;
@@ -105,7 +106,8 @@ static inline void sf_of_contact(const sf_bent *of, int number, double start, sf
     }
 }
 
-/* h and h_AAAA on amplitudes of one piece of the force, which ends at these breakpoints; infinite or NaN where not known. */
+/* h and h_AAAA on amplitudes of one piece of the force, which ends at these breakpoints; infinite or NaN where not
+ * known. */
 static inline void sf_enclose(const sf_bent *of, const double *ends, sf_interval A, const double *given, sf_interval *out) {
     sf_interval p[SF_MOST_PARAMETERS], roots[SF_MOST_BREAKS];
     sf_interval sums[2 + SF_CONTACT_SUMS * SF_MOST_CONTACTS] = {{0, 0}};

@@ -1,9 +1,9 @@
 /* Cells: in goes what is known at two amplitudes of one piece of the force, out comes what h and its derivatives are on
  * all of the interval between.
  *
- * On each piece h_AAA is monotone: the derivation proves it (derivations/monotone.py). So its values at the ends bound it,
- * and what is known of a slope bounds the function between two of its values. Of a force of which that is not proved it is
- * h_AAAA that is known. Where the force or its slope jumps, the
+ * On each piece h_AAA is monotone: the derivation proves it (derivations/monotone.py). So its values at the ends bound
+ * it, and what is known of a slope bounds the function between two of its values. Of a force of which that is not
+ * proved it is h_AAAA that is known. Where the force or its slope jumps, the
  * derivatives of h tend to infinity as A falls to the breakpoint: that is the sample at the beginning of a piece.
  *
  * k = h - A h_A is where the tangent of h meets A = 0.
@@ -25,7 +25,8 @@ typedef struct {
     sf_stretch at[SF_MOST_BREAKS + 1];
 } sf_stretches;
 
-/* What holds h and its derivatives at an amplitude, or, in a proof, at one that exceeds where its piece begins by `A`. */
+/* What holds h and its derivatives at an amplitude, or, in a proof, at one that exceeds where its piece begins by
+ * `A`. */
 typedef struct {
     double A;
     sf_interval h, h_A, h_AA, h_AAA, k;
@@ -63,8 +64,8 @@ static inline void sf_sample_at(const sf_model *model, double A, sf_sample *at) 
         at->k = model->mechanism->intercept(A, model->p);
 }
 
-/* The limit from above at breakpoint i, from the sample on it: the force's jump makes h_A infinite there, a jump of its slope
- * h_AA. */
+/* The limit from above at breakpoint i, from the sample on it: the force's jump makes h_A infinite there, a jump of its
+ * slope h_AA. */
 static inline void sf_tend_from_above(const sf_model *model, int i, sf_sample *at) {
     if (model->jump[i] != 0) {
         at->h_A = copysign(HUGE_VAL, model->jump[i]);
@@ -208,8 +209,8 @@ static inline double sf_kappa(const sf_sample *at) { return at->k / (at->A * at-
 /* rho of a power of A that h may nearly be; next to a steep corner h_AA grows faster */
 #define SF_HIGHEST_POWER 16
 
-/* rho = A h_AAA/h_AA and kappa = k/(A^2 h_AA), which vary by little where h is nearly a power of A; 0 where they are not
- * known to. From the first amplitude on |h_AA| rises as h_AAA lets it, and kappa stays between what it is there and
+/* rho = A h_AAA/h_AA and kappa = k/(A^2 h_AA), which vary by little where h is nearly a power of A; 0 where they are
+ * not known to. From the first amplitude on |h_AA| rises as h_AAA lets it, and kappa stays between what it is there and
  * -1/(2 + rho), with the slope -(1 + kappa (2 + rho))/A (derivations/along.py). */
 static inline int sf_scaled(const sf_cell *cell, sf_interval *rho, sf_interval *kappa) {
     const sf_sample *a = cell->first, *b = cell->last;
@@ -235,7 +236,8 @@ static inline int sf_scaled(const sf_cell *cell, sf_interval *rho, sf_interval *
     return 1;
 }
 
-/* An amplitude well inside: halfway in the coordinate in which h is smooth, in orders of magnitude if there are many. */
+/* An amplitude well inside: halfway in the coordinate in which h is smooth, in orders of magnitude if there are
+ * many. */
 static inline double sf_amid(double base, double a, double b) {
     if (a == 0)
         return 0.125 * b;

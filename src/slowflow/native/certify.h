@@ -1,8 +1,8 @@
 /* Answers with their proof: in goes an oscillator as it was given, and a forcing, out come enclosures of its folds or
  * states, of F_SN and of F_cr, and where doubles do not decide.
  *
- * A fold inside a piece is a zero of SF_FOLD_AT; on a breakpoint where the force jumps, it is a root of F = 0 at which F_A
- * has one sign below and another above.
+ * A fold inside a piece is a zero of SF_FOLD_AT; on a breakpoint where the force jumps, it is a root of F = 0 at which
+ * F_A has one sign below and another above.
  */
 #ifndef SF_CERTIFY_H
 #define SF_CERTIFY_H
@@ -14,7 +14,8 @@
 
 /* an interval of Omega that is wider, relatively, is searched for roots */
 #define SF_BROAD 0x1p-20
-/* by how much, relatively, the forcing up to which an onset is proved to be the lowest exceeds the one that was found */
+/* by how much, relatively, the forcing up to which an onset is proved to be the lowest exceeds the one that was
+ * found */
 #define SF_ABOVE_ONSET 0x1p-20
 
 static int sf_sign_of(sf_interval x) { return sfi_positive(x) - sfi_negative(x); }
@@ -60,7 +61,7 @@ static int sf_is_bounded(const sf_given *given, double F_0, double A) {
     return here.h.lo > 0 ? here.h.lo > most.hi && cell.h_A.lo >= 0 : -here.h.hi > most.hi && cell.h_A.hi <= 0;
 }
 
-/* ==== Folds at a forcing =========================================================================================== */
+/* ==== Folds at a forcing ========================================================================================== */
 
 static void sf_fold_on(const sf_proving *proving, const sf_cell *cell, int open, sf_range out[2]) {
     (void)open;
@@ -200,7 +201,7 @@ static sf_status sf_certify_folds(const sf_model *model, const sf_given *given, 
     return SF_OK;
 }
 
-/* ==== States at a frequency ======================================================================================== */
+/* ==== States at a frequency ======================================================================================= */
 
 static void sf_state_on(const sf_proving *proving, const sf_cell *cell, int open, sf_range out[2]) {
     (void)open;
@@ -223,7 +224,7 @@ static sf_status sf_certify_states(const sf_model *model, const sf_given *given,
     return SF_OK;
 }
 
-/* ==== Critical forcings ============================================================================================ */
+/* ==== Critical forcings =========================================================================================== */
 
 static sf_interval sf_level_on(const sf_terms *terms, sf_interval Omega, const sf_cell *cell) {
     return slow_flow_intervals_level(Omega, cell->A, terms->m, terms->zeta, cell->h);
@@ -328,7 +329,8 @@ static void sf_enter_cusp(const sf_terms *terms, const sf_cell *on, int channel,
     sf_enter(list, sfi_both(cusp.level, sf_level_on(terms, Omega, on)), Omega, on->A, SF_CUSP_KIND, sf_sign_of(bend));
 }
 
-/* Minima on breakpoint k, where the force jumps, see sf_consider_jump, or its slope: there the locus bends and does no more. */
+/* Minima on breakpoint k, where the force jumps, see sf_consider_jump, or its slope: there the locus bends and does no
+ * more. */
 static void sf_enter_corners(const sf_given *given, const sf_terms *terms, int k, sf_candidates *list) {
     const sf_interval b = given->b[k];
     const int jumps = !sf_is_continuous_at(given, k), J = sf_sign_of(jumps ? given->jump[k] : given->kink[k]);
@@ -387,9 +389,10 @@ static void sf_lowest(const sf_candidates *list, sf_proved_onset *out) {
     }
 }
 
-/* All that may be the lowest up to an amplitude, with levels up to that of the question; what is in doubt fills the list.
- * Minima of the level along the fold locus are its cusps and isola points, ends of its pieces on breakpoints, and ends at
- * Omega = 0, where no fold is born. */
+/* All that may be the lowest up to an amplitude, with levels up to that of the question; what is in doubt fills the
+ * list.
+ * Minima of the level along the fold locus are its cusps and isola points, ends of its pieces on breakpoints, and ends
+ * at Omega = 0, where no fold is born. */
 static void sf_enter_all(const sf_given *given, sf_proving *proving, double A_max, sf_candidates *list) {
     sf_proof *proof = proving->out;
     int i, k;
@@ -419,8 +422,8 @@ static void sf_certify_no_onset(const sf_given *given, sf_proof *proof, sf_prove
     out->proved = list.n == 0 && !list.full && list.doubted == HUGE_VAL;
 }
 
-/* Without viscous damping, whether folds come as near to m as one asks: their level is hypot(m, k), which is m at A = 0 only,
- * and there they are as long as h_A < 0. */
+/* Without viscous damping, whether folds come as near to m as one asks: their level is hypot(m, k), which is m at A = 0
+ * only, and there they are as long as h_A < 0. */
 static int sf_tends_to_friction(const sf_given *given) {
     sf_known first, last;
     sf_cell cell;
@@ -435,8 +438,8 @@ static int sf_tends_to_friction(const sf_given *given) {
     return 0;
 }
 
-/* The lowest forcing at which folds are born; what lies above the forcing that was found is left out. Where there is none,
- * as the status says, whether that is proved. For zeta = 0 a lowest one is not proved. */
+/* The lowest forcing at which folds are born; what lies above the forcing that was found is left out. Where there is
+ * none, as the status says, whether that is proved. For zeta = 0 a lowest one is not proved. */
 static sf_status sf_certify_onset(const sf_model *model, const sf_given *given, sf_work *work, sf_proof *proof,
                                   sf_proved_onset *out) {
     sf_candidates list;

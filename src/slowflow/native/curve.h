@@ -122,7 +122,8 @@ static void sf_add_step(const sf_model *model, double F_0, const sf_arc *arc, in
     }
 }
 
-/* The last digits of the folds, also where segments end in them. What lies on which arc was told by the numbers before. */
+/* The last digits of the folds, also where segments end in them. What lies on which arc was told by the numbers
+ * before. */
 static void sf_settle_skeleton(const sf_model *model, const sf_exactly *exactly, double F_0, sf_work *work) {
     const sf_folds before = work->folds;
     int i, k, end;
@@ -165,7 +166,7 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, 
     return SF_OK;
 }
 
-/* ==== Points ======================================================================================================= */
+/* ==== Points ====================================================================================================== */
 
 /* An amplitude below the state at Omega of the branch that comes from A = 0, Omega = inf. */
 static double sf_tail_amplitude(const sf_model *model, double F_0, const sf_segment *segment, double Omega) {
@@ -237,7 +238,7 @@ static int sf_holds(const sf_segment *segment, double Omega) {
     return fmin(segment->Omega[0], segment->Omega[1]) <= Omega && Omega <= fmax(segment->Omega[0], segment->Omega[1]);
 }
 
-/* ==== The window =================================================================================================== */
+/* ==== The window ================================================================================================== */
 
 /* The part of a segment between two frequencies; 0 if there is none. */
 static int sf_clip(const sf_model *model, double F_0, const sf_segment *segment, double low, double high,
@@ -292,10 +293,10 @@ static void sf_show_curve(const sf_model *model, double F_0, const sf_skeleton *
     sf_close_run(shown, all->closed[curve] && whole);
 }
 
-/* ==== Samples ====================================================================================================== */
+/* ==== Samples ===================================================================================================== */
 
-/* What counts as much in the sharing out of points: a frequency and an amplitude of 1, or half the highest frequency and
- * the highest amplitude that are shown, if they are more; the sum of all weights. */
+/* What counts as much in the sharing out of points: a frequency and an amplitude of 1, or half the highest frequency
+ * and the highest amplitude that are shown, if they are more; the sum of all weights. */
 typedef struct {
     double Omega, A, total;
 } sf_sharing;
@@ -322,8 +323,8 @@ static int sf_steps_of(const sf_segment *segment, double samples, const sf_shari
     return (int)ceil(samples * sf_weight(segment, sharing) / sharing->total);
 }
 
-/* The shown segments in a window, and the number of points on them; -1 where it is beyond the range of doubles how far they
- * extend. */
+/* The shown segments in a window, and the number of points on them; -1 where it is beyond the range of doubles how far
+ * they extend. */
 static long sf_show(const sf_model *model, double F_0, double low, double high, double samples, sf_work *work) {
     sf_skeleton *shown = &work->shown;
     sf_sharing sharing;
@@ -352,8 +353,8 @@ static void sf_turn_round(int n, double *x) {
     }
 }
 
-/* n - 1 rising numbers between two. Where they span orders of magnitude half of them are shared out among these, as Omega
- * changes with each of A's; the others follow the top. */
+/* n - 1 rising numbers between two. Where they span orders of magnitude half of them are shared out among these, as
+ * Omega changes with each of A's; the others follow the top. */
 static void sf_numbers_between(double low, double high, int n, double *x) {
     const int many = low > 0 && high > 100 * low, orders = many ? n / 2 : 1, plain = n + 1 - orders;
     int i = 1, j = 1, k;
@@ -365,8 +366,8 @@ static void sf_numbers_between(double low, double high, int n, double *x) {
     }
 }
 
-/* Omega at n amplitudes inside a segment: by blocks, and one at a time where these do not count the roots that there are, or
- * for an excitation by inertia. */
+/* Omega at n amplitudes inside a segment: by blocks, and one at a time where these do not count the roots that there
+ * are, or for an excitation by inertia. */
 static void sf_frequencies_along(const sf_model *model, double F_0, const sf_segment *segment, int n, const double *A, double *Omega) {
     const sf_curve curve = {model, F_0};
     sf_quartics block;
@@ -401,13 +402,15 @@ static void sf_frequencies_along(const sf_model *model, double F_0, const sf_seg
     }
 }
 
-/* Whether A hardly changes while Omega does, as where Omega^2 is small beside h_A: doubles of A do not tell Omega there. */
+/* Whether A hardly changes while Omega does, as where Omega^2 is small beside h_A: doubles of A do not tell Omega
+ * there. */
 static int sf_is_steep(const sf_segment *segment) {
     const double low = fmin(segment->Omega[0], segment->Omega[1]), high = fmax(segment->Omega[0], segment->Omega[1]);
     return segment->A[1] - segment->A[0] < SF_HARDLY * segment->A[1] * ((high - low) / high);
 }
 
-/* n - 1 points inside a segment in the order of its numbers by rising A: at amplitudes, or where it is steep at frequencies.
+/* n - 1 points inside a segment in the order of its numbers by rising A: at amplitudes, or where it is steep at
+ * frequencies.
  * Rounding takes none beyond its ends, between which Omega is monotone. */
 static void sf_points_inside(const sf_model *model, double F_0, const sf_segment *segment, int n, double *Omega, double *A) {
     const double low = fmin(segment->Omega[0], segment->Omega[1]), high = fmax(segment->Omega[0], segment->Omega[1]);

@@ -1,13 +1,13 @@
-/* Many designs at once: in go blocks of cells of amplitudes and of brackets, out comes which cells hold a zero, and the zeros,
- * by loops that vectorise.
+/* Many designs at once: in go blocks of cells of amplitudes and of brackets, out comes which cells hold a zero, and the
+ * zeros, by loops that vectorise.
  *
  * What h_A and h_AA are on a cell follows from their values at its ends, as h_AAA is monotone on a piece of the force
- * (cells.h). For states F's first and second derivative along A follow from these: F has no zero where R is too large or too
- * small on all of the cell, or where F has one sign at both ends and is monotone, or curved so that it cannot come to 0
- * between; and one where the signs differ and F is monotone or of one curvature. For a peak it is F at its critical points in
- * Omega, and for a cusp F_A at the zeros of F_AA, as in along.h.
- * Bounds are computed in doubles and widened by more than rounding may make of them. Where a number of doubles is near to
- * deciding, or a design needs more cells than there are places, it is left to states.h.
+ * (cells.h). For states F's first and second derivative along A follow from these: F has no zero where R is too large
+ * or too small on all of the cell, or where F has one sign at both ends and is monotone, or curved so that it cannot
+ * come to 0 between; and one where the signs differ and F is monotone or of one curvature. For a peak it is F at its
+ * critical points in Omega, and for a cusp F_A at the zeros of F_AA, as in along.h.
+ * Bounds are computed in doubles and widened by more than rounding may make of them. Where a number of doubles is near
+ * to deciding, or a design needs more cells than there are places, it is left to states.h.
  */
 #ifndef SF_DESIGN_LANES_H
 #define SF_DESIGN_LANES_H
@@ -27,8 +27,8 @@ enum { SF_ASKED_ROWS = 4 };
 
 typedef enum { SF_HAS_NONE, SF_HAS_ONE, SF_IS_OPEN, SF_IS_DOUBTFUL } sf_verdict;
 
-/* of: which design of the block; base: where the piece of the force begins; cut: where an open cell is cut, or where F is
- * likely to vanish in one that has a zero; falls: whether F is negative at its low end */
+/* of: which design of the block; base: where the piece of the force begins; cut: where an open cell is cut, or where F
+ * is likely to vanish in one that has a zero; falls: whether F is negative at its low end */
 typedef struct {
     int n, of[SF_LANE_CELLS];
     double low[SF_PROBE_ROWS][SF_LANE_CELLS], high[SF_PROBE_ROWS][SF_LANE_CELLS];
@@ -36,8 +36,8 @@ typedef struct {
     double verdict[SF_LANE_CELLS], cut[SF_LANE_CELLS], rises[SF_LANE_CELLS];
 } sf_lane_cells;
 
-/* Brackets with what is known of an amplitude inside. next: where F vanishes as far as that tells; moved: how far that is from
- * there */
+/* Brackets with what is known of an amplitude inside. next: where F vanishes as far as that tells; moved: how far that
+ * is from there */
 typedef struct {
     int n, of[SF_LANE_CELLS];
     double at[SF_PROBE_ROWS][SF_LANE_CELLS], asked[SF_ASKED_ROWS][SF_LANE_CELLS];
@@ -45,16 +45,17 @@ typedef struct {
     double Omega[SF_LANE_CELLS]; /* of peaks */
 } sf_lane_zeros;
 
-/* What is known of an amplitude where cusps are looked for, as rows: what is known of any, k = h - A h_A, then the function of
- * each channel (along.h) and its slope, NaN where it is not defined. Asked are m, zeta, and of cells the forcing above which
- * cusps may be left out */
+/* What is known of an amplitude where cusps are looked for, as rows: what is known of any, k = h - A h_A, then the
+ * function of each channel (along.h) and its slope, NaN where it is not defined. Asked are m, zeta, and of cells the
+ * forcing above which cusps may be left out */
 enum { SF_CUSP_PROBE_ROWS = 6, SF_CUSP_ROWS = SF_CUSP_PROBE_ROWS + 4, SF_CUSP_ASKED_ROWS = 3 };
 typedef struct {
     int n;
     double at[SF_CUSP_ROWS][SF_LANE_CELLS], asked[2][SF_LANE_CELLS];
 } sf_cusp_probes;
 
-/* Cells of a first piece in which cusps are looked for; the verdict on each channel; whether h_A < 0 on all of the cell */
+/* Cells of a first piece in which cusps are looked for; the verdict on each channel; whether h_A < 0 on all of the
+ * cell */
 typedef struct {
     int n, of[SF_LANE_CELLS];
     double low[SF_CUSP_ROWS][SF_LANE_CELLS], high[SF_CUSP_ROWS][SF_LANE_CELLS], asked[SF_CUSP_ASKED_ROWS][SF_LANE_CELLS];
@@ -120,8 +121,8 @@ static inline void sf_fill_zeros(sf_lane_zeros *zeros) {
     sf_fill(zeros->lo, zeros->n), sf_fill(zeros->hi, zeros->n), sf_fill(zeros->rises, zeros->n);
 }
 
-/* Halley's step from A to where a function vanishes that has this value, slope and bend there, kept in bracket i. is_low: whether
- * it is not there yet. Returns the step. */
+/* Halley's step from A to where a function vanishes that has this value, slope and bend there, kept in bracket i.
+ * is_low: whether it is not there yet. Returns the step. */
 static inline double sf_halley(sf_lane_zeros *zeros, ptrdiff_t i, double A, int is_low, double f, double slope, double bend) {
     const double lo = is_low ? A : zeros->lo[i], hi = is_low ? zeros->hi[i] : A;
     const double step = 2 * f * slope / (2 * slope * slope - f * bend), next = A - step;
@@ -132,8 +133,8 @@ static inline double sf_halley(sf_lane_zeros *zeros, ptrdiff_t i, double A, int 
     return step;
 }
 
-/* The least of what lies above the line that falls from f_a with the slope `falls` <= 0 and above the one that rises to f_b
- * with `rises` >= 0, on a cell of this width: where both meet. */
+/* The least of what lies above the line that falls from f_a with the slope `falls` <= 0 and above the one that rises to
+ * f_b with `rises` >= 0, on a cell of this width: where both meet. */
 static inline double sf_lane_least(double f_a, double f_b, double falls, double rises, double width) {
     const double apart = falls - rises, meet = (f_b - f_a - rises * width) / (apart < 0 ? apart : -1.0);
     const double within = meet > 0 ? SF_LESSER(meet, width) : 0.0;
@@ -182,8 +183,8 @@ static inline double sf_lane_under(double f_a, double f_b, double slope_lo, doub
     return monotone ? least : under;
 }
 
-/* The critical points of F in Omega, as sf_critical_points has them: positive roots of A w^3 + p w + q, q >= 0, which exist
- * for p < 0 up to rho = 1 */
+/* The critical points of F in Omega, as sf_critical_points has them: positive roots of A w^3 + p w + q, q >= 0, which
+ * exist for p < 0 up to rho = 1 */
 typedef struct {
     double rho, w1, w2;
 } sf_lane_critical;
@@ -207,8 +208,8 @@ static inline double sf_lane_amid(double base, double a, double b) {
     return b > 4 * a ? (a > 0 ? sqrt(a) * sqrt(b) : 0.5 * b) : amid;
 }
 
-/* Where a function with values on either side of zero is likely to vanish: by both values and slopes the cubic that gives A,
- * else the parabola from the end whose slope is known, else `inside`. */
+/* Where a function with values on either side of zero is likely to vanish: by both values and slopes the cubic that
+ * gives A, else the parabola from the end whose slope is known, else `inside`. */
 static inline double sf_lane_zero(double a, double y_a, double slope_a, double b, double y_b, double slope_b, double inside) {
     const double width = b - a, over = 1 / (y_b - y_a), chord = width * over, flat_a = 1 / slope_a, flat_b = 1 / slope_b;
     const double bend = (chord - flat_a) * over, third = ((flat_b - chord) * over - bend) * over;

@@ -55,7 +55,8 @@ static inline sf_interval sfi_cosh(sf_interval a) {
     return a.lo <= a.hi ? sfi_apart(cosh(least), cosh(most)) : sfi_unknown();
 }
 
-/* Whether an interval may hold a place, or one that is some periods of 2 pi off: a rounding more of a turn is allowed for. */
+/* Whether an interval may hold a place, or one that is some periods of 2 pi off: a rounding more of a turn is allowed
+ * for. */
 static inline int sfi_holds_turn(sf_interval a, double place) {
     const double from = (a.lo - place) / (2 * SFI_PI), to = (a.hi - place) / (2 * SFI_PI);
     return ceil(from - 0x1p-50 * (1 + fabs(from))) <= floor(to + 0x1p-50 * (1 + fabs(to)));

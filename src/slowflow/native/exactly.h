@@ -1,5 +1,5 @@
-/* The oscillator as it was given, in double-double: in go its numbers, out come its parameters and h with its derivatives to
- * some thirty digits.
+/* The oscillator as it was given, in double-double: in go its numbers, out come its parameters and h with its
+ * derivatives to some thirty digits.
  */
 #ifndef SF_EXACTLY_H
 #define SF_EXACTLY_H
@@ -44,8 +44,9 @@ static inline int sf_make_exact(const sf_mechanism *mechanism, const double *des
     return 1;
 }
 
-/* At an amplitude whose double lies on that piece of the force; 0 where pairs have too few digits. wanted: how many of h and
- * its derivatives pairs are to give; the others are doubles', at hand in `near`, or of this amplitude if that is NULL. */
+/* At an amplitude whose double lies on that piece of the force; 0 where pairs have too few digits. wanted: how many of
+ * h and its derivatives pairs are to give; the others are doubles', at hand in `near`, or of this amplitude if that is
+ * NULL. */
 static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, int piece, sf_pair A, int wanted,
                               const sf_sample *near, sf_exact_sample *out) {
     sf_pair beyond = A;

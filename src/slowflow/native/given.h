@@ -1,4 +1,5 @@
-/* The oscillator as it was given: in go its numbers, taken exactly, out come intervals that hold what follows from them.
+/* The oscillator as it was given: in go its numbers, taken exactly, out come intervals that hold what follows from
+ * them.
  *
  * A proof is about this oscillator, not about its parameters rounded to doubles.
  */
@@ -23,8 +24,8 @@ typedef struct {
     sf_exactly exactly;
 } sf_given;
 
-/* 0 where no proof is possible: the mechanism has no form on intervals, the excitation is no force, or a breakpoint can be
- * told neither from 0 nor to be 0. What has such a form has one in pairs too. */
+/* 0 where no proof is possible: the mechanism has no form on intervals, the excitation is no force, or a breakpoint can
+ * be told neither from 0 nor to be 0. What has such a form has one in pairs too. */
 static inline int sf_give(const sf_mechanism *mechanism, const double *design, double mu, double zeta, sf_given *out) {
     sf_interval b[SF_MOST_BREAKS], kink[SF_MOST_BREAKS];
     int i;
@@ -94,8 +95,8 @@ static inline int sf_is_continuous_at(const sf_given *given, int i) {
     return given->jump[i].lo == 0 && given->jump[i].hi == 0;
 }
 
-/* The limit from above at breakpoint i, as `sf_tend_from_above`: a jump of the force makes h_A infinite there, one of its
- * slope h_AA; nothing is known of the derivatives where neither is proved. */
+/* The limit from above at breakpoint i, as `sf_tend_from_above`: a jump of the force makes h_A infinite there, one of
+ * its slope h_AA; nothing is known of the derivatives where neither is proved. */
 static inline void sf_know_above(const sf_given *given, int i, sf_known *out) {
     const sf_interval jump = given->jump[i], kink = given->kink[i];
     sf_know_below(given, i, out);
@@ -113,8 +114,8 @@ static inline void sf_know_above(const sf_given *given, int i, sf_known *out) {
     }
 }
 
-/* Whether smaller intervals tell no more of a function, which on this narrow one is `on`: it hardly varies, and at neither
- * end its sign is known. */
+/* Whether smaller intervals tell no more of a function, which on this narrow one is `on`: it hardly varies, and at
+ * neither end its sign is known. */
 static inline int sf_is_noise(sf_interval on, sf_interval at_low, sf_interval at_high) {
     const double least = sfi_least(at_low.hi - at_low.lo, at_high.hi - at_high.lo);
     return !sfi_has_sign(at_low) && !sfi_has_sign(at_high) && !(on.hi - on.lo > SF_NOISE * least);

@@ -39,8 +39,8 @@ static int sf_is_on_break(sf_pinned kind) {
            kind == SF_CORNER_BACKBONE_PINNED || kind == SF_CORNER_REST_PINNED;
 }
 
-/* Whether an answer that is on no breakpoint has come to one. States and peaks ask for h_A, which jumps there where the force
- * does; the others for h_AA, which grows without bound next to it too. */
+/* Whether an answer that is on no breakpoint has come to one. States and peaks ask for h_A, which jumps there where the
+ * force does; the others for h_AA, which grows without bound next to it too. */
 static int sf_comes_to_break(const sf_model *model, sf_pinned kind, double A) {
     const int first = kind == SF_STATE_PINNED || kind == SF_PEAK_PINNED;
     int k;
@@ -106,8 +106,8 @@ static void sf_cause_of(const sf_model *model, int column, int piece, const doub
     }
 }
 
-/* How the answer (Omega, A) of that kind at the forcing F_0 moves with each of so many numbers: row i of column j goes to
- * out[i * columns + j]. CORNER_END stands for any onset on a breakpoint. */
+/* How the answer (Omega, A) of that kind at the forcing F_0 moves with each of so many numbers: row i of column j goes
+ * to out[i * columns + j]. CORNER_END stands for any onset on a breakpoint. */
 static sf_moves_status sf_gradient(const sf_model *model, const double *design, sf_pinned kind, double Omega, double A,
                                    double F_0, int rows, int columns, double *out) {
     const sf_mechanism *mechanism = model->mechanism;
@@ -167,7 +167,8 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *design, 
     return status;
 }
 
-/* design, damping, F_0, Omega, A, what it is (a number of sf_pinned) -> moves (rows, columns), status; see sf_gradient */
+/* design, damping, F_0, Omega, A, what it is (a number of sf_pinned) -> moves (rows, columns), status; see
+ * sf_gradient */
 static void sf_loop_gradients(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     const sf_mechanism *mechanism = data;
     const int first = mechanism->design_size + mechanism->damping_size, moves = first + 4;

@@ -1,8 +1,9 @@
-/* Arithmetic on pairs that know how far they may be off: in go numbers of some thirty digits with a bound of their error,
- * out come such numbers. And Carlson's integrals of them, which closed forms of averages are made of: these divide by what
- * may be small, and lose digits that doubles do not have.
+/* Arithmetic on pairs that know how far they may be off: in go numbers of some thirty digits with a bound of their
+ * error, out come such numbers. And Carlson's integrals of them, which closed forms of averages are made of: these
+ * divide by what may be small, and lose digits that doubles do not have.
  *
- * An operation on pairs errs by less than SFH_ERROR of its result, a sum by that of its terms (pair.h). Bounds are doubles;
+ * An operation on pairs errs by less than SFH_ERROR of its result, a sum by that of its terms (pair.h). Bounds are
+ * doubles;
  * they are rounded up by a factor, which is more than their own few roundings.
  */
 #ifndef SF_HELD_H
@@ -20,8 +21,8 @@ typedef struct {
 #define SFH_UP (1 + 0x1p-40)
 /* no pair has lost more to underflow */
 #define SFH_LEAST 0x1p-960
-/* arguments of Carlson's integrals are nearly equal when they differ by so much, relatively; after as many duplications as
- * that takes from any doubles */
+/* arguments of Carlson's integrals are nearly equal when they differ by so much, relatively; after as many duplications
+ * as that takes from any doubles */
 #define SFH_EQUAL 0x1p-14
 enum { SFH_MOST_DUPLICATIONS = 600 };
 
@@ -66,8 +67,8 @@ static inline sf_held sfh_sqrt(sf_held a) {
         return sfh_of(sfp_point(0), sqrt((fmax(a.x.high, 0) + a.off) * SFH_UP) * SFH_UP + 0x1p-480);
     return sfh_of(sfp_of(root, 0.5 * (a.x.low - square_low) * inverse), (a.off * inverse + SFH_ERROR * root) * SFH_UP);
 }
-/* The angle of (x, y) from 0 to pi/2: a point that is moved by so much is seen under no larger angle than the arcsine of
- * its share, which is less than twice the share. */
+/* The angle of (x, y) from 0 to pi/2: a point that is moved by so much is seen under no larger angle than the arcsine
+ * of its share, which is less than twice the share. */
 static inline sf_held sfh_atan2(sf_held y, sf_held x) {
     const sf_pair angle = pair_angles_atan2(y.x, x.x);
     const double moved = (y.off + x.off) * SFH_UP, away = fmax(fabs(y.x.high), fabs(x.x.high));

@@ -1,8 +1,9 @@
-/* Excitation by inertia, F_0 Omega^2: in go a sample and an amplitude of the excitation, out come the frequencies there.
+/* Excitation by inertia, F_0 Omega^2: in go a sample and an amplitude of the excitation, out come the frequencies
+ * there.
  *
- * The level of an amplitude, the F_0 for which it is a steady state at Omega, falls from inf at Omega = 0 to its least and
- * rises from there to A as Omega tends to inf; or it only falls to A. So an amplitude below F_0 has one frequency, and one
- * above it two or none (derivations/inertia.py).
+ * The level of an amplitude, the F_0 for which it is a steady state at Omega, falls from inf at Omega = 0 to its least
+ * and rises from there to A as Omega tends to inf; or it only falls to A. So an amplitude below F_0 has one frequency,
+ * and one above it two or none (derivations/inertia.py).
  */
 #ifndef SF_INERTIAL_H
 #define SF_INERTIAL_H
@@ -76,8 +77,8 @@ static inline double sf_inertial_solve(const sf_model *model, const sf_sample *a
     return 1 / x;
 }
 
-/* Frequency number `index` of `count`; where rounding hides a pair, the place where it meets. Without its cubic term, which
- * only raises F, F over Omega^4 is a quadratic in x^2, whose roots lie outside of those of F. */
+/* Frequency number `index` of `count`; where rounding hides a pair, the place where it meets. Without its cubic term,
+ * which only raises F, F over Omega^4 is a quadratic in x^2, whose roots lie outside of those of F. */
 static inline double sf_inertial_root(const sf_model *model, const sf_sample *at, double F_0, int count, int index) {
     const double least = sf_least_x(model, at);
     const int high = count == 2 && index == 1, shown = sf_inertial_count(model, at, F_0);

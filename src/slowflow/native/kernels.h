@@ -3,8 +3,8 @@
  * A kernel has one loop for each regime of the force and a function that says which regime holds where. NumPy's strides
  * are dealt with here, in blocks that stay in the cache: strided arguments are copied, constant ones (stride 0) spread
  * once, and where a block holds several regimes each one's elements are put side by side. What is left over of a block
- * that is no multiple of a vector is filled up to one. So every loop sees contiguous arrays of whole vectors that do not
- * overlap, and vectorises.
+ * that is no multiple of a vector is filled up to one. So every loop sees contiguous arrays of whole vectors that do
+ * not overlap, and vectorises.
  */
 #ifndef SF_KERNELS_H
 #define SF_KERNELS_H

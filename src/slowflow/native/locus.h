@@ -31,8 +31,8 @@ static double sf_least_forcing(const sf_model *model, const sf_sample *at, doubl
     return level < at_rest ? level : at_rest;
 }
 
-/* Whether no amplitude from A on is that of a steady state at F_0 or less: |h| is too large. Beyond the last breakpoint h
- * is followed to where it has no bound in doubles: there |h| must rise. */
+/* Whether no amplitude from A on is that of a steady state at F_0 or less: |h| is too large. Beyond the last breakpoint
+ * h is followed to where it has no bound in doubles: there |h| must rise. */
 static int sf_bounds(const sf_model *model, double F_0, double A) {
     sf_sample at, far;
     sf_known here, there;
@@ -78,8 +78,8 @@ static int sf_bounds_bent(const sf_model *model, double F_0, double A) {
     return 1;
 }
 
-/* Whether an excitation by inertia has no state above F_0 from A on: what excludes states at an amplitude is positive on all
- * that follow if its slopes are; the third is a sum of h_AAA, which is monotone, and of a number. */
+/* Whether an excitation by inertia has no state above F_0 from A on: what excludes states at an amplitude is positive
+ * on all that follow if its slopes are; the third is a sum of h_AAA, which is monotone, and of a number. */
 static int sf_inertial_bounds(const sf_model *model, double F_0, double A) {
     sf_sample at, far;
     double lost[2] = {0.5, 0.5}, values[4];
@@ -97,8 +97,8 @@ static int sf_inertial_bounds(const sf_model *model, double F_0, double A) {
     return 0;
 }
 
-/* Whether the spring is far from its slope at rest, and an amplitude that is much less is reached: where a response is cut
- * that does not close. */
+/* Whether the spring is far from its slope at rest, and an amplitude that is much less is reached: where a response is
+ * cut that does not close. */
 static int sf_is_far(const sf_model *model, double F_0, double A) {
     sf_sample at, rest, less;
     sf_sample_at(model, A, &at);
@@ -147,8 +147,8 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
     return sf_inertial(model) ? SF_UNBOUNDED : SF_NO_BOUND;
 }
 
-/* Where to stop at F_0: above every steady state, or, undamped, at the mechanism's reach or a multiple of F_0 that is doubled
- * until the fold, whose R is k, has passed F_0 or has ended for good; or, with SF_UNBOUNDED, where a response
+/* Where to stop at F_0: above every steady state, or, undamped, at the mechanism's reach or a multiple of F_0 that is
+ * doubled until the fold, whose R is k, has passed F_0 or has ended for good; or, with SF_UNBOUNDED, where a response
  * is cut that does not close. */
 static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
     int i;
@@ -171,7 +171,7 @@ static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
     return SF_OK;
 }
 
-/* ==== Roots of the two quartics along A ============================================================================ */
+/* ==== Roots of the two quartics along A =========================================================================== */
 
 static int sf_fold_count(const sf_model *model, const sf_sample *at) {
     sf_isolated q;
@@ -205,7 +205,7 @@ static double sf_response_branch(const sf_model *model, const sf_sample *at, dou
     return sf_wanted_root(&q, count, index);
 }
 
-/* ==== Arcs between events ========================================================================================== */
+/* ==== Arcs between events ========================================================================================= */
 
 typedef struct {
     const sf_model *model;
@@ -223,7 +223,8 @@ static double sf_branch_at(const sf_curve *curve, const sf_sample *at, int count
                           : sf_response_branch(curve->model, at, curve->F_0, count, index);
 }
 
-/* Whether the numbers of a response's roots beside an event are not what it makes of them: roots coincide within rounding.
+/* Whether the numbers of a response's roots beside an event are not what it makes of them: roots coincide within
+ * rounding.
  * Between events that are hardly apart rounding may have changed their order. */
 static int sf_contradicts(const sf_curve *curve, const sf_graph *graph, int k) {
     const sf_event *event = &graph->event[k];
@@ -260,7 +261,8 @@ static void sf_end_all(const sf_curve *curve, sf_graph *graph, const sf_sample *
 }
 
 /* Which two of the roots meet at A, the lower pair or the upper, and where: as the event says, or, where it is none of
- * these but roots vanish all the same (a breakpoint that is an extremum to rounding), by the critical value next to 0. */
+ * these but roots vanish all the same (a breakpoint that is an extremum to rounding), by the critical value next to
+ * 0. */
 static int sf_lower_pair(const sf_curve *curve, const sf_event *event, const sf_sample *at, double *Omega) {
     const sf_model *model = curve->model;
     sf_isolated q;
@@ -340,7 +342,7 @@ static void sf_trace_arcs(const sf_curve *curve, sf_graph *graph) {
     sf_end_all(curve, graph, &at, graph->events - 2, 1);
 }
 
-/* ==== The fold locus =============================================================================================== */
+/* ==== The fold locus ============================================================================================== */
 
 static void sf_ask_all(const sf_model *model, sf_question question, double F_0, const sf_stretch *piece,
                        sf_zeros *found) {
@@ -414,7 +416,7 @@ static sf_status sf_fold_locus(const sf_model *model, double A_max, sf_work *wor
     return graph->status;
 }
 
-/* ==== Folds at a forcing =========================================================================================== */
+/* ==== Folds at a forcing ========================================================================================== */
 
 static void sf_add_fold(sf_folds *folds, double Omega, double A, int up, int corner) {
     int i;
@@ -464,10 +466,10 @@ static double sf_settled_Omega(const sf_model *model, double F_0, const sf_sampl
     return n > 0 ? w[place] : Omega;
 }
 
-/* Whether the side below breakpoint b is stable at the state (b, w): F_A > 0. Where the state is, to rounding, the end of
- * the fold locus below, the sign of SF_FOLD_AT there decides, which decided whether that has a zero next to b. To first
- * order F and F_A are multiples of it, and F_A at the state is less by F_AOmega F/F_Omega; without viscous damping it is F,
- * and F_A is 0. */
+/* Whether the side below breakpoint b is stable at the state (b, w): F_A > 0. Where the state is, to rounding, the end
+ * of the fold locus below, the sign of SF_FOLD_AT there decides, which decided whether that has a zero next to b. To
+ * first order F and F_A are multiples of it, and F_A at the state is less by F_AOmega F/F_Omega; without viscous
+ * damping it is F, and F_A is 0. */
 static int sf_is_stable_below(const sf_model *model, double F_0, const sf_sample *at, double w) {
     const sf_asked asked = sf_asked_of(SF_FOLD_AT, model, F_0);
     sf_answer fold;
@@ -512,7 +514,8 @@ static double sf_excess(const sf_model *model, double F_0, const sf_arc *arc, do
     return *Omega > 0 ? sf_level(model, &at, *Omega) - F_0 : HUGE_VAL;
 }
 
-/* Where the level, which is monotone along the arc, passes F_0: regula falsi (Illinois), and halves where that is slow. */
+/* Where the level, which is monotone along the arc, passes F_0: regula falsi (Illinois), and halves where that is
+ * slow. */
 static double sf_level_crossing(const sf_model *model, double F_0, const sf_arc *arc, double low, double high, double *Omega) {
     double a = arc->A[0], b = arc->A[1], f_a = low, f_b = high;
     int i;
@@ -535,7 +538,8 @@ static double sf_level_crossing(const sf_model *model, double F_0, const sf_arc 
     return fabs(f_a) < fabs(f_b) ? a : b;
 }
 
-/* The folds of an excitation by inertia inside of pieces: where the level passes F_0 along the arcs of the fold locus. */
+/* The folds of an excitation by inertia inside of pieces: where the level passes F_0 along the arcs of the fold
+ * locus. */
 static sf_status sf_locus_folds(const sf_model *model, double F_0, sf_work *work, sf_folds *folds) {
     const sf_status status = sf_fold_locus(model, work->A_max, work);
     int i;
@@ -597,7 +601,7 @@ static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *wor
     return folds->status;
 }
 
-/* ==== The locus itself ============================================================================================= */
+/* ==== The locus itself ============================================================================================ */
 
 /* The forcing at an extremum: at a cusp in the form that loses no digits where damping is small. */
 static double sf_extremum_level(const sf_model *model, const sf_zero *zero, const sf_sample *at) {

@@ -1,6 +1,7 @@
 /* Batches of designs: in go a record and strided arrays, out come strided arrays.
  *
- * The loops have the form of NumPy's ufuncs: args[i] + k * steps[i] is argument i of design k, and `data` is the record.
+ * The loops have the form of NumPy's ufuncs: args[i] + k * steps[i] is argument i of design k, and `data` is the
+ * record.
  * The inputs are the design, the damping, and where needed F_0. Nothing is allocated per design.
  */
 #ifndef SF_MANY_H

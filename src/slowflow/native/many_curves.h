@@ -37,8 +37,8 @@ static long sf_leave_rest_out(long n, sf_points *points) {
     return kept;
 }
 
-/* n points into their places, the others left empty; closed: of each branch. A column at a time: bytes may alias all that a loop
- * over all of them would have to read again at each point. */
+/* n points into their places, the others left empty; closed: of each branch. A column at a time: bytes may alias all
+ * that a loop over all of them would have to read again at each point. */
 static void sf_write_points(char **args, const ptrdiff_t *steps, const ptrdiff_t *inner, int out, ptrdiff_t k, ptrdiff_t places,
                             long n, const sf_points *points, const int *closed) {
     const double *numbers[] = {points->Omega, points->A};
@@ -61,8 +61,8 @@ static void sf_write_points(char **args, const ptrdiff_t *steps, const ptrdiff_t
         is_closed[i * of_closed] = (char)(i < n && closed[points->branch[i]]);
 }
 
-/* design, damping, F_0, samples, low, high -> Omega, A, stable, branch, whether it is closed (points), how many points; Omega, A,
- * kind of folds (places), count, undecided, status */
+/* design, damping, F_0, samples, low, high -> Omega, A, stable, branch, whether it is closed (points), how many points;
+ * Omega, A, kind of folds (places), count, undecided, status */
 static void sf_loop_curves(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     const sf_mechanism *mechanism = data;
     const int at = mechanism->design_size + mechanism->damping_size, out = at + 4, of_folds = out + 6;

@@ -1,8 +1,8 @@
 /* Detachment in batches of designs: in go designs by blocks, out come Omega_cr and F_cr, settled.
  *
- * What sf_settled_detachment does for one design, by loops that vectorise: a root in doubles and what corrects the level in
- * pairs are long chains in which each operation waits for the one before, and designs do not wait for each other. What is
- * not the usual case there is left to it.
+ * What sf_settled_detachment does for one design, by loops that vectorise: a root in doubles and what corrects the
+ * level in pairs are long chains in which each operation waits for the one before, and designs do not wait for each
+ * other. What is not the usual case there is left to it.
  */
 #ifndef SF_MANY_DETACHMENT_H
 #define SF_MANY_DETACHMENT_H
@@ -14,9 +14,10 @@
 
 enum { SF_DETACHING = 64 };
 
-/* n designs, row by row. number: number i of member d stands at i * SF_DETACHING + d; A, h: on the breakpoint in doubles;
- * end: the breakpoint and h on it in pairs, their high and low parts laid out as numbers are; change: of F_cr, NaN where the
- * design is left to sf_settled_detachment */
+/* n designs, row by row. number: number i of member d stands at i * SF_DETACHING + d; A, h: on the breakpoint in
+ * doubles;
+ * end: the breakpoint and h on it in pairs, their high and low parts laid out as numbers are; change: of F_cr, NaN
+ * where the design is left to sf_settled_detachment */
 typedef struct {
     int n;
     ptrdiff_t k[SF_DETACHING];

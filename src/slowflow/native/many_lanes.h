@@ -1,7 +1,7 @@
 /* Designs that go through a search together: what the questions of many_states.h and many_peaks.h share.
  *
- * Cells of all designs of a block are judged at once, and all zeros are approached at once (design_lanes.h). A design that is
- * doubtful anywhere is left to the solvers of one.
+ * Cells of all designs of a block are judged at once, and all zeros are approached at once (design_lanes.h). A design
+ * that is doubtful anywhere is left to the solvers of one.
  */
 #ifndef SF_MANY_LANES_H
 #define SF_MANY_LANES_H

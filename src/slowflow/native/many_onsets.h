@@ -1,5 +1,5 @@
-/* Onsets of batches of designs: in go designs, out come the cusps below their first breakpoints, by blocks that go through the
- * search together.
+/* Onsets of batches of designs: in go designs, out come the cusps below their first breakpoints, by blocks that go
+ * through the search together.
  *
  * Most of an onset's time is this search. What is not settled is left to onset.h, as is all else.
  */
@@ -20,8 +20,8 @@ static const double sf_onset_parts[SF_ONSET_PARTS + 1] = {0, 0.125, 0.25, 0.5, 1
 /* no cusp is asked again whose function is 0 but for a smaller change of A, relatively */
 #define SF_LAST_OF_CUSP 0x1p-44
 
-/* the share of the stiffness below which zeta^2 is left alone: there the slopes by which a cusp is settled, which are doubles,
- * have lost too many digits for the last of them to be the same from wherever it begins */
+/* the share of the stiffness below which zeta^2 is left alone: there the slopes by which a cusp is settled, which are
+ * doubles, have lost too many digits for the last of them to be the same from wherever it begins */
 #define SF_WEAK 0x1p-40
 
 /* ok: whether its cusps are known; begun: whether it has parameters that an onset may be asked of */

@@ -1,14 +1,16 @@
-/* Peaks of batches of designs: in go designs, out come their highest peaks, by blocks that go through the search together.
+/* Peaks of batches of designs: in go designs, out come their highest peaks, by blocks that go through the search
+ * together.
  *
- * Most peaks lie on the last piece of the force, or high on the one before, and one look at these proves that there is one
- * and no higher one. Other designs are left to sf_settled_peak.
+ * Most peaks lie on the last piece of the force, or high on the one before, and one look at these proves that there is
+ * one and no higher one. Other designs are left to sf_settled_peak.
  */
 #ifndef SF_MANY_PEAKS_H
 #define SF_MANY_PEAKS_H
 
 #include "many_lanes.h"
 
-/* parts of a piece that begins at A = 0 in which a peak is looked for, from above: next to 0 nothing is known over all of one */
+/* parts of a piece that begins at A = 0 in which a peak is looked for, from above: next to 0 nothing is known over all
+ * of one */
 enum { SF_PEAK_PARTS = 3 };
 static const double sf_peak_parts[SF_PEAK_PARTS + 1] = {1, 0.5, 0.25, 0.125};
 

@@ -1,5 +1,5 @@
-/* Proofs about many designs: in go a record and strided arrays as in many.h, out come numbers of folds or states that are
- * proved, and whether they are.
+/* Proofs about many designs: in go a record and strided arrays as in many.h, out come numbers of folds or states that
+ * are proved, and whether they are.
  */
 #ifndef SF_MANY_PROOFS_H
 #define SF_MANY_PROOFS_H

@@ -1,7 +1,8 @@
 /* States of batches of designs: in go designs, out come their states, by blocks that go through the search together.
  *
- * Cells that stay open are cut, those of all designs at once. Each state is settled to its last digit as a single one is, so
- * that it is the same double. A design that is doubtful anywhere, or not settled by so many rounds, is left to states.h.
+ * Cells that stay open are cut, those of all designs at once. Each state is settled to its last digit as a single one
+ * is, so that it is the same double. A design that is doubtful anywhere, or not settled by so many rounds, is left to
+ * states.h.
  */
 #ifndef SF_MANY_STATES_H
 #define SF_MANY_STATES_H
@@ -12,8 +13,8 @@
 /* of cuts */
 enum { SF_STATE_ROUNDS = 12 };
 
-/* The cells with which the search for the states of design d begins, one for each piece of the force; 0 where it is left to
- * states.h, see sf_clear_states. given: its design and damping */
+/* The cells with which the search for the states of design d begins, one for each piece of the force; 0 where it is
+ * left to states.h, see sf_clear_states. given: its design and damping */
 static int sf_begin_states(sf_lane_block *block, int d, const sf_numbers *given) {
     sf_lane_design *of = &block->at[d];
     sf_model *model = &of->model;

@@ -33,11 +33,12 @@ typedef struct sf_mechanism {
     int (*damping_of)(const double *given, double *damping);
     int (*is_forcing)(double F_0);
 
-    /* The |u| at which a piece of the force ends, by rising size, and the force just below less the force just above. */
+    /* The |u| at which a piece of the force ends, by rising size, and the force just below less the force just
+     * above. */
     void (*ends)(const double *p, double *b);
     void (*jumps)(const double *p, double *jump);
-    /* What the slope and the curvature of the force lose at each breakpoint in turn; NULL where the force or its slope jumps
-     * at all of them. */
+    /* What the slope and the curvature of the force lose at each breakpoint in turn; NULL where the force or its slope
+     * jumps at all of them. */
     void (*kinks)(const double *p, double *kink);
 
     /* Spring: h and its derivatives along A at n amplitudes; derivative k at amplitude i goes to out[k*n + i].
@@ -46,8 +47,8 @@ typedef struct sf_mechanism {
     void (*averaged_2)(ptrdiff_t n, const double *A, const double *p, double *out);
     /* h - A h_A without what cancels in it. */
     double (*intercept)(double A, const double *p);
-    /* What holds h and h_AAAA on amplitudes of one piece of the force; NULL where h_AAA is monotone on each. An average may be
-     * NaN then, where its sums do not settle. */
+    /* What holds h and h_AAAA on amplitudes of one piece of the force; NULL where h_AAA is monotone on each. An average
+     * may be NaN then, where its sums do not settle. */
     void (*bent)(sf_interval A, const double *p, sf_interval *out);
 
     /* The spring's higher harmonics, as averaged gives h: h_3 with three derivatives, then h_5, for breakpoints up to
@@ -55,9 +56,9 @@ typedef struct sf_mechanism {
     void (*harmonics)(ptrdiff_t n, const double *A, const double *p, double *out);
     double harmonics_up_to;
 
-    /* How they change with the parameters: d/dp of h, h_A and h_AA at A, which are given, for each parameter p in turn; and
-     * these with the design: d/d of each of its numbers, of each parameter in turn, then of each breakpoint. NULL where that is
-     * not known: there are no gradients. */
+    /* How they change with the parameters: d/dp of h, h_A and h_AA at A, which are given, for each parameter p in turn;
+     * and these with the design: d/d of each of its numbers, of each parameter in turn, then of each breakpoint. NULL
+     * where that is not known: there are no gradients. */
     void (*by_parameter)(double A, const double *averaged, const double *p, double *out);
     void (*by_design)(const double *design, double *out);
 
@@ -89,7 +90,8 @@ typedef struct sf_mechanism {
     void (*ends_in_pairs)(const sf_pair *p, sf_pair *b);
     void (*averaged_in_pairs)(int passed, int wanted, sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out);
 
-    /* Of n designs at once the first breakpoint and h on it as its lower side has it, of each the high and the low part:
+    /* Of n designs at once the first breakpoint and h on it as its lower side has it, of each the high and the low
+     * part:
      * number i of design k stands at design[i*apart + k], part i at out[i*apart + k]. The parts of h are NaN where that
      * takes a form of its own; NULL where such a loop is not known. */
     void (*on_first_end_in_pairs)(ptrdiff_t n, ptrdiff_t apart, const double *design, double *out);

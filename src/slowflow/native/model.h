@@ -19,9 +19,10 @@
 #include "slow_flow_zeta0.h"
 
 /* m, zeta: the damping as the quartics of roots.h take it, I = 2 zeta A Omega + m; breaks: number of breakpoints b > 0,
- * by rising size; jump: force just below less force just above; kink: the same of its slope and of its curvature; reach:
- * the mechanism's, infinite where of its pieces a linear one is left; in_doubt: whether the sign of a jump is lost, as where
- * the jump is below the range of doubles */
+ * by rising size; jump: force just below less force just above; kink: the same of its slope and of its curvature;
+ * reach:
+ * the mechanism's, infinite where of its pieces a linear one is left; in_doubt: whether the sign of a jump is lost, as
+ * where the jump is below the range of doubles */
 typedef struct {
     const sf_mechanism *mechanism;
     double p[SF_MOST_PARAMETERS];
@@ -74,8 +75,8 @@ static inline unsigned sf_jumps_of(const sf_mechanism *mechanism, const double *
 /* The share of h by which it is rounded where it is proportional to A. */
 #define SF_LINEAR 0x1p-50
 
-/* The rest of a model whose parameters and damping are set; 0 where the ends of its pieces do not rise. design: NULL where
- * it is not known */
+/* The rest of a model whose parameters and damping are set; 0 where the ends of its pieces do not rise. design: NULL
+ * where it is not known */
 static inline int sf_prepare(const sf_mechanism *mechanism, const double *design, sf_model *model) {
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[2 * SF_MOST_BREAKS];
     unsigned in_doubt;

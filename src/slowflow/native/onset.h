@@ -32,8 +32,8 @@ static void sf_consider(double level, double Omega, double A, sf_onset_kind kind
         best->F_SN = level, best->Omega = Omega, best->A = A, best->kind = kind;
 }
 
-/* An end of the fold locus at Omega = 0, from where the level rises along it unless there is no friction and F_Omega falls
- * below 0: then there are folds at every higher forcing, down to this one and without it. */
+/* An end of the fold locus at Omega = 0, from where the level rises along it unless there is no friction and F_Omega
+ * falls below 0: then there are folds at every higher forcing, down to this one and without it. */
 static void sf_consider_end(const sf_model *model, const sf_sample *at, double level, sf_onset *best) {
     if (model->m > 0 || sf_quarter_F_OmegaOmega(model, at, 0) >= 0)
         best->rest = fmin(best->rest, level);
@@ -48,9 +48,9 @@ static void sf_consider_zero(const sf_model *model, const sf_zero *zero, const s
                     zero->question == SF_CUSP ? SF_CUSP_KIND : SF_ISOLA_KIND, best);
 }
 
-/* Where the level may be least inside a piece: cusps, isola points, ends. Where h_A is negative on all of it, and so h behind
- * its beginning, nothing ends at Omega = 0 and there are no isola points; where h_AA and k have one sign, no cusps
- * (sf_range_cusp). */
+/* Where the level may be least inside a piece: cusps, isola points, ends. Where h_A is negative on all of it, and so h
+ * behind its beginning, nothing ends at Omega = 0 and there are no isola points; where h_AA and k have one sign, no
+ * cusps (sf_range_cusp). */
 static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf_zeros *zeros, sf_onset *best) {
     sf_asked cusps = sf_asked_of(SF_CUSP, model, 0);
     double most = best->F_SN;
@@ -85,8 +85,8 @@ static int sf_falls_from_below(const sf_model *model, const sf_sample *at, doubl
     return slow_flow_level_rise(w, at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA) < 0;
 }
 
-/* The same for an excitation by inertia: all that may bound the level of folds on the breakpoint, none of it lower than they
- * are; J = 0 where only the slope of the force jumps. */
+/* The same for an excitation by inertia: all that may bound the level of folds on the breakpoint, none of it lower than
+ * they are; J = 0 where only the slope of the force jumps. */
 static void sf_consider_inertial(const sf_model *model, const sf_sample *at, double J, sf_onset *best) {
     const double x = sf_least_x(model, at);
     double w[3];
@@ -102,9 +102,9 @@ static void sf_consider_inertial(const sf_model *model, const sf_sample *at, dou
     }
 }
 
-/* The least forcing on breakpoint i, where the force jumps by J. Folds sit on it where F_A has there the other sign than
- * R J, which it has next to it (sf_corner_folds): from where the locus below ends, and, for J < 0, from R = 0 on, where
- * the locus above comes in; both lead to a higher Omega and level. Between, the level may be stationary. */
+/* The least forcing on breakpoint i, where the force jumps by J. Folds sit on it where F_A has there the other sign
+ * than R J, which it has next to it (sf_corner_folds): from where the locus below ends, and, for J < 0, from R = 0 on,
+ * where the locus above comes in; both lead to a higher Omega and level. Between, the level may be stationary. */
 static void sf_consider_jump(const sf_model *model, const sf_sample *at, double J, sf_onset *best) {
     double w[3];
     int i, n;
@@ -239,7 +239,8 @@ static int sf_moves_from(const sf_stretch *piece, double h_A) {
     return h_A != 0 ? h_A < 0 : bend < 0;
 }
 
-/* What the level does as A grows without end: 1 if it tends to m, -1 if it falls to another limit, which is no answer. */
+/* What the level does as A grows without end: 1 if it tends to m, -1 if it falls to another limit, which is no
+ * answer. */
 static int sf_undamped_beyond(const sf_model *model) {
     sf_sample near, far;
     sf_sample_at(model, SF_FAR_OUT, &near);
@@ -249,8 +250,8 @@ static int sf_undamped_beyond(const sf_model *model) {
     return fabs(far.k) < SF_TENDS * fabs(near.k) ? 1 : -1;
 }
 
-/* With a preload k is negative at rest: where folds of both signs of k are found it passes 0 between them, and folds come as
- * near to m as one asks. */
+/* With a preload k is negative at rest: where folds of both signs of k are found it passes 0 between them, and folds
+ * come as near to m as one asks. */
 static sf_status sf_onset_of_preload(const sf_model *model, double h, sf_work *work) {
     const sf_status status = sf_saddle_nodes(model, slow_flow_zeta0_undamped_level(model->m, 0.5 * h), work, &work->folds);
     int i, signs = 0;
@@ -264,8 +265,8 @@ static sf_status sf_onset_of_preload(const sf_model *model, double h, sf_work *w
     return signs == 3 ? SF_UNBOUNDED : SF_UNRESOLVED;
 }
 
-/* The lowest forcing without viscous damping. Where k tends to 0 on the way, as to A = 0 with a stiffness that is not negative
- * there, or as A grows where springs have left, there are folds as near to m as one asks, and no lowest. */
+/* The lowest forcing without viscous damping. Where k tends to 0 on the way, as to A = 0 with a stiffness that is not
+ * negative there, or as A grows where springs have left, there are folds as near to m as one asks, and no lowest. */
 static sf_status sf_onset_undamped(const sf_model *model, sf_work *work, sf_onset *best) {
     sf_stretch piece;
     sf_sample at;
@@ -311,9 +312,9 @@ static int sf_is_beside_break(const sf_model *model, const sf_onset *best) {
     return best->kind == SF_NO_KIND;
 }
 
-/* Whether folds of an excitation by inertia on a breakpoint come lower than the best as Omega tends to inf. There F_A and R
- * are positive, so that folds sit on it where the force jumps by J < 0; and where the level of that amplitude only falls, it
- * falls to the amplitude. */
+/* Whether folds of an excitation by inertia on a breakpoint come lower than the best as Omega tends to inf. There F_A
+ * and R are positive, so that folds sit on it where the force jumps by J < 0; and where the level of that amplitude
+ * only falls, it falls to the amplitude. */
 static int sf_falls_at_break(const sf_model *model, const sf_onset *best) {
     int k;
     for (k = 0; k < model->breaks; k++) {
@@ -340,8 +341,8 @@ static void sf_end_pieces(const sf_model *model, sf_piece_ends *ends) {
     }
 }
 
-/* What is known of the lowest forcing before the pieces are searched: for zeta > 0 that on breakpoints, which leaves less to
- * search. */
+/* What is known of the lowest forcing before the pieces are searched: for zeta > 0 that on breakpoints, which leaves
+ * less to search. */
 static void sf_begin_onset(const sf_model *model, const sf_piece_ends *ends, sf_onset *best) {
     int k;
     best->F_SN = best->rest = HUGE_VAL;
@@ -401,7 +402,7 @@ static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *b
     return sf_end_onset(model, &ends, 0, work, best);
 }
 
-/* ==== Peak ========================================================================================================= */
+/* ==== Peak ======================================================================================================== */
 
 /* The highest top of one question up to A_max, from above. */
 static sf_status sf_highest(const sf_model *model, sf_question question, double F_0, sf_work *work, sf_point *out) {
@@ -424,8 +425,8 @@ static sf_status sf_highest(const sf_model *model, sf_question question, double 
     return SF_NONE;
 }
 
-/* The highest peak of the response at F_0, isolas included, and its frequency; where A only falls with Omega, the static
- * amplitude at Omega = 0. For zeta > 0. */
+/* The highest peak of the response at F_0, isolas included, and its frequency; where A only falls with Omega, the
+ * static amplitude at Omega = 0. For zeta > 0. */
 static sf_status sf_peak(const sf_model *model, double F_0, sf_work *work, double *A, double *Omega) {
     sf_point found;
     sf_status status;

@@ -1,9 +1,9 @@
-/* Zeros along the amplitude, proved: in goes an oscillator as it was given and a question, out come intervals each of which
- * holds exactly one zero, and amplitudes between which doubles do not decide; elsewhere there is none.
+/* Zeros along the amplitude, proved: in goes an oscillator as it was given and a question, out come intervals each of
+ * which holds exactly one zero, and amplitudes between which doubles do not decide; elsewhere there is none.
  *
- * The search is that of scan.h, on intervals that hold the values: an interval of A is left when the function is proved to
- * have one sign on it, or to be monotone with proved signs at its ends. Newton's method on intervals makes a zero's own
- * interval narrow.
+ * The search is that of scan.h, on intervals that hold the values: an interval of A is left when the function is proved
+ * to have one sign on it, or to be monotone with proved signs at its ends. Newton's method on intervals makes a zero's
+ * own interval narrow.
  */
 #ifndef SF_PROOF_H
 #define SF_PROOF_H
@@ -13,8 +13,8 @@
 
 /* what is not decided after so many cells is left in doubt */
 #define SF_MOST_PROOF_CELLS 4000
-/* in an interval that is narrower, relatively, a zero may lie on an end or be double: it is cut only as long as that tells
- * more, and not where the function ends */
+/* in an interval that is narrower, relatively, a zero may lie on an end or be double: it is cut only as long as that
+ * tells more, and not where the function ends */
 #define SF_PROOF_NARROW 0x1p-36
 /* nor one that ends so near to the beginning of its piece, relatively */
 #define SF_PROOF_NEXT 0x1p-960
@@ -87,8 +87,8 @@ static void sf_range_between(const sf_proving *proving, const sf_checked *a, con
     proving->range(proving, cell, open, range);
 }
 
-/* 1: one zero, from below; -1: one, from above; 0: none; 2: not known. last: if it need not be told from the end of what is
- * asked, which smaller cells may do. The slope's range becomes narrower where its own slope is known. */
+/* 1: one zero, from below; -1: one, from above; 0: none; 2: not known. last: if it need not be told from the end of
+ * what is asked, which smaller cells may do. The slope's range becomes narrower where its own slope is known. */
 static int sf_crossing(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, sf_range *range, int last) {
     const double width = sfi_up(b->known.A - a->known.A);
     const sf_range *at_a, *at_b;
@@ -225,8 +225,8 @@ static void sf_add_doubt(sf_proof *out, double low, double high, int piece, int 
     out->doubt[out->doubts].piece = piece, out->doubt[out->doubts++].channel = c;
 }
 
-/* Whether smaller cells tell no more of a function: one that only rises or falls has its zero next to an end. What is narrow
- * beside its amplitudes need not be so beside how far these lie above their breakpoint. */
+/* Whether smaller cells tell no more of a function: one that only rises or falls has its zero next to an end. What is
+ * narrow beside its amplitudes need not be so beside how far these lie above their breakpoint. */
 static int sf_is_cut_enough(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, const sf_range *range) {
     const double low = a->known.A, high = b->known.A;
     const int narrow = high - low <= SF_PROOF_NARROW * high;

@@ -1,4 +1,5 @@
-/* Integrals over the quarter cycle by Gauss's rule, piece by piece: in go integrands of a generated header, out come sums.
+/* Integrals over the quarter cycle by Gauss's rule, piece by piece: in go integrands of a generated header, out come
+ * sums.
  *
  * The panels, and the rule by which a sum has settled, are those of slowflow_support/quadrature.py, which says why.
  */
@@ -16,10 +17,10 @@ enum { SF_MOST_SUMS = 96 };
 /* At u less where the piece begins, and at the sine and the cosine of the angle, u = A sine. */
 typedef void (*sf_integrand)(double beyond, double sine, double cosine, const double *p, double *out);
 
-/* width, parameters: how many integrands and parameters; integrands: of each piece, then of each contact, which goes on from
- * where it begins up to A; graded: of each of these the power of what is divided into panels that its angle, from where it
- * begins, is; rule: positive nodes on [-1, 1], which stand for their negatives too, and weights, so many of them; begins: the
- * breakpoint at which each contact begins */
+/* width, parameters: how many integrands and parameters; integrands: of each piece, then of each contact, which goes on
+ * from where it begins up to A; graded: of each of these the power of what is divided into panels that its angle, from
+ * where it begins, is; rule: positive nodes on [-1, 1], which stand for their negatives too, and weights, so many of
+ * them; begins: the breakpoint at which each contact begins */
 typedef struct {
     int pieces, width, parameters;
     const sf_integrand *integrands;
@@ -70,7 +71,8 @@ static inline void sf_panels(const sf_quarter *of, int wanted, const sf_part *on
     }
 }
 
-/* Whether sums differ from those by half as many panels by no more than roundings of A and of the parameters make of them. */
+/* Whether sums differ from those by half as many panels by no more than roundings of A and of the parameters make of
+ * them. */
 static inline int sf_moves_as_rounding(const sf_quarter *of, int wanted, const sf_part *on, double A, const double *p, int panels,
                                        const double *sums, const double *before, const double *sizes) {
     double there[SF_MOST_SUMS], sizes_there[SF_MOST_SUMS], moves[SF_MOST_SUMS], beside[SF_MOST_SUMS];
@@ -147,7 +149,8 @@ static inline int sf_sums_at(const sf_quarter *of, int wanted, double A, const d
     return 1;
 }
 
-/* The first integrals, so many as are wanted, at A >= 0; NaN where one does not settle: the force is all but singular there. */
+/* The first integrals, so many as are wanted, at A >= 0; NaN where one does not settle: the force is all but singular
+ * there. */
 static inline void sf_over_quarter(const sf_quarter *of, int wanted, double A, const double *p, const double *ends, double *sums) {
     double beside[SF_MOST_SUMS];
     int k, lost = 0, settled = sf_sums_at(of, wanted, A, p, ends, sums);

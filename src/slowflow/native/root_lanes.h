@@ -1,9 +1,9 @@
 /* Frequencies at many amplitudes: in go blocks of quartics, out come their roots, by loops that vectorise.
  *
  * The method is that of roots.h, without its branches: signs at three points, the start of each root, Halley's steps in
- * double, as many for each, and a Newton step with the residual in double-double. Where that step is not small enough to be
- * the last, roots.h goes on from there; where rounding could have decided a sign, the block says so, and roots.h has the
- * quartic.
+ * double, as many for each, and a Newton step with the residual in double-double. Where that step is not small enough
+ * to be the last, roots.h goes on from there; where rounding could have decided a sign, the block says so, and roots.h
+ * has the quartic.
  */
 #ifndef SF_ROOT_LANES_H
 #define SF_ROOT_LANES_H
@@ -14,7 +14,8 @@
 
 enum { SF_QUARTICS = 64, SF_MOST_JOBS = 3 * SF_QUARTICS, SF_IN_VECTOR = 8 };
 
-/* F = 0 at n amplitudes. f0, f1, f2: F at 0 and at its maximum w1 and minimum w2, if there are any; p, q: of its derivative;
+/* F = 0 at n amplitudes. f0, f1, f2: F at 0 and at its maximum w1 and minimum w2, if there are any; p, q: of its
+ * derivative;
  * signs: a sum of SF_F0_BELOW and others, or SF_UNSURE */
 typedef struct {
     double A[SF_QUARTICS], h[SF_QUARTICS], m[SF_QUARTICS], zeta[SF_QUARTICS], F_0[SF_QUARTICS];
@@ -24,8 +25,8 @@ typedef struct {
 
 enum { SF_F0_BELOW = 1, SF_F1_ABOVE = 2, SF_F2_BELOW = 4, SF_CRITICAL = 8, SF_UNSURE = -1 };
 
-/* Roots that are wanted: of which quartic of a block, and at which place (isolate.h), one of the first four; is_last: whether
- * Omega needs no further step */
+/* Roots that are wanted: of which quartic of a block, and at which place (isolate.h), one of the first four; is_last:
+ * whether Omega needs no further step */
 typedef struct {
     int n, of[SF_MOST_JOBS];
     double A[SF_MOST_JOBS], h[SF_MOST_JOBS], m[SF_MOST_JOBS], zeta[SF_MOST_JOBS], F_0[SF_MOST_JOBS];

@@ -51,8 +51,9 @@
 #define SF_ROUGH FREQUENCIES_ROUGH /* a value below this part of its terms has no certain sign in double */
 #define SF_FINE FREQUENCIES_FINE   /* the same in double-double */
 
-/* ==== The formulas, as they are generated, for either quartic.  Everything below this block is a solver that knows only
- * these. ============================================================================================================ */
+/* ==== The formulas, as they are generated, for either quartic.  Everything below this block is a solver that knows
+ * only these.
+ * ============================================================================================================ */
 
 typedef enum { SF_RESPONSE, SF_FOLD } sf_kind;
 

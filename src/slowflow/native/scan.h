@@ -1,29 +1,29 @@
 /* Zeros along the amplitude: in go a piece of the force and a question, out come all its zeros.
  *
- * None is missed: an interval of A is left only when it is proved to hold no zero of a channel, because the function has
- * one sign on all of it, or exactly one, because it is monotone and its ends lie on both sides of zero. Otherwise it is
- * cut in two. What bounds a function and its slope on the interval is said in cells.h and along.h.
+ * None is missed: an interval of A is left only when it is proved to hold no zero of a channel, because the function
+ * has one sign on all of it, or exactly one, because it is monotone and its ends lie on both sides of zero. Otherwise
+ * it is cut in two. What bounds a function and its slope on the interval is said in cells.h and along.h.
  *
- * Where that goes on until no amplitude lies between the ends (a double zero to rounding), the signs at the ends decide,
- * and that it was undecided is said.
+ * Where that goes on until no amplitude lies between the ends (a double zero to rounding), the signs at the ends
+ * decide, and that it was undecided is said.
  */
 #ifndef SF_SCAN_H
 #define SF_SCAN_H
 
 #include "zeros.h"
 
-/* of a cell in which cusps are looked for: the ratio of its ends up to which it is worth a look before it is cut, and up
- * to which one with a cusp in it is */
+/* of a cell in which cusps are looked for: the ratio of its ends up to which it is worth a look before it is cut, and
+ * up to which one with a cusp in it is */
 #define SF_WIDEST_CELL 4
 #define SF_WIDEST_WITH_CUSP 2
 
-/* Where a function passes through zero in a cell, and its values at the ends differ by more than this factor, this share of
- * the cell is cut off at the end with the smaller one, next to which the function is more likely to turn. */
+/* Where a function passes through zero in a cell, and its values at the ends differ by more than this factor, this
+ * share of the cell is cut off at the end with the smaller one, next to which the function is more likely to turn. */
 #define SF_UNLIKE 4
 #define SF_LESSER_SHARE 0.25
 
-/* A cell in which folds begin is cut at this share of where they seem to, and one that begins there at this multiple of its
- * beginning. */
+/* A cell in which folds begin is cut at this share of where they seem to, and one that begins there at this multiple of
+ * its beginning. */
 #define SF_BELOW_FOLDS 0.99
 #define SF_FIRST_FOLDS 1.25
 
@@ -71,8 +71,8 @@ static int sf_is_F_close(const sf_model *model, const sf_sample *at, double F_0,
     return fabs(slow_flow_F(w, at->A, force, model->m, model->zeta, at->h)) <= sf_doubt_of_F(model, at, force, w);
 }
 
-/* Whether the function whose zeros are folds, or states, is as near to 0 as rounding may bring it. Two of its zeros that are
- * about to meet, or have met, lead the search there. Omega in it follows from I, as sf_fold_Omega says. */
+/* Whether the function whose zeros are folds, or states, is as near to 0 as rounding may bring it. Two of its zeros
+ * that are about to meet, or have met, lead the search there. Omega in it follows from I, as sf_fold_Omega says. */
 static int sf_is_close(const sf_search *search, const sf_probe *probe) {
     const sf_asked *asked = &search->asked;
     const sf_sample *at = &probe->at;
@@ -121,8 +121,8 @@ static double sf_beside_values(const sf_probe *near, const sf_probe *far, int c)
     return near->at.A - y * slope + y * y * (bend - z * turn);
 }
 
-/* Where a function may vanish next to a probe: by the probe before it too, or by Newton's step. first: whether the two lie on
- * either side */
+/* Where a function may vanish next to a probe: by the probe before it too, or by Newton's step. first: whether the two
+ * lie on either side */
 static double sf_next_to(const sf_probe *probe, const sf_probe *before, int c, int first) {
     double next = NAN;
     if (first)
@@ -132,8 +132,8 @@ static double sf_next_to(const sf_probe *probe, const sf_probe *before, int c, i
     return fabs(next) < HUGE_VAL ? next : probe->at.A - probe->answer.y[c] / probe->answer.dy[c];
 }
 
-/* Whether a zero is known without an evaluation there, which only one that has a given Omega may be: the step after one of
- * `moved`, which came after one of `last`, is nothing beside A. Errors fall by squares at least. */
+/* Whether a zero is known without an evaluation there, which only one that has a given Omega may be: the step after one
+ * of `moved`, which came after one of `last`, is nothing beside A. Errors fall by squares at least. */
 static int sf_is_last_of_zero(const sf_search *search, double moved, double last, double A) {
     return search->asked.question == SF_STATE && moved <= SF_LAST_OF_ZERO * A &&
            moved * (moved / last) * (moved / last) <= 0x1p-54 * A;
@@ -241,8 +241,8 @@ static int sf_passing(const sf_probe *a, const sf_probe *b, int open) {
     return -1;
 }
 
-/* Whether the channel of folds begins in a cell of the first piece: where |k|, which rises there nearly as a cube of A, is the
- * least. */
+/* Whether the channel of folds begins in a cell of the first piece: where |k|, which rises there nearly as a cube of A,
+ * is the least. */
 static int sf_folds_begin(const sf_search *search, const sf_probe *a, const sf_probe *b) {
     return search->asked.question == SF_FOLD_AT && search->asked.model->zeta > 0 && search->base == 0 &&
            !a->answer.exists[0] && b->answer.exists[0] && b->at.A > SF_FIRST_FOLDS * a->at.A;
@@ -256,9 +256,9 @@ static double sf_cut_at_folds(const sf_search *search, const sf_probe *a, const 
     return a->at.A > 0 ? SF_FIRST_FOLDS * a->at.A : sf_amid(0, a->at.A, b->at.A);
 }
 
-/* Whether a cell is cut without a look. Where a function passes through zero and its slopes at the ends differ in sign, none
- * settles it; all of a piece, and orders of magnitude, are seldom settled where cusps are, a slope without limit where states
- * are. */
+/* Whether a cell is cut without a look. Where a function passes through zero and its slopes at the ends differ in sign,
+ * none settles it; all of a piece, and orders of magnitude, are seldom settled where cusps are, a slope without limit
+ * where states are. */
 static int sf_is_too_wide(const sf_search *search, const sf_probe *a, const sf_probe *b, int open, int passing) {
     const double low = a->at.A, high = b->at.A;
     const int turns = passing >= 0 && open == 1 << passing && a->answer.dy[passing] * b->answer.dy[passing] < 0;
@@ -270,8 +270,9 @@ static int sf_is_too_wide(const sf_search *search, const sf_probe *a, const sf_p
     return turns || sf_folds_begin(search, a, b);
 }
 
-/* Where a cell is cut: well inside, but where cusps are, away from a corner, nearer to the end at which the passing channel
- * may turn; where folds begin, there; and next to A = 0, where there is a state as often as elsewhere, in the middle. */
+/* Where a cell is cut: well inside, but where cusps are, away from a corner, nearer to the end at which the passing
+ * channel may turn; where folds begin, there; and next to A = 0, where there is a state as often as elsewhere, in the
+ * middle. */
 static double sf_cut(const sf_search *search, const sf_probe *a, const sf_probe *b, int passing) {
     if (search->asked.question == SF_CUSP && passing >= 0 && a->at.A > search->base &&
         b->at.A <= SF_WIDEST_CELL * a->at.A) {
@@ -329,8 +330,8 @@ static int sf_begins_above_rest(sf_question question, const sf_sample *rest) {
     return over_A && rest->h != 0;
 }
 
-/* All zeros of a question's channels on a piece, added to those found; a zero at its last amplitude counts, one at A = 0
- * does not. */
+/* All zeros of a question's channels on a piece, added to those found; a zero at its last amplitude counts, one at A =
+ * 0 does not. */
 static void sf_find_zeros(const sf_asked *asked, const sf_stretch *piece, sf_zeros *found) {
     const sf_search search = {*asked, piece->first.A, piece->last.A, found};
     const int open = sf_channels(asked->question);

@@ -4,7 +4,8 @@
  * sharp its peak is over Omega, and ln Omega, for where R hardly depends on that. What is no small correction is left
  * out. The balance is generated; it is the one of slowflow/second/, where the same is done on NumPy.
  *
- * A way is smooth along the curve: every sixteenth point goes its own, those between start from where they are expected.
+ * A way is smooth along the curve: every sixteenth point goes its own, those between start from where they are
+ * expected.
  */
 #ifndef SF_SECOND_H
 #define SF_SECOND_H
@@ -31,7 +32,7 @@ typedef struct {
     sf_wanted wanted;
 } sf_second;
 
-/* ==== The balance ================================================================================================== */
+/* ==== The balance ================================================================================================= */
 
 static void sf_second_known(const sf_model *model, ptrdiff_t n, const double *A, double *known) {
     model->mechanism->averaged(n, A, model->p, known);
@@ -71,7 +72,7 @@ static inline double sf_clipped(double step) { return fmin(fmax(step, -SF_LONGES
 
 static inline double sf_grown(double x) { return fabs(x) < SF_SHORT ? sf_short_exp(x) : exp(x); }
 
-/* ==== Newton's iteration in lanes ================================================================================== */
+/* ==== Newton's iteration in lanes ================================================================================= */
 
 /* Points under way: where they are, and which they are. */
 typedef struct {
@@ -156,7 +157,7 @@ static void sf_enter_lane(const sf_second *second, int which, double Omega, doub
         sf_second_settle(second, lanes, match, moved);
 }
 
-/* ==== From the first approximation's points ======================================================================== */
+/* ==== From the first approximation's points ======================================================================= */
 
 /* The first approximation's points; h and R there, and how far along its stretch each lies. */
 typedef struct {
@@ -353,7 +354,7 @@ static void sf_measure_first(const sf_second *second, const sf_first *first) {
     }
 }
 
-/* ==== The curve ==================================================================================================== */
+/* ==== The curve =================================================================================================== */
 
 static void sf_second_free(sf_second_curve *curve) {
     free(curve->point);
@@ -376,7 +377,8 @@ static double sf_second_frequency(const sf_second *second, double A, double Omeg
     return Omega;
 }
 
-/* The amplitudes beside a breakpoint at which the force jumps, by rising size over it: its fold has another close above. */
+/* The amplitudes beside a breakpoint at which the force jumps, by rising size over it: its fold has another close
+ * above. */
 static double sf_beside(int k) { return k == 0 ? 1 - 1e-6 : k == 1 ? 1 : 1 + pow(10, -13 + (k - 2) * (11. / 33)); }
 
 static int sf_passes(const sf_second_point *a, const sf_second_point *b, double at) {
@@ -404,8 +406,8 @@ static void sf_from_lane(int n, const double *Omega, const double *A, const doub
         point->at.values[k] = out[k * n + i];
 }
 
-/* More points between two that lie on both sides of breakpoint b, where the force jumps: folds are close there. They are
- * sought as sf_second_frequency does, all at once. */
+/* More points between two that lie on both sides of breakpoint b, where the force jumps: folds are close there. They
+ * are sought as sf_second_frequency does, all at once. */
 static long sf_second_across(const sf_second *second, double b, const sf_second_point *from, const sf_second_point *to,
                              sf_second_point *out) {
     const int rising = to->A > b;
@@ -601,7 +603,7 @@ static sf_second_curve *sf_second_follow(const sf_model *model, double F_0, sf_w
     return curve;
 }
 
-/* ==== Zeros in a bracket =========================================================================================== */
+/* ==== Zeros in a bracket ========================================================================================== */
 
 typedef double sf_function(const void *given, double x);
 
@@ -634,7 +636,7 @@ static double sf_zero_between(sf_function *f, const void *given, double a, doubl
     return fabs(f_a) < fabs(f_b) ? a : b;
 }
 
-/* ==== Folds ======================================================================================================== */
+/* ==== Folds ======================================================================================================= */
 
 /* Where F_A is asked between two points of a curve, by amplitude. */
 typedef struct {
@@ -720,7 +722,7 @@ static void sf_folds_on(const sf_model *model, double F_0, const sf_second_curve
     }
 }
 
-/* ==== States ======================================================================================================= */
+/* ==== States ====================================================================================================== */
 
 /* The state at a frequency between two amplitudes with one in between; 0 where it is not found. */
 static int sf_second_state(const sf_second *second, double Omega, double low, double A, double high,
@@ -785,7 +787,7 @@ static long sf_most_crossings(const sf_second_curve *curve, double Omega) {
     return n;
 }
 
-/* ==== Critical forcings ============================================================================================ */
+/* ==== Critical forcings =========================================================================================== */
 
 /* F, F_A and F_AA over F_0^2 by ln A, at a state given by logarithms. */
 static void sf_second_cusp_at(const sf_second *second, double ln_Omega, double ln_A, double out[2]) {
@@ -837,8 +839,8 @@ static sf_second_status sf_second_cusp(const sf_model *model, const sf_onset *fi
     return SF_OK_SECOND;
 }
 
-/* A at which the largest displacement is u at a frequency: above it by what friction's harmonics take off; and the forcing,
- * u_max and what vanishes where the forcing is least. */
+/* A at which the largest displacement is u at a frequency: above it by what friction's harmonics take off; and the
+ * forcing, u_max and what vanishes where the forcing is least. */
 static double sf_second_reaching(const sf_model *model, double u, double Omega, double balance[3]) {
     double A = u;
     int i;
@@ -866,8 +868,8 @@ static double sf_turning_at(const void *given, double Omega) {
     return balance[2];
 }
 
-/* The lowest forcing whose largest displacement is u_cr; no iteration over A and Omega at once: next to u_cr, above which
- * the harmonics change, it gets stuck. */
+/* The lowest forcing whose largest displacement is u_cr; no iteration over A and Omega at once: next to u_cr, above
+ * which the harmonics change, it gets stuck. */
 static sf_second_status sf_second_detach(const sf_model *model, double F_first, double Omega_first, double u_cr,
                                          double *F_cr, double *Omega_cr) {
     const sf_second_reach reach = {model, u_cr};

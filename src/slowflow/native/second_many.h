@@ -1,4 +1,5 @@
-/* The second approximation of many designs: in go a record and strided arrays, out come strided arrays, as in many.h. */
+/* The second approximation of many designs: in go a record and strided arrays, out come strided arrays, as in
+ * many.h. */
 #ifndef SF_SECOND_MANY_H
 #define SF_SECOND_MANY_H
 

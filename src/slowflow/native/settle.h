@@ -17,7 +17,8 @@
 /* steps are followed by another one while this is left to do, relatively; and a first one that is larger than this */
 #define SF_LEFT_TO_DO 0x1p-58
 #define SF_FEW_ROUNDINGS 0x1p-49
-/* how far an answer is looked for from what doubles found, where Newton's method fails: so many doublings of a double */
+/* how far an answer is looked for from what doubles found, where Newton's method fails: so many doublings of a
+ * double */
 #define SF_ONE_DOUBLE 0x1p-52
 enum { SF_MOST_DOUBLINGS = 32 };
 /* the square of a step to a level is left out */
@@ -42,10 +43,10 @@ static inline void sf_take_step(sf_step step, const sf_exactly *exactly, const s
 
 static inline void sf_change_by(sf_pair *x, double change) { *x = sfp_add(*x, sfp_point(change)); }
 
-/* Whether a step is one to take, after one of the size `before`; last: whether the next would change nothing. size: of the
- * step, relatively. Errors fall by squares, or, as slopes are doubles, by the same share again: the next step is to this one
- * as this one to the one before; of the first only the slope's turn may be known, which is not all where a peak is as sharp
- * as rounding. */
+/* Whether a step is one to take, after one of the size `before`; last: whether the next would change nothing. size: of
+ * the step, relatively. Errors fall by squares, or, as slopes are doubles, by the same share again: the next step is to
+ * this one as this one to the one before; of the first only the slope's turn may be known, which is not all where a
+ * peak is as sharp as rounding. */
 static inline int sf_is_step(double size, double turn, double before, int *last) {
     const double share = before < HUGE_VAL ? size / before : size <= SF_FEW_ROUNDINGS ? fmax(fabs(turn), size) : 1;
     *last = size * share <= SF_LEFT_TO_DO;
@@ -114,15 +115,15 @@ static inline int sf_exact_piece_of(const sf_exactly *exactly, const sf_model *m
     return piece;
 }
 
-/* The sides of each breakpoint that a double is on, and h there: how many breakpoints lie below; -1 where pairs have too few
- * digits. */
+/* The sides of each breakpoint that a double is on, and h there: how many breakpoints lie below; -1 where pairs have
+ * too few digits. */
 static inline int sf_exact_at_double(const sf_exactly *exactly, const sf_model *model, double A, sf_exact_sample *out) {
     const int piece = sf_exact_piece_of(exactly, model, A);
     return sf_exact_at(exactly, model, piece, sfp_point(A), 2, NULL, out) ? piece : -1;
 }
 
-/* An answer that is looked for between doubles, all but its amplitude; for peaks the frequency and level by which the last
- * amplitude missed it */
+/* An answer that is looked for between doubles, all but its amplitude; for peaks the frequency and level by which the
+ * last amplitude missed it */
 typedef struct {
     const sf_exactly *exactly;
     const sf_model *model;
@@ -132,7 +133,8 @@ typedef struct {
     int piece;
 } sf_sought;
 
-/* Which way an answer lies from an amplitude, on the side of each breakpoint that the double is on; 0 where that is not known.
+/* Which way an answer lies from an amplitude, on the side of each breakpoint that the double is on; 0 where that is not
+ * known.
  * size: by how much the amplitude misses it, in a unit that is the same at the next double */
 typedef int (*sf_way)(sf_sought *of, double A, double *size);
 
@@ -207,7 +209,8 @@ static inline double sf_double_between(sf_way way_from, sf_sought *of, double A,
 
 /* An answer just above a breakpoint, where slopes are as steep as 1/root, root^2 = A^2 - b^2: Newton's method in Omega
  * and root, whose steps are the same but for how A follows from them. Begins with what doubles know, at most half of a
- * root at a time. first: of Omega alone, onto the response, where such parts of steps of both would leave it; or NULL */
+ * root at a time. first: of Omega alone, onto the response, where such parts of steps of both would leave it; or
+ * NULL */
 static inline int sf_settle_above(sf_step step, sf_moves moves, sf_step first, const sf_exactly *exactly, const sf_model *model,
                                   int piece, sf_settling *of) {
     const sf_pair b = exactly->b[piece - 1];
@@ -254,7 +257,8 @@ static inline int sf_settle_state_above(const sf_exactly *exactly, const sf_mode
            sf_settle_above(slow_flow_pairs_state_step, SF_MOVES_A, NULL, exactly, model, piece, of);
 }
 
-/* Of two doubles on both sides of a breakpoint steps do not tell which is nearer: the state between them may be just above it. */
+/* Of two doubles on both sides of a breakpoint steps do not tell which is nearer: the state between them may be just
+ * above it. */
 static inline double sf_state_between(const sf_exactly *exactly, const sf_model *model, double Omega, double F_0, double A) {
     sf_sought of = {exactly, model, F_0, sfp_point(Omega), 0, 0};
     sf_settling above;
@@ -268,8 +272,8 @@ static inline double sf_state_between(const sf_exactly *exactly, const sf_model 
     return found;
 }
 
-/* The frequency is in the level what it is in the missing level: a straight line between the doubles, or between one of them
- * and the breakpoint that parts them. */
+/* The frequency is in the level what it is in the missing level: a straight line between the doubles, or between one of
+ * them and the breakpoint that parts them. */
 static inline void sf_peak_between(const sf_exactly *exactly, const sf_model *model, double F_0, double *A, double *Omega) {
     sf_sought of = {exactly, model, F_0, sfp_point(*Omega), 0, 0}, end[2];
     double ends[2], size;

@@ -1,5 +1,5 @@
-/* All records for one target: SF_RECORDS is the name of the table that is defined here. They are a source of their own, as
- * they take almost as long to compile as the solvers. */
+/* All records for one target: SF_RECORDS is the name of the table that is defined here. They are a source of their own,
+ * as they take almost as long to compile as the solvers. */
 #include "interface.h"
 #include "records.h"
 

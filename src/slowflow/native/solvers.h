@@ -1,4 +1,5 @@
-/* All solvers for one target: SF_SOLVERS is the name of the table that is defined here, SF_RECORDS that of its records. */
+/* All solvers for one target: SF_SOLVERS is the name of the table that is defined here, SF_RECORDS that of its
+ * records. */
 #include "certify.h"
 #include "curve.h"
 #include "gradient.h"

@@ -1,9 +1,9 @@
 /* Steady states at a frequency: in goes a model, out come the amplitudes.
  *
- * They are the zeros of F along the amplitude, each in an interval that is proved to hold no other one, and where none is
- * doubtful that is all. Else the response curve in segments gives the amplitudes on them, and a proof's in their place where
- * doubles are in doubt and the proof decides. The number changes where Omega passes a fold: so doubles are in doubt next to
- * one, and wherever the folds were.
+ * They are the zeros of F along the amplitude, each in an interval that is proved to hold no other one, and where none
+ * is doubtful that is all. Else the response curve in segments gives the amplitudes on them, and a proof's in their
+ * place where doubles are in doubt and the proof decides. The number changes where Omega passes a fold: so doubles are
+ * in doubt next to one, and wherever the folds were.
  */
 #ifndef SF_STATES_H
 #define SF_STATES_H
@@ -13,8 +13,8 @@
 /* no fewer than there are at a frequency */
 enum { SF_MOST_STATES = SF_MOST_SEGMENTS };
 
-/* A state among those by rising A; one at an end of its segment, where another begins, is one with that, and a fold is not
- * stable. Two inside segments are two, even where their amplitudes are the same double. */
+/* A state among those by rising A; one at an end of its segment, where another begins, is one with that, and a fold is
+ * not stable. Two inside segments are two, even where their amplitudes are the same double. */
 static int sf_add_state(double found, int is_stable, int is_end, int n, double *A, unsigned char *stable) {
     int i, j;
     for (i = n; i > 0 && A[i - 1] > found; i--)
@@ -38,7 +38,8 @@ static int sf_is_of_fold(const sf_folds *folds, double Omega, double A) {
     return i < folds->n;
 }
 
-/* The amplitude at which a segment has the given Omega, to its last digit. At an end it moves by no more than rounding. */
+/* The amplitude at which a segment has the given Omega, to its last digit. At an end it moves by no more than
+ * rounding. */
 static double sf_settled_amplitude(const sf_model *model, const sf_exactly *exactly, double F_0, const sf_work *work,
                                    const sf_segment *segment, int is_end, double Omega) {
     const double A = sf_amplitude_on(model, F_0, segment, Omega);
@@ -113,7 +114,8 @@ static int sf_take_proved_states(const sf_model *model, const sf_given *given, d
     return 1;
 }
 
-/* The steady states at Omega by rising A, from the segments; returns their number. undecided: whether doubles do not tell it */
+/* The steady states at Omega by rising A, from the segments; returns their number. undecided: whether doubles do not
+ * tell it */
 static int sf_states_on_curve(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega, double *A,
                               unsigned char *stable, int *undecided) {
     int n = sf_states_of_segments(model, given == NULL ? NULL : &given->exactly, F_0, &room->work, Omega, A, stable);
@@ -122,9 +124,9 @@ static int sf_states_on_curve(const sf_model *model, const sf_given *given, doub
     return n;
 }
 
-/* The steady states at Omega by rising A where no number of doubles is near to deciding how many there are, each settled to
- * its last digit; returns their number, or -1. Without friction and with little of it, without viscous damping and for an
- * excitation by inertia the curve is asked. */
+/* The steady states at Omega by rising A where no number of doubles is near to deciding how many there are, each
+ * settled to its last digit; returns their number, or -1. Without friction and with little of it, without viscous
+ * damping and for an excitation by inertia the curve is asked. */
 static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, double F_0, double Omega, sf_work *work, double *A,
                            unsigned char *stable) {
     sf_asked asked = sf_asked_of(SF_STATE, model, F_0);
@@ -156,7 +158,8 @@ static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, dou
     return n;
 }
 
-/* The steady states at Omega by rising A, at most SF_MOST_STATES. undecided: whether doubles do not tell their number */
+/* The steady states at Omega by rising A, at most SF_MOST_STATES. undecided: whether doubles do not tell their
+ * number */
 static sf_status sf_states(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega, int *n,
                            double *A, unsigned char *stable, int *undecided) {
     *undecided = 0;

@@ -38,7 +38,8 @@ static inline int sf_is_rest_below(const sf_onset *found) {
     return found->rest < (found->kind == SF_NO_KIND ? HUGE_VAL : found->F_SN);
 }
 
-/* isola: an isola point, else a cusp; minimum: of the level along the fold locus; saddle: F has a saddle in (A, Omega) */
+/* isola: an isola point, else a cusp; minimum: of the level along the fold locus; saddle: F has a saddle in (A,
+ * Omega) */
 typedef struct {
     double F_0, Omega, A;
     int isola, minimum, saddle;

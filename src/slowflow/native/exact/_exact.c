@@ -205,8 +205,8 @@ static PyObject *follow(PyObject *self, PyObject *arguments)
     return bytes == NULL ? NULL : Py_BuildValue("ilN", (int)outcome, most - forced.left, bytes);
 }
 
-/* (outcome, steps, A, monodromy, borders): residual, jacobian, of_A, gradients one after the other in `out`; z is moved,
- * `along` filled where it is given. `extra` is None, a row with its value, or the number of a border. */
+/* (outcome, steps, A, monodromy, borders): residual, jacobian, of_A, gradients one after the other in `out`; z is
+ * moved, `along` filled where it is given. `extra` is None, a row with its value, or the number of a border. */
 static PyObject *newton(PyObject *self, PyObject *arguments)
 {
     (void)self;
@@ -259,7 +259,8 @@ static PyObject *newton(PyObject *self, PyObject *arguments)
     return result;
 }
 
-/* (points, steps, has_before, step, travelled): the points' numbers row by row in `rows`, which sets how many there may be;
+/* (points, steps, has_before, step, travelled): the points' numbers row by row in `rows`, which sets how many there may
+ * be;
  * `point` holds z, the tangent and what sf_ahead wants of the point before; `first` z and tangent, or nothing. */
 static PyObject *trace(PyObject *self, PyObject *arguments)
 {
@@ -310,8 +311,8 @@ static PyObject *trace(PyObject *self, PyObject *arguments)
     return result;
 }
 
-/* An odd force of which each piece has the same constants, p[0] and p[1] by side; those that end at 0 are left out. `piece`
- * has room for 2 pieces - 1, `edge` for one more. */
+/* An odd force of which each piece has the same constants, p[0] and p[1] by side; those that end at 0 are left out.
+ * `piece` has room for 2 pieces - 1, `edge` for one more. */
 static sf_system odd_system(const sf_law *const *law, Py_ssize_t pieces, const double *ends, const double *const p[2],
                             const double *damping, sf_piece *piece, double *edge)
 {
@@ -332,8 +333,8 @@ static sf_system odd_system(const sf_law *const *law, Py_ssize_t pieces, const d
     return (sf_system){2 * about + 1, about, 1, piece, edge, damping[0], damping[1], 0, 0.0};
 }
 
-/* Shocks of many oscillators of one mechanism, whose force is odd: for each its constants, the ends of its pieces, mu and
- * zeta, arcs and when they begin; out come the outcome and the numbers of each. */
+/* Shocks of many oscillators of one mechanism, whose force is odd: for each its constants, the ends of its pieces, mu
+ * and zeta, arcs and when they begin; out come the outcome and the numbers of each. */
 static PyObject *shocks(PyObject *self, PyObject *arguments)
 {
     (void)self;

@@ -148,8 +148,8 @@ static inline int sf_after_stop(const sf_forced *forced, int slip, int region, d
     return slip ? -slip : push > 0 ? 1 : -1;
 }
 
-/* Slip from (theta, u, v) up to the first stop, to u = edge, or to `end`. `zeros`: of the velocity at the start, 0 if it
- * moves, 1 from rest, 2 where the acceleration vanishes too, at break-away. */
+/* Slip from (theta, u, v) up to the first stop, to u = edge, or to `end`. `zeros`: of the velocity at the start, 0 if
+ * it moves, 1 from rest, 2 where the acceleration vanishes too, at break-away. */
 static sf_outcome sf_until(const sf_piece *over, const sf_drive *drive, int slip, double edge, double end, int zeros,
                            double *theta, double *u, double *v, long *left, sf_event *event, _Bool *undecided)
 {

@@ -9,8 +9,8 @@
 
 #include "clones.h"
 
-/* The tail of order 24 falls below a rounding in steps of a fifth of the radius of convergence. Longer steps by orders up
- * to 32 cost as much, shorter ones by 20 more. */
+/* The tail of order 24 falls below a rounding in steps of a fifth of the radius of convergence. Longer steps by orders
+ * up to 32 cost as much, shorter ones by 20 more. */
 enum { SF_ORDER = 24, SF_TERMS = SF_ORDER + 1 };
 
 typedef double sf_series[SF_TERMS];
@@ -54,8 +54,8 @@ static const double sf_over[SF_TERMS + 1] = {
     1.0 / 9,   1.0 / 10,  1.0 / 11,  1.0 / 12,  1.0 / 13,  1.0 / 14,  1.0 / 15,  1.0 / 16,  1.0 / 17,
     1.0 / 18,  1.0 / 19,  1.0 / 20,  1.0 / 21,  1.0 / 22,  1.0 / 23,  1.0 / 24,  1.0 / 25};
 
-/* What coefficient n is made of, series by series: those of order 0, 1, n - 1 and n, of which the last are put in one by
- * one, and reciprocals of those of order 0. Sums hold a[j] b[n - j] for 1 < j < n - 1: what was known last is added
+/* What coefficient n is made of, series by series: those of order 0, 1, n - 1 and n, of which the last are put in one
+ * by one, and reciprocals of those of order 0. Sums hold a[j] b[n - j] for 1 < j < n - 1: what was known last is added
  * last. For n < 3 they hold all 0 < j < n, and `last` is zero. */
 typedef struct {
     int n;

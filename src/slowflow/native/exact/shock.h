@@ -1,5 +1,5 @@
-/* A shock: in go an oscillator at rest and the acceleration of its base, arc by arc, out comes what the mass does then, as
- * slowflow.exact.transient states it. */
+/* A shock: in go an oscillator at rest and the acceleration of its base, arc by arc, out comes what the mass does then,
+ * as slowflow.exact.transient states it. */
 #ifndef SF_SHOCK_H
 #define SF_SHOCK_H
 
@@ -25,7 +25,8 @@ typedef struct {
     sf_stretch *at;
 } sf_shocked;
 
-/* what a batch is given as doubles: largest |u|, when; largest acceleration, when; when the springs leave, NaN for never;
+/* what a batch is given as doubles: largest |u|, when; largest acceleration, when; when the springs leave, NaN for
+ * never;
  * whether the mass rests at the end, and where */
 enum { SF_SHOCK_NUMBERS = 7 };
 
@@ -182,7 +183,8 @@ static sf_outcome sf_largest_acceleration(sf_shocked *shock, double *largest, do
     return SF_GOOD;
 }
 
-/* What the mass does, as SF_SHOCK_NUMBERS numbers; `shock` is given its oscillator and steps, and memory is kept in it. */
+/* What the mass does, as SF_SHOCK_NUMBERS numbers; `shock` is given its oscillator and steps, and memory is kept in
+ * it. */
 static sf_outcome sf_shock(sf_shocked *shock, const sf_arc *arcs, long count, double begin, double after, double *out)
 {
     shock->count = 0;

@@ -1,6 +1,6 @@
-/* Steps in a piece of a force whose sides meet at u = 0, as those of u |u| and |u|^(3/2) do, or that begins behind a gap
- * without a series: in goes a state in it, out come the series of step.h from there on, on the side that the motion is on
- * or comes to. */
+/* Steps in a piece of a force whose sides meet at u = 0, as those of u |u| and |u|^(3/2) do, or that begins behind a
+ * gap without a series: in goes a state in it, out come the series of step.h from there on, on the side that the motion
+ * is on or comes to. */
 #ifndef SF_SIDES_H
 #define SF_SIDES_H
 
@@ -9,7 +9,8 @@
 
 /* half of the nodes of Gauss's rule, SF_NODES, with sf_gauss_node and sf_gauss_weight: see taylor.h */
 enum { SF_GRADED = 4, SF_HALVINGS = 60 };
-/* a distance from where a piece begins without a series, over what that or the velocity is: nearer coefficients overflow */
+/* a distance from where a piece begins without a series, over what that or the velocity is: nearer coefficients
+ * overflow */
 #define SF_AT_PLACE 0x1p-36
 
 static SF_INLINE void sf_forceless_begin(const double *p, double *first, double *over)
@@ -36,9 +37,9 @@ static void sf_forceless(const sf_drive *drive, double theta, double u, double v
                        left, right, x);
 }
 
-/* What a force without a series at a place does from there on, over a step so short that the way under what it is at that
- * place tells: the integrals of the rest along that, by Gauss's rule in the fourth root of time. They enter the second
- * coefficients, so that the series hold at the step's end, whose distance is given. */
+/* What a force without a series at a place does from there on, over a step so short that the way under what it is at
+ * that place tells: the integrals of the rest along that, by Gauss's rule in the fourth root of time. They enter the
+ * second coefficients, so that the series hold at the step's end, whose distance is given. */
 static double sf_branched(const sf_law *law, const double *p, const sf_drive *given, double direction, double side,
                           double theta, double place, double start, double v, const sf_four *flow, sf_expansion *x)
 {
@@ -87,8 +88,8 @@ static inline double sf_meeting(const sf_piece *piece, double u)
 
 static inline double sf_near(double place, double v) { return SF_AT_PLACE * fmax(fabs(place), fabs(v)); }
 
-/* The piece that holds from (u, v) on: below where one begins without a series the next one does, and where the motion turns
- * next to that. A state comes there by rounding, or as Newton's iteration tries it. */
+/* The piece that holds from (u, v) on: below where one begins without a series the next one does, and where the motion
+ * turns next to that. A state comes there by rounding, or as Newton's iteration tries it. */
 static inline const sf_piece *sf_piece_at(const sf_piece *piece, const sf_drive *drive, double direction, double theta,
                                           double u, double v)
 {

@@ -9,8 +9,8 @@
 #include "motion.h"
 #include "series.h"
 
-/* the constants of a slip phase: friction is mu times the sign of the velocity, less a static load, and quadratic is c_2
- * times it */
+/* the constants of a slip phase: friction is mu times the sign of the velocity, less a static load, and quadratic is
+ * c_2 times it */
 typedef struct {
     double Omega, F_0, zeta, friction, quadratic;
 } sf_drive;
@@ -70,8 +70,8 @@ static inline double sf_slope(const sf_piece *piece, double u)
 }
 
 /* What the generated recurrences of a piece are: begin() gives the coefficients 0 of all its series from that of
- * series 0, which is u, and reciprocals; next() gives the coefficients n > 0 in w, likewise, and what they contribute to
- * the sums of the coefficients after it. */
+ * series 0, which is u, and reciprocals; next() gives the coefficients n > 0 in w, likewise, and what they contribute
+ * to the sums of the coefficients after it. */
 typedef void sf_begin(const double *p, double *first, double *over);
 typedef void sf_next(const sf_coefficients *c, const double *p, double *w, sf_four *left, sf_four *right);
 
@@ -154,7 +154,8 @@ static SF_INLINE double sf_by_Omega(double Omega)
     return by_parameter[0] * Omega;
 }
 
-/* u' = v and v' by the equation of motion. The piece has `series`, f is number `value` of them; `fours` groups of sums. */
+/* u' = v and v' by the equation of motion. The piece has `series`, f is number `value` of them; `fours` groups of
+ * sums. */
 static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p, const sf_drive *drive, double theta,
                                 double u, double v, int series, int fours, int value, double *over, double *w,
                                 sf_four *left, sf_four *right, sf_expansion *x)
@@ -178,9 +179,10 @@ static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p,
     }
 }
 
-/* The same with the derivatives: of u, U' = V; of v, V' = -f'(u) U less what resists it, plus cos theta in the column of F_0;
- * and in that of Omega what the rates of u and v have of it at a fixed theta. f' is series `slope`; where it is linear, its
- * first coefficient. */
+/* The same with the derivatives: of u, U' = V; of v, V' = -f'(u) U less what resists it, plus cos theta in the column
+ * of F_0;
+ * and in that of Omega what the rates of u and v have of it at a fixed theta. f' is series `slope`; where it is linear,
+ * its first coefficient. */
 static SF_INLINE void sf_expand_both(sf_begin *begin, sf_next *next, const double *p, const sf_drive *drive,
                                      double theta, double u, double v, const sf_four flow[2], int series, int fours,
                                      int value, int slope, int linear, double *over, double *w, sf_four *left,

@@ -5,8 +5,8 @@
 
 #include "cycle.h"
 
-/* Where the curve may go, and with what steps; steps of u_0 are a share of its size, of `least` at least: off the centre it
- * may pass 0. `first` is the point where it began, with its tangent, NULL where it
+/* Where the curve may go, and with what steps; steps of u_0 are a share of its size, of `least` at least: off the
+ * centre it may pass 0. `first` is the point where it began, with its tangent, NULL where it
  * cannot come back to it in this order of switches. */
 typedef struct {
     double low, high, step, straight, largest, least;

@@ -258,7 +258,8 @@ static PyObject *frequency_response(PyObject *self, PyObject *args)
 /* frequencies: some milliseconds; and as how many of them a proof counts */
 enum { BETWEEN_SIGNALS = 1 << 14, PROOF = 100 };
 
-/* States, and frequencies at which doubles do not tell how many there are, so many of `places` and `places_in_doubt`. */
+/* States, and frequencies at which doubles do not tell how many there are, so many of `places` and
+ * `places_in_doubt`. */
 typedef struct {
     npy_intp n, doubts, places, places_in_doubt;
     double *Omega, *A, *doubt;
@@ -330,8 +331,8 @@ static PyObject *array_of(npy_intp n, int type, const void *values, size_t size)
     return array;
 }
 
-/* (model, F_0, Omega: contiguous doubles) -> status, Omega, A, stable: every state, by the order of Omega; and those of the
- * frequencies at which their number is undecided */
+/* (model, F_0, Omega: contiguous doubles) -> status, Omega, A, stable: every state, by the order of Omega; and those of
+ * the frequencies at which their number is undecided */
 static PyObject *steady_states(PyObject *self, PyObject *args)
 {
     PyObject *given, *frequencies, *result = NULL;

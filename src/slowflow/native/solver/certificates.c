@@ -1,5 +1,5 @@
-/* Answers with their proof as Python functions: in go a model (records.c) and numbers; out come enclosures, or None where no
- * proof is possible. The solvers run without the GIL, in a workspace of their own.
+/* Answers with their proof as Python functions: in go a model (records.c) and numbers; out come enclosures, or None
+ * where no proof is possible. The solvers run without the GIL, in a workspace of their own.
  */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
@@ -44,7 +44,8 @@ static PyObject *certificate(int status, const sf_certificate *found)
                          PyBool_FromLong(found->bounded), PyBool_FromLong(!found->full));
 }
 
-/* The oscillator that the arguments begin with, and a workspace; 1, 0 where no proof is possible, -1 with an exception. */
+/* The oscillator that the arguments begin with, and a workspace; 1, 0 where no proof is possible, -1 with an
+ * exception. */
 static int start(PyObject *capsule, const sf_model **model, const sf_given **given, sf_room **room)
 {
     *model = sf_model_in(capsule);

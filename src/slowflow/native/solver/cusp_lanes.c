@@ -16,8 +16,8 @@ static inline double root_at(double a, double b, double root, double sign)
     return sign * (turned > 0 ? quotient : sum);
 }
 
-/* The function of a channel at an amplitude, its slope, and what a cusp there has, as sf_ask_cusp has it; least: positive where
- * it is defined */
+/* The function of a channel at an amplitude, its slope, and what a cusp there has, as sf_ask_cusp has it; least:
+ * positive where it is defined */
 typedef struct {
     double y, dy, Omega, level, least;
 } value;
@@ -63,10 +63,10 @@ typedef struct {
     int none, throughout, monotone;
 } channel;
 
-/* A channel whose tau lies between these. F_A/2 over P = A B^2 is (kappa - 1) (t - 1) - 1 + Q/P, t = dR/dA / (A h_AA), Q = 2 m
- * zeta Omega (`cusp_scaled`); its slope has the factors rho (kappa + t) + 3 t and kappa + 2 t + (m zeta/(A Omega) + 4
- * zeta^2)/(A h_AA), and no other that vanishes (`cusp_scaled_slope`); F_0^2 is m^2 + A Q + A P kappa (kappa + t)
- * (`cusp_scaled_level`). Each is bounded by its terms. */
+/* A channel whose tau lies between these. F_A/2 over P = A B^2 is (kappa - 1) (t - 1) - 1 + Q/P, t = dR/dA / (A h_AA),
+ * Q = 2 m zeta Omega (`cusp_scaled`); its slope has the factors rho (kappa + t) + 3 t and kappa + 2 t + (m zeta/(A
+ * Omega) + 4 zeta^2)/(A h_AA), and no other that vanishes (`cusp_scaled_slope`); F_0^2 is m^2 + A Q + A P kappa (kappa
+ * + t) (`cusp_scaled_level`). Each is bounded by its terms. */
 static inline channel channel_on(shared of, double tau_lo, double tau_hi)
 {
     const double turned = of.sign > 0 ? 1.0 : 0.0, kappa_lo = of.kappa_lo, kappa_hi = of.kappa_hi;
@@ -100,7 +100,8 @@ static inline channel channel_on(shared of, double tau_lo, double tau_hi)
     return found;
 }
 
-/* Whether a channel has no zero, or one, given also its values at the ends: stated once, as gcc vectorises no loop in a loop.
+/* Whether a channel has no zero, or one, given also its values at the ends: stated once, as gcc vectorises no loop in a
+ * loop.
  * Channel 0 is the larger Omega^2. */
 #define JUDGE(CHANNEL, LO, HI) \
     { \
@@ -165,7 +166,8 @@ SF_WIDE static void judge(ptrdiff_t n, sf_cusp_cells *cells)
         const double near = (p_lo > 0) | (p_hi < 0) ? SF_LESSER(fabs(p_lo), fabs(p_hi)) : 0.0, far = SF_GREATER(fabs(p_lo), fabs(p_hi));
         const double b_lo = c_lo - doubt_c, b_hi = c_hi + doubt_c, doubt_d = SF_DOUBT * (far * far + fabs(b_lo) + fabs(b_hi));
         const double disc_lo = near * near - b_hi - doubt_d, disc_hi = far * far - b_lo + doubt_d;
-        /* the larger root falls with a and b where b <= 0, and so does the other one, less itself, but that it rises with a */
+        /* the larger root falls with a and b where b <= 0, and so does the other one, less itself, but that it rises
+         * with a */
         const int corners = b_hi <= 0;
         const double root_lo = sqrt(SF_GREATER(disc_lo, 0.0)), root_hi = sqrt(SF_GREATER(disc_hi, 0.0));
         const double of_lo_lo = sqrt(SF_GREATER(p_lo * p_lo - b_lo, 0.0)), of_lo_hi = sqrt(SF_GREATER(p_lo * p_lo - b_hi, 0.0));
@@ -176,7 +178,8 @@ SF_WIDE static void judge(ptrdiff_t n, sf_cusp_cells *cells)
     }
 }
 
-/* Where a function vanishes that has these values and slopes at two amplitudes, as far as they tell: by the cubic that gives A */
+/* Where a function vanishes that has these values and slopes at two amplitudes, as far as they tell: by the cubic that
+ * gives A */
 static inline double zero_beside(double a, double y_a, double slope_a, double b, double y_b, double slope_b)
 {
     const double over = 1 / (y_b - y_a), chord = (b - a) * over, flat_a = 1 / slope_a, flat_b = 1 / slope_b;

@@ -8,8 +8,8 @@
 /* distance of rho from 1 up to which critical points may meet, or have lost digits */
 #define MAY_MEET 0x1p-20
 
-/* F at a critical point w, and its slope along A. size: R^2 + I^2 + F_0^2. For m = 0 the lower one is w = 0, where these are
- * NaN: no verdict asks for it then */
+/* F at a critical point w, and its slope along A. size: R^2 + I^2 + F_0^2. For m = 0 the lower one is w = 0, where
+ * these are NaN: no verdict asks for it then */
 typedef struct {
     double y, rise, size;
 } value;

@@ -3,11 +3,12 @@
  *   RECORDS                                     name -> record, of the mechanisms that were compiled in
  *   parameters_of(record, design)               the parameters of a design; ValueError where it is outside its domain
  *   inertial(record)                            the same mechanism excited by inertia, F_0 Omega^2; zeta > 0
- *   model(record, parameters, damping, design)  an oscillator, prepared for the questions about one; what is proved of it is
+ *   model(record, parameters, damping, design)  an oscillator, prepared for the questions about one; what is proved of
+ *   it is
  *                                               proved of the design, () where that is not known
  *
- * A record compiled elsewhere is a capsule named SF_RECORD around its sf_mechanism, which has to live as long as anything
- * made from it.
+ * A record compiled elsewhere is a capsule named SF_RECORD around its sf_mechanism, which has to live as long as
+ * anything made from it.
  */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>

@@ -1,6 +1,6 @@
 /* The second approximation of one oscillator as Python functions: in go a model, and points or answers of the first
- * approximation, out come arrays and numbers; the words are slowflow's. A curve stays here, as a capsule, for what is asked
- * about it. The solvers run without the GIL.
+ * approximation, out come arrays and numbers; the words are slowflow's. A curve stays here, as a capsule, for what is
+ * asked about it. The solvers run without the GIL.
  */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>

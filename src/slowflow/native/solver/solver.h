@@ -21,8 +21,8 @@ const sf_model *sf_model_in(struct _object *capsule);
 /* The same as it was given, or NULL where no proof about it is possible; of a capsule that holds a model. */
 const sf_given *sf_given_in(struct _object *capsule);
 
-/* What is made of a record once: kept in the cache by the record's address, which what is made may hold. NULL with an exception
- * set. */
+/* What is made of a record once: kept in the cache by the record's address, which what is made may hold. NULL with an
+ * exception set. */
 struct _object *sf_kept(struct _object *cache, struct _object *capsule,
                         struct _object *(*make)(const sf_mechanism *record, const void *how), const void *how);
 
