@@ -343,3 +343,17 @@ def test_balls_hold_the_onset_on_a_jump_below_the_range_of_doubles():
     pytest.importorskip("flint")
     proof = Isolator(lam=2, r=3.43e-83, delta_h=1e-300, mu=1e-12, zeta=0.02).certify(5.7e-5).saddle_node_onset
     assert proof.proved and proof.kind == "corner"
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("zeta", [1e-6, 1e-7, 1.3e-8, 1e-10])
+def test_folds_that_end_at_rest_are_there_whatever_was_asked_before(zeta):
+    """Where a softening spring's h is 0 beside the centre: its rounding hid them, and F_0 < F_SN was said to have none."""
+    numbers = {"alpha": 678.8564034128265, "beta": -0.0005845965970001937, "mu": 0.0, "zeta": zeta}
+    fresh, asked = Duffing(**numbers), Duffing(**numbers)
+    onset, many = asked.saddle_node_onset(), Duffing.many(**numbers).saddle_node_onset()
+    assert Remark.FOLDS_AT_REST in onset.remarks and many.remarks == int(onset.remarks)
+    F_0 = 0.2 * onset.F_SN
+    # the static equilibria: alpha A + 3/4 beta A^3 = F_0 next to h = 0, two of them, meet in one fold
+    assert len(fresh.saddle_nodes(F_0)) == len(asked.saddle_nodes(F_0)) == 1
+    assert fresh.saddle_nodes(F_0).A == pytest.approx(math.sqrt(-numbers["alpha"] / (0.75 * numbers["beta"])), rel=1e-6)

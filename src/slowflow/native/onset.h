@@ -41,8 +41,10 @@ static void sf_consider_end(const sf_model *model, const sf_sample *at, double l
 
 /* Of a zero, what the level has there. */
 static void sf_consider_zero(const sf_model *model, const sf_zero *zero, const sf_sample *at, sf_onset *best) {
-    if (zero->question == SF_STIFFNESS)
-        sf_consider_end(model, at, zero->channel == 0 ? model->m : sf_level(model, at, 0), best);
+    if (zero->question == SF_STIFFNESS && zero->channel == 0) /* h = 0 there, and so R: F_Omega does not fall */
+        best->rest = fmin(best->rest, model->m);
+    else if (zero->question == SF_STIFFNESS)
+        sf_consider_end(model, at, sf_level(model, at, 0), best);
     else if (sf_is_minimum(model, zero->question, at, zero->Omega))
         sf_consider(sf_extremum_level(model, zero, at), zero->Omega, zero->A,
                     zero->question == SF_CUSP ? SF_CUSP_KIND : SF_ISOLA_KIND, best);

@@ -245,7 +245,10 @@ def _consider_pieces(model: Model, pieces: list[Stretch], best: _Best) -> None:
     else:
         ends, isolas, cusps = find_zeros(model, [Stiffness(model), Isola(model), Cusp(model, best.F_SN)], pieces)
         best.undecided |= ends.undecided
-        best.consider_ends(model, ends.A, np.where(ends.channel == 0, model.m, model.level(0.0, ends.A)))
+        turns = ends.A[ends.channel == 1]
+        best.consider_ends(model, turns, model.level(0.0, turns))
+        if (ends.channel == 0).any():  # h = 0 there, and so R: F_Omega does not fall
+            best.rest = min(best.rest, model.m)
     best.undecided |= isolas.undecided or cusps.undecided
     least = isola_is_minimum(model, isolas.Omega, isolas.A)
     level = model.level(isolas.Omega, isolas.A)
