@@ -652,6 +652,37 @@ def test_what_laws_of_damping_leave_without_an_answer_is_refused():
     rubber = MOUNT.replace(eta=0.02)
     with pytest.raises(ValueError, match="A_shock is not available with structural damping"):
         tolerances(rubber, {"k_h": 0.05}, shock=(20.0, 0.011), answers=["A_shock"])
-    for mount in (MOUNT.replace(load=12.3), SHAKEN):
-        with pytest.raises(ValueError, match="'eta' cannot be varied: it must be one of"):
-            meet(mount, {"eta": (0.0, 0.1)}, at_least={"F_cr": 5.0})
+    with pytest.raises(ValueError, match="'eta' cannot be varied: it must be one of"):
+        meet(MOUNT.replace(load=12.3), {"eta": (0.0, 0.1)}, at_least={"F_cr": 5.0})
+
+
+@pytest.mark.parametrize("laws", [{"eta": 0.5}, {"c_2": 0.5}])
+def test_laws_of_damping_are_sized_on_a_base_that_shakes_where_the_amplitude_only_rises(laws):
+    """Over-damped: what lifts the springs, and the amplitude, are only tended to, with quadratic damping more slowly.
+
+    What is tended to has inertia and quadratic damping, with 8/(3 pi) of its amplitude, against the base's.
+    """
+    design = {"lam": 3, "r": 0.68, "delta_h": 0.1125, "mu": 0.002, "zeta": 0.9, "excitation": "base", **laws}
+    shaken = Isolator(**design)
+    found = tolerances(shaken, dict.fromkeys(laws, 0.1), F_0=0.2, answers=["F_cr", "A_peak"], samples=2)
+    for k in range(2):
+        d = 8 * found.drawn.get("c_2", np.zeros(2))[k] / (3 * np.pi)
+        A = found.samples["A_peak"][k]
+        assert np.hypot(A, d * A**2) == pytest.approx(0.2, rel=1e-12)
+        assert found.samples["F_cr"][k] == pytest.approx(np.hypot(shaken.u_cr, d * shaken.u_cr**2), rel=1e-12)
+
+
+@pytest.mark.slow
+def test_laws_of_damping_are_sized_on_a_base_that_shakes_as_single_questions_see_them():
+    laws = {"eta": 0.02, "c_2": 8.0, "rubs": "attached"}
+    shaken = SHAKEN.replace(**laws)
+    within = {name: 0.1 for name in ("k_h", "friction", *laws) if name != "rubs"}
+    found = tolerances(shaken, within, F=0.002, f=2.2, samples=2)
+    for k in range(2):
+        one = shaken.replace(**{name: values[k] for name, values in found.drawn.items()})
+        margins, peak, states = one.margins(0.002), one.peak(0.002), one.amplitudes(f=2.2, F=0.002)
+        expected = {name: getattr(margins, name) for name in ("Y_SN", "Y_cr", "of_SN", "of_cr", "f_sticks")}
+        expected |= {"A_peak": peak.A, "f_peak": peak.f, "f_isolation": one.isolation(0.002).f}
+        expected["A"] = states.A[states.stable].max()
+        for name, value in expected.items():
+            assert found.samples[name][k] == pytest.approx(np.inf if value is None else value, rel=1e-9), name

@@ -46,6 +46,7 @@ def formula_rows(facts: Facts) -> list[Row]:
                     quantity=formula.quantity + (f" [{formula.reading}]" if formula.reading else ""),
                     published=judgement.published,
                     derived=judgement.derived,
+                    mathml=judgement.mathml,
                     verdict=verdict,
                     difference=judgement.difference,
                     evidence=" ".join(part.rstrip(".") + "." for part in evidence if part),

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
@@ -17,6 +17,7 @@ from .formulas import Reading, Subject
 from .proofs import Quotient, canonical, nonzero_somewhere
 from .rows import DIFFERS, IDENTICAL, REWRITTEN
 from .source import EXACT
+from .typeset import mathml
 
 
 @dataclass(frozen=True)
@@ -28,6 +29,7 @@ class Judgement:
     rewriting  -- what was used to make them equal
     difference -- published less derived, in lowest terms, where it is not zero
     factor     -- published divided by derived, if that is a number
+    mathml     -- the published expressions, set
     """
 
     verdict: str
@@ -36,6 +38,7 @@ class Judgement:
     rewriting: str = ""
     difference: str = ""
     factor: str = ""
+    mathml: tuple[str, ...] = ()
 
 
 def _flat(value: Any) -> Iterator[sp.Expr]:
@@ -124,4 +127,5 @@ def judge(function: Callable[..., Any], subject: Subject) -> Judgement:
         return _judge_fields(function, subject)
     known = formulas.shared_symbols()
     judgements = [_judge_form(function, subject, form, known) for form in subject.forms]
-    return next((j for j in judgements if j.verdict != DIFFERS), judgements[0])
+    found = next((j for j in judgements if j.verdict != DIFFERS), judgements[0])
+    return replace(found, mathml=tuple(map(mathml, _values(function, {}, known))))

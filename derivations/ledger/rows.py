@@ -54,6 +54,7 @@ class Row:
     derived   -- what the derivation has in its place; of a claim: empty
     verdict   -- one of `ALLOWED[kind]`
     difference -- published less derived where it is not zero
+    mathml    -- of a formula: as the paper has it, set, each of its expressions
     evidence  -- the rewriting used, the proof, or what the published value is the value of
     """
 
@@ -66,6 +67,7 @@ class Row:
     verdict: str
     difference: str = ""
     evidence: str = ""
+    mathml: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if self.verdict not in ALLOWED[self.kind]:

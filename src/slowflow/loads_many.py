@@ -22,7 +22,7 @@ from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
 from slowflow.model import THROUGHOUT, held
 from slowflow.results import Remark
-from slowflow_kernels import inertia, slow_flow
+from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import Status
 
 if TYPE_CHECKING:
@@ -221,11 +221,27 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
 
 
 def lifting(designs: Designs, detachments: Detachments) -> Floats:
-    """F_cr of each design, inf where there is none, and where it is only tended to as Omega rises the limit, u_cr."""
+    """F_cr of each design, inf where there is none, and where it is only tended to as Omega rises the limit.
+
+    That is u_cr, and more with quadratic damping, under which the amplitude tends to less than F_0.
+    """
     none: Any = math.inf
     if designs.excitation != "force":
-        none = first_end(designs.mechanism, designs.mechanism.coefficients(*designs.design))
+        u_cr = first_end(designs.mechanism, designs.mechanism.coefficients(*designs.design))
+        with np.errstate(all="ignore"):  # what is no design, or is in one piece, has no limit
+            squared, *_ = dissipation.far_by_inertia(0.0, u_cr, 0.0, 0.0, 0.0, _quadratic(designs), 0.0)
+            none = np.where(np.isfinite(u_cr), np.sqrt(squared), u_cr)
     return np.where(detachments.status == Status.NONE, none, detachments.F_cr)
+
+
+def full(designs: Designs, F_0: Any) -> Floats:
+    """The amplitude that the response to an excitation by inertia tends to as Omega rises: F_0 without c_2."""
+    return np.asarray(dissipation.full_by_inertia(np.asarray(F_0, dtype=float), _quadratic(designs)))
+
+
+def _quadratic(designs: Designs) -> Floats:
+    """Of quadratic damping, what of it averaging has."""
+    return np.asarray(dissipation.quadratic(np.asarray(designs.values.get("c_2", 0.0), dtype=float)))
 
 
 def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) -> ManyBands:

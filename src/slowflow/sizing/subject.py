@@ -16,7 +16,7 @@ from slowflow import backend, validate
 from slowflow.answer import frozen
 from slowflow.averaged.many import Folds, States, first_end
 from slowflow.isolator import ROD_SPRING, Isolator
-from slowflow.loads_many import lifting
+from slowflow.loads_many import full, lifting
 from slowflow.mechanism import Floats
 from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.oscillator import Designs, Oscillator
@@ -139,9 +139,9 @@ class Subject:
         return found
 
     def _scales(self) -> dict[str, Any]:
-        """What the numbers of a design are measured in, by name; under a load, or by inertia, without other laws."""
+        """What the numbers of a design are measured in, by name; under a load without other laws."""
         design = {domain.name: scale for domain, scale in zip(ROD_SPRING.design, ROD_SPRING.scales, strict=True)}
-        laws = () if self.loaded or self.excitation != "force" else DISSIPATION
+        laws = () if self.loaded else DISSIPATION
         return {**design, **{domain.name: SCALES[domain.name] for domain in (*DAMPING, *laws)}}
 
     def _word(self, name: str) -> str:
@@ -352,7 +352,7 @@ class _Batch:
                 return np.asarray(peaks.Omega)
             bounded = np.where(peaks.status == Status.UNBOUNDED, math.inf, peaks.A)
             if self.designs.excitation != "force" and self.F_0 is not None:
-                bounded = np.where(peaks.status == Status.NONE, self.F_0, bounded)
+                bounded = np.where(peaks.status == Status.NONE, full(self.designs, self.F_0), bounded)
             return np.where(peaks.status == Status.STICKS, 0.0, bounded)
         return first_jump(self._ask(self.designs.saddle_nodes, self.F_0), name == "jump_up")
 
