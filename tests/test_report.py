@@ -43,7 +43,7 @@ class Page(HTMLParser):
         self.tags.append((tag, dict(attrs)))
 
     def handle_data(self, data):
-        if self.inside in {"td", "th", "caption"}:
+        if {"td", "th", "caption"} & set(self.open):
             self.cells[-1] += data
 
     def handle_endtag(self, tag):
@@ -118,10 +118,25 @@ def test_numbers_are_those_of_the_questions(page):
         assert cells[at - 2 : at] == ["5", fold.kind]
     (up, down) = mount.saddle_nodes(5).answer.measure()
     assert f"{up.Omega * mount.scales.sizes['frequency']:.5g}" in cells and f"{100 * down.error:+.2g} %" in cells
-    assert "Tolerances at F = 5 N" in cells and "resultant for F_cr" in cells and "identical" in cells
+    assert "Tolerances at F = 5 N" in cells and "resultant for Fcr" in cells and "identical" in cells
     # and what is said twice is said in one unit
-    assert all(cells[k + 1] == "mm" for k, cell in enumerate(cells) if cell == "A_peak")
-    assert cells[cells.index("A_peak") + 2] == f"{1e3 * mount.peak(3).A:.4g}"
+    assert all(cells[k + 1] == "mm" for k, cell in enumerate(cells) if cell == "Apeak")
+    assert cells[cells.index("Apeak") + 2] == f"{1e3 * mount.peak(3).A:.4g}"
+
+
+def test_names_and_equations_are_set_and_none_is_shown_as_it_is_typed(text, page):
+    """Letters with what stands below them, in words and in MathML; nothing has an underscore, or a power of Python."""
+    read = re.sub(r"<(style|svg|title|a)\b.*?</\1>|<[^>]+>", " ", text, flags=re.DOTALL)
+    assert not re.search(r"\w_\w|\*\*|\b(Omega|delta|zeta|lam)\b", html.unescape(read))
+    formulas = page.every("math")
+    assert len(formulas) > 15 and "<code" not in text
+    heads = [cell for cell in page.cells if cell.startswith("margin to")]
+    assert "margin to jumps" in heads and "margin to detachment" in heads
+
+
+def test_paper_is_white_whatever_the_screen_is():
+    assert "@media screen and (prefers-color-scheme: dark)" in pieces.STYLE
+    assert re.search(r"@media print \{ :root \{ color-scheme: light; \}", pieces.STYLE)
 
 
 def test_data_on_the_page_is_what_run_writes(page, tmp_path):

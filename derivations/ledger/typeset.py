@@ -51,7 +51,7 @@ class _Printer(MathMLPresentationPrinter):
 
 
 def mathml(value: sp.Expr) -> str:
-    """An expression between `math`."""
+    """What stands in `math` for an expression."""
     printer = _Printer({"mul_symbol": "⁢", "fold_short_frac": False})
     drawn: str = printer.doprint(value)
     # letters as they are, but for those that would be markup

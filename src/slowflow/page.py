@@ -1,6 +1,7 @@
 """HTML of a page that needs nothing else: in go captions, cells and Matplotlib's axes, out come tables and figures.
 
-Cells and parts are HTML already; captions and heads are not. Everything can be read aloud and reached by keys.
+Cells, heads and parts are HTML already; captions are not. Names are set by `term`, words with names by `inline`.
+Everything can be read aloud and reached by keys.
 """
 
 from __future__ import annotations
@@ -17,12 +18,19 @@ import matplotlib as mpl
 import matplotlib.pyplot as plt
 import numpy as np
 
-#: what a cell of words begins with until it is written, and how much of a formula is shown
-WORDS, LONGEST = "\0", 160
+from slowflow.pictures import label
+
+#: what a cell of words begins with until it is written
+WORDS = "\0"
+#: how Matplotlib's labels write what is Greek, and what stands below a letter
+GREEK = {"Omega": "Ω", "omega": "ω", "lambda": "λ", "lam": "λ", "delta": "δ", "mu": "μ", "zeta": "ζ", "tau": "τ"}
+GREEK |= {"varphi": "φ", "phi": "φ", "alpha": "α", "beta": "β", "gamma": "γ", "psi": "ψ", "Phi": "Φ", "eta": "η"}
+BELOW = re.compile(r"([^\W_]+)_(?:\{(?:\\mathrm\{)?([^{}]*)\}+|(\w+))")
 #: colours light and dark; what is too wide for a screen is scrolled, and on paper it is smaller
 STYLE = """
 :root { color-scheme: light dark; --text: #1a1a1a; --ground: #ffffff; --line: #767676; --head: #eef2f6; }
-@media (prefers-color-scheme: dark) { :root { --text: #ececec; --ground: #16191d; --line: #8f8f8f; --head: #262c33; } }
+@media screen and (prefers-color-scheme: dark) {
+  :root { --text: #ececec; --ground: #16191d; --line: #8f8f8f; --head: #262c33; } }
 body { color: var(--text); background: var(--ground); font: 16px/1.5 system-ui, sans-serif; margin: 0 auto;
        max-width: 60rem; padding: 1rem; overflow-wrap: anywhere; }
 h2 { border-top: 1px solid var(--line); margin-top: 2.5rem; padding-top: 1rem; }
@@ -31,14 +39,14 @@ table { border-collapse: collapse; overflow-wrap: normal; }
 .wide { overflow-x: auto; margin: 1rem 0; }
 th, td { border-bottom: 1px solid var(--line); padding: .25rem .6rem; text-align: right; white-space: nowrap; }
 th { background: var(--head); white-space: normal; } td:first-child, th:first-child, .words { text-align: left; }
-.words { white-space: normal; min-width: 9rem; } code { display: block; min-width: 16rem; overflow-wrap: anywhere; }
+.words { white-space: normal; min-width: 9rem; } math { display: block; margin: .2rem 0; }
 caption, .caption { font-weight: 600; }
 caption { text-align: left; padding: .5rem 0; width: max-content; max-width: 90vw; }
 figure { margin: 1rem 0; } figure svg { background: #ffffff; height: auto; width: 100%; max-width: 42rem; }
 a { color: inherit; }
-@media (max-width: 40rem) { th, td { padding: .2rem .3rem; font-size: .875rem; } .words { min-width: 4.5rem; }
-                               code { min-width: 7rem; } }
-@media print { body { max-width: none; } nav { display: none; } figure, tr { break-inside: avoid; }
+@media (max-width: 40rem) { th, td { padding: .2rem .3rem; font-size: .875rem; } .words { min-width: 4.5rem; } }
+@media print { :root { color-scheme: light; }
+               body { max-width: none; } nav { display: none; } figure, tr { break-inside: avoid; }
                h2, caption, tr:nth-child(-n+2), tr:nth-last-child(2) { break-after: avoid; } table { font-size: 9pt; }
                .wide { overflow: visible; } td, th { padding: .1rem .3rem; }
                figure svg { max-width: 30rem; } body { font-size: 11pt; } }
@@ -79,28 +87,64 @@ def cell(value: Any) -> str:
 
 def words(text: str) -> str:
     """A cell of words, which may break over lines."""
-    return f"{WORDS}{escape(text)}"
+    return f"{WORDS}{inline(text)}"
 
 
-def formula(text: str) -> str:
-    """A cell of a formula as it was typed, its beginning if it is long."""
-    shown = text if len(text) <= LONGEST else f"{text[:LONGEST]} ..."
-    return f"{WORDS}<code>{escape(shown)}</code>"
+def formula(set_: Sequence[str], text: str) -> str:
+    """A cell of formulas in MathML; in words where there are none."""
+    return f"{WORDS}{''.join(f'<math>{one}</math>' for one in set_) or inline(text)}"
+
+
+def inline(text: str) -> str:
+    """Words with names in them, these set: Greek letters, and what stands below a letter."""
+    told = re.sub(r"\bd2(\w)/d(\w)2\b", r"d²\1/d\2²", escape(text))
+    told = BELOW.sub(_lowered, told)
+    return re.sub(r"\b[A-Za-z]+\b(?!&|;)", lambda found: GREEK.get(found[0], found[0]), told)
+
+
+def term(name: str, unit: str = "") -> str:
+    """A name of a number as it is read: its words, or its letter with what stands below it; and its unit."""
+    told = re.sub(r"\$([^$]*)\$", lambda found: _math(found[1]), escape(label(name), quote=False))
+    told = told if told != name else inline(name) if _is_symbol(name) else escape(name.replace("_", " "))
+    unit = unit.replace("^2", "²")
+    return f"{told} / {f'({unit})' if {'/', ' '} & set(unit) else unit}" if unit else told
+
+
+def _is_symbol(name: str) -> bool:
+    """Whether a name is that of a letter, with something below it or not."""
+    first = name.partition("_")[0]
+    return len(first) == 1 or first in GREEK
+
+
+def _math(text: str) -> str:
+    """Of Matplotlib's mathematics."""
+    plain = re.sub(r"\\(?!mathrm)([A-Za-z]+)", lambda found: GREEK.get(found[1], found[1]), text.replace(r"\ ", " "))
+    told = BELOW.sub(_lowered, plain)
+    return told if "<" in told else f"<i>{told}</i>"
+
+
+def _lowered(found: re.Match[str]) -> str:
+    """A letter with what stands below it; words that are joined apart from each other."""
+    name, below = found[1], (found[2] or found[3]).replace("_", " ")
+    if not _is_symbol(name) and name != "Res":
+        return f"{name} {below}"
+    return f"<i>{GREEK.get(name, name)}</i><sub>{GREEK.get(below, below)}</sub>"
 
 
 def untabled(caption: str, notes: str) -> str:
     """What there is to say where a table of that caption would have no number."""
-    return f'<p class="caption">{escape(caption)}</p>{notes}' if notes else ""
+    return f'<p class="caption">{inline(caption)}</p>{notes}' if notes else ""
 
 
 def table(caption: str, heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """A table; its cells are HTML already, its heads are not. What is too wide is scrolled, by keys too."""
+    """A table; its cells and heads are HTML already. What is too wide is scrolled, by keys too."""
     said = escape(caption, quote=True)
-    lines = [f'<div class="wide" role="region" tabindex="0" aria-label="{said}"><table>\n<caption>{said}</caption>']
+    lines = [f'<div class="wide" role="region" tabindex="0" aria-label="{said}"><table>']
+    lines.append(f"<caption>{inline(caption)}</caption>")
     listed = [list(row) for row in rows]
     worded = [any(row[k].startswith(WORDS) for row in listed) for k in range(len(heads))]
     kinds = [' class="words"' if one else "" for one in worded]
-    told = (f'<th scope="col"{kind}>{escape(one)}</th>' for one, kind in zip(heads, kinds, strict=True))
+    told = (f'<th scope="col"{kind}>{one}</th>' for one, kind in zip(heads, kinds, strict=True))
     lines.append("<tr>" + "".join(told) + "</tr>")
     for row in listed:
         cells = (f"<td{kind}>{cell.removeprefix(WORDS)}</td>" for cell, kind in zip(row, kinds, strict=True))
@@ -125,7 +169,7 @@ def figure(ax: Any, said: str) -> str:
     own = hashlib.sha256(said.encode()).hexdigest()[:8]
     drawn = re.sub(r'(\bid="|url\(#|href="#)', rf"\g<1>{own}-", drawn)
     drawn = drawn.replace("<svg", f'<svg role="img" aria-label="{escape(said, quote=True)}"', 1)
-    return f"<figure>\n{drawn}\n<figcaption>{escape(said)}</figcaption>\n</figure>"
+    return f"<figure>\n{drawn}\n<figcaption>{inline(said)}</figcaption>\n</figure>"
 
 
 def download(name: str, kind: str, text: str) -> str:

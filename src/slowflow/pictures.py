@@ -99,6 +99,8 @@ SHORT = 16
 WIDEST = 2.0
 #: what the amplitude of the excitation is called
 AMPLITUDES = ("F_0", "F", "Y", "U")
+#: what is a displacement over frequency
+HEIGHTS = ("A", "u_max", "x_max")
 #: points of a motion over time
 HISTORY = 2000
 #: a fold locus is shown up to this many times its least forcing
@@ -235,12 +237,13 @@ def responses(
             ax.axhline(0.0, color=colour, linewidth=4, label=f"{name}, sticks", clip_on=False)
             continue
         curve(ax, getattr(points, over), getattr(points, of), points.stable, points.branch, colour=colour, name=name)
-        if of == "A" and folds is not None:
-            jumps(ax, getattr(folds, over), folds.A, folds.kind, colour=colour)
+        if of in HEIGHTS and folds is not None:
+            height = getattr(folds, of) if hasattr(folds, of) else np.abs(folds.B) + folds.A
+            jumps(ax, getattr(folds, over), height, folds.kind, colour=colour)
     if found:
         points = found[0][0]
         ax.set(xlabel=axis(points, _has(points, "Omega", "f")), ylabel=axis(points, of))
-    if of == "A":
+    if of in HEIGHTS:
         ax.set_ylim(bottom=0.0)
     if of == "transmissibility_dB":
         ax.axhline(0.0, color="0.4", linewidth=0.8, zorder=-2)

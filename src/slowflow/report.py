@@ -35,6 +35,8 @@ EXCITATION = {"force": "force", "base": "motion of the base", "unbalance": "unba
 UNSHOWN = ("message", "remarks")
 #: and what is not of a force
 OF_INERTIA = ("f_sticks", "Omega_sticks")
+#: columns that hold names of numbers
+NAMES = ("answer", "parameter")
 #: bands that need no picture
 FEW = 2
 #: what else a scene may ask for that is a table
@@ -47,6 +49,8 @@ ALSO = {
 SHOCKS = ("transient", "shock_spectrum")
 #: numbers of the map, of a mount and of an isolator without dimensions
 OF_MOUNT, OF_ISOLATOR = ("k_h", "preload"), ("r", "delta_h")
+NUMBERS = {"k_h": "the stiffness of the springs", "preload": "their preload", "r": "the stiffness ratio"}
+NUMBERS |= {"delta_h": "the preload"}
 
 #: what the numbers of a mount are; then what a data sheet's mean
 GIVEN = {
@@ -60,7 +64,7 @@ GIVEN = {
     "friction": "dry friction",
     "static_friction": "dry friction that holds a mass at rest",
     "c": "viscous damping",
-    "zeta": "viscous damping ratio, c/(2 sqrt(k_v m))",
+    "zeta": "viscous damping ratio, c over 2 √(k_v m)",
     "eta": "loss factor of the vertical spring",
     "c_2": "quadratic damping",
     "rubs": "where friction acts",
@@ -126,7 +130,7 @@ def _available(section: Iterator[str]) -> Iterator[str]:
 
 def _left_out(reasons: Sequence[str]) -> str:
     """Why parts are missing; nothing where none is."""
-    return "".join(f"<p>Left out: {escape(reason, quote=False)}.</p>" for reason in reasons)
+    return "".join(f"<p>Left out: {page.inline(reason)}.</p>" for reason in reasons)
 
 
 def _at_each(ask: Callable[[float], Any], forcings: Sequence[float], left_out: list[str]) -> list[Any]:
@@ -166,7 +170,7 @@ def _summary(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     lines = [" ".join([*_in_short(of, F), *_transmitted(of, F, scene)]) for F in forcings]
     lines += _of_shocks(scene)
     if lines:
-        yield f"<ul>{''.join(f'<li>{escape(line)}</li>' for line in lines)}</ul>"
+        yield f"<ul>{''.join(f'<li>{page.inline(line)}</li>' for line in lines)}</ul>"
 
 
 def _frequencies(scene: Scene) -> Sequence[float]:
@@ -253,19 +257,21 @@ def _design(of: Any, scene: Scene) -> Iterator[str]:
     mount = isinstance(of, Physical)
     given = of.scales.sheet if mount else of.given
     if mount:
-        rows = [(name, page.cell(value), SHEET[name], page.words(GIVEN[name])) for name, value in given.items()]
+        rows = [
+            (page.inline(name), page.cell(value), SHEET[name], page.words(GIVEN[name])) for name, value in given.items()
+        ]
         yield page.table("As it was given", ("number", "value", "unit", "what it is"), rows)
     else:
-        numbers = [(escape(name), page.cell(value)) for name, value in given.items()]
+        numbers = [(page.inline(name), page.cell(value)) for name, value in given.items()]
         yield page.table("As it was given", ("number", "value"), numbers)
     for text in scene.warnings:
-        yield f"<p>Note: {escape(text)}</p>"
+        yield f"<p>Note: {page.inline(text)}</p>"
     if mount and _plain(of).load == 0:
         shown = of.at_rest().in_units()
         units = shown.units_of_columns()
         found = {name: column[0] for name, column in shown.columns().items()}
         at_rest = [
-            (escape(name), page.cell(value), escape(units.get(name, "")), page.words(MEANING[name]))
+            (page.inline(name), page.cell(value), escape(units.get(name, "")), page.words(MEANING[name]))
             for name, value in found.items()
             if not np.isnan(value)
         ]
@@ -280,7 +286,7 @@ def _answers(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     yield _table(f"It jumps from this {what} on", _shown(of.saddle_node_onset()))
     yield _table(f"Its springs leave from this {what} on", _shown(of.detachment()))
     for caption, ask in (
-        ("Margins: of_SN and of_cr above 1 are safe", of.margins),
+        ("Margins to jumps and to detachment: above 1 is safe", of.margins),
         ("The highest peak", of.peak),
         ("Less is transmitted from this frequency on than what drives it", of.isolation),
         ("Where a sweep jumps", of.saddle_nodes),
@@ -305,9 +311,12 @@ def _curves(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     force, _ = _letter(of)
     oscillator = _plain(of)
     letter, length = ("x", 1e3 * of.scales.sizes["length"]) if isinstance(of, Physical) else ("u", 1.0)
-    for y, said in (("A", "Amplitude"), ("transmissibility_dB", "Transmissibility in decibels")):
+    # off the centre springs leave on one side first, where the largest displacement passes the stroke
+    largest = "A" if oscillator.load == 0 else f"{letter}_max"
+    what = "Amplitude" if oscillator.load == 0 else "Largest displacement"
+    for y, said in ((largest, what), ("transmissibility_dB", "Transmissibility in decibels")):
         ax = pictures.responses(page.axes(), list(zip(curves, folds, strict=True)), y)
-        if y == "A" and oscillator.load == 0:  # else springs leave on one side first, at |B| + A = u_cr
+        if y == largest:
             pictures.breakpoints(ax, [length * end for end in oscillator.breakpoints], letter)
         pictures.legend(ax, pictures.axis(curves[0], force), place="below")
         yield page.figure(
@@ -360,8 +369,9 @@ def _tolerances(scene: Scene) -> Iterator[str]:
     """What the scene asks of tolerances."""
     asked = [one for one in scene.asked if one.question == "tolerances"]
     if asked:
-        within = ", ".join(f"{name} within {100 * share:g} %" for name, share in asked[0].arguments["within"].items())
-        yield f"<p>{escape(within)}; 95 of 100 lie between low and high.</p>"
+        shares = asked[0].arguments["within"].items()
+        within = ", ".join(f"{page.inline(name)} within {100 * share:g} %" for name, share in shares)
+        yield f"<p>{within}; 95 of 100 lie between low and high.</p>"
     for one in asked:
         found: Any = scene.answer(one)
         yield _table(f"T{str(one)[1:]}", found)
@@ -396,7 +406,9 @@ def _map(of: Any) -> Iterator[str]:
     ax = pictures.design_map(page.axes(), (of_x, columns), (of_y, scale * rows), found)
     ax.plot(subject.nominal[x], scale * subject.nominal[y], "o", color="white", markeredgecolor="black")
     what = EXCITATION[subject.excitation]
-    yield page.figure(ax, f"The {what} from which on it jumps, over {x} and {y}; the circle is the design at hand.")
+    yield page.figure(
+        ax, f"The {what} from which on it jumps, over {NUMBERS[x]} and {NUMBERS[y]}; the circle is the design at hand."
+    )
 
 
 def _trust(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
@@ -431,10 +443,10 @@ def _jumps_by_depths(of: Any, forcings: Sequence[float]) -> Iterator[str]:
     if not rows:
         yield "<p>There is no jump at these amplitudes of the excitation.</p>"
         return
-    of_f = f"{name}/Hz" if isinstance(of, Physical) else name
+    of_f = page.term(name, "Hz" if isinstance(of, Physical) else "")
     letter, measured = _letter(of)
     heads = (
-        head(letter, {letter: measured}),
+        page.term(letter, measured),
         "kind",
         f"{of_f}, averaged",
         "second approximation",
@@ -463,9 +475,9 @@ def _checked(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
                 except ArithmeticError as error:
                     compared = (escape(str(error)), "")
                 rows.append((_told(of, F), f"{at:.4g}", f"{scale * A:.5g}", *compared))
-    of_f, of_A = ("f/Hz", "mm") if isinstance(of, Physical) else ("Omega", "")
-    averaged = f"averaged/{of_A}" if of_A else "averaged"
-    heads = (head(force, {force: unit}), of_f, averaged, "equation of motion", "error of averaging")
+    of_f, of_A = (page.term("f", "Hz"), "mm") if isinstance(of, Physical) else (page.term("Omega"), "")
+    averaged = f"averaged / {of_A}" if of_A else "averaged"
+    heads = (page.term(force, unit), of_f, averaged, "equation of motion", "error of averaging")
     if rows:
         yield page.table("The largest displacement by averaging and by the equation of motion itself", heads, rows)
     else:
@@ -475,7 +487,7 @@ def _checked(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
 def _expected(of: Any, forcings: Sequence[float]) -> Iterator[str]:
     """What measurements say of the error of the highest motion, and of the curve's other points."""
     rows, remarks = [], []
-    force, unit = ("F/N", " N") if isinstance(of, Physical) else ("F_0", "")
+    force, unit = (page.term("F", "N"), " N") if isinstance(of, Physical) else (page.term("F_0"), "")
     for F in forcings:
         found = of.frequency_response(F)
         curve = found.answer if isinstance(found, Quantities) else found
@@ -485,7 +497,7 @@ def _expected(of: Any, forcings: Sequence[float]) -> Iterator[str]:
             shares = ("" if np.isnan(one[top]) else f"{100 * one[top]:.2g} %" for one in (known.typical, known.error))
             rows.append((f"{F:.4g}", f"{known.ratio[top]:.3g}", *shares))
             said = of.scales.worded(known.message) if isinstance(of, Physical) else known.message
-            remarks += [f"<p>At {F:.4g}{unit} elsewhere on the curve: {escape(said)}.</p>"] if said else []
+            remarks += [f"<p>At {F:.4g}{unit} elsewhere on the curve: {page.inline(said)}.</p>"] if said else []
     if rows:
         heads = (force, "friction over force", "half of them within", "95 of 100 within")
         yield page.table("Error of the highest stable amplitude, as measured for such isolators", heads, rows)
@@ -510,7 +522,7 @@ def _depths(of: Any, F: float) -> Iterator[str]:
         try:
             found[depth] = _shown(ask())
         except (ValueError, ArithmeticError) as error:
-            missing.append(f"<p>No {depth} here: {escape(str(error), quote=False)}.</p>")
+            missing.append(f"<p>No {depth} here: {page.inline(str(error))}.</p>")
     if len(found) > 1:
         ax = pictures.depths(page.axes(), found)
         force, unit = _letter(of)
@@ -523,7 +535,12 @@ def _depths(of: Any, F: float) -> Iterator[str]:
 def _equations(of: Any) -> Iterator[str]:
     ledger = read_ledger()
     rows = [
-        (row["where"], page.words(row["quantity"]), page.words(row["verdict"]), page.formula(row["published"]))
+        (
+            row["where"],
+            f"{page.WORDS}{page.inline(row['quantity'])}",
+            page.words(row["verdict"]),
+            page.formula(row["mathml"], row["published"]),
+        )
         for row in ledger["rows"]
         if row["kind"] == "formula" and row["where"] in EQUATIONS
     ]
@@ -574,9 +591,12 @@ def _table(
     kept = [name for name in columns[0] if name not in left_out]
     kept.sort(key=lambda name: name not in pictures.AMPLITUDES or answers[0].has_rows)  # what it is asked at first
     before = beside or [_beside(answer, kept) for answer in answers]
-    heads = [head(name, units) for name in (*before[0], *kept)]
+    # what a pulse is has its unit in its name
+    heads = [page.term(*name.split("/", 1)) for name in before[0]] if beside else []
+    heads = heads or [page.term(name, units.get(name, "")) for name in before[0]]
+    heads += [page.term(name, units.get(name, "")) for name in kept]
     told = [
-        (asked, [page.cell(value) for value in row])
+        (asked, [_cell(answers[0], name, value) for name, value in zip(kept, row, strict=True)])
         for found, asked in zip(columns, before, strict=True)
         for row in zip(*(found[name].tolist() for name in kept), strict=True)
     ]
@@ -590,6 +610,13 @@ def _table(
     return page.table(caption, heads, rows) + notes
 
 
+def _cell(answer: Answer, name: str, value: Any) -> str:
+    """A cell of a column; one that names a number has that as it is read."""
+    if name in NAMES:
+        return f"{page.WORDS}{page.term(value)}"
+    return answer.words_of(name, value) or page.cell(value)
+
+
 def _notes(answers: Sequence[Answer], before: Sequence[Mapping[str, Any]], units: Mapping[str, str]) -> str:
     """What answers have to say, and which ones where these are not all."""
     told: dict[str, list[str]] = {}
@@ -599,7 +626,7 @@ def _notes(answers: Sequence[Answer], before: Sequence[Mapping[str, Any]], units
             # some say by themselves at which forcing
             told.setdefault(message, []).append("" if any(f" {name} = " in message for name in asked) else at)
     of = {text: f"At {', '.join(at)}: " if len(at) < len(answers) and all(at) else "" for text, at in told.items()}
-    return "".join(f"<p>{escape(at + text)}.</p>" for text, at in of.items())
+    return "".join(f"<p>{page.inline(at + text)}.</p>" for text, at in of.items())
 
 
 def _beside(answer: Answer, kept: Iterable[str]) -> dict[str, Any]:
