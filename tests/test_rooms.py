@@ -30,8 +30,8 @@ FLOORS = (
     ("gradient",),
     ("answer", "loaded"),
     ("model",),
-    ("validate",),
-    ("mechanism", "sampled", "backend", "page", "pictures", "plausible", "progress", "version"),
+    ("validate", "page"),
+    ("mechanism", "sampled", "backend", "pictures", "plausible", "progress", "version"),
 )
 FLOOR = {room: number for number, rooms in enumerate(reversed(FLOORS)) for room in rooms}
 FILES = sorted((SOURCE / "slowflow").rglob("*.py"))
