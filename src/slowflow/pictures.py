@@ -101,6 +101,8 @@ WIDEST = 2.0
 AMPLITUDES = ("F_0", "F", "Y", "U")
 #: what is a displacement over frequency
 HEIGHTS = ("A", "u_max", "x_max")
+#: how far signs along a curve are from each other, over the diagonal of the axes
+APART = 0.03
 #: points of a motion over time
 HISTORY = 2000
 #: a fold locus is shown up to this many times its least forcing
@@ -294,7 +296,7 @@ def motions(ax: Any, found: Any) -> Any:
     x = getattr(found, over)
     curve(ax, x, found.A, found.stable, colour=colour)
     stops = found.stops > 0
-    ax.plot(x[stops], found.A[stops], linestyle="none", marker=STOPS, color=colour, markersize=6, markevery=3)
+    ax.plot(x[stops], found.A[stops], linestyle="none", marker=STOPS, color=colour, markersize=6, markevery=APART)
     for fold in found.folds:
         one = np.array([getattr(fold, over)]), np.array([fold.A]), np.array([fold.kind])
         jumps(ax, *one, colour=colour)

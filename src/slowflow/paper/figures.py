@@ -192,7 +192,14 @@ def band(ax: Any, found: Any, colour: Any) -> None:
     """A curve of the equation of motion as a broad band, so that another on top of it shows; bars where it stops."""
     pictures.curve(ax, found.Omega, found.A, found.stable, colour=colour, width=5.0, alpha=0.3)
     stops = found.stops > 0
-    ax.plot(found.Omega[stops], found.A[stops], linestyle="none", marker=pictures.STOPS, color=colour, markevery=3)
+    ax.plot(
+        found.Omega[stops],
+        found.A[stops],
+        linestyle="none",
+        marker=pictures.STOPS,
+        color=colour,
+        markevery=pictures.APART,
+    )
 
 
 def isolator(**changes: Any) -> Isolator:
