@@ -13,7 +13,9 @@ from slowflow import Duffing, Isolator, backend
 from slowflow.averaged import proofs
 from slowflow.averaged.asked import PROVED_FOLDS, PROVED_STATES
 from slowflow.certificate import DOUBLES
+from slowflow.oscillator import Oscillator
 from slowflow.results import Remark
+from slowflow_kernels import duffing
 from slowflow_kernels.conventions import Status
 from tests.oracles import averaged, counts
 from tests.oracles.draws import batch, drawn_isolators, drawn_springs, forcings, oscillator
@@ -348,7 +350,7 @@ def test_balls_hold_the_onset_on_a_jump_below_the_range_of_doubles():
 @pytest.mark.both_backends
 @pytest.mark.parametrize("zeta", [1e-6, 1e-7, 1.3e-8, 1e-10])
 def test_folds_that_end_at_rest_are_there_whatever_was_asked_before(zeta):
-    """Where a softening spring's h is 0 beside the centre: its rounding hid them, and F_0 < F_SN was said to have none."""
+    """Where a softening spring's h is 0 beside the centre: rounding hid them, and below F_SN none were said to be."""
     numbers = {"alpha": 678.8564034128265, "beta": -0.0005845965970001937, "mu": 0.0, "zeta": zeta}
     fresh, asked = Duffing(**numbers), Duffing(**numbers)
     onset, many = asked.saddle_node_onset(), Duffing.many(**numbers).saddle_node_onset()
@@ -357,3 +359,11 @@ def test_folds_that_end_at_rest_are_there_whatever_was_asked_before(zeta):
     # the static equilibria: alpha A + 3/4 beta A^3 = F_0 next to h = 0, two of them, meet in one fold
     assert len(fresh.saddle_nodes(F_0)) == len(asked.saddle_nodes(F_0)) == 1
     assert fresh.saddle_nodes(F_0).A == pytest.approx(math.sqrt(-numbers["alpha"] / (0.75 * numbers["beta"])), rel=1e-6)
+
+
+def test_folds_that_end_at_rest_are_there_under_quadratic_damping_alone_too():
+    numbers = {"alpha": 2.1, "beta": -0.7, "zeta": 0.0, "mu": 0.0, "c_2": 0.1}
+    fresh, asked = (Oscillator(duffing.MECHANISM, **numbers) for _ in range(2))
+    onset = asked.saddle_node_onset()
+    assert Remark.FOLDS_AT_REST in onset.remarks and "from F_0 = 0 on" in onset.message
+    assert len(fresh.saddle_nodes(0.2 * onset.F_SN)) == len(asked.saddle_nodes(0.2 * onset.F_SN)) == 1

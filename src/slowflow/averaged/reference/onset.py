@@ -267,7 +267,12 @@ def _consider_boxes(model: Model, pieces: list[Stretch], best: _Best) -> None:
     if not model.inertial:  # at Omega = 0 the level is infinite
         ends = points_of(model, "stiffness", pieces)
         best.undecided |= ends.undecided
-        best.consider_ends(model, ends.A, model.level(0.0, ends.A))
+        h, h_A = (np.asarray(value) for value in model.averaged(ends.A)[:2])
+        balanced = np.abs(h) < np.abs(
+            ends.A * h_A
+        )  # of the two that end the locus h vanishes, and so R: I is what is left
+        best.consider_ends(model, ends.A[~balanced], model.level(0.0, ends.A[~balanced]))
+        best.rest = float(np.min(model.at_rest(ends.A[balanced])[0], initial=best.rest))
     for system, kind in ((dissipated.isolas_of(model), "isola"), ("cusps", "cusp")):
         points = points_of(model, system, pieces, most=best.F_SN)
         best.undecided |= points.undecided
