@@ -115,7 +115,7 @@ def jobs() -> list[Job]:
         Job(
             "the same of the linear oscillator through ten stops, Omega from 0.07 to 0.5",
             *(75.0, 3),
-            lambda i: exact_response(stops, 1.0, (0.07, 0.5), integrator=i),
+            lambda i: exact_response(stops, 1.0, Omega=(0.07, 0.5), integrator=i),
         ),
         Job(
             "200 turns of the forcing with every switch",
@@ -136,7 +136,7 @@ def by_stops(repeats: int) -> list[dict[str, float]]:
     Each is asked at the middle of the frequencies that have so many, from the motion beside it.
     """
     system = EquationOfMotion(linear(), 0.2, 0.0)
-    curve = exact_response(system, 1.0, (0.03, 0.5))
+    curve = exact_response(system, 1.0, Omega=(0.03, 0.5))
     out = []
     for count in np.unique(curve.stops):
         places = np.flatnonzero(curve.stops == count)

@@ -57,7 +57,7 @@ def closed_form(Omega: Any, ratio: float) -> Any:
 def exact_linear(ratio: float, side: tuple[float, float]) -> Response:
     """The exact curve, F_0 = 1. At Omega = 1/2 the motion is neutral and not reached from rest: begin in the middle."""
     system = EquationOfMotion(linear(), ratio, 0.0)
-    return exact_response(system, 1.0, side, start=steady_state(system, sum(side) / 2, 1.0), step=STEP)
+    return exact_response(system, 1.0, Omega=side, start=steady_state(system, sum(side) / 2, 1.0), step=STEP)
 
 
 def course(A: Any) -> list[str]:

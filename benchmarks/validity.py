@@ -297,7 +297,7 @@ def detachment(averaged: Isolator, F_cr: float) -> dict[str, Any]:
 
         def peak(F_0: float, system: EquationOfMotion = system) -> SteadyState:
             window = (0.5 * math.sqrt(averaged.alpha), 1.25 * Omega)
-            return exact_response(system, F_0, window, step=STEP).peak
+            return exact_response(system, F_0, Omega=window, step=STEP).peak
 
         exact = zero_near(lambda F_0, peak=peak: peak(F_0).A / averaged.u_cr - 1, F_cr)
         out[force] = None if exact is None else F_cr / exact - 1

@@ -43,7 +43,7 @@ def curve(averaged, F_0, window, Omega, A=None):
     """A short piece of the exact curve, through that motion."""
     start = state(averaged, Omega, F_0, A)
     system = averaged.equation_of_motion("untruncated")
-    return exact_response(system, F_0, window, start=start, step=claims.STEP, integrator=SCIPY)
+    return exact_response(system, F_0, Omega=window, start=start, step=claims.STEP, integrator=SCIPY)
 
 
 # ---- the numbers --------------------------------------------------------------------------------------------------
@@ -111,7 +111,7 @@ def test_exact_jumps_where_averaging_has_none():
     averaged, F_0 = isolator(row), row["F_0"]
     assert len(averaged.saddle_nodes(F_0)) == 0
     system, window = averaged.equation_of_motion("untruncated"), (0.995 * low, 1.005 * high)
-    close(exact_response(system, F_0, window, step=claims.STEP, integrator=SCIPY).folds, row["exact"]["folds"])
+    close(exact_response(system, F_0, Omega=window, step=claims.STEP, integrator=SCIPY).folds, row["exact"]["folds"])
 
 
 @pytest.mark.parametrize("forcing", ["F_SN", "0.025", "F_cr", "0.040", "0.050"])

@@ -117,7 +117,7 @@ def test_a_curve_asks_nothing_of_scipy(pieces, monkeypatch):
     with monkeypatch.context() as patched:
         for asked in ("advance", "until", "sample"):
             patched.setattr(ScipyIntegrator, asked, None)
-        curve = exact_response(system, 0.02, (0.2, 1.2))
+        curve = exact_response(system, 0.02, Omega=(0.2, 1.2))
     assert len(curve.folds) == 2 and not curve.stable.all()
     state = curve.steady_state(len(curve) // 2)
     assert state.residual <= 1e-14

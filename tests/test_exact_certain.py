@@ -29,7 +29,7 @@ def test_a_motion_has_the_amplitude_of_forty_digits(case):
 @pytest.mark.parametrize("case", [case for case in CASES if case["fold"]], ids=str)
 def test_a_fold_has_the_frequency_of_forty_digits(case):
     """A fold's A is a maximum's place: it is known to the root of what Omega is known to, times its own steepness."""
-    curve = exact_response(system_of(case), case["F_0"], (0.5, 1.5))
+    curve = exact_response(system_of(case), case["F_0"], Omega=(0.5, 1.5))
     fold = min(curve.folds, key=lambda fold: abs(fold.Omega - float(case["Omega"])))
     assert abs(fold.Omega - float(case["Omega"])) <= 1e-14
     assert abs(fold.A - float(case["A"])) <= 1e-10

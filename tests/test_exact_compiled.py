@@ -212,10 +212,10 @@ def test_a_curve_traced_in_c_has_the_points_of_the_one_followed_in_python(monkey
     """Folds, borders and a closed curve among them; the same steps, so the same points to what Newton leaves."""
     cases = [(case.system, case.F_0, (0.3, 1.8), None) for case in random_cases(6, seed=11)]
     for system, F_0, window, start in [*cases, isola()]:
-        traced = exact_response(system, F_0, window, start=start)
+        traced = exact_response(system, F_0, Omega=window, start=start)
         with monkeypatch.context() as patched:
             patched.setattr(_Path, "_traced", lambda self, point, first, size, travelled: ([], size, travelled))
-            followed = exact_response(system, F_0, window, start=start)
+            followed = exact_response(system, F_0, Omega=window, start=start)
         assert traced.closed == followed.closed == (start is not None)
         assert len(traced.folds) == len(followed.folds) and len(traced.borders) == len(followed.borders)
         assert np.array_equal(traced.stops, followed.stops) and np.array_equal(traced.stable, followed.stable)

@@ -173,7 +173,7 @@ def test_the_balance_is_met_on_the_curve(force, changes):
     iso = isolator(force=force, **changes)
     second, F_0 = iso.second_approximation, 1.3 * iso.detachment().F_cr
     shown = (0.8 * iso.backbone(0.1 * iso.u_cr), 1.2 * iso.backbone(1.4 * iso.u_cr))
-    first = iso.curve(F_0, 1000, shown)
+    first = iso.curve(F_0, samples=1000, Omega=shown)
     balance = Balance(iso.model)
     curve = follow(balance, first)
     _, _, _, _, F, *_ = balance.response(curve.Omega, curve.A, F_0)
@@ -425,7 +425,7 @@ def test_compiled_and_numpy_find_the_same_curves_folds_states_and_peaks():
     seen = 0
     for oscillator, F_0 in random_oscillators():
         balance = Balance(oscillator.model)
-        first = oscillator.curve(F_0, 600, (0.5, 2.0))
+        first = oscillator.curve(F_0, samples=600, Omega=(0.5, 2.0))
         one, other = compiled.follow(balance, first), reference.follow(balance, first)
         assert abs(one.A.size - other.A.size) <= 0.01 * first.A.size
         met = balance.response(one.Omega, one.A, F_0)
@@ -450,7 +450,7 @@ def test_points_far_from_folds_and_peak_are_not_needed_for_them():
     seen = 0
     for oscillator, F_0 in random_oscillators(30):
         balance = Balance(oscillator.model)
-        first = oscillator.curve(F_0, 600, (0.4, 2.5))
+        first = oscillator.curve(F_0, samples=600, Omega=(0.4, 2.5))
         whole = compiled.follow(balance, first)
         beside_folds, beside_top = (
             compiled.follow(balance, first, one) for one in (Wanted.FOLDS_ONLY, Wanted.TOP_ONLY)

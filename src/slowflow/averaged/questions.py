@@ -100,9 +100,9 @@ class Averaged:
         samples < 2 or > 10^6, or a window that is not 0 <= low < high <= 1e40. F_0 <= 4 mu/pi gives no point and a
         message.
         """
-        return self._remarked(self.curve(F_0, samples, Omega), F_0)
+        return self._remarked(self.curve(F_0, samples=samples, Omega=Omega), F_0)
 
-    def curve(self, F_0: float, samples: int, Omega: tuple[float, float]) -> FrequencyResponse:
+    def curve(self, F_0: float, *, samples: int, Omega: tuple[float, float]) -> FrequencyResponse:
         """`frequency_response` without the remarks on averaging: what another approximation starts from."""
         F_0 = validate.number("F_0", F_0, above=0.0)
         samples, shown = validate.curve(samples, Omega)

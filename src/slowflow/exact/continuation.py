@@ -170,8 +170,8 @@ class _Point(NamedTuple):
 def exact_response(
     system: EquationOfMotion,
     F_0: float,
-    Omega_range: tuple[float, float] = (0.5, 1.5),
     *,
+    Omega: tuple[float, float] = (0.5, 1.5),
     start: SteadyState | None = None,
     step: float = STEP,
     integrator: Integrator | None = None,
@@ -184,9 +184,9 @@ def exact_response(
 
     Raises ValueError for parameters out of range, ArithmeticError where the curve cannot be followed.
     """
-    low, high = (float(end) for end in Omega_range)
+    low, high = (float(end) for end in Omega)
     if not (0 < low < high < math.inf):
-        raise ValueError(f"Omega_range = {Omega_range} must rise and be positive")
+        raise ValueError(f"Omega = {Omega} must rise and be positive")
     if not 0 < step <= 0.5:
         raise ValueError(f"step = {step} must lie in (0, 0.5]")
     check_forcing(system, low, F_0)
@@ -194,7 +194,7 @@ def exact_response(
     if start is None:
         start = steady_state(system, low, F_0, integrator=integrator)
     if not low <= start.Omega <= high:
-        raise ValueError(f"start.Omega = {start.Omega} lies outside Omega_range = {Omega_range}")
+        raise ValueError(f"start.Omega = {start.Omega} lies outside Omega = {Omega}")
     path = _Path(F_0, low, high, step, _least(start.cycle, start.A))
     first = path.begin(start, 1.0)
     forward = list(path.follow(first))

@@ -127,7 +127,7 @@ def exact_response(
         raise ValueError(
             f"start = {start!r} is not allowed: start must be a steady state at F_0 = {F_0:g}, Omega in {Omega}"
         )
-    found = continuation.exact_response(system, F_0, (low, high), start=start, step=step)
+    found = continuation.exact_response(system, F_0, Omega=(low, high), start=start, step=step)
     return dataclasses.replace(found, message=joined(rests, _others(averaged, found, (low, high))))
 
 
@@ -156,7 +156,7 @@ def _averaged(averaged: Any, F_0: float, window: tuple[float, float]) -> tuple[A
     if isinstance(averaged.model, Loaded):
         curve = averaged.frequency_response(F_0, samples=100, Omega=window)
         return curve, curve.A + np.abs(curve.B)
-    curve = averaged.curve(F_0, 100, window)
+    curve = averaged.curve(F_0, samples=100, Omega=window)
     return curve, curve.A
 
 

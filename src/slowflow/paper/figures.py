@@ -90,7 +90,7 @@ def figure_2a(ax: Any, ratios: tuple[float, ...] = RATIOS_2A) -> None:
         averaged = Duffing(1.0, 0.0, mu=ratio, zeta=0.0)
         for window in ((0.3, 0.96), (1.04, 2.0)):
             name = f"{ratio:g}" if window[0] < 1 else None
-            band(ax, exact_response(system, 1.0, window), colour)
+            band(ax, exact_response(system, 1.0, Omega=window), colour)
             curve = averaged.frequency_response(1.0, Omega=window)
             pictures.curve(ax, curve.Omega, curve.A, curve.stable, curve.branch, colour=colour, name=name)
             Omega = np.linspace(*window, 25)

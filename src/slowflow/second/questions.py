@@ -130,7 +130,7 @@ class SecondApproximation:
         self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
     ) -> SecondResponse:
         """The response curve, as the first approximation's points move to it, with its peak among them."""
-        first = self.first.curve(F_0, samples, Omega)
+        first = self.first.curve(F_0, samples=samples, Omega=Omega)
         curve = self._solvers.follow(self._balance, first)
         Omega_, u_max, A_1, phi, stable, branch = self._with_peak(curve, first.F_0, samples)
         message = self._remarked(curve.message, Omega_, u_max)
@@ -263,7 +263,7 @@ class SecondApproximation:
     def _around(self, F_0: float, Omega: Floats, wanted: Wanted) -> Curve:
         """The curve that holds some frequencies and what may lie beside them."""
         shown = (float(Omega.min()) / BEYOND, float(Omega.max()) * BEYOND)
-        curve: Curve = self._solvers.follow(self._balance, self.first.curve(F_0, SAMPLES, shown), wanted)
+        curve: Curve = self._solvers.follow(self._balance, self.first.curve(F_0, samples=SAMPLES, Omega=shown), wanted)
         return curve
 
     @cached_property
