@@ -24,6 +24,7 @@ FORCES = {
     "saturating": ([(c * u + sp.tanh(k * u), None)], "ck"),
     "exponential": ([(k * (sp.exp(c * u) - 1), None)], "kc"),
     "oblique": ([(u + 2 * k * u * (1 - c / sp.sqrt(c**2 + u**2)), None)], "kc"),
+    "magnets": ([(u + k * (1 / (c - u) ** 2 - 1 / (c + u) ** 2), None)], "kc"),
     "power": ([(u + k * u**p, None)], "kp"),
     "root": ([(u + k * u**p, None)], "kp"),
     "preload": ([(c + k * (sp.exp(u) - 1), None)], "ck"),
@@ -39,8 +40,12 @@ FORCES = {
 }
 #: an exponential leaves the doubles before it is known to hold every motion
 REACH = {name: {"reach": 8.0} for name in ("exponential", "preload", "hard_stop")}
+#: magnets are 4 to 5 apart
+REACH["magnets"] = {"reach": 3.9}
 #: the force jumps at the centre
 PRELOADED = ("preload", "preload_power", "preloaded_stop")
+#: smooth behind a gap
+STOPS = {"soft_stop": 10, "hard_stop": 7, "root_stop": 13}
 #: solved on NumPy and compiled by the fast tests
 FAST = {False: "root"}
 
@@ -63,7 +68,9 @@ def derived():
 
 def test_there_are_cases_of_each_force_with_folds_on_both_sides_of_an_edge():
     each = {name: sum(case["force"] == name for case in CASES) for name in FORCES}
-    assert each == {**dict.fromkeys(FORCES, 3), "contact": 30, **dict.fromkeys(PRELOADED, 10)}
+    assert each == {**dict.fromkeys(FORCES, 3), "magnets": 12, "contact": 30, **dict.fromkeys(PRELOADED, 10), **STOPS}
+    # behind a gap, and on one piece
+    assert sum(STOPS.values()) == sum(each[name] for name in set(FORCES) - {"contact", *PRELOADED, *STOPS}) == 30
     assert sum(len(case["folds"]) for case in CASES) > 40
     assert sum(case["onset"] is not None for case in CASES) >= 15
 

@@ -61,7 +61,10 @@ from tests.oracles.make_random_isolators import SEED, conditions, given, log_uni
 OUT = Path(__file__).parents[1] / "data" / "stated.json"
 #: of each force
 EACH = 3
-MORE = {"contact": 30, "preload": 10, "preload_power": 10, "preloaded_stop": 10}
+MORE = {
+    **{"contact": 30, "preload": 10, "preload_power": 10, "preloaded_stop": 10},
+    **{"magnets": 12, "soft_stop": 10, "hard_stop": 7, "root_stop": 13},
+}
 #: above 4 mu/pi: up to there onsets are looked for
 HIGHEST = 0.15
 #: bits and length of the series that zeros are isolated on; ellipses, and what their sum's error is below, in bits
@@ -111,6 +114,11 @@ FORCES: dict[str, Force] = {
         (lambda u, n: u + 2 * n("k") * u * (1 - n("c") / root(n("c") * n("c") + u * u)),),
         _uniform(k=(0.4, 2.0), c=(0.3, 1.0)),
         lambda n: arb(1),
+    ),
+    "magnets": Force(
+        (lambda u, n: u + n("k") * (1 / ((n("c") - u) * (n("c") - u)) - 1 / ((n("c") + u) * (n("c") + u))),),
+        _uniform(k=(5.0, 30.0), c=(4.0, 5.0)),
+        lambda n: 1 + 4 * n("k") / n("c") ** 3,
     ),
     "power": Force((lambda u, n: u,), _uniform(k=(0.3, 1.5), p=(1.3, 2.8)), lambda n: arb(1), power=("k", "p")),
     "root": Force(
