@@ -167,6 +167,15 @@ def test_no_state_is_missed_or_made_up(oscillator, name):
             np.testing.assert_allclose(found.A[found.Omega == Omega], expected, rtol=2e-3)
 
 
+@pytest.mark.parametrize("power", [sp.Rational(1, 2), sp.Rational(4, 5)])
+def test_under_a_power_below_1_folds_come_down_to_rest(power):
+    """Without friction: at any forcing, however low, there are some."""
+    one = derive.mechanism("stiff_at_rest", [(u + k * u**power, None)], {"k": ABOVE_0})(k=1.0, zeta=0.03)
+    found = one.saddle_node_onset()
+    assert found.F_SN is None and "the stiffness is infinite at u = 0" in found.message
+    assert [len(one.saddle_nodes(F_0)) for F_0 in (1e-2, 1e-4, 1e-6)] == [2, 2, 2]
+
+
 def test_quotients_that_cancel_at_rest_keep_their_digits():
     """Two magnets, as one would type them; and a quotient that is not odd, whose |u| is u."""
     pieces = {

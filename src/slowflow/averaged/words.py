@@ -29,6 +29,10 @@ AT_JUMP = ", unless it lies within rounding of A = {:g}, where the force jumps"
 NO_CUSP = "no cusp of the fold locus with an amplitude up to {:g}"
 NO_ISOLA = "no isola is born or merges with an amplitude up to {:g}"
 NO_LOWEST = "no lowest forcing: without viscous damping there are folds as near above 4 mu/pi = {:g} as one asks"
+STIFF_AT_REST = (
+    "no lowest forcing: at ever smaller amplitudes there are folds as near above 4 mu/pi = {:g} as one asks, since the "
+    "stiffness is infinite at u = 0"
+)
 NO_ONSET = "no saddle node"
 AT_REST = "below it there are folds that end at Omega = 0, from F_0 = {:g} on"
 OF_PRELOAD = "below it there are folds down to 4 mu/pi = {:g}, at which motions end beside a mass that a preload holds"

@@ -42,6 +42,8 @@ from slowflow_kernels.conventions import COINCIDE, ENDLESS, FAR_OUT, FIRST_F_0, 
 OF_ROUNDING = 2.0**-48
 #: to either side of a frequency at which folds on a breakpoint may begin
 NEAR = 2.0**-30
+#: amplitudes, falling, at which it is asked what comes next to rest
+NEXT_TO_REST = (2.0**-20, 2.0**-60)
 #: amplitudes that stand for endless ones
 BEYOND = np.array([FAR_OUT, ENDLESS])
 
@@ -87,6 +89,9 @@ def onset(model: Model) -> SaddleNodeOnset:
     with np.errstate(all="ignore"):
         if model.zeta == 0 and not model.laws.any:
             return _onset_without_viscous_damping(model)
+        if _folds_come_down_to_rest(model):
+            message = words.OPEN if model.inertial else words.STIFF_AT_REST.format(model.m)
+            return SaddleNodeOnset(None, None, None, "", message, _status=Status.UNBOUNDED)
         best = _lowest(model)
     if _hardly_jumps(model) or (best.undecided and _is_beside_breakpoint(model, best)):
         raise ArithmeticError(words.unresolved_onset(model))
@@ -97,6 +102,20 @@ def onset(model: Model) -> SaddleNodeOnset:
     else:
         found = SaddleNodeOnset(best.F_SN, best.Omega, best.A, best.kind, "")
     return words.with_folds_at_rest(model, found, best.rest)
+
+
+def _folds_come_down_to_rest(model: Model) -> bool:
+    """Whether there are folds at ever smaller amplitudes, as under a power of u below 1, infinitely stiff at u = 0.
+
+    R R_A is least, -k^2/(4 A), between the Omega at which R and R_A vanish. Where that outweighs I I_A ever more there
+    is a fold at each A, with |R| < |k|, which tends to 0: the level tends to that of friction.
+    """
+    if model.laws.any or model.preload > 0 or not np.isinf(samples_at(model, 0.0).h_A[0]):
+        return False
+    at = samples_at(model, np.array(NEXT_TO_REST))
+    damping = 2 * model.zeta * np.sqrt(np.maximum(np.abs(at.h) / at.A, np.abs(at.h_A)))
+    share = at.k**2 / (4 * at.A) / (damping * (model.m + damping * at.A))
+    return bool((share > 1).all() and (np.diff(share) > share[:-1]).all())
 
 
 def _hardly_jumps(model: Model) -> bool:
