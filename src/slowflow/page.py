@@ -39,7 +39,7 @@ table { border-collapse: collapse; overflow-wrap: normal; }
 .wide { overflow-x: auto; margin: 1rem 0; }
 th, td { border-bottom: 1px solid var(--line); padding: .25rem .6rem; text-align: right; white-space: nowrap; }
 th { background: var(--head); white-space: normal; } td:first-child, th:first-child, .words { text-align: left; }
-.words { white-space: normal; min-width: 9rem; } math { display: block; margin: .2rem 0; }
+.words { white-space: normal; min-width: 9rem; } math { display: block; math-style: normal; margin: .5rem 0; }
 caption, .caption { font-weight: 600; }
 caption { text-align: left; padding: .5rem 0; width: max-content; max-width: 90vw; }
 figure { margin: 1rem 0; } figure svg { background: #ffffff; height: auto; width: 100%; max-width: 42rem; }
