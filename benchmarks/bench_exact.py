@@ -88,7 +88,7 @@ def jobs() -> list[Job]:
     """On Table 1 with F_0 = 0.04, untruncated force, but for the linear oscillator with many stops."""
     system = table_1(True)
     free, stops = EquationOfMotion(system.force, 0.0, system.zeta), EquationOfMotion(linear(), 0.2, 0.0)
-    near = steady_state(system, 0.901, 0.04, steady_state(system, 0.9, 0.04))
+    near = steady_state(system, steady_state(system, Omega=0.9, F_0=0.04), Omega=0.901, F_0=0.04)
     piece, drive = system.force.pieces[0], Drive(0.9, 0.04, 0.02, -0.012)
     frequencies = np.concatenate((np.linspace(0.5, 1.5, 300), np.linspace(1.5, 0.5, 300)))
     return [
@@ -100,7 +100,7 @@ def jobs() -> list[Job]:
         Job(
             "one periodic motion with multipliers from the neighbouring one",
             *(0.1, 51),
-            lambda i: steady_state(system, 0.9, 0.04, near, integrator=i),
+            lambda i: steady_state(system, near, Omega=0.9, F_0=0.04, integrator=i),
         ),
         Job(
             "curve of 300 points, stability, stops, folds",
@@ -125,7 +125,7 @@ def jobs() -> list[Job]:
         Job(
             "sweep up and down, 600 frequencies",
             *(200.0, 1),
-            lambda i: sweep(system, 0.04, frequencies, integrator=i),
+            lambda i: sweep(system, Omega=frequencies, F_0=0.04, integrator=i),
         ),
     ]
 
@@ -189,15 +189,15 @@ def one_frequency(exact: bool) -> list[Row]:
     out, residuals = [], []
     times, cold = [], []
     for Omega in (0.6, 0.8, 0.9, 0.95, 1.2):
-        state = steady_state(system, Omega, 0.04)
-        near = steady_state(system, 1.001 * Omega, 0.04, state)
-        times.append(best(lambda near=near, Omega=Omega: steady_state(system, Omega, 0.04, near)))
+        state = steady_state(system, Omega=Omega, F_0=0.04)
+        near = steady_state(system, state, Omega=1.001 * Omega, F_0=0.04)
+        times.append(best(lambda near=near, Omega=Omega: steady_state(system, near, Omega=Omega, F_0=0.04)))
         guess = (1.05 * state.A, 0.05 - float(state.unknowns[1]))
-        cold.append(best(lambda guess=guess, Omega=Omega: steady_state(system, Omega, 0.04, guess)))
+        cold.append(best(lambda guess=guess, Omega=Omega: steady_state(system, guess, Omega=Omega, F_0=0.04)))
         residuals.append(state.residual)
-    top = steady_state(system, 0.98, 0.04, (0.6, -1.3))
-    near = steady_state(system, 0.981, 0.04, top)
-    times.append(best(lambda: steady_state(system, 0.98, 0.04, near)))
+    top = steady_state(system, (0.6, -1.3), Omega=0.98, F_0=0.04)
+    near = steady_state(system, top, Omega=0.981, F_0=0.04)
+    times.append(best(lambda: steady_state(system, near, Omega=0.98, F_0=0.04)))
     residuals.append(top.residual)
     out.append(
         Row(f"{name}: one frequency from the neighbouring steady state, slowest of 6", 1e3 * max(times), "ms", 2)
@@ -303,7 +303,7 @@ def sweeps(exact: bool, curve: Response) -> list[Row]:
     system, name = table_1(exact), NAMES[exact]
     Omega = np.linspace(0.5, 1.5, 300)
     start = time.perf_counter()
-    rising, falling = sweep(system, 0.04, Omega), sweep(system, 0.04, Omega[::-1])
+    rising, falling = sweep(system, Omega=Omega, F_0=0.04), sweep(system, Omega=Omega[::-1], F_0=0.04)
     elapsed = time.perf_counter() - start
     up, down = curve.folds
     astray = 0
@@ -326,11 +326,11 @@ def closed_forms() -> list[Row]:
             with np.errstate(invalid="ignore"):
                 A = float(den_hartog.amplitude(Omega, 1.0, ratio))
             if A > 1.0001 * float(den_hartog.bound(Omega, 1.0, S)):
-                continuous = max(continuous, abs(steady_state(system, float(Omega), 1.0).A - A) / max(A, 1.0))
+                continuous = max(continuous, abs(steady_state(system, Omega=float(Omega), F_0=1.0).A - A) / max(A, 1.0))
                 count += 1
     stopping, most = 0.0, 0
     for Omega, mu in ((0.75, 0.85), (0.45, 0.7), (0.21, 0.3), (0.12, 0.2), (0.06, 0.2), (0.06, 0.25)):
-        state = steady_state(EquationOfMotion(linear(), mu, 0.0), Omega, 1.0)
+        state = steady_state(EquationOfMotion(linear(), mu, 0.0), Omega=Omega, F_0=1.0)
         with mp.workdps(40):
             start = mp.mpf(float(state.unknowns[1])) / mp.mpf(Omega)
             u, _, _ = exact_linear.one_turn(
@@ -348,10 +348,10 @@ def turns() -> list[Row]:
     forced = Forced(table_1(False), 0.9, 0.04, default_integrator(table_1(False)))
     out = [Row("200 turns at Omega = 0.9, events", 1e3 * best(lambda: follow(forced, 0.0, 0.0, 0.0, 200 * TURN)), "ms")]
     slow = ScipyIntegrator()
-    state = steady_state(table_1(False), 0.9, 0.04)
-    near = steady_state(table_1(False), 0.901, 0.04, state)
-    other = steady_state(table_1(False), 0.9, 0.04, near, integrator=slow)
-    job = lambda: steady_state(table_1(False), 0.9, 0.04, near, integrator=slow)  # noqa: E731
+    state = steady_state(table_1(False), Omega=0.9, F_0=0.04)
+    near = steady_state(table_1(False), state, Omega=0.901, F_0=0.04)
+    other = steady_state(table_1(False), near, Omega=0.9, F_0=0.04, integrator=slow)
+    job = lambda: steady_state(table_1(False), near, Omega=0.9, F_0=0.04, integrator=slow)  # noqa: E731
     out.append(Row("one frequency by SciPy", 1e3 * best(job, 3), "ms"))
     out.append(Row("amplitude by SciPy less that by the compiled integrator", abs(other.A - state.A), "", 1e-9))
     return out
@@ -362,7 +362,7 @@ def direct() -> list[Row]:
     out = []
     system = table_1(True)
     for Omega in (0.6, 0.85, 0.95, 1.1):
-        exact = steady_state(system, Omega, 0.04)
+        exact = steady_state(system, Omega=Omega, F_0=0.04)
         start = time.perf_counter()
         loose = direct_integration(system, Omega, 0.04)
         elapsed = time.perf_counter() - start

@@ -57,7 +57,7 @@ def closed_form(Omega: Any, ratio: float) -> Any:
 def exact_linear(ratio: float, side: tuple[float, float]) -> Response:
     """The exact curve, F_0 = 1. At Omega = 1/2 the motion is neutral and not reached from rest: begin in the middle."""
     system = EquationOfMotion(linear(), ratio, 0.0)
-    return exact_response(system, 1.0, Omega=side, start=steady_state(system, sum(side) / 2, 1.0), step=STEP)
+    return exact_response(system, 1.0, Omega=side, start=steady_state(system, Omega=sum(side) / 2, F_0=1.0), step=STEP)
 
 
 def course(A: Any) -> list[str]:
@@ -104,7 +104,7 @@ def published_way() -> list[dict[str, float]]:
     for ratio in RATIOS_2A:
         for Omega in PUBLISHED_OMEGA:
             system = EquationOfMotion(linear(), ratio * PUBLISHED_F_0, 0.0)
-            if steady_state(system, Omega, PUBLISHED_F_0).stops:
+            if steady_state(system, Omega=Omega, F_0=PUBLISHED_F_0).stops:
                 continue
             found = direct_integration(system, Omega, PUBLISHED_F_0)
             A = PUBLISHED_F_0 * float(closed_form(Omega, ratio))

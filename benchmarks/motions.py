@@ -102,7 +102,7 @@ def of_amplitude(found: float) -> dict[str, Any]:
 def prepare() -> dict[str, tuple[Callable[[], Any], Callable[[Any], dict[str, Any]]]]:
     """Jobs by name."""
     jobs: dict[str, Callable[[], float]] = {
-        "slowflow, native | Newton": lambda: steady_state(SYSTEM, OMEGA, F_0).A,
+        "slowflow, native | Newton": lambda: steady_state(SYSTEM, Omega=OMEGA, F_0=F_0).A,
         "slowflow, native | 200 turns": followed,
     }
     if importlib.util.find_spec("heyoka"):

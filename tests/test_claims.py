@@ -36,7 +36,7 @@ def nearest(averaged, Omega, F_0, A):
 def state(averaged, Omega, F_0, A=None):
     """The exact motion, untruncated force, beside the averaged state nearest to A; without A from rest."""
     guess = None if A is None else nearest(averaged, Omega, F_0, A)
-    return steady_state(averaged.equation_of_motion("untruncated"), Omega, F_0, guess, integrator=SCIPY)
+    return steady_state(averaged.equation_of_motion("untruncated"), guess, Omega=Omega, F_0=F_0, integrator=SCIPY)
 
 
 def curve(averaged, F_0, window, Omega, A=None):
@@ -68,7 +68,7 @@ def test_the_worst_points_of_figure_2a(ratio, part):
     spot = LINEAR[ratio][part]
     # not released from rest: the motion is neutral at Omega = 1/2
     guess = nearest(Isolator(lam=3, r=2, delta_h=0, mu=ratio, zeta=0), spot["Omega"], 1.0, spot["A"])
-    exact = steady_state(EquationOfMotion(linear(), ratio, 0.0), spot["Omega"], 1.0, guess, integrator=SCIPY)
+    exact = steady_state(EquationOfMotion(linear(), ratio, 0.0), guess, Omega=spot["Omega"], F_0=1.0, integrator=SCIPY)
     assert exact.A == pytest.approx(spot["A"], rel=1e-4)
     assert (exact.stops > 0) == (part == "stopping") or part == "averaged"
     other = (claims.averaged_linear if part == "averaged" else claims.closed_form)(spot["Omega"], ratio)
@@ -80,7 +80,7 @@ def test_the_worst_points_of_figure_2a(ratio, part):
 def test_the_course_of_figure_2a(ratio):
     system = EquationOfMotion(linear(), ratio, 0.0)
     for side, expected in zip(((0.6, 0.7, 0.8, 0.9), (1.1, 1.2, 1.3, 1.45)), ("rises", "falls"), strict=True):
-        A = [steady_state(system, Omega, 1.0, integrator=SCIPY).A for Omega in side]
+        A = [steady_state(system, Omega=Omega, F_0=1.0, integrator=SCIPY).A for Omega in side]
         assert claims.course(A) == claims.course(claims.averaged_linear(np.array(side), ratio)) == [expected]
     assert LINEAR[ratio]["course"]["exact"] == [["rises"], ["falls"]]
 

@@ -65,7 +65,7 @@ def test_a_periodic_motion_and_its_variations_against_thirty_digits(pieces, name
     """From its turning point mpmath comes to the mirror image half a period later, and deviations to ours."""
     F_0, zeta = 0.2, 0.03
     system = EquationOfMotion(Force((pieces(name, A, B),), ()), 0.0, zeta)
-    found = steady_state(system, Omega, F_0)
+    found = steady_state(system, Omega=Omega, F_0=F_0)
     assert found.cycle.integrator is TAYLOR and found.symmetric
     with mp.workdps(30):
         given = mp.mpf(A), mp.mpf(B)
@@ -121,6 +121,6 @@ def test_a_curve_asks_nothing_of_scipy(pieces, monkeypatch):
     assert len(curve.folds) == 2 and not curve.stable.all()
     state = curve.steady_state(len(curve) // 2)
     assert state.residual <= 1e-14
-    other = steady_state(system, state.Omega, 0.02, state, integrator=ScipyIntegrator())
+    other = steady_state(system, state, Omega=state.Omega, F_0=0.02, integrator=ScipyIntegrator())
     assert other.A == pytest.approx(state.A, rel=1e-10)
     assert np.max(np.abs(other.multipliers - state.multipliers)) <= 1e-9

@@ -21,7 +21,9 @@ def system_of(case):
 
 @pytest.mark.parametrize("case", [case for case in CASES if not case["fold"]], ids=str)
 def test_a_motion_has_the_amplitude_of_forty_digits(case):
-    found = steady_state(system_of(case), case["Omega"], case["F_0"], (float(case["A"]), -float(case["theta"])))
+    found = steady_state(
+        system_of(case), (float(case["A"]), -float(case["theta"])), Omega=case["Omega"], F_0=case["F_0"]
+    )
     assert abs(found.A - float(case["A"])) <= 4e-15
     assert found.residual <= 1e-14
 

@@ -149,8 +149,8 @@ def test_200_random_motions_by_heyoka():
     pytest.importorskip("heyoka")
     heyoka = importlib.import_module("tests.oracles.exact_heyoka").HeyokaIntegrator()
     for case in random_cases(200, seed=11):
-        found = steady_state(case.system, case.Omega, case.F_0)
-        other = steady_state(case.system, case.Omega, case.F_0, found, integrator=heyoka)
+        found = steady_state(case.system, Omega=case.Omega, F_0=case.F_0)
+        other = steady_state(case.system, found, Omega=case.Omega, F_0=case.F_0, integrator=heyoka)
         condition = 1.0 / (1.0 - np.max(np.abs(found.multipliers)))
         assert other.cycle.signature == found.cycle.signature, case
         assert abs(other.A - found.A) <= 1e-10 * condition * found.A, case
@@ -161,7 +161,7 @@ def test_200_random_motions_by_heyoka():
 def motion(asked):
     """What is found at one forcing: the signature of the motion, its amplitude and multipliers."""
     system, Omega, F_0 = asked
-    found = steady_state(system, Omega, F_0)
+    found = steady_state(system, Omega=Omega, F_0=F_0)
     return found.cycle.signature, found.A, tuple(found.multipliers)
 
 
@@ -179,9 +179,10 @@ def test_motions_of_every_compiled_mechanism_are_scipys_at_one_thread_and_at_six
     with ThreadPoolExecutor(16) as pool:
         assert list(pool.map(motion, asked)) == alone
     for one, (signature, A, multipliers) in zip(asked, alone, strict=True):
-        start = steady_state(*one)
+        system, Omega, F_0 = one
+        start = steady_state(system, Omega=Omega, F_0=F_0)
         assert start.cycle.integrator is TAYLOR
-        other = steady_state(*one, start, integrator=ScipyIntegrator())
+        other = steady_state(system, start, Omega=Omega, F_0=F_0, integrator=ScipyIntegrator())
         condition = 1.0 / (1.0 - np.max(np.abs(multipliers)))
         assert other.cycle.signature == signature, one
         assert abs(other.A - A) <= 1e-10 * condition * A, one
@@ -200,8 +201,8 @@ def test_motions_of_every_compiled_mechanism_are_scipys_at_one_thread_and_at_six
 def test_motions_under_every_law_of_damping_are_scipys(law, Omega, F_0, stops):
     """With rests and beyond u_cr: amplitude, multipliers, switches."""
     system = ISOLATOR.replace(zeta=0.02, **law).equation_of_motion()
-    found = steady_state(system, Omega, F_0)
-    other = steady_state(system, Omega, F_0, found, integrator=ScipyIntegrator())
+    found = steady_state(system, Omega=Omega, F_0=F_0)
+    other = steady_state(system, found, Omega=Omega, F_0=F_0, integrator=ScipyIntegrator())
     assert found.cycle.integrator is TAYLOR and found.stops == stops
     assert other.cycle.signature == found.cycle.signature and found.residual <= 1e-14
     assert other.A == pytest.approx(found.A, rel=1e-11)
@@ -230,7 +231,7 @@ def test_a_curve_traced_in_c_has_the_points_of_the_one_followed_in_python(monkey
 def isola():
     """A closed curve, which a spring has that softens and then hardens; and a motion on it."""
     spring = EquationOfMotion(Force.of(rod_spring.MECHANISM, (1.0, -1.0, 0.27, 50.0)), 0.0, 0.02)
-    start = steady_state(spring, 0.4, 0.0264, (1.3, -1.27), half_turns=1)
+    start = steady_state(spring, (1.3, -1.27), Omega=0.4, F_0=0.0264, half_turns=1)
     return spring, 0.0264, (0.1, 1.5), start
 
 

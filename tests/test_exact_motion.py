@@ -36,7 +36,7 @@ CASES = random_cases(60, seed=6)  # a seed with up to six stops and subharmonics
 
 @pytest.fixture(scope="module")
 def states():
-    return [steady_state(case.system, case.Omega, case.F_0) for case in CASES]
+    return [steady_state(case.system, Omega=case.Omega, F_0=case.F_0) for case in CASES]
 
 
 def test_random_isolators_cover_what_they_should(states):
@@ -71,7 +71,7 @@ def test_random_isolators_by_scipy(states):
     """SciPy's events, from rest and on their own, find the same steady states to 1e-9, with the same switches."""
     slow = ScipyIntegrator()
     for case, state in zip(CASES, states, strict=True):
-        other = steady_state(case.system, case.Omega, case.F_0, integrator=slow)
+        other = steady_state(case.system, Omega=case.Omega, F_0=case.F_0, integrator=slow)
         assert other.cycle.signature == state.cycle.signature, case
         assert abs(other.A - state.A) <= 1e-9
         assert np.max(np.abs(np.sort(np.abs(other.multipliers)) - np.sort(np.abs(state.multipliers)))) <= 1e-8
@@ -114,7 +114,7 @@ def test_viscous_linear_oscillator_in_closed_form():
     zeta, F_0 = 0.07, 0.03
     system = EquationOfMotion(linear(), 0.0, zeta)
     for Omega in (0.4, 0.97, 1.0, 2.3):
-        state = steady_state(system, Omega, F_0)
+        state = steady_state(system, Omega=Omega, F_0=F_0)
         response = F_0 / (1 - Omega**2 + 2j * zeta * Omega)
         harmonics = state.harmonics(5)
         assert abs(harmonics[1] - response) <= 1e-13
@@ -142,7 +142,7 @@ def test_den_hartog_where_his_solution_holds(ratio):
         bound = float(den_hartog.bound(Omega, 1.0, S))
         if not A > 1.001 * bound:
             continue
-        state = steady_state(system, Omega, 1.0, (A, 0.3))
+        state = steady_state(system, (A, 0.3), Omega=Omega, F_0=1.0)
         assert abs(state.A - A) <= 1e-10
         assert state.stops == 0
         start = state.unknowns[1] / Omega
@@ -165,7 +165,7 @@ def test_den_hartog_sticks_below_the_bound():
         with np.errstate(invalid="ignore"):
             A = float(den_hartog.amplitude(Omega, 1.0, ratio))
         continuous = A > float(den_hartog.bound(Omega, 1.0, S))
-        assert (steady_state(system, Omega, 1.0).stops == 0) == continuous, Omega
+        assert (steady_state(system, Omega=Omega, F_0=1.0).stops == 0) == continuous, Omega
 
 
 @pytest.mark.parametrize(
@@ -173,7 +173,7 @@ def test_den_hartog_sticks_below_the_bound():
 )
 def test_motion_with_stops_in_closed_form(Omega, mu):
     """Linear oscillator with several stops: a turn in closed form (40 digits) from the exact start comes back to it."""
-    state = steady_state(EquationOfMotion(linear(), mu, 0.0), Omega, 1.0)
+    state = steady_state(EquationOfMotion(linear(), mu, 0.0), Omega=Omega, F_0=1.0)
     assert state.stops >= 2
     with mp.workdps(40):
         start = mp.mpf(float(state.unknowns[1])) / mp.mpf(Omega)
@@ -213,7 +213,7 @@ def test_multipliers_against_finite_differences(states):
 
 
 def test_stops_make_a_multiplier_vanish():
-    state = steady_state(EquationOfMotion(linear(), 0.85, 0.0), 0.75, 1.0)
+    state = steady_state(EquationOfMotion(linear(), 0.85, 0.0), Omega=0.75, F_0=1.0)
     assert state.stops == 2
     assert np.min(np.abs(state.multipliers)) <= 1e-12
 
@@ -222,7 +222,7 @@ def test_released_asymmetric_motion():
     """Negative stiffness at the centre: the motion about one side is not half-wave symmetric, and is found."""
     with pytest.warns(UserWarning, match="negative stiffness"):
         system = isolator(2, 2.0, 0.3, 0.0, 0.05, exact=False)[0]
-    state = steady_state(system, 1.3, 0.01, half_turns=2)
+    state = steady_state(system, Omega=1.3, F_0=0.01, half_turns=2)
     assert not state.symmetric
     assert state.half_multipliers is None
     _, u, _ = state.series(100)
@@ -236,9 +236,9 @@ def test_a_slip_that_turns_round_unseen_is_no_motion():
     Duffing(1, -0.3, 0.01, 0.05), F_0 = 0.05, from what averaging guesses at Omega = 0.3; from rest there is one motion.
     """
     system = Duffing(1.0, -0.3, 0.01, 0.05).equation_of_motion()
-    from_rest = steady_state(system, 0.3, 0.05)
+    from_rest = steady_state(system, Omega=0.3, F_0=0.05)
     states = Duffing(1.0, -0.3, 0.01, 0.05).amplitudes(Omega=0.3, F_0=0.05)
-    found = steady_state(system, 0.3, 0.05, (float(states.A[0]), float(states.phi[0])))
+    found = steady_state(system, (float(states.A[0]), float(states.phi[0])), Omega=0.3, F_0=0.05)
     assert found.residual <= 1e-11
     assert found.A == pytest.approx(from_rest.A, rel=1e-9) and found.stops == from_rest.stops == 2
 
@@ -248,23 +248,23 @@ def test_escape_in_words(integrator):
     """A softening spring that pulls outwards beyond |u| = 1.83 lets the mass go: said, not looped over for ever."""
     system = Duffing(1.0, -0.3, 0.01, 0.05).equation_of_motion()
     with pytest.raises(ArithmeticError, match="motion escapes"):
-        steady_state(system, 0.7, 0.6, integrator=integrator)
+        steady_state(system, Omega=0.7, F_0=0.6, integrator=integrator)
     with pytest.raises(ArithmeticError, match="motion escapes"):
-        steady_state(system, 0.7, 0.3, (1.9, -1.0), integrator=integrator)
+        steady_state(system, (1.9, -1.0), Omega=0.7, F_0=0.3, integrator=integrator)
     with pytest.raises(ArithmeticError, match="motion escapes"):
-        sweep(system, 0.6, [0.7], integrator=integrator)
+        sweep(system, Omega=[0.7], F_0=0.6, integrator=integrator)
 
 
 @each_integrator
 def test_a_wall_within_reach(integrator):
     """u_cr = 0.99995: Newton's trials run against the force (5) near |u| = 1, where it has no bound."""
     system = Isolator(lam=3, r=0.1, delta_h=0.99, mu=0.012, zeta=0.02).equation_of_motion("untruncated")
-    state = steady_state(system, 0.5, 0.9, (1.3187, -0.04), integrator=integrator)
+    state = steady_state(system, (1.3187, -0.04), Omega=0.5, F_0=0.9, integrator=integrator)
     assert state.stable and state.residual <= 1e-9
-    again = steady_state(system, 0.5, 0.9, state, integrator=INTEGRATOR)
+    again = steady_state(system, state, Omega=0.5, F_0=0.9, integrator=INTEGRATOR)
     assert again.A == pytest.approx(state.A, rel=1e-9) and again.stops == state.stops
     with pytest.raises(ArithmeticError, match=r"the integration from theta|passes 1e\+06"):
-        steady_state(system, 0.5, 1e9, integrator=integrator)
+        steady_state(system, Omega=0.5, F_0=1e9, integrator=integrator)
 
 
 @each_integrator
@@ -278,14 +278,14 @@ def test_ever_faster_motion_is_given_up(integrator):
 def test_errors_in_words():
     system = table_1(exact=False)
     with pytest.raises(ValueError, match="Omega = -1"):
-        steady_state(system, -1, 0.04)
+        steady_state(system, Omega=-1, F_0=0.04)
     with pytest.raises(ValueError, match="friction holds the mass for ever"):
-        steady_state(system, 0.9, 0.01)
+        steady_state(system, Omega=0.9, F_0=0.01)
     with pytest.raises(ValueError, match=r"mu = -0\.1"):
         EquationOfMotion(linear(), -0.1, 0.1)
     with pytest.raises(ValueError, match="without any damping"):
-        steady_state(EquationOfMotion(linear(), 0.0, 0.0), 0.9, 0.04)
+        steady_state(EquationOfMotion(linear(), 0.0, 0.0), Omega=0.9, F_0=0.04)
     with pytest.raises(ValueError, match="breakpoints"):
         Force(linear().pieces * 2, (-0.3,))
     with pytest.raises(ValueError, match="guess"):
-        steady_state(system, 0.9, 0.04, (-0.1, 0.0))
+        steady_state(system, (-0.1, 0.0), Omega=0.9, F_0=0.04)

@@ -187,9 +187,9 @@ def test_work_is_bounded_and_said_so():
     """Each integration, and each question as a whole, is given up after a stated number of steps."""
     slow = exact.EquationOfMotion(isolator().restoring_force(), 0.012, 0.02)
     with pytest.raises(ArithmeticError, match="given up after 100 integration steps"), integrate.limited(100):
-        exact.steady_state(slow, 0.9, 0.04)
+        exact.steady_state(slow, Omega=0.9, F_0=0.04)
     with pytest.raises(ArithmeticError, match="the integration from theta"):
-        exact.steady_state(slow, 1e-9, 0.04)
+        exact.steady_state(slow, Omega=1e-9, F_0=0.04)
 
 
 @pytest.mark.slow

@@ -166,8 +166,8 @@ def test_sweeps_jump_at_the_folds(curves, exact, F_0):
     """Stepped up, the motion jumps down at the upper fold; stepped down, it jumps up at the lower one."""
     up, down = curves[exact, F_0].folds
     frequencies = np.linspace(0.7, 1.1, 101)
-    rising = sweep(table_1(exact), F_0, frequencies)
-    falling = sweep(table_1(exact), F_0, frequencies[::-1])
+    rising = sweep(table_1(exact), Omega=frequencies, F_0=F_0)
+    falling = sweep(table_1(exact), Omega=frequencies[::-1], F_0=F_0)
     assert rising.settled.all() and falling.settled.all()
     assert len(rising.jumps) == len(falling.jumps) == 1
     assert rising.jumps[0][0] <= down.Omega <= rising.jumps[0][1]
@@ -175,7 +175,7 @@ def test_sweeps_jump_at_the_folds(curves, exact, F_0):
     for found in (rising, falling):
         for Omega, A in list(zip(found.Omega, found.A, strict=True))[::10]:
             curve = curves[exact, F_0]
-            assert abs(steady_state(table_1(exact), Omega, F_0, (A, _phase(curve, Omega, A))).A - A) <= 1e-7
+            assert abs(steady_state(table_1(exact), (A, _phase(curve, Omega, A)), Omega=Omega, F_0=F_0).A - A) <= 1e-7
 
 
 def _phase(curve, Omega, A):
@@ -192,7 +192,7 @@ def test_curve_with_stops_and_loops():
     assert len(curve.borders) >= 4
     for index in range(0, curve.Omega.size, 25):
         state = curve.steady_state(index)
-        again = steady_state(state.cycle.system, state.Omega, 0.04)
+        again = steady_state(state.cycle.system, Omega=state.Omega, F_0=0.04)
         if state.Omega < 0.8:  # one motion only
             assert abs(again.A - state.A) <= 1e-9
             on_border = curve.states[index].role == "border"  # with a rest of no length, or without it
@@ -214,7 +214,7 @@ def test_border_to_sticking_is_den_hartogs():
 def test_start_in_the_middle_goes_both_ways():
     system = table_1(exact=False)
     whole = exact_response(system, 0.04, Omega=(0.7, 1.2))
-    middle = exact_response(system, 0.04, Omega=(0.7, 1.2), start=steady_state(system, 0.8, 0.04))
+    middle = exact_response(system, 0.04, Omega=(0.7, 1.2), start=steady_state(system, Omega=0.8, F_0=0.04))
     assert middle.Omega[0] == pytest.approx(0.7, abs=1e-12) and middle.Omega[-1] == pytest.approx(1.2, abs=1e-12)
     for a, b in zip(whole.folds, middle.folds, strict=True):
         assert abs(a.Omega - b.Omega) <= 1e-11 and abs(a.A - b.A) <= 1e-9 and a.kind == b.kind
@@ -230,10 +230,10 @@ def test_short_curve_by_scipy():
         Omega=(0.75, 0.79),
         step=0.2,
         integrator=slow,
-        start=steady_state(system, 0.75, 0.025, (0.2, -0.5)),
+        start=steady_state(system, (0.2, -0.5), Omega=0.75, F_0=0.025),
     )
     for point in short.states[::3]:
-        state = steady_state(system, float(point.z[-1]), 0.025, (point.A, -float(point.z[1])))
+        state = steady_state(system, (point.A, -float(point.z[1])), Omega=float(point.z[-1]), F_0=0.025)
         assert abs(state.A - point.A) <= 1e-9
 
 
@@ -266,7 +266,7 @@ def test_errors_in_words():
     with pytest.raises(ValueError, match="does not exceed mu"):
         exact_response(system, 0.012)
     with pytest.raises(ValueError, match="Omega must be a non-empty list"):
-        sweep(system, 0.04, [])
+        sweep(system, Omega=[], F_0=0.04)
 
 
 @compiled
@@ -291,7 +291,7 @@ def test_a_trial_beyond_zero_frequency_is_none():
         system = isolator(3, 1.7799765049665899, 0.30647249977631186, 0.005296695821561307, 0.02370128262012328, False)[
             0
         ]
-    start = steady_state(system, 0.3, 0.026979642127992823, (0.02, -0.1))
+    start = steady_state(system, (0.02, -0.1), Omega=0.3, F_0=0.026979642127992823)
     curve = exact_response(system, 0.026979642127992823, Omega=(0.3, 1.5), step=0.05, start=start)
     assert np.isfinite(curve.A).all() and curve.Omega.min() == 0.3
 

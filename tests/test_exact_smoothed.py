@@ -11,7 +11,7 @@ from tests.oracles.exact_cases import table_1
 def test_bias_falls_with_the_smoothing():
     """The amplitude's error is of first order in 1/nu, and the paper's nu leaves less than 2e-3 of it."""
     system = EquationOfMotion(linear(), 0.3, 0.1)
-    exact = steady_state(system, 0.8, 1.0).A
+    exact = steady_state(system, Omega=0.8, F_0=1.0).A
     bias = [
         abs(direct_integration(system, 0.8, 1.0, nu=nu, turns=20, kept=2, rtol=1e-6, atol=1e-9).A / exact - 1)
         for nu in (10, 20, 40)
@@ -23,7 +23,7 @@ def test_bias_falls_with_the_smoothing():
 def test_as_published():
     """nu = 1000 and the solver's default tolerances, untruncated force: fewer turns, the same reading."""
     system = table_1(exact=True)
-    exact = steady_state(system, 0.95, 0.04).A
+    exact = steady_state(system, Omega=0.95, F_0=0.04).A
     found = direct_integration(system, 0.95, 0.04, turns=50, kept=5)
     assert abs(found.A / exact - 1) <= 5e-3
     assert found.A_sampled <= found.A

@@ -150,8 +150,8 @@ def test_exact_motions_are_those_of_another_integrator(derived, name):
     numbers = FORCES[name][1]
     system, plain = (derived(name, how)(**numbers, **DAMPING).equation_of_motion() for how in (True, False))
     for Omega in (0.5, 1.4):
-        found = exact.steady_state(system, Omega, 0.2)
-        other = exact.steady_state(plain, Omega, 0.2, found)
+        found = exact.steady_state(system, Omega=Omega, F_0=0.2)
+        other = exact.steady_state(plain, found, Omega=Omega, F_0=0.2)
         assert found.cycle.integrator.name == "taylor" and other.cycle.integrator.name == "scipy"
         assert found.residual <= 1e-13 and other.cycle.signature == found.cycle.signature
         assert other.A == pytest.approx(found.A, rel=1e-9)
@@ -171,7 +171,7 @@ def test_a_curve_goes_on_where_the_mass_first_touches_a_contact(derived):
     system, scipy = one.equation_of_motion(), exact.integrate.ScipyIntegrator()
     between = np.flatnonzero(~curve.stable)
     for state in map(curve.steady_state, (int(between[1]), int(between[between.size // 2]))):
-        other = exact.steady_state(system, state.Omega, 0.05, state, integrator=scipy)
+        other = exact.steady_state(system, state, Omega=state.Omega, F_0=0.05, integrator=scipy)
         assert other.A == pytest.approx(state.A, rel=1e-10) and max(other.multipliers.real) > 1
         np.testing.assert_allclose(np.sort(other.multipliers), np.sort(state.multipliers), atol=1e-9)
 

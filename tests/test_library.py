@@ -110,16 +110,16 @@ def test_their_exact_motions_are_heyokas_at_one_thread_and_at_sixteen():
     for name, (numbers, _, _) in (CASES | SIDED).items():
         one = derive.library(name)(**{key: float(value) for key, value in numbers.items()}, mu=0.02, zeta=0.03)
         systems[name] = one.equation_of_motion()
-    alone = {name: steady_state(system, 0.6, 0.1) for name, system in systems.items()}
+    alone = {name: steady_state(system, Omega=0.6, F_0=0.1) for name, system in systems.items()}
     with ThreadPoolExecutor(16) as pool:
         for one, found in zip(
-            alone.values(), pool.map(lambda one: steady_state(one, 0.6, 0.1), systems.values()), strict=True
+            alone.values(), pool.map(lambda one: steady_state(one, Omega=0.6, F_0=0.1), systems.values()), strict=True
         ):
             assert found.A == one.A and np.array_equal(found.multipliers, one.multipliers)
-    beyond = {name: steady_state(systems[name], 0.3, F_0) for name, F_0 in BEYOND_THE_BEND.items()}
+    beyond = {name: steady_state(systems[name], Omega=0.3, F_0=F_0) for name, F_0 in BEYOND_THE_BEND.items()}
     assert all(found.A > float((CASES | SIDED)[name][2]) for name, found in beyond.items())
     for name, found in [*alone.items(), *beyond.items()]:
-        other = steady_state(systems[name], found.Omega, found.F_0, found, integrator=heyoka)
+        other = steady_state(systems[name], found, Omega=found.Omega, F_0=found.F_0, integrator=heyoka)
         condition = 1.0 / (1.0 - np.max(np.abs(found.multipliers)))
         assert other.cycle.signature == found.cycle.signature, name
         assert abs(other.A - found.A) <= 1e-10 * condition * found.A, name

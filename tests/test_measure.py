@@ -38,7 +38,7 @@ def test_every_state_is_measured_by_the_motion_that_scipy_finds_too():
         system = iso.equation_of_motion(force)
         assert measured.stable.tolist() == asked.stable.tolist() == [True, False, True]
         for state, entry in zip(asked, measured, strict=True):
-            other = steady_state(system, 0.9, 0.04, (state.A, state.phi), integrator=ScipyIntegrator())
+            other = steady_state(system, (state.A, state.phi), Omega=0.9, F_0=0.04, integrator=ScipyIntegrator())
             assert abs(entry.A - other.A) <= 1e-9 and abs(entry.error - (state.A / other.A - 1.0)) <= 1e-8
     assert asked.measure().A.tolist() == asked.measure("truncated").A.tolist()
 

@@ -253,8 +253,8 @@ def test_compiled_motions_off_the_centre_are_scipys(stop, patched):
         (patched(p=0.1, q=0.3, **DAMPED), 0.8, 0.12),
     ):
         system = oscillator.equation_of_motion()
-        found = exact.steady_state(system, Omega, F_0)
-        other = exact.steady_state(system, Omega, F_0, found, integrator=ScipyIntegrator())
+        found = exact.steady_state(system, Omega=Omega, F_0=F_0)
+        other = exact.steady_state(system, found, Omega=Omega, F_0=F_0, integrator=ScipyIntegrator())
         assert found.cycle.integrator is TAYLOR and found.cycle.signature == other.cycle.signature
         assert other.A == pytest.approx(found.A, rel=1e-10)
         assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-9

@@ -204,11 +204,11 @@ class EquationOfMotion:
         """The largest push against which friction holds a mass at rest there."""
         return 0.0 if self.released and region != 0 else max(self.mu, self.mu_s)
 
-    def forcing(self, Omega: float, F_0: float) -> float:
+    def forcing(self, *, Omega: float, F_0: float) -> float:
         """Amplitude of the force at an amplitude F_0 of the excitation."""
         return float(inertia.force(Omega, F_0)) if self.inertial else F_0
 
-    def forcing_slopes(self, Omega: float, F_0: float) -> tuple[float, float]:
+    def forcing_slopes(self, *, Omega: float, F_0: float) -> tuple[float, float]:
         """Its derivatives by Omega and by F_0."""
         if not self.inertial:
             return 0.0, 1.0

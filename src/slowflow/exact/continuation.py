@@ -192,7 +192,7 @@ def exact_response(
     check_forcing(system, low, F_0)
     integrator = integrator or default_integrator(system)
     if start is None:
-        start = steady_state(system, low, F_0, integrator=integrator)
+        start = steady_state(system, Omega=low, F_0=F_0, integrator=integrator)
     if not low <= start.Omega <= high:
         raise ValueError(f"start.Omega = {start.Omega} lies outside Omega = {Omega}")
     path = _Path(F_0, low, high, step, _least(start.cycle, start.A))

@@ -189,7 +189,7 @@ class Cycle:
         residual[k + 1] = float(np.sum(z[2:-1])) - math.pi * self.half_turns
         jacobian[k + 1, 2:-2] = 1.0
         if system.inertial:
-            slopes = system.forcing_slopes(Omega, F_0)
+            slopes = system.forcing_slopes(Omega=Omega, F_0=F_0)
             for derivatives in (jacobian, of_A, *(border.gradient for border in borders)):
                 _excited(derivatives, *slopes)
         return Equations(residual, jacobian, self.sign * monodromy, A, of_A, tuple(borders))

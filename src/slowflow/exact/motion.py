@@ -64,7 +64,7 @@ class Forced(NamedTuple):
     @property
     def force(self) -> float:
         """Amplitude of the force."""
-        return self.system.forcing(self.Omega, self.F_0)
+        return self.system.forcing(Omega=self.Omega, F_0=self.F_0)
 
     def piece(self, region: int) -> Piece:
         """The piece of the force in that region."""

@@ -65,7 +65,7 @@ def steady_state(
     found += _held(averaged, system, Omega, F_0)
     if found:
         return min(found, key=lambda motion: abs(motion.A - wanted))
-    return shooting.steady_state(system, Omega, F_0, guesses[0])
+    return shooting.steady_state(system, guesses[0], Omega=Omega, F_0=F_0)
 
 
 def _held(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float) -> list[shooting.SteadyState]:
@@ -96,7 +96,7 @@ def _off_centre(
     if not found and states:
         nearest = min(states, key=lambda state: abs(state.A + abs(state.B) - A))
         start = (nearest.A + max(nearest.B, 0.0), nearest.phi)
-        return shooting.steady_state(system, Omega, F_0, start)
+        return shooting.steady_state(system, start, Omega=Omega, F_0=F_0)
     if not found:
         raise ArithmeticError(f"no state at Omega = {Omega:g} leads to a periodic motion of the equation of motion")
     return min(found, key=lambda motion: abs(motion.A - A))
@@ -116,7 +116,7 @@ def exact_response(
     low = validate.number("Omega[0]", low, above=0.0)
     step = validate.number("step", step, above=0.0, most=0.5)
     rests = ""
-    if system.inertial and system.forcing(low, F_0) < EXCEEDS * system.holds(0):
+    if system.inertial and system.forcing(Omega=low, F_0=F_0) < EXCEEDS * system.holds(0):
         alone = float(inertia.moves_from(F_0, system.holds(0)))
         low = min(high, math.sqrt(EXCEEDS) * alone)
         rests = RESTS.format(alone, low)
@@ -164,7 +164,7 @@ def sweep(system: EquationOfMotion, Omega: Any, F_0: float) -> Sweep:
     """See `slowflow.oscillator.Oscillator.sweep`."""
     F_0 = validate.number("F_0", F_0, above=0.0)
     frequencies = validate.positive_array("Omega", Omega)
-    return stepped(system, F_0, frequencies)
+    return stepped(system, Omega=frequencies, F_0=F_0)
 
 
 def transient(
@@ -238,7 +238,7 @@ def shocks(averaged: Any, system: EquationOfMotion, acceleration: Any, duration:
 def _from_rest(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float) -> shooting.SteadyState:
     """What a mass at rest comes to, followed; where that takes too many turns, the only one that averaging knows of."""
     try:
-        return shooting.steady_state(system, Omega, F_0)
+        return shooting.steady_state(system, Omega=Omega, F_0=F_0)
     except shooting.NotSettled:
         states: Any = averaged.states(Omega=Omega, F_0=F_0) if system.centred else _states(averaged, Omega, F_0)
         if states.A.size == 1:

@@ -118,7 +118,7 @@ class SteadyState(Answer):
     @property
     def force(self) -> float:
         """Amplitude of the force on the mass: F_0, or F_0 Omega^2 for an excitation by inertia."""
-        return self.cycle.system.forcing(self.Omega, self.F_0)
+        return self.cycle.system.forcing(Omega=self.Omega, F_0=self.F_0)
 
     @property
     def period(self) -> float:
@@ -267,10 +267,10 @@ class SteadyState(Answer):
 @limited()
 def steady_state(
     system: EquationOfMotion,
-    Omega: float,
-    F_0: float,
     guess: SteadyState | tuple[float, float] | None = None,
     *,
+    Omega: float,
+    F_0: float,
     half_turns: int | None = None,
     integrator: Integrator | None = None,
 ) -> SteadyState:
@@ -353,7 +353,7 @@ def _near(forced: Forced, theta: float, u: float, tries: tuple[int, ...], A: flo
 
 def stays_at_rest(system: EquationOfMotion, Omega: float, F_0: float) -> bool:
     """Whether friction holds a mass at rest for ever, as the forcing does not exceed it."""
-    return system.forcing(Omega, F_0) <= system.holds(0)
+    return system.forcing(Omega=Omega, F_0=F_0) <= system.holds(0)
 
 
 def check_forcing(system: EquationOfMotion, Omega: float, F_0: float, *, from_rest: bool = False) -> None:
@@ -363,7 +363,7 @@ def check_forcing(system: EquationOfMotion, Omega: float, F_0: float, *, from_re
     one that ends at a breakpoint, holds a mass at rest (`from_rest`), beside which there may be motions.
     """
     check_numbers(system, Omega, F_0)
-    force = system.forcing(Omega, F_0)
+    force = system.forcing(Omega=Omega, F_0=F_0)
     told = f"F_0 Omega^2 = {F_0} {Omega}^2" if system.inertial else f"F_0 = {F_0}"
     if force <= system.mu and not system.released:
         raise ValueError(f"{told} does not exceed mu = {system.mu}: friction holds the mass for ever, it never moves")

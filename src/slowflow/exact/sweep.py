@@ -70,9 +70,9 @@ class Sweep(Table):
 
 def sweep(
     system: EquationOfMotion,
-    F_0: float,
-    Omega: Sequence[float] | Array,
     *,
+    Omega: Sequence[float] | Array,
+    F_0: float,
     most_turns: int = 2000,
     integrator: Integrator | None = None,
 ) -> Sweep:
