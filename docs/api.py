@@ -40,6 +40,7 @@ MODULES = (
     "slowflow.loads_many",
     "slowflow.measured.validity",
     "slowflow.averaged.many",
+    "slowflow.averaged.batches",
     "slowflow.averaged.asked",
     "slowflow.grid.designs",
     "slowflow.sizing",

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, answer
-from slowflow.averaged.many import Batch
+from slowflow.averaged.batches import Batch
 from slowflow.oscillator import Oscillator
 from slowflow.paper.example import isolator
 from slowflow.sizing import fit, front, meet, tolerances

@@ -29,7 +29,7 @@ NEEDED = {"stored_map": ("xarray", "dask", "zarr")}
 #: those of examples in the list of signatures, by module
 EXAMPLES_NEED = {
     "slowflow.answer": ("pandas", "xarray"),
-    "slowflow.averaged.many": ("xarray",),
+    "slowflow.averaged.batches": ("xarray",),
     "slowflow.derive": ("sympy", "flint"),
     "slowflow.grid.designs": ("xarray", "dask", "zarr"),
     "slowflow.sizing.tolerances": ("SALib",),

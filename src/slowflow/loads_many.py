@@ -17,7 +17,8 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import loads, validate
-from slowflow.averaged.many import Batch, Codes, Designs, Detachments, Told, first_end
+from slowflow.averaged.batches import Batch, Codes, Detachments, Told, first_end
+from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
 from slowflow.model import THROUGHOUT, held

@@ -13,7 +13,9 @@ import numpy.typing as npt
 from slowflow import validate
 from slowflow.answer import Table, frozen
 from slowflow.averaged import remarks
-from slowflow.averaged.many import Batch, Codes, Designs, share
+from slowflow.averaged.batches import Batch, Codes
+from slowflow.averaged.many import Designs
+from slowflow.averaged.parts import share
 from slowflow.exact.compiled import many_shocks, recurrences
 from slowflow.exact.transient import AFTER, NO_PULSE, half_sine, record, transient
 from slowflow.mechanism import EquationOfMotion, Floats, Force, check_followed

@@ -13,9 +13,10 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import backend, loads_many, validate
-from slowflow.averaged import many
+from slowflow.averaged import batches
 from slowflow.averaged.asked import MORE_POINTS
-from slowflow.averaged.many import Column, Designs
+from slowflow.averaged.batches import Column
+from slowflow.averaged.many import Designs
 from slowflow.exact import shocks
 from slowflow.mechanism import Mechanism
 from slowflow.off_centre import many as off_centre
@@ -35,9 +36,9 @@ class Question(NamedTuple):
     along   -- the axis of a table or a record that such a number may have behind those of the designs
     """
 
-    answer: type[many.Batch]
-    by: Callable[..., many.Batch]
-    beyond: Callable[..., many.Batch] | None = None
+    answer: type[batches.Batch]
+    by: Callable[..., batches.Batch]
+    beyond: Callable[..., batches.Batch] | None = None
     takes: tuple[str, ...] = ()
     may: tuple[str, ...] = ()
     options: Mapping[str, Any] = {}
@@ -61,15 +62,15 @@ CURVE = {"samples": 1000, "Omega": validate.WINDOW, "places": 6}
 PULSE = ("acceleration", "duration")
 #: by name
 QUESTIONS: Mapping[str, Question] = {
-    "detachment": Question(many.Detachments, Designs.detachment, SecondDesigns.detachment),
-    "saddle_node_onset": Question(many.Onsets, Designs.saddle_node_onset, SecondDesigns.saddle_node_onset),
+    "detachment": Question(batches.Detachments, Designs.detachment, SecondDesigns.detachment),
+    "saddle_node_onset": Question(batches.Onsets, Designs.saddle_node_onset, SecondDesigns.saddle_node_onset),
     "saddle_nodes": Question(
-        many.Folds, Designs.saddle_nodes, SecondDesigns.saddle_nodes, ("F_0",), options={"places": 6}
+        batches.Folds, Designs.saddle_nodes, SecondDesigns.saddle_nodes, ("F_0",), options={"places": 6}
     ),
-    "amplitudes": Question(many.States, Designs.amplitudes, takes=("F_0", "Omega"), options={"places": 6}),
-    "frequency_response": Question(many.Curves, Designs.frequency_response, takes=("F_0",), options=CURVE),
-    "peak": Question(many.Peaks, Designs.peak, SecondDesigns.peak, ("F_0",)),
-    "certify": Question(many.Proofs, Designs.certify, takes=("F_0",), may=("Omega",)),
+    "amplitudes": Question(batches.States, Designs.amplitudes, takes=("F_0", "Omega"), options={"places": 6}),
+    "frequency_response": Question(batches.Curves, Designs.frequency_response, takes=("F_0",), options=CURVE),
+    "peak": Question(batches.Peaks, Designs.peak, SecondDesigns.peak, ("F_0",)),
+    "certify": Question(batches.Proofs, Designs.certify, takes=("F_0",), may=("Omega",)),
     "at_rest": Question(loads_many.ManyAtRest, loads_many.at_rest),
     "margins": Question(loads_many.ManyMargins, loads_many.margins, takes=("F_0",)),
     "hysteresis": Question(loads_many.ManyBands, loads_many.hysteresis, takes=("F_0",), options={"places": 3}),

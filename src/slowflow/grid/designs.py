@@ -96,19 +96,19 @@ class Grid:
         return tuple(self.sizes.values())
 
     def detachment(self, *, workers: int = 1) -> Any:
-        """F_cr, Omega_cr and u_cr of every design (34), as a Dataset; see `slowflow.averaged.many.Detachments`."""
+        """F_cr, Omega_cr and u_cr of every design (34), as a Dataset; see `slowflow.averaged.batches.Detachments`."""
         return self._answer(*self.asked("detachment", workers))
 
     def saddle_node_onset(self, *, workers: int = 1) -> Any:
-        """F_SN of every design, with its Omega and A (33), as a Dataset; see `slowflow.averaged.many.Onsets`."""
+        """F_SN of every design, with its Omega and A (33), as a Dataset; see `slowflow.averaged.batches.Onsets`."""
         return self._answer(*self.asked("saddle_node_onset", workers))
 
     def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Any:
-        """Every fold at F_0, which broadcasts too, as a Dataset; see `slowflow.averaged.many.Folds`."""
+        """Every fold at F_0, which broadcasts too, as a Dataset; see `slowflow.averaged.batches.Folds`."""
         return self._answer(*self.asked("saddle_nodes", workers, F_0=F_0, places=places))
 
     def amplitudes(self, *, Omega: Any, F_0: Any, places: int = 6, workers: int = 1) -> Any:
-        """Every steady state at (Omega, F_0), which broadcast too; see `slowflow.averaged.many.States`."""
+        """Every steady state at (Omega, F_0), which broadcast too; see `slowflow.averaged.batches.States`."""
         return self._answer(*self.asked("amplitudes", workers, F_0=F_0, places=places, Omega=Omega))
 
     def frequency_response(
@@ -120,16 +120,16 @@ class Grid:
         places: int = 6,
         workers: int = 1,
     ) -> Any:
-        """The response curve at F_0, which broadcasts too, along "point"; see `slowflow.averaged.many.Curves`."""
+        """The response curve at F_0, which broadcasts too, along "point"; see `slowflow.averaged.batches.Curves`."""
         given = {"F_0": F_0, "samples": samples, "Omega": Omega, "places": places}
         return self._answer(*self.asked("frequency_response", workers, **given))
 
     def peak(self, F_0: Any, *, workers: int = 1) -> Any:
-        """The highest peak at F_0, which broadcasts too, as a Dataset; see `slowflow.averaged.many.Peaks`."""
+        """The highest peak at F_0, which broadcasts too, as a Dataset; see `slowflow.averaged.batches.Peaks`."""
         return self._answer(*self.asked("peak", workers, F_0=F_0))
 
     def certify(self, F_0: Any, *, Omega: Any = None, workers: int = 1) -> Any:
-        """How many folds at F_0, or states at (Omega, F_0), are proved; see `slowflow.averaged.many.Proofs`."""
+        """How many folds at F_0, or states at (Omega, F_0), are proved; see `slowflow.averaged.batches.Proofs`."""
         return self._answer(*self.asked("certify", workers, F_0=F_0, Omega=Omega))
 
     def rest(self, *, places: int = 3, workers: int = 1) -> Any:

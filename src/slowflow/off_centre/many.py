@@ -16,9 +16,9 @@ from typing import Any, ClassVar, TypeVar
 import numpy as np
 
 from slowflow import loads_many, validate
-from slowflow.averaged import many
+from slowflow.averaged import batches, many
 from slowflow.averaged.asked import FOLD_KINDS, MORE_POINTS
-from slowflow.averaged.many import Codes, Told
+from slowflow.averaged.batches import Codes, Told
 from slowflow.exact import questions, shocks
 from slowflow.exact.transient import NO_PULSE
 from slowflow.loaded import AT_CENTRE, off_centre_by
@@ -123,13 +123,13 @@ class ManyStates(OffCentreBatch):
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentreCurves(OffCentreBatch, many.Curves):
+class OffCentreCurves(OffCentreBatch, batches.Curves):
     """The response curve at one forcing, for each design, with every fold at that forcing, as `Curves`, and B.
 
     B -- the mean displacement of each point, then NaN
     """
 
-    inner: ClassVar[Mapping[str, str]] = MappingProxyType({**many.Curves.inner, "B": "point"})
+    inner: ClassVar[Mapping[str, str]] = MappingProxyType({**batches.Curves.inner, "B": "point"})
 
     B: Floats = field(kw_only=True)
 

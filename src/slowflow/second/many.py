@@ -1,6 +1,6 @@
 """Many designs in the second approximation: in go arrays of designs, out come critical forcings, folds and peaks.
 
-The answers are those of `slowflow.averaged.many`, with the largest displacement as A. A design has the status
+The answers are those of `slowflow.averaged.batches`, with the largest displacement as A. A design has the status
 `Status.NONE` where the second approximation has no answer though averaging may have one, as where its harmonics are not
 small, and `Status.INVALID` also where the harmonics of its force are not derived. Designs that are excited by inertia
 are answered one by one, on NumPy; states and curves of all designs one by one, some milliseconds each.
@@ -20,7 +20,8 @@ import numpy.typing as npt
 from slowflow import validate
 from slowflow.answer import frozen
 from slowflow.averaged import asked
-from slowflow.averaged.many import AlongCurves, AtFrequency, Codes, Designs, Detachments, Folds, Onsets, Peaks
+from slowflow.averaged.batches import AlongCurves, AtFrequency, Codes, Detachments, Folds, Onsets, Peaks
+from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
 from slowflow.results import Remark

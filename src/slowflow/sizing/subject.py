@@ -14,7 +14,7 @@ import numpy as np
 
 from slowflow import backend, validate
 from slowflow.answer import frozen
-from slowflow.averaged.many import Folds, States, first_end
+from slowflow.averaged.batches import Folds, States, first_end
 from slowflow.isolator import ROD_SPRING, Isolator
 from slowflow.loads_many import full, lifting
 from slowflow.mechanism import Floats
