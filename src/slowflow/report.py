@@ -592,7 +592,7 @@ def _table(
     kept.sort(key=lambda name: name not in pictures.AMPLITUDES or answers[0].has_rows)  # what it is asked at first
     before = beside or [_beside(answer, kept) for answer in answers]
     # what a pulse is has its unit in its name
-    heads = [page.term(*name.split("/", 1)) for name in before[0]] if beside else []
+    heads = [page.term(*_with_unit(name)) for name in before[0]] if beside else []
     heads = heads or [page.term(name, units.get(name, "")) for name in before[0]]
     heads += [page.term(name, units.get(name, "")) for name in kept]
     told = [
@@ -622,11 +622,23 @@ def _notes(answers: Sequence[Answer], before: Sequence[Mapping[str, Any]], units
     told: dict[str, list[str]] = {}
     for answer, asked in zip(answers, before, strict=True):
         if message := str(answer.to_dict().get("message") or "").replace(IN_PYTHON, ""):
-            at = " and ".join(f"{head(name, units)} = {page.cell(value)}" for name, value in asked.items())
+            at = " and ".join(_at(name, value, units) for name, value in asked.items())
             # some say by themselves at which forcing
             told.setdefault(message, []).append("" if any(f" {name} = " in message for name in asked) else at)
     of = {text: f"At {', '.join(at)}: " if len(at) < len(answers) and all(at) else "" for text, at in told.items()}
     return "".join(f"<p>{page.inline(at + text)}.</p>" for text, at in of.items())
+
+
+def _with_unit(name: str) -> tuple[str, str]:
+    """Of a name that has its unit in it: both."""
+    name, _, unit = name.partition("/")
+    return name, unit.removeprefix("(").removesuffix(")")
+
+
+def _at(name: str, value: Any, units: Mapping[str, str]) -> str:
+    """What an answer was asked at, in words."""
+    name, unit = _with_unit(head(name, units))
+    return f"{name} = {page.cell(value)} {unit.replace('^2', '²')}".rstrip()
 
 
 def _beside(answer: Answer, kept: Iterable[str]) -> dict[str, Any]:
