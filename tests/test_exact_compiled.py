@@ -12,7 +12,7 @@ from slowflow import Duffing, Isolator
 from slowflow.backend import EXACT
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state
 from slowflow.exact.compiled import TAYLOR, TaylorIntegrator, default_integrator, recurrences
-from slowflow.exact.continuation import _Path
+from slowflow.exact.continuation import Path
 from slowflow.exact.integrate import Drive, ScipyIntegrator
 from slowflow.exact.motion import Forced, follow
 from slowflow.mechanism import Force
@@ -215,7 +215,7 @@ def test_a_curve_traced_in_c_has_the_points_of_the_one_followed_in_python(monkey
     for system, F_0, window, start in [*cases, isola()]:
         traced = exact_response(system, F_0, Omega=window, start=start)
         with monkeypatch.context() as patched:
-            patched.setattr(_Path, "_traced", lambda self, point, first, size, travelled: ([], size, travelled))
+            patched.setattr(Path, "_traced", lambda self, point, first, size, travelled: ([], size, travelled))
             followed = exact_response(system, F_0, Omega=window, start=start)
         assert traced.closed == followed.closed == (start is not None)
         assert len(traced.folds) == len(followed.folds) and len(traced.borders) == len(followed.borders)

@@ -5,7 +5,7 @@ Out: `steady_state`, `exact_response`, `sweep`, `transient`; motions switch exac
      detached.
 """
 
-from slowflow.exact.continuation import Fold, Response, exact_response
+from slowflow.exact.response import Fold, Response, exact_response
 from slowflow.exact.shocks import ShockSpectrum
 from slowflow.exact.shooting import SteadyState, steady_state
 from slowflow.exact.sweep import Sweep, sweep

@@ -1,7 +1,7 @@
-"""The response curve over Omega, through folds and through every change in the order of switches.
+"""The path over Omega, through folds and through every change in the order of switches.
 
-In:  an oscillator, F_0, a range of Omega; perhaps a steady state to start from.
-Out: `Response`: points in the order of the curve with amplitude, stability and stops; folds; borders between orders.
+In:  a steady state to start from, F_0, a range of Omega, a step.
+Out: points in the order of the curve, folds and borders between orders among them; between two points the summit.
 
 Within one order of switches the curve is smooth (see `cycle`) and followed by pseudo-arclength; every point is then
 followed through its switches. Where the order changes the border is solved for, and the curve is taken up on the other
@@ -10,23 +10,18 @@ side: a fold that sits on the border (`corner`) is found as such, and no fold is
 
 from __future__ import annotations
 
-import functools
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, replace
-from itertools import pairwise
-from typing import Any, ClassVar, NamedTuple
+from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.answer import Table
-from slowflow.exact.compiled import TRACED, TaylorIntegrator, default_integrator
+from slowflow.exact.compiled import TRACED, TaylorIntegrator
 from slowflow.exact.cycle import Array, AtBorder, Cycle, Equations, Row, closed_cycle
-from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import Forced, follow
-from slowflow.exact.shooting import SteadyState, Transmitted, check_forcing, describe, steady_state
-from slowflow.mechanism import EquationOfMotion
+from slowflow.exact.shooting import SteadyState
 from slowflow_kernels.exact_conventions import ALONG
 
 STEP = 0.02  # largest step: relative in u_0, radians in theta_0, half of it in Omega
@@ -36,97 +31,13 @@ LARGEST = 1e3  # amplitude, in rod lengths, beyond which a curve is taken to go 
 NEAR = 2e-3  # largest distance, in Omega and relative in u_0, of the first point beyond a border
 COINCIDE = 1e-8  # neighbouring folds closer than this, in Omega and A, are one turn there and back by rounding
 LEVEL = 1e-5  # Omega component of a tangent that is none: where phases vanish like a square root, Omega stands still
-NEAR_TOP = 0.9  # share of the highest point's amplitude from which on a stretch of the curve may hold its peak
 MOST_POINTS = 20_000
 FOLDS = ("fold", "corner")  # roles of points
 
 
-@dataclass(frozen=True)
-class Fold:
-    """A saddle node of the curve.
+class Point(NamedTuple):
+    """A motion on the curve, and how the curve goes on there."""
 
-    `kind` is what a sweep does there, `corner` whether it sits where the order of switches changes, e.g. where the
-    springs just detach.
-    """
-
-    Omega: float
-    A: float
-    kind: str
-    corner: bool
-
-
-class ResponsePoint(NamedTuple):
-    """A point of a `Response`."""
-
-    Omega: float
-    A: float
-    stable: bool
-    stops: int
-
-
-@dataclass(frozen=True, eq=False)
-class Response(Table):
-    """Exact response curve at one F_0; arrays run along the curve.
-
-    Omega, A     -- frequency, largest |u|
-    stable       -- whether both Floquet multipliers lie inside the unit circle
-    multipliers  -- over one period, shape (points, 2)
-    stops        -- rests in one period
-    folds        -- by rising Omega
-    borders      -- (Omega, A) where the order of switches changes
-    closed       -- whether the curve closed on itself (an isola)
-    message      -- curves that do not hang together with this one, as far as averaging knows; empty if there is none
-    """
-
-    entry: ClassVar[Any] = ResponsePoint
-
-    F_0: float
-    Omega: Array
-    A: Array
-    stable: NDArray[np.bool_]
-    multipliers: NDArray[np.complex128]
-    stops: NDArray[np.int64]
-    folds: tuple[Fold, ...]
-    borders: tuple[tuple[float, float], ...]
-    closed: bool
-    states: tuple[_Point, ...] = field(repr=False)
-    message: str = ""
-    picture: ClassVar[str] = "motions"
-
-    def steady_state(self, index: int) -> SteadyState:
-        """The full steady state of a point of the curve."""
-        point = self.states[index]
-        return describe(point.cycle, point.z, self.F_0, point.monodromy)
-
-    def transmitted(self) -> Transmitted:
-        """What each motion passes on: first harmonic, peak and root mean square, arrays along the curve.
-
-        See `SteadyState.transmitted`; about a millisecond for each point.
-        """
-        passed = [self.steady_state(k).transmitted() for k in range(len(self))]
-        return Transmitted(*np.array(passed).reshape(-1, 3).T)
-
-    def plot(self, ax: Any = None) -> Any:
-        """Draw A over Omega into Matplotlib axes, or new ones, and return these.
-
-        Stable is solid, unstable dashed; bars where the mass stops within the cycle; folds are triangles.
-        """
-        from slowflow import pictures
-
-        return pictures.motions(ax, self)
-
-    @functools.cached_property
-    def peak(self) -> SteadyState:
-        """The highest motion of the curve, stable or not, found between its points too, whatever their distance.
-
-        A is stationary there along the curve, or it is at a border or at an end of the range.
-        """
-        with limited():
-            point = _highest(self.F_0, self.states)
-        return describe(point.cycle, point.z, self.F_0, point.monodromy)
-
-
-class _Point(NamedTuple):
     cycle: Cycle
     z: Array
     tangent: Array
@@ -139,11 +50,11 @@ class _Point(NamedTuple):
     came_from: tuple[Array, Array, Array] | None = None
 
     @classmethod
-    def of(cls, cycle: Cycle, z: Array, equations: Equations, tangent: Array) -> _Point:
+    def of(cls, cycle: Cycle, z: Array, equations: Equations, tangent: Array) -> Point:
         """The point where Newton's iteration ended."""
         return cls(cycle, z, tangent, equations.A, float(equations.of_A[:-1] @ tangent), equations.monodromy)
 
-    def turned(self) -> _Point:
+    def turned(self) -> Point:
         """The point with the curve run through the other way."""
         return self._replace(tangent=-self.tangent, rise=-self.rise, came_from=None)
 
@@ -166,73 +77,12 @@ class _Point(NamedTuple):
         return found**2 if self.cycle.sign == -1 else found
 
 
-@limited()
-def exact_response(
-    system: EquationOfMotion,
-    F_0: float,
-    *,
-    Omega: tuple[float, float] = (0.5, 1.5),
-    start: SteadyState | None = None,
-    step: float = STEP,
-    integrator: Integrator | None = None,
-) -> Response:
-    """The response curve between two frequencies, through all its folds.
-
-    start -- a point of the curve; without it the steady state at the lower frequency, reached from rest. A curve that
-             does not hang together with that one (an isola) needs its own start.
-    step  -- largest distance of neighbouring points: relative change of u_0, radians of phase, twice that of Omega
-
-    Raises ValueError for parameters out of range, ArithmeticError where the curve cannot be followed.
-    """
-    low, high = (float(end) for end in Omega)
-    if not (0 < low < high < math.inf):
-        raise ValueError(f"Omega = {Omega} must rise and be positive")
-    if not 0 < step <= 0.5:
-        raise ValueError(f"step = {step} must lie in (0, 0.5]")
-    check_forcing(system, low, F_0)
-    integrator = integrator or default_integrator(system)
-    if start is None:
-        start = steady_state(system, Omega=low, F_0=F_0, integrator=integrator)
-    if not low <= start.Omega <= high:
-        raise ValueError(f"start.Omega = {start.Omega} lies outside Omega = {Omega}")
-    path = _Path(F_0, low, high, step, _least(start.cycle, start.A))
-    first = path.begin(start, 1.0)
-    forward = list(path.follow(first))
-    closed = path.closed
-    backward: list[_Point] = []
-    if not closed and start.Omega > low:
-        backward = list(path.follow(path.begin(start, -1.0)))[1:]
-    points = [point.turned() for point in reversed(backward)] + forward
-    return _response(F_0, points, closed)
-
-
-def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, float]) -> Fold | None:
-    """The first fold of the curve from a steady state on, towards rising (1) or falling (-1) Omega.
-
-    None where it leaves the range of Omega before, or cannot be followed.
-    """
-    path = _Path(start.F_0, *Omega_range, STEP, _least(start.cycle, start.A))
-    points: list[_Point] = []
-    try:
-        for point in path.follow(path.begin(start, towards)):
-            points.append(point)
-            if len(points) < 3 or points[-2].role not in FOLDS:
-                continue
-            if point.role in FOLDS and _is_same(points[-2], point):
-                del points[-2:]  # there and back: none
-                continue
-            return _fold_between(*points[-3:])
-    except ArithmeticError:
-        pass
-    return None
-
-
-def _least(cycle: Cycle, A: float) -> float:
+def least_scale(cycle: Cycle, A: float) -> float:
     """What steps of u_0 are measured in at least: about the centre it is the amplitude, and never 0."""
     return 0.0 if cycle.system.centred else A
 
 
-class _Path:
+class Path:
     """Follows a curve of cycles point by point.
 
     least -- what steps of u_0 are measured in where it is less: off the centre it may pass 0
@@ -242,16 +92,16 @@ class _Path:
         self.F_0, self.low, self.high, self.step, self.least = F_0, low, high, step, least
         self.closed = False
 
-    def begin(self, start: SteadyState, direction: float) -> _Point:
+    def begin(self, start: SteadyState, direction: float) -> Point:
         """The first point, to be left towards rising (direction 1) or falling Omega."""
         cycle, z = start.cycle, start.unknowns
         equations = cycle.equations(z, self.F_0)
         tangent = self._tangent(z, equations, None)
         if tangent[-1] * direction < 0:
             tangent = -tangent
-        return _Point.of(cycle, z, equations, tangent)
+        return Point.of(cycle, z, equations, tangent)
 
-    def follow(self, point: _Point) -> Iterator[_Point]:
+    def follow(self, point: Point) -> Iterator[Point]:
         """The points from `point` on, until Omega leaves the range or the curve closes."""
         first = point
         yield point
@@ -307,7 +157,7 @@ class _Path:
             f"A = {point.A:.9g}"
         )
 
-    def _traced(self, point: _Point, first: _Point, size: float, travelled: float) -> tuple[list[_Point], float, float]:
+    def _traced(self, point: Point, first: Point, size: float, travelled: float) -> tuple[list[Point], float, float]:
         """Points after one as long as nothing is to be decided, in C; the next step and the way from the first."""
         cycle, n = point.cycle, point.z.size
         if not isinstance(cycle.integrator, TaylorIntegrator):
@@ -330,7 +180,7 @@ class _Path:
             np.concatenate(begun),
         )
         points = [
-            _Point(cycle, row[:n], row[n : 2 * n], float(row[2 * n]), float(row[2 * n + 1]), row[2 * n + 2 :])
+            Point(cycle, row[:n], row[n : 2 * n], float(row[2 * n]), float(row[2 * n + 1]), row[2 * n + 2 :])
             for row in rows
         ]
         if points:
@@ -363,7 +213,7 @@ class _Path:
         unit: Array = tangent / math.sqrt(float(tangent @ (self._weights(z) * tangent)))
         return unit
 
-    def _corrected(self, point: _Point, size: float) -> _Point | None:
+    def _corrected(self, point: Point, size: float) -> Point | None:
         """The point of the curve at arclength `size` from `point`, whether or not its order of switches holds."""
         if size == 0.0:
             return point
@@ -374,19 +224,19 @@ class _Path:
         if found is None:
             return None
         tangent = self._unit(found[0], found[1].along)
-        return _Point.of(point.cycle, *found, tangent)._replace(came_from=(point.z, point.tangent, row))
+        return Point.of(point.cycle, *found, tangent)._replace(came_from=(point.z, point.tangent, row))
 
-    def _cosine(self, a: _Point, b: _Point) -> float:
+    def _cosine(self, a: Point, b: Point) -> float:
         return float(a.tangent @ (self._weights(a.z) * b.tangent))
 
-    def _distance(self, a: _Point, b: _Point) -> float:
+    def _distance(self, a: Point, b: Point) -> float:
         difference = b.z - a.z
         return math.sqrt(float(difference @ (self._weights(a.z) * difference)))
 
-    def _inside(self, point: _Point) -> bool:
+    def _inside(self, point: Point) -> bool:
         return self.low < float(point.z[-1]) < self.high
 
-    def _at_end(self, point: _Point, beyond: _Point) -> _Point:
+    def _at_end(self, point: Point, beyond: Point) -> Point:
         """The point where the curve leaves the range of Omega."""
         target = self.high if beyond.z[-1] >= self.high else self.low
         share = (target - point.z[-1]) / (beyond.z[-1] - point.z[-1])
@@ -395,13 +245,13 @@ class _Path:
         found = point.cycle.newton(z, self.F_0)
         if found is None:
             return beyond
-        return _Point.of(point.cycle, *found, self._tangent(found[0], found[1], point.tangent))
+        return Point.of(point.cycle, *found, self._tangent(found[0], found[1], point.tangent))
 
-    def _fold(self, point: _Point, new: _Point, size: float) -> _Point:
+    def _fold(self, point: Point, new: Point, size: float) -> Point:
         """Where the tangent's Omega component vanishes."""
         return self._zero(lambda at: float(at.tangent[-1]), point, new, size)._replace(role="fold")
 
-    def _zero(self, function: Callable[[_Point], float], point: _Point, new: _Point, size: float) -> _Point:
+    def _zero(self, function: Callable[[Point], float], point: Point, new: Point, size: float) -> Point:
         """Where a function vanishes between `point` and `new`, by regula falsi (Illinois) along the curve."""
         a, b = 0.0, size
         at_a, at_b = function(point), function(new)
@@ -424,7 +274,7 @@ class _Path:
                 break
         return middle
 
-    def summit(self, base: _Point, other: _Point) -> _Point | None:
+    def summit(self, base: Point, other: Point) -> Point | None:
         """Where A, which rises from `base` along its tangent, turns before `other`; None if it does not."""
         # no more than their distance along the curve, which the phases take part in
         size = math.hypot(other.A / base.A - 1.0, 2.0 * float(other.z[-1] - base.z[-1]))
@@ -440,7 +290,7 @@ class _Path:
             size *= 2.0
         return None
 
-    def _fold_behind(self, new: _Point) -> _Point | None:
+    def _fold_behind(self, new: Point) -> Point | None:
         """A fold between a border and the first point beyond it, found going back."""
         back = new.turned()
         size = SMALLEST_STEP
@@ -454,7 +304,7 @@ class _Path:
             size *= 1.5
         return None
 
-    def _meets(self, a: _Point, b: _Point, first: _Point) -> bool:
+    def _meets(self, a: Point, b: Point, first: Point) -> bool:
         """Whether the curve passes its first point between two neighbours."""
         if not (a.cycle.signature == b.cycle.signature == first.cycle.signature):
             return False
@@ -463,7 +313,7 @@ class _Path:
         near = min(self._distance(first, a), self._distance(first, b))
         return before < 0 <= after and near <= 2 * self.step
 
-    def _cross(self, point: _Point, size: float) -> list[_Point] | None:
+    def _cross(self, point: Point, size: float) -> list[Point] | None:
         """The border beyond `point`, and a first point with the new order of switches; a fold before it, if any."""
         held, lost = 0.0, size
         for _ in range(24):
@@ -497,7 +347,7 @@ class _Path:
                 return found + after
         return None
 
-    def _other_side(self, last: _Point, trial: _Point) -> _Point | None:
+    def _other_side(self, last: Point, trial: Point) -> Point | None:
         """A point near the border with the new order of switches."""
         start = last.cycle.highest(last.z, self.F_0)
         last, trial = (self._started_at(point, start) for point in (last, trial))
@@ -522,14 +372,14 @@ class _Path:
                         return self._leaving(new, last)
         return None if nearest is None else self._leaving(nearest, last)
 
-    def _started_at(self, point: _Point, phase: int) -> _Point:
+    def _started_at(self, point: Point, phase: int) -> Point:
         if phase == 0:
             return point
         cycle, z = point.cycle.started_at(point.z, self.F_0, phase)
         # only its cycle and unknowns are asked for: the tangent is that of the other start
         return point._replace(cycle=cycle, z=z, came_from=None)
 
-    def _orders(self, trial: _Point) -> Iterator[tuple[Cycle, Array]]:
+    def _orders(self, trial: Point) -> Iterator[tuple[Cycle, Array]]:
         """Orders of switches that may hold beyond a border, with trial unknowns; `trial` has the order that is lost."""
         cycle, z = trial.cycle, trial.z
         if np.min(z[2:-1]) < 1e-2:
@@ -548,7 +398,7 @@ class _Path:
         if found is not None:
             yield found
 
-    def _as_followed(self, trial: _Point) -> tuple[Cycle, Array] | None:
+    def _as_followed(self, trial: Point) -> tuple[Cycle, Array] | None:
         cycle, z = trial.cycle, trial.z
         forced = Forced(cycle.system, float(z[-1]), self.F_0, cycle.integrator)
         start = cycle.signature[0] if cycle.starts_from_rest else None
@@ -559,14 +409,14 @@ class _Path:
             return None
         return closed_cycle(cycle.system, cycle.integrator, cycle.half_turns, motion, forced.Omega)
 
-    def _with_fixed(self, cycle: Cycle, z: Array, row: Array, last: _Point) -> _Point | None:
+    def _with_fixed(self, cycle: Cycle, z: Array, row: Array, last: Point) -> Point | None:
         """The solution with one unknown kept, if its order of switches holds and it lies near the border."""
         found = cycle.newton(z, self.F_0, Row(row, float(row @ z)))
         if found is None or not cycle.holds(found[0], self.F_0):
             return None
-        return _Point.of(cycle, *found, self._tangent(found[0], found[1], None))
+        return Point.of(cycle, *found, self._tangent(found[0], found[1], None))
 
-    def _leaving(self, new: _Point, last: _Point) -> _Point:
+    def _leaving(self, new: Point, last: Point) -> Point:
         """The first point beyond a border with its tangent turned away from the border."""
         senses = [new, new.turned()]
         for size in (1e-4, 1e-3, 1e-2):
@@ -578,7 +428,7 @@ class _Path:
         along = float(new.tangent[[0, -1]] @ (self._weights(new.z)[[0, -1]] * offset))
         return senses[0] if along > 0 else senses[1]
 
-    def _border(self, last: _Point, new: _Point) -> _Point:
+    def _border(self, last: Point, new: Point) -> Point:
         """The border between two orders of switches, solved for on the side with fewer phases."""
         simple = min((last, new), key=lambda p: len(p.cycle.signature))
         borders = simple.cycle.equations(simple.z, self.F_0).borders
@@ -590,11 +440,11 @@ class _Path:
             found = simple.cycle.newton(simple.z, self.F_0, AtBorder(index), tolerance=1e-16)
             # the border may also be a stop in mid-slip, of which no margin tells: then `last` is as good as it gets
             if found is not None and abs(found[0][-1] - last.z[-1]) < 1e-5 and abs(found[1].A / last.A - 1) < 1e-5:
-                return _Point.of(simple.cycle, *found, simple.tangent)._replace(role="border")
+                return Point.of(simple.cycle, *found, simple.tangent)._replace(role="border")
         return last._replace(role="border")
 
 
-def _without_short(trial: _Point, short: float) -> tuple[Cycle, Array] | None:
+def _without_short(trial: Point, short: float) -> tuple[Cycle, Array] | None:
     """The cycle without the phases of at most that span; a slip that one of them cut in two is one again."""
     phases: list[tuple[int, int]] = []
     spans: list[float] = []
@@ -612,66 +462,3 @@ def _without_short(trial: _Point, short: float) -> tuple[Cycle, Array] | None:
         return None
     z = np.array([trial.z[0], trial.z[1], *spans, trial.z[-1]])
     return replace(trial.cycle, signature=tuple(phases)), z
-
-
-def _highest(F_0: float, points: tuple[_Point, ...]) -> _Point:
-    """The highest point of the curve through the points, between them too."""
-    best = max(points, key=lambda point: point.A)
-    path = _Path(F_0, 0.0, math.inf, STEP, _least(best.cycle, best.A))
-    least = NEAR_TOP * best.A
-    for a, b in pairwise(points):
-        if max(a.A, b.A) < least:
-            continue
-        back = [point.turned() for point in (b, a)]
-        for base, other in ((a, b), back):
-            # in another order of switches the slope beyond the border says nothing of that before it
-            if base.rise > 0.0 and (other.rise <= 0.0 or other.cycle.order != base.cycle.order):
-                found = path.summit(base, other)
-                if found is not None and found.A > best.A:
-                    best = found
-                    break
-    return best
-
-
-def _is_same(fold: _Point, other: _Point) -> bool:
-    """Whether two folds agree within the accuracy of a fold."""
-    return abs(float(fold.z[-1] - other.z[-1])) < COINCIDE and abs(fold.A - other.A) < COINCIDE
-
-
-def _fold_between(before: _Point, point: _Point, after: _Point) -> Fold:
-    """What a sweep does at a fold: it leaves the stable side, for a larger amplitude if that is the lower one."""
-    corner = point.role == "corner"
-    # beside a sharp peak a neighbour may already lie beyond the peak, where the tangent tells better
-    rises = before.A < after.A if corner else point.rise > 0
-    leaves = before.role not in FOLDS and bool(np.all(np.abs(before.multipliers) < 1.0))
-    up = rises if leaves else not rises
-    return Fold(float(point.z[-1]), point.A, "jump-up" if up else "jump-down", corner)
-
-
-def _response(F_0: float, points: list[_Point], closed: bool) -> Response:
-    multipliers = np.array([point.multipliers for point in points])
-    # at a fold one multiplier is 1 up to rounding
-    at_fold = np.array([point.role in FOLDS for point in points])
-    stable = np.all(np.abs(multipliers) < 1.0, axis=1) & ~at_fold
-    A = np.array([point.A for point in points])
-    folds: list[_Point] = []
-    found: list[Fold] = []
-    for i, point in enumerate(points):
-        if point.role in FOLDS and 0 < i < len(points) - 1:
-            if folds and _is_same(folds[-1], point):
-                del folds[-1], found[-1]  # there and back: none
-                continue
-            folds.append(point)
-            found.append(_fold_between(*points[i - 1 : i + 2]))
-    return Response(
-        F_0=F_0,
-        Omega=np.array([float(point.z[-1]) for point in points]),
-        A=A,
-        stable=stable,
-        multipliers=multipliers,
-        stops=np.array([point.cycle.stops for point in points]),
-        folds=tuple(sorted(found, key=lambda fold: fold.Omega)),
-        borders=tuple((float(p.z[-1]), p.A) for p in points if p.role in ("border", "corner")),
-        closed=closed,
-        states=tuple(points),
-    )

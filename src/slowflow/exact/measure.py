@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from slowflow.exact import continuation, shooting
+from slowflow.exact import response, shooting
 from slowflow.exact.integrate import limited
 from slowflow.mechanism import EquationOfMotion, Floats
 from slowflow.results import Measured, MeasuredFolds, SaddleNodes, SteadyStates
@@ -97,7 +97,7 @@ def _one_each(
 @limited()
 def folds(averaged: Averaged, system: EquationOfMotion, found: SaddleNodes) -> MeasuredFolds:
     """The fold of the exact curve that each averaged one leads to. Raises ValueError for F_0 <= mu."""
-    exact: list[continuation.Fold | None] = []
+    exact: list[response.Fold | None] = []
     reasons = []
     for Omega, A in zip(found.Omega.tolist(), found.A.tolist(), strict=True):
         fold = _fold(averaged, system, found.F_0, Omega, A)
@@ -119,7 +119,7 @@ def folds(averaged: Averaged, system: EquationOfMotion, found: SaddleNodes) -> M
     )
 
 
-def _fold(averaged: Averaged, system: EquationOfMotion, F_0: float, Omega: float, A: float) -> continuation.Fold | None:
+def _fold(averaged: Averaged, system: EquationOfMotion, F_0: float, Omega: float, A: float) -> response.Fold | None:
     """The nearest of the folds that the exact curve meets from motions beside the averaged one."""
     more, fewer = (averaged.states(Omega=Omega * (1 + side * ASIDE), F_0=F_0).A.size for side in (1, -1))
     for offset in BESIDE:
@@ -131,7 +131,7 @@ def _fold(averaged: Averaged, system: EquationOfMotion, F_0: float, Omega: float
                 start = shooting.near(system, at, F_0, (float(beside.A[i]), float(beside.phi[i])))
                 if start is None:
                     continue
-                fold = continuation.first_fold(start, -side, (Omega / AROUND, Omega * AROUND))
+                fold = response.first_fold(start, -side, (Omega / AROUND, Omega * AROUND))
                 if fold is not None:
                     return fold
     return None

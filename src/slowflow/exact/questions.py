@@ -14,7 +14,7 @@ import numpy as np
 from slowflow import validate
 from slowflow.answer import joined
 from slowflow.averaged.remarks import WORDS
-from slowflow.exact import continuation, shooting
+from slowflow.exact import response, shooting
 from slowflow.exact.shocks import ShockSpectrum, shock_spectrum
 from slowflow.exact.sweep import Sweep
 from slowflow.exact.sweep import sweep as stepped
@@ -109,7 +109,7 @@ def exact_response(
     Omega: tuple[float, float],
     start: shooting.SteadyState | None,
     step: float,
-) -> continuation.Response:
+) -> response.Response:
     """See `slowflow.oscillator.Oscillator.exact_response`."""
     F_0 = validate.number("F_0", F_0, above=0.0)
     low, high = validate.window("Omega", Omega)
@@ -127,11 +127,11 @@ def exact_response(
         raise ValueError(
             f"start = {start!r} is not allowed: start must be a steady state at F_0 = {F_0:g}, Omega in {Omega}"
         )
-    found = continuation.exact_response(system, F_0, Omega=(low, high), start=start, step=step)
+    found = response.exact_response(system, F_0, Omega=(low, high), start=start, step=step)
     return dataclasses.replace(found, message=joined(rests, _others(averaged, found, (low, high))))
 
 
-def _others(averaged: Averaged, found: continuation.Response, window: tuple[float, float]) -> str:
+def _others(averaged: Averaged, found: response.Response, window: tuple[float, float]) -> str:
     """Names a stable point of each averaged curve in the window that the exact one does not come near."""
     try:
         curve, A = _averaged(averaged, found.F_0, window)

@@ -19,7 +19,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from slowflow import pictures, progress
-from slowflow.exact.continuation import exact_response
+from slowflow.exact.response import exact_response
 from slowflow.isolator import Duffing, Isolator
 from slowflow.mechanism import EquationOfMotion, linear
 from slowflow.paper import example

@@ -1,0 +1,235 @@
+"""The response curve over Omega, through its folds, as an answer; how its points are followed is `continuation`'s.
+
+In:  an oscillator, F_0, a range of Omega; perhaps a steady state to start from.
+Out: `Response`: points in the order of the curve with amplitude, stability and stops; folds; borders between orders.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slowflow.answer import Table
+from slowflow.exact.compiled import default_integrator
+from slowflow.exact.continuation import COINCIDE, FOLDS, STEP, Path, Point, least_scale
+from slowflow.exact.cycle import Array
+from slowflow.exact.integrate import Integrator, limited
+from slowflow.exact.shooting import SteadyState, Transmitted, check_forcing, describe, steady_state
+from slowflow.mechanism import EquationOfMotion
+
+NEAR_TOP = 0.9  # share of the highest point's amplitude from which on a stretch of the curve may hold its peak
+
+
+@dataclass(frozen=True)
+class Fold:
+    """A saddle node of the curve.
+
+    `kind` is what a sweep does there, `corner` whether it sits where the order of switches changes, e.g. where the
+    springs just detach.
+    """
+
+    Omega: float
+    A: float
+    kind: str
+    corner: bool
+
+
+class ResponsePoint(NamedTuple):
+    """A point of a `Response`."""
+
+    Omega: float
+    A: float
+    stable: bool
+    stops: int
+
+
+@dataclass(frozen=True, eq=False)
+class Response(Table):
+    """Exact response curve at one F_0; arrays run along the curve.
+
+    Omega, A     -- frequency, largest |u|
+    stable       -- whether both Floquet multipliers lie inside the unit circle
+    multipliers  -- over one period, shape (points, 2)
+    stops        -- rests in one period
+    folds        -- by rising Omega
+    borders      -- (Omega, A) where the order of switches changes
+    closed       -- whether the curve closed on itself (an isola)
+    message      -- curves that do not hang together with this one, as far as averaging knows; empty if there is none
+    """
+
+    entry: ClassVar[Any] = ResponsePoint
+
+    F_0: float
+    Omega: Array
+    A: Array
+    stable: NDArray[np.bool_]
+    multipliers: NDArray[np.complex128]
+    stops: NDArray[np.int64]
+    folds: tuple[Fold, ...]
+    borders: tuple[tuple[float, float], ...]
+    closed: bool
+    states: tuple[Point, ...] = field(repr=False)
+    message: str = ""
+    picture: ClassVar[str] = "motions"
+
+    def steady_state(self, index: int) -> SteadyState:
+        """The full steady state of a point of the curve."""
+        point = self.states[index]
+        return describe(point.cycle, point.z, self.F_0, point.monodromy)
+
+    def transmitted(self) -> Transmitted:
+        """What each motion passes on: first harmonic, peak and root mean square, arrays along the curve.
+
+        See `SteadyState.transmitted`; about a millisecond for each point.
+        """
+        passed = [self.steady_state(k).transmitted() for k in range(len(self))]
+        return Transmitted(*np.array(passed).reshape(-1, 3).T)
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draw A over Omega into Matplotlib axes, or new ones, and return these.
+
+        Stable is solid, unstable dashed; bars where the mass stops within the cycle; folds are triangles.
+        """
+        from slowflow import pictures
+
+        return pictures.motions(ax, self)
+
+    @functools.cached_property
+    def peak(self) -> SteadyState:
+        """The highest motion of the curve, stable or not, found between its points too, whatever their distance.
+
+        A is stationary there along the curve, or it is at a border or at an end of the range.
+        """
+        with limited():
+            point = _highest(self.F_0, self.states)
+        return describe(point.cycle, point.z, self.F_0, point.monodromy)
+
+
+@limited()
+def exact_response(
+    system: EquationOfMotion,
+    F_0: float,
+    *,
+    Omega: tuple[float, float] = (0.5, 1.5),
+    start: SteadyState | None = None,
+    step: float = STEP,
+    integrator: Integrator | None = None,
+) -> Response:
+    """The response curve between two frequencies, through all its folds.
+
+    start -- a point of the curve; without it the steady state at the lower frequency, reached from rest. A curve that
+             does not hang together with that one (an isola) needs its own start.
+    step  -- largest distance of neighbouring points: relative change of u_0, radians of phase, twice that of Omega
+
+    Raises ValueError for parameters out of range, ArithmeticError where the curve cannot be followed.
+    """
+    low, high = (float(end) for end in Omega)
+    if not (0 < low < high < math.inf):
+        raise ValueError(f"Omega = {Omega} must rise and be positive")
+    if not 0 < step <= 0.5:
+        raise ValueError(f"step = {step} must lie in (0, 0.5]")
+    check_forcing(system, low, F_0)
+    integrator = integrator or default_integrator(system)
+    if start is None:
+        start = steady_state(system, Omega=low, F_0=F_0, integrator=integrator)
+    if not low <= start.Omega <= high:
+        raise ValueError(f"start.Omega = {start.Omega} lies outside Omega = {Omega}")
+    path = Path(F_0, low, high, step, least_scale(start.cycle, start.A))
+    first = path.begin(start, 1.0)
+    forward = list(path.follow(first))
+    closed = path.closed
+    backward: list[Point] = []
+    if not closed and start.Omega > low:
+        backward = list(path.follow(path.begin(start, -1.0)))[1:]
+    points = [point.turned() for point in reversed(backward)] + forward
+    return _response(F_0, points, closed)
+
+
+def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, float]) -> Fold | None:
+    """The first fold of the curve from a steady state on, towards rising (1) or falling (-1) Omega.
+
+    None where it leaves the range of Omega before, or cannot be followed.
+    """
+    path = Path(start.F_0, *Omega_range, STEP, least_scale(start.cycle, start.A))
+    points: list[Point] = []
+    try:
+        for point in path.follow(path.begin(start, towards)):
+            points.append(point)
+            if len(points) < 3 or points[-2].role not in FOLDS:
+                continue
+            if point.role in FOLDS and _is_same(points[-2], point):
+                del points[-2:]  # there and back: none
+                continue
+            return _fold_between(*points[-3:])
+    except ArithmeticError:
+        pass
+    return None
+
+
+def _highest(F_0: float, points: tuple[Point, ...]) -> Point:
+    """The highest point of the curve through the points, between them too."""
+    best = max(points, key=lambda point: point.A)
+    path = Path(F_0, 0.0, math.inf, STEP, least_scale(best.cycle, best.A))
+    least = NEAR_TOP * best.A
+    for a, b in pairwise(points):
+        if max(a.A, b.A) < least:
+            continue
+        back = [point.turned() for point in (b, a)]
+        for base, other in ((a, b), back):
+            # in another order of switches the slope beyond the border says nothing of that before it
+            if base.rise > 0.0 and (other.rise <= 0.0 or other.cycle.order != base.cycle.order):
+                found = path.summit(base, other)
+                if found is not None and found.A > best.A:
+                    best = found
+                    break
+    return best
+
+
+def _is_same(fold: Point, other: Point) -> bool:
+    """Whether two folds agree within the accuracy of a fold."""
+    return abs(float(fold.z[-1] - other.z[-1])) < COINCIDE and abs(fold.A - other.A) < COINCIDE
+
+
+def _fold_between(before: Point, point: Point, after: Point) -> Fold:
+    """What a sweep does at a fold: it leaves the stable side, for a larger amplitude if that is the lower one."""
+    corner = point.role == "corner"
+    # beside a sharp peak a neighbour may already lie beyond the peak, where the tangent tells better
+    rises = before.A < after.A if corner else point.rise > 0
+    leaves = before.role not in FOLDS and bool(np.all(np.abs(before.multipliers) < 1.0))
+    up = rises if leaves else not rises
+    return Fold(float(point.z[-1]), point.A, "jump-up" if up else "jump-down", corner)
+
+
+def _response(F_0: float, points: list[Point], closed: bool) -> Response:
+    multipliers = np.array([point.multipliers for point in points])
+    # at a fold one multiplier is 1 up to rounding
+    at_fold = np.array([point.role in FOLDS for point in points])
+    stable = np.all(np.abs(multipliers) < 1.0, axis=1) & ~at_fold
+    A = np.array([point.A for point in points])
+    folds: list[Point] = []
+    found: list[Fold] = []
+    for i, point in enumerate(points):
+        if point.role in FOLDS and 0 < i < len(points) - 1:
+            if folds and _is_same(folds[-1], point):
+                del folds[-1], found[-1]  # there and back: none
+                continue
+            folds.append(point)
+            found.append(_fold_between(*points[i - 1 : i + 2]))
+    return Response(
+        F_0=F_0,
+        Omega=np.array([float(point.z[-1]) for point in points]),
+        A=A,
+        stable=stable,
+        multipliers=multipliers,
+        stops=np.array([point.cycle.stops for point in points]),
+        folds=tuple(sorted(found, key=lambda fold: fold.Omega)),
+        borders=tuple((float(p.z[-1]), p.A) for p in points if p.role in ("border", "corner")),
+        closed=closed,
+        states=tuple(points),
+    )
