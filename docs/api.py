@@ -28,6 +28,7 @@ MODULES = (
     "slowflow.physical",
     "slowflow.quantities",
     "slowflow.oscillator",
+    "slowflow.designs",
     "slowflow.averaged.questions",
     "slowflow.results",
     "slowflow.certificate",

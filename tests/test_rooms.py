@@ -20,6 +20,7 @@ FLOORS = (
     ("isolator", "derive"),
     ("physical",),
     ("oscillator",),
+    ("designs",),
     ("grid",),
     ("off_centre",),
     ("loads_many",),

@@ -10,9 +10,10 @@ import warnings
 from typing import Any
 
 from slowflow import plausible, validate
+from slowflow.designs import designs_of
 from slowflow.mechanism import LINEAR, Force, Mechanism, told
 from slowflow.model import THROUGHOUT, Laws, Model
-from slowflow.oscillator import FORCES, Oscillator, designs_of
+from slowflow.oscillator import FORCES, Oscillator
 from slowflow.physical import Physical
 from slowflow.physical_moves import g
 from slowflow.quantities import PINT, SHEET, Scales, si

@@ -153,7 +153,7 @@ class ManySpectra(Told):
 
 
 def at_rest(designs: Designs, workers: int = 1) -> ManyAtRest:
-    """See `slowflow.oscillator.Designs.at_rest`."""
+    """See `slowflow.designs.Designs.at_rest`."""
     detachments = designs.detachment(workers=workers)
     allowed, shape = detachments.status != Status.INVALID, designs.shape
     mu = np.asarray(designs.values["mu"], dtype=float)
@@ -177,7 +177,7 @@ def at_rest(designs: Designs, workers: int = 1) -> ManyAtRest:
 
 
 def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
-    """See `slowflow.oscillator.Designs.margins`."""
+    """See `slowflow.designs.Designs.margins`."""
     folds, peaks = designs.saddle_nodes(F_0, workers=workers), designs.peak(F_0, workers=workers)
     onsets, detachments = designs.saddle_node_onset(workers=workers), designs.detachment(workers=workers)
     shape, allowed = folds.status.shape, folds.status != Status.INVALID
@@ -246,7 +246,7 @@ def _quadratic(designs: Designs) -> Floats:
 
 
 def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) -> ManyBands:
-    """See `slowflow.oscillator.Designs.hysteresis`."""
+    """See `slowflow.designs.Designs.hysteresis`."""
     places = validate.count("places", places, least=1)
     folds = designs.saddle_nodes(F_0, workers=workers)
     shape = folds.status.shape
@@ -275,7 +275,7 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
 
 
 def isolation(designs: Designs, F_0: Any, workers: int = 1) -> ManyIsolations:
-    """See `slowflow.oscillator.Designs.isolation`.
+    """See `slowflow.designs.Designs.isolation`.
 
     The states that transmit the whole force are the zeros of one function of A, see `loads.isolation`; the last of them
     that is stable, or the last fold of a motion that transmits more, is where isolation begins.
@@ -309,7 +309,7 @@ def isolation(designs: Designs, F_0: Any, workers: int = 1) -> ManyIsolations:
 
 
 def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> ManySpectra:
-    """See `slowflow.oscillator.Designs.spectrum`."""
+    """See `slowflow.designs.Designs.spectrum`."""
     rows = Designs(
         designs.mechanism,
         {name: value[..., np.newaxis] for name, value in designs.values.items()},

@@ -130,7 +130,7 @@ def shock_spectrum(system: EquationOfMotion, acceleration: Floats, duration: Flo
 
 
 def of_designs(designs: Designs, acceleration: Any, duration: Any, workers: int = 1) -> Shocks:
-    """See `slowflow.oscillator.Designs.shock_spectrum`."""
+    """See `slowflow.designs.Designs.shock_spectrum`."""
     pulse = numbers(acceleration=acceleration, duration=duration)
     peak, span = pulse.values()
     found = _followed(designs, *_half_sine(peak, span), (peak > 0) & (span > 0), 0.0, workers)
@@ -141,7 +141,7 @@ def of_designs(designs: Designs, acceleration: Any, duration: Any, workers: int 
 def transients(
     designs: Designs, acceleration: Any, duration: Any, tau: Any, after: Any, workers: int = 1
 ) -> Transients:
-    """See `slowflow.oscillator.Designs.transient`."""
+    """See `slowflow.designs.Designs.transient`."""
     last = AFTER if after is None else validate.number("after", after, least=0.0)
     if (duration is None) == (tau is None):
         raise ValueError(NO_PULSE)

@@ -287,7 +287,7 @@ class OffCentreDesigns:
         return self._answered(OffCentreIsolations, _isolation, {"F_0": F_0}, workers)
 
     def spectrum(self, *, Omega: Any, F_0: Any, workers: int = 1) -> ManySpectra:
-        """A load spectrum, of each design, one tone at a time; see `slowflow.oscillator.Designs.spectrum`.
+        """A load spectrum, of each design, one tone at a time; see `slowflow.designs.Designs.spectrum`.
 
         Rows with several forcings take some tenths of a second each.
         """
@@ -334,7 +334,7 @@ class OffCentreDesigns:
         after: float | None = None,
         workers: int = 1,
     ) -> OffCentreTransients:
-        """What a shock of the base does to each design, from where it rests; as of `slowflow.oscillator.Designs`.
+        """What a shock of the base does to each design, from where it rests; as of `slowflow.designs.Designs`.
 
         Some hundredths of a second a design.
         """

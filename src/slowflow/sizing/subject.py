@@ -15,11 +15,12 @@ import numpy as np
 from slowflow import backend, validate
 from slowflow.answer import frozen
 from slowflow.averaged.batches import Folds, States, first_end
+from slowflow.designs import Designs
 from slowflow.isolator import ROD_SPRING, Isolator
 from slowflow.loads_many import full, lifting
 from slowflow.mechanism import Floats
 from slowflow.off_centre.many import OffCentreDesigns
-from slowflow.oscillator import Designs, Oscillator
+from slowflow.oscillator import Oscillator
 from slowflow.physical import Physical
 from slowflow.physical_moves import WORDS, g
 from slowflow.quantities import EXCITED, PINT, SHEET, UNITS, si, size, sizes, turns
