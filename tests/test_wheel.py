@@ -20,6 +20,7 @@ from scipy.integrate import solve_ivp
 from slowflow import backend
 from slowflow.paper.example import TABLE_1
 from slowflow.version import __version__
+from tests.conftest import Once
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[1]
@@ -96,13 +97,15 @@ def built(folder: Path, **environment: str) -> subprocess.CompletedProcess[str]:
 
 
 @pytest.fixture(scope="module")
-def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def wheel(once: Once) -> Path:
     """A wheel of the sources; where nothing compiles here, one that runs on NumPy."""
-    folder = tmp_path_factory.mktemp("wheel")
-    # what is in it is asked here, not how fast it is
-    done = built(folder, SLOWFLOW_PURE="1" if backend.SOLVER is None else "0", CFLAGS="-O1")
-    assert done.returncode == 0, done.stdout + done.stderr
-    (found,) = folder.glob("*.whl")
+
+    def build(folder: Path) -> None:
+        # what is in it is asked here, not how fast it is
+        done = built(folder, SLOWFLOW_PURE="1" if backend.SOLVER is None else "0", CFLAGS="-O1")
+        assert done.returncode == 0, done.stdout + done.stderr
+
+    (found,) = once("wheel", build).glob("*.whl")
     return found
 
 
@@ -135,9 +138,9 @@ def environment(folder: Path, wheel: Path, distributions: tuple[str, ...]) -> Pa
 
 
 @pytest.fixture(scope="module")
-def installed(tmp_path_factory: pytest.TempPathFactory, wheel: Path) -> Path:
+def installed(once: Once, wheel: Path) -> Path:
     """The programs of an environment with NumPy, SciPy and the wheel."""
-    return environment(tmp_path_factory.mktemp("plain"), wheel, NEEDED)
+    return once("plain", lambda folder: environment(folder, wheel, NEEDED)) / "bin"
 
 
 def test_a_scene_runs_in_any_folder(installed: Path, tmp_path: Path) -> None:
