@@ -26,10 +26,8 @@ NOT_COPIED = shutil.ignore_patterns(".*", "build", "output", "*.egg-info", "__py
 PARTS = ["benchmarks", "derivations", "generated", "src", "tests", "README.md", "pyproject.toml", "setup.py"]
 
 
-@pytest.fixture(scope="module")
-def project(tmp_path_factory):
+def derived(folder: Path) -> None:
     """A copy with the bilinear spring's file, derived and built: without a virtual environment, so step by step."""
-    folder = tmp_path_factory.mktemp("project")
     for part in PARTS:
         if (ROOT / part).is_dir():
             shutil.copytree(ROOT / part, folder / part, ignore=NOT_COPIED)
@@ -40,7 +38,12 @@ def project(tmp_path_factory):
     if backend.SOLVER is not None:
         # what it answers is asked here, not how fast
         run(folder, "setup.py", "-q", "build_ext", "--inplace", CFLAGS="-O0")
-    return folder
+
+
+@pytest.fixture(scope="module")
+def project(once):
+    """The folder of that copy, which no test changes but by files that the others do not read."""
+    return once("project", derived)
 
 
 def run(folder: Path, *command: str, **environment: str) -> str:
