@@ -229,12 +229,7 @@ class OffCentre:
             return self._states(at, np.empty(0), np.empty(0), F_0, said, np.empty(0), np.empty(0, int))
         x, of, undecided = np.empty((2, 0)), np.empty(0, dtype=np.intp), np.empty(0, dtype=np.intp)
         if not self._keeps_centre:
-            parts = [self._at(at[first : first + TOGETHER], F_0) for first in range(0, at.size, TOGETHER)]
-            x = np.concatenate([part.x for part in parts], axis=1)
-            of, undecided = (
-                np.concatenate([TOGETHER * k + getattr(part, name) for k, part in enumerate(parts)])
-                for name in ("of", "undecided_of")
-            )
+            x, of, undecided = self._at_each(at, F_0)
         if self._has_centre:
             centred = Averaged(self._model).amplitudes(Omega=at, F_0=F_0)
             of_centred = np.concatenate([np.flatnonzero(at == Omega) for Omega in np.unique(centred.Omega)] or [of])
@@ -265,6 +260,15 @@ class OffCentre:
         centred = np.zeros((x.shape[0], A.size))
         centred[0] = A
         return np.concatenate((x[:, off], centred), axis=1), np.concatenate((of[off], of_A))
+
+    def _at_each(self, Omega: Floats, F_0: float) -> tuple[Floats, Ints, Ints]:
+        """All states at any number of frequencies, by A and B, the number of each, those that may have others."""
+        parts = [self._at(Omega[first : first + TOGETHER], F_0) for first in range(0, Omega.size, TOGETHER)]
+        of, undecided = (
+            np.concatenate([TOGETHER * k + getattr(part, name) for k, part in enumerate(parts)])
+            for name in ("of", "undecided_of")
+        )
+        return np.concatenate([part.x for part in parts], axis=1), of, undecided
 
     def _at(self, Omega: Floats, F_0: float) -> Solutions:
         """All states at some frequencies, by A and B."""
@@ -337,10 +341,8 @@ class OffCentre:
 
     def _off(self, Omega: Floats, F_0: float) -> tuple[Floats, Ints]:
         """Every state at some frequencies, without a load those off the centre, and the number of its frequency."""
-        parts = [self._at(Omega[first : first + TOGETHER], F_0) for first in range(0, Omega.size, TOGETHER)]
-        x = np.concatenate([part.x for part in parts], axis=1)
-        of = np.concatenate([TOGETHER * k + part.of for k, part in enumerate(parts)])
-        if any(part.undecided_of.size for part in parts):
+        x, of, undecided = self._at_each(Omega, F_0)
+        if undecided.size:
             raise ArithmeticError("the response is unresolved: at a frequency next to a fold doubles do not decide")
         off = np.abs(x[1]) > AT_CENTRE if self._has_centre else np.ones(of.size, dtype=bool)
         return x[:, off], of[off]
