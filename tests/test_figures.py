@@ -322,6 +322,22 @@ def test_a_mount_draws_the_same_in_its_units():
         mount.detachment().plot()
 
 
+def test_under_a_load_the_largest_displacement_is_drawn_as_springs_leave_by_it():
+    """By the amplitude a mount would seem to stay within its stroke where it leaves it."""
+    numbers = {"m": 12, "k_v": 2500, "k_h": 1700, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
+    mount = Isolator.physical(**numbers, load=12.2)
+    folds, curve = mount.saddle_nodes(4.0), mount.frequency_response(4.0)
+    ax = mount.plot(4.0)
+    assert ax.get_ylabel() == "largest $|x|$ / mm"
+    (highest,) = {max(line.get_ydata().max() for line in lines(ax, linewidth=1.6))}
+    assert highest == pytest.approx(1e3 * (curve.A + np.abs(curve.B)).max(), rel=1e-12)
+    assert highest > 1e3 * curve.A.max() + 0.5
+    marks = np.concatenate([line.get_xydata() for line in ax.get_lines() if line.get_marker() in "^v"])
+    assert sorted(marks[:, 1]) == pytest.approx(sorted(1e3 * (folds.A + np.abs(folds.B))))
+    # where friction holds the mass is over A
+    assert not ax.collections and mount.replace(load=None).plot(4.0).collections
+
+
 def test_a_fold_locus_shows_its_tip_and_not_its_tail():
     one = isolator()
     locus = one.fold_locus()

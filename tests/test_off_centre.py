@@ -400,7 +400,7 @@ def test_a_response_off_the_centre_has_the_states_and_folds_that_are_asked_for_o
     assert (near.phi[k], near.stable[k]) == (pytest.approx(found.phi[100], rel=1e-9), found.stable[100])
     assert (
         found.plot(of="B").get_ylabel() == "mean displacement $B$"
-        and Duffing(1.0, 0.5, 0.0, 0.05, load=0.3).plot(0.2) is not None
+        and Duffing(1.0, 0.5, 0.0, 0.05, load=0.3).plot(0.2).get_ylabel() == "largest $|u|$"
     )
 
 

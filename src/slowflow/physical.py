@@ -190,7 +190,7 @@ class Physical:
         """Draw the response at one force, or at each of several, into Matplotlib axes, or new ones, and return these.
 
         f  -- the window of frequencies, up to twice f_n without
-        of -- what is drawn over frequency, in Hz: "A", in mm, "phi" or "transmissibility_dB"
+        of -- what is drawn over frequency, in Hz: "A", in mm, under a load .x_max; "phi" or "transmissibility_dB"
 
         Signs and tints as of `Averaged.plot`. Raises ValueError for another word, ImportError without Matplotlib.
         """
@@ -201,12 +201,14 @@ class Physical:
         forces = validate.several(letter, si(letter, F, unit))
         answers = ((self.frequency_response(force, f=f), self.saddle_nodes(force)) for force in forces)
         found = [(curve.in_units(), folds.in_units()) for curve, folds in answers]
-        ax = pictures.responses(ax, found, of)
+        drawn = pictures.height(found[0][0]) if of == "A" else of
+        ax = pictures.responses(ax, found, drawn)
         window = validate.WINDOW if f is None else self._window(f)["Omega"]
         ax.set_xlim(*(end * self.scales.sizes["frequency"] for end in window))
         if of == "A":
             length = self.scales.sizes["length"] / UNITS["length"]["mm"]
             pictures.breakpoints(ax, [length * end for end in self.oscillator.breakpoints], "x")
+        if drawn == "A":
             pictures.stopping(ax, self.oscillator.mu * length * self.scales.sizes["frequency"] ** 2)
         pictures.legend(ax, pictures.axis(found[0][0], letter))
         return ax

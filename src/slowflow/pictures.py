@@ -135,6 +135,11 @@ def axis(found: Any, name: str) -> str:
     return f"{label(name)} / {f'({unit})' if '/' in unit else unit}" if unit else label(name)
 
 
+def height(found: Any) -> str:
+    """What springs leave by: the amplitude, and of motions off the centre the largest displacement."""
+    return _has(found, "x_max", "u_max", "A")
+
+
 def _has(found: Any, *names: str) -> str:
     """The first of the names that an answer has: it is dimensionless, or in units."""
     return next(name for name in names if hasattr(found, name))
@@ -378,7 +383,7 @@ def depths(ax: Any, found: Mapping[str, Any]) -> Any:
     for (name, one), colour, width in zip(found.items(), COLOURS, (3.2, 2.2, 1.2), strict=False):
         over = _has(one, "Omega", "f")
         branch = getattr(one, "branch", None)
-        largest = _has(one, "x_max", "u_max", "A")
+        largest = height(one)
         of_all = of_all or axis(one, largest)
         curve(ax, getattr(one, over), getattr(one, largest), one.stable, branch, colour=colour, name=name, width=width)
         ax.set(xlabel=axis(one, over), ylabel=of_all)

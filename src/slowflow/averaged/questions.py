@@ -307,7 +307,7 @@ class Averaged:
     def plot(self, F_0: Any, *, Omega: tuple[float, float] = validate.WINDOW, of: str = "A", ax: Any = None) -> Any:
         """Draw the response at one forcing, or at each of several, into Matplotlib axes, or new ones; return these.
 
-        of -- what is drawn over Omega: "A", "phi", "transmissibility" or "transmissibility_dB"
+        of -- what is drawn over Omega: "A", under a load .u_max; "phi", "transmissibility" or "transmissibility_dB"
 
         Stable is solid, unstable dashed, folds are triangles that point where a sweep jumps. With the amplitude: tinted
         beyond u_cr, and where friction would hold the mass where it turns, A Omega^2 < mu. Raises ValueError as
@@ -318,10 +318,12 @@ class Averaged:
         forcings = validate.several("F_0", F_0)
         validate.choice("of", of, DRAWN)
         found = [(self.frequency_response(F, Omega=Omega), self.saddle_nodes(F)) for F in forcings]
-        ax = pictures.responses(ax, found, of)
+        drawn = pictures.height(found[0][0]) if of == "A" else of
+        ax = pictures.responses(ax, found, drawn)
         ax.set_xlim(Omega)
         if of == "A":
             pictures.breakpoints(ax, self.breakpoints)
+        if drawn == "A":
             pictures.stopping(ax, self.mu)
         pictures.legend(ax, "$F_0$")
         return ax
