@@ -19,48 +19,31 @@ import os
 import subprocess
 import sys
 import tempfile
-from concurrent.futures import Future, ProcessPoolExecutor
 from pathlib import Path
 
 from . import ledger
 from .emit.catalogue import all_modules
 from .emit.targets import render
 from .emit.write import MANIFEST, differences, manifest, on_disk, write
-from .results import Results, derive
+from .results import derive
 
 ROOT = Path(__file__).parents[1]
 HASH_SEEDS = ("0", "20250415")
 
 
-def generate(alone: bool = False) -> dict[str, str]:
+def generate() -> dict[str, str]:
     """Stages 1 to 6: every generated file, by name."""
-    if alone:
-        results = derive()
-        return printed(results, ledger.files(results))
-    # The ledger and the kernels know nothing of each other: one process each. Both derive, because an expression that
-    # has passed from one process to another need not print the same.
-    with ProcessPoolExecutor(max_workers=1) as other:
-        judged = other.submit(judge)
-        return printed(derive(), judged)
-
-
-def printed(results: Results, judged: dict[str, str] | Future[dict[str, str]]) -> dict[str, str]:
-    """All files, with those of the ledger as they are or as they come."""
+    results = derive()
     modules = all_modules(results)
-    files = render(modules) | (judged if isinstance(judged, dict) else judged.result())
+    files = render(modules) | ledger.files(results)
     return files | {MANIFEST: manifest(files, results, modules)}
-
-
-def judge() -> dict[str, str]:
-    """The ledger's files."""
-    return ledger.files(derive())
 
 
 def regenerate(scratch: Path) -> None:
     """Fresh processes, one under each hash seed, write into folders named after it."""
     started = [
         subprocess.Popen(
-            [sys.executable, "-m", "derivations", "--alone", "--out", str(scratch / seed)],
+            [sys.executable, "-m", "derivations", "--out", str(scratch / seed)],
             cwd=ROOT,
             env={**os.environ, "PYTHONHASHSEED": seed},
         )
@@ -87,7 +70,6 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--out", type=Path, default=ROOT / "generated", metavar="DIR", help="default: %(default)s")
     parser.add_argument("--check", action="store_true", help="compare DIR with fresh derivations, do not write it")
     parser.add_argument("--from", type=Path, dest="made", metavar="DIR", help="write what is in DIR, derive nothing")
-    parser.add_argument("--alone", action="store_true", help="in one process: more time, and less of the processors'")
     options = parser.parse_args(arguments)
     if options.check:
         with tempfile.TemporaryDirectory() as scratch:
@@ -95,7 +77,7 @@ def main(arguments: list[str] | None = None) -> int:
             differing = report(options.out, Path(scratch))
         sys.stdout.writelines(differing)
         return 1 if differing else 0
-    write(on_disk(options.made) if options.made else generate(options.alone), options.out)
+    write(on_disk(options.made) if options.made else generate(), options.out)
     return 0
 
 

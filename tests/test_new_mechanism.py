@@ -34,7 +34,7 @@ def derived(folder: Path) -> None:
         else:
             shutil.copy(ROOT / part, folder / part)
     shutil.copy(Path(bilinear.__file__), folder / "derivations" / "mechanisms")
-    run(folder, "-m", "derivations", "--alone")
+    run(folder, "-m", "derivations")
     if backend.SOLVER is not None:
         # what it answers is asked here, not how fast
         run(folder, "setup.py", "-q", "build_ext", "--inplace", CFLAGS="-O0")
