@@ -1,7 +1,8 @@
-/* How often a batch does what its time goes into, and what each of that costs here: in go designs, out come counts and seconds.
+/* How often a batch does what its time goes into, and what each of that costs here: in go designs, out come counts and
+ * seconds.
  *
- * The solvers are included as they are; the names that are counted are macros while they are read. Some of the calls are kept
- * and made once more by the clock; loops over many designs are timed where they stand.
+ * The solvers are included as they are; the names that are counted are macros while they are read. Some of the calls
+ * are kept and made once more by the clock; loops over many designs are timed where they stand.
  */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 #pragma GCC target("avx2,fma,bmi,bmi2,lzcnt")
@@ -42,7 +43,9 @@ static kept_pairs pairs_kept[KEPT];
 static const sf_mechanism *record;
 static volatile double sink;
 
-static void counted_range(const sf_asked *asked, const sf_known *a, const sf_known *b, sf_cell *cell, int open, sf_range out[2]) {
+static void counted_range(const sf_asked *asked, const sf_known *a, const sf_known *b, sf_cell *cell, int open,
+                          sf_range out[2])
+{
     const kept_range kept = {*asked, *asked->model, *cell->first, *cell->last, *a, *b, *cell, open};
     range_kept[ranges++ % KEPT] = kept;
     sf_find_range(asked, a, b, cell, open, out);
@@ -219,9 +222,9 @@ static int find_record(const char *name) {
     return record != NULL;
 }
 
-/* asked: 0 states, 1 folds, 2 peaks, 3 onsets; inputs: one column after another, n of each; out: how often a design has its
- * averages taken, in pairs too, a function's value at an amplitude and its range on a cell, and of loops over many designs a
- * cell and an amplitude, then the seconds of one of each. Returns 0 where there is no such record. */
+/* asked: 0 states, 1 folds, 2 peaks, 3 onsets; inputs: one column after another, n of each; out: how often a design has
+ * its averages taken, in pairs too, a function's value at an amplitude and its range on a cell, and of loops over many
+ * designs a cell and an amplitude, then the seconds of one of each. Returns 0 where there is no such record. */
 int count(int asked, const char *name, long n, double *inputs, double *out) {
     const sf_many loops[] = {solvers_counted.many_states, solvers_counted.many_folds, solvers_counted.many_peaks,
                              solvers_counted.many_onsets};
@@ -255,10 +258,13 @@ int count(int asked, const char *name, long n, double *inputs, double *out) {
     return 1;
 }
 
-/* One curve at F_0 in a window of Omega, with its folds; design: its numbers, then those of the damping; places: of the arrays for so many points at
- * least. out: points, how often its segments have averages taken and ranges found, then the seconds of the segments, of the points
- * on them, and of the folds. Returns 0 where there is no such record, no room or no such curve. */
-int curve(const char *name, const double *design, double F_0, const double *window, double samples, long places, double *out) {
+/* One curve at F_0 in a window of Omega, with its folds; design: its numbers, then those of the damping; places: of the
+ * arrays for so many points at least. out: points, how often its segments have averages taken and ranges found, then
+ * the seconds of the segments, of the points on them, and of the folds. Returns 0 where there is no such record, no
+ * room or no such curve. */
+int curve(const char *name, const double *design, double F_0, const double *window, double samples, long places,
+          double *out)
+{
     sf_mechanism counting;
     sf_model model;
     sf_given given;
@@ -309,8 +315,8 @@ static void timed_harmonics(ptrdiff_t n, const double *A, const double *p, doubl
 }
 
 /* What n points of averaging's curve move to, on branches that are not closed; design as for `curve`, wanted: as in
- * second_conventions.h. out: amplitudes whose averages are taken, and states whose balance is, then the seconds of one of
- * each. Returns 0 where there is no such record or no room. */
+ * second_conventions.h. out: amplitudes whose averages are taken, and states whose balance is, then the seconds of one
+ * of each. Returns 0 where there is no such record or no room. */
 int second(const char *name, const double *design, double F_0, int wanted, long n, const double *Omega, const double *A,
            const long long *branch, double *out) {
     static const unsigned char closed[64];
@@ -323,7 +329,8 @@ int second(const char *name, const double *design, double F_0, int wanted, long 
     model.mechanism = &counting;
     memset(&averages_in_lanes, 0, sizeof averages_in_lanes), memset(&balances_in_lanes, 0, sizeof balances_in_lanes);
     for (int round = 0; round < ROUNDS; round++) {
-        sf_second_curve *moved = solvers_counted.second_follow(&model, F_0, (sf_wanted)wanted, n, Omega, A, branch, closed);
+        sf_second_curve *moved =
+            solvers_counted.second_follow(&model, F_0, (sf_wanted)wanted, n, Omega, A, branch, closed);
         if (moved == NULL)
             return 0;
         solvers_counted.second_free(moved);
@@ -333,9 +340,9 @@ int second(const char *name, const double *design, double F_0, int wanted, long 
     return 1;
 }
 
-/* Roots in Omega of n quartics, rows of A, h, m, zeta, F_0, a whole number of blocks; out: of a quartic the roots in lanes, those
- * of them that go on by themselves, and how often its signs are unsure in double, then the seconds of the signs of one in lanes, of a
- * root there, of one that goes on, and of a quartic that is unsure. */
+/* Roots in Omega of n quartics, rows of A, h, m, zeta, F_0, a whole number of blocks; out: of a quartic the roots in
+ * lanes, those of them that go on by themselves, and how often its signs are unsure in double, then the seconds of the
+ * signs of one in lanes, of a root there, of one that goes on, and of a quartic that is unsure. */
 void quartics(long n, const double (*rows)[5], double *out) {
     const double clock = seconds_of_clock();
     long roots = 0, on = 0, unsure = 0;
@@ -348,7 +355,8 @@ void quartics(long n, const double (*rows)[5], double *out) {
             int i, k;
             for (i = 0; i < SF_QUARTICS; i++) {
                 const double *row = rows[first + i];
-                block.A[i] = row[0], block.h[i] = row[1], block.m[i] = row[2], block.zeta[i] = row[3], block.F_0[i] = row[4];
+                block.A[i] = row[0], block.h[i] = row[1], block.m[i] = row[2], block.zeta[i] = row[3],
+                block.F_0[i] = row[4];
             }
             start = now(), sf_isolate_lanes(SF_QUARTICS, &block), taken[0] += now() - start - clock;
             for (i = jobs.n = 0; i < SF_QUARTICS; i++) {
@@ -365,7 +373,8 @@ void quartics(long n, const double (*rows)[5], double *out) {
             for (i = 0; i < SF_QUARTICS; i++)
                 if (block.signs[i] == SF_UNSURE) {
                     double Omega[3];
-                    sink = sf_response_roots(block.A[i], block.h[i], block.m[i], block.zeta[i], block.F_0[i], Omega), unsure++;
+                    sink = sf_response_roots(block.A[i], block.h[i], block.m[i], block.zeta[i], block.F_0[i], Omega),
+                    unsure++;
                 }
             taken[3] += now() - start - clock;
         }

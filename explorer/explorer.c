@@ -1,8 +1,9 @@
 /* The solvers as WebAssembly: in go numbers in `in`, out come numbers in arrays that the page reads from memory.
  *
- * A thin interface: it keeps one oscillator and one workspace, calls the solvers and the generated kernels, and computes
- * nothing itself. Everything is dimensionless. `python -m explorer` writes mechanisms.h: records and restoring forces of the
- * package's mechanisms and of the library's, where the pieces of a force end that is not odd, and what the page calls them.
+ * A thin interface: it keeps one oscillator and one workspace, calls the solvers and the generated kernels, and
+ * computes nothing itself. Everything is dimensionless. `python -m explorer` writes mechanisms.h: records and restoring
+ * forces of the package's mechanisms and of the library's, where the pieces of a force end that is not odd, and what
+ * the page calls them.
  */
 #include "curve.h"
 #include "inertial.h"
@@ -40,8 +41,8 @@ int EXPORT(is_undecided)(void) { return undecided; }
 int EXPORT(known_mechanisms)(void) { return sizeof names / sizeof names[0]; }
 const char *EXPORT(name_of)(int i) { return names[i]; }
 
-/* in: the design, then mu and zeta; whether a base or an unbalance excites it. out[0]: breakpoints; returns their number, or
- * -1 for what is not allowed. */
+/* in: the design, then mu and zeta; whether a base or an unbalance excites it. out[0]: breakpoints; returns their
+ * number, or -1 for what is not allowed. */
 int EXPORT(choose)(int i, int by_inertia)
 {
     const sf_mechanism *record = &excited;
@@ -90,8 +91,8 @@ static void add_what_follows(long i, double F_0)
     out[4][i] = model.mechanism->mean_offset(out[1][i], model.p);
 }
 
-/* As `slowflow.averaged.remarks.keeps_centre`; and whether the slow flow is stable there. A force with one end rises, so that
- * its mean stiffness is positive. */
+/* As `slowflow.averaged.remarks.keeps_centre`; and whether the slow flow is stable there. A force with one end rises,
+ * so that its mean stiffness is positive. */
 static void look_at(long i)
 {
     sf_sample at;
@@ -111,8 +112,8 @@ static void look_at_all(long n, double F_0)
         add_what_follows(i, F_0), look_at(i);
 }
 
-/* The response curve: out Omega, A, phi, transmissibility, mean B; flags stable, centred. Returns the number of points, or the
- * status with its sign turned. */
+/* The response curve: out Omega, A, phi, transmissibility, mean B; flags stable, centred. Returns the number of points,
+ * or the status with its sign turned. */
 long EXPORT(respond)(double F_0, double low, double high, double samples)
 {
     const sf_status status = sf_sticks(&model, F_0) ? SF_STICKS : sf_make_skeleton(&model, known, F_0, &room);
@@ -164,7 +165,8 @@ int EXPORT(folds)(double F_0)
     return found->n;
 }
 
-/* out[0]: F_SN, Omega, A, its kind, and the lowest level at which the fold locus ends at Omega = 0; returns the status. */
+/* out[0]: F_SN, Omega, A, its kind, and the lowest level at which the fold locus ends at Omega = 0; returns the
+ * status. */
 int EXPORT(onset)(void)
 {
     sf_onset found;
@@ -196,8 +198,8 @@ long EXPORT(locus)(double A_max, long samples)
     return n;
 }
 
-/* Frequencies below `high` between which a steady state would be unstable, at n amplitudes up to A_max; out: A, then the
- * ends of each interval. Returns how many there are. */
+/* Frequencies below `high` between which a steady state would be unstable, at n amplitudes up to A_max; out: A, then
+ * the ends of each interval. Returns how many there are. */
 int EXPORT(unstable)(double A_max, double high, int n)
 {
     int found = 0;
@@ -209,7 +211,8 @@ int EXPORT(unstable)(double A_max, double high, int n)
         w[ends++] = high;
         for (int k = 0; k + 1 < ends; k++) {
             const double a = w[k], b = fmin(w[k + 1], high);
-            if (a < b && slow_flow_stability(0.5 * (a + b), at.A, model.m, model.zeta, at.h, at.h_A) < 0 && found < MOST)
+            if (a < b && slow_flow_stability(0.5 * (a + b), at.A, model.m, model.zeta, at.h, at.h_A) < 0 &&
+                found < MOST)
                 out[0][found] = at.A, out[1][found] = a, out[2][found++] = b;
         }
     }

@@ -1,7 +1,6 @@
-/* A record that the package has not: a cubic spring with its parameters the other way round, beta, alpha, and an end b of
- * its first piece behind which the force goes on as it was; b = 0 is no end.
- *
- * A test may build it with other answers in its slots: FORM, OFFSET, LEVEL and THRESHOLD. */
+/* A record that the package has not: a cubic spring with its parameters the other way round, beta, alpha, and an end b
+ * of its first piece behind which the force goes on as it was; b = 0 is no end.  A test may build it with other answers
+ * in its slots: FORM, OFFSET, LEVEL and THRESHOLD. */
 #include <math.h>
 
 #include "mechanism.h"

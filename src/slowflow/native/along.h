@@ -81,7 +81,8 @@ typedef struct {
 
 static inline sf_asked sf_asked_of(sf_question question, const sf_model *model, double F_0) {
     sf_asked asked;
-    asked.question = question, asked.model = model, asked.F_0 = F_0, asked.Omega = 0, asked.most = NULL, asked.highest = 0;
+    asked.question = question, asked.model = model, asked.F_0 = F_0, asked.Omega = 0, asked.most = NULL,
+    asked.highest = 0;
     asked.least = question == SF_FOLD_AT ? slow_flow_least_restoring(F_0, model->m) : 0;
     asked.terms.m = sfi_point(model->m), asked.terms.zeta = sfi_point(model->zeta);
     asked.terms.F_0 = sfi_point(F_0), asked.terms.least = sfi_point(asked.least);
@@ -100,7 +101,8 @@ static inline void sf_ask_stiffness(const sf_sample *at, sf_answer *out) {
 /* Omega where a fold at F_0 may be, from I or from R, y being what the two lack of agreeing: the one that rounding
  * moves less. I exceeds m by little if damping is weak, and |k| the least if Omega is low. */
 static inline double sf_fold_Omega(const sf_asked *asked, const sf_sample *at, double Omega, double y) {
-    const double lag = slow_flow_I(Omega, at->A, 0, asked->model->zeta), square = slow_flow_fold_square(Omega, at->A, y);
+    const double lag = slow_flow_I(Omega, at->A, 0, asked->model->zeta),
+                 square = slow_flow_fold_square(Omega, at->A, y);
     const double least = asked->least / at->k;
     const double of_I = (lag + asked->model->m) / (lag * (1 - least) * (1 + least));
     const double of_R = (2 * fabs(at->h) + at->A * square) / (at->A * square);
@@ -493,7 +495,8 @@ static inline void sf_range_cusp_scaled(const sf_asked *asked, const sf_known *a
         X.lo = sfi_most(X.lo, 0);
         y = slow_flow_intervals_cusp_scaled(cell->A, m, zeta, cell->h_AA, kappa, X, t);
         if (sfi_has_sign(y) ||
-            (limited && slow_flow_intervals_cusp_scaled_level(cell->A, m, zeta, cell->h_AA, kappa, X, t).lo > *asked->most))
+            (limited &&
+             slow_flow_intervals_cusp_scaled_level(cell->A, m, zeta, cell->h_AA, kappa, X, t).lo > *asked->most))
             continue;
         sf_range_simple(y,
                         slow_flow_intervals_cusp_scaled_slope(cell->A, m, zeta, cell->h_AA, kappa, rho, X, t,
@@ -539,7 +542,8 @@ static inline void sf_range_cusp(const sf_asked *asked, const sf_known *a, const
         if (!(open & 1 << i))
             continue;
         sf_cusp_on(cell, asked->terms.m, asked->terms.zeta, i == 0, &cusp);
-        if (cusp.where != SF_NOWHERE && !sfi_has_sign(cusp.y) && !(sf_is_limited(asked) && cusp.level.lo > *asked->most))
+        if (cusp.where != SF_NOWHERE && !sfi_has_sign(cusp.y) &&
+            !(sf_is_limited(asked) && cusp.level.lo > *asked->most))
             sf_range_simple(cusp.y, cusp.dy, cusp.where, &out[i]);
     }
 }
@@ -617,7 +621,8 @@ static inline void sf_range_turn(const sf_model *model, const sf_cell *cell, int
             continue;
         }
         sf_range_simple(slow_flow_intervals_F_A(w, cell->A, m, zeta, cell->h, cell->h_A),
-                        slow_flow_intervals_F_AA(w, cell->A, m, zeta, cell->h, cell->h_A, cell->h_AA), box.where, &out[i]);
+                        slow_flow_intervals_F_AA(w, cell->A, m, zeta, cell->h, cell->h_A, cell->h_AA), box.where,
+                        &out[i]);
         out[i].y.lo *= 0.5, out[i].y.hi *= 0.5, out[i].dy.lo *= 0.5, out[i].dy.hi *= 0.5;
     }
 }
@@ -626,7 +631,8 @@ static inline void sf_range_turn(const sf_model *model, const sf_cell *cell, int
  * A Omega^2 <= |h|. Of small amplitudes this tells all, also where h/A has no bound. */
 static inline double sf_most_of_peak(const sf_model *model, double F_0, const sf_cell *cell) {
     const double size = sfi_most(fabs(cell->h.lo), fabs(cell->h.hi));
-    const double lag = slow_flow_I(sqrt(cell->A.hi * size), 1, model->m, model->zeta); /* A Omega = sqrt(A size) at most */
+    const double lag =
+        slow_flow_I(sqrt(cell->A.hi * size), 1, model->m, model->zeta); /* A Omega = sqrt(A size) at most */
     return (size * size + lag * lag) * (1 + SF_DOUBT) - F_0 * F_0 * (1 - SF_DOUBT);
 }
 
@@ -665,8 +671,8 @@ static inline void sf_range_rest(const sf_model *model, double F_0, const sf_cel
 static inline void sf_range_state(const sf_terms *terms, sf_interval Omega, const sf_cell *cell, sf_range *out) {
     sf_interval R[2], state[3];
     slow_flow_intervals_state_R(Omega, cell->A, cell->h, cell->h_A, cell->k, R);
-    slow_flow_intervals_state(Omega, cell->A, terms->F_0, terms->m, terms->zeta, cell->h_A, cell->h_AA, sfi_both(R[0], R[1]),
-                              state);
+    slow_flow_intervals_state(Omega, cell->A, terms->F_0, terms->m, terms->zeta, cell->h_A, cell->h_AA,
+                              sfi_both(R[0], R[1]), state);
     sf_range_simple(state[0], state[1], SF_THROUGHOUT, out);
     out->ddy = state[2];
 }
@@ -689,8 +695,11 @@ static inline void sf_doubt_gains(const sf_model *model, sf_cell *cell) {
 
 /* The same, F_A and F_AA only where what comes before them has no sign on the cell. Inlined, so that no call computes
  * what is not taken of it. */
-SF_FLAT static inline void sf_range_state_in_turn(const sf_terms *terms, sf_interval Omega, const sf_cell *cell, sf_range *out) {
-    const sf_interval F_0 = terms->F_0, m = terms->m, zeta = terms->zeta, A = cell->A, h_A = cell->h_A, h_AA = cell->h_AA;
+SF_FLAT static inline void sf_range_state_in_turn(const sf_terms *terms, sf_interval Omega, const sf_cell *cell,
+                                                  sf_range *out)
+{
+    const sf_interval F_0 = terms->F_0, m = terms->m, zeta = terms->zeta, A = cell->A, h_A = cell->h_A,
+                      h_AA = cell->h_AA;
     sf_interval R[2], state[3];
     slow_flow_intervals_state_R(Omega, A, cell->h, h_A, cell->k, R);
     R[0] = sfi_both(R[0], R[1]);

@@ -113,7 +113,10 @@ static inline int sf_follow(const sf_graph *graph, int end, int *visited, int *s
     return n;
 }
 
-static inline double sf_first_Omega(const sf_graph *graph, int step) { return graph->arc[step / 2].Omega[1 - step % 2]; }
+static inline double sf_first_Omega(const sf_graph *graph, int step)
+{
+    return graph->arc[step / 2].Omega[1 - step % 2];
+}
 static inline double sf_last_Omega(const sf_graph *graph, int step) { return graph->arc[step / 2].Omega[step % 2]; }
 
 static inline void sf_reverse(int *step, int n) {

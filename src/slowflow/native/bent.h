@@ -15,7 +15,8 @@
 #include "mechanism.h"
 #include "quadrature_conventions.h"
 
-typedef void (*sf_bent_terms)(sf_interval A, sf_interval beyond, sf_interval sine, const sf_interval *p, sf_interval *out);
+typedef void (*sf_bent_terms)(sf_interval A, sf_interval beyond, sf_interval sine, const sf_interval *p,
+                              sf_interval *out);
 typedef void (*sf_bent_closing)(sf_interval A, const sf_interval *roots, const sf_interval *sums, const sf_interval *p,
                                 sf_interval *out);
 
@@ -76,7 +77,8 @@ static inline void sf_add_bent(const sf_bent *of, int piece, double start, doubl
         const double high_next = sf_sine_at(start, end, last, next, A.hi);
         const double low_angle_next = asin(fmin(low_next, 1)), high_angle_next = asin(fmin(high_next, 1));
         const double one = low_angle_next - low_angle, other = high_angle_next - high_angle;
-        const sf_interval angle = sfi_of(sfi_most(sfi_least(one, other) - SF_ANGLE, 0), sfi_most(one, other) + SF_ANGLE);
+        const sf_interval angle =
+            sfi_of(sfi_most(sfi_least(one, other) - SF_ANGLE, 0), sfi_most(one, other) + SF_ANGLE);
         /* sines are monotone in A, and beyond a breakpoint they fall as it rises */
         const sf_interval sine = sf_wider(high_sine, fmin(low_next, 1));
         const sf_interval beyond = last ? sf_wider((A.lo - start) * share, (A.hi - start) * next)
@@ -108,7 +110,9 @@ static inline void sf_of_contact(const sf_bent *of, int number, double start, sf
 
 /* h and h_AAAA on amplitudes of one piece of the force, which ends at these breakpoints; infinite or NaN where not
  * known. */
-static inline void sf_enclose(const sf_bent *of, const double *ends, sf_interval A, const double *given, sf_interval *out) {
+static inline void sf_enclose(const sf_bent *of, const double *ends, sf_interval A, const double *given,
+                              sf_interval *out)
+{
     sf_interval p[SF_MOST_PARAMETERS], roots[SF_MOST_BREAKS];
     sf_interval sums[2 + SF_CONTACT_SUMS * SF_MOST_CONTACTS] = {{0, 0}};
     int i, passed = 0;

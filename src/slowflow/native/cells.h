@@ -195,8 +195,9 @@ static inline void sf_make_slopes_bent(const sf_model *model, const sf_known *a,
 }
 
 /* Between two samples, and what is known at these. */
-static inline void sf_make_slopes(const sf_model *model, const sf_sample *first, const sf_sample *last, const sf_known *a,
-                                  const sf_known *b, sf_cell *cell) {
+static inline void sf_make_slopes(const sf_model *model, const sf_sample *first, const sf_sample *last,
+                                  const sf_known *a, const sf_known *b, sf_cell *cell)
+{
     if (model->mechanism->bent != NULL)
         sf_make_slopes_bent(model, a, b, cell);
     else

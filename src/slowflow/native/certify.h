@@ -70,7 +70,8 @@ static void sf_fold_on(const sf_proving *proving, const sf_cell *cell, int open,
 
 static sf_at_amplitude sf_at_cell(sf_roots_of of, const sf_terms *terms, const sf_cell *cell) {
     sf_at_amplitude q;
-    q.of = of, q.A = cell->A, q.h = cell->h, q.h_A = cell->h_A, q.m = terms->m, q.zeta = terms->zeta, q.F_0 = terms->F_0;
+    q.of = of, q.A = cell->A, q.h = cell->h, q.h_A = cell->h_A, q.m = terms->m, q.zeta = terms->zeta,
+    q.F_0 = terms->F_0;
     return q;
 }
 
@@ -180,8 +181,9 @@ static sf_status sf_begin_certificate(const sf_model *model, const sf_given *giv
 }
 
 /* Every fold at F_0. hints: amplitudes where some are expected */
-static sf_status sf_certify_folds(const sf_model *model, const sf_given *given, double F_0, const double *hints, int count,
-                                  sf_proof *proof, sf_certificate *out) {
+static sf_status sf_certify_folds(const sf_model *model, const sf_given *given, double F_0, const double *hints,
+                                  int count, sf_proof *proof, sf_certificate *out)
+{
     const sf_status status = sf_begin_certificate(model, given, F_0, out);
     sf_proving proving = sf_proving_of(given, F_0, proof);
     int i;
@@ -209,8 +211,9 @@ static void sf_state_on(const sf_proving *proving, const sf_cell *cell, int open
 }
 
 /* Every state at (Omega, F_0). */
-static sf_status sf_certify_states(const sf_model *model, const sf_given *given, double F_0, double Omega, sf_proof *proof,
-                                   sf_certificate *out) {
+static sf_status sf_certify_states(const sf_model *model, const sf_given *given, double F_0, double Omega,
+                                   sf_proof *proof, sf_certificate *out)
+{
     const sf_status status = sf_begin_certificate(model, given, F_0, out);
     sf_proving proving = sf_proving_of(given, F_0, proof);
     int i;
@@ -276,7 +279,9 @@ typedef struct {
 } sf_candidates;
 
 /* Enters a level that is a minimum along the fold locus if `sign` is positive, none if it is negative. */
-static void sf_enter(sf_candidates *list, sf_interval level, sf_interval Omega, sf_interval A, sf_onset_kind kind, int sign) {
+static void sf_enter(sf_candidates *list, sf_interval level, sf_interval Omega, sf_interval A, sf_onset_kind kind,
+                     int sign)
+{
     if (sign == 0)
         list->doubted = sfi_least(list->doubted, level.lo);
     if (sign <= 0)

@@ -53,7 +53,8 @@ static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) 
         sf_sort_zeros(zeros);
         for (k = 0; k < zeros->n; k++) {
             sf_add_infinity(model, F_0, zeros->at[k].A, &passed, graph);
-            sf_add_response_event(&zeros->at[k], !sf_inertial(model) && sf_is_biquadratic(model, F_0, zeros->at[k].A), graph);
+            sf_add_response_event(&zeros->at[k], !sf_inertial(model) && sf_is_biquadratic(model, F_0, zeros->at[k].A),
+                                  graph);
         }
         if (zeros->status != SF_OK)
             graph->status = zeros->status;
@@ -188,7 +189,8 @@ static double sf_polish_amplitude(const sf_model *model, double F_0, double Omeg
     sf_quartic s;
     double step;
     s.kind = SF_RESPONSE;
-    s.A = at->A, s.h = at->h, s.h_A = at->h_A, s.m = model->m, s.zeta = model->zeta, s.F_0 = sf_force(model, F_0, Omega);
+    s.A = at->A, s.h = at->h, s.h_A = at->h_A, s.m = model->m, s.zeta = model->zeta,
+    s.F_0 = sf_force(model, F_0, Omega);
     step = 0.5 * sf_value_fine(&s, Omega) / sf_half_F_A(model, at, Omega);
     return fabs(step) < SF_LAST_STEP * at->A ? at->A - step : at->A;
 }
@@ -368,7 +370,9 @@ static void sf_numbers_between(double low, double high, int n, double *x) {
 
 /* Omega at n amplitudes inside a segment: by blocks, and one at a time where these do not count the roots that there
  * are, or for an excitation by inertia. */
-static void sf_frequencies_along(const sf_model *model, double F_0, const sf_segment *segment, int n, const double *A, double *Omega) {
+static void sf_frequencies_along(const sf_model *model, double F_0, const sf_segment *segment, int n, const double *A,
+                                 double *Omega)
+{
     const sf_curve curve = {model, F_0};
     sf_quartics block;
     sf_jobs jobs;
@@ -412,7 +416,9 @@ static int sf_is_steep(const sf_segment *segment) {
 /* n - 1 points inside a segment in the order of its numbers by rising A: at amplitudes, or where it is steep at
  * frequencies.
  * Rounding takes none beyond its ends, between which Omega is monotone. */
-static void sf_points_inside(const sf_model *model, double F_0, const sf_segment *segment, int n, double *Omega, double *A) {
+static void sf_points_inside(const sf_model *model, double F_0, const sf_segment *segment, int n, double *Omega,
+                             double *A)
+{
     const double low = fmin(segment->Omega[0], segment->Omega[1]), high = fmax(segment->Omega[0], segment->Omega[1]);
     int k;
     if (sf_is_steep(segment)) {

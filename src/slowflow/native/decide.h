@@ -67,7 +67,9 @@ static void sf_add_proved_fold(const sf_model *model, const sf_enclosure *fold, 
 }
 
 /* The folds that are proved; 0 if doubles do not decide. */
-static int sf_take_proved_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room, sf_folds *folds) {
+static int sf_take_proved_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
+                                sf_folds *folds)
+{
     const sf_certificate *found = &room->found;
     int i, same;
     if (sf_certify_folds(model, given, F_0, NULL, 0, &room->proof, &room->found) != SF_OK || !sf_is_proved(found))
@@ -84,7 +86,9 @@ static int sf_take_proved_folds(const sf_model *model, const sf_given *given, do
 }
 
 /* Every fold at F_0 > m, by rising Omega. */
-static sf_status sf_decided_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room, sf_folds *folds) {
+static sf_status sf_decided_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
+                                  sf_folds *folds)
+{
     sf_status status = sf_saddle_nodes(model, F_0, &room->work, folds);
     room->doubt = room->undecided = 0, room->proofs = 0;
     if (status == SF_STICKS || status == SF_NO_BOUND)
@@ -108,7 +112,9 @@ static int sf_is_linear(const sf_model *model) {
 }
 
 /* The same to their last digit. */
-static sf_status sf_settled_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room, sf_folds *folds) {
+static sf_status sf_settled_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
+                                  sf_folds *folds)
+{
     sf_status status;
     if (sf_is_linear(model) && !sf_sticks(model, F_0)) {
         folds->n = folds->undecided = 0;

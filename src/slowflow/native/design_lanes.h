@@ -58,7 +58,8 @@ typedef struct {
  * cell */
 typedef struct {
     int n, of[SF_LANE_CELLS];
-    double low[SF_CUSP_ROWS][SF_LANE_CELLS], high[SF_CUSP_ROWS][SF_LANE_CELLS], asked[SF_CUSP_ASKED_ROWS][SF_LANE_CELLS];
+    double low[SF_CUSP_ROWS][SF_LANE_CELLS], high[SF_CUSP_ROWS][SF_LANE_CELLS],
+        asked[SF_CUSP_ASKED_ROWS][SF_LANE_CELLS];
     double open[2][SF_LANE_CELLS], verdict[2][SF_LANE_CELLS], falls[SF_LANE_CELLS];
 } sf_cusp_cells;
 
@@ -123,7 +124,9 @@ static inline void sf_fill_zeros(sf_lane_zeros *zeros) {
 
 /* Halley's step from A to where a function vanishes that has this value, slope and bend there, kept in bracket i.
  * is_low: whether it is not there yet. Returns the step. */
-static inline double sf_halley(sf_lane_zeros *zeros, ptrdiff_t i, double A, int is_low, double f, double slope, double bend) {
+static inline double sf_halley(sf_lane_zeros *zeros, ptrdiff_t i, double A, int is_low, double f, double slope,
+                               double bend)
+{
     const double lo = is_low ? A : zeros->lo[i], hi = is_low ? zeros->hi[i] : A;
     const double step = 2 * f * slope / (2 * slope * slope - f * bend), next = A - step;
     const int is_inside = (next >= lo) & (next <= hi);
@@ -140,7 +143,8 @@ static inline double sf_lane_least(double f_a, double f_b, double falls, double 
     const double within = meet > 0 ? SF_LESSER(meet, width) : 0.0;
     const double by_a = f_a + falls * within, by_b = f_b - rises * (width - within);
     /* a line without end tells nothing */
-    return fabs(falls) < HUGE_VAL ? (rises < HUGE_VAL ? SF_LESSER(by_a, by_b) : f_a + falls * width) : f_b - rises * width;
+    return fabs(falls) < HUGE_VAL ? (rises < HUGE_VAL ? SF_LESSER(by_a, by_b) : f_a + falls * width)
+                                  : f_b - rises * width;
 }
 
 /* What h_A and h_AA are on a cell; e1: what rounding may make of h_A, which is in these */
@@ -148,8 +152,9 @@ typedef struct {
     double h1_lo, h1_hi, h2_lo, h2_hi, e1;
 } sf_lane_slopes;
 
-static inline sf_lane_slopes sf_slopes_on(double a, double h_a, double h1_a, double h2_a, double h3_a, double b, double h_b,
-                                          double h1_b, double h2_b, double h3_b, double base) {
+static inline sf_lane_slopes sf_slopes_on(double a, double h_a, double h1_a, double h2_a, double h3_a, double b,
+                                          double h_b, double h1_b, double h2_b, double h3_b, double base)
+{
     const double width = b - a;
     /* what kernels and the roundings below may make of h_A and h_AA; sf_doubt_gains */
     const double near_a = a > base ? (a + fabs(h_a)) / sqrt((a - base) * (a + base)) : 0.0;
@@ -171,7 +176,8 @@ static inline sf_lane_slopes sf_slopes_on(double a, double h_a, double h1_a, dou
     const double h1_least = SF_LESSER(h1_a, h1_b), h1_most = SF_GREATER(h1_a, h1_b);
     const double h1_under = sf_lane_least(h1_a, h1_b, falls2, rises2, width);
     const double h1_over = -sf_lane_least(-h1_a, -h1_b, -rises2, -falls2, width);
-    const sf_lane_slopes on = {(h2_signed ? h1_least : h1_under) - e1, (h2_signed ? h1_most : h1_over) + e1, h2_lo, h2_hi, e1};
+    const sf_lane_slopes on = {(h2_signed ? h1_least : h1_under) - e1, (h2_signed ? h1_most : h1_over) + e1, h2_lo,
+                               h2_hi, e1};
     return on;
 }
 
@@ -210,8 +216,11 @@ static inline double sf_lane_amid(double base, double a, double b) {
 
 /* Where a function with values on either side of zero is likely to vanish: by both values and slopes the cubic that
  * gives A, else the parabola from the end whose slope is known, else `inside`. */
-static inline double sf_lane_zero(double a, double y_a, double slope_a, double b, double y_b, double slope_b, double inside) {
-    const double width = b - a, over = 1 / (y_b - y_a), chord = width * over, flat_a = 1 / slope_a, flat_b = 1 / slope_b;
+static inline double sf_lane_zero(double a, double y_a, double slope_a, double b, double y_b, double slope_b,
+                                  double inside)
+{
+    const double width = b - a, over = 1 / (y_b - y_a), chord = width * over, flat_a = 1 / slope_a,
+                 flat_b = 1 / slope_b;
     const double bend = (chord - flat_a) * over, third = ((flat_b - chord) * over - bend) * over;
     const double by_cubic = a - y_a * flat_a + y_a * y_a * (bend - y_b * third);
     const double rise = -slope_b * width, curve = y_a - y_b - rise;

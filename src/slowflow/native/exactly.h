@@ -76,7 +76,8 @@ static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, 
 static inline void sf_exact_on(const sf_exactly *exactly, int i, sf_exact_sample *out) {
     const sf_pair b = exactly->b[i];
     out->A = b, out->h[2] = out->h[3] = sfp_point(0);
-    exactly->mechanism->averaged_in_pairs(exactly->empty + i, 2, b, i > 0 ? sfp_sub(b, exactly->b[i - 1]) : b, exactly->p, out->h);
+    exactly->mechanism->averaged_in_pairs(exactly->empty + i, 2, b, i > 0 ? sfp_sub(b, exactly->b[i - 1]) : b,
+                                          exactly->p, out->h);
 }
 
 #endif

@@ -63,8 +63,9 @@ static int sf_nearest_break(const sf_model *model, double A) {
     return best;
 }
 
-static void sf_move(sf_pinned kind, const sf_model *model, double w, const sf_sample *at, double F_0, const sf_cause *of,
-                    double *out) {
+static void sf_move(sf_pinned kind, const sf_model *model, double w, const sf_sample *at, double F_0,
+                    const sf_cause *of, double *out)
+{
 #define SF_MOVES_OF(name)                                                                                              \
     slow_flow_moves_of_##name(w, at->A, F_0, model->m, model->zeta, at->h, at->h_A, at->h_AA, at->h_AAA, of->h[0],     \
                               of->h[1], of->h[2], of->m, of->zeta, of->end, of->forcing, of->frequency, out)
@@ -84,8 +85,9 @@ static void sf_move(sf_pinned kind, const sf_model *model, double w, const sf_sa
 }
 
 /* The number of that column does this: those of the design first, then mu, zeta, F_0 and Omega. */
-static void sf_cause_of(const sf_model *model, int column, int piece, const double *by_parameter, const double *by_design,
-                        sf_cause *out) {
+static void sf_cause_of(const sf_model *model, int column, int piece, const double *by_parameter,
+                        const double *by_design, sf_cause *out)
+{
     const sf_mechanism *mechanism = model->mechanism;
     const int design = mechanism->design_size;
     int i, k;
@@ -153,8 +155,8 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *design, 
         for (i = 0; i < SF_MOVES; i++)
             out[i * columns + j] = found[i];
         if (rows == SF_STATE_MOVES) {
-            slow_flow_moves_of_phase(Omega, at.A, F_0, model->m, model->zeta, at.h, at.h_A, cause.h[0], cause.m, cause.zeta,
-                                     found[0], found[1], found[2], found + SF_MOVES);
+            slow_flow_moves_of_phase(Omega, at.A, F_0, model->m, model->zeta, at.h, at.h_A, cause.h[0], cause.m,
+                                     cause.zeta, found[0], found[1], found[2], found + SF_MOVES);
             out[3 * columns + j] = found[3], out[4 * columns + j] = found[4];
         }
         for (i = 0; i < rows; i++)
@@ -187,13 +189,14 @@ static void sf_loop_gradients(char **args, const ptrdiff_t *dimensions, const pt
             design[i] = sf_input(args, steps, i, k);
         for (i = 0; i < rows * columns; i++)
             out[i] = NAN;
-        if (mechanism->by_parameter != NULL && A > 0 && A < HUGE_VAL && Omega >= 0 && Omega < HUGE_VAL && F_0 >= 0 && F_0 < HUGE_VAL &&
-            sf_design_at(mechanism, args, steps, k, 1, &model))
+        if (mechanism->by_parameter != NULL && A > 0 && A < HUGE_VAL && Omega >= 0 && Omega < HUGE_VAL && F_0 >= 0 &&
+            F_0 < HUGE_VAL && sf_design_at(mechanism, args, steps, k, 1, &model))
             status = sf_gradient(&model, design, (sf_pinned)sf_input(args, steps, first + 3, k), Omega, A, F_0, rows,
                                  columns, out);
         for (i = 0; i < rows; i++)
             for (j = 0; j < columns; j++)
-                *(double *)(void *)(args[moves] + k * steps[moves] + i * inner[0] + j * inner[1]) = out[i * columns + j];
+                *(double *)(void *)(args[moves] + k * steps[moves] + i * inner[0] + j * inner[1]) =
+                    out[i * columns + j];
         sf_output_code(args, steps, moves + 1, k, status);
     }
 }

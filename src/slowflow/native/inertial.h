@@ -55,8 +55,9 @@ static inline int sf_inertial_count(const sf_model *model, const sf_sample *at, 
 }
 
 /* Newton's steps in x = 1/Omega, kept in the bracket; F rises with x for +1 and falls for -1. */
-static inline double sf_inertial_solve(const sf_model *model, const sf_sample *at, double F_0, double x, double lo, double hi,
-                                       double rising) {
+static inline double sf_inertial_solve(const sf_model *model, const sf_sample *at, double F_0, double x, double lo,
+                                       double hi, double rising)
+{
     int i;
     x = fmin(fmax(x, lo), hi);
     for (i = 0; i < 200; i++) {

@@ -32,13 +32,14 @@ typedef struct {
     sf_extremum (*extremum)(const sf_model *, const sf_exactly *, const sf_zero *);
     long (*draw_locus)(const sf_model *, long samples, sf_work *, double *Omega, double *A, double *F_0,
                        long long *branch);
-    sf_status (*certify_folds)(const sf_model *, const sf_given *, double F_0, const double *hints, int count, sf_proof *,
-                               sf_certificate *);
-    sf_status (*certify_states)(const sf_model *, const sf_given *, double F_0, double Omega, sf_proof *, sf_certificate *);
+    sf_status (*certify_folds)(const sf_model *, const sf_given *, double F_0, const double *hints, int count,
+                               sf_proof *, sf_certificate *);
+    sf_status (*certify_states)(const sf_model *, const sf_given *, double F_0, double Omega, sf_proof *,
+                                sf_certificate *);
     sf_status (*certify_detachment)(const sf_given *, sf_interval *F_cr, sf_interval *Omega_cr);
     sf_status (*certify_onset)(const sf_model *, const sf_given *, sf_work *, sf_proof *, sf_proved_onset *);
-    sf_second_curve *(*second_follow)(const sf_model *, double F_0, sf_wanted, long n, const double *Omega, const double *A,
-                                      const long long *branch, const unsigned char *closed);
+    sf_second_curve *(*second_follow)(const sf_model *, double F_0, sf_wanted, long n, const double *Omega,
+                                      const double *A, const long long *branch, const unsigned char *closed);
     void (*second_free)(sf_second_curve *);
     void (*second_folds)(const sf_model *, double F_0, const sf_second_curve *, sf_second_folds *);
     long (*second_most)(const sf_second_curve *, double Omega);

@@ -510,13 +510,17 @@ static void sf_corner_folds(const sf_model *model, double F_0, sf_work *work, sf
 static double sf_excess(const sf_model *model, double F_0, const sf_arc *arc, double A, double *Omega) {
     sf_sample at;
     sf_sample_at(model, A, &at);
-    *Omega = A == arc->A[0] ? arc->Omega[0] : A == arc->A[1] ? arc->Omega[1] : sf_fold_branch(model, &at, arc->count, arc->index);
+    *Omega = A == arc->A[0]   ? arc->Omega[0]
+             : A == arc->A[1] ? arc->Omega[1]
+                              : sf_fold_branch(model, &at, arc->count, arc->index);
     return *Omega > 0 ? sf_level(model, &at, *Omega) - F_0 : HUGE_VAL;
 }
 
 /* Where the level, which is monotone along the arc, passes F_0: regula falsi (Illinois), and halves where that is
  * slow. */
-static double sf_level_crossing(const sf_model *model, double F_0, const sf_arc *arc, double low, double high, double *Omega) {
+static double sf_level_crossing(const sf_model *model, double F_0, const sf_arc *arc, double low, double high,
+                                double *Omega)
+{
     double a = arc->A[0], b = arc->A[1], f_a = low, f_b = high;
     int i;
     for (i = 0; i < 400; i++) {
@@ -549,7 +553,8 @@ static sf_status sf_locus_folds(const sf_model *model, double F_0, sf_work *work
     for (i = 0; i < work->locus.arcs; i++) {
         const sf_arc *arc = &work->locus.arc[i];
         double Omega, A;
-        const double low = sf_excess(model, F_0, arc, arc->A[0], &Omega), high = sf_excess(model, F_0, arc, arc->A[1], &Omega);
+        const double low = sf_excess(model, F_0, arc, arc->A[0], &Omega),
+                     high = sf_excess(model, F_0, arc, arc->A[1], &Omega);
         sf_sample at;
         folds->undecided |= fabs(low) <= SF_CLOSE * F_0 || fabs(high) <= SF_CLOSE * F_0;
         if (!sf_opposite(low, high))
@@ -622,9 +627,8 @@ static sf_extremum sf_extremum_at(const sf_model *model, const sf_zero *zero) {
     out.A = zero->A;
     out.F_0 = sf_extremum_level(model, zero, &at);
     out.minimum = sf_is_minimum(model, zero->question, &at, out.Omega);
-    out.saddle = zero->question == SF_ISOLA &&
-                 (sf_inertial(model) ? inertia_hessian : slow_flow_hessian)(out.Omega, at.A, model->m, model->zeta, at.h,
-                                                                            at.h_A, at.h_AA) < 0;
+    out.saddle = zero->question == SF_ISOLA && (sf_inertial(model) ? inertia_hessian : slow_flow_hessian)(
+                                                   out.Omega, at.A, model->m, model->zeta, at.h, at.h_A, at.h_AA) < 0;
     out.isola = zero->question == SF_ISOLA;
     return out;
 }

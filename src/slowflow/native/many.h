@@ -47,14 +47,17 @@ static int sf_design_at(const sf_mechanism *mechanism, char **args, const ptrdif
 }
 
 /* Design k as it was given; 0 where no proof is possible. */
-static int sf_given_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_given *given) {
+static int sf_given_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_given *given)
+{
     sf_numbers at;
     sf_read_numbers_at(mechanism, args, steps, k, &at);
     return sf_give(mechanism, at.design, at.damping[0], at.damping[1], given);
 }
 
 /* The same in pairs; 0 where there is no such form. */
-static int sf_exactly_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_exactly *exactly) {
+static int sf_exactly_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
+                         sf_exactly *exactly)
+{
     sf_numbers at;
     sf_read_numbers_at(mechanism, args, steps, k, &at);
     return sf_make_exact(mechanism, at.design, at.damping[0], at.damping[1], exactly);
@@ -71,7 +74,9 @@ static void sf_quietly(sf_many loop, char **args, const ptrdiff_t *dimensions, c
 /* ==== Answers, from output `out` on =============================================================================== */
 
 /* Arrays of one more axis, whose steps stand behind those of all arguments: place i of output `at` of these. */
-static void *sf_at_place(char **args, const ptrdiff_t *steps, const ptrdiff_t *inner, int out, int at, ptrdiff_t k, ptrdiff_t i) {
+static void *sf_at_place(char **args, const ptrdiff_t *steps, const ptrdiff_t *inner, int out, int at, ptrdiff_t k,
+                         ptrdiff_t i)
+{
     return args[out + at] + k * steps[out + at] + i * inner[at];
 }
 
@@ -87,8 +92,9 @@ static void sf_write_detachment(char **args, const ptrdiff_t *steps, int out, pt
 }
 
 /* at_rest: whether folds that end at Omega = 0 are below it */
-static void sf_write_onset(char **args, const ptrdiff_t *steps, int out, ptrdiff_t k, const sf_onset *found, int at_rest,
-                           sf_status status) {
+static void sf_write_onset(char **args, const ptrdiff_t *steps, int out, ptrdiff_t k, const sf_onset *found,
+                           int at_rest, sf_status status)
+{
     sf_output(args, steps, out, k, found->F_SN);
     sf_output(args, steps, out + 1, k, found->Omega);
     sf_output(args, steps, out + 2, k, found->A);
@@ -97,15 +103,18 @@ static void sf_write_onset(char **args, const ptrdiff_t *steps, int out, ptrdiff
     sf_output_code(args, steps, out + 5, k, sf_of_search(status));
 }
 
-static void sf_write_peak(char **args, const ptrdiff_t *steps, int out, ptrdiff_t k, double A, double Omega, sf_status status) {
+static void sf_write_peak(char **args, const ptrdiff_t *steps, int out, ptrdiff_t k, double A, double Omega,
+                          sf_status status)
+{
     sf_output(args, steps, out, k, A);
     sf_output(args, steps, out + 1, k, Omega);
     sf_output_code(args, steps, out + 2, k, sf_of_search(status));
 }
 
 /* How many there are, and the status, SF_TOO_MANY where there are no places for them. */
-static void sf_write_count(char **args, const ptrdiff_t *steps, int out, ptrdiff_t k, int n, int undecided, ptrdiff_t places,
-                           sf_status status) {
+static void sf_write_count(char **args, const ptrdiff_t *steps, int out, ptrdiff_t k, int n, int undecided,
+                           ptrdiff_t places, sf_status status)
+{
     sf_output_code(args, steps, out, k, n);
     sf_output_code(args, steps, out + 1, k, undecided);
     sf_output_code(args, steps, out + 2, k, n > places && status == SF_OK ? SF_TOO_MANY : status);
@@ -118,11 +127,13 @@ static sf_fold_kind sf_kind_of(const sf_fold *fold) {
 }
 
 /* A fold into place i; NULL leaves it empty. */
-static void sf_write_fold(char **args, const ptrdiff_t *steps, const ptrdiff_t *inner, int out, ptrdiff_t k, ptrdiff_t i,
-                          const sf_fold *fold) {
+static void sf_write_fold(char **args, const ptrdiff_t *steps, const ptrdiff_t *inner, int out, ptrdiff_t k,
+                          ptrdiff_t i, const sf_fold *fold)
+{
     *(double *)sf_at_place(args, steps, inner, out, 0, k, i) = fold != NULL ? fold->Omega : NAN;
     *(double *)sf_at_place(args, steps, inner, out, 1, k, i) = fold != NULL ? fold->A : NAN;
-    *(signed char *)sf_at_place(args, steps, inner, out, 2, k, i) = (signed char)(fold != NULL ? sf_kind_of(fold) : SF_EMPTY);
+    *(signed char *)sf_at_place(args, steps, inner, out, 2, k, i) =
+        (signed char)(fold != NULL ? sf_kind_of(fold) : SF_EMPTY);
 }
 
 /* ==== Questions ================================================================================================== */
@@ -134,8 +145,8 @@ static void sf_answer_detachment(const sf_mechanism *mechanism, char **args, con
     double F_cr = NAN, Omega_cr = NAN, u_cr = NAN;
     sf_status status = SF_INVALID;
     if (sf_design_at(mechanism, args, steps, k, 0, &model))
-        status = sf_settled_detachment(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, &F_cr,
-                                       &Omega_cr, &u_cr);
+        status = sf_settled_detachment(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL,
+                                       &F_cr, &Omega_cr, &u_cr);
     sf_write_detachment(args, steps, mechanism->design_size + mechanism->damping_size, k, F_cr, Omega_cr, u_cr, status);
 }
 
@@ -179,19 +190,24 @@ static int sf_goes_in_lanes(const sf_mechanism *mechanism) {
 }
 
 /* The onset of one design, by itself. */
-static void sf_answer_onset(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_work *work) {
+static void sf_answer_onset(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
+                            sf_work *work)
+{
     sf_onset found = {NAN, NAN, NAN, SF_NO_KIND, HUGE_VAL, 0};
     sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
     sf_model model;
     sf_exactly exactly;
     if (work != NULL && sf_design_at(mechanism, args, steps, k, 1, &model))
-        status = sf_settled_onset(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, work, &found);
-    sf_write_onset(args, steps, mechanism->design_size + mechanism->damping_size, k, &found, sf_is_rest_below(&found), status);
+        status = sf_settled_onset(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, work,
+                                  &found);
+    sf_write_onset(args, steps, mechanism->design_size + mechanism->damping_size, k, &found, sf_is_rest_below(&found),
+                   status);
 }
 
 /* Whether design k begins the search of a block as its member d. */
-static int sf_enter_onset(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_onset_block *block,
-                          int d) {
+static int sf_enter_onset(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
+                          sf_onset_block *block, int d)
+{
     sf_lane_onset *of = &block->at[d];
     if (!sf_design_at(mechanism, args, steps, k, 1, &of->model))
         return 0;
@@ -201,14 +217,16 @@ static int sf_enter_onset(const sf_mechanism *mechanism, char **args, const ptrd
 }
 
 /* Whether the onset of a member, which is design k, settles, and is written. */
-static int sf_leave_onset(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_lane_onset *of,
-                          sf_work *work) {
+static int sf_leave_onset(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
+                          sf_lane_onset *of, sf_work *work)
+{
     sf_onset *found = &of->best;
     sf_exactly exactly;
     if (!of->ok || sf_end_onset(&of->model, &of->ends, 1, work, found) != SF_OK ||
         !sf_exactly_at(mechanism, args, steps, k, &exactly) || !sf_settle_onset(&of->model, &exactly, found))
         return 0;
-    sf_write_onset(args, steps, mechanism->design_size + mechanism->damping_size, k, found, sf_is_rest_below(found), SF_OK);
+    sf_write_onset(args, steps, mechanism->design_size + mechanism->damping_size, k, found, sf_is_rest_below(found),
+                   SF_OK);
     return 1;
 }
 
@@ -236,7 +254,9 @@ static void sf_loop_onsets(char **args, const ptrdiff_t *dimensions, const ptrdi
 }
 
 /* The peak of one design, by itself. */
-static void sf_answer_peak(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_work *work) {
+static void sf_answer_peak(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
+                           sf_work *work)
+{
     const int out = mechanism->design_size + mechanism->damping_size + 1;
     const double F_0 = sf_input(args, steps, out - 1, k);
     sf_model model;
@@ -244,14 +264,15 @@ static void sf_answer_peak(const sf_mechanism *mechanism, char **args, const ptr
     double A = NAN, Omega = NAN;
     sf_status status = SF_INVALID;
     if (mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, 1, &model))
-        status = sf_settled_peak(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, F_0, work, &A,
-                                 &Omega);
+        status = sf_settled_peak(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, F_0,
+                                 work, &A, &Omega);
     sf_write_peak(args, steps, out, k, A, Omega, status);
 }
 
 /* Whether design k begins the search of a block as its member d. */
-static int sf_enter_peak(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_lane_block *block,
-                         int d) {
+static int sf_enter_peak(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
+                         sf_lane_block *block, int d)
+{
     sf_lane_design *of = &block->at[d];
     sf_numbers given;
     of->F_0 = sf_input(args, steps, mechanism->design_size + mechanism->damping_size, k), of->Omega = 0;
@@ -259,15 +280,19 @@ static int sf_enter_peak(const sf_mechanism *mechanism, char **args, const ptrdi
     if (!mechanism->is_forcing(of->F_0))
         return 0;
     sf_read_numbers_at(mechanism, args, steps, k, &given);
-    return mechanism->parameters_of(given.design, of->model.p) && mechanism->damping_of(given.damping, of->model.damping) &&
-           sf_prepare(mechanism, given.design, &of->model) && sf_begin_peak(block, d);
+    return mechanism->parameters_of(given.design, of->model.p) &&
+           mechanism->damping_of(given.damping, of->model.damping) && sf_prepare(mechanism, given.design, &of->model) &&
+           sf_begin_peak(block, d);
 }
 
 /* Whether the peak of member d, which is design k, settles, and is written. */
-static int sf_leave_peak(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, const sf_lane_design *of) {
+static int sf_leave_peak(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
+                         const sf_lane_design *of)
+{
     sf_exactly exactly;
     double A, Omega;
-    if (!of->ok || !sf_exactly_at(mechanism, args, steps, k, &exactly) || !sf_settle_block_peak(of, &exactly, &A, &Omega))
+    if (!of->ok || !sf_exactly_at(mechanism, args, steps, k, &exactly) ||
+        !sf_settle_block_peak(of, &exactly, &A, &Omega))
         return 0;
     sf_write_peak(args, steps, mechanism->design_size + mechanism->damping_size + 1, k, A, Omega, SF_OK);
     return 1;
@@ -290,7 +315,8 @@ static void sf_loop_peaks(char **args, const ptrdiff_t *dimensions, const ptrdif
         }
         for (k = first; k < end; k++) {
             if (work == NULL)
-                sf_write_peak(args, steps, mechanism->design_size + mechanism->damping_size + 1, k, NAN, NAN, SF_NO_MEMORY);
+                sf_write_peak(args, steps, mechanism->design_size + mechanism->damping_size + 1, k, NAN, NAN,
+                              SF_NO_MEMORY);
             else if (block == NULL || !sf_leave_peak(mechanism, args, steps, k, &block->at[k - first]))
                 sf_answer_peak(mechanism, args, steps, k, work);
         }
@@ -325,8 +351,9 @@ static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdif
 }
 
 /* The states of design k into their places. */
-static void sf_write_states(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, int out, ptrdiff_t k, int n,
-                            const double *A, const unsigned char *stable, int undecided, sf_status status) {
+static void sf_write_states(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, int out, ptrdiff_t k,
+                            int n, const double *A, const unsigned char *stable, int undecided, sf_status status)
+{
     const ptrdiff_t places = dimensions[1], *inner = steps + out + 5;
     ptrdiff_t i;
     for (i = 0; i < places; i++) {
@@ -337,8 +364,9 @@ static void sf_write_states(char **args, const ptrdiff_t *dimensions, const ptrd
 }
 
 /* The states of one design, by itself. */
-static void sf_answer_states(const sf_mechanism *mechanism, char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps,
-                             ptrdiff_t k, sf_room *room) {
+static void sf_answer_states(const sf_mechanism *mechanism, char **args, const ptrdiff_t *dimensions,
+                             const ptrdiff_t *steps, ptrdiff_t k, sf_room *room)
+{
     const int forcing = mechanism->design_size + mechanism->damping_size;
     const double F_0 = sf_input(args, steps, forcing, k), Omega = sf_input(args, steps, forcing + 1, k);
     double A[SF_MOST_STATES];
@@ -347,7 +375,8 @@ static void sf_answer_states(const sf_mechanism *mechanism, char **args, const p
     sf_given given;
     sf_status status = SF_INVALID;
     int n = 0, undecided = 0;
-    if (mechanism->is_forcing(F_0) && Omega > 0 && Omega <= SF_HIGHEST_OMEGA && sf_design_at(mechanism, args, steps, k, 1, &model)) {
+    if (mechanism->is_forcing(F_0) && Omega > 0 && Omega <= SF_HIGHEST_OMEGA &&
+        sf_design_at(mechanism, args, steps, k, 1, &model)) {
         const sf_given *exact = sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL;
         room->followed = 0;
         status = sf_of_search(sf_states(&model, exact, F_0, room, Omega, &n, A, stable, &undecided));
@@ -356,8 +385,9 @@ static void sf_answer_states(const sf_mechanism *mechanism, char **args, const p
 }
 
 /* Whether design k begins the search of a block as its member d. */
-static int sf_enter_states(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, sf_lane_block *block,
-                           int d) {
+static int sf_enter_states(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
+                           sf_lane_block *block, int d)
+{
     const int forcing = mechanism->design_size + mechanism->damping_size;
     sf_lane_design *of = &block->at[d];
     sf_numbers given;
@@ -366,13 +396,14 @@ static int sf_enter_states(const sf_mechanism *mechanism, char **args, const ptr
     if (!(mechanism->is_forcing(of->F_0) && of->Omega > 0 && of->Omega <= SF_HIGHEST_OMEGA))
         return 0;
     sf_read_numbers_at(mechanism, args, steps, k, &given);
-    return mechanism->parameters_of(given.design, of->model.p) && mechanism->damping_of(given.damping, of->model.damping) &&
-           sf_begin_states(block, d, &given);
+    return mechanism->parameters_of(given.design, of->model.p) &&
+           mechanism->damping_of(given.damping, of->model.damping) && sf_begin_states(block, d, &given);
 }
 
 /* Whether the states of member d, which is design k, settle, and are written. */
-static int sf_leave_states(const sf_mechanism *mechanism, char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps,
-                           ptrdiff_t k, const sf_lane_design *of) {
+static int sf_leave_states(const sf_mechanism *mechanism, char **args, const ptrdiff_t *dimensions,
+                           const ptrdiff_t *steps, ptrdiff_t k, const sf_lane_design *of)
+{
     double A[SF_LANE_ZEROS];
     sf_exactly exactly;
     unsigned char stable[SF_LANE_ZEROS];
@@ -381,7 +412,8 @@ static int sf_leave_states(const sf_mechanism *mechanism, char **args, const ptr
         return 0;
     for (i = 0; i < of->n; i++)
         stable[i] = (unsigned char)of->rises[i];
-    sf_write_states(args, dimensions, steps, mechanism->design_size + mechanism->damping_size + 2, k, of->n, A, stable, 0, SF_OK);
+    sf_write_states(args, dimensions, steps, mechanism->design_size + mechanism->damping_size + 2, k, of->n, A, stable,
+                    0, SF_OK);
     return 1;
 }
 
@@ -402,8 +434,8 @@ static void sf_loop_states(char **args, const ptrdiff_t *dimensions, const ptrdi
         }
         for (k = first; k < end; k++) {
             if (room == NULL)
-                sf_write_states(args, dimensions, steps, mechanism->design_size + mechanism->damping_size + 2, k, 0, NULL, NULL, 0,
-                                SF_NO_MEMORY);
+                sf_write_states(args, dimensions, steps, mechanism->design_size + mechanism->damping_size + 2, k, 0,
+                                NULL, NULL, 0, SF_NO_MEMORY);
             else if (block == NULL || !sf_leave_states(mechanism, args, dimensions, steps, k, &block->at[k - first]))
                 sf_answer_states(mechanism, args, dimensions, steps, k, room);
         }

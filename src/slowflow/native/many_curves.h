@@ -39,11 +39,13 @@ static long sf_leave_rest_out(long n, sf_points *points) {
 
 /* n points into their places, the others left empty; closed: of each branch. A column at a time: bytes may alias all
  * that a loop over all of them would have to read again at each point. */
-static void sf_write_points(char **args, const ptrdiff_t *steps, const ptrdiff_t *inner, int out, ptrdiff_t k, ptrdiff_t places,
-                            long n, const sf_points *points, const int *closed) {
+static void sf_write_points(char **args, const ptrdiff_t *steps, const ptrdiff_t *inner, int out, ptrdiff_t k,
+                            ptrdiff_t places, long n, const sf_points *points, const int *closed)
+{
     const double *numbers[] = {points->Omega, points->A};
     const ptrdiff_t of_stable = inner[2], of_branch = inner[3], of_closed = inner[4];
-    char *stable = sf_at_place(args, steps, inner, out, 2, k, 0), *branch = sf_at_place(args, steps, inner, out, 3, k, 0);
+    char *stable = sf_at_place(args, steps, inner, out, 2, k, 0),
+         *branch = sf_at_place(args, steps, inner, out, 3, k, 0);
     char *is_closed = sf_at_place(args, steps, inner, out, 4, k, 0);
     ptrdiff_t i;
     int j;

@@ -78,8 +78,8 @@ static SF_FLAT void sf_lane_level_steps(ptrdiff_t n, sf_detaching *block) {
         const sf_pair h = {end[2 * SF_DETACHING + i], end[3 * SF_DETACHING + i]};
         const sf_pair m = slow_flow_pairs_friction(sfp_point(block->mu[i]));
         double out[4];
-        slow_flow_pairs_level_step(sfp_point(block->Omega[i]), b, sfp_point(block->F_0[i]), m, sfp_point(block->zeta[i]), h,
-                                   none, none, none, out);
+        slow_flow_pairs_level_step(sfp_point(block->Omega[i]), b, sfp_point(block->F_0[i]), m,
+                                   sfp_point(block->zeta[i]), h, none, none, none, out);
         block->change[i] = out[0];
     }
 }

@@ -40,7 +40,8 @@ typedef struct {
 } sf_lane_block;
 
 static inline void sf_probe_row(double (*rows)[SF_LANE_CELLS], int i, double A, const double *averages) {
-    rows[0][i] = A, rows[1][i] = averages[0], rows[2][i] = averages[1], rows[3][i] = averages[2], rows[4][i] = averages[3];
+    rows[0][i] = A, rows[1][i] = averages[0], rows[2][i] = averages[1], rows[3][i] = averages[2],
+    rows[4][i] = averages[3];
 }
 
 /* Rows of the places `which` into those from k on. */
@@ -106,9 +107,10 @@ static void sf_add_lane_zero(sf_lane_design *of, const sf_lane_zeros *zeros, int
         return;
     }
     for (i = of->n++; i > 0 && of->A[i - 1] > A; i--)
-        of->A[i] = of->A[i - 1], of->w[i] = of->w[i - 1], of->lo[i] = of->lo[i - 1], of->hi[i] = of->hi[i - 1], of->rises[i] = of->rises[i - 1],
-        of->near[i] = of->near[i - 1];
-    of->A[i] = A, of->w[i] = zeros->Omega[k], of->lo[i] = zeros->lo[k], of->hi[i] = zeros->hi[k], of->rises[i] = zeros->rises[k] != 0;
+        of->A[i] = of->A[i - 1], of->w[i] = of->w[i - 1], of->lo[i] = of->lo[i - 1], of->hi[i] = of->hi[i - 1],
+        of->rises[i] = of->rises[i - 1], of->near[i] = of->near[i - 1];
+    of->A[i] = A, of->w[i] = zeros->Omega[k], of->lo[i] = zeros->lo[k], of->hi[i] = zeros->hi[k],
+    of->rises[i] = zeros->rises[k] != 0;
     of->near[i].h_AA = zeros->at[3][k], of->near[i].h_AAA = zeros->at[4][k];
 }
 
@@ -134,7 +136,8 @@ static void sf_approach_block(sf_lane_block *block, void (*approach)(sf_lane_zer
         sf_take_rows(zeros->asked, SF_ASKED_ROWS, far, n_far, next->asked, 0);
         for (j = 0; j < n_far; j++) {
             i = far[j];
-            next->of[j] = zeros->of[i], next->lo[j] = zeros->lo[i], next->hi[j] = zeros->hi[i], next->rises[j] = zeros->rises[i];
+            next->of[j] = zeros->of[i], next->lo[j] = zeros->lo[i], next->hi[j] = zeros->hi[i],
+            next->rises[j] = zeros->rises[i];
             sf_average_row(block, zeros->of[i], zeros->next[i], next->at, j);
         }
     }

@@ -55,7 +55,9 @@ static inline void sf_add_cusp_probe(sf_cusp_probes *probes, const sf_model *mod
 }
 
 /* Place i of some rows into place k of others. */
-static inline void sf_copy_place(const double (*from)[SF_LANE_CELLS], int i, int rows, double (*to)[SF_LANE_CELLS], int k) {
+static inline void sf_copy_place(const double (*from)[SF_LANE_CELLS], int i, int rows, double (*to)[SF_LANE_CELLS],
+                                 int k)
+{
     int row;
     for (row = 0; row < rows; row++)
         to[row][k] = from[row][i];
@@ -140,11 +142,13 @@ static void sf_make_halves(const sf_onset_block *block, const sf_cusp_cells *cel
         const int i = block->cut[j].cell;
         for (end = 0; end < 2; end++) {
             const int k = next->n++;
-            sf_copy_place(end == 0 ? (const double(*)[SF_LANE_CELLS])cells->low : at, end == 0 ? i : j, SF_CUSP_ROWS, next->low, k);
-            sf_copy_place(end == 0 ? at : (const double(*)[SF_LANE_CELLS])cells->high, end == 0 ? j : i, SF_CUSP_ROWS, next->high,
-                          k);
+            sf_copy_place(end == 0 ? (const double (*)[SF_LANE_CELLS])cells->low : at, end == 0 ? i : j, SF_CUSP_ROWS,
+                          next->low, k);
+            sf_copy_place(end == 0 ? at : (const double (*)[SF_LANE_CELLS])cells->high, end == 0 ? j : i, SF_CUSP_ROWS,
+                          next->high, k);
             sf_copy_place((const double(*)[SF_LANE_CELLS])cells->asked, i, SF_CUSP_ASKED_ROWS, next->asked, k);
-            next->open[0][k] = block->cut[j].open[0], next->open[1][k] = block->cut[j].open[1], next->of[k] = cells->of[i];
+            next->open[0][k] = block->cut[j].open[0], next->open[1][k] = block->cut[j].open[1],
+            next->of[k] = cells->of[i];
         }
     }
 }
@@ -167,7 +171,8 @@ static void sf_search_cusps(sf_onset_block *block) {
                 of->ok = 0;
             if (!of->ok)
                 continue;
-            cut->cell = i, cut->open[0] = sf_take_cusp(block, cells, i, 0), cut->open[1] = sf_take_cusp(block, cells, i, 1);
+            cut->cell = i, cut->open[0] = sf_take_cusp(block, cells, i, 0),
+            cut->open[1] = sf_take_cusp(block, cells, i, 1);
             if (!(cut->open[0] || cut->open[1]))
                 continue;
             if (round == SF_ONSET_ROUNDS || block->probes.n == SF_LANE_CELLS / 2)
@@ -186,7 +191,8 @@ static void sf_consider_cusp(sf_lane_onset *of, const sf_cusp_zeros *zeros, int 
     sf_zero zero;
     sf_sample at;
     int k;
-    at.A = zero.A = zeros->at[0][i], zero.Omega = zeros->Omega[i], zero.level = zeros->level[i], zero.question = SF_CUSP;
+    at.A = zero.A = zeros->at[0][i], zero.Omega = zeros->Omega[i], zero.level = zeros->level[i],
+    zero.question = SF_CUSP;
     for (k = 0; k < 5; k++)
         at.averages[k] = zeros->at[k + 1][i];
     sf_consider_zero(&of->model, &zero, &at, &of->best);

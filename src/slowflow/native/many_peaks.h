@@ -23,8 +23,9 @@ static int sf_begin_peak(sf_lane_block *block, int d) {
     sf_sample low, high;
     double A_max;
     of->n = 0;
-    if (last < 0 || model->breaks < model->mechanism->breakpoints || !(model->zeta > 0) || sf_nearly_sticks(model, of->F_0) ||
-        sf_amplitude_bound(model, of->F_0, &A_max) != SF_OK || !(A_max > model->b[last]))
+    if (last < 0 || model->breaks < model->mechanism->breakpoints || !(model->zeta > 0) ||
+        sf_nearly_sticks(model, of->F_0) || sf_amplitude_bound(model, of->F_0, &A_max) != SF_OK ||
+        !(A_max > model->b[last]))
         return 0;
     of->asked[0] = 0, of->asked[1] = model->zeta, of->asked[2] = model->m, of->asked[3] = of->F_0;
     sf_average_at(model, model->b[last], &low);
@@ -56,7 +57,8 @@ static void sf_search_peaks(sf_lane_block *block) {
         int n_one = 0, n_none = 0, n_others = 0;
         sf_judge_peaks(cells);
         for (i = 0; i < cells->n; i++) {
-            const int has_one = cells->verdict[i] == SF_HAS_ONE, has_none = round < SF_PEAK_PARTS && cells->verdict[i] == SF_HAS_NONE;
+            const int has_one = cells->verdict[i] == SF_HAS_ONE,
+                      has_none = round < SF_PEAK_PARTS && cells->verdict[i] == SF_HAS_NONE;
             with_one[n_one] = without[n_none] = others[n_others] = i;
             n_one += has_one, n_none += has_none, n_others += !has_one && !has_none;
         }

@@ -8,14 +8,16 @@
 #include "many.h"
 
 /* design, damping, F_0 and, for states, Omega -> count, whether it is proved, status */
-static void sf_loop_proofs(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, const sf_mechanism *mechanism,
-                           int of_states) {
+static void sf_loop_proofs(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps,
+                           const sf_mechanism *mechanism, int of_states)
+{
     const int forcing = mechanism->design_size + mechanism->damping_size, out = forcing + 1 + of_states;
     sf_proof *proof = malloc(sizeof *proof);
     sf_certificate *found = malloc(sizeof *found);
     ptrdiff_t k;
     for (k = 0; k < dimensions[0]; k++) {
-        const double F_0 = sf_input(args, steps, forcing, k), Omega = of_states ? sf_input(args, steps, forcing + 1, k) : 1;
+        const double F_0 = sf_input(args, steps, forcing, k),
+                     Omega = of_states ? sf_input(args, steps, forcing + 1, k) : 1;
         sf_status status = proof == NULL || found == NULL ? SF_NO_MEMORY : SF_INVALID;
         sf_model model;
         sf_given given;

@@ -26,7 +26,8 @@ static int sf_begin_states(sf_lane_block *block, int d, const sf_numbers *given)
     if (!(model->zeta > 0) || sf_nearly_sticks(model, of->F_0))
         return 0;
     A_max = slow_flow_limit_envelope(of->Omega, of->F_0 * (1 + SF_CLOSE), model->m, model->zeta) * (1 + SF_CLOSE);
-    if (!(A_max > SF_FIRST && A_max < SF_ENDLESS) || !sf_prepare(mechanism, NULL, model) || model->breaks < mechanism->breakpoints)
+    if (!(A_max > SF_FIRST && A_max < SF_ENDLESS) || !sf_prepare(mechanism, NULL, model) ||
+        model->breaks < mechanism->breakpoints)
         return 0;
     while (pieces < model->breaks && model->b[pieces] < A_max)
         pieces++;
@@ -48,7 +49,8 @@ static int sf_begin_states(sf_lane_block *block, int d, const sf_numbers *given)
 }
 
 /* The cells that stay open as two each of the next round, the lower ones first. */
-static void sf_cut_cells(sf_lane_block *block, const sf_lane_cells *cells, const int *which, int n, sf_lane_cells *next) {
+static void sf_cut_cells(sf_lane_block *block, const sf_lane_cells *cells, const int *which, int n, sf_lane_cells *next)
+{
     int j, row, end;
     next->n = 2 * n;
     sf_take_rows(cells->low, SF_PROBE_ROWS, which, n, next->low, 0);

@@ -206,7 +206,8 @@ static int sf_undamped_in(const sf_model *model, const sf_stretch *piece, sf_zer
 }
 
 /* The same on a breakpoint. Where the force jumps by J folds sit on it at Omega^2 > -h_A, if J < 0, or below. */
-static int sf_undamped_on(const sf_model *model, const sf_sample *at, const sf_sample *above, double J, sf_onset *best) {
+static int sf_undamped_on(const sf_model *model, const sf_sample *at, const sf_sample *above, double J, sf_onset *best)
+{
     const int moves = at->h_A < 0, falls = moves && sf_undamped_rises(at->h_AA, at->h_AAA, at->k, 0) < 0;
     const double at_rest = sf_level(model, at, 0);
     int turns;
@@ -226,7 +227,8 @@ static int sf_undamped_on(const sf_model *model, const sf_sample *at, const sf_s
             best->rest = fmin(best->rest, at_rest);
     }
     if (turns)
-        sf_consider(slow_flow_zeta0_undamped_level(model->m, at->k), slow_flow_zeta0_undamped_Omega(at->h_A), at->A, SF_CORNER_KIND, best);
+        sf_consider(slow_flow_zeta0_undamped_level(model->m, at->k), slow_flow_zeta0_undamped_Omega(at->h_A), at->A,
+                    SF_CORNER_KIND, best);
     return 0;
 }
 
@@ -255,7 +257,8 @@ static int sf_undamped_beyond(const sf_model *model) {
 /* With a preload k is negative at rest: where folds of both signs of k are found it passes 0 between them, and folds
  * come as near to m as one asks. */
 static sf_status sf_onset_of_preload(const sf_model *model, double h, sf_work *work) {
-    const sf_status status = sf_saddle_nodes(model, slow_flow_zeta0_undamped_level(model->m, 0.5 * h), work, &work->folds);
+    const sf_status status =
+        sf_saddle_nodes(model, slow_flow_zeta0_undamped_level(model->m, 0.5 * h), work, &work->folds);
     int i, signs = 0;
     if (status != SF_OK)
         return status;
@@ -351,7 +354,8 @@ static void sf_begin_onset(const sf_model *model, const sf_piece_ends *ends, sf_
     best->Omega = best->A = NAN, best->kind = SF_NO_KIND, best->undecided = 0;
     if (model->zeta == 0)
         return;
-    if (ends->rest.h < 0) /* R, -preload next to A = 0, vanishes at frequencies that tend to infinity there, and F_0 tends to m */
+    if (ends->rest.h <
+        0) /* R, -preload next to A = 0, vanishes at frequencies that tend to infinity there, and F_0 tends to m */
         best->rest = model->m;
     for (k = 0; k < model->breaks; k++) {
         if (sf_inertial(model))
@@ -370,7 +374,9 @@ static sf_status sf_without_onset(sf_status status, sf_onset *best) {
 }
 
 /* The lowest forcing at which folds are born, from there. pieces: how many of the first have been considered */
-static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, int pieces, sf_work *work, sf_onset *best) {
+static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, int pieces, sf_work *work,
+                              sf_onset *best)
+{
     sf_stretch piece;
     sf_status status;
     int k;

@@ -79,8 +79,9 @@ static void sf_check_at(const sf_proving *proving, double x, sf_checked *out) {
     out->asked = 0;
 }
 
-static void sf_range_between(const sf_proving *proving, const sf_checked *a, const sf_checked *b, int open, sf_cell *cell,
-                             sf_range range[2]) {
+static void sf_range_between(const sf_proving *proving, const sf_checked *a, const sf_checked *b, int open,
+                             sf_cell *cell, sf_range range[2])
+{
     const sf_interval A = sf_beyond(proving->given, proving->piece, sfi_of(a->known.A, b->known.A));
     sf_make_cell_on(A, &a->known, &b->known, cell);
     sf_clear_range(range);
@@ -163,8 +164,9 @@ static int sf_is_next_to(const sf_proving *proving, double x, double low, double
 }
 
 /* The one zero between two amplitudes, made narrow: by Newton's method on intervals, until that gains no more. */
-static void sf_narrow(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, sf_range range, sf_interval *beyond,
-                      sf_cell *cell) {
+static void sf_narrow(const sf_proving *proving, sf_checked *a, sf_checked *b, int c, sf_range range,
+                      sf_interval *beyond, sf_cell *cell)
+{
     const double hint = sf_hint_between(proving, a->known.A, b->known.A);
     int i;
     if (hint > 0 && sf_is_next_to(proving, hint, a->known.A, b->known.A, c, beyond, cell))
@@ -196,8 +198,9 @@ static void sf_narrow(const sf_proving *proving, sf_checked *a, sf_checked *b, i
     }
 }
 
-static void sf_add_proven(const sf_proving *proving, const sf_checked *a, const sf_checked *b, int c, const sf_range *range,
-                          const sf_cell *cell, int rising) {
+static void sf_add_proven(const sf_proving *proving, const sf_checked *a, const sf_checked *b, int c,
+                          const sf_range *range, const sf_cell *cell, int rising)
+{
     sf_proof *out = proving->out;
     sf_checked low = *a, high = *b;
     if (out->n == SF_MOST_ZEROS) {

@@ -55,7 +55,8 @@ static inline void sf_panels(const sf_quarter *of, int wanted, const sf_part *on
             /* the angle is twice this one beyond where the piece begins, and u less that a difference of sines */
             const double half = 0.5 * on->span * x, s = sin(half), c = cos(half);
             const double twice_s = 2 * s * c, twice_c = 1 - 2 * s * s;
-            of->integrands[on->piece](2 * A * (on->cosine * c - on->sine * s) * s, on->sine * twice_c + on->cosine * twice_s,
+            of->integrands[on->piece](2 * A * (on->cosine * c - on->sine * s) * s,
+                                      on->sine * twice_c + on->cosine * twice_s,
                                       on->cosine * twice_c - on->sine * twice_s, p, values);
             for (k = 0; k < wanted; k++) {
                 const double value = values[k] * w;
@@ -73,8 +74,9 @@ static inline void sf_panels(const sf_quarter *of, int wanted, const sf_part *on
 
 /* Whether sums differ from those by half as many panels by no more than roundings of A and of the parameters make of
  * them. */
-static inline int sf_moves_as_rounding(const sf_quarter *of, int wanted, const sf_part *on, double A, const double *p, int panels,
-                                       const double *sums, const double *before, const double *sizes) {
+static inline int sf_moves_as_rounding(const sf_quarter *of, int wanted, const sf_part *on, double A, const double *p,
+                                       int panels, const double *sums, const double *before, const double *sizes)
+{
     double there[SF_MOST_SUMS], sizes_there[SF_MOST_SUMS], moves[SF_MOST_SUMS], beside[SF_MOST_SUMS];
     int k, number;
     for (k = 0; k < wanted; k++)
@@ -95,7 +97,9 @@ static inline int sf_moves_as_rounding(const sf_quarter *of, int wanted, const s
 }
 
 /* One piece's integrals; 0 where they do not settle. An infinite sum stays so. */
-static inline int sf_settled_part(const sf_quarter *of, int wanted, const sf_part *on, double A, const double *p, double *sums) {
+static inline int sf_settled_part(const sf_quarter *of, int wanted, const sf_part *on, double A, const double *p,
+                                  double *sums)
+{
     double before[SF_MOST_SUMS], sizes[SF_MOST_SUMS];
     int panels, k;
     for (panels = 1; panels <= SF_MOST_PANELS; panels *= 2) {
@@ -103,7 +107,8 @@ static inline int sf_settled_part(const sf_quarter *of, int wanted, const sf_par
         sf_panels(of, wanted, on, A, p, panels, sums, sizes);
         for (k = 0; k < wanted && panels > 1 && !(on->span <= SF_SHORT_PART); k++)
             apart |= fabs(sums[k] - before[k]) > SF_AGREED * sizes[k];
-        if (!apart || (panels >= SF_FEWEST_PANELS && sf_moves_as_rounding(of, wanted, on, A, p, panels, sums, before, sizes)))
+        if (!apart ||
+            (panels >= SF_FEWEST_PANELS && sf_moves_as_rounding(of, wanted, on, A, p, panels, sums, before, sizes)))
             return 1;
         for (k = 0; k < wanted; k++)
             before[k] = sums[k];
@@ -112,7 +117,9 @@ static inline int sf_settled_part(const sf_quarter *of, int wanted, const sf_par
 }
 
 /* The sums over the pieces; 0 where one does not settle. */
-static inline int sf_sums_at(const sf_quarter *of, int wanted, double A, const double *p, const double *ends, double *sums) {
+static inline int sf_sums_at(const sf_quarter *of, int wanted, double A, const double *p, const double *ends,
+                             double *sums)
+{
     double of_part[SF_MOST_SUMS], low = 0;
     int piece, k;
     for (k = 0; k < wanted; k++)
@@ -151,7 +158,9 @@ static inline int sf_sums_at(const sf_quarter *of, int wanted, double A, const d
 
 /* The first integrals, so many as are wanted, at A >= 0; NaN where one does not settle: the force is all but singular
  * there. */
-static inline void sf_over_quarter(const sf_quarter *of, int wanted, double A, const double *p, const double *ends, double *sums) {
+static inline void sf_over_quarter(const sf_quarter *of, int wanted, double A, const double *p, const double *ends,
+                                   double *sums)
+{
     double beside[SF_MOST_SUMS];
     int k, lost = 0, settled = sf_sums_at(of, wanted, A, p, ends, sums);
     /* a slope at rest that is a quotient of zeros, as of a broken power, is what it is next to it */

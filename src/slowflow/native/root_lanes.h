@@ -19,7 +19,8 @@ enum { SF_QUARTICS = 64, SF_MOST_JOBS = 3 * SF_QUARTICS, SF_IN_VECTOR = 8 };
  * signs: a sum of SF_F0_BELOW and others, or SF_UNSURE */
 typedef struct {
     double A[SF_QUARTICS], h[SF_QUARTICS], m[SF_QUARTICS], zeta[SF_QUARTICS], F_0[SF_QUARTICS];
-    double p[SF_QUARTICS], q[SF_QUARTICS], w1[SF_QUARTICS], w2[SF_QUARTICS], f0[SF_QUARTICS], f1[SF_QUARTICS], f2[SF_QUARTICS];
+    double p[SF_QUARTICS], q[SF_QUARTICS], w1[SF_QUARTICS], w2[SF_QUARTICS], f0[SF_QUARTICS], f1[SF_QUARTICS],
+        f2[SF_QUARTICS];
     double signs[SF_QUARTICS];
 } sf_quartics;
 

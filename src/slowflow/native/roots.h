@@ -224,7 +224,8 @@ SF_ALWAYS double sf_refine(const sf_quartic *s, double w, double lo, double hi, 
     int i;
     if (SF_UNLIKELY(!(w > lo && w < hi)))
         w = 0.5 * (lo + hi);
-    for (i = 0; i < SF_NEARING; i++) { /* Halley in double, until the next error is below 2^-36 of the distance to a fold */
+    for (i = 0; i < SF_NEARING;
+         i++) { /* Halley in double, until the next error is below 2^-36 of the distance to a fold */
         double size, next, moved;
         const double f = sf_value(s, w, &size);
         const double C = sf_cubic(s, w), D = sf_cubic_slope(s, w);
@@ -242,7 +243,8 @@ SF_ALWAYS double sf_refine(const sf_quartic *s, double w, double lo, double hi, 
         if (moved * fabs(D) <= SF_NEAR_ROOT * fabs(C) && moved <= SF_NEAR_ROOT * w)
             break;
     }
-    for (i = 0; i < SF_CORRECTING; i++) { /* Newton with the double-double residual: once, but for nearly multiple roots */
+    for (i = 0; i < SF_CORRECTING;
+         i++) { /* Newton with the double-double residual: once, but for nearly multiple roots */
         double next;
         const double f = sf_value_fine(s, w);
         const double C = sf_cubic(s, w), D = sf_cubic_slope(s, w);

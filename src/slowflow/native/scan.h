@@ -84,7 +84,8 @@ static int sf_is_close(const sf_search *search, const sf_probe *probe) {
         return 0;
     if (zeta > 0) {
         const double least = asked->least / at->k;
-        size += Omega * slow_flow_I(Omega, at->A, asked->model->m, zeta) / (zeta * fmax((1 - least) * (1 + least), SF_CLOSE));
+        size += Omega * slow_flow_I(Omega, at->A, asked->model->m, zeta) /
+                (zeta * fmax((1 - least) * (1 + least), SF_CLOSE));
     } else {
         size *= size;
     }
@@ -263,7 +264,8 @@ static int sf_is_too_wide(const sf_search *search, const sf_probe *a, const sf_p
     const double low = a->at.A, high = b->at.A;
     const int turns = passing >= 0 && open == 1 << passing && a->answer.dy[passing] * b->answer.dy[passing] < 0;
     if (search->asked.question == SF_CUSP)
-        return (high > (passing < 0 ? SF_WIDEST_CELL : SF_WIDEST_WITH_CUSP) * low && (low > 0 || high == search->end)) ||
+        return (high > (passing < 0 ? SF_WIDEST_CELL : SF_WIDEST_WITH_CUSP) * low &&
+                (low > 0 || high == search->end)) ||
                turns;
     if (search->asked.question == SF_STATE && search->base > 0 && !(fabs(a->at.h_A) < HUGE_VAL))
         return high > SF_WIDEST_STEEP * low;
@@ -326,7 +328,8 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
 
 /* Whether cells from A = 0 on are asked for something over A that has no limit there: with a preload h is not 0. */
 static int sf_begins_above_rest(sf_question question, const sf_sample *rest) {
-    const int over_A = question == SF_STIFFNESS || question == SF_TURN || question == SF_UNDAMPED || question == SF_PEAK;
+    const int over_A =
+        question == SF_STIFFNESS || question == SF_TURN || question == SF_UNDAMPED || question == SF_PEAK;
     return over_A && rest->h != 0;
 }
 

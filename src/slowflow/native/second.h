@@ -179,11 +179,15 @@ static long sf_stretch_end(const sf_model *model, const sf_first *first, long fr
 }
 
 static int sf_is_settled(const sf_second *second, const sf_moved *moved, long i) {
-    return moved->step[i] >= 0 && moved->step[i] <= SF_MOVED + SF_ROUNDING * moved->A[i] * moved->Omega[i] * moved->Omega[i] / second->F_0;
+    return moved->step[i] >= 0 &&
+           moved->step[i] <= SF_MOVED + SF_ROUNDING * moved->A[i] * moved->Omega[i] * moved->Omega[i] / second->F_0;
 }
 
 /* The point of a stretch that goes its own way, by its number: the last one is the stretch's end. */
-static inline long sf_anchor(long from, long to, long k) { return from + k * SF_APART < to - 1 ? from + k * SF_APART : to - 1; }
+static inline long sf_anchor(long from, long to, long k)
+{
+    return from + k * SF_APART < to - 1 ? from + k * SF_APART : to - 1;
+}
 
 /* Whether neighbours that went their own way ended apart as they were: elsewhere ways cross, as next to a tip. */
 static int sf_are_parallel(const sf_second *second, const sf_first *first, const sf_moved *moved, long a, long b) {
@@ -221,7 +225,8 @@ static int sf_look_beside(const sf_second *second, const sf_first *first, const 
 }
 
 /* Where a point of a gap is expected. */
-static void sf_expected(const sf_first *first, const sf_beside_gap *beside, long i, double *Omega, double *A, double *R) {
+static void sf_expected(const sf_first *first, const sf_beside_gap *beside, long i, double *Omega, double *A, double *R)
+{
     const double along = first->along[i], *at = beside->along, *factor = beside->factor;
     const double first_two = (along - at[0]) * (along - at[1]), last_two = (along - at[2]) * (along - at[3]);
     const double weight[4] = {factor[0] * (along - at[1]) * last_two, factor[1] * (along - at[0]) * last_two,
@@ -234,8 +239,9 @@ static void sf_expected(const sf_first *first, const sf_beside_gap *beside, long
 }
 
 /* Whether a point's way ends where the harmonics are a correction. */
-static int sf_is_kept(const sf_second *second, const sf_first *first, const sf_moved *moved, long i, double h, double A_1,
-                      double u_max) {
+static int sf_is_kept(const sf_second *second, const sf_first *first, const sf_moved *moved, long i, double h,
+                      double A_1, double u_max)
+{
     const double far = exp(SF_SMALL), Omega = moved->Omega[i], A = moved->A[i];
     return sf_is_settled(second, moved, i) && A < far * first->A[i] && far * A > first->A[i] &&
            Omega < far * first->Omega[i] && far * Omega > first->Omega[i] && sf_is_small(Omega, A, h, A_1, u_max);
@@ -399,7 +405,8 @@ static void sf_second_told(const sf_second *second, int n, const double *Omega, 
 }
 
 /* A point of a curve from lane i of n. */
-static void sf_from_lane(int n, const double *Omega, const double *A, const double *out, int i, sf_second_point *point) {
+static void sf_from_lane(int n, const double *Omega, const double *A, const double *out, int i, sf_second_point *point)
+{
     int k;
     point->Omega = Omega[i], point->A = A[i];
     for (k = 0; k < SF_BALANCE; k++)
@@ -578,8 +585,10 @@ static int sf_second_move(const sf_second *second, const sf_first *first, const 
 
 /* The curve that n points of the first approximation's move to, on branches from 0 on, some of which are closed; to be
  * freed by sf_second_free. NULL if there is no memory. */
-static sf_second_curve *sf_second_follow(const sf_model *model, double F_0, sf_wanted wanted, long n, const double *Omega,
-                                         const double *A, const long long *branch, const unsigned char *closed) {
+static sf_second_curve *sf_second_follow(const sf_model *model, double F_0, sf_wanted wanted, long n,
+                                         const double *Omega, const double *A, const long long *branch,
+                                         const unsigned char *closed)
+{
     const sf_second second = {model, F_0, wanted};
     sf_second_curve *curve = calloc(1, sizeof *curve);
     double *room = malloc((size_t)(8 * n + 1) * sizeof *room);
@@ -627,7 +636,8 @@ static double sf_zero_between(sf_function *f, const void *given, double a, doubl
         {
             const double xi = (a - b) / (c - b), phi = (f_a - f_b) / (f_c - f_b);
             if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)
-                share = f_a / (f_b - f_a) * f_c / (f_b - f_c) + (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b);
+                share =
+                    f_a / (f_b - f_a) * f_c / (f_b - f_c) + (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b);
             else
                 share = 0.5;
         }
@@ -794,8 +804,8 @@ static void sf_second_cusp_at(const sf_second *second, double ln_Omega, double l
     const double Omega = exp(ln_Omega), A = exp(ln_A), per = A / (second->F_0 * second->F_0);
     double k[SF_KNOWN], folds[3];
     sf_second_known(second->model, 1, &A, k);
-    second_approximation_folds(Omega, A, second->F_0, second->model->m, second->model->zeta, k[0], k[1], k[2], k[3], k[4],
-                               k[5], k[6], k[7], k[8], k[9], k[10], k[11], folds);
+    second_approximation_folds(Omega, A, second->F_0, second->model->m, second->model->zeta, k[0], k[1], k[2], k[3],
+                               k[4], k[5], k[6], k[7], k[8], k[9], k[10], k[11], folds);
     out[0] = folds[1] * per, out[1] = folds[2] * per * A;
 }
 

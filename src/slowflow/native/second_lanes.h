@@ -26,6 +26,7 @@ static inline double sf_short_exp(double x) { return 1 + x * (1 + x * (0.5 + x *
 /* Steps from balances; way: how far ln Omega has gone already. */
 void sf_second_matches(ptrdiff_t n, const double *Omega, const double *R, const double *way, double F_0,
                        const double *balances, double *out);
-void sf_second_newton(ptrdiff_t n, const double *Omega, const double *A, double F_0, const double *balances, double *out);
+void sf_second_newton(ptrdiff_t n, const double *Omega, const double *A, double F_0, const double *balances,
+                      double *out);
 
 #endif

@@ -34,7 +34,9 @@ static sf_second_curve *sf_second_around(const sf_model *model, double F_0, sf_w
 }
 
 /* Every fold at F_0; SF_NONE where nothing of the first approximation is there to start from. */
-static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_given *given, double F_0, sf_room *room, sf_second_folds *out) {
+static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
+                                        sf_second_folds *out)
+{
     sf_work *work = &room->work;
     double A, Omega, low = HUGE_VAL, high = 0;
     sf_second_curve *curve;
@@ -61,7 +63,9 @@ static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_given *g
 }
 
 /* The highest peak at F_0, and its frequency. */
-static sf_status sf_second_peak(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double *u_max, double *Omega) {
+static sf_status sf_second_peak(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double *u_max,
+                                double *Omega)
+{
     sf_work *work = &room->work;
     sf_second_point top;
     sf_second_curve *curve;
@@ -113,9 +117,10 @@ static void sf_loop_second_onsets(char **args, const ptrdiff_t *dimensions, cons
         double u_max = NAN;
         sf_status status = work == NULL ? SF_NO_MEMORY : SF_INVALID;
         if (work != NULL && sf_design_at(mechanism, args, steps, k, 1, &model) && sf_has_second(&model))
-            status = sf_settled_onset(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, work,
-                                      &first);
-        if (status == SF_OK && (first.kind != SF_CUSP_KIND || sf_second_cusp(&model, &first, &found, &u_max) != SF_OK_SECOND))
+            status = sf_settled_onset(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL,
+                                      work, &first);
+        if (status == SF_OK &&
+            (first.kind != SF_CUSP_KIND || sf_second_cusp(&model, &first, &found, &u_max) != SF_OK_SECOND))
             status = SF_NONE;
         found.A = u_max;
         sf_write_onset(args, steps, out, k, &found, sf_is_rest_below(&first), status);

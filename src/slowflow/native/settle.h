@@ -36,8 +36,9 @@ typedef struct {
 /* Which of them an answer has: the last, the first two, or all */
 typedef enum { SF_MOVES_A = 1, SF_MOVES_BOTH, SF_MOVES_ALL } sf_moves;
 
-static inline void sf_take_step(sf_step step, const sf_exactly *exactly, const sf_exact_sample *at, const sf_settling *of,
-                                double out[4]) {
+static inline void sf_take_step(sf_step step, const sf_exactly *exactly, const sf_exact_sample *at,
+                                const sf_settling *of, double out[4])
+{
     step(of->Omega, at->A, of->F_0, exactly->m, exactly->zeta, at->h[0], at->h[1], at->h[2], at->h[3], out);
 }
 
@@ -62,8 +63,9 @@ static inline int sf_piece_of(const sf_model *model, double A) {
 }
 
 /* Returns whether an answer settled. wanted, near: as of sf_exact_at */
-static inline int sf_settle_near(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly, const sf_model *model,
-                                 const sf_sample *near, sf_settling *of) {
+static inline int sf_settle_near(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly,
+                                 const sf_model *model, const sf_sample *near, sf_settling *of)
+{
     double before = HUGE_VAL;
     const int piece = sf_piece_of(model, of->A.high);
     int i, last = 0;
@@ -92,8 +94,9 @@ static inline int sf_settle_near(sf_step step, sf_moves moves, int wanted, const
     return last && sf_piece_of(model, of->A.high) == piece;
 }
 
-static inline int sf_settle_all(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly, const sf_model *model,
-                                sf_settling *of) {
+static inline int sf_settle_all(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly,
+                                const sf_model *model, sf_settling *of)
+{
     return sf_settle_near(step, moves, wanted, exactly, model, NULL, of);
 }
 
@@ -211,8 +214,9 @@ static inline double sf_double_between(sf_way way_from, sf_sought *of, double A,
  * and root, whose steps are the same but for how A follows from them. Begins with what doubles know, at most half of a
  * root at a time. first: of Omega alone, onto the response, where such parts of steps of both would leave it; or
  * NULL */
-static inline int sf_settle_above(sf_step step, sf_moves moves, sf_step first, const sf_exactly *exactly, const sf_model *model,
-                                  int piece, sf_settling *of) {
+static inline int sf_settle_above(sf_step step, sf_moves moves, sf_step first, const sf_exactly *exactly,
+                                  const sf_model *model, int piece, sf_settling *of)
+{
     const sf_pair b = exactly->b[piece - 1];
     double beyond = sfp_sub(of->A, b).high;
     int i, last = 0;
@@ -249,8 +253,9 @@ static inline int sf_settle_above(sf_step step, sf_moves moves, sf_step first, c
     return last && beyond <= SF_PAIRS_NEXT * b.high;
 }
 
-static inline int sf_settle_state_above(const sf_exactly *exactly, const sf_model *model, int piece, double Omega, double F_0,
-                                        double A, sf_settling *of) {
+static inline int sf_settle_state_above(const sf_exactly *exactly, const sf_model *model, int piece, double Omega,
+                                        double F_0, double A, sf_settling *of)
+{
     const sf_settling begin = {sfp_point(Omega), sfp_point(A), sfp_point(F_0)};
     *of = begin;
     return piece > 0 && model->breaks == exactly->breaks &&
@@ -259,7 +264,9 @@ static inline int sf_settle_state_above(const sf_exactly *exactly, const sf_mode
 
 /* Of two doubles on both sides of a breakpoint steps do not tell which is nearer: the state between them may be just
  * above it. */
-static inline double sf_state_between(const sf_exactly *exactly, const sf_model *model, double Omega, double F_0, double A) {
+static inline double sf_state_between(const sf_exactly *exactly, const sf_model *model, double Omega, double F_0,
+                                      double A)
+{
     sf_sought of = {exactly, model, F_0, sfp_point(Omega), 0, 0};
     sf_settling above;
     double next;
@@ -267,14 +274,17 @@ static inline double sf_state_between(const sf_exactly *exactly, const sf_model 
     const double upper = fmax(found, next), lower = fmin(found, next);
     const int piece = sf_exact_piece_of(exactly, model, upper);
     if (found > 0 && piece > sf_exact_piece_of(exactly, model, lower) &&
-        sf_settle_state_above(exactly, model, piece, Omega, F_0, upper, &above) && above.A.high >= lower && above.A.high <= upper)
+        sf_settle_state_above(exactly, model, piece, Omega, F_0, upper, &above) && above.A.high >= lower &&
+        above.A.high <= upper)
         return above.A.high;
     return found;
 }
 
 /* The frequency is in the level what it is in the missing level: a straight line between the doubles, or between one of
  * them and the breakpoint that parts them. */
-static inline void sf_peak_between(const sf_exactly *exactly, const sf_model *model, double F_0, double *A, double *Omega) {
+static inline void sf_peak_between(const sf_exactly *exactly, const sf_model *model, double F_0, double *A,
+                                   double *Omega)
+{
     sf_sought of = {exactly, model, F_0, sfp_point(*Omega), 0, 0}, end[2];
     double ends[2], size;
     int i;
@@ -292,7 +302,8 @@ static inline void sf_peak_between(const sf_exactly *exactly, const sf_model *mo
         sf_way_to_peak_from(&of, &at, &size);
         if (of.missing > 0) {
             sf_settling above = {of.Omega, sfp_point(ends[upper]), sfp_point(F_0)};
-            if (sf_settle_above(slow_flow_pairs_peak_step, SF_MOVES_BOTH, NULL, exactly, model, end[upper].piece, &above)) {
+            if (sf_settle_above(slow_flow_pairs_peak_step, SF_MOVES_BOTH, NULL, exactly, model, end[upper].piece,
+                                &above)) {
                 *A = above.A.high, *Omega = above.Omega.high;
                 return;
             }
@@ -351,7 +362,9 @@ static inline int sf_breakpoint_at(const sf_model *model, double A) {
     return i;
 }
 
-static inline void sf_settle_fold(const sf_exactly *exactly, const sf_model *model, double F_0, double *Omega, double *A) {
+static inline void sf_settle_fold(const sf_exactly *exactly, const sf_model *model, double F_0, double *Omega,
+                                  double *A)
+{
     sf_settling of = {sfp_point(*Omega), sfp_point(*A), sfp_point(F_0)}, above = of;
     const int piece = sf_piece_of(model, *A);
     if (exactly == NULL)
@@ -359,7 +372,8 @@ static inline void sf_settle_fold(const sf_exactly *exactly, const sf_model *mod
     if (sf_settle_all(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, &of))
         *Omega = of.Omega.high, *A = of.A.high;
     else if (piece > 0 && model->breaks == exactly->breaks &&
-             sf_settle_above(slow_flow_pairs_fold_step, SF_MOVES_BOTH, slow_flow_pairs_corner_step, exactly, model, piece, &above))
+             sf_settle_above(slow_flow_pairs_fold_step, SF_MOVES_BOTH, slow_flow_pairs_corner_step, exactly, model,
+                             piece, &above))
         *Omega = above.Omega.high, *A = fmax(above.A.high, nextafter(model->b[piece - 1], HUGE_VAL));
 }
 
@@ -402,9 +416,11 @@ static void sf_settle_folds(const sf_exactly *exactly, const sf_model *model, do
 /* Returns whether an onset settled, or is on a breakpoint, where it is what it is. */
 static int sf_settle_onset(const sf_model *model, const sf_exactly *exactly, sf_onset *out) {
     if (out->kind == SF_CUSP_KIND)
-        return sf_settle_numbers(slow_flow_pairs_cusp_step, SF_MOVES_ALL, 4, exactly, model, &out->Omega, &out->A, &out->F_SN);
+        return sf_settle_numbers(slow_flow_pairs_cusp_step, SF_MOVES_ALL, 4, exactly, model, &out->Omega, &out->A,
+                                 &out->F_SN);
     if (out->kind == SF_ISOLA_KIND)
-        return sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, &out->Omega, &out->A, &out->F_SN);
+        return sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, &out->Omega, &out->A,
+                                 &out->F_SN);
     return 1;
 }
 

@@ -47,7 +47,8 @@ static double sf_settled_amplitude(const sf_model *model, const sf_exactly *exac
     sf_settling of = {sfp_point(Omega), sfp_point(A), sfp_point(F_0)};
     if (exactly == NULL || (is_end && sf_is_of_fold(&work->folds, Omega, A)))
         return A;
-    if ((sf_piece_of(model, A) != piece || !sf_settle_all(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, model, &of)) &&
+    if ((sf_piece_of(model, A) != piece ||
+         !sf_settle_all(slow_flow_pairs_state_step, SF_MOVES_A, 2, exactly, model, &of)) &&
         !sf_settle_state_above(exactly, model, piece, Omega, F_0, A, &of))
         of.A.high = sf_state_between(exactly, model, Omega, F_0, A);
     if (is_end)
@@ -116,8 +117,9 @@ static int sf_take_proved_states(const sf_model *model, const sf_given *given, d
 
 /* The steady states at Omega by rising A, from the segments; returns their number. undecided: whether doubles do not
  * tell it */
-static int sf_states_on_curve(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega, double *A,
-                              unsigned char *stable, int *undecided) {
+static int sf_states_on_curve(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega,
+                              double *A, unsigned char *stable, int *undecided)
+{
     int n = sf_states_of_segments(model, given == NULL ? NULL : &given->exactly, F_0, &room->work, Omega, A, stable);
     if (room->doubt || sf_is_at_fold(model, F_0, &room->work.folds, Omega))
         *undecided = given == NULL || !sf_take_proved_states(model, given, F_0, room, Omega, &n, A, stable);
@@ -127,8 +129,9 @@ static int sf_states_on_curve(const sf_model *model, const sf_given *given, doub
 /* The steady states at Omega by rising A where no number of doubles is near to deciding how many there are, each
  * settled to its last digit; returns their number, or -1. Without friction and with little of it, without viscous
  * damping and for an excitation by inertia the curve is asked. */
-static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, double F_0, double Omega, sf_work *work, double *A,
-                           unsigned char *stable) {
+static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, double F_0, double Omega, sf_work *work,
+                           double *A, unsigned char *stable)
+{
     sf_asked asked = sf_asked_of(SF_STATE, model, F_0);
     sf_zeros *found = &work->zeros;
     int i, k, n = 0;
@@ -160,8 +163,9 @@ static int sf_clear_states(const sf_model *model, const sf_exactly *exactly, dou
 
 /* The steady states at Omega by rising A, at most SF_MOST_STATES. undecided: whether doubles do not tell their
  * number */
-static sf_status sf_states(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega, int *n,
-                           double *A, unsigned char *stable, int *undecided) {
+static sf_status sf_states(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega,
+                           int *n, double *A, unsigned char *stable, int *undecided)
+{
     *undecided = 0;
     *n = given == NULL ? -1 : sf_clear_states(model, &given->exactly, F_0, Omega, &room->work, A, stable);
     if (*n >= 0)

@@ -105,8 +105,8 @@ static PyObject *advance(PyObject *self, PyObject *arguments)
     double theta, u, v, end;
     long left;
     Py_buffer out;
-    if (!PyArg_ParseTuple(arguments, "O(ddddd)ddddlw*", &capsule, &drive.Omega, &drive.F_0, &drive.zeta, &drive.friction, &drive.quadratic,
-                          &theta, &u, &v, &end, &left, &out))
+    if (!PyArg_ParseTuple(arguments, "O(ddddd)ddddlw*", &capsule, &drive.Omega, &drive.F_0, &drive.zeta,
+                          &drive.friction, &drive.quadratic, &theta, &u, &v, &end, &left, &out))
         return NULL;
     const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
     if (system == NULL || out.len < (Py_ssize_t)(2 * sizeof(sf_four))) {
@@ -133,8 +133,8 @@ static PyObject *until(PyObject *self, PyObject *arguments)
     int slip;
     _Bool undecided = 0;
     long left;
-    if (!PyArg_ParseTuple(arguments, "O(ddddd)idddddl", &capsule, &drive.Omega, &drive.F_0, &drive.zeta, &drive.friction, &drive.quadratic,
-                          &slip, &edge, &theta, &u, &v, &end, &left))
+    if (!PyArg_ParseTuple(arguments, "O(ddddd)idddddl", &capsule, &drive.Omega, &drive.F_0, &drive.zeta,
+                          &drive.friction, &drive.quadratic, &slip, &edge, &theta, &u, &v, &end, &left))
         return NULL;
     const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
     if (system == NULL)
@@ -146,8 +146,8 @@ static PyObject *until(PyObject *self, PyObject *arguments)
     Py_BEGIN_ALLOW_THREADS
     const double push = motion_push(cos(theta), drive.F_0, sf_value(piece, u)) - drive.friction;
     if (theta < end)
-        outcome = sf_until(piece, &drive, slip, edge, end, v != 0.0 ? 0 : slip * push > 0.0 ? 1 : 2, &theta, &u, &v, &left,
-                           &event, &undecided);
+        outcome = sf_until(piece, &drive, slip, edge, end, v != 0.0 ? 0 : slip * push > 0.0 ? 1 : 2, &theta, &u, &v,
+                           &left, &event, &undecided);
     Py_END_ALLOW_THREADS
     return Py_BuildValue("ildddii", (int)outcome, most - left, theta, u, v, (int)event, undecided);
 }
@@ -160,8 +160,8 @@ static PyObject *sample(PyObject *self, PyObject *arguments)
     double theta, u, v;
     long left;
     Py_buffer grid, out;
-    if (!PyArg_ParseTuple(arguments, "O(ddddd)dddly*w*", &capsule, &drive.Omega, &drive.F_0, &drive.zeta, &drive.friction, &drive.quadratic,
-                          &theta, &u, &v, &left, &grid, &out))
+    if (!PyArg_ParseTuple(arguments, "O(ddddd)dddly*w*", &capsule, &drive.Omega, &drive.F_0, &drive.zeta,
+                          &drive.friction, &drive.quadratic, &theta, &u, &v, &left, &grid, &out))
         return NULL;
     const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
     const long count = (long)(grid.len / (Py_ssize_t)sizeof(double)), most = left;
@@ -343,8 +343,8 @@ static PyObject *shocks(PyObject *self, PyObject *arguments)
     double after;
     sf_shocked shock = {0};
     long all;
-    if (!PyArg_ParseTuple(arguments, "O!y*y*y*y*y*dllw*w*", &PyTuple_Type, &laws, &constants, &ends, &damping, &arcs, &begin,
-                          &after, &shock.most, &all, &outcomes, &out))
+    if (!PyArg_ParseTuple(arguments, "O!y*y*y*y*y*dllw*w*", &PyTuple_Type, &laws, &constants, &ends, &damping, &arcs,
+                          &begin, &after, &shock.most, &all, &outcomes, &out))
         return NULL;
     const Py_ssize_t one = (Py_ssize_t)sizeof(double), count = outcomes.len, pieces = PyTuple_Size(laws);
     const Py_ssize_t size = count ? constants.len / count / one : 0;
@@ -407,10 +407,12 @@ static PyMethodDef methods[] = {
      "system, phases, half_turns, z, F_0, extra, row, value, border, most, tolerance, steps, equations, along -> "
      "outcome, spent, A, monodromy, borders."},
     {"trace", trace, METH_VARARGS,
-     "system, phases, half_turns, starts_from_rest, F_0, course, point, has_before, step, travelled, first, steps, rows -> "
+     "system, phases, half_turns, starts_from_rest, F_0, course, point, has_before, step, travelled, first, steps, "
+     "rows -> "
      "points, spent, has_before, step, travelled."},
     {"shocks", shocks, METH_VARARGS,
-     "laws, constants, ends, damping, arcs, begin, after, steps of one integration, of all, outcomes, numbers -> None."},
+     "laws, constants, ends, damping, arcs, begin, after, steps of one integration, of all, outcomes, numbers -> "
+     "None."},
     {NULL, NULL, 0, NULL},
 };
 

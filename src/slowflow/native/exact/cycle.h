@@ -85,7 +85,8 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
             row[n - 1] += by[2];
             /* v is forgotten; where the push that breaks it away exceeds friction the acceleration jumps from 0, and u
              * tells when; elsewhere it is continuous */
-            const double jump = system->mu_s > system->mu ? sf_acceleration(forced, next_slip, region, end, u, 0.0) : 0.0;
+            const double jump =
+                system->mu_s > system->mu ? sf_acceleration(forced, next_slip, region, end, u, 0.0) : 0.0;
             const double of_place = jump == 0.0 ? 0.0 : motion_released(jump, Omega, by[0], by[1]);
             M[1][0] = of_place * M[0][0], M[1][1] = of_place * M[0][1];
             v = 0.0, theta = end;
@@ -125,7 +126,8 @@ static sf_outcome sf_cycle_equations(sf_forced *forced, const sf_cycle *cycle, c
             out->residual[i] = u - edge;
             memcpy(row, of_u, (size_t)n * sizeof *row);
             if (v != 0.0) {
-                const double gains = motion_across(acceleration, sf_acceleration(forced, slip, next_region, end, u, v), v);
+                const double gains =
+                    motion_across(acceleration, sf_acceleration(forced, slip, next_region, end, u, v), v);
                 for (int c = 0; c < 2; c++)
                     M[1][c] += gains * M[0][c];
             }

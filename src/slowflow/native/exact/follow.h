@@ -92,7 +92,8 @@ static inline double sf_push(const sf_forced *forced, int region, double theta, 
 /* its derivatives by theta, u and the amplitude of the force */
 static inline void sf_push_slopes(const sf_forced *forced, int region, double theta, double u, double by[3])
 {
-    motion_push_slopes(cos(theta), sin(theta), sf_forcing(forced), sf_slope(sf_piece_of(forced->system, region), u), by);
+    motion_push_slopes(cos(theta), sin(theta), sf_forcing(forced), sf_slope(sf_piece_of(forced->system, region), u),
+                       by);
 }
 
 static inline double sf_acceleration(const sf_forced *forced, int slip, int region, double theta, double u, double v)

@@ -19,7 +19,8 @@ static SF_INLINE void sf_forceless_begin(const double *p, double *first, double 
     (void)p, (void)over;
 }
 
-static SF_INLINE void sf_forceless_next(const sf_coefficients *c, const double *p, double *w, sf_four *left, sf_four *right)
+static SF_INLINE void sf_forceless_next(const sf_coefficients *c, const double *p, double *w, sf_four *left,
+                                        sf_four *right)
 {
     w[1] = 0.0;
     (void)c, (void)p, (void)left, (void)right;
@@ -50,7 +51,8 @@ static double sf_branched(const sf_law *law, const double *p, const sf_drive *gi
     sf_forceless(drive, theta, start, v, flow, x);
     double h = copysign(fmin(sf_step_of(x, flow != NULL), 0.125), direction);
     for (int i = 0;; i++, h *= 0.5) {
-        const double u = sf_at(x->u, h), force = law->value(p, u) - at_place, slope = law->slope(p, u), cube = fabs(h * h * h);
+        const double u = sf_at(x->u, h), force = law->value(p, u) - at_place, slope = law->slope(p, u),
+                     cube = fabs(h * h * h);
         const double rate = fabs(sf_at(x->v, h));
         /* what it changes in itself */
         if (side * (u - place) > 0.0 && fabs(force * slope) * cube <= 0x1p-54 * rate &&
@@ -62,10 +64,12 @@ static double sf_branched(const sf_law *law, const double *p, const sf_drive *gi
     double pushes = 0.0, moves = 0.0;
     sf_four by_v = sf_all(0.0), by_u = by_v;
     for (int i = 0; i < 2 * SF_NODES; i++) {
-        const double node = i < SF_NODES ? -sf_gauss_node[i] : sf_gauss_node[i - SF_NODES], s = 0.5 * (1.0 + node), cube = s * s * s;
+        const double node = i < SF_NODES ? -sf_gauss_node[i] : sf_gauss_node[i - SF_NODES], s = 0.5 * (1.0 + node),
+                     cube = s * s * s;
         const double at = h * s * cube, u = sf_at(x->u, at);
         /* over h */
-        const double weight = 0.5 * sf_gauss_weight[i % SF_NODES] * SF_GRADED * cube, force = weight * (law->value(p, u) - at_place);
+        const double weight = 0.5 * sf_gauss_weight[i % SF_NODES] * SF_GRADED * cube,
+                     force = weight * (law->value(p, u) - at_place);
         pushes += force, moves += force * (1.0 - at / h);
         if (flow != NULL) {
             sf_four U;
@@ -104,8 +108,8 @@ static inline const sf_piece *sf_piece_at(const sf_piece *piece, const sf_drive 
 
 /* The series from (u, v) on and the step over which they hold; `direction`: sign of the time that is gone. With the
  * derivatives from those in `flow`, or without where it is NULL. */
-static SF_INLINE double sf_expanded(const sf_piece *piece, const sf_drive *drive, double direction, double theta, double u,
-                                    double v, const sf_four *flow, sf_expansion *x)
+static SF_INLINE double sf_expanded(const sf_piece *piece, const sf_drive *drive, double direction, double theta,
+                                    double u, double v, const sf_four *flow, sf_expansion *x)
 {
     const sf_law *const law = piece->law;
     const double *p = piece->p[u > 0.0];

@@ -37,7 +37,8 @@ static int fill(PyObject *self)
     if (PyArray_ImportNumPyAPI() < 0 || PyUFunc_ImportUFuncAPI() < 0)
         return -1;
     if (sf_here() == NULL) {
-        PyErr_SetString(PyExc_ImportError, "built on a processor with fma and AVX2, which this one has not: build again");
+        PyErr_SetString(PyExc_ImportError,
+                        "built on a processor with fma and AVX2, which this one has not: build again");
         return -1;
     }
     for (int i = 0; i < COUNT; i++) {

@@ -243,9 +243,9 @@ static PyObject *frequency_response(PyObject *self, PyObject *args)
     Py_END_ALLOW_THREADS
     if (n < 0)
         status = SF_NO_BOUND, n = 0;
-    PyObject *items[] = {new_array(n, NPY_DOUBLE, &Omega), new_array(n, NPY_DOUBLE, &A), new_array(n, NPY_BOOL, &stable),
-                         new_array(n, NPY_INT64, &branch), closed_flags(&room->work.shown),
-                         PyBool_FromLong(status == SF_OK && room->undecided)};
+    PyObject *items[] = {new_array(n, NPY_DOUBLE, &Omega), new_array(n, NPY_DOUBLE, &A),
+                         new_array(n, NPY_BOOL, &stable),  new_array(n, NPY_INT64, &branch),
+                         closed_flags(&room->work.shown),  PyBool_FromLong(status == SF_OK && room->undecided)};
     if (n > 0 && items[0] && items[1] && items[2] && items[3]) {
         Py_BEGIN_ALLOW_THREADS
         sf_here()->draw(model, F_0, samples, &room->work.shown, Omega, A, stable, (long long *)branch);
@@ -279,7 +279,8 @@ static int make_place(states *found)
 {
     if (found->places - found->n < sf_here()->most_states) {
         found->places = 2 * found->places + sf_here()->most_states;
-        if (!grow(&found->Omega, found->places, sizeof *found->Omega) || !grow(&found->A, found->places, sizeof *found->A) ||
+        if (!grow(&found->Omega, found->places, sizeof *found->Omega) ||
+            !grow(&found->A, found->places, sizeof *found->A) ||
             !grow(&found->stable, found->places, sizeof *found->stable))
             return 0;
     }
@@ -354,7 +355,8 @@ static PyObject *steady_states(PyObject *self, PyObject *args)
         return NULL;
     }
     room->followed = 0, room->proofs = 0;
-    if (all_states(model, sf_given_in(given), F_0, room, PyArray_DATA(array), PyArray_DIM(array, 0), &found, &status) == 0) {
+    if (all_states(model, sf_given_in(given), F_0, room, PyArray_DATA(array), PyArray_DIM(array, 0), &found,
+                   &status) == 0) {
         PyObject *items[] = {array_of(found.n, NPY_DOUBLE, found.Omega, sizeof *found.Omega),
                              array_of(found.n, NPY_DOUBLE, found.A, sizeof *found.A),
                              array_of(found.n, NPY_BOOL, found.stable, sizeof *found.stable),
@@ -379,7 +381,8 @@ static PyMethodDef functions[] = {
     {"fold_locus", fold_locus, METH_VARARGS, "(model, A_max, samples) -> status, Omega, A, F_0, branch, extrema"},
     {"frequency_response", frequency_response, METH_VARARGS,
      "(model, F_0, samples, low, high) -> status, Omega, A, stable, branch, closed, undecided"},
-    {"steady_states", steady_states, METH_VARARGS, "(model, F_0, Omega) -> status, Omega, A, stable, Omega where undecided"},
+    {"steady_states", steady_states, METH_VARARGS,
+     "(model, F_0, Omega) -> status, Omega, A, stable, Omega where undecided"},
     {NULL, NULL, 0, NULL},
 };
 

@@ -32,8 +32,8 @@ static const question onset = {
     "many_onset", "(),(),(),(),(),()", "design, damping -> F_SN, Omega, A, kind, folds at rest, status", 0, 6,
     {D, D, D, B, B, B}};
 static const question saddle_nodes = {
-    "many_saddle_nodes", "(k),(k),(k),(),(),()", "design, damping, F_0 -> Omega, A, kind, count, undecided, status", 1, 6,
-    {D, D, B, B, B, B}};
+    "many_saddle_nodes", "(k),(k),(k),(),(),()",
+    "design, damping, F_0 -> Omega, A, kind, count, undecided, status", 1, 6, {D, D, B, B, B, B}};
 static const question amplitudes = {
     "many_amplitudes", "(k),(k),(),(),()", "design, damping, F_0, Omega -> A, stable, count, undecided, status", 2, 5,
     {D, B, B, B, B}};
@@ -41,12 +41,13 @@ static const question peak = {"many_peak", "(),(),()", "design, damping, F_0 -> 
 
 static const question frequency_response = {
     "many_frequency_response", "(n),(n),(n),(n),(n),(),(k),(k),(k),(),(),()",
-    "design, damping, F_0, samples, low, high -> Omega, A, stable, branch, whether it is closed, points; Omega, A, kind of folds, "
-    "count, undecided, status",
+    "design, damping, F_0, samples, low, high -> Omega, A, stable, branch, whether it is closed, points; Omega, A, "
+    "kind of folds, count, undecided, status",
     4, 12, {D, D, B, S, B, N, D, D, B, B, B, B}};
 
 static const question proved_folds = {
-    "many_proved_saddle_nodes", "(),(),()", "design, damping, F_0 -> count, whether it is proved, status", 1, 3, {B, B, B}};
+    "many_proved_saddle_nodes", "(),(),()",
+    "design, damping, F_0 -> count, whether it is proved, status", 1, 3, {B, B, B}};
 static const question proved_states = {
     "many_proved_amplitudes", "(),(),()", "design, damping, F_0, Omega -> count, whether it is proved, status", 2, 3,
     {B, B, B}};
@@ -166,16 +167,18 @@ static PyObject *many_gradients(PyObject *cache, PyObject *record)
 }
 
 static PyMethodDef functions[] = {
-    {"many_detachment", many_detachment, METH_O, "record -> ufunc of (design, damping) -> F_cr, Omega_cr, u_cr, status"},
-    {"many_onset", many_onset, METH_O, "record -> ufunc of (design, damping) -> F_SN, Omega, A, kind, folds at rest, status"},
+    {"many_detachment", many_detachment, METH_O,
+     "record -> ufunc of (design, damping) -> F_cr, Omega_cr, u_cr, status"},
+    {"many_onset", many_onset, METH_O,
+     "record -> ufunc of (design, damping) -> F_SN, Omega, A, kind, folds at rest, status"},
     {"many_saddle_nodes", many_saddle_nodes, METH_O,
      "record -> ufunc of (design, damping, F_0) -> Omega, A, kind, count, undecided, status"},
     {"many_amplitudes", many_amplitudes, METH_O,
      "record -> ufunc of (design, damping, F_0, Omega) -> A, stable, count, undecided, status"},
     {"many_peak", many_peak, METH_O, "record -> ufunc of (design, damping, F_0) -> A, Omega, status"},
     {"many_frequency_response", many_frequency_response, METH_O,
-     "record -> ufunc of (design, damping, F_0, samples, low, high) -> Omega, A, stable, branch, closed, points; Omega, A, kind of "
-     "folds, count, undecided, status"},
+     "record -> ufunc of (design, damping, F_0, samples, low, high) -> Omega, A, stable, branch, closed, points; "
+     "Omega, A, kind of folds, count, undecided, status"},
     {"many_second_detachment", many_second_detachment, METH_O, "as many_detachment, in the second approximation"},
     {"many_second_onset", many_second_onset, METH_O, "as many_onset, in the second approximation"},
     {"many_second_saddle_nodes", many_second_saddle_nodes, METH_O,

@@ -26,7 +26,8 @@ static PyObject *certificate(int status, const sf_certificate *found)
 {
     const npy_intp n = status == SF_OK ? found->n : 0, doubts = status == SF_OK ? found->doubts : 0;
     double *Omega = NULL, *A = NULL, *doubt = NULL;
-    PyObject *in_Omega = new_intervals(n, &Omega), *in_A = new_intervals(n, &A), *in_doubt = new_intervals(doubts, &doubt);
+    PyObject *in_Omega = new_intervals(n, &Omega), *in_A = new_intervals(n, &A),
+             *in_doubt = new_intervals(doubts, &doubt);
     PyObject *corner = PyArray_SimpleNew(1, &n, NPY_BOOL), *sign = PyArray_SimpleNew(1, &n, NPY_INT8);
     if (!in_Omega || !in_A || !in_doubt || !corner || !sign) {
         Py_XDECREF(in_Omega), Py_XDECREF(in_A), Py_XDECREF(in_doubt), Py_XDECREF(corner), Py_XDECREF(sign);
@@ -151,10 +152,12 @@ static PyObject *certify_detachment(PyObject *self, PyObject *capsule)
 
 static PyMethodDef functions[] = {
     {"certify_folds", certify_folds, METH_VARARGS,
-     "(model, F_0, A where folds are expected) -> status, Omega, A, corner, sign of F_AA, doubts, A_max, bounded, complete; "
+     "(model, F_0, A where folds are expected) -> status, Omega, A, corner, sign of F_AA, doubts, A_max, bounded, "
+     "complete; "
      "or None"},
     {"certify_states", certify_states, METH_VARARGS, "(model, F_0, Omega) -> the same, with the sign of F_A; or None"},
-    {"certify_onset", certify_onset, METH_O, "model -> status, F_SN, Omega, A, kind, whether it is proved; or status and that, or None"},
+    {"certify_onset", certify_onset, METH_O,
+     "model -> status, F_SN, Omega, A, kind, whether it is proved; or status and that, or None"},
     {"certify_detachment", certify_detachment, METH_O, "model -> status, F_cr, Omega_cr, u_cr; or None"},
     {NULL, NULL, 0, NULL},
 };

@@ -27,7 +27,8 @@ static inline value value_at(double A, double h, double h_A, double h_AA, double
 {
     double q[5], R[2], cusp[4];
     slow_flow_cusps(A, zeta, h, h_A, h_AA, k, q);
-    const double root = sqrt(SF_GREATER(q[4], 0.0)), X = root_at(q[2], q[3], root, sign), T = root_at(q[0], q[1], root, sign);
+    const double root = sqrt(SF_GREATER(q[4], 0.0)), X = root_at(q[2], q[3], root, sign),
+                 T = root_at(q[0], q[1], root, sign);
     slow_flow_cusp_R(A, zeta, h_AA, k, X, T, R);
     const double of_R = fabs(R[0]) < SF_CANCELLED * fabs(k) ? R[1] : R[0];
     slow_flow_cusp(A, m, zeta, h_AA, h_AAA, k, X, T, of_R, sign * root, cusp);
@@ -41,7 +42,8 @@ SF_WIDE static void ask(ptrdiff_t n, sf_cusp_probes *probes)
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = probes->at[0][i], h = probes->at[1][i], h_A = probes->at[2][i], h_AA = probes->at[3][i];
-        const double h_AAA = probes->at[4][i], k = probes->at[5][i], m = probes->asked[0][i], zeta = probes->asked[1][i];
+        const double h_AAA = probes->at[4][i], k = probes->at[5][i], m = probes->asked[0][i],
+                     zeta = probes->asked[1][i];
         const value upper = value_at(A, h, h_A, h_AA, h_AAA, k, m, zeta, 1.0);
         const value lower = value_at(A, h, h_A, h_AA, h_AAA, k, m, zeta, -1.0);
         probes->at[6][i] = upper.least > 0 ? upper.y : NAN, probes->at[7][i] = lower.least > 0 ? lower.y : NAN;
@@ -89,11 +91,13 @@ static inline channel channel_on(shared of, double tau_lo, double tau_hi)
     const int is_above = (kappa_hi <= 0) & (level - doubt_F > of.most * of.most);
 
     const double doubt_g = 4 * (1 + of.rho_hi) * doubt_s;
-    const double g_lo = LEAST(sum_lo, of.rho_lo, of.rho_hi) + 3 * t_lo, g_hi = MOST(sum_hi, of.rho_lo, of.rho_hi) + 3 * t_hi;
+    const double g_lo = LEAST(sum_lo, of.rho_lo, of.rho_hi) + 3 * t_lo,
+                 g_hi = MOST(sum_hi, of.rho_lo, of.rho_hi) + 3 * t_hi;
     const double of_zeta = 4 * of.zeta * of.zeta;
     const double by_hi = (q / (of.b * w_hi) + of_zeta) / of.B_hi * (1 - SF_DOUBT);
     const double by_lo = (q / (of.a * w_lo) + of_zeta) / of.B_lo * (1 + SF_DOUBT);
-    const double k_lo = sum_lo + t_lo + (turned > 0 ? by_hi : -by_lo), k_hi = sum_hi + t_hi + (turned > 0 ? by_lo : -by_hi);
+    const double k_lo = sum_lo + t_lo + (turned > 0 ? by_hi : -by_lo),
+                 k_hi = sum_hi + t_hi + (turned > 0 ? by_lo : -by_hi);
     const double doubt_k = 4 * doubt_s + SF_DOUBT * by_lo;
     const channel found = {(X_hi <= 0) | is_positive | is_negative | is_above, X_lo > 0,
                            ((g_lo > doubt_g) | (g_hi < -doubt_g)) & ((k_lo > doubt_k) | (k_hi < -doubt_k))};
@@ -106,9 +110,11 @@ static inline channel channel_on(shared of, double tau_lo, double tau_hi)
 #define JUDGE(CHANNEL, LO, HI) \
     { \
         const channel on = channel_on(of, LO, HI); \
-        const double product = cells->low[SF_CUSP_PROBE_ROWS + (CHANNEL)][i] * cells->high[SF_CUSP_PROBE_ROWS + (CHANNEL)][i]; \
+        const double product = \
+            cells->low[SF_CUSP_PROBE_ROWS + (CHANNEL)][i] * cells->high[SF_CUSP_PROBE_ROWS + (CHANNEL)][i]; \
         const int is_settled = is_scaled & on.throughout & on.monotone & (disc_lo > 0); \
-        const int has_none = (is_scaled & ((kappa_lo >= 0) | (disc_hi < 0) | on.none)) | is_free | (is_settled & (product > 0)); \
+        const int has_none = \
+            (is_scaled & ((kappa_lo >= 0) | (disc_hi < 0) | on.none)) | is_free | (is_settled & (product > 0)); \
         const int has_one = is_settled & (product < 0); \
         cells->verdict[CHANNEL][i] = has_none ? SF_HAS_NONE : has_one ? SF_HAS_ONE : (double)SF_IS_OPEN; \
     }
@@ -128,7 +134,8 @@ SF_WIDE static void judge(ptrdiff_t n, sf_cusp_cells *cells)
 
         /* next to A = 0: sf_is_free_of_folds */
         const double square = zeta * zeta, apart = on.h1_hi - on.h1_lo, of_slope = 16 * square * (on.h1_hi + square);
-        const int rises = ((on.h1_lo >= 0) | (on.h1_hi <= 0)) & (on.h1_lo + 2 * square > SF_CLOSE * (fabs(on.h1_lo) + square));
+        const int rises =
+            ((on.h1_lo >= 0) | (on.h1_hi <= 0)) & (on.h1_lo + 2 * square > SF_CLOSE * (fabs(on.h1_lo) + square));
         const int is_free = (a + fabs(h_a) == 0) &
                             (rises | (apart * apart + of_slope < -SF_CLOSE * (apart * apart + fabs(of_slope))));
 
@@ -138,11 +145,13 @@ SF_WIDE static void judge(ptrdiff_t n, sf_cusp_cells *cells)
         const double s_lo = SF_LESSER(sign * h3_a, sign * h3_b), s_hi = SF_GREATER(sign * h3_a, sign * h3_b);
         const double rho_lo = (1 - SF_DOUBT) * SF_LESSER(a * s_lo / from, b * s_lo / (from + s_hi * width));
         const double rho_hi = (1 + SF_DOUBT) * SF_GREATER(a * s_hi / from, b * s_hi / (from + s_lo * width));
-        const double first = k_a / (a * a * h2_a), last = k_b / (b * b * h2_b), doubt = 4 * SF_DOUBT * (1 + fabs(first));
+        const double first = k_a / (a * a * h2_a), last = k_b / (b * b * h2_b),
+                     doubt = 4 * SF_DOUBT * (1 + fabs(first));
         const double rough_lo = SF_LESSER(first, -1 / (2 + rho_lo)) - doubt;
         const double rough_hi = SF_GREATER(first, -1 / (2 + rho_hi)) + doubt;
         /* its slope is -(1 + kappa (2 + rho))/A */
-        const double bent_lo = 1 + LEAST(rough_lo, 2 + rho_lo, 2 + rho_hi), bent_hi = 1 + MOST(rough_hi, 2 + rho_lo, 2 + rho_hi);
+        const double bent_lo = 1 + LEAST(rough_lo, 2 + rho_lo, 2 + rho_hi),
+                     bent_hi = 1 + MOST(rough_hi, 2 + rho_lo, 2 + rho_hi);
         const double steep = SF_DOUBT * (1 + fabs(rough_lo) + fabs(rough_hi)) * (2 + rho_hi);
         const double slope_lo = -MOST(bent_hi + steep, 1 / b, 1 / a), slope_hi = -LEAST(bent_lo - steep, 1 / b, 1 / a);
         const double off = 2 * doubt + SF_DOUBT * width * (fabs(slope_lo) + fabs(slope_hi));
@@ -163,15 +172,19 @@ SF_WIDE static void judge(ptrdiff_t n, sf_cusp_cells *cells)
         const double less_hi = SF_GREATER(2 * on.h1_hi * z_lo / B_hi, 2 * on.h1_hi * z_hi / B_lo);
         const double c_lo = kappa_lo - less_hi, c_hi = kappa_hi - less_lo;
         const double doubt_c = SF_DOUBT * (fabs(kappa_lo) + fabs(kappa_hi) + fabs(less_lo) + fabs(less_hi));
-        const double near = (p_lo > 0) | (p_hi < 0) ? SF_LESSER(fabs(p_lo), fabs(p_hi)) : 0.0, far = SF_GREATER(fabs(p_lo), fabs(p_hi));
-        const double b_lo = c_lo - doubt_c, b_hi = c_hi + doubt_c, doubt_d = SF_DOUBT * (far * far + fabs(b_lo) + fabs(b_hi));
+        const double near = (p_lo > 0) | (p_hi < 0) ? SF_LESSER(fabs(p_lo), fabs(p_hi)) : 0.0,
+                     far = SF_GREATER(fabs(p_lo), fabs(p_hi));
+        const double b_lo = c_lo - doubt_c, b_hi = c_hi + doubt_c,
+                     doubt_d = SF_DOUBT * (far * far + fabs(b_lo) + fabs(b_hi));
         const double disc_lo = near * near - b_hi - doubt_d, disc_hi = far * far - b_lo + doubt_d;
         /* the larger root falls with a and b where b <= 0, and so does the other one, less itself, but that it rises
          * with a */
         const int corners = b_hi <= 0;
         const double root_lo = sqrt(SF_GREATER(disc_lo, 0.0)), root_hi = sqrt(SF_GREATER(disc_hi, 0.0));
-        const double of_lo_lo = sqrt(SF_GREATER(p_lo * p_lo - b_lo, 0.0)), of_lo_hi = sqrt(SF_GREATER(p_lo * p_lo - b_hi, 0.0));
-        const double of_hi_lo = sqrt(SF_GREATER(p_hi * p_hi - b_lo, 0.0)), of_hi_hi = sqrt(SF_GREATER(p_hi * p_hi - b_hi, 0.0));
+        const double of_lo_lo = sqrt(SF_GREATER(p_lo * p_lo - b_lo, 0.0)),
+                     of_lo_hi = sqrt(SF_GREATER(p_lo * p_lo - b_hi, 0.0));
+        const double of_hi_lo = sqrt(SF_GREATER(p_hi * p_hi - b_lo, 0.0)),
+                     of_hi_hi = sqrt(SF_GREATER(p_hi * p_hi - b_hi, 0.0));
         const double doubt_t = 4 * SF_DOUBT * (far + root_hi);
         JUDGE(0, (corners ? of_hi_hi : root_lo) - p_hi - doubt_t, (corners ? of_lo_lo : root_hi) - p_lo + doubt_t)
         JUDGE(1, -p_hi - (corners ? of_hi_lo : root_hi) - doubt_t, -p_lo - (corners ? of_lo_hi : root_lo) + doubt_t)
@@ -188,7 +201,8 @@ static inline double zero_beside(double a, double y_a, double slope_a, double b,
 }
 
 /* Into the bracket by that, else by Newton's step from the first, else in the middle */
-static inline double next_from(double a, double y_a, double slope_a, double b, double y_b, double slope_b, double lo, double hi)
+static inline double next_from(double a, double y_a, double slope_a, double b, double y_b, double slope_b, double lo,
+                               double hi)
 {
     const double beside = zero_beside(a, y_a, slope_a, b, y_b, slope_b), step = a - y_a / slope_a;
     const int is_near = (fabs(y_a) < 0.5 * fabs(y_b)) | ((y_a < 0) != (y_b < 0));
@@ -203,8 +217,10 @@ SF_WIDE static void start(ptrdiff_t n, sf_cusp_zeros *zeros)
         const double a = zeros->lo[0][i], y_a = zeros->lo[1][i], slope_a = zeros->lo[2][i];
         const double b = zeros->hi[0][i], y_b = zeros->hi[1][i], slope_b = zeros->hi[2][i];
         const int is_low = fabs(y_a) < fabs(y_b);
-        zeros->next[i] = is_low ? next_from(a, y_a, slope_a, b, y_b, slope_b, a, b) : next_from(b, y_b, slope_b, a, y_a, slope_a, a, b);
-        zeros->last[0][i] = is_low ? a : b, zeros->last[1][i] = is_low ? y_a : y_b, zeros->last[2][i] = is_low ? slope_a : slope_b;
+        zeros->next[i] = is_low ? next_from(a, y_a, slope_a, b, y_b, slope_b, a, b)
+                                : next_from(b, y_b, slope_b, a, y_a, slope_a, a, b);
+        zeros->last[0][i] = is_low ? a : b, zeros->last[1][i] = is_low ? y_a : y_b,
+        zeros->last[2][i] = is_low ? slope_a : slope_b;
     }
 }
 

@@ -27,14 +27,16 @@ typedef struct {
     int has_sign, rises, falls;
 } channel;
 
-static inline channel channel_on(double w_lo, double w_hi, double a, double b, double F_0, double m, double zeta, sf_lane_slopes on)
+static inline channel channel_on(double w_lo, double w_hi, double a, double b, double F_0, double m, double zeta,
+                                 sf_lane_slopes on)
 {
     const double q = m * zeta, e = 2 * zeta * zeta;
     const double R_lo = e * a + (m > 0 ? q / w_hi : 0.0), R_hi = e * b + (m > 0 ? q / w_lo : 0.0);
     const double I_lo = 2 * zeta * a * w_lo + m, I_hi = 2 * zeta * b * w_hi + m;
     const double doubt = 4 * SF_CLOSE * (R_hi * R_hi + I_hi * I_hi + F_0 * F_0);
     const double S_lo = w_lo * w_lo - on.h1_hi, S_hi = w_hi * w_hi - on.h1_lo;
-    const channel of = {(R_lo * R_lo + (I_lo - F_0) * (I_lo + F_0) > doubt) | (R_hi * R_hi + (I_hi - F_0) * (I_hi + F_0) < -doubt),
+    const channel of = {(R_lo * R_lo + (I_lo - F_0) * (I_lo + F_0) > doubt) |
+                            (R_hi * R_hi + (I_hi - F_0) * (I_hi + F_0) < -doubt),
                         S_lo > 4 * SF_CLOSE * (w_lo * w_lo + SF_FINITE_SIZE(on.h1_hi)),
                         S_hi < -4 * SF_CLOSE * (w_hi * w_hi + SF_FINITE_SIZE(on.h1_lo))};
     return of;
@@ -61,28 +63,39 @@ SF_WIDE static void judge(ptrdiff_t n, sf_lane_cells *cells)
         const double p_lo = (on.h2_hi <= 0 ? h_least : h_under) + e * a - doubt_h;
         const double p_hi = (on.h2_lo >= 0 ? h_most : h_over) + e * b + doubt_h;
         const sf_lane_critical low = sf_lane_critical_at(a, p_lo, q), high = sf_lane_critical_at(b, p_hi, q);
-        const int is_nowhere = (p_lo >= 0) | (low.rho > 1 + MAY_MEET), is_throughout = (p_hi < 0) & (high.rho < 1 - MAY_MEET);
+        const int is_nowhere = (p_lo >= 0) | (low.rho > 1 + MAY_MEET),
+                  is_throughout = (p_hi < 0) & (high.rho < 1 - MAY_MEET);
         const channel lower = channel_on(low.w1 * (1 - SF_CLOSE), high.w1 * (1 + SF_CLOSE), a, b, F_0, m, zeta, on);
         const channel upper = channel_on(high.w2 * (1 - SF_CLOSE), low.w2 * (1 + SF_CLOSE), a, b, F_0, m, zeta, on);
 
         /* at the ends */
         double cubic_a[3], cubic_b[3];
         slow_flow_peak_cubic(a, m, zeta, h_a, cubic_a), slow_flow_peak_cubic(b, m, zeta, h_b, cubic_b);
-        const sf_lane_critical at_a = sf_lane_critical_at(a, cubic_a[1], q), at_b = sf_lane_critical_at(b, cubic_b[1], q);
-        const value lower_a = value_at(at_a.w1, a, F_0, m, zeta, h1_a), lower_b = value_at(at_b.w1, b, F_0, m, zeta, h1_b);
-        const value upper_a = value_at(at_a.w2, a, F_0, m, zeta, h1_a), upper_b = value_at(at_b.w2, b, F_0, m, zeta, h1_b);
-        const int lower_known = (fabs(lower_a.y) > 8 * SF_CLOSE * lower_a.size) & (fabs(lower_b.y) > 8 * SF_CLOSE * lower_b.size);
-        const int upper_known = (fabs(upper_a.y) > 8 * SF_CLOSE * upper_a.size) & (fabs(upper_b.y) > 8 * SF_CLOSE * upper_b.size);
+        const sf_lane_critical at_a = sf_lane_critical_at(a, cubic_a[1], q),
+                               at_b = sf_lane_critical_at(b, cubic_b[1], q);
+        const value lower_a = value_at(at_a.w1, a, F_0, m, zeta, h1_a),
+                    lower_b = value_at(at_b.w1, b, F_0, m, zeta, h1_b);
+        const value upper_a = value_at(at_a.w2, a, F_0, m, zeta, h1_a),
+                    upper_b = value_at(at_b.w2, b, F_0, m, zeta, h1_b);
+        const int lower_known =
+            (fabs(lower_a.y) > 8 * SF_CLOSE * lower_a.size) & (fabs(lower_b.y) > 8 * SF_CLOSE * lower_b.size);
+        const int upper_known =
+            (fabs(upper_a.y) > 8 * SF_CLOSE * upper_a.size) & (fabs(upper_b.y) > 8 * SF_CLOSE * upper_b.size);
         const int lower_passes = (lower_a.y < 0) != (lower_b.y < 0), upper_passes = (upper_a.y < 0) != (upper_b.y < 0);
         /* the maximum over Omega has a peak only where it falls to 0 */
-        const int lower_none = (m == 0) | lower.has_sign | lower.rises | (lower.falls & lower_known & (lower_passes == 0));
+        const int lower_none =
+            (m == 0) | lower.has_sign | lower.rises | (lower.falls & lower_known & (lower_passes == 0));
         const int upper_none = upper.has_sign | ((upper.rises | upper.falls) & upper_known & (upper_passes == 0));
         const int upper_one = upper.rises & upper_known & upper_passes & (upper_a.y < 0);
-        const int is_known = (fabs(h_a) < HUGE_VAL) & (h1_a == h1_a) & (h2_a == h2_a) & (h3_a == h3_a) & (fabs(h_b) < HUGE_VAL) &
-                             (fabs(h1_b) < HUGE_VAL) & (fabs(h2_b) < HUGE_VAL) & (fabs(h3_b) < HUGE_VAL) & (a > 0);
+        const int is_known = (fabs(h_a) < HUGE_VAL) & (h1_a == h1_a) & (h2_a == h2_a) & (h3_a == h3_a) &
+                             (fabs(h_b) < HUGE_VAL) & (fabs(h1_b) < HUGE_VAL) & (fabs(h2_b) < HUGE_VAL) &
+                             (fabs(h3_b) < HUGE_VAL) & (a > 0);
         const int has_none = is_nowhere | (is_throughout & lower_none & upper_none);
         const int has_one = is_throughout & lower_none & upper_one;
-        cells->verdict[i] = is_known == 0 ? SF_IS_DOUBTFUL : has_none ? SF_HAS_NONE : has_one ? SF_HAS_ONE : (double)SF_IS_OPEN;
+        cells->verdict[i] = is_known == 0 ? SF_IS_DOUBTFUL
+                            : has_none    ? SF_HAS_NONE
+                            : has_one     ? SF_HAS_ONE
+                                          : (double)SF_IS_OPEN;
         cells->cut[i] = sf_lane_zero(a, upper_a.y, upper_a.rise, b, upper_b.y, upper_b.rise, sf_lane_amid(base, a, b));
         cells->rises[i] = 1.0;
     }
@@ -99,10 +112,12 @@ SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
         double cubic[3];
         slow_flow_peak_cubic(A, m, zeta, h, cubic);
         const double q = cubic[0], p = cubic[1], rough = sf_lane_critical_at(A, p, q).w2;
-        const double w = rough - (rough * (A * rough * rough + p) + q) / (3 * A * rough * rough + p); /* Newton's step */
+        const double w =
+            rough - (rough * (A * rough * rough + p) + q) / (3 * A * rough * rough + p); /* Newton's step */
         const value at = value_at(w, A, F_0, m, zeta, h_A);
         const double w_A = slow_flow_peak_Omega_A(w, A, m, zeta, h_A);
-        const double bend = slow_flow_F_AA(w, A, m, zeta, h, h_A, h_AA) + slow_flow_F_AOmega(w, A, m, zeta, h, h_A) * w_A;
+        const double bend =
+            slow_flow_F_AA(w, A, m, zeta, h, h_A, h_AA) + slow_flow_F_AOmega(w, A, m, zeta, h, h_A) * w_A;
         const double step = sf_halley(zeros, i, A, at.y < 0, at.y, at.rise, bend);
         zeros->Omega[i] = w - w_A * step;
     }

@@ -46,7 +46,8 @@ const sf_mechanism *sf_record_in(PyObject *capsule)
     return record;
 }
 
-PyObject *sf_kept(PyObject *cache, PyObject *capsule, PyObject *(*make)(const sf_mechanism *, const void *), const void *how)
+PyObject *sf_kept(PyObject *cache, PyObject *capsule, PyObject *(*make)(const sf_mechanism *, const void *),
+                  const void *how)
 {
     const sf_mechanism *record = sf_record_in(capsule);
     PyObject *address = record == NULL ? NULL : PyLong_FromVoidPtr((void *)record);
@@ -137,7 +138,8 @@ static PyObject *parameters_of(PyObject *self, PyObject *args)
     if (!PyArg_ParseTuple(args, "OO!", &capsule, &PyTuple_Type, &of_design))
         return NULL;
     const sf_mechanism *record = sf_record_in(capsule);
-    if (record == NULL || sf_read_numbers(of_design, record->design_size, record->name, "numbers of the design", design) != 0)
+    if (record == NULL ||
+        sf_read_numbers(of_design, record->design_size, record->name, "numbers of the design", design) != 0)
         return NULL;
     if (record->parameters_of(design, p))
         return tuple_of(p, record->parameters);
@@ -162,7 +164,8 @@ static PyObject *new_model(PyObject *self, PyObject *args)
         return PyErr_NoMemory();
     if (sf_read_numbers(parameters, record->parameters, record->name, "parameters", made->model.p) == 0 &&
         sf_read_numbers(of_damping, record->damping_size, record->name, "numbers of damping", damping) == 0 &&
-        (!known || sf_read_numbers(of_design, record->design_size, record->name, "numbers of the design", design) == 0)) {
+        (!known ||
+         sf_read_numbers(of_design, record->design_size, record->name, "numbers of the design", design) == 0)) {
         if (record->damping_of(damping, made->model.damping)) {
             if (!sf_prepare(record, known ? design : NULL, &made->model)) {
                 free(made);

@@ -25,10 +25,10 @@ SF_WIDE static void isolate(ptrdiff_t n, sf_quartics *block)
         const int is_critical = (p < 0) & (rho <= 1 - SF_MAY_MEET);
         frequencies_response(w1, A, F_0, m, zeta, h, at_1);
         frequencies_response(w2, A, F_0, m, zeta, h, at_2);
-        const int is_sure = ((p >= 0) | (rho <= 1 - SF_MAY_MEET) | (rho > 1 + SF_MAY_MEET)) & (fabs(at_0[0]) >= SF_ROUGH * at_0[1]) &
-                            ((is_critical == 0) |
-                             ((fabs(at_1[0]) > SF_ROUGH * at_1[1]) & (fabs(at_2[0]) > SF_ROUGH * at_2[1]))) &
-                            (A > 0) & (m >= 0) & (zeta >= 0) & (F_0 >= m) & (A + fabs(h) + m + zeta + F_0 < HUGE_VAL);
+        const int is_sure =
+            ((p >= 0) | (rho <= 1 - SF_MAY_MEET) | (rho > 1 + SF_MAY_MEET)) & (fabs(at_0[0]) >= SF_ROUGH * at_0[1]) &
+            ((is_critical == 0) | ((fabs(at_1[0]) > SF_ROUGH * at_1[1]) & (fabs(at_2[0]) > SF_ROUGH * at_2[1]))) &
+            (A > 0) & (m >= 0) & (zeta >= 0) & (F_0 >= m) & (A + fabs(h) + m + zeta + F_0 < HUGE_VAL);
         const double signs = (at_0[0] < 0 ? SF_F0_BELOW : 0.0) + (at_1[0] > 0 ? SF_F1_ABOVE : 0.0) +
                              (at_2[0] < 0 ? SF_F2_BELOW : 0.0) + (is_critical ? SF_CRITICAL : 0.0);
         block->p[i] = p, block->q[i] = q, block->w1[i] = w1, block->w2[i] = w2;
@@ -47,7 +47,8 @@ SF_WIDE static void refine(ptrdiff_t n, sf_jobs *jobs)
         const double p = jobs->p[i], q = jobs->q[i], w1 = jobs->w1[i], w2 = jobs->w2[i], place = jobs->place[i];
         const double f1 = jobs->f1[i], f2 = jobs->f2[i], k = 4 * A, E = -jobs->f0[i] / k, line = E / q;
         const double sum = 3 * w2 * w2 + p / A, vv = 0.5 * SF_GREATER(sum, 0.0);
-        const double depth = SF_GREATER(-f2, 0.0), twice_S = 2 * sqrt(depth / (k * A)), signed_S = place == 2 ? twice_S : -twice_S;
+        const double depth = SF_GREATER(-f2, 0.0), twice_S = 2 * sqrt(depth / (k * A)),
+                     signed_S = place == 2 ? twice_S : -twice_S;
         const double under = vv + signed_S;
         const double by_minimum = w2 + signed_S / (sqrt(vv) + sqrt(SF_GREATER(under, 0.0)));
         const double drop = sqrt(2 * SF_GREATER(f1, 0.0) / (-k * frequencies_cubic_slope(w1, A, p)));

@@ -49,7 +49,8 @@ SF_FMA static void roots_of_block(ptrdiff_t n, sf_quartics *block, sf_jobs *jobs
     }
     for (int i = 0; i < n; i++)
         if (count[i] == -1)
-            count[i] = sf_response_roots(block->A[i], block->h[i], block->m[i], block->zeta[i], block->F_0[i], Omega[i]);
+            count[i] =
+                sf_response_roots(block->A[i], block->h[i], block->m[i], block->zeta[i], block->F_0[i], Omega[i]);
 }
 
 void sf_response_roots_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data)

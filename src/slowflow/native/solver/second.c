@@ -234,8 +234,10 @@ static PyObject *has_second(PyObject *self, PyObject *given)
 
 static PyMethodDef functions[] = {
     {"second_follow", second_follow, METH_VARARGS,
-     "(model, F_0, wanted, Omega, A, branch, closed) of the first approximation -> columns, closed parts, (lost, of, from, to), curve"},
-    {"second_folds", second_folds, METH_VARARGS, "(model, F_0, curve) -> status, [(Omega, u_max, A_1, up, corner)], lost, tried"},
+     "(model, F_0, wanted, Omega, A, branch, closed) of the first approximation -> columns, closed parts, (lost, of, "
+     "from, to), curve"},
+    {"second_folds", second_folds, METH_VARARGS,
+     "(model, F_0, curve) -> status, [(Omega, u_max, A_1, up, corner)], lost, tried"},
     {"second_states", second_states, METH_VARARGS, "(model, F_0, curve, Omega) -> [(Omega, u_max, A_1, phi, stable)]"},
     {"second_peak", second_peak, METH_VARARGS, "(model, F_0, curve) -> status, u_max, Omega"},
     {"second_onset", second_onset, METH_VARARGS, "(model, F_SN, Omega, A) of a cusp -> status, F_SN, Omega, u_max"},
