@@ -7,6 +7,7 @@ import itertools
 import json
 import pickle
 import re
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -16,7 +17,7 @@ import pytest
 import sympy
 from scipy.spatial import cKDTree
 
-from slowflow import Duffing, Isolator, Oscillator, derive
+from slowflow import Duffing, Isolator, Oscillator, derive, loads
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.isolator import ROD_SPRING
 from slowflow.model import Model
@@ -25,6 +26,8 @@ from slowflow.off_centre.ends import Charts
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.questions import OffCentre
 from slowflow.paper.example import isolator
+from slowflow.results import Remark
+from slowflow_kernels.conventions import Status
 
 CERTIFIED = json.loads((Path(__file__).parent / "data" / "off_centre.json").read_text())
 TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
@@ -740,6 +743,26 @@ def test_from_the_isolation_frequency_on_less_than_the_force_is_transmitted(load
     assert loaded.amplitudes(Omega=begins.Omega, F_0=0.04).transmissibility == pytest.approx([1.0], rel=1e-9)
     beyond = loaded.amplitudes(Omega=begins.Omega * np.linspace(1.0001, 3.0, 24), F_0=0.04)
     assert (beyond.transmissibility[beyond.stable] < 1).all()
+
+
+def test_what_transmits_the_force_beyond_the_isolation_found_is_seen_by_the_proof(loaded, monkeypatch):
+    """Points of the response that pass over its last stretch do not make the answer: more are taken, or it says so."""
+    true, begins = loaded.isolation(0.04), loads.begins
+    assert Remark.UNDECIDED not in true.remarks and not true.message
+    low, high = loaded.off_centre._transmits_beyond(replace(true, Omega=0.97 * true.Omega))
+    assert low < true.Omega < high
+
+    def early(*given):
+        return replace(begins(*given), Omega=0.97 * true.Omega)
+
+    answers = iter((early, begins))
+    monkeypatch.setattr(loads, "begins", lambda *given: next(answers)(*given))
+    assert loaded.isolation(0.04).Omega == pytest.approx(true.Omega, rel=1e-12)
+    monkeypatch.setattr(loads, "begins", early)
+    assert loaded.isolation(0.04).remarks & Remark.UNDECIDED and "undecided" in loaded.isolation(0.04).message
+    values = {name: [value] for name, value in {**TABLE_1, "load": 0.03}.items()}
+    many = Isolator.many(**values).isolation(0.04)
+    assert (many.remarks[0] & Remark.UNDECIDED) and many.status[0] == Status.OK
 
 
 def test_so_does_the_equation_of_motion_where_it_is_nearly_linear():

@@ -396,6 +396,7 @@ def test_no_design_is_better_than_one_of_the_front_in_both_answers():
     F_SN, F_cr, f_rest = tried.samples.values()
     allowed = F_cr >= 3.0
     assert len(found) >= 4 and (np.diff(found.one) > 0).all() and (np.diff(found.other) > 0).all()
+    assert str(found).splitlines()[0].split() == ["F_SN/N", "f_rest/Hz", "k_h/(N/m)", "preload/m"]
     for k, (one, other) in enumerate(found):
         design = found.design(k)
         assert (one, other) == pytest.approx((design.saddle_node_onset().F_SN, design.at_rest().f_0), rel=1e-11)
@@ -465,6 +466,10 @@ def test_where_nothing_is_traded_off_one_design_is_the_front_and_it_says_so():
 def test_a_number_that_one_answer_does_not_know_is_the_best_for_the_other_along_a_front():
     """f_rest does not know the damping, which the peak is the lower for."""
     found = front(MOUNT, {"zeta": (0.01, 0.1), "k_h": (500, 2500)}, low=["A_peak", "f_rest"], F=5, points=5)
+    shown = found.in_units()  # millimetres, and of these again millimetres
+    assert found.units == ("m", "Hz") and shown.units == shown.in_units().units == ("mm", "Hz")
+    assert shown.one == pytest.approx(1000 * found.one, rel=1e-14) and np.array_equal(shown.in_units().one, shown.one)
+    assert str(shown) == str(found) and found.plot().get_xlabel().endswith("mm")
     assert len(found) == 5 and found.numbers["zeta"] == pytest.approx(0.1, rel=1e-2)
 
 

@@ -134,6 +134,7 @@ class Isolation(Single):
     Omega -- that frequency; 0 where this holds at all frequencies; None where there is no motion, or no such frequency
     A     -- the amplitude there
     at_fold -- whether a motion that transmits more ends there in a fold, and does not pass transmissibility 1
+    remarks -- those of the response
     """
 
     Omega: float | None
@@ -141,6 +142,7 @@ class Isolation(Single):
     at_fold: bool
     F_0: float
     message: str
+    remarks: Remark
 
 
 class Load(NamedTuple):
@@ -313,10 +315,10 @@ def isolation(oscillator: Averaged, F_0: float) -> Isolation:
     """
     F_0 = validate.number("F_0", F_0, above=0.0)
     if oscillator.model.inertial and not oscillator.closes(F_0):
-        return Isolation(None, None, False, F_0, NEVER)
+        return Isolation(None, None, False, F_0, NEVER, Remark(0))
     curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _highest(oscillator, F_0)))
     if not len(curve):
-        return Isolation(None, None, False, F_0, curve.message)
+        return Isolation(None, None, False, F_0, curve.message, curve.remarks)
     transmits = curve.Omega <= _of_full(oscillator, curve.A)
 
     def passes(one: int, other: int) -> tuple[float, float]:
@@ -334,18 +336,18 @@ def begins(curve: Any, transmits: Flags, passes: Callable[[int, int], tuple[floa
     """
     full = curve.stable & transmits
     if not full.any():
-        return Isolation(0.0, None, False, F_0, joined(curve.message, ISOLATES))
+        return Isolation(0.0, None, False, F_0, joined(curve.message, ISOLATES), curve.remarks)
     last = int(np.flatnonzero(full)[np.argmax(curve.Omega[full])])
     around = [k for k in (last - 1, last + 1) if 0 <= k < len(curve) and curve.branch[k] == curve.branch[last]]
     for k in around:
         if curve.Omega[k] > curve.Omega[last]:
             if not transmits[k]:
-                return Isolation(*passes(last, k), False, F_0, curve.message)
+                return Isolation(*passes(last, k), False, F_0, curve.message, curve.remarks)
             last = k  # a fold, which rounding may leave on either side of stability
     loose = len(around) < 2 and not curve.isola[curve.branch[last]]
     if loose and all(curve.stable[k] for k in around):
-        return Isolation(None, None, False, F_0, joined(curve.message, NEVER))
-    return Isolation(float(curve.Omega[last]), float(curve.A[last]), True, F_0, curve.message)
+        return Isolation(None, None, False, F_0, joined(curve.message, NEVER), curve.remarks)
+    return Isolation(float(curve.Omega[last]), float(curve.A[last]), True, F_0, curve.message, curve.remarks)
 
 
 def _of_full(oscillator: Averaged, A: Floats) -> Floats:

@@ -345,6 +345,14 @@ def si(name: str, value: Any, unit: str) -> Any:
         raise ValueError(f"{name} = {value} is not allowed: {name} must be {measured}") from None
 
 
+def in_shown(unit: str) -> tuple[str, float]:
+    """In which unit numbers of a unit are shown, and its size in that one; both of no unit are none and 1."""
+    if not unit:
+        return "", 1.0
+    kind = KIND_OF[unit]
+    return SHOWN[kind], UNITS[kind][SHOWN[kind]] / UNITS[kind][unit]
+
+
 def turns(name: str, value: Any) -> Any:
     """A frequency in turns per second: a plain number is in Hz.
 

@@ -548,9 +548,9 @@ def _bands(single: OffCentre, F_0: float) -> Found:
 def _isolation(single: OffCentre, F_0: float) -> Found:
     found = single.isolation(F_0)
     if found.Omega is None:
-        return {}, Status.NONE, Remark(0)
+        return {}, Status.NONE, found.remarks
     A = math.nan if found.A is None else found.A
-    return {"Omega": found.Omega, "A": A, "at_fold": found.at_fold}, Status.OK, Remark(0)
+    return {"Omega": found.Omega, "A": A, "at_fold": found.at_fold}, Status.OK, found.remarks
 
 
 def _shocked(single: OffCentre) -> tuple[EquationOfMotion, int]:

@@ -45,6 +45,7 @@ STEPS: dict[str, tuple[Step, ...]] = {
         Step("boxes", True, "up to which frequency there is anything to look at"),
         Step("curve", True, "its last stable point that transmits the force"),
         Step("root", True, "next to that point"),
+        Step("proof", True, f"{_PLANE} no stable motion that transmits the force beyond it"),
     ),
     "spectrum": (
         Step("states", True, "of each row"),

@@ -71,6 +71,7 @@ NO_ONSET = "no saddle node at any forcing, up to amplitudes far beyond the size 
 UNRESOLVED = "the onset is undecided: folds of ever lower forcing go on to Omega = 0, or to where the mean turns back"
 ON_CORNER = "on a corner that the jump of the force makes: one that does not jump has none there"
 UNDECIDED = "how many states there are is undecided at Omega = {}"
+UNDECIDED_BEYOND = "whether a stable motion transmits the force at a higher frequency too is undecided"
 UNDECIDED_FOLDS = "whether there are others is undecided next to A = {}"
 
 
@@ -561,18 +562,34 @@ class OffCentre:
     def isolation(self, F_0: float) -> loads.Isolation:
         """The frequency from which on every stable motion at F_0 transmits less than F_0, see `Oscillator.isolation`.
 
-        No branch is missed, and no motion that transmits F_0 is beyond the frequencies that are looked at; on a branch
-        neighbours of some thousand points are taken for those between which it is passed once.
+        It is found on the response, and that no stable motion transmits F_0 beyond it is proved but for 2^-16 of it;
+        where that is not decided the answer says so, `Remark.UNDECIDED`. See `slowflow.off_centre.reach`.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
         self._damped("isolation")
         if F_0 <= self._m:
-            return loads.Isolation(None, None, False, F_0, STICKS.format(F_0, self._m))
+            return loads.Isolation(None, None, False, F_0, STICKS.format(F_0, self._m), Remark(0))
         # what is transmitted has the square h^2 + I^2, as much as F_0 where R = -h, at Omega^2 = 2 p with p = -h/A
         backbone = self._reach.farthest(self._sheets, self.A_max(F_0), F_0, BACKBONE, COARSE)
         highest = loads.BEYOND * math.sqrt(2 * (1 + COARSE) * (1.0 if backbone is None else backbone.value))
-        curve = self._curve(F_0, loads.SAMPLES, 0.0, highest)
+        found = self._begins(F_0, 0.0, highest)
+        if found.Omega is None or not (left := self._transmits_beyond(found)):
+            return found
+        # between points of the response a motion may come to transmit F_0 and leave that again: more points there
+        if math.isfinite(left[1]):
+            higher = self._begins(F_0, left[0], loads.BEYOND * left[1])
+            if higher.Omega and not self._transmits_beyond(higher):
+                return higher
+        return replace(found, message=joined(found.message, UNDECIDED_BEYOND), remarks=found.remarks | Remark.UNDECIDED)
+
+    def _begins(self, F_0: float, low: float, high: float) -> loads.Isolation:
+        """Where isolation begins on points of the response between two frequencies."""
+        curve = self._curve(F_0, loads.SAMPLES, low, high)
         return loads.begins(curve, curve.transmissibility >= 1, partial(self._transmits, curve), F_0)
+
+    def _transmits_beyond(self, found: loads.Isolation) -> tuple[float, float] | None:
+        """Between which frequencies beyond that one F_0 may be transmitted; None where it is proved that it is not."""
+        return self._reach.transmits_beyond(self._sheets, self.A_max(found.F_0), found.F_0, found.Omega or 0.0)
 
     def _transmits(self, curve: OffCentreResponse, one: int, other: int) -> tuple[float, float]:
         """Omega and A between two points of a curve, at which the motion transmits F_0."""

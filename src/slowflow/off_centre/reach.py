@@ -9,10 +9,14 @@ least |p| of a box is below that of all its motions, and no frequency has to be 
 `farthest` cuts the cells of the balance (`sheets`) and leaves those in which it does not hold, those that need
 more than F_0, and those that are nearer than a motion that is known. Motions with c_1 = df_0/dB > 0 are looked at, as
 those are of which stable ones are.
+
+`transmits_beyond` goes on in the same way with the motions beyond a frequency that transmit all of F_0, Omega^2 <= 2 p:
+their frequencies lie between the two, and what F is there, and by which sign it changes with A, is known on boxes.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -32,6 +36,8 @@ GAP = 2.0**-24
 MOST_BOXES, MIDDLES, STEPS = 100_000, 64, 10
 #: rounds after which it is looked for them again
 EVERY = 6
+#: share of a frequency beyond which it is proved that nothing transmits the force; boxes and rounds for that
+BEYOND, MOST_BEYOND, ROUNDS = 2.0**-16, 20_000, 80
 #: by how much a forcing may be off by rounding, and what rounding does to a bound
 AT, ROUNDED = 2.0**-40, 2.0**-40
 
@@ -104,6 +110,38 @@ class Reach:
                         best = candidate
                 cells = sheets.cut(cells)
         return best
+
+    def transmits_beyond(self, sheets: Sheets, A_max: float, F_0: float, Omega: float) -> tuple[float, float] | None:
+        """Between which frequencies beyond Omega stable motions at F_0 may transmit all of it; None: proved, nowhere.
+
+        What is nearer to Omega than by `BEYOND` of it is not looked at.
+        """
+        least = (Omega * (1 + BEYOND)) ** 2
+        cells, looked_at = sheets.cells(A_max), 0
+        for _ in range(ROUNDS):
+            cells = cells.take(self._may_transmit(cells, F_0, least))
+            looked_at += cells.chart.size
+            if not cells.chart.size:
+                return None
+            if looked_at > MOST_BEYOND:
+                break
+            with np.errstate(all="ignore"):
+                cells = sheets.cut(cells)
+        return Omega, math.sqrt(2 * max(float(cells.p.hi.max()), 0.0))
+
+    def _may_transmit(self, cells: Cells, F_0: float, least: float) -> Bools:
+        """Which cells may hold a stable motion at F_0 with least <= Omega^2 <= 2 p."""
+        with np.errstate(all="ignore"):
+            highest = 2 * cells.p.hi * (1 + ROUNDED)
+            square = Interval.of(least * (1 - ROUNDED), np.maximum(highest, least))
+            at = square.sqrt()
+            R, I = cells.A * (square - cells.p), cells.A * at * (2 * self.zeta) + self.m
+            level = R.square() + I.square()
+            # F F_A along the balance
+            rises = R * (square - cells.p - cells.e) + I * at * (2 * self.zeta)
+            none = (cells.rising.hi <= 0) | (highest < least) | (rises.hi < 0)
+            none |= (level.lo > F_0**2 * (1 + ROUNDED)) | (level.hi < F_0**2 * (1 - ROUNDED))
+        return ~none
 
     def _needed(self, found: Cells) -> Floats:
         """The least forcing of what is on boxes, from below; 4 mu/pi where nothing is known."""

@@ -133,9 +133,10 @@ class Sheets:
             here = self.charts.on(x, y, np.array((other, chart)))
             bent, A_t = resists(here)
             e = (bent - here.s_0 / here.A) * 4.0
+            # without ends, what is not known, they add to NaN
+            A_t, e, A, B, s_0 = (one.ends.sum(axis=0) for one in (A_t, e, here.A, here.B, here.s_0))
         # the balance goes as (-c_y, c_x), away from the corner as x or y falls before it and rises past it
         ahead = (here.c_x if edge else -here.c_y).ends.sum(axis=0) * np.array((-1.0, 1.0))
-        A_t, e, A, B, s_0 = (one.ends.sum(axis=0) for one in (A_t, e, here.A, here.B, here.s_0))
         stiff, rises = (A_t > 0).tolist(), (A_t * ahead > 0).tolist()
         return Corner(0.5 * A[1], 0.5 * B[1], 0.5 * s_0[1], tuple((0.5 * e).tolist()), tuple(stiff), tuple(rises))
 

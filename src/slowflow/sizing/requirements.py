@@ -8,7 +8,7 @@ finds is finished by sequential quadratic programming where all answers that are
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any, ClassVar, NamedTuple
 
@@ -17,8 +17,10 @@ from scipy.optimize import differential_evolution, minimize
 from scipy.stats import qmc
 
 from slowflow import progress, validate
-from slowflow.answer import Answer, Table, head
+from slowflow.answer import Answer, Table, frozen, head, in_text
 from slowflow.mechanism import Floats
+from slowflow.physical import Physical
+from slowflow.quantities import SHEET, in_shown
 from slowflow.sizing.slopes import slopes
 from slowflow.sizing.subject import Load, Subject
 
@@ -72,9 +74,9 @@ class Compromise(NamedTuple):
 class Front(Table):
     """Designs of which none is better in one answer without being worse in the other, by rising `one`.
 
-    one, other -- the two answers, in SI units of a mount
+    one, other -- the two answers, in SI units of a mount, printed in N, mm, Hz
     answers    -- their names; units -- theirs, "" without dimensions
-    numbers    -- the free numbers of each design, by name
+    numbers    -- the free numbers of each design, by name, as on the data sheet
     message    -- which requirement cannot be met where there is none; that nothing is traded off where there is one
     """
 
@@ -91,6 +93,14 @@ class Front(Table):
     def __hash__(self) -> int:
         return hash((self.answers, self.one.tobytes(), self.other.tobytes()))
 
+    def __str__(self) -> str:
+        return "\n".join(in_text(self.in_units()))
+
+    def in_units(self) -> Front:
+        """The same in the units in which answers are shown: N, mm, Hz, ... . The free numbers stay as on the sheet."""
+        (shown, size), (beside, other) = (in_shown(unit) for unit in self.units)
+        return replace(self, one=frozen(self.one / size), other=frozen(self.other / other), units=(shown, beside))
+
     def design(self, k: int) -> Any:
         """The isolator or the mount of a row."""
         return self._of.replace(**{name: float(values[k]) for name, values in self.numbers.items()})
@@ -100,15 +110,19 @@ class Front(Table):
         return {self.answers[0]: self.one, self.answers[1]: self.other, **self.numbers}
 
     def units_of_columns(self) -> Mapping[str, str]:
-        """Of the answers, where they have one."""
-        return {name: unit for name, unit in zip(self.answers, self.units, strict=True) if unit}
+        """Of the answers, and of the numbers of a data sheet, where they have one."""
+        known = dict(zip(self.answers, self.units, strict=True))
+        if isinstance(self._of, Physical):
+            known |= {name: SHEET[name] for name in self.numbers}
+        return {name: unit for name, unit in known.items() if unit}
 
     def plot(self, ax: Any = None) -> Any:
         """Draw the one answer over the other into Matplotlib axes, or new ones, and return these."""
         from slowflow import pictures
 
-        units = self.units_of_columns()
-        return pictures.front(ax, self.one, self.other, (head(self.answers[0], units), head(self.answers[1], units)))
+        shown = self.in_units()
+        units = shown.units_of_columns()
+        return pictures.front(ax, shown.one, shown.other, (head(self.answers[0], units), head(self.answers[1], units)))
 
 
 class _Search:

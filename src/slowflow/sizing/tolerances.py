@@ -17,7 +17,7 @@ from scipy.stats import qmc
 from slowflow import progress, validate
 from slowflow.answer import Table, frozen, in_text, optional
 from slowflow.mechanism import Floats
-from slowflow.quantities import KIND_OF, PINT, SHOWN, UNITS, si
+from slowflow.quantities import PINT, in_shown, si
 from slowflow.sizing.subject import Load, Subject
 
 #: ends of a band: 95 of 100 samples lie within
@@ -72,9 +72,8 @@ class Tolerances(Table):
 
     def in_units(self) -> Tolerances:
         """The same in the units in which answers are shown: N, mm, Hz, ... . What was drawn stays in SI units."""
-        kinds = [(KIND_OF[unit], unit) if unit else None for unit in self.unit.tolist()]
-        shown = np.array([SHOWN[one[0]] if one else "" for one in kinds], dtype=np.str_)
-        sizes = np.array([UNITS[one[0]][SHOWN[one[0]]] / UNITS[one[0]][one[1]] if one else 1.0 for one in kinds])
+        units, of = zip(*map(in_shown, self.unit.tolist()), strict=True)
+        shown, sizes = np.array(units, dtype=np.str_), np.array(of)
         bands: dict[str, Any] = {name: getattr(self, name) / sizes for name in ("nominal", "low", "median", "high")}
         own = zip(self.samples.items(), sizes, strict=True)
         samples = {name: frozen(values / size) for (name, values), size in own}
