@@ -9,7 +9,7 @@ from typing import Any
 DOCS = Path(__file__).parent
 sys.path.insert(0, str(DOCS.parent))
 
-from docs.site import docstrings, mathml, pages  # noqa: E402
+from docs.site import docstrings, mathml, pages, printed  # noqa: E402
 from slowflow.version import __version__  # noqa: E402
 
 project = "slowflow"
@@ -47,5 +47,7 @@ def setup(app: Any) -> dict[str, Any]:
     pages.write(DOCS)
     mathml.register(app)
     app.connect("source-read", pages.inside)
+    app.connect("source-read", printed.inside)
+    app.connect("env-get-outdated", printed.again)
     app.connect("autodoc-process-docstring", docstrings.as_rst)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -19,8 +19,9 @@ import pytest
 from scipy.integrate import quad
 
 from docs import api
-from slowflow import backend, cli, scenes
+from slowflow import Remark, backend, cli, scenes
 from slowflow.averaged.questions import Averaged
+from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
@@ -139,6 +140,18 @@ SEARCHED = {
     "million designs parallel": "howto/questions",
     "matlab": "howto/languages",
     "limits": "howto/questions",
+    "spring law own": "howto/own_mechanism",
+    "million all cores dask cluster": "howto/batches",
+    "status code remark": "howto/questions",
+    "TOO_MANY UNRESOLVED": "words",
+    "equation paper": "howto/questions",
+    "differ paper errata misprint": "howto/questions",
+    "identify damping measured curve": "howto/questions",
+    "shock pulse peak acceleration": "howto/shocks",
+    "load too heavy": "howto/off_centre",
+    "subharmonics": "howto/questions",
+    "cite": "howto/install",
+    "no compiler": "howto/install",
 }
 
 
@@ -146,6 +159,14 @@ SEARCHED = {
 def test_the_words_of_a_newcomer_stand_on_the_page_that_answers(words: str) -> None:
     text = (ROOT / "docs" / f"{SEARCHED[words]}.md").read_text(encoding="utf-8").casefold()
     assert [word for word in words.split() if word.casefold() not in text] == []
+
+
+def test_the_codes_of_answers_stand_among_the_words_with_their_numbers() -> None:
+    section = (ROOT / "docs" / "words.md").read_text(encoding="utf-8").split("## Codes")[1]
+    rows = [line.split("|")[1:-1] for line in section.splitlines() if re.match(r"\| \d", line)]
+    told = [(name, int(number)) for number, *cells in rows for name in re.findall(r"`([A-Z_]+)`", "".join(cells))]
+    codes = [(one.name, one.value) for kind in (Status, Remark, FoldKind, OnsetKind) for one in kind]
+    assert sorted(told) == sorted(codes)
 
 
 @pytest.mark.slow

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from docs.site import docstrings
+from docs.site import docstrings, printed
 from slowflow import cli
 from slowflow.paper import example
 from slowflow_kernels import rod_spring
@@ -106,3 +106,14 @@ def test_a_docstring_is_shown_as_it_stands() -> None:
     docstrings.as_rst(None, "class", "x", None, None, lines)
     shown = ["What (1) gives: u\\*v, ``A`` of h_A.", "", ":F_0: the force, in k_v L", ":A, B: two", "", "::", ""]
     assert lines == [*shown, "        code(*x)", ""]
+
+
+def test_the_site_has_what_a_block_prints_beneath_it() -> None:
+    page = "```python\na = 20\n```\n\n```python\nprint(a + 1, end='  \\n')\nprint('[x](y)')\n```\n\n```sh\nls\n```\n"
+    shown = printed.beneath(page, "a page")
+    assert [line for line in shown.split("\n") if line not in page.split("\n")] == [
+        "````{code-block} text", ":class: printed", "21", "[x](y)", "````",
+    ]  # fmt: skip
+    assert shown.index("21") > shown.index("print(a + 1")
+    with pytest.raises(NameError):
+        printed.beneath("```python\nprint(b)\n```\n", "a page")

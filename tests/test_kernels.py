@@ -7,6 +7,7 @@ the result once each would cause. It is the error in units of u(1 + kappa), and 
 from __future__ import annotations
 
 import ast
+import inspect
 import json
 import os
 import re
@@ -252,6 +253,36 @@ def test_averaged_shares_its_parts(package):
     A = np.linspace(0.01, 2.0, 200)
     for one, other in zip(kernels.averaged_2(A, *ISOLATOR), kernels.averaged(A, *ISOLATOR), strict=False):
         np.testing.assert_allclose(other, one, rtol=1e-13, atol=1e-13)
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_what_type_checkers_are_told_holds(package, module):
+    """Names, arguments and results of the signatures beside a module, on either backend."""
+    tree = ast.parse((PACKAGE / f"{module}.pyi").read_text())
+    told = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
+    variables = {node.target.id: ast.unparse(node.annotation) for node in tree.body if isinstance(node, ast.AnnAssign)}
+    borrowed = {alias.asname for node in tree.body if isinstance(node, ast.ImportFrom) for alias in node.names} - {None}
+    assert {*told, *variables, *borrowed} == set(package[module].__all__)
+    for name, kind in variables.items():
+        assert type(getattr(package[module], name)).__name__ == kind.partition("[")[0]
+    for name, node in told.items():
+        function = getattr(package[module], name)
+        assert list(inspect.signature(function).parameters) == [argument.arg for argument in node.args.args]
+        with np.errstate(all="ignore"):
+            values = function(*np.linspace(0.2, 0.9, len(node.args.args)))
+        result = ast.unparse(node.returns)
+        if result == "Any":
+            assert np.ndim(values) == 0
+        elif result == "Floats":
+            assert isinstance(values, np.ndarray) and values.ndim == 1
+        else:
+            assert isinstance(values, tuple)
+            assert result == (f"tuple[{', '.join(['Any'] * len(values))}]" if values else "tuple[()]")
+
+
+def test_no_module_with_kernels_is_without_signatures():
+    assert {path.stem for path in PACKAGE.glob("*.pyi")} == set(MODULES)
+    assert (PACKAGE / "py.typed").exists()
 
 
 def test_package_imports_nothing_before_it_is_asked():

@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+import slowflow_kernels
 from slowflow import backend
 from slowflow.paper.example import TABLE_1
 from slowflow.version import __version__
@@ -244,11 +245,14 @@ def integrated(force: Callable[[Any], Any], Omega: float, F_0: float) -> float:
 
 def test_the_wheel_is_compiled_and_typed(installed: Path, tmp_path: Path) -> None:
     """As here: a machine without a compiler makes a wheel that runs on NumPy."""
-    code = "import slowflow, pathlib; from slowflow import backend; folder = pathlib.Path(slowflow.__file__).parent;"
-    done = run(
-        [installed / "python", "-W", "ignore", "-c", code + "print(backend.NAME, folder, *folder.glob('py.typed'))"],
-        tmp_path,
+    code = (
+        "import slowflow, pathlib; from slowflow import backend; folder = pathlib.Path(slowflow.__file__).parents[1]\n"
     )
-    name, folder, typed = done.stdout.split()
+    told = "print(backend.NAME, folder, *folder.glob('slowflow*/py.typed'), *folder.glob('slowflow_kernels/*.pyi'))"
+    done = run([installed / "python", "-W", "ignore", "-c", code + told], tmp_path)
+    name, folder, *typed = done.stdout.split()
     assert name == ("numpy" if backend.SOLVER is None else "native")
-    assert Path(folder).is_relative_to(installed.parent) and Path(typed).name == "py.typed"
+    assert Path(folder).is_relative_to(installed.parent)
+    marked = {Path(path).parent.name for path in typed if path.endswith("py.typed")}
+    assert marked == {"slowflow", "slowflow_kernels", "slowflow_support"}
+    assert {Path(path).stem for path in typed if path.endswith(".pyi")} == set(slowflow_kernels.MODULES)

@@ -1,1 +1,1 @@
-"""What the site adds to Sphinx: pages that follow from the project, equations without a script, plain docstrings."""
+"""What the site adds to Sphinx: pages that follow from the project, what code prints, MathML, plain docstrings."""

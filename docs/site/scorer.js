@@ -4,7 +4,7 @@ var Scorer = {
   score: ([page, title, anchor, descr, score, filename, kind]) => {
     if (/^howto\/questions$/.test(page)) return score + 60;
     if (/^(howto\/|tutorial$|words$|try$|gallery$|mechanisms$|_made\/limits$)/.test(page)) return score + 50;
-    if (/^(validity|benchmarks|reliability|stability)$/.test(page)) return score + 20;
+    if (/^(validity|benchmarks|reliability|stability|_made\/ledger)$/.test(page)) return score + 20;
     if (kind === "object" || kind === "index") return score - 5;
     if (/^decisions\//.test(page)) return score - 10;
     return score;

@@ -337,7 +337,8 @@ class Model:
         """dOmega/dA along the response (24), likewise."""
         h, h_A, _, _ = self.averaged(A)
         if self.inertial and self.laws.any:
-            return np.asarray(dissipation.Omega_A_by_inertia(Omega, A, *self._damping(A, 2), h, h_A))
+            # mypy takes a starred argument for all that are left
+            return np.asarray(dissipation.Omega_A_by_inertia(Omega, A, *self._damping(A, 2), h, h_A))  # type: ignore[call-arg]
         kernels: Any = inertia if self.inertial else dissipation if self.laws.any else general_flow
         return np.asarray(kernels.Omega_A(Omega, A, *self._damping(A, 2), h, h_A))
 

@@ -191,7 +191,8 @@ def _of_kind(
     for k in range(len(model.design)):
         moved = steps.moved(A, B, given.gains[k], given.places[k])
         c_p[:, k], s_p[:, k] = moved.c, moved.s
-    B_p, *of_h = off_centre.moved(A, *means.c[1:], *means.s[1:], *c_p, *s_p, of_load)
+    # mypy takes a starred argument for all that are left
+    B_p, *of_h = off_centre.moved(A, *means.c[1:], *means.s[1:], *c_p, *s_p, of_load)  # type: ignore[call-arg]
     if kind in (Pinned.CORNER_TOP, Pinned.CORNER_REST):
         side = np.where(B > 0, 1.0, -1.0)
         ends[: len(model.design)] = given.end[:, np.newaxis]
@@ -200,7 +201,7 @@ def _of_kind(
     at = (Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA)
     causes = (*of_h, slow_flow.friction(1.0) * of_mu, of_zeta, ends, of_F_0, of_Omega)
     (A_p, Omega_p, F_0_p), meets = moves.solved(slow_flow, kind, at, causes, len(names))
-    phase = slow_flow.moves_of_phase(*at[:7], of_h[0], *causes[3:5], A_p, Omega_p, F_0_p)
+    phase = slow_flow.moves_of_phase(*at[:7], of_h[0], *causes[3:5], A_p, Omega_p, F_0_p)  # type: ignore[call-arg]
     found = {"A": A_p, "B": B_p - means.s[1] / means.c[1] * A_p, "Omega": Omega_p, "F_0": F_0_p}
     found["u_max"] = found["A"] + np.sign(B) * found["B"]
     found |= dict(zip(("phi", "transmissibility"), phase, strict=True))

@@ -1,4 +1,4 @@
-"""NumPy: a Python module for each generated module, and the package around them.
+"""NumPy: a Python module for each generated module, with its signatures beside it, and the package around them.
 
 In:  `Module`s with the straight-line code of their kernels.
 Out: a dict from file name (below `generated/`) to text.
@@ -18,7 +18,7 @@ from ....mechanisms import DAMPING, DISSIPATION, EXCITATIONS, RUBS, Parameter
 from ....quadrature import rule
 from ....scaling import Scale, of_every_excitation, of_every_law, of_every_oscillator
 from ....slow_flow import SCENES
-from ...form import AVERAGED, GENERAL, Module, suffix
+from ...form import AVERAGED, GENERAL, Composition, Kernel, Module, Selection, TwofoldKernel, suffix
 from ...provenance import tools
 from ...views import (
     Calls,
@@ -46,6 +46,9 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file of this language."""
     environment = _environment()
     result = {f"slowflow_kernels/{module.name}.py": text(module, code[module.name]) for module in modules}
+    result |= {f"slowflow_kernels/{module.name}.pyi": signatures(module) for module in modules}
+    # what type checkers look for, before they believe a package's annotations
+    result["slowflow_kernels/py.typed"] = ""
     result["slowflow_kernels/domains.py"] = environment.get_template("domains.py.jinja").render(
         damping=DAMPING, dissipation=DISSIPATION, rubs=RUBS, excitations=EXCITATIONS
     )
@@ -91,6 +94,46 @@ def text(module: Module, code: Code) -> str:
             **sources(module),
         )
     )
+
+
+def signatures(module: Module) -> str:
+    """What stands beside a module for type checkers and editors: compiled kernels have no signature to be read."""
+    named = (*module.kernels, *module.twofolds, *module.selections, *module.compositions)
+    return (
+        _environment()
+        .get_template("module.pyi.jinja")
+        .render(
+            module=module,
+            exported=exported(module),
+            moves=moves_of(module),
+            borrowed={other: sorted(names, key=in_import) for other, names in sorted(module.borrowed.items())},
+            constants={name: kind(value) for name, value in module.constants.items()},
+            functions=[(one.name, taken(one), given(one)) for one in named],
+        )
+    )
+
+
+def taken(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
+    """Its arguments with what they may be: generic ones take any kind of number."""
+    what = "ArrayLike" if getattr(function, "looped", True) and not getattr(function, "generic", False) else "Any"
+    return ", ".join(f"{argument.name}: {what}" for argument in function.arguments)
+
+
+def given(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
+    """What it returns."""
+    if isinstance(function, TwofoldKernel):
+        shown = twofold_view(function, LANGUAGE)
+        width, alone = len(shown["outputs"]), bool(shown["distilled"]) or len(shown["outputs"]) == 1
+    else:
+        width, alone = function.width, function.returns == "scalar"
+    if function.returns == "stack":
+        return "Floats"
+    return "Any" if alone else f"tuple[{', '.join(['Any'] * width) or '()'}]"
+
+
+def kind(value: object) -> str:
+    """The type of a constant."""
+    return "tuple[str, ...]" if isinstance(value, tuple) else "float" if isinstance(value, sp.Expr) else "str"
 
 
 def _environment() -> jinja2.Environment:
