@@ -161,10 +161,10 @@ def allowed(parameter: Parameter) -> str:
 
 def slow(equations: Averaged, flow: SlowFlow, displacement: str) -> Iterator[str]:
     """(11), (19), (23)."""
-    yield rf"With $u = {displacement}$, $u' = -A \Omega \sin\psi$, $\psi = \Omega\tau + \varphi$, averaged:"
+    yield rf"With $u = {displacement}$, $u' = -A \Omega \sin\psi$, $\psi = \Omega\tau + \phi$, averaged:"
     yield ""
     A_dot, A_phi_dot = (one.subs(sigma, Omega**2 - 1) for one in equations.slow_flow)
-    yield from display(("A'", A_dot), ("A\\varphi'", A_phi_dot), number="19")
+    yield from display(("A'", A_dot), ("A\\phi'", A_phi_dot), number="19")
     yield "Steady states, with $h = H - A$ the negative average of the whole force:"
     yield ""
     yield from display(

@@ -7,6 +7,8 @@ import io
 import re
 from typing import Any
 
+from slowflow import backend
+
 #: pages whose code shows what it does by what it prints; others show pictures
 PAGES = re.compile(r"(index|tutorial|howto/\w+)$")
 #: letters beyond which a line is words, no row of a table
@@ -15,8 +17,8 @@ BLOCK = re.compile(r"```python\n(.*?)```\n", re.DOTALL)
 
 
 def inside(app: Any, name: str, source: list[str]) -> None:
-    """Sphinx's hook."""
-    if app.builder.format == "html" and PAGES.match(name):
+    """Sphinx's hook. Without compiled solvers some of the code takes minutes: it is shown alone then."""
+    if app.builder.format == "html" and PAGES.match(name) and backend.SOLVER is not None:
         source[0] = beneath(source[0], name)
 
 
