@@ -81,6 +81,7 @@ def ask():
         "spectrum": iso.spectrum(Omega=[0.9, 1.4], F_0=0.04),
         "many at rest": many.at_rest(),
         "tolerances": tolerances(iso, {"zeta": 0.1}, F_0=0.04, samples=20),
+        "slopes of folds": iso.saddle_nodes(0.04).gradient(),
         "met": meet(iso, {"zeta": (0.01, 0.1)}, at_least={"F_SN": 0.03}),
         "off centre": loaded.off_centre,
         "designs under a load": several,
@@ -177,6 +178,7 @@ def test_entries_are_the_columns(name):
     for field in table.entry._fields:
         assert [getattr(entry, field) for entry in table] == pytest.approx(getattr(table, field).tolist(), nan_ok=True)
     assert set(table.entry._fields) <= set(table.columns())
+    assert repr(table[:1]) == repr(list(table)[:1]) and repr(table[1:][:1]) == repr(list(table)[1:2])
 
 
 @pytest.mark.parametrize("name", ANSWERS)

@@ -368,6 +368,9 @@ def test_isolation_can_be_required():
 def test_what_cannot_be_met_names_the_binding_requirement():
     found = meet(MOUNT, {"k_h": (500, 2500)}, at_least={"F_SN": 8.0}, at_most={"f_rest": 2.3})
     assert not found.feasible and found.binding == "F_SN >= 8 N"
+    lines = str(found).splitlines()
+    assert lines[0].split() == ["feasible", "False"] and lines[-1].endswith(found.message)
+    assert f"F_SN          {found.reached['F_SN']:.4g} N" in lines
     assert (
         "infeasible: the binding requirement is F_SN >= 8 N; as near as all of them can be had it is" in found.message
     )
@@ -379,6 +382,16 @@ def test_what_cannot_be_met_names_the_binding_requirement():
 def test_a_design_that_cannot_meet_a_requirement_comes_as_near_as_is_allowed(asked):
     found = meet(MOUNT, {"zeta": (0.01, 0.03)}, at_least={"F_SN": asked})  # the more damping the higher
     assert not found.feasible and found.numbers["zeta"] == pytest.approx(0.03, rel=1e-6)
+
+
+def test_what_is_met_is_printed_in_millimetres_and_so_is_what_binds():
+    found = meet(MOUNT, {"preload": (0.001, 0.01)}, at_most={"A_peak": 0.03}, F=5)
+    shown = found.in_units()
+    assert found.binding == "A_peak <= 30 mm" and found.units == {"A_peak": "m", "preload": "m"}
+    assert shown.reached["A_peak"] == pytest.approx(1000 * found.reached["A_peak"], rel=1e-14)
+    assert shown.numbers == found.numbers and str(shown) == str(found) and shown.in_units() == shown
+    assert f"A_peak        {shown.reached['A_peak']:.4g} mm" in str(found).splitlines()
+    assert found.message.endswith(f"{shown.reached['A_peak']:.4g}")
 
 
 # ---- trade-offs -----------------------------------------------------------------------------------------------------

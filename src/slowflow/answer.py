@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import importlib
+import operator
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Any, ClassVar
@@ -106,12 +107,15 @@ class Answer:
     def to_xarray(self) -> Any:
         """`columns` as a Dataset along "entry", each with its units. Raises ImportError without xarray.
 
-        What holds for all rows are its attributes, and their units, as "F" and "F_units".
+        Where "entry" is a column of its own, as of a gradient, they lie along "row". What holds for all rows are its
+        attributes, and their units, as "F" and "F_units".
         """
         xarray = optional("xarray", "to_xarray")
         units = self.units_of_columns()
-        found = {name: ("entry", column, {"units": units.get(name, "1")}) for name, column in self.columns().items()}
-        entry = {"entry": np.arange(max((len(column) for column in self.columns().values()), default=0))}
+        columns = self.columns()
+        row = "row" if "entry" in columns else "entry"
+        found = {name: (row, column, {"units": units.get(name, "1")}) for name, column in columns.items()}
+        entry = {row: np.arange(max(map(len, columns.values()), default=0))}
         attributes = {name: value for name, value in self.about().items() if value is not None}
         attributes |= {f"{name}_units": unit for name, unit in self.units_beside().items()}
         return xarray.Dataset(found, coords=entry, attrs=attributes)
@@ -144,8 +148,10 @@ class Table(Answer):
     def __len__(self) -> int:
         return int(getattr(self, self.entry._fields[0]).size)
 
-    def __getitem__(self, k: int) -> Any:
-        return self.entry(*(getattr(self, name)[k].item() for name in self.entry._fields))
+    def __getitem__(self, k: int | slice) -> Any:
+        if isinstance(k, slice):
+            return list(self)[k]
+        return self.entry(*(getattr(self, name)[operator.index(k)].item() for name in self.entry._fields))
 
     def __iter__(self) -> Iterator[Any]:
         columns = (getattr(self, name).tolist() for name in self.entry._fields)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import math
+import operator
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -126,6 +127,8 @@ PHRASES = (
     (r"\bmu = ", "friction = ", "force"),
     (r"\bmu_s = ", "static_friction = ", "force"),
     (r"\btau = ", "t = ", "time"),
+    (r"\bduration = ", "duration = ", "time"),
+    (r"\bafter = ", "after = ", "time"),
     (r"\bF_SN = ", "{}_SN = ", "amplitude"),
     (r"\bOmega = ", "f = ", "frequency"),
     (r"\bc_2 = ", "c_2 = ", "quadratic damping"),
@@ -197,8 +200,10 @@ class Quantities(Answer):
     def __len__(self) -> int:
         return len(self.values[self._entries()[0]])
 
-    def __getitem__(self, k: int) -> SimpleNamespace:
-        return SimpleNamespace(**{name: self.values[name][k].item() for name in self._entries()})
+    def __getitem__(self, k: int | slice) -> Any:
+        if isinstance(k, slice):
+            return list(self)[k]
+        return SimpleNamespace(**{name: self.values[name][operator.index(k)].item() for name in self._entries()})
 
     def __iter__(self) -> Iterator[SimpleNamespace]:
         return (self[k] for k in range(len(self)))

@@ -34,6 +34,7 @@ class NotAvailable(ValueError):
 
 
 def _refuse(name: str, value: Any, allowed: str) -> ValueError:
+    value = value.item() if isinstance(value, np.generic) else value  # as it is written, without its type
     return ValueError(f"{name} = {value!r} is not allowed: {name} must be {allowed}")
 
 

@@ -48,7 +48,8 @@ class Met(Answer):
     design   -- an `Isolator`, or a mount
     feasible -- whether it meets them
     numbers  -- the free numbers, by name
-    reached  -- the required answers, by name
+    reached  -- the required answers, by name, in SI units of a mount, printed in N, mm, Hz
+    units    -- of both, by name, where they have one
     binding  -- of an infeasible design the requirement that it violates most, in words; "" of others
     """
 
@@ -58,9 +59,29 @@ class Met(Answer):
     reached: Mapping[str, float]
     binding: str
     message: str
+    units: Mapping[str, str]
 
     def __hash__(self) -> int:
         return hash((self.design, self.binding))
+
+    def __str__(self) -> str:
+        return "\n".join(in_text(self.in_units()))
+
+    def in_units(self) -> Met:
+        """The same in the units in which answers are shown: N, mm, Hz, ... . The free numbers stay as on the sheet."""
+        shown = {name: in_shown(self.units.get(name, "")) for name in self.reached}
+        reached = {name: value / shown[name][1] for name, value in self.reached.items()}
+        units = {name: unit for name, (unit, _) in shown.items() if unit}
+        return replace(self, reached=reached, units={**self.units, **units})
+
+    def columns(self) -> dict[str, Any]:
+        """Whether they are met, the free numbers and the required answers under their names, and the message."""
+        found = {"feasible": self.feasible, **self.numbers, **self.reached}
+        return {name: np.array([value]) for name, value in (found | {"message": self.message}).items()}
+
+    def units_of_columns(self) -> Mapping[str, str]:
+        """`units`."""
+        return self.units
 
 
 class Compromise(NamedTuple):
@@ -111,9 +132,7 @@ class Front(Table):
 
     def units_of_columns(self) -> Mapping[str, str]:
         """Of the answers, and of the numbers of a data sheet, where they have one."""
-        known = dict(zip(self.answers, self.units, strict=True))
-        if isinstance(self._of, Physical):
-            known |= {name: SHEET[name] for name in self.numbers}
+        known = {**dict(zip(self.answers, self.units, strict=True)), **_sheet(self._of, self.numbers)}
         return {name: unit for name, unit in known.items() if unit}
 
     def plot(self, ax: Any = None) -> Any:
@@ -316,9 +335,9 @@ class _Search:
         if missed.max() <= MET:
             return "", ""
         name, limit, sign = self.wanted[int(missed.argmax())]
-        unit = f" {self.subject.unit(name)}" if self.subject.unit(name) else ""
-        binding = f"{name} {'>=' if sign > 0 else '<='} {limit:g}{unit}"
-        return binding, INFEASIBLE.format(binding, float(self.answers(x.reshape(-1, 1), [name])[name][0]))
+        unit, size = in_shown(self.subject.unit(name))
+        binding = f"{name} {'>=' if sign > 0 else '<='} {limit / size:g} {unit}".rstrip()
+        return binding, INFEASIBLE.format(binding, float(self.answers(x.reshape(-1, 1), [name])[name][0]) / size)
 
 
 def meet(
@@ -360,7 +379,9 @@ def meet(
         binding, message = search.binding(x)
     numbers = dict(zip(free, x.tolist(), strict=True))
     reached = {name: float(values[0]) for name, values in answers.items()}
-    return Met(subject.of.replace(**numbers), not binding, numbers, reached, binding, message)
+    units = {**{name: subject.unit(name) for name in reached}, **_sheet(subject.of, free)}
+    units = {name: unit for name, unit in units.items() if unit}
+    return Met(subject.of.replace(**numbers), not binding, numbers, reached, binding, message, units)
 
 
 def front(
@@ -467,6 +488,11 @@ def _undominated(worth: Floats) -> list[int]:
             kept.pop()
         kept.append(k)
     return kept
+
+
+def _sheet(of: Any, free: Iterable[str]) -> dict[str, str]:
+    """The units of free numbers, where they are those of a data sheet."""
+    return {name: SHEET[name] for name in free} if isinstance(of, Physical) else {}
 
 
 def _units(subject: Subject, names: Iterable[str]) -> tuple[str, str]:
