@@ -120,6 +120,16 @@ def test_the_conda_recipe_asks_for_what_the_package_asks_for() -> None:
     assert asked == {*project["project"]["dependencies"], "python" + project["project"]["requires-python"]}
     asked = {line.removeprefix("    - ").replace(" ", "") for line in host[1].splitlines()}
     assert asked == {*project["build-system"]["requires"], "python", "pip"}
+    # extras of those who do not derive, by the names that conda has for them; of two bounds the lower
+    (bounds,) = re.findall(r"^  run_constraints:\n((?:    - .*\n)+)", recipe, re.MULTILINE)
+    asked = {line.removeprefix("    - ").replace(" ", "") for line in bounds.splitlines()}
+    extras = project["project"]["optional-dependencies"]
+    stated = sorted(
+        one.lower() for extra in ("plot", "units", "proofs", "sizing", "tables", "grid") for one in extras[extra]
+    )
+    lowest = {re.split(r"\W*>=", one)[0].removesuffix("[array"): one.split(">=")[1] for one in reversed(stated)}
+    names = {"matplotlib": "matplotlib-base", "dask": "dask-core"}
+    assert asked == {f"{names.get(name, name)}>={version}" for name, version in lowest.items()}
 
 
 #: what a newcomer types into the site's search, which wants all words, and the page that answers
