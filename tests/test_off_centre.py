@@ -564,7 +564,7 @@ def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
     # and the page that tells of it has just these
     page = (Path(__file__).parents[1] / "docs" / "howto" / "off_centre.md").read_text()
     (told,) = [part for part in page.split("\n\n") if part.startswith("What a load has no answer to yet")]
-    refused = {*questions, *pairs, "second_approximation", "fit", "many"}
+    refused = {*questions, *pairs, "second_approximation", "fit"}
     assert set(re.findall(r"`(\w+)`", told)) == refused
     with pytest.raises(ValueError, match="where a mass rests has no gradient"):
         loaded.rest().gradient()
@@ -693,6 +693,12 @@ def test_points_of_a_curve_stay_on_their_arm_where_two_are_near(alpha, beta, zet
     changes = np.flatnonzero(np.diff(curve.stable.astype(int)))
     assert changes.size == at_fold.sum() == 2
     assert (at_fold[changes] | at_fold[changes + 1]).all()
+
+
+def test_folds_under_a_load_are_drawn_where_they_are(loaded):
+    folds, ax = loaded.saddle_nodes(0.04), loaded.saddle_nodes(0.04).plot()
+    drawn = np.array([point for line in ax.lines for point in line.get_xydata() if np.isfinite(point).all()])
+    assert {tuple(point) for point in drawn} == set(zip(folds.Omega, folds.A, strict=True)) and len(folds) == 2
 
 
 def test_isolation_that_begins_at_a_fold_begins_there_and_not_at_a_point_beside_it():

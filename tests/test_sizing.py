@@ -256,6 +256,9 @@ def test_what_is_not_allowed_is_refused_in_words(monkeypatch):
         (lambda: meet(MOUNT, {"k_h": (1, 2)}, at_most=["F_SN"]), "at_most must be a mapping from names to limits"),
         (lambda: meet(MOUNT, {"k_h": (2, 1)}, at_least={"F_SN": 1}), r"k_h\[1\] = 1 is not allowed"),
         (lambda: fit(MOUNT, A=[0.1] * 3, F=5, f=[1, 2, 3]), "3 points are too few for 4 numbers"),
+        (lambda: fit(MOUNT, A=[0.1] * 3, F=5, f=[1, 2, 3], free=[]), r"free = \[\] is not allowed"),
+        (lambda: tolerances(MOUNT, {"k_h": 0.1}, seed=1.5), "seed = 1.5 is not allowed: seed must be an integer >= 0"),
+        (lambda: meet(MOUNT, {"k_h": (1, 2)}, at_least={"F_SN": 1}, seed=-1), "seed = -1 is not allowed"),
         (lambda: fit(MOUNT, A=[0.1] * 9), "f and F are needed"),
         (lambda: fit(MOUNT, F=[4, 5]), "either measured amplitudes A, or jump_up or jump_down"),
         (lambda: fit(MOUNT, F=[4, 5], jump_up=[2.1]), "jump_up is not allowed: it must have a frequency"),
@@ -556,8 +559,8 @@ def test_residuals_of_a_fit_are_drawn_at_their_frequencies():
     found = fit(MOUNT, f=f, F=2.5, A=A * (1 + 1e-3 * np.sin(np.arange(12))), free=["zeta"])
     ax = found.plot()
     points = ax.get_lines()[-1].get_xydata()
-    assert points.tolist() == np.column_stack([f, found.residuals]).tolist()
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("frequency $f$ / Hz", "measured less fitted A / m")
+    assert points[:, 0].tolist() == f.tolist() and points[:, 1] == pytest.approx(1000 * found.residuals, rel=1e-15)
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("frequency $f$ / Hz", "measured less fitted A / mm")
 
 
 def test_a_fit_without_dimensions_and_without_noise_is_exact():

@@ -217,6 +217,13 @@ class OffCentreFolds(AveragedOff, Table):
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
+    picture: ClassVar[str] = "folds"
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draw those at which a sweep jumps, A over Omega, into Matplotlib axes, or new ones, and return these."""
+        from slowflow import pictures
+
+        return pictures.folds(ax, self)
 
     def gradient(self) -> Gradient:
         """How Omega, A and B of each fold move with the parameters, the load and F_0, exactly.

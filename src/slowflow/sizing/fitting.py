@@ -22,7 +22,7 @@ from slowflow.answer import Table, joined
 from slowflow.mechanism import Floats
 from slowflow.physical import Physical
 from slowflow.plausible import Implausible
-from slowflow.quantities import EXCITED, SHEET, UNITS, si, turns
+from slowflow.quantities import EXCITED, SHEET, UNITS, in_shown, si, turns
 from slowflow.sizing.subject import Subject, first_jump
 
 #: share of all fits whose interval holds the number, if the noise is normal and the equations are right
@@ -78,10 +78,20 @@ class Fit(Table):
     message: str
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw the residuals into Matplotlib axes, or new ones, and return these; tinted within two deviations."""
+        """Draw the residuals into Matplotlib axes, or new ones, and return these; tinted within two deviations.
+
+        Of a mount in mm, N, Hz.
+        """
         from slowflow import pictures
 
-        return pictures.residuals(ax, self.at, self.residuals, self.deviation, self.names)
+        names, sizes = [], []
+        for name in self.names:
+            letter, _, unit = name.rpartition("/")
+            shown, size = in_shown(unit if letter else "")
+            names.append(f"{letter}/{shown}" if letter else name)
+            sizes.append(size)
+        at, left, deviation = self.at / sizes[0], self.residuals / sizes[1], self.deviation / sizes[1]
+        return pictures.residuals(ax, at, left, deviation, (names[0], names[1]))
 
 
 def fit(
@@ -147,6 +157,8 @@ class _Measured:
 def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
     """The numbers that leave the least squares."""
     size = measured.values.size
+    if not names:
+        raise ValueError("free = [] is not allowed: name at least one number to find")
     if size <= len(names):
         raise ValueError(f"{size} points are too few for {len(names)} numbers")
     start = np.array([subject.nominal[name] or FROM_NOTHING for name in names])

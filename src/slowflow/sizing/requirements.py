@@ -150,7 +150,7 @@ class _Search:
     def __init__(
         self, subject: Subject, free: Mapping[str, Any], at_least: Any, at_most: Any, load: Load, seed: int
     ) -> None:
-        self.subject, self.load, self.seed = subject, load, seed
+        self.subject, self.load, self.seed = subject, load, validate.count("seed", seed, least=0)
         limits = (("at_least", at_least or {}, 1.0), ("at_most", at_most or {}, -1.0))
         wanted = [
             (name, limit, sign)

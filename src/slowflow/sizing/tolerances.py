@@ -182,6 +182,7 @@ def tolerances(
     if samples is None:
         samples = FEW_SAMPLES if subject.one_by_one else SAMPLES
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
+    seed = validate.count("seed", seed, least=0)
     drawn = _drawn(subject, within, qmc.LatinHypercube(d=len(within), rng=seed).random(samples))
     found, nominal = _asked(subject, drawn, names, load, "tolerances"), subject.ask({}, names, load)
     rows = []
@@ -223,6 +224,7 @@ def sobol(
     if samples is None:
         samples = FEW_OF_INDICES if subject.one_by_one else OF_INDICES
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
+    seed = validate.count("seed", seed, least=0)
     if samples & (samples - 1):
         raise ValueError(f"samples = {samples} is not allowed: samples must be a power of two")
     sample, analyse = (optional(f"SALib.{part}.sobol", "sobol", "sizing") for part in ("sample", "analyze"))
