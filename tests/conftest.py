@@ -12,6 +12,9 @@ import numpy as np
 import pytest
 from filelock import FileLock
 
+from derivations.emit.catalogue import all_modules
+from derivations.emit.form import Module
+from derivations.results import Results, derive
 from tests.native import headers
 
 # what is derived in tests and examples: once for all workers, which have it from the process that starts them
@@ -51,6 +54,18 @@ def once(tmp_path_factory: pytest.TempPathFactory) -> Once:
         return folder
 
     return once
+
+
+@pytest.fixture(scope="session")
+def results() -> Results:
+    """What the derivation gives: expressions, which are not kept in files, so once for each worker."""
+    return derive()
+
+
+@pytest.fixture(scope="session")
+def modules(results: Results) -> list[Module]:
+    """Modules of kernels as the derivation states them."""
+    return all_modules(results)
 
 
 @pytest.fixture(scope="session")

@@ -18,7 +18,7 @@ from slowflow import Duffing, Isolator, backend, cli
 from slowflow.averaged import proofs, solvers, words
 from slowflow.averaged.balls.given import Given, averages_of
 from slowflow.paper import example
-from tests.native.intervals import ELEMENTARY, HELD, OPERATIONS, Intervals
+from tests.native.intervals import ELEMENTARY, HELD, OPERATIONS, Intervals, build
 from tests.oracles import averaged
 
 DATA = Path(__file__).parent / "data"
@@ -332,10 +332,10 @@ def test_the_command_line_prints_the_certificate(capsys, monkeypatch):
 
 
 @pytest.fixture(scope="module")
-def intervals(tmp_path_factory):
+def intervals(once):
     if shutil.which("gcc") is None:
         pytest.skip("no gcc on the path")
-    return Intervals(tmp_path_factory.mktemp("intervals"))
+    return Intervals(once("intervals", build))
 
 
 def sizes(rng, count):

@@ -24,18 +24,13 @@ from derivations.ledger.findings import key
 from derivations.ledger.formulas import Subject, subjects
 from derivations.ledger.judging import judge
 from derivations.ledger.rows import ALLOWED, AMBIGUOUS, DIFFERS, FALSE, IDENTICAL, VOCABULARY, Row
-from derivations.results import Results, derive
+from derivations.results import Results
 from tests.oracles.averaged import RodSpring
 
 PUBLISHED = source.load()
 SOURCE = ast.parse(source.PUBLISHED.read_text(encoding="utf-8"))
 FUNCTIONS = {node.name: node for node in SOURCE.body if isinstance(node, ast.FunctionDef)}
 NAMES = [formula.function.__name__ for formula in PUBLISHED.FORMULAS]
-
-
-@pytest.fixture(scope="module")
-def results() -> Results:
-    return derive()
 
 
 @pytest.fixture(scope="module")

@@ -9,18 +9,11 @@ import pytest
 import sympy as sp
 
 from derivations.emit import proved, rounding
-from derivations.emit.catalogue import all_modules
 from derivations.emit.passes import straight_line
 from derivations.emit.views import programs
-from derivations.results import derive
 
 DATA = Path(__file__).parent / "data"
 A, B = sp.symbols("A B", real=True)
-
-
-@pytest.fixture(scope="module")
-def modules():
-    return all_modules(derive())
 
 
 @pytest.fixture(scope="module")

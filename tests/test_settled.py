@@ -14,7 +14,7 @@ import pytest
 from benchmarks.stress import answers
 from slowflow import Duffing, Isolator, backend
 from slowflow_kernels.conventions import Status
-from tests.native.pairs import OPERATIONS, Pairs
+from tests.native.pairs import OPERATIONS, Pairs, build
 from tests.oracles import averaged
 
 compiled = pytest.mark.skipif(backend.SOLVER is None, reason="only the compiled solvers settle")
@@ -23,10 +23,10 @@ ERROR = Fraction(1, 2**100)
 
 
 @pytest.fixture(scope="module")
-def pairs(tmp_path_factory):
+def pairs(once):
     if shutil.which("gcc") is None:
         pytest.skip("no gcc on the path")
-    return Pairs(tmp_path_factory.mktemp("pairs"))
+    return Pairs(once("pairs", build))
 
 
 def ball(x):

@@ -21,19 +21,27 @@ OPERATIONS = ("add", "sub", "mul", "div", "square", "sqrt", "atan2", "tenth")
 HELD = (*OPERATIONS, "R_F", "R_D")
 
 
+LIBRARY = "intervals.so"
+
+
+def build(directory: Path) -> None:
+    """The shared library, for one worker of a test run or several."""
+    # arithmetic is strict: -O1 gives the same digits as -O3, which takes twice the time
+    command = ["gcc", "-std=c11", *FLAGS, "-O1", *INCLUDES, "-shared", "-fPIC"]
+    done = subprocess.run(
+        [*command, str(HERE / "intervals_driver.c"), "-o", str(directory / LIBRARY), "-lm"],
+        capture_output=True,
+        text=True,
+    )
+    if done.returncode:
+        raise RuntimeError(done.stderr)
+
+
 class Intervals:
     """operate(name, pairs of intervals (n, 4)), operate_held, known(mechanism, design, piece, beyond)."""
 
     def __init__(self, directory: Path) -> None:
-        library = directory / "intervals.so"
-        # arithmetic is strict: -O1 gives the same digits as -O3, which takes twice the time
-        command = ["gcc", "-std=c11", *FLAGS, "-O1", *INCLUDES, "-shared", "-fPIC"]
-        done = subprocess.run(
-            [*command, str(HERE / "intervals_driver.c"), "-o", str(library), "-lm"], capture_output=True, text=True
-        )
-        if done.returncode:
-            raise RuntimeError(done.stderr)
-        self.loaded = ctypes.CDLL(str(library))
+        self.loaded = ctypes.CDLL(str(directory / LIBRARY))
 
     def operate(self, name: str, pairs: np.ndarray) -> np.ndarray:
         pairs = np.ascontiguousarray(pairs, dtype=np.float64)

@@ -16,19 +16,25 @@ from tests.native.roots import FLAGS, HERE, INCLUDES
 OPERATIONS = ("add", "sub", "mul", "div", "square", "sqrt", "atan2", "tenth")
 
 
+LIBRARY = "pairs.so"
+
+
+def build(directory: Path) -> None:
+    """The shared library, for one worker of a test run or several."""
+    # arithmetic is strict: -O1 gives the same digits as -O3, which takes twice the time
+    command = ["gcc", "-std=c11", *FLAGS, "-O1", *INCLUDES, "-shared", "-fPIC"]
+    done = subprocess.run(
+        [*command, str(HERE / "pairs_driver.c"), "-o", str(directory / LIBRARY), "-lm"], capture_output=True, text=True
+    )
+    if done.returncode:
+        raise RuntimeError(done.stderr)
+
+
 class Pairs:
     """operate(name, two pairs (n, 4)) and known(mechanism, design, piece, A), each number a pair."""
 
     def __init__(self, directory: Path) -> None:
-        library = directory / "pairs.so"
-        # arithmetic is strict: -O1 gives the same digits as -O3, which takes twice the time
-        command = ["gcc", "-std=c11", *FLAGS, "-O1", *INCLUDES, "-shared", "-fPIC"]
-        done = subprocess.run(
-            [*command, str(HERE / "pairs_driver.c"), "-o", str(library), "-lm"], capture_output=True, text=True
-        )
-        if done.returncode:
-            raise RuntimeError(done.stderr)
-        self.loaded = ctypes.CDLL(str(library))
+        self.loaded = ctypes.CDLL(str(directory / LIBRARY))
 
     def operate(self, name: str, pairs: np.ndarray) -> list[Fraction]:
         pairs = np.ascontiguousarray(pairs, dtype=np.float64)
