@@ -17,7 +17,7 @@ from slowflow.averaged.reference.intervals import Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints
 from slowflow.off_centre.ends import Charts, Local
-from slowflow.off_centre.equations import _ends, _interval, _numbers
+from slowflow.off_centre.equations import ends_of, interval_of, numbers_of
 from slowflow.off_centre.means import ALL
 from slowflow_kernels import off_centre, off_centre_intervals, slow_flow
 
@@ -95,17 +95,17 @@ class EndedState(ByEnds):
 
     def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
         """See `boxes.Equations`."""
-        here = self.charts.on(_interval(x[0], r[0]), _interval(x[1], r[1]), self.chart(of))
+        here = self.charts.on(interval_of(x[0], r[0]), interval_of(x[1], r[1]), self.chart(of))
         Omega = _point(self.given[self.number(of)])
         known = self._numbers(self.F_0, self.m, self.zeta, self.charts.steps.load)
         of_means = here.c_0, here.s_0, here.c_x, here.c_y, here.X, here.Y
-        return _ends(off_centre_intervals.ended_state(Omega, here.A, *known, *of_means), 2, of.size)
+        return ends_of(off_centre_intervals.ended_state(Omega, here.A, *known, *of_means), 2, of.size)
 
     def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `ByEnds`."""
         means = self.charts.steps.at(z[0], z[1], 1)
         known = self.F_0, self.m, self.zeta, self.charts.steps.load
-        return _numbers(off_centre.state(self.given[self.number(of)], z[0], *known, *means.c, *means.s), 2, of.size)
+        return numbers_of(off_centre.state(self.given[self.number(of)], z[0], *known, *means.c, *means.s), 2, of.size)
 
 
 class EndedFold(ByEnds):
@@ -115,7 +115,7 @@ class EndedFold(ByEnds):
 
     def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
         """See `boxes.Equations`."""
-        xy = [_interval(*pair) for pair in zip(x, r, strict=True)]
+        xy = [interval_of(*pair) for pair in zip(x, r, strict=True)]
         here = self.charts.on(xy[0], xy[1], self.chart(of))
         F_0 = self.given[self.number(of)]
         known = self._numbers(self.m, self.zeta, self.charts.steps.load)
@@ -124,13 +124,13 @@ class EndedFold(ByEnds):
         holds = np.stack((np.full_like(x, -np.inf), np.full_like(x, np.inf)))
         w = (here.A * resists(here)[0] - here.s_0) * 4.0
         holds[:, 2] = phases(w, F_0, self.m, np.where(x[2] >= 0, 1.0, -1.0))
-        return *_ends(found, 3, of.size), holds
+        return *ends_of(found, 3, of.size), holds
 
     def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `ByEnds`."""
         means = self.charts.steps.at(z[0], z[1], 2)
         known = self.given[self.number(of)], self.m, self.zeta, self.charts.steps.load
-        return _numbers(off_centre.fold(z[2], z[0], *known, *means.c, *means.s), 3, of.size)
+        return numbers_of(off_centre.fold(z[2], z[0], *known, *means.c, *means.s), 3, of.size)
 
 
 class EndedEdge:
@@ -149,7 +149,7 @@ class EndedEdge:
 
     def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
         """See `boxes.Equations`."""
-        none, along = Interval(np.zeros((2, of.size))), _interval(x[0], r[0])
+        none, along = Interval(np.zeros((2, of.size))), interval_of(x[0], r[0])
         x_, y_ = (along, none) if self.edge else (none, along)
         here = self.charts.on(x_, y_, of)
         slope = here.c_x if self.edge else here.c_y

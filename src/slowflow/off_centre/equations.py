@@ -24,20 +24,21 @@ def _square(rows: Any, d: int) -> tuple[Any, Any]:
     return values, [slopes[d * i : d * (i + 1)] for i in range(d)]
 
 
-def _ends(rows: Any, d: int, n: int) -> tuple[Floats, Floats]:
-    """The same of intervals, as arrays."""
+def ends_of(rows: Any, d: int, n: int) -> tuple[Floats, Floats]:
+    """Values (2, d, n) and slopes (d, d, 2, n) from a kernel's outputs on intervals."""
     values, slopes = _square(
         [row.ends + np.zeros((2, n)) if isinstance(row, Interval) else np.full((2, n), row) for row in rows], d
     )
     return np.stack(values, axis=1), np.stack([np.stack(row, axis=1) for row in slopes], axis=1)
 
 
-def _numbers(rows: Any, d: int, n: int) -> tuple[Floats, Floats]:
+def numbers_of(rows: Any, d: int, n: int) -> tuple[Floats, Floats]:
+    """Values (d, n) and slopes (d, d, n) from a kernel's outputs."""
     values, slopes = _square([row + np.zeros(n) for row in rows], d)
     return np.stack(values), np.stack([np.stack(row) for row in slopes])
 
 
-def _interval(x: Floats, r: Floats) -> Interval:
+def interval_of(x: Floats, r: Floats) -> Interval:
     """x +- r; not rounded outwards: neighbouring boxes are made of the same ends."""
     return Interval(np.array((x - r, x + r)))
 
@@ -54,7 +55,7 @@ class Resting:
 
     def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `boxes.Equations`."""
-        means = self.steps.on(Interval(np.zeros((2, of.size))), _interval(x[0], r[0]), 1)
+        means = self.steps.on(Interval(np.zeros((2, of.size))), interval_of(x[0], r[0]), 1)
         return (means.c[0] - self.steps.load).ends[:, np.newaxis], means.c[1].ends[:, np.newaxis, np.newaxis]
 
     def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
@@ -79,7 +80,7 @@ class Detaching:
 
     def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `boxes.Equations`."""
-        A, below = _interval(x[0], r[0]), of == 0
+        A, below = interval_of(x[0], r[0]), of == 0
         B = (self.upper - A).where(below, A + self.lower)
         means = self.steps.on(A, B, 1)
         slope = (means.s[1] - means.c[1]).where(below, means.s[1] + means.c[1])
@@ -108,11 +109,11 @@ class Fold:
 
     def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `boxes.Equations`."""
-        A, B, t = (_interval(*pair) for pair in zip(x, r, strict=True))
+        A, B, t = (interval_of(*pair) for pair in zip(x, r, strict=True))
         means = self.steps.on(A, B, 2)
         F_0 = Interval(np.array((self.F_0[of],) * 2))
         m, zeta, load = (Interval.point(value) for value in (self.m, self.zeta, self.steps.load))
-        values, slopes = _ends(off_centre_intervals.fold(t, A, F_0, m, zeta, load, *means.c, *means.s), 3, of.size)
+        values, slopes = ends_of(off_centre_intervals.fold(t, A, F_0, m, zeta, load, *means.c, *means.s), 3, of.size)
         beside, none = self._beside_centre(A, B, means)
         resists = [one.both(beside) for one in self.steps.resists(A, B, means)]
         turns = [
@@ -142,4 +143,4 @@ class Fold:
         """See `boxes.Equations`."""
         means = self.steps.at(x[0], x[1], 2)
         given = (self.F_0[of], self.m, self.zeta, self.steps.load)
-        return _numbers(off_centre.fold(x[2], x[0], *given, *means.c, *means.s), 3, of.size)
+        return numbers_of(off_centre.fold(x[2], x[0], *given, *means.c, *means.s), 3, of.size)
