@@ -8,16 +8,18 @@ import itertools
 import re
 import shutil
 import subprocess
+from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
 
-from slowflow import cli, files, scenes
+from slowflow import Isolator, cli, files, scenes
 
 pytest.importorskip("matplotlib")
 from slowflow import page as pieces
 from slowflow import report
+from slowflow.results import Remark
 
 ROOT = Path(__file__).parents[1]
 MOUNT = ROOT / "scenes" / "mount.toml"
@@ -201,6 +203,14 @@ def lines_of(path):
 
 
 @pytest.mark.slow
+def test_what_is_undecided_of_isolation_is_said_in_short_too(monkeypatch):
+    mount = Isolator.physical(m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02)
+    plain, ask = " ".join(report._in_short(mount, 5.0)), Isolator.isolation
+    monkeypatch.setattr(Isolator, "isolation", lambda self, F_0: replace(ask(self, F_0), remarks=Remark.UNDECIDED))
+    said = plain.replace("less than what drives it.", "less than what drives it, as far as is decided.")
+    assert " ".join(report._in_short(mount, 5.0)) == said != plain
+
+
 def test_under_a_load_the_report_leaves_out_what_is_about_the_centre_and_says_so(tmp_path):
     path = tmp_path / "scene.toml"
     text = (ROOT / "scenes" / "off_centre.toml").read_text().replace("[3.0, 5.0]", "[3.0]").replace("[2.2, 5.0]", "2.2")

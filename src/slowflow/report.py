@@ -21,6 +21,7 @@ from slowflow.measured.validity import IN_PYTHON
 from slowflow.paper.report import read_ledger
 from slowflow.physical import Physical
 from slowflow.quantities import EXCITED, KIND_OF, SHEET, SHOWN, UNITS, Quantities
+from slowflow.results import Remark
 from slowflow.scenes import FORCINGS, Asked, Scene
 from slowflow.sizing.subject import Load, Subject
 from slowflow.validate import NotAvailable
@@ -231,7 +232,8 @@ def _in_short(of: Any, F: float) -> Iterator[str]:
     if peak and peak[0].A is not None:
         yield f"Its highest motion is {_one(peak[0], 'A')}, at {_one(peak[0], 'f', 'Omega')}."
     if isolation and (begin := _one(isolation[0], "f", "Omega")) is not None:
-        yield f"From {begin} on it transmits less than what drives it."
+        open_ = ", as far as is decided" if isolation[0].remarks & Remark.UNDECIDED else ""
+        yield f"From {begin} on it transmits less than what drives it{open_}."
 
 
 def _jumps(folds: Any) -> Iterator[tuple[str, float]]:
