@@ -515,3 +515,15 @@ def test_the_one_state_is_the_exact_one_on_either_path(numbers, Omega, F_0, near
     (A,) = Isolator(**numbers).amplitudes(Omega=Omega, F_0=F_0).A
     rounding = 2.0**-53 * (1 + condition.inputs["A"] + condition.kernel["A"])
     assert abs(A / float(state.A) - 1) <= 8 * rounding
+
+
+def test_motions_beyond_the_well_of_a_softening_force_are_higher_than_its_peak():
+    # at Omega = 0: A (1 - 3/4 A^2) = -F_0 beyond A = sqrt(4/3); at the top 2 zeta Omega A = F_0 but for R^2 ~ zeta^4
+    F_0, zeta = 0.008, 0.01
+    soft = Duffing(1.0, -1.0, 0.0, zeta)
+    beyond = max(np.roots([-0.75, 0.0, 1.0, F_0]).real)
+    top = soft.peak(F_0)
+    assert top.A == pytest.approx(F_0 / (2 * zeta * top.Omega), rel=1e-3)
+    assert top.A < 0.5 < beyond
+    assert soft.amplitudes(Omega=1e-6, F_0=F_0).A[-1] == pytest.approx(beyond, rel=1e-10)
+    assert soft.frequency_response(F_0, Omega=(0.0, 2.0)).A.max() == pytest.approx(beyond, rel=1e-10)

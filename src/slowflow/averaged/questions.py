@@ -203,6 +203,10 @@ class Averaged:
     def peak(self, F_0: float) -> Peak:
         """The highest peak of the response at F_0, isolas included: .A .Omega. Raises ValueError for F_0 <= 0.
 
+        A peak is a top of the curve over Omega. Where the force softens until it gives way, motions that swing beyond
+        the top of its well have higher amplitudes, the highest of them towards Omega = 0: these are no peak, and
+        `amplitudes` and `frequency_response` have them.
+
         Where the amplitude only falls with Omega it is the static one, with Omega = 0. There is none, and `.message`
         says why, without viscous damping, and where an excitation by inertia has a response that does not close, or
         whose amplitude only rises, towards F_0.
