@@ -97,7 +97,7 @@ def test_no_more_stored_counts_are_wrong(mechanism, kind):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("mechanism", "oscillators", "states"), [("rod_spring", 8, 4_000), ("duffing", 30, 10_000)])
+@pytest.mark.parametrize(("mechanism", "oscillators", "states"), [("rod_spring", 8, 4_000), ("duffing", 100, 40_000)])
 def test_seeded_counts_are_proved(mechanism, oscillators, states):
     """Cases that `make stress` does not ask: no number of states or folds is wrong; 10^5 would take minutes."""
     found = counts.stress(mechanism, part=1000, oscillators=oscillators, compared=False)

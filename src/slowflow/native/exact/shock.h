@@ -139,7 +139,7 @@ static sf_outcome sf_accelerations(sf_shocked *shock, const sf_stretch *one, con
         motion_resistance(v, drive.zeta, drive.friction, drive.quadratic, resists);
         /* seen by who stands still the forcing is no force */
         const double a = phase->slip == 0
-                             ? drive.F_0 * cos(theta[k])
+                             ? motion_push(cos(theta[k]), drive.F_0, 0.0)
                              : motion_acceleration(0.0, v, drive.F_0, drive.zeta, resists[0], sf_value(piece, u));
         if (fabs(a) > *largest)
             *largest = fabs(a), *where = k;
