@@ -85,7 +85,12 @@ def signature(function: Any, bound: bool) -> str:
     told = inspect.signature(function)
     arguments = [one.replace(annotation=inspect.Parameter.empty) for one in told.parameters.values()]
     returned = told.return_annotation
-    shown = "" if returned in (inspect.Signature.empty, "None") else f" -> {returned}"
+    # where a class lives within its module differs from Python to Python
+    shown = (
+        ""
+        if returned in (inspect.Signature.empty, "None")
+        else f" -> {returned}".replace("pathlib._local.", "pathlib.")
+    )
     return str(told.replace(parameters=arguments[bound:], return_annotation=inspect.Signature.empty)) + shown
 
 

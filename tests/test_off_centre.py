@@ -25,12 +25,11 @@ from slowflow.off_centre.answers import OffCentreStates
 from slowflow.off_centre.ends import Charts
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.questions import OffCentre
-from slowflow.paper.example import isolator
+from slowflow.paper.example import TABLE_1, isolator
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 
 CERTIFIED = json.loads((Path(__file__).parent / "data" / "off_centre.json").read_text())
-TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 
 
 @pytest.fixture(scope="module")

@@ -6,14 +6,20 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, derive
+from slowflow.paper.example import TABLE_1
 from slowflow.results import Remark
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
-
-TABLE_1 = {"lam": 3, "r": 3747 / 1848, "delta_h": 1848 / (6 * 3747), "mu": 0.012, "zeta": 0.02}
 
 
 def alone(load):
     return Isolator(**TABLE_1, load=float(load))
+
+
+def test_gradients_of_batches_are_refused_in_words():
+    found = Isolator.many(**TABLE_1, load=[0.01, 0.03])
+    for answer in (found.detachment(), found.rest(), found.margins(0.02)):
+        with pytest.raises(ValueError, match="one design"):
+            answer.gradient()
 
 
 @pytest.mark.slow

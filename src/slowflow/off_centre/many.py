@@ -28,8 +28,10 @@ from slowflow.mechanism import EquationOfMotion, Force, Mechanism, check_followe
 from slowflow.model import THROUGHOUT, Floats
 from slowflow.off_centre.questions import OffCentre
 from slowflow.results import Remark
+from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import OnsetKind, Status
 
+NO_GRADIENT = "off the centre the answers of one design have gradients, those of batches have none"
 #: designs that are kept with what is known of them, some 0.2 MB each
 KEPT = 256
 #: one design's answer by column, how it fared, and what to bear in mind with it
@@ -43,6 +45,10 @@ class OffCentreBatch(Told):
     """What answers off the centre share: `remarks` are those of the single answers."""
 
     _designs: Any = field(repr=False, kw_only=True)
+
+    def gradient(self) -> Any:
+        """Raises NotAvailable: off the centre the answers of one design have gradients, batches have none."""
+        raise NotAvailable(NO_GRADIENT)
 
 
 @dataclass(frozen=True, eq=False)
