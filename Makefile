@@ -109,13 +109,13 @@ dist: $(INSTALLED)
 	$(PIP) --no-compile --upgrade setuptools numpy
 
 # What is imported is compiled to bytecode then; all of SymPy would take longer than the derivation. The C is left to the
-# next rule, which pip need not be waited for.
+# next rule, which pip need not be waited for, and which leaves the processors to it and to the derivation.
 $(INSTALLED): .venv/pyvenv.cfg pyproject.toml setup.py
 	SLOWFLOW_PURE=1 $(PIP) --no-compile --no-build-isolation --editable ".[paper]"
 	@touch $@
 
 $(COMPILED): .venv/pyvenv.cfg setup.py $(NATIVE)
-	$(BIN)/python setup.py --quiet build_ext --inplace
+	nice $(BIN)/python setup.py --quiet build_ext --inplace
 	@touch $@
 
 $(DEVELOPED): $(INSTALLED) $(COMPILED)

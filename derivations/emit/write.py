@@ -10,11 +10,14 @@ import difflib
 import hashlib
 import json
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from ..resultants import Elimination
-from ..results import Results
-from .form import Module
 from .provenance import digest, versions
+
+if TYPE_CHECKING:
+    from ..resultants import Elimination
+    from ..results import Results
+    from .form import Module
 
 MANIFEST = "MANIFEST.json"
 COMMAND = "make derive"
