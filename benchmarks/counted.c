@@ -9,7 +9,7 @@
 #endif
 #include <time.h>
 
-#include "along.h"
+#include "ranges.h"
 
 enum { KEPT = 4096, ROUNDS = 20, MOST_INPUTS = SF_MOST_DESIGN + SF_MOST_DAMPING + 2 };
 

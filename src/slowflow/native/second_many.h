@@ -4,7 +4,7 @@
 #define SF_SECOND_MANY_H
 
 #include "many.h"
-#include "second.h"
+#include "second_answers.h"
 
 /* Whether the spring's harmonics are known for this model. */
 static int sf_has_second(const sf_model *model) {

@@ -2,7 +2,7 @@
 #ifndef SF_ZEROS_H
 #define SF_ZEROS_H
 
-#include "along.h"
+#include "ranges.h"
 
 #define SF_MOST_ZEROS 96
 

@@ -14,7 +14,8 @@ Rest       F = Omega = 0       h^2 + m^2 = F_0^2
 Inertia    peaks and isolas    of an excitation by inertia: where an amplitude's level is least, in closed form
 =========  ==================  ======================================================================================
 
-As in native/along.h. The functions are generated, for numbers and for intervals (derivations/along.py).
+As in native/along.h and native/ranges.h. The functions are generated, for numbers and for intervals
+(derivations/along.py).
 """
 
 from __future__ import annotations

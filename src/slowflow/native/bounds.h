@@ -1,0 +1,170 @@
+/* How far amplitudes go: in go a model and a forcing, out comes an amplitude above that of every steady state there, or
+ * why there is none.
+ */
+#ifndef SF_BOUNDS_H
+#define SF_BOUNDS_H
+
+#include "scan.h"
+
+/* The last Omega > 0 at which the level is stationary, its minimum over Omega > 0; 0 if there is none. */
+static double sf_last_stationary(const sf_model *model, const sf_sample *at) {
+    sf_quartic cubic;
+    double w[2];
+    int n;
+    if (sf_inertial(model)) {
+        const double x = sf_least_x(model, at);
+        return x > 0 ? 1 / x : 0;
+    }
+    n = sf_unpolished_peak_roots(&cubic, at->A, at->h, model->m, model->zeta, w);
+    return n > 0 ? sf_polish_cubic(&cubic, w[n - 1]) : 0;
+}
+
+/* The lowest F_0 for which A is a steady state: the minimum of its level over Omega >= 0, and where it lies. */
+static double sf_least_forcing(const sf_model *model, const sf_sample *at, double *Omega) {
+    const double last = sf_last_stationary(model, at);
+    const double at_rest = sf_level(model, at, 0), level = sf_level(model, at, last);
+    *Omega = level < at_rest ? last : 0;
+    return level < at_rest ? level : at_rest;
+}
+
+/* Whether no amplitude from A on is that of a steady state at F_0 or less: |h| is too large. Beyond the last breakpoint
+ * h is followed to where it has no bound in doubles: there |h| must rise. */
+static int sf_bounds(const sf_model *model, double F_0, double A) {
+    sf_sample at, far;
+    sf_known here, there;
+    sf_cell cell;
+    sf_sample_without_k_at(model, A, &at);
+    if (!(fabs(at.h) > slow_flow_most_restoring(A, F_0, model->m, model->zeta)))
+        return 0;
+    sf_sample_without_k_at(model, SF_ENDLESS * fmax(A, 1), &far);
+    sf_know(&at, &here);
+    sf_know(&far, &there);
+    sf_make_slopes(model, &at, &far, &here, &there, &cell);
+    return at.h > 0 ? cell.h_A.lo >= 0 : cell.h_A.hi <= 0;
+}
+
+/* Whether h lies, on amplitudes from A on, where no state at F_0 can have it. most: what |h| is at most in one at A */
+static int sf_excludes(const sf_model *model, double F_0, double most, double A, sf_interval h) {
+    double values[4];
+    if (!sf_inertial(model))
+        return h.lo > most || h.hi < -most;
+    /* of all states above F_0 zeta^2 A is half of |h| at most */
+    inertia_bound(A, F_0, model->zeta, h.lo, 0, 0, 0, 0.5, values);
+    return A > F_0 && values[0] > 0;
+}
+
+/* The same where it is h that is known between two amplitudes: up to the reach, or an endless amplitude. */
+static int sf_bounds_bent(const sf_model *model, double F_0, double A) {
+    const double most = slow_flow_most_restoring(A, F_0, model->m, model->zeta);
+    const double end = fmin(model->reach, SF_ENDLESS * fmax(A, 1));
+    double next;
+    int i;
+    if (!(A < end))
+        return 0;
+    for (; A < end; A = next) {
+        sf_interval bent[2];
+        next = fmin(2 * A, end);
+        for (i = model->breaks - 1; i >= 0; i--)
+            if (A < model->b[i] && model->b[i] < next)
+                next = model->b[i];
+        model->mechanism->bent(sfi_of(A, next), model->p, bent);
+        if (!sf_excludes(model, F_0, most, A, bent[0]))
+            return 0;
+    }
+    return 1;
+}
+
+/* Whether an excitation by inertia has no state above F_0 from A on: what excludes states at an amplitude is positive
+ * on all that follow if its slopes are; the third is a sum of h_AAA, which is monotone, and of a number. */
+static int sf_inertial_bounds(const sf_model *model, double F_0, double A) {
+    sf_sample at, far;
+    double lost[2] = {0.5, 0.5}, values[4];
+    int i;
+    sf_sample_at(model, A, &at);
+    sf_sample_at(model, SF_ENDLESS * fmax(A, 1), &far);
+    /* zeta^2 A is at most so much of |h|: of all states half of it, and less where |h|/A is known to rise */
+    if (at.k >= 0 && at.h_AA <= 0 && fmax(at.h_AAA, far.h_AAA) <= 0 && at.h < 0)
+        lost[1] = fmin(inertia_share(A, model->zeta, at.h), 0.5);
+    for (i = 0; i < 2; i++) {
+        inertia_bound(A, F_0, model->zeta, at.h, at.h_A, at.h_AA, fmin(at.h_AAA, far.h_AAA), lost[i], values);
+        if (values[0] > 0 && values[1] > 0 && values[2] > 0 && values[3] > 0)
+            return 1;
+    }
+    return 0;
+}
+
+/* Whether the spring is far from its slope at rest, and an amplitude that is much less is reached: where a response is
+ * cut that does not close. */
+static int sf_is_far(const sf_model *model, double F_0, double A) {
+    sf_sample at, rest, less;
+    sf_sample_at(model, A, &at);
+    sf_sample_at(model, 0, &rest);
+    sf_sample_at(model, A / SF_STATIC_MULTIPLE, &less);
+    /* the slope at rest and what zeta^2 A is of |h|, as shares of |h|/A */
+    const double shares = at.h < 0 ? -fabs(rest.h_A) * A / at.h + inertia_share(A, model->zeta, at.h) : HUGE_VAL;
+    return SF_STATIC_MULTIPLE * shares <= 1 && less.A > F_0 &&
+           sf_inertial_count(model, &less, F_0) == 2;
+}
+
+/* The reach of a mechanism, where nothing bounds the response below it: SF_UNBOUNDED if it goes beyond. */
+static sf_status sf_cut_at_reach(const sf_model *model, double F_0, double *A_max) {
+    sf_isolated q;
+    sf_sample at;
+    *A_max = model->reach;
+    sf_sample_at(model, *A_max, &at);
+    sf_isolate_response(&q, at.A, at.h, model->m, model->zeta, F_0);
+    return sf_count(&q) > 0 ? SF_UNBOUNDED : SF_OK;
+}
+
+/* An amplitude above that of every steady state at F_0 or less, for zeta > 0, in steps that grow; SF_UNBOUNDED where a
+ * response does not close, with an amplitude at which to cut it. */
+static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A_max) {
+    const int bent = model->mechanism->bent != NULL;
+    int (*const bounds)(const sf_model *, double, double) =
+        bent ? sf_bounds_bent : sf_inertial(model) ? sf_inertial_bounds : sf_bounds;
+    double A = F_0, step = 2, cut = model->reach;
+    int i;
+    if (model->breaks > 0)
+        A = fmax(A, 2 * model->b[model->breaks - 1]);
+    for (i = 0; i < SF_RUNGS; i++) {
+        if (A < HUGE_VAL && bounds(model, F_0, A)) {
+            *A_max = A;
+            return SF_OK;
+        }
+        if (sf_inertial(model) && !(cut < HUGE_VAL) && (sf_is_far(model, F_0, A) || i + 1 == SF_RUNGS))
+            cut = A;
+        A *= step;
+        if (i >= SF_FINE_RUNGS && step < SF_COARSEST)
+            step *= 2;
+    }
+    if (bent && !sf_inertial(model) && cut < HUGE_VAL)
+        return sf_cut_at_reach(model, F_0, A_max);
+    *A_max = cut;
+    return sf_inertial(model) ? SF_UNBOUNDED : SF_NO_BOUND;
+}
+
+/* Where to stop at F_0: above every steady state, or, undamped, at the mechanism's reach or a multiple of F_0 that is
+ * doubled until the fold, whose R is k, has passed F_0 or has ended for good; or, with SF_UNBOUNDED, where a response
+ * is cut that does not close. */
+static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
+    int i;
+    if (model->zeta > 0)
+        return sf_amplitude_bound(model, F_0, A_max);
+    *A_max = model->reach;
+    if (*A_max < HUGE_VAL)
+        return SF_OK;
+    *A_max = SF_STATIC_MULTIPLE * F_0;
+    if (model->breaks > 0)
+        *A_max = fmax(*A_max, 2 * model->b[model->breaks - 1]);
+    for (i = 0; !sf_inertial(model) && i < SF_RUNGS; i++, *A_max *= 2) {
+        sf_sample at;
+        sf_sample_at(model, *A_max, &at);
+        if (at.h_A < 0 ? slow_flow_zeta0_undamped_level(model->m, at.k) > F_0 : at.h_AA >= 0)
+            break;
+        if (at.h_AA == 0 && at.h_AAA == 0)
+            break;
+    }
+    return SF_OK;
+}
+
+#endif

@@ -1,0 +1,464 @@
+/* What is asked along the amplitude, on a cell: in go a question of along.h and what is known at a cell's ends, out
+ * come ranges that hold each function, and its slope, for every amplitude of the cell.
+ */
+#ifndef SF_RANGES_H
+#define SF_RANGES_H
+
+#include "along.h"
+#include "cells.h"
+#include "inertia_intervals.h"
+#include "slow_flow_intervals.h"
+#include "slow_flow_mu0_intervals.h"
+#include "slow_flow_zeta0_intervals.h"
+
+typedef enum { SF_NOWHERE, SF_PARTLY, SF_THROUGHOUT } sf_where;
+
+/* One of these functions on a cell: where it is defined, what holds it and its slope there, and in a proof that slope's
+ * slope, if it is known. edge: its sign at the end of where it is defined, if there is one such end in the cell and the
+ * sign is known; else 0 */
+typedef struct {
+    sf_where where;
+    sf_interval y, dy, ddy;
+    int edge;
+} sf_range;
+
+/* before a function in which all calls are inlined */
+#if defined(__GNUC__)
+#define SF_FLAT __attribute__((flatten))
+#else
+#define SF_FLAT
+#endif
+
+/* farther from a breakpoint than this, relatively, the gains' roundings are lost in those of kernels */
+#define SF_NEXT_TO_BREAK 1.01
+
+static inline sf_where sf_where_positive(sf_interval x) {
+    return x.lo > 0 ? SF_THROUGHOUT : x.hi <= 0 ? SF_NOWHERE : SF_PARTLY;
+}
+
+static inline void sf_range_simple(sf_interval y, sf_interval dy, sf_where where, sf_range *out) {
+    out->where = where, out->y = y, out->dy = dy, out->edge = 0;
+}
+
+/* With viscous damping the channel ends at Omega = 0, where |k| is the least; F_A there has the sign of h_A. */
+static inline void sf_range_fold(const sf_terms *terms, const sf_cell *cell, sf_range *out) {
+    const sf_interval least = terms->least;
+    sf_interval k = cell->k, fold[3];
+    out->edge = 0;
+    if (terms->zeta.hi == 0) {
+        slow_flow_zeta0_intervals_fold(terms->F_0, terms->m, k, cell->k_A, fold);
+        out->where = sf_where_positive(sfi_neg(cell->h_A)), out->y = fold[0], out->dy = fold[1];
+        return;
+    }
+    if (k.hi < least.lo && k.lo > -least.lo) {
+        out->where = SF_NOWHERE;
+        return;
+    }
+    out->where = SF_PARTLY;
+    if (!(k.hi < least.lo || k.lo > -least.lo)) { /* on both sides */
+        out->y = out->dy = sfi_of(-HUGE_VAL, HUGE_VAL);
+        return;
+    }
+    if (k.lo >= least.hi || k.hi <= -least.hi) {
+        out->where = SF_THROUGHOUT;
+    } else {
+        k = k.hi >= least.lo ? sfi_of(sfi_most(k.lo, least.lo), k.hi) : sfi_of(k.lo, sfi_least(k.hi, -least.lo));
+        if (sfi_has_sign(cell->k_A) && sfi_has_sign(cell->h_A))
+            out->edge = cell->h_A.lo > 0 ? 1 : -1;
+    }
+    slow_flow_intervals_fold(cell->A, terms->F_0, terms->m, terms->zeta, cell->h, cell->h_A, k, cell->k_A, fold);
+    out->y = fold[0], out->dy = fold[1];
+}
+
+static inline void sf_range_isola(const sf_terms *terms, const sf_cell *cell, sf_range *out) {
+    sf_interval isola[2];
+    out->where = sf_where_positive(cell->h_A);
+    if (out->where == SF_NOWHERE)
+        return;
+    if (terms->m.hi == 0)
+        slow_flow_mu0_intervals_isola(cell->A, terms->m, terms->zeta, cell->h, cell->h_A, cell->h_AA, isola);
+    else
+        slow_flow_intervals_isola(cell->A, terms->m, terms->zeta, cell->h, cell->h_A, cell->h_AA, isola);
+    sf_range_simple(isola[0], isola[1], out->where, out);
+}
+
+/* The larger root of x^2 + 2 a x + b, b <= 0, for numbers taken exactly. */
+static inline sf_interval sf_larger_root_at(double a, double b) {
+    const sf_interval root = sfi_sqrt(sfi_sub(sfi_square(sfi_point(a)), sfi_point(b)));
+    return a > 0 ? sfi_div(sfi_point(-b), sfi_add(sfi_point(a), root)) : sfi_sub(root, sfi_point(a));
+}
+
+/* The same on a cell, from both forms; as it falls with b, and for b <= 0 with a, corners hold it too. */
+static inline sf_interval sf_larger_root_range(sf_interval a, sf_interval b, sf_interval root) {
+    sf_interval x = sfi_sub(root, a);
+    if (a.lo >= 0)
+        x = sfi_both(x, sfi_neg(sfi_div(b, sfi_add(a, root))));
+    if (b.lo <= 0)
+        x.hi = sfi_least(x.hi, sf_larger_root_at(a.lo, b.lo).hi);
+    if (b.hi <= 0)
+        x.lo = sfi_most(x.lo, sf_larger_root_at(a.hi, b.hi).lo);
+    return x;
+}
+
+static inline sf_interval sf_quadratic_root_range(sf_interval a, sf_interval b, sf_interval root, int larger) {
+    return larger ? sf_larger_root_range(a, b, root) : sfi_neg(sf_larger_root_range(sfi_neg(a), b, root));
+}
+
+/* Of a cusp on a cell, nowhere at first: where its Omega^2 is real and positive, F_A/2 with its slope, the forcing, and
+ * Omega^2. */
+typedef struct {
+    sf_where where;
+    sf_interval y, dy, level, X;
+} sf_cusp_range;
+
+static inline sf_where sf_where_both(sf_interval discriminant, sf_interval X) {
+    const sf_where where = sf_where_positive(X);
+    return where == SF_THROUGHOUT && !(discriminant.lo > 0) ? SF_PARTLY : where;
+}
+
+static inline void sf_cusp_on(const sf_cell *cell, sf_interval m, sf_interval zeta, int larger, sf_cusp_range *out) {
+    sf_interval q[5], root, X, T, R[2], cusp[4];
+    slow_flow_intervals_cusps(cell->A, zeta, cell->h, cell->h_A, cell->h_AA, cell->k, q);
+    if (q[4].hi < 0)
+        return;
+    root = sfi_sqrt(q[4]);
+    X = sf_quadratic_root_range(q[2], q[3], root, larger);
+    out->where = sf_where_both(q[4], X);
+    if (out->where == SF_NOWHERE)
+        return;
+    X.lo = sfi_most(X.lo, 0);
+    T = sf_quadratic_root_range(q[0], q[1], root, larger);
+    slow_flow_intervals_cusp_R(cell->A, zeta, cell->h_AA, cell->k, X, T, R);
+    slow_flow_intervals_cusp(cell->A, m, zeta, cell->h_AA, cell->h_AAA, cell->k, X, T, sfi_both(R[0], R[1]),
+                             larger ? root : sfi_neg(root), cusp);
+    out->y = sfi_both(cusp[0], cusp[1]), out->dy = cusp[2], out->level = cusp[3], out->X = X;
+}
+
+/* Whether a level may lie above what is still wanted. */
+static inline int sf_is_limited(const sf_asked *asked) { return asked->most != NULL && *asked->most < HUGE_VAL; }
+
+/* The same in numbers without scale; the larger Omega^2 has the larger t where h_AA > 0. What settles most cells comes
+ * first. a, b: what is known at the ends, for the values of the cell, which few need */
+static inline void sf_range_cusp_scaled(const sf_asked *asked, const sf_known *a, const sf_known *b, sf_cell *cell,
+                                        sf_interval rho, sf_interval kappa, int open, sf_range out[2]) {
+    const sf_interval m = asked->terms.m, zeta = asked->terms.zeta;
+    const int limited = sf_is_limited(asked);
+    sf_interval q[3], root;
+    int i;
+    slow_flow_intervals_cusps_scaled(cell->A, zeta, cell->h_A, cell->h_AA, kappa, q);
+    if (q[2].hi < 0)
+        return;
+    root = sfi_sqrt(q[2]);
+    for (i = 0; i < 2; i++) {
+        const int larger_t = (i == 0) == (cell->h_AA.lo > 0);
+        sf_interval X, t, y;
+        sf_where where;
+        if (!(open & 1 << i))
+            continue;
+        t = sf_quadratic_root_range(q[0], q[1], root, larger_t);
+        X = slow_flow_intervals_cusp_X(cell->A, cell->h_A, cell->h_AA, t);
+        if (!(X.lo > 0)) { /* near Omega = 0 that cancels */
+            sf_interval by_X[5];
+            sf_add_values(a, b, cell);
+            slow_flow_intervals_cusps(cell->A, zeta, cell->h, cell->h_A, cell->h_AA, cell->k, by_X);
+            X = sfi_both(X, sf_quadratic_root_range(by_X[2], by_X[3], sfi_sqrt(by_X[4]), i == 0));
+        }
+        where = sf_where_both(q[2], X);
+        if (where == SF_NOWHERE)
+            continue;
+        X.lo = sfi_most(X.lo, 0);
+        y = slow_flow_intervals_cusp_scaled(cell->A, m, zeta, cell->h_AA, kappa, X, t);
+        if (sfi_has_sign(y) ||
+            (limited &&
+             slow_flow_intervals_cusp_scaled_level(cell->A, m, zeta, cell->h_AA, kappa, X, t).lo > *asked->most))
+            continue;
+        sf_range_simple(y,
+                        slow_flow_intervals_cusp_scaled_slope(cell->A, m, zeta, cell->h_AA, kappa, rho, X, t,
+                                                              larger_t ? root : sfi_neg(root)),
+                        where, &out[i]);
+    }
+}
+
+/* Whether two functions have one sign, or are 0. */
+static inline int sf_are_alike(sf_interval x, sf_interval y) {
+    return (x.lo >= 0 && y.lo >= 0) || (x.hi <= 0 && y.hi <= 0);
+}
+
+/* Whether F_A > 0 next to A = 0, where h_AA may be infinite, at all frequencies. With X = Omega^2 it is no less than
+ * 2 A [(X + h/A) (X + h_A) + 4 zeta^2 X]. That is positive where no coefficient is negative, or where its discriminant
+ * is, (h/A - h_A)^2 + 8 zeta^2 (h/A + h_A) + 16 zeta^4. Where h = 0 at A = 0, h/A is a slope of h. */
+static inline int sf_is_free_of_folds(const sf_known *a, const sf_cell *cell, sf_interval zeta) {
+    const sf_interval slope = cell->h_A, square = sfi_square(zeta), apart = sfi_square(sfi_sub(slope, slope));
+    if (cell->A.lo > 0 || a->h.lo != 0 || a->h.hi != 0)
+        return 0;
+    if ((slope.lo >= 0 || slope.hi <= 0) && sfi_add(slope, sfi_times(2, square)).lo > 0)
+        return 1;
+    return sfi_add(apart, sfi_mul(sfi_times(16, square), sfi_add(slope, square))).hi < 0;
+}
+
+/* On the fold locus R has the sign of k: F_AA/2 = (dR/dA)^2 + h_AA R + 4 zeta^2 Omega^2 vanishes only if h_AA has the
+ * other one. */
+static inline void sf_range_cusp(const sf_asked *asked, const sf_known *a, const sf_known *b, sf_cell *cell, int open,
+                                 sf_range out[2]) {
+    sf_interval rho, kappa;
+    int i;
+    out[0].where = out[1].where = SF_NOWHERE;
+    if (sf_scaled(cell, &rho, &kappa)) {
+        if (!(kappa.lo >= 0))
+            sf_range_cusp_scaled(asked, a, b, cell, rho, kappa, open, out);
+        return;
+    }
+    sf_add_values(a, b, cell);
+    if (sf_are_alike(cell->h_AA, cell->k) || sf_is_free_of_folds(a, cell, asked->terms.zeta))
+        return;
+    for (i = 0; i < 2; i++) {
+        sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
+        if (!(open & 1 << i))
+            continue;
+        sf_cusp_on(cell, asked->terms.m, asked->terms.zeta, i == 0, &cusp);
+        if (cusp.where != SF_NOWHERE && !sfi_has_sign(cusp.y) &&
+            !(sf_is_limited(asked) && cusp.level.lo > *asked->most))
+            sf_range_simple(cusp.y, cusp.dy, cusp.where, &out[i]);
+    }
+}
+
+/* Next to A = 0 a function that vanishes there has the sign of its slope, if that has one. */
+static inline void sf_range_stiffness(const sf_cell *cell, sf_range out[2]) {
+    sf_range_simple(cell->A.lo > 0 ? cell->h : cell->h_A, cell->A.lo > 0 ? cell->h_A : cell->h_AA, SF_THROUGHOUT,
+                    &out[0]);
+    sf_range_simple(cell->h_A, cell->h_AA, SF_THROUGHOUT, &out[1]);
+}
+
+static inline void sf_range_undamped(const sf_cell *cell, sf_range out[2]) {
+    const sf_where where = sf_where_positive(sfi_neg(cell->h_A));
+    const sf_interval unknown = sfi_of(-HUGE_VAL, HUGE_VAL);
+    sf_range_simple(cell->A.lo > 0 ? cell->h_AA : cell->h_AAA, cell->A.lo > 0 ? cell->h_AAA : unknown, where, &out[0]);
+    sf_range_simple(cell->A.lo > 0 ? cell->k : sfi_neg(cell->h_AAA), cell->A.lo > 0 ? cell->k_A : unknown, where,
+                    &out[1]);
+}
+
+/* Positive roots w1 < w2 of A w^3 + p w + q for q > 0: both exist where p is low enough. As A and p rise w1 rises and
+ * w2 falls, so the corners of the box (A, p) hold them. */
+typedef struct {
+    sf_where where;
+    sf_interval w1, w2;
+} sf_critical_box;
+
+static inline int sf_critical_at(double A, double p, double q, double *w1, double *w2) {
+    sf_quartic s;
+    s.A = A, s.p = p, s.p_low = 0, s.q = q, s.q_low = 0;
+    return sf_critical_points(&s, w1, w2);
+}
+
+/* Next to A = 0, where p vanishes too, p is asked over A: that of the slopes of h. */
+static inline void sf_critical_of(const sf_cell *cell, sf_interval p, double q, sf_critical_box *out) {
+    const sf_interval A = cell->A;
+    double low[2], high[2];
+    out->where = SF_NOWHERE;
+    out->w1 = out->w2 = sfi_point(0);
+    if (A.lo == 0) {
+        /* with friction there is none for small A */
+        if (p.lo < 0 && sf_critical_at(A.hi, p.lo * (1 + SF_DOUBT) * A.hi, q, &low[0], &low[1])) {
+            out->where = SF_PARTLY;
+            out->w1 = out->w2 = sfi_of(0, sqrt(-p.lo) * (1 + SF_DOUBT));
+        }
+        return;
+    }
+    if (!sf_critical_at(A.lo, p.lo, q, &low[0], &low[1]))
+        return;
+    out->where = sf_critical_at(A.hi, p.hi, q, &high[0], &high[1]) ? SF_THROUGHOUT : SF_PARTLY;
+    if (out->where == SF_PARTLY) /* they meet in between, or at 0 */
+        high[0] = q > 0 ? low[1] : 0, high[1] = low[0];
+    out->w1 = sfi_of(low[0] * (1 - SF_DOUBT), high[0] * (1 + SF_DOUBT));
+    out->w2 = sfi_of(high[1] * (1 - SF_DOUBT), low[1] * (1 + SF_DOUBT));
+}
+
+static inline void sf_range_turn(const sf_model *model, const sf_cell *cell, int open, sf_range out[2]) {
+    const sf_interval m = sfi_point(model->m), zeta = sfi_point(model->zeta);
+    const sf_interval one = sfi_point(1);
+    const int next_to_0 = cell->A.lo == 0;
+    sf_interval quartic[4];
+    sf_critical_box box;
+    int i;
+    slow_flow_intervals_fold_quartic(next_to_0 ? one : cell->A, m, zeta, next_to_0 ? cell->h_A : cell->h, cell->h_A,
+                                     quartic);
+    sf_critical_of(cell, sfi_of(0.5 * quartic[2].lo, 0.5 * quartic[2].hi), 0.25 * quartic[1].lo, &box);
+    for (i = 0; i < 2; i++) {
+        const sf_interval w = i == 0 ? box.w1 : box.w2;
+        out[i].where = i == 0 && model->m == 0 ? SF_NOWHERE : box.where;
+        if (out[i].where == SF_NOWHERE || !(open & 1 << i))
+            continue;
+        if (next_to_0) { /* F_A over A, where h/A is a slope of h */
+            const sf_interval per_A = sfi_div(m, cell->A);
+            sf_range_simple(slow_flow_intervals_F_A(w, one, per_A, zeta, cell->h_A, cell->h_A),
+                            sfi_of(-HUGE_VAL, HUGE_VAL), box.where, &out[i]);
+            continue;
+        }
+        sf_range_simple(slow_flow_intervals_F_A(w, cell->A, m, zeta, cell->h, cell->h_A),
+                        slow_flow_intervals_F_AA(w, cell->A, m, zeta, cell->h, cell->h_A, cell->h_AA), box.where,
+                        &out[i]);
+        out[i].y.lo *= 0.5, out[i].y.hi *= 0.5, out[i].dy.lo *= 0.5, out[i].dy.hi *= 0.5;
+    }
+}
+
+/* What F does not exceed at an extremum over Omega: R = -zeta I/Omega is not positive there, so that |R| <= |h| and
+ * A Omega^2 <= |h|. Of small amplitudes this tells all, also where h/A has no bound. */
+static inline double sf_most_of_peak(const sf_model *model, double F_0, const sf_cell *cell) {
+    const double size = sfi_most(fabs(cell->h.lo), fabs(cell->h.hi));
+    const double lag =
+        slow_flow_I(sqrt(cell->A.hi * size), 1, model->m, model->zeta); /* A Omega = sqrt(A size) at most */
+    return (size * size + lag * lag) * (1 + SF_DOUBT) - F_0 * F_0 * (1 - SF_DOUBT);
+}
+
+/* The critical values rise with A where Omega^2 > h_A, and fall where it is less. */
+static inline void sf_range_peak(const sf_model *model, double F_0, const sf_cell *cell, int open, sf_range out[2]) {
+    const sf_interval m = sfi_point(model->m), zeta = sfi_point(model->zeta);
+    const sf_interval one = sfi_point(1);
+    const int next_to_0 = cell->A.lo == 0;
+    const double most = sf_most_of_peak(model, F_0, cell);
+    sf_interval cubic[3], peak[2];
+    sf_critical_box box;
+    int i;
+    slow_flow_intervals_peak_cubic(next_to_0 ? one : cell->A, m, zeta, next_to_0 ? cell->h_A : cell->h, cubic);
+    sf_critical_of(cell, cubic[1], cubic[0].lo, &box);
+    for (i = 0; i < 2; i++) {
+        const sf_interval w = i == 0 ? box.w1 : box.w2;
+        out[i].where = model->zeta == 0 || (i == 0 && model->m == 0) ? SF_NOWHERE : box.where;
+        if (out[i].where == SF_NOWHERE || !(open & 1 << i))
+            continue;
+        slow_flow_intervals_peak(w, cell->A, sfi_point(F_0), m, zeta, cell->h_A, peak);
+        peak[0].lo = peak[0].lo > -HUGE_VAL ? peak[0].lo : -HUGE_VAL;
+        peak[0].hi = sfi_least(peak[0].hi, most);
+        sf_range_simple(peak[0], peak[1], box.where, &out[i]);
+    }
+}
+
+/* F at Omega = 0 */
+static inline void sf_range_rest(const sf_model *model, double F_0, const sf_cell *cell, sf_range out[2]) {
+    double halves[3];
+    slow_flow_rest(F_0, model->m, 0, 0, halves); /* -c, c */
+    sf_range_simple(sfi_add(cell->h, sfi_around(halves[0])), cell->h_A, SF_THROUGHOUT, &out[0]);
+    sf_range_simple(sfi_add(cell->h, sfi_around(halves[1])), cell->h_A, SF_THROUGHOUT, &out[1]);
+}
+
+/* F by R and its tangent, F_A and F_AA. */
+static inline void sf_range_state(const sf_terms *terms, sf_interval Omega, const sf_cell *cell, sf_range *out) {
+    sf_interval R[2], state[3];
+    slow_flow_intervals_state_R(Omega, cell->A, cell->h, cell->h_A, cell->k, R);
+    slow_flow_intervals_state(Omega, cell->A, terms->F_0, terms->m, terms->zeta, cell->h_A, cell->h_AA,
+                              sfi_both(R[0], R[1]), state);
+    sf_range_simple(state[0], state[1], SF_THROUGHOUT, out);
+    out->ddy = state[2];
+}
+
+/* Parameters are rounded, and with them what the force gains at a breakpoint: next to it that moves h_A, as the inverse
+ * of the root there, by more than k, which has the gain itself. */
+static inline void sf_doubt_gains(const sf_model *model, sf_cell *cell) {
+    const double A[2] = {cell->A.lo, cell->A.hi}, size = SF_DOUBT * (A[1] + fabs(cell->h.lo));
+    double doubt[2];
+    int i, end;
+    for (i = 0; i < model->breaks; i++) {
+        const double b = model->b[i];
+        if (!(A[0] >= b && A[0] <= SF_NEXT_TO_BREAK * b))
+            continue;
+        for (end = 0; end < 2; end++)
+            doubt[end] = size / sqrt((A[end] - b) * (A[end] + b));
+        cell->h_A.lo -= doubt[cell->h_AA.hi <= 0], cell->h_A.hi += doubt[cell->h_AA.lo >= 0];
+    }
+}
+
+/* The same, F_A and F_AA only where what comes before them has no sign on the cell. Inlined, so that no call computes
+ * what is not taken of it. */
+SF_FLAT static inline void sf_range_state_in_turn(const sf_terms *terms, sf_interval Omega, const sf_cell *cell,
+                                                  sf_range *out)
+{
+    const sf_interval F_0 = terms->F_0, m = terms->m, zeta = terms->zeta, A = cell->A, h_A = cell->h_A,
+                      h_AA = cell->h_AA;
+    sf_interval R[2], state[3];
+    slow_flow_intervals_state_R(Omega, A, cell->h, h_A, cell->k, R);
+    R[0] = sfi_both(R[0], R[1]);
+    slow_flow_intervals_state(Omega, A, F_0, m, zeta, h_A, h_AA, R[0], state);
+    sf_range_simple(state[0], sfi_of(-HUGE_VAL, HUGE_VAL), SF_THROUGHOUT, out);
+    out->ddy = out->dy;
+    if (sfi_has_sign(out->y))
+        return;
+    slow_flow_intervals_state(Omega, A, F_0, m, zeta, h_A, h_AA, R[0], state);
+    out->dy = state[1];
+    if (sfi_has_sign(out->dy))
+        return;
+    slow_flow_intervals_state(Omega, A, F_0, m, zeta, h_A, h_AA, R[0], state);
+    out->ddy = state[2];
+}
+
+/* x rises with the first of its terms and falls with the others, so their corners hold it. No level of A is above A, so
+ * that a peak exceeds F_0; and below the least amplitude that is looked at the force is its slope, where nothing
+ * vanishes. */
+static inline void sf_range_inertial(const sf_asked *asked, const sf_cell *cell, sf_range out[2]) {
+    const sf_interval m = asked->terms.m, zeta = asked->terms.zeta;
+    sf_range *own = &out[asked->question == SF_PEAK];
+    sf_interval terms[3], x, found[2];
+    out[0].where = out[1].where = SF_NOWHERE;
+    if (asked->question == SF_REST || cell->A.hi <= SF_FIRST || (asked->question == SF_PEAK && cell->A.hi < asked->F_0))
+        return;
+    if (cell->A.lo == 0) {
+        own->where = SF_PARTLY, own->y = own->dy = sfi_of(-HUGE_VAL, HUGE_VAL), own->edge = 0;
+        return;
+    }
+    inertia_intervals_terms(cell->A, m, zeta, cell->h, terms);
+    own->where = sf_where_positive(terms[0]);
+    if (own->where == SF_NOWHERE)
+        return;
+    x.lo = terms[0].lo > 0 ? inertia_least(terms[0].lo, terms[1].hi, terms[2].hi) * (1 - SF_DOUBT) : 0;
+    x.hi = inertia_least(terms[0].hi, terms[1].lo, terms[2].lo) * (1 + SF_DOUBT);
+    if (asked->question == SF_PEAK)
+        inertia_intervals_peak(x, cell->A, asked->terms.F_0, m, zeta, cell->h, cell->h_A, found);
+    else
+        inertia_intervals_isola(x, cell->A, m, zeta, cell->h, cell->h_A, cell->h_AA, found);
+    sf_range_simple(found[0], found[1], own->where, own);
+}
+
+/* open: which channels are wanted; a, b: what is known at the ends of the cell, of which only the slopes are made */
+static inline void sf_find_range(const sf_asked *asked, const sf_known *a, const sf_known *b, sf_cell *cell, int open,
+                                 sf_range out[2]) {
+    const sf_model *model = asked->model;
+    if (asked->question == SF_CUSP) {
+        sf_range_cusp(asked, a, b, cell, open, out);
+        return;
+    }
+    sf_add_values(a, b, cell);
+    if (sf_is_of_inertia(asked)) {
+        sf_range_inertial(asked, cell, out);
+        return;
+    }
+    switch (asked->question) {
+    case SF_STIFFNESS:
+        sf_range_stiffness(cell, out);
+        break;
+    case SF_FOLD_AT:
+        sf_range_fold(&asked->terms, cell, out);
+        break;
+    case SF_ISOLA:
+        sf_range_isola(&asked->terms, cell, out);
+        break;
+    case SF_CUSP:
+        break;
+    case SF_TURN:
+        sf_range_turn(model, cell, open, out);
+        break;
+    case SF_UNDAMPED:
+        sf_range_undamped(cell, out);
+        break;
+    case SF_PEAK:
+        sf_range_peak(model, asked->F_0, cell, open, out);
+        break;
+    case SF_REST:
+        sf_range_rest(model, asked->F_0, cell, out);
+        break;
+    case SF_STATE:
+        sf_doubt_gains(model, cell);
+        sf_range_state_in_turn(&asked->terms, sfi_point(asked->Omega), cell, out);
+        break;
+    }
+}
+
+#endif

@@ -1,0 +1,356 @@
+/* The second approximation's answers: in goes its curve, or a critical forcing of the first one, out come folds, states
+ * and the peak, which lie between the curve's points, and critical forcings.
+ */
+#ifndef SF_SECOND_ANSWERS_H
+#define SF_SECOND_ANSWERS_H
+
+#include "onset.h"
+#include "second.h"
+
+/* ==== Zeros in a bracket ========================================================================================== */
+
+typedef double sf_function(const void *given, double x);
+
+/* The zero between a and b, at which the function has the signs of f_a and f_b, to a relative width; Chandrupatla's
+ * choice between the inverse quadratic and the middle. */
+static double sf_zero_between(sf_function *f, const void *given, double a, double f_a, double b, double f_b,
+                              double width) {
+    double share = 0.5, c = a, f_c = f_a;
+    int i;
+    for (i = 0; i < 200; i++) {
+        const double x = a + share * (b - a), f_x = f(given, x);
+        double least;
+        if ((f_x < 0) == (f_a < 0))
+            c = a, f_c = f_a;
+        else
+            c = b, f_c = f_b, b = a, f_b = f_a;
+        a = x, f_a = f_x;
+        least = 0.5 * width * fabs(fabs(f_a) < fabs(f_b) ? a : b) / fabs(b - a);
+        if (!(least < 0.5) || f_x == 0)
+            break;
+        {
+            const double xi = (a - b) / (c - b), phi = (f_a - f_b) / (f_c - f_b);
+            if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)
+                share =
+                    f_a / (f_b - f_a) * f_c / (f_b - f_c) + (c - a) / (b - a) * f_a / (f_c - f_a) * f_b / (f_c - f_b);
+            else
+                share = 0.5;
+        }
+        share = fmin(fmax(share, least), 1 - least);
+    }
+    return fabs(f_a) < fabs(f_b) ? a : b;
+}
+
+/* ==== Folds ======================================================================================================= */
+
+/* Where F_A is asked between two points of a curve, by amplitude. */
+typedef struct {
+    const sf_second *second;
+    double A[2], Omega[2];
+} sf_second_between;
+
+static double sf_Omega_between(const sf_second_between *between, double A) {
+    const double share = (A - between->A[0]) / (between->A[1] - between->A[0]);
+    double step;
+    return sf_second_frequency(between->second, A, between->Omega[0] + share * (between->Omega[1] - between->Omega[0]),
+                               &step);
+}
+
+static double sf_slope_between(const void *given, double A) {
+    const sf_second_between *between = given;
+    double known[SF_KNOWN];
+    sf_balance at;
+    const double Omega = sf_Omega_between(between, A);
+    sf_second_known(between->second->model, 1, &A, known);
+    sf_second_of(between->second, Omega, A, known, &at);
+    return at.F_A;
+}
+
+/* Where F_A changes its sign between two neighbouring points; 0 where it cannot be found. */
+static int sf_second_fold_between(const sf_second *second, const sf_second_point *one, const sf_second_point *other,
+                                  sf_second_fold *fold) {
+    const sf_second_point *low = one->A < other->A ? one : other, *high = one->A < other->A ? other : one;
+    const sf_second_between between = {second, {low->A, high->A}, {low->Omega, high->Omega}};
+    const double f_low = sf_slope_between(&between, low->A), f_high = sf_slope_between(&between, high->A);
+    sf_balance at;
+    int k;
+    if (!sf_opposite(f_low, f_high) || !(low->A < high->A))
+        return 0;
+    fold->A = sf_zero_between(sf_slope_between, &between, low->A, f_low, high->A, f_high, 0x1p-50);
+    fold->corner = 0, fold->up = f_low > 0;
+    for (k = 0; k < second->model->breaks; k++)
+        if (fabs(fold->A - second->model->b[k]) <= 0x1p-49 * second->model->b[k])
+            fold->corner = 1, fold->A = second->model->b[k];
+    /* next to a tip the frequency may slip to its other side, and the slope with it */
+    if (!fold->corner &&
+        !(fabs(sf_slope_between(&between, fold->A)) <= SF_VANISHED * fmax(fabs(f_low), fabs(f_high))))
+        return 0;
+    fold->Omega = sf_Omega_between(&between, fold->A);
+    sf_second_at(second, fold->Omega, fold->A, &at);
+    fold->u_max = at.u_max, fold->A_1 = at.A_1;
+    return 1;
+}
+
+static int sf_is_same_fold(const sf_second_fold *a, const sf_second_fold *b) {
+    return fabs(a->Omega - b->Omega) <= SF_SETTLED * b->Omega && fabs(a->A - b->A) <= SF_SETTLED * b->A &&
+           a->corner == b->corner && a->up == b->up;
+}
+
+/* Every fold between points of the curve, by rising Omega. */
+static void sf_folds_on(const sf_model *model, double F_0, const sf_second_curve *curve, sf_second_folds *out) {
+    const sf_second here = {model, F_0, SF_EVERY_POINT}, *second = &here;
+    long i;
+    int k;
+    out->n = out->lost = out->tried = 0, out->status = SF_OK;
+    for (i = 1; i < curve->n; i++) {
+        const sf_second_point *one = &curve->point[i - 1], *other = &curve->point[i];
+        sf_second_fold fold;
+        if (one->part != other->part || (one->at.F_A > 0) == (other->at.F_A > 0))
+            continue;
+        out->tried++;
+        if (!sf_second_fold_between(second, one, other, &fold)) {
+            out->lost++;
+            continue;
+        }
+        /* where points crowd the curve may turn to and fro within rounding */
+        for (k = 0; k < out->n && !sf_is_same_fold(&out->at[k], &fold); k++)
+            ;
+        if (k < out->n)
+            continue;
+        if (out->n == SF_MOST_FOLDS) {
+            out->status = SF_TOO_MANY;
+            return;
+        }
+        for (k = out->n++; k > 0 && out->at[k - 1].Omega > fold.Omega; k--)
+            out->at[k] = out->at[k - 1];
+        out->at[k] = fold;
+    }
+}
+
+/* ==== States ====================================================================================================== */
+
+/* The state at a frequency between two amplitudes with one in between; 0 where it is not found. */
+static int sf_second_state(const sf_second *second, double Omega, double low, double A, double high,
+                           sf_second_point *out) {
+    sf_balance at_low, at_high, at;
+    double step = HUGE_VAL;
+    int between, k;
+    sf_second_at(second, Omega, low, &at_low);
+    sf_second_at(second, Omega, high, &at_high);
+    between = (at_low.F > 0) != (at_high.F > 0);
+    for (k = 0; k < SF_STEPS && fabs(step) > 0x1p-52 * A; k++) {
+        sf_second_at(second, Omega, A, &at);
+        if (between && (at.F > 0) == (at_high.F > 0))
+            high = A;
+        else if (between)
+            low = A;
+        step = at.F / at.F_A;
+        if (between && !(A - step >= low && A - step <= high) && fabs(step) > SF_DONE * A)
+            A = sqrt(low * high);
+        else
+            A = fmin(fmax(A - step, low), high);
+    }
+    out->Omega = Omega, out->A = A;
+    sf_second_at(second, Omega, A, &out->at);
+    return fabs(step) <= SF_DONE * A;
+}
+
+/* The states at a frequency where the curve crosses it, by rising A; out has room for as many as sf_most_crossings
+ * says. */
+static int sf_states_on(const sf_model *model, double F_0, const sf_second_curve *curve, double Omega,
+                        sf_second_point *out) {
+    const sf_second here = {model, F_0, SF_EVERY_POINT}, *second = &here;
+    int n = 0, k;
+    long i;
+    for (i = 1; i < curve->n; i++) {
+        const sf_second_point *one = &curve->point[i - 1], *other = &curve->point[i];
+        sf_second_point found;
+        double share;
+        if (one->part != other->part || (one->Omega > Omega) == (other->Omega > Omega))
+            continue;
+        share = (Omega - one->Omega) / (other->Omega - one->Omega);
+        if (!sf_second_state(second, Omega, fmin(one->A, other->A), exp(log(one->A) + share * log(other->A / one->A)),
+                             fmax(one->A, other->A), &found))
+            continue;
+        /* a curve that turns beside a corner may cross a frequency to and fro within rounding */
+        for (k = 0; k < n && fabs(out[k].A - found.A) > SF_SETTLED * found.A; k++)
+            ;
+        if (k < n)
+            continue;
+        for (k = n++; k > 0 && out[k - 1].A > found.A; k--)
+            out[k] = out[k - 1];
+        out[k] = found;
+    }
+    return n;
+}
+
+static long sf_most_crossings(const sf_second_curve *curve, double Omega) {
+    long i, n = 0;
+    for (i = 1; i < curve->n; i++)
+        n += curve->point[i - 1].part == curve->point[i].part &&
+             (curve->point[i - 1].Omega > Omega) != (curve->point[i].Omega > Omega);
+    return n;
+}
+
+/* ==== Critical forcings =========================================================================================== */
+
+/* F, F_A and F_AA over F_0^2 by ln A, at a state given by logarithms. */
+static void sf_second_cusp_at(const sf_second *second, double ln_Omega, double ln_A, double out[2]) {
+    const double Omega = exp(ln_Omega), A = exp(ln_A), per = A / (second->F_0 * second->F_0);
+    double k[SF_KNOWN], folds[3];
+    sf_second_known(second->model, 1, &A, k);
+    second_approximation_folds(Omega, A, second->F_0, second->model->m, second->model->zeta, k[0], k[1], k[2], k[3],
+                               k[4], k[5], k[6], k[7], k[8], k[9], k[10], k[11], folds);
+    out[0] = folds[1] * per, out[1] = folds[2] * per * A;
+}
+
+/* The lowest forcing that has a fold, from the first approximation's cusp: F_A = F_AA = 0, which do not hold F_0, by
+ * Newton's iteration with differences for slopes. */
+static sf_second_status sf_second_cusp(const sf_model *model, const sf_onset *first, sf_onset *out, double *u_max) {
+    const sf_second second = {model, first->F_SN, SF_EVERY_POINT};
+    const double from[2] = {log(first->Omega), log(first->A)}, apart = 0x1p-20;
+    double x[2] = {from[0], from[1]}, g[2], moved = HUGE_VAL, Omega, A, k[SF_KNOWN], balance[3];
+    int i;
+    for (i = 0; i < SF_STEPS && moved > 0x1p-50; i++) {
+        double by[2][2], determinant, step[2];
+        int j;
+        sf_second_cusp_at(&second, x[0], x[1], g);
+        for (j = 0; j < 2; j++) {
+            double up[2], down[2];
+            sf_second_cusp_at(&second, x[0] + (j == 0) * apart, x[1] + (j == 1) * apart, up);
+            sf_second_cusp_at(&second, x[0] - (j == 0) * apart, x[1] - (j == 1) * apart, down);
+            by[0][j] = (up[0] - down[0]) / (2 * apart), by[1][j] = (up[1] - down[1]) / (2 * apart);
+        }
+        determinant = by[0][0] * by[1][1] - by[0][1] * by[1][0];
+        step[0] = -(g[0] * by[1][1] - g[1] * by[0][1]) / determinant;
+        step[1] = -(g[1] * by[0][0] - g[0] * by[1][0]) / determinant;
+        moved = fmax(fabs(step[0]), fabs(step[1]));
+        if (!(moved < HUGE_VAL))
+            return SF_FAR_SECOND;
+        for (j = 0; j < 2; j++)
+            x[j] += step[j] * fmin(1, SF_LONGEST / moved);
+    }
+    Omega = exp(x[0]), A = exp(x[1]);
+    if (!(moved <= SF_DONE && fabs(x[0] - from[0]) <= SF_SMALL && fabs(x[1] - from[1]) <= SF_SMALL))
+        return SF_FAR_SECOND;
+    sf_second_known(model, 1, &A, k);
+    second_approximation_detachment(Omega, A, model->m, model->zeta, k[0], k[1], k[2], k[4], k[5], k[6], k[8], k[9],
+                                    k[10], balance);
+    out->F_SN = balance[0];
+    if (!(fabs(log(out->F_SN / first->F_SN)) <= SF_SMALL && sf_second_is_small(&second, Omega, A)))
+        return SF_FAR_SECOND;
+    out->Omega = Omega, out->A = A, out->kind = SF_CUSP_KIND, out->rest = first->rest;
+    *u_max = balance[1];
+    return SF_OK_SECOND;
+}
+
+/* A at which the largest displacement is u at a frequency: above it by what friction's harmonics take off; and the
+ * forcing, u_max and what vanishes where the forcing is least. */
+static double sf_second_reaching(const sf_model *model, double u, double Omega, double balance[3]) {
+    double A = u;
+    int i;
+    for (i = 0; i < SF_STEPS; i++) {
+        double k[SF_KNOWN];
+        sf_second_known(model, 1, &A, k);
+        second_approximation_detachment(Omega, A, model->m, model->zeta, k[0], k[1], k[2], k[4], k[5], k[6], k[8], k[9],
+                                        k[10], balance);
+        if (fabs(u / balance[1] - 1) <= SF_ROUNDING)
+            break;
+        A *= u / balance[1];
+    }
+    return A;
+}
+
+typedef struct {
+    const sf_model *model;
+    double u;
+} sf_second_reach;
+
+static double sf_turning_at(const void *given, double Omega) {
+    const sf_second_reach *reach = given;
+    double balance[3];
+    sf_second_reaching(reach->model, reach->u, Omega, balance);
+    return balance[2];
+}
+
+/* The lowest forcing whose largest displacement is u_cr; no iteration over A and Omega at once: next to u_cr, above
+ * which the harmonics change, it gets stuck. */
+static sf_second_status sf_second_detach(const sf_model *model, double F_first, double Omega_first, double u_cr,
+                                         double *F_cr, double *Omega_cr) {
+    const sf_second_reach reach = {model, u_cr};
+    const sf_second second = {model, F_first, SF_EVERY_POINT};
+    int i;
+    if (Omega_first == 0)
+        return SF_STATIC_SECOND;
+    for (i = 10; i >= 0; i--) {
+        const double width = ldexp(SF_SMALL, -i), low = Omega_first * exp(-width), high = Omega_first * exp(width);
+        const double f_low = sf_turning_at(&reach, low), f_high = sf_turning_at(&reach, high);
+        double balance[3], A;
+        if (!(f_low < 0 && f_high > 0))
+            continue;
+        *Omega_cr = sf_zero_between(sf_turning_at, &reach, low, f_low, high, f_high, 0x1p-46);
+        A = sf_second_reaching(model, u_cr, *Omega_cr, balance);
+        *F_cr = balance[0];
+        /* without damping it is nought to rounding */
+        if (fabs(A / u_cr - 1) < SF_SMALL && fabs(*F_cr - F_first) < SF_SMALL * F_first + SF_DONE * u_cr &&
+            sf_second_is_small(&second, *Omega_cr, A))
+            return SF_OK_SECOND;
+    }
+    return SF_FAR_SECOND;
+}
+
+/* What vanishes where u_max is largest along the curve, by frequency; near a peak A hardly depends on that. */
+typedef struct {
+    const sf_second *second;
+    double A;
+} sf_second_near;
+
+static double sf_amplitude_near(const sf_second_near *near, double Omega, double balance[3]) {
+    double A = near->A, step = HUGE_VAL, k[SF_KNOWN];
+    int i;
+    for (i = 0; i < SF_STEPS && fabs(step) > SF_DONE; i++) {
+        sf_balance at;
+        sf_second_at(near->second, Omega, A, &at);
+        step = sf_clipped(at.F / (at.F_A * A));
+        A *= sf_grown(-step);
+    }
+    sf_second_known(near->second->model, 1, &A, k);
+    second_approximation_detachment(Omega, A, near->second->model->m, near->second->model->zeta, k[0], k[1], k[2], k[4],
+                                    k[5], k[6], k[8], k[9], k[10], balance);
+    return fabs(step) <= SF_DONE ? A : NAN;
+}
+
+static double sf_turning_near(const void *given, double Omega) {
+    double balance[3];
+    sf_amplitude_near(given, Omega, balance);
+    return balance[2];
+}
+
+/* The highest peak of a curve; `far` where there is none between its points. */
+static sf_second_status sf_peak_on(const sf_model *model, double F_0, const sf_second_curve *curve,
+                                   sf_second_point *out) {
+    const sf_second here = {model, F_0, SF_EVERY_POINT}, *second = &here;
+    sf_second_near near = {second, 0};
+    const sf_second_point *top = NULL, *low, *high;
+    double f_low, f_high, balance[3];
+    long i;
+    for (i = 1; i + 1 < curve->n; i++)
+        if (curve->point[i - 1].part == curve->point[i + 1].part &&
+            (top == NULL || curve->point[i].at.u_max > top->at.u_max))
+            top = &curve->point[i];
+    if (top == NULL || !(top->at.u_max >= top[-1].at.u_max && top->at.u_max >= top[1].at.u_max))
+        return SF_FAR_SECOND;
+    low = top[-1].Omega < top[1].Omega ? top - 1 : top + 1, high = low == top - 1 ? top + 1 : top - 1;
+    near.A = top->A;
+    f_low = sf_turning_near(&near, low->Omega), f_high = sf_turning_near(&near, high->Omega);
+    if (!(low->Omega < high->Omega && sf_opposite(f_low, f_high) && f_low == f_low && f_high == f_high))
+        return SF_FAR_SECOND;
+    out->Omega = sf_zero_between(sf_turning_near, &near, low->Omega, f_low, high->Omega, f_high, 0x1p-46);
+    out->A = sf_amplitude_near(&near, out->Omega, balance);
+    if (!(out->A > 0))
+        return SF_FAR_SECOND;
+    sf_second_at(second, out->Omega, out->A, &out->at);
+    return SF_OK_SECOND;
+}
+
+#endif

@@ -1,0 +1,148 @@
+/* The second approximation's balance, and Newton's iteration in lanes: in go points near its curve, out come those to
+ * which each moves.
+ */
+#ifndef SF_SECOND_NEWTON_H
+#define SF_SECOND_NEWTON_H
+
+#include "elementary.h"
+#include "model.h"
+#include "second_approximation.h"
+#include "second_work.h"
+
+enum { SF_LANES = 64 };
+
+/* step to the frequency of a given R after which Newton's iteration takes over */
+#define SF_MATCHED 1e-5
+
+typedef struct {
+    const sf_model *model;
+    double F_0;
+    sf_wanted wanted;
+} sf_second;
+
+/* ==== The balance ================================================================================================= */
+
+static void sf_second_known(const sf_model *model, ptrdiff_t n, const double *A, double *known) {
+    model->mechanism->averaged(n, A, model->p, known);
+    model->mechanism->harmonics(n, A, model->p, known + 4 * n);
+}
+
+static void sf_second_of(const sf_second *second, double Omega, double A, const double *known, sf_balance *out) {
+    second_approximation_response(Omega, A, second->F_0, second->model->m, second->model->zeta, known[0], known[1],
+                                  known[2], known[4], known[5], known[6], known[8], known[9], known[10], out->values);
+}
+
+static void sf_second_at(const sf_second *second, double Omega, double A, sf_balance *out) {
+    double known[SF_KNOWN];
+    sf_second_known(second->model, 1, &A, known);
+    sf_second_of(second, Omega, A, known, out);
+}
+
+/* Where the third harmonic is above its resonance. */
+static inline int sf_off_resonance(double Omega, double A, double h) {
+    return fabs(h) < SECOND_APPROXIMATION_RESONANCE * A * Omega * Omega;
+}
+
+/* Where the harmonics are a correction: the force's, and friction's, which take u_max below A. */
+static inline int sf_is_small(double Omega, double A, double h, double A_1, double u_max) {
+    return sf_off_resonance(Omega, A, h) && fabs(A_1 / A - 1) < SF_HARMONICS && fabs(u_max / A - 1) < SF_SMALL;
+}
+
+static int sf_second_is_small(const sf_second *second, double Omega, double A) {
+    double h[4];
+    sf_balance at;
+    second->model->mechanism->averaged(1, &A, second->model->p, h);
+    sf_second_at(second, Omega, A, &at);
+    return sf_is_small(Omega, A, h[0], at.A_1, at.u_max);
+}
+
+static inline double sf_clipped(double step) { return fmin(fmax(step, -SF_LONGEST), SF_LONGEST); }
+
+static inline double sf_grown(double x) { return fabs(x) < SF_SHORT ? sf_short_exp(x) : exp(x); }
+
+/* ==== Newton's iteration in lanes ================================================================================= */
+
+/* Points under way: where they are, and which they are. */
+typedef struct {
+    double Omega[SF_LANES], A[SF_LANES], R[SF_LANES];
+    int which[SF_LANES];
+    int n;
+} sf_lanes;
+
+/* Points where they end: with the last step, infinite where none was taken, and -1 where none is wanted; and what is
+ * looked for there, F_A or u_max, of points that went their own way. */
+typedef struct {
+    double *Omega, *A, *R, *step, *value;
+} sf_moved;
+
+/* Whole vectors of lanes: the last one again and again. */
+static int sf_whole_lanes(sf_lanes *lanes) {
+    int n = lanes->n, i;
+    for (i = n; i < SF_LANES && i % SF_VECTOR != 0; i++)
+        lanes->Omega[i] = lanes->Omega[n - 1], lanes->A[i] = lanes->A[n - 1], lanes->R[i] = lanes->R[n - 1];
+    return i;
+}
+
+/* Steps of the lanes to logarithms, which are taken: values times exp(step). */
+static void sf_take_steps(int n, const double *steps, const double *grown, double *values) {
+    int i;
+    for (i = 0; i < n; i++)
+        values[i] *= fabs(steps[i]) < SF_SHORT ? grown[i] : exp(steps[i]);
+}
+
+/* The frequency at which the cosine balance is R, the one given where R hardly depends on it. */
+static void sf_second_match(const sf_second *second, int n, const double *known, sf_lanes *lanes) {
+    double out[SF_BALANCE * SF_LANES], matches[SF_MATCH * SF_LANES], way[SF_LANES] = {0};
+    int i, k;
+    for (k = 0; k < SF_MATCHING; k++) {
+        int open = 0;
+        sf_second_balances(n, lanes->Omega, lanes->A, second->F_0, second->model->m, second->model->zeta, known, out);
+        sf_second_matches(n, lanes->Omega, lanes->R, way, second->F_0, out, matches);
+        sf_take_steps(n, matches, matches + n, lanes->Omega);
+        for (i = 0; i < n; i++) {
+            way[i] += matches[i];
+            open |= fabs(matches[i]) > SF_MATCHED;
+        }
+        if (!open)
+            break;
+    }
+}
+
+/* Newton's iteration of the lanes; match: whether they are so far that their frequencies should first match R. */
+static void sf_second_settle(const sf_second *second, sf_lanes *lanes, int match, const sf_moved *moved) {
+    const double F_0 = second->F_0;
+    double known[SF_KNOWN * SF_LANES], out[SF_BALANCE * SF_LANES], newton[SF_NEWTON * SF_LANES];
+    int i, k;
+    for (k = 0; k < SF_STEPS && lanes->n > 0; k++) {
+        const int n = sf_whole_lanes(lanes), count = lanes->n;
+        const double *size = newton, *done = newton + n, *R = newton + 2 * n, *x = newton + 3 * n, *z = newton + 5 * n;
+        sf_second_known(second->model, n, lanes->A, known);
+        if (match)
+            sf_second_match(second, n, known, lanes);
+        sf_second_balances(n, lanes->Omega, lanes->A, F_0, second->model->m, second->model->zeta, known, out);
+        sf_second_newton(n, lanes->Omega, lanes->A, F_0, out, newton);
+        sf_take_steps(count, x, x + n, lanes->A);
+        sf_take_steps(count, z, z + n, lanes->Omega);
+        lanes->n = 0;
+        for (i = 0; i < count; i++) {
+            const double Omega = lanes->Omega[i], A = lanes->A[i];
+            const int which = lanes->which[i], to = lanes->n;
+            moved->Omega[which] = Omega, moved->A[which] = A, moved->R[which] = R[i], moved->step[which] = size[i];
+            if (size[i] > done[i]) { /* NaN ends it too */
+                lanes->Omega[to] = Omega, lanes->A[to] = A, lanes->R[to] = R[i];
+                lanes->which[to] = which, lanes->n++;
+            }
+        }
+    }
+    lanes->n = 0; /* what is not settled by now does not settle */
+}
+
+static void sf_enter_lane(const sf_second *second, int which, double Omega, double A, double R, int match,
+                          sf_lanes *lanes, const sf_moved *moved) {
+    lanes->Omega[lanes->n] = Omega, lanes->A[lanes->n] = A, lanes->R[lanes->n] = R;
+    lanes->which[lanes->n++] = which;
+    if (lanes->n == SF_LANES)
+        sf_second_settle(second, lanes, match, moved);
+}
+
+#endif
