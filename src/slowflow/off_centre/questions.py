@@ -1,7 +1,6 @@
 """The averaged questions off the centre: in goes a force as steps with damping and load, out come states with B.
 
-u = B + A cos psi with the balance of the mean f_0(A, B) = 0. Every answer holds all there is: no part of the plane of A
-and B is left unless it is proved to hold nothing (see `boxes`), whatever the balance's sheets do, wherever they turn.
+u = B + A cos psi with the balance of the mean f_0(A, B) = 0. Every answer holds all there is (see `complete`).
 """
 
 from __future__ import annotations
@@ -10,7 +9,6 @@ import math
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial, reduce
-from itertools import pairwise
 from operator import or_
 from typing import Any, NamedTuple, TypeVar
 
@@ -22,7 +20,6 @@ from slowflow.answer import joined
 from slowflow.averaged import remarks
 from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.questions import Averaged
-from slowflow.averaged.reference.roots import response_roots
 from slowflow.loaded import Loaded
 from slowflow.model import Floats, Model
 from slowflow.off_centre.answers import (
@@ -35,33 +32,21 @@ from slowflow.off_centre.answers import (
     RestPositions,
 )
 from slowflow.off_centre.boxes import Ints, Solutions, solve
-from slowflow.off_centre.by_ends import EndedFold, EndedState
+from slowflow.off_centre.complete import AT_CENTRE, PARTS, UNBOUNDED, Complete
 from slowflow.off_centre.curve import Curves, Slow, curves, on_curve
-from slowflow.off_centre.equations import Detaching, Fold, Resting
+from slowflow.off_centre.equations import Detaching, Resting
 from slowflow.off_centre.means import ORDERS, Means, Steps
-from slowflow.off_centre.onset import Lowest, Search
 from slowflow.off_centre.reach import AMPLITUDE, BACKBONE, LARGEST, Farthest, Measure, Reach
-from slowflow.off_centre.sheets import Corner, Sheets
 from slowflow.results import Remark, SaddleNodes
 from slowflow_kernels import off_centre, slow_flow
 
-#: octaves of the amplitude that are looked at apart from the first, below and above the size of the problem
-BELOW, ABOVE = 4, 8
-#: parts of the range of B that are looked at first
-PARTS = 8
-#: frequencies that are looked at together
-TOGETHER = 64
 #: answers that are kept of one oscillator
 KEPT = 64
 #: how nearly the highest frequency is known that is looked at for isolation
 COARSE = 2.0**-6
-#: |B| up to which a motion without a load is about the centre, where all others are told from it by more
-AT_CENTRE = 1e-12
-
 STICKS = "sticks: F_0 = {:g} does not exceed 4 mu/pi = {:g}"
 UNDAMPED = "{} needs zeta > 0 off the centre: without viscous damping amplitudes have no bound"
 BEYOND = "at rest the mass stands at the first breakpoint or beyond it already"
-UNBOUNDED = "the outermost piece of the force does not grow: motions off the centre have no bound there"
 ONE_PIECE = "no detachment: the force has one piece only"
 NOT_REACHED = "no motion comes to the first breakpoint"
 TURNS = "the mean turns back where a motion goes farthest: how far is told to 2^-24 of it"
@@ -103,7 +88,7 @@ class OffCentre:
         self._steps = Steps(model.mechanism, model.parameters, load)
         self._m, self._zeta = model.m, model.zeta
         self._reach = Reach(self._steps, self._m, self._zeta)
-        self._sheets = Sheets(self._steps, self._offset_bound)
+        self._complete = Complete(self._steps, self._m, self._zeta)
         self._known: dict[tuple[Any, ...], Any] = {}
 
     def __eq__(self, other: object) -> bool:
@@ -140,7 +125,7 @@ class OffCentre:
 
     def rest(self) -> RestPositions:
         """Every place of rest, f(u) = load."""
-        bound = self._offset_bound(0.0)
+        bound = self._complete.offset_bound(0.0)
         edges = np.concatenate((np.linspace(-bound, bound, PARTS + 1), self._steps.places * self._steps.sides))
         edges = np.unique(edges[(edges >= -bound) & (edges <= bound)])
         found = solve(
@@ -230,8 +215,8 @@ class OffCentre:
             return self._states(at, np.empty(0), np.empty(0), F_0, said, np.empty(0), np.empty(0, int))
         x, of, undecided = np.empty((2, 0)), np.empty(0, dtype=np.intp), np.empty(0, dtype=np.intp)
         if not self._keeps_centre:
-            x, of, undecided = self._at_each(at, F_0)
-        if self._has_centre:
+            x, of, undecided = self._complete.states(at, F_0)
+        if self._complete.has_centre:
             centred = Averaged(self._model).amplitudes(Omega=at, F_0=F_0)
             of_centred = np.concatenate([np.flatnonzero(at == Omega) for Omega in np.unique(centred.Omega)] or [of])
             of_centred = np.repeat(of_centred, [int((centred.Omega == at[i]).sum()) for i in of_centred])
@@ -243,17 +228,12 @@ class OffCentre:
         return self._states(at, x[0, order], x[1, order], F_0, said, missing, of[order])
 
     @property
-    def _has_centre(self) -> bool:
-        """Whether motions about the centre are there, which have solvers of their own: an odd force and no load."""
-        return self.load == 0 and self._steps.odd
-
-    @property
     def _keeps_centre(self) -> bool:
         """Whether every motion is known to be about the centre: it may be, and the spring only stiffens.
 
         Where f(u)/u is positive and rises with |u| so does f with u, and with it the mean of f with B.
         """
-        return self._has_centre and self._model.stays_centred
+        return self._complete.has_centre and self._model.stays_centred
 
     def _with_centred(self, x: Floats, of: Ints, A: Floats, of_A: Ints) -> tuple[Floats, Ints]:
         """States or folds with those about the centre by their own solvers, in the place of what is found of them."""
@@ -261,52 +241,6 @@ class OffCentre:
         centred = np.zeros((x.shape[0], A.size))
         centred[0] = A
         return np.concatenate((x[:, off], centred), axis=1), np.concatenate((of[off], of_A))
-
-    def _at_each(self, Omega: Floats, F_0: float) -> tuple[Floats, Ints, Ints]:
-        """All states at any number of frequencies, by A and B, the number of each, those that may have others."""
-        parts = [self._at(Omega[first : first + TOGETHER], F_0) for first in range(0, Omega.size, TOGETHER)]
-        of, undecided = (
-            np.concatenate([TOGETHER * k + getattr(part, name) for k, part in enumerate(parts)])
-            for name in ("of", "undecided_of")
-        )
-        return np.concatenate([part.x for part in parts], axis=1), of, undecided
-
-    def _at(self, Omega: Floats, F_0: float) -> Solutions:
-        """All states at some frequencies, by A and B."""
-        with np.errstate(divide="ignore"):
-            bounds = slow_flow.limit_envelope(Omega, F_0, self._m, self._zeta) * (1 + 2.0**-40)  # I <= F_0
-        # at Omega = 0 it is a static state
-        most = max(self.A_max(F_0), float(bounds[np.isfinite(bounds)].max(initial=0.0)))
-        boxes = self._sheets.states(most, Omega, F_0, self._m, self._zeta)
-        return self._solved(EndedState(self._sheets.charts, self._m, self._zeta, Omega, F_0), *boxes)
-
-    def _solved(self, equations: EndedState | EndedFold, low: Floats, high: Floats, of: Ints) -> Solutions:
-        """Solutions by A and B, and by the number of the frequency or forcing."""
-        found = solve(equations, low, high, of)
-        x, of = self._motions(equations, found.x, found.of, exact=True)
-        return Solutions(x, of, *self._motions(equations, found.undecided, found.undecided_of, exact=False))
-
-    def _motions(self, equations: EndedState | EndedFold, x: Floats, of: Ints, *, exact: bool) -> tuple[Floats, Ints]:
-        """Points by A and B, and by the number of the frequency or forcing, in order."""
-        z = np.concatenate((np.stack(self._sheets.charts.motion(x[0], x[1], equations.chart(of))), x[2:]))
-        if exact and of.size:
-            z = equations.refined(z, x, of)
-        number = equations.number(of)
-        if self._has_centre:
-            # those about the centre have solvers of their own, and all others are there mirrored as well
-            off = np.flatnonzero(z[1] > AT_CENTRE)
-            z, number = np.repeat(z[:, off], 2, axis=1), np.repeat(number[off], 2)
-            z[1, 1::2] *= -1.0
-        order = np.lexsort((*z[::-1], number))
-        return z[:, order], number[order]
-
-    def _add(self, edges: Floats, low: list[Any], high: list[Any]) -> None:
-        """Boxes of A between neighbouring edges and of all B that the balance may have there."""
-        for a, b in pairwise(edges.tolist()):
-            bound = self._offset_bound(b)
-            parts = np.linspace(-bound, bound, PARTS + 1)
-            low += [(a, part) for part in parts[:-1]]
-            high += [(b, part) for part in parts[1:]]
 
     def frequency_response(
         self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
@@ -330,46 +264,23 @@ class OffCentre:
         found, said = Curves.none(), _Said()
         if not self._keeps_centre:
             folds = self.saddle_nodes(F_0)
-            off = np.abs(folds.B) > AT_CENTRE if self._has_centre else np.ones(len(folds), dtype=bool)
+            off = np.abs(folds.B) > AT_CENTRE if self._complete.has_centre else np.ones(len(folds), dtype=bool)
             places = np.stack((folds.Omega, folds.A, folds.B))[:, off]
             slow = Slow(self._steps, self._m, self._zeta, F_0)
             found = curves(slow, places, partial(self._off, F_0=F_0), (low, high), samples)
             said = _Said(folds.message, folds.remarks) if len(folds) else said
-        if self._has_centre:
+        if self._complete.has_centre:
             centred = Averaged(self._model).frequency_response(F_0, samples=samples, Omega=(low, high))
             found = found.behind(Curves(centred.Omega, centred.A, 0 * centred.A, centred.branch, centred.isola))
         return self._response(found, F_0, said)
 
     def _off(self, Omega: Floats, F_0: float) -> tuple[Floats, Ints]:
         """Every state at some frequencies, without a load those off the centre, and the number of its frequency."""
-        x, of, undecided = self._at_each(Omega, F_0)
+        x, of, undecided = self._complete.states(Omega, F_0)
         if undecided.size:
             raise ArithmeticError("the response is unresolved: at a frequency next to a fold doubles do not decide")
-        off = np.abs(x[1]) > AT_CENTRE if self._has_centre else np.ones(of.size, dtype=bool)
+        off = np.abs(x[1]) > AT_CENTRE if self._complete.has_centre else np.ones(of.size, dtype=bool)
         return x[:, off], of[off]
-
-    def _offset_bound(self, A: float) -> float:
-        """What |B| does not exceed where the mean is balanced, for amplitudes up to A.
-
-        Beyond A and all breakpoints the mean of the force is a polynomial in B, whose roots Cauchy's bound holds.
-        """
-        return max(self._outer_bound(np.trim_zeros(last, "b"), A) for last in self._steps.outer)
-
-    def _outer_bound(self, last: Floats, A: float) -> float:
-        n = last.size - 1
-        if n < 1:
-            raise ValueError(UNBOUNDED)
-        # coefficients of B^k in <f(B + A cos psi)>, |.| at most
-        size = [
-            sum(abs(last[j]) / (math.factorial(k) * math.factorial(j - k)) * A ** (j - k) for j in range(k, n + 1))
-            for k in range(n)
-        ]
-        size[0] += abs(self.load)
-        cauchy = 1.0 + max(size) * math.factorial(n) / abs(last[n])
-        beyond = A + max(map(abs, self.breakpoints), default=0.0)
-        # the sum of the n-th roots holds them too, and is less for small ones
-        lagrange = 2 * max((value * math.factorial(n) / abs(last[n])) ** (1 / (n - k)) for k, value in enumerate(size))
-        return float(max(beyond, min(cauchy, lagrange)) * (1 + 2.0**-40))
 
     def saddle_nodes(self, F_0: float) -> OffCentreFolds:
         """Every fold of the response at F_0, by rising Omega, on every sheet of the balance, up to `A_max(F_0)`.
@@ -383,17 +294,17 @@ class OffCentre:
     def _saddle_nodes(self, F_0: float) -> OffCentreFolds:
         if F_0 <= self._m:
             return self._folds(np.empty((3, 0)), np.empty(0, dtype=str), F_0, _Said(STICKS.format(F_0, self._m)))
-        centred = Averaged(self._model).saddle_nodes(F_0) if self._has_centre else None
+        centred = Averaged(self._model).saddle_nodes(F_0) if self._complete.has_centre else None
         if centred is not None and self._keeps_centre:
             return self._folds_with(centred, None, F_0, _Said(centred.message, centred.remarks))
-        return self._folds_of(self._all_folds(np.array([F_0])), centred, F_0)
+        return self._folds_of(self._complete.folds(np.array([F_0])), centred, F_0)
 
     def _folds_at(self, F_0: list[float]) -> list[OffCentreFolds]:
         """`saddle_nodes` at several forcings together."""
         several = [one for one in F_0 if one > self._m and ("saddle_nodes", one) not in self._known]
-        if len(several) > 1 and not self._has_centre:
+        if len(several) > 1 and not self._complete.has_centre:
             self._damped("saddle_nodes")
-            found = self._all_folds(np.array(several))
+            found = self._complete.folds(np.array(several))
             for i, one in enumerate(several):
                 here, open_ = found.of == i, found.undecided_of == i
                 part = Solutions(found.x[:, here], found.of[here], found.undecided[:, open_], found.undecided_of[open_])
@@ -402,7 +313,7 @@ class OffCentre:
 
     def _folds_of(self, found: Solutions, centred: SaddleNodes | None, F_0: float) -> OffCentreFolds:
         """With those on corners."""
-        corners, kinds, undecided = self._corners(F_0)
+        corners, kinds, undecided = self._complete.corners(F_0)
         x, open_ = (np.concatenate(pair, axis=1) for pair in ((found.x, corners), (found.undecided, undecided)))
         kind = np.array([""] * found.x.shape[1] + kinds)
         some = x.size or open_.size or (centred is not None and len(centred))
@@ -443,7 +354,7 @@ class OffCentre:
             columns = centred.F_SN, centred.Omega, centred.A, B, centred.kind
             return OffCentreOnset(*columns, 0.0, **said._asdict(), _model=self._model)
         try:
-            found = self._lowest()
+            found = self._complete.lowest()
         except ArithmeticError:
             return self._no_onset(UNRESOLVED, Remark.UNDECIDED)
         if found is None:
@@ -455,32 +366,6 @@ class OffCentre:
 
     def _no_onset(self, message: str, said: Remark) -> OffCentreOnset:
         return OffCentreOnset(None, None, None, None, "", self.load, message, remarks=said, _model=self._model)
-
-    def _lowest(self) -> Lowest | None:
-        """The fold at the onset, or None where none is. Raises ArithmeticError where that is not decided."""
-        search = Search(self._steps, self._m, self._zeta)
-        size = max(1.0, abs(self.load), *map(abs, self.breakpoints))
-        known = [search.descend(*at) for at in search.begin(size, self._offset_bound)]
-        known += search.corners(self._sheets.corners(self.A_max(self._m))[0])
-        while True:
-            best = min(known, key=lambda fold: fold.F_0, default=None)
-            if best is not None and not best.kind:
-                raise ArithmeticError("a fold whose forcing only falls")
-            F_0 = math.inf if best is None else best.F_0
-            lower = search.lower(self._sheets, self.A_max(self._m if best is None else F_0), F_0)
-            if lower is None:
-                return best
-            known.append(search.descend(*lower))
-            if best is not None and known[-1].F_0 >= best.F_0:
-                raise ArithmeticError("a lower fold that is not reached")
-
-    def _plane(self, F_0: float) -> tuple[Floats, Floats]:
-        """Boxes of A and B that hold what may be at F_0 up to `A_max`."""
-        low: list[Any] = []
-        high: list[Any] = []
-        edges = self.A_max(F_0) * 0.5 ** np.arange(ABOVE + BELOW, -1, -1)
-        self._add(np.concatenate(([0.0], edges)), low, high)
-        return np.array(low).T, np.array(high).T
 
     def peak(self, F_0: float) -> OffCentrePeak:
         """The largest amplitude at F_0, and the largest |u| = |B| + A, of motions with a positive mean stiffness.
@@ -511,8 +396,8 @@ class OffCentre:
 
     def _farthest(self, F_0: float, measure: Measure) -> Farthest | None:
         """The motion that goes farthest; of one about the centre as its own solvers have it."""
-        found = self._reach.farthest(self._sheets, self.A_max(F_0), F_0, measure)
-        if found is None or not self._has_centre or abs(found.B) > AT_CENTRE:
+        found = self._reach.farthest(self._complete.sheets, self.A_max(F_0), F_0, measure)
+        if found is None or not self._complete.has_centre or abs(found.B) > AT_CENTRE:
             return found
         centred = Averaged(self._model).peak(F_0)
         if centred.A is None or centred.Omega is None:
@@ -570,7 +455,7 @@ class OffCentre:
         if F_0 <= self._m:
             return loads.Isolation(None, None, False, F_0, STICKS.format(F_0, self._m), Remark(0))
         # what is transmitted has the square h^2 + I^2, as much as F_0 where R = -h, at Omega^2 = 2 p with p = -h/A
-        backbone = self._reach.farthest(self._sheets, self.A_max(F_0), F_0, BACKBONE, COARSE)
+        backbone = self._reach.farthest(self._complete.sheets, self.A_max(F_0), F_0, BACKBONE, COARSE)
         highest = loads.BEYOND * math.sqrt(2 * (1 + COARSE) * (1.0 if backbone is None else backbone.value))
         found = self._begins(F_0, 0.0, highest)
         if found.Omega is None or not (left := self._transmits_beyond(found)):
@@ -589,7 +474,7 @@ class OffCentre:
 
     def _transmits_beyond(self, found: loads.Isolation) -> tuple[float, float] | None:
         """Between which frequencies beyond that one F_0 may be transmitted; None where it is proved that it is not."""
-        return self._reach.transmits_beyond(self._sheets, self.A_max(found.F_0), found.F_0, found.Omega or 0.0)
+        return self._reach.transmits_beyond(self._complete.sheets, self.A_max(found.F_0), found.F_0, found.Omega or 0.0)
 
     def _transmits(self, curve: OffCentreResponse, one: int, other: int) -> tuple[float, float]:
         """Omega and A between two points of a curve, at which the motion transmits F_0."""
@@ -609,67 +494,7 @@ class OffCentre:
 
     def A_max(self, F_0: float) -> float:
         """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as."""
-        sizes = (1.0, F_0, F_0 / self._zeta, abs(self.load), *map(abs, self.breakpoints))
-        return 2.0**ABOVE * max(sizes)
-
-    def _all_folds(self, F_0: Floats) -> Solutions:
-        """All folds at some forcings but those on corners, by A, B and t."""
-        if self._has_centre:
-            return self._beside_centre(F_0)
-        boxes = self._sheets.folds(max(map(self.A_max, F_0.tolist())), F_0, self._m, self._zeta)
-        return self._solved(EndedFold(self._sheets.charts, self._m, self._zeta, F_0), *boxes)
-
-    def _beside_centre(self, F_0: Floats) -> Solutions:
-        """The same of an odd force without a load: where motions about the centre lose their stability others begin."""
-        low: list[Any] = []
-        high: list[Any] = []
-        of: list[int] = []
-        for i, forcing in enumerate(F_0.tolist()):
-            plane_low, plane_high = self._plane(forcing)
-            phases = self._phases(forcing)
-            for a, b in zip(plane_low.T, plane_high.T, strict=True):
-                low += [(*a, t) for t in phases[:-1]]
-                high += [(*b, t) for t in phases[1:]]
-            of += [i] * (len(low) - len(of))
-        equations = Fold(self._steps, self._m, self._zeta, F_0)
-        return solve(equations, np.array(low).T, np.array(high).T, np.array(of, dtype=np.intp))
-
-    def _phases(self, F_0: float) -> Floats:
-        """Ends of parts of all t."""
-        # I >= m: beyond it the phase belongs to no Omega
-        least = slow_flow.least_restoring(F_0, self._m)
-        most = float(off_centre.fold_phase(F_0, self._m, least, least)) * (1 + 2.0**-40)
-        return np.linspace(-most, most, 5)
-
-    def _corners(self, F_0: float) -> tuple[Floats, list[str], Floats]:
-        """The folds where a motion just touches a jump of the force, their kinds, and where there may be others."""
-        found: list[tuple[float, ...]] = []
-        kinds: list[str] = []
-        corners, open_ = self._sheets.corners(self.A_max(F_0))
-        for corner in corners:
-            if self._has_centre and abs(corner.B) <= AT_CENTRE:
-                continue
-            A = np.array([corner.A])
-            Omega = response_roots(A, np.array([-2 * corner.s_0]), self._m, self._zeta, np.array([F_0]))[0]
-            for at in Omega[Omega > 0].tolist():
-                R, I = slow_flow.R(at, corner.A, -2 * corner.s_0), slow_flow.I(at, corner.A, self._m, self._zeta)
-                t = off_centre.phase(R, I, F_0)
-                if kind := self._kind_at_corner(corner, t, F_0):
-                    found.append((corner.A, corner.B, t))
-                    kinds.append(kind)
-        open_ = np.concatenate((open_, np.zeros((1, open_.shape[1]))))
-        return np.array(found).reshape(-1, 3).T, kinds, open_
-
-    def _kind_at_corner(self, corner: Corner, t: float, F_0: float) -> str:
-        """The kind of a fold there, "" for none: F_A has other signs where a motion reaches no jump and beyond it."""
-        turns = [off_centre.turns_by(t, F_0, self._m, corner.A * e) for e in corner.e]
-        if turns[0] * turns[1] >= 0:
-            return ""
-        side = int(turns[1] > 0)
-        if not corner.stiff[side]:
-            return "unstable"
-        # stable motions are above the corner or below it
-        return "jump-down" if corner.rises[side] else "jump-up"
+        return self._complete.A_max(F_0)
 
     def _folds(self, x: Floats, on_corner: Any, F_0: float, said: _Said) -> OffCentreFolds:
         """Folds in A, B and t; of which kind those on a corner are, "" for others."""

@@ -1,0 +1,210 @@
+"""All that there is off the centre: in go steps with damping, out come every state and every fold as points of (A, B).
+
+No part of the plane is left unless it is proved to hold nothing (see `boxes`), whatever the balance's sheets do,
+wherever they turn. What could not be decided comes out beside what was found.
+"""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from slowflow.averaged.reference.roots import response_roots
+from slowflow.model import Floats
+from slowflow.off_centre.boxes import Ints, Solutions, solve
+from slowflow.off_centre.by_ends import EndedFold, EndedState
+from slowflow.off_centre.equations import Fold
+from slowflow.off_centre.means import Steps
+from slowflow.off_centre.onset import Lowest, Search
+from slowflow.off_centre.sheets import Corner, Sheets
+from slowflow_kernels import off_centre, slow_flow
+
+#: octaves of the amplitude that are looked at apart from the first, below and above the size of the problem
+BELOW, ABOVE = 4, 8
+#: parts of the range of B that are looked at first
+PARTS = 8
+#: frequencies that are looked at together
+TOGETHER = 64
+#: |B| up to which a motion without a load is about the centre, where all others are told from it by more
+AT_CENTRE = 1e-12
+#: no bound of B, and so none of what is to be looked at
+UNBOUNDED = "the outermost piece of the force does not grow: motions off the centre have no bound there"
+
+
+class Complete:
+    """Every state and every fold of an oscillator off the centre.
+
+    sheets -- of the balance of the mean, in whose charts they are looked for
+    """
+
+    def __init__(self, steps: Steps, m: float, zeta: float) -> None:
+        self._steps, self._m, self._zeta = steps, m, zeta
+        self._breakpoints = tuple(map(float, steps.breakpoints))
+        self.sheets = Sheets(steps, self.offset_bound)
+
+    @property
+    def has_centre(self) -> bool:
+        """Whether motions about the centre are there, which have solvers of their own: an odd force and no load."""
+        return self._steps.load == 0 and self._steps.odd
+
+    def states(self, Omega: Floats, F_0: float) -> tuple[Floats, Ints, Ints]:
+        """All states at any number of frequencies, by A and B, the number of each, those that may have others."""
+        parts = [self._at(Omega[first : first + TOGETHER], F_0) for first in range(0, Omega.size, TOGETHER)]
+        of, undecided = (
+            np.concatenate([TOGETHER * k + getattr(part, name) for k, part in enumerate(parts)])
+            for name in ("of", "undecided_of")
+        )
+        return np.concatenate([part.x for part in parts], axis=1), of, undecided
+
+    def folds(self, F_0: Floats) -> Solutions:
+        """All folds at some forcings but those on corners, by A, B and t."""
+        if self.has_centre:
+            return self._beside_centre(F_0)
+        boxes = self.sheets.folds(max(map(self.A_max, F_0.tolist())), F_0, self._m, self._zeta)
+        return self._solved(EndedFold(self.sheets.charts, self._m, self._zeta, F_0), *boxes)
+
+    def corners(self, F_0: float) -> tuple[Floats, list[str], Floats]:
+        """The folds where a motion just touches a jump of the force, their kinds, and where there may be others."""
+        found: list[tuple[float, ...]] = []
+        kinds: list[str] = []
+        corners, open_ = self.sheets.corners(self.A_max(F_0))
+        for corner in corners:
+            if self.has_centre and abs(corner.B) <= AT_CENTRE:
+                continue
+            A = np.array([corner.A])
+            Omega = response_roots(A, np.array([-2 * corner.s_0]), self._m, self._zeta, np.array([F_0]))[0]
+            for at in Omega[Omega > 0].tolist():
+                R, I = slow_flow.R(at, corner.A, -2 * corner.s_0), slow_flow.I(at, corner.A, self._m, self._zeta)
+                t = off_centre.phase(R, I, F_0)
+                if kind := self._kind_at_corner(corner, t, F_0):
+                    found.append((corner.A, corner.B, t))
+                    kinds.append(kind)
+        open_ = np.concatenate((open_, np.zeros((1, open_.shape[1]))))
+        return np.array(found).reshape(-1, 3).T, kinds, open_
+
+    def lowest(self) -> Lowest | None:
+        """The fold at the onset, or None where none is. Raises ArithmeticError where that is not decided."""
+        search = Search(self._steps, self._m, self._zeta)
+        size = max(1.0, abs(self._steps.load), *map(abs, self._breakpoints))
+        known = [search.descend(*at) for at in search.begin(size, self.offset_bound)]
+        known += search.corners(self.sheets.corners(self.A_max(self._m))[0])
+        while True:
+            best = min(known, key=lambda fold: fold.F_0, default=None)
+            if best is not None and not best.kind:
+                raise ArithmeticError("a fold whose forcing only falls")
+            F_0 = math.inf if best is None else best.F_0
+            lower = search.lower(self.sheets, self.A_max(self._m if best is None else F_0), F_0)
+            if lower is None:
+                return best
+            known.append(search.descend(*lower))
+            if best is not None and known[-1].F_0 >= best.F_0:
+                raise ArithmeticError("a lower fold that is not reached")
+
+    def A_max(self, F_0: float) -> float:
+        """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as."""
+        sizes = (1.0, F_0, F_0 / self._zeta, abs(self._steps.load), *map(abs, self._breakpoints))
+        return 2.0**ABOVE * max(sizes)
+
+    def offset_bound(self, A: float) -> float:
+        """What |B| does not exceed where the mean is balanced, for amplitudes up to A.
+
+        Beyond A and all breakpoints the mean of the force is a polynomial in B, whose roots Cauchy's bound holds.
+        """
+        return max(self._outer_bound(np.trim_zeros(last, "b"), A) for last in self._steps.outer)
+
+    def _outer_bound(self, last: Floats, A: float) -> float:
+        n = last.size - 1
+        if n < 1:
+            raise ValueError(UNBOUNDED)
+        # coefficients of B^k in <f(B + A cos psi)>, |.| at most
+        size = [
+            sum(abs(last[j]) / (math.factorial(k) * math.factorial(j - k)) * A ** (j - k) for j in range(k, n + 1))
+            for k in range(n)
+        ]
+        size[0] += abs(self._steps.load)
+        cauchy = 1.0 + max(size) * math.factorial(n) / abs(last[n])
+        beyond = A + max(map(abs, self._breakpoints), default=0.0)
+        # the sum of the n-th roots holds them too, and is less for small ones
+        lagrange = 2 * max((value * math.factorial(n) / abs(last[n])) ** (1 / (n - k)) for k, value in enumerate(size))
+        return float(max(beyond, min(cauchy, lagrange)) * (1 + 2.0**-40))
+
+    def _at(self, Omega: Floats, F_0: float) -> Solutions:
+        """All states at some frequencies, by A and B."""
+        with np.errstate(divide="ignore"):
+            bounds = slow_flow.limit_envelope(Omega, F_0, self._m, self._zeta) * (1 + 2.0**-40)  # I <= F_0
+        # at Omega = 0 it is a static state
+        most = max(self.A_max(F_0), float(bounds[np.isfinite(bounds)].max(initial=0.0)))
+        boxes = self.sheets.states(most, Omega, F_0, self._m, self._zeta)
+        return self._solved(EndedState(self.sheets.charts, self._m, self._zeta, Omega, F_0), *boxes)
+
+    def _beside_centre(self, F_0: Floats) -> Solutions:
+        """The same of an odd force without a load: where motions about the centre lose their stability others begin."""
+        low: list[Any] = []
+        high: list[Any] = []
+        of: list[int] = []
+        for i, forcing in enumerate(F_0.tolist()):
+            plane_low, plane_high = self._plane(forcing)
+            phases = self._phases(forcing)
+            for a, b in zip(plane_low.T, plane_high.T, strict=True):
+                low += [(*a, t) for t in phases[:-1]]
+                high += [(*b, t) for t in phases[1:]]
+            of += [i] * (len(low) - len(of))
+        equations = Fold(self._steps, self._m, self._zeta, F_0)
+        return solve(equations, np.array(low).T, np.array(high).T, np.array(of, dtype=np.intp))
+
+    def _add(self, edges: Floats, low: list[Any], high: list[Any]) -> None:
+        """Boxes of A between neighbouring edges and of all B that the balance may have there."""
+        for a, b in pairwise(edges.tolist()):
+            bound = self.offset_bound(b)
+            parts = np.linspace(-bound, bound, PARTS + 1)
+            low += [(a, part) for part in parts[:-1]]
+            high += [(b, part) for part in parts[1:]]
+
+    def _plane(self, F_0: float) -> tuple[Floats, Floats]:
+        """Boxes of A and B that hold what may be at F_0 up to `A_max`."""
+        low: list[Any] = []
+        high: list[Any] = []
+        edges = self.A_max(F_0) * 0.5 ** np.arange(ABOVE + BELOW, -1, -1)
+        self._add(np.concatenate(([0.0], edges)), low, high)
+        return np.array(low).T, np.array(high).T
+
+    def _phases(self, F_0: float) -> Floats:
+        """Ends of parts of all t."""
+        # I >= m: beyond it the phase belongs to no Omega
+        least = slow_flow.least_restoring(F_0, self._m)
+        most = float(off_centre.fold_phase(F_0, self._m, least, least)) * (1 + 2.0**-40)
+        return np.linspace(-most, most, 5)
+
+    def _solved(self, equations: EndedState | EndedFold, low: Floats, high: Floats, of: Ints) -> Solutions:
+        """Solutions by A and B, and by the number of the frequency or forcing."""
+        found = solve(equations, low, high, of)
+        x, of = self._motions(equations, found.x, found.of, exact=True)
+        return Solutions(x, of, *self._motions(equations, found.undecided, found.undecided_of, exact=False))
+
+    def _motions(self, equations: EndedState | EndedFold, x: Floats, of: Ints, *, exact: bool) -> tuple[Floats, Ints]:
+        """Points by A and B, and by the number of the frequency or forcing, in order."""
+        z = np.concatenate((np.stack(self.sheets.charts.motion(x[0], x[1], equations.chart(of))), x[2:]))
+        if exact and of.size:
+            z = equations.refined(z, x, of)
+        number = equations.number(of)
+        if self.has_centre:
+            # those about the centre have solvers of their own, and all others are there mirrored as well
+            off = np.flatnonzero(z[1] > AT_CENTRE)
+            z, number = np.repeat(z[:, off], 2, axis=1), np.repeat(number[off], 2)
+            z[1, 1::2] *= -1.0
+        order = np.lexsort((*z[::-1], number))
+        return z[:, order], number[order]
+
+    def _kind_at_corner(self, corner: Corner, t: float, F_0: float) -> str:
+        """The kind of a fold there, "" for none: F_A has other signs where a motion reaches no jump and beyond it."""
+        turns = [off_centre.turns_by(t, F_0, self._m, corner.A * e) for e in corner.e]
+        if turns[0] * turns[1] >= 0:
+            return ""
+        side = int(turns[1] > 0)
+        if not corner.stiff[side]:
+            return "unstable"
+        # stable motions are above the corner or below it
+        return "jump-down" if corner.rises[side] else "jump-up"
