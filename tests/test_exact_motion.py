@@ -129,6 +129,22 @@ def test_viscous_linear_oscillator_in_closed_form():
         assert state.stops == 0 and state.stable and state.symmetric
 
 
+@pytest.mark.parametrize("zeta", [0.01, 0.03])
+def test_a_motion_is_told_over_its_own_period(zeta):
+    """A mass that settles by a third or a half of a turn in each is nearest to where it was some turns before."""
+    F_0 = 0.05
+    system = EquationOfMotion(linear(), 0.0, zeta)
+    for Omega in (0.7, 1.3, 1.5, 1.525, 1.8, 2.0, 2.119, 2.5, 2.9, 3.1, 5.0):
+        state = steady_state(system, Omega=Omega, F_0=F_0)
+        assert state.symmetric
+        assert state.period == pytest.approx(2 * math.pi / Omega, rel=1e-15)
+        assert abs(state.harmonics(1)[1] - F_0 / (1 - Omega**2 + 2j * zeta * Omega)) <= 1e-13
+        assert np.abs(state.multipliers) == pytest.approx(math.exp(-zeta * state.period), rel=1e-12)
+        assert state.transmitted().first == pytest.approx(
+            math.hypot(1, 2 * zeta * Omega) * abs(state.harmonics(1)[1]) / F_0, rel=1e-12
+        )
+
+
 @pytest.mark.parametrize("ratio", [0.1, 0.3, 0.6])
 def test_den_hartog_where_his_solution_holds(ratio):
     """(35) wherever the amplitude exceeds the bound (36), for zeta = 0 and no preload."""

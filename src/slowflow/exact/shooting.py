@@ -40,6 +40,7 @@ def lengths(system: EquationOfMotion) -> tuple[int, ...]:
     return HALF_TURNS if system.centred else tuple(n for n in HALF_TURNS if n % 2 == 0)
 
 
+AGAIN = 1e-9  # of its amplitude, within which a motion is where it was before
 GAUSS_NODES = 40  # per phase of the motion, for its harmonics
 PEAK_SAMPLES = 65  # per phase, between which the largest force that is passed on is looked for
 
@@ -300,7 +301,7 @@ def steady_state(
         z[-1] = Omega
         found = _settle_signature(cycle, z, forced, tries)
         if found is not None:
-            return found
+            return _once(found, forced, tries)
         theta, u = float(z[1]), float(z[0])
     elif guess is not None:
         theta, u = _start(guess)
@@ -347,8 +348,27 @@ def _near(forced: Forced, theta: float, u: float, tries: tuple[int, ...], A: flo
     for n in tries[:2]:
         found = _from_start(forced, theta, u, n)
         if found is not None and abs(found.A - A) <= 0.5 * A:
-            return found
+            return _once(found, forced, tries)
     return None
+
+
+def _once(found: SteadyState, forced: Forced, tries: tuple[int, ...]) -> SteadyState:
+    """The motion over its own period, where what was found goes through it several times.
+
+    Turns that are looked at by chance may come nearer to each other three apart than one: where a motion settles by
+    a third of a turn in each, a longer cycle is closed first.
+    """
+    theta, u = float(found.unknowns[1]), float(found.unknowns[0])
+    for n in tries:
+        if n >= found.cycle.half_turns:
+            break
+        there = found._state(theta + math.pi * n)
+        sign = -1 if n % 2 else 1
+        if found.cycle.half_turns % n == 0 and max(abs(there[0] - sign * u), abs(there[1])) <= AGAIN * found.A:
+            shorter = _from_start(forced, theta, u, n)
+            if shorter is not None and abs(shorter.A - found.A) <= AGAIN * found.A:
+                return shorter
+    return found
 
 
 def stays_at_rest(system: EquationOfMotion, Omega: float, F_0: float) -> bool:
@@ -505,6 +525,7 @@ def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, .
             if found is not None and _is_adrift(found):
                 return Settled(None, len(history) - 1, u, v, phases, change, found)
             if found is not None and found.stable:
+                found = _once(found, forced, tries)
                 there = _passed(found, theta, u, v)
                 if _approaches(forced, found, theta, (u, v), there):
                     return Settled(found, len(history) - 1, *there, phases, change)
