@@ -194,6 +194,24 @@ def test_figure_6_marks_what_the_paper_prints(drawn):
     np.testing.assert_allclose(y, np.sqrt(x * (2 - x)), rtol=1e-14)
 
 
+@pytest.mark.parametrize("name", ["6a", "6b"])
+def test_the_legend_of_figure_6_stands_below_the_hatching(drawn, name):
+    ax = drawn(name)
+    ax.figure.canvas.draw()
+    box = ax.get_legend().get_window_extent().transformed(ax.transData.inverted())
+    (curve,) = lines(ax)
+    x, y = data(curve)
+    assert box.y1 < np.interp(box.x0, x, y)
+
+
+def test_a_unit_of_two_is_in_brackets_in_pictures_too():
+    mount = Isolator.physical(
+        m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.05, excitation="unbalance"
+    )
+    assert mount.plot(0.03).get_legend().get_title().get_text() == "unbalance $U$ / (kg m)"
+    assert pictures.measured("k_h", "N/m").endswith(" / (N/m)") and pictures.measured("r", "") == pictures.label("r")
+
+
 def test_figure_7a_has_table_2s_folds(drawn):
     ax = drawn("7a")
     assert figures.forcings() == pytest.approx([0.0217, 0.025, 0.0300, 0.040, 0.050], abs=5e-5)

@@ -18,13 +18,26 @@ import matplotlib as mpl
 import matplotlib.pyplot as plt
 import numpy as np
 
-from slowflow.pictures import label
+from slowflow.pictures import in_brackets, label
 
 #: what a cell of words begins with until it is written
 WORDS = "\0"
 #: how Matplotlib's labels write what is Greek, and what stands below a letter
 GREEK = {"Omega": "Ω", "omega": "ω", "lambda": "λ", "lam": "λ", "delta": "δ", "mu": "μ", "zeta": "ζ", "tau": "τ"}
-GREEK |= {"varphi": "φ", "phi": "φ", "alpha": "α", "beta": "β", "gamma": "γ", "psi": "ψ", "Phi": "Φ", "eta": "η"}
+GREEK |= {
+    "varphi": "φ",
+    "phi": "φ",
+    "alpha": "α",
+    "beta": "β",
+    "gamma": "γ",
+    "psi": "ψ",
+    "Phi": "Φ",
+    "eta": "η",
+    "pi": "π",
+}
+GREEK |= {"dOmega": "dΩ"}
+#: what stands between a letter and its unit, which stay on one line
+TIED = "\N{NO-BREAK SPACE}"
 BELOW = re.compile(r"([^\W_]+)_(?:\{(?:\\mathrm\{)?([^{}]*)\}+|(\w+))")
 #: colours light and dark; what is too wide for a screen is scrolled, and on paper it is smaller
 STYLE = """
@@ -39,7 +52,9 @@ table { border-collapse: collapse; overflow-wrap: normal; }
 .wide { overflow-x: auto; margin: 1rem 0; }
 th, td { border-bottom: 1px solid var(--line); padding: .25rem .6rem; text-align: right; white-space: nowrap; }
 th { background: var(--head); white-space: normal; } td:first-child, th:first-child, .words { text-align: left; }
-.words { white-space: normal; min-width: 9rem; } math { display: block; math-style: normal; margin: .5rem 0; }
+.words { white-space: normal; min-width: 9rem; max-width: 32rem; }
+math { display: block; math-style: normal; margin: .5rem 0;
+       font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", "DejaVu Math TeX Gyre", math, serif; }
 caption, .caption { font-weight: 600; }
 caption { text-align: left; padding: .5rem 0; width: max-content; max-width: 90vw; }
 figure { margin: 1rem 0; } figure svg { background: #ffffff; height: auto; width: 100%; max-width: 42rem; }
@@ -49,6 +64,7 @@ a { color: inherit; }
                body { max-width: none; } nav { display: none; } figure, tr { break-inside: avoid; }
                h2, caption, tr:nth-child(-n+2), tr:nth-last-child(2) { break-after: avoid; } table { font-size: 9pt; }
                .wide { overflow: visible; } td, th { padding: .1rem .3rem; }
+               .words { max-width: none; } math { font-size: 7.5pt; }
                figure svg { max-width: 30rem; } body { font-size: 11pt; } }
 """
 
@@ -92,7 +108,8 @@ def words(text: str) -> str:
 
 def formula(set_: Sequence[str], text: str) -> str:
     """A cell of formulas in MathML; in words where there are none."""
-    return f"{WORDS}{''.join(f'<math>{one}</math>' for one in set_) or inline(text)}"
+    told = "".join(f"<math>{one}</math>" for one in set_).replace("<mo>-</mo>", "<mo>\N{MINUS SIGN}</mo>")
+    return f"{WORDS}{told or inline(text)}"
 
 
 def inline(text: str) -> str:
@@ -106,8 +123,7 @@ def term(name: str, unit: str = "") -> str:
     """A name of a number as it is read: its words, or its letter with what stands below it; and its unit."""
     told = re.sub(r"\$([^$]*)\$", lambda found: _math(found[1]), escape(label(name), quote=False))
     told = told if told != name else inline(name) if _is_symbol(name) else escape(name.replace("_", " "))
-    unit = unit.replace("^2", "²")
-    return f"{told} / {f'({unit})' if {'/', ' '} & set(unit) else unit}" if unit else told
+    return f"{told}{TIED}/{TIED}{in_brackets(unit).replace(' ', TIED)}" if unit else told
 
 
 def _is_symbol(name: str) -> bool:

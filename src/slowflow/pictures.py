@@ -91,7 +91,7 @@ LETTERS = {"Omega": r"\Omega", **{letter: letter for letter in "aAcfFkuxXYU"}}
 PLACES: Any = {
     "beside": {"loc": "center left", "bbox_to_anchor": (1.06, 0.5)},
     "below": {"loc": "upper center", "bbox_to_anchor": (0.5, -0.14)},
-    "in": {"loc": "best"},
+    "in": {"loc": "lower right"},
 }
 #: letters of a name in a legend of three columns
 SHORT = 16
@@ -131,8 +131,18 @@ def label(name: str) -> str:
 
 def axis(found: Any, name: str) -> str:
     """The same for a number of an answer, with its unit if it has one."""
-    unit = found.units_of_columns().get(name, "rad" if name == "phi" else "").replace("^2", "²")
-    return f"{label(name)} / {f'({unit})' if '/' in unit else unit}" if unit else label(name)
+    return measured(name, found.units_of_columns().get(name, "rad" if name == "phi" else ""))
+
+
+def measured(name: str, unit: str) -> str:
+    """The same for a number in a unit, or in none."""
+    return f"{label(name)} / {in_brackets(unit)}" if unit else label(name)
+
+
+def in_brackets(unit: str) -> str:
+    """A unit as it stands after a stroke: in brackets if it is put together of several."""
+    unit = unit.replace("^2", "²")
+    return f"({unit})" if {"/", " "} & set(unit) else unit
 
 
 def height(found: Any) -> str:

@@ -84,6 +84,8 @@ MEANING = {
     "lightest": "mass that would rest at the upper end of the stroke",
     "heaviest": "mass that would rest at its lower end",
 }
+#: errors that numbers of five digits do not show
+UNSEEN = 1e-5
 #: around the frequency of the peak, in its multiples, where the three depths are drawn
 BESIDE = (0.8, 1.2)
 
@@ -97,7 +99,7 @@ def html(scene: Scene) -> str:
     of = scene.oscillator
     if not isinstance(_plain(of), Isolator):
         raise ValueError(f"{scene.path}: a report is of an isolator: the scene must hold [mount] or [isolator]")
-    title = f"Vibration isolator: {scene.path.stem}"
+    title = f"Vibration isolator: {scene.path.stem.replace('_', ' ')}"
     sections = {
         "In short": _summary(of, forcings, scene),
         "The design": _design(of, scene),
@@ -252,7 +254,7 @@ def _number(answer: Any, value: float, *names: str) -> str:
     """A number with the unit that the first of these names has in the answer; without dimensions with its name."""
     units = answer.units_of_columns()
     name = next(name for name in names if hasattr(answer, name))
-    return f"{value:.4g} {units[name]}" if name in units else f"{name} = {value:.4g}"
+    return f"{value:.4g}{page.TIED}{units[name]}" if name in units else f"{name} = {value:.4g}"
 
 
 def _design(of: Any, scene: Scene) -> Iterator[str]:
@@ -398,11 +400,8 @@ def _map(of: Any) -> Iterator[str]:
         raise NotAvailable("a map of designs, none of which has a lowest amplitude of the excitation with a jump")
     scale = 1e3 if subject.mount else 1.0
     shown = SHOWN[subject.amplitude]
-    units = ("(N/m)", "mm", shown) if subject.mount else ("", "", "")
-    of_x, of_y, of_value = (
-        f"{pictures.label(name)} / {unit}" if unit else pictures.label(name)
-        for name, unit in zip((x, y, onset), units, strict=True)
-    )
+    units = ("N/m", "mm", shown) if subject.mount else ("", "", "")
+    of_x, of_y, of_value = map(pictures.measured, (x, y, onset), units)
     size = UNITS[subject.amplitude][shown] if subject.mount else 1.0
     found = (of_value, np.where(np.isfinite(values), values / size, np.nan))
     ax = pictures.design_map(page.axes(), (of_x, columns), (of_y, scale * rows), found)
@@ -440,7 +439,7 @@ def _jumps_by_depths(of: Any, forcings: Sequence[float]) -> Iterator[str]:
         for k, fold in enumerate(found):
             second = f"{better[k]:.5g}" if len(better) == len(found) else "another number of folds"
             Omega, error, reason = exact[k]
-            last = (f"{Omega:.5g}", f"{100 * error:+.2g} %") if not reason else (escape(reason), "")
+            last = (f"{Omega:.5g}", _error(error)) if not reason else (escape(reason), "")
             rows.append((_told(of, F), fold.kind, f"{getattr(fold, name):.5g}", second, *last))
     if not rows:
         yield "<p>There is no jump at these amplitudes of the excitation.</p>"
@@ -473,7 +472,7 @@ def _checked(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
                 scale = 1e3 if isinstance(of, Physical) else 1.0
                 try:
                     exact = of.steady_state(**{name: at, letter: F, "A": A}).A
-                    compared = (f"{scale * exact:.5g}", f"{100 * (A / exact - 1):+.2g} %")
+                    compared = (f"{scale * exact:.5g}", _error(A / exact - 1))
                 except ArithmeticError as error:
                     compared = (escape(str(error)), "")
                 rows.append((_told(of, F), f"{at:.4g}", f"{scale * A:.5g}", *compared))
@@ -574,6 +573,11 @@ def _data(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
 
 
 # ---- pieces
+
+
+def _error(share: float) -> str:
+    """An error in percent; one that the digits beside it do not show is not told in powers of ten."""
+    return f"{100 * share:+.2g} %" if abs(share) >= UNSEEN else f"below {100 * UNSEEN:g} %"
 
 
 def _shown(answer: Any) -> Any:
