@@ -24,6 +24,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
+from sympy.codegen.cfunctions import log1p
 
 from .restoring import ORDERS
 from .symbols import A, u
@@ -192,6 +193,7 @@ def _is_smooth(factor: sp.Expr) -> bool:
     """At v = 0."""
     bases = [power.base for power in factor.atoms(sp.Pow) if not power.exp.is_Integer]
     bases += [value.args[0] for value in factor.atoms(sp.log)]
+    bases += [1 + value.args[0] for value in factor.atoms(log1p)]
     return not any(base.has(v) and sp.simplify(base.subs(v, 0)) == 0 for base in bases)
 
 

@@ -29,6 +29,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import sympy as sp
+from sympy.codegen.cfunctions import log1p
 
 from .contact import Contact, c, parted, s, v
 from .elliptic import gauss
@@ -44,7 +45,7 @@ NODES = 16
 DENSE, BROKEN = 3, 6
 #: functions that a force may be made of: their derivatives are made of them too, and all targets know them
 FUNCTIONS = (
-    *(sp.exp, sp.log, sp.sin, sp.cos, sp.tan, sp.sinh, sp.cosh, sp.tanh),
+    *(sp.exp, sp.log, log1p, sp.sin, sp.cos, sp.tan, sp.sinh, sp.cosh, sp.tanh),
     *(sp.asin, sp.acos, sp.atan, sp.asinh, sp.acosh, sp.atanh),
 )
 
@@ -318,7 +319,7 @@ def without_constants(piece: sp.Expr) -> sp.Expr:
         if isinstance(part, sp.exp):
             return sp.exp(start) * (1 + 2 * sp.exp(w / 2) * sp.sinh(w / 2))
         if isinstance(part, sp.log) and start.is_positive:
-            return sp.log(start) + 2 * sp.atanh(w / (2 * start + w))
+            return sp.log(start) + log1p(w / start)
         if isinstance(part, (sp.cosh, sp.cos)) and start == 0:
             half = sp.sinh(w / 2) ** 2 if isinstance(part, sp.cosh) else -(sp.sin(w / 2) ** 2)
             return 1 + 2 * half
@@ -351,6 +352,7 @@ def singular_at(piece: sp.Expr, place: sp.Expr) -> list[sp.Expr]:
     """
     bases = [(power, power.base) for power in piece.atoms(sp.Pow) if not power.exp.is_Integer]
     bases += [(value, value.args[0]) for value in piece.atoms(sp.log)]
+    bases += [(value, 1 + value.args[0]) for value in piece.atoms(log1p)]
     where = {u: place, v: place}
     return sorted((whole for whole, base in bases if base.has(u, v) and sp.simplify(base.subs(where)) == 0), key=str)
 

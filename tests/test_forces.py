@@ -23,6 +23,7 @@ from slowflow_kernels.conventions import Status
 u, k, c, p, gap = sp.symbols("u k c p gap")
 ABOVE_0 = {"above": 0}
 DAMPING = {"mu": 0.01, "zeta": 0.03}
+COMPILED = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
 #: pieces for u > 0 and their numbers
 FORCES = {
     "pendulum": ([(k * sp.sin(u), None)], {"k": 1.3}),
@@ -558,6 +559,24 @@ def test_a_force_whose_terms_cancel_at_rest_keeps_its_digits_there(force, value)
             h = -4 / mp.pi * mp.quad(lambda t, A=A: value(A * mp.sin(t)) * mp.sin(t), [0, mp.pi / 2])
             assert float(one.model.averaged(A)[0]) == pytest.approx(float(h), rel=1e-14)
     assert len(one.amplitudes(Omega=0.9, F_0=0.05)) == 1
+
+
+@pytest.mark.parametrize("compile", [False, pytest.param(True, marks=COMPILED)])
+def test_a_logarithmic_spring_holds_motions_of_any_size(compile):
+    """c u + k log(1 + u): far out the logarithm lost its digits, or was infinite, and no amplitude was a bound."""
+    made = derive.mechanism(
+        "logarithmic", [(c * u + k * sp.log(1 + u), None)], {"c": ABOVE_0, "k": ABOVE_0}, compile=compile
+    )
+    one = made(c=0.2, k=1.2, **DAMPING)
+    with mp.workdps(40):
+        soft, stiff = mp.mpf(0.2), mp.mpf(1.2)
+        for A in (1e-6, 1.0, 1e4, 1e8, 1e20, 1e100):
+            at = [0, *sorted(mp.mpf(10) ** n / A for n in range(-3, 101, 3) if 10.0**n < A), mp.pi / 2]
+            bend = mp.quad(lambda t, A=A: mp.log1p(A * mp.sin(t)) * mp.sin(t), at)
+            h = -soft * A - 4 * stiff / mp.pi * bend
+            assert float(one.model.averaged(A)[0]) == pytest.approx(float(h), rel=1e-14)
+    assert [fold.kind for fold in one.saddle_nodes(0.1)] == ["jump-down", "jump-up"]
+    assert one.saddle_node_onset().kind == "cusp"
 
 
 @pytest.mark.parametrize("force", [sp.sin(u), sp.tan(u)], ids=str)

@@ -7,6 +7,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
+from sympy.codegen.cfunctions import log1p
 
 from derivations.emit.compensated import copysign
 from derivations.emit.form import Law
@@ -30,7 +31,7 @@ FORCES = {
     "exponential": sp.exp(a * u) - sp.exp(-b * u) + u * a**u,
     "hyperbolic": sp.sinh(a * u) * sp.cosh(u),
     "hyperbolic_tangent": sp.tanh(a * u) + b * sp.tanh(a * u) ** 2 * u,
-    "logarithm": u * sp.log(1 + a * u**2),
+    "logarithm": u * sp.log(1 + a * u**2) + log1p(b * u),
     "inverses": sp.asin(a * u) - sp.acos(u) * u + sp.atan(u / b),
     "inverse_hyperbolic": sp.asinh(a * u) + sp.acosh(2 + u) * u + sp.atanh(b * u),
     "broken_power": b * u**a * u + (1 + u) ** sp.Rational(7, 5) * u,

@@ -38,6 +38,8 @@ static sf_interval elementary(int function, sf_interval a, sf_interval b)
         return sfi_acosh(a);
     case 15:
         return sfi_atanh(a);
+    case 16:
+        return sfi_log1p(a);
     default:
         return sfi_power(a, b);
     }

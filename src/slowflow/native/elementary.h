@@ -30,6 +30,7 @@ static inline sf_interval sfi_apart(double lo, double hi) {
 
 SFI_RISING(sfi_exp, exp, -HUGE_VAL, HUGE_VAL)
 SFI_RISING(sfi_log, log, 0, HUGE_VAL)
+SFI_RISING(sfi_log1p, log1p, -1, HUGE_VAL)
 SFI_RISING(sfi_root, sqrt, 0, HUGE_VAL)
 SFI_RISING(sfi_cbrt, cbrt, 0, HUGE_VAL)
 SFI_RISING(sfi_sinh, sinh, -HUGE_VAL, HUGE_VAL)

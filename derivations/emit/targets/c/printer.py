@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import ClassVar
 
 import sympy as sp
-from sympy.codegen.cfunctions import hypot
+from sympy.codegen.cfunctions import hypot, log1p
 from sympy.printing.c import C99CodePrinter
 
 from ...compensated import copysign, fma
@@ -26,6 +26,7 @@ class CPrinter(Rules, C99CodePrinter):
         sp.tan: "tan",
         sp.exp: "exp",
         sp.log: "log",
+        log1p: "log1p",
         sp.sinh: "sinh",
         sp.cosh: "cosh",
         sp.tanh: "tanh",

@@ -33,6 +33,7 @@ from dataclasses import dataclass, field
 
 import jinja2
 import sympy as sp
+from sympy.codegen.cfunctions import log1p
 
 from ....elliptic import gauss
 from ....quadrature import singular_at
@@ -66,6 +67,7 @@ BY_SQUARE = {sp.tan: ("cos", ""), sp.tanh: ("cosh", "-")}
 #: b y' = a', by y: b of a
 INVERSES = {
     sp.log: lambda a: a,
+    log1p: lambda a: 1 + a,
     sp.asin: lambda a: sp.sqrt((1 - a) * (1 + a)),
     sp.acos: lambda a: -sp.sqrt((1 - a) * (1 + a)),
     sp.atan: lambda a: 1 + a**2,

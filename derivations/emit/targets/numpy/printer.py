@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import ClassVar
 
 import sympy as sp
-from sympy.codegen.cfunctions import hypot
+from sympy.codegen.cfunctions import hypot, log1p
 from sympy.printing.numpy import NumPyPrinter
 from sympy.printing.precedence import PRECEDENCE
 
@@ -27,6 +27,7 @@ class NumpyPrinter(Rules, NumPyPrinter):
         sp.tan: "np.tan",
         sp.exp: "np.exp",
         sp.log: "np.log",
+        log1p: "np.log1p",
         sp.sinh: "np.sinh",
         sp.cosh: "np.cosh",
         sp.tanh: "np.tanh",

@@ -171,6 +171,10 @@ class Elementary(Interval):
         """Its natural logarithm."""
         return self._rising(np.log, 0.0)
 
+    def log1p(self) -> Elementary:
+        """The natural logarithm of 1 more."""
+        return self._rising(np.log1p, -1.0)
+
     def root(self) -> Elementary:
         """Its square root."""
         return self._rising(np.sqrt, 0.0)
