@@ -168,13 +168,53 @@ def test_no_state_is_missed_or_made_up(oscillator, name):
             np.testing.assert_allclose(found.A[found.Omega == Omega], expected, rtol=2e-3)
 
 
-@pytest.mark.parametrize("power", [sp.Rational(1, 2), sp.Rational(4, 5)])
-def test_under_a_power_below_1_folds_come_down_to_rest(power):
-    """Without friction: at any forcing, however low, there are some."""
-    one = derive.mechanism("stiff_at_rest", [(u + k * u**power, None)], {"k": ABOVE_0})(k=1.0, zeta=0.03)
+#: with a power of u that is a number; by whether it is compiled
+STIFF = [False, pytest.param(True, marks=COMPILED)]
+
+
+def stiff_at_rest(compile):
+    return derive.mechanism(
+        "stiff_at_rest", [(c * u + k * u**p, None)], {"c": {}, "k": ABOVE_0, "p": ABOVE_0}, compile=compile
+    )
+
+
+@pytest.mark.parametrize("compile", STIFF)
+@pytest.mark.parametrize(("power", "mu"), [(0.5, 0.0), (0.8, 0.0), (0.2, 0.01)])
+def test_under_a_power_below_1_folds_come_down_to_rest(power, mu, compile):
+    """Without friction, or below 1/3 with it: at any forcing, however low above friction's, there are some."""
+    made = stiff_at_rest(compile)
+    one = made(c=1.0, k=1.0, p=power, mu=mu, zeta=0.03)
     found = one.saddle_node_onset()
     assert found.F_SN is None and "the stiffness is infinite at u = 0" in found.message
-    assert [len(one.saddle_nodes(F_0)) for F_0 in (1e-2, 1e-4, 1e-6)] == [2, 2, 2]
+    assert [len(one.saddle_nodes(one.model.m + F_0)) for F_0 in (1e-2, 1e-4, 1e-6)] == [2, 2, 2]
+    several = made.many(c=1.0, k=1.0, p=np.array([power, power]), mu=mu, zeta=0.03).saddle_node_onset()
+    assert several.status.tolist() == [Status.UNBOUNDED] * 2
+
+
+@pytest.mark.parametrize("compile", STIFF)
+@pytest.mark.parametrize(
+    ("slope", "power", "mu"), [(0.0, 0.5, 0.01), (1.0, 0.5, 0.2), (0.0, 0.8, 0.01), (1.0, 0.8, 0.001)]
+)
+def test_with_friction_there_is_an_onset_under_a_power_above_a_third(slope, power, mu, compile):
+    """The lowest level of all folds on a fine grid of amplitudes, by the roots of F_A and h in closed form."""
+    made, zeta = stiff_at_rest(compile), 0.03
+    one = made(c=slope, k=1.0, p=power, mu=mu, zeta=zeta)
+    onset, m = one.saddle_node_onset(), one.model.m
+    of_power = float(2 / mp.sqrt(mp.pi) * mp.gamma(power / 2 + 1) / mp.gamma(power / 2 + mp.mpf(1.5)))
+    lowest = math.inf
+    for A in np.concatenate([np.geomspace(1e-16, 10, 4000), onset.A * np.linspace(0.99, 1.01, 201)]):
+        h, h_A = -slope * A - of_power * A**power, -slope - power * of_power * A ** (power - 1)
+        # of Omega over the resonance's: all of one size
+        w = math.sqrt(-h_A)
+        roots = np.roots([A, 0, (h + A * h_A + 4 * zeta**2 * A) / w**2, 2 * zeta * m / w**3, h * h_A / w**4]) * w
+        for Omega in roots[np.abs(roots.imag) < 1e-9 * np.abs(roots)].real:
+            if Omega > 0:
+                lowest = min(lowest, math.hypot(A * Omega**2 + h, 2 * zeta * A * Omega + m))
+    assert onset.kind == "cusp"
+    assert onset.F_SN == pytest.approx(lowest, rel=1e-7)
+    assert onset.F_SN - m == pytest.approx(lowest - m, rel=2e-3)
+    several = made.many(c=slope, k=1.0, p=np.array([power, power]), mu=mu, zeta=zeta).saddle_node_onset()
+    assert several.F_SN == pytest.approx(onset.F_SN, rel=1e-14)
 
 
 def test_quotients_that_cancel_at_rest_keep_their_digits():

@@ -150,6 +150,10 @@ AT_ROOT = 8.8817841970012523e-16
 FIRST_F_0 = 9.9999999999999995e-07
 # an amplitude beside `ENDLESS`, to tell what a level tends to
 FAR_OUT = 1073741824.0
+# amplitudes at which it is asked what comes next to rest fall by this
+FALL = 9.5367431640625e-07
+# how many of these there are
+FALLS = 6
 # share by which what tends to 0 falls from there to `ENDLESS`
 TENDS = 9.5367431640625e-07
 # about h_A at the next double above a breakpoint b, over J/b, where the force jumps by J

@@ -10,6 +10,7 @@ import numpy as np
 from slowflow import backend
 from slowflow.answer import joined
 from slowflow.averaged import words
+from slowflow.averaged.reference.onset import next_to_rest
 from slowflow.model import Floats, Model
 from slowflow.results import (
     Cusps,
@@ -75,6 +76,10 @@ def onset(model: Model) -> SaddleNodeOnset:
     _check(status, model)
     if status == Status.UNBOUNDED:
         said = words.OPEN if model.zeta > 0 else words.NO_LOWEST.format(model.m)
+        with np.errstate(all="ignore"):
+            come_down, _ = next_to_rest(model)
+        if come_down and not model.inertial and model.zeta > 0:
+            said = words.STIFF_AT_REST.format(model.m)
         return SaddleNodeOnset(None, None, None, "", said, _status=Status.UNBOUNDED)
     return words.with_folds_at_rest(model, SaddleNodeOnset(None, None, None, "", words.NO_ONSET), at_rest)
 

@@ -69,6 +69,7 @@ static int sf_begin_cusps(sf_onset_block *block, int d) {
     const sf_model *model = &of->model;
     int k;
     if (model->breaks == 0 || model->breaks < model->mechanism->breakpoints || of->ends.rest.h != 0 ||
+        isinf(of->ends.rest.h_A) ||
         !(model->zeta * model->zeta * model->b[0] > SF_WEAK * fabs(of->ends.on[0].h)))
         return 0;
     sf_add_cusp_probe(&block->probes, model, &of->ends.rest);

@@ -373,10 +373,43 @@ static sf_status sf_without_onset(sf_status status, sf_onset *best) {
     return status;
 }
 
+/* The amplitude from which on there may be folds, beside a force that is infinitely stiff at u = 0, as under a power
+ * of u below 1; of any other force 0; negative where there are folds at ever smaller amplitudes.
+ *
+ * R R_A is least, -k^2/(4 A), between the Omega at which R and R_A vanish. Where that outweighs I I_A ever more there
+ * is a fold at each A, with |R| < |k|, which tends to 0: the level tends to that of friction. Where it outweighs it
+ * ever less there is none. */
+static double sf_first_with_folds(const sf_model *model, const sf_sample *rest) {
+    double A = 1, from = 0, outweighed = 0, outweighs = 0;
+    int k, come_down = 1;
+    if (rest->h < 0 || !isinf(rest->h_A))
+        return 0;
+    for (k = 0; k < SF_FALLS; k++) {
+        const double last = outweighed, lasts = outweighs;
+        double slow, fast, share;
+        sf_sample at;
+        A *= SF_FALL;
+        sf_sample_at(model, A, &at);
+        slow = 2 * model->zeta * sqrt(fmin(fabs(at.h) / A, fabs(at.h_A)));
+        fast = 2 * model->zeta * sqrt(fmax(fabs(at.h) / A, fabs(at.h_A)));
+        share = at.k * at.k / (4 * A);
+        outweighs = share / (fast * (model->m + fast * A));
+        outweighed = share / (slow * (model->m + slow * A));
+        come_down &= outweighs > 1 && (k == 0 || outweighs > lasts);
+        if (!(outweighed < 1) || (k > 0 && !(outweighed < last)))
+            from = 0;
+        if (from == 0 && outweighed < 1)
+            from = A;
+    }
+    return come_down ? -1 : from;
+}
+
 /* The lowest forcing at which folds are born, from there. pieces: how many of the first have been considered */
 static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, int pieces, sf_work *work,
                               sf_onset *best)
 {
+    const double from = model->zeta == 0 ? 0 : sf_first_with_folds(model, &ends->rest);
+    sf_sample rest = ends->rest;
     sf_stretch piece;
     sf_status status;
     int k;
@@ -384,16 +417,20 @@ static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, 
         status = sf_onset_undamped(model, work, best);
         return best->kind == SF_NO_KIND ? sf_without_onset(status, best) : status;
     }
+    if (from < 0)
+        return sf_without_onset(SF_UNBOUNDED, best);
+    if (from > 0)
+        sf_sample_at(model, from, &rest);
     if (model->in_doubt) /* whether a corner is the lowest is the sign of a jump */
         return sf_without_onset(SF_UNRESOLVED, best);
     for (k = pieces; k < model->breaks; k++) {
-        piece.first = k > 0 ? ends->above[k - 1] : ends->rest, piece.last = ends->on[k];
+        piece.first = k > 0 ? ends->above[k - 1] : rest, piece.last = ends->on[k];
         sf_clear_zeros(&work->zeros);
         sf_consider_piece(model, &piece, &work->zeros, best);
         if (work->zeros.status != SF_OK)
             return sf_without_onset(work->zeros.status, best);
     }
-    status = sf_onset_in_last(model, model->breaks > 0 ? &ends->above[model->breaks - 1] : &ends->rest, work, best);
+    status = sf_onset_in_last(model, model->breaks > 0 ? &ends->above[model->breaks - 1] : &rest, work, best);
     if (best->undecided && sf_is_beside_break(model, best))
         status = SF_UNRESOLVED;
     if (sf_inertial(model) && (status == SF_OK || status == SF_NONE) && sf_falls_at_break(model, best))

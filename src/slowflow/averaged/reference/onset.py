@@ -36,14 +36,12 @@ from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound
 from slowflow_kernels import dissipation, slow_flow, slow_flow_zeta0
-from slowflow_kernels.conventions import COINCIDE, ENDLESS, FAR_OUT, FIRST_F_0, RAISE, RAISES, TENDS, Status
+from slowflow_kernels.conventions import COINCIDE, ENDLESS, FALL, FALLS, FAR_OUT, FIRST_F_0, RAISE, RAISES, TENDS, Status
 
 #: of a force's size: what rounding its parameters may make of its jump
 OF_ROUNDING = 2.0**-48
 #: to either side of a frequency at which folds on a breakpoint may begin
 NEAR = 2.0**-30
-#: amplitudes, falling, at which it is asked what comes next to rest
-NEXT_TO_REST = (2.0**-20, 2.0**-60)
 #: amplitudes that stand for endless ones
 BEYOND = np.array([FAR_OUT, ENDLESS])
 
@@ -89,10 +87,11 @@ def onset(model: Model) -> SaddleNodeOnset:
     with np.errstate(all="ignore"):
         if model.zeta == 0 and not model.laws.any:
             return _onset_without_viscous_damping(model)
-        if _folds_come_down_to_rest(model):
+        come_down, base = next_to_rest(model)
+        if come_down:
             message = words.OPEN if model.inertial else words.STIFF_AT_REST.format(model.m)
             return SaddleNodeOnset(None, None, None, "", message, _status=Status.UNBOUNDED)
-        best = _lowest(model)
+        best = _lowest(model, base)
     if _hardly_jumps(model) or (best.undecided and _is_beside_breakpoint(model, best)):
         raise ArithmeticError(words.unresolved_onset(model))
     if best.open or (model.inertial and _falls_at_breakpoint(model, best)):
@@ -104,18 +103,29 @@ def onset(model: Model) -> SaddleNodeOnset:
     return words.with_folds_at_rest(model, found, best.rest)
 
 
-def _folds_come_down_to_rest(model: Model) -> bool:
-    """Whether there are folds at ever smaller amplitudes, as under a power of u below 1, infinitely stiff at u = 0.
+def next_to_rest(model: Model) -> tuple[bool, float]:
+    """Whether there are folds at ever smaller amplitudes, and else an amplitude below which there are none.
 
-    R R_A is least, -k^2/(4 A), between the Omega at which R and R_A vanish. Where that outweighs I I_A ever more there
-    is a fold at each A, with |R| < |k|, which tends to 0: the level tends to that of friction.
+    As under a power of u below 1, which is infinitely stiff at u = 0; of any other force 0. R R_A is least,
+    -k^2/(4 A), between the Omega at which R and R_A vanish. Where that outweighs I I_A ever more there is a fold at each
+    A, with |R| < |k|, which tends to 0: the level tends to that of friction. Where it outweighs it ever less there is
+    none.
     """
     if model.laws.any or model.preload > 0 or not np.isinf(samples_at(model, 0.0).h_A[0]):
-        return False
-    at = samples_at(model, np.array(NEXT_TO_REST))
-    damping = 2 * model.zeta * np.sqrt(np.maximum(np.abs(at.h) / at.A, np.abs(at.h_A)))
-    share = at.k**2 / (4 * at.A) / (damping * (model.m + damping * at.A))
-    return bool((share > 1).all() and (np.diff(share) > share[:-1]).all())
+        return False, 0.0
+    at = samples_at(model, FALL ** np.arange(1.0, FALLS + 1))
+    X = np.abs(at.h) / at.A, np.abs(at.h_A)
+
+    def share(X: Floats) -> Floats:
+        damping = 2 * model.zeta * np.sqrt(X)
+        return at.k**2 / (4 * at.A) / (damping * (model.m + damping * at.A))
+
+    of_folds, of_none = share(np.maximum(*X)), share(np.minimum(*X))
+    if (of_folds > 1).all() and (np.diff(of_folds) > 0).all():
+        return True, 0.0
+    known = (of_none < 1) & np.append(np.diff(of_none) < 0, True)
+    known = np.logical_and.accumulate(known[::-1])[::-1]
+    return False, float(at.A[np.argmax(known)]) if known.any() else 0.0
 
 
 def _hardly_jumps(model: Model) -> bool:
@@ -229,9 +239,9 @@ def _tends_to_friction_on(model: Model, at: Samples, above: Samples, jump: float
     return False
 
 
-def _lowest(model: Model) -> _Best:
-    """Of all pieces and breakpoints; first what leaves less to search."""
-    best, first = _Best(), samples_at(model, 0.0)
+def _lowest(model: Model, base: float) -> _Best:
+    """Of all pieces and breakpoints, from an amplitude on; first what leaves less to search."""
+    best, first = _Best(), samples_at(model, base)
     if (
         model.preload > 0
     ):  # R, -preload next to A = 0, vanishes at frequencies that tend to inf there, and F_0 tends to m
