@@ -68,6 +68,11 @@ def test_a_phase_nobody_reads_is_not_computed():
     assert states.phi.shape == states.A.shape and "phi" in states.__dict__
 
 
+def test_where_doubles_do_not_tell_how_many_folds_there_are_balls_are_planned():
+    assert "balls" in str(isolator().explain("saddle_nodes", 0.04))
+    assert "balls" not in str(isolator(excitation="base").explain("saddle_nodes", 0.04))
+
+
 def test_questions_about_all_forcings_are_explained():
     whole, linear, undamped = isolator(), isolator(delta_h=0), isolator(zeta=0)
     assert "explicit in A" in str(whole.explain("saddle_node_onset"))

@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import Duffing, Isolator
-from slowflow.averaged.asked import PROVED_FOLDS, PROVED_STATES
+from slowflow.averaged.asked import PROVED_FOLDS, PROVED_STATES, SADDLE_NODES
 from slowflow_kernels.conventions import Status
 from tests.oracles.draws import batch, drawn_isolators, drawn_springs, forcings, oscillator
 
@@ -39,11 +39,12 @@ def folds(kind: str, part: int, number: int) -> Tally:
         numbers = draw(rng, min(AT_ONCE, number - first))
         designs = batch(made, numbers)
         F_0 = forcings(rng, designs, numbers[-2])
-        found, (counted, proved, *_) = designs.saddle_nodes(F_0, places=12), designs.ask(PROVED_FOLDS, 1, F_0)
-        there = found.status == Status.OK
-        said, other = found.undecided != 0, found.count != counted
+        *_, given, undecided, status = designs.ask(SADDLE_NODES, 1, F_0, 12)  # by doubles alone
+        counted, proved, *_ = designs.ask(PROVED_FOLDS, 1, F_0)
+        there = status == Status.OK
+        said, other = undecided != 0, given != counted
         enter(tally, np.stack([*numbers, F_0], axis=-1)[there], said[there], proved[there] == 1, other[there])
-        tally["refused"] += int((~there & (found.status != Status.STICKS)).sum())
+        tally["refused"] += int((~there & (status != Status.STICKS)).sum())
     return tally
 
 

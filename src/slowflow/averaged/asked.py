@@ -89,16 +89,18 @@ def curves(samples: int, window: tuple[float, float]) -> Question:
 
     def one(oscillator: Any, F_0: float, places: int) -> tuple[Any, ...]:
         found = oscillator and oscillator.frequency_response(F_0, samples=samples, Omega=window)
-        folds = _saddle_nodes(oscillator, F_0, places)
+        *folds, undecided, status = _saddle_nodes(oscillator, F_0, places)
+        # folds that balls decide leave the curve as doubles have it
+        undecided = undecided or (bool(found) and Remark.UNDECIDED in found.remarks)
         size = len(found) if found else 0
         Omega, A, branch = np.full(n, np.nan), np.full(n, np.nan), np.full(n, -1, np.int16)
         stable, isola = np.zeros(n, np.int8), np.zeros(n, np.int8)
         if size > n:
-            return Omega, A, stable, branch, isola, size, *folds[:-1], Status.TOO_MANY
+            return Omega, A, stable, branch, isola, size, *folds, undecided, Status.TOO_MANY
         if size:
             Omega[:size], A[:size], stable[:size], branch[:size] = found.Omega, found.A, found.stable, found.branch
             isola[:size] = np.array(found.isola)[found.branch]
-        return Omega, A, stable, branch, isola, size, *folds
+        return Omega, A, stable, branch, isola, size, *folds, undecided, status
 
     def batch(native: ModuleType) -> Callable[[Any], Callable[..., Any]]:
         def of_record(record: Any) -> Callable[..., Any]:

@@ -9,6 +9,7 @@ raised for it: `status` says why, by the numbers of `slowflow_kernels.convention
 from __future__ import annotations
 
 import importlib.util
+from collections.abc import Iterator
 from functools import cached_property
 from typing import Any
 
@@ -29,6 +30,7 @@ from slowflow.averaged.asked import (
     One,
     Question,
     curves,
+    in_places,
 )
 from slowflow.averaged.batches import Codes, Curves, Detachments, Folds, Onsets, Peaks, Proofs, States
 from slowflow.averaged.parts import blocks, share
@@ -36,6 +38,7 @@ from slowflow.averaged.questions import Averaged
 from slowflow.certificate import DOUBLES
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, Floats, Laws, Model, check_names
+from slowflow.results import Remark
 from slowflow_kernels import inertia
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.domains import DISSIPATION
@@ -109,9 +112,31 @@ class Designs:
         return Onsets(*self.ask(ONSET, workers), _designs=self, _averaged=True)
 
     def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Folds:
-        """Every fold at F_0, which broadcasts with the designs; `Status.TOO_MANY` where they exceed `places`."""
+        """Every fold at F_0, which broadcasts with the designs; `Status.TOO_MANY` where they exceed `places`.
+
+        What doubles leave undecided is asked of balls, as of single designs, see `certify`.
+        """
         places = validate.count("places", places, least=1)
-        return Folds(*self.ask(SADDLE_NODES, workers, F_0, places), _designs=self, _F_0=F_0, _averaged=True)
+        columns = self.ask(SADDLE_NODES, workers, F_0, places)
+        self._decide_folds(F_0, places, columns)
+        return Folds(*columns, _designs=self, _F_0=F_0, _averaged=True)
+
+    def _decide_folds(self, F_0: Any, places: int, columns: list[npt.NDArray[Any]]) -> None:
+        """Change the columns to those of single answers where doubles do not decide, and balls may."""
+        undecided = columns[-2] != 0
+        if self.excitation != "force" or self.laws or importlib.util.find_spec("flint") is None:
+            return
+        for at, numbers, (F,) in self._each(undecided, F_0):
+            found = Averaged(self.model(dict(zip(self.values, numbers, strict=True)))).saddle_nodes(F)
+            for column, value in zip(columns, in_places(found, places, Remark.UNDECIDED in found.remarks), strict=True):
+                column[at] = value
+
+    def _each(self, wanted: npt.NDArray[np.bool_], *asked: Any) -> Iterator[tuple[Any, list[float], list[float]]]:
+        """Where a design is wanted, its numbers, and what is asked of it, one by one."""
+        values = [np.broadcast_to(value, wanted.shape) for value in (*self.values.values(), *asked)]
+        for at in map(tuple, np.argwhere(wanted)):
+            numbers = [float(value[at]) for value in values]
+            yield at, numbers[: len(self.values)], numbers[len(self.values) :]
 
     def amplitudes(self, *, Omega: Any, F_0: Any, places: int = 6, workers: int = 1) -> States:
         """Every steady state at (Omega, F_0), which broadcast with the designs (24), (30).
@@ -172,18 +197,15 @@ class Designs:
         left = (proved == 0) & (status != Status.INVALID) & (status != Status.NO_MEMORY)
         if importlib.util.find_spec("flint") is None or not left.any():
             return
-        asked = [F_0] if Omega is None else [F_0, Omega]
-        values = [np.broadcast_to(value, left.shape) for value in (*self.values.values(), *asked)]
-        for at in map(tuple, np.argwhere(left)):
-            *numbers, F = (float(value[at]) for value in values[: len(self.values) + 1])
+        for at, numbers, (F, *frequency) in self._each(left, F_0, *([] if Omega is None else [Omega])):
             try:
                 model = self.model(dict(zip(self.values, numbers, strict=True)))
                 validate.number("F_0", F, above=0.0)
                 found: Any
-                if Omega is None:
+                if not frequency:
                     found = proofs.saddle_nodes(model, F, np.empty(0))
                 else:
-                    (w,) = validate.frequencies("Omega", float(values[-1][at])).ravel()
+                    (w,) = validate.frequencies("Omega", *frequency).ravel()
                     found = proofs.amplitudes(model, float(w), F)
             except ValueError:
                 status[at] = Status.INVALID

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from slowflow.averaged import words
+from slowflow.averaged import proofs, words
 from slowflow.model import Model
 from slowflow.results import Remark, SaddleNodeOnset
 
@@ -41,6 +41,10 @@ CURVE = (
     Step("folds", True, "level crossings of the fold locus, and corners: they cut the curve into pieces"),
     Step("phase", False, "computed when .phi is first read"),
 )
+
+
+FOLDS = "level crossings of the fold locus, and corners"
+IN_BALLS = "; where doubles do not tell how many, balls, with python-flint"
 
 
 @dataclass(frozen=True)
@@ -104,7 +108,7 @@ def plan(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None)
     ):
         folds = Step("folds", False, f"F_0 < F_SN = {onset.F_SN:g}: there is none")
     else:
-        folds = Step("folds", True, "level crossings of the fold locus, and corners")
+        folds = Step("folds", True, FOLDS + IN_BALLS if proofs.is_plain(whole) else FOLDS)
     return Plan(question, F_0, whole, folds.runs, (force, flow, folds))
 
 

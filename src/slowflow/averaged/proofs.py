@@ -20,6 +20,7 @@ from slowflow.answer import joined
 from slowflow.averaged import words
 from slowflow.certificate import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates
 from slowflow.model import Floats, Model
+from slowflow.results import Remark, SaddleNodes
 from slowflow_kernels.conventions import OnsetKind, Status
 
 Answer = TypeVar("Answer", bound=Proved)
@@ -29,6 +30,8 @@ _NOTHING = np.empty(0)
 _NO_FLAG = np.empty(0, bool)
 #: by the sign of F_AA: 0, 1, -1
 _KINDS = np.array(["", "jump-down", "jump-up"])
+#: relative width of an enclosure whose middle may be an answer
+_NARROW = 2.0**-40
 
 
 def _asked(proof: Callable[[ModuleType], Callable[..., Any]], model: Model, *numbers: Any) -> tuple[Any, str]:
@@ -74,6 +77,44 @@ def _decided(found: Answer, model: Model, ask: Callable[[Any], Answer | None]) -
 def saddle_nodes(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
     """Every fold at F_0, with what is proved of it; `expected`: amplitudes where some are, which saves time."""
     return _decided(folds_in_doubles(model, F_0, expected), model, lambda balls: balls.saddle_nodes(model, F_0))
+
+
+def is_plain(model: Model) -> bool:
+    """Whether proofs are about what is asked of the model: of a force, mu and zeta alone."""
+    return bool(model.design) and not model.inertial and not model.laws.any
+
+
+def decided(found: SaddleNodes, model: Model) -> SaddleNodes:
+    """Folds whose number doubles leave undecided, as balls prove them; as they are where these do not decide either."""
+    if Remark.UNDECIDED not in found.remarks or not is_plain(model) or importlib.util.find_spec("flint") is None:
+        return found
+    from slowflow.averaged.balls import answers
+
+    proof = answers.saddle_nodes(model, found.F_0)
+    if proof is None or not proof.proved:
+        return found
+    # doubles may have more digits of one that lies next to a breakpoint
+    same = proof.corner.tolist() == found.corner.tolist()
+    Omega, A = (
+        _middle(enclosed, known if same else None)
+        for enclosed, known in ((proof.Omega, found.Omega), (proof.A, found.A))
+    )
+    if np.isnan(Omega).any() or np.isnan(A).any():
+        return found
+    # which way a sweep leaves doubles say where the proof does not
+    with np.errstate(all="ignore"):  # folds of any size
+        told = np.where(model.F_AA(Omega, A) < 0, "jump-up", "jump-down")
+    kind = np.where(proof.kind == "", told, proof.kind)
+    message, cut = words.of_folds(model, found.F_0, A.size > 0, found.message if Remark.CUT in found.remarks else "")
+    codes = words.beside(False, cut)
+    return SaddleNodes(Omega, A, kind, proof.corner, found.F_0, message, model, remarks=codes)
+
+
+def _middle(enclosed: Floats, known: Floats | None) -> Floats:
+    """What was known, where enclosures hold it, else their middles; NaN where they are too wide for that."""
+    low, high = enclosed.T
+    middle = np.where(high - low <= _NARROW * high, enclosed.mean(axis=1), np.nan)
+    return middle if known is None else np.where((low <= known) & (known <= high), known, middle)
 
 
 def amplitudes(model: Model, Omega: float, F_0: float) -> ProvedStates:

@@ -142,6 +142,9 @@ class Averaged:
     def saddle_nodes(self, F_0: float, *, certify: bool = False) -> SaddleNodes:
         """Every fold of the response curve at F_0, by rising Omega (24), (30). Raises ValueError for F_0 <= 0.
 
+        Where doubles do not tell how many there are balls of more digits do, with python-flint
+        (`pip install 'slowflow[proofs]'`), in hundredths of a second; `Remark.UNDECIDED` says where neither does.
+
         With `certify`, `.proof` holds an enclosure of each and whether there are proved to be no others; a proof that
         finds another number of folds than the answer has says so in its message.
         """
@@ -187,7 +190,7 @@ class Averaged:
             none = np.empty(0)
             message = words.sticks(self.model, F_0) if planned.model is None else words.NO_FOLD.format(F_0)
             return SaddleNodes(none, none, np.empty(0, "U9"), np.empty(0, bool), F_0, message, self.model)
-        return solvers.saddle_nodes(planned.model, F_0)
+        return proofs.decided(solvers.saddle_nodes(planned.model, F_0), planned.model)
 
     def saddle_node_onset(self) -> SaddleNodeOnset:
         """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33)."""

@@ -36,6 +36,8 @@ from slowflow_kernels.conventions import OnsetKind
 
 #: how many bits are tried, in turn
 BITS = (128, 512)
+#: relative width of an enclosure whose middle is right to a unit in the last place of doubles
+SHARP = 2.0**-51
 
 Answer = TypeVar("Answer", bound=Proved)
 
@@ -43,8 +45,15 @@ Answer = TypeVar("Answer", bound=Proved)
 _DIGITS = threading.Lock()
 
 
-def _decided(model: Model, ask: Callable[[Given], Answer | None]) -> Answer | None:
-    """An answer that is proved by as few bits as it takes, or that of the most."""
+def is_sharp(found: ProvedFolds) -> bool:
+    """Whether enclosures tell each fold to a unit in the last place."""
+    return all(bool((high - low <= SHARP * high).all()) for low, high in (found.Omega.T, found.A.T))
+
+
+def _decided(
+    model: Model, ask: Callable[[Given], Answer | None], enough: Callable[[Answer], bool] = lambda found: True
+) -> Answer | None:
+    """An answer that is proved by as few bits as it takes for it to be good enough, or that of the most."""
     averages = averages_of(model.mechanism)
     if averages is None or not model.design:
         return None
@@ -55,8 +64,11 @@ def _decided(model: Model, ask: Callable[[Given], Answer | None]) -> Answer | No
     with _DIGITS, np.errstate(all="ignore"):
         for bits in BITS:
             with ctx.workprec(bits):
-                found = ask(Given(model, averages))
-            if found is None or found.proved:
+                more = ask(Given(model, averages))
+            if more is None:
+                break
+            found = more if found is None or more.proved or not found.proved else found
+            if more.proved and enough(more):
                 break
     return found
 
@@ -88,7 +100,11 @@ def _remarks(found: Found, bounded: bool, A_max: float) -> str:
 
 
 def _of_forcing(
-    model: Model, F_0: float, ask: Callable[[Asked, float], Found], answer: Callable[..., Answer]
+    model: Model,
+    F_0: float,
+    ask: Callable[[Asked, float], Found],
+    answer: Callable[..., Answer],
+    enough: Callable[[Answer], bool] = lambda found: True,
 ) -> Answer | None:
     """Folds or states at a forcing."""
 
@@ -104,7 +120,7 @@ def _of_forcing(
         found, bounded = ask(Asked(given, F_0), A_max), is_bounded(given, arb(F_0), A_max)
         return answer(not found.doubts, _remarks(found, bounded, A_max), found, A_max, bounded)
 
-    return _decided(model, at)
+    return _decided(model, at, enough)
 
 
 def saddle_nodes(model: Model, F_0: float) -> ProvedFolds | None:
@@ -117,7 +133,7 @@ def saddle_nodes(model: Model, F_0: float) -> ProvedFolds | None:
         enclosed = _pairs(found.Omega), _pairs(found.A), kind, corner
         return ProvedFolds(proved, message, ctx.prec, *enclosed, A_max, bounded, _pairs(found.doubts))
 
-    return _of_forcing(model, F_0, lambda asked, A_max: asked.folds(A_max), answer)
+    return _of_forcing(model, F_0, lambda asked, A_max: asked.folds(A_max), answer, is_sharp)
 
 
 def amplitudes(model: Model, Omega: float, F_0: float) -> ProvedStates | None:
