@@ -218,7 +218,7 @@ CONVENTIONS = (
             Number("AT_ROOT", sp.Rational(1, 2**50), "relative distance from an amplitude that rounding makes of none"),
             Number("FIRST_F_0", sp.Rational(1, 10**6), "forcing that is raised first where there is no friction"),
             Number("FAR_OUT", sp.Integer(2**30), "an amplitude beside `ENDLESS`, to tell what a level tends to"),
-            Number("FALL", sp.Rational(1, 2**20), "amplitudes at which it is asked what comes next to rest fall by this"),
+            Number("FALL", sp.Rational(1, 2**20), "amplitudes at which the rest is looked at fall by this"),
             Number("FALLS", 6, "how many of these there are"),
             Number("TENDS", sp.Rational(1, 2**20), "share by which what tends to 0 falls from there to `ENDLESS`"),
             Number(

@@ -14,7 +14,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from slowflow import backend, derive, exact
+from slowflow import Duffing, backend, derive, exact
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.exact.compiled import TAYLOR
 from slowflow.exact.integrate import ScipyIntegrator
@@ -176,6 +176,15 @@ def test_every_state_against_a_stop_is_there(stop, Omega, load):
     assert found.B == pytest.approx([centre(A) for A in roots], rel=1e-10, abs=1e-15)
     slopes = [F(A * (1 + 1e-6)) - F(A * (1 - 1e-6)) for A in roots]
     assert found.stable.tolist() == [slope > 0 for slope in slopes]
+
+
+def test_a_linear_or_bilinear_force_without_a_load_rests_at_the_centre():
+    """Whose bound of a place of rest is 0 itself."""
+    two = derive.mechanism("two_springs", [(k * u, 0), (u, None)], {"k": ABOVE}, odd=False)(k=3.0, **DAMPED)
+    for rest in (two.rest(), Duffing(1.0, 0.0, **DAMPED).off_centre.rest()):
+        assert rest.u.tolist() == [0.0] and rest.stable.all()
+    assert "stands at the first breakpoint" in two.detachment().message
+    assert two.replace(load=-0.3).rest().u == pytest.approx([-0.1], rel=1e-14)
 
 
 def test_a_stop_is_reached_by_the_linear_motion_that_just_does(stop):

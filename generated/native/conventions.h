@@ -101,7 +101,7 @@ typedef enum {
 #define SF_FIRST_F_0 9.9999999999999995e-07
 /* an amplitude beside `ENDLESS`, to tell what a level tends to */
 #define SF_FAR_OUT 1073741824.0
-/* amplitudes at which it is asked what comes next to rest fall by this */
+/* amplitudes at which the rest is looked at fall by this */
 #define SF_FALL 9.5367431640625e-07
 /* how many of these there are */
 #define SF_FALLS 6

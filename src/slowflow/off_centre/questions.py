@@ -125,7 +125,8 @@ class OffCentre:
 
     def rest(self) -> RestPositions:
         """Every place of rest, f(u) = load."""
-        bound = self._complete.offset_bound(0.0)
+        # a bound of 0, as of a linear force without a load, leaves u = 0: it is looked for in a box around it
+        bound = self._complete.offset_bound(0.0) or 1.0
         edges = np.concatenate((np.linspace(-bound, bound, PARTS + 1), self._steps.places * self._steps.sides))
         edges = np.unique(edges[(edges >= -bound) & (edges <= bound)])
         found = solve(

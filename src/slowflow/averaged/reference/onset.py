@@ -36,7 +36,18 @@ from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound
 from slowflow_kernels import dissipation, slow_flow, slow_flow_zeta0
-from slowflow_kernels.conventions import COINCIDE, ENDLESS, FALL, FALLS, FAR_OUT, FIRST_F_0, RAISE, RAISES, TENDS, Status
+from slowflow_kernels.conventions import (
+    COINCIDE,
+    ENDLESS,
+    FALL,
+    FALLS,
+    FAR_OUT,
+    FIRST_F_0,
+    RAISE,
+    RAISES,
+    TENDS,
+    Status,
+)
 
 #: of a force's size: what rounding its parameters may make of its jump
 OF_ROUNDING = 2.0**-48
@@ -107,9 +118,9 @@ def next_to_rest(model: Model) -> tuple[bool, float]:
     """Whether there are folds at ever smaller amplitudes, and else an amplitude below which there are none.
 
     As under a power of u below 1, which is infinitely stiff at u = 0; of any other force 0. R R_A is least,
-    -k^2/(4 A), between the Omega at which R and R_A vanish. Where that outweighs I I_A ever more there is a fold at each
-    A, with |R| < |k|, which tends to 0: the level tends to that of friction. Where it outweighs it ever less there is
-    none.
+    -k^2/(4 A), between the Omega at which R and R_A vanish. Where that outweighs I I_A ever more there is a fold at
+    each A, with |R| < |k|, which tends to 0: the level tends to that of friction. Where it outweighs it ever less there
+    is none.
     """
     if model.laws.any or model.preload > 0 or not np.isinf(samples_at(model, 0.0).h_A[0]):
         return False, 0.0
