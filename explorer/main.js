@@ -238,9 +238,9 @@ function valueOf({ low, high, curved }, share, domain) {
 }
 
 function field(name, doc, label, unit) {
-  return `<div class="field"><label for="number-${name}" title="${doc}">${label}</label>
+  return `<div class="field"><label for="number-${name}" title="${plainSymbol(doc)}">${label}</label>
 <input id="number-${name}" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"><span class="unit">${unit}</span>
-<input id="range-${name}" type="range" min="0" max="1000" step="any" aria-label="${doc}"></div>`;
+<input id="range-${name}" type="range" min="0" max="1000" step="any" aria-label="${plainSymbol(doc)}"></div>`;
 }
 
 function excitationPicker(state) {
@@ -319,10 +319,10 @@ function buildFields() {
     return true;
   });
   $("leave").textContent = about.rod ? "F_cr: springs leave from" : "F_cr: it passes u_cr from";
-  $("beyond").textContent = about.rod ? "springs off their seat" : "beyond u_cr";
+  $("beyond").innerHTML = about.rod ? "springs off their seat" : `beyond ${symbol("u_cr")}`;
   const axes = [...about.design, ...DATA.damping];
   for (const id of ["map-x", "map-y"])
-    $(id).innerHTML = axes.map((one) => `<option value="${one.name}">${nameIn(state, one.name)} – ${one.doc}</option>`).join("");
+    $(id).innerHTML = axes.map((one) => `<option value="${one.name}">${nameIn(state, one.name)} – ${words(one.doc)}</option>`).join("");
   const before = app.axes || {};
   const has = (name) => axes.some((one) => one.name === name);
   $("map-x").value = has(before.x) ? before.x : axes[Math.min(1, axes.length - 3)].name;

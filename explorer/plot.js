@@ -76,8 +76,8 @@ class Plot {
       grid += `<path d="M${room.left},${at}h${wide}"/>`;
       axes += `<text x="${room.left - 7}" y="${Number(at) + 4}" text-anchor="end">${text(value, up.step)}</text>`;
     }
-    axes += `<text class="label" x="${room.left + wide / 2}" y="${this.height - 6}" text-anchor="middle">${labels.x}</text>`;
-    axes += `<text class="label" transform="translate(13 ${room.top + high / 2}) rotate(-90)" text-anchor="middle">${labels.y}</text>`;
+    axes += `<text class="label" x="${room.left + wide / 2}" y="${this.height - 6}" text-anchor="middle">${lowered(labels.x)}</text>`;
+    axes += `<text class="label" transform="translate(13 ${room.top + high / 2}) rotate(-90)" text-anchor="middle">${lowered(labels.y)}</text>`;
     this.layer.grid.innerHTML = grid;
     this.layer.axes.innerHTML = axes;
   }
@@ -172,7 +172,7 @@ function drawResponse(plot, answer, shown) {
   }
   for (const [i, b] of breaks.entries())
     if (b < top)
-      regions += line("break", `M${left},${plot.y(b).toFixed(1)}h${wide}`) + `<text class="name" x="${left + wide - 4}" y="${(plot.y(b) - 5).toFixed(1)}" text-anchor="end">${breaks.length > 1 ? `u_cr ${i + 1}` : DATA.mechanisms[state.mechanism].odd ? "u_cr" : "to u_cr"}</text>`;
+      regions += line("break", `M${left},${plot.y(b).toFixed(1)}h${wide}`) + `<text class="name" x="${left + wide - 4}" y="${(plot.y(b) - 5).toFixed(1)}" text-anchor="end">${lowered(breaks.length > 1 ? `u_cr ${i + 1}` : DATA.mechanisms[state.mechanism].odd ? "u_cr" : "to u_cr")}</text>`;
   plot.set("regions", regions);
   let beside = "";
   const { backbone, envelope, locus } = answer;

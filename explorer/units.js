@@ -14,6 +14,16 @@ function symbol(name) {
   return `<i>${head}</i>` + (below.length ? `<sub>${below.join(" ")}</sub>` : "");
 }
 
+/** What a number is, in few words: without remarks, as lists have no room for these. */
+function words(doc) {
+  return plainSymbol(doc.split(/;|, </)[0]);
+}
+
+/** A text of a drawing, with what follows "_" below the line. */
+function lowered(text) {
+  return text.replace(/_(\w+)(.*)$/, '<tspan class="below" dy="3">$1</tspan><tspan dy="-3">$2</tspan>');
+}
+
 function power(base, exponent) {
   const whole = Math.abs(exponent) === 0.5 ? Math.sqrt(base) : base ** Math.abs(exponent);
   return exponent < 0 ? 1 / whole : whole;

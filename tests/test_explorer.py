@@ -336,6 +336,38 @@ def test_the_map_is_painted_and_a_click_goes_there(browser: Any) -> None:
         assert float(page.input_value("#number-r")) > before
 
 
+#: letters of the longest option of a list that its box has no room for, and which
+TOO_LONG = """one => {
+  const { font, paddingLeft, paddingRight } = getComputedStyle(one), pen = document.createElement("canvas").getContext("2d");
+  pen.font = font;
+  const room = one.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight) - 16;  // 16: the arrow
+  return [...one.options].map((option) => option.text).filter((text) => pen.measureText(text).width > room);
+}"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("width", [1280, 390])
+def test_lists_of_the_map_have_room_for_what_they_say(browser: Any, width: int) -> None:
+    with opened(browser, viewport={"width": width, "height": 844}) as page:
+        for mechanism in page.eval_on_selector_all("#mechanism option", "all => all.map((one) => one.value)"):
+            page.select_option("#mechanism", mechanism)
+            page.evaluate("explorer.step(16)")
+            for name in ("#map-x", "#map-y"):
+                assert page.eval_on_selector(name, TOO_LONG) == [], mechanism
+                assert "Delta" not in page.text_content(name)
+
+
+@pytest.mark.slow
+def test_letters_of_pictures_stand_below_the_line(browser: Any) -> None:
+    with opened(browser) as page:
+        page.wait_for_selector("#map[data-whole=yes]")
+        assert not [
+            text
+            for text in page.eval_on_selector_all("svg text", "all => all.map((one) => one.textContent)")
+            if "_" in text
+        ]
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_nothing_is_wider_than_a_phone(browser: Any, scheme: str) -> None:
