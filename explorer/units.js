@@ -16,7 +16,7 @@ function symbol(name) {
 
 /** What a number is, in few words: without remarks, as lists have no room for these. */
 function words(doc) {
-  return plainSymbol(doc.split(/;|, </)[0]);
+  return plainSymbol(doc.split(/;|, <| whose /)[0]);
 }
 
 /** A text of a drawing, with what follows "_" below the line. */

@@ -338,7 +338,8 @@ def test_the_map_is_painted_and_a_click_goes_there(browser: Any) -> None:
 
 #: letters of the longest option of a list that its box has no room for, and which
 TOO_LONG = """one => {
-  const { font, paddingLeft, paddingRight } = getComputedStyle(one), pen = document.createElement("canvas").getContext("2d");
+  const { font, paddingLeft, paddingRight } = getComputedStyle(one);
+  const pen = document.createElement("canvas").getContext("2d");
   pen.font = font;
   const room = one.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight) - 16;  // 16: the arrow
   return [...one.options].map((option) => option.text).filter((text) => pen.measureText(text).width > room);
