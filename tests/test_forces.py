@@ -217,6 +217,23 @@ def test_with_friction_there_is_an_onset_under_a_power_above_a_third(slope, powe
     assert several.F_SN == pytest.approx(onset.F_SN, rel=1e-14)
 
 
+@pytest.mark.parametrize("compile", STIFF)
+@pytest.mark.parametrize("zeta", [0.03, 0.1])
+def test_a_preload_alone_before_a_spring_has_the_onset_of_ever_softer_springs_before_it(zeta, compile):
+    """h is constant up to the gap, where F_A vanishes at Omega = 0 whatever A is: the onset was unresolved."""
+    pieces = [(c + p * u, gap), (c + p * u + k * (u - gap), None)]
+    parameters = {"c": ABOVE_0, "p": {}, "k": ABOVE_0, "gap": ABOVE_0}
+    made = derive.mechanism("preload_alone", pieces, parameters, compile=compile)
+    found, softer = (made(c=0.01, k=2.0, gap=0.1, p=p, mu=0.01, zeta=zeta) for p in (0.0, 1e-9))
+    onset, near = found.saddle_node_onset(), softer.saddle_node_onset()
+    assert onset.kind == near.kind == "cusp" and onset.message == near.message
+    assert onset.F_SN == pytest.approx(near.F_SN, rel=1e-7)
+    below, above = (len(found.saddle_nodes(onset.F_SN * (1 + share))) for share in (-1e-5, 1e-5))
+    assert above == below + 2
+    (again,) = made.many(c=0.01, k=2.0, gap=0.1, p=np.zeros(1), mu=0.01, zeta=zeta).saddle_node_onset().F_SN
+    assert again == pytest.approx(onset.F_SN, rel=1e-14)
+
+
 def test_quotients_that_cancel_at_rest_keep_their_digits():
     """Two magnets, as one would type them; and a quotient that is not odd, whose |u| is u."""
     pieces = {

@@ -222,11 +222,12 @@ static inline void sf_range_cusp(const sf_asked *asked, const sf_known *a, const
     }
 }
 
-/* Next to A = 0 a function that vanishes there has the sign of its slope, if that has one. */
+/* Next to A = 0 a function that vanishes there has the sign of its slope, if that has one. Where h is constant, as under
+ * a preload alone, F_A vanishes at Omega = 0 throughout: nothing ends there. */
 static inline void sf_range_stiffness(const sf_cell *cell, sf_range out[2]) {
-    sf_range_simple(cell->A.lo > 0 ? cell->h : cell->h_A, cell->A.lo > 0 ? cell->h_A : cell->h_AA, SF_THROUGHOUT,
-                    &out[0]);
-    sf_range_simple(cell->h_A, cell->h_AA, SF_THROUGHOUT, &out[1]);
+    const int flat = cell->h_A.lo == 0 && cell->h_A.hi == 0, inside = cell->A.lo > 0 || flat;
+    sf_range_simple(inside ? cell->h : cell->h_A, inside ? cell->h_A : cell->h_AA, SF_THROUGHOUT, &out[0]);
+    sf_range_simple(cell->h_A, cell->h_AA, flat ? SF_NOWHERE : SF_THROUGHOUT, &out[1]);
 }
 
 static inline void sf_range_undamped(const sf_cell *cell, sf_range out[2]) {

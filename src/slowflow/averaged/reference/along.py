@@ -128,9 +128,12 @@ class Stiffness(Asked):
         return [_channel(at, True, np.where(at.A > 0, at.h, at.h_A), at.h_A), _channel(at, True, at.h_A, at.h_AA)]
 
     def range(self, cells: Cells) -> list[Range]:
-        inside = cells.A.lo > 0
+        # where h is constant, as under a preload alone, F_A vanishes at Omega = 0 throughout: nothing ends there
+        flat = (cells.h_A.lo == 0) & (cells.h_A.hi == 0)
+        inside = (cells.A.lo > 0) | flat
         first = cells.h.where(inside, cells.h_A), cells.h_A.where(inside, cells.h_AA)
-        return [_range(cells, THROUGHOUT, *first), _range(cells, THROUGHOUT, cells.h_A, cells.h_AA)]
+        where = np.where(flat, NOWHERE, THROUGHOUT)
+        return [_range(cells, THROUGHOUT, *first), _range(cells, where, cells.h_A, cells.h_AA)]
 
 
 class FoldAt(Asked):
