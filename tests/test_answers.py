@@ -243,3 +243,61 @@ def test_a_package_that_is_missing_is_asked_for_in_words(monkeypatch):
         for name in ("peak", "folds"):
             with pytest.raises(ImportError, match=rf"to_{package} needs {package}: pip install 'slowflow\[tables\]'"):
                 getattr(ANSWERS[name], f"to_{package}")()
+
+
+#: what is printed of answers that a user meets first; the digits are those of the records
+PRINTED = {
+    "saddle_node_onset": "F_SN          0.02171\nOmega         0.7762\nA             0.1825\nkind          cusp",
+    "no peak": "F_0           0.01\nmessage       sticks: F_0 = 0.01 does not exceed 4 mu/pi = 0.0152789",
+    "detachment": "F_cr          0.03002\nOmega_cr      0.9279\nu_cr          0.397",
+    "met": "feasible      True\nzeta          0.03681\nF_SN          0.03",
+}
+
+
+@pytest.mark.parametrize("name", PRINTED)
+def test_a_single_answer_prints_as_a_small_table(name):
+    assert str(ANSWERS[name]) == PRINTED[name]
+
+
+@pytest.mark.parametrize("name", ANSWERS)
+def test_no_answer_prints_raw(name):
+    """Neither codes of remarks nor objects; head, rows, how many more, message; `repr` is another."""
+    one = ANSWERS[name]
+    told = str(one)
+    assert not any(raw in told for raw in ("<", "array(", "Remark", f"{type(one).__name__}(", "None"))
+    assert repr(one).startswith(f"{type(one).__name__}(") and repr(one) != told
+    lines = told.splitlines()
+    assert len(lines) <= answer.SHOWN + 3 and max(map(len, lines)) <= 200
+
+
+def test_what_is_printed_of_an_answer_are_its_numbers():
+    """Every number of a single answer to four digits, beside its name; nothing of what is None."""
+    for name in ("peak", "no peak", "margins", "isolation", "at_rest", "transient"):
+        one = ANSWERS[name]
+        told = dict(line.split(None, 1) for line in str(one).splitlines())
+        known = {key: value for key, value in one.to_dict().items() if value not in (None, "")}
+        assert told.keys() == known.keys() - {"remarks", "tau_detaches"} | (told.keys() & {"tau_detaches"})
+        for key, value in known.items():
+            if isinstance(value, float) and key in told and not one.words_of(key, value):
+                assert float(told[key]) == pytest.approx(value, rel=6e-4)
+
+
+def test_remarks_are_printed_in_words():
+    for name, one in ANSWERS.items():
+        if not isinstance(one, Batch) and getattr(one, "remarks", 0):
+            assert one.message and one.message in str(one), name
+    near = isolator().peak(0.0155)
+    assert near.remarks and str(near).endswith(f"message       {near.message}")
+
+
+def test_arrays_of_an_answer_are_columns_and_intervals_have_two_ends():
+    state = ANSWERS["steady_state"]
+    lines = [line.split() for line in str(state).splitlines()]
+    assert ["A", f"{state.A:.4g}"] in lines and ["stable", "True"] in lines
+    at = next(k for k, line in enumerate(lines) if "multipliers" in line)
+    column = lines[at].index("multipliers")
+    assert [complex(line[column]) for line in lines[at + 1 :]] == pytest.approx(list(state.multipliers), rel=1e-3)
+    proof = ANSWERS["certified"].proof
+    told = str(ANSWERS["certified"])
+    for low, high in proof.Omega.tolist():
+        assert f"  Omega         {low:.15g} to {high:.15g}" in told

@@ -20,8 +20,10 @@ import numpy.typing as npt
 PLAIN = (bool, int, float, str)
 #: a name of an answer, and words for some of its numbers
 Words = Mapping[str, Mapping[float, str]]
-#: rows that are printed at most
-SHOWN = 30
+#: rows, and columns, that are printed at most
+SHOWN, ACROSS = 30, 16
+#: letters that names of numbers have room for
+NAMED = 14
 
 
 class Answer:
@@ -66,6 +68,13 @@ class Answer:
     def units_beside(self) -> Mapping[str, str]:
         """The units of what `about` says; by default none is known."""
         return {}
+
+    def _parts(self) -> Mapping[str, Any]:
+        """What it holds by name, answers and arrays of any length among it."""
+        return self._content()
+
+    def __str__(self) -> str:
+        return "\n".join(in_text(self))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Answer) or type(self) is not type(other):
@@ -142,9 +151,6 @@ class Table(Answer):
         """True."""
         return True
 
-    def __str__(self) -> str:
-        return "\n".join(in_text(self))
-
     def __len__(self) -> int:
         return int(getattr(self, self.entry._fields[0]).size)
 
@@ -179,24 +185,54 @@ def _freeze(value: Any) -> None:
 
 
 def in_text(answer: Answer) -> Iterator[str]:
-    """An answer as lines: a table with units in its head, at most `SHOWN` rows, or names, values and units."""
+    """An answer as lines: a table with units in its head, or names, values and units; then answers that it holds."""
+    if answer.has_rows:
+        yield from _table(answer.columns(), answer.units_of_columns())
+        if message := answer.about().get("message"):
+            yield str(message)
+    else:
+        yield from in_values(answer, {name: value for name, (value,) in answer.columns().items()})
+    for name, value in answer._parts().items():
+        if isinstance(value, Answer):
+            yield from (f"{name}:", *(f"  {line}" for line in in_text(value)))
+
+
+def in_values(answer: Answer, values: Mapping[str, Any]) -> Iterator[str]:
+    """Numbers and words of an answer that are known, then its intervals, then arrays of one length beside each other.
+
+    Remarks are codes: what they mean stands in the message. Arrays of more than `SHOWN` numbers are none to be read.
+    """
     units = answer.units_of_columns()
-    if not answer.has_rows:
-        for name, (value,) in answer.columns().items():
-            if name != "remarks" and str(value) not in ("", "nan"):
-                told = answer.words_of(name, value)
-                yield f"{name:14}{told}" if told else f"{name:14}{_short(value)} {units.get(name, '')}".rstrip()
-        return
-    columns = answer.columns()
-    rows = [[head(name, units) for name in columns]]
-    rows += ([_short(value) for value in row] for row in zip(*(one[:SHOWN] for one in columns.values()), strict=True))
+    width = max(NAMED, *(len(name) + 2 for name in values))
+    for name, value in values.items():
+        if name != "remarks" and str(value) not in ("", "nan"):
+            told = answer.words_of(name, value)
+            yield f"{name:{width}}{told}" if told else f"{name:{width}}{_short(value)} {units.get(name, '')}".rstrip()
+    beside: dict[int, dict[str, Any]] = {}
+    for name, value in answer._parts().items():
+        if isinstance(value, np.ndarray) and value.dtype.kind == "f" and value.shape[-1:] == (2,):
+            for low, high in value.reshape(-1, 2).tolist():
+                yield f"{head(name, units):{width}}{low:.15g} to {high:.15g}"
+        elif isinstance(value, np.ndarray) and value.ndim == 1 and 0 < value.size <= SHOWN:
+            beside.setdefault(value.size, {})[name] = value
+    for arrays in beside.values():
+        yield from _table(arrays, units)
+
+
+def _table(columns: Mapping[str, Any], units: Mapping[str, str]) -> Iterator[str]:
+    """Columns under their names, at most `SHOWN` rows; of many columns the first and the last, as many as `ACROSS`."""
+    names = list(columns)
+    if len(names) > ACROSS:
+        names = [*names[: ACROSS - 2], *names[-1:]]
+    rows = [[head(name, units) for name in names]]
+    rows += ([_short(value) for value in row] for row in zip(*(columns[name][:SHOWN] for name in names), strict=True))
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    yield from ("  ".join(text.rjust(width) for text, width in zip(row, widths, strict=True)) for row in rows)
-    more = len(next(iter(columns.values()))) - SHOWN
+    for row in rows:
+        cells = [text.rjust(width) for text, width in zip(row, widths, strict=True)]
+        yield "  ".join(cells if len(names) == len(columns) else [*cells[:-1], "...", cells[-1]])
+    more = len(columns[names[0]]) - SHOWN
     if more > 0:
         yield f"and {more} more"
-    if message := answer.about().get("message"):
-        yield str(message)
 
 
 def head(name: str, units: Mapping[str, str]) -> str:
@@ -206,7 +242,7 @@ def head(name: str, units: Mapping[str, str]) -> str:
 
 
 def _short(value: Any) -> str:
-    return f"{value:.4g}" if isinstance(value, (float, np.floating)) else str(value)
+    return f"{value:.4g}" if isinstance(value, (float, np.floating, np.complexfloating)) else str(value)
 
 
 def _is_column(value: Any, length: int) -> bool:

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from slowflow.answer import Answer, in_text
+from slowflow.answer import Answer
 from slowflow.mechanism import Floats
 from slowflow_kernels.conventions import MovesStatus
 
@@ -71,9 +71,6 @@ class Gradient(Answer):
 
     def __len__(self) -> int:
         return len(self.of) * len(self.by)
-
-    def __str__(self) -> str:
-        return "\n".join(in_text(self))
 
     @property
     def has_rows(self) -> bool:

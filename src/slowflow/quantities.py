@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from slowflow import physical_moves, validate
-from slowflow.answer import PLAIN, Answer, Table, head, in_text, plain
+from slowflow.answer import PLAIN, Answer, Table, in_text, plain
 from slowflow.gradient import Gradient
 from slowflow_kernels.scaling import AMPLITUDES as AMPLITUDE_SCALES
 from slowflow_kernels.scaling import SCALES
@@ -253,6 +253,10 @@ class Quantities(Answer):
     def _content(self) -> dict[str, Any]:
         return {**self.values, "units": tuple(self.units.items())}
 
+    def _parts(self) -> Mapping[str, Any]:
+        """As of any answer: without the units beside them."""
+        return self.values
+
     def to_dict(self) -> dict[str, Any]:
         """The answer in plain Python: lists for arrays, numbers and words, by name; and `units`, a dictionary."""
         return {**super().to_dict(), "units": dict(self.units)}
@@ -289,7 +293,7 @@ class Quantities(Answer):
         return physical_moves.in_units(self.answer.gradient(), self.scales)
 
     def __str__(self) -> str:
-        return "\n".join(_lines(self if self.chosen else self.in_units()))
+        return "\n".join(in_text(self if self.chosen else self.in_units()))
 
     def plot(self, ax: Any = None, *, of: str | None = None) -> Any:
         """Draw a curve, folds, a fold locus or a shock, in mm, Hz, N, into Matplotlib axes, or new ones; return these.
@@ -323,17 +327,6 @@ def _told(name: str, size: float, unit: str, match: re.Match[str]) -> str:
     """Numbers of words times what they are measured in, after their name."""
     numbers = re.findall(NUMBER, match["numbers"])
     return name + ", ".join(f"{float(one) * size:.{_digits(one)}g}" for one in numbers) + unit
-
-
-def _lines(shown: Quantities) -> Iterator[str]:
-    """The answer, intervals that it holds, then answers that it holds."""
-    yield from in_text(shown)
-    for name, value in shown.values.items():
-        if isinstance(value, np.ndarray) and value.dtype.kind == "f" and value.shape[-1:] == (2,) and not shown.entry:
-            for low, high in value.reshape(-1, 2).tolist():
-                yield f"{head(name, shown.units):14}{low:.15g} to {high:.15g}"
-        if isinstance(value, Quantities):
-            yield from (f"{name}:", *(f"  {line}" for line in _lines(value)))
 
 
 # ---- what a user gives

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.answer import Answer
+from slowflow.answer import Answer, in_values
 from slowflow.exact.compiled import TaylorIntegrator, default_integrator
 from slowflow.exact.cycle import Cycle, closed_cycle
 from slowflow.exact.integrate import Integrator, limited
@@ -165,6 +165,9 @@ class SteadyState(Answer):
     def about(self) -> dict[str, Any]:
         """Frequency, forcing, amplitude, stops, stability."""
         return {name: getattr(self, name) for name in ("Omega", "F_0", "A", "stops", "stable", "symmetric", "period")}
+
+    def __str__(self) -> str:
+        return "\n".join(in_values(self, self.about()))
 
     def harmonics(self, most: int = 7) -> NDArray[np.complex128]:
         """c_0 ... c_most of u = Re sum c_k exp(i k Omega' tau), Omega' = 2 pi/period; by a Gauss rule on each phase."""
