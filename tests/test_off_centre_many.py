@@ -8,18 +8,56 @@ import pytest
 from slowflow import Duffing, Isolator, derive
 from slowflow.paper.example import TABLE_1
 from slowflow.results import Remark
-from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
+from slowflow_kernels.conventions import FoldKind, MovesStatus, OnsetKind, Status
 
 
 def alone(load):
     return Isolator(**TABLE_1, load=float(load))
 
 
-def test_gradients_of_batches_are_refused_in_words():
+def test_gradients_of_places_of_rest_and_margins_are_refused_in_words():
     found = Isolator.many(**TABLE_1, load=[0.01, 0.03])
-    for answer in (found.detachment(), found.rest(), found.margins(0.02)):
-        with pytest.raises(ValueError, match="one design"):
+    for answer in (found.rest(), found.margins(0.02)):
+        with pytest.raises(ValueError, match="this answer has none"):
             answer.gradient()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda one: one.detachment(),
+        lambda one: one.saddle_node_onset(),
+        lambda one: one.saddle_nodes(0.04),
+        lambda one: one.amplitudes(Omega=0.9, F_0=0.04),
+        lambda one: one.peak(0.04),
+    ],
+    ids=["detachment", "onset", "folds", "states", "peak"],
+)
+def test_each_design_has_the_gradient_of_its_single_answer(ask):
+    """One of them is none; the last comes to its springs' end at rest."""
+    loads = np.array([0.01, 0.03, np.nan, 0.45])
+    with np.errstate(invalid="ignore"):
+        found = ask(Isolator.many(**TABLE_1, load=loads))
+    moved = found.gradient()
+    assert moved.slopes.shape == (*getattr(found, moved.of[0]).shape, len(moved.of), len(moved.by))
+    assert (moved.status[2] == MovesStatus.NOTHING).all() and np.isnan(moved.slopes[2]).all()
+    for row in (0, 1, 3):
+        single = ask(alone(loads[row]))
+        if found.status[row] != Status.OK:
+            assert (moved.status[row] == MovesStatus.NOTHING).all()
+            continue
+        expected = single.gradient()
+        assert moved.by == expected.by
+        several = expected.status.ndim > 0
+        for name in expected.of:
+            here = moved[name][row]
+            wanted = expected[name]
+            assert np.array_equal(here[: len(wanted)] if several else here, wanted, equal_nan=True)
+            condition, alone_ = moved.condition(name)[row], expected.condition(name)
+            np.testing.assert_allclose(condition[: len(alone_)] if several else condition, alone_, rtol=1e-14)
+        if several:
+            assert (moved.status[row, len(single) :] == MovesStatus.NOTHING).all()
 
 
 @pytest.mark.slow

@@ -18,6 +18,7 @@ from slowflow import derive
 from slowflow.averaged.reference.cells import samples_at
 from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.averaged.reference.intervals import Elementary
+from slowflow.validate import NotAvailable
 
 CASES = json.loads((Path(__file__).parent / "data" / "stated.json").read_text())
 DAMPING = {"mu": 0.01, "zeta": 0.03}
@@ -202,7 +203,7 @@ def test_it_says_what_it_is():
     assert "a Python function, by 32 of its values" in str(one.explain("saddle_nodes", 0.05))
     assert "a Python function, by 32 of its values" in str(one.explain("saddle_node_onset"))
     assert "it stands on its head" in one.amplitudes(Omega=0.5, F_0=2.5).message
-    with pytest.raises(ValueError, match="no gradients"):
+    with pytest.raises(NotAvailable, match="known by their values, not by how these move"):
         one.saddle_node_onset().gradient()
 
 

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import backend
+from slowflow import backend, validate
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats, Mechanism
 from slowflow.model import THROUGHOUT, at_rest
@@ -23,6 +23,12 @@ from slowflow_kernels.conventions import CLOSE, COINCIDE, MEETING, SAME, MovesSt
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 Codes = npt.NDArray[np.int8]
+
+OF_FUNCTIONS = (
+    "gradient() is not available for {}: its force is stated by Python functions, which are known by their values, not "
+    "by how these move with the parameters; stated by SymPy expressions it has gradients"
+)
+OF_RECORD = "gradient() is not available for {}: its record does not say how its average moves with the parameters"
 
 #: answers on a breakpoint
 ON_BREAK = (
@@ -107,7 +113,7 @@ def _moves(given: Given, kind: Any, at: tuple[Any, Any, Any], rows: int, columns
     shape = np.broadcast(*arrays).shape
     slopes, status = np.empty((*shape, rows, columns)), np.empty(shape, np.int8)
     if given.mechanism.by_parameter is None:
-        raise ValueError(f"{given.mechanism.name} does not say how its average changes: there are no gradients")
+        raise validate.NotAvailable((OF_FUNCTIONS if given.mechanism.told else OF_RECORD).format(given.mechanism.name))
     plain = given.excitation == "force" and given.rubs is None
     record = backend.record_of(given.mechanism) if plain else None
     if backend.SOLVER is not None and record is not None:

@@ -36,8 +36,10 @@ _NARROW = 2.0**-40
 
 def _asked(proof: Callable[[ModuleType], Callable[..., Any]], model: Model, *numbers: Any) -> tuple[Any, str]:
     """What one of the compiled solvers' proofs gives, or why there is none."""
-    if backend.SOLVER is None or model.native is None:
+    if backend.SOLVER is None:
         return None, words.NO_SOLVERS
+    if model.native is None:
+        return None, words.NOT_COMPILED
     if not model.design:
         return None, words.NO_DESIGN
     answer = proof(backend.SOLVER)(model.native, *numbers)

@@ -21,6 +21,7 @@ from slowflow.averaged.asked import FOLD_KINDS, MORE_POINTS
 from slowflow.averaged.batches import Codes, Told
 from slowflow.exact import questions, shocks
 from slowflow.exact.transient import NO_PULSE
+from slowflow.gradient import Gradient
 from slowflow.loaded import AT_CENTRE, off_centre_by
 from slowflow.loads import Spectrum
 from slowflow.loads_many import ManySpectra
@@ -29,9 +30,10 @@ from slowflow.model import THROUGHOUT, Floats
 from slowflow.off_centre.questions import OffCentre
 from slowflow.results import Remark
 from slowflow.validate import NotAvailable
-from slowflow_kernels.conventions import OnsetKind, Status
+from slowflow_kernels.conventions import MovesStatus, OnsetKind, Status
+from slowflow_kernels.domains import DAMPING
 
-NO_GRADIENT = "off the centre the answers of one design have gradients, those of batches have none"
+NO_GRADIENT = "off the centre states, folds, onsets, detachments and peaks have gradients: this answer has none"
 #: designs that are kept with what is known of them, some 0.2 MB each
 KEPT = 256
 #: one design's answer by column, how it fared, and what to bear in mind with it
@@ -45,15 +47,55 @@ class OffCentreBatch(Told):
     """What answers off the centre share: `remarks` are those of the single answers."""
 
     _designs: Any = field(repr=False, kw_only=True)
+    #: the question to one design, and the numbers that move; of an answer that has no gradient none
+    asks: ClassVar[str] = ""
+    moves: ClassVar[tuple[str, ...]] = ()
 
-    def gradient(self) -> Any:
-        """Raises NotAvailable: off the centre the answers of one design have gradients, batches have none."""
-        raise NotAvailable(NO_GRADIENT)
+    def gradient(self) -> Gradient:
+        """How the numbers of the answer move with the parameters, the load, and what was asked at, for each design.
+
+        `.slopes` have shape (..., numbers, parameters), behind the shape of the columns; they are those of the single
+        answers, design by design, of which those that are not at hand any more are asked for again. Where there is no
+        answer, and where a single one has no gradient, `.status` and `.message` say so. Of a peak the slopes of `u_max`
+        are NaN where another motion has that.
+
+        Raises NotAvailable where it is not known how the force moves with the design, and of an answer without one.
+        """
+        if not self.asks:
+            raise NotAvailable(NO_GRADIENT)
+        asked = self._asked_at()
+        numbers = {**self._designs.values, **asked}
+        given = dict(zip(numbers, np.broadcast_arrays(*numbers.values()), strict=True))
+        by = (*self._designs.mechanism.design_names, *(one.name for one in DAMPING), "load", *asked)
+        columns = tuple(getattr(self, name) for name in self.moves)
+        several = columns[0].ndim > self.status.ndim
+        slopes = np.full((*columns[0].shape, len(self.moves), len(by)), np.nan)
+        status = np.full(columns[0].shape, MovesStatus.NOTHING, np.int8)
+        for place in np.ndindex(self.status.shape):
+            if self.status[place] not in (Status.OK, Status.TOO_MANY):
+                continue
+            single = self._designs._single(tuple(float(given[name][place]) for name in self._designs.values))
+            answer = getattr(single, self.asks)(**{name: float(given[name][place]) for name in asked})
+            if getattr(answer, "_turns", False):  # the peak is on the balance of another mean, too
+                status[place] = MovesStatus.MEETS
+                continue
+            found = answer.gradient()
+            own = (*place, slice(0, len(found.status))) if several else place
+            kept = slice(0, status.shape[-1]) if several else ...
+            for row, name in enumerate(self.moves):
+                if name in found.of:
+                    slopes[(*own, row)] = found[name][kept]
+            status[own] = found.status[kept]
+        at = tuple(given[name][..., np.newaxis] if several else given[name] for name in by)
+        return Gradient(self.moves, by, slopes, status, columns, at)
 
 
 @dataclass(frozen=True, eq=False)
 class ManyDetachments(OffCentreBatch):
     """The lowest forcing at which the motion comes to a breakpoint, for each design, as `OffCentreDetachment`."""
+
+    asks: ClassVar[str] = "detachment"
+    moves: ClassVar[tuple[str, ...]] = ("F_cr", "Omega_cr", "A", "B")
 
     F_cr: Floats
     Omega_cr: Floats
@@ -69,6 +111,9 @@ class ManyOnsets(OffCentreBatch):
     kind   -- a number of `slowflow_kernels.conventions.OnsetKind`
     status -- `Status.UNRESOLVED` where the onset is undecided, `Status.NONE` where none is found
     """
+
+    asks: ClassVar[str] = "saddle_node_onset"
+    moves: ClassVar[tuple[str, ...]] = ("F_SN", "Omega", "A", "B")
 
     F_SN: Floats
     Omega: Floats
@@ -89,6 +134,8 @@ class ManyFolds(OffCentreBatch):
     undecided   -- 1 where it is undecided whether there are others
     """
 
+    asks: ClassVar[str] = "saddle_nodes"
+    moves: ClassVar[tuple[str, ...]] = ("Omega", "A", "B")
     inner: ClassVar[Mapping[str, str]] = MappingProxyType(dict.fromkeys(("Omega", "A", "B", "kind"), "place"))
 
     Omega: Floats
@@ -110,6 +157,8 @@ class ManyStates(OffCentreBatch):
     undecided -- 1 where it is undecided how many there are
     """
 
+    asks: ClassVar[str] = "amplitudes"
+    moves: ClassVar[tuple[str, ...]] = ("A", "B", "phi", "transmissibility")
     inner: ClassVar[Mapping[str, str]] = MappingProxyType(
         dict.fromkeys(("A", "B", "phi", "transmissibility", "stable"), "place")
     )
@@ -158,6 +207,9 @@ class ManyRests(OffCentreBatch):
 @dataclass(frozen=True, eq=False)
 class ManyPeaks(OffCentreBatch):
     """How far motions at one forcing go, for each design, as `OffCentrePeak`."""
+
+    asks: ClassVar[str] = "peak"
+    moves: ClassVar[tuple[str, ...]] = ("A", "B", "Omega", "u_max")
 
     A: Floats
     B: Floats

@@ -116,7 +116,7 @@ class Search:
             level, Omega = (np.concatenate(column) for column in zip(*candidates, strict=True))
             i = int(np.argmin(level))
             if np.isfinite(level[i]):
-                found.append(Lowest(float(level[i]), float(Omega[i]), corner.A, corner.B, "corner"))
+                found.append(Lowest(float(level[i]), float(Omega[i]), float(corner.A), float(corner.B), "corner"))
         return found
 
     # ==== Down to the lowest ==========================================================================================
