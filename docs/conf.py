@@ -50,4 +50,5 @@ def setup(app: Any) -> dict[str, Any]:
     app.connect("source-read", printed.inside)
     app.connect("env-get-outdated", printed.again)
     app.connect("autodoc-process-docstring", docstrings.as_rst)
+    app.connect("autodoc-skip-member", docstrings.unsaid)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import ast
 import functools
+import importlib.util
 import inspect
 import json
 import math
 import re
 import runpy
+import shutil
 import tomllib
 from importlib import import_module
 from pathlib import Path
@@ -19,8 +21,10 @@ import pytest
 from scipy.integrate import quad
 
 from docs import api
+from docs.site import docstrings
 from slowflow import Remark, backend, cli, scenes
 from slowflow.averaged.questions import Averaged
+from slowflow.results import State
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 
 ROOT = Path(__file__).parents[1]
@@ -346,3 +350,30 @@ def test_addresses_on_the_web_are_whole() -> None:
         assert parts.scheme == "https" and re.fullmatch(r"([a-z0-9-]+\.)+[a-z]{2,}", parts.hostname or ""), address
     stated = re.findall(r"\bdoi\.org/(\S+?)[)\s\"]", "\n".join(texts))
     assert stated and all(re.fullmatch(r"10\.\d{4,9}/[\w.()/-]+", one) for one in stated)
+
+
+def test_fields_of_a_named_tuple_are_not_said_by_their_number() -> None:
+    assert docstrings.unsaid(None, "class", "State.A", State.A, False, None) is True
+    assert docstrings.unsaid(None, "class", "Isolator.peak", Averaged.peak, False, None) is None
+
+
+@pytest.mark.slow
+def test_letters_of_the_site_stand_below_the_line_but_not_in_code() -> None:
+    """In a browser, where a developer has one: Chromium by Playwright."""
+    chromium = shutil.which("chromium") or shutil.which("google-chrome")
+    if chromium is None or importlib.util.find_spec("playwright") is None:
+        pytest.skip("chromium, or playwright, is not there")
+    from playwright.sync_api import sync_playwright
+
+    script = (ROOT / "docs" / "site" / "static" / "site.js").read_text(encoding="utf-8")
+    said = "k_v L, u_cr and Delta_h, F_SN; saddle_nodes, x_1y, iso.F_0, <code>F_0</code>"
+    page = f"<title>Search - slowflow</title><article><p>{said}</p></article><script>{script}</script>"
+    with sync_playwright() as playwright:
+        opened = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
+        tab = opened.new_page()
+        tab.set_content(page)
+        shown, title = tab.inner_html("p"), tab.inner_text("h1")
+        opened.close()
+    set_ = "k<sub>v</sub> L, u<sub>cr</sub> and Δ<sub>h</sub>, F<sub>SN</sub>"
+    assert shown == f"{set_}; saddle_nodes, x_1y, iso.F_0, <code>F_0</code>"
+    assert title == "Search"

@@ -56,6 +56,11 @@ def as_rst(app: Any, what: str, name: str, of: Any, options: Any, lines: list[st
     lines[:] = found + list(example(name))
 
 
+def unsaid(app: Any, what: str, name: str, of: Any, skip: bool, options: Any) -> bool | None:
+    """Sphinx's hook: fields of a named tuple, of which only their number is known, stand in its signature alone."""
+    return True if str(getattr(of, "__doc__", "")).startswith("Alias for field number") else None
+
+
 def example(name: str) -> Iterator[str]:
     """That of a name with its module before it, if it has one."""
     for path, examples in EXAMPLES.items():
