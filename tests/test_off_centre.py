@@ -884,12 +884,6 @@ def test_where_there_is_no_gradient_off_the_centre_the_reason_is_said(loaded):
     states = OffCentreStates(folds.Omega, folds.A, folds.B, folds.kind == "", 0.2, 0.3, "", _h=folds.A, _damping=(0, 0))
     on_folds = dataclasses.replace(states, _model=bent.off_centre._model).gradient()
     assert "2 of 2: it meets another answer there" in on_folds.message and np.isnan(on_folds.slopes).all()
-    u, k, g = sympy.symbols("u k g")
-    stop = derive.mechanism(
-        "one_sided_stop", [(u, g), (u + k * (u - g), None)], {"k": {"above": 0}, "g": {}}, odd=False
-    )
-    with pytest.raises(ValueError, match="says how its force moves"):
-        stop(k=2.0, g=0.2, mu=0.005, zeta=0.03).detachment().gradient()
 
 
 def test_a_motion_under_a_load_that_averaging_does_not_know_is_found_from_its_amplitude():

@@ -178,6 +178,53 @@ def test_every_state_against_a_stop_is_there(stop, Omega, load):
     assert found.stable.tolist() == [slope > 0 for slope in slopes]
 
 
+#: pieces by rising u, their numbers, and a forcing: stops on either side, a stiffer side, even powers, a jump
+MOVING = {
+    "right": ([(u, g), (u + k * (u - g) + q * (u - g) ** 2, None)], {"k": 5.0, "q": 8.0, "g": 0.1}, 0.05),
+    "left": ([(u + k * (u + 2 * g), -2 * g), (u, None)], {"k": 5.0, "g": 0.05}, 0.05),
+    "both": (
+        [(u + k * (u + 2 * g), -2 * g), (u, g), (u + k * (u - g) + q * (u - g) ** 3, None)],
+        {"k": 3.0, "q": 20.0, "g": 0.1},
+        0.08,
+    ),
+    "within": ([(u + k * (u - g), g), (u, None)], {"k": 2.0, "g": 0.05}, 0.06),
+    "even": ([(u + p * u**2 + q * u**3, None)], {"p": 0.8, "q": 0.6}, 0.12),
+    "jump": ([(u, g), (u + p + k * (u - g), None)], {"p": 0.01, "k": 4.0, "g": 0.12}, 0.05),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", sorted(MOVING))
+def test_gradients_of_a_force_that_is_not_odd_are_differences_of_its_answers(name):
+    pieces, numbers, F_0 = MOVING[name]
+    made = derive.mechanism(f"moving_{name}", pieces, {one: {} for one in numbers}, odd=False)
+    one = made(**numbers, mu=0.004, zeta=0.03)
+    asked = {
+        "detachment": lambda one: one.detachment(),
+        "onset": lambda one: one.saddle_node_onset(),
+        "folds": lambda one: one.saddle_nodes(F_0),
+        "states": lambda one: one.amplitudes(Omega=1.2, F_0=F_0),
+        "peak": lambda one: one.peak(F_0),
+    }
+    moving = set()
+    for question, ask in asked.items():
+        found = ask(one).gradient()
+        for by in (*numbers, "mu", "zeta", "load"):
+            step = 1e-5 * max(abs(getattr(one, by)), 0.01)
+            ends = [ask(one.replace(**{by: getattr(one, by) + sign * step})) for sign in (1, -1)]
+            for of in found.of:
+                slope = found[of, by]
+                known = np.isfinite(slope)
+                if not known.any():
+                    continue
+                high, low = (np.asarray(getattr(end, of), dtype=float) for end in ends)
+                moving.add(question)
+                np.testing.assert_allclose(((high - low) / (2 * step))[known], slope[known], rtol=1e-6, atol=1e-6)
+    assert moving >= {"states", "peak"} | ({"onset"} if name != "jump" else set())
+    assert ("detachment" in moving) == (name != "even")
+    assert ("folds" in moving) == (name != "within")
+
+
 def test_a_linear_or_bilinear_force_without_a_load_rests_at_the_centre():
     """Whose bound of a place of rest is 0 itself."""
     two = derive.mechanism("two_springs", [(k * u, 0), (u, None)], {"k": ABOVE}, odd=False)(k=3.0, **DAMPED)

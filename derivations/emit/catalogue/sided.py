@@ -54,6 +54,11 @@ def data_kernels(force: Sided) -> list[Kernel]:
             tuple(value for row in force.steps for value in row),
             "Each piece and its derivatives by its formula at u = 0; then their gains at each breakpoint.",
         ),
+        (
+            "by_design",
+            tuple(sp.diff(value, parameter) for value in (*given, *force.ends) for parameter in given),
+            "d/d(design) of the parameters, then of the breakpoints: of each by every number of the design in turn.",
+        ),
     )
     return [
         plain("coefficients", given, given, "The parameters are the design.", "(4)", "any design"),

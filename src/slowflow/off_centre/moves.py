@@ -60,13 +60,24 @@ class Given:
         kept = [0, 1, 2 + ends][: steps.places.size]
         return Given(self.model, steps, self.gains[:, kept], self.places[:, kept])
 
-    @property
-    def end(self) -> Floats:
-        """What each number of the design does to the first breakpoint."""
-        mechanism, n = self.model.mechanism, len(self.model.design)
-        assert mechanism.by_design is not None
-        slopes = np.array(mechanism.by_design(*self.model.design), dtype=float).reshape(-1, n)
-        return np.asarray(slopes[len(self.model.parameters)])
+    def end(self, A: Floats, B: Floats) -> tuple[Floats, Floats]:
+        """On which side of the mean motions come to an end of the first piece, and what the design does to it.
+
+        That end counts outwards: A + side B. Shapes (n,) and (numbers, n).
+        """
+        model, n = self.model, len(self.model.design)
+        assert model.mechanism.by_design is not None
+        slopes = np.array(model.mechanism.by_design(*model.design), dtype=float).reshape(-1, n)[len(model.parameters) :]
+        ends = np.array([float(end) for end in model.mechanism.breakpoints(*model.parameters)])
+        if not ends.size:  # none comes to it
+            return np.ones_like(A), np.zeros((n, A.size))
+        if self.steps.odd:
+            return np.where(B > 0, 1.0, -1.0), np.tile(slopes[0][:, np.newaxis], A.size)
+        about = int((ends < 0).sum())
+        places, still = np.array([-np.inf, *ends, np.inf]), np.zeros((1, n))
+        below, above = np.concatenate((still, slopes, still))[about : about + 2, :, np.newaxis]
+        upper = np.abs(places[about + 1] - B - A) <= np.abs(B - A - places[about])
+        return np.where(upper, 1.0, -1.0), np.where(upper, above, -below)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -194,8 +205,7 @@ def _of_kind(
     # mypy takes a starred argument for all that are left
     B_p, *of_h = off_centre.moved(A, *means.c[1:], *means.s[1:], *c_p, *s_p, of_load)  # type: ignore[call-arg]
     if kind in (Pinned.CORNER_TOP, Pinned.CORNER_REST):
-        side = np.where(B > 0, 1.0, -1.0)
-        ends[: len(model.design)] = given.end[:, np.newaxis]
+        side, ends[: len(model.design)] = given.end(A, B)
         (ends,) = off_centre.moved_at_end(side, means.c[1], means.s[1], c_p[0], of_load, ends)
     m, zeta = model.m, model.zeta
     at = (Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA)
