@@ -194,6 +194,16 @@ def test_figure_6_marks_what_the_paper_prints(drawn):
     np.testing.assert_allclose(y, np.sqrt(x * (2 - x)), rtol=1e-14)
 
 
+def test_durations_of_shocks_are_round_numbers_along_their_axis():
+    mount = Isolator.physical(m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.05)
+    ax = mount.shock_spectrum(acceleration=[10.0], duration=[0.005, 0.011, 0.05, 0.2]).plot()
+    ax.figure.canvas.draw()
+    low, high = ax.get_xlim()
+    told = [one.get_text() for one in ax.get_xticklabels() if low <= one.get_position()[0] <= high]
+    assert told == ["5", "10", "20", "50", "100", "200"]
+    assert not [one for one in ax.get_xticklabels(minor=True) if one.get_text()]
+
+
 @pytest.mark.parametrize("name", ["6a", "6b"])
 def test_the_legend_of_figure_6_stands_below_the_hatching(drawn, name):
     ax = drawn(name)

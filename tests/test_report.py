@@ -270,6 +270,9 @@ def test_shocks_say_which_are_beyond_the_stroke_and_are_in_short():
 
 def test_letters_units_and_minus_signs_are_set_as_a_book_sets_them():
     assert pieces.inline("friction is near pi/4, of dF/dOmega") == "friction is near π/4, of dF/dΩ"
+    assert pieces.inline("43.9 m/s^2, k u^3, (friction/(m A omega^2) >= 0.7)") == (
+        "43.9 m/s², k u³, (friction/(m A ω²) ≥ 0.7)"
+    )
     # a letter and its unit stay on one line, and a unit of two is in brackets
     assert pieces.term("U", "kg m").endswith("<i>U</i>\xa0/\xa0(kg\xa0m)")
     assert pieces.term("acceleration", "m/s^2").endswith("\xa0/\xa0(m/s²)")

@@ -36,6 +36,8 @@ GREEK |= {
     "pi": "π",
 }
 GREEK |= {"dOmega": "dΩ"}
+#: whole powers, as they stand above the line
+RAISED = dict(zip("23456789", "²³⁴⁵⁶⁷⁸⁹", strict=True))
 #: what stands between a letter and its unit, which stay on one line
 TIED = "\N{NO-BREAK SPACE}"
 BELOW = re.compile(r"([^\W_]+)_(?:\{(?:\\mathrm\{)?([^{}]*)\}+|(\w+))")
@@ -113,10 +115,11 @@ def formula(set_: Sequence[str], text: str) -> str:
 
 
 def inline(text: str) -> str:
-    """Words with names in them, these set: Greek letters, and what stands below a letter."""
-    told = re.sub(r"\bd2(\w)/d(\w)2\b", r"d²\1/d\2²", escape(text))
+    """Words with names in them, these set: Greek letters, powers, and what stands below a letter."""
+    told = re.sub(r"\bd2(\w)/d(\w)2\b", r"d²\1/d\2²", escape(text.replace(">=", "≥").replace("<=", "≤")))
     told = BELOW.sub(_lowered, told)
-    return re.sub(r"\b[A-Za-z]+\b(?!&|;)", lambda found: GREEK.get(found[0], found[0]), told)
+    told = re.sub(r"\b[A-Za-z]+\b(?!&|;)", lambda found: GREEK.get(found[0], found[0]), told)
+    return re.sub(r"\^([2-9])", lambda found: RAISED[found[1]], told)
 
 
 def term(name: str, unit: str = "") -> str:

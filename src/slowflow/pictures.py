@@ -19,7 +19,7 @@ import numpy as np
 import numpy.typing as npt
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from matplotlib.ticker import LogFormatter
+from matplotlib.ticker import LogLocator, StrMethodFormatter
 
 from slowflow_kernels import motion
 
@@ -105,6 +105,8 @@ HEIGHTS = ("A", "u_max", "x_max")
 APART = 0.03
 #: points of a motion over time
 HISTORY = 2000
+#: numbers at the axis of durations, times powers of ten
+ROUND = (1.0, 2.0, 5.0)
 #: a fold locus is shown up to this many times its least forcing
 LOCUS_SHOWN = 4.0
 
@@ -364,8 +366,8 @@ def shocks(ax: Any, found: Any, place: str = "beside") -> Any:
         some = {"marker": LEAVES, "markersize": 3.5, "markevery": max(1, here.size // 20)}
         ax.plot(found.duration[off], found.ratio[off], linestyle="none", color=colour, **some)
     ax.set(xscale="log", xlabel=axis(found, "duration"), ylabel=axis(found, "ratio"))
-    for ticks in (ax.xaxis.set_major_formatter, ax.xaxis.set_minor_formatter):
-        ticks(LogFormatter(labelOnlyBase=False, minor_thresholds=(2, 0.5)))  # numbers, not powers of ten
+    ax.xaxis.set(major_locator=LogLocator(subs=ROUND), major_formatter=StrMethodFormatter("{x:g}"))  # no powers of ten
+    ax.minorticks_off()
     ax.set_ylim(bottom=0.0)
     legend(ax, axis(found, "acceleration"), place=place)
     return ax
