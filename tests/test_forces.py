@@ -561,6 +561,18 @@ def test_ends_that_do_not_rise_with_the_numbers_given_are_refused(compiled):
     assert stops(gap=1.0, k=1.0, c=1.0, zeta=0.02).breakpoints == (1.0,)
 
 
+def test_a_breakpoint_that_is_not_there_for_these_numbers_is_refused_by_its_piece():
+    end = sp.sqrt(gap - c)
+    made = derive.mechanism(
+        "lost_end", [(u, end), (u + k * (u - end), None)], dict.fromkeys(("gap", "k", "c"), ABOVE_0)
+    )
+    assert made(gap=0.5, k=2.0, c=0.25, zeta=0.02).breakpoints == (0.5,)
+    with pytest.raises(
+        ValueError, match=r"gap = 0\.1, .*: not allowed together, there is no real u at which piece 1 .* ends"
+    ):
+        made(gap=0.1, k=2.0, c=0.25, zeta=0.02)
+
+
 @pytest.mark.slow
 def test_the_compiled_solvers_know_what_a_preload_does_to_the_onset(preloaded):
     """Of a linear spring folds come down to 4 mu/pi; of a hardening one too, beside a cusp; without zeta k passes 0."""

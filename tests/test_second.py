@@ -31,6 +31,18 @@ from tests.oracles.second import DATA
 FORCES = ("truncated", "untruncated")
 
 
+def test_a_motion_that_leaves_the_centre_is_not_stable():
+    """Between two wells, as averaging says: the exact one has a multiplier of 31, and falls into one of them."""
+    one, at = Duffing(-0.5, 1.0, 0.0, 0.05), {"Omega": 1.2, "F_0": 0.05}
+    states = one.second_approximation.amplitudes(**at)
+    exact = one.steady_state(**at, A=float(states.A[0]))
+    assert states.stable.tolist() == one.amplitudes(**at).stable.tolist() == [False]
+    assert exact.A == pytest.approx(states.A[0], rel=1e-3) and not exact.stable
+    curve = one.second_approximation.frequency_response(0.05, Omega=(1.1, 1.3))
+    assert len(curve) and not curve.stable.any()
+    assert not Duffing.many(-0.5, 1.0, 0.0, [0.05]).second_approximation.amplitudes(**at).stable.any()
+
+
 @pytest.mark.parametrize("order", [0, 1, 2])
 @pytest.mark.parametrize("kappa", ["-8.9", "0.3", "1", "8.5"])
 def test_the_sum_over_frictions_harmonics(order, kappa):

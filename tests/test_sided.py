@@ -231,6 +231,7 @@ def test_a_linear_or_bilinear_force_without_a_load_rests_at_the_centre():
     for rest in (two.rest(), Duffing(1.0, 0.0, **DAMPED).off_centre.rest()):
         assert rest.u.tolist() == [0.0] and rest.stable.all()
     assert "stands at the first breakpoint" in two.detachment().message
+    assert two.saddle_node_onset().message.startswith("no saddle node at any forcing")
     assert two.replace(load=-0.3).rest().u == pytest.approx([-0.1], rel=1e-14)
 
 

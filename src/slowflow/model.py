@@ -204,6 +204,10 @@ class Model:
         first = 0.0 if odd else -np.inf
         if not all(above > below for (below, _), (above, _) in pairwise([(first, 0.0), *kept])):
             given = ", ".join(f"{name} = {value!r}" for name, value in self._numbers().items())
+            if not all(math.isfinite(end) for end in ends):
+                lost = 1 + next(i for i, end in enumerate(ends) if not math.isfinite(end))
+                where = f"there is no real u at which piece {lost} of the force ends"
+                raise ValueError(f"{given}: not allowed together, {where}")
             where = f"{'|u|' if odd else 'u'} = {', '.join(f'{end:g}' for end in ends)}"
             raise ValueError(f"{given}: not allowed together, the force's pieces end at {where}, which must rise")
         m = float(general_flow.friction(self.mu))

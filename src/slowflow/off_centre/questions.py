@@ -355,7 +355,8 @@ class OffCentre:
             columns = centred.F_SN, centred.Omega, centred.A, B, centred.kind
             return OffCentreOnset(*columns, 0.0, **said._asdict(), _model=self._model)
         try:
-            found = self._complete.lowest()
+            with np.errstate(over="ignore"):  # it is looked for up to amplitudes of any size
+                found = self._complete.lowest()
         except ArithmeticError:
             return self._no_onset(UNRESOLVED, Remark.UNDECIDED)
         if found is None:

@@ -133,6 +133,7 @@ class SecondApproximation:
         first = self.first.curve(F_0, samples=samples, Omega=Omega)
         curve = self._solvers.follow(self._balance, first)
         Omega_, u_max, A_1, phi, stable, branch = self._with_peak(curve, first.F_0, samples)
+        stable = stable & self._stay(Omega_, u_max)
         message = self._remarked(curve.message, Omega_, u_max)
         return SecondResponse(
             *(Omega_, u_max, A_1, phi, stable, message),
@@ -162,7 +163,8 @@ class SecondApproximation:
         fewer = int(np.count_nonzero(_counts(wanted, at) < _counts(wanted, first.Omega)))
         message = joined(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
         said, force = self._remarked(message, at, u_max), self._force(F_0, at)
-        return SecondStates(at, u_max, A_1, phi, stable != 0, said, F_0=first.F_0, force=force, _lost=fewer > 0)
+        stays = (stable != 0) & self._stay(at, u_max)
+        return SecondStates(at, u_max, A_1, phi, stays, said, F_0=first.F_0, force=force, _lost=fewer > 0)
 
     def saddle_nodes(self, F_0: float) -> SecondFolds:
         """Every fold of the response curve between two of its points, by rising Omega.
@@ -249,6 +251,13 @@ class SecondApproximation:
         return tuple(
             np.insert(column, highest + (not behind), value) for column, value in zip(columns, point, strict=True)
         )
+
+    def _stay(self, Omega: Floats, A: Floats) -> remarks.Flags:
+        """Which states stay about u = 0, as averaging has it: others are not stable."""
+        model = self.first.model
+        if model.stays_centred:
+            return np.ones(A.size, dtype=bool)
+        return remarks.keeps_centre(model.mechanism, model.parameters, Omega, A)
 
     def _remarked(self, message: str, Omega: Floats, A: Floats) -> str:
         """The message with what there is to say of amplitudes beyond the reach, and of motions that stop."""
