@@ -265,7 +265,7 @@ def test_the_command_draws_every_figure_and_says_what_was_chosen(tmp_path, capsy
         return
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert main(["figures", "--out", str(tmp_path)]) == 0
+        assert main(["figures", "-o", str(tmp_path)]) == 0
     assert sorted(path.name for path in tmp_path.iterdir()) == sorted(
         f"fig_{name}.{suffix}" for name in names for suffix in ("png", "svg")
     )
