@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from derivations.restoring import FAR
-from tests.oracles.make_kernel_oracle import RANGES
+from tests.oracles.definitions.points import RANGES
 
 Point = dict[str, float]
 Draw = Callable[[np.random.Generator], float]

@@ -440,7 +440,7 @@ def page(numbers: Numbers) -> str:
         "is defined; derivatives of h are free of h. Hard places are drawn on purpose: " + "; ".join(domains.PLACES),
         "(one line each in `benchmarks/stress/domains.py`). The parameters of a mechanism come from designs, of",
         "quasi-zero stiffness to the ulp and negative stiffness among them. The equation of motion, Den Hartog's",
-        "solution and the second approximation are tried in the ranges of `make_kernel_oracle`.",
+        "solution and the second approximation are tried in the ranges of `tests.oracles.definitions`.",
         "",
         *table(("argument", "from", "to", "negative", "zero"), box),
         "",

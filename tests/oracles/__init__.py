@@ -2,10 +2,11 @@
 
 averaged, conditioning    certified folds, onsets, states of an averaged oscillator, and how well-conditioned they are
 certified_roots           every real root of a function in a range, enclosed: what `averaged` isolates with
-answers                 exact solutions next to an answer, and its condition
-errors                  what an answer is off a certified point, in u (1 + kappa)
-counts                  proved numbers of states and folds at any forcing
-kernels                 exact values of any generated kernel at any doubles
+answers                   exact solutions next to an answer, and its condition
+errors                    what an answer is off a certified point, in u (1 + kappa)
+counts                    proved numbers of states and folds at any forcing
+definitions               what kernels are to give, by routes other than the derivation
+kernels                   exact values of any generated kernel at any doubles
 frequencies               certified roots in Omega at one amplitude, and seeded stress cases for them
 exact_brute, exact_linear, exact_scipy, exact_cases    the equation of motion by other means, and oscillators to try
 forces                    the averages of forces of any kind, to 40 digits

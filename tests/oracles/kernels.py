@@ -1,6 +1,6 @@
 """A generated kernel and any doubles in; its exact values there and what rounding its arguments would cost, out.
 
-The definitions are `make_kernel_oracle`'s. In place of its quadratures, which fail next to a breakpoint and at extreme
+The definitions are those of `definitions`. In place of its quadratures, which fail next to a breakpoint and at extreme
 numbers, the averaged forces come from `averaged` (truncated) and from FLINT's elliptic integrals (untruncated), in
 balls, differentiated numerically with hundreds of bits to spare. As many digits are used as the exponents ask for.
 """
@@ -15,9 +15,20 @@ from typing import Any
 from flint import acb, arb, fmpq
 from mpmath import mp, mpf, workdps
 
-from tests.oracles import make_kernel_oracle as definitions
 from tests.oracles.averaged import ATTACHED, DETACHED, Oscillator, exact_ball
 from tests.oracles.certified_roots import precision
+from tests.oracles.definitions import (
+    along,
+    averaged_force,
+    den_hartog,
+    frequencies,
+    motion,
+    moves,
+    resultants,
+    slow_flow,
+)
+from tests.oracles.definitions.forces import rod_coefficients, untruncated_coefficients
+from tests.oracles.definitions.points import SCENES, zeroed
 
 DIGITS = 60
 STEP = mpf(10) ** -20
@@ -25,13 +36,13 @@ RELATIVE = 2.0**-50
 EXACT_STEP = fmpq(1, 2**70)
 ORDERS = ("", "_A", "_AA", "_AAA")
 #: kernels that give the averages themselves
-AVERAGES = {**definitions.TOGETHER, **{name: (name,) for name in (l + order for l in "hH" for order in ORDERS)}}
+AVERAGES = {**averaged_force.TOGETHER, **{name: (name,) for name in (l + order for l in "hH" for order in ORDERS)}}
 COMPOSED = {
-    **definitions.SLOW_FLOW,
-    "level": definitions.LOCI["level"][:2],
-    "detachment": ("A m zeta h", definitions.detachment_of_reals),
+    **slow_flow.SLOW_FLOW,
+    "level": along.LOCI["level"][:2],
+    "detachment": ("A m zeta h", resultants.detachment_of_reals),
 }
-RESULTANTS = {"saddle_nodes": definitions.saddle_nodes, "saddle_node_onset": definitions.saddle_node_onset}
+RESULTANTS = {"saddle_nodes": resultants.saddle_nodes, "saddle_node_onset": resultants.saddle_node_onset}
 #: definitions that are quadratures or searches for a root, which need numbers of moderate size
 BY_QUADRATURE = {
     "equivalent_damping",
@@ -48,7 +59,7 @@ Definition = Callable[..., list[Any]]
 
 def scene_of(module: str) -> tuple[str, str]:
     """The module without the vanishing dampings in its name, and these."""
-    scene = max((scene for scene in definitions.SCENES if module.endswith(scene)), key=len)
+    scene = max((scene for scene in SCENES if module.endswith(scene)), key=len)
     return module.removesuffix(scene), scene
 
 
@@ -73,32 +84,27 @@ def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
             raise ValueError("at rest, or a rounding from it")
     if kernel == "isola" and "mu0" not in scene and given["h_A"] <= 0:
         raise ValueError("no isola point: h_A > 0")
-    if base in definitions.TYPED:
+    if base in averaged_force.TYPED:
         f, rational = _of_mechanism(base, kernel, names, at)
     elif kernel == "isola" and given["m"] == 0 and "mu0" not in scene:
         raise ValueError("a common factor is left out without friction")
     elif base == "slow_flow" and kernel == "detachment":
-        f, rational = definitions.detachment, True
+        f, rational = resultants.detachment, True
     else:
-        of_locus = definitions.UNDAMPED if "zeta" in definitions.SCENES[scene] else definitions.DAMPED
+        of_locus = along.UNDAMPED if "zeta" in SCENES[scene] else along.DAMPED
         table = {
-            "slow_flow": definitions.SLOW_FLOW
-            | definitions.SLOPES
-            | definitions.LOCI
-            | of_locus
-            | SLOPE
-            | definitions.BESIDE_FOLDS,
-            "frequencies": definitions.FREQUENCIES,
-            "motion": definitions.MOTION,
-            "den_hartog": definitions.DEN_HARTOG,
+            "slow_flow": slow_flow.SLOW_FLOW | along.SLOPES | along.LOCI | of_locus | SLOPE | moves.BESIDE_FOLDS,
+            "frequencies": frequencies.FREQUENCIES,
+            "motion": motion.MOTION,
+            "den_hartog": den_hartog.DEN_HARTOG,
         }.get(base)
-        f, rational = (definitions.second_kernel(kernel) if table is None else table[kernel][1]), False
-    return definitions.zeroed(f, list(names), scene), rational
+        f, rational = (slow_flow.second_kernel(kernel) if table is None else table[kernel][1]), False
+    return zeroed(f, list(names), scene), rational
 
 
 def _slope_of_frequency(*x: Any) -> Any:
     """dOmega/dA at one forcing."""
-    return -definitions.slope_of_response(1, *x) / definitions.SLOW_FLOW["F_Omega"][1](*x[:5])[0]
+    return -slow_flow.slope_of_response(1, *x) / slow_flow.SLOW_FLOW["F_Omega"][1](*x[:5])[0]
 
 
 def is_of_gradients(kernel: str) -> bool:
@@ -112,7 +118,7 @@ def knows(module: str) -> bool:
     Those of an excitation by inertia have exact values at the points of `make_kernel_oracle` alone.
     """
     base, _ = scene_of(module)
-    return base in (*definitions.TYPED, "slow_flow", "frequencies", "motion", "den_hartog", "second_approximation")
+    return base in (*averaged_force.TYPED, "slow_flow", "frequencies", "motion", "den_hartog", "second_approximation")
 
 
 def _of_mechanism(name: str, kernel: str, names: Sequence[str], at: Sequence[float]) -> tuple[Definition, bool]:
@@ -131,12 +137,12 @@ def _of_mechanism(name: str, kernel: str, names: Sequence[str], at: Sequence[flo
     if kernel == "intercept":
         return lambda *x: [h - x[0] * h_A for h, h_A in [_outputs(("h", "h_A"), name, passed, *x)]], False
     if kernel == "harmonics":
-        harmonic = definitions.harmonic_by_quadrature
+        harmonic = averaged_force.harmonic_by_quadrature
         return lambda *x: [v for n in (3, 5) for v in harmonic(name, n, passed, *x)], False
     if kernel in RESULTANTS:
         last = len(names) - len(inner) - 1
         used = last + 1 + (2 if name == "duffing" else 3)
-        leading = definitions.LEADING[name, kernel]
+        leading = resultants.LEADING[name, kernel]
         return lambda *x: RESULTANTS[kernel](leading(*x[last:used]), *x[:used]), True
     if kernel in COMPOSED:
         return _composed(name, kernel, names, inner, passed), False
@@ -181,7 +187,7 @@ def _of_force(name: str, kernel: str, passed: int) -> Definition:
     """What a mechanism says of its force, from the pieces as defined."""
 
     def jumps(*q: Any) -> list[Any]:
-        forces, ends = definitions.joined(name, q)
+        forces, ends = averaged_force.joined(name, q)
         return [below(b) - above(b) for below, above, b in zip(forces, forces[1:], ends, strict=False)]
 
     def hardening(*q: Any) -> list[Any]:
@@ -192,18 +198,18 @@ def _of_force(name: str, kernel: str, passed: int) -> Definition:
 
     table: dict[str, Definition] = {
         "coefficients": {
-            "rod_spring": definitions.rod_coefficients,
-            "rod_spring_untruncated": definitions.untruncated_coefficients,
+            "rod_spring": rod_coefficients,
+            "rod_spring_untruncated": untruncated_coefficients,
         }.get(name, lambda *design: list(design)),
-        "breakpoints": lambda *q: list(definitions.pieces(name, q)[1]),
+        "breakpoints": lambda *q: list(averaged_force.pieces(name, q)[1]),
         "jumps": jumps,
         "hardening": hardening,
-        "steps": lambda *q: definitions.steps(name, *q),
-        "force": lambda u, *q: [definitions.pieces(name, q)[0][passed](u)],
+        "steps": lambda *q: averaged_force.steps(name, *q),
+        "force": lambda u, *q: [averaged_force.pieces(name, q)[0][passed](u)],
     }
     for k in range(2):
-        table[f"force_{k + 1}"] = lambda u, *q, k=k: [definitions.pieces(name, q)[0][k](u)]
-        table[f"force_{k + 1}_u"] = lambda u, *q, k=k: [mp.diff(definitions.pieces(name, q)[0][k], u)]
+        table[f"force_{k + 1}"] = lambda u, *q, k=k: [averaged_force.pieces(name, q)[0][k](u)]
+        table[f"force_{k + 1}_u"] = lambda u, *q, k=k: [mp.diff(averaged_force.pieces(name, q)[0][k], u)]
     return table[kernel]
 
 
@@ -300,7 +306,7 @@ def values(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
     """
     if kernel == "amplitude":  # Den Hartog's motion has to exist
         Omega, F_0, mu = (mpf(x) for x in at)
-        if F_0 * abs(definitions.exact_V(Omega)[0]) <= mu * abs(definitions.exact_U(Omega)[0]):
+        if F_0 * abs(den_hartog.exact_V(Omega)[0]) <= mu * abs(den_hartog.exact_U(Omega)[0]):
             raise ValueError("no motion without stops")
     f, rational = define(module, kernel, names, at)
     digits = digits_for(at)

@@ -1,9 +1,9 @@
-"""A mechanism that has no definitions of its own in `make_kernel_oracle`: its file read as a definition.
+"""A mechanism that has no definitions of its own in `definitions`: its file read as a definition.
 
 In:  the file in derivations/mechanisms, the statement of its author: pieces, ends, ratios, names, domains.
 Out: `Stated`: the same as numbers of mpmath, without anything that the derivation derives; random designs.
 
-For forces that are polynomials, truncated or not; another needs definitions typed in `make_kernel_oracle`.
+For forces that are polynomials, truncated or not; another needs definitions typed in `definitions`.
 """
 
 from __future__ import annotations
@@ -24,7 +24,9 @@ class Stated:
 
     def __init__(self, mechanism: Mechanism) -> None:
         if mechanism.order == sp.oo:
-            raise NotImplementedError(f"{mechanism.name} is no polynomial: type its definitions in make_kernel_oracle")
+            raise NotImplementedError(
+                f"{mechanism.name} is no polynomial: type its definitions in tests/oracles/definitions"
+            )
         self.name = mechanism.name
         self.order = int(mechanism.order)
         self.names = [dict(sorted((power, str(name)) for power, name in n.items())) for n in mechanism.coefficients]

@@ -1,0 +1,292 @@
+"""The averaged force by quadrature of the pieces, its derivatives by numerical differentiation, and its harmonics."""
+
+from __future__ import annotations
+
+import functools
+import itertools
+import math
+import random
+from collections.abc import Callable, Sequence
+
+from flint import arb, arb_series, ctx
+from mpmath import mp, mpf
+
+from derivations.mechanisms import all_mechanisms
+from tests.oracles.definitions.moves import ASIDE
+from tests.oracles.definitions.points import RANGES, Amplitudes, entry
+from tests.oracles.definitions.slow_flow import second_kernel
+from tests.oracles.stated import Stated
+
+#: mechanisms whose definitions are typed here
+TYPED = ("duffing", "rod_spring", "rod_spring_untruncated")
+
+
+@functools.cache
+def stated(name: str) -> Stated | None:
+    """What the file of another mechanism says."""
+    return None if name in TYPED else Stated(next(one for one in all_mechanisms() if one.name == name))
+
+
+def pieces(name: str, p: Sequence):
+    """The whole restoring force, piece by piece, and where the pieces end."""
+    if other := stated(name):
+        return other.pieces(p)
+    if name == "duffing":
+        alpha, beta = p
+        return [lambda u: alpha * u + beta * u**3], []
+    if name == "rod_spring_untruncated":
+        alpha, beta, delta_h = p
+        # the rod's end has drawn back by delta_h
+        u_cr = mp.sqrt(delta_h * (2 - delta_h))
+        return [lambda u: alpha * u + 2 * beta * u * (1 / mp.sqrt(1 - u**2) - 1), lambda u: u], [u_cr]
+    alpha, beta, gamma, u_cr = p
+    return [lambda u: alpha * u + beta * u**3 + gamma * u**5, lambda u: u], [u_cr]
+
+
+def joined(name: str, p: Sequence):
+    """The pieces once their end is exceeded. The untruncated force is continuous there: alpha follows from the rest."""
+    forces, ends = pieces(name, p)
+    if name == "rod_spring_untruncated":
+        beta, (u_cr,) = p[1], ends
+        below = lambda u: u + 2 * beta * u * (1 / mp.sqrt(1 - u**2) - 1 / mp.sqrt(1 - u_cr**2))  # noqa: E731
+        forces = [below, *forces[1:]]
+    return forces, ends
+
+
+def average(name: str, p: Sequence, passed: int, less_vertical: bool) -> Callable:
+    """-(1/pi) int_0^{2 pi} f(A cos psi) cos psi dpsi by quadrature over a quarter, `passed` ends exceeded."""
+    forces, ends = pieces(name, p)
+
+    def of(A):
+        cuts = [mpf(0), *(mp.asin(b / A) for b in ends[:passed]), mp.pi / 2]
+        total = mpf(0)
+        for f, start, end in zip(forces, cuts, cuts[1:], strict=False):
+
+            def integrand(t, f=f):
+                u = A * mp.sin(t)
+                return (f(u) - u if less_vertical else f(u)) * mp.sin(t)
+
+            total += mp.quad(integrand, [start, end], method="gauss-legendre")
+        return -4 / mp.pi * total
+
+    return of
+
+
+@functools.cache
+def gauss(count: int) -> list[tuple[arb, arb]]:
+    """Nodes and weights on [0, 1]."""
+    pairs = [arb.legendre_p_root(count, k, weight=True) for k in range(count)]
+    return [((1 + x) / 2, w / 2) for x, w in pairs]
+
+
+def untruncated_family(passed: int, less_vertical: bool, A, *p) -> list:
+    """The same by Gauss's rule on Taylor series in A, on panels that get finer towards u_cr, where the force is steep.
+
+    In balls, because mpmath takes seconds for these.
+    """
+    before, ctx.cap = ctx.cap, 4
+    alpha, beta, delta_h = map(ball, p)
+    u_cr = (delta_h * (2 - delta_h)).sqrt()
+    # the double next to u_cr stands for it
+    amplitude = arb_series([u_cr if not passed and ball(A) > u_cr else ball(A), 1])
+    end = (u_cr / amplitude).asin() if passed else arb_series([arb.pi() / 2])
+    # continuous at its end: alpha follows from the rest
+    constant = 1 - 2 * beta / (1 - delta_h) if passed else alpha - 2 * beta
+    total = arb_series([0 if less_vertical else arb.pi() / 4])
+    panels = [*(1 - arb(4) ** -k for k in range(7)), arb(1)]
+    for low, high in itertools.pairwise(panels):
+        for x, w in gauss(64):
+            s = (end * (low + (high - low) * x)).sin()
+            beside_vertical = constant + 2 * beta / (1 - (amplitude * s) ** 2).sqrt() - 1
+            total += end * ((high - low) * w) * beside_vertical * s**2
+    taylor = -4 / arb.pi() * amplitude * total
+    ctx.cap = before
+    return derivatives(taylor)
+
+
+def derivatives(taylor: arb_series) -> list:
+    """The value and three derivatives from a Taylor series."""
+    values = []
+    for k in range(4):
+        man, exp = (int(part) for part in taylor[k].mid().man_exp())
+        values.append(mp.factorial(k) * mp.ldexp(man, exp))
+    return values
+
+
+def ball(x) -> arb:
+    """A number of mpmath, exactly."""
+    sign, man, exp, _ = mpf(x)._mpf_
+    return arb((-int(man) if sign else int(man), int(exp)))
+
+
+@functools.cache
+def family(name: str, passed: int, less_vertical: bool, A, *p):
+    """The average and its first three derivatives by A."""
+    if name == "rod_spring_untruncated":
+        return untruncated_family(passed, less_vertical, A, *p)
+    if stated(name):
+        value, slope, *rest = harmonic_by_quadrature(name, 1, passed, A, *p)
+        return [value + A * less_vertical, slope + less_vertical, *rest]
+    taylor = mp.taylor(average(name, p, passed, less_vertical), A, 3)
+    return [mp.factorial(k) * c for k, c in enumerate(taylor)]
+
+
+def harmonic_by_quadrature(name: str, n: int, passed: int, A, *p) -> list:
+    """-(1/pi) int_0^{2 pi} f(A cos psi) cos(n psi) dpsi and derivatives, in balls: as `untruncated_family`."""
+    before, ctx.cap = ctx.cap, 4
+    amplitude = arb_series([ball(A), 1])
+    if other := stated(name):
+        taylor = harmonic_of_polynomials(other, n, passed, amplitude, [ball(x) for x in p])
+        ctx.cap = before
+        # what rounding leaves of a zero: a linear piece has no harmonics
+        return [value * (not taylor[k].contains(0)) for k, value in enumerate(derivatives(taylor))]
+    forces = {
+        "duffing": lambda u, q: q[0] * u + q[1] * u**3,
+        "rod_spring": lambda u, q: q[0] * u + q[1] * u**3 + q[2] * u**5,
+        "rod_spring_untruncated": lambda u, q: (q[0] - 2 * q[1]) * u + 2 * q[1] * u / (1 - u**2).sqrt(),
+    }
+    q = [ball(x) for x in p]
+    if name == "rod_spring_untruncated" and passed:  # continuous at its end
+        q[0] = 1 + 2 * q[1] - 2 * q[1] / (1 - q[2])
+        q[2] = (q[2] * (2 - q[2])).sqrt()
+    end = (q[-1] / amplitude).asin() if passed else arb_series([arb.pi() / 2])
+    total = arb_series([0])
+    panels = [*(1 - arb(4) ** -k for k in range(7)), arb(1)]
+    for low, high in itertools.pairwise(panels):
+        for x, w in gauss(64):
+            t = end * (low + (high - low) * x)
+            u = amplitude * t.sin()
+            # u itself, which holds beyond the end, has no higher harmonic over the whole cycle
+            total += end * ((high - low) * w) * (forces[name](u, q) - u) * (n * (arb.pi() / 2 - t)).cos()
+    taylor = -4 / arb.pi() * total
+    ctx.cap = before
+    return derivatives(taylor)
+
+
+def harmonic_of_polynomials(other: Stated, n: int, passed: int, amplitude: arb_series, q: list[arb]) -> arb_series:
+    """The same for polynomial pieces, each over its part of the cycle."""
+    polynomials, ends = other.polynomials(q), other.pieces(q)[1]
+    cuts = [arb_series([0]), *((b / amplitude).asin() for b in ends[:passed]), arb_series([arb.pi() / 2])]
+    total = arb_series([0])
+    for polynomial, start, end in zip(polynomials, cuts, cuts[1:], strict=False):
+        for x, w in gauss(64):
+            t = start + (end - start) * x
+            u = amplitude * t.sin()
+            force = sum((c * u**k for k, c in polynomial.items()), arb_series([0]))
+            total += (end - start) * w * force * (n * (arb.pi() / 2 - t)).cos()
+    return -4 / arb.pi() * total
+
+
+def harmonics_table(name: str, amplitudes: Amplitudes) -> list:
+    """Both harmonics with their derivatives; the untruncated force's as far as they are derived."""
+    rows = []
+    for A, p in amplitudes:
+        if A == 0 or (name == "rod_spring_untruncated" and scale_of(name, p) > 0.75):
+            continue
+        passed = passed_by(name, A, p)
+        row = entry(lambda *x, n=passed: [v for k in (3, 5) for v in harmonic_by_quadrature(name, k, n, *x)], [A, *p])
+        # they act together: the fifth, by far the smaller one at small amplitudes, is measured by the third's scale
+        row["scale"] = [max(pair, key=mpf) for pair in zip(row["scale"][:4], row["scale"][4:], strict=True)] * 2
+        rows.append(row)
+    return rows
+
+
+def changes_table(name: str, amplitudes: Amplitudes) -> list:
+    """How h, h_A and h_AA change with each parameter, at amplitudes of every regime; h and its slopes are given."""
+    rows = []
+    for A, p in amplitudes:
+        if A == 0:
+            continue
+        passed = passed_by(name, A, p)
+        given = [float(value) for value in family(name, passed, False, mpf(A), *map(mpf, p))[:3]]
+        rows.append(
+            entry(lambda A, h, h_A, h_AA, *q, n=passed: changes(name, n, A, (h, h_A, h_AA), *q), [A, *given, *p])
+        )
+    return rows
+
+
+def changes(name: str, passed: int, A, given: Sequence, *p) -> list:
+    """By quadratures for parameters on either side. The untruncated force is linear but for what beta multiplies:
+    of beta by what that adds to the averages given, which the kernel is a function of.
+    """
+    found = []
+    for k, value in enumerate(p):
+        if name == "rod_spring_untruncated" and k == 1:
+            rest = [-(1 if passed else p[0]) * linear for linear in (A, 1, 0)]
+            found += [(whole - own) / value for whole, own in zip(given, rest, strict=True)]
+            continue
+        with mp.workdps(200):
+            before, ctx.prec = ctx.prec, 600
+            step = ASIDE * (abs(value) or 1)
+            low, high = (
+                harmonic_by_quadrature(name, 1, passed, A, *p[:k], value + side, *p[k + 1 :])[:3]
+                for side in (-step, step)
+            )
+            ctx.prec = before
+            # what rounding leaves of a zero
+            found += [
+                (b - a) / (2 * step) if abs(b - a) > abs(a) * mpf(10) ** -130 else mpf(0)
+                for a, b in zip(low, high, strict=True)
+            ]
+    return found
+
+
+def second_approximation_table(rng: random.Random) -> dict:
+    """Random harmonics, with |h| < 9 A Omega^2; half of the points next to the backbone."""
+    table = {}
+    orders = ("", "_A", "_AA", "_AAA")
+    asked = (("response", "F_0 ", 3), ("folds", "F_0 ", 4), ("detachment", "", 3), ("detachment_by_inertia", "", 3))
+    for kernel, forcing, top in asked:
+        families = [name + order for name in ("h", "h_3", "h_5") for order in orders[:top]]
+        names = f"Omega A {forcing}m zeta".split() + families
+        rows = []
+        for number in range(12):
+            x = {name: rng.uniform(*RANGES[name]) for name in names}
+            x["h"] = -x["A"] * x["Omega"] ** 2 * (1 + 1e-6 if number % 2 else rng.uniform(-0.5, 8.0))
+            rows.append(entry(second_kernel(kernel), [x[name] for name in names]))
+        table[kernel] = rows
+    return table
+
+
+def passed_by(name: str, A: float, p: Sequence[float]) -> int:
+    return sum(A > end for end in doubles_at_ends(name, p))
+
+
+def doubles_at_ends(name: str, p: Sequence[float]) -> list[float]:
+    """The doubles next to the breakpoints, which stand for them."""
+    if name == "rod_spring_untruncated":
+        return [math.sqrt(2 * p[2] - p[2] ** 2)]
+    return list(map(float, pieces(name, p)[1]))
+
+
+def scale_of(name: str, p: Sequence[float]) -> float:
+    """The last breakpoint, or 1 where there is none."""
+    ends = doubles_at_ends(name, p)
+    return ends[-1] if ends else 1.0
+
+
+def steps(name: str, *q) -> list:
+    """The force and its derivatives at 0, what they gain at each end of a piece, and those of the last piece at 0.
+
+    From values of the polynomials at as many points as they need, by the differences' exact interpolation.
+    """
+    forces, ends = pieces(name, q)
+    other = stated(name)
+    degree = max(map(max, other.polynomials(q))) if other else {"duffing": 3, "rod_spring": 5}[name]
+    gains = [(forces[0], mpf(0))]
+    gains += [(lambda u, k=k: forces[k + 1](u) - forces[k](u), end) for k, end in enumerate(ends)]
+    found = []
+    for gain, at in [*gains, (forces[-1], mpf(0))]:
+        nodes = [mpf(j) / 4 for j in range(1, degree + 2)]
+        rows = mp.matrix([[node**k / mp.factorial(k) for k in range(degree + 1)] for node in nodes])
+        found += list(mp.lu_solve(rows, mp.matrix([gain(at + node) for node in nodes])))
+    return [mpf(0) if abs(value) < mpf(10) ** -45 else value for value in found]
+
+
+#: several averages at once, by mechanism where not all have the kernel; and where they hold
+TOGETHER = {
+    "averaged": ("h", "h_A", "h_AA", "h_AAA"),
+    "averaged_2": ("h", "h_A"),
+    "averaged_H": ("H", "H_A"),
+    "averaged_all": ("h", "h_A", "h_AA", "h_AAA", "H", "H_A", "intercept"),
+}

@@ -1,0 +1,511 @@
+"""Other laws of damping than viscous and Coulomb: what they put into R and I, by quadrature and differentiation."""
+
+from __future__ import annotations
+
+import random
+
+from mpmath import mp, mpf
+
+from tests.oracles.definitions.inertia import SHAKEN_ANSWERS, shaken, solved_moves
+from tests.oracles.definitions.points import Function, entry, points
+from tests.oracles.definitions.slow_flow import balances, near
+
+
+def by_work(work, A):
+    """The share in I of what does that work in a cycle: I is work/(pi A)."""
+    return work / (mp.pi * A)
+
+
+def quadratic_work(Omega, A, c_2):
+    """c_2 u'^2 along the way from A to -A and back, where u'^2 = Omega^2 (A^2 - u^2)."""
+    return 2 * mp.quad(lambda u: c_2 * Omega**2 * (A**2 - u**2), [-A, A])
+
+
+def rest_share(passed):
+    """I_0 from the work of friction, on all of the way or on what lies within u_cr, and of structural damping."""
+
+    def share(A, m, eta, u_cr=None):
+        way = 4 * (u_cr if passed else A)
+        # m = 4 mu/pi; the ellipse of eta u'/Omega over u
+        return by_work(m * mp.pi / 4 * way + mp.pi * eta * A**2, A)
+
+    return lambda A, *x: [mp.chop(mp.diff(lambda a: share(a, *x), A, order), mpf(10) ** -45) for order in range(4)]
+
+
+def by_laws(names, by_inertia=False):
+    """F and I of a kernel's arguments, as functions of A and Omega next to these; and R, I where they are given.
+
+    Where R and I are arguments they stand for the values at (Omega, A), and their slopes are those of A Omega^2 + h
+    and of I_0 + 2 zeta A Omega + d (A Omega)^2.
+    """
+    known = names.split()
+
+    def made(*x):
+        at = dict(zip(known, x, strict=True))
+        Omega, A, zeta, d = (at.get(name, mpf(0)) for name in ("Omega", "A", "zeta", "d"))
+        h = near(A, [at.get(f"h{order}", mpf(0)) for order in ("", "_A", "_AA", "_AAA")])
+        rest = near(A, [at.get(f"I_0{order}", mpf(0)) for order in ("", "A", "AA", "AAA")])
+
+        def R(a, w):
+            return a * w**2 + h(a)
+
+        def I(a, w):  # noqa: E743
+            return balances(w, a, rest(a), zeta, 0)[1] + d * (a * w) ** 2
+
+        off_R, off_I = (at[name] - f(A, Omega) if name in at else 0 for name, f in (("R", R), ("I", I)))
+
+        def F(a, w):
+            return (
+                (R(a, w) + off_R) ** 2 + (I(a, w) + off_I) ** 2 - (at.get("F_0", 0) * (w**2 if by_inertia else 1)) ** 2
+            )
+
+        def peak(a, w):
+            """F_Omega/(4 a w), in which the I of I_0 counts; with the slopes of R and I themselves."""
+            return R(a, w) + off_R + I(a, w) * (zeta / w + d * a)
+
+        def bend(a, w):
+            """F_AOmega/(2 w) of the R and I that h and I_0 give."""
+            return mp.diff(lambda b, v: R(b, v) ** 2 + I(b, v) ** 2, (a, w), (1, 1)) / (2 * w)
+
+        def least(a, w):
+            """-w^5/4 times the slope of (R^2 + I^2)/w^4 by w, in which h and I_0 count; with the slopes of R and I."""
+            return (R(a, w) + off_R) * h(a) + (I(a, w) + off_I) * (rest(a) + zeta * a * w)
+
+        return A, Omega, F, I, peak, bend, least
+
+    return made
+
+
+def dissipated_balance(names, order=0):
+    """I, or a derivative of it by A."""
+    made = by_laws(names)
+
+    def balance(*x):
+        A, Omega, _, I, *_ = made(*x)
+        return [mp.diff(lambda a: I(a, Omega), A, order)]
+
+    return balance
+
+
+def dissipated_slope(order, names, halved=False):
+    """One derivative of F, over 2 A if it is halved."""
+    made = by_laws(names)
+
+    def slope(*x):
+        A, Omega, F, *_ = made(*x)
+        return [mp.diff(F, (A, Omega), order) / (2 * A if halved else 1)]
+
+    return slope
+
+
+def dissipated_system(first, second, names):
+    """Two functions, or one, and their slopes."""
+    made = by_laws(names, by_inertia="least" in (first, second) or "inertia" in first)
+    first = first.removesuffix(" by inertia")
+
+    def system(*x):
+        A, Omega, F, _, peak, bend, least = made(*x)
+        of = {
+            "F": F,
+            "F_A": lambda a, w: mp.diff(lambda b: F(b, w), a),
+            "F_AA": lambda a, w: mp.diff(lambda b: F(b, w), a, 2),
+            "peak": peak,
+            "bend": bend,
+            "least": least,
+        }
+        both = [name for name in (first, second) if name]
+        values = [of[name](A, Omega) for name in both]
+        by = ((1, 0), (0, 1))
+        orders = {"F": (0, 0), "F_A": (1, 0), "F_AA": (2, 0)}
+
+        def slope(name, step):
+            if name in orders:
+                return mp.diff(F, (A, Omega), tuple(a + b for a, b in zip(orders[name], step, strict=True)))
+            return mp.diff(of[name], (A, Omega), step)
+
+        return [*values, *(slope(name, step) for name in both for step in by)]
+
+    return system
+
+
+def quartic_of(half, names):
+    """Coefficients of F, or of F_A/2, from their values at five frequencies."""
+    made = by_laws("Omega " + names)
+
+    def coefficients(*x):
+        def value(w):
+            A, _, F, *_ = made(w, *x)
+            return mp.diff(lambda a: F(a, w), A) / 2 if half else F(A, w)
+
+        matrix = mp.matrix([[mpf(node) ** k for k in range(5)] for node in range(1, 6)])
+        with mp.extradps(20):
+            return list(mp.lu_solve(matrix, mp.matrix([value(mpf(node)) for node in range(1, 6)])))
+
+    return coefficients
+
+
+def dissipated_frequency(names):
+    """dOmega/dA of the states at one forcing, found as roots."""
+    made = by_laws(names)
+
+    def slope(*x):
+        A, Omega, F, *_ = made(*x)
+        here = F(A, Omega)
+        return [mp.diff(lambda a: mp.findroot(lambda w: F(a, w) - here, Omega, tol=mpf(10) ** -110), A)]
+
+    return slope
+
+
+def level_of_laws(w, a, rest, zeta, d, h):
+    """Of an excitation by inertia."""
+    return sum(part**2 for part in law_balances(w, a, rest, zeta, d, h)) / w**4
+
+
+def level_along(names):
+    """The squared level as a function of A and Omega, and where a kernel asks for it."""
+    known = names.split()
+
+    def made(*x):
+        at = dict(zip(known, x, strict=True))
+        A, zeta, d = (at[name] for name in ("A", "zeta", "d"))
+        h = near(A, [at.get(f"h{order}", mpf(0)) for order in ("", "_A", "_AA", "_AAA")])
+        rest = near(A, [at.get(f"I_0{order}", mpf(0)) for order in ("", "A", "AA", "AAA")])
+        return A, at["Omega"], lambda a, w: level_of_laws(w, a, rest(a), zeta, d, h(a))
+
+    return made
+
+
+def cusp_by_inertia(names):
+    """d^2 level^2/dA^2 along F_A = 0 with F_AA = 0, times Omega^5 F_AOmega^2/4."""
+    parts = [dissipated_slope(order, names) for order in ((3, 0), (1, 1))]
+
+    def of(*x):
+        A, Omega, level = level_along(names)(*x)
+        return [-(Omega**5) / 4 * mp.diff(level, (A, Omega), (0, 1)) * mp.fprod(part(*x)[0] for part in parts)]
+
+    return of
+
+
+def isola_by_inertia(names):
+    """As `law_isola`, of what the level's slope leaves where it vanishes."""
+    parts = [dissipated_slope(order, names) for order in ((2, 0), (1, 1))]
+
+    def of(*x):
+        A, Omega, level = level_along(names)(*x)
+        F_AA, F_AOmega = (part(*x)[0] for part in parts)
+        bend = mp.diff(lambda w: w**5 * mp.diff(lambda v: level(A, v), w), Omega) / Omega
+        determinant = mp.det(mp.matrix([[F_AA, F_AOmega], [F_AOmega, bend]]))
+        return [determinant, F_AA * determinant]
+
+    return of
+
+
+def frequency_by_inertia(names):
+    """dOmega/dA of the states at one level."""
+
+    def of(*x):
+        A, Omega, level = level_along(names)(*x)
+        return [-mp.diff(level, (A, Omega), (1, 0)) / mp.diff(level, (A, Omega), (0, 1))]
+
+    return of
+
+
+def far_by_inertia(x, A, F_0, I_0, zeta, d, h):
+    """The level less F_0, squares; and what its slope is, without what grows with Omega."""
+    w, grows = 1 / x, zeta * d * A**3
+    slope = mp.diff(lambda v: level_of_laws(v, A, I_0, zeta, d, h), w)
+    return [level_of_laws(w, A, I_0, zeta, d, h) - F_0**2, -(w**3) / 4 * slope - w * grows, grows]
+
+
+def far_balances(x, A, I_0, I_0A, zeta, d, h, h_A):
+    """R, R_A, I and I_A over Omega^2 at Omega = 1/x."""
+    w, force = 1 / x, near(A, [h, h_A])
+    names, of = "Omega A I_0 I_0A zeta d", (w, A, I_0, I_0A, zeta, d)
+    of_R = [mp.diff(lambda a: balances(w, a, 0, zeta, force(a))[0], A, order) for order in (0, 1)]
+    return [x**2 * one for one in (*of_R, *dissipated_balance(names)(*of), *dissipated_balance(names, 1)(*of))]
+
+
+def turn_beside(x, A, *damping):
+    """F_AOmega/(4 Omega) over Omega^2 at the h and h_A for which R and R_A vanish."""
+    w = 1 / x
+    slope = dissipated_slope((1, 1), "Omega A I_0 I_0A zeta d h h_A")(w, A, *damping, -A * w**2, -(w**2))
+    return [slope[0] / (4 * w) * x**2]
+
+
+def largest_held(Omega, F_0, m, zeta, eta, d):
+    """The amplitude at which I is F_0, as a root."""
+    with mp.extradps(20):
+        roots = mp.polyroots([d * Omega**2, 2 * zeta * Omega + eta, m - F_0], maxsteps=200, extraprec=200)
+        return max(root.real for root in roots)
+
+
+def law_balances(w, a, rest, zeta, d, h):
+    """R and I of any laws, from I_0."""
+    R, I = balances(w, a, rest, zeta, h)
+    return R, I + d * (a * w) ** 2
+
+
+def law_moves(kind, force):
+    """As `shaken_moves`, under a force, or what takes its place."""
+
+    def of(Omega, A, F_0, *x):
+        rest, (zeta, d), h = x[:4], x[4:6], x[6:10]
+        h_p, rest_p, (zeta_p, d_p), others = x[10:13], x[13:16], x[16:18], x[18:]
+        of_A, of_p, of_rest, of_rest_p = (near(A, values) for values in (h, h_p, rest, rest_p))
+
+        def both(a, w, p):
+            return law_balances(
+                w, a, of_rest(a) + of_rest_p(a) * p, zeta + zeta_p * p, d + d_p * p, of_A(a) + of_p(a) * p
+            )
+
+        size = law_sizes(Omega, A, rest, zeta, d, h, force=lambda w: force(w, F_0))
+        return solved_moves(kind, (A, Omega, F_0, mpf(0)), both, force, size, *others)
+
+    return of
+
+
+def law_sizes(Omega, A, rest, zeta, d, h, force=lambda w: mpf(0)):
+    """As `shaken_sizes`: with h and I_0 without their signs no term of F's derivatives is negative but the force's."""
+
+    def by(order):
+        def derivative(sign, of_force):
+            local, lag = (near(A, [sign(value) for value in values]) for values in (h, rest))
+
+            def both(a, w):
+                squares = (part**2 for part in law_balances(w, a, lag(a), zeta, d, local(a)))
+                return sum(squares) + of_force * force(w) ** 2
+
+            return mp.diff(both, (A, Omega), order)
+
+        return derivative(mpf, -1), derivative(abs, 1)
+
+    return by
+
+
+def law_beside(force):
+    """F_A, F_Omega and R, each with its size; the force from Omega and F_0."""
+
+    def of(Omega, A, F_0, I_0, I_0A, zeta, d, *h):
+        size = law_sizes(Omega, A, (I_0, I_0A), zeta, d, h, lambda w: force(w, F_0))
+        return [*size((1, 0)), *size((0, 1)), *(balances(Omega, A, 0, 0, value)[0] for value in (h[0], abs(h[0])))]
+
+    return of
+
+
+def law_moves_of_phase(force):
+    """Phase and transmissibility along the moves, from R, I and h; the force from Omega and F_0."""
+
+    def of(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A, h_p, I_0p, zeta_p, d_p, A_p, Omega_p, F_0_p):
+        def along(p):
+            w, a, restoring = Omega + Omega_p * p, A + A_p * p, h + (h_p + h_A * A_p) * p
+            rest = I_0 + (I_0p + I_0A * A_p) * p
+            return w, *law_balances(w, a, rest, zeta + zeta_p * p, d + d_p * p, restoring), restoring
+
+        def turned(p):
+            _, R, I, _ = along(p)
+            return mp.arg(mp.mpc(-R, -I))
+
+        def passed_on(p):
+            w, _, I, restoring = along(p)
+            return mp.hypot(restoring, I) / force(w, F_0 + F_0_p * p)
+
+        return [mp.diff(turned, 0), mp.diff(passed_on, 0)]
+
+    return of
+
+
+def rest_moves(passed):
+    """What m, eta, and where friction ends u_cr do to I_0 and its first derivatives, from the work of each."""
+    share = rest_share(passed)
+
+    def of(A, m=1, u_cr=None):
+        at = (mpf(m), mpf(1), *([] if u_cr is None else [u_cr]))
+        slopes = []
+        with mp.workdps(150):
+            for k in range(len(at)):
+                order = tuple(int(k == j) for j in range(len(at)))
+                slopes += [mp.diff(lambda *x, i=i: share(A, *x)[i], at, order) for i in range(3)]
+        return [mp.chop(value, tol=mpf(10) ** -45) for value in slopes]
+
+    return of
+
+
+def law_response(Omega, A, F_0, *others):
+    return sum(part**2 for part in law_balances(Omega, A, *others)) - F_0**2
+
+
+def law_bend(names):
+    """d^2 F_0^2/dA^2 along F_A = 0 with F_AA = 0, times F_AOmega^2 over A."""
+    parts = [dissipated_slope(order, names) for order in ((0, 1), (3, 0), (1, 1))]
+    at = names.split().index("A")
+    return lambda *x: [-mp.fprod(part(*x)[0] for part in parts) / x[at]]
+
+
+def law_isola(names):
+    parts = [dissipated_slope(order, names) for order in ((2, 0), (1, 1), (0, 2))]
+
+    def of(*x):
+        F_AA, F_AOmega, F_OmegaOmega = (part(*x)[0] for part in parts)
+        determinant = mp.det(mp.matrix([[F_AA, F_AOmega], [F_AOmega, F_OmegaOmega]]))
+        return [determinant, F_AA * determinant]
+
+    return of
+
+
+def slope_of_sum(pairs):
+    """Of the sum of squares of functions with these values and slopes."""
+    return mp.diff(lambda t: sum((value + slope * t) ** 2 for value, slope in pairs), 0)
+
+
+def vanishing_R(Omega, A, zeta, d, I):
+    """R at which R^2 + I^2 is stationary in Omega."""
+    by_R, by_I = (mp.diff(lambda w, n=n: law_balances(w, A, 0, zeta, d, 0)[n], Omega) for n in (0, 1))
+    return -I * by_I / by_R
+
+
+def least_slope(A, k, I, I_A):
+    def of(R):
+        return slope_of_sum(((R, (R - k) / A), (I, I_A))) / 2
+
+    # a parabola in R, by three of its values
+    below, at, above = of(k - 1), of(k), of(k + 1)
+    return [4 * A * (at - (above - below) ** 2 / (8 * (above - 2 * at + below)))]
+
+
+def scaled_slope(Omega, h_over_A, h_A, I_over_A, I_A):
+    """At A = 2, where h is 2 h_over_A and I is 2 I_over_A."""
+    A = mpf(2)
+    R, _ = balances(Omega, A, 0, 0, A * h_over_A)
+    R_A = mp.diff(lambda a: balances(Omega, a, 0, 0, a * h_A)[0], A)
+    return [slope_of_sum(((R, R_A), (A * I_over_A, I_A))) / (2 * A)]
+
+
+def least_from_rest(Omega, zeta, eta, d, h_AA):
+    """The least F_A for I_0 = eta A and k = A^2 h_AA/2, times 4 A over A^2: its first and third coefficient."""
+
+    def whole(A):
+        lag = lambda a: law_balances(Omega, a, eta * a, zeta, d, 0)[1]  # noqa: E731
+        return least_slope(A, A**2 * h_AA / 2, lag(A), mp.diff(lag, A))[0] / A**2
+
+    # a quadratic in A, by three of its values
+    nodes = [mpf(1), mpf(2), mpf(3)]
+    found = mp.lu_solve(mp.matrix([[1, A, A**2] for A in nodes]), mp.matrix([whole(A) for A in nodes]))
+    return [found[0], found[2]]
+
+
+LAW_AT, LAW_SLOWER = "Omega A F_0 I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA", "Omega A F_0 I_0 I_0A zeta d h h_A"
+LAW_CAUSES = "h_p h_Ap h_AAp I_0p I_0Ap I_0AAp zeta_p d_p end_p forcing_p frequency_p"
+
+
+def law_gradients(force) -> dict[str, tuple[str, Function]]:
+    """Of other laws of damping, for a force from Omega and F_0."""
+    return {
+        **{f"moves_of_{kind}": (f"{LAW_AT} {LAW_CAUSES}", law_moves(kind, force)) for kind in SHAKEN_ANSWERS},
+        "beside": (LAW_SLOWER, law_beside(force)),
+        "moves_of_phase": (f"{LAW_SLOWER} h_p I_0p zeta_p d_p A_p Omega_p F_0_p", law_moves_of_phase(force)),
+    }
+
+
+SHAKEN_LAWS = law_gradients(shaken)
+DISSIPATION: dict[str, tuple[str, Function]] = {
+    "quadratic": ("c_2", lambda c_2: [by_work(quadratic_work(1, 1, c_2), 1)]),
+    # |h| is largest where R = -F_0 at the frequency at which quadratic damping takes all of the forcing
+    "restoring": ("A F_0 d", lambda A, F_0, d: [F_0 + A * mp.findroot(lambda X: d * A**2 * X - F_0, F_0 / d / A**2)]),
+    "at_rest": ("A m eta", rest_share(passed=False)),
+    "released": ("A m eta u_cr", rest_share(passed=True)),
+    "I": ("Omega A I_0 zeta d", dissipated_balance("Omega A I_0 zeta d")),
+    **{
+        f"F_{''.join(letters)}": (names, dissipated_slope((letters.count("A"), letters.count("Omega")), names))
+        for letters, names in (
+            (("A",), "Omega A I_0 I_0A zeta d h h_A"),
+            (("A", "A"), "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA"),
+            (("Omega",), "Omega A I_0 zeta d h"),
+            (("Omega", "Omega"), "Omega A I_0 zeta d h"),
+            (("A", "Omega"), "Omega A I_0 I_0A zeta d h h_A"),
+            (("A", "Omega", "Omega"), "Omega A I_0 I_0A zeta d h h_A"),
+        )
+    },
+    "Omega_A": (names := "Omega A I_0 I_0A zeta d h h_A", dissipated_frequency(names)),
+    "stability": (names, dissipated_slope((1, 0), names, halved=True)),
+    "response_quartic": (names := "A I_0 zeta d h", quartic_of(False, names)),
+    "fold_quartic": (names := "A I_0 I_0A zeta d h h_A", quartic_of(True, names)),
+    "turn_share": ("x A I_0 I_0A zeta d", turn_beside),
+    "limit_envelope": ("Omega F_0 m zeta eta d", lambda *x: [largest_held(*x)]),
+    **{
+        name: (names, dissipated_system(first, second, names))
+        for name, first, second, names in (
+            ("folds", "F", "F_A", "Omega A F_0 I_0A I_0AA zeta d h_A h_AA R I"),
+            ("peaks", "F", "peak", "Omega A F_0 I_0 I_0A zeta d h_A R I"),
+            ("cusps", "F_A", "F_AA", "Omega A I_0A I_0AA I_0AAA zeta d h_A h_AA h_AAA R I"),
+            ("isolas", "F_A", "peak", "Omega A I_0 I_0A I_0AA zeta d h_A h_AA R I"),
+            ("turns", "F_A", "bend", "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA R I"),
+            ("rest", "F", "", "Omega A F_0 I_0A zeta d h_A R I"),
+            ("stiffness", "F_A", "", "Omega A I_0A I_0AA zeta d h_A h_AA R I"),
+        )
+    },
+    "rest_moves": ("A", rest_moves(passed=False)),
+    "released_moves": ("A m u_cr", rest_moves(passed=True)),
+    **law_gradients(lambda w, f: f),
+    "I_A": ("Omega A I_0A zeta d", dissipated_balance("Omega A I_0A zeta d", 1)),
+    "far": ("x A I_0 I_0A zeta d h h_A", far_balances),
+    "F": (names := "Omega A F_0 I_0 zeta d h", lambda *x: [law_response(*x)]),
+    "cusp_bend": (names := "Omega A I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA", law_bend(names)),
+    "isola_bend": (names := "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA", law_isola(names)),
+    "F_A_halved": ("R R_A I I_A", lambda R, R_A, I, I_A: [slope_of_sum(((R, R_A), (I, I_A))) / 2]),
+    "R_of_response": ("F_0 I", lambda F_0, I: [mp.sqrt(mpf(F_0) ** 2 - mpf(I) ** 2)]),
+    "R_of_peak": ("Omega A zeta d I", lambda *x: [vanishing_R(*x)]),
+    "R_of_fold": ("Omega h_A I I_A", lambda w, h_A, I, I_A: [-I * I_A / mp.diff(lambda a: a * w**2 + h_A * a, 1)]),
+    "h_A_of_turn": ("Omega A R beside", lambda w, A, R, D: [mp.findroot(lambda s: R + A * (w**2 + s) + D, mpf(1))]),
+    "least_F_A": ("A k I I_A", least_slope),
+    "I_scaled": ("Omega A I_0_over_A zeta d", lambda w, A, r, *laws: [law_balances(w, A, r * A, *laws, 0)[1] / A]),
+    "F_A_scaled": ("Omega h_over_A h_A I_over_A I_A", scaled_slope),
+    "least_scaled": ("Omega zeta eta d h_AA", least_from_rest),
+    "Omega_A_by_inertia": (names := "Omega A I_0 I_0A zeta d h h_A", frequency_by_inertia(names)),
+    "far_by_inertia": ("x A F_0 I_0 zeta d h", far_by_inertia),
+    "cusp_bend_by_inertia": (
+        names := "Omega A I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA",
+        cusp_by_inertia(names),
+    ),
+    "isola_bend_by_inertia": (names := "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA", isola_by_inertia(names)),
+    "full_by_inertia": (
+        "F_0 d",
+        lambda F_0, d: [mp.findroot(lambda a: a**2 + (d * a**2) ** 2 - F_0**2, F_0 / (1 + d * F_0))],
+    ),
+    "structural_bound": (
+        "A F_0 eta h steepest",
+        lambda A, F_0, eta, h, s: [
+            eta * A * (A - F_0) - F_0 * abs(h),
+            mp.diff(lambda a: eta * a * (a - F_0), A) - F_0 * s,
+        ],
+    ),
+    "quadratic_bound": ("F_0 d", lambda F_0, d: [mp.findroot(lambda a: d * a**2 - F_0, mp.sqrt(F_0 / d))]),
+    **{
+        name: (names, dissipated_system(first, second, names))
+        for name, first, second, names in (
+            ("folds_by_inertia", "F by inertia", "F_A", "Omega A F_0 I_0A I_0AA zeta d h_A h_AA R I"),
+            ("peaks_by_inertia", "F by inertia", "least", "Omega A F_0 I_0 I_0A zeta d h h_A R I"),
+            ("isolas_by_inertia", "F_A", "least", "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA R I"),
+        )
+    },
+}
+
+
+def shaken_laws_table(rng: random.Random) -> dict:
+    """Six points of each kernel."""
+    return {kernel: [entry(f, x) for x in points(rng, names, 6)] for kernel, (names, f) in SHAKEN_LAWS.items()}
+
+
+def dissipation_table(rng: random.Random) -> dict:
+    """Six points of each kernel; of what leaves at u_cr, beyond that."""
+    table = {}
+    for kernel, (names, f) in DISSIPATION.items():
+        chosen = points(rng, names, 6)
+        for x in chosen:
+            if kernel.startswith("released"):
+                x[0] += x[-1]
+            elif kernel == "R_of_response":  # I < F_0
+                x[1] *= 0.25
+            elif kernel == "R_of_fold":  # Omega^2 + h_A > 0 on boxes too
+                x[1] = abs(x[1])
+        table[kernel] = [entry(f, x) for x in chosen]
+    return table

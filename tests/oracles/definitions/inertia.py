@@ -1,0 +1,346 @@
+"""Excitation by inertia: a shaking base and a rotating unbalance, by the same routes as a constant force."""
+
+from __future__ import annotations
+
+import random
+
+from mpmath import mp, mpf
+
+from tests.oracles.definitions.along import partials
+from tests.oracles.definitions.points import Function, entry, points
+from tests.oracles.definitions.slow_flow import balances, near, phase, response, slope_of_response, transmissibility
+
+
+def shaken(Omega, F_0):
+    """Amplitude of the force m omega^2 Y of a base, or m_u e omega^2 of an unbalance, made dimensionless."""
+    return F_0 * Omega**2
+
+
+def inertial(Omega, F_0):
+    """The same by differentiating the motion of what is thrown to and fro."""
+    return -mp.diff(lambda tau: F_0 * mp.cos(Omega * tau), 0, 2)
+
+
+def shaken_response(Omega, A, F_0, m, zeta, h):
+    return response(Omega, A, shaken(Omega, F_0), m, zeta, h)
+
+
+def shaken_level(Omega, A, m, zeta, h):
+    """The excitation at which the response vanishes, found as a root."""
+    R, I = balances(Omega, A, m, zeta, h)
+    return mp.findroot(lambda F_0: shaken_response(Omega, A, F_0, m, zeta, h), (abs(R) + I) / Omega**2)
+
+
+def squared_level(Omega, A, m, zeta, h):
+    """F is linear in F_0^2, from its values at 0 and 1."""
+    at_0, at_1 = (shaken_response(Omega, A, F_0, m, zeta, h) for F_0 in (0, 1))
+    return at_0 / (at_0 - at_1)
+
+
+def shaken_level_slope(Omega, *x, order=1):
+    """Omega^5 times the slope of the squared level, or the derivative of that."""
+    return mp.diff(lambda w: w**5 * mp.diff(lambda v: squared_level(v, *x), w), Omega, order - 1)
+
+
+def shaken_slope_of_frequency(Omega, A, m, zeta, *values):
+    """dOmega/dA of the states at one excitation, found as roots."""
+    h = near(A, values)
+    level_here = squared_level(Omega, A, m, zeta, h(A))
+    return mp.diff(
+        lambda a: mp.findroot(lambda w: squared_level(w, a, m, zeta, h(a)) - level_here, Omega, tol=mpf(10) ** -110), A
+    )
+
+
+def parabola(f):
+    """Coefficients of a quadratic, constant first, from its values at 1, 2 and 3."""
+    matrix = mp.matrix([[node**k for k in range(3)] for node in (1, 2, 3)])
+    with mp.extradps(20):
+        return list(mp.lu_solve(matrix, mp.matrix([f(mpf(node)) for node in (1, 2, 3)])))
+
+
+def shaken_terms(*x):
+    """Of the level's slope, which is -4 rest - linear Omega + 4 fall Omega^2."""
+    constant, first, second = parabola(lambda w: shaken_level_slope(w, *x))
+    return [second / 4, -first, -constant / 4]
+
+
+def shaken_least(fall, linear, rest):
+    with mp.extradps(20):
+        return max(mp.polyroots([4 * rest, linear, -4 * fall], maxsteps=200, extraprec=200))
+
+
+def balanced(x, A, m, zeta, h):
+    """Omega; R and I there, with the R for which the level falls no more, at any Omega: the inertia a in a Omega^2 + h.
+
+    The level's slope is linear in a.
+    """
+    w = 1 / x
+
+    def squared(v, a):
+        return (balances(v, a, 0, 0, h)[0] ** 2 + balances(v, A, m, zeta, 0)[1] ** 2) / shaken(v, 1) ** 2
+
+    slopes = [mp.diff(lambda v, a=a: squared(v, a), w) for a in (0, 1)]
+    a = slopes[0] / (slopes[0] - slopes[1])
+    return w, balances(w, a, 0, 0, h)[0], balances(w, A, m, zeta, 0)[1]
+
+
+def shaken_peak(x, A, F_0, m, zeta, h, h_A):
+    """F_A by differentiation at that R."""
+    w, R, I = balanced(x, A, m, zeta, h)
+    least = mp.sqrt(R**2 + I**2) / shaken(w, 1)
+    return [least - F_0, slope_of_response(1, w, A, m, zeta, R - A * w**2, h_A) / (2 * least * shaken(w, 1) ** 2)]
+
+
+def shaken_drift(x, A, m, zeta, *values):
+    """dOmega/dA where the level's slope over Omega^2 stays: by a root next to it, at amplitudes next to it."""
+    h = near(A, values)
+
+    def falls(w, a):
+        return shaken_level_slope(w, a, m, zeta, h(a)) / w**2
+
+    stays = falls(1 / x, A)
+    return mp.diff(lambda a: mp.findroot(lambda w: falls(w, a) - stays, 1 / x, tol=mpf(10) ** -110), A)
+
+
+def shaken_isola(x, A, m, zeta, *values):
+    """-h F_A/(2 I Omega^3) at that R; its slope along the amplitudes where the level's slope over Omega^2 stays."""
+    h, h_A = near(A, values), near(A, values[1:])
+
+    def value(a, y):
+        w, R, I = balanced(y, a, m, zeta, h(a))
+        return -h(a) * slope_of_response(1, w, a, m, zeta, R - a * w**2, h_A(a)) / (2 * I * w**3)
+
+    def falls(a, y):
+        return y**2 * shaken_level_slope(1 / y, a, m, zeta, h(a))
+
+    by_A, by_x = (1, 0), (0, 1)
+    value_A, value_x, falls_A, falls_x = (mp.diff(f, (A, x), by) for f in (value, falls) for by in (by_A, by_x))
+    return [value(A, x), value_A - value_x * falls_A / falls_x]
+
+
+def shaken_sense(order, Omega, A, *x):
+    """What tells minima from maxima along the fold locus: as for a force, with the level's slope for F_Omega."""
+    by_A, F_AOmega = partials([(order, 0), (1, 1)], Omega, A, *x)
+    return -shaken_level_slope(Omega, A, *x[:3]) * by_A * F_AOmega
+
+
+def shaken_hessian(Omega, A, *x):
+    """Where F_Omega = 0 the level's slope is Omega F_Omega."""
+    F_AA, F_AOmega = partials([(2, 0), (1, 1)], Omega, A, *x)
+    F_OmegaOmega = shaken_level_slope(Omega, A, *x[:3], order=2) / Omega
+    return mp.det(mp.matrix([[F_AA, F_AOmega], [F_AOmega, F_OmegaOmega]]))
+
+
+def shaken_bound(A, F_0, zeta, *values):
+    """|h| times the least squared level without friction, a parabola in 1/Omega^2, for the h with zeta^2 A = lost |h|;
+    less F_0^2 times the actual |h|.
+    """
+    *values, lost = values
+    h = near(A, values)
+
+    def of(a):
+        stiff = zeta**2 * a / lost
+        constant, first, second = parabola(lambda s: squared_level(1 / mp.sqrt(s), a, 0, zeta, -stiff))
+        return stiff * (constant - first**2 / (4 * second)) + F_0**2 * h(a)
+
+    return [of(A), *(mp.diff(of, A, order) for order in (1, 2, 3))]
+
+
+#: for each kind of answer the conditions beside F = 0, and F's derivatives by (A, Omega) that must not vanish
+SHAKEN_ANSWERS: dict[str, tuple[tuple[str, str], list[tuple[int, int]]]] = {
+    "state": (("forcing", "frequency"), [(1, 0)]),
+    "fold": (("forcing", "F_A"), [(2, 0), (0, 1)]),
+    "corner_fold": (("forcing", "breakpoint"), [(0, 1)]),
+    "peak": (("forcing", "F_Omega"), [(1, 0), (0, 2)]),
+    "cusp": (("F_A", "F_AA"), [(3, 0), (1, 1)]),
+    "isola": (("F_A", "F_Omega"), []),
+    "corner_top": (("breakpoint", "F_Omega"), [(0, 2)]),
+    "corner_end": (("breakpoint", "F_A"), [(1, 1)]),
+    "corner_backbone": (("breakpoint", "R"), []),
+    "corner_rest": (("breakpoint", "frequency"), []),
+}
+DERIVATIVES = {"F_A": (1, 0), "F_AA": (2, 0), "F_Omega": (0, 1)}
+
+
+def shaken_sizes(Omega, A, F_0, m, zeta, *values):
+    """F's derivative of an order by (A, Omega), and the sum of its terms without their signs.
+
+    F less the forcing's square has no negative term but those of h: the sum is that of |h|, with the square added.
+    """
+
+    def by(order):
+        def derivative(sign, values):
+            h = near(A, values)
+            return mp.diff(
+                lambda a, w: response(w, a, 0, m, zeta, h(a)) + sign * shaken(w, F_0) ** 2, (A, Omega), order
+            )
+
+        return derivative(-1, values), derivative(1, [abs(value) for value in values])
+
+    return by
+
+
+def shaken_moves(kind):
+    """How an answer moves: the linear system of its conditions, differentiated numerically; then what must not vanish.
+
+    What vanishes at an answer is taken away from F and R, as points drawn are no answers.
+    """
+
+    def of(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, m_p, zeta_p, *others):
+        values = h, h_A, h_AA, h_AAA
+        of_A, of_p = near(A, values), near(A, (h_p, h_Ap, h_AAp))
+
+        def both(a, w, p):
+            return balances(w, a, m + m_p * p, zeta + zeta_p * p, of_A(a) + of_p(a) * p)
+
+        size = shaken_sizes(Omega, A, F_0, m, zeta, *values)
+        return solved_moves(kind, (A, Omega, F_0, mpf(0)), both, shaken, size, *others)
+
+    return of
+
+
+def solved_moves(kind, at, balanced, force, size, end_p, forcing_p, frequency_p):
+    """The moves of one kind of answer at (A, Omega, F_0, 0).
+
+    balanced -- R and I as functions of A, Omega and the parameter; force -- of Omega and F_0
+    size     -- what gives F's derivative of an order, and the sum of its terms without their signs
+    """
+    conditions, pivots = SHAKEN_ANSWERS[kind]
+    A, Omega, _, zero = at
+    off = balanced(A, Omega, zero)[0] if "R" in conditions else 0
+
+    def both(a, w, p):
+        R, I = balanced(a, w, p)
+        return R - off, I
+
+    def whole(a, w, f, p):
+        R, I = both(a, w, p)
+        return R**2 + I**2 - force(w, f) ** 2
+
+    gone = {by: mp.diff(whole, at, (*by, 0, 0)) for name, by in DERIVATIVES.items() if name in conditions}
+
+    def F(a, w, f, p):
+        taken = sum(
+            value * (a - A) ** i * (w - Omega) ** k / (mp.factorial(i) * mp.factorial(k))
+            for (i, k), value in gone.items()
+        )
+        return whole(a, w, f, p) - taken
+
+    known = {
+        "R": lambda a, w, f, p: both(a, w, p)[0],
+        "forcing": lambda a, w, f, p: f - forcing_p * p,
+        "frequency": lambda a, w, f, p: w - frequency_p * p,
+        "breakpoint": lambda a, w, f, p: a - end_p * p,
+    }
+    rows = []
+    for name in ("F", *conditions):
+        order, f = (*DERIVATIVES.get(name, (0, 0)), 0, 0), known.get(name, F)
+        rows.append([mp.diff(f, at, [n + (k == j) for j, n in enumerate(order)]) for k in range(4)])
+    system = mp.matrix([row[:3] for row in rows])
+    with mp.extradps(20):
+        moved = list(mp.lu_solve(system, mp.matrix([-row[3] for row in rows])))
+    factors = [size(order) for order in pivots]
+    if kind == "isola":
+        second_derivatives = (size(order) for order in ((2, 0), (1, 1), (0, 2)))
+        (by_A, A_size), (mixed, mixed_size), (by_Omega, Omega_size) = second_derivatives
+        factors = [(by_A * by_Omega - mixed**2, A_size * Omega_size + mixed_size**2)]
+    if kind == "corner_backbone":
+        factors = [(rows[2][1], abs(rows[2][1]))]
+    determinant = mp.fprod(factor for factor, _ in factors)
+    if "forcing" not in conditions:
+        determinant *= rows[0][2]
+    assert mp.almosteq(abs(mp.det(system)), abs(determinant), rel_eps=mpf(10) ** -40)
+    return [*moved, *(part for pair in (*factors, *[(mpf(1), mpf(1))] * (2 - len(factors))) for part in pair)]
+
+
+def shaken_beside(Omega, A, F_0, m, zeta, h, h_A):
+    """F_A, F_Omega and R, each with the sum of its terms without their signs."""
+    size = shaken_sizes(Omega, A, F_0, m, zeta, h, h_A)
+    return [*size((1, 0)), *size((0, 1)), *(balances(Omega, A, 0, 0, value)[0] for value in (h, abs(h)))]
+
+
+def shaken_moves_of_phase(Omega, A, F_0, m, zeta, h, h_A, h_p, m_p, zeta_p, A_p, Omega_p, F_0_p):
+    """Phase and transmissibility along the moves."""
+
+    def at(p):
+        w, a, f = Omega + Omega_p * p, A + A_p * p, F_0 + F_0_p * p
+        return w, a, f, m + m_p * p, zeta + zeta_p * p, h + (h_p + h_A * A_p) * p
+
+    def turned(p):
+        w, a, _, *others = at(p)
+        return phase(w, a, *others)
+
+    def passed_on(p):
+        w, a, f, *others = at(p)
+        return transmissibility(w, a, shaken(w, f), *others)
+
+    return [mp.diff(turned, 0), mp.diff(passed_on, 0)]
+
+
+def shaken_outer(A, F_0, m, zeta, h):
+    """Roots in X = 1/Omega^2 of F over Omega^4 without odd powers of Omega: of the mean over both its signs."""
+
+    def even(X):
+        x = mp.sqrt(X)
+        return sum(shaken_response(w, A, F_0, m, zeta, h) * x**4 for w in (1 / x, -1 / x)) / 2
+
+    nodes = [mpf(1), mpf(2), mpf(3)]
+    square, linear, over = mp.lu_solve(mp.matrix([[X**2, X, 1] for X in nodes]), mp.matrix([even(X) for X in nodes]))
+    root = mp.sqrt(linear**2 - 4 * square * over)
+    larger = (root - linear) / (2 * square)
+    return [larger, -(root + linear) / (2 * square)]
+
+
+def shaken_share(A, zeta, h):
+    """What the least level without friction is short of 4 zeta^2 A^3/|h|."""
+    least = shaken_level(1 / shaken_least(*shaken_terms(A, 0, zeta, h)), A, 0, zeta, h)
+    return [1 - least**2 * abs(h) / (4 * zeta**2 * A**3)]
+
+
+SHAKEN_CAUSES = "h_p h_Ap h_AAp m_p zeta_p end_p forcing_p frequency_p"
+INERTIA: dict[str, tuple[str, Function]] = {
+    "force": ("Omega F_0", lambda *x: [inertial(*x)]),
+    "level": ("Omega A m zeta h", lambda *x: [shaken_level(*x)]),
+    "F": ("Omega A F_0 m zeta h", lambda *x: [shaken_response(*x)]),
+    "level_slope": ("Omega A m zeta h", lambda *x: [shaken_level_slope(*x)]),
+    "Omega_A": ("Omega A m zeta h h_A", lambda *x: [shaken_slope_of_frequency(*x)]),
+    "terms": ("A m zeta h", shaken_terms),
+    "least": ("fall linear rest", lambda *x: [shaken_least(*x)]),
+    "peak": ("x A F_0 m zeta h h_A", shaken_peak),
+    "isola": ("x A m zeta h h_A h_AA", shaken_isola),
+    "level_rise": ("Omega A m zeta h h_A h_AA", lambda *x: [shaken_sense(2, *x)]),
+    "cusp_bend": ("Omega A m zeta h h_A h_AA h_AAA", lambda *x: [shaken_sense(3, *x)]),
+    "hessian": ("Omega A m zeta h h_A h_AA", lambda *x: [shaken_hessian(*x)]),
+    "bound": ("A F_0 zeta h h_A h_AA h_AAA lost", shaken_bound),
+    **{
+        f"moves_of_{kind}": (f"Omega A F_0 m zeta h h_A h_AA h_AAA {SHAKEN_CAUSES}", shaken_moves(kind))
+        for kind in SHAKEN_ANSWERS
+    },
+    "beside": ("Omega A F_0 m zeta h h_A", shaken_beside),
+    "moves_of_phase": ("Omega A F_0 m zeta h h_A h_p m_p zeta_p A_p Omega_p F_0_p", shaken_moves_of_phase),
+    "force_slopes": ("Omega F_0", lambda *x: [mp.diff(inertial, x, n) for n in ((1, 0), (0, 1))]),
+    "least_Omega_A": ("x A m zeta h h_A", lambda *x: [shaken_drift(*x)]),
+    "outer": ("A F_0 m zeta h", shaken_outer),
+    "share": ("A zeta h", shaken_share),
+    "amplitude": ("Omega force", lambda w, force: [mp.findroot(lambda F_0: inertial(w, F_0) - force, force)]),
+    "moves_from": ("F_0 holds", lambda F_0, holds: [mp.findroot(lambda w: inertial(w, F_0) - holds, mpf("0.7"))]),
+}
+
+
+def inertia_table(rng: random.Random) -> dict:
+    """Two points of each kernel next to the backbone, as in `slow_flow_table`."""
+    table = {}
+    for kernel, (names, f) in INERTIA.items():
+        chosen = points(rng, names, 6)
+        if {"Omega", "A", "h"} <= set(names.split()):
+            Omega, A, h = (names.split().index(x) for x in ("Omega", "A", "h"))
+            for x in chosen[:2]:
+                x[h] = -x[A] * x[Omega] ** 2 * (1 + 1e-9)
+        if kernel == "outer":  # with roots, where the quadratic falls at first and where it does not
+            for number, x in enumerate(chosen):
+                x[3] *= 0.1
+                x[4] -= 0.2
+                if number % 3 == 2:
+                    x[0], x[4] = 0.5 * x[1], -x[4]
+        table[kernel] = [entry(f, x) for x in chosen]
+    return table

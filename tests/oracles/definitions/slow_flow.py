@@ -1,0 +1,212 @@
+"""The slow flow by its definition: in go Omega, A, F_0, damping and h, out come what its kernels are to give."""
+
+from __future__ import annotations
+
+from mpmath import mp, mpf
+
+from tests.oracles.definitions.points import Function
+
+
+def balances(Omega, A, m, zeta, h):
+    """R and I: what balances F_0 cos phi and F_0 sin phi at a steady state, with the sign reversed."""
+    return A * Omega**2 + h, 2 * zeta * A * Omega + m
+
+
+def response(Omega, A, F_0, m, zeta, h):
+    R, I = balances(Omega, A, m, zeta, h)
+    return R**2 + I**2 - F_0**2
+
+
+def near(A, values):
+    """An h with the given value and derivatives at A."""
+    return lambda a: sum(value * (a - A) ** k / mp.factorial(k) for k, value in enumerate(values))
+
+
+def slope_of_response(order, Omega, A, m, zeta, *values):
+    h = near(A, values)
+    return mp.diff(lambda a: response(Omega, a, 0, m, zeta, h(a)), A, order)
+
+
+def mixed_slope(Omega, A, m, zeta, h, h_A):
+    local = near(A, (h, h_A))
+    return mp.diff(lambda a, w: response(w, a, 0, m, zeta, local(a)), (A, Omega), (1, 1))
+
+
+def phase(Omega, A, m, zeta, h):
+    R, I = balances(Omega, A, m, zeta, h)
+    if I == 0:  # the limit of vanishing damping: I > 0 keeps phi below zero
+        return -mp.pi if R > 0 else mpf(0)
+    return mp.arg(mp.mpc(-R, -I))
+
+
+def rates(Omega, A, phi, F_0, m, zeta, h):
+    """(19): the averaged A' and phi'."""
+    return (
+        -(F_0 * mp.sin(phi) + 2 * zeta * Omega * A + m) / (2 * Omega),
+        -(F_0 * mp.cos(phi) + Omega**2 * A + h) / (2 * Omega * A),
+    )
+
+
+def jacobian(Omega, A, m, zeta, h, h_A):
+    R, I = balances(Omega, A, m, zeta, h)
+    F_0, phi = mp.sqrt(R**2 + I**2), mp.arg(mp.mpc(-R, -I))
+    local = near(A, (h, h_A))
+    entries = []
+    for k in (0, 1):
+        for by in ((1, 0), (0, 1)):
+            entry = mp.diff(lambda a, f, k=k: rates(Omega, a, f, F_0, m, zeta, local(a))[k], (A, phi), by)
+            entries.append(mp.chop(entry, tol=mpf(10) ** -45))
+    return entries
+
+
+def stability(Omega, A, m, zeta, h, h_A):
+    J11, J12, J21, J22 = jacobian(Omega, A, m, zeta, h, h_A)
+    return 4 * Omega**2 * (J11 * J22 - J12 * J21)
+
+
+def cubic(A, h, h_A):
+    """f' of the spring alpha u + beta u^3 that has this h = -alpha A - 3/4 beta A^3 and h_A at A."""
+    beta = 2 * (h - A * h_A) / (3 * A**3)
+    alpha = -h / A - mpf(3) / 4 * beta * A**2
+    return lambda u: alpha + 3 * beta * u**2
+
+
+def stiffness_harmonic(A, h, h_A, n):
+    """Mean of f'(A cos psi) cos(n psi) over a cycle, by quadrature."""
+    slope = cubic(A, h, h_A)
+    return mp.quad(lambda psi: slope(A * mp.cos(psi)) * mp.cos(n * psi), [0, mp.pi], method="gauss-legendre") / mp.pi
+
+
+def mean_stiffness(A, h, h_A):
+    return stiffness_harmonic(A, h, h_A, 0)
+
+
+def offset_stiffness(Omega, A, h, h_A):
+    """From the balance of B + b cos 2 psi: b by the second harmonic's, put into the mean's."""
+    k_0, k_2 = (stiffness_harmonic(A, h, h_A, n) for n in (0, 2))
+    return k_0 + k_2 * (2 * k_2 / (4 * Omega**2 - k_0))
+
+
+def dissipated(Omega, A, m, zeta):
+    """Work of both dampings over a cycle of u = A cos psi, by quadrature; mu = pi m/4."""
+    speed = lambda psi: A * Omega * mp.sin(psi)  # noqa: E731
+    power = lambda psi: 2 * zeta * speed(psi) ** 2 + mp.pi * m / 4 * abs(speed(psi))  # noqa: E731
+    return 2 * mp.quad(power, [0, mp.pi], method="gauss-legendre") / Omega
+
+
+def equivalent_damping(Omega, A, m, zeta):
+    """The ratio of a purely viscous damping that does the same work."""
+    return zeta * 0 + dissipated(Omega, A, m, zeta) / dissipated(Omega, A, 0, mpf(1))
+
+
+def transmissibility(Omega, A, F_0, m, zeta, h):
+    """Harmonics of f(u) + 2 zeta u' + mu sign(u'): the force's is -h by definition, the damping's by quadrature."""
+    damping = lambda psi: -2 * zeta * A * Omega * mp.sin(psi) - mp.pi * m / 4  # noqa: E731
+    sine = 2 / mp.pi * mp.quad(lambda psi: damping(psi) * mp.sin(psi), [0, mp.pi], method="gauss-legendre")
+    return mp.hypot(h, sine) / F_0
+
+
+def interpolated(f, degree, missing):
+    """Coefficients of a polynomial from its values, without one that must vanish."""
+    nodes = [mpf(k) / 2 for k in range(-degree, degree + 1, 2)]
+    matrix = mp.matrix([[node**k for k in range(degree + 1)] for node in nodes])
+    with mp.extradps(20):
+        coefficients = list(mp.lu_solve(matrix, mp.matrix([f(node) for node in nodes])))
+    assert abs(coefficients.pop(missing)) < mpf(10) ** -50
+    return coefficients
+
+
+def response_quartic(A, F_0, m, zeta, h):
+    return interpolated(lambda w: response(w, A, F_0, m, zeta, h), 4, 3)
+
+
+def fold_quartic(A, m, zeta, h, h_A):
+    return interpolated(lambda w: slope_of_response(1, w, A, m, zeta, h, h_A) / 2, 4, 3)
+
+
+def peak_cubic(A, m, zeta, h):
+    return interpolated(lambda w: mp.diff(lambda v: response(v, A, 0, m, zeta, h), w) / (4 * A), 3, 2)
+
+
+def second(Omega, A, m, zeta, h, h_3, h_5):
+    """The balance with harmonics: R, I, largest displacement, first harmonic; h, h_3, h_5 are functions of A."""
+    K = -h(A) / A
+    a_3, a_5 = (-h_n(A) / (n**2 * Omega**2 - K) for n, h_n in ((3, h_3), (5, h_5)))
+    A_1 = A - a_3 - a_5
+    # sum over odd n of 1/(n^2 - kappa) is pi tan(pi k/2)/(4 k), k^2 = kappa
+    k = mp.sqrt(K) / Omega
+    turned = mp.asin(-m / (A_1 * Omega**2) * mp.re(mp.pi * mp.tan(mp.pi * k / 2) / (4 * k) - 1 / (1 - k**2)))
+    u_max = A_1 * mp.cos(turned) + a_3 + a_5
+    # force of A cos psi + a_3 (cos 3 psi - cos psi) + a_5 (cos 5 psi - cos psi), to first order in a_3, a_5
+    shares = (mp.diff(lambda a, h_n=h_n: h_n(a) - h(a), A) for h_n in (h_3, h_5))
+    R = A_1 * Omega**2 + h(A) + sum(a_n * share for a_n, share in zip((a_3, a_5), shares, strict=True))
+    # power of the forcing is what friction, 4 mu u_max a cycle, and viscosity take
+    I = 2 * zeta * Omega * (A_1**2 + 9 * a_3**2 + 25 * a_5**2) / A_1 + m * u_max / A_1
+    return R - m * mp.sin(turned), I, u_max, A_1
+
+
+def second_kernel(kernel):
+    """The kernels of the second approximation; derivatives numerically."""
+    orders = 4 if kernel == "folds" else 3
+
+    def of(Omega, A, *x):
+        F_0, m, zeta, *averages = (mpf(0), *x) if kernel.startswith("detachment") else x
+        families = [near(A, averages[k * orders : (k + 1) * orders]) for k in range(3)]
+
+        def at(w, a):
+            return second(w, a, m, zeta, *families)
+
+        def F(w, a):
+            R, I, *_ = at(w, a)
+            return R**2 + I**2 - F_0**2
+
+        def slope(f, by):
+            return mp.diff(f, (Omega, A), by)
+
+        R, I, u_max, A_1 = at(Omega, A)
+        F_Omega, F_A = slope(F, (1, 0)), slope(F, (0, 1))
+        if kernel == "folds":
+            return [F(Omega, A), F_A, slope(F, (0, 2))]
+        if kernel == "detachment":
+            by_A, by_Omega = (slope(lambda w, a: at(w, a)[2], by) for by in ((0, 1), (1, 0)))
+            return [mp.sqrt(R**2 + I**2), u_max, F_Omega * by_A - F_A * by_Omega]
+        if kernel == "detachment_by_inertia":
+
+            def level_squared(w, a):
+                return (F(w, a) + F_0**2) / w**4
+
+            (by_A, by_Omega), (rise, along) = (
+                [slope(f, by) for by in ((0, 1), (1, 0))] for f in (lambda w, a: at(w, a)[2], level_squared)
+            )
+            return [mp.sqrt(R**2 + I**2) / Omega**2, u_max, Omega**4 * (along * by_A - rise * by_Omega)]
+        slopes = [slope(lambda w, a: at(w, a)[0], by) for by in ((0, 1), (1, 0))]
+        return [u_max, A_1, mp.arg(mp.mpc(-R, -I)), R, F(Omega, A), F_A, F_Omega, *slopes]
+
+    return of
+
+
+SLOW_FLOW: dict[str, tuple[str, Function]] = {
+    "friction": ("mu", lambda mu: [4 * mu / mp.pi]),
+    "R": ("Omega A h", lambda Omega, A, h: [balances(Omega, A, 0, 0, h)[0]]),
+    "I": ("Omega A m zeta", lambda Omega, A, m, zeta: [balances(Omega, A, m, zeta, 0)[1]]),
+    "F": ("Omega A F_0 m zeta h", lambda *x: [response(*x)]),
+    "F_A": ("Omega A m zeta h h_A", lambda *x: [slope_of_response(1, *x)]),
+    "F_AA": ("Omega A m zeta h h_A h_AA", lambda *x: [slope_of_response(2, *x)]),
+    "F_Omega": ("Omega A m zeta h", lambda w, A, m, zeta, h: [mp.diff(lambda v: response(v, A, 0, m, zeta, h), w)]),
+    "F_AOmega": ("Omega A m zeta h h_A", lambda *x: [mixed_slope(*x)]),
+    "phase": ("Omega A m zeta h", lambda *x: [phase(*x)]),
+    "backbone": ("A h", lambda A, h: [mp.findroot(lambda w: balances(w, A, 0, 0, h)[0], mp.sqrt(-h / A))]),
+    "limit_envelope": (
+        "Omega F_0 m zeta",
+        lambda w, F_0, m, zeta: [(F_0 - m) / balances(w, 1, 0, zeta, 0)[1] if zeta else mp.inf],
+    ),
+    "equivalent_damping": ("Omega A m zeta", lambda *x: [equivalent_damping(*x)]),
+    "transmissibility": ("Omega A F_0 m zeta h", lambda *x: [transmissibility(*x)]),
+    "jacobian": ("Omega A m zeta h h_A", jacobian),
+    "mean_stiffness": ("A h h_A", lambda A, h, h_A: [mean_stiffness(A, h, h_A)]),
+    "offset_stiffness": ("Omega A h h_A", lambda *x: [offset_stiffness(*x)]),
+    "stability": ("Omega A m zeta h h_A", lambda *x: [stability(*x)]),
+    "response_quartic": ("A F_0 m zeta h", response_quartic),
+    "fold_quartic": ("A m zeta h h_A", fold_quartic),
+    "peak_cubic": ("A m zeta h", peak_cubic),
+}
