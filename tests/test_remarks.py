@@ -8,8 +8,9 @@ import warnings
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
-from slowflow import Duffing, Isolator, Oscillator
+from slowflow import Duffing, Isolator, Oscillator, backend
 from slowflow.certificate import DOUBLES
 from slowflow.exact import shooting
 from slowflow.paper.example import TABLE_1
@@ -145,6 +146,82 @@ def test_a_motion_that_leaves_the_centre_is_not_stable():
     guess = float(states.A[0]), float(states.phi[0])
     motion = shooting.near(oscillator.equation_of_motion(), 1.2, 0.05, guess)
     assert not motion.stable and max(abs(motion.multipliers)) > 10
+
+
+def escapes(oscillator, Omega, F_0, A, phi):
+    """Whether the exact motion from a state of amplitude A runs away from the well within ten periods."""
+
+    def acceleration(tau, y):
+        u, v = y
+        force = oscillator.alpha * u + oscillator.beta * u**3
+        return v, F_0 * math.cos(Omega * tau) - force - 2 * oscillator.zeta * v
+
+    def far(tau, y):
+        return abs(y[0]) - 10 * A
+
+    far.terminal = True
+    start = A * math.cos(phi), -A * Omega * math.sin(phi)
+    motion = solve_ivp(acceleration, (0, 20 * math.pi / Omega), start, events=far, rtol=1e-10, atol=1e-12)
+    return motion.status == 1
+
+
+@pytest.mark.parametrize(
+    ("zeta", "Omega", "F_0"), [(0.01, 0.01, 0.008), (0.01, 0.1, 0.3), (0.1, 0.3, 0.5), (0.1, 0.1, 1.0)]
+)
+def test_states_beyond_the_well_are_not_stable_and_beside_a_peak_they_are_said(zeta, Omega, F_0):
+    """The spring of alpha u + beta u^3 pushes on beyond |u| = 1: averaging held states of A = 1.16 for stable."""
+    oscillator = Duffing(1.0, -1.0, 0.0, zeta)
+    states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
+    beyond = states.A > 1
+    assert states._model.stability(states.Omega, states.A)[beyond].max() > 0  # (30) alone
+    assert not states.stable[beyond].any() and Remark.BEYOND_WELL in states.remarks
+    assert "beyond the well" in states.message
+    for A, phi in zip(states.A[beyond], states.phi[beyond], strict=True):
+        assert escapes(oscillator, Omega, F_0, A, phi)
+    assert not states.measure().found[beyond].any()
+    many = Duffing.many(1.0, -1.0, 0.0, zeta)
+    together = many.amplitudes(Omega=Omega, F_0=F_0)
+    assert together.stable[: len(states)].tolist() == states.stable.tolist()
+    assert int(together.remarks) == int(states.remarks)
+    peak, peaks = oscillator.peak(F_0), many.peak(F_0)
+    assert Remark.BEYOND_WELL in peak.remarks and int(peaks.remarks) == int(peak.remarks)
+    if F_0 == 0.008:
+        assert peak.A == pytest.approx(0.4312218, rel=1e-6)
+        assert states.stable.tolist() == [True, False, False]
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(backend.SOLVER is None, reason="thousands of exact motions take compiled code")
+def test_of_states_beyond_the_well_the_equation_of_motion_has_none_but_next_to_its_top():
+    """Of more than 1,000 that (30) holds for stable; next to the top averaging errs by 5 %."""
+    rng = np.random.default_rng(5)
+    beyond = found = 0
+    for _ in range(300):
+        oscillator, F_0 = Duffing(1.0, -1.0, 0.0, 10 ** rng.uniform(-3, -0.2)), 10 ** rng.uniform(-2.5, 1.5)
+        states = oscillator.amplitudes(Omega=10 ** rng.uniform(-2, 0.7, 12), F_0=F_0)
+        if not len(states):
+            continue
+        chosen = (states.A > 1) & (states._model.stability(states.Omega, states.A) > 0)
+        motions = states.measure()
+        held = chosen & motions.found & motions.stable
+        beyond, found = beyond + int(chosen.sum()), found + int(held.sum())
+        assert (states.A[held] < 1.02).all() and (motions.A[held] < 1).all()
+    assert beyond > 1000 and found < 0.01 * beyond
+
+
+def test_a_well_is_not_said_of_springs_that_have_none():
+    """A spring that hardens, a linear one, two wells, and one that pushes off everywhere."""
+    for alpha, beta in ((1.0, 1.0), (1.0, 0.0), (-0.5, 1.0), (-1.0, -1.0)):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            oscillator = Duffing(alpha, beta, 0.0, 0.05)
+        states = oscillator.amplitudes(Omega=[0.05, 0.3, 1.2, 3.0], F_0=0.05)
+        many = Duffing.many(alpha, beta, 0.0, 0.05)
+        for answer in (states, oscillator.peak(0.05), oscillator.saddle_nodes(0.05)):
+            assert Remark.BEYOND_WELL not in answer.remarks
+        assert int(many.peak(0.05).remarks) == int(oscillator.peak(0.05).remarks)
+    for isolator in (single(0), single(1)):
+        assert Remark.BEYOND_WELL not in isolator.peak(0.1).remarks
 
 
 def test_an_amplitude_beyond_the_range_of_doubles_raises_no_warning():

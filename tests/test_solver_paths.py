@@ -113,10 +113,13 @@ def check_peak(found, exact):
 
 
 def check_states(oscillator, found, exact):
-    """The reference knows (30) alone: a state that leaves the centre is not stable, and the answer says so."""
+    """The reference knows (30) alone: what leaves the centre or its well is not stable, and the answer says so."""
     kept = remarks.keeps_centre(oscillator.model.mechanism, oscillator.model.parameters, found.Omega, found.A)
-    assert found.stable.tolist() == [bool(state["stable"] and keeps) for state, keeps in zip(exact, kept, strict=True)]
+    beyond = remarks.turns_beyond(oscillator.model.mechanism, oscillator.model.parameters, found.A)
+    stays = kept & ~beyond
+    assert found.stable.tolist() == [bool(state["stable"] and held) for state, held in zip(exact, stays, strict=True)]
     assert (Remark.LEAVES_CENTRE in found.remarks) == (not kept.all())
+    assert (Remark.BEYOND_WELL in found.remarks) == beyond.any()
     for k, state in enumerate(exact):
         assert error(found.A[k], state["A"], state, "A") <= UNITS
         assert found.phi[k] == pytest.approx(float(state["phi"]), rel=1e-9)

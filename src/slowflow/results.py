@@ -45,6 +45,8 @@ class Remark(IntFlag):
     UNDECIDED = 128
     #: states of larger amplitudes there are, or may be: the response is cut, as nothing bounds it or at the reach
     CUT = 256
+    #: states that turn beyond the top of the force's well, where it pushes on: exact motions do not come back from it
+    BEYOND_WELL = 512
 
 
 class State(NamedTuple):

@@ -451,6 +451,13 @@ class Peaks(Batch):
     Omega: Floats
     status: Codes
 
+    @cached_property
+    def remarks(self) -> remarks.Codes:
+        """As of all batches, and `Remark.BEYOND_WELL` where there are states beyond the well."""
+        asked = (self.status != Status.INVALID) & (self.status != Status.STICKS)
+        beyond = np.where(asked & self._designs.give_way, np.uint16(Remark.BEYOND_WELL), np.uint16(0))
+        return frozen(super().remarks | beyond)
+
     def _found(self) -> tuple[Any, Any, Any]:
         return self.Omega[..., np.newaxis], self.A[..., np.newaxis], None
 

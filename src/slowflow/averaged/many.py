@@ -123,10 +123,11 @@ class Designs:
 
     def _decide_folds(self, F_0: Any, places: int, columns: list[npt.NDArray[Any]]) -> None:
         """Change the columns to those of single answers where doubles do not decide, and balls may."""
-        undecided = columns[-2] != 0
+        *_, undecided, status = columns
         if self.excitation != "force" or self.laws or importlib.util.find_spec("flint") is None:
             return
-        for at, numbers, (F,) in self._each(undecided, F_0):
+        # what is refused single answers refuse too
+        for at, numbers, (F,) in self._each((undecided != 0) & (status != Status.UNRESOLVED), F_0):
             found = Averaged(self.model(dict(zip(self.values, numbers, strict=True)))).saddle_nodes(F)
             for column, value in zip(columns, in_places(found, places, Remark.UNDECIDED in found.remarks), strict=True):
                 column[at] = value
@@ -149,10 +150,11 @@ class Designs:
         return States(A, stable, *rest, _designs=self, _F_0=F_0, _Omega=Omega, _averaged=True)
 
     def _leave_out_what_drifts(self, Omega: Floats, A: Floats, stable: Codes) -> None:
-        """States, along one more axis, are stable only if they stay about u = 0 as well."""
+        """States, along one more axis, are stable only if they stay about u = 0, and within its well, as well."""
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
             parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
-            stable &= remarks.keep_centre(self.mechanism, parameters, Omega, A)
+            kept, beyond = remarks.look_at(self.mechanism, parameters, Omega, A)
+            stable &= kept & ~beyond
 
     def frequency_response(
         self,
@@ -223,6 +225,16 @@ class Designs:
             chosen = {name: np.broadcast_to(value, self.shape)[wanted] for name, value in self.values.items()}
             F_SN[wanted] = Designs(load(), chosen, self.excitation, self.rubs).saddle_node_onset().F_SN
         return F_SN
+
+    @property
+    def give_way(self) -> npt.NDArray[np.bool_]:
+        """`Model.gives_way` of each."""
+        if self.excitation != "force":
+            return np.zeros(self.shape, dtype=bool)
+        with np.errstate(all="ignore"):  # a number outside its domain has a status
+            parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
+            may = ~remarks.stay_centred(self.mechanism, parameters)
+            return np.asarray(may & remarks.gives_way(self.mechanism, parameters) if may.any() else may)
 
     def remarks(self, F_0: Any, Omega: Any, A: Any, corner: Any) -> remarks.Codes:
         """What to bear in mind with states of each design, along one more axis; see `remarks.of_designs`."""

@@ -206,9 +206,9 @@ class Averaged:
     def peak(self, F_0: float) -> Peak:
         """The highest peak of the response at F_0, isolas included: .A .Omega. Raises ValueError for F_0 <= 0.
 
-        A peak is a top of the curve over Omega. Where the force softens until it gives way, motions that swing beyond
-        the top of its well have higher amplitudes, the highest of them towards Omega = 0: these are no peak, and
-        `amplitudes` and `frequency_response` have them.
+        A peak is a top of the curve over Omega. Where the force softens until it gives way, averaging has states beyond
+        the top of its well at higher amplitudes, the highest of them towards Omega = 0: these are no peak, none of them
+        is stable, and `Remark.BEYOND_WELL` says that `amplitudes` and `frequency_response` have them.
 
         Where the amplitude only falls with Omega it is the static one, with Omega = 0. There is none, and `.message`
         says why, without viscous damping, and where an excitation by inertia has a response that does not close, or
@@ -218,7 +218,10 @@ class Averaged:
         planned = self._plan("peak", F_0)
         if planned.model is None:
             return Peak(None, None, F_0, words.sticks(self.model, F_0), _model=self.model)
-        return self._remarked(solvers.peak(planned.model, F_0), F_0)
+        found = solvers.peak(planned.model, F_0)
+        if self.model.gives_way:
+            found = dataclasses.replace(found, remarks=Remark.BEYOND_WELL)
+        return self._remarked(found, F_0)
 
     def transmissibility_floor(self, F_0: float) -> float:
         """What transmissibility tends to as Omega tends to inf: 4 mu/(pi F_0) for a force, 0 for one of inertia.
@@ -381,12 +384,19 @@ class Averaged:
         return validate.number("A_max", A_max, above=0.0)
 
     def _centred(self, found: State) -> State:
-        """The answer, its states stable only if they stay about u = 0 as well, where that is not known beforehand."""
+        """The answer, its states stable only if they stay about u = 0, and within its well, as well.
+
+        They are looked at where that is not known beforehand.
+        """
         if self.model.stays_centred:
             return found
-        kept = remarks.keeps_centre(self.model.mechanism, self.model.parameters, found.Omega, found.A)
+        mechanism, parameters = self.model.mechanism, self.model.parameters
+        kept = remarks.keeps_centre(mechanism, parameters, found.Omega, found.A)
+        beyond = remarks.turns_beyond(mechanism, parameters, found.A)
         leaves = remarks.NOTHING if kept.all() else Remark.LEAVES_CENTRE
-        return dataclasses.replace(found, stable=found.stable & kept, remarks=found.remarks | leaves)
+        swings = Remark.BEYOND_WELL if beyond.any() else remarks.NOTHING
+        stable = found.stable & kept & ~beyond
+        return dataclasses.replace(found, stable=stable, remarks=found.remarks | leaves | swings)
 
     def _remarked(self, found: Answer, F_0: float) -> Answer:
         """The answer with what there is to say beside it; F_0 is nan where the question has none."""

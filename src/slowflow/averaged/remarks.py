@@ -18,6 +18,7 @@ from slowflow.model import THROUGHOUT, Model
 from slowflow.model import held as held_up_to
 from slowflow.results import Remark
 from slowflow_kernels import slow_flow
+from slowflow_kernels.conventions import ENDLESS
 
 Codes = npt.NDArray[np.uint16]
 Flags = npt.NDArray[np.bool_]
@@ -37,6 +38,8 @@ WORDS = {
     "0; .off_centre has those that are off it",
     Remark.HELD_AT_REST: "a mass at rest stays there, whatever the frequency, up to F_0 = {held:g}: {holds} it",
     Remark.UNDECIDED: "next to where folds or states meet, Omega = 0 or 4 mu/pi: doubles do not tell how many",
+    Remark.BEYOND_WELL: "there are states beyond the well, which turn where the spring pushes on instead of back: "
+    "none is stable, as exact motions do not come back from there",
     Remark.OF_TRUNCATION: "at the corner at u_cr, where the truncated force (6) jumps: the untruncated one has none",
 }
 
@@ -55,6 +58,39 @@ def keeps_centre(mechanism: Mechanism, parameters: tuple[Any, ...], Omega: Any, 
         return np.asarray(kept | (slow_flow.offset_stiffness(Omega, A, h, h_A) > 0))
 
 
+def turns_beyond(mechanism: Mechanism, parameters: tuple[Any, ...], A: Any) -> Flags:
+    """Whether a motion about u = 0 of amplitude A > 0 turns beyond the top of a well; shapes that broadcast.
+
+    The spring pushes on there, the more the farther, and pulls back at rest or, as the average does, in between. What
+    averaging has there the equation of motion has not, but where averaging errs by so much that the exact motion turns
+    within the well (`tests/test_remarks.py`).
+    """
+    if not mechanism.odd:
+        return np.zeros(np.shape(A), dtype=bool)
+    with np.errstate(all="ignore"):  # amplitudes of any size
+        at_rest = mechanism.at_rest(*parameters)
+        pulls = ((at_rest[0] <= 0) & (at_rest[1] < 0)) | (mechanism.averaged(A, *parameters)[0] < 0)
+        pull, slope = (np.asarray(part(A, *parameters)) for part in mechanism.pieces[0][:2])
+        for end, law in zip(mechanism.breakpoints(*parameters), mechanism.pieces[1:], strict=True):
+            pull, slope = (
+                np.where(A > end, part(A, *parameters), below)
+                for part, below in zip(law[:2], (pull, slope), strict=True)
+            )
+        return np.asarray(pulls & (pull < 0) & (slope < 0))
+
+
+def gives_way(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
+    """Whether states beyond the well there are at any force that moves the mass; parameters of shapes that broadcast.
+
+    At rest the spring pulls back, and of the largest motions the average pushes: in between it vanishes, where a force
+    is a state's at rest and above.
+    """
+    with np.errstate(all="ignore"):
+        push, at_rest = (np.asarray(value) for value in mechanism.at_rest(*parameters)[:2])
+        far = np.minimum(mechanism.reach_at(*parameters), ENDLESS)
+        return np.asarray(~(push > 0) & ~(at_rest > 0) & (mechanism.averaged(far, *parameters)[0] > 0))
+
+
 def of_designs(
     mechanism: Mechanism, parameters: tuple[Any, ...], mu: Any, force: Any, Omega: Any, A: Any, corner: Any, rubs: str
 ) -> Codes:
@@ -68,7 +104,7 @@ def of_designs(
     A = np.asarray(A, dtype=float)
     there = A > 0
     beside = tuple(np.asarray(value, dtype=float)[..., np.newaxis] for value in parameters)
-    kept = keep_centre(mechanism, parameters, np.asarray(Omega), A)
+    kept, beyond = look_at(mechanism, parameters, np.asarray(Omega), A)
     # at rest h_A is the stiffness with its sign turned, and h is 4/pi times a preload
     pull, at_rest = (np.asarray(value) for value in mechanism.at_rest(*parameters)[:2])
     held = np.where((pull < 0) | (rubs != THROUGHOUT), held_up_to(slow_flow.friction(mu), -pull), -np.inf)
@@ -81,6 +117,7 @@ def of_designs(
         Remark.BEYOND_REACH: (there & (np.asarray(mechanism.reach_at(*parameters))[..., np.newaxis] < A)).any(axis=-1),
         Remark.NEGATIVE_STIFFNESS: (at_rest > 0) | (pull > 0),
         Remark.LEAVES_CENTRE: (there & ~kept).any(axis=-1),
+        Remark.BEYOND_WELL: (there & beyond).any(axis=-1),
         Remark.OF_TRUNCATION: on_jump,
         Remark.HELD_AT_REST: (force <= held[..., np.newaxis]).any(axis=-1),
     }
@@ -109,6 +146,8 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = None, *, 
     if highest > 0 and not centred and not model.stays_centred:
         if not keeps_centre(model.mechanism, model.parameters, Omega, A).all():
             said.append(Remark.LEAVES_CENTRE)
+        if turns_beyond(model.mechanism, model.parameters, A).any():
+            said.append(Remark.BEYOND_WELL)
     if model.mechanism.truncated and corner is not None and highest > 0:
         if (corner.any() if many else corner) or _is_next_to_jump(model, A):
             said.append(Remark.OF_TRUNCATION)
@@ -141,15 +180,19 @@ def _next_to_jump(mechanism: Mechanism, parameters: tuple[Any, ...], jumps: Iter
     return found
 
 
-def keep_centre(mechanism: Mechanism, parameters: tuple[Any, ...], Omega: Any, A: Any) -> Flags:
-    """`keeps_centre` of states of each of many designs, along one more axis; looked at where a design may leave it."""
+def look_at(mechanism: Mechanism, parameters: tuple[Any, ...], Omega: Any, A: Any) -> tuple[Flags, Flags]:
+    """`keeps_centre` and `turns_beyond` of states of each of many designs, along one more axis.
+
+    They are looked at where a design may do otherwise.
+    """
     may = np.broadcast_to(~stay_centred(mechanism, parameters), A.shape[:-1])
-    kept = np.ones(A.shape, dtype=bool)
+    kept, beyond = np.ones(A.shape, dtype=bool), np.zeros(A.shape, dtype=bool)
     if may.any():
         chosen = tuple(np.broadcast_to(value, may.shape)[may][:, np.newaxis] for value in parameters)
         at = np.broadcast_to(Omega, (*may.shape, Omega.shape[-1]))[may]
         kept[may] = keeps_centre(mechanism, chosen, at, A[may])
-    return kept
+        beyond[may] = turns_beyond(mechanism, chosen, A[may])
+    return kept, beyond
 
 
 def stay_centred(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
