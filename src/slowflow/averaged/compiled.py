@@ -10,7 +10,6 @@ import numpy as np
 from slowflow import backend
 from slowflow.answer import joined
 from slowflow.averaged import words
-from slowflow.averaged.reference.onset import next_to_rest
 from slowflow.model import Floats, Model
 from slowflow.results import (
     Cusps,
@@ -75,6 +74,8 @@ def onset(model: Model) -> SaddleNodeOnset:
         raise ArithmeticError(words.unresolved_onset(model))
     _check(status, model)
     if status == Status.UNBOUNDED:
+        from slowflow.averaged.reference.onset import next_to_rest  # which takes SciPy
+
         said = words.OPEN if model.zeta > 0 else words.NO_LOWEST.format(model.m)
         with np.errstate(all="ignore"):
             come_down, _ = next_to_rest(model)
