@@ -7,6 +7,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
+from scipy.integrate import solve_ivp
 
 from derivations.emit.compensated import copysign
 from derivations.emit.targets.c import taylor
@@ -124,3 +125,37 @@ def test_a_curve_asks_nothing_of_scipy(pieces, monkeypatch):
     other = steady_state(system, state, Omega=state.Omega, F_0=0.02, integrator=ScipyIntegrator())
     assert other.A == pytest.approx(state.A, rel=1e-10)
     assert np.max(np.abs(other.multipliers - state.multipliers)) <= 1e-9
+
+
+@pytest.mark.skipif(EXACT is None, reason="the compiled integrator is not in use")
+def test_motions_through_a_contact_behind_a_gap_are_seen_to_the_ends_of_their_phases():
+    """What they pass on, and shocks, against SciPy: at the gap itself there is no series, and nothing was answered."""
+    k, gap = sp.symbols("k gap")
+    pieces = [(u, gap), (u + k * (u - gap) ** sp.Rational(3, 2), None)]
+    made = derive.mechanism("contact", pieces, {"k": {"above": 0}, "gap": {"above": 0}}, compile=True)
+    one, mu, zeta = made(k=20.0, gap=0.2, mu=0.01, zeta=0.03), 0.01, 0.03
+
+    def force(x):
+        return x + np.sign(x) * 20.0 * np.maximum(np.abs(x) - 0.2, 0.0) ** 1.5
+
+    state = one.steady_state(Omega=1.5, F_0=0.08, A=0.3)
+    assert len(state.phases) > 2
+    _, x, v = state.series(20000)
+    passed = force(x) + 2 * zeta * v + mu * np.sign(v)
+    found = state.transmitted()
+    assert found.rms == pytest.approx(np.sqrt(np.mean(passed**2)) / 0.08, rel=1e-6)
+    assert found.peak == pytest.approx(np.abs(passed).max() / 0.08, rel=1e-6)
+    shock, peak, span = one.transient(acceleration=0.5, duration=2.0), 0.5, 2.0
+    (pulse,) = one.shock_spectrum(acceleration=peak, duration=span)
+
+    def rates(tau, y):
+        push = -peak * np.sin(np.pi * tau / span) if tau < span else 0.0
+        return [y[1], push - force(y[0]) - 2 * zeta * y[1] - mu * np.tanh(y[1] / 1e-7)]
+
+    first = solve_ivp(rates, (0, span), (0, 0), method="LSODA", rtol=1e-11, atol=1e-13, max_step=1e-3)
+    last = solve_ivp(rates, (span, 8), first.y[:, -1], method="LSODA", rtol=1e-11, atol=1e-13, max_step=1e-3)
+    way = np.concatenate((first.y, last.y), axis=1)
+    assert shock.A == pulse.A == pytest.approx(np.abs(way[0]).max(), rel=1e-5)
+    seen = force(way[0]) + 2 * zeta * way[1] + mu * np.tanh(way[1] / 1e-7)
+    assert shock.a_max == pytest.approx(np.abs(seen).max(), rel=1e-5)
+    assert pulse.a_max == pytest.approx(shock.a_max, rel=1e-12)

@@ -232,6 +232,8 @@ static sf_outcome sf_sample(const sf_piece *over, const sf_drive *drive, double 
                             const double *grid, long count, double (*out)[2], long *left)
 {
     const double start = theta;
+    /* a phase that ends where its piece does has no series from there on: a rounding later is still on the way there */
+    const double doubt = count > 0 ? 0x1p-50 * fmax(fabs(start), fabs(grid[count - 1])) / drive->Omega : 0.0;
     double passed = 0.0;
     long i = 0;
     sf_expansion x;
@@ -247,7 +249,7 @@ static sf_outcome sf_sample(const sf_piece *over, const sf_drive *drive, double 
             h = sf_met(&x, h, place), there = place;
         for (; i < count; i++) {
             const double at = (grid[i] - start) / drive->Omega - passed;
-            if (!(at <= h))
+            if (!(at <= h + doubt))
                 break;
             out[i][0] = sf_at(x.u, at), out[i][1] = sf_at(x.v, at);
         }
