@@ -234,6 +234,23 @@ def test_a_preload_alone_before_a_spring_has_the_onset_of_ever_softer_springs_be
     assert again == pytest.approx(onset.F_SN, rel=1e-14)
 
 
+@pytest.mark.parametrize("compile", STIFF)
+def test_a_peak_does_not_ask_for_an_average_that_does_not_settle_far_out(compile):
+    """A rod behind a gap, whose root is u but for what is lost in u^2 from |u| = 1e9 on."""
+    rod = u + k * (u - gap) * (1 - c / sp.sqrt(c**2 + (u - gap) ** 2))
+    made = derive.mechanism(
+        "rod_gap", [(u, gap), (rod, None)], dict.fromkeys(("k", "gap", "c"), ABOVE_0), compile=compile
+    )
+    numbers = {"k": 9.0, "gap": 0.15, "c": 0.3}
+    one = made(**numbers, **DAMPING)
+    with pytest.raises(ArithmeticError, match="does not settle"):
+        one.model.averaged(1e12)
+    peak = one.peak(0.1)
+    assert peak.message == "" and peak.A == max(one.saddle_nodes(0.1).A.max(), peak.A)
+    found = made.many(**{**numbers, "k": np.array([9.0])}, **DAMPING).peak(0.1)
+    assert found.A[0] == pytest.approx(peak.A, rel=1e-14)
+
+
 def test_quotients_that_cancel_at_rest_keep_their_digits():
     """Two magnets, as one would type them; and a quotient that is not odd, whose |u| is u."""
     pieces = {

@@ -278,8 +278,11 @@ class Model:
         """
         if self.inertial or self.stays_centred or self.negative_stiffness:
             return False
-        with np.errstate(all="ignore"):
-            return bool(self.averaged(min(self.reach, ENDLESS))[0] > 0)
+        try:
+            with np.errstate(all="ignore"):
+                return bool(self.averaged(min(self.reach, ENDLESS))[0] > 0)
+        except ArithmeticError:  # its sum does not settle so far out: nothing is known of it
+            return False
 
     @cached_property
     def kinks(self) -> tuple[tuple[float, float], ...]:

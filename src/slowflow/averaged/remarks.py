@@ -88,7 +88,11 @@ def gives_way(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
     with np.errstate(all="ignore"):
         push, at_rest = (np.asarray(value) for value in mechanism.at_rest(*parameters)[:2])
         far = np.minimum(mechanism.reach_at(*parameters), ENDLESS)
-        return np.asarray(~(push > 0) & ~(at_rest > 0) & (mechanism.averaged(far, *parameters)[0] > 0))
+        try:
+            pushes = mechanism.averaged(far, *parameters)[0] > 0
+        except ArithmeticError:  # its sum does not settle so far out: nothing is known of it
+            pushes = np.zeros((), dtype=bool)
+        return np.asarray(~(push > 0) & ~(at_rest > 0) & pushes)
 
 
 def of_designs(
