@@ -251,6 +251,34 @@ def test_without_flint_what_doubles_leave_undecided_says_so(monkeypatch):
         assert many.undecided and many.count == len(found) and int(many.remarks) == int(found.remarks)
 
 
+#: Duffing oscillators and forcings whose folds doubles had with few digits or none, without a word, as an Omega of
+#: 7e-10 in the place of 2e-12
+FEW_DIGITS = (
+    (-0.0018337914363967599, 6.590437084193176e-05, 3.43630732791e-21, 1.1992695351445068e-07, 2.5218865830814967e-18),
+    (49.346635716035884, -0.00031240808632781243, 5.899107900458036e-18, 1.607427410392945e-11, 3.0424372620208503e-13),
+    (-1.7814482022200663e-05, 4.2451607082e-06, 3.723584094754156e-26, 3.241035098169172e-15, 4.741014517589253e-26),
+)
+
+
+@compiled
+@pytest.mark.parametrize("at", FEW_DIGITS)
+def test_folds_of_which_doubles_have_few_digits_have_those_of_balls(at, monkeypatch):
+    pytest.importorskip("flint")
+    *numbers, F_0 = at
+    iso = oscillator(Duffing, *numbers[:2], mu=numbers[2], zeta=numbers[3])
+    found, many = iso.saddle_nodes(F_0), batch(Duffing, numbers).saddle_nodes(F_0)
+    exactly = exact(iso).folds(F_0)
+    assert Remark.UNDECIDED not in found.remarks and len(found) == len(exactly) > 0
+    for name, several in (("Omega", many.Omega), ("A", many.A)):
+        ours = getattr(found, name).tolist()
+        assert sorted(ours) == pytest.approx(
+            sorted(float(getattr(fold, name).mid()) for fold in exactly), rel=4e-16, abs=0
+        )
+        assert several[: len(found)].tolist() == ours
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
+    assert Remark.UNDECIDED in iso.saddle_nodes(F_0).remarks and batch(Duffing, numbers).saddle_nodes(F_0).undecided
+
+
 # ---- no answer differs from the proof without a word -----------------------------------------------------------------
 
 

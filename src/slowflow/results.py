@@ -41,7 +41,8 @@ class Remark(IntFlag):
     FOLDS_AT_REST = 32
     #: a preload, or friction that ends at u_cr, holds a mass that is at rest; the motions are beside that
     HELD_AT_REST = 64
-    #: next to where folds meet, or states do: doubles do not tell how many there are, nor does a proof in intervals
+    #: next to where folds meet, or states do: doubles do not tell how many there are, nor does a proof in intervals; or
+    #: they have few digits of where folds lie
     UNDECIDED = 128
     #: states of larger amplitudes there are, or may be: the response is cut, as nothing bounds it or at the reach
     CUT = 256

@@ -323,7 +323,7 @@ class Folds(Counted):
     kind     -- a number of `slowflow_kernels.conventions.FoldKind`: where a sweep goes that leaves the fold, and
                 whether it sits on a corner at a breakpoint; 0 is an empty place
     count    -- how many folds there are, also where they are more than places
-    undecided -- 1 where neither doubles nor balls tell whether there is another pair
+    undecided -- 1 where neither doubles nor balls tell whether there is another pair, or where one lies
     """
 
     inner: ClassVar[Mapping[str, str]] = MappingProxyType(dict.fromkeys(("Omega", "A", "kind"), "place"))

@@ -37,7 +37,8 @@ WORDS = {
     Remark.LEAVES_CENTRE: "motions that leave the centre: stiffness over their cycle does not bring the mean back to "
     "0; .off_centre has those that are off it",
     Remark.HELD_AT_REST: "a mass at rest stays there, whatever the frequency, up to F_0 = {held:g}: {holds} it",
-    Remark.UNDECIDED: "next to where folds or states meet, Omega = 0 or 4 mu/pi: doubles do not tell how many",
+    Remark.UNDECIDED: "next to where folds or states meet, Omega = 0 or 4 mu/pi: doubles do not tell how many, or "
+    "where",
     Remark.BEYOND_WELL: "there are states beyond the well, which turn where the spring pushes on instead of back: "
     "none is stable, as exact motions do not come back from there",
     Remark.OF_TRUNCATION: "at the corner at u_cr, where the truncated force (6) jumps: the untruncated one has none",

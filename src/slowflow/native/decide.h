@@ -121,8 +121,8 @@ static sf_status sf_settled_folds(const sf_model *model, const sf_given *given, 
         return folds->status = SF_OK;
     }
     status = sf_decided_folds(model, given, F_0, room, folds);
-    if (status == SF_OK && given != NULL)
-        sf_settle_folds(&given->exactly, model, F_0, folds);
+    if (status == SF_OK && given != NULL && !sf_settle_folds(&given->exactly, model, F_0, folds))
+        folds->undecided = 1;
     return status;
 }
 

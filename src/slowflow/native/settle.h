@@ -17,6 +17,8 @@
 /* steps are followed by another one while this is left to do, relatively; and a first one that is larger than this */
 #define SF_LEFT_TO_DO 0x1p-58
 #define SF_FEW_ROUNDINGS 0x1p-49
+/* an answer that does not settle, and is off by more, relatively, has too few digits */
+#define SF_FEW_DIGITS 0x1p-30
 /* how far an answer is looked for from what doubles found, where Newton's method fails: so many doublings of a
  * double */
 #define SF_ONE_DOUBLE 0x1p-52
@@ -362,19 +364,34 @@ static inline int sf_breakpoint_at(const sf_model *model, double A) {
     return i;
 }
 
-static inline void sf_settle_fold(const sf_exactly *exactly, const sf_model *model, double F_0, double *Omega,
-                                  double *A)
+/* Whether a fold that does not settle has digits all the same, by how far Newton's method would move it. */
+static inline int sf_fold_has_digits(const sf_exactly *exactly, const sf_model *model, const sf_settling *of) {
+    sf_exact_sample at;
+    double out[4];
+    if (!sf_exact_at(exactly, model, sf_piece_of(model, of->A.high), of->A, 2, NULL, &at))
+        return 1;
+    sf_take_step(slow_flow_pairs_fold_step, exactly, &at, of, out);
+    return fabs(out[0]) <= SF_FEW_DIGITS * of->Omega.high && fabs(out[1]) <= SF_FEW_DIGITS * of->A.high;
+}
+
+/* Returns whether the fold has digits. */
+static inline int sf_settle_fold(const sf_exactly *exactly, const sf_model *model, double F_0, double *Omega,
+                                 double *A)
 {
-    sf_settling of = {sfp_point(*Omega), sfp_point(*A), sfp_point(F_0)}, above = of;
+    const sf_settling begin = {sfp_point(*Omega), sfp_point(*A), sfp_point(F_0)};
+    sf_settling of = begin, above = begin;
     const int piece = sf_piece_of(model, *A);
     if (exactly == NULL)
-        return;
+        return 1;
     if (sf_settle_all(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, &of))
         *Omega = of.Omega.high, *A = of.A.high;
     else if (piece > 0 && model->breaks == exactly->breaks &&
              sf_settle_above(slow_flow_pairs_fold_step, SF_MOVES_BOTH, slow_flow_pairs_corner_step, exactly, model,
                              piece, &above))
         *Omega = above.Omega.high, *A = fmax(above.A.high, nextafter(model->b[piece - 1], HUGE_VAL));
+    else
+        return sf_fold_has_digits(exactly, model, &begin);
+    return 1;
 }
 
 static inline void sf_swap(double *x, double *y) {
@@ -382,10 +399,11 @@ static inline void sf_swap(double *x, double *y) {
     *x = *y, *y = kept;
 }
 
-/* Folds, by rising Omega also where doubles had them in another order. Two that were apart do not become one. */
-static void sf_settle_folds(const sf_exactly *exactly, const sf_model *model, double F_0, sf_folds *folds) {
+/* Folds, by rising Omega also where doubles had them in another order. Two that were apart do not become one. Returns
+ * whether all have digits. */
+static int sf_settle_folds(const sf_exactly *exactly, const sf_model *model, double F_0, sf_folds *folds) {
     double Omega[SF_MOST_FOLDS], A[SF_MOST_FOLDS];
-    int i, j;
+    int i, j, digits = 1;
     for (i = 0; i < folds->n; i++) {
         const sf_fold *fold = &folds->at[i];
         Omega[i] = fold->Omega, A[i] = fold->A;
@@ -393,7 +411,7 @@ static void sf_settle_folds(const sf_exactly *exactly, const sf_model *model, do
         if (fold->corner || (model->breaks > 0 && fold->A == model->b[sf_breakpoint_at(model, fold->A)]))
             sf_settle_on(slow_flow_pairs_corner_step, exactly, sf_breakpoint_at(model, fold->A), F_0, &Omega[i]);
         else
-            sf_settle_fold(exactly, model, F_0, &Omega[i], &A[i]);
+            digits &= sf_settle_fold(exactly, model, F_0, &Omega[i], &A[i]);
     }
     for (i = 1; i < folds->n; i++)
         for (j = 0; j < i; j++) {
@@ -411,6 +429,7 @@ static void sf_settle_folds(const sf_exactly *exactly, const sf_model *model, do
         }
     for (i = 0; i < folds->n; i++)
         folds->at[i].Omega = Omega[i], folds->at[i].A = A[i];
+    return digits;
 }
 
 /* Returns whether an onset settled, or is on a breakpoint, where it is what it is. */
