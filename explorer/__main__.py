@@ -89,6 +89,11 @@ def mechanisms() -> tuple[list[str], dict[str, str], set[Path]]:
     for name, kernels, count, _ in table:
         arguments = "".join(f", p[{i}]" for i in range(count))
         header.append(f"static double {name}_at(double u, const double *p) {{ return {kernels}_force(u{arguments}); }}")
+        (kernel,) = (folder / f"{kernels}.h" for folder in (*INCLUDED, *folders) if (folder / f"{kernels}.h").exists())
+        last = max(map(int, re.findall(rf"\b{kernels}_force_(\d+)_u\(", kernel.read_text())))
+        pieces = [f"passed == {k - 1} ? {kernels}_force_{k}_u(u{arguments}) : " for k in range(1, last)]
+        slope = f"{''.join(pieces)}{kernels}_force_{last}_u(u{arguments})"
+        header.append(f"static double {name}_slope(double u, const double *p, int passed) {{ return {slope}; }}")
     for name, text in on_one_side:
         header.append(text)
         table.append((name, name, 0, f"&{name}_of_library"))
@@ -102,6 +107,9 @@ def mechanisms() -> tuple[list[str], dict[str, str], set[Path]]:
     own = {name for name, _ in on_one_side}
     of_each = ", ".join(f"{name}_force" if name in own else f"{name}_at" for name, *_ in table)
     header.append(f"static double (*const forces[])(double, const double *) = {{{of_each}}};")
+    # where the force is not odd nothing asks for its slope
+    slopes = ", ".join("NULL" if name in own else f"{name}_slope" for name, *_ in table)
+    header.append(f"static double (*const slopes[])(double, const double *, int) = {{{slopes}}};")
     return [name for name, *_ in table], {**sources, "mechanisms.h": "\n".join(header) + "\n"}, folders
 
 

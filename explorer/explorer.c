@@ -24,9 +24,9 @@ static sf_model model;
 static sf_given given, *known; /* known: NULL where no proof is possible */
 static sf_room room;
 static double in[SF_MOST_DESIGN + SF_MOST_DAMPING], out[COLUMNS][MOST];
-static unsigned char flags[2][MOST];
+static unsigned char flags[3][MOST];
 static long long branch[MOST];
-static int undecided, rises;
+static int undecided, rises, chosen;
 
 /* The oscillator as it was given, in pairs, for the last digits of an answer. */
 static const sf_exactly *exactly(void) { return known == NULL ? NULL : &known->exactly; }
@@ -50,7 +50,7 @@ int EXPORT(choose)(int i, int by_inertia)
     const double *of_damping = in + record->design_size;
     if (by_inertia)
         sf_excite_by_inertia(&excited);
-    known = NULL, model.mechanism = NULL, rises = places_of[i] != NULL;
+    known = NULL, model.mechanism = NULL, rises = places_of[i] != NULL, chosen = i;
     if (!record->parameters_of(in, model.p) || !record->damping_of(of_damping, model.damping) ||
         !sf_prepare(record, in, &model))
         return -1;
@@ -91,19 +91,32 @@ static void add_what_follows(long i, double F_0)
     out[4][i] = model.mechanism->mean_offset(out[1][i], model.p);
 }
 
-/* As `slowflow.averaged.remarks.keeps_centre`; and whether the slow flow is stable there. A force with one end rises,
- * so that its mean stiffness is positive. */
+/* As `slowflow.averaged.remarks.turns_beyond`. */
+static int turns_beyond(const sf_sample *at)
+{
+    sf_sample rest;
+    sf_sample_at(&model, 0, &rest);
+    int passed = 0;
+    while (passed < model.breaks && at->A > model.b[passed])
+        passed++;
+    return ((rest.h <= 0 && rest.h_A < 0) || at->h < 0) && forces[chosen](at->A, model.p) < 0 &&
+           slopes[chosen](at->A, model.p, passed) < 0;
+}
+
+/* As `slowflow.averaged.remarks.keeps_centre`; whether the motion turns beyond the well; and whether it is stable. A
+ * force with one end rises, so that its mean stiffness is positive and it has no well. */
 static void look_at(long i)
 {
     sf_sample at;
     if (rises) {
-        flags[1][i] = 1;
+        flags[1][i] = 1, flags[2][i] = 0;
         return;
     }
     sf_sample_at(&model, out[1][i], &at);
+    flags[2][i] = (unsigned char)turns_beyond(&at);
     flags[1][i] = slow_flow_mean_stiffness(at.A, at.h, at.h_A) >= 0 ||
                   slow_flow_offset_stiffness(out[0][i], at.A, at.h, at.h_A) > 0;
-    flags[0][i] = flags[0][i] && flags[1][i];
+    flags[0][i] = flags[0][i] && flags[1][i] && !flags[2][i];
 }
 
 static void look_at_all(long n, double F_0)
@@ -112,7 +125,7 @@ static void look_at_all(long n, double F_0)
         add_what_follows(i, F_0), look_at(i);
 }
 
-/* The response curve: out Omega, A, phi, transmissibility, mean B; flags stable, centred. Returns the number of points,
+/* The response curve: out Omega, A, phi, transmissibility, mean B; flags stable, centred, beyond the well. Returns the number,
  * or the status with its sign turned. */
 long EXPORT(respond)(double F_0, double low, double high, double samples)
 {

@@ -20,7 +20,7 @@ class Solvers {
     this.native = native;
     this.input = new Float64Array(memory, native.input(), 18);
     this.columns = [0, 1, 2, 3, 4].map((i) => new Float64Array(memory, native.column(i), most));
-    this.flags = [0, 1].map((i) => new Uint8Array(memory, native.flag(i), most));
+    this.flags = [0, 1, 2].map((i) => new Uint8Array(memory, native.flag(i), most));
     this.branches = new BigInt64Array(memory, native.branches(), most);
     const letters = new Uint8Array(memory);
     this.names = Array.from({ length: native.known_mechanisms() }, (_, i) => {
@@ -80,6 +80,7 @@ class Solvers {
       B: this.column(4, n),
       stable: this.flag(0, n),
       centred: this.flag(1, n),
+      beyond: this.flag(2, n),
       branch: onCurve ? Array.from(this.branches.slice(0, n), Number) : null,
       undecided: n > 0 && this.native.is_undecided() !== 0,
     };

@@ -53,6 +53,7 @@ function remarksOf(answer) {
     said.push(fill(remarks.BEYOND_REACH, { reach: about.reach, reason: about.reach_reason }));
   if (answer.stiffnessAtRest < 0) said.push(remarks.NEGATIVE_STIFFNESS);
   if (curve.centred.includes(0)) said.push(remarks.LEAVES_CENTRE);
+  if (curve.beyond.includes(1)) said.push(remarks.BEYOND_WELL);
   if (curve.undecided || folds.undecided) said.push(remarks.UNDECIDED);
   if (about.truncated && folds.corner.includes(1)) said.push(remarks.OF_TRUNCATION);
   if (byInertia(state)) {

@@ -22,7 +22,7 @@ import pytest
 
 from explorer.__main__ import MOST, PAGE, ROOT, digest
 from explorer.about import LIBRARY, MOUNT, MOUNT_FORCE, PRESETS, designs
-from slowflow import Duffing, Isolator, backend, derive
+from slowflow import Duffing, Isolator, Remark, backend, derive
 from slowflow.oscillator import Oscillator
 from slowflow.paper import example
 
@@ -58,6 +58,7 @@ def cases() -> list[tuple[Oscillator, float]]:
         (Isolator(lam=300, r=50.0, delta_h=0.9, mu=0.5, zeta=3.0), 10.0),
         (Duffing(alpha=-1.0, beta=1.0, mu=0.01, zeta=0.05), 0.2),
         (Duffing(alpha=1.0, beta=1e6, mu=0.0, zeta=1e-4), 1e-3),
+        (Duffing(alpha=1.0, beta=-1.0, mu=0.0, zeta=0.01), 0.008),
         (Duffing(alpha=1.0, beta=0.3, mu=0.02, zeta=0.05, excitation="base"), 0.1),
         (example.isolator(force="untruncated", mu=0.0, zeta=0.01, excitation="unbalance"), 0.3),
     ]
@@ -208,6 +209,7 @@ def hold(browser: Any, asked: list[tuple[str, Oscillator, float]]) -> None:
                     np.testing.assert_array_max_ulp(np.array(states[name], float), values, maxulp=2)
             assert found["curve"]["branch"] == curve.branch.tolist(), told
             assert np.array(found["curve"]["stable"], bool).tolist() == curve.stable.tolist(), told
+            assert any(found["curve"]["beyond"]) == (Remark.BEYOND_WELL in curve.remarks), told
             # between folds and peaks points lie where cos() of the C library puts them, which is not the same; Omega
             # moves with A as the curve is steep
             mine = {name: np.array(found["curve"][name], float) for name in ("A", "Omega")}
