@@ -464,6 +464,38 @@ def test_folds_that_end_at_rest_are_there_whatever_was_asked_before(zeta):
     assert fresh.saddle_nodes(F_0).A == pytest.approx(math.sqrt(-numbers["alpha"] / (0.75 * numbers["beta"])), rel=1e-6)
 
 
+@compiled
+@pytest.mark.parametrize(
+    ("lam", "r", "delta_h", "mu", "zeta", "F_0"),
+    [
+        (
+            *(2.429109917792496, 0.011053847616397007, 3.5335601879105854e-10),
+            9.954520715652437e-39,
+            2.4243479850013053e-11,
+            1.2889800556245529e-15,
+        ),
+        (
+            *(0.11251792784845768, 0.05504602459316973, 9.701667031832272e-09),
+            2.0822771943681876e-59,
+            3.864625161106583e-11,
+            1.0766524974392935e-14,
+        ),
+        (3.0, 2.0, 0.1, 0.01, 0.02, 0.0),
+    ],
+)
+def test_folds_at_the_onset_are_there_whatever_was_asked_before(lam, r, delta_h, mu, zeta, F_0):
+    """F_SN, off by 3e-12 where damping is weak, is rounded: below it folds were denied once it had been asked for."""
+    pytest.importorskip("flint")
+    fresh, asked = (Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta) for _ in range(2))
+    F_SN = asked.saddle_node_onset().F_SN
+    low, high = fresh.certify(F_0 or F_SN).saddle_node_onset.F_0
+    assert low * (1 - 4e-16) <= F_SN <= high * (1 + 4e-16)
+    for F in (F_0 or F_SN, F_SN, math.nextafter(F_SN, 0), math.nextafter(F_SN, 1), F_SN * (1 - 1e-15)):
+        assert asked.saddle_nodes(F) == fresh.saddle_nodes(F)
+        proof = fresh.certify(F).saddle_nodes
+        assert not proof.proved or len(proof.A) == len(asked.saddle_nodes(F))
+
+
 def test_folds_that_end_at_rest_are_there_under_quadratic_damping_alone_too():
     numbers = {"alpha": 2.1, "beta": -0.7, "zeta": 0.0, "mu": 0.0, "c_2": 0.1}
     fresh, asked = (Oscillator(duffing.MECHANISM, **numbers) for _ in range(2))

@@ -13,6 +13,7 @@ from types import MappingProxyType
 from slowflow.averaged import proofs, words
 from slowflow.model import Model
 from slowflow.results import Remark, SaddleNodeOnset
+from slowflow_kernels.conventions import CLOSE
 
 #: questions at one forcing
 QUESTIONS = ("frequency_response", "amplitudes", "saddle_nodes", "peak")
@@ -103,13 +104,18 @@ def plan(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None)
         return Plan(question, F_0, whole, True, (force, flow, *CURVE))
     if whole.linear:
         folds = Step("folds", False, "a linear oscillator has none")
-    elif (
-        onset is not None and onset.F_SN is not None and F_0 < onset.F_SN and Remark.FOLDS_AT_REST not in onset.remarks
-    ):
+    elif onset is not None and _is_below(F_0, onset):
         folds = Step("folds", False, f"F_0 < F_SN = {onset.F_SN:g}: there is none")
     else:
         folds = Step("folds", True, FOLDS + IN_BALLS if proofs.is_plain(whole) else FOLDS)
     return Plan(question, F_0, whole, folds.runs, (force, flow, folds))
+
+
+def _is_below(F_0: float, onset: SaddleNodeOnset) -> bool:
+    """Whether there is no fold at F_0, however F_SN is rounded."""
+    if onset.F_SN is None or Remark.FOLDS_AT_REST in onset.remarks:
+        return False
+    return bool(onset.F_SN * (1 - CLOSE) > F_0)
 
 
 LOCUS = {

@@ -112,7 +112,9 @@ static void sf_consider_jump(const sf_model *model, const sf_sample *at, double 
     int i, n;
     if (at->h < 0 && J < 0) {
         const double Omega = slow_flow_backbone(at->A, at->h);
-        sf_consider(sf_level(model, at, Omega), Omega, at->A, SF_CORNER_KIND, best);
+        /* R is 0 there, and its rounding may exceed a weak damping's I */
+        const double level = model->mechanism->dissipation(Omega, at->A, model->damping);
+        sf_consider(level, Omega, at->A, SF_CORNER_KIND, best);
     }
     n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
     for (i = 0; i < n; i++) {

@@ -356,11 +356,14 @@ def _consider_breakpoint(model: Model, at: Samples, jump: float, h_AA_above: flo
     (b,), (h,), (h_A,), (h_AA,) = at.A, at.h, at.h_A, at.h_AA
     sign = jump if jump != 0 else math.copysign(1.0, h_AA_above)
 
-    def consider(Omega: Floats) -> None:
-        best.consider(model.level(Omega, np.full_like(Omega, b)), Omega, np.full_like(Omega, b), "corner")
+    def consider(Omega: Floats, level: Floats | None = None) -> None:
+        A = np.full_like(Omega, b)
+        best.consider(model.level(Omega, A) if level is None else level, Omega, A, "corner")
 
     if h < 0 and jump < 0:
-        consider(np.array([slow_flow.backbone(b, h)]))
+        Omega = np.array([slow_flow.backbone(b, h)])
+        # R is 0 there, and its rounding may exceed a weak damping's I
+        consider(Omega, None if model.inertial else model.sine(Omega, np.array([b])))
     roots, count = fold_roots(at.A, at.h, at.h_A, m, zeta)
     w = roots[0, : count[0]]
     if model.inertial:  # all that may bound the level of folds on the breakpoint: none of it is lower than they are
