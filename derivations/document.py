@@ -8,19 +8,21 @@ What stands here is what `emit/` prints for programs, before its passes: the exp
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import sympy as sp
 
+from . import resultants
 from .averaging import Averaged
 from .mechanisms import DAMPING, FORCING, Mechanism, Parameter
 from .quadrature import Quadrature, sums
 from .restoring import ORDERS, Regime
+from .resultants import Elimination
 from .results import OfMechanism
 from .sided import Sided
 from .slow_flow import SlowFlow
 from .slow_flow import m as friction
-from .symbols import Omega, sigma, u
+from .symbols import A, Omega, sigma, u
 
 #: not more than
 LESS = r"\le"
@@ -36,6 +38,7 @@ def document(derived: OfMechanism, equations: Averaged, flow: SlowFlow) -> str:
         averages(derived),
         equations,
         flow,
+        of_resultants=eliminated(derived, flow),
     )
 
 
@@ -96,8 +99,10 @@ def in_sections(
     equations: Averaged,
     flow: SlowFlow,
     displacement: str = r"A \cos\psi",
+    of_resultants: Iterable[str] = (),
 ) -> str:
-    """The text."""
+    """The text; resultants where there are any."""
+    elimination = tuple(of_resultants)
     sections = (
         (mechanism.title[0].upper() + mechanism.title[1:], ()),
         ("Equation of motion", of_motion),
@@ -105,6 +110,7 @@ def in_sections(
         ("Slow flow", slow(equations, flow, displacement)),
         ("The average of the force", of_average),
         ("Response and folds", response(flow)),
+        *((("Resultants", elimination),) if elimination else ()),
     )
     lines = []
     for number, (title, body) in enumerate(sections):
@@ -265,3 +271,34 @@ def response(flow: SlowFlow) -> Iterator[str]:
     yield from display(
         *((name, sp.Add(*(c * Omega**power for power, c in enumerate(quartic)))) for name, quartic in quartics)
     )
+
+
+#: the highest power of A in h up to which Omega is eliminated: some seconds
+MOST_ELIMINATED = 7
+
+
+def eliminated(derived: OfMechanism, flow: SlowFlow) -> Iterator[str]:
+    """(33), (34) and folds at a forcing by elimination of Omega, where h is a polynomial."""
+    whole = derived.whole
+    degree = sp.degree(whole.regimes[0].derivatives[0], A) if whole.regimes[0].derivatives[0].has(A) else 0
+    if 1 < degree <= MOST_ELIMINATED:
+        yield "Up to the first breakpoint, if there is one, $h$ is a polynomial in $A$, and $\\Omega$ is eliminated."
+        yield "Roots are candidates: elimination adds some, so each is tried in the equations that it came from."
+        yield "Folds at a forcing, $F = F_A = 0$:"
+        yield ""
+        yield from polynomial(resultants.saddle_nodes(flow, whole), "a")
+        yield "Where two folds are born, $F_A = F_{AA} = 0$, and the lowest forcing that has any may be:"
+        yield ""
+        yield from polynomial(resultants.saddle_node_onset(flow, whole), "b", number="33")
+    if whole.breakpoints:
+        yield f"The lowest forcing that reaches $A = {sp.latex(whole.breakpoints[0])}$, where $F = F_\\Omega = 0$:"
+        yield ""
+        yield from polynomial(resultants.detachment(flow), "d", number="34")
+
+
+def polynomial(found: Elimination, letter: str, number: str = "") -> Iterator[str]:
+    """A resultant without its trivial factors, by its coefficients."""
+    unknown = sp.latex(found.unknown)
+    terms = (f"{letter}_{{{power}}}" + (f" {unknown}^{{{power}}}" if power else "") for power in found.reduced)
+    values = ((f"{letter}_{{{power}}}", value) for power, value in found.reduced.items())
+    yield from display((" + ".join(terms), "0"), *values, number=number)

@@ -7,6 +7,7 @@ import json
 import math
 import os
 import pickle
+import re
 import runpy
 import shlex
 import shutil
@@ -179,7 +180,7 @@ def test_its_derivation_reads_as_a_document(stop):
     text = stop.document()
     sections = [line[3:] for line in text.splitlines() if line.startswith("## ")]
     assert sections == [
-        "Equation of motion", "Parameters", "Slow flow", "The average of the force", "Response and folds"
+        "Equation of motion", "Parameters", "Slow flow", "The average of the force", "Response and folds", "Resultants"
     ]  # fmt: skip
     assert "| $k_{2}$ | k_v | stiffness of the stop | > 0 |" in text
     assert text.count("$$") % 2 == 0 and r"\sigma" not in text
@@ -191,6 +192,37 @@ def test_its_derivation_reads_as_a_document(stop):
     assert names[-2:] == ["h", "h_A"]
     for k, (_, _, value) in enumerate(rows):
         assert not [later for later in names[k:-2] if len(later) > 1 and later in value]
+
+
+def test_resultants_are_told_where_the_average_is_a_polynomial(folder):
+    """Folds of a Duffing oscillator are roots of theirs, and its onset is one of the other's."""
+    hardening = derive.mechanism("hardening", [(u + beta * u**3, None)], {"beta": ABOVE_0})
+    told = hardening.document().partition("## Resultants")[2]
+    assert "F = F_A = 0" in told and r"\tag{33}" in told and "\\tag{34}" not in told
+    one = hardening(beta=0.5, mu=0.01, zeta=0.05)
+    F_0, onset = 0.1, one.saddle_node_onset()
+    numbers = {"c_{1 1}": 1.0, "c_{1 3}": 0.5, "m": one.model.m, r"\zeta": 0.05, "F_{0}": F_0}
+    for letter, roots in (("a", one.saddle_nodes(F_0).A), ("b", [onset.A])):
+        terms = re.findall(rf"^{letter}_{{(\d+)}} &= (.*?)(?: \\\\)?$", told, re.MULTILINE)
+        values = {}
+        for power, text in terms:
+            text = re.sub(r"\^{(\d+)}", r"**\1", text)
+            for name, number in numbers.items():
+                text = text.replace(name, f"({number!r})")
+            values[int(power)] = sp.sympify(re.sub(r"(?<=[\d)]) (?=\()", "*", text))
+        assert len(values) > 5
+        for A in roots:
+            sizes = [float(value) * float(A) ** power for power, value in values.items()]
+            assert abs(sum(sizes)) < 1e-11 * sum(map(abs, sizes))
+
+
+def test_a_gap_in_powers_of_a_piece_is_printed(folder):
+    """A cubic spring that a linear one takes over from, with a jump: k gap^3 was no chain of multiplications."""
+    pieces = [(u + beta * u**3, gap), (u + k_2 * (u - gap), None)]
+    made = derive.mechanism("taken_over", pieces, dict.fromkeys(("beta", "k_2", "gap"), ABOVE_0))
+    one = made(beta=1.5, k_2=2.0, gap=0.3, zeta=0.03)
+    assert one.model.jumps == pytest.approx([1.5 * 0.3**3], rel=1e-15)
+    assert one.saddle_nodes(0.1).kind.size
 
 
 PROGRAM = """

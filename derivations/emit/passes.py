@@ -159,6 +159,11 @@ def _common_subexpressions(lets: Sequence[Let], outputs: Sequence[sp.Expr]) -> t
 
 def _power_chains(lets: Sequence[Let], outputs: Sequence[sp.Expr]) -> tuple[list[Let], list[sp.Expr]]:
     """Every integer power by squarings and multiplications: x^5 = (x^2)^2 x. A square used once stays where it is."""
+    # another name for an argument first: put in afterwards it would make one power of two
+    own = {symbol for symbol, _ in lets}
+    known = {symbol: value for symbol, value in lets if value.is_Symbol and value not in own}
+    lets = [(symbol, value.xreplace(known)) for symbol, value in lets if symbol not in known]
+    outputs = [output.xreplace(known) for output in outputs]
     uses = Counter(
         (node.base, abs(int(node.exp)))
         for expression in (*(value for _, value in lets), *outputs)
