@@ -55,7 +55,10 @@ def test_states_are_the_certified_ones_and_no_others():
         osc, F_0 = oscillator(case), case["F_0"][1]
         for at in case["amplitudes"]:
             found = osc.amplitudes(Omega=at["Omega"][1], F_0=F_0)
-            assert found.stable.tolist() == [state["stable"] for state in at["steady"]]
+            # what turns beyond the tops of a softening spring's well does not come back
+            soft = case["mechanism"] == "duffing" and osc.beta < 0 < osc.alpha
+            held = [not (soft and osc.alpha < -osc.beta * A**2) for A in found.A]
+            assert found.stable.tolist() == [s["stable"] and well for s, well in zip(at["steady"], held, strict=True)]
             for A, phi, sure in zip(found.A, found.phi, at["steady"], strict=True):
                 kappa = sure["condition"]["A"] + sure["condition_kernel"]["A"]
                 assert error(A, sure["A"], kappa) < STATE
