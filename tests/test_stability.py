@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from benchmarks.stress import __main__ as stress
 from benchmarks.stress import answers, counts, kernels, roots
 from tests import backends
 from tests.oracles import kernels as exact
@@ -139,3 +140,10 @@ def test_the_oracle_of_kernels_agrees_with_the_quadratures():
             for value, scale, text, size in zip(values, scales, row["is"], row["scale"], strict=True):
                 assert abs(value - exact.mpf(text)) <= 1e-30 * exact.mpf(size)
                 assert math.isclose(scale, exact.mpf(size), rel_tol=1e-4)
+
+
+@pytest.mark.parametrize("what", stress.PARTS)
+def test_each_part_of_the_search_runs(what):
+    """At few points: what the search finds stands above."""
+    part, found, seconds = stress.run((what, stress.jobs(1e-4)[what][0]))
+    assert part == what and found is not None and seconds >= 0

@@ -24,6 +24,7 @@ from benchmarks.stress import baseline, domains, search
 from benchmarks.stress.search import Found, Point
 from tests import backends
 from tests.oracles import kernels as exact
+from tests.oracles.definitions.points import shown
 
 U = 2.0**-53
 LARGEST, SMALLEST = sys.float_info.max, sys.float_info.min
@@ -151,8 +152,8 @@ def row(module: str, kernel: str, names: Sequence[str], at: Point) -> dict[str, 
         errors[backend] = None if found is None else found[0]
     return {
         "at": list(at),
-        "is": [exact.definitions.shown(value) for value in true],
-        "scale": [exact.definitions.shown(scale, 6) for scale in scales],
+        "is": [shown(value) for value in true],
+        "scale": [shown(scale, 6) for scale in scales],
         "errors": errors,
     }
 
