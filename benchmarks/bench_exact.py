@@ -142,7 +142,7 @@ def by_stops(repeats: int) -> list[dict[str, float]]:
         places = np.flatnonzero(curve.stops == count)
         middle = int(places[len(places) // 2])
         Omega, near = float(curve.Omega[middle]), curve.steady_state(middle - 1)
-        seconds = best(partial(steady_state, system, Omega, 1.0, near), repeats)
+        seconds = best(partial(steady_state, system, near, Omega=Omega, F_0=1.0), repeats)
         out.append({"stops": int(count), "Omega": Omega, "seconds": seconds})
     return out
 

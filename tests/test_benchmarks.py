@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from benchmarks import certified, document, work_precision
+from benchmarks import bench_exact, certified, document, work_precision
 from benchmarks.peers import problem
 from benchmarks.peers.__main__ import with_earlier
 from benchmarks.remote import Remote, in_turn
@@ -87,3 +87,9 @@ def test_a_process_that_was_ended_is_said_to_be_so() -> None:
     remote.stop()
     _, failures = in_turn({"one": (remote, remote.jobs[0]), "other": (remote, remote.jobs[1])}, 1)
     assert set(failures) == {"one", "other"} and "was ended" in failures["other"]
+
+
+def test_what_stops_cost_is_measured_from_motions_that_stop() -> None:
+    """Few repeats: each number of stops that the curve has, once."""
+    stops = [row["stops"] for row in bench_exact.by_stops(1)]
+    assert len(stops) > 3 and stops == sorted(set(stops))
