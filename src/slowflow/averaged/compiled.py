@@ -74,13 +74,13 @@ def onset(model: Model) -> SaddleNodeOnset:
         raise ArithmeticError(words.unresolved_onset(model))
     _check(status, model)
     if status == Status.UNBOUNDED:
-        from slowflow.averaged.reference.onset import next_to_rest  # which takes SciPy
-
         said = words.OPEN if model.zeta > 0 else words.NO_LOWEST.format(model.m)
-        with np.errstate(all="ignore"):
-            come_down, _ = next_to_rest(model)
-        if come_down and not model.inertial and model.zeta > 0:
-            said = words.STIFF_AT_REST.format(model.m)
+        if model.zeta > 0 and not model.inertial:
+            from slowflow.averaged.reference.onset import next_to_rest  # which takes SciPy
+
+            with np.errstate(all="ignore"):
+                come_down, _ = next_to_rest(model)
+            said = words.STIFF_AT_REST.format(model.m) if come_down else said
         return SaddleNodeOnset(None, None, None, "", said, _status=Status.UNBOUNDED)
     return words.with_folds_at_rest(model, SaddleNodeOnset(None, None, None, "", words.NO_ONSET), at_rest)
 
