@@ -57,6 +57,7 @@ MODULES = (
     "slowflow.second.many",
     "slowflow.exact",
     "slowflow.exact.shocks",
+    "slowflow.exact.shocks_many",
     "slowflow.mechanism",
     "slowflow.derive",
     "slowflow.paper.example",

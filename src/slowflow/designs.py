@@ -16,7 +16,7 @@ from slowflow.model import THROUGHOUT
 from slowflow_kernels.domains import EXCITATIONS, RUBS
 
 if TYPE_CHECKING:
-    from slowflow.exact.shocks import Shocks, Transients
+    from slowflow.exact.shocks_many import Shocks, Transients
     from slowflow.loads_many import ManyAtRest, ManyBands, ManyIsolations, ManyMargins, ManySpectra
     from slowflow.second.many import SecondDesigns
 
@@ -81,9 +81,9 @@ class Designs(many.Designs):
         `acceleration` is that of its samples, and what they have before it broadcasts with the designs. Some thirty
         thousand designs in a second; `workers` as of all batches. Raises ValueError as `shock_spectrum`.
         """
-        from slowflow.exact import shocks
+        from slowflow.exact import shocks_many
 
-        return shocks.transients(self, acceleration, duration, tau, after, workers)
+        return shocks_many.transients(self, acceleration, duration, tau, after, workers)
 
     def shock_spectrum(self, *, acceleration: Any, duration: Any, workers: int = 1) -> Shocks:
         """What a half sine of the base does to each design: .A .a_max .ratio .detaches; both broadcast with these.
@@ -91,9 +91,9 @@ class Designs(many.Designs):
         As `transient`. Raises ValueError for what is no real array, for shapes that do not broadcast, and for
         structural damping. Designs with other laws of damping are followed one by one, in milliseconds each.
         """
-        from slowflow.exact import shocks
+        from slowflow.exact import shocks_many
 
-        return shocks.of_designs(self, acceleration, duration, workers)
+        return shocks_many.of_designs(self, acceleration, duration, workers)
 
 
 def designs_of(

@@ -10,7 +10,6 @@ import warnings
 from typing import Any
 
 from slowflow import plausible, validate
-from slowflow.designs import designs_of
 from slowflow.mechanism import LINEAR, Force, Mechanism, told
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.oscillator import FORCES, Oscillator
@@ -226,6 +225,8 @@ class Isolator(Oscillator):
         Raises ValueError for what is no real array and for shapes that do not broadcast, and nothing for a single
         design: each answer has a status.
         """
+        from slowflow.designs import designs_of
+
         values = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}
         return designs_of(_averaged(force), values, {"eta": eta, "c_2": c_2}, rubs, excitation, load)
 
@@ -281,5 +282,7 @@ class Duffing(Oscillator):
         load: Any = 0.0,
     ) -> Any:
         """Many Duffing oscillators at once, as `Isolator.many`."""
+        from slowflow.designs import designs_of
+
         values = {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta}
         return designs_of(DUFFING, values, {"eta": eta, "c_2": c_2}, THROUGHOUT, excitation, load)

@@ -17,7 +17,6 @@ from slowflow.answer import joined
 from slowflow.averaged.questions import Averaged
 from slowflow.averaged.remarks import NOTHING
 from slowflow.certificate import Certificate
-from slowflow.designs import designs_of
 from slowflow.loaded import Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, check_followed
 from slowflow.model import THROUGHOUT, Laws, Model
@@ -514,6 +513,8 @@ class Oscillator(Averaged):
         Raises ValueError for what is no real array and for shapes that do not broadcast, TypeError for a name that is
         missing or unknown, and nothing for a single design: each answer has a status.
         """
+        from slowflow.designs import designs_of
+
         values, laws = {**design, "mu": mu, "zeta": zeta}, {"eta": eta, "c_2": c_2}
         return designs_of(mechanism, values, laws, rubs, excitation, load)
 

@@ -5,7 +5,6 @@ Nothing a user gives is parsed or evaluated: numbers are taken as numbers, anyth
 
 from __future__ import annotations
 
-import difflib
 import functools
 import inspect
 import math
@@ -139,6 +138,8 @@ def meant(word: Any, known: Iterable[str]) -> str:
     """The known word that is nearest to another one, as the end of a sentence; empty where none is near."""
     if not isinstance(word, str):
         return ""
+    import difflib  # for mistakes only: it takes a millisecond to load
+
     folded = {one.lower(): one for one in known}
     near = [folded[one] for one in difflib.get_close_matches(word.lower(), folded, 1)]
     return f". Did you mean {near[0]!r}?" if near else ""

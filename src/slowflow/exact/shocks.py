@@ -1,35 +1,18 @@
-"""Shock spectra: in go half sines of the base, and an oscillator or many, out come deflections and accelerations."""
+"""Shock spectra: in go half sines of the base and an equation of motion, out come deflections and accelerations."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from dataclasses import dataclass
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import validate
-from slowflow.answer import Table, frozen
-from slowflow.averaged import remarks
-from slowflow.averaged.batches import Batch, Codes
-from slowflow.averaged.many import Designs
-from slowflow.averaged.parts import share
-from slowflow.exact.compiled import many_shocks, recurrences
-from slowflow.exact.transient import AFTER, NO_PULSE, half_sine, record, transient
-from slowflow.mechanism import EquationOfMotion, Floats, Force, check_followed
-from slowflow.model import THROUGHOUT
-from slowflow.results import Remark
-from slowflow_kernels.conventions import Status
-from slowflow_kernels.exact_conventions import Outcome
+from slowflow.answer import Table
+from slowflow.exact.transient import half_sine, transient
+from slowflow.mechanism import EquationOfMotion, Floats
 
 Flags = npt.NDArray[np.bool_]
-
-#: arcs that take no more than some tenths of a second, as many as a shock takes beside those of its pulse
-AT_ONCE, ALONE = 2**14, 16
-#: columns of `Shocks` that are those of `Transients`
-SPECTRAL = ("A", "a_max", "detaches", "status")
 
 
 class Shock(NamedTuple):
@@ -72,180 +55,8 @@ class ShockSpectrum(Table):
         return pictures.shocks(ax, self)
 
 
-@dataclass(frozen=True, eq=False)
-class Shocked(Batch):
-    """What answers to shocks of many designs share: `remarks` says `Remark.BEYOND_REACH`, as a single one does."""
-
-    if TYPE_CHECKING:  # each has it as a column
-        A: Floats
-    _pulse: Mapping[str, Any] = field(repr=False, kw_only=True)
-
-    @cached_property
-    def remarks(self) -> remarks.Codes:
-        """`Remark.BEYOND_REACH` where A is beyond what the mechanism reaches."""
-        mechanism, design = self._designs.mechanism, self._designs.design
-        with np.errstate(all="ignore"):  # what is no design has no pieces
-            beyond = mechanism.reach_at(*mechanism.coefficients(*design)) < self.A
-        return frozen(np.where(beyond, np.uint16(Remark.BEYOND_REACH), np.uint16(0)))
-
-    def _asked_at(self) -> dict[str, Any]:
-        return {name: np.asarray(value) for name, value in self._pulse.items()}
-
-
-@dataclass(frozen=True, eq=False)
-class Shocks(Shocked):
-    """What a half sine of the base does to each design: the columns of `ShockSpectrum`; detaches is 0 or 1."""
-
-    A: Floats
-    a_max: Floats
-    ratio: Floats
-    detaches: Codes
-    status: Codes
-
-
-@dataclass(frozen=True, eq=False)
-class Transients(Shocked):
-    """What a shock of the base does to each design: the columns of `slowflow.exact.Transient`.
-
-    detaches, rests -- 0 or 1; tau_detaches is NaN where the springs stay
-    status          -- `Status.UNRESOLVED` where the motion escapes or chatters
-    """
-
-    A: Floats
-    tau_A: Floats
-    a_max: Floats
-    tau_a: Floats
-    detaches: Codes
-    tau_detaches: Floats
-    rests: Codes
-    u_end: Floats
-    status: Codes
-
-
 def shock_spectrum(system: EquationOfMotion, acceleration: Floats, duration: Floats, at: float = 0.0) -> ShockSpectrum:
     """Pulse by pulse, from rest at u = `at`; shapes (n,)."""
     found = [transient(system, arcs, after=0.0, at=at) for arcs in half_sine(acceleration, duration)]
     A, a_max, detaches = (np.array([getattr(one, name) for one in found]) for name in ("A", "a_max", "detaches"))
     return ShockSpectrum(acceleration, duration, A, a_max, a_max / acceleration, detaches.astype(np.bool_), "")
-
-
-def of_designs(designs: Designs, acceleration: Any, duration: Any, workers: int = 1) -> Shocks:
-    """See `slowflow.designs.Designs.shock_spectrum`."""
-    pulse = numbers(acceleration=acceleration, duration=duration)
-    peak, span = pulse.values()
-    found = _followed(designs, *_half_sine(peak, span), (peak > 0) & (span > 0), 0.0, workers)
-    ratio = found["a_max"] / peak
-    return Shocks(**{name: found[name] for name in SPECTRAL}, ratio=ratio, _designs=designs, _pulse=pulse)
-
-
-def transients(
-    designs: Designs, acceleration: Any, duration: Any, tau: Any, after: Any, workers: int = 1
-) -> Transients:
-    """See `slowflow.designs.Designs.transient`."""
-    last = AFTER if after is None else validate.number("after", after, least=0.0)
-    if (duration is None) == (tau is None):
-        raise ValueError(NO_PULSE)
-    if tau is None:
-        pulse = numbers(acceleration=acceleration, duration=duration)
-        peak, span = pulse.values()
-        found = _followed(designs, *_half_sine(peak, span), span > 0, last, workers)
-        return Transients(**found, _designs=designs, _pulse=pulse)
-    times, accelerations = samples(tau, acceleration)
-    rises = (np.diff(times) > 0).all(axis=-1)
-    with np.errstate(all="ignore"):  # what is no pulse has a status
-        arcs = record(times, accelerations)
-    found = _followed(designs, arcs, times[..., 0], rises, last, workers)
-    return Transients(**found, _designs=designs, _pulse={})
-
-
-def numbers(**values: Any) -> dict[str, Floats]:
-    """Numbers of pulses, in doubles. Raises ValueError for what is no plain array."""
-    for name, value in values.items():
-        if validate.is_labelled(value):
-            raise ValueError(f"{name} has named axes, or is cut into blocks: shocks take plain arrays")
-    return {name: validate.real_array(name, value).astype(float) for name, value in values.items()}
-
-
-def samples(tau: Any, acceleration: Any) -> tuple[Floats, Floats]:
-    """Records in doubles, samples along the last axis. Raises ValueError for other arrays than of as many samples."""
-    times, values = numbers(tau=tau, acceleration=acceleration).values()
-    if not (times.ndim and values.ndim and times.shape[-1] == values.shape[-1] >= 2):
-        raise ValueError(f"tau and acceleration must have as many samples, not {times.shape} and {values.shape}")
-    return times, values
-
-
-def _half_sine(peak: Floats, span: Floats) -> tuple[Floats, Floats]:
-    """Its arcs, and when they begin."""
-    with np.errstate(all="ignore"):  # what is no pulse has a status
-        arcs = half_sine(peak, span)
-    return arcs, np.zeros(arcs.shape[:-2])
-
-
-def _followed(
-    designs: Designs, arcs: Floats, begin: Floats, allowed: Any, after: float, workers: int
-) -> dict[str, Any]:
-    """The columns of `Transients` for arcs of shape (..., n, 4), which before that broadcast with the designs."""
-    if "eta" in designs.values:
-        designs.only_for_plain_damping("a shock")
-    threads = validate.workers(workers)
-    pulses = {"begin": begin, "pulse": arcs[..., 0, 0]}
-    shape = validate.common_shape({**designs.values, **pulses})
-    values = {name: np.broadcast_to(value, shape).ravel() for name, value in designs.values.items()}
-    pulses_of = arcs.reshape(-1, *arcs.shape[-2:])  # not spread: designs share pulses, of which a record is long
-    which = np.broadcast_to(np.arange(len(pulses_of)).reshape(arcs.shape[:-2]), shape).ravel()
-    begins = np.broadcast_to(begin, shape).ravel()
-    finite = allowed & np.isfinite(arcs).all(axis=(-1, -2)) & np.isfinite(begin)
-    known = np.broadcast_to(designs.detachment(workers=workers).status != Status.INVALID, shape)
-    asked = np.flatnonzero(np.broadcast_to(finite, shape) & known)
-    status, numbers = np.full(begins.size, Status.INVALID, np.int8), np.full((begins.size, 7), np.nan)
-    laws = tuple(recurrences(law) for law in designs.mechanism.pieces)
-    with np.errstate(all="ignore"):
-        at_rest = designs.mechanism.at_rest(*designs.mechanism.coefficients(*designs.design))[:2]
-    # a force that jumps at rest, or has no stiffness there, is refused by what follows a single one
-    smooth = np.broadcast_to((at_rest[0] == 0) & np.isfinite(at_rest[1]), shape).ravel()
-    singly = asked if designs.laws or None in laws else asked[~smooth[asked]]
-    for k in singly.tolist():
-        one = {name: float(value[k]) for name, value in values.items()}
-        status[k], numbers[k] = _alone(designs, one, pulses_of[which[k]], float(begins[k]), after)
-    together = np.setdiff1d(asked, singly, assume_unique=True)
-
-    def part(where: Any) -> None:
-        here = together[where]
-        own = {name: value[here] for name, value in values.items()}
-        parameters = designs.mechanism.coefficients(*(own[domain.name] for domain in designs.mechanism.design))
-        ends = designs.mechanism.breakpoints(*parameters)
-        columns = [_columns(of, here.size) for of in (parameters, ends, (own["mu"], own["zeta"]))]
-        outcomes, numbers[here] = many_shocks(laws, columns, pulses_of[which[here]], begins[here], after)
-        status[here] = np.where(outcomes == Outcome.GOOD, Status.OK, Status.UNRESOLVED)
-
-    at_once = max(1, AT_ONCE // (ALONE + arcs.shape[-2]))
-    parts = (slice(first, first + at_once) for first in range(0, together.size, at_once))
-    share(part, parts, threads)
-    A, tau_A, a_max, tau_a, tau_detaches, rests, u_end = np.moveaxis(numbers.reshape(*shape, 7), -1, 0).copy()
-    flags = {"detaches": ~np.isnan(tau_detaches), "rests": rests == 1, "status": status.reshape(shape)}
-    found = {"A": A, "tau_A": tau_A, "a_max": a_max, "tau_a": tau_a, "tau_detaches": tau_detaches, "u_end": u_end}
-    return {**found, **{name: values.astype(np.int8) for name, values in flags.items()}}
-
-
-def _columns(values: Sequence[Any], count: int) -> Floats:
-    """Numbers of so many designs, a row for each."""
-    return np.array([np.broadcast_to(value, count) for value in values], dtype=float).reshape(-1, count).T
-
-
-def _alone(
-    designs: Designs, values: dict[str, float], arcs: Floats, begin: float, after: float
-) -> tuple[Status, tuple[float, ...]]:
-    """The status and the numbers of one design, by `transient`."""
-    none = (np.nan,) * 7
-    try:
-        model = designs.model(values)
-        force = Force.of(designs.mechanism, model.parameters)
-        check_followed(force, designs.mechanism.name)
-        laws = {"c_2": model.laws.c_2, "released": model.laws.rubs != THROUGHOUT}
-        found = transient(EquationOfMotion(force, model.mu, model.zeta, **laws), arcs, begin=begin, after=after)
-    except ValueError:
-        return Status.INVALID, none
-    except ArithmeticError:
-        return Status.UNRESOLVED, none
-    left = np.nan if found.tau_detaches is None else found.tau_detaches
-    return Status.OK, (found.A, found.tau_A, found.a_max, found.tau_a, left, float(found.rests), found.u_end)

@@ -17,7 +17,7 @@ from slowflow.averaged import batches
 from slowflow.averaged.asked import MORE_POINTS
 from slowflow.averaged.batches import Column
 from slowflow.averaged.many import Designs
-from slowflow.exact import shocks
+from slowflow.exact import shocks_many
 from slowflow.mechanism import Mechanism
 from slowflow.off_centre import many as off_centre
 from slowflow.off_centre.many import OffCentreDesigns
@@ -45,9 +45,9 @@ class Question(NamedTuple):
     along: Mapping[str, str] = {}
 
 
-def _transient(designs: Designs, acceleration: Any, workers: int, **pulse: Any) -> shocks.Transients:
+def _transient(designs: Designs, acceleration: Any, workers: int, **pulse: Any) -> shocks_many.Transients:
     given = {"duration": None, "tau": None, **pulse}
-    return shocks.transients(designs, acceleration, workers=workers, **given)
+    return shocks_many.transients(designs, acceleration, workers=workers, **given)
 
 
 #: why maps have no answer to a question in the second approximation
@@ -77,14 +77,14 @@ QUESTIONS: Mapping[str, Question] = {
     "isolation": Question(loads_many.ManyIsolations, loads_many.isolation, takes=("F_0",)),
     "spectrum": Question(loads_many.ManySpectra, loads_many.spectrum, takes=("Omega", "F_0"), along=TABLE),
     "transient": Question(
-        shocks.Transients,
+        shocks_many.Transients,
         _transient,
         takes=("acceleration",),
         may=("duration", "tau"),
         options={"after": None},
         along=RECORD,
     ),
-    "shock_spectrum": Question(shocks.Shocks, shocks.of_designs, takes=PULSE),
+    "shock_spectrum": Question(shocks_many.Shocks, shocks_many.of_designs, takes=PULSE),
 }
 #: the same of designs under a load
 LOADED: Mapping[str, Question] = {

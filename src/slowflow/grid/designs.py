@@ -159,12 +159,12 @@ class Grid:
     def transient(
         self, *, acceleration: Any, duration: Any = None, tau: Any = None, after: Any = None, workers: int = 1
     ) -> Any:
-        """What a shock of the base does; the samples of a record lie along "instant"; see `slowflow.exact.shocks`."""
+        """A shock of the base; the samples of a record lie along "instant"; see `slowflow.exact.shocks_many`."""
         pulse = {"acceleration": acceleration, "duration": duration, "tau": tau, "after": after}
         return self._answer(*self.asked("transient", workers, **pulse))
 
     def shock_spectrum(self, *, acceleration: Any, duration: Any, workers: int = 1) -> Any:
-        """What a half sine of the base does, whose numbers broadcast too; see `slowflow.exact.shocks.Shocks`."""
+        """What a half sine of the base does, whose numbers broadcast too; see `slowflow.exact.shocks_many.Shocks`."""
         return self._answer(*self.asked("shock_spectrum", workers, acceleration=acceleration, duration=duration))
 
     def store(self, path: Any, question: str, *, workers: int = 1, **asked: Any) -> Any:

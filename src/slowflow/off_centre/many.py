@@ -19,7 +19,7 @@ from slowflow import loads_many, validate
 from slowflow.averaged import batches, many
 from slowflow.averaged.asked import FOLD_KINDS, MORE_POINTS
 from slowflow.averaged.batches import Codes, Told
-from slowflow.exact import questions, shocks
+from slowflow.exact import questions, shocks_many
 from slowflow.exact.transient import NO_PULSE
 from slowflow.gradient import Gradient
 from slowflow.loaded import AT_CENTRE, off_centre_by
@@ -235,7 +235,7 @@ class OffCentreIsolations(OffCentreBatch, loads_many.ManyIsolations):
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentreShocks(OffCentreBatch, shocks.Shocks):
+class OffCentreShocks(OffCentreBatch, shocks_many.Shocks):
     """What a half sine of the base does to each design, as `Shocks`.
 
     stands -- number of stable places of rest: the mass begins at that nearest to the centre
@@ -245,7 +245,7 @@ class OffCentreShocks(OffCentreBatch, shocks.Shocks):
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentreTransients(OffCentreBatch, shocks.Transients):
+class OffCentreTransients(OffCentreBatch, shocks_many.Transients):
     """What a shock of the base does to each design, as `Transients`; stands as of `OffCentreShocks`."""
 
     stands: Codes = field(kw_only=True)
@@ -401,10 +401,10 @@ class OffCentreDesigns:
         if after is not None:
             after = validate.number("after", after, least=0.0)
         if tau is None:
-            pulse = shocks.numbers(acceleration=acceleration, duration=duration)
+            pulse = shocks_many.numbers(acceleration=acceleration, duration=duration)
             one = partial(_transient, after)
             return self._answered(OffCentreTransients, one, pulse, workers, beside={"_pulse": pulse})
-        times, samples = shocks.samples(tau, acceleration)
+        times, samples = shocks_many.samples(tau, acceleration)
         times, samples = np.broadcast_arrays(times, samples)
         which = np.arange(math.prod(times.shape[:-1]), dtype=float).reshape(times.shape[:-1])
         one = partial(_record, after, times.reshape(-1, times.shape[-1]), samples.reshape(-1, times.shape[-1]))
@@ -415,7 +415,7 @@ class OffCentreDesigns:
 
         Some hundredths of a second a design.
         """
-        pulse = shocks.numbers(acceleration=acceleration, duration=duration)
+        pulse = shocks_many.numbers(acceleration=acceleration, duration=duration)
         return self._answered(OffCentreShocks, _shock, pulse, workers, beside={"_pulse": pulse})
 
     def _answered(
