@@ -31,6 +31,7 @@ from slowflow.averaged.reference import roots
 from slowflow.backend import KERNELS, SOLVER
 from slowflow.paper.example import DESIGN
 from slowflow_kernels import MODULES, rod_spring, slow_flow
+from slowflow_support import backend as support
 from tests import backends
 from tests.native import clones
 from tests.oracles.kernels import is_of_gradients
@@ -528,3 +529,16 @@ def test_without_compiled_code_one_warning_says_so():
     without = {name: value for name, value in os.environ.items() if name != "SLOWFLOW_BACKEND"}
     done = subprocess.run([sys.executable, "-c", hide], capture_output=True, text=True, env=without)
     assert done.returncode == 0, done.stderr
+
+
+def test_a_build_for_another_processor_is_told(monkeypatch):
+    """As of a checkout that was copied: what is wrong is not that nothing was compiled."""
+    why = "they were compiled for a processor of x86-64-v4"
+
+    def refused(name):
+        raise ImportError(why)
+
+    monkeypatch.delenv("SLOWFLOW_BACKEND", raising=False)
+    monkeypatch.setattr(support.importlib, "import_module", refused)
+    with pytest.warns(support.BackendWarning, match=why):
+        assert support._choose() is None

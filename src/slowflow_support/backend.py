@@ -38,8 +38,12 @@ def _choose() -> ModuleType | None:
     except ImportError as error:
         if wanted == "native":
             raise ImportError(f"SLOWFLOW_BACKEND=native, but the compiled kernels do not load: {error}") from error
+        # a build for another processor says so by itself
+        why = "are not built here (they need a C compiler at installation)"
+        if not isinstance(error, ModuleNotFoundError):
+            why = f"do not load here ({error})"
         warnings.warn(
-            "slowflow runs on NumPy: its compiled kernels are not built here (they need a C compiler at installation). "
+            f"slowflow runs on NumPy: its compiled kernels {why}. "
             "The answers are the same and take longer. SLOWFLOW_BACKEND=numpy silences this.",
             BackendWarning,
             stacklevel=2,
