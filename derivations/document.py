@@ -280,8 +280,10 @@ MOST_ELIMINATED = 7
 def eliminated(derived: OfMechanism, flow: SlowFlow) -> Iterator[str]:
     """(33), (34) and folds at a forcing by elimination of Omega, where h is a polynomial."""
     whole = derived.whole
-    degree = sp.degree(whole.regimes[0].derivatives[0], A) if whole.regimes[0].derivatives[0].has(A) else 0
-    if 1 < degree <= MOST_ELIMINATED:
+    first = whole.regimes[0].derivatives[0]
+    degree = sp.degree(first, A) if first.has(A) else 0
+    # of even powers h has multiples of 1/pi: elimination takes rational numbers
+    if 1 < degree <= MOST_ELIMINATED and not first.has(sp.pi):
         yield "Up to the first breakpoint, if there is one, $h$ is a polynomial in $A$, and $\\Omega$ is eliminated."
         yield "Roots are candidates: elimination adds some, so each is tried in the equations that it came from."
         yield "Folds at a forcing, $F = F_A = 0$:"

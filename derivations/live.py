@@ -5,8 +5,8 @@ Out: `stated`, the `Mechanism` that a file of `mechanisms/` would hold; `sources
      Python module, and C headers with a record that the compiled solvers take; `told`, its derivation as a document;
      `written`, both as files.
 
-A piecewise polynomial has a closed average, and solvers know of it what `monotone` proves. The average of any other
-force is a quadrature, of which they take what holds it between two amplitudes.
+A piecewise polynomial has a closed average, and solvers know of it what `monotone` proves; where it proves nothing, and
+of any other force, whose average is a quadrature, they take what holds it between two amplitudes.
 
 Nothing here reads a string as code: forces are SymPy expressions already, and names are names.
 """
@@ -27,6 +27,7 @@ import sympy as sp
 from . import given as given_by
 from .averaging import averaged
 from .document import document, document_of_quadrature, document_of_sided
+from .emit.catalogue.bent import with_bends
 from .emit.catalogue.mechanism import mechanism_module
 from .emit.catalogue.quadrature import quadrature_module
 from .emit.catalogue.sided import sided_module
@@ -36,7 +37,7 @@ from .emit.targets import c, interval, numpy, pair
 from .emit.views import programs
 from .emit.write import MANIFEST, write
 from .mechanisms import DAMPING, DISSIPATION, FORCING, Mechanism, Parameter, Piece
-from .monotone import not_shown
+from .monotone import not_shown, smooth_end
 from .oscillator import oscillator, without_poles_that_cancel
 from .quadrature import FUNCTIONS, Quadrature, singular_at, v
 from .results import of_mechanism
@@ -178,14 +179,17 @@ def quadrature(mechanism: Mechanism) -> Quadrature:
 
 
 def by_quadrature(mechanism: Mechanism) -> Mechanism | None:
-    """The mechanism with the design for parameters, where its average is a quadrature; None elsewhere."""
+    """The mechanism with the design for parameters, where its average is a quadrature; None elsewhere.
+
+    So is that of a piecewise polynomial which is smooth where two pieces meet: rounded coefficients of both would leave
+    a kink there.
+    """
     if mechanism.order == sp.oo:
         return mechanism
     forces = [piece.force for piece in mechanism.pieces]
     if not all(one.is_polynomial(mechanism.x) and sp.degree(one, mechanism.x) <= mechanism.order for one in forces):
         return None  # it is truncated
-    even = [power for power in mechanism.coefficients[0] if power % 2 == 0]
-    if not even and not not_shown(oscillator(mechanism)):
+    if smooth_end(oscillator(mechanism)) is None:
         return None
     given = tuple(parameter.symbol for parameter in mechanism.design)
     return replace(mechanism, order=sp.oo, coefficients=({},) * len(mechanism.pieces), instead=given)
@@ -216,7 +220,7 @@ def told(mechanism: Mechanism | Sided) -> str:
     integrated = by_quadrature(mechanism)
     if integrated is not None:
         return document_of_quadrature(integrated, quadrature(integrated), equations, flow)
-    return document(of_mechanism(mechanism), equations, flow)
+    return document(of_mechanism(mechanism, enclosed=True), equations, flow)
 
 
 def written(mechanism: Mechanism | Sided, folder: Path) -> list[str]:
@@ -246,9 +250,10 @@ def _module(mechanism: Mechanism) -> Module:
     if integrated is not None:
         return quadrature_module(name_of(mechanism), integrated, quadrature(integrated))
     named = replace(mechanism, name=name_of(mechanism))
-    derived = of_mechanism(named)
+    derived = of_mechanism(named, enclosed=True)
     module = mechanism_module({named.name: derived}, named.name, None)
-    return replace(module, inputs=("live.py",), native=False, record=replace(module.record, scales=()))
+    module = replace(module, inputs=("live.py",), native=False, record=replace(module.record, scales=()))
+    return with_bends(module, derived) if not_shown(derived.oscillator) else module
 
 
 def _coefficients(forces: Sequence[sp.Expr], ends: Sequence[sp.Expr]) -> tuple[dict[int, sp.Symbol], ...]:

@@ -1,7 +1,8 @@
 """Beside (20)-(22): h_AAA is monotone in A on each piece of the force, so its values at two amplitudes bound it.
 
 In:  `Dimensionless`: the force piece by piece, its coefficients and breakpoints in the design numbers; their domains.
-Out: `prove_monotone`: nothing where it is proved, ArithmeticError where it is not; `not_shown`: why not.
+Out: `prove_monotone`: nothing where it is proved, ArithmeticError where it is not; `not_shown`: why not; `smooth_end`:
+     a breakpoint about which the force is smooth.
 
 Where A exceeds the first j breakpoints, the force is its next piece f all along, plus, below each breakpoint b that A
 exceeds, the step d from the piece above b to the piece below it. As u = A sin t goes over the quarter cycle,
@@ -45,9 +46,13 @@ def not_shown(oscillator: Dimensionless) -> str:
     breakpoints = oscillator.mechanism.breakpoints
     pieces = oscillator.polynomials
     steps = [below - above for below, above in itertools.pairwise(pieces)]
-    for step, b in zip(steps, breakpoints, strict=True):
-        if all(sp.simplify(sp.diff(step, u, order).subs(u, b).subs(values)) == 0 for order in (0, 1)):
-            return f"neither the force nor its slope jumps at {b}: amplitudes above it are searched as if one did"
+    first = sp.Poly(pieces[0], u).terms() if pieces[0].is_polynomial(u) else ()
+    even = [power for (power,), value in reversed(first) if power % 2 == 0 and value != 0]
+    if even:
+        return f"powers {even} of u in the first piece: next to rest amplitudes are searched as if h were odd in A"
+    smooth = smooth_end(oscillator)
+    if smooth is not None:
+        return f"neither the force nor its slope jumps at {smooth}: amplitudes above it are searched as if one did"
     for passed, piece in enumerate(pieces):
         coefficients = [*_bernstein(sp.diff(piece, u, 4), (*breakpoints, None)[passed], values)]
         for step, b in zip(steps[:passed], breakpoints, strict=False):
@@ -58,6 +63,16 @@ def not_shown(oscillator: Dimensionless) -> str:
                 "Folds are searched between amplitudes by its values there, so that none is missed"
             )
     return ""
+
+
+def smooth_end(oscillator: Dimensionless) -> sp.Symbol | None:
+    """A breakpoint at which neither the force nor its slope jumps, for any design; None where there is none."""
+    values = _on_positive_numbers(oscillator)
+    pieces = itertools.pairwise(oscillator.polynomials)
+    for (below, above), b in zip(pieces, oscillator.mechanism.breakpoints, strict=True):
+        if all(sp.simplify(sp.diff(below - above, u, order).subs(u, b).subs(values)) == 0 for order in (0, 1)):
+            return b
+    return None
 
 
 def _on_positive_numbers(oscillator: Dimensionless) -> dict[sp.Symbol, sp.Expr]:

@@ -1,7 +1,7 @@
 """Step 3, equations (20)-(22), (31), (32): the averaged force of an odd piecewise polynomial, and its derivatives.
 
 In:  polynomial pieces of a force by rising |u|, as they are for u > 0, and the names of the breakpoints between them;
-     the first has odd powers only, others may have a constant and even powers.
+     each may have even powers too, and a constant, which in the first is a preload.
 Out: one `Regime` for each number of breakpoints that the amplitude exceeds, with the average and its first derivatives;
      beside these exact forms, one whose series keeps its digits where A exceeds a breakpoint by far.
 
@@ -319,7 +319,7 @@ def _horner(polynomial: sp.Poly, at: sp.Expr) -> sp.Expr:
 def _moment(ends: Sequence[End], k: int, power: int) -> sp.Expr:
     """int sin^power t dt over the k-th interval of the quarter cycle."""
     if not ends:
-        return moment_parts(power)[0] * sp.pi / 2
+        return quarter_moment(power)
     if k == 0:
         return ends[0].from_zero(power)
     if k == len(ends):
@@ -334,7 +334,8 @@ def _beyond_all(pieces: Sequence[sp.Expr], ends: Sequence[End], orders: int) -> 
     totals = [sp.diff(whole, A, j) for j in range(orders + 1)] + [whole - A * sp.diff(whole, A)]
     totals = [sp.horner(sp.expand(total), A) for total in totals]
     for end, piece, following in zip(ends, passed, (*passed[1:], last), strict=True):
-        terms = sorted((n, c) for (n,), c in sp.Poly(piece - following, u).terms() if c != 0)
+        # what makes two pieces continuous is their difference at the end: two products would be rounded apart
+        terms = [(n, sp.collect(c, end.b)) for (n,), c in reversed(sp.Poly(piece - following, u).terms()) if c != 0]
         changes = [(n, c, end.changes(n, orders)) for n, c in terms]
         for j in range(orders + 1):
             totals[j] += -4 / sp.pi * _nested([(n, c * slopes[j]) for n, c, (slopes, _) in changes], j)

@@ -119,10 +119,14 @@ class Results:
     mechanisms: dict[str, OfMechanism]
 
 
-def of_mechanism(mechanism: Mechanism, flow: SlowFlow | None = None) -> OfMechanism:
-    """Steps that need the mechanism; resultants, which no solver asks, only with the slow flow."""
+def of_mechanism(mechanism: Mechanism, flow: SlowFlow | None = None, *, enclosed: bool = False) -> OfMechanism:
+    """Steps that need the mechanism; resultants, which no solver asks, only with the slow flow.
+
+    Raises ArithmeticError where it is not proved how h goes between two amplitudes, unless that is `enclosed`.
+    """
     dimensionless = oscillator(mechanism)
-    prove_monotone(dimensionless)
+    if not enclosed:
+        prove_monotone(dimensionless)
     pieces, ends = dimensionless.polynomials, dimensionless.breakpoints
     polynomial = all(piece.is_polynomial(u) for piece in pieces)
     eliminated = flow is not None and polynomial

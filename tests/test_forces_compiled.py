@@ -52,7 +52,8 @@ def test_a_compiled_average_and_its_slopes_are_right_to_rounding(derived, name, 
     for case in CASES:
         if case["force"] != name:
             continue
-        found = record.averaged(case["A"], *(case["numbers"][one.name] for one in record.parameters))
+        parameters = record.coefficients(*(case["numbers"][name] for name in record.design_names))
+        found = record.averaged(case["A"], *parameters)
         with mp.workdps(45):
             for one, text, condition in zip(found, case["h"], case["condition"], strict=True):
                 if text == "0":

@@ -18,6 +18,7 @@ from derivations.mechanisms import Piece
 from derivations.oscillator import oscillator
 from derivations.restoring import restoring
 from derivations.resultants import saddle_node_onset
+from derivations.results import of_mechanism
 from derivations.slow_flow import SCENES, slow_flow
 from slowflow import backend
 
@@ -108,10 +109,12 @@ def test_a_force_that_jumps_needs_a_name_for_its_constant():
     assert jump != 0
 
 
-def test_a_first_piece_with_even_powers_is_refused():
+def test_a_first_piece_with_even_powers_is_refused_where_nothing_encloses_its_average():
     x, d = bilinear.x, bilinear.d
+    pieces = (Piece(bilinear.k_v * d, until=x - d), bilinear.MECHANISM.pieces[1])
+    named = ({0: sp.Symbol("c"), 1: sp.Symbol("alpha_1")}, {0: sp.Symbol("e"), 1: bilinear.alpha_2})
     with pytest.raises(ArithmeticError, match=r"powers \[0\] of u in the first piece"):
-        oscillator(changed(pieces=(Piece(bilinear.k_v * (x + d), until=x - d), bilinear.MECHANISM.pieces[1])))
+        of_mechanism(changed(pieces=pieces, coefficients=named))
 
 
 @functools.cache

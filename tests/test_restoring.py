@@ -16,7 +16,7 @@ from derivations.restoring import FAR, moment_parts, moment_series, odd_moment, 
 from derivations.symbols import F_0, A, Omega, mu, tau, u
 
 b_1, b_2 = sp.symbols("b_1 b_2", real=True)
-#: three pieces, two breakpoints, jumps at both; even powers and constants in the second force
+#: three pieces, two breakpoints, jumps at both; even powers and constants, in the last force from rest on
 FORCES = {
     "odd powers": (sp.Rational(1, 2) * u + 3 * u**3 - u**5, 2 * u - u**3, u + u**3 / 4),
     "even powers": (
@@ -29,6 +29,11 @@ FORCES = {
         2 * u - sp.Rational(3, 8) + u**2,
         u**3 / 4 + 3 * u - sp.Rational(2, 7),
     ),
+    "a preload": (
+        sp.Rational(1, 5) + u / 2 + 3 * u**2 - u**3,
+        sp.Rational(1, 3) + 2 * u - u**2,
+        u**4 / 3 + u - sp.Rational(2, 7),
+    ),
 }
 ENDS = {b_1: mpf("0.3"), b_2: mpf("0.5")}
 DIGITS = 30
@@ -40,8 +45,8 @@ def precise():
         yield
 
 
-#: the fast tests have one of the three: each is derived anew
-SLOW = ("even powers", "linear, then not")
+#: the fast tests have one of them: each is derived anew
+SLOW = ("even powers", "linear, then not", "a preload")
 
 
 @pytest.fixture(

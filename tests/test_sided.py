@@ -100,14 +100,14 @@ def test_an_odd_force_that_is_stated_as_one_that_is_not_has_the_same_answers():
 
 @pytest.fixture(scope="module")
 def snap():
-    """Odd, of three pieces, the second of negative stiffness: its average about the centre is a quadrature."""
+    """Odd, of three pieces, the second of negative stiffness: where it has folds about the centre is enclosed."""
     first, second = sp.Rational(3, 10), sp.Rational(7, 10)
     low = first - k * (second - first)
     pieces = [(u, first), (first - k * (u - first), second), (low + 2 * (u - second), None)]
     return derive.mechanism("snap", pieces, {"k": ABOVE})
 
 
-def test_an_odd_polynomial_that_is_averaged_by_quadrature_has_answers_under_a_load(snap):
+def test_an_odd_polynomial_that_is_searched_by_enclosures_has_answers_under_a_load(snap):
     """As where all five of its pieces are stated."""
     low = 0.3 - 0.4 * k
     pieces = [(2 * (u + 0.7) - low, -0.7), (-0.3 - k * (u + 0.3), -0.3), (u, 0.3), (0.3 - k * (u - 0.3), 0.7)]

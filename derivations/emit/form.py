@@ -303,7 +303,7 @@ class Module:
     native     -- whether its loops over arrays are compiled into the package
     in_c       -- whether anything in C calls it: loops over arrays, or a solver
     sums       -- averages by quadrature
-    enclosed   -- what holds such an average on intervals; None where h_AAA is proved to be monotone
+    enclosed   -- what holds the average on intervals; None where h_AAA is proved to be monotone
     """
 
     name: str

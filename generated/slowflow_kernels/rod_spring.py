@@ -374,8 +374,10 @@ def _intercept_passed_1(A, alpha, beta, gamma, u_cr):
     A4 = A2 * A2
     A5 = A * A4
     u_cr3 = u_cr * u_cr2
-    return 1.2732395447351628 * (2.0 * A3 * M4 * beta + 4.0 * A5 * M6 * gamma - t0 * u_cr3 * (alpha + u_cr2 * (beta
-        + gamma * u_cr2) - 1.0) / root)
+    return (
+        1.2732395447351628 * (2.0 * A3 * M4 * beta + 4.0 * A5 * M6 * gamma - t0 * u_cr3 * (alpha + u_cr2 * (beta +
+        gamma * u_cr2) - 1.0) / root)
+    )
 
 
 def _intercept_passed_1_far_1(A, alpha, beta, gamma, u_cr):
@@ -408,9 +410,11 @@ def _intercept_passed_1_far_1(A, alpha, beta, gamma, u_cr):
     t2 = A * A
     x4 = x2 * x2
     x5 = x * x4
-    return -1.2732395447351628 * A * (t1 * x3 * (alpha - 1.0) + t2 * (beta * (-2.3999999999999999 * M6 + t1 * x5 *
+    return (
+        -1.2732395447351628 * A * (t1 * x3 * (alpha - 1.0) + t2 * (beta * (-2.3999999999999999 * M6 + t1 * x5 *
         (0.40000000000000002 * x2 + 0.59999999999999998)) + gamma * t2 * (-4.5714285714285712 * M8 + t1 * x7 *
         (0.5714285714285714 * x2 + 0.42857142857142855))))
+    )
 
 
 def intercept(A, alpha, beta, gamma, u_cr):

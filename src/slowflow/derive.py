@@ -21,6 +21,7 @@ import inspect
 import os
 import shlex
 import subprocess
+import sys
 import sysconfig
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -118,7 +119,7 @@ class Derived(Stated):
 
     def __repr__(self) -> str:
         how = "compiled" if self.compiled else "on NumPy"
-        if self.record.enclosed is not None:
+        if _is_summed(self.record):
             how += ", by quadrature"
         if not self.record.odd and self.compiled:
             how = "motions compiled, averages on NumPy"
@@ -319,6 +320,11 @@ def _compiled(folder: Path, module: str) -> Path:
     return library
 
 
+def _is_summed(record: Mechanism) -> bool:
+    """Whether its average is a quadrature: its module closes sums then."""
+    return hasattr(sys.modules[record.pieces[0].force.__module__], "averaged_of")
+
+
 def _is_attached(record: Mechanism) -> bool:
     """Whether a library of it is attached."""
     return recurrences(record.pieces[0]) is not None and (not record.odd or backend.record_of(record) is not None)
@@ -335,7 +341,7 @@ def _attach(printed: ModuleType, library: Path) -> None:
     backend.EXACT.LAWS.update(backend.EXACT.laws(_capsule(loaded, "slowflow_laws", LAWS)))
     if record.odd:
         backend.SOLVER.RECORDS[record.name] = _capsule(loaded, "slowflow_record", CAPSULE)
-    if record.enclosed is not None:
+    if _is_summed(record):
         COMPILED[printed.averaged_of] = functools.partial(_averaged, loaded.slowflow_averaged)
 
 

@@ -64,6 +64,18 @@ FORCES: dict[str, tuple[dict[str, float], list[Callable[..., Any]], list[str], l
     "pendulum": ({"k": 1.3}, [lambda u, n: n("k") * u.sin()], [], [0.01, 0.5, 1.7, 3.0]),
     "preload": ({"c": 0.02, "k": 1.0}, [lambda u, n: n("c") + n("k") * u + u * u * u], [], [0.01, 0.3, 2.0]),
     "quadratic": ({"k": 0.3, "c": 1.0}, [lambda u, n: n("k") * u + n("c") * u * u], [], [0.05, 0.4, 3.0]),
+    "preloaded_stop": (
+        {"c": 0.02, "k": 1.0, "p": 8.0, "gap": 0.3},
+        [lambda u, n: n("c") + n("k") * u, lambda u, n: n("c") + n("k") * u + n("p") * (u - n("gap"))],
+        ["gap"],
+        [0.2, 0.3 + 2.0**-40, 0.3001, 0.313, 0.33, 0.9, 40.0],
+    ),
+    "let_go": (
+        {"c": 0.2, "k": 1.0, "p": 0.7, "gap": 0.5},
+        [lambda u, n: n("c") + n("p") * u + n("p") * u * u - u * u * u, lambda u, n: n("k") * u],
+        ["gap"],
+        [0.02, 0.5 + 2.0**-40, 0.5001, 0.52, 0.6, 2.0, 300.0],
+    ),
     "wave": ({"k": 0.3, "c": 5.0}, [lambda u, n: u + n("k") * (n("c") * u).sin()], [], [0.1, 0.9, 4.0]),
     "saturating": ({"k": 4.0}, [lambda u, n: tanh(n("k") * u)], [], [0.02, 0.3, 2.5]),
     "exponential": ({"k": 0.5, "c": 2.0}, [lambda u, n: n("k") * ((n("c") * u).exp() - 1)], [], [0.05, 0.7, 2.0]),

@@ -547,8 +547,9 @@ DOC_OF_STEPS = (
 
 
 def is_stepped(derived: OfMechanism) -> bool:
-    """Whether the force is a sum of steps in powers of u."""
-    return all(piece.is_polynomial(u) for piece in derived.whole.pieces)
+    """Whether the force is a sum of steps in powers of u, and continuous at u = 0: then it is known off the centre."""
+    pieces = derived.whole.pieces
+    return all(piece.is_polynomial(u) for piece in pieces) and pieces[0].subs(u, 0) == 0
 
 
 def steps_of(derived: OfMechanism) -> list[tuple[str, tuple[sp.Expr, ...], str, str]]:

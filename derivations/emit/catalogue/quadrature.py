@@ -225,12 +225,6 @@ def data_kernels(mechanism: Mechanism, average: Quadrature) -> list[Kernel]:
                     "(5)",
                 ),
                 (
-                    "kinks",
-                    tuple(value for lost in average.kinks for value in lost),
-                    "What its slope and its curvature lose at each breakpoint, as broken powers about them do too.",
-                    "(5)",
-                ),
-                (
                     "hardening",
                     (sp.Integer(-1),),
                     "The force over the displacement, f(u)/u, is not known to rise.",
@@ -238,7 +232,15 @@ def data_kernels(mechanism: Mechanism, average: Quadrature) -> list[Kernel]:
                 ),
             )
         ),
+        kink_kernel(parameters, average),
     ]
+
+
+def kink_kernel(parameters: tuple[sp.Symbol, ...], average: Quadrature) -> Kernel:
+    """What tells where derivatives of h are infinite above a breakpoint."""
+    doc = "What its slope and its curvature lose at each breakpoint, as broken powers about them do too."
+    values = tuple(value for lost in average.kinks for value in lost)
+    return plain("kinks", parameters, values, doc, "(5)", ANY, parameters=len(parameters))
 
 
 def is_stepped(average: Quadrature) -> bool:
@@ -336,7 +338,7 @@ def enclosed(mechanism: Mechanism, average: Quadrature) -> Enclosed:
                 tuple(value.xreplace(numbers) for value in average.bends(count)),
                 f"h and h_A{'A' * ORDERS} in the integrals and sqrt(A^2 - b^2), beyond {count} breakpoints.",
                 *about,
-                lets=[let for let in known.items() if let[0] not in numbers],
+                lets=[(b, value) for b, value in known.items() if b not in numbers and b != value],
                 parameters=len(parameters),
                 generic=True,
             )

@@ -55,13 +55,15 @@ class Spring:
     name        -- of the mechanism
     mechanism   -- its design, parameters and reach
     breakpoints -- how many
-    enclosed    -- what stands before the names of its functions on intervals, or "": a proof takes the whole force
+    enclosed    -- what stands before the names of its functions on intervals, or "": a proof takes the whole force,
+                   and h_AAA to be monotone
     paired      -- and before those in double-double
     averaged_by_pieces -- whether these take the number of breakpoints passed
     domain      -- C condition: the design lies inside its domain
     sums        -- `SUMS` as they are for this force
     harmonics_up_to -- the largest breakpoint for which its harmonics hold
     bent        -- what stands before the names of what holds h and h_AAAA between two amplitudes, or ""
+    summed      -- whether the average is a quadrature
     begins      -- of that the number of the breakpoint at which each contact begins
     held        -- and before those in double-double with a bound of the error, or "": there the average has a form
                    of its own on each side of its breakpoint
@@ -77,6 +79,7 @@ class Spring:
     paired: str = ""
     averaged_by_pieces: bool = False
     bent: str = ""
+    summed: bool = False
     begins: tuple[int, ...] = ()
     held: str = ""
 
@@ -113,14 +116,15 @@ def spring_of(module: Module) -> Spring:
     """A mechanism's record, from its module."""
     mechanism = module.record.mechanism
     domain = within(mechanism.design, DESIGN)
-    exact = (interval.name_of(module), pair.name_of(module), len(mechanism.breakpoints) > 0) if module.cells else ()
+    proved = "" if module.enclosed else interval.name_of(module)
+    exact = (proved, pair.name_of(module), len(mechanism.breakpoints) > 0) if module.cells else ()
     up_to = module.record.harmonics_up_to
     bent = interval.name_of(module) if module.enclosed else ""
     sums = tuple(sums_of(name, width, module) for name, width in zip(SUMS, (4, 2, 8), strict=True))
     begins = module.enclosed.begins if module.enclosed else ()
     of_held = held.name_of(module) if module.held else ""
     numbers = (module.name, mechanism, len(mechanism.breakpoints), domain, sums, up_to)
-    return Spring(*numbers, *exact, bent=bent, begins=begins, held=of_held)
+    return Spring(*numbers, *exact, bent=bent, summed=bool(module.sums), begins=begins, held=of_held)
 
 
 def sums_of(name: str, width: int, module: Module) -> Sums:

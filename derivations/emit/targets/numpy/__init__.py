@@ -32,6 +32,7 @@ from ...views import (
     templates,
     twofold_view,
     view,
+    wrapped,
 )
 from ..interval.printer import EnclosurePrinter
 from ..printing import literal, stated
@@ -139,6 +140,7 @@ def kind(value: object) -> str:
 def _environment() -> jinja2.Environment:
     environment = templates(Path(__file__).parent)
     environment.filters["constant"] = constant
+    environment.filters["wrapped"] = lambda value: wrapped(value, len("return"), LANGUAGE)
     environment.filters["parameter"] = parameter
     environment.filters["scale"] = scale
     return environment
