@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from .slow_flow import I, R, SlowFlow, m, slope
-from .symbols import F_0, A, Omega, h
+from .symbols import F_0, A, Omega, h, h_A
 
 Let = tuple[sp.Symbol, sp.Expr]
 
@@ -44,8 +44,8 @@ class Slopes:
     level   -- d L^2/dA along the fold locus, times F_AOmega^2
     cusp, isola -- d^2 L^2/dA^2 along the fold locus at a cusp and at an isola point, times F_AOmega^2 (and over A)
     determinant, isola_by_it -- of F's second derivatives, negative at a saddle; and `isola` by these
-    hessian -- the determinant in the slopes of R and I
-    hessian_lets -- what it needs of these
+    hessian -- the determinant at an isola point, where it has the factors R and I
+    at_isola -- what R and h_A are there: if damping is weak h and Omega have few digits of R
     tail    -- an amplitude on the branch that comes from A = 0, in its lets
     """
 
@@ -57,7 +57,7 @@ class Slopes:
     determinant: sp.Expr
     isola_by_it: sp.Expr
     hessian: sp.Expr
-    hessian_lets: tuple[Let, ...]
+    at_isola: dict[sp.Symbol, sp.Expr]
     tail_lets: tuple[Let, ...]
     tail: sp.Expr
 
@@ -75,6 +75,8 @@ def slopes(flow: SlowFlow) -> Slopes:
     rise, bend = (_in_symbols(value).subs(F_A, 0) for value in (along_locus(_F), along_locus(along_locus(_F))))
     hessian_lets, of_flow = hessian(flow)
     determinant = _in_symbols(sp.hessian(_F, (A, Omega)).det())
+    at_isola = _at_isola(flow)
+    of_flow = sp.factor(of_flow.subs(hessian_lets).subs(at_isola).subs(I, flow.I))
     isola = sp.factor(bend.subs(F_Omega, 0) * F_AOmega**2)
     of_hessian, remainder = sp.div(isola, determinant, F_AA)
     if remainder != 0:
@@ -97,11 +99,18 @@ def slopes(flow: SlowFlow) -> Slopes:
         determinant=determinant,
         isola_by_it=of_hessian * determinant,
         hessian=of_flow,
-        hessian_lets=hessian_lets,
+        at_isola=at_isola,
         # the root of a product, which SymPy would take apart
         tail_lets=((_square, (F_0 - m) * (F_0 + m)),),
         tail=tail.subs(R, sp.sqrt(_square)),
     )
+
+
+def _at_isola(flow: SlowFlow) -> dict[sp.Symbol, sp.Expr]:
+    """R from F_Omega = 0, and h_A with it from F_A = 0."""
+    (of_R,) = sp.solve(flow.F_Omega, R)
+    (of_h_A,) = sp.solve(flow.F_A.subs(R, of_R), h_A)
+    return {R: of_R, h_A: sp.cancel(of_h_A)}
 
 
 def hessian(flow: SlowFlow) -> tuple[tuple[Let, ...], sp.Expr]:

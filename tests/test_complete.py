@@ -247,6 +247,43 @@ def test_isola_points_at_low_frequency_have_their_digits():
     assert found.Omega[0] == pytest.approx(1.569e-5, rel=1e-3)
 
 
+#: softening springs with an isola point so near to rest that h_A is as small as its rounding there, or smaller
+NEXT_TO_REST = (
+    (1.3522029270709968, -0.0018044210749757325, 0.00011375466363049601, 0.003554334866127584),
+    (0.3623331949513468, -5.044082462406216, 1.515754160125272e-26, 0.04879711076981738),
+    (39.39518081821686, -0.9140121678348022, 4.7872679319678334e-05, 1.0209418257050332e-07),
+    (0.015244738168843136, -1.6232322120353398e-05, 2.167996450454234e-08, 0.052721391250508995),
+    # turns of the locus are beyond doubles here: it was refused
+    (0.5597169235133792, -1.4633717925197204e-05, 7.110172733903116e-09, 3.994139880535876e-10),
+)
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("numbers", NEXT_TO_REST)
+def test_isola_points_next_to_rest_are_there_with_all_their_digits(numbers):
+    """With A by Omega^2 = h_A = -alpha - 9/4 beta A^2, F_Omega/(4 A) is a function of Omega alone; 60 digits."""
+    with mpmath.workdps(60):
+        alpha, beta, mu, zeta = map(mpmath.mpf, numbers)
+
+        def amplitude(Omega):
+            return mpmath.sqrt((Omega**2 + alpha) * 4 / (-9 * beta))
+
+        def value(Omega):
+            A = amplitude(Omega)
+            return Omega * (A * (Omega**2 + 2 * zeta**2) - alpha * A - 3 * beta * A**3 / 4) + 4 * mu * zeta / mpmath.pi
+
+        at = [mpmath.mpf(10) ** (k / mpmath.mpf(8)) for k in range(-400, 24)]
+        changes = [(a, b) for a, b in itertools.pairwise(at) if (value(a) < 0) != (value(b) < 0)]
+        Omega = [mpmath.findroot(value, ends, solver="anderson", tol=1e-110, verify=False) for ends in changes]
+        A = [float(amplitude(w)) for w in Omega]
+    assert len(A) == 2
+    for A_max in (1.1 * A[1], 1.5 * A[1], 2.1 * A[1], 1e3 * A[1]):
+        found = Duffing(*numbers).isola_points(A_max=A_max)
+        assert found.Omega.tolist() == pytest.approx([float(w) for w in Omega], rel=2e-15, abs=0)
+        assert found.A.tolist() == pytest.approx(A, rel=1e-15)
+        assert found.kind.tolist()[1] == "merger"
+
+
 # ---- the onset without viscous damping -------------------------------------------------------------------------------
 
 

@@ -53,7 +53,7 @@ def test_the_second_derivative_of_the_level_along_the_fold_locus_is_the_derived_
         if kernel == "cusp":
             found = slow_flow.cusp_bend(*map(float, (OMEGA, A, M, ZETA, *values))) * float(A)
         else:
-            found = slow_flow.isola_bend(*map(float, (OMEGA, A, M, ZETA, *values[:3])))
+            found = slow_flow.isola_bend(*map(float, (OMEGA, A, M, ZETA, values[2])))
     assert found == pytest.approx(float(expected), rel=1e-12)
 
 

@@ -479,12 +479,12 @@ static inline double slow_flow_peak_Omega_A(double Omega, double A, double m, do
  */
 static inline double slow_flow_Omega_A(double Omega, double A, double m, double zeta, double h, double h_A)
 {
-    const double t0 = Omega * Omega;
-    const double R = A * t0 + h;
-    const double t1 = 2.0 * Omega;
-    const double I_ = A * t1 * zeta + m;
+    const double t0 = 2.0 * Omega;
+    const double I_ = A * t0 * zeta + m;
+    const double t1 = Omega * Omega;
+    const double R = A * t1 + h;
     const double t2 = I_ * zeta;
-    const double F_A = 2.0 * (R * (h_A + t0) + t1 * t2);
+    const double F_A = 2.0 * (R * (h_A + t1) + t0 * t2);
     const double F_Omega = 4.0 * A * (Omega * R + t2);
     return -F_A / F_Omega;
 }
@@ -495,17 +495,17 @@ static inline double slow_flow_Omega_A(double Omega, double A, double m, double 
  */
 static inline double slow_flow_level_rise(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
 {
-    const double t0 = Omega * Omega;
-    const double R = A * t0 + h;
-    const double t1 = A * Omega;
-    const double t2 = 2.0 * t1;
-    const double I_ = m + t2 * zeta;
-    const double t3 = h_A + t0;
+    const double t0 = A * Omega;
+    const double t1 = 2.0 * t0;
+    const double I_ = m + t1 * zeta;
+    const double t2 = Omega * Omega;
+    const double R = A * t2 + h;
+    const double t3 = h_A + t2;
     const double t4 = zeta * zeta;
-    const double F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3 * t3);
+    const double F_AA = 2.0 * (R * h_AA + 4.0 * t2 * t4 + t3 * t3);
     const double t5 = I_ * zeta + Omega * R;
     const double F_Omega = 4.0 * A * t5;
-    const double F_AOmega = 4.0 * (t1 * t3 + t2 * t4 + t5);
+    const double F_AOmega = 4.0 * (t0 * t3 + t1 * t4 + t5);
     return -F_AA * F_AOmega * F_Omega;
 }
 
@@ -515,74 +515,53 @@ static inline double slow_flow_level_rise(double Omega, double A, double m, doub
  */
 static inline double slow_flow_cusp_bend(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_AAA)
 {
-    const double t0 = Omega * Omega;
-    const double R = A * t0 + h;
-    const double t1 = A * Omega;
-    const double t2 = 2.0 * t1;
-    const double I_ = m + t2 * zeta;
-    const double t3 = h_A + t0;
+    const double t0 = A * Omega;
+    const double t1 = 2.0 * t0;
+    const double I_ = m + t1 * zeta;
+    const double t2 = Omega * Omega;
+    const double R = A * t2 + h;
+    const double t3 = h_A + t2;
     const double F_AAA = 2.0 * (R * h_AAA + 3.0 * h_AA * t3);
     const double t4 = I_ * zeta + Omega * R;
     const double F_Omega = 4.0 * A * t4;
-    const double F_AOmega = 4.0 * (t1 * t3 + t2 * zeta * zeta + t4);
+    const double F_AOmega = 4.0 * (t0 * t3 + t1 * zeta * zeta + t4);
     return -F_AAA * F_AOmega * F_Omega / A;
 }
 
 /* The same at an isola point.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
-   Operations: 77 structured, 50 common subexpressions, 50 power chains
+   Operations: 49 structured, 39 common subexpressions, 33 power chains
  */
-static inline double slow_flow_isola_bend(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
+static inline double slow_flow_isola_bend(double Omega, double A, double m, double zeta, double h_AA)
 {
-    const double t0 = Omega * Omega;
-    const double R = A * t0 + h;
-    const double t1 = 2.0 * zeta;
-    const double t2 = A * Omega;
-    const double I_ = m + t1 * t2;
-    const double t3 = R * h_AA;
-    const double t4 = h_A + t0;
-    const double t5 = zeta * zeta;
-    const double t6 = 4.0 * t5;
-    const double t7 = t0 * t6 + t4 * t4;
-    const double F_AA = 2.0 * (t3 + t7);
-    const double G_AOmega = 2.0 * t2 * t4 + t2 * t6;
-    const double t8 = A * A;
-    const double G_OmegaOmega = 4.0 * t0 * t8 + t6 * t8;
-    const double t9 = 2.0 * R;
-    const double S_AOmega = I_ * t1 + Omega * t9;
-    const double S_OmegaOmega = A * t9;
-    const double t10 = 4.0 * S_OmegaOmega;
-    const double t11 = -h_A + t0;
-    return F_AA * (-8.0 * G_AOmega * S_AOmega + 4.0 * G_OmegaOmega * t3 - 4.0 * S_AOmega * S_AOmega + t10 * t3 +
-        t10 * t7 + 16.0 * t11 * t11 * t5 * t8);
+    const double t0 = A * zeta;
+    const double t1 = 2.0 * Omega * t0 + m;
+    const double R = -t1 * zeta / Omega;
+    const double t2 = 2.0 * h_AA;
+    const double Omega2 = Omega * Omega;
+    const double t3 = zeta * zeta;
+    const double Omega4 = Omega2 * Omega2;
+    const double F_AA = 8.0 * Omega2 * t3 + 8.0 * Omega4 + R * t2;
+    const double Omega3 = Omega * Omega2;
+    const double Omega5 = Omega * Omega4;
+    return 8.0 * F_AA * t0 * t1 * (-A * Omega3 * t2 - 4.0 * Omega3 * t3 - 4.0 * Omega5 + h_AA * m * zeta) /
+        Omega2;
 }
 
-/* F_AA F_OmegaOmega - F_AOmega^2: negative at a saddle.
-   Equation from (24). Domain: Omega > 0, A > 0.
-   Operations: 65 structured, 47 common subexpressions, 47 power chains
+/* F_AA F_OmegaOmega - F_AOmega^2 at an isola point: negative at a saddle.
+   Equation from (24), (30). Domain: Omega > 0, A > 0.
+   Operations: 30 structured, 27 common subexpressions, 24 power chains
+   Proved, error / u (1 + kappa): 14.01
  */
-static inline double slow_flow_hessian(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
+static inline double slow_flow_isola_hessian(double Omega, double A, double m, double zeta, double h_AA)
 {
-    const double t0 = Omega * Omega;
-    const double R = A * t0 + h;
-    const double t1 = 2.0 * zeta;
-    const double t2 = A * Omega;
-    const double I_ = m + t1 * t2;
-    const double t3 = h_A + t0;
-    const double t4 = zeta * zeta;
-    const double t5 = 4.0 * t4;
-    const double G_AA = t0 * t5 + t3 * t3;
-    const double G_AOmega = 2.0 * t2 * t3 + t2 * t5;
-    const double t6 = A * A;
-    const double G_OmegaOmega = 4.0 * t0 * t6 + t5 * t6;
-    const double S_AA = R * h_AA;
-    const double t7 = 2.0 * R;
-    const double S_AOmega = I_ * t1 + Omega * t7;
-    const double S_OmegaOmega = A * t7;
-    const double t8 = 4.0 * S_OmegaOmega;
-    const double t9 = -h_A + t0;
-    return G_AA * t8 - 8.0 * G_AOmega * S_AOmega + 4.0 * G_OmegaOmega * S_AA + S_AA * t8 - 4.0 * S_AOmega *
-        S_AOmega + 16.0 * t4 * t6 * t9 * t9;
+    const double t0 = 2.0 * A;
+    const double Omega2 = Omega * Omega;
+    const double Omega3 = Omega * Omega2;
+    const double Omega4 = Omega2 * Omega2;
+    const double Omega5 = Omega * Omega4;
+    return 8.0 * A * zeta * (Omega * t0 * zeta + m) * (-Omega3 * h_AA * t0 - 4.0 * Omega3 * zeta * zeta - 4.0 *
+        Omega5 + h_AA * m * zeta) / Omega2;
 }
 
 /* An amplitude of the size of that far above resonance.

@@ -210,15 +210,13 @@ SF_LOOP(slow_flow_cusp_bend_loop, 1,
 )
 
 SF_LOOP(slow_flow_isola_bend_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i], h_AA =
-        in[6][i];
-    values[0] = slow_flow_isola_bend(Omega, A, m, zeta, h, h_A, h_AA);
+    const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h_AA = in[4][i];
+    values[0] = slow_flow_isola_bend(Omega, A, m, zeta, h_AA);
 )
 
-SF_LOOP(slow_flow_hessian_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i], h_AA =
-        in[6][i];
-    values[0] = slow_flow_hessian(Omega, A, m, zeta, h, h_A, h_AA);
+SF_LOOP(slow_flow_isola_hessian_loop, 1,
+    const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h_AA = in[4][i];
+    values[0] = slow_flow_isola_hessian(Omega, A, m, zeta, h_AA);
 )
 
 SF_LOOP(slow_flow_tail_loop, 1,
@@ -276,8 +274,8 @@ static const sf_kernel kernels[] = {
     {"Omega_A", 6, 1, 1, NULL, SF_ONE(slow_flow_Omega_A_loop)},
     {"level_rise", 7, 1, 1, NULL, SF_ONE(slow_flow_level_rise_loop)},
     {"cusp_bend", 8, 1, 1, NULL, SF_ONE(slow_flow_cusp_bend_loop)},
-    {"isola_bend", 7, 1, 1, NULL, SF_ONE(slow_flow_isola_bend_loop)},
-    {"hessian", 7, 1, 1, NULL, SF_ONE(slow_flow_hessian_loop)},
+    {"isola_bend", 5, 1, 1, NULL, SF_ONE(slow_flow_isola_bend_loop)},
+    {"isola_hessian", 5, 1, 1, NULL, SF_ONE(slow_flow_isola_hessian_loop)},
     {"tail", 3, 1, 1, NULL, SF_ONE(slow_flow_tail_loop)},
     {"most_restoring", 4, 1, 1, NULL, SF_ONE(slow_flow_most_restoring_loop)},
     {"least_restoring", 2, 1, 1, NULL, SF_ONE(slow_flow_least_restoring_loop)},

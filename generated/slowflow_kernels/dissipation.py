@@ -545,6 +545,7 @@ def far_by_inertia(x, A, F_0, I_0, zeta, d, h):
 
     Equation (24). Domain: x >= 0, A > 0. Shape: 3 results, each the arguments that it depends on, broadcast.
     Operations: 42 structured, 35 common subexpressions, 34 power chains.
+    Proved, error / u (1 + kappa): -, -, 0.67
     """
     t0 = x * x
     A2 = A * A
@@ -632,6 +633,7 @@ def structural_bound(A, F_0, eta, h, steepest):
 
     Equation from (23), (24). Domain: A > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 12 structured, 10 common subexpressions, 10 power chains.
+    Proved, error / u (1 + kappa): -, 3.76
     """
     t0 = A - F_0
     t1 = A * eta
@@ -850,6 +852,7 @@ def folds_by_inertia(Omega, A, F_0, I_0A, I_0AA, zeta, d, h_A, h_AA, R, I):
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 110 structured, 54 common subexpressions, 54 power chains.
+    Proved, error / u (1 + kappa): -, 5.01, 5.01, -, -, -
     """
     t0 = Omega * Omega
     t1 = F_0 * t0
@@ -882,6 +885,7 @@ def peaks_by_inertia(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A, R, I):
     Equation from (24). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 89 structured, 55 common subexpressions, 55 power chains.
+    Proved, error / u (1 + kappa): -, 2.01, 5.01, -, -, -
     """
     t0 = Omega * Omega
     t1 = F_0 * t0
@@ -912,6 +916,7 @@ def isolas_by_inertia(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA, R, I):
     Equation from (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 107 structured, 59 common subexpressions, 59 power chains.
+    Proved, error / u (1 + kappa): 5.01, 2.01, -, -, -, -
     """
     t0 = Omega * Omega
     t1 = h_A + t0

@@ -27,6 +27,7 @@ def moves_of_state(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_A
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
     broadcast.
     Operations: 94 structured, 66 common subexpressions, 63 power chains.
+    Proved, error / u (1 + kappa): -, 0.0, 0.0, -, -, 0.0, 0.0
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2
@@ -110,6 +111,7 @@ def moves_of_corner_fold(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
     broadcast.
     Operations: 91 structured, 62 common subexpressions, 59 power chains.
+    Proved, error / u (1 + kappa): 0.0, -, 0.0, -, -, 0.0, 0.0
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2
@@ -319,6 +321,7 @@ def moves_of_corner_top(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
     broadcast.
     Operations: 161 structured, 94 common subexpressions, 92 power chains.
+    Proved, error / u (1 + kappa): 0.0, -, -, -, -, 0.0, 0.0
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2
@@ -409,6 +412,7 @@ def moves_of_corner_backbone(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
     broadcast.
     Operations: 67 structured, 53 common subexpressions, 50 power chains.
+    Proved, error / u (1 + kappa): 0.0, 4.34, -, 0.34, 0.34, 0.0, 0.0
     """
     t0 = 2.0 * Omega
     t1 = t0 * zeta
@@ -443,6 +447,7 @@ def moves_of_corner_rest(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
     broadcast.
     Operations: 63 structured, 53 common subexpressions, 50 power chains.
+    Proved, error / u (1 + kappa): 0.0, 0.0, -, 0.0, 0.0, 0.0, 0.0
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2

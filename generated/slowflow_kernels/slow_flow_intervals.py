@@ -304,17 +304,17 @@ def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
 
     Equation from (24), (30). Domain: Omega > 0, A > 0.
     """
-    t0 = Omega.square()
-    R = A * t0 + h
-    t1 = A * Omega
-    t2 = 2.0 * t1
-    I = m + t2 * zeta
-    t3 = h_A + t0
+    t0 = A * Omega
+    t1 = 2.0 * t0
+    I = m + t1 * zeta
+    t2 = Omega.square()
+    R = A * t2 + h
+    t3 = h_A + t2
     t4 = zeta.square()
-    F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3.square())
+    F_AA = 2.0 * (R * h_AA + 4.0 * t2 * t4 + t3.square())
     t5 = I * zeta + Omega * R
     F_Omega = 4.0 * A * t5
-    F_AOmega = 4.0 * (t1 * t3 + t2 * t4 + t5)
+    F_AOmega = 4.0 * (t0 * t3 + t1 * t4 + t5)
     return (
         -F_AA * F_AOmega * F_Omega
     )
@@ -325,48 +325,38 @@ def cusp_bend(Omega, A, m, zeta, h, h_A, h_AA, h_AAA):
 
     Equation from (24), (30). Domain: Omega > 0, A > 0.
     """
-    t0 = Omega.square()
-    R = A * t0 + h
-    t1 = A * Omega
-    t2 = 2.0 * t1
-    I = m + t2 * zeta
-    t3 = h_A + t0
+    t0 = A * Omega
+    t1 = 2.0 * t0
+    I = m + t1 * zeta
+    t2 = Omega.square()
+    R = A * t2 + h
+    t3 = h_A + t2
     F_AAA = 2.0 * (R * h_AAA + 3.0 * h_AA * t3)
     t4 = I * zeta + Omega * R
     F_Omega = 4.0 * A * t4
-    F_AOmega = 4.0 * (t1 * t3 + t2 * zeta.square() + t4)
+    F_AOmega = 4.0 * (t0 * t3 + t1 * zeta.square() + t4)
     return (
         -F_AAA * F_AOmega * F_Omega / A
     )
 
 
-def isola_bend(Omega, A, m, zeta, h, h_A, h_AA):
+def isola_bend(Omega, A, m, zeta, h_AA):
     """The same at an isola point.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0.
     """
-    t0 = Omega.square()
-    R = A * t0 + h
-    t1 = 2.0 * zeta
-    t2 = A * Omega
-    I = m + t1 * t2
-    t3 = R * h_AA
-    t4 = h_A + t0
-    t5 = zeta.square()
-    t6 = 4.0 * t5
-    t7 = t0 * t6 + t4.square()
-    F_AA = 2.0 * (t3 + t7)
-    G_AOmega = 2.0 * t2 * t4 + t2 * t6
-    t8 = A.square()
-    G_OmegaOmega = 4.0 * t0 * t8 + t6 * t8
-    t9 = 2.0 * R
-    S_AOmega = I * t1 + Omega * t9
-    S_OmegaOmega = A * t9
-    t10 = 4.0 * S_OmegaOmega
-    t11 = -h_A + t0
+    t0 = A * zeta
+    t1 = 2.0 * Omega * t0 + m
+    R = -t1 * zeta / Omega
+    t2 = 2.0 * h_AA
+    Omega2 = Omega.square()
+    t3 = zeta.square()
+    Omega4 = Omega2.square()
+    F_AA = 8.0 * Omega2 * t3 + 8.0 * Omega4 + R * t2
+    Omega3 = Omega * Omega2
+    Omega5 = Omega * Omega4
     return (
-        F_AA * (-8.0 * G_AOmega * S_AOmega + 4.0 * G_OmegaOmega * t3 - 4.0 * S_AOmega.square() + t10 * t3 + t10 * t7
-        + 16.0 * t11.square() * t5 * t8)
+        8.0 * F_AA * t0 * t1 * (-A * Omega3 * t2 - 4.0 * Omega3 * t3 - 4.0 * Omega5 + h_AA * m * zeta) / Omega2
     )
 
 

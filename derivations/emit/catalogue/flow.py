@@ -360,10 +360,13 @@ def locus_kernels(flow: SlowFlow, along: Along) -> list[Kernel]:
 def slope_kernels(flow: SlowFlow, slopes: Slopes) -> list[Kernel]:
     """Slopes along the response and along the fold locus."""
 
-    def in_derivatives(name: str, output: sp.Expr, doc: str, equation: str) -> Kernel:
-        values = [(symbol, value) for symbol, value in slopes.values.items() if symbol in output.free_symbols]
-        of_hessian = [(symbol, value) for symbol, value in slopes.hessian_lets if symbol in output.free_symbols]
-        lets = [(R, flow.R), (I, flow.I), *values, *of_hessian]
+    def in_derivatives(
+        name: str, output: sp.Expr, doc: str, equation: str, there: Mapping[sp.Symbol, sp.Expr] = {R: flow.R}
+    ) -> Kernel:
+        """there: what R is, and h_A, at the points where it is asked"""
+        values = {symbol: value.subs(h_A, there.get(h_A, h_A)) for symbol, value in slopes.values.items()}
+        own = [(symbol, value) for symbol, value in values.items() if symbol in output.free_symbols]
+        lets = [(I, flow.I), (R, there[R]), *own]
         needs = set().union(*(value.free_symbols for _, value in lets))
         order = (Omega, A, m, zeta, h, h_A, h_AA, h_AAA)
         return plain(name, [symbol for symbol in order if symbol in needs], output, doc, equation, lets=lets)
@@ -382,8 +385,15 @@ def slope_kernels(flow: SlowFlow, slopes: Slopes) -> list[Kernel]:
             "Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.",
             "from (24), (30)",
         ),
-        in_derivatives("isola_bend", slopes.isola, "The same at an isola point.", "from (24), (30)"),
-        in_derivatives("hessian", slopes.hessian, "F_AA F_OmegaOmega - F_AOmega^2: negative at a saddle.", "from (24)"),
+        in_derivatives("isola_bend", slopes.isola, "The same at an isola point.", "from (24), (30)", slopes.at_isola),
+        plain(
+            "isola_hessian",
+            (Omega, A, m, zeta, h_AA),
+            slopes.hessian,
+            "F_AA F_OmegaOmega - F_AOmega^2 at an isola point: negative at a saddle.",
+            "from (24), (30)",
+            "Omega > 0, A > 0",
+        ),
         plain(
             "tail",
             (Omega, F_0, m),

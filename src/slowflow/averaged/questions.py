@@ -262,11 +262,7 @@ class Averaged:
         return self._extrema(A_max)[0]
 
     def isola_points(self, *, A_max: float | None = None) -> IsolaPoints:
-        """Where isolated curves are born or merge, F = F_A = F_Omega = 0; A_max as in `fold_locus`.
-
-        One at Omega below some 1e-7 of the frequency at rest, which softening and friction make next to where h_A is 0,
-        is nearer to rest than doubles of A tell: it may have few digits, or be missing.
-        """
+        """Where isolated curves are born or merge, F = F_A = F_Omega = 0; A_max as in `fold_locus`."""
         return self._extrema(A_max)[1]
 
     def _extrema(self, A_max: float | None) -> tuple[Cusps, IsolaPoints]:

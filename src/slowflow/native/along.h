@@ -117,18 +117,19 @@ static inline void sf_ask_fold(const sf_asked *asked, const sf_sample *at, sf_an
 }
 
 /* Omega at an isola point: Omega^2 = h_A, or, where h_A is small beside its terms, the root of F_Omega next to that,
- * which has no h_A in it. */
+ * which has no h_A in it; where h_A is as small as its rounding that is all that is left of Omega. */
 static inline double sf_isola_Omega(const sf_model *model, const sf_sample *at) {
-    const double Omega = slow_flow_isola_Omega(at->h_A);
+    const double h_A = fmax(at->h_A, 0), rounding = SF_CLOSE * (fabs(at->h) / at->A + fabs(at->h_A));
     double w[2];
-    if (at->h_A * at->A < SF_SOFT * fabs(at->h) && sf_peak_roots(at->A, at->h, model->m, model->zeta, w) == 2 &&
-        fabs(w[0] - Omega) < SF_BESIDE * Omega)
+    if (h_A * at->A < SF_SOFT * fabs(at->h) && sf_peak_roots(at->A, at->h, model->m, model->zeta, w) == 2 &&
+        fabs(w[0] * w[0] - h_A) < 2 * SF_BESIDE * h_A + rounding)
         return w[0];
-    return Omega;
+    return slow_flow_isola_Omega(h_A);
 }
 
 static inline void sf_ask_isola(const sf_model *model, const sf_sample *at, sf_answer *out) {
     double isola[2];
+    out->edge = model->m > 0 && model->zeta > 0; /* where the channel ends, at Omega = 0, F_Omega/(4 A) is m zeta */
     if (!(at->h_A > 0))
         return;
     if (model->m == 0) /* without the factor Omega */
@@ -314,6 +315,13 @@ static inline void sf_ask(const sf_asked *asked, int open, const sf_sample *at, 
     }
 }
 
+/* Whether F has a saddle in A and Omega at an isola point. */
+static inline int sf_is_saddle(const sf_model *model, const sf_sample *at, double w) {
+    if (sf_inertial(model))
+        return inertia_hessian(w, at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA) < 0;
+    return slow_flow_isola_hessian(w, at->A, model->m, model->zeta, at->h_AA) < 0;
+}
+
 /* Whether the level has a minimum along the fold locus at a cusp or an isola point, from its second derivative. */
 static inline int sf_is_minimum(const sf_model *model, sf_question question, const sf_sample *at, double w) {
     const double m = model->m, zeta = model->zeta;
@@ -322,7 +330,7 @@ static inline int sf_is_minimum(const sf_model *model, sf_question question, con
     if (sf_inertial(model))
         return inertia_cusp_bend(w, at->A, m, zeta, at->h, at->h_A, at->h_AA, at->h_AAA) > 0;
     if (question == SF_ISOLA)
-        return slow_flow_isola_bend(w, at->A, m, zeta, at->h, at->h_A, at->h_AA) > 0;
+        return slow_flow_isola_bend(w, at->A, m, zeta, at->h_AA) > 0;
     return slow_flow_cusp_bend(w, at->A, m, zeta, at->h, at->h_A, at->h_AA, at->h_AAA) > 0;
 }
 

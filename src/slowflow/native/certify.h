@@ -320,8 +320,7 @@ static void sf_cusps_on(const sf_proving *proving, const sf_cell *cell, int open
 
 static void sf_enter_isola(const sf_terms *terms, const sf_cell *on, sf_candidates *list) {
     const sf_interval Omega = slow_flow_intervals_isola_Omega(on->h_A);
-    const sf_interval bend =
-        slow_flow_intervals_isola_bend(Omega, on->A, terms->m, terms->zeta, on->h, on->h_A, on->h_AA);
+    const sf_interval bend = slow_flow_intervals_isola_bend(Omega, on->A, terms->m, terms->zeta, on->h_AA);
     sf_enter(list, sf_level_on(terms, Omega, on), Omega, on->A, SF_ISOLA_KIND, sf_sign_of(bend));
 }
 

@@ -21,6 +21,7 @@ typedef struct {
     sf_status (*peak)(const sf_model *, const sf_exactly *, double F_0, sf_work *, double *A, double *Omega);
     sf_status (*saddle_nodes)(const sf_model *, const sf_given *, double F_0, sf_room *, sf_folds *);
     sf_status (*fold_locus)(const sf_model *, double A_max, sf_work *);
+    sf_status (*extrema)(const sf_model *, double A_max, sf_work *);
     sf_status (*range)(const sf_model *, double F_0, double *A_max);
     sf_status (*skeleton)(const sf_model *, const sf_given *, double F_0, sf_room *);
     long (*show)(const sf_model *, double F_0, double low, double high, double samples, sf_work *);

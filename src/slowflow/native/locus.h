@@ -16,21 +16,27 @@ static void sf_ask_all(const sf_model *model, sf_question question, double F_0, 
     sf_find_zeros(&asked, piece, found);
 }
 
+/* Cusps and isola points of a piece, added to those found; and for zeta = 0 where the locus touches the backbone. */
+static void sf_extrema_on(const sf_model *model, const sf_stretch *piece, sf_zeros *found) {
+    if (model->zeta == 0) {
+        sf_ask_all(model, SF_UNDAMPED, 0, piece, found);
+    } else {
+        sf_ask_all(model, SF_ISOLA, 0, piece, found);
+        sf_ask_all(model, SF_CUSP, 0, piece, found);
+    }
+}
+
 /* undecided: whether rounding may hide some at which the level turns */
 static void sf_locus_zeros(const sf_model *model, const sf_stretch *piece, sf_zeros *found) {
     int undecided;
     sf_clear_zeros(found);
     sf_ask_all(model, SF_STIFFNESS, 0, piece, found);
     found->undecided = 0;
-    if (model->zeta == 0) {
-        sf_ask_all(model, SF_UNDAMPED, 0, piece, found);
-    } else {
-        sf_ask_all(model, SF_ISOLA, 0, piece, found);
-        sf_ask_all(model, SF_CUSP, 0, piece, found);
-        undecided = found->undecided;
+    sf_extrema_on(model, piece, found);
+    undecided = found->undecided;
+    if (model->zeta > 0)
         sf_ask_all(model, SF_TURN, 0, piece, found);
-        found->undecided = undecided;
-    }
+    found->undecided = undecided;
     sf_sort_zeros(found);
 }
 
@@ -48,6 +54,31 @@ static int sf_locus_gain(const sf_zero *zero) {
     if (zero->question != SF_TURN)
         return 0;
     return zero->rising == (zero->channel == 0) ? 2 : -2;
+}
+
+static int sf_is_extremum(const sf_zero *zero) {
+    return zero->question == SF_CUSP || zero->question == SF_ISOLA || zero->question == SF_UNDAMPED;
+}
+
+/* Cusps and isola points up to A_max in work, without the locus, whose turns are beyond doubles where damping is weak:
+ * there its two branches all but cross. */
+static sf_status sf_extrema(const sf_model *model, double A_max, sf_work *work) {
+    int i, k;
+    sf_clear_zeros(&work->extrema);
+    sf_stretches_up_to(model, A_max, &work->pieces);
+    for (i = 0; i < work->pieces.n; i++) {
+        const sf_stretch *piece = &work->pieces.at[i];
+        if (!sf_has_force(piece))
+            continue;
+        sf_clear_zeros(&work->zeros);
+        sf_extrema_on(model, piece, &work->zeros);
+        sf_sort_zeros(&work->zeros);
+        for (k = 0; k < work->zeros.n; k++)
+            sf_add_zero(&work->extrema, work->zeros.at[k]);
+        if (work->zeros.status != SF_OK)
+            return work->zeros.status;
+    }
+    return work->extrema.status;
 }
 
 /* The locus up to A_max in work, with its cusps and isola points. */
@@ -68,7 +99,7 @@ static sf_status sf_fold_locus(const sf_model *model, double A_max, sf_work *wor
         for (k = 0; k < work->zeros.n; k++) {
             const sf_zero *zero = &work->zeros.at[k];
             sf_add_event(graph, zero->A, zero->Omega, sf_locus_event(zero), sf_locus_gain(zero));
-            if (zero->question == SF_CUSP || zero->question == SF_ISOLA || zero->question == SF_UNDAMPED)
+            if (sf_is_extremum(zero))
                 sf_add_zero(&work->extrema, *zero);
         }
         sf_add_event(graph, piece->last.A, 0, SF_CUT, 0);
@@ -293,8 +324,7 @@ static sf_extremum sf_extremum_at(const sf_model *model, const sf_zero *zero) {
     out.A = zero->A;
     out.F_0 = sf_extremum_level(model, zero, &at);
     out.minimum = sf_is_minimum(model, zero->question, &at, out.Omega);
-    out.saddle = zero->question == SF_ISOLA && (sf_inertial(model) ? inertia_hessian : slow_flow_hessian)(
-                                                   out.Omega, at.A, model->m, model->zeta, at.h, at.h_A, at.h_AA) < 0;
+    out.saddle = zero->question == SF_ISOLA && sf_is_saddle(model, &at, out.Omega);
     out.isola = zero->question == SF_ISOLA;
     return out;
 }

@@ -17,6 +17,7 @@ const sf_solvers SF_SOLVERS = {
     sf_settled_peak,
     sf_settled_folds,
     sf_fold_locus,
+    sf_extrema,
     sf_range_at,
     sf_make_skeleton,
     sf_show,

@@ -206,6 +206,16 @@ def hessian(*x):
     return mp.det(mp.matrix([[F_AA, F_AOmega], [F_AOmega, F_OmegaOmega]]))
 
 
+def isola_at(Omega, A, m, zeta, h_AA):
+    """The same with h and h_A for which F_A = F_Omega = 0."""
+
+    def slope(order, *values):
+        return partials([order], Omega, A, m, zeta, *values, h_AA)[0]
+
+    h = mp.findroot(lambda h: slope((0, 1), h, 0), (-A * Omega**2, -2 * A * Omega**2))  # both are linear
+    return Omega, A, m, zeta, h, mp.findroot(lambda h_A: slope((1, 0), h, h_A), (Omega**2, 2 * Omega**2)), h_AA
+
+
 def level_rise(*x):
     F_Omega, F_AA, F_AOmega = partials([(0, 1), (2, 0), (1, 1)], *x)
     return -F_Omega * F_AA * F_AOmega
@@ -247,8 +257,11 @@ SLOPES: dict[str, tuple[str, Function]] = {
     "Omega_A": ("Omega A m zeta h h_A", lambda *x: [slope_of_frequency(*x)]),
     "level_rise": ("Omega A m zeta h h_A h_AA", lambda *x: [level_rise(*x)]),
     "cusp_bend": ("Omega A m zeta h h_A h_AA h_AAA", lambda *x: [cusp_bend(*x)]),
-    "isola_bend": ("Omega A m zeta h h_A h_AA", lambda *x: [partials([(2, 0)], *x)[0] * hessian(*x)]),
-    "hessian": ("Omega A m zeta h h_A h_AA", lambda *x: [hessian(*x)]),
+    "isola_bend": (
+        "Omega A m zeta h_AA",
+        lambda *x: [partials([(2, 0)], *(at := isola_at(*x)))[0] * hessian(*at)],
+    ),
+    "isola_hessian": ("Omega A m zeta h_AA", lambda *x: [hessian(*isola_at(*x))]),
     "most_restoring": ("A F_0 m zeta", lambda *x: [most_restoring(*x)]),
     "least_restoring": ("F_0 m", lambda *x: [mp.sqrt(mp.mpf(x[0]) ** 2 - mp.mpf(x[1]) ** 2)]),
     "tail": ("Omega F_0 m", lambda *x: [tail(*x)]),

@@ -347,7 +347,7 @@ class Candidates:
                 on = zero.on
                 if is_isola:
                     Omega = flow.isola_Omega(on.h_A)
-                    bend = flow.isola_bend(Omega, on.A, asked.m, asked.zeta, on.h, on.h_A, on.h_AA)
+                    bend = flow.isola_bend(Omega, on.A, asked.m, asked.zeta, on.h_AA)
                     self.enter(asked.level(Omega, on), Omega, on.A, OnsetKind.ISOLA, bend.sign)
                     continue
                 found = self.cusp(on, zero.channel == 0)

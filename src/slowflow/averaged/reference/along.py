@@ -38,7 +38,7 @@ from slowflow_kernels import (
     slow_flow_mu0_intervals,
     slow_flow_zeta0_intervals,
 )
-from slowflow_kernels.conventions import BESIDE, CANCELLED, DOUBT, SOFT
+from slowflow_kernels.conventions import BESIDE, CANCELLED, CLOSE, DOUBT, SOFT
 
 #: where a channel is defined on a cell
 NOWHERE, PARTLY, THROUGHOUT = 0, 1, 2
@@ -204,14 +204,20 @@ class Isola(Asked):
         model = self.model
         rises = np.maximum(at.h_A, 0.0)
         y, dy = model.flow.isola(at.A, model.m, model.zeta, at.h, rises, at.h_AA)
-        return [_channel(at, at.h_A > 0, y, dy, self._Omega(at, rises))]
+        # where the channel ends, at Omega = 0, F_Omega/(4 A) is m zeta
+        edge = float(model.m > 0 and model.zeta > 0)
+        return [_channel(at, at.h_A > 0, y, dy, self._Omega(at, rises), 0.0, 0.0, edge)]
 
     def _Omega(self, at: Samples, rises: Floats) -> Floats:
-        """Omega^2 = h_A, or, where h_A is small beside its terms, the root of F_Omega, without h_A, next to that."""
-        Omega = slow_flow.isola_Omega(rises)
+        """Omega^2 = h_A, or, where h_A is small beside its terms, the root of F_Omega, without h_A, next to that.
+
+        Where h_A is as small as its rounding that is all that is left of Omega.
+        """
+        rounding = CLOSE * (np.abs(at.h) / at.A + np.abs(at.h_A))
         roots, count = peak_roots(np.where(at.A > 0, at.A, 1.0), at.h, self.model.m, self.model.zeta)
-        lost = (rises * at.A < SOFT * np.abs(at.h)) & (count == 2) & (np.abs(roots[:, 0] - Omega) < BESIDE * Omega)
-        return np.where(lost, roots[:, 0], Omega)
+        lost = (rises * at.A < SOFT * np.abs(at.h)) & (count == 2)
+        lost &= np.abs(roots[:, 0] ** 2 - rises) < 2 * BESIDE * rises + rounding
+        return np.where(lost, roots[:, 0], slow_flow.isola_Omega(rises))
 
     def range(self, cells: Cells) -> list[Range]:
         intervals = slow_flow_mu0_intervals if self.model.m == 0 else slow_flow_intervals

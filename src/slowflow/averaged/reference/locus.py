@@ -12,7 +12,7 @@ import numpy as np
 
 from slowflow.averaged import words
 from slowflow.averaged.reference import dissipated
-from slowflow.averaged.reference.along import Cusp, InertiaIsola, Isola, Stiffness, Turn, Undamped
+from slowflow.averaged.reference.along import Asked, Cusp, InertiaIsola, Isola, Stiffness, Turn, Undamped
 from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.boxes import points_of
 from slowflow.averaged.reference.cells import Stretch, stretches_up_to
@@ -22,6 +22,16 @@ from slowflow.model import Floats, Model
 from slowflow.results import Cusps, FoldLocus, IsolaPoints
 from slowflow_kernels import inertia
 from slowflow_kernels.conventions import SPREAD
+
+
+def _with_force(model: Model, A_max: float) -> list[Stretch]:
+    """Where there is no force, as in a dead zone, there is no fold."""
+    return [piece for piece in stretches_up_to(model, A_max) if piece.has_force]
+
+
+def _of_extrema(model: Model) -> list[Asked]:
+    """Cusps and isola points, for zeta > 0."""
+    return [Cusp(model), InertiaIsola(model) if model.inertial else Isola(model)]
 
 
 @dataclass(frozen=True)
@@ -41,15 +51,10 @@ class Stations:
 
     @classmethod
     def of(cls, model: Model, A_max: float) -> Stations:
-        # where there is no force, as in a dead zone, there is no fold
-        pieces = [piece for piece in stretches_up_to(model, A_max) if piece.has_force]
+        pieces = _with_force(model, A_max)
         if model.zeta == 0:
-            stiffness, cusps = find_zeros(model, [Stiffness(model), Undamped(model)], pieces)
-            return cls(pieces, stiffness, cusps, None, None)
-        isola = InertiaIsola(model) if model.inertial else Isola(model)
-        questions = [Stiffness(model), Cusp(model), isola, Turn(model)]
-        stiffness, cusps, isolas, turns = find_zeros(model, questions, pieces)
-        return cls(pieces, stiffness, cusps, isolas, turns)
+            return cls(pieces, *find_zeros(model, [Stiffness(model), Undamped(model)], pieces), None, None)
+        return cls(pieces, *find_zeros(model, [Stiffness(model), *_of_extrema(model), Turn(model)], pieces))
 
     def events(self) -> list[Event]:
         """By rising A."""
@@ -118,13 +123,14 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The cusps and the isola points up to A_max."""
     if model.laws.any:
         return _extrema_in_boxes(model, A_max)
-    stations = Stations.of(model, A_max)
+    # without the locus, whose turns are beyond doubles where damping is weak: there its two branches all but cross
+    asked = _of_extrema(model) if model.zeta > 0 else [Undamped(model)]
+    at, *isolas = find_zeros(model, asked, _with_force(model, A_max))
     with np.errstate(all="ignore"):
-        at = stations.cusps
         Omega, A = at.Omega, at.A
         F_0 = of_cusps(model, at) if model.zeta > 0 else model.level(Omega, A)
         cusps = Cusps(F_0, Omega, A, cusp_is_minimum(model, Omega, A), "" if A.size else words.NO_CUSP.format(A_max))
-        Omega, A = (np.empty(0),) * 2 if stations.isolas is None else (stations.isolas.Omega, stations.isolas.A)
+        Omega, A = (isolas[0].Omega, isolas[0].A) if isolas else (np.empty(0),) * 2
         F_0 = model.level(Omega, A)
         birth = np.where(isola_is_minimum(model, Omega, A), "birth", "death")
         kind = np.where(is_saddle(model, Omega, A), "merger", birth)
@@ -133,7 +139,7 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
 
 def _extrema_in_boxes(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The same by other laws of damping."""
-    pieces = [piece for piece in stretches_up_to(model, A_max) if piece.has_force]
+    pieces = _with_force(model, A_max)
     cusps, isolas = (points_of(model, system, pieces) for system in ("cusps", dissipated.isolas_of(model)))
     with np.errstate(all="ignore"):
         levels = [model.level(points.Omega, points.A) for points in (cusps, isolas)]

@@ -24,10 +24,12 @@ def isola_is_minimum(model: Model, Omega: Floats, A: Floats) -> Flags:
     if model.inertial:
         rises = slow_flow.F_AA(Omega, A, model.m, model.zeta, *model.averaged(A)[:3]) > 0
         return np.asarray(rises & ~is_saddle(model, Omega, A))
-    return np.asarray(slow_flow.isola_bend(Omega, A, model.m, model.zeta, *model.averaged(A)[:3]) > 0)
+    return np.asarray(slow_flow.isola_bend(Omega, A, model.m, model.zeta, model.averaged(A)[2]) > 0)
 
 
 def is_saddle(model: Model, Omega: Floats, A: Floats) -> Flags:
     """Whether F has a saddle in (A, Omega) at these isola points: its Hessian is negative."""
-    kernels: Any = inertia if model.inertial else slow_flow
-    return np.asarray(kernels.hessian(Omega, A, model.m, model.zeta, *model.averaged(A)[:3]) < 0)
+    h, h_A, h_AA, _ = model.averaged(A)
+    if model.inertial:
+        return np.asarray(inertia.hessian(Omega, A, model.m, model.zeta, h, h_A, h_AA) < 0)
+    return np.asarray(slow_flow.isola_hessian(Omega, A, model.m, model.zeta, h_AA) < 0)

@@ -179,7 +179,8 @@ static PyObject *extrema_list(const sf_model *model, const sf_exactly *exactly, 
     return list;
 }
 
-/* (model, A_max, samples) -> status, Omega, A, F_0, branch, [(F_0, Omega, A, isola, minimum, saddle)] */
+/* (model, A_max, samples) -> status, Omega, A, F_0, branch, [(F_0, Omega, A, isola, minimum, saddle)]; for no samples
+ * the last alone */
 static PyObject *fold_locus(PyObject *self, PyObject *args)
 {
     PyObject *given;
@@ -195,7 +196,7 @@ static PyObject *fold_locus(PyObject *self, PyObject *args)
     if (model == NULL || (work = new_work()) == NULL)
         return NULL;
     Py_BEGIN_ALLOW_THREADS
-    status = sf_here()->fold_locus(model, A_max, work);
+    status = (samples > 0 ? sf_here()->fold_locus : sf_here()->extrema)(model, A_max, work);
     if (status == SF_OK && samples > 0)
         n = sf_here()->draw_locus(model, samples, work, NULL, NULL, NULL, NULL);
     Py_END_ALLOW_THREADS
