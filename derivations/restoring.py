@@ -389,23 +389,23 @@ def average(
     def times_factor(total: sp.Expr) -> sp.Expr:
         return sp.factor_terms(-4 * total / sp.pi) if count else sp.horner(sp.expand(-4 * total / sp.pi), A)
 
-    derivatives = []
-    for order in range(orders + 1):
-        total = under_the_integral(order)
-        for k, end in enumerate(ends):
-            for lower in range(order):
-                term = boundary(lower, end, k)
-                for _ in range(order - 1 - lower):
-                    term = slope(term, end.root)
-                total += term
-        derivatives.append(times_factor(total))
-    # f(A s) - A s f'(A s), s = sin t, under the integral: what is linear is gone before it is integrated
-    bent = [sp.expand(piece - u * sp.diff(piece, u)) for piece in pieces]
-    intercept = under_the_integral(0, bent) - A * sum(boundary(0, end, k) for k, end in enumerate(ends))
-    intercept = times_factor(intercept)
     if count and far == count and not jumps:
         *derivatives, intercept = _beyond_all(pieces, ends, orders)
-        moments = {}
+    else:
+        derivatives = []
+        for order in range(orders + 1):
+            total = under_the_integral(order)
+            for k, end in enumerate(ends):
+                for lower in range(order):
+                    term = boundary(lower, end, k)
+                    for _ in range(order - 1 - lower):
+                        term = slope(term, end.root)
+                    total += term
+            derivatives.append(times_factor(total))
+        # f(A s) - A s f'(A s), s = sin t, under the integral: what is linear is gone before it is integrated
+        bent = [sp.expand(piece - u * sp.diff(piece, u)) for piece in pieces]
+        intercept = under_the_integral(0, bent) - A * sum(boundary(0, end, k) for k, end in enumerate(ends))
+        intercept = times_factor(intercept)
     used = set().union(*(value.free_symbols for value in (*moments.values(), *derivatives, intercept)))
     powers = range(1, max((sp.degree(piece, u) for piece in pieces), default=0) + 4)
     of_ends = [(end, [power for power in powers if end.from_zero(power) in used]) for end in ends]
