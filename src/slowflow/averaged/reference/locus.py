@@ -53,8 +53,11 @@ class Stations:
     def of(cls, model: Model, A_max: float) -> Stations:
         pieces = _with_force(model, A_max)
         if model.zeta == 0:
-            return cls(pieces, *find_zeros(model, [Stiffness(model), Undamped(model)], pieces), None, None)
-        return cls(pieces, *find_zeros(model, [Stiffness(model), *_of_extrema(model), Turn(model)], pieces))
+            stiffness, cusps = find_zeros(model, [Stiffness(model), Undamped(model)], pieces)
+            return cls(pieces, stiffness, cusps, None, None)
+        questions = [Stiffness(model), *_of_extrema(model), Turn(model)]
+        stiffness, cusps, isolas, turns = find_zeros(model, questions, pieces)
+        return cls(pieces, stiffness, cusps, isolas, turns)
 
     def events(self) -> list[Event]:
         """By rising A."""
