@@ -279,6 +279,43 @@ def test_folds_of_which_doubles_have_few_digits_have_those_of_balls(at, monkeypa
     assert Remark.UNDECIDED in iso.saddle_nodes(F_0).remarks and batch(Duffing, numbers).saddle_nodes(F_0).undecided
 
 
+#: lam, r, delta_h, mu, zeta, F_0: next to a corner at which the force hardly jumps doubles had both folds, one with the
+#: frequency of the other side of the resonance
+OTHER_SIDE = (
+    (
+        0.20555338440477708,
+        0.0055219818035543355,
+        0.0019947085364255893,
+        0.0,
+        3.777117335031062e-18,
+        3.374678678846709e-05,
+    ),
+    (
+        *(0.00024017002053609962, 5.685857408599354e-06, 0.9540011912422783, 5.0112559052880664e-30),
+        *(0.005164838193396855, 0.010322723012698782),
+    ),
+    (
+        *(3.8467044700531905, 2.678200547780606, 0.00027871197113065404, 1.1898508603158788e-29),
+        *(0.00904120352983074, 0.0004267397626953578),
+    ),
+)
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("at", OTHER_SIDE)
+def test_a_fold_just_above_a_corner_has_the_frequency_that_is_proved(at):
+    pytest.importorskip("flint")
+    *numbers, F_0 = at
+    iso = oscillator(Isolator, *numbers[:3], mu=numbers[3], zeta=numbers[4])
+    found, many = iso.saddle_nodes(F_0), batch(Isolator, numbers).saddle_nodes(F_0)
+    proof = iso.certify(F_0).saddle_nodes
+    assert proof.proved and len(found) == len(proof.A) == 2 and Remark.UNDECIDED not in found.remarks
+    assert sorted(found.Omega) == pytest.approx(sorted(proof.Omega.mean(axis=1)), rel=1e-15)
+    assert sorted(found.A) == pytest.approx(sorted(proof.A.mean(axis=1)), rel=1e-15)
+    assert sorted(found.kind) == ["jump-down", "jump-up"]
+    assert many.Omega[:2].tolist() == found.Omega.tolist() and many.A[:2].tolist() == found.A.tolist()
+
+
 # ---- no answer differs from the proof without a word -----------------------------------------------------------------
 
 

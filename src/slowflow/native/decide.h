@@ -66,7 +66,13 @@ static void sf_add_proved_fold(const sf_model *model, const sf_enclosure *fold, 
     sf_add_fold(folds, Omega, A, fold->sign != 0 ? fold->sign < 0 : sf_half_F_AA(model, &at, Omega) < 0, fold->corner);
 }
 
-/* The folds that are proved; 0 if doubles do not decide. */
+/* What doubles found, where the enclosure holds it, else its middle. */
+static double sf_within(sf_interval enclosure, double known) {
+    return enclosure.lo <= known && known <= enclosure.hi ? known : sf_middle(enclosure);
+}
+
+/* The folds that are proved; 0 if doubles do not decide. Next to a breakpoint at which the force hardly jumps doubles
+ * may have as many folds, but with a frequency of the other side of the resonance. */
 static int sf_take_proved_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
                                 sf_folds *folds)
 {
@@ -77,6 +83,13 @@ static int sf_take_proved_folds(const sf_model *model, const sf_given *given, do
     same = folds->status == SF_OK && found->n == folds->n;
     for (i = 0; i < found->n; i++)
         same = same && folds->at[i].corner == found->at[i].corner;
+    for (i = 0; same && i < found->n; i++) {
+        const sf_enclosure *fold = &found->at[i];
+        folds->at[i].Omega = sf_within(fold->Omega, folds->at[i].Omega);
+        folds->at[i].A = sf_within(fold->A, folds->at[i].A);
+        if (fold->sign != 0)
+            folds->at[i].up = fold->sign < 0;
+    }
     if (!same) {
         folds->n = 0, folds->status = SF_OK;
         for (i = 0; i < found->n; i++)
