@@ -35,6 +35,7 @@ from .slopes import Slopes, slopes
 from .slow_flow import SCENES, SlowFlow, slow_flow
 from .switching import Switching, switching
 from .symbols import u
+from .wave import Wave, wave
 
 
 @dataclass(frozen=True)
@@ -90,6 +91,7 @@ class Results:
     steps      -- of Newton's method on the equations of each answer
     detachment -- (34), by scene
     second     -- the second approximation
+    wave       -- its motion over half a cycle
     den_hartog -- (35)-(37)
     mechanisms -- by name
     """
@@ -115,6 +117,7 @@ class Results:
     steps: dict[str, Step]
     detachment: dict[str, Elimination]
     second: SecondApproximation
+    wave: Wave
     den_hartog: DenHartog
     mechanisms: dict[str, OfMechanism]
 
@@ -172,6 +175,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         steps(flows[""]),
         {scene: resultants.detachment(flow) for scene, flow in flows.items()},
         second_approximation(equations, flows[""]),
+        wave(),
         den_hartog(),
         {mechanism.name: of_mechanism(mechanism, flows[""]) for mechanism in mechanisms or all_mechanisms()},
     )

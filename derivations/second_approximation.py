@@ -69,6 +69,9 @@ class SecondApproximation:
         u_max -- largest displacement
         A_1   -- amplitude of the first harmonic
         phi   -- its phase, in its quadrant (25)
+        sine, cosine -- of the angle delta by which the mass turns after the first harmonic does
+        a_3, a_5 -- amplitudes of the spring's harmonics
+        kappa -- stiffness of the linear oscillator over Omega^2
         F     -- response, R^2 + (I - F_0)(I + F_0); zero at a steady state
         level -- the forcing for which this is a steady state, and of an excitation by inertia level_by_inertia
         turning -- zero where the forcing that reaches a given u_max is least
@@ -188,6 +191,10 @@ def second_approximation(averaged: Averaged, flow: SlowFlow) -> SecondApproximat
             "I": I,
             "u_max": u_max,
             "A_1": A_1,
+            "sine": sine,
+            "cosine": cosine,
+            **{f"a_{n}": amplitude for n, amplitude in a.items()},
+            "kappa": kappa,
             "phi": flow.phase.subs({R_1: R, I_1: I}),
             "F": response,
             "level": level,

@@ -58,6 +58,7 @@ MODULES = (
     "slowflow.exact",
     "slowflow.exact.shocks",
     "slowflow.exact.shocks_many",
+    "slowflow.transmitted",
     "slowflow.mechanism",
     "slowflow.derive",
     "slowflow.paper.example",

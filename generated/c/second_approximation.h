@@ -1,7 +1,7 @@
 /* Second approximation of any mechanism, with higher harmonics, in A = A_1 + a_3 + a_5.
 
    Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/second_approximation.py
+   Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/second_approximation.py, derivations/wave.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
@@ -453,6 +453,128 @@ static inline void second_approximation_folds(double Omega, double A, double F_0
     out[0] = R * R + (-F_0 + I_) * (F_0 + I_);
     out[1] = I_A * t68 + R_A * t69;
     out[2] = 2.0 * I_A * I_A + I_AA * t68 + 2.0 * R_A * R_A + R_AA * t69;
+}
+
+/* Largest displacement and what `wave` takes.
+   Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2.
+   Operations: 66 structured, 62 common subexpressions, 62 power chains
+ */
+static inline void second_approximation_components(double Omega, double A, double m, double h, double h_3, double h_5, double *out)
+{
+    const double t0 = 1.0 / (Omega * Omega);
+    const double kappa = -h * t0 / A;
+    const double t1 = 1.0 / (9.0 - kappa);
+    const double a_3 = -h_3 * t0 * t1;
+    const double t2 = 1.0 / (25.0 - kappa);
+    const double a_5 = -h_5 * t0 * t2;
+    const double share = a_3 + a_5;
+    const double A_1 = A - share;
+    const double total = kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa *
+        (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (4.4420846017798256e-35 * kappa +
+        3.5993895204234291e-33) + 2.9170831235780408e-31) + 2.3647520450964226e-29) + 1.9177758641615431e-27) +
+        1.5562307152262564e-25) + 1.264003059063471e-23) + 1.0280748556111104e-21) + 8.3794971769130177e-20) +
+        6.851973846392482e-18) + 5.6310244406867976e-16) + 4.6641592175262402e-14) + 3.912344846154278e-12) +
+        3.3510322056003729e-10) + 2.9768494689292246e-08) + 2.8346687069545959e-06) + 0.00031585946398298526) + t1 +
+        t2 + 0.062181275759752595 + 1.0 / (49.0 - kappa);
+    const double sine = -m * t0 * total / A_1;
+    const double cosine = sqrt((1.0 - sine) * (sine + 1.0));
+    const double u_max = A_1 * cosine + share;
+    out[0] = u_max;
+    out[1] = A_1;
+    out[2] = sine;
+    out[3] = cosine;
+    out[4] = a_3;
+    out[5] = a_5;
+    out[6] = kappa;
+}
+
+/* u and u' at an angle after the mass turned at its largest displacement.
+   Equation beyond (23). Domain: Omega > 0, 0 <= turned <= pi, |kappa| < 9.
+   Operations: 573 structured, 347 common subexpressions, 343 power chains
+ */
+static inline void second_approximation_wave(double turned, double Omega, double m, double A_1, double sine, double cosine, double a_3, double a_5, double kappa, double *out)
+{
+    const double c_1 = cos(turned);
+    const double s_1 = sin(turned);
+    const double twice = (c_1 + s_1) * (2.0 * c_1 - 2.0 * s_1);
+    const double c_3 = c_1 * twice - c_1;
+    const double s_3 = s_1 * twice + s_1;
+    const double c_5 = -c_1 + c_3 * twice;
+    const double s_5 = -s_1 + s_3 * twice;
+    const double c_7 = -c_3 + c_5 * twice;
+    const double s_7 = -s_3 + s_5 * twice;
+    const double c_9 = -c_5 + c_7 * twice;
+    const double s_9 = -s_5 + s_7 * twice;
+    const double c_11 = -c_7 + c_9 * twice;
+    const double s_11 = -s_7 + s_9 * twice;
+    const double c_13 = c_11 * twice - c_9;
+    const double s_13 = s_11 * twice - s_9;
+    const double c_15 = -c_11 + c_13 * twice;
+    const double s_15 = -s_11 + s_13 * twice;
+    const double x = -turned + 1.5707963267948966;
+    const double x2 = x * x;
+    const double kappa2 = kappa * kappa;
+    const double kappa4 = kappa2 * kappa2;
+    const double kappa8 = kappa4 * kappa4;
+    const double left_3 = kappa8 / (387420489.0 - 43046721.0 * kappa);
+    const double left_5 = kappa8 / (3814697265625.0 - 152587890625.0 * kappa);
+    const double left_7 = kappa8 / (1628413597910449.0 - 33232930569601.0 * kappa);
+    const double left_9 = kappa8 / (1.5009463529699914e+17 - 1853020188851841.0 * kappa);
+    const double left_11 = kappa8 / (5.5599173134922312e+18 - 45949729863572160.0 * kappa);
+    const double left_13 = kappa8 / (1.124554069519574e+20 - 6.654166091831799e+17 * kappa);
+    const double left_15 = kappa8 / (1.4778918800354003e+21 - 6.5684083557128909e+18 * kappa);
+    const double t0 = x2 * (x2 * (x2 * (3.8681701706306841e-23 * x2 - 1.9572941063391263e-20) +
+        8.2206352466243295e-18) - 2.8114572543455206e-15);
+    const double t1 = x2 * (t0 + 7.6471637318198164e-13);
+    const double t2 = x2 * (t1 - 1.6059043836821613e-10);
+    const double t3 = x2 * (t2 + 2.505210838544172e-08);
+    const double t4 = x2 * (t3 - 2.7557319223985893e-06);
+    const double t5 = x2 * (t4 + 0.00019841269841269841);
+    const double t6 = x2 * (t5 - 0.0083333333333333332);
+    const double closed_cosines = kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * x * (x2 * (x2 * (x2
+        * (x2 * (x2 * (x2 * (x2 * (t0 + 1.6410953816489557e-13) - 4.9869519852303398e-12) + 9.6254507448290844e-11)
+        - 1.2276568272158579e-09) + 9.9832961864901149e-09) - 4.687521813584026e-08) + 1.0440270469314786e-07) -
+        6.9659157375612845e-08) + x * (x2 * (x2 * (x2 * (x2 * (x2 * (x2 * (t1 - 3.4463003014628067e-11) +
+        7.7796450969593306e-10) - 1.0587995819311993e-08) + 8.839129155954177e-08) - 4.1929843983258485e-07) +
+        9.3750436271680509e-07) - 6.2641622815888723e-07)) + x * (x2 * (x2 * (x2 * (x2 * (x2 * (t2 +
+        5.3762284702819786e-09) - 8.5576096066552638e-08) + 7.6233569899046347e-07) - 3.7124342455007543e-06) +
+        8.3859687966516967e-06) - 5.625026176300831e-06)) + x * (x2 * (x2 * (x2 * (x2 * (t3 -
+        5.9138513173101762e-07) + 6.1614789167917898e-06) - 3.2018099357599463e-05) + 7.4248684910015081e-05) -
+        5.0315812779910177e-05)) + x * (x2 * (x2 * (x2 * (t4 + 4.257972948463327e-05) - 0.00025878211450525515) +
+        0.00064036198715198937) - 0.00044549210946009048)) + x * (x2 * (x2 * (t5 - 0.0017883486383545974) +
+        0.0051756422901051034) - 0.0038421719229119358)) + x * (x2 * (t6 + 0.035766972767091947) -
+        0.031053853740630619)) + x * (x2 * (t6 + 0.16666666666666666) - 0.21460183660255169);
+    const double t7 = x2 * (x2 * (x2 * (8.8967913924505741e-22 - 1.6117375710961184e-24 * x2) -
+        4.1103176233121648e-19) + 1.5619206968586225e-16);
+    const double t8 = x2 * (t7 - 4.7794773323873853e-14);
+    const double t9 = x2 * (t8 + 1.1470745597729725e-11);
+    const double t10 = x2 * (t9 - 2.08767569878681e-09);
+    const double t11 = x2 * (t10 + 2.7557319223985888e-07);
+    const double t12 = x2 * (t11 - 2.4801587301587302e-05);
+    const double t13 = x2 * (t12 + 0.0013888888888888889);
+    const double closed_sines = kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (kappa * (x2 * (x2 * (x2 * (x2
+        * (x2 * (x2 * (x2 * (x2 * (t7 - 1.0256846135305973e-14) + 3.5621085608788143e-13) - 8.021208954024237e-12) +
+        1.2276568272158579e-10) - 1.2479120233112644e-09) + 7.8125363559733761e-09) - 2.6100676173286966e-08) +
+        3.4829578687806423e-08) - 7.7422178957115755e-09) + x2 * (x2 * (x2 * (x2 * (x2 * (x2 * (x2 * (t8 +
+        2.4616430724734335e-12) - 6.4830375807994417e-11) + 1.0587995819311992e-09) - 1.1048911444942721e-08) +
+        6.9883073305430808e-08) - 2.3437609067920127e-07) + 3.1320811407944362e-07) - 6.9659157375612845e-08) + x2 *
+        (x2 * (x2 * (x2 * (x2 * (x2 * (t9 - 4.4801903919016488e-10) + 8.5576096066552628e-09) -
+        9.5291962373807933e-08) + 6.1873904091679242e-07) - 2.0964921991629242e-06) + 2.8125130881504155e-06) -
+        6.2641622815888723e-07) + x2 * (x2 * (x2 * (x2 * (x2 * (t10 + 5.9138513173101769e-08) -
+        7.7018486459897373e-07) + 5.3363498929332442e-06) - 1.856217122750377e-05) + 2.5157906389955088e-05) -
+        5.625026176300831e-06) + x2 * (x2 * (x2 * (x2 * (t11 - 5.3224661855791587e-06) + 4.3130352417542525e-05) -
+        0.00016009049678799734) + 0.00022274605473004524) - 5.0315812779910177e-05) + x2 * (x2 * (x2 * (t12 +
+        0.00029805810639243292) - 0.0012939105725262758) + 0.0019210859614559679) - 0.00044549210946009048) + x2 *
+        (x2 * (t13 - 0.0089417431917729866) + 0.015526926870315309) - 0.0038421719229119358) + x2 * (x2 * (t13 -
+        0.041666666666666664) + 0.10730091830127585) - 0.031053853740630619;
+    const double t14 = m / (Omega * Omega);
+    out[0] = A_1 * (c_1 * cosine - s_1 * sine) + a_3 * c_3 + a_5 * c_5 - t14 * (closed_sines +
+        0.090909090909090912 * left_11 * s_11 + 0.076923076923076927 * left_13 * s_13 + 0.066666666666666666 *
+        left_15 * s_15 + 0.33333333333333331 * left_3 * s_3 + 0.20000000000000001 * left_5 * s_5 +
+        0.14285714285714285 * left_7 * s_7 + 0.1111111111111111 * left_9 * s_9);
+    out[1] = Omega * (-A_1 * (c_1 * sine + cosine * s_1) - 3.0 * a_3 * s_3 - 5.0 * a_5 * s_5 - t14 * (c_11 *
+        left_11 + c_13 * left_13 + c_15 * left_15 + c_3 * left_3 + c_5 * left_5 + c_7 * left_7 + c_9 * left_9 +
+        closed_cosines));
 }
 
 #endif

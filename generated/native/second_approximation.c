@@ -40,11 +40,24 @@ SF_LOOP(second_approximation_folds_loop, 3,
         h_5_AA, h_5_AAA, values);
 )
 
+SF_LOOP(second_approximation_components_loop, 7,
+    const double Omega = in[0][i], A = in[1][i], m = in[2][i], h = in[3][i], h_3 = in[4][i], h_5 = in[5][i];
+    second_approximation_components(Omega, A, m, h, h_3, h_5, values);
+)
+
+SF_LOOP(second_approximation_wave_loop, 2,
+    const double turned = in[0][i], Omega = in[1][i], m = in[2][i], A_1 = in[3][i], sine = in[4][i], cosine =
+        in[5][i], a_3 = in[6][i], a_5 = in[7][i], kappa = in[8][i];
+    second_approximation_wave(turned, Omega, m, A_1, sine, cosine, a_3, a_5, kappa, values);
+)
+
 static const sf_kernel kernels[] = {
     {"response", 14, 9, 1, NULL, SF_ONE(second_approximation_response_loop)},
     {"detachment", 13, 3, 1, NULL, SF_ONE(second_approximation_detachment_loop)},
     {"detachment_by_inertia", 13, 3, 1, NULL, SF_ONE(second_approximation_detachment_by_inertia_loop)},
     {"folds", 17, 3, 1, NULL, SF_ONE(second_approximation_folds_loop)},
+    {"components", 6, 7, 1, NULL, SF_ONE(second_approximation_components_loop)},
+    {"wave", 9, 2, 1, NULL, SF_ONE(second_approximation_wave_loop)},
 };
 
 const sf_module sf_module_second_approximation = {"second_approximation", kernels, sizeof kernels / sizeof kernels[0]};

@@ -15,7 +15,8 @@ from ...den_hartog import S
 from ...results import Results
 from ...second_approximation import OF_HARMONIC, RESONANCE
 from ...slow_flow import m
-from ...symbols import F_0, A, Omega, mu, tau, zeta
+from ...symbols import F_0, A, Omega, h, mu, tau, zeta
+from ...wave import A_1, cosine, kappa, of_spring, sine, turned
 from ..form import AVERAGED, Kernel, Module, plain
 
 
@@ -23,18 +24,18 @@ def second_approximation_module(results: Results) -> Module:
     """The mechanism-free functions of the second approximation."""
     second = results.second
     families = (AVERAGED, *OF_HARMONIC.values())
+    reached = f"Omega > 0, A > 0, |h| < {RESONANCE} A Omega^2"
 
     def kernel(name: str, forcing: Sequence[sp.Symbol], derivatives: int, outputs: Sequence[str], doc: str) -> Kernel:
         averages = (symbol for family in families for symbol in family[: derivatives + 1])
         values = [second.outputs[output] for output in outputs]
-        domain = f"Omega > 0, A > 0, |h| < {RESONANCE} A Omega^2"
         arguments = (Omega, A, *forcing, m, zeta, *averages)
-        return plain(name, arguments, values, doc, "beyond (23)", domain, lets=second.lets)
+        return plain(name, arguments, values, doc, "beyond (23)", reached, lets=second.lets)
 
     return Module(
         name="second_approximation",
         title="Second approximation of any mechanism, with higher harmonics, in A = A_1 + a_3 + a_5",
-        inputs=("averaging.py", "slow_flow.py", "second_approximation.py"),
+        inputs=("averaging.py", "slow_flow.py", "second_approximation.py", "wave.py"),
         kernels=(
             kernel(
                 "response",
@@ -63,6 +64,24 @@ def second_approximation_module(results: Results) -> Module:
                 3,
                 ("F", "F_A", "F_AA"),
                 "F and its derivatives: a fold has F = F_A = 0, a cusp all three.",
+            ),
+            plain(
+                "components",
+                (Omega, A, m, h, *(family[0] for family in OF_HARMONIC.values())),
+                [second.outputs[name] for name in ("u_max", "A_1", "sine", "cosine", "a_3", "a_5", "kappa")],
+                "Largest displacement and what `wave` takes.",
+                "beyond (23)",
+                reached,
+                lets=second.lets,
+            ),
+            plain(
+                "wave",
+                (turned, Omega, m, A_1, sine, cosine, *of_spring.values(), kappa),
+                results.wave.outputs,
+                "u and u' at an angle after the mass turned at its largest displacement.",
+                "beyond (23)",
+                f"Omega > 0, 0 <= turned <= pi, |kappa| < {RESONANCE}",
+                lets=results.wave.lets,
             ),
         ),
         constants={"RESONANCE": sp.Integer(RESONANCE)},

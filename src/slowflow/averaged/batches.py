@@ -23,7 +23,7 @@ from slowflow.gradient import Gradient
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, Floats, at_rest
 from slowflow.moves import Given, of_detachment, of_folds, of_onset, of_peak, of_states
-from slowflow.results import NOT_AVERAGED, Remark
+from slowflow.results import NOT_AVERAGED, InDecibels, Remark
 from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
@@ -300,6 +300,11 @@ class AlongCurves(Counted):
         Omega: Floats
         A: Floats
 
+    @property
+    def _frequency(self) -> Floats:
+        """Of each point."""
+        return self.Omega
+
     def _found(self) -> tuple[Any, Any, Any]:
         return self.Omega, self.A, None
 
@@ -351,23 +356,15 @@ class Folds(Counted):
         return of_folds(self._given().with_places(), self.Omega, self.A, self._forcing, self._corner)
 
 
-@dataclass(frozen=True, eq=False)
-class States(AtFrequency):
-    """The steady states at one frequency and forcing, for each design; A, stable and phi have one more axis, of places.
+class Passing(InDecibels):
+    """What states and points of curves share: phase, and what is passed on."""
 
-    A      -- by rising A, then NaN
-    stable -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
-    count  -- how many states there are, also where they are more than places
-    undecided -- 1 where doubles do not tell whether there is another pair
-    """
-
-    inner: ClassVar[Mapping[str, str]] = MappingProxyType(dict.fromkeys(("A", "stable"), "place"))
-
-    A: Floats
-    stable: Codes
-    count: Codes
-    undecided: Codes
-    status: Codes
+    if TYPE_CHECKING:
+        A: Floats
+        _forcing: Floats
+        _frequency: Floats
+        _force_at: Any
+        _whose: Any
 
     @cached_property
     def phi(self) -> Floats:
@@ -380,15 +377,15 @@ class States(AtFrequency):
 
     @cached_property
     def transmissibility(self) -> Floats:
-        """As of single `SteadyStates`; NaN in an empty place. Computed when first asked for."""
+        """As of single `SteadyStates`; NaN in an empty place, and behind the last point. Computed when asked for."""
         with np.errstate(all="ignore"):
             force = self._force_at(self._frequency)
             return frozen(slow_flow.transmissibility(self._frequency, self.A, force, *self._of_designs))
 
-    def gradient(self) -> Gradient:
-        """As of single `SteadyStates`, of each design; `.slopes` of shape (..., places, 3, parameters)."""
-        given = self._given().with_places()
-        return of_states(given, self._frequency, self.A, self._forcing, self.phi, self.transmissibility)
+    @property
+    def relative(self) -> Floats:
+        """As of single `SteadyStates`: A over F_0; NaN in an empty place."""
+        return np.asarray(self.A / self._forcing)
 
     @cached_property
     def _of_designs(self) -> tuple[Floats, Floats, Floats]:
@@ -410,7 +407,31 @@ class States(AtFrequency):
 
 
 @dataclass(frozen=True, eq=False)
-class Curves(AlongCurves):
+class States(Passing, AtFrequency):
+    """The steady states at one frequency and forcing, for each design; A, stable and phi have one more axis, of places.
+
+    A      -- by rising A, then NaN
+    stable -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
+    count  -- how many states there are, also where they are more than places
+    undecided -- 1 where doubles do not tell whether there is another pair
+    """
+
+    inner: ClassVar[Mapping[str, str]] = MappingProxyType(dict.fromkeys(("A", "stable"), "place"))
+
+    A: Floats
+    stable: Codes
+    count: Codes
+    undecided: Codes
+    status: Codes
+
+    def gradient(self) -> Gradient:
+        """As of single `SteadyStates`, of each design; `.slopes` of shape (..., places, 3, parameters)."""
+        given = self._given().with_places()
+        return of_states(given, self._frequency, self.A, self._forcing, self.phi, self.transmissibility)
+
+
+@dataclass(frozen=True, eq=False)
+class Curves(Passing, AlongCurves):
     """The response curve at one forcing, for each design, with every fold at that forcing.
 
     Omega, A, stable, branch and isola have one more axis, of points, in order along each branch; the curves of designs

@@ -20,8 +20,9 @@ from slowflow.exact.compiled import default_integrator
 from slowflow.exact.continuation import COINCIDE, FOLDS, STEP, Path, Point, least_scale
 from slowflow.exact.cycle import Array
 from slowflow.exact.integrate import Integrator, limited
-from slowflow.exact.shooting import SteadyState, Transmitted, check_forcing, describe, steady_state
+from slowflow.exact.shooting import SteadyState, check_forcing, describe, steady_state
 from slowflow.mechanism import EquationOfMotion
+from slowflow.transmitted import Transmitted
 
 NEAR_TOP = 0.9  # share of the highest point's amplitude from which on a stretch of the curve may hold its peak
 
@@ -83,12 +84,12 @@ class Response(Table):
         point = self.states[index]
         return describe(point.cycle, point.z, self.F_0, point.monodromy)
 
-    def transmitted(self) -> Transmitted:
+    def transmitted(self, of: str = "force") -> Transmitted:
         """What each motion passes on: first harmonic, peak and root mean square, arrays along the curve.
 
         See `SteadyState.transmitted`; about a millisecond for each point.
         """
-        passed = [self.steady_state(k).transmitted() for k in range(len(self))]
+        passed = [self.steady_state(k).transmitted(of) for k in range(len(self))]
         return Transmitted(*np.array(passed).reshape(-1, 3).T)
 
     def plot(self, ax: Any = None) -> Any:

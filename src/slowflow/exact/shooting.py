@@ -22,6 +22,7 @@ from slowflow.exact.cycle import Cycle, closed_cycle
 from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import TURN, Forced, Phase, follow
 from slowflow.mechanism import EquationOfMotion
+from slowflow.transmitted import Transmitted, asked
 from slowflow_kernels.motion import acceleration
 
 Array = NDArray[np.float64]
@@ -70,23 +71,6 @@ COMES_TO_REST = (
 
 class NotSettled(ArithmeticError):
     """The motion was followed for `MOST_TURNS` turns and not seen to approach a periodic one."""
-
-
-class Transmitted(NamedTuple):
-    """What a motion passes on over the amplitude of the force: at its frequency, at most, and root mean square.
-
-    Numbers, or arrays with that of each point of a curve. Without harmonics peak is first, and rms that over sqrt(2).
-    """
-
-    first: Any
-    peak: Any
-    rms: Any
-
-    @property
-    def dB(self) -> Transmitted:
-        """The same in decibels, 20 log10."""
-        with np.errstate(divide="ignore"):
-            return Transmitted(*(20.0 * np.log10(ratio) for ratio in self))
 
 
 @dataclass(frozen=True, eq=False)
@@ -188,23 +172,36 @@ class SteadyState(Answer):
         total[0] *= 0.5
         return total
 
-    def transmitted(self) -> Transmitted:
-        """What spring, damper and friction pass on to the base, all harmonics of it, over the amplitude of the force.
+    def transmitted(self, of: str = "force") -> Transmitted:
+        """What the motion passes on, all harmonics of it, over what drives it.
 
-        On a base that shakes it is as well the acceleration of the mass over that of the base.
+        of -- "force": spring, damper and friction over the amplitude of the force; on a base that shakes it is as well
+              the acceleration of the mass over that of the base. "relative": u over F_0, its mean included.
+              "absolute": of a base that shakes the displacement of the mass over that of the base, of an unbalance that
+              of the centre of mass over F_0.
+
+        Raises ValueError for another `of`, and for "absolute" where the base stands still.
         """
+        asked(of, inertial=self.cycle.system.inertial)
         nodes, weights = np.polynomial.legendre.leggauss(GAUSS_NODES)
         whole = self.cycle.half_turns * math.pi
         square, first, peak = 0.0, 0j, 0.0
         for phase in self.phases:
             half = 0.5 * (phase.end - phase.theta)
             at = phase.theta + half * (1.0 + nodes)
-            passed = self._passed_on(phase, at)
+            passed = self._wave(of, phase, at)
             square += half * float(weights @ passed**2)
             first += half * complex((weights * passed) @ np.exp(-1j * at))
-            peak = max(peak, self._highest_passed_on(phase))
-        force = self.force
-        return Transmitted(2.0 * abs(first) / whole / force, peak / force, math.sqrt(square / whole) / force)
+            peak = max(peak, self._highest(of, phase))
+        drives = self.force if of == "force" else self.F_0
+        return Transmitted(2.0 * abs(first) / whole / drives, peak / drives, math.sqrt(square / whole) / drives)
+
+    def _wave(self, of: str, phase: Phase, theta: Array) -> Array:
+        """What is asked for of the motion within a phase."""
+        if of == "force":
+            return self._passed_on(phase, theta)
+        u = self._within(phase, theta)[:, 0]
+        return np.asarray(u + self.F_0 * np.cos(theta)) if of == "absolute" else u
 
     def _passed_on(self, phase: Phase, theta: Array) -> Array:
         """f(u) + 2 zeta v + friction, which at rest holds against all of the force."""
@@ -216,10 +213,10 @@ class SteadyState(Answer):
         # seen by who stands still the forcing is no force
         return -np.asarray(acceleration(0.0, v, drive.F_0, drive.zeta, drive.resistance(v)[0], of_spring))
 
-    def _highest_passed_on(self, phase: Phase) -> float:
+    def _highest(self, of: str, phase: Phase) -> float:
         """The largest size of that within a phase, its ends included."""
         grid = np.linspace(phase.theta, phase.end, PEAK_SAMPLES)
-        sizes = np.abs(self._passed_on(phase, grid))
+        sizes = np.abs(self._wave(of, phase, grid))
         top = int(np.argmax(sizes))
         if top in (0, sizes.size - 1):
             return float(sizes[top])
@@ -227,7 +224,7 @@ class SteadyState(Answer):
         from scipy.optimize import minimize_scalar
 
         found = minimize_scalar(
-            lambda theta: -abs(float(self._passed_on(phase, np.array([theta]))[0])),
+            lambda theta: -abs(float(self._wave(of, phase, np.array([theta]))[0])),
             bounds=(grid[top - 1], grid[top + 1]),
             method="bounded",
             options={"xatol": 1e-9},

@@ -28,7 +28,7 @@ from slowflow.loads_many import ManySpectra
 from slowflow.mechanism import EquationOfMotion, Force, Mechanism, check_followed
 from slowflow.model import THROUGHOUT, Floats
 from slowflow.off_centre.questions import OffCentre
-from slowflow.results import Remark
+from slowflow.results import InDecibels, Remark
 from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import MovesStatus, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING
@@ -148,7 +148,7 @@ class ManyFolds(OffCentreBatch):
 
 
 @dataclass(frozen=True, eq=False)
-class ManyStates(OffCentreBatch):
+class ManyStates(InDecibels, OffCentreBatch):
     """The steady states at one frequency and forcing, for each design, with one more axis for these.
 
     A, B, phi, transmissibility -- by rising A, then NaN; phase in radians
@@ -181,12 +181,16 @@ class ManyStates(OffCentreBatch):
 class OffCentreCurves(OffCentreBatch, batches.Curves):
     """The response curve at one forcing, for each design, with every fold at that forcing, as `Curves`, and B.
 
-    B -- the mean displacement of each point, then NaN
+    B, phi, transmissibility -- mean displacement, phase and what is passed on of each point, then NaN
     """
 
-    inner: ClassVar[Mapping[str, str]] = MappingProxyType({**batches.Curves.inner, "B": "point"})
+    inner: ClassVar[Mapping[str, str]] = MappingProxyType(
+        {**batches.Curves.inner, **dict.fromkeys(("B", "phi", "transmissibility"), "point")}
+    )
 
     B: Floats = field(kw_only=True)
+    phi: Floats = field(kw_only=True)
+    transmissibility: Floats = field(kw_only=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -566,7 +570,7 @@ def _curve(samples: int, window: tuple[float, float], most: int, single: OffCent
     columns["points"] = len(found)
     if len(found) > most:
         return columns, Status.TOO_MANY, said
-    columns |= _columns(found, "Omega", "A", "B", "stable", "branch")
+    columns |= _columns(found, "Omega", "A", "B", "phi", "transmissibility", "stable", "branch")
     columns["isola"] = np.asarray(found.isola, dtype=np.int8)[found.branch]
     return columns, status, said | found.remarks
 

@@ -10,8 +10,9 @@ import numpy.typing as npt
 
 from slowflow import validate
 from slowflow.answer import Table
-from slowflow.model import Floats
+from slowflow.model import Floats, Model
 from slowflow.results import DRAWN, InDecibels
+from slowflow.transmitted import Transmitted, asked
 from slowflow_kernels import motion
 
 
@@ -86,6 +87,7 @@ class SecondStates(InDecibels, SecondTable):
     message: str
     F_0: float | Floats = field(kw_only=True)
     force: Floats = field(kw_only=True, repr=False)
+    _model: Model = field(kw_only=True, repr=False)
     #: whether the message says that some are left out which averaging has
     _lost: bool = field(default=False, kw_only=True, repr=False)
 
@@ -93,6 +95,21 @@ class SecondStates(InDecibels, SecondTable):
     def transmissibility(self) -> Floats:
         """Fundamental harmonic of what spring, damper and friction pass on, over `.force`: the force less inertia."""
         return np.asarray(motion.transmissibility(self.Omega, self.A_1, self.force, self.phi))
+
+    def transmitted(self, of: str = "force") -> Transmitted:
+        """What the whole wave passes on over what drives it: first harmonic, largest value, root mean square.
+
+        of -- "force", "relative" or "absolute", as of exact motions, see `slowflow.exact.SteadyState.transmitted`
+
+        The motion has harmonics 3 and 5 of the spring and all of friction's; `first` is `transmissibility`, or A_1 over
+        F_0. Some 0.1 ms for each state. Raises ValueError for another `of`, and for "absolute" where the base stands
+        still.
+        """
+        from slowflow.second.wave import Waves
+
+        asked(of, inertial=self._model.inertial)
+        F_0 = np.broadcast_to(np.asarray(self.F_0, dtype=float), self.Omega.shape)
+        return Waves(self._model, self.Omega, self.A, self.phi, F_0).transmitted(of)
 
 
 @dataclass(frozen=True, eq=False)

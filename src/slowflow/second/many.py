@@ -24,8 +24,10 @@ from slowflow.averaged.batches import AlongCurves, AtFrequency, Codes, Detachmen
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
-from slowflow.results import Remark
+from slowflow.results import InDecibels, Remark
 from slowflow.second.questions import SecondApproximation
+from slowflow.transmitted import Transmitted
+from slowflow.transmitted import asked as asked_of
 from slowflow_kernels import motion
 from slowflow_kernels.conventions import OnsetKind, Status
 
@@ -40,7 +42,7 @@ UNANSWERED = {
 
 
 @dataclass(frozen=True, eq=False)
-class ManySecondStates(AtFrequency):
+class ManySecondStates(InDecibels, AtFrequency):
     """The steady states at one frequency and forcing, for each design; A to stable have one more axis, of places.
 
     A, A_1, phi, stable -- as in `SecondStates`, by the order of a single answer, then NaN and 0
@@ -63,9 +65,13 @@ class ManySecondStates(AtFrequency):
         """As of single `SecondStates`; NaN in an empty place. Computed when first asked for."""
         return _transmissibility(self, self._frequency)
 
+    def transmitted(self, of: str = "force") -> Transmitted:
+        """As of single `SecondStates`, NaN in an empty place; some 0.1 ms for each state."""
+        return _transmitted(self, of, np.broadcast_to(self._frequency, self.A.shape))
+
 
 @dataclass(frozen=True, eq=False)
-class ManySecondCurves(AlongCurves):
+class ManySecondCurves(InDecibels, AlongCurves):
     """The response curve at one forcing, for each design; what has points has one more axis, as in `Curves`.
 
     A, A_1, phi, stable -- as in `SecondResponse`
@@ -93,11 +99,32 @@ class ManySecondCurves(AlongCurves):
         """As of single `SecondResponse`; NaN behind the last point. Computed when first asked for."""
         return _transmissibility(self, self.Omega)
 
+    def transmitted(self, of: str = "force") -> Transmitted:
+        """As of single `SecondResponse`, NaN behind the last point; some 0.1 ms for each point."""
+        return _transmitted(self, of, self.Omega)
+
 
 def _transmissibility(found: Any, Omega: Floats) -> Floats:
     """Of states with the first harmonic's amplitude and phase."""
     with np.errstate(all="ignore"):  # empty places
         return frozen(np.asarray(motion.transmissibility(Omega, found.A_1, found._force_at(Omega), found.phi)))
+
+
+def _transmitted(found: Any, of: str, Omega: Floats) -> Transmitted:
+    """Of states of each design, one design after the other."""
+    from slowflow.second.wave import Waves
+
+    designs = found._designs
+    asked_of(of, inertial=designs.excitation != "force")
+    columns = Transmitted(*(np.full(found.A.shape, np.nan) for _ in Transmitted._fields))
+    here = ~np.isnan(found.A)
+    for at, numbers, (F_0,) in designs._each(here.any(axis=-1), found._F_0):
+        model, rows = designs.model(dict(zip(designs.values, numbers, strict=True))), (*at, here[at])
+        forcing = np.full(np.count_nonzero(here[at]), F_0)
+        passed = Waves(model, Omega[rows], found.A[rows], found.phi[rows], forcing).transmitted(of)
+        for column, value in zip(columns, passed, strict=True):
+            column[rows] = value
+    return Transmitted(*map(frozen, columns))
 
 
 @dataclass(frozen=True)

@@ -140,6 +140,7 @@ class SecondApproximation:
             *(branch, curve.isola),
             F_0=first.F_0,
             force=self._force(first.F_0, Omega_),
+            _model=self.first.model,
             _lost=curve.message != first.message,
         )
 
@@ -151,12 +152,13 @@ class SecondApproximation:
         if not validate.is_single(F_0):
             names = ("Omega", "A", "A_1", "phi", "stable", "force")
             found = at_pairs(lambda at, one: self.amplitudes(Omega=at, F_0=one), Omega, F_0, names)
-            return SecondStates(**found.columns, F_0=found.F_0, message=found.message())
+            return SecondStates(**found.columns, F_0=found.F_0, message=found.message(), _model=self.first.model)
         first = self.first.states(Omega=Omega, F_0=F_0)
         wanted = np.asarray(Omega, dtype=float).ravel()
         if not wanted.size or not first.A.size:
             none = np.empty(0)
-            return SecondStates(none, none, none, none, np.empty(0, bool), first.message, F_0=first.F_0, force=none)
+            columns = (none, none, none, none, np.empty(0, bool))
+            return SecondStates(*columns, first.message, F_0=first.F_0, force=none, _model=self.first.model)
         curve = self._around(F_0, wanted, Wanted.EVERY_POINT)
         found = self._solvers.states(self._balance, curve, wanted, float(F_0))
         at, u_max, A_1, phi, stable = np.array(found).reshape(-1, 5).T
@@ -164,7 +166,8 @@ class SecondApproximation:
         message = joined(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
         said, force = self._remarked(message, at, u_max), self._force(F_0, at)
         stays = (stable != 0) & self._stay(at, u_max)
-        return SecondStates(at, u_max, A_1, phi, stays, said, F_0=first.F_0, force=force, _lost=fewer > 0)
+        columns, model = (at, u_max, A_1, phi, stays), self.first.model
+        return SecondStates(*columns, said, F_0=first.F_0, force=force, _model=model, _lost=fewer > 0)
 
     def saddle_nodes(self, F_0: float) -> SecondFolds:
         """Every fold of the response curve between two of its points, by rising Omega.

@@ -245,6 +245,17 @@ def second_approximation_table(rng: random.Random) -> dict:
             x["h"] = -x["A"] * x["Omega"] ** 2 * (1 + 1e-6 if number % 2 else rng.uniform(-0.5, 8.0))
             rows.append(entry(second_kernel(kernel), [x[name] for name in names]))
         table[kernel] = rows
+    for name, of in (
+        ("components", "Omega A m h h_3 h_5"),
+        ("wave", "turned Omega m A_1 sine cosine a_3 a_5 kappa"),
+    ):
+        rows = []
+        for number in range(12):
+            x = {one: rng.uniform(*RANGES[one]) for one in of.split()}
+            kappa = 1 + 1e-6 if number % 2 else rng.uniform(*RANGES["kappa"])
+            x |= {"h": -x["A"] * x["Omega"] ** 2 * kappa} if "A" in x else {"kappa": kappa}
+            rows.append(entry(second_kernel(name), [x[one] for one in of.split()]))
+        table[name] = rows
     return table
 
 

@@ -128,25 +128,48 @@ def peak_cubic(A, m, zeta, h):
     return interpolated(lambda w: mp.diff(lambda v: response(v, A, 0, m, zeta, h), w) / (4 * A), 3, 2)
 
 
-def second(Omega, A, m, zeta, h, h_3, h_5):
-    """The balance with harmonics: R, I, largest displacement, first harmonic; h, h_3, h_5 are functions of A."""
-    K = -h(A) / A
-    a_3, a_5 = (-h_n(A) / (n**2 * Omega**2 - K) for n, h_n in ((3, h_3), (5, h_5)))
+def components(Omega, A, m, h, h_3, h_5):
+    """Largest displacement, first harmonic, sine and cosine of the turn, a_3, a_5, kappa; of h, h_3, h_5 at A."""
+    K = -h / A
+    a_3, a_5 = (-h_n / (n**2 * Omega**2 - K) for n, h_n in ((3, h_3), (5, h_5)))
     A_1 = A - a_3 - a_5
     # sum over odd n of 1/(n^2 - kappa) is pi tan(pi k/2)/(4 k), k^2 = kappa
     k = mp.sqrt(K) / Omega
-    turned = mp.asin(-m / (A_1 * Omega**2) * mp.re(mp.pi * mp.tan(mp.pi * k / 2) / (4 * k) - 1 / (1 - k**2)))
+    sine = -m / (A_1 * Omega**2) * mp.re(mp.pi * mp.tan(mp.pi * k / 2) / (4 * k) - 1 / (1 - k**2))
+    turned = mp.asin(sine)
     u_max = A_1 * mp.cos(turned) + a_3 + a_5
+    return [u_max, A_1, sine, mp.cos(turned), a_3, a_5, K / Omega**2]
+
+
+def wave(turned, Omega, m, A_1, sine, cosine, a_3, a_5, kappa):
+    """u and u', friction's harmonics by the closed sums of their waves over half a cycle."""
+    k, x = mp.sqrt(kappa), mp.pi / 2 - turned
+    whole = mp.re(mp.cos(k * x) / mp.cos(k * mp.pi / 2))
+    of_u = mp.pi / (4 * kappa) * (whole - 1) - mp.sin(turned) / (1 - kappa)
+    of_v = mp.re(mp.pi / (4 * k) * mp.sin(k * x) / mp.cos(k * mp.pi / 2)) - mp.cos(turned) / (1 - kappa)
+    c, s = mp.cos(turned), mp.sin(turned)
+    u = A_1 * (c * cosine - s * sine) - m / Omega**2 * of_u
+    v = -A_1 * (s * cosine + c * sine) - m / Omega**2 * of_v
+    for n, a_n in ((3, a_3), (5, a_5)):
+        u, v = u + a_n * mp.cos(n * turned), v - n * a_n * mp.sin(n * turned)
+    return [u, Omega * v]
+
+
+def second(Omega, A, m, zeta, h, h_3, h_5):
+    """The balance with harmonics: R, I, largest displacement, first harmonic; h, h_3, h_5 are functions of A."""
+    u_max, A_1, sine, _, a_3, a_5, _ = components(Omega, A, m, h(A), h_3(A), h_5(A))
     # force of A cos psi + a_3 (cos 3 psi - cos psi) + a_5 (cos 5 psi - cos psi), to first order in a_3, a_5
     shares = (mp.diff(lambda a, h_n=h_n: h_n(a) - h(a), A) for h_n in (h_3, h_5))
     R = A_1 * Omega**2 + h(A) + sum(a_n * share for a_n, share in zip((a_3, a_5), shares, strict=True))
     # power of the forcing is what friction, 4 mu u_max a cycle, and viscosity take
     I = 2 * zeta * Omega * (A_1**2 + 9 * a_3**2 + 25 * a_5**2) / A_1 + m * u_max / A_1
-    return R - m * mp.sin(turned), I, u_max, A_1
+    return R - m * sine, I, u_max, A_1
 
 
 def second_kernel(kernel):
     """The kernels of the second approximation; derivatives numerically."""
+    if kernel in ("components", "wave"):
+        return {"components": components, "wave": wave}[kernel]
     orders = 4 if kernel == "folds" else 3
 
     def of(Omega, A, *x):

@@ -1,0 +1,43 @@
+"""What a motion passes on: the numbers of its whole wave, and what they may be of.
+
+In:  waves of exact motions and of the second approximation.
+Out: `Transmitted`, in ratio and in decibels; `OF`.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slowflow import validate
+
+#: what may be asked for: the force that is passed on; the displacement, from the base and in space
+OF = ("force", "relative", "absolute")
+
+STANDS = "of = 'absolute' is not allowed with excitation = 'force': the base stands still, and 'relative' is absolute"
+
+
+class Transmitted(NamedTuple):
+    """What a motion passes on over what drives it: at its frequency, at most, and root mean square.
+
+    Numbers, or arrays with that of each point of a curve. Without harmonics peak is first, and rms that over sqrt(2).
+    """
+
+    first: Any
+    peak: Any
+    rms: Any
+
+    @property
+    def dB(self) -> Transmitted:
+        """The same in decibels, 20 log10."""
+        with np.errstate(divide="ignore"):
+            return Transmitted(*(20.0 * np.log10(ratio) for ratio in self))
+
+
+def asked(of: str, *, inertial: bool) -> str:
+    """`of`, one of `OF`. Raises ValueError for another one, and where the base stands still for "absolute"."""
+    validate.choice("of", of, OF)
+    if of == "absolute" and not inertial:
+        raise ValueError(STANDS)
+    return of
