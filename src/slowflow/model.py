@@ -20,7 +20,6 @@ from slowflow import backend, validate
 from slowflow.mechanism import Floats, Mechanism, Parameter, check_at_rest
 from slowflow_kernels import dissipation, inertia
 from slowflow_kernels import slow_flow as general_flow
-from slowflow_kernels.conventions import ENDLESS
 from slowflow_kernels.domains import DAMPING, DISSIPATION, RUBS
 from slowflow_kernels.scenes import flow_of
 
@@ -269,20 +268,6 @@ class Model:
         Where f(u)/u is positive and rises with |u| so does -h/A with A, and -h_A is positive with it: so is their mean.
         """
         return self.hardens and not self.negative_stiffness
-
-    @cached_property
-    def gives_way(self) -> bool:
-        """Whether there are states beyond the well at any force that moves the mass; of an excitation by inertia, no.
-
-        At rest the spring pulls back, and of the largest motions the average pushes: in between it vanishes.
-        """
-        if self.inertial or self.stays_centred or self.negative_stiffness:
-            return False
-        try:
-            with np.errstate(all="ignore"):
-                return bool(self.averaged(min(self.reach, ENDLESS))[0] > 0)
-        except ArithmeticError:  # its sum does not settle so far out: nothing is known of it
-            return False
 
     @cached_property
     def kinks(self) -> tuple[tuple[float, float], ...]:

@@ -386,7 +386,7 @@ def main(only: list[str]) -> None:
         if not only or module in only:
             table[module] = make(random.Random(module))
     lines = []
-    for module, kernels in table.items():
+    for module, kernels in sorted(table.items()):
         inner = []
         for kernel, rows in kernels.items():
             body = ",\n".join("   " + json.dumps(row) for row in rows)

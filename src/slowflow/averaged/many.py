@@ -228,7 +228,7 @@ class Designs:
 
     @property
     def give_way(self) -> npt.NDArray[np.bool_]:
-        """`Model.gives_way` of each."""
+        """Whether there are states beyond the well at any force that moves the mass, of each."""
         if self.excitation != "force":
             return np.zeros(self.shape, dtype=bool)
         with np.errstate(all="ignore"):  # a number outside its domain has a status

@@ -219,7 +219,7 @@ class Averaged:
         if planned.model is None:
             return Peak(None, None, F_0, words.sticks(self.model, F_0), _model=self.model)
         found = solvers.peak(planned.model, F_0)
-        if self.model.gives_way:
+        if remarks.of_one_gives_way(self.model):
             found = dataclasses.replace(found, remarks=Remark.BEYOND_WELL)
         return self._remarked(found, F_0)
 

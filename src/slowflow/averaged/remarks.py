@@ -96,6 +96,11 @@ def gives_way(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
         return np.asarray(~(push > 0) & ~(at_rest > 0) & pushes)
 
 
+def of_one_gives_way(model: Model) -> bool:
+    """The same of one oscillator; of an excitation by inertia, no."""
+    return not (model.inertial or model.stays_centred) and bool(gives_way(model.mechanism, model.parameters))
+
+
 def of_designs(
     mechanism: Mechanism, parameters: tuple[Any, ...], mu: Any, force: Any, Omega: Any, A: Any, corner: Any, rubs: str
 ) -> Codes:
