@@ -145,9 +145,9 @@ def test_in_C_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(d
             assert np.isfinite([found[1].lo, found[1].hi]).all()
 
 
-@pytest.mark.parametrize("name", slow_beside(sorted(set(FORCES) - {"preload"}), FEW))
+@pytest.mark.parametrize("name", slow_beside(sorted(FORCES), FEW))
 def test_exact_motions_are_those_of_another_integrator(derived, name):
-    """At a frequency below resonance and above: switches, amplitude, multipliers; a preload's are not followed."""
+    """At a frequency below resonance and above: switches, amplitude, multipliers."""
     numbers = FORCES[name][1]
     system, plain = (derived(name, how)(**numbers, **DAMPING).equation_of_motion() for how in (True, False))
     for Omega in (0.5, 1.4):

@@ -58,6 +58,31 @@ class Piece:
 
 
 @dataclass(frozen=True)
+class OneSided(Piece):
+    """A piece on one side of u = 0, where the force jumps; beyond that, where an integrator tries it, its tangent.
+
+    side -- 1 or -1; 0 for what is left between: f = 0 at u = 0
+    """
+
+    side: int
+
+    def _inside(self, u: Any) -> Any:
+        # u = 0 keeps the sign of the side
+        return self.side * (np.maximum(self.side * u, 0.0) + 0.0)
+
+    def __call__(self, u: Any) -> Any:
+        """See `Piece`."""
+        if self.side == 0:
+            return 0.0 * u
+        inside = self._inside(u)
+        return self.law.force(inside, *self.constants) + self.slope(self.side * 0.0) * (u - inside)
+
+    def slope(self, u: float) -> float:
+        """See `Piece`."""
+        return float(self.law.slope(self._inside(u), *self.constants))
+
+
+@dataclass(frozen=True)
 class Force:
     """The whole restoring force f(u) = u + F_k(u): piece i holds for breakpoints[i-1] < |u| <= breakpoints[i].
 
@@ -87,6 +112,20 @@ class Force:
     def odd(self) -> bool:
         """Whether it is odd, so that a motion may be the mirror image of itself half a turn later."""
         return True
+
+    @property
+    def jump(self) -> float:
+        """f(0+), what it jumps to at u = 0: it holds a mass there that friction alone would not."""
+        return 0.0
+
+    @property
+    def innermost(self) -> int:
+        """The number of the first piece that a mass may move in."""
+        return 0
+
+    def beyond(self, slip: int, region: int) -> int:
+        """The region into which a mass slips from that one."""
+        return region + slip
 
     def region_of(self, u: float) -> int:
         """The number of the piece that holds u, with the sign of u; a breakpoint belongs to the inner one."""
@@ -126,6 +165,47 @@ class Force:
         for number, (function, piece) in enumerate(zip(functions, self.pieces, strict=True)):
             values[held == number] = function(u[held == number], *piece.constants)
         return values
+
+
+@dataclass(frozen=True)
+class JumpingForce(Force):
+    """An odd force that jumps at u = 0, as a preload does: region 0 is that place, where a mass may rest.
+
+    pieces -- the first holds there, with f = 0; the others by rising |u|, as they are for u > 0
+    breakpoints -- the first is 0
+    """
+
+    def __post_init__(self) -> None:
+        Force(self.pieces[1:], self.breakpoints[1:])
+
+    @staticmethod
+    def of_sides(force: Force) -> JumpingForce:
+        """That of pieces which jump at u = 0."""
+        first = force.pieces[0]
+        return JumpingForce((OneSided(first.law, first.constants, 0), *force.pieces), (0.0, *force.breakpoints))
+
+    @property
+    def jump(self) -> float:
+        """See `Force`."""
+        return self.pieces[1].value(0.0)
+
+    @property
+    def innermost(self) -> int:
+        """See `Force`."""
+        return 1
+
+    def beyond(self, slip: int, region: int) -> int:
+        """See `Force`."""
+        return region + slip or slip
+
+    def piece(self, region: int) -> Piece:
+        """The piece of that number on its side."""
+        piece = self.pieces[abs(region)]
+        return piece if abs(region) != 1 else OneSided(piece.law, piece.constants, region)
+
+    def __call__(self, u: Floats) -> Floats:
+        """See `Force`; 0 at u = 0."""
+        return np.where(u == 0, 0.0, super().__call__(u))
 
 
 @dataclass(frozen=True)
@@ -202,7 +282,8 @@ class EquationOfMotion:
 
     def holds(self, region: int) -> float:
         """The largest push against which friction holds a mass at rest there."""
-        return 0.0 if self.released and region != 0 else max(self.mu, self.mu_s)
+        held = 0.0 if self.released and region != 0 else max(self.mu, self.mu_s)
+        return held + self.force.jump if region == 0 else held
 
     def forcing(self, *, Omega: float, F_0: float) -> float:
         """Amplitude of the force at an amplitude F_0 of the excitation."""
@@ -218,10 +299,10 @@ class EquationOfMotion:
 
 def check_followed(force: Force, name: str) -> None:
     """Raises ValueError for a force whose motions are not followed, of a mechanism by its name."""
-    if force.odd and force.value(0.0) != 0:
+    if force.innermost == 0 and force.odd and force.value(0.0) != 0:
         raise ValueError(f"motions of {name} are not followed: its force jumps at u = 0, where a mass rests")
     with np.errstate(all="ignore"):
-        stiffness = force.pieces[0].slope(0.0) if force.odd else 0.0
+        stiffness = force.pieces[force.innermost].slope(0.0) if force.odd else 0.0
     if not math.isfinite(stiffness):
         raise ValueError(f"motions of {name} are not followed: its stiffness is infinite at u = 0")
 

@@ -30,11 +30,11 @@ from slowflow.exact.integrate import (
     spend,
     steps_left,
 )
-from slowflow.mechanism import EquationOfMotion, Force, Law, Piece
+from slowflow.mechanism import EquationOfMotion, Force, Law, OneSided, Piece
 
 EXACT: Any = backend.EXACT
 PHASE = struct.Struct("@iiddddddi?0d")  # a phase as C has it, in the order of `motion.Phase`
-ALONE = 0.0, 0.0, False, 0.0, 0.0, False, 0.0  # friction and damping of a piece by itself: a drive has its own
+ALONE = 0.0, 0.0, False, 0.0, 0.0, False, 0.0, 0.0  # friction and damping of a piece by itself: a drive has its own
 TRACED = 50  # points of a curve at a time: some milliseconds, after which Ctrl-C is heard
 
 
@@ -56,7 +56,7 @@ def of_system(system: EquationOfMotion) -> Any:
     about = -force.region_of(-math.inf)
     laws, constants = tuple(recurrences(piece.law) for piece in pieces), tuple(piece.constants for piece in pieces)
     damping = system.mu, system.zeta, system.inertial, system.load, system.c_2, system.released, system.mu_s
-    return EXACT.system(laws, constants, edges, about, force.odd, *damping)
+    return EXACT.system(laws, constants, edges, about, force.odd, *damping, force.jump)
 
 
 def by_rising_u(force: Force) -> tuple[tuple[Piece, ...], tuple[float, ...]]:
@@ -69,7 +69,8 @@ def by_rising_u(force: Force) -> tuple[tuple[Piece, ...], tuple[float, ...]]:
 @functools.lru_cache(maxsize=4096)
 def of_piece(piece: Piece) -> Any:
     """An oscillator of that piece alone."""
-    return EXACT.system((recurrences(piece.law),), (piece.constants,), (), 0, True, *ALONE)
+    side = piece.side if isinstance(piece, OneSided) else 0
+    return EXACT.system((recurrences(piece.law),), (piece.constants,), (), 0, True, *ALONE, side)
 
 
 class TaylorIntegrator:

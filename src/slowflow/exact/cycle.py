@@ -222,7 +222,7 @@ class Cycle:
         first = (self.sign * self.signature[0][0], self.sign * self.signature[0][1])
         following = [*self.signature[1:], first]
         return all(
-            after[1] == region or (slip != 0 and after == (slip, region + slip))
+            after[1] == region or (slip != 0 and after == (slip, self.system.force.beyond(slip, region)))
             for (slip, region), after in zip(self.signature, following, strict=True)
         )
 
@@ -271,11 +271,12 @@ class Cycle:
         theta, u = self._end(z, F_0, phase)
         beyond = max(slip * (u - edge_ahead(self.system, slip, region)), 0.0)
         # constant deceleration on the way out, constant acceleration on the way back
-        pulls = [-slip * forced.acceleration(s, region + slip, theta, u, 0.0) for s in (slip, -slip)]
+        other = self.system.force.beyond(slip, region)
+        pulls = [-slip * forced.acceleration(s, other, theta, u, 0.0) for s in (slip, -slip)]
         if min(pulls) <= 0.0:
             return None
         out, back = (float(motion.out(beyond, pull)) * forced.Omega for pull in pulls)
-        return self._with(z, phase, [(slip, region + slip)], [out], [(-slip, region + slip)], [back])
+        return self._with(z, phase, [(slip, other)], [out], [(-slip, other)], [back])
 
     def _with_rest_beyond(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array] | None:
         """The same where the mass rests beyond the breakpoint before it comes back."""
@@ -287,7 +288,8 @@ class Cycle:
             return None
         theta, u = self._end(z, F_0, phase)
         beyond = max(slip * (u - edge_ahead(self.system, slip, region)), 0.0)
-        pull = -slip * forced.acceleration(slip, region + slip, theta, u, 0.0)
+        other = self.system.force.beyond(slip, region)
+        pull = -slip * forced.acceleration(slip, other, theta, u, 0.0)
         # the push grows steadily from the moment of breaking away
         growth = forced.Omega * abs(forced.push_slopes(region, theta + spans[rest], u)[0])
         if min(pull, growth) <= 0.0:
@@ -295,15 +297,15 @@ class Cycle:
         out, back = (float(time) * forced.Omega for time in (motion.out(beyond, pull), motion.back(beyond, growth)))
         spans[phase] -= out
         spans[0 if last else rest + 1] -= back
-        signature[rest] = (0, region + slip)
+        signature[rest] = (0, other)
         if last:
-            signature.insert(0, (-self.sign * slip, self.sign * (region + slip)))
+            signature.insert(0, (-self.sign * slip, self.sign * other))
             spans.insert(0, back)
             phase += 1
         else:
-            signature.insert(rest + 1, (-slip, region + slip))
+            signature.insert(rest + 1, (-slip, other))
             spans.insert(rest + 1, back)
-        signature.insert(phase + 1, (slip, region + slip))
+        signature.insert(phase + 1, (slip, other))
         spans.insert(phase + 1, out)
         return replace(self, signature=tuple(signature)), np.array([z[0], z[1], *spans, z[-1]])
 
@@ -485,12 +487,18 @@ def _excited(by: Array, force_by_Omega: float, force_by_F_0: float) -> None:
     by[..., -1] *= force_by_F_0
 
 
+def rests_at_jump(system: EquationOfMotion, phases: list[Phase]) -> bool:
+    """Whether the mass rests at u = 0 on the way, where the force jumps."""
+    return system.force.jump != 0.0 and any(phase.slip == phase.region == 0 for phase in phases)
+
+
 def closed_cycle(
     system: EquationOfMotion, integrator: Integrator, half_turns: int, phases: list[Phase], Omega: float
 ) -> tuple[Cycle, Array] | None:
     """The cycle and trial unknowns that a followed motion suggests: from its highest beginning of a downward slip.
 
-    `phases` must span at least half_turns + 2 half turns; None where no downward slip is followed by its image.
+    `phases` must span at least half_turns + 2 half turns; None where no downward slip is followed by its image, or the
+    mass comes to rest where the force jumps: it passes that place ever more often before.
     """
     span = math.pi * half_turns
     sign = -1 if half_turns % 2 else 1
@@ -508,6 +516,8 @@ def closed_cycle(
         return None
     last = min(images, key=lambda i: abs(phases[i].theta - theta - span))
     chosen = phases[first:last]
+    if rests_at_jump(system, chosen):
+        return None
     spans = [phase.end - phase.theta for phase in chosen]
     z = np.array([phases[first].u, theta % (2.0 * math.pi), *spans, Omega])
     return Cycle(system, integrator, signature(chosen), half_turns), z

@@ -167,6 +167,7 @@ def follow(
             moved = _move_off(integrator, piece, drive, slip, edge, theta, u, end)
             if moved is None and system.holds(region) > 0:
                 # the push exceeds friction by too little and for too short a time to be told from rounding
+                region = 0 if u == 0.0 and system.force.jump != 0.0 else region
                 at, slip = break_away(forced, region, theta + NUDGES[-1], u)
                 theta = _rest(phases, region, theta, u, min(at, end), end)
                 continue
@@ -179,9 +180,12 @@ def follow(
             v = 0.0
         elif event == Event.EDGE:
             u = edge
-            if abs(v) < GRAZING and slip * forced.acceleration(slip, region + slip, theta, u, v) < 0.0:
+            beyond = system.force.beyond(slip, region)
+            if abs(v) < GRAZING and slip * forced.acceleration(slip, beyond, theta, u, v) < 0.0:
                 v, event = 0.0, Event.STOP
         phases.append(Phase(slip, region, from_theta, from_u, from_v, theta, u, v, event))
+        if event == Event.STOP and u == 0.0 and system.force.jump != 0.0:
+            region = 0
         if event == Event.STOP:
             slip = after_stop(forced, slip, region, theta, u)
         elif event == Event.EDGE:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from slowflow.answer import Answer, in_values
 from slowflow.exact.compiled import TaylorIntegrator, default_integrator
-from slowflow.exact.cycle import Cycle, closed_cycle
+from slowflow.exact.cycle import Cycle, closed_cycle, rests_at_jump
 from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import TURN, Forced, Phase, follow
 from slowflow.mechanism import EquationOfMotion
@@ -63,6 +63,11 @@ CHAOTIC = (
     "motion, stable or not, next to an amplitude"
 )
 
+RESTS_AT_JUMP = (
+    "the motion at Omega = {Omega:g}, F_0 = {F_0:g} repeats itself with A = {A:.6g}, but the mass rests at u = 0 in "
+    "each turn, where the force jumps, after passing it ever more often: that is followed in time, by sweep, and has "
+    "no multipliers"
+)
 COMES_TO_REST = (
     "no steady state found at Omega = {Omega:g}, F_0 = {F_0:g}: a motion from A = {u:.6g} on comes to rest, where "
     "friction holds the mass"
@@ -389,6 +394,7 @@ def check_forcing(system: EquationOfMotion, Omega: float, F_0: float, *, from_re
         raise ValueError(f"{told} does not exceed mu = {system.mu}: friction holds the mass for ever, it never moves")
     if from_rest and stays_at_rest(system, Omega, F_0):
         name = "mu_s" if system.mu_s > system.mu else "mu"
+        name += " and what the force jumps to at u = 0, together" if system.force.jump else ""
         raise ValueError(
             f"{told} does not exceed {name} = {system.holds(0)}: friction holds a mass at rest for ever; of motions "
             "beside that, if there are any, steady_state has the one next to A="
@@ -481,6 +487,7 @@ class Settled(NamedTuple):
     phases -- the last turn followed
     change -- of (u, v), over the last turn or the last turns of a subharmonic
     adrift -- the motion about u = 0 that is approached but for its mean, which no force brings back; else None
+    repeats -- whether the last turn is as the one before, as the mass rests at u = 0 in both, where the force jumps
     """
 
     found: SteadyState | None
@@ -490,6 +497,7 @@ class Settled(NamedTuple):
     phases: list[Phase]
     change: float
     adrift: SteadyState | None = None
+    repeats: bool = False
 
 
 def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, ...], most_turns: int) -> Settled:
@@ -508,6 +516,10 @@ def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, .
         history.append((u, v))
         if at_rest(phases):
             return Settled(None, len(history) - 1, u, v, phases, 0.0)
+        if rests_at_jump(forced.system, phases):
+            change = max(abs(u - history[-2][0]), abs(v - history[-2][1]))
+            if change <= AGAIN * _largest(phases):
+                return Settled(None, len(history) - 1, u, v, phases, change, repeats=True)
         if len(history) <= ask:
             continue
         ask += min(ask, 8)
@@ -544,6 +556,8 @@ def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, 
     if settled.adrift is not None:
         A, gap = settled.adrift.A, forced.system.force.breakpoints[0]
         raise ArithmeticError(ADRIFT.format(Omega=forced.Omega, F_0=forced.F_0, A=A, gap=gap))
+    if settled.repeats:
+        raise NotSettled(RESTS_AT_JUMP.format(Omega=forced.Omega, F_0=forced.F_0, A=_largest(settled.phases)))
     if at_rest(settled.phases):
         raise NotSettled(COMES_TO_REST.format(Omega=forced.Omega, F_0=forced.F_0, u=u))
     if parted >= PARTED:
@@ -565,7 +579,8 @@ def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, 
 
 def _on_its_way(settled: Settled) -> bool:
     """Whether a motion that was followed neither settled, nor rests, nor is adrift."""
-    return settled.found is None and settled.adrift is None and not at_rest(settled.phases)
+    known = settled.found is not None or settled.adrift is not None or settled.repeats
+    return not known and not at_rest(settled.phases)
 
 
 def _parted(forced: Forced, theta: float, settled: Settled) -> float:

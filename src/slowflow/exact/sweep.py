@@ -103,7 +103,8 @@ def sweep(
                 end = calmed(forced, 0.0, end, most_turns)
         drifts[i] = end.adrift is not None and end.turns < most_turns
         rested[i] = at_rest(end.phases)
-        u, v, spent[i], settled[i] = end.u, end.v, end.turns, end.found is not None or rested[i] or drifts[i]
+        u, v, spent[i] = end.u, end.v, end.turns
+        settled[i] = end.found is not None or end.repeats or rested[i] or drifts[i]
         if end.found is None:
             A[i] = max(max(abs(phase.u), abs(phase.u_end)) for phase in end.phases)
             rests[i] = stops(end.phases)

@@ -162,9 +162,10 @@ def transient(
         reached.insert(0, (abs(at), begin))
     A = max(spot for spot, _ in reached)
     tau_A = next(tau for spot, tau in reached if spot >= A * SAME)
-    off = next((stretch.tau(phase.theta) for stretch, phase in phases if phase.region != 0), None)
+    innermost = system.force.innermost
+    off = next((stretch.tau(phase.theta) for stretch, phase in phases if abs(phase.region) > innermost), None)
     a_max, tau_a = _largest_acceleration(phases)
-    u_cr = next(iter(system.force.breakpoints), None) if system.force.odd else None
+    u_cr = next(iter(system.force.breakpoints[innermost:]), None) if system.force.odd else None
     rests, stated = last.slip == 0, tuple(stretches)
     return Transient(A, tau_A, a_max, tau_a, u_cr, off is not None, off, rests, last.u_end, "", stated)
 

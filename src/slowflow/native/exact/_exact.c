@@ -29,10 +29,10 @@ static PyObject *make_system(PyObject *self, PyObject *arguments)
 {
     (void)self;
     PyObject *laws, *constants, *edges;
-    double mu, zeta, load, c_2, mu_s;
-    int about, odd, inertial, released;
-    if (!PyArg_ParseTuple(arguments, "O!O!O!ipddpddpd", &PyTuple_Type, &laws, &PyTuple_Type, &constants, &PyTuple_Type,
-                          &edges, &about, &odd, &mu, &zeta, &inertial, &load, &c_2, &released, &mu_s))
+    double mu, zeta, load, c_2, mu_s, jump = 0.0;
+    int about, odd, inertial, released, alone = 0;
+    if (!PyArg_ParseTuple(arguments, "O!O!O!ipddpddpd|di", &PyTuple_Type, &laws, &PyTuple_Type, &constants, &PyTuple_Type,
+                          &edges, &about, &odd, &mu, &zeta, &inertial, &load, &c_2, &released, &mu_s, &jump, &alone))
         return NULL;
     const Py_ssize_t pieces = PyTuple_Size(laws);
     if (pieces < 1 || PyTuple_Size(constants) != pieces || PyTuple_Size(edges) != pieces - 1 || about < 0 ||
@@ -55,7 +55,7 @@ static PyObject *make_system(PyObject *self, PyObject *arguments)
         return PyErr_NoMemory();
     sf_piece *const piece = (sf_piece *)(system + 1);
     double *const edge = (double *)(piece + pieces), *at = edge + pieces + 1;
-    *system = (sf_system){(int)pieces, about, odd, piece, edge, mu, zeta, inertial, load, c_2, released, mu_s};
+    *system = (sf_system){(int)pieces, about, odd, piece, edge, mu, zeta, inertial, load, c_2, released, mu_s, jump};
     edge[0] = -SF_FAR, edge[pieces] = SF_FAR;
     numbers(edges, edge + 1, pieces - 1);
     for (Py_ssize_t i = 0; i < pieces && !PyErr_Occurred(); i++) {
@@ -63,7 +63,7 @@ static PyObject *make_system(PyObject *self, PyObject *arguments)
         const Py_ssize_t count = law->constants;
         for (int side = 0; side < 2; side++, at += count + 1) {
             numbers(PyTuple_GetItem(constants, i), at, count);
-            at[count] = side ? 1.0 : -1.0;
+            at[count] = alone ? alone : jump != 0.0 ? (edge[i + 1] > 0.0) - (edge[i] < 0.0) : side ? 1.0 : -1.0;
             piece[i].p[side] = at;
         }
         piece[i].below = i > about ? &piece[i - 1] : i < about ? &piece[i + 1] : NULL;

@@ -25,6 +25,7 @@ typedef struct {
     double c_2;   /* quadratic damping */
     int released; /* whether friction acts on piece `about` only */
     double mu_s;  /* what friction holds a mass at rest with, where that is more than mu */
+    double jump;  /* f(0+): where it is not 0 piece `about` is the place u = 0, without width, with f = 0 */
 } sf_system;
 
 /* F_0: amplitude of the excitation, see sf_forcing */
@@ -64,15 +65,33 @@ static inline double sf_friction(const sf_system *system, int region)
 {
     return system->released && region != 0 ? 0.0 : system->mu;
 }
-static inline double sf_holding(const sf_system *system, int region)
+static inline double sf_static(const sf_system *system, int region)
 {
     return system->released && region != 0 ? 0.0 : fmax(system->mu, system->mu_s);
+}
+
+/* the largest push against which a mass rests there: at u = 0 what the force jumps to holds it too */
+static inline double sf_holding(const sf_system *system, int region)
+{
+    return sf_static(system, region) + (region == 0 ? system->jump : 0.0);
+}
+
+/* the region into which a mass slips from that one */
+static inline int sf_beyond(const sf_system *system, int slip, int region)
+{
+    return region + slip == 0 && system->jump != 0.0 ? slip : region + slip;
+}
+
+/* of a mass that stops at u in that region */
+static inline int sf_stopped(const sf_system *system, int region, double u)
+{
+    return u == 0.0 && system->jump != 0.0 ? 0 : region;
 }
 
 /* how many zeros v has in time where a mass breaks away: two, as the push balances friction, unless more held it */
 static inline int sf_zeros_of_start(const sf_system *system, int region)
 {
-    return sf_holding(system, region) > sf_friction(system, region) ? 1 : 2;
+    return sf_static(system, region) > sf_friction(system, region) ? 1 : 2;
 }
 
 static inline sf_drive sf_drive_of(const sf_forced *forced, int slip, int region)
@@ -332,7 +351,7 @@ static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v,
         if (event == SF_EDGE && slip * u >= SF_FAR) /* beyond it there is no piece */
             return SF_ESCAPES;
         if (zeros && event == SF_STOP && theta - phase.theta < SF_GLIMPSE && sf_holding(system, region) > 0) {
-            theta = phase.theta, u = phase.u;
+            theta = phase.theta, u = phase.u, region = sf_stopped(system, region, u);
             const double at = sf_break_away(forced, region, theta + SF_GLIMPSE, u, &slip);
             if (!sf_rest(phases, region, &theta, u, fmin(at, end), end))
                 return SF_NO_MEMORY;
@@ -341,12 +360,13 @@ static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v,
         }
         zeros = 0;
         if (event == SF_EDGE && fabs(v) < SF_GRAZING &&
-            slip * sf_acceleration(forced, slip, region + slip, theta, u, v) < 0.0)
+            slip * sf_acceleration(forced, slip, sf_beyond(system, slip, region), theta, u, v) < 0.0)
             v = 0.0, event = SF_STOP;
         phase.event = event, phase.end = theta, phase.u_end = u, phase.v_end = v;
         if (!sf_append(phases, phase))
             return SF_NO_MEMORY;
         if (event == SF_STOP) {
+            region = sf_stopped(system, region, u);
             slip = sf_after_stop(forced, slip, region, theta, u);
             zeros = 1;
         }

@@ -118,6 +118,15 @@ static SF_INLINE double sf_expanded(const sf_piece *piece, const sf_drive *drive
         if (fabs(u - place) <= sf_near(place, v))
             return sf_branched(law, p, drive, direction, copysign(1.0, place), theta, place, u, v, flow, x);
     }
+    else if (sf_is_beyond(piece, u) || (sf_is_on_one_side(piece) && fabs(u) <= sf_near(0.0, v))) {
+        const double own = p[law->constants], goes = v != 0.0 ? v * direction : own;
+        if (!sf_is_beyond(piece, u) && goes * own > 0.0)
+            return sf_branched(law, p, drive, direction, own, theta, 0.0, u, v, flow, x);
+        sf_drive constant = *drive;
+        constant.friction += law->value(p, 0.0);
+        sf_forceless(&constant, theta, u, v, flow, x);
+        return sf_step_of(x, flow != NULL);
+    }
     else if (u == 0.0 && law->breaks != SF_SMOOTH) {
         const double side = v != 0.0 ? v * direction : sf_rate(drive, cos(theta), 0.0, 0.0);
         p = piece->p[side > 0.0];

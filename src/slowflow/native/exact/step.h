@@ -41,7 +41,8 @@ typedef struct {
     double (*begins)(const double *p, double u);
 } sf_law;
 
-/* A piece with its constants for u < 0 and for u > 0, and the next one towards u = 0, or NULL. */
+/* A piece with its constants for u < 0 and for u > 0, and the next one towards u = 0, or NULL. Where a force jumps at
+ * u = 0 a piece is on one side, which both have. */
 typedef struct sf_piece {
     const sf_law *law;
     const double *p[2];
@@ -57,16 +58,30 @@ static inline const sf_piece *sf_defined(const sf_piece *piece, double u)
     return (u - place) * place < 0.0 ? piece->below : piece;
 }
 
+/* Of a piece on one side of 0 that has no series there: whether it is one, and whether u is beyond, as Newton's
+ * iteration tries it. A force that stays what it is at 0 leaves the equations and their slopes at the solution as they
+ * are. */
+static inline int sf_is_on_one_side(const sf_piece *piece)
+{
+    const int n = piece->law->constants;
+    return piece->law->breaks == SF_BRANCHES && piece->p[0][n] == piece->p[1][n];
+}
+
+static inline int sf_is_beyond(const sf_piece *piece, double u)
+{
+    return sf_is_on_one_side(piece) && u * piece->p[0][piece->law->constants] < 0.0;
+}
+
 static inline double sf_value(const sf_piece *piece, double u)
 {
     piece = sf_defined(piece, u);
-    return piece->law->value(piece->p[u > 0.0], u);
+    return piece->law->value(piece->p[u > 0.0], sf_is_beyond(piece, u) ? 0.0 : u);
 }
 
 static inline double sf_slope(const sf_piece *piece, double u)
 {
     piece = sf_defined(piece, u);
-    return piece->law->slope(piece->p[u > 0.0], u);
+    return piece->law->slope(piece->p[u > 0.0], sf_is_beyond(piece, u) ? 0.0 : u);
 }
 
 /* What the generated recurrences of a piece are: begin() gives the coefficients 0 of all its series from that of

@@ -1,0 +1,132 @@
+"""Exact motions under a force that jumps at u = 0: against SciPy from event to event, on one side at a time."""
+
+import math
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+
+from slowflow import derive
+from slowflow.backend import EXACT
+
+u, c, k, hard, gap = sp.symbols("u c k hard gap")
+ABOVE_0 = {"above": 0}
+C, K, MU, ZETA = 0.05, 1.0, 0.01, 0.05
+COMPILED = pytest.param(True, marks=pytest.mark.skipif(EXACT is None, reason="not compiled"))
+
+
+@pytest.fixture(scope="module", params=[False, COMPILED], ids=["SciPy", "compiled"])
+def spring(request):
+    """A preload on a linear spring."""
+    made = derive.mechanism("sprung", [(c + k * u, None)], {"c": ABOVE_0, "k": ABOVE_0}, compile=request.param)
+    return made(c=C, k=K, mu=MU, zeta=ZETA)
+
+
+def slips(Omega, F_0, tau, y, end, direction, side):
+    """On one side of u = 0 and in one direction, up to either's end: the time, the state."""
+
+    def rates(tau, y):
+        push = F_0 * math.cos(Omega * tau) - side * C - K * y[0]
+        return [y[1], push - direction * MU - 2 * ZETA * y[1]]
+
+    def leaves(tau, y):
+        return side * y[0]
+
+    def stops(tau, y):
+        return direction * y[1]
+
+    def integrated(until, events=()):
+        return solve_ivp(rates, (tau, until), y, method="DOP853", rtol=1e-13, atol=1e-15, max_step=0.1, events=events)
+
+    leaves.terminal = stops.terminal = True
+    leaves.direction = stops.direction = -1
+    if min(abs(y)) == 0:  # off the event that was
+        first = integrated(tau + 1e-4)
+        tau, y = first.t[-1], first.y[:, -1]
+    found = integrated(end, (leaves, stops))
+    tau, (x, v) = found.t[-1], found.y[:, -1]
+    return tau, np.array([0.0 if found.t_events[0].size else x, 0.0 if found.t_events[1].size else v])
+
+
+def over_a_period(Omega, F_0, state):
+    """The state a period later."""
+    tau, y, end = 0.0, np.array(state), 2 * math.pi / Omega
+    while tau < end:
+        side = np.sign(y[0]) or np.sign(y[1])
+        direction = np.sign(y[1]) or np.sign(F_0 * math.cos(Omega * tau) - side * C - K * y[0])
+        tau, y = slips(Omega, F_0, tau, y, end, direction, side)
+    return y
+
+
+def multipliers_at(Omega, F_0, here, step=1e-5):
+    """Of the map over a period, by differences."""
+    moved = [over_a_period(Omega, F_0, here + step * e) - over_a_period(Omega, F_0, here - step * e) for e in np.eye(2)]
+    return np.sort_complex(np.linalg.eigvals(np.column_stack(moved) / (2 * step)))
+
+
+@pytest.mark.parametrize("Omega", [0.8, 1.3])
+def test_a_motion_and_its_multipliers_are_those_of_integration_from_event_to_event(spring, Omega):
+    F_0 = 0.15
+    found = spring.steady_state(Omega=Omega, F_0=F_0)
+    assert found.stops == 0 and found.symmetric and len(found.phases) == 2
+    here = np.array(found._state(0.0))
+    assert np.max(np.abs(over_a_period(Omega, F_0, here) - here)) <= 1e-13
+    np.testing.assert_allclose(np.sort_complex(found.multipliers), multipliers_at(Omega, F_0, here), atol=1e-7)
+    assert abs(found.A / spring.amplitudes(Omega=Omega, F_0=F_0).A[0] - 1) < 0.05
+
+
+def test_a_curve_passes_from_motions_with_stops_to_such_without(spring):
+    if spring.steady_state(Omega=0.8, F_0=0.15).cycle.integrator.name == "scipy":
+        pytest.skip("a minute")
+    curve = spring.exact_response(0.15, Omega=(0.4, 2.0))
+    assert {0, 2} <= set(curve.stops.tolist()) and curve.stable[curve.Omega > 0.6].all()
+    # below, a motion that is its own mirror image gives way to two that are not
+    state = curve.steady_state(int(np.argmin(np.abs(curve.Omega - 0.545))))
+    assert state.symmetric and not state.stable and state.stops == 0
+    parted = multipliers_at(state.Omega, 0.15, np.array(state._state(0.0)))
+    np.testing.assert_allclose(np.sort_complex(state.multipliers), parted, atol=1e-6)
+    settles = spring.steady_state(Omega=state.Omega, F_0=0.15)
+    assert settles.stable and not settles.symmetric
+    top = int(np.argmax(curve.A))
+    # in between the jump is as a force of its first harmonic: averaging errs by its third, a ninth of 4 c/pi
+    assert curve.A[top] == pytest.approx(spring.peak(0.15).A, rel=0.02)
+    swept = spring.sweep(Omega=[0.5, 0.9, 1.2, 1.6], F_0=0.15)
+    assert swept.settled.all()
+    for Omega, A in zip(swept.Omega, swept.A, strict=True):
+        assert spring.steady_state(Omega=Omega, F_0=0.15).A == pytest.approx(A, rel=1e-9)
+
+
+def test_a_mass_that_comes_to_rest_where_the_force_jumps_is_followed_and_that_is_said(spring):
+    """It moves off where F_0 cos(theta) = mu + c, and how far it gets is known from there on."""
+    Omega, F_0 = 0.2, 0.065
+    swept = spring.sweep(Omega=[Omega], F_0=F_0)
+    start = -math.acos((MU + C) / F_0) / Omega
+    _, (A, v) = slips(Omega, F_0, start, np.array([0.0, 0.0]), 10.0, 1, 1)
+    assert v == 0 and swept.settled.all() and swept.A[0] == pytest.approx(A, rel=1e-7)
+    with pytest.raises(ArithmeticError, match="the mass rests at u = 0 in each turn, where the force jumps"):
+        spring.steady_state(Omega=Omega, F_0=F_0)
+
+
+def test_a_force_that_does_not_exceed_friction_and_preload_leaves_a_mass_at_rest(spring):
+    with pytest.raises(ValueError, match=r"does not exceed mu and what the force jumps to at u = 0, together = 0\.06"):
+        spring.steady_state(Omega=0.6, F_0=0.0599)
+    assert spring.transient(acceleration=0.0599, duration=3.0).A == 0
+    assert spring.transient(acceleration=0.2, duration=3.0).A > 0.05
+
+
+@pytest.mark.slow
+def test_a_broken_power_behind_a_preload_has_motions_that_scipy_confirms():
+    pieces = [(c + k * u ** sp.Rational(3, 2), None)]
+    compiled, plain = (
+        derive.mechanism(f"broken_{how}", pieces, {"c": ABOVE_0, "k": ABOVE_0}, compile=how and EXACT is not None)(
+            c=C, k=K, mu=MU, zeta=ZETA
+        )
+        for how in (True, False)
+    )
+    for Omega in (0.5, 0.8, 1.2):
+        found, other = (one.steady_state(Omega=Omega, F_0=0.15) for one in (compiled, plain))
+        assert other.A == pytest.approx(found.A, rel=1e-12)
+        np.testing.assert_allclose(
+            np.sort_complex(found.multipliers), np.sort_complex(other.multipliers), rtol=0, atol=1e-10
+        )
