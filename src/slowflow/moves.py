@@ -193,9 +193,9 @@ def _of_kind(given: Given, kind: Pinned, arrays: list[Floats], inner: tuple[int,
     design, damping = numbers[:n], numbers[n:]
     rows, columns = inner
     status = np.full(A.shape, MovesStatus.OK, np.int8)
-    parameters = [np.broadcast_to(value, A.shape) for value in mechanism.coefficients(*design)]
+    parameters = [_in_shape(value, A.shape) for value in mechanism.coefficients(*design)]
     ends, jumps = (
-        np.array([np.broadcast_to(value, A.shape) for value in function(*parameters)]).reshape(-1, A.size)
+        np.array([_in_shape(value, A.shape) for value in function(*parameters)]).reshape(-1, A.size)
         for function in (mechanism.breakpoints, mechanism.jumps)
     )
     leaves = given.rubs not in (None, THROUGHOUT)
@@ -284,7 +284,7 @@ def solved(
     one, size_of_one, other, size_of_other = found[-4:]
     meets = _vanishes(one, size_of_one, MEETING) | _vanishes(other, size_of_other, MEETING)
     shape = (columns, np.size(at[1]))
-    return [np.broadcast_to(value, shape) for value in found[:3]], np.broadcast_to(meets, shape[1:])
+    return [_in_shape(value, shape) for value in found[:3]], _in_shape(meets, shape[1:])
 
 
 def _vanishes(value: Any, size: Any, share: float) -> Any:
@@ -293,7 +293,12 @@ def _vanishes(value: Any, size: Any, share: float) -> Any:
 
 
 def _stacked(values: Sequence[Any], like: Floats) -> Floats:
-    return np.array([np.broadcast_to(value, like.shape) for value in values])
+    return np.array([_in_shape(value, like.shape) for value in values])
+
+
+def _in_shape(value: Any, shape: tuple[int, ...]) -> Any:
+    """The value in a shape, which it mostly has: NumPy takes eight microseconds to find that out."""
+    return value if np.shape(value) == shape else np.broadcast_to(value, shape)
 
 
 # ---- the answers

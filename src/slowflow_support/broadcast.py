@@ -23,8 +23,12 @@ def common_shape(arguments: Sequence[Any]) -> tuple[int, ...]:
 
 
 def _in_shape(value: Any, shape: tuple[int, ...]) -> Any:
-    """A copy of the value in a shape."""
-    return np.array(value if np.shape(value) == shape else np.broadcast_to(value, shape))[()]
+    """A copy of the value in a shape; `broadcast_to` takes microseconds."""
+    if np.shape(value) == shape:
+        return np.array(value)[()]
+    copy = np.empty(shape, np.asarray(value).dtype)
+    copy[...] = value
+    return copy[()]
 
 
 def full(value: Any, arguments: Sequence[Any]) -> Any:
