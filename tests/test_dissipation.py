@@ -4,9 +4,11 @@ import dataclasses
 import math
 import pickle
 import warnings
+from itertools import pairwise
 
 import numpy as np
 import pytest
+import sympy as sp
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq, minimize_scalar
 
@@ -699,3 +701,50 @@ def test_structural_damping_alone_on_a_stop_that_is_averaged_by_sums(F_0):
         for i in np.flatnonzero(np.diff([squared(A, side) > 1.44 for A in grid]))
     ]
     assert sorted(states.A) == pytest.approx(sorted(crossings), rel=1e-9)
+
+
+#: a play on a shaking base: gap 1, beyond it a spring of stiffness 2
+PLAY_GAP, PLAY_K = 1.0, 2.0
+
+
+def of_play(A):
+    """h and h_A by the closed form of a dead zone."""
+    x, y = PLAY_GAP, np.sqrt(np.maximum((A - PLAY_GAP) * (A + PLAY_GAP), 0.0))
+    beside = np.arctan2(y, x)
+    factor, product = -2 * PLAY_K / np.pi, x * y / A**2
+    return factor * A * (beside - product), factor * (beside + product)
+
+
+@pytest.mark.parametrize("Y", [0.05, 0.3, 0.8, 1.2, 2.0])
+@pytest.mark.parametrize("c_2", [0.1, 0.02])
+def test_a_play_on_a_shaking_base_has_all_folds_under_quadratic_damping(c_2, Y):
+    """Down to Omega = 0 nothing pulls within the play, and no box was small enough: every force was unresolved.
+
+    Between the folds, and beside them, as many amplitudes as the balance changes its sign at on a fine grid.
+    """
+    u, k, gap = sp.symbols("u k gap")
+    made = derive.mechanism("a_play_shaken", [(0, gap), (k * (u - gap), None)], dict.fromkeys(("k", "gap"), {"above": 0}))
+    zeta, d = 0.02, 8 * c_2 / (3 * np.pi)
+    one = made(k=PLAY_K, gap=PLAY_GAP, zeta=zeta, c_2=c_2, excitation="base")
+    folds = one.saddle_nodes(Y)
+
+    def balance(Omega, A):
+        R, I = A * Omega**2 + of_play(A)[0], 2 * zeta * Omega * A + d * (A * Omega) ** 2
+        return R**2 + I**2 - (Y * Omega**2) ** 2
+
+    for Omega, A in zip(folds.Omega, folds.A, strict=True):
+        h, h_A = of_play(A)
+        R, lag = A * Omega**2 + h, 2 * zeta * Omega * A + d * (A * Omega) ** 2
+        slope = R * (Omega**2 + h_A) + lag * (2 * zeta * Omega + 2 * d * A * Omega**2)
+        assert abs(balance(Omega, A)) <= 1e-9 * (Y * Omega**2) ** 2
+        assert abs(slope) <= 1e-6 * lag * (2 * zeta * Omega + 2 * d * A * Omega**2)
+    ends = np.concatenate(([0.9 * folds.Omega[0] if len(folds) else 0.1], folds.Omega, [3.0]))
+    beyond = PLAY_GAP * (1 + np.geomspace(1e-9, 40.0, 400_001))
+    grid = np.concatenate((np.geomspace(1e-6, PLAY_GAP, 100_001), beyond))
+    counts = []
+    for low, high in pairwise(ends):
+        for Omega in np.linspace(low, high, 4)[1:-1]:
+            values = balance(Omega, grid)
+            counts.append(int((np.sign(values[1:]) != np.sign(values[:-1])).sum()))
+            assert counts[-1] == len(one.amplitudes(Omega=Omega, F_0=Y))
+    assert len(folds) in (0, 2) and counts == ([1, 1, 3, 3, 1, 1] if len(folds) else [1, 1])

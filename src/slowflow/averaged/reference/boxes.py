@@ -194,11 +194,23 @@ class Searched:
         if self.system in FOLDED:
             found |= dissipation_intervals.least_F_A(A, cells.k, lag, I_A).lo > 0
             found |= self._rises(cells, I_A, Omega) | self._far(known, Omega)
+        found |= self._slides(cells, known, I_A)
         if self.system in INERTIAL:
             found |= self._far_by_inertia(known, Omega)
         if self.system == "peaks_by_inertia":
             found |= self._far_from_peaks(cells, Omega)
         return np.asarray(found)
+
+    def _slides(self, cells: Cells, known: dict[str, Interval], I_A: Interval) -> Bools:
+        """Whether nothing pulls back, as within a play: F_A/2 = R R_A + I I_A > 0, and h R + I (I_0 + zeta A Omega) > 0.
+
+        R is A Omega^2 at least, and R_A, which is Omega^2 at least, positive too. At Omega = 0 all of it vanishes, next
+        to which no box would be small enough.
+        """
+        free = (cells.h.lo >= 0) & (known["I"].lo >= 0)
+        if self.system in FOLDED - STATIC:
+            return np.asarray(free & (cells.h_A.lo >= 0) & (I_A.lo >= 0))
+        return np.asarray(free & (self.system == "peaks_by_inertia" and self.model.zeta > 0))
 
     def _force(self, F_0: float, Omega: Interval) -> Interval:
         """Amplitude of the force."""

@@ -132,7 +132,9 @@ class _Quartics:
         """Above the largest root: where the quartic without its odd powers, which only raise it, vanishes."""
         c = self.c
         root = np.sqrt(np.maximum(c[2] ** 2 - 4 * c[4] * self.f0, 0.0))
-        return np.asarray(np.sqrt(np.maximum((root - c[2]) / (2 * c[4]), 0.0)) * (1 + 2.0**-20) + 1e-300)
+        with np.errstate(divide="ignore", invalid="ignore"):  # within a play c[4] is 0
+            square = np.where(c[2] > 0, -2 * self.f0 / (c[2] + root), (root - c[2]) / (2 * c[4]))
+        return np.asarray(np.sqrt(np.maximum(square, 0.0)) * (1 + 2.0**-20) + 1e-300)
 
     def _solved(self, low: Floats, high: Floats, falls: Bools) -> Floats:
         """Newton's steps, kept in the brackets."""
@@ -152,6 +154,7 @@ class _Quartics:
         return w
 
 
+@np.errstate(divide="ignore", invalid="ignore")
 def _critical(c: list[Floats]) -> tuple[Floats, Floats]:
     """Both positive zeros of the derivative, or NaN: it is convex, so Newton's steps from outside do not pass them."""
     least = -2 * c[2] / (1.5 * c[3] + np.sqrt(2.25 * c[3] ** 2 - 6 * c[4] * c[2])) / 2
