@@ -723,7 +723,8 @@ def test_a_play_on_a_shaking_base_has_all_folds_under_quadratic_damping(c_2, Y):
     Between the folds, and beside them, as many amplitudes as the balance changes its sign at on a fine grid.
     """
     u, k, gap = sp.symbols("u k gap")
-    made = derive.mechanism("a_play_shaken", [(0, gap), (k * (u - gap), None)], dict.fromkeys(("k", "gap"), {"above": 0}))
+    numbers = {name: {"above": 0} for name in ("k", "gap")}
+    made = derive.mechanism("a_play_shaken", [(0, gap), (k * (u - gap), None)], numbers)
     zeta, d = 0.02, 8 * c_2 / (3 * np.pi)
     one = made(k=PLAY_K, gap=PLAY_GAP, zeta=zeta, c_2=c_2, excitation="base")
     folds = one.saddle_nodes(Y)

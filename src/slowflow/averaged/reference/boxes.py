@@ -202,7 +202,7 @@ class Searched:
         return np.asarray(found)
 
     def _slides(self, cells: Cells, known: dict[str, Interval], I_A: Interval) -> Bools:
-        """Whether nothing pulls back, as within a play: F_A/2 = R R_A + I I_A > 0, and h R + I (I_0 + zeta A Omega) > 0.
+        """Whether nothing pulls back, as in a play: F_A/2 = R R_A + I I_A > 0, and h R + I (I_0 + zeta A Omega) > 0.
 
         R is A Omega^2 at least, and R_A, which is Omega^2 at least, positive too. At Omega = 0 all of it vanishes, next
         to which no box would be small enough.
