@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import itertools
 import json
+import math
 import pickle
 import re
 from dataclasses import replace
@@ -15,6 +16,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
+from scipy.optimize import brentq
 from scipy.spatial import cKDTree
 
 from slowflow import Duffing, Isolator, Oscillator, derive, loads
@@ -894,3 +896,24 @@ def test_a_motion_under_a_load_that_averaging_does_not_know_is_found_from_its_am
     found = loaded.steady_state(**at, A=seen)
     assert found.A == pytest.approx(seen, rel=1e-6) and found.stable
     assert min(abs(loaded.amplitudes(**at).u_max - seen)) > 0.05
+
+
+@pytest.mark.parametrize("mu", [0.0, 0.01])
+@pytest.mark.parametrize(("softer", "harder"), [(1.0, 1.5), (0.3, 4.0)])
+def test_springs_that_differ_on_both_sides_isolate_from_where_twice_their_backbone_is(mu, softer, harder):
+    """Without a size h = -p A and B = -q A at any amplitude, by the mean of the force; as much as F_0 is transmitted
+    where R = -h, at Omega^2 = 2 p. Boxes next to rest did not end, and it was unresolved.
+    """
+    u, a, b = sympy.symbols("u a b")
+    numbers = {name: {"above": 0} for name in ("a", "b")}
+    made = derive.mechanism("both_sides", [(a * u, 0), (b * u, None)], numbers, odd=False)
+    psi = np.linspace(0, np.pi, 400_001)
+
+    def over_a_cycle(q, weight):
+        way = np.cos(psi) - q
+        return float(np.trapezoid(np.where(way > 0, harder, softer) * way * weight, psi)) / np.pi
+
+    q = brentq(lambda q: over_a_cycle(q, 1.0), 0.0, 1.0)
+    p = 2 * over_a_cycle(q, np.cos(psi))
+    found = made(a=softer, b=harder, mu=mu, zeta=0.03).isolation(0.05)
+    assert found.Omega == pytest.approx(math.sqrt(2 * p), rel=1e-7) and not found.message

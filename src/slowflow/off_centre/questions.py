@@ -36,7 +36,7 @@ from slowflow.off_centre.complete import AT_CENTRE, PARTS, UNBOUNDED, Complete
 from slowflow.off_centre.curve import Curves, Slow, curves, on_curve
 from slowflow.off_centre.equations import Detaching, Resting
 from slowflow.off_centre.means import ORDERS, Means, Steps
-from slowflow.off_centre.reach import AMPLITUDE, BACKBONE, LARGEST, Farthest, Measure, Reach
+from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach
 from slowflow.results import Remark, SaddleNodes
 from slowflow_kernels import off_centre, slow_flow
 
@@ -457,8 +457,8 @@ class OffCentre:
         if F_0 <= self._m:
             return loads.Isolation(None, None, False, F_0, STICKS.format(F_0, self._m), Remark(0))
         # what is transmitted has the square h^2 + I^2, as much as F_0 where R = -h, at Omega^2 = 2 p with p = -h/A
-        backbone = self._reach.farthest(self._complete.sheets, self.A_max(F_0), F_0, BACKBONE, COARSE)
-        highest = loads.BEYOND * math.sqrt(2 * (1 + COARSE) * (1.0 if backbone is None else backbone.value))
+        backbone = self._reach.highest_backbone(self._complete.sheets, self.A_max(F_0), F_0, COARSE)
+        highest = loads.BEYOND * math.sqrt(2 * (1 + COARSE) * backbone)
         found = self._begins(F_0, 0.0, highest)
         if found.Omega is None or not (left := self._transmits_beyond(found)):
             return found

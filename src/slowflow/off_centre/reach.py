@@ -38,6 +38,8 @@ MOST_BOXES, MIDDLES, STEPS = 100_000, 64, 10
 EVERY = 6
 #: share of a frequency beyond which it is proved that nothing transmits the force; boxes and rounds for that
 BEYOND, MOST_BEYOND, ROUNDS = 2.0**-16, 20_000, 80
+#: share of the forcing that motions are small against
+SMALL = 2.0**-40
 #: by how much a forcing may be off by rounding, and what rounding does to a bound
 AT, ROUNDED = 2.0**-40, 2.0**-40
 
@@ -90,6 +92,22 @@ class Reach:
 
         None where no motion is found. Raises ArithmeticError where too many boxes stay undecided.
         """
+        return self._farthest(sheets, A_max, F_0, measure, gap, 0.0)[0]
+
+    def highest_backbone(self, sheets: Sheets, A_max: float, F_0: float, gap: float) -> float:
+        """The square of a frequency, 1 at least, that the backbone does not exceed at any motion at F_0, nearly.
+
+        Next to where two pieces meet at rest p is as its slopes make it down to no size at all: there it is not told
+        which of them it takes.
+        """
+        found, beside = self._farthest(sheets, A_max, F_0, BACKBONE, gap, SMALL * F_0)
+        return max(1.0 if found is None else found.value, beside)
+
+    def _farthest(
+        self, sheets: Sheets, A_max: float, F_0: float, measure: Measure, gap: float, small: float
+    ) -> tuple[Farthest | None, float]:
+        """The same, and what motions do not exceed that are no larger than `small`, which are not told apart."""
+        beside = -np.inf
         best, looked_at, rounds, cells = None, 0, 0, sheets.cells(A_max)
         while cells.chart.size:
             looked_at, rounds = looked_at + cells.chart.size, rounds + 1
@@ -100,6 +118,9 @@ class Reach:
                 left = ~((cells.rising.hi <= 0) | (self._needed(cells) * (1 - ROUNDED) > F_0))
                 # p is not known of what has no size
                 left &= np.isnan(most) | (most > (-np.inf if best is None else best.value * (1 + gap)))
+                aside = left & (LARGEST.most(cells.A, cells.B, cells.p) <= small) & np.isfinite(most)
+                beside = max(beside, float(np.max(most[aside], initial=-np.inf)))
+                left &= ~aside
                 cells, most = cells.take(left), most[left]
                 # a motion that is found in one round mostly stays the farthest in the next ones
                 first = np.argsort(-most, kind="stable")[: MIDDLES if rounds % EVERY == 1 else 0]
@@ -109,7 +130,7 @@ class Reach:
                     if best is None or candidate.value > best.value:
                         best = candidate
                 cells = sheets.cut(cells)
-        return best
+        return best, beside
 
     def transmits_beyond(self, sheets: Sheets, A_max: float, F_0: float, Omega: float) -> tuple[float, float] | None:
         """Between which frequencies beyond Omega stable motions at F_0 may transmit all of it; None: proved, nowhere.
