@@ -17,6 +17,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from .along import T
 from .slow_flow import I, R, SlowFlow, m, slope
 from .symbols import F_0, A, Omega, h, h_A
 
@@ -46,6 +47,7 @@ class Slopes:
     determinant, isola_by_it -- of F's second derivatives, negative at a saddle; and `isola` by these
     hessian -- the determinant at an isola point, where it has the factors R and I
     at_isola -- what R and h_A are there: if damping is weak h and Omega have few digits of R
+    at_cusp -- what R, I and h_A are at a cusp, by T = dR/dA, for the same reason
     tail    -- an amplitude on the branch that comes from A = 0, in its lets
     """
 
@@ -58,6 +60,7 @@ class Slopes:
     isola_by_it: sp.Expr
     hessian: sp.Expr
     at_isola: dict[sp.Symbol, sp.Expr]
+    at_cusp: dict[sp.Symbol, sp.Expr]
     tail_lets: tuple[Let, ...]
     tail: sp.Expr
 
@@ -100,6 +103,7 @@ def slopes(flow: SlowFlow) -> Slopes:
         isola_by_it=of_hessian * determinant,
         hessian=of_flow,
         at_isola=at_isola,
+        at_cusp=_at_cusp(flow),
         # the root of a product, which SymPy would take apart
         tail_lets=((_square, (F_0 - m) * (F_0 + m)),),
         tail=tail.subs(R, sp.sqrt(_square)),
@@ -111,6 +115,14 @@ def _at_isola(flow: SlowFlow) -> dict[sp.Symbol, sp.Expr]:
     (of_R,) = sp.solve(flow.F_Omega, R)
     (of_h_A,) = sp.solve(flow.F_A.subs(R, of_R), h_A)
     return {R: of_R, h_A: sp.cancel(of_h_A)}
+
+
+def _at_cusp(flow: SlowFlow) -> dict[sp.Symbol, sp.Expr]:
+    """R from F_AA = 0, I with it from F_A = 0, and h_A from T."""
+    (of_T,) = sp.solve(slope(flow.R) - T, h_A)
+    (of_R,) = sp.solve(flow.F_AA.subs(h_A, of_T), R)
+    (of_I,) = sp.solve(flow.F_A.subs(h_A, of_T), I)
+    return {R: of_R, I: of_I, h_A: of_T}
 
 
 def hessian(flow: SlowFlow) -> tuple[tuple[Let, ...], sp.Expr]:

@@ -284,6 +284,48 @@ def test_isola_points_next_to_rest_are_there_with_all_their_digits(numbers):
         assert found.kind.tolist()[1] == "merger"
 
 
+@pytest.mark.both_backends
+@pytest.mark.parametrize(
+    "numbers", [(1.0, 2e-6, 2.4537712839029615e-23, 3.1e-18), (1.0, 1e-3, 0.0, 1e-15), (2.0, 0.5, 1e-20, 1e-14)]
+)
+def test_an_onset_at_weak_damping_is_the_cusp_that_is_there(numbers):
+    """F_A = F_AA = 0 with 80 digits: R = A Omega^2 + h has none of its own in doubles, and the cusp was no minimum."""
+    with mpmath.workdps(80):
+        alpha, beta, mu, zeta = map(mpmath.mpf, numbers)
+        m = 4 * mu / mpmath.pi
+
+        def stated(Omega, A):
+            R, T = A * (Omega**2 - alpha) - 3 * beta * A**3 / 4, Omega**2 - alpha - 9 * beta * A**2 / 4
+            return R, T, 2 * zeta * Omega * A + m
+
+        def both(A, X):
+            Omega = mpmath.sqrt(alpha + X)
+            R, T, I = stated(Omega, A)
+            return [(R * T + 2 * zeta * Omega * I) / q, (T**2 - 9 * beta * A * R / 2 + 4 * zeta**2 * Omega**2) / T**2]
+
+        found = Duffing(*numbers).saddle_node_onset()
+        A = mpmath.mpf(found.A)
+        q = 2 * zeta * mpmath.sqrt(alpha) * (2 * zeta * mpmath.sqrt(alpha) * A + m)
+        A, X = mpmath.findroot(both, (A, 9 * beta * A**2 / 4 - mpmath.cbrt(9 * beta * A / 2 * q)), tol=1e-60)
+        R, _, I = stated(mpmath.sqrt(alpha + X), A)
+        level = mpmath.sqrt(R**2 + I**2)
+    assert found.kind == "cusp"
+    assert found.A == pytest.approx(float(A), rel=1e-9) and found.F_SN == pytest.approx(float(level), rel=1e-12)
+    many = Duffing.many(**dict(zip(("alpha", "beta", "mu", "zeta"), numbers, strict=True))).saddle_node_onset()
+    assert many.F_SN == found.F_SN
+
+
+@pytest.mark.both_backends
+def test_an_onset_at_weak_damping_is_not_the_corner_above_it():
+    """The cusp's forcing as balls prove it; the corner's was given, 10^5 times as high, and folds below it denied."""
+    numbers = {"lam": 0.00042405072756133977, "r": 0.011652400350826778, "delta_h": 0.1727202645945281}
+    damping = {"mu": 2.6813677269197822e-27, "zeta": 5.132908214161428e-18}
+    iso = Isolator(**numbers, **damping)
+    assert iso.saddle_node_onset().F_SN == pytest.approx(3.29681068098481e-23, rel=1e-9)
+    assert Isolator.many(**numbers, **damping).saddle_node_onset().F_SN == iso.saddle_node_onset().F_SN
+    assert len(iso.saddle_nodes(5.711780110584607e-18)) == 2
+
+
 # ---- the onset without viscous damping -------------------------------------------------------------------------------
 
 

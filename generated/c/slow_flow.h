@@ -479,12 +479,12 @@ static inline double slow_flow_peak_Omega_A(double Omega, double A, double m, do
  */
 static inline double slow_flow_Omega_A(double Omega, double A, double m, double zeta, double h, double h_A)
 {
-    const double t0 = 2.0 * Omega;
-    const double I_ = A * t0 * zeta + m;
-    const double t1 = Omega * Omega;
-    const double R = A * t1 + h;
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double t1 = 2.0 * Omega;
+    const double I_ = A * t1 * zeta + m;
     const double t2 = I_ * zeta;
-    const double F_A = 2.0 * (R * (h_A + t1) + t0 * t2);
+    const double F_A = 2.0 * (R * (h_A + t0) + t1 * t2);
     const double F_Omega = 4.0 * A * (Omega * R + t2);
     return -F_A / F_Omega;
 }
@@ -495,36 +495,34 @@ static inline double slow_flow_Omega_A(double Omega, double A, double m, double 
  */
 static inline double slow_flow_level_rise(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
 {
-    const double t0 = A * Omega;
-    const double t1 = 2.0 * t0;
-    const double I_ = m + t1 * zeta;
-    const double t2 = Omega * Omega;
-    const double R = A * t2 + h;
-    const double t3 = h_A + t2;
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double t1 = A * Omega;
+    const double t2 = 2.0 * t1;
+    const double I_ = m + t2 * zeta;
+    const double t3 = h_A + t0;
     const double t4 = zeta * zeta;
-    const double F_AA = 2.0 * (R * h_AA + 4.0 * t2 * t4 + t3 * t3);
+    const double F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3 * t3);
     const double t5 = I_ * zeta + Omega * R;
     const double F_Omega = 4.0 * A * t5;
-    const double F_AOmega = 4.0 * (t0 * t3 + t1 * t4 + t5);
+    const double F_AOmega = 4.0 * (t1 * t3 + t2 * t4 + t5);
     return -F_AA * F_AOmega * F_Omega;
 }
 
-/* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
+/* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum; T = dR/dA.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
-   Operations: 36 structured, 27 common subexpressions, 27 power chains
+   Operations: 40 structured, 30 common subexpressions, 30 power chains
  */
-static inline double slow_flow_cusp_bend(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_AAA)
+static inline double slow_flow_cusp_bend(double Omega, double A, double zeta, double h_AA, double h_AAA, double T)
 {
-    const double t0 = A * Omega;
-    const double t1 = 2.0 * t0;
-    const double I_ = m + t1 * zeta;
-    const double t2 = Omega * Omega;
-    const double R = A * t2 + h;
-    const double t3 = h_A + t2;
-    const double F_AAA = 2.0 * (R * h_AAA + 3.0 * h_AA * t3);
-    const double t4 = I_ * zeta + Omega * R;
-    const double F_Omega = 4.0 * A * t4;
-    const double F_AOmega = 4.0 * (t0 * t3 + t1 * zeta * zeta + t4);
+    const double t0 = Omega * Omega;
+    const double t1 = 4.0 * t0 * zeta * zeta;
+    const double R = (-T * T - t1) / h_AA;
+    const double F_AAA = 2.0 * (R * h_AAA + 3.0 * T * h_AA);
+    const double t2 = 2.0 * t0;
+    const double t3 = 2.0 / Omega;
+    const double F_Omega = A * R * t3 * (-T + t2);
+    const double F_AOmega = t3 * (A * T * t2 + A * t1 - R * T + R * t2);
     return -F_AAA * F_AOmega * F_Omega / A;
 }
 
@@ -534,17 +532,16 @@ static inline double slow_flow_cusp_bend(double Omega, double A, double m, doubl
  */
 static inline double slow_flow_isola_bend(double Omega, double A, double m, double zeta, double h_AA)
 {
-    const double t0 = A * zeta;
-    const double t1 = 2.0 * Omega * t0 + m;
+    const double t0 = 2.0 * A;
+    const double t1 = Omega * t0 * zeta + m;
     const double R = -t1 * zeta / Omega;
-    const double t2 = 2.0 * h_AA;
     const double Omega2 = Omega * Omega;
-    const double t3 = zeta * zeta;
+    const double t2 = 4.0 * zeta * zeta;
     const double Omega4 = Omega2 * Omega2;
-    const double F_AA = 8.0 * Omega2 * t3 + 8.0 * Omega4 + R * t2;
+    const double F_AA = 2.0 * (Omega2 * t2 + 4.0 * Omega4 + R * h_AA);
     const double Omega3 = Omega * Omega2;
     const double Omega5 = Omega * Omega4;
-    return 8.0 * F_AA * t0 * t1 * (-A * Omega3 * t2 - 4.0 * Omega3 * t3 - 4.0 * Omega5 + h_AA * m * zeta) /
+    return 8.0 * A * F_AA * t1 * zeta * (-Omega3 * h_AA * t0 - Omega3 * t2 - 4.0 * Omega5 + h_AA * m * zeta) /
         Omega2;
 }
 

@@ -204,9 +204,8 @@ SF_LOOP(slow_flow_level_rise_loop, 1,
 )
 
 SF_LOOP(slow_flow_cusp_bend_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i], h_AA =
-        in[6][i], h_AAA = in[7][i];
-    values[0] = slow_flow_cusp_bend(Omega, A, m, zeta, h, h_A, h_AA, h_AAA);
+    const double Omega = in[0][i], A = in[1][i], zeta = in[2][i], h_AA = in[3][i], h_AAA = in[4][i], T = in[5][i];
+    values[0] = slow_flow_cusp_bend(Omega, A, zeta, h_AA, h_AAA, T);
 )
 
 SF_LOOP(slow_flow_isola_bend_loop, 1,
@@ -273,7 +272,7 @@ static const sf_kernel kernels[] = {
     {"peak_Omega_A", 5, 1, 1, NULL, SF_ONE(slow_flow_peak_Omega_A_loop)},
     {"Omega_A", 6, 1, 1, NULL, SF_ONE(slow_flow_Omega_A_loop)},
     {"level_rise", 7, 1, 1, NULL, SF_ONE(slow_flow_level_rise_loop)},
-    {"cusp_bend", 8, 1, 1, NULL, SF_ONE(slow_flow_cusp_bend_loop)},
+    {"cusp_bend", 6, 1, 1, NULL, SF_ONE(slow_flow_cusp_bend_loop)},
     {"isola_bend", 5, 1, 1, NULL, SF_ONE(slow_flow_isola_bend_loop)},
     {"isola_hessian", 5, 1, 1, NULL, SF_ONE(slow_flow_isola_hessian_loop)},
     {"tail", 3, 1, 1, NULL, SF_ONE(slow_flow_tail_loop)},

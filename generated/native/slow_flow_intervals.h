@@ -229,35 +229,34 @@ static inline void slow_flow_intervals_peak(sf_interval Omega, sf_interval A, sf
    Equation from (24), (30). Domain: Omega > 0, A > 0. */
 static inline sf_interval slow_flow_intervals_level_rise(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA)
 {
-    const sf_interval t0 = sfi_mul(A, Omega);
-    const sf_interval t1 = sfi_times(2.0, t0);
-    const sf_interval I_ = sfi_add(m, sfi_mul(t1, zeta));
-    const sf_interval t2 = sfi_square(Omega);
-    const sf_interval R = sfi_add(sfi_mul(A, t2), h);
-    const sf_interval t3 = sfi_add(h_A, t2);
+    const sf_interval t0 = sfi_square(Omega);
+    const sf_interval R = sfi_add(sfi_mul(A, t0), h);
+    const sf_interval t1 = sfi_mul(A, Omega);
+    const sf_interval t2 = sfi_times(2.0, t1);
+    const sf_interval I_ = sfi_add(m, sfi_mul(t2, zeta));
+    const sf_interval t3 = sfi_add(h_A, t0);
     const sf_interval t4 = sfi_square(zeta);
-    const sf_interval F_AA = sfi_times(2.0, sfi_add(sfi_add(sfi_mul(R, h_AA), sfi_times(4.0, sfi_mul(t2, t4))),
+    const sf_interval F_AA = sfi_times(2.0, sfi_add(sfi_add(sfi_mul(R, h_AA), sfi_times(4.0, sfi_mul(t0, t4))),
         sfi_square(t3)));
     const sf_interval t5 = sfi_add(sfi_mul(I_, zeta), sfi_mul(Omega, R));
     const sf_interval F_Omega = sfi_times(4.0, sfi_mul(A, t5));
-    const sf_interval F_AOmega = sfi_times(4.0, sfi_add(sfi_add(sfi_mul(t0, t3), sfi_mul(t1, t4)), t5));
+    const sf_interval F_AOmega = sfi_times(4.0, sfi_add(sfi_add(sfi_mul(t1, t3), sfi_mul(t2, t4)), t5));
     return sfi_neg(sfi_mul(sfi_mul(F_AA, F_AOmega), F_Omega));
 }
 
-/* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
+/* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum; T = dR/dA.
    Equation from (24), (30). Domain: Omega > 0, A > 0. */
-static inline sf_interval slow_flow_intervals_cusp_bend(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA)
+static inline sf_interval slow_flow_intervals_cusp_bend(sf_interval Omega, sf_interval A, sf_interval zeta, sf_interval h_AA, sf_interval h_AAA, sf_interval T)
 {
-    const sf_interval t0 = sfi_mul(A, Omega);
-    const sf_interval t1 = sfi_times(2.0, t0);
-    const sf_interval I_ = sfi_add(m, sfi_mul(t1, zeta));
-    const sf_interval t2 = sfi_square(Omega);
-    const sf_interval R = sfi_add(sfi_mul(A, t2), h);
-    const sf_interval t3 = sfi_add(h_A, t2);
-    const sf_interval F_AAA = sfi_times(2.0, sfi_add(sfi_mul(R, h_AAA), sfi_times(3.0, sfi_mul(h_AA, t3))));
-    const sf_interval t4 = sfi_add(sfi_mul(I_, zeta), sfi_mul(Omega, R));
-    const sf_interval F_Omega = sfi_times(4.0, sfi_mul(A, t4));
-    const sf_interval F_AOmega = sfi_times(4.0, sfi_add(sfi_add(sfi_mul(t0, t3), sfi_mul(t1, sfi_square(zeta))), t4));
+    const sf_interval t0 = sfi_square(Omega);
+    const sf_interval t1 = sfi_times(4.0, sfi_mul(t0, sfi_square(zeta)));
+    const sf_interval R = sfi_div(sfi_sub(sfi_neg(sfi_square(T)), t1), h_AA);
+    const sf_interval F_AAA = sfi_times(2.0, sfi_add(sfi_mul(R, h_AAA), sfi_times(3.0, sfi_mul(T, h_AA))));
+    const sf_interval t2 = sfi_times(2.0, t0);
+    const sf_interval t3 = sfi_div(sfi_point(2.0), Omega);
+    const sf_interval F_Omega = sfi_mul(sfi_mul(sfi_mul(A, R), t3), sfi_add(sfi_neg(T), t2));
+    const sf_interval F_AOmega = sfi_mul(t3, sfi_add(sfi_sub(sfi_add(sfi_mul(sfi_mul(A, T), t2), sfi_mul(A, t1)),
+        sfi_mul(R, T)), sfi_mul(R, t2)));
     return sfi_neg(sfi_div(sfi_mul(sfi_mul(F_AAA, F_AOmega), F_Omega), A));
 }
 
@@ -265,20 +264,19 @@ static inline sf_interval slow_flow_intervals_cusp_bend(sf_interval Omega, sf_in
    Equation from (24), (30). Domain: Omega > 0, A > 0. */
 static inline sf_interval slow_flow_intervals_isola_bend(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA)
 {
-    const sf_interval t0 = sfi_mul(A, zeta);
-    const sf_interval t1 = sfi_add(sfi_times(2.0, sfi_mul(Omega, t0)), m);
+    const sf_interval t0 = sfi_times(2.0, A);
+    const sf_interval t1 = sfi_add(sfi_mul(sfi_mul(Omega, t0), zeta), m);
     const sf_interval R = sfi_neg(sfi_div(sfi_mul(t1, zeta), Omega));
-    const sf_interval t2 = sfi_times(2.0, h_AA);
     const sf_interval Omega2 = sfi_square(Omega);
-    const sf_interval t3 = sfi_square(zeta);
+    const sf_interval t2 = sfi_times(4.0, sfi_square(zeta));
     const sf_interval Omega4 = sfi_square(Omega2);
-    const sf_interval F_AA = sfi_add(sfi_add(sfi_times(8.0, sfi_mul(Omega2, t3)), sfi_times(8.0, Omega4)), sfi_mul(R,
-        t2));
+    const sf_interval F_AA = sfi_times(2.0, sfi_add(sfi_add(sfi_mul(Omega2, t2), sfi_times(4.0, Omega4)), sfi_mul(R,
+        h_AA)));
     const sf_interval Omega3 = sfi_mul(Omega, Omega2);
     const sf_interval Omega5 = sfi_mul(Omega, Omega4);
-    return sfi_div(sfi_times(8.0, sfi_mul(sfi_mul(sfi_mul(F_AA, t0), t1),
-        sfi_add(sfi_sub(sfi_sub(sfi_neg(sfi_mul(sfi_mul(A, Omega3), t2)), sfi_times(4.0, sfi_mul(Omega3, t3))),
-        sfi_times(4.0, Omega5)), sfi_mul(sfi_mul(h_AA, m), zeta)))), Omega2);
+    return sfi_div(sfi_times(8.0, sfi_mul(sfi_mul(sfi_mul(sfi_mul(A, F_AA), t1), zeta),
+        sfi_add(sfi_sub(sfi_sub(sfi_neg(sfi_mul(sfi_mul(Omega3, h_AA), t0)), sfi_mul(Omega3, t2)), sfi_times(4.0,
+        Omega5)), sfi_mul(sfi_mul(h_AA, m), zeta)))), Omega2);
 }
 
 /* The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.

@@ -599,12 +599,12 @@ def Omega_A(Omega, A, m, zeta, h, h_A):
     Operations: 21 structured, 18 common subexpressions, 18 power chains.
     """
     Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
-    t0 = 2.0 * Omega
-    I = A * t0 * zeta + m
-    t1 = Omega * Omega
-    R = A * t1 + h
+    t0 = Omega * Omega
+    R = A * t0 + h
+    t1 = 2.0 * Omega
+    I = A * t1 * zeta + m
     t2 = I * zeta
-    F_A = 2.0 * (R * (h_A + t1) + t0 * t2)
+    F_A = 2.0 * (R * (h_A + t0) + t1 * t2)
     F_Omega = 4.0 * A * (Omega * R + t2)
     return -F_A / F_Omega
 
@@ -616,37 +616,35 @@ def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
     Operations: 39 structured, 28 common subexpressions, 28 power chains.
     """
     Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
-    t0 = A * Omega
-    t1 = 2.0 * t0
-    I = m + t1 * zeta
-    t2 = Omega * Omega
-    R = A * t2 + h
-    t3 = h_A + t2
+    t0 = Omega * Omega
+    R = A * t0 + h
+    t1 = A * Omega
+    t2 = 2.0 * t1
+    I = m + t2 * zeta
+    t3 = h_A + t0
     t4 = zeta * zeta
-    F_AA = 2.0 * (R * h_AA + 4.0 * t2 * t4 + t3 * t3)
+    F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3 * t3)
     t5 = I * zeta + Omega * R
     F_Omega = 4.0 * A * t5
-    F_AOmega = 4.0 * (t0 * t3 + t1 * t4 + t5)
+    F_AOmega = 4.0 * (t1 * t3 + t2 * t4 + t5)
     return -F_AA * F_AOmega * F_Omega
 
 
-def cusp_bend(Omega, A, m, zeta, h, h_A, h_AA, h_AAA):
-    """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
+def cusp_bend(Omega, A, zeta, h_AA, h_AAA, T):
+    """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum; T = dR/dA.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
-    Operations: 36 structured, 27 common subexpressions, 27 power chains.
+    Operations: 40 structured, 30 common subexpressions, 30 power chains.
     """
-    Omega, A, m, zeta, h, h_A, h_AA, h_AAA = floats(Omega, A, m, zeta, h, h_A, h_AA, h_AAA)
-    t0 = A * Omega
-    t1 = 2.0 * t0
-    I = m + t1 * zeta
-    t2 = Omega * Omega
-    R = A * t2 + h
-    t3 = h_A + t2
-    F_AAA = 2.0 * (R * h_AAA + 3.0 * h_AA * t3)
-    t4 = I * zeta + Omega * R
-    F_Omega = 4.0 * A * t4
-    F_AOmega = 4.0 * (t0 * t3 + t1 * zeta * zeta + t4)
+    Omega, A, zeta, h_AA, h_AAA, T = floats(Omega, A, zeta, h_AA, h_AAA, T)
+    t0 = Omega * Omega
+    t1 = 4.0 * t0 * zeta * zeta
+    R = (-T * T - t1) / h_AA
+    F_AAA = 2.0 * (R * h_AAA + 3.0 * T * h_AA)
+    t2 = 2.0 * t0
+    t3 = 2.0 / Omega
+    F_Omega = A * R * t3 * (-T + t2)
+    F_AOmega = t3 * (A * T * t2 + A * t1 - R * T + R * t2)
     return -F_AAA * F_AOmega * F_Omega / A
 
 
@@ -657,17 +655,18 @@ def isola_bend(Omega, A, m, zeta, h_AA):
     Operations: 49 structured, 39 common subexpressions, 33 power chains.
     """
     Omega, A, m, zeta, h_AA = floats(Omega, A, m, zeta, h_AA)
-    t0 = A * zeta
-    t1 = 2.0 * Omega * t0 + m
+    t0 = 2.0 * A
+    t1 = Omega * t0 * zeta + m
     R = -t1 * zeta / Omega
-    t2 = 2.0 * h_AA
     Omega2 = Omega * Omega
-    t3 = zeta * zeta
+    t2 = 4.0 * zeta * zeta
     Omega4 = Omega2 * Omega2
-    F_AA = 8.0 * Omega2 * t3 + 8.0 * Omega4 + R * t2
+    F_AA = 2.0 * (Omega2 * t2 + 4.0 * Omega4 + R * h_AA)
     Omega3 = Omega * Omega2
     Omega5 = Omega * Omega4
-    return 8.0 * F_AA * t0 * t1 * (-A * Omega3 * t2 - 4.0 * Omega3 * t3 - 4.0 * Omega5 + h_AA * m * zeta) / Omega2
+    return (
+        8.0 * A * F_AA * t1 * zeta * (-Omega3 * h_AA * t0 - Omega3 * t2 - 4.0 * Omega5 + h_AA * m * zeta) / Omega2
+    )
 
 
 def isola_hessian(Omega, A, m, zeta, h_AA):

@@ -304,37 +304,35 @@ def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
 
     Equation from (24), (30). Domain: Omega > 0, A > 0.
     """
-    t0 = A * Omega
-    t1 = 2.0 * t0
-    I = m + t1 * zeta
-    t2 = Omega.square()
-    R = A * t2 + h
-    t3 = h_A + t2
+    t0 = Omega.square()
+    R = A * t0 + h
+    t1 = A * Omega
+    t2 = 2.0 * t1
+    I = m + t2 * zeta
+    t3 = h_A + t0
     t4 = zeta.square()
-    F_AA = 2.0 * (R * h_AA + 4.0 * t2 * t4 + t3.square())
+    F_AA = 2.0 * (R * h_AA + 4.0 * t0 * t4 + t3.square())
     t5 = I * zeta + Omega * R
     F_Omega = 4.0 * A * t5
-    F_AOmega = 4.0 * (t0 * t3 + t1 * t4 + t5)
+    F_AOmega = 4.0 * (t1 * t3 + t2 * t4 + t5)
     return (
         -F_AA * F_AOmega * F_Omega
     )
 
 
-def cusp_bend(Omega, A, m, zeta, h, h_A, h_AA, h_AAA):
-    """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.
+def cusp_bend(Omega, A, zeta, h_AA, h_AAA, T):
+    """Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum; T = dR/dA.
 
     Equation from (24), (30). Domain: Omega > 0, A > 0.
     """
-    t0 = A * Omega
-    t1 = 2.0 * t0
-    I = m + t1 * zeta
-    t2 = Omega.square()
-    R = A * t2 + h
-    t3 = h_A + t2
-    F_AAA = 2.0 * (R * h_AAA + 3.0 * h_AA * t3)
-    t4 = I * zeta + Omega * R
-    F_Omega = 4.0 * A * t4
-    F_AOmega = 4.0 * (t0 * t3 + t1 * zeta.square() + t4)
+    t0 = Omega.square()
+    t1 = 4.0 * t0 * zeta.square()
+    R = (-T.square() - t1) / h_AA
+    F_AAA = 2.0 * (R * h_AAA + 3.0 * T * h_AA)
+    t2 = 2.0 * t0
+    t3 = 2.0 / Omega
+    F_Omega = A * R * t3 * (-T + t2)
+    F_AOmega = t3 * (A * T * t2 + A * t1 - R * T + R * t2)
     return (
         -F_AAA * F_AOmega * F_Omega / A
     )
@@ -345,18 +343,17 @@ def isola_bend(Omega, A, m, zeta, h_AA):
 
     Equation from (24), (30). Domain: Omega > 0, A > 0.
     """
-    t0 = A * zeta
-    t1 = 2.0 * Omega * t0 + m
+    t0 = 2.0 * A
+    t1 = Omega * t0 * zeta + m
     R = -t1 * zeta / Omega
-    t2 = 2.0 * h_AA
     Omega2 = Omega.square()
-    t3 = zeta.square()
+    t2 = 4.0 * zeta.square()
     Omega4 = Omega2.square()
-    F_AA = 8.0 * Omega2 * t3 + 8.0 * Omega4 + R * t2
+    F_AA = 2.0 * (Omega2 * t2 + 4.0 * Omega4 + R * h_AA)
     Omega3 = Omega * Omega2
     Omega5 = Omega * Omega4
     return (
-        8.0 * F_AA * t0 * t1 * (-A * Omega3 * t2 - 4.0 * Omega3 * t3 - 4.0 * Omega5 + h_AA * m * zeta) / Omega2
+        8.0 * A * F_AA * t1 * zeta * (-Omega3 * h_AA * t0 - Omega3 * t2 - 4.0 * Omega5 + h_AA * m * zeta) / Omega2
     )
 
 

@@ -361,14 +361,17 @@ def slope_kernels(flow: SlowFlow, slopes: Slopes) -> list[Kernel]:
     """Slopes along the response and along the fold locus."""
 
     def in_derivatives(
-        name: str, output: sp.Expr, doc: str, equation: str, there: Mapping[sp.Symbol, sp.Expr] = {R: flow.R}
+        name: str, output: sp.Expr, doc: str, equation: str, there: Mapping[sp.Symbol, sp.Expr] = {}
     ) -> Kernel:
-        """there: what R is, and h_A, at the points where it is asked"""
-        values = {symbol: value.subs(h_A, there.get(h_A, h_A)) for symbol, value in slopes.values.items()}
-        own = [(symbol, value) for symbol, value in values.items() if symbol in output.free_symbols]
-        lets = [(I, flow.I), (R, there[R]), *own]
+        """there: what R, I and h_A are at the points where it is asked, as far as it is more than anywhere else"""
+        known = {symbol: value for symbol, value in there.items() if symbol != R}
+        values = {symbol: value for symbol, value in slopes.values.items() if symbol in output.free_symbols}
+        if known:
+            values = {symbol: sp.factor(value.subs(h_A, known[h_A]).subs(known)) for symbol, value in values.items()}
+        anywhere = {R: flow.R, I: flow.I} if R not in there else {I: flow.I, R: there[R]}
+        lets = [*((symbol, value) for symbol, value in anywhere.items() if symbol not in known), *values.items()]
         needs = set().union(*(value.free_symbols for _, value in lets))
-        order = (Omega, A, m, zeta, h, h_A, h_AA, h_AAA)
+        order = (Omega, A, m, zeta, h, h_A, h_AA, h_AAA, T)
         return plain(name, [symbol for symbol in order if symbol in needs], output, doc, equation, lets=lets)
 
     return [
@@ -382,8 +385,9 @@ def slope_kernels(flow: SlowFlow, slopes: Slopes) -> list[Kernel]:
         in_derivatives(
             "cusp_bend",
             slopes.cusp,
-            "Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.",
+            "Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum; T = dR/dA.",
             "from (24), (30)",
+            slopes.at_cusp,
         ),
         in_derivatives("isola_bend", slopes.isola, "The same at an isola point.", "from (24), (30)", slopes.at_isola),
         plain(

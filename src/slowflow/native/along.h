@@ -315,6 +315,15 @@ static inline void sf_ask(const sf_asked *asked, int open, const sf_sample *at, 
     }
 }
 
+/* T = dR/dA at a cusp, by its frequency. With R from F_AA = 0 F_A is T^3 + p T - q, whose root nothing cancels in; h_A
+ * has few digits of it if damping is weak. */
+static inline double sf_cusp_tangent(double w, double A, double m, double zeta, double h_AA) {
+    const double q = 2 * zeta * w * slow_flow_I(w, A, m, zeta) * h_AA, size = cbrt(q);
+    const double share = 2 * zeta * w / size, e = share * share;
+    const double v = cbrt(0.5 + sqrt(0.25 + e * e * e / 27)), rest = e / (3 * v);
+    return e < 1e30 ? size / (v * v + e / 3 + rest * rest) : size / e;
+}
+
 /* Whether F has a saddle in A and Omega at an isola point. */
 static inline int sf_is_saddle(const sf_model *model, const sf_sample *at, double w) {
     if (sf_inertial(model))
@@ -331,7 +340,7 @@ static inline int sf_is_minimum(const sf_model *model, sf_question question, con
         return inertia_cusp_bend(w, at->A, m, zeta, at->h, at->h_A, at->h_AA, at->h_AAA) > 0;
     if (question == SF_ISOLA)
         return slow_flow_isola_bend(w, at->A, m, zeta, at->h_AA) > 0;
-    return slow_flow_cusp_bend(w, at->A, m, zeta, at->h, at->h_A, at->h_AA, at->h_AAA) > 0;
+    return slow_flow_cusp_bend(w, at->A, zeta, at->h_AA, at->h_AAA, sf_cusp_tangent(w, at->A, m, zeta, at->h_AA)) > 0;
 }
 
 /* The channels that a question has, 1 and 2. */

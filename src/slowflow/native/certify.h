@@ -310,7 +310,7 @@ static void sf_cusps_on(const sf_proving *proving, const sf_cell *cell, int open
     if ((cell->h_AA.lo >= 0 && cell->k.lo >= 0) || (cell->h_AA.hi <= 0 && cell->k.hi <= 0))
         return;
     for (i = 0; i < 2; i++) {
-        sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
+        sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
         if (open & 1 << i)
             sf_cusp_on(cell, terms->m, terms->zeta, i == 0, &cusp);
         if (cusp.where != SF_NOWHERE && !(cusp.level.lo > terms->F_0.hi))
@@ -325,11 +325,11 @@ static void sf_enter_isola(const sf_terms *terms, const sf_cell *on, sf_candidat
 }
 
 static void sf_enter_cusp(const sf_terms *terms, const sf_cell *on, int channel, sf_candidates *list) {
-    sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
+    sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
     sf_interval Omega, bend;
     sf_cusp_on(on, terms->m, terms->zeta, channel == 0, &cusp);
     Omega = sfi_sqrt(cusp.X);
-    bend = slow_flow_intervals_cusp_bend(Omega, on->A, terms->m, terms->zeta, on->h, on->h_A, on->h_AA, on->h_AAA);
+    bend = slow_flow_intervals_cusp_bend(Omega, on->A, terms->zeta, on->h_AA, on->h_AAA, cusp.T);
     sf_enter(list, sfi_both(cusp.level, sf_level_on(terms, Omega, on)), Omega, on->A, SF_CUSP_KIND, sf_sign_of(bend));
 }
 

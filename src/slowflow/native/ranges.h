@@ -104,11 +104,11 @@ static inline sf_interval sf_quadratic_root_range(sf_interval a, sf_interval b, 
     return larger ? sf_larger_root_range(a, b, root) : sfi_neg(sf_larger_root_range(sfi_neg(a), b, root));
 }
 
-/* Of a cusp on a cell, nowhere at first: where its Omega^2 is real and positive, F_A/2 with its slope, the forcing, and
- * Omega^2. */
+/* Of a cusp on a cell, nowhere at first: where its Omega^2 is real and positive, F_A/2 with its slope, the forcing,
+ * Omega^2 and T = dR/dA. */
 typedef struct {
     sf_where where;
-    sf_interval y, dy, level, X;
+    sf_interval y, dy, level, X, T;
 } sf_cusp_range;
 
 static inline sf_where sf_where_both(sf_interval discriminant, sf_interval X) {
@@ -131,7 +131,7 @@ static inline void sf_cusp_on(const sf_cell *cell, sf_interval m, sf_interval ze
     slow_flow_intervals_cusp_R(cell->A, zeta, cell->h_AA, cell->k, X, T, R);
     slow_flow_intervals_cusp(cell->A, m, zeta, cell->h_AA, cell->h_AAA, cell->k, X, T, sfi_both(R[0], R[1]),
                              larger ? root : sfi_neg(root), cusp);
-    out->y = sfi_both(cusp[0], cusp[1]), out->dy = cusp[2], out->level = cusp[3], out->X = X;
+    out->y = sfi_both(cusp[0], cusp[1]), out->dy = cusp[2], out->level = cusp[3], out->X = X, out->T = T;
 }
 
 /* Whether a level may lie above what is still wanted. */
@@ -212,7 +212,7 @@ static inline void sf_range_cusp(const sf_asked *asked, const sf_known *a, const
     if (sf_are_alike(cell->h_AA, cell->k) || sf_is_free_of_folds(a, cell, asked->terms.zeta))
         return;
     for (i = 0; i < 2; i++) {
-        sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
+        sf_cusp_range cusp = {SF_NOWHERE, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
         if (!(open & 1 << i))
             continue;
         sf_cusp_on(cell, asked->terms.m, asked->terms.zeta, i == 0, &cusp);

@@ -221,7 +221,20 @@ def level_rise(*x):
     return -F_Omega * F_AA * F_AOmega
 
 
-def cusp_bend(Omega, A, *x):
+def cusp_bend(Omega, A, zeta, h_AA, h_AAA, T):
+    """With h, and then m, in which they are linear, for which F_AA = F_A = 0."""
+    if zeta == 0:
+        raise ValueError("no m makes F_A = 0")
+
+    def slope(order, m, h):
+        return partials([order], Omega, A, m, zeta, h, T - Omega**2, h_AA, h_AAA)[0]
+
+    def root(f, unit):
+        return -unit * f(0) / (f(unit) - f(0))
+
+    h = root(lambda h: slope((2, 0), 0, h), T**2 + A * Omega**2)
+    m = root(lambda m: slope((1, 0), m, h), 1 / zeta)
+    x = (m, zeta, h, T - Omega**2, h_AA, h_AAA)
     F_Omega, F_AAA, F_AOmega = partials([(0, 1), (3, 0), (1, 1)], Omega, A, *x)
     return -F_Omega * F_AAA * F_AOmega / A
 
@@ -256,7 +269,7 @@ def response_at_rest(m, preload):
 SLOPES: dict[str, tuple[str, Function]] = {
     "Omega_A": ("Omega A m zeta h h_A", lambda *x: [slope_of_frequency(*x)]),
     "level_rise": ("Omega A m zeta h h_A h_AA", lambda *x: [level_rise(*x)]),
-    "cusp_bend": ("Omega A m zeta h h_A h_AA h_AAA", lambda *x: [cusp_bend(*x)]),
+    "cusp_bend": ("Omega A zeta h_AA h_AAA T", lambda *x: [cusp_bend(*x)]),
     "isola_bend": (
         "Omega A m zeta h_AA",
         lambda *x: [partials([(2, 0)], *(at := isola_at(*x)))[0] * hessian(*at)],

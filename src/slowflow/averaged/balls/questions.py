@@ -9,6 +9,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
+from typing import NamedTuple
 
 from flint import arb
 
@@ -260,6 +261,17 @@ class Candidate:
     kind: OnsetKind
 
 
+class _Cusp(NamedTuple):
+    """Of a cusp on a cell: where it is, F_A/2 with its slope, the forcing, Omega^2, and dR/dA."""
+
+    where: Where
+    y: Enclosure
+    dy: Enclosure
+    level: Enclosure
+    X: Enclosure
+    T: Enclosure
+
+
 @dataclass
 class Candidates:
     """All of them up to a level, and the lowest level in doubt; full: whether there may be others."""
@@ -307,12 +319,12 @@ class Candidates:
 
     def _cusp_on(self, cell: Cell, larger: bool) -> Range:
         found = self.cusp(cell, larger)
-        if found is None or found[3].lo > self.asked.F_0.hi:
+        if found is None or found.level.lo > self.asked.F_0.hi:
             return NOWHERE
-        return Range(found[0], found[1], found[2])
+        return Range(found.where, found.y, found.dy)
 
-    def cusp(self, cell: Cell, larger: bool) -> tuple[Where, Enclosure, Enclosure, Enclosure, Enclosure] | None:
-        """Where Omega^2 of a cusp is real and positive: F_A/2, its slope, the forcing, Omega^2; None where nowhere."""
+    def cusp(self, cell: Cell, larger: bool) -> _Cusp | None:
+        """Where Omega^2 of a cusp is real and positive; None where nowhere."""
         zeta = self.asked.zeta
         a, b, c, d, discriminant = flow.cusps(cell.A, zeta, cell.h, cell.h_A, cell.h_AA, cell.k)
         if discriminant.hi < 0:
@@ -329,7 +341,7 @@ class Candidates:
         R = by_tangent.both(by_F_AA)
         signed = root if larger else -root
         y, same, dy, level = flow.cusp(cell.A, self.asked.m, zeta, cell.h_AA, cell.h_AAA, cell.k, X, T, R, signed)
-        return where, y.both(same), dy, level, X
+        return _Cusp(where, y.both(same), dy, level, X, T)
 
     def all_up_to(self, A_max: float) -> None:
         """Minima of the level along the fold locus.
@@ -352,9 +364,9 @@ class Candidates:
                     continue
                 found = self.cusp(on, zero.channel == 0)
                 assert found is not None, "a cusp that was found has an Omega"
-                Omega = found[4].sqrt()
-                bend = flow.cusp_bend(Omega, on.A, asked.m, asked.zeta, on.h, on.h_A, on.h_AA, on.h_AAA)
-                self.enter(found[3].both(asked.level(Omega, on)), Omega, on.A, OnsetKind.CUSP, bend.sign)
+                Omega = found.X.sqrt()
+                bend = flow.cusp_bend(Omega, on.A, asked.zeta, on.h_AA, on.h_AAA, found.T)
+                self.enter(found.level.both(asked.level(Omega, on)), Omega, on.A, OnsetKind.CUSP, bend.sign)
         for i, jump in enumerate(given.jumps):
             self._corners(i, is_jump=not jump.lo == jump.hi == 0)
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import numpy.typing as npt
 
@@ -15,8 +13,24 @@ Flags = npt.NDArray[np.bool_]
 
 def cusp_is_minimum(model: Model, Omega: Floats, A: Floats) -> Flags:
     """Whether the level has a minimum along the fold locus at these cusps, by its second derivative."""
-    kernels: Any = inertia if model.inertial else slow_flow
-    return np.asarray(kernels.cusp_bend(Omega, A, model.m, model.zeta, *model.averaged(A)) > 0)
+    h, h_A, h_AA, h_AAA = model.averaged(A)
+    if model.inertial:
+        return np.asarray(inertia.cusp_bend(Omega, A, model.m, model.zeta, h, h_A, h_AA, h_AAA) > 0)
+    T = _cusp_tangent(model, Omega, A, h_AA)
+    return np.asarray(slow_flow.cusp_bend(Omega, A, model.zeta, h_AA, h_AAA, T) > 0)
+
+
+def _cusp_tangent(model: Model, Omega: Floats, A: Floats, h_AA: Floats) -> Floats:
+    """dR/dA at a cusp, by its frequency.
+
+    With R from F_AA = 0 F_A is T^3 + p T - q, whose root nothing cancels in; h_A has few digits of it if damping is
+    weak.
+    """
+    doubled = 2 * model.zeta * Omega
+    size = np.cbrt(doubled * slow_flow.I(Omega, A, model.m, model.zeta) * h_AA)
+    e = (doubled / size) ** 2
+    v = np.cbrt(0.5 + np.sqrt(0.25 + e**3 / 27))
+    return np.asarray(np.where(e < 1e30, size / (v * v + e / 3 + (e / (3 * v)) ** 2), size / e))
 
 
 def isola_is_minimum(model: Model, Omega: Floats, A: Floats) -> Flags:
