@@ -207,11 +207,15 @@ def test_gradients_of_a_force_that_is_not_odd_are_differences_of_its_answers(nam
         "peak": lambda one: one.peak(F_0),
     }
     moving = set()
+    steps = {by: 1e-5 * max(abs(getattr(one, by)), 0.01) for by in (*numbers, "mu", "zeta", "load")}
+    # each once: they keep what several questions ask
+    beside = {
+        by: [one.replace(**{by: getattr(one, by) + sign * step}) for sign in (1, -1)] for by, step in steps.items()
+    }
     for question, ask in asked.items():
         found = ask(one).gradient()
-        for by in (*numbers, "mu", "zeta", "load"):
-            step = 1e-5 * max(abs(getattr(one, by)), 0.01)
-            ends = [ask(one.replace(**{by: getattr(one, by) + sign * step})) for sign in (1, -1)]
+        for by, step in steps.items():
+            ends = [ask(other) for other in beside[by]]
             for of in found.of:
                 slope = found[of, by]
                 known = np.isfinite(slope)
