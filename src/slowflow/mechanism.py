@@ -297,14 +297,15 @@ class EquationOfMotion:
         return float(by_Omega), float(by_F_0)
 
 
-def check_followed(force: Force, name: str) -> None:
-    """Raises ValueError for a force whose motions are not followed, of a mechanism by its name."""
-    if force.innermost == 0 and force.odd and force.value(0.0) != 0:
-        raise ValueError(f"motions of {name} are not followed: its force jumps at u = 0, where a mass rests")
+def followed(force: Force, name: str) -> Force:
+    """A force as its motions are followed. Raises ValueError where they are not, of a mechanism by its name."""
+    if force.odd and force.value(0.0) != 0:
+        force = JumpingForce.of_sides(force)
     with np.errstate(all="ignore"):
         stiffness = force.pieces[force.innermost].slope(0.0) if force.odd else 0.0
     if not math.isfinite(stiffness):
         raise ValueError(f"motions of {name} are not followed: its stiffness is infinite at u = 0")
+    return force
 
 
 #: alpha and beta of the cubic spring that is linear

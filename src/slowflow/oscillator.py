@@ -18,7 +18,7 @@ from slowflow.averaged.questions import Averaged
 from slowflow.averaged.remarks import NOTHING
 from slowflow.certificate import Certificate
 from slowflow.loaded import Loaded, off_centre_by
-from slowflow.mechanism import EquationOfMotion, Floats, Force, JumpingForce, Mechanism, check_followed
+from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, followed
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.results import Measured, MeasuredFolds, Remark, SaddleNodeOnset, SaddleNodes, SteadyStates
 from slowflow_kernels import motion
@@ -306,10 +306,7 @@ class Oscillator(Averaged):
         Structural damping is (eta/Omega) u' at the frequency of the motion, and so needs that. Raises ValueError as
         `restoring_force`, for a force that has no stiffness at u = 0 that is finite, and for eta > 0 without Omega.
         """
-        laws, force = self.model.laws, self.restoring_force(which)
-        if force.odd and force.value(0.0) != 0:
-            force = JumpingForce.of_sides(force)
-        check_followed(force, self.model.mechanism.name)
+        laws, force = self.model.laws, followed(self.restoring_force(which), self.model.mechanism.name)
         if laws.eta > 0 and Omega is None:
             raise validate.NotAvailable(
                 f"eta = {laws.eta:g} is not allowed here: structural damping is stated at one frequency"

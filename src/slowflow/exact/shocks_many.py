@@ -17,7 +17,7 @@ from slowflow.averaged.many import Designs
 from slowflow.averaged.parts import share
 from slowflow.exact.compiled import many_shocks, recurrences
 from slowflow.exact.transient import AFTER, NO_PULSE, half_sine, record, transient
-from slowflow.mechanism import EquationOfMotion, Floats, Force, check_followed
+from slowflow.mechanism import EquationOfMotion, Floats, Force, followed
 from slowflow.model import THROUGHOUT
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
@@ -151,7 +151,7 @@ def _followed(
     laws = tuple(recurrences(law) for law in designs.mechanism.pieces)
     with np.errstate(all="ignore"):
         at_rest = designs.mechanism.at_rest(*designs.mechanism.coefficients(*designs.design))[:2]
-    # a force that jumps at rest, or has no stiffness there, is refused by what follows a single one
+    # a force that jumps at rest is followed one by one; one that has no stiffness there is refused by that
     smooth = np.broadcast_to((at_rest[0] == 0) & np.isfinite(at_rest[1]), shape).ravel()
     singly = asked if designs.laws or None in laws else asked[~smooth[asked]]
     for k in singly.tolist():
@@ -189,8 +189,7 @@ def _alone(
     none = (np.nan,) * 7
     try:
         model = designs.model(values)
-        force = Force.of(designs.mechanism, model.parameters)
-        check_followed(force, designs.mechanism.name)
+        force = followed(Force.of(designs.mechanism, model.parameters), designs.mechanism.name)
         laws = {"c_2": model.laws.c_2, "released": model.laws.rubs != THROUGHOUT}
         found = transient(EquationOfMotion(force, model.mu, model.zeta, **laws), arcs, begin=begin, after=after)
     except ValueError:

@@ -25,7 +25,7 @@ from slowflow.gradient import Gradient
 from slowflow.loaded import AT_CENTRE, off_centre_by
 from slowflow.loads import Spectrum
 from slowflow.loads_many import ManySpectra
-from slowflow.mechanism import EquationOfMotion, Force, Mechanism, check_followed
+from slowflow.mechanism import EquationOfMotion, Force, Mechanism, followed
 from slowflow.model import THROUGHOUT, Floats
 from slowflow.off_centre.questions import OffCentre
 from slowflow.results import InDecibels, Remark
@@ -618,8 +618,7 @@ def _isolation(single: OffCentre, F_0: float) -> Found:
 def _shocked(single: OffCentre) -> tuple[EquationOfMotion, int]:
     """The equation of motion of a design, and how many stable places of rest it has."""
     model = single.model
-    force = Force.of(model.mechanism, model.parameters)
-    check_followed(force, model.mechanism.name)
+    force = followed(Force.of(model.mechanism, model.parameters), model.mechanism.name)
     stands = 1 if force.odd and single.load == 0 else int(single.rest().stable.sum())
     return EquationOfMotion(force, model.mu, model.zeta, load=single.load), stands
 
