@@ -16,6 +16,9 @@ from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import CLOSE, STEEP, TOLD_APART
 
+#: a share of a frequency or amplitude, relatively, that is too much to be lost
+FEW_DIGITS = 2.0**-30
+
 
 def size_at(at: Samples, F_0: float) -> Floats:
     """What a force, or its average, may be as large as; a stiffness of 1 is that of the vertical spring."""
@@ -46,6 +49,24 @@ def is_F_close(model: Model, F_0: Any, Omega: Floats, A: Floats) -> Bools:
     of_R = CLOSE * (np.abs(h) + A * (1 + np.abs(h_A)) + A * Omega**2)
     doubt = of_R * (2 * np.abs(R) + of_R) + CLOSE * (sine**2 + F_0**2)
     return np.asarray(np.abs(slow_flow.F(Omega, A, F_0, m, zeta, h)) <= doubt)
+
+
+def have_few_digits(model: Model, F_0: float, Omega: Floats, A: Floats) -> Bools:
+    """Which folds of a force move by more than 2^-30 where F does not vanish by itself, or by 4 roundings of its terms.
+
+    F_A is 0 there: Omega moves by F/F_Omega, and A by what F_A changes with that, over F_AA. As next to Omega = 0, and
+    to a cusp. Native solvers ask that of a step in double-double.
+    """
+    m, zeta = model.m, model.zeta
+    h, h_A, h_AA, _ = model.averaged(A)
+    R, sine = slow_flow.R(Omega, A, h), slow_flow.I(Omega, A, m, zeta)
+    of_R = 4 * np.finfo(float).eps * (np.abs(h) + A * (1 + np.abs(h_A)) + A * Omega**2)
+    lost = of_R * (2 * np.abs(R) + of_R) + 4 * np.finfo(float).eps * (sine**2 + F_0**2)
+    lost += np.abs(slow_flow.F(Omega, A, F_0, m, zeta, h))
+    moved = np.abs(lost / slow_flow.F_Omega(Omega, A, m, zeta, h))
+    turned = np.abs(slow_flow.F_AOmega(Omega, A, m, zeta, h, h_A) * moved)
+    turned /= np.abs(slow_flow.F_AA(Omega, A, m, zeta, h, h_A, h_AA))
+    return np.asarray((moved > FEW_DIGITS * Omega) | (turned > FEW_DIGITS * A))
 
 
 def are_corners_close(model: Model, F_0: float, A_max: float) -> bool:

@@ -39,6 +39,8 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
         # Leaving a fold, a sweep goes the way of the saddle: up where the stable branch lies below it in amplitude.
         up = model.F_AA(Omega, A) < 0
         corner_Omega, corner_A, corner_up = _on_corners(model, F_0, A_max)
+        if not (model.laws.any or model.inertial):
+            near = near or bool(doubt.have_few_digits(model, F_0, Omega, A).any())
         undecided = near or doubt.nearly_sticks(model, F_0) or doubt.are_corners_close(model, F_0, A_max)
     Omega, A = np.concatenate((Omega, corner_Omega)), np.concatenate((A, corner_A))
     up = np.concatenate((up, corner_up))
