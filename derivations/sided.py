@@ -1,23 +1,30 @@
 """A force that is not odd: a stop on one side only, springs that differ on both sides, a spring with even powers.
 
-In:  pieces of the whole force f(u) by rising u, from below all of them to above all: polynomials; where each ends.
-Out: `Sided`; `steps`, the force as a sum of steps, of which `off_centre` has the means over u = B + A cos psi.
+In:  pieces of the whole force f(u) by rising u, from below all of them to above all; where each ends.
+Out: `Sided`; `steps`, a piecewise polynomial as a sum of steps, of which `off_centre` has the means over
+     u = B + A cos psi; `curved`, what those of any other force are summed from.
 
 There is no motion about the centre to be averaged: f_0(A, B) = c_0 - load and h(A, B) = -2 s_0 are all there is, in the
-means c_n of f^(n) and s_n of f^(n) cos psi (`off_centre`), and these are sums over the steps.
+means c_n of f^(n) and s_n of f^(n) cos psi (`off_centre`), and these are sums over the steps, or by quadrature.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 
 import sympy as sp
 
+from .curved import Curved, curved
 from .mechanisms import Parameter
+from .quadrature import FUNCTIONS, lost_at, singular_at
 from .restoring import at_breakpoint
 from .symbols import u
+
+#: what a force may be made of
+KNOWN = (sp.Add, sp.Mul, sp.Pow, sp.Symbol, sp.Number, sp.NumberSymbol, *FUNCTIONS)
 
 
 @dataclass(frozen=True)
@@ -47,7 +54,8 @@ class Sided:
     @property
     def jumps(self) -> tuple[sp.Expr, ...]:
         """What the force loses at each end: f below less f above, 0 where it only bends."""
-        return tuple(at_breakpoint(below - above, end) for (below, above), end in self._met)
+        lost = at_breakpoint if self.is_polynomial else partial(lost_at, order=0)
+        return tuple(lost(below - above, end) for (below, above), end in self._met)
 
     @property
     def steps(self) -> tuple[tuple[sp.Expr, ...], ...]:
@@ -61,6 +69,16 @@ class Sided:
         return formulas + gains
 
     @property
+    def is_polynomial(self) -> bool:
+        """Whether all of its pieces are polynomials."""
+        return all(piece.is_polynomial(u) for piece in self.pieces)
+
+    @property
+    def curved(self) -> Curved:
+        """What its means are summed from, where it is no polynomial in pieces."""
+        return curved(self.pieces, self.ends)
+
+    @property
     def _met(self) -> Sequence[tuple[tuple[sp.Expr, sp.Expr], sp.Expr]]:
         return tuple(zip(pairwise(self.pieces), self.ends, strict=True))
 
@@ -72,10 +90,19 @@ def check(force: Sided) -> None:
             raise ArithmeticError(
                 f"{force.name}: piece {number} has |u|: with odd=False each side is a piece of its own"
             )
-        if not piece.is_polynomial(u):
+        strange = [part for part in sp.preorder_traversal(piece) if not isinstance(part, KNOWN)]
+        if strange:
+            names = ", ".join(function.__name__ for function in FUNCTIONS)
             raise ArithmeticError(
-                f"{force.name}: piece {number} is no polynomial in u, and with odd=False it has to be"
+                f"{force.name}: piece {number} has {strange[0].func.__name__}, which no average is known for; forces "
+                f"are made of {names}, powers, and what else changes at some u is a piece of its own"
             )
+        for end in force.ends[max(number - 2, 0) : number]:
+            value, singular = sp.simplify(piece.subs(u, end)), singular_at(piece, end)
+            if value.is_infinite or value is sp.nan or value.has(sp.zoo, sp.oo):
+                raise ArithmeticError(f"{force.name}: piece {number} is infinite at u = {end}")
+            if singular:
+                raise ArithmeticError(f"{force.name}: piece {number} has {singular[0]}, which is singular at u = {end}")
     for number, (low, high) in enumerate(pairwise(force.ends), start=2):
         if (high - low).is_nonpositive or high.is_real is False:
             raise ArithmeticError(f"{force.name}: piece {number} ends at u = {high}, which is not above {low}")

@@ -287,6 +287,18 @@ class Enclosed:
 
 
 @dataclass(frozen=True)
+class OffCentreTerms:
+    """What the means of a force that is no polynomial are summed from, where motions are off the centre.
+
+    numbers -- the kernel of its gains, then of each piece with its derivatives
+    held    -- the same of each piece on intervals
+    """
+
+    numbers: tuple[Kernel, ...]
+    held: tuple[Kernel, ...]
+
+
+@dataclass(frozen=True)
 class Module:
     """One generated module.
 
@@ -304,6 +316,7 @@ class Module:
     in_c       -- whether anything in C calls it: loops over arrays, or a solver
     sums       -- averages by quadrature
     enclosed   -- what holds the average on intervals; None where h_AAA is proved to be monotone
+    off_centre -- what means off the centre are summed from; None where they are sums over steps, or not known
     """
 
     name: str
@@ -325,6 +338,12 @@ class Module:
     in_c: bool = True
     sums: tuple[Sums, ...] = ()
     enclosed: Enclosed | None = None
+    off_centre: OffCentreTerms | None = None
+
+    @property
+    def on_intervals(self) -> tuple[Kernel, ...]:
+        """What Python has on intervals with elementary functions."""
+        return (*(self.enclosed.kernels if self.enclosed else ()), *(self.off_centre.held if self.off_centre else ()))
 
     @property
     def looped(self) -> tuple[Kernel | Selection | Composition, ...]:

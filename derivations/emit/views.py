@@ -143,7 +143,7 @@ def programs(module: Module) -> Code:
             *module.settled,
             *module.balls,
             *module.held,
-            *(module.enclosed.kernels if module.enclosed else ()),
+            *module.on_intervals,
         )
     }
 

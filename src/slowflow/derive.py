@@ -150,8 +150,9 @@ def mechanism(
                   where it is not; and the first one is odd. Its values are what is asked for, see `Sampled`
     parameters -- by name: "doc", "unit" and the bounds "above", "least", "below", "most", each if there is one
     reach      -- the largest |u| that makes sense, and why; a linear spring that closed gaps leave has none
-    odd        -- whether the force is; else its pieces are polynomials for all u, by rising u, each with the u, of any
-                  sign, at which it ends. Its motions are off the centre and have a mean B: see `Oscillator.off_centre`
+    odd        -- whether the force is; else its pieces are for all u, by rising u, each with the u, of any sign, at
+                  which it ends; polynomials, or smooth up to their ends. Its motions are off the centre and have a
+                  mean B: see `Oscillator.off_centre`
     compile    -- print C, call the C compiler (the environment's CC, or the one that Python was built with), and let
                   the compiled solvers and the compiled integrator answer; of a force that is not odd this one
 

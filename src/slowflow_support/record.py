@@ -99,6 +99,19 @@ class Enclosed(NamedTuple):
     begins: tuple[int, ...] = ()
 
 
+class Curved(NamedTuple):
+    """What the means of a force of any kind are summed from, where motions are off the centre.
+
+    gained -- of the parameters: what f, f', f'' gain at each breakpoint
+    pieces -- of each piece at (u, *parameters): f and its first three derivatives
+    held   -- the same at (around, u, *parameters), on intervals
+    """
+
+    gained: Function
+    pieces: tuple[Function, ...]
+    held: tuple[Function, ...]
+
+
 @dataclass(frozen=True, eq=False)
 class Mechanism:
     """A restoring force u + F_k(u), its average and its parameters. Two are equal if all that they state is.
@@ -129,8 +142,9 @@ class Mechanism:
     enclosed    -- what holds the average on intervals; None where h_AAA is proved to be monotone on each piece
     steps       -- of the parameters: f and its derivatives just above u = 0, as many as the force has; their gains at
                    each breakpoint; and those of the last piece, by its formula, at u = 0. None where a piece is no
-                   polynomial: then nothing is known off the centre. Of a force that is not odd: those of each piece by
-                   its formula at u = 0, and their gains at each breakpoint
+                   polynomial. Of a force that is not odd: those of each piece by its formula at u = 0, and their gains
+                   at each breakpoint
+    curved      -- where `steps` is None, what means off the centre are summed from; None where nothing is known there
     told        -- of the parameters: in words, how a force is known that is no formula; None for one that is
     odd         -- whether the force is odd, its pieces stated for u > 0; else they are by rising u, breakpoints are
                    such u, and what is about the centre is `unknown`
@@ -160,6 +174,7 @@ class Mechanism:
     kinks: Function | None = None
     enclosed: Enclosed | None = None
     steps: Function | None = None
+    curved: Curved | None = None
     odd: bool = True
     told: Function | None = None
 

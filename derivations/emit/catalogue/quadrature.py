@@ -15,6 +15,7 @@ from dataclasses import replace
 import sympy as sp
 
 from ...contact import Contact, y
+from ...curved import of_odd
 from ...mechanisms import Mechanism
 from ...off_centre import steps
 from ...quadrature import BROKEN, DENSE, Quadrature, c, s, sums, v
@@ -24,6 +25,7 @@ from ...symbols import A, u
 from ..compensated import copysign
 from ..form import AVERAGED, Branch, Enclosed, Kernel, Law, Let, Module, Record, Sums, plain
 from .mechanism import DOC_OF_STEPS, INTERCEPT
+from .sided import curved_kernels
 
 #: of an odd force that is stated for u > 0
 SIDE, SIZE = sp.Symbol("side", real=True), sp.Symbol("size", nonnegative=True)
@@ -38,20 +40,24 @@ def quadrature_module(name: str, mechanism: Mechanism, average: Quadrature) -> M
     mechanism, average = renamed(mechanism, average)
     pieces, laws = piece_kernels(mechanism, average, name)
     averages = (*average_sums(mechanism, average), parameter_sums(mechanism, average))
+    beside = of_odd(average)
+    terms = None if beside is None else curved_kernels(beside, mechanism.parameters)
     return Module(
         name=name,
         title=stated.title[0].upper() + stated.title[1:],
-        inputs=("live.py", "quadrature.py"),
+        inputs=("live.py", "quadrature.py", *(["curved.py"] if terms else [])),
         kernels=(
             *data_kernels(mechanism, average),
             *step_kernels(mechanism, average),
             *pieces,
+            *(terms.numbers if terms else ()),
             *(kernel for one in averages for kernel in (*one.terms, one.closing)),
         ),
         record=Record(stated, stated.design, laws, sp.oo, False, "", (), stepped=is_stepped(average)),
         native=False,
         sums=averages,
         enclosed=enclosed(mechanism, average),
+        off_centre=terms,
     )
 
 

@@ -1,18 +1,22 @@
-"""The kernels of a force that is not odd: its pieces, its data, its steps.
+"""The kernels of a force that is not odd: its pieces, its data, its steps, or what its means are summed from.
 
-In:  a `Sided`.
-Out: `sided_module`.
+In:  a `Sided`; of an odd force a `Curved`.
+Out: `sided_module`; `curved_kernels`.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import sympy as sp
 
+from ...curved import Curved
+from ...off_centre import ORDERS
+from ...quadrature import nested, v
 from ...sided import Sided
 from ...symbols import u
-from ..form import Kernel, Law, Module, Record, plain
+from ..form import Kernel, Law, Module, OffCentreTerms, Record, plain
 
 ANY = "any parameters"
 
@@ -22,14 +26,50 @@ def sided_module(name: str, force: Sided) -> Module:
     stated = force
     force = renamed(force)
     pieces, laws = piece_kernels(force, name)
+    terms = None if force.is_polynomial else curved_kernels(force.curved, force.parameters)
     return Module(
         name=name,
         title=stated.title[0].upper() + stated.title[1:],
-        inputs=("live.py", "sided.py"),
-        kernels=(*data_kernels(force), *pieces),
-        record=Record(stated, stated.design, laws, sp.oo, False, "", (), stepped=True, odd=False),
+        inputs=("live.py", "sided.py", *(["curved.py"] if terms else [])),
+        kernels=(*data_kernels(force), *pieces, *(terms.numbers if terms else ())),
+        record=Record(stated, stated.design, laws, sp.oo, False, "", (), stepped=force.is_polynomial, odd=False),
         native=False,
+        off_centre=terms,
     )
+
+
+def curved_kernels(curved: Curved, parameters: tuple[sp.Symbol, ...]) -> OffCentreTerms:
+    """Each piece with its derivatives, at numbers and on intervals."""
+    given = (v, *parameters)
+
+    def kernels(name: str, pieces: Sequence[tuple[sp.Expr, ...]]) -> tuple[Kernel, ...]:
+        return tuple(
+            plain(
+                f"{name}_{k}",
+                given,
+                values,
+                f"Piece {k} of the force at u, and {ORDERS} derivatives.",
+                "(3)",
+                "where it holds",
+                parameters=len(parameters),
+                generic=True,
+                in_c=False,
+            )
+            for k, values in enumerate(pieces, start=1)
+        )
+
+    held = [tuple(map(nested, values)) for values in curved.pieces]
+    gained = plain(
+        "gained",
+        parameters,
+        tuple(value for row in curved.gains for value in row),
+        "What the force and two derivatives gain at each breakpoint.",
+        "(3)",
+        ANY,
+        parameters=len(parameters),
+        in_c=False,
+    )
+    return OffCentreTerms((gained, *kernels("curved", curved.pieces)), kernels("held", held))
 
 
 def renamed(force: Sided) -> Sided:
@@ -49,10 +89,16 @@ def data_kernels(force: Sided) -> list[Kernel]:
     told = (
         ("breakpoints", force.ends, "The u at which a piece of the force ends, by rising u."),
         ("jumps", force.jumps, "What the force loses at each breakpoint: f below less f above."),
-        (
-            "steps",
-            tuple(value for row in force.steps for value in row),
-            "Each piece and its derivatives by its formula at u = 0; then their gains at each breakpoint.",
+        *(
+            (
+                (
+                    "steps",
+                    tuple(value for row in force.steps for value in row),
+                    "Each piece and its derivatives by its formula at u = 0; then their gains at each breakpoint.",
+                ),
+            )
+            if force.is_polynomial
+            else ()
         ),
         (
             "by_design",
@@ -73,7 +119,7 @@ def piece_kernels(force: Sided, module: str) -> tuple[list[Kernel], tuple[Law, .
         name, slope = f"force_{k}", f"force_{k}_u"
         what = f"iece {k} of the restoring force f(u)."
         for one, value, text in ((name, piece, "P" + what), (slope, sp.diff(piece, u), "d/du of p" + what)):
-            printed = sp.horner(sp.expand(value), u) if value.has(u) else value
+            printed = sp.horner(sp.expand(value), u) if value.has(u) and value.is_polynomial(u) else value
             kernels.append(plain(one, (u, *force.parameters), printed, text, "(3)", "where it holds", generic=True))
         laws.append(Law(name, slope, f"{module}.{name}"))
     return kernels, tuple(laws)

@@ -1,6 +1,8 @@
 """Motions off the centre, u = B + A cos psi: the averaged questions where a load or the motion itself moves the mean.
 
 means      of a piecewise polynomial and its derivatives over a cycle, at numbers and on boxes
+curved     what a force has beside its steps that is no polynomial, by sums, at numbers and on boxes
+smooth     where such a force is smooth, and where it holds motions back
 boxes      all solutions of a few equations in a box, by exclusion and Krawczyk's test
 equations  what vanishes at rest, where the springs detach, and at folds beside the centre, as `boxes` takes it
 ends       the means by the motion's ends, in which nothing is singular next to a jump of the force

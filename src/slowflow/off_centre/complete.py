@@ -104,15 +104,28 @@ class Complete:
                 raise ArithmeticError("a lower fold that is not reached")
 
     def A_max(self, F_0: float) -> float:
-        """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as."""
+        """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as.
+
+        A force that is no polynomial may be 2^24 times the load and 1 on both sides before: up to there, then.
+        """
         sizes = (1.0, F_0, F_0 / self._zeta, abs(self._steps.load), *map(abs, self._breakpoints))
-        return 2.0**ABOVE * max(sizes)
+        return min(2.0**ABOVE * max(sizes), self._grown)
+
+    @property
+    def _grown(self) -> float:
+        """Amplitudes at which a force that is no polynomial is beyond any forcing."""
+        return math.inf if self._steps.beyond is None else max(one.grown for one in self._steps.beyond)
 
     def offset_bound(self, A: float) -> float:
         """What |B| does not exceed where the mean is balanced, for amplitudes up to A.
 
         Beyond A and all breakpoints the mean of the force is a polynomial in B, whose roots Cauchy's bound holds.
         """
+        if self._steps.beyond is not None:
+            settled = max(one.settled for one in self._steps.beyond)
+            if not math.isfinite(settled):
+                raise ValueError(UNBOUNDED)
+            return (A + settled) * (1 + 2.0**-40)
         return max(self._outer_bound(np.trim_zeros(last, "b"), A) for last in self._steps.outer)
 
     def _outer_bound(self, last: Floats, A: float) -> float:
@@ -137,6 +150,7 @@ class Complete:
             bounds = slow_flow.limit_envelope(Omega, F_0, self._m, self._zeta) * (1 + 2.0**-40)  # I <= F_0
         # at Omega = 0 it is a static state
         most = max(self.A_max(F_0), float(bounds[np.isfinite(bounds)].max(initial=0.0)))
+        most = min(most, self._grown)
         boxes = self.sheets.states(most, Omega, F_0, self._m, self._zeta)
         return self._solved(EndedState(self.sheets.charts, self._m, self._zeta, Omega, F_0), *boxes)
 

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -71,6 +71,8 @@ class Charts:
         at = steps.sides[1:] * steps.places[1:]
         lines = np.unique(at)
         edges = np.concatenate(([-np.inf], lines, [np.inf]))
+        if steps.beyond is not None:
+            edges[[0, -1]] = -steps.beyond[1].wall, steps.beyond[0].wall
         self.upper, self.lower = np.array([(i, k) for i in range(edges.size - 1) for k in range(i + 1)]).T
         i, k = self.upper, self.lower
         self._at, self._line = lines[:, np.newaxis], 1 + np.arange(lines.size)[:, np.newaxis]
@@ -82,7 +84,9 @@ class Charts:
             self._line[:, 0][np.searchsorted(lines, at)], steps.sides[1:], steps.gains[1:], strict=True
         ):
             self._gains[line - 1] += gain if side > 0 else self._mirrored * gain
-        self._large = LARGE * float(np.abs(lines).max()) if lines.size and steps.odd else np.inf
+        self._large = (
+            LARGE * float(np.abs(lines).max()) if lines.size and steps.odd and steps.curved is None else np.inf
+        )
         self.passes = i > k
         jumps = np.append(self._gains[:, 0], 0.0) != 0
         self.rooted = self.passes & np.stack((jumps[i - 1], jumps[k]))
@@ -117,7 +121,7 @@ class Charts:
         for k in range(1, len(D)):
             found = found + _scaled(power, D[k] / math.factorial(k - 1))
             power = (u.square() if k == 2 else power * u) if k > 1 else u
-        return found
+        return found if self.steps.curved is None else found + self.steps.curved.slope(u)
 
     def on(self, x: Interval, y: Interval, chart: Ints) -> Local:
         """On boxes within the limits of their charts."""
@@ -153,7 +157,19 @@ class Charts:
         c_xx = X_x * P_1 + X.square() * (P_2 * 2.0 - bent) + shares[2]
         c_yy = Y.square() * (Q_2 * 2.0 - bent) - Y_y * Q_1 - shares[3]
         B = (top + bottom) * 0.5
-        return self._beside_large(Local(A, B, c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y))
+        found = self._beside_large(Local(A, B, c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y))
+        if self.steps.curved is None:
+            return found
+        r = self.steps.curved.by_ends(top, bottom)
+        gained = {
+            "c_0": r.c_0,
+            "s_0": r.s_0,
+            "c_x": X * r.P_1,
+            "c_y": -(Y * r.Q_1),
+            "c_xx": X_x * r.P_1 + X.square() * r.P_P,
+            "c_yy": Y.square() * r.Q_Q - Y_y * r.Q_1,
+        }
+        return replace(found, **{name: getattr(found, name) + value for name, value in gained.items()})
 
     def _beside_large(self, found: Local) -> Local:
         """The same, of motions that are large beside all steps by the base alone too, see `Steps.on`."""

@@ -501,7 +501,7 @@ class OffCentreDesigns:
 
 def check_polynomial(mechanism: Mechanism) -> None:
     """Raises ValueError for a force that is not answered off the centre."""
-    if mechanism.steps is None:
+    if mechanism.steps is None and mechanism.curved is None:
         raise validate.NotAvailable(f"load is not available for {mechanism.name}: its force is no polynomial")
 
 

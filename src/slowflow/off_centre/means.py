@@ -12,14 +12,20 @@ from __future__ import annotations
 
 import copy
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+from operator import add
 from typing import Any
 
 import numpy as np
 
-from slowflow.averaged.reference.intervals import Interval
+from slowflow.averaged.reference.intervals import Elementary, Interval
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats
+from slowflow.off_centre.curved import Curved, Part
+from slowflow.off_centre.smooth import SINGULAR, Beyond, check, outwards
 from slowflow_kernels import off_centre, off_centre_intervals
 
 #: derivatives of the force that are asked for at most, as `off_centre.averaged` does
@@ -37,28 +43,33 @@ class Means:
     """c_n and s_n for n = 0, 1, ...: `Interval`s or arrays of numbers.
 
     ladders -- on boxes: lower and upper ends of L_j and M_j of every step
+    beside  -- on boxes: what c_1 and s_1 have of no step
     """
 
     c: tuple[Any, ...]
     s: tuple[Any, ...]
     ladders: Any = None
+    beside: Any = (0.0, 0.0)
 
 
 class Steps:
     """A force as steps: the first piece, which all of a motion is above, and at each breakpoint one on either side.
 
-    A force that is not odd has the piece about u = 0 first, and a step at each of its own breakpoints.
+    A force that is not odd has the piece about u = 0 first, and a step at each of its own breakpoints. Of one that is
+    no polynomial the steps are what it and its slope gain at its breakpoints, and `curved` is all else.
 
-    Raises ValueError where a piece of the force is no polynomial.
+    Raises ValueError where a piece of the force is not smooth, or nothing is derived of it.
     """
 
+    curved: Curved | None = None
+    #: of a force that is no polynomial, above and below
+    beyond: tuple[Beyond, Beyond] | None = None
+
     def __init__(self, mechanism: Mechanism, parameters: tuple[float, ...], load: float) -> None:
-        if mechanism.steps is None:
-            raise ValueError(
-                f"{mechanism.name}: a piece of its force is no polynomial, and motions off the centre are not derived "
-                "for such a force"
-            )
         ends = np.array([float(end) for end in mechanism.breakpoints(*parameters)])
+        if mechanism.steps is None:
+            self._state_curved(mechanism, parameters, ends, load)
+            return
         values = np.array([float(value) for value in mechanism.steps(*parameters)])
         if mechanism.odd:
             self._state(ends, values.reshape(ends.size + 2, -1), load)
@@ -69,7 +80,11 @@ class Steps:
     def first(self) -> Steps:
         """The first piece alone, as if it held everywhere."""
         other = Steps.__new__(Steps)
-        if self.odd:
+        if self.curved is not None:
+            about = self.curved.parts[int((self.curved.ends < 0).sum())]
+            other._state_sided(np.empty(0), np.zeros((1, 2)), np.empty((0, 2)), self.load)
+            other.curved = Curved([about], np.empty(0), np.empty(0))
+        elif self.odd:
             other._state(np.empty(0), np.stack((self._rows[0], self._rows[0])), self.load)
         else:
             other._state_sided(np.empty(0), self.gains[:1], np.empty((0, self.highest + 1)), self.load)
@@ -134,6 +149,47 @@ class Steps:
         self.gains = np.concatenate((pieces[about : about + 1], gains[right], gains[~right] * mirrored))
         self._of_c, self._of_s = self._weights()
 
+    def _state_curved(self, mechanism: Mechanism, parameters: tuple[float, ...], ends: Floats, load: float) -> None:
+        """Of a force that is no polynomial, from what it and its slope gain at its ends."""
+        stated = mechanism.curved
+        if stated is None:
+            raise ValueError(
+                f"{mechanism.name}: a piece of its force is no polynomial, and motions off the centre are not derived "
+                "for such a force"
+            )
+        gains = np.array([float(one) for one in stated.gained(*parameters)]).reshape(-1, 3)
+        laws = [
+            (partial(_law, one, parameters), partial(_held, other, parameters), False)
+            for one, other in zip(stated.pieces, stated.held, strict=True)
+        ]
+        if mechanism.odd:
+            laws = [*((law, held, True) for law, held, _ in laws[:0:-1]), *laws]
+            ends, gains = np.concatenate((-ends[::-1], ends)), np.concatenate((gains[::-1] * (1, -1, 1), gains))
+        about = int((ends < 0).sum())
+        lines = np.zeros((ends.size + 1, 2))
+        shares = np.stack((gains[:, 0] - gains[:, 1] * ends, gains[:, 1]), axis=1)
+        lines[about + 1 :] = np.cumsum(shares[about:], axis=0)
+        lines[:about] = -np.cumsum(shares[:about][::-1], axis=0)[::-1]
+        self._state_sided(ends, lines, gains[:, :2], load)
+        parts = [Part(*law, (float(a), float(b))) for law, (a, b) in zip(laws, lines, strict=True)]
+        self.odd = mechanism.odd
+        if mechanism.odd:
+            self.breakpoints = ends[about:]
+
+        def complain(number: int) -> Callable[[float], str]:
+            own = number - about if mechanism.odd else number
+            return lambda u: SINGULAR.format(mechanism.name, abs(own) + 1, u)
+
+        for number, (low, high) in enumerate(pairwise(ends.tolist()), start=1):
+            check(parts[number], low, high, complain(number))
+        size = max(1.0, abs(load), *map(abs, ends))
+        starts = (-ends[0], ends[-1]) if ends.size else (0.0, 0.0)
+        self.beyond = (
+            outwards(parts[-1], 1.0, float(starts[1]), size, load, complain(len(parts) - 1)),
+            outwards(parts[0], -1.0, float(starts[0]), size, load, complain(0)),
+        )
+        self.curved = Curved(parts, ends, gains[:, 2], (-self.beyond[1].wall, self.beyond[0].wall))
+
     def _weights(self) -> tuple[Floats, Floats]:
         """What c_n and s_n take of L_j and M_j of each step, j from -ORDERS on: (ORDERS + 1, steps, j)."""
         weights = np.zeros((2, ORDERS + 1, self.places.size, ORDERS + self.highest + 1))
@@ -172,7 +228,11 @@ class Steps:
         """At numbers A > 0 and B of one shape (n,)."""
         L, M = self._ladders(A, B)
         c = tuple(self._summed(self._of_c[n], L) for n in range(orders + 1))
-        return Means(c, tuple(self._summed(self._of_s[n], M) for n in range(orders + 1)))
+        s = tuple(self._summed(self._of_s[n], M) for n in range(orders + 1))
+        if self.curved is None:
+            return Means(c, s)
+        others = self.curved.at(A, B, orders)
+        return Means(*(tuple(map(np.add, *both)) for both in zip((c, s), others, strict=True)))
 
     def moved(self, A: Floats, B: Floats, gains: Floats, places: Floats) -> Means:
         """What c_n and s_n do as the gains move, u held fixed, and the places of the steps: n below `ORDERS`.
@@ -216,7 +276,13 @@ class Steps:
             )
             for family, weights in enumerate((self._of_c, self._of_s))
         )
-        return Means(c, s, ends)
+        if self.curved is None:
+            return Means(c, s, ends)
+        others = self.curved.on(A, B, orders)
+        beside = tuple(one[1] for one in others) if orders else (0.0, 0.0)
+        with np.errstate(invalid="ignore"):
+            c, s = (tuple(map(add, *both)) for both in zip((c, s), others, strict=True))
+        return Means(c, s, ends, beside)
 
     def _bounds(self, A: Interval, B: Interval) -> Floats:
         """L_j and M_j of every step on boxes: (families, ends, steps, j, n)."""
@@ -242,7 +308,9 @@ class Steps:
                 continue
             rest = means.ladders[..., some].copy()
             rest[:, :, step, :ORDERS] = 0.0
-            C, S = (self._held(of[1], one) for of, one in ((self._of_c, rest[0]), (self._of_s, rest[1])))
+            beside = (one.take(some) if isinstance(one, Interval) else one for one in means.beside)
+            shares = (self._held(of[1], one) for of, one in ((self._of_c, rest[0]), (self._of_s, rest[1])))
+            C, S = map(add, shares, beside)
             side, A_ = self.sides[step], A.take(some)
             a = self.places[step] - B.take(some) * side
             root = Interval(np.sqrt(np.maximum(((A_ - a) * (A_ + a)).ends, 0.0)) * (1 + np.array([[-DOUBT], [DOUBT]])))
@@ -261,7 +329,7 @@ class Steps:
 
         The steps of a motion that is large beside the breakpoints cancel, and with them what is known of their sum.
         """
-        if self.places.size == 1 or not self.odd:
+        if self.places.size == 1 or not self.odd or self.curved is not None:
             return Interval(np.full((2, A.lo.size), ALL))
         jumps = (self._of_c, self._of_s)[family][n].copy()
         jumps[:, ORDERS:] = 0.0
@@ -378,6 +446,14 @@ class Steps:
     def _needs_below_zero(self) -> bool:
         """Whether the force or a derivative that is asked for jumps at a breakpoint."""
         return bool(np.any(self.gains[1:, :ORDERS]))
+
+
+def _law(kernel: Any, parameters: tuple[float, ...], u: Floats) -> Any:
+    return kernel(u, *parameters)
+
+
+def _held(kernel: Any, parameters: tuple[float, ...], u: Elementary) -> Any:
+    return kernel(Elementary.point, u, *map(Elementary.point, parameters))
 
 
 def _about(derivatives: Floats, at: float) -> Floats:

@@ -30,6 +30,7 @@ STEP = 1e-200
 ON_A_JUMP = (Pinned.CORNER_FOLD, Pinned.CORNER_END)
 
 NO_DESIGN = "gradients are known of an oscillator whose record says how its force moves with its design: this is none"
+CURVED = "off the centre gradients are known of piecewise polynomials, which this force is none of"
 NEXT_TO_REST = "a force that may jump at u = 0 and does not has no gradients off the centre"
 
 
@@ -51,6 +52,8 @@ class Given:
         """Under a load. Raises NotAvailable where it is not known how the force moves with the design."""
         if model is None or not model.design or model.mechanism.by_design is None:
             raise NotAvailable(NO_DESIGN)
+        if model.mechanism.steps is None:
+            raise NotAvailable(CURVED)
         steps = Steps(model.mechanism, model.parameters, load)
         return cls(model, steps, *_by_design(model, steps))
 

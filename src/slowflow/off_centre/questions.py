@@ -40,6 +40,8 @@ from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Rea
 from slowflow.results import Remark, SaddleNodes
 from slowflow_kernels import off_centre, slow_flow
 
+#: octaves of an amplitude beside the size of the problem, where what is beyond is not bounded by a polynomial
+OCTAVES = 40
 #: answers that are kept of one oscillator
 KEPT = 64
 #: how nearly the highest frequency is known that is looked at for isolation
@@ -80,7 +82,7 @@ class OffCentre:
     load -- the static load over k_v L, what the mass weighs beyond what the vertical spring holds at the centre
 
     Answers are kept for some time, as one is made of others: a response of its folds, margins of almost all.
-    The force may be any piecewise polynomial, odd or not.
+    The force may be any piecewise polynomial, odd or not, and any other that is smooth up to the ends of its pieces.
     """
 
     def __init__(self, model: Model, load: float) -> None:
@@ -181,6 +183,8 @@ class OffCentre:
 
         <f(end -+ A (1 - cos psi))> is a polynomial in A, whose roots Cauchy's bound holds.
         """
+        if self._steps.curved is not None:
+            return self._highest_by_octaves(of)
         about = self._steps.gains[0]
         n = np.arange(about.size)
         factorials = np.cumprod(np.maximum(n, 1.0))
@@ -192,6 +196,18 @@ class OffCentre:
         size = np.abs(coefficients)
         size[0] += abs(self.load)
         return float(1.0 + size[:-1].max() / size[-1])
+
+    def _highest_by_octaves(self, of: int) -> float:
+        """The same of a piece that is no polynomial: beyond it the mean of the force is never the load."""
+        edges = max(1.0, abs(self.load), *map(abs, self.breakpoints)) * 2.0 ** np.arange(0, OCTAVES + 0.25, 0.5)
+        low, high = edges[:-1], edges[1:]
+        middle, half = 0.5 * (low + high)[np.newaxis], 0.5 * (high - low)[np.newaxis]
+        with np.errstate(all="ignore"):
+            found, _ = Detaching(self._steps).on(middle, half, np.full(low.size, of))
+        may = ~((found[0, 0] > 0) | (found[1, 0] < 0))
+        if may[-1]:
+            raise ValueError(UNBOUNDED)
+        return float(high[may].max(initial=edges[0]))
 
     def _no_detachment(self, message: str) -> OffCentreDetachment:
         return OffCentreDetachment(None, None, None, None, self.load, message, _model=self._model)

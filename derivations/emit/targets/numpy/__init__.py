@@ -71,7 +71,6 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
 
 def text(module: Module, code: Code) -> str:
     """One module."""
-    enclosed = module.enclosed.kernels if module.enclosed else ()
     return (
         _environment()
         .get_template("module.py.jinja")
@@ -86,7 +85,7 @@ def text(module: Module, code: Code) -> str:
             moves=moves_of(module),
             borrowed={other: sorted(names, key=in_import) for other, names in sorted(module.borrowed.items())},
             regimes=regimes(module),
-            enclosed=[view(kernel, code[kernel.name], ENCLOSED) for kernel in enclosed],
+            enclosed=[view(kernel, code[kernel.name], ENCLOSED) for kernel in module.on_intervals],
             rule=[(literal(node), literal(weight)) for node, weight in rule()] if module.sums else [],
             has_balls=module.native and bool(module.in_balls),
             constants={name: constant(value) for name, value in module.constants.items()},

@@ -1,0 +1,364 @@
+"""Means over a cycle of what a force has beside its steps, r = f - steps, where that is no polynomial.
+
+In:  the pieces of the force as `Curved` of a record has them, and how they are summed.
+Out: moments <r^(n) cos^p psi> along u = B + A cos psi: values, and intervals that hold them on boxes.
+
+r' is continuous (derivations/curved.py): moments of r and r' have slopes without terms from moving angles, and those of
+r'' only where r'' jumps.
+
+Values are sums by Gauss's rule between the angles at which the motion passes an end, on 1, 2, 4, ... panels until twice
+as many change nothing. On a box the force and its derivatives are evaluated on intervals of u, panel by panel of the
+angle. That alone would be off by the width of the panels: a moment is its value in the middle of the box and what its
+slopes, held on all of the box, can change it by. So it is held the better the smaller the box, by the square of that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slowflow.averaged.reference.intervals import Bools, Elementary, Interval
+from slowflow.model import Floats
+
+#: nodes of Gauss's rule on each panel, and its most panels between two ends
+NODES, MOST_PANELS = 16, 256
+#: by how much sums on twice as many panels may differ, and sums by quadrature err, of the integral of the size
+AGREED, DOUBT = 2.0**-46, 2.0**-46
+#: panels of the angle on boxes: an even number, for the cosine has one sign on each
+PANELS = 40
+#: numbers that are held at a time
+TOGETHER = 1 << 20
+#: roundings outwards
+_OUT = np.array([[-(2.0**-48)], [2.0**-48]])
+
+_AT, _WEIGHTS = np.polynomial.legendre.leggauss(NODES)
+_SHARE = np.linspace(0.0, 1.0, PANELS + 1)
+#: dense where a motion turns, about which a stiff force acts
+_EDGES = np.pi * _SHARE**2 * (3 - 2 * _SHARE)
+_INSIDE = _EDGES[:-1, np.newaxis] + 0.5 * (1 + _AT) * np.diff(_EDGES)[:, np.newaxis]
+#: cosine at the edges of the panels
+_COSINE = np.cos(_EDGES)
+_COSINE[PANELS // 2] = 0.0
+
+
+def _weights(weight: Any) -> Floats:
+    """The mean over each panel of a function of the cosine, over the half cycle, which has one sign on each."""
+    return np.asarray(weight(np.cos(_INSIDE)) @ _WEIGHTS * np.diff(_EDGES) / (2 * np.pi))
+
+
+#: of moments with (1 + cos)^i (1 - cos)^j, on boxes of both ends, and with cos^p, on boxes of A and B
+_BY_ENDS = {(i, j): _weights(lambda c, i=i, j=j: (1 + c) ** i * (1 - c) ** j) for i in range(4) for j in range(4 - i)}
+_OF_COSINE = {p: _weights(lambda c, p=p: c**p) for p in range(4)}
+_TURNED = {1: _weights(lambda c: c * (1 + c)), -1: _weights(lambda c: c * (1 - c))}
+
+
+class Part(NamedTuple):
+    """A piece of the force with its numbers.
+
+    law, held -- f and three derivatives at u, and on intervals of u
+    mirrored  -- whether these are of -f(-u)
+    line      -- what the steps are on it: a + b u
+    """
+
+    law: Any
+    held: Any
+    mirrored: bool
+    line: tuple[float, float]
+
+    def at(self, u: Floats, far: Floats) -> tuple[list[Floats], list[Floats]]:
+        """r and three derivatives; and by what size of numbers each is rounded, where u is as numbers of size `far`."""
+        found = self.law(-u if self.mirrored else u)
+        values = [np.broadcast_to(np.asarray(one, dtype=float), u.shape) for one in found]
+        if self.mirrored:
+            values = [one if n % 2 else -one for n, one in enumerate(values)]
+        (a, b), sizes = self.line, list(map(np.abs, values))
+        sizes[0], sizes[1] = sizes[0] + (abs(a) + abs(b * u)), sizes[1] + abs(b)
+        sizes = [*(one + far * slope for one, slope in pairwise(sizes)), sizes[-1]]
+        return [values[0] - (a + b * u), values[1] - b, *values[2:]], sizes
+
+    def force(self, u: Interval) -> list[Interval]:
+        """f and three derivatives on intervals."""
+        at = Elementary(-u.ends[::-1] if self.mirrored else u.ends)
+        values = [_interval(one, at) for one in self.held(at)]
+        return [one if n % 2 else -one for n, one in enumerate(values)] if self.mirrored else values
+
+    def on(self, u: Interval) -> list[Interval]:
+        """r and three derivatives on intervals."""
+        f, slope, *others = self.force(u)
+        a, b = self.line
+        return [f - (u * b + a), slope - b, *others]
+
+
+def _interval(value: Any, like: Interval) -> Interval:
+    if not isinstance(value, Interval):
+        value = Interval.point(float(value))
+    return Interval(np.broadcast_to(value.ends, like.ends.shape))
+
+
+class Ended(NamedTuple):
+    """Moments on boxes of both ends of the motion: c_0, s_0, c_1 +- s_1, and of r'' with (1 +- cos)^2."""
+
+    c_0: Interval
+    s_0: Interval
+    P_1: Interval
+    Q_1: Interval
+    P_P: Interval
+    Q_Q: Interval
+
+
+class Curved:
+    """What one force has beside its steps.
+
+    parts -- of the force by rising u
+    ends  -- where each but the last ends
+    bends -- what f'' gains there
+    walls -- the u that no motion passes, below and above: beyond them nothing is known
+    """
+
+    def __init__(
+        self, parts: Sequence[Part], ends: Floats, bends: Floats, walls: tuple[float, float] = (-np.inf, np.inf)
+    ) -> None:
+        self.walls = walls
+        self.parts, self.ends, self.bends = tuple(parts), ends, bends
+        self._edges = np.concatenate(([-np.inf], ends, [np.inf]))
+        #: u = 0 too, about which a force acts that is small beside the motion
+        self._cuts = np.unique(np.append(ends, 0.0))
+        self._of_cut = np.searchsorted(ends, np.append(self._cuts, np.inf), side="left")
+
+    # ==== Numbers =====================================================================================================
+
+    def at(self, A: Floats, B: Floats, orders: int) -> tuple[list[Floats], list[Floats]]:
+        """c_n and s_n for n up to `orders`, at most 3, of which the last are as near as sums of the others ask for."""
+        asked = [(n, p) for n in range(orders + 1) for p in (0, 1)]
+        with np.errstate(all="ignore"):
+            found = self._moments(A, B, asked)[0]
+            if orders >= 3 and self.bends.any():
+                a = self.ends[:, np.newaxis] - B
+                root = np.sqrt((A - a) * (A + a))
+                passed = np.abs(a) < A
+                for row, value in ((6, 1 / (np.pi * root)), (7, a / (np.pi * A * root))):
+                    found[row] += (self.bends[:, np.newaxis] * np.where(passed, value, 0.0)).sum(axis=0)
+        return list(found[0::2]), list(found[1::2])
+
+    def _moments(self, A: Floats, B: Floats, asked: Sequence[tuple[int, int]]) -> tuple[Floats, Floats]:
+        """<r^(n) cos^p> for each (n, p), and the mean of what that is rounded by: (asked, n).
+
+        A motion with a negative A is one turned by half.
+        """
+        turn, A = np.where(A < 0, -1.0, 1.0), np.abs(A)
+        highest = max(n for n, _ in asked)
+        found, size = np.zeros((2, len(asked), A.size))
+        angles = self._angles(A, B)
+        within = (B - A > self.walls[0]) & (B + A < self.walls[1])
+        # a half cycle between two cuts is on the piece that ends at the upper one
+        for cut, number in enumerate(self._of_cut.tolist()):
+            part, low, high = self.parts[number], angles[cut + 1], angles[cut]
+            for first in range(0, A.size, step := max(1, TOGETHER // (NODES * 8 * (highest + 1)))):
+                some = np.arange(first, min(first + step, A.size))
+                some = some[within[some] & (high[some] > low[some])]
+                if some.size:
+                    own = self._settled(part, number, (A[some], B[some], low[some], high[some]), asked)
+                    found[:, some] += own[0]
+                    size[:, some] += own[1]
+        for row, (_, p) in enumerate(asked):
+            found[row] *= turn**p
+        found[:, ~within] = np.nan
+        return found, size
+
+    def _angles(self, A: Floats, B: Floats) -> Floats:
+        """At which the motion passes each cut, from pi down to 0."""
+        a = self._cuts[:, np.newaxis] - B
+        found = np.arctan2(np.sqrt(np.maximum((A - a) * (A + a), 0.0)), a)
+        found = np.where(a >= A, 0.0, np.where(a <= -A, np.pi, found))
+        return np.concatenate((np.full((1, A.size), np.pi), found, np.zeros((1, A.size))))
+
+    def _settled(
+        self, part: Part, number: int, motion: tuple[Floats, ...], asked: Sequence[tuple[int, int]]
+    ) -> tuple[Floats, Floats]:
+        """Over the angles at which motions are on one piece; NaN where sums do not settle."""
+        n = motion[0].size
+        sure = np.array([n < 3 for n, _ in asked])
+        value, size, left = np.full((len(asked), n), np.nan), np.full((len(asked), n), np.nan), np.arange(n)
+        last, panels = None, 1
+        while left.size and panels <= MOST_PANELS:
+            now, wide = self._summed(part, number, tuple(one[left] for one in motion), asked, panels)
+            if last is not None:
+                done = (np.abs(now - last) <= AGREED * wide)[sure].all(axis=0)
+                value[:, left[done]], size[:, left[done]] = now[:, done], wide[:, done]
+                # what is no number does not become one
+                kept = ~done & np.isfinite(wide).all(axis=0)
+                left, now = left[kept], now[:, kept]
+            last, panels = now, 2 * panels
+        return value, size
+
+    def _summed(
+        self,
+        part: Part,
+        number: int,
+        motion: tuple[Floats, ...],
+        asked: Sequence[tuple[int, int]],
+        panels: int,
+    ) -> tuple[Floats, Floats]:
+        A, B, low, high = motion
+        x = ((np.arange(panels)[:, np.newaxis] + 0.5 * (1 + _AT)) / panels).ravel()
+        # dense next to both ends, in the third power
+        share = (x**3 * (10 - 15 * x + 6 * x * x))[:, np.newaxis]
+        weight = np.tile(_WEIGHTS, panels) / (2 * panels * np.pi) * 30 * (x * (1 - x)) ** 2
+        weight = weight * (high - low)[:, np.newaxis]
+        cosine = np.cos(low + (high - low) * share)
+        u = np.clip(B + A * cosine, self._edges[number], self._edges[number + 1])
+        values, sizes = part.at(u, np.abs(A) + np.abs(B))
+        powers = [np.ones_like(cosine), cosine, cosine * cosine]
+        found = np.stack([np.einsum("kn,nk->n", values[n] * powers[p], weight) for n, p in asked])
+        size = np.stack([np.einsum("kn,nk->n", sizes[n], weight) for n, _ in asked])
+        return found, size
+
+    # ==== Boxes =======================================================================================================
+
+    def by_ends(self, top: Interval, bottom: Interval) -> Ended:
+        """On boxes of B + A and B - A."""
+        with np.errstate(all="ignore"):
+            return self._by_ends(top, bottom)
+
+    def _by_ends(self, top: Interval, bottom: Interval) -> Ended:
+        centre = [0.5 * (one.lo + one.hi) for one in (top, bottom)]
+        radius = [
+            np.maximum(one.hi - at, at - one.lo) * (1 + 2.0**-50) for one, at in zip((top, bottom), centre, strict=True)
+        ]
+        asked = [(0, 0), (0, 1), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2)]
+        # boxes and their middles come together
+        both, which = np.unique(np.stack((centre[0] - centre[1], centre[0] + centre[1])), axis=1, return_inverse=True)
+        values, sizes = (one[:, which.ravel()] for one in self._moments(0.5 * both[0], 0.5 * both[1], asked))
+        c_0, s_0, c_1, s_1, c_2, s_2, q_2 = values
+        near = [c_0, s_0, c_1 + s_1, c_1 - s_1, c_2 + 2 * s_2 + q_2, c_2 - q_2, c_2 - 2 * s_2 + q_2]
+        doubt = DOUBT * np.stack([sizes[0], sizes[0], *[2 * sizes[2]] * 2, *[4 * sizes[4]] * 3])
+        at = [Interval(np.stack((one - off, one + off))) for one, off in zip(near, doubt, strict=True)]
+        wide = np.flatnonzero((radius[0] > 0) | (radius[1] > 0))
+        if wide.size:
+            some = [one.take(wide) for one in at]
+            held = self._around(
+                top.take(wide), bottom.take(wide), [one[wide] for one in centre], [one[wide] for one in radius], some
+            )
+            for one, found in zip(at, held, strict=True):
+                one.ends[:, wide] = found.ends
+        return Ended(at[0], at[1], at[2], at[3], at[4], at[6])
+
+    def _around(
+        self, top: Interval, bottom: Interval, centre: list[Floats], radius: list[Floats], at: list[Interval]
+    ) -> list[Interval]:
+        """The same as `at`, which is in the middles, on all of boxes."""
+        # u rises with both ends: on each panel it is between those of its edges
+        share = 0.5 * (1 + _COSINE)[:, np.newaxis]
+        low, high = (end[0] * share + end[1] * (1 - share) for end in ((top.lo, bottom.lo), (top.hi, bottom.hi)))
+        r, first, second, third = self._on_panels(np.minimum(low[:-1], low[1:]), np.maximum(high[:-1], high[1:]))
+
+        def direct(values: Interval, i: int, j: int) -> Interval:
+            return _mean(values, _BY_ENDS[i, j])
+
+        def near(value: Interval, by_top: Interval, by_bottom: Interval) -> Interval:
+            """Half of what the slopes tell, as A and B move by half as much as an end."""
+            moves = 0.5 * (_size(by_top) * radius[0] + _size(by_bottom) * radius[1]) * (1 + 2.0**-48)
+            return Interval(np.stack((value.lo - moves, value.hi + moves)))
+
+        slopes = {pair: direct(third, *pair) for pair in ((3, 0), (2, 1), (1, 2), (0, 3))}
+        squares = {}
+        for (i, j), value in zip(((2, 0), (1, 1), (0, 2)), at[4:], strict=True):
+            moved = near(value, slopes[i + 1, j], slopes[i, j + 1]) + self._jumps(top, bottom, centre, i, j)
+            squares[i, j] = direct(second, i, j).both(moved)
+        P_1 = direct(first, 1, 0).both(near(at[2], squares[2, 0], squares[1, 1]))
+        Q_1 = direct(first, 0, 1).both(near(at[3], squares[1, 1], squares[0, 2]))
+        c_0 = direct(r, 0, 0).both(near(at[0], P_1, Q_1))
+        s_0 = _mean(r, _OF_COSINE[1]).both(near(at[1], *(_mean(first, _TURNED[side]) for side in (1, -1))))
+        return [c_0, s_0, P_1, Q_1, squares[2, 0], squares[1, 1], squares[0, 2]]
+
+    def _jumps(self, top: Interval, bottom: Interval, centre: list[Floats], i: int, j: int) -> Interval:
+        """What jumps of r'' move its moment with (1 + cos)^i (1 - cos)^j by between the middle of a box and elsewhere.
+
+        The share of a cycle beyond an end rises with both ends of the motion, with any weight.
+        """
+        found = np.zeros_like(top.ends)
+        for end, bend in zip(self.ends.tolist(), self.bends.tolist(), strict=True):
+            if bend == 0:
+                continue
+            here, low, high = (_beyond(end, T, D, i, j) for T, D in (centre, (top.lo, bottom.lo), (top.hi, bottom.hi)))
+            both = bend * np.stack((low - here, high - here))
+            found += np.sort(both, axis=0) + 2.0**-46 * abs(bend) * np.array([[-1.0], [1.0]])
+        return Interval(found)
+
+    def on(self, A: Interval, B: Interval, orders: int) -> tuple[list[Interval], list[Interval]]:
+        """c_n and s_n on boxes of A >= 0 and B, n up to `orders`; the third not where r'' jumps."""
+        with np.errstate(all="ignore"):
+            return self._on(A, B, orders)
+
+    def _on(self, A: Interval, B: Interval, orders: int) -> tuple[list[Interval], list[Interval]]:
+        n = A.lo.size
+        edges = A.ends[:, np.newaxis] * _COSINE[:, np.newaxis]
+        low, high = B.lo + edges.min(axis=0), B.hi + edges.max(axis=0)
+        panels = self._on_panels(np.minimum(low[:-1], low[1:]), np.maximum(high[:-1], high[1:]))
+        centre = [0.5 * (one.lo + one.hi) for one in (A, B)]
+        radius = [np.maximum(one.hi - at, at - one.lo) * (1 + 2.0**-50) for one, at in zip((A, B), centre, strict=True)]
+        asked = [(k, p) for k in range(min(orders, 2) + 1) for p in (0, 1)]
+        values, sizes = self._moments(centre[0], centre[1], asked)
+        # where r'' jumps within a motion its slopes have no bound
+        extent = (B - A).lo, (A + B).hi
+        turns = [
+            (extent[0] <= end) & (end <= extent[1]) for end, bend in zip(self.ends, self.bends, strict=True) if bend
+        ]
+        bent = np.logical_or.reduce(turns) if turns else np.zeros(n, dtype=bool)
+        found: dict[tuple[int, int], Interval] = {}
+        for p in (0, 1):
+            third = _mean(panels[3], _OF_COSINE[p])
+            found[3, p] = Interval(np.where(bent, np.array([[-np.inf], [np.inf]]), third.ends))
+        for row, (k, p) in reversed(list(enumerate(asked))):
+            by_B, by_A = (_mean(panels[k + 1], _OF_COSINE[p + q]) for q in (0, 1))
+            moves = (_size(by_A) * radius[0] + _size(by_B) * radius[1]) * (1 + 2.0**-48)
+            moves = np.where(bent & (k == 2), np.inf, moves) + DOUBT * sizes[row]
+            near = Interval(np.stack((values[row] - moves, values[row] + moves)))
+            found[k, p] = _mean(panels[k], _OF_COSINE[p]).both(near)
+        return [found[k, 0] for k in range(orders + 1)], [found[k, 1] for k in range(orders + 1)]
+
+    def slope(self, u: Interval) -> Interval:
+        """r' on intervals of u."""
+        with np.errstate(all="ignore"):
+            return Interval(self._on_panels(u.ends[0][np.newaxis], u.ends[1][np.newaxis])[1].ends[:, 0])
+
+    def _on_panels(self, low: Floats, high: Floats) -> list[Interval]:
+        """r and three derivatives on intervals of u, (2, panels, n)."""
+        low, high = low - 2.0**-50 * np.abs(low), high + 2.0**-50 * np.abs(high)
+        found = [np.stack((np.full(low.shape, np.inf), np.full(low.shape, -np.inf))) for _ in range(4)]
+        for part, (start, end) in zip(self.parts, pairwise(self._edges.tolist()), strict=True):
+            there: Bools = (low <= end) & (high >= start)
+            if not there.any():
+                continue
+            u = Interval(np.stack((np.maximum(low[there], start), np.minimum(high[there], end))))
+            for held, value in zip(found, part.on(u), strict=True):
+                # what is not known of one piece is not known at all
+                held[0][there] = np.where(np.isnan(value.lo), -np.inf, np.minimum(held[0][there], value.lo))
+                held[1][there] = np.where(np.isnan(value.hi), np.inf, np.maximum(held[1][there], value.hi))
+        return [Interval(one) for one in found]
+
+
+def _mean(values: Interval, weights: Floats) -> Interval:
+    """The mean over the cycle, of what is held on each panel (2, panels, n), with weights of one sign each."""
+    w = weights[:, np.newaxis]
+    both = np.where(w >= 0, values.ends, values.ends[::-1]) * w
+    total, size = both.sum(axis=1), np.abs(both).sum(axis=1)
+    return Interval(total + _OUT * np.where(np.isfinite(total), size, 0.0))
+
+
+def _size(value: Interval) -> Floats:
+    return np.asarray(np.abs(value.ends).max(axis=0))
+
+
+def _beyond(end: float, top: Floats, bottom: Floats, i: int, j: int) -> Floats:
+    """The mean of (1 + cos)^i (1 - cos)^j over the part of a cycle in which u is beyond an end; i + j = 2."""
+    over, under = top - end, end - bottom
+    angle = np.arctan2(np.sqrt(np.maximum(over * under, 0.0)), 0.5 * (under - over))
+    angle = np.where(over <= 0, 0.0, np.where(under <= 0, np.pi, angle))
+    sine, cosine = np.sin(angle), np.cos(angle)
+    square = 0.5 * (angle + sine * cosine)
+    linear = {(2, 0): 2.0, (1, 1): 0.0, (0, 2): -2.0}[i, j]
+    return np.asarray((angle + linear * sine + (-square if i == j else square)) / np.pi)

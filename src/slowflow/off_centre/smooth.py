@@ -1,0 +1,92 @@
+"""Where a force of any kind ends: in go its pieces on intervals, out come walls and how far the mean may go.
+
+A piece has to be smooth on all of it. Where the outermost one grows beyond all bounds at some u, as a magnet's force
+does, no motion passes: that is a wall.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from slowflow.averaged.reference.intervals import Interval
+from slowflow.off_centre.curved import Part
+
+#: parts of an octave, octaves from the least to the most that is looked at, beside the size of the problem
+PARTS, LEAST, MOST = 8, -20, 40
+#: what is larger is beyond all numbers; how large a force is at a wall, and how near to it
+GROWN = 2.0**24
+HUGE, AT_WALL, NARROW = 2.0**120, 2.0**16, 2.0**-40
+SINGULAR = "{}: piece {} of its force is not smooth at u = {:g}, where it holds: it has to end before that"
+
+
+@dataclass(frozen=True)
+class Beyond:
+    """Of an outermost piece, outwards.
+
+    wall    -- |u| that no motion passes, inf for none
+    settled -- |u| from which on the force pushes back by more than the load, inf if it does not
+    grown   -- |u| from which on it does so by `GROWN` times the load and 1, inf if it does not
+    """
+
+    wall: float
+    settled: float
+    grown: float
+
+
+def outwards(
+    part: Part, side: float, start: float, size: float, load: float, complain: Callable[[float], str]
+) -> Beyond:
+    """Along the last piece on one side, which begins at side u = start. Raises ValueError where it is not smooth.
+
+    A wall is beyond u = 0 and all ends: on this side of it the mass is.
+    """
+    edges = start + size * 2.0 ** np.arange(LEAST, MOST + 0.5 / PARTS, 1 / PARTS)
+    pending = [(float(a), float(b)) for a, b in zip([start, *edges[:-1]], edges, strict=True)][::-1]
+    settled, grown = start, np.inf
+    while pending:
+        low, high = pending.pop()
+        ends = np.array([[low], [high]]) if side > 0 else np.array([[-high], [-low]])
+        with np.errstate(all="ignore"):
+            f, *others = part.force(Interval(ends))
+        push = (f if side > 0 else -f) - side * load
+        if push.lo[0] > HUGE:
+            return Beyond(np.inf, settled, min(grown, high))
+        if not all(np.isfinite(one.ends).all() for one in (f, *others)):
+            if high - low > NARROW * max(size, high):
+                middle = 0.5 * (low + high)
+                pending += [(middle, high), (low, middle)]
+                continue
+            near = low - 4 * (high - low)
+            with np.errstate(all="ignore"):
+                held = part.force(Interval(np.full((2, 1), side * near)))[0]
+            if near > max(start, 0.0) and (held if side > 0 else -held).lo[0] > AT_WALL * max(1.0, abs(load)):
+                return Beyond(near, settled, min(grown, near))
+            raise ValueError(complain(side * low))
+        if not push.lo[0] > 0:
+            if high - low > 2.0**-6 * high and high > size * 2.0**LEAST * 2:
+                middle = 0.5 * (low + high)
+                pending += [(middle, high), (low, middle)]
+                continue
+            settled = high
+        if push.lo[0] > GROWN * max(1.0, abs(load)):
+            grown = min(grown, high)
+    return Beyond(np.inf, np.inf if settled == edges[-1] else settled, grown)
+
+
+def check(part: Part, low: float, high: float, complain: Callable[[float], str]) -> None:
+    """Raises ValueError where a piece is not smooth on all of it."""
+    edges = np.linspace(low, high, PARTS + 1)
+    pending = list(zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True))
+    while pending:
+        a, b = pending.pop()
+        with np.errstate(all="ignore"):
+            values = part.force(Interval(np.array([[a], [b]])))
+        if all(np.isfinite(one.ends).all() for one in values):
+            continue
+        if b - a < NARROW * max(abs(a), abs(b), high - low):
+            raise ValueError(complain(a))
+        middle = 0.5 * (a + b)
+        pending += [(a, middle), (middle, b)]
