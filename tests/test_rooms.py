@@ -30,7 +30,7 @@ FLOORS = (
     ("certificate", "measured", "files", "moves", "physical_moves"),
     ("gradient",),
     ("answer", "loaded"),
-    ("model",),
+    ("model", "transmitted"),
     ("validate", "page"),
     ("mechanism", "sampled", "backend", "pictures", "plausible", "progress", "version"),
 )
