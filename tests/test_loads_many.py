@@ -89,6 +89,29 @@ def test_at_rest_many_are_what_each_is(asked):
     assert single.k_0 == 1.0 and single.rests_within == pytest.approx(0.01) and single.u_cr is None
 
 
+@pytest.mark.both_backends
+@pytest.mark.parametrize("force", ["truncated", "untruncated"])
+def test_at_rest_many_have_a_stroke_that_no_base_motion_reaches(force):
+    """It was NaN where the detachment has no forcing."""
+    given = {"lam": 3.0, "r": 0.33366700033366703, "delta_h": 0.999, "zeta": 0.12, "excitation": "base"}
+    many = Isolator.many(**given, force=force)
+    assert many.detachment().status == Status.NONE
+    assert many.at_rest().u_cr == Isolator(**given, force=force).u_cr == pytest.approx(math.sqrt(1 - 0.001**2))
+
+
+def test_a_rod_that_rubs_does_not_hold_a_mass_on_a_shaking_base_at_every_frequency():
+    """Many designs were said to stick, as under a force; with so much acceleration each base moves the mass."""
+    given = {"lam": 1.0, "r": 1.0, "delta_h": 0.1, "mu": 0.07, "zeta": 0.3, "excitation": "base", "rubs": "attached"}
+    many, single = Isolator.many(**given), Isolator(**given)
+    for F_0 in (0.05, 0.2):
+        found, margins = many.margins(F_0), single.margins(F_0)
+        assert found.sticks == margins.sticks == 0 and found.remarks == margins.remarks
+        assert found.Omega_sticks == margins.Omega_sticks == pytest.approx(math.sqrt(4 * 0.07 / math.pi / F_0))
+        assert many.saddle_nodes(F_0).remarks == single.saddle_nodes(F_0).remarks
+    held = Isolator.many(**{**given, "excitation": "force"}).margins(0.05)
+    assert held.sticks == 1
+
+
 def test_bands_of_many_are_those_of_each(asked):
     given, F_0, designs = asked
     found = designs.hysteresis(F_0)

@@ -154,8 +154,7 @@ class ManySpectra(Told):
 
 def at_rest(designs: Designs, workers: int = 1) -> ManyAtRest:
     """See `slowflow.designs.Designs.at_rest`."""
-    detachments = designs.detachment(workers=workers)
-    allowed, shape = detachments.status != Status.INVALID, designs.shape
+    allowed, shape = designs.detachment(workers=workers).status != Status.INVALID, designs.shape
     mu = np.asarray(designs.values["mu"], dtype=float)
     with np.errstate(all="ignore"):  # what is no design has no stiffness
         parameters = designs.mechanism.coefficients(*designs.design)
@@ -164,10 +163,13 @@ def at_rest(designs: Designs, workers: int = 1) -> ManyAtRest:
         law = designs.mechanism if untruncated is None else untruncated()
         of_law = law.coefficients(*designs.design)
         within = loads.rests_within(law.pieces, of_law, law.breakpoints(*of_law), mu)
+        end = first_end(designs.mechanism, parameters)
         if designs.rubs != THROUGHOUT:
-            within = np.minimum(within, first_end(designs.mechanism, parameters))
+            within = np.minimum(within, end)
         Omega_0 = np.sqrt(k_0)
-    columns = {"Omega_0": Omega_0, "k_0": k_0, "u_cr": detachments.u_cr, "break_loose": mu}
+    # also where no forcing reaches it
+    u_cr = np.where(np.isfinite(end), end, np.nan)
+    columns = {"Omega_0": Omega_0, "k_0": k_0, "u_cr": u_cr, "break_loose": mu}
     columns |= {"rests_within": within, "sticking": np.asarray(slow_flow.friction(mu))}
     return ManyAtRest(
         **{name: np.where(allowed, np.broadcast_to(value, shape), np.nan) for name, value in columns.items()},

@@ -242,9 +242,11 @@ class Designs:
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
             parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
             force = np.asarray(F_0)[..., np.newaxis]
+            rubs = self.rubs
             if self.excitation != "force":
                 force = inertia.force(np.where(np.asarray(A) > 0, Omega, np.inf), force)
-            return remarks.of_designs(self.mechanism, parameters, mu, force, Omega, A, corner, self.rubs)
+                rubs = THROUGHOUT  # what is excited by inertia nothing holds at every frequency, see `Model.holds`
+            return remarks.of_designs(self.mechanism, parameters, mu, force, Omega, A, corner, rubs)
 
     def spanned(
         self, x: str, y: str, of: str, values: Floats, beside: dict[str, Any]
