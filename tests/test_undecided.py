@@ -282,6 +282,47 @@ def test_folds_of_which_doubles_have_few_digits_have_those_of_balls(at, monkeypa
     assert Remark.UNDECIDED in iso.saddle_nodes(F_0).remarks and batch(Duffing, numbers).saddle_nodes(F_0).undecided
 
 
+#: lam, r, delta_h, mu, zeta next to quasi-zero stiffness: doubles have 2 to 7 digits of alpha = 1 - lam r delta_h
+NEARLY_ZERO = (
+    (0.002550455805812047, 392.08677827507495, 0.9999999999662014, 8.073010490922015e-13, 3.4154762792268814e-05),
+    (2.436718757151885, 0.41038794371850984, 0.9999999998321245, 0.0, 2.3152656963122083e-11),
+    (0.04278159403019368, 23.374538112776023, 0.9999999971840747, 2.776812608869546e-20, 0.0037131583871174174),
+    (0.007058207689990147, 67779412.20310512, 2.090295898041496e-06, 0.0, 1.1475204942992133e-17),
+    (0.003718062639028128, 5934222.697449073, 4.5323084399845e-05, 0.0, 1.345006081989229e-13),
+)
+
+
+@pytest.mark.both_backends
+@pytest.mark.filterwarnings("ignore:.*negative stiffness at rest")
+@pytest.mark.parametrize("at", NEARLY_ZERO)
+def test_an_onset_next_to_quasi_zero_stiffness_has_its_digits(at):
+    """Off by up to 5e-3 without a word: a corner where R = 0, or the cusp of a cubic that is damped ever so weakly."""
+    if backend.SOLVER is None:
+        pytest.importorskip("flint")
+    names = ("lam", "r", "delta_h", "mu", "zeta")
+    iso, many = Isolator(**dict(zip(names, at, strict=True))), Isolator.many(**dict(zip(names, at, strict=True)))
+    onset = iso.saddle_node_onset()
+    with mpmath.workdps(40):
+        lam, r, delta_h, mu, zeta = map(mpmath.mpf, at)
+        alpha, beta, gamma = 1 - lam * r * delta_h, lam * r * (1 - delta_h) / 2, 3 * lam * r * (1 - delta_h) / 8
+        if onset.kind == "corner":
+            A = mpmath.sqrt(delta_h * (2 - delta_h))
+            Omega = mpmath.sqrt(alpha + 3 * beta * A**2 / 4 + 5 * gamma * A**4 / 8)
+            F_SN, share = 4 * mu / mpmath.pi + 2 * zeta * A * Omega, 1e-14
+        else:  # as in time over sqrt(alpha), to first order in what damping is then
+            damping = zeta / mpmath.sqrt(alpha)
+            A = mpmath.sqrt(2 * damping / mpmath.sqrt(3) / (3 * beta / (8 * alpha)))
+            Omega, share = mpmath.sqrt(alpha) * (1 + mpmath.sqrt(3) * damping), max(1e-14, float(20 * damping))
+            F_SN = alpha * 4 * A * damping / mpmath.sqrt(3)
+    assert iso.alpha == float(alpha)
+    assert [onset.F_SN, onset.Omega, onset.A] == pytest.approx([*map(float, (F_SN, Omega, A))], rel=share, abs=0)
+    assert [many.saddle_node_onset().F_SN.item()] == pytest.approx([onset.F_SN], rel=1e-15, abs=0)
+
+
+def test_what_is_quasi_zero_stiffness_to_rounding_stays_so():
+    assert Isolator(lam=1.0, r=10.0, delta_h=0.1, mu=1e-4, zeta=0.01).alpha == 0
+
+
 #: lam, r, delta_h, mu, zeta, F_0: next to a corner at which the force hardly jumps doubles had both folds, one with the
 #: frequency of the other side of the resonance
 OTHER_SIDE = (

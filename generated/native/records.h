@@ -66,29 +66,48 @@ static void records_no_breakpoint(const double *p, double *out)
     (void)(out);
 }
 
+/* A parameter that is a difference of nearly equal numbers, as a stiffness next to 0, has few digits in doubles: such
+ * ones are what pairs give. One that is 0 to rounding stays so: quasi-zero stiffness is meant by 1/(lam r) = delta_h,
+ * which doubles seldom are. */
+static inline void records_keep_digits(int n, const sf_pair *pairs, double *p)
+{
+    for (int i = 0; i < n; i++)
+        if (p[i] != 0 && fabs(p[i] - pairs[i].high) > 0x1p-49 * fabs(p[i]))
+            p[i] = pairs[i].high;
+}
+
 static int duffing_record_parameters_of(const double *design, double *p)
 {
+    sf_pair pairs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
     if (!(design[0] > -INFINITY && design[0] < INFINITY && design[1] > -INFINITY && design[1] < INFINITY))
         return 0;
     duffing_coefficients(design[0], design[1], p);
+    duffing_pairs_given(sfp_point(design[0]), sfp_point(design[1]), pairs);
+    records_keep_digits(2, pairs, p);
     return 1;
 }
 
 static int rod_spring_record_parameters_of(const double *design, double *p)
 {
+    sf_pair pairs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
     if (!(design[0] > 0.0 && design[0] < INFINITY && design[1] > 0.0 && design[1] < INFINITY && design[2] >= 0.0 &&
           design[2] < 1.0))
         return 0;
     rod_spring_coefficients(design[0], design[1], design[2], p);
+    rod_spring_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), pairs);
+    records_keep_digits(4, pairs, p);
     return 1;
 }
 
 static int rod_spring_untruncated_record_parameters_of(const double *design, double *p)
 {
+    sf_pair pairs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
     if (!(design[0] > 0.0 && design[0] < INFINITY && design[1] > 0.0 && design[1] < INFINITY && design[2] >= 0.0 &&
           design[2] < 1.0))
         return 0;
     rod_spring_untruncated_coefficients(design[0], design[1], design[2], p);
+    rod_spring_untruncated_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), pairs);
+    records_keep_digits(3, pairs, p);
     return 1;
 }
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TypeVar
 
 import numpy as np
@@ -31,6 +31,7 @@ from slowflow.averaged.balls.questions import (
 )
 from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.certificate import Proved, ProvedFolds, ProvedForcing, ProvedStates
+from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
 from slowflow_kernels.conventions import OnsetKind
 
@@ -71,6 +72,16 @@ def _decided(
             if more.proved and enough(more):
                 break
     return found
+
+
+def parameters(mechanism: Mechanism, design: Sequence[float]) -> tuple[float, ...] | None:
+    """The doubles next to the parameters that follow from a design."""
+    averages = averages_of(mechanism)
+    if averages is None:
+        return None
+    with _DIGITS, ctx.workprec(BITS[0]):
+        found = averages.given(*map(arb, design))
+    return tuple(map(float, found[: len(mechanism.parameter_names)]))
 
 
 def _double(end: arb, towards: float) -> float:
