@@ -225,7 +225,7 @@ def test_motions_against_a_magnet_are_those_of_its_average(magnet):
 
 
 @pytest.mark.slow
-def test_batches_and_spectra_have_the_single_answers(cushion):
+def test_batches_and_margins_have_the_single_answers(cushion):
     given = {"q": 0.2, "d": 0.1, "g": 0.1, **DAMPED}
     many = cushion.many(**{**given, "g": np.array([0.1, 0.15])})
     found = many.saddle_nodes(0.03)
@@ -233,7 +233,7 @@ def test_batches_and_spectra_have_the_single_answers(cushion):
         one = cushion(**{**given, "g": gap}).saddle_nodes(0.03)
         np.testing.assert_array_equal(found.Omega[at][: len(one)], one.Omega)
     one = cushion(**given)
-    assert one.margins(0.02).detachment == pytest.approx(one.detachment().F_cr / 0.02, rel=1e-12)
+    assert one.margins(0.02).of_cr == pytest.approx(one.detachment().F_cr / 0.02, rel=1e-12)
 
 
 #: errors in u (1 + kappa): of a fold's A, where sums are not as near as their last digits, and of B over A + |B|
