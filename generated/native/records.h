@@ -67,12 +67,12 @@ static void records_no_breakpoint(const double *p, double *out)
 }
 
 /* A parameter that is a difference of nearly equal numbers, as a stiffness next to 0, has few digits in doubles: such
- * ones are what pairs give. One that is 0 to rounding stays so: quasi-zero stiffness is meant by 1/(lam r) = delta_h,
- * which doubles seldom are. */
+ * ones are what pairs give. One that is 0 to rounding, or whose sign rounding decides, stays as everyone has it:
+ * quasi-zero stiffness is meant by 1/(lam r) = delta_h, which doubles seldom are. */
 static inline void records_keep_digits(int n, const sf_pair *pairs, double *p)
 {
     for (int i = 0; i < n; i++)
-        if (p[i] != 0 && fabs(p[i] - pairs[i].high) > 0x1p-49 * fabs(p[i]))
+        if (p[i] * pairs[i].high > 0 && fabs(p[i] - pairs[i].high) > 0x1p-49 * fabs(p[i]))
             p[i] = pairs[i].high;
 }
 

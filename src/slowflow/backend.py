@@ -83,9 +83,9 @@ def parameters_of(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[floa
     exact = _in_balls(mechanism, design)
     if exact is None:
         return rounded
-    # as native/records.h says it: what is 0 to rounding stays so
-    few = [one != 0 and abs(one - right) > CANCELLED * abs(one) for one, right in zip(rounded, exact, strict=True)]
-    return tuple(right if lost else one for one, right, lost in zip(rounded, exact, few, strict=True))
+    # as native/records.h says it: what is 0 to rounding, or has its sign by rounding, stays so
+    pairs = zip(rounded, exact, strict=True)
+    return tuple(right if one * right > 0 and abs(one - right) > CANCELLED * abs(one) else one for one, right in pairs)
 
 
 def _in_balls(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[float, ...] | None:
