@@ -917,3 +917,10 @@ def test_springs_that_differ_on_both_sides_isolate_from_where_twice_their_backbo
     p = 2 * over_a_cycle(q, np.cos(psi))
     found = made(a=softer, b=harder, mu=mu, zeta=0.03).isolation(0.05)
     assert found.Omega == pytest.approx(math.sqrt(2 * p), rel=1e-7) and not found.message
+
+
+def test_a_forcing_beyond_all_sizes_is_refused_before_it_takes_the_memory():
+    """Its motions span a thousand octaves, and boxes of all of them tens of gigabytes."""
+    mount = Isolator.physical(m=95, k_v=1e12, k_h=500, L=0.4, preload=0.0003, friction=0.5, zeta=0.15, load=45)
+    with pytest.raises(ArithmeticError, match="too many boxes"):
+        mount.saddle_nodes(F=1e300)

@@ -30,6 +30,7 @@ THIN = 2.0**-43
 #: boxes that are looked at for one system: usual questions take hundreds, hard ones some ten thousand; this many take
 #: some seconds. And for each of many, on the average
 MOST_BOXES, MOST_EACH = 150_000, 4_000
+TOO_MANY = "the states are unresolved: too many boxes stay undecided"
 
 
 class Equations(Protocol):
@@ -79,7 +80,7 @@ def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutio
     while of.size:
         looked_at += of.size
         if looked_at > most:
-            raise ArithmeticError("the states are unresolved: too many boxes stay undecided")
+            raise ArithmeticError(TOO_MANY)
         x, r = 0.5 * (low + high), 0.5 * (high - low)
         least, most_ = equations.limits(of)
         around = AROUND * r + doubt

@@ -17,7 +17,7 @@ import numpy as np
 
 from slowflow.averaged.reference.intervals import Bools, Interval
 from slowflow.model import Floats
-from slowflow.off_centre.boxes import Ints, solve
+from slowflow.off_centre.boxes import MOST_BOXES, TOO_MANY, Ints, solve
 from slowflow.off_centre.by_ends import ROUNDED, EndedEdge, phases, resists
 from slowflow.off_centre.ends import Charts, above_diagonal
 from slowflow.off_centre.means import Steps
@@ -84,7 +84,7 @@ class Sheets:
         self._corners: dict[int, tuple[list[Corner], Floats]] = {}
 
     def cells(self, A_max: float) -> Cells:
-        """All of the balance up to an amplitude, and somewhat beyond."""
+        """All of the balance up to an amplitude, and somewhat beyond. Raises ArithmeticError for too many boxes."""
         octave = self._octave(A_max)
         found = self._known.get(octave)
         if found is None:
@@ -186,6 +186,8 @@ class Sheets:
         low, high, chart = self._first(A_max)
         done: list[Cells] = []
         for number in range(ROUNDS):
+            if chart.size > MOST_BOXES:
+                raise ArithmeticError(TOO_MANY)
             empty, cells = self.looked_at(low, high, chart)
             empty |= cells.A.lo > A_max
             cells = cells.take(~empty)
@@ -224,6 +226,8 @@ class Sheets:
                     both = np.concatenate((-octaves[::-1], [0.0], octaves))
                     inside = both[(both > low) & (both < high)]
                     edges.append(np.unique(np.concatenate(([max(low, both[0])], inside, [min(high, both[-1])]))))
+            if len(edges[0]) * len(edges[1]) > MOST_BOXES:  # an amplitude of hundreds of octaves
+                raise ArithmeticError(TOO_MANY)
             for a, b in zip(edges[0], edges[0][1:], strict=False):
                 for c, d in zip(edges[1], edges[1][1:], strict=False):
                     if charts.passes[chart] or b + d > 0:
