@@ -13,9 +13,9 @@ SLOWFLOW_BACKEND=numpy leaves it alone, and without it the compiled code runs wh
 from __future__ import annotations
 
 import importlib
-import importlib.util
 import os
 import warnings
+from collections.abc import Callable
 from types import ModuleType
 from typing import Any
 
@@ -68,6 +68,14 @@ def record_of(mechanism: Mechanism, inertial: bool = False) -> Any:
     return SOLVER.inertial(record) if SOLVER is not None and inertial and record is not None else record
 
 
+def _as_doubles(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[float, ...] | None:
+    return None
+
+
+#: a design's parameters by more digits, or None; `slowflow.averaged.proofs`, which has balls, puts its own here
+more_digits: Callable[[Mechanism, tuple[float, ...]], tuple[float, ...] | None] = _as_doubles
+
+
 def parameters_of(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[float, ...]:
     """The parameters of a design within its domain, from the compiled record where there is one.
 
@@ -80,21 +88,12 @@ def parameters_of(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[floa
         return found
     with np.errstate(all="ignore"):
         rounded = tuple(map(float, mechanism.coefficients(*design)))
-    exact = _in_balls(mechanism, design)
+    exact = more_digits(mechanism, design)
     if exact is None:
         return rounded
     # as native/records.h says it: what is 0 to rounding, or has its sign by rounding, stays so
     pairs = zip(rounded, exact, strict=True)
     return tuple(right if one * right > 0 and abs(one - right) > CANCELLED * abs(one) else one for one, right in pairs)
-
-
-def _in_balls(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[float, ...] | None:
-    """The parameters by more digits; None without python-flint, and of a force that has no form in balls."""
-    if mechanism.load_balls is None or importlib.util.find_spec("flint") is None:
-        return None
-    from slowflow.averaged.balls import answers
-
-    return answers.parameters(mechanism, design)
 
 
 def compiled_model(

@@ -19,6 +19,7 @@ from slowflow import backend
 from slowflow.answer import joined
 from slowflow.averaged import words
 from slowflow.certificate import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates
+from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
 from slowflow.results import Remark, SaddleNodes
 from slowflow_kernels.conventions import OnsetKind, Status
@@ -74,6 +75,18 @@ def _decided(found: Answer, model: Model, ask: Callable[[Any], Answer | None]) -
 
     decided = ask(answers)
     return found if decided is None else decided
+
+
+def _more_digits(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[float, ...] | None:
+    """A design's parameters by balls; None without python-flint, and of a force that has no form in balls."""
+    if mechanism.load_balls is None or importlib.util.find_spec("flint") is None:
+        return None
+    from slowflow.averaged.balls import answers
+
+    return answers.parameters(mechanism, design)
+
+
+backend.more_digits = _more_digits
 
 
 def saddle_nodes(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
