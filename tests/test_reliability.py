@@ -18,6 +18,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from slowflow import Duffing, Isolator, backend
+from slowflow.averaged import parts
 from slowflow.paper.example import isolator
 from tests.interrupts import ENDING, interrupted
 
@@ -89,13 +90,26 @@ def test_ctrl_c_ends_a_long_answer():
 @pytest.mark.slow
 @native_only
 def test_ctrl_c_ends_a_batch_whose_designs_take_far_longer_than_others():
-    """Subnormal numbers: 50 ms each, where a microsecond is usual."""
+    """Minutes of the second approximation: half a millisecond a design, where an onset takes some microseconds."""
     program = (
         "import numpy as np; from slowflow import Isolator\n"
-        "many = Isolator.many(lam=1.0, r=1.0, delta_h=np.full(10**5, 5e-310), mu=0.01, zeta=0.1)\n"
-        "print('asked', flush=True); many.saddle_node_onset(); print('answered', flush=True)"
+        "many = Isolator.many(lam=1.0, r=2.0, delta_h=np.linspace(0.1, 0.9, 10**6), mu=0.01, zeta=0.02)\n"
+        "print('asked', flush=True); many.second_approximation.saddle_nodes(0.04); print('answered', flush=True)"
     )
     assert interrupted(program) == ENDING
+
+
+def test_designs_that_take_50_ms_each_are_asked_few_at_a_time(monkeypatch):
+    """By a clock of its own: every design once, in order, and less than a second between two times to hear Ctrl-C."""
+    clock = [0.0]
+    monkeypatch.setattr(parts.time, "perf_counter", lambda: clock[0])
+    asked = 0
+    for (part,) in parts.blocks((1000,), 2**14):
+        here = range(1000)[part]
+        assert here.start == asked and 0.05 * len(here) < 1
+        asked = here.stop
+        clock[0] += 0.05 * len(here)
+    assert asked == 1000
 
 
 @pytest.mark.slow

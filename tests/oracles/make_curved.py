@@ -24,11 +24,10 @@ from typing import Any
 
 from flint import arb, arb_series, ctx
 
-from tests.oracles.averaged import DETACHED, Point, digits
+from tests.oracles.averaged import BITS, DETACHED
 from tests.oracles.certified_roots import precision
-from tests.oracles.conditioning import Conditioning
-from tests.oracles.make_random_isolators import SEED, conditions, given, log_uniform, write
-from tests.oracles.make_sided import HIGHEST, Along
+from tests.oracles.make_random_isolators import SEED, given, log_uniform, write
+from tests.oracles.make_sided import Along, asked
 
 OUT = Path(__file__).parents[1] / "data" / "curved.json"
 #: cases of each force
@@ -218,11 +217,8 @@ class Curved(Along):
         return found
 
     def mean(self, A: arb) -> arb:
-        with precision(280):
+        with precision(BITS):
             return self._mean(A)
-
-    def _corner_extrema(self) -> list[Point]:
-        return []
 
     def h(self, A: arb, regime: str) -> tuple[arb, arb, arb, arb]:
         assert regime == DETACHED
@@ -279,52 +275,9 @@ def case(force: str, index: int) -> dict:
     """One oscillator: its onset, and its folds and states at one forcing."""
     rng = random.Random(f"{SEED} curved {force} {index}")
     oscillator = drawn(force, rng, index)
-    m = float(oscillator.m.mid())
-    oscillator.ask(m + HIGHEST, [1.0])
-    extrema = [p for p in oscillator.extrema if p.F_0 < oscillator.level]
-    onset = next((p for p in extrema if p.sense == "min"), None)
-    F_0 = m + log_uniform(rng, 0.02, HIGHEST)
-    if onset is not None:
-        F_0 = min(float(onset.F_0.mid()) * rng.choice([1.02, rng.uniform(1.1, 3), rng.uniform(1.1, 3)]), m + HIGHEST)
-    conditioning = Conditioning(oscillator)
-    folds = oscillator.folds(F_0)
-    if len(folds) != oscillator.fold_count(F_0):
-        raise AssertionError(f"{oscillator.parameters} {F_0}: {len(folds)} folds, not {oscillator.fold_count(F_0)}")
-    at, base = [float(p.Omega.mid()) for p in folds], math.sqrt(float(oscillator.least_slope.mid()))
-    frequencies = [
-        rng.uniform(at[0], at[-1]) if len(at) > 1 else base * rng.uniform(1.0, 1.4),
-        base * rng.uniform(0.8, 2),
-    ]
-    oscillator.ask(F_0, frequencies)
-
-    def shown(p: Any, **beside: Any) -> dict:
-        with precision(280):
-            return {"A": digits(p.A), "B": digits(oscillator.mean(p.A)), **beside}
-
-    states = [
-        {
-            "Omega": given(Omega),
-            "steady": [
-                shown(
-                    one,
-                    phi=digits(one.phi),
-                    stable=one.stable,
-                    **conditions(conditioning.amplitude(one, Omega, F_0)),
-                )
-                for one in oscillator.amplitudes(Omega, F_0)
-            ],
-        }
-        for Omega in frequencies
-    ]
-    return {
-        "force": force,
-        "parameters": {name: given(float(value)) for name, value in oscillator.parameters.items()},
-        "F_0": given(F_0),
-        "onset": onset
-        and shown(onset, F_SN=digits(onset.F_0), Omega=digits(onset.Omega), **conditions(conditioning.extremum(onset))),
-        "folds": [shown(p, Omega=digits(p.Omega), kind=p.kind, **conditions(conditioning.fold(p))) for p in folds],
-        "amplitudes": states,
-    }
+    base = math.sqrt(float(oscillator.least_slope.mid()))
+    parameters = {name: given(float(value)) for name, value in oscillator.parameters.items()}
+    return {"force": force, "parameters": parameters, **asked(rng, oscillator, base, (1.0, 1.4))}
 
 
 def main() -> None:

@@ -279,10 +279,12 @@ def drawn(force: str, rng: random.Random, index: int) -> tuple[dict[str, float],
     return user, Stop(a=a, k=k, g=g, load=pull, **damping), sign
 
 
-def case(force: str, index: int) -> dict:
-    """One oscillator: its onset, and its folds and states at one forcing."""
-    rng = random.Random(f"{SEED} sided {force} {index}")
-    user, oscillator, sign = drawn(force, rng, index)
+def asked(rng: random.Random, oscillator: Along, base: float, above: tuple[float, float], sign: int = 1) -> dict:
+    """Its onset, and its folds and states at one forcing that is drawn.
+
+    base, above -- a frequency, and between which multiples of it one is drawn where there is no pair of folds
+    sign        -- of B where the oscillator is the mirror image of what a user gives
+    """
     m = float(oscillator.m.mid())
     oscillator.ask(m + HIGHEST, [1.0])
     extrema = [p for p in oscillator.extrema if p.F_0 < oscillator.level]
@@ -293,10 +295,10 @@ def case(force: str, index: int) -> dict:
     conditioning = Conditioning(oscillator)
     folds = oscillator.folds(F_0)
     if len(folds) != oscillator.fold_count(F_0):
-        raise AssertionError(f"{user} {F_0}: {len(folds)} folds, {oscillator.fold_count(F_0)} counted")
-    at, base = [float(p.Omega.mid()) for p in folds], float(oscillator.least_slope.sqrt().mid())
+        raise AssertionError(f"{oscillator.parameters} {F_0}: {len(folds)} folds, not {oscillator.fold_count(F_0)}")
+    at = [float(p.Omega.mid()) for p in folds]
     frequencies = [
-        rng.uniform(at[0], at[-1]) if len(at) > 1 else base * rng.uniform(0.9, 1.3),
+        rng.uniform(at[0], at[-1]) if len(at) > 1 else base * rng.uniform(*above),
         base * rng.uniform(0.8, 2),
     ]
     oscillator.ask(F_0, frequencies)
@@ -321,14 +323,21 @@ def case(force: str, index: int) -> dict:
         for Omega in frequencies
     ]
     return {
-        "force": force,
-        "parameters": {k: given(v) for k, v in user.items()},
         "F_0": given(F_0),
         "onset": onset
         and shown(onset, F_SN=digits(onset.F_0), Omega=digits(onset.Omega), **conditions(conditioning.extremum(onset))),
         "folds": [shown(p, Omega=digits(p.Omega), kind=p.kind, **conditions(conditioning.fold(p))) for p in folds],
         "amplitudes": states,
     }
+
+
+def case(force: str, index: int) -> dict:
+    """One oscillator: its onset, and its folds and states at one forcing."""
+    rng = random.Random(f"{SEED} sided {force} {index}")
+    user, oscillator, sign = drawn(force, rng, index)
+    base = float(oscillator.least_slope.sqrt().mid())
+    parameters = {k: given(v) for k, v in user.items()}
+    return {"force": force, "parameters": parameters, **asked(rng, oscillator, base, (0.9, 1.3), sign)}
 
 
 def main() -> None:

@@ -8,7 +8,6 @@ raised for it: `status` says why, by the numbers of `slowflow_kernels.convention
 
 from __future__ import annotations
 
-import importlib.util
 from collections.abc import Iterator
 from functools import cached_property
 from typing import Any
@@ -124,10 +123,11 @@ class Designs:
     def _decide_folds(self, F_0: Any, places: int, columns: list[npt.NDArray[Any]]) -> None:
         """Change the columns to those of single answers where doubles do not decide, and balls may."""
         *_, undecided, status = columns
-        if self.excitation != "force" or self.laws or importlib.util.find_spec("flint") is None:
-            return
         # what is refused single answers refuse too
-        for at, numbers, (F,) in self._each((undecided != 0) & (status != Status.UNRESOLVED), F_0):
+        left = (undecided != 0) & (status != Status.UNRESOLVED)
+        if self.excitation != "force" or self.laws or not left.any() or proofs.in_balls() is None:
+            return
+        for at, numbers, (F,) in self._each(left, F_0):
             found = Averaged(self.model(dict(zip(self.values, numbers, strict=True)))).saddle_nodes(F)
             for column, value in zip(columns, in_places(found, places, Remark.UNDECIDED in found.remarks), strict=True):
                 column[at] = value
@@ -197,7 +197,7 @@ class Designs:
     ) -> None:
         """Change the columns where doubles do not decide, and balls are there."""
         left = (proved == 0) & (status != Status.INVALID) & (status != Status.NO_MEMORY)
-        if importlib.util.find_spec("flint") is None or not left.any():
+        if not left.any() or proofs.in_balls() is None:
             return
         for at, numbers, (F, *frequency) in self._each(left, F_0, *([] if Omega is None else [Omega])):
             try:

@@ -65,25 +65,30 @@ def _remarks(
     return not len(doubt) and room, "; ".join(said)
 
 
+def in_balls() -> Any:
+    """What proves in balls, `slowflow.averaged.balls.answers`; None without python-flint."""
+    if importlib.util.find_spec("flint") is None:
+        return None
+    from slowflow.averaged.balls import answers
+
+    return answers
+
+
 def _decided(found: Answer, model: Model, ask: Callable[[Any], Answer | None]) -> Answer:
     """An answer that doubles gave, or, where it is not proved, what balls say instead."""
     if found.proved or not model.design:
         return found
-    if importlib.util.find_spec("flint") is None:
+    balls = in_balls()
+    if balls is None:
         return dataclasses.replace(found, message=joined(found.message, words.NO_BALLS))
-    from slowflow.averaged.balls import answers
-
-    decided = ask(answers)
+    decided = ask(balls)
     return found if decided is None else decided
 
 
 def _more_digits(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[float, ...] | None:
     """A design's parameters by balls; None without python-flint, and of a force that has no form in balls."""
-    if mechanism.load_balls is None or importlib.util.find_spec("flint") is None:
-        return None
-    from slowflow.averaged.balls import answers
-
-    return answers.parameters(mechanism, design)
+    balls = None if mechanism.load_balls is None else in_balls()
+    return None if balls is None else balls.parameters(mechanism, design)
 
 
 backend.more_digits = _more_digits
@@ -101,11 +106,8 @@ def is_plain(model: Model) -> bool:
 
 def decided(found: SaddleNodes, model: Model) -> SaddleNodes:
     """Folds whose number doubles leave undecided, as balls prove them; as they are where these do not decide either."""
-    if Remark.UNDECIDED not in found.remarks or not is_plain(model) or importlib.util.find_spec("flint") is None:
-        return found
-    from slowflow.averaged.balls import answers
-
-    proof = answers.saddle_nodes(model, found.F_0)
+    balls = in_balls() if Remark.UNDECIDED in found.remarks and is_plain(model) else None
+    proof = None if balls is None else balls.saddle_nodes(model, found.F_0)
     if proof is None or not proof.proved:
         return found
     # doubles may have more digits of one that lies next to a breakpoint
