@@ -10,6 +10,7 @@ import mpmath
 import numpy as np
 import pytest
 
+from slowflow.averaged.reference import intervals
 from slowflow.averaged.reference.intervals import Interval
 
 MODULES = (
@@ -66,6 +67,26 @@ def test_what_is_not_known_has_no_sign():
         unknown = Interval.point(np.nan)
         assert not unknown.square().has_sign.any() and not unknown.sqrt().has_sign.any()
         assert not (Interval.of(-np.inf, np.inf) * Interval.point(0.0)).has_sign.any()
+
+
+@pytest.mark.skipif(intervals.SOLVER is None, reason="the compiled solvers are not in use")
+def test_compiled_operations_have_the_bits_of_those_on_numpy(monkeypatch):
+    """Of any ends: none, in the wrong order, infinite, subnormal, whose products are; of many and of one with many."""
+    sizes = [0.0, 5e-324, 3e-310, 2.0**-1022, 7e-300, 1e-154, 1 / 3, 1.0, 3.0, 1e154, 1.7e308, np.inf, np.nan]
+    ends = np.array([sign * size for size in sizes for sign in (1, -1)])
+    any_two = Interval(np.stack(np.meshgrid(ends, ends)).reshape(2, -1))
+    drawn = random_intervals(np.random.default_rng(3), 500)
+
+    def found():
+        with np.errstate(all="ignore"):
+            products = [any_two * Interval(two[:, np.newaxis]) for two in any_two.ends.T]
+            others = [one.square() for one in (any_two, drawn)] + [1 / one for one in (any_two, drawn)]
+            return [one.ends for one in (*products, drawn * drawn, *others, any_two / drawn.take([7]))]
+
+    compiled = found()
+    monkeypatch.setattr(intervals, "SOLVER", None)
+    for one, other in zip(compiled, found(), strict=True):
+        np.testing.assert_array_equal(one, other)
 
 
 class Exact:

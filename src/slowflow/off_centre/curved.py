@@ -15,6 +15,7 @@ slopes, held on all of the box, can change it by. So it is held the better the s
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -55,6 +56,15 @@ _OF_COSINE = {p: _weights(lambda c, p=p: c**p) for p in range(4)}
 _TURNED = {1: _weights(lambda c: c * (1 + c)), -1: _weights(lambda c: c * (1 - c))}
 
 
+@cache
+def _rule(panels: int) -> tuple[Floats, Floats]:
+    """Nodes (k, 1) on panels of (0, 1), and weights (k,) of means over the cycle, of which it is the half."""
+    x = ((np.arange(panels)[:, np.newaxis] + 0.5 * (1 + _AT)) / panels).ravel()
+    # dense next to both ends, in the third power
+    share = (x**3 * (10 - 15 * x + 6 * x * x))[:, np.newaxis]
+    return share, np.tile(_WEIGHTS, panels) / (2 * panels * np.pi) * 30 * (x * (1 - x)) ** 2
+
+
 class Part(NamedTuple):
     """A piece of the force with its numbers.
 
@@ -70,8 +80,8 @@ class Part(NamedTuple):
 
     def at(self, u: Floats, far: Floats) -> tuple[list[Floats], list[Floats]]:
         """r and three derivatives; and by what size of numbers each is rounded, where u is as numbers of size `far`."""
-        found = self.law(-u if self.mirrored else u)
-        values = [np.broadcast_to(np.asarray(one, dtype=float), u.shape) for one in found]
+        found = map(np.asarray, self.law(-u if self.mirrored else u))
+        values = [one if one.shape == u.shape else np.broadcast_to(one.astype(float), u.shape) for one in found]
         if self.mirrored:
             values = [one if n % 2 else -one for n, one in enumerate(values)]
         (a, b), sizes = self.line, list(map(np.abs, values))
@@ -203,18 +213,15 @@ class Curved:
         panels: int,
     ) -> tuple[Floats, Floats]:
         A, B, low, high = motion
-        x = ((np.arange(panels)[:, np.newaxis] + 0.5 * (1 + _AT)) / panels).ravel()
-        # dense next to both ends, in the third power
-        share = (x**3 * (10 - 15 * x + 6 * x * x))[:, np.newaxis]
-        weight = np.tile(_WEIGHTS, panels) / (2 * panels * np.pi) * 30 * (x * (1 - x)) ** 2
+        share, weight = _rule(panels)
         weight = weight * (high - low)[:, np.newaxis]
         cosine = np.cos(low + (high - low) * share)
         u = np.clip(B + A * cosine, self._edges[number], self._edges[number + 1])
         values, sizes = part.at(u, np.abs(A) + np.abs(B))
-        powers = [np.ones_like(cosine), cosine, cosine * cosine]
-        found = np.stack([np.einsum("kn,nk->n", values[n] * powers[p], weight) for n, p in asked])
-        size = np.stack([np.einsum("kn,nk->n", sizes[n], weight) for n, _ in asked])
-        return found, size
+        powers = (cosine, cosine * cosine)
+        found = [np.einsum("kn,nk->n", values[n] * powers[p - 1] if p else values[n], weight) for n, p in asked]
+        size = {n: np.einsum("kn,nk->n", sizes[n], weight) for n in {n for n, _ in asked}}
+        return np.array(found), np.array([size[n] for n, _ in asked])
 
     # ==== Boxes =======================================================================================================
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from slowflow.averaged.reference.intervals import Interval
+from slowflow.model import Floats
 from slowflow.off_centre.curved import Part
 
 #: parts of an octave, octaves from the least to the most that is looked at, beside the size of the problem
@@ -44,20 +45,26 @@ def outwards(
     A wall is beyond u = 0 and all ends: on this side of it the mass is.
     """
     edges = start + size * 2.0 ** np.arange(LEAST, MOST + 0.5 / PARTS, 1 / PARTS)
-    pending = [(float(a), float(b)) for a, b in zip([start, *edges[:-1]], edges, strict=True)][::-1]
+
+    def cells(edges: Floats) -> list[tuple[float, float, float, bool]]:
+        """Between neighbours, from the last: where it is, the least that pushes back, whether all of it is known."""
+        low, high = edges[:-1], edges[1:]
+        with np.errstate(all="ignore"):
+            f, *others = part.force(Interval(np.array((low, high) if side > 0 else (-high, -low))))
+            push = (f if side > 0 else -f) - side * load
+        known = np.all([np.isfinite(one.ends).all(axis=0) for one in (f, *others)], axis=0)
+        each = zip(low.tolist(), high.tolist(), push.lo.tolist(), known.tolist(), strict=True)
+        return list(each)[::-1]
+
+    pending = cells(np.concatenate(([start], edges)))
     settled, grown = start, np.inf
     while pending:
-        low, high = pending.pop()
-        ends = np.array([[low], [high]]) if side > 0 else np.array([[-high], [-low]])
-        with np.errstate(all="ignore"):
-            f, *others = part.force(Interval(ends))
-        push = (f if side > 0 else -f) - side * load
-        if push.lo[0] > HUGE:
+        low, high, push, known = pending.pop()
+        if push > HUGE:
             return Beyond(np.inf, settled, min(grown, high))
-        if not all(np.isfinite(one.ends).all() for one in (f, *others)):
+        if not known:
             if high - low > NARROW * max(size, high):
-                middle = 0.5 * (low + high)
-                pending += [(middle, high), (low, middle)]
+                pending += cells(np.array((low, 0.5 * (low + high), high)))
                 continue
             near = low - 4 * (high - low)
             with np.errstate(all="ignore"):
@@ -65,13 +72,12 @@ def outwards(
             if near > max(start, 0.0) and (held if side > 0 else -held).lo[0] > AT_WALL * max(1.0, abs(load)):
                 return Beyond(near, settled, min(grown, near))
             raise ValueError(complain(side * low))
-        if not push.lo[0] > 0:
+        if not push > 0:
             if high - low > 2.0**-6 * high and high > size * 2.0**LEAST * 2:
-                middle = 0.5 * (low + high)
-                pending += [(middle, high), (low, middle)]
+                pending += cells(np.array((low, 0.5 * (low + high), high)))
                 continue
             settled = high
-        if push.lo[0] > GROWN * max(1.0, abs(load)):
+        if push > GROWN * max(1.0, abs(load)):
             grown = min(grown, high)
     return Beyond(np.inf, np.inf if settled == edges[-1] else settled, grown)
 

@@ -3,6 +3,9 @@
 What is not known is NaN, or reaches to infinity: a test that asks whether something is proved fails there. 0 times
 infinity is 0, as infinity stands for arbitrarily large numbers. As in native/interval.h each operation is rounded to
 nearest and then moved by more than an ulp, so that no rounding mode is switched.
+
+A search in boxes asks of a few intervals at a time, and NumPy takes most of that time between its operations: what
+takes many of them is compiled where solvers are (native/solver/intervals.c), with the same bits.
 """
 
 from __future__ import annotations
@@ -12,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slowflow.backend import SOLVER
 from slowflow.model import Floats
 
 Bools = NDArray[np.bool_]
@@ -23,7 +27,8 @@ _LEAST = np.array([[-(2.0**-1022)], [2.0**-1022]])
 
 def _wider(ends: Floats) -> Floats:
     """The ends of sums and roots, an ulp outwards: they are exact where they are subnormal."""
-    return np.asarray(ends + _ULP * np.abs(ends))
+    found: Floats = ends + _ULP * np.abs(ends)
+    return found
 
 
 class Interval:
@@ -83,6 +88,8 @@ class Interval:
         if not isinstance(other, Interval):
             product = (self.ends if other >= 0 else self.ends[::-1]) * other
             return type(self)(_wider(product) + _LEAST * (product != 0))
+        if SOLVER is not None:
+            return type(self)(np.array(SOLVER.interval_product(*self.ends, *other.ends)))
         a, b = self.ends[:, np.newaxis], other.ends
         product = a * b
         doubt = 2.0**-52 * np.abs(product) + 2.0**-1022
@@ -108,6 +115,8 @@ class Interval:
 
     def _inverse(self) -> Interval:
         """1 over an interval on one side of 0, which it may touch; anything over one that holds 0 inside."""
+        if SOLVER is not None:
+            return type(self)(np.array(SOLVER.interval_inverse(*self.ends)))
         lo, hi = self.ends
         inverse = 1 / self.ends[::-1]
         inverse = _wider(inverse) + _LEAST
@@ -118,6 +127,8 @@ class Interval:
 
     def square(self) -> Interval:
         """The square, which is not negative."""
+        if SOLVER is not None:
+            return type(self)(np.array(SOLVER.interval_square(*self.ends)))
         lo, hi = self.ends
         least, most = np.maximum(np.maximum(lo, -hi), 0.0), np.maximum(-lo, hi)
         squares = np.array((least * least, most * most))

@@ -25,6 +25,12 @@ static const struct {
      sf_fold_roots_loop, {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32}},
     {"peak_roots", "(),(),(),()->(2),()", "A, h, m, zeta -> Omega, number of roots.", 4, 2,
      sf_peak_roots_loop, {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32}},
+    {"interval_product", "(),(),(),()->(),()", "lo, hi, lo, hi -> lo, hi", 4, 2, sf_interval_product_loop,
+     {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE}},
+    {"interval_square", "(),()->(),()", "lo, hi -> lo, hi", 2, 2, sf_interval_square_loop,
+     {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE}},
+    {"interval_inverse", "(),()->(),()", "lo, hi -> lo, hi", 2, 2, sf_interval_inverse_loop,
+     {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE}},
 };
 
 enum { COUNT = sizeof gufuncs / sizeof gufuncs[0] };
