@@ -88,6 +88,8 @@ class Dissipation:
     least_by_inertia -- -Omega^5/4 dlevel^2/dOmega of an excitation by inertia, in R, I and h
     far_by_inertia -- F/Omega^4 of such an excitation in x = 1/Omega, and `least_by_inertia`/Omega^2 in two parts: the
                  second, which is not negative, grows with Omega
+    R_where_stationary -- R/Omega^2 where the level of such an excitation is stationary, in x: a square that is not
+                 negative there, and the lower and the higher value
     cusp_bend_by_inertia -- `Slopes.cusp` of such an excitation, less positive factors, in R, I and derivatives of F
     Omega_A_by_inertia -- slope of such a response
     F_OmegaOmega_by_inertia -- F_OmegaOmega of such an excitation where the level is stationary
@@ -133,6 +135,7 @@ class Dissipation:
     turn_share: sp.Expr
     least_by_inertia: sp.Expr
     far_by_inertia: tuple[sp.Expr, ...]
+    R_where_stationary: tuple[sp.Expr, ...]
     cusp_bend_by_inertia: sp.Expr
     Omega_A_by_inertia: sp.Expr
     F_OmegaOmega_by_inertia: sp.Expr
@@ -268,6 +271,7 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
         turn_share=sp.collect(share_of_turn, x),
         least_by_inertia=least,
         far_by_inertia=_far_by_inertia(flow.R, value, by_inertia.subs(whole), least.subs(whole)),
+        R_where_stationary=_R_where_stationary(flow.R, value, least),
         # dlevel^2/dOmega takes the place of a force's F_Omega
         cusp_bend_by_inertia=least * DERIVATIVES[3, 0] * DERIVATIVES[1, 1],
         # on F = 0: dF/dOmega is Omega^4 times the slope of the squared level
@@ -325,6 +329,21 @@ def _far_by_inertia(R: sp.Expr, I: sp.Expr, F: sp.Expr, least: sp.Expr) -> tuple
     _vanishes(whole - F.subs(at_x) * x**4, "F over Omega^4")
     _vanishes(whole.subs(x, 0) - (A**2 + d**2 * A**4 - F_0**2), "the leading coefficient of F")
     return whole, sp.collect(stays, x), grows
+
+
+def _R_where_stationary(R_of: sp.Expr, I_of: sp.Expr, least: sp.Expr) -> tuple[sp.Expr, ...]:
+    """Of R = r Omega^2 without h = R - A Omega^2, which may vanish there: by what r (A - r) is."""
+    r = sp.Symbol("r", real=True)
+    scaled = sp.expand(least.subs(h, R - (R_of - h)).subs({R: r * Omega**2, I: I_of}) / Omega**4)
+    product = sp.factor((scaled - r**2 + A * r).subs(Omega, 1 / x))
+    if product.has(r):
+        raise ArithmeticError(f"R where a level is stationary: {scaled}")
+    square = A**2 - 4 * product
+    higher = (A + sp.sqrt(square)) / 2
+    lower = product / higher
+    for one in (lower, higher):
+        _vanishes(scaled.subs(Omega, 1 / x).subs(r, one), "R where a level is stationary")
+    return square, lower, higher
 
 
 def _full(F: sp.Expr) -> sp.Expr:

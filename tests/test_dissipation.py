@@ -749,3 +749,74 @@ def test_a_play_on_a_shaking_base_has_all_folds_under_quadratic_damping(c_2, Y):
             counts.append(int((np.sign(values[1:]) != np.sign(values[:-1])).sum()))
             assert counts[-1] == len(one.amplitudes(Omega=Omega, F_0=Y))
     assert len(folds) in (0, 2) and counts == ([1, 1, 3, 3, 1, 1] if len(folds) else [1, 1])
+
+
+@pytest.mark.parametrize("excitation", ["base", "unbalance"])
+def test_an_isola_point_far_above_does_not_hide_the_onset_by_inertia(excitation):
+    """Doubles do not isolate the one at A = 10.7; the cusp below is that of a force, at F_0 Omega^2."""
+    forced = Duffing(1.0, 0.55, zeta=0.08, eta=0.024)
+    of_force = forced.saddle_node_onset()
+    found = forced.replace(excitation=excitation).saddle_node_onset()
+    assert (found.kind, of_force.kind) == ("cusp", "cusp")
+    assert (found.Omega, found.A) == pytest.approx((of_force.Omega, of_force.A), rel=1e-13)
+    assert found.F_SN == pytest.approx(of_force.F_SN / of_force.Omega**2, rel=1e-13)
+
+
+@pytest.mark.parametrize("excitation", ["base", "unbalance"])
+@pytest.mark.parametrize(
+    ("alpha", "beta", "damping", "F_0"),
+    [
+        # nothing but a law of its own damps: A = F_0 Omega^2 is exceeded where the spring no longer pulls
+        (1.0, -0.69, {"eta": 0.0154}, 0.019),
+        (-0.5, -1.03, {"eta": 0.153}, 1.86),
+        # by quadratic damping alone frequencies come down to 0 where h = 0: a pair, or one from either side
+        (0.2, -0.7, {"c_2": 0.05}, 0.084),
+        (1.0, -0.6, {"c_2": 0.3}, 0.6),
+        (1.0, -0.38, {"c_2": 0.05}, 0.51),
+        (0.2, -1.1, {"c_2": 0.0023}, 1.31),
+        (0.2, -0.74, {"c_2": 0.0022}, 4.32),
+        (-0.5, 1.0, {"c_2": 0.1}, 0.6),
+        # a pair that meets 1e-14 below the amplitude that the response tends to
+        (1.0, 0.0, {"zeta": 0.05, "c_2": 0.01}, 0.001),
+    ],
+)
+def test_every_state_by_inertia_is_there_by_laws_other_than_viscous_damping(excitation, alpha, beta, damping, F_0):
+    """As many at each frequency as the balance changes its sign at on a fine grid of long doubles."""
+    one = Duffing(alpha, beta, excitation=excitation, **damping)
+    zeta, eta, c_2 = (damping.get(name, 0.0) for name in ("zeta", "eta", "c_2"))
+    m, d = 4 * damping.get("mu", 0.0) / np.pi, 8 * c_2 / (3 * np.pi)
+
+    def balance(Omega, A):
+        R, I = A * Omega**2 - alpha * A - 0.75 * beta * A**3, 2 * zeta * Omega * A + m + eta * A + d * (A * Omega) ** 2
+        return R**2 + I**2 - (F_0 * Omega**2) ** 2
+
+    most = 0
+    for Omega in np.array([0.1, 0.2, 0.35, 0.5, 0.7, 0.9, 1.0, 1.1, 1.4, 2.0, 5.0]):
+        found = one.amplitudes(Omega=float(Omega), F_0=F_0)
+        assert not found.Omega_undecided.size
+        close = found.A[:, np.newaxis] * (1 + np.linspace(-1e-3, 1e-3, 21))
+        grid = np.unique(np.concatenate((np.geomspace(1e-8, 30.0, 200_001), close.ravel())).astype(np.longdouble))
+        sign = np.sign(balance(np.longdouble(Omega), grid))
+        assert len(found) == np.count_nonzero(sign[1:] != sign[:-1])
+        most = max(most, len(found))
+    assert most >= 1
+
+
+@pytest.mark.parametrize("excitation", ["force", "base", "unbalance"])
+@pytest.mark.parametrize(
+    "damping", [{"c_2": 0.05}, {"c_2": 0.05, "zeta": 0.05}, {"eta": 0.02}, {"eta": 0.02, "c_2": 0.3, "mu": 1e-5}]
+)
+@pytest.mark.parametrize("alpha", [1.0, -0.5])
+def test_a_linear_spring_has_one_motion_at_each_frequency(excitation, damping, alpha):
+    """As R^2 + I^2 rises with A. Static states F_0/|alpha| lay on the edges of boxes, and were lost without a word."""
+    one = Duffing(alpha, 0.0, excitation=excitation, **damping)
+    zeta, eta, m = damping.get("zeta", 0.0), damping.get("eta", 0.0), 4 * damping.get("mu", 0.0) / np.pi
+    d = 8 * damping.get("c_2", 0.0) / (3 * np.pi)
+    for F_0 in (0.0007, 0.0093, 0.0207, 0.3, 2.836):
+        for Omega in (0.5, 0.87, 0.969, 1.0, 1.3, 4.15):
+            force = F_0 if excitation == "force" else F_0 * Omega**2
+            states = one.amplitudes(Omega=Omega, F_0=F_0)
+            assert len(states) == 1 and not states.Omega_undecided.size
+            (A,) = states.A
+            R, I = A * (Omega**2 - alpha), 2 * zeta * A * Omega + eta * A + d * (A * Omega) ** 2 + m
+            assert np.hypot(R, I) == pytest.approx(force, rel=1e-13)

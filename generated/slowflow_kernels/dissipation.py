@@ -17,13 +17,14 @@ import numpy as np
 __all__ = [
     "F_A", "F_AA", "I_A", "MOVES", "F", "F_AOmega", "F_AOmegaOmega", "F_A_halved", "F_A_scaled", "F_Omega",
     "F_OmegaOmega", "I", "I_scaled", "Omega_A", "Omega_A_by_inertia", "R_of_fold", "R_of_peak", "R_of_response",
-    "at_rest", "beside", "cusp_bend", "cusp_bend_by_inertia", "cusps", "far", "far_by_inertia", "fold_quartic",
-    "folds", "folds_by_inertia", "full_by_inertia", "h_A_of_turn", "isola_bend", "isola_bend_by_inertia", "isolas",
-    "isolas_by_inertia", "least_F_A", "least_scaled", "limit_envelope", "moves_of_corner_backbone",
-    "moves_of_corner_end", "moves_of_corner_fold", "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp",
-    "moves_of_fold", "moves_of_isola", "moves_of_peak", "moves_of_phase", "moves_of_state", "peaks",
-    "peaks_by_inertia", "quadratic", "quadratic_bound", "released", "released_moves", "response_quartic", "rest",
-    "rest_moves", "restoring", "stability", "stiffness", "structural_bound", "turn_share", "turns",
+    "R_where_stationary", "at_rest", "beside", "cusp_bend", "cusp_bend_by_inertia", "cusps", "far",
+    "far_by_inertia", "fold_quartic", "folds", "folds_by_inertia", "full_by_inertia", "h_A_of_turn", "isola_bend",
+    "isola_bend_by_inertia", "isolas", "isolas_by_inertia", "least_F_A", "least_scaled", "limit_envelope",
+    "moves_of_corner_backbone", "moves_of_corner_end", "moves_of_corner_fold", "moves_of_corner_rest",
+    "moves_of_corner_top", "moves_of_cusp", "moves_of_fold", "moves_of_isola", "moves_of_peak", "moves_of_phase",
+    "moves_of_state", "peaks", "peaks_by_inertia", "quadratic", "quadratic_bound", "released", "released_moves",
+    "response_quartic", "rest", "rest_moves", "restoring", "stability", "stiffness", "structural_bound",
+    "turn_share", "turns",
 ]
 
 
@@ -473,6 +474,25 @@ def R_of_peak(Omega, A, zeta, d, I):
     Proved, error / u (1 + kappa): 1.51
     """
     return I * (-A * d - zeta / Omega)
+
+
+def R_where_stationary(x, A, I_0, zeta, d):
+    """Where a level by inertia is stationary, x = 1/Omega: what is not negative, lower and higher R/Omega^2.
+
+    Equation from (24). Domain: Omega >= 0, A > 0. Shape: 3 results, each the arguments that it depends on,
+    broadcast.
+    Operations: 74 structured, 20 common subexpressions, 20 power chains.
+    """
+    t0 = A * A
+    t1 = A * zeta
+    t2 = x * (I_0 * x + t1) * (I_0 * x * x + d * t0 + 2.0 * t1 * x)
+    t3 = t0 - 4.0 * t2
+    t4 = 0.5 * A + 0.5 * np.sqrt(t3)
+    return (
+        t3,
+        t2 / t4,
+        t4,
+    )
 
 
 def R_of_fold(Omega, h_A, I, I_A):

@@ -11,13 +11,14 @@ from slowflow_support.record import Mechanism
 __all__ = [
     "F_A", "F_AA", "I_A", "MOVES", "F", "F_AOmega", "F_AOmegaOmega", "F_A_halved", "F_A_scaled", "F_Omega",
     "F_OmegaOmega", "I", "I_scaled", "Omega_A", "Omega_A_by_inertia", "R_of_fold", "R_of_peak", "R_of_response",
-    "at_rest", "beside", "cusp_bend", "cusp_bend_by_inertia", "cusps", "far", "far_by_inertia", "fold_quartic",
-    "folds", "folds_by_inertia", "full_by_inertia", "h_A_of_turn", "isola_bend", "isola_bend_by_inertia", "isolas",
-    "isolas_by_inertia", "least_F_A", "least_scaled", "limit_envelope", "moves_of_corner_backbone",
-    "moves_of_corner_end", "moves_of_corner_fold", "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp",
-    "moves_of_fold", "moves_of_isola", "moves_of_peak", "moves_of_phase", "moves_of_state", "peaks",
-    "peaks_by_inertia", "quadratic", "quadratic_bound", "released", "released_moves", "response_quartic", "rest",
-    "rest_moves", "restoring", "stability", "stiffness", "structural_bound", "turn_share", "turns",
+    "R_where_stationary", "at_rest", "beside", "cusp_bend", "cusp_bend_by_inertia", "cusps", "far",
+    "far_by_inertia", "fold_quartic", "folds", "folds_by_inertia", "full_by_inertia", "h_A_of_turn", "isola_bend",
+    "isola_bend_by_inertia", "isolas", "isolas_by_inertia", "least_F_A", "least_scaled", "limit_envelope",
+    "moves_of_corner_backbone", "moves_of_corner_end", "moves_of_corner_fold", "moves_of_corner_rest",
+    "moves_of_corner_top", "moves_of_cusp", "moves_of_fold", "moves_of_isola", "moves_of_peak", "moves_of_phase",
+    "moves_of_state", "peaks", "peaks_by_inertia", "quadratic", "quadratic_bound", "released", "released_moves",
+    "response_quartic", "rest", "rest_moves", "restoring", "stability", "stiffness", "structural_bound",
+    "turn_share", "turns",
 ]
 
 MOVES: tuple[Any, ...]
@@ -49,6 +50,7 @@ def turn_share(x: Any, A: Any, I_0: Any, I_0A: Any, zeta: Any, d: Any) -> Any: .
 def F_A_halved(R: Any, R_A: Any, I: Any, I_A: Any) -> Any: ...
 def R_of_response(F_0: Any, I: Any) -> Any: ...
 def R_of_peak(Omega: Any, A: Any, zeta: Any, d: Any, I: Any) -> Any: ...
+def R_where_stationary(x: Any, A: Any, I_0: Any, zeta: Any, d: Any) -> tuple[Any, Any, Any]: ...
 def R_of_fold(Omega: Any, h_A: Any, I: Any, I_A: Any) -> Any: ...
 def h_A_of_turn(Omega: Any, A: Any, R: Any, beside: Any) -> Any: ...
 def least_F_A(A: Any, k: Any, I: Any, I_A: Any) -> Any: ...

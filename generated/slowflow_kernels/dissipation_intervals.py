@@ -32,6 +32,7 @@ __all__ = [
     "R_of_fold",
     "R_of_peak",
     "R_of_response",
+    "R_where_stationary",
     "released",
     "rest",
     "stiffness",
@@ -149,6 +150,23 @@ def R_of_peak(Omega, A, zeta, d, I):
     """
     return (
         I * (-A * d - zeta / Omega)
+    )
+
+
+def R_where_stationary(x, A, I_0, zeta, d):
+    """Where a level by inertia is stationary, x = 1/Omega: what is not negative, lower and higher R/Omega^2.
+
+    Equation from (24). Domain: Omega >= 0, A > 0.
+    """
+    t0 = A.square()
+    t1 = A * zeta
+    t2 = x * (I_0 * x + t1) * (I_0 * x.square() + d * t0 + 2.0 * t1 * x)
+    t3 = t0 - 4.0 * t2
+    t4 = 0.5 * A + 0.5 * t3.sqrt()
+    return (
+        t3,
+        t2 / t4,
+        t4,
     )
 
 

@@ -278,6 +278,13 @@ def searched_kernels(of: Dissipation) -> list[Kernel]:
         (of.F_A_halved, "F_A_halved", (R, R_A, I, I_A), "F_A/2 by R, I and their slopes.", "(30)"),
         (of.R_of_response, "R_of_response", (F_0, I), "The size of R where F = 0.", "(24)"),
         (of.R_of_peak, "R_of_peak", (Omega, A, zeta, d, I), "R where F_Omega = 0.", "from (24)"),
+        (
+            of.R_where_stationary,
+            "R_where_stationary",
+            (x, A, I_0, zeta, d),
+            "Where a level by inertia is stationary, x = 1/Omega: what is not negative, lower and higher R/Omega^2.",
+            "from (24)",
+        ),
         (of.R_of_fold, "R_of_fold", (Omega, h_A, I, I_A), "R where F_A = 0.", "from (30)"),
         (
             of.h_A_of_turn,

@@ -217,6 +217,18 @@ def far_by_inertia(x, A, F_0, I_0, zeta, d, h):
     return [level_of_laws(w, A, I_0, zeta, d, h) - F_0**2, -(w**3) / 4 * slope - w * grows, grows]
 
 
+def stationary_R(x, A, I_0, zeta, d):
+    """R/Omega^2 at both h for which the slope of the level vanishes: in h that is a parabola."""
+    w = 1 / x
+
+    def slope(h):
+        return mp.diff(lambda v: level_of_laws(v, A, I_0, zeta, d, h), w)
+
+    below, at, above = (slope(mpf(h)) for h in (-1, 0, 1))
+    lower, higher = sorted(A + h * x**2 for h in mp.polyroots([(below + above) / 2 - at, (above - below) / 2, at]))
+    return [(higher - lower) ** 2, lower, higher]
+
+
 def far_balances(x, A, I_0, I_0A, zeta, d, h, h_A):
     """R, R_A, I and I_A over Omega^2 at Omega = 1/x."""
     w, force = 1 / x, near(A, [h, h_A])
@@ -462,6 +474,7 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
     "least_scaled": ("Omega zeta eta d h_AA", least_from_rest),
     "Omega_A_by_inertia": (names := "Omega A I_0 I_0A zeta d h h_A", frequency_by_inertia(names)),
     "far_by_inertia": ("x A F_0 I_0 zeta d h", far_by_inertia),
+    "R_where_stationary": ("x A I_0 zeta d", stationary_R),
     "cusp_bend_by_inertia": (
         names := "Omega A I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA",
         cusp_by_inertia(names),
@@ -505,6 +518,8 @@ def dissipation_table(rng: random.Random) -> dict:
                 x[0] += x[-1]
             elif kernel == "R_of_response":  # I < F_0
                 x[1] *= 0.25
+            elif kernel == "R_where_stationary":  # far from rest
+                x[0] *= 0.125
             elif kernel == "R_of_fold":  # Omega^2 + h_A > 0 on boxes too
                 x[1] = abs(x[1])
         table[kernel] = [entry(f, x) for x in chosen]

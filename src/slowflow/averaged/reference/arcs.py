@@ -29,7 +29,7 @@ class Kind(Enum):
     CUT = "all end: an end of the range, or a jump"
     PAIR_LOW = "the two lowest of the richer side meet"
     PAIR_HIGH = "the two highest meet"
-    TO_ZERO = "the lowest of the richer side ends at Omega = 0"
+    TO_ZERO = "the lowest of the richer side ends at Omega = 0; of sides as rich as each other both do, and meet"
     TO_INFINITY = "the highest of the richer side ends at Omega = inf"
 
 
@@ -254,7 +254,8 @@ class Graph:
             self._meet(pair, rich_end, pair + 1, rich_end)
         for i in range(fewer):
             other = first_rich + (i if i < gone else i + lost)
-            Omega = self._ends[k, fewer][i]
+            at_rest = i == lost == 0 and event.kind == Kind.TO_ZERO
+            Omega = 0.0 if at_rest else self._ends[k, fewer][i]
             self._end(first_poor + i, 1 - rich_end, event.A, Omega)
             self._end(other, rich_end, event.A, Omega)
             self._meet(first_poor + i, 1 - rich_end, other, rich_end)

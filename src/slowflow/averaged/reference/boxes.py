@@ -196,7 +196,7 @@ class Searched:
             found |= self._rises(cells, I_A, Omega) | self._far(known, Omega)
         found |= self._slides(cells, known, I_A)
         if self.system in INERTIAL:
-            found |= self._far_by_inertia(known, Omega)
+            found |= self._far_by_inertia(known, Omega) | self._has_none_by_inertia(known, Omega)
         if self.system == "peaks_by_inertia":
             found |= self._far_from_peaks(cells, Omega)
         return np.asarray(found)
@@ -227,6 +227,35 @@ class Searched:
             found |= (stays.lo > 0) | (stays.lo + Omega.lo * np.maximum(grows.lo, 0.0) > 2.0**-40 * np.abs(stays.lo))
             found |= (stays.hi < 0) & (self.model.zeta * self.model.d == 0)
         return found
+
+    def _has_none_by_inertia(self, known: dict[str, Interval], Omega: Interval) -> Bools:
+        """Whether F, or F_A, has one sign at each R that what else vanishes leaves, all over powers of Omega.
+
+        Next to Omega = 0 that tells where h = 0, too. Where damping is weak the lower R of a stationary level is next
+        to nothing: boxes along the backbone are told apart by I alone.
+        """
+        x = 1.0 / Omega
+        names = ("A", "I_0", "I_0A", "zeta", "d", "h", "h_A")
+        R, R_A, lag, I_A = dissipation_intervals.far(x, *(known[name] for name in names))
+        force = Interval.point(self.F_0)
+        if self.system in FORCED:
+            lag = lag.both(Interval(np.array((-force.hi, force.hi)) + 0.0 * lag.ends))
+        if self.system in FOLDED:
+            one = Interval.point(1.0)
+            R = R.both(dissipation_intervals.R_of_fold(one, x.square() * known["h_A"], lag, I_A))
+        found, left = np.zeros(Omega.lo.shape, dtype=bool), [R]
+        if self.system in STATIONARY:
+            rest = (known[name] for name in ("A", "I_0", "zeta", "d"))
+            square, *either = dissipation_intervals.R_where_stationary(x, *rest)
+            found, left = square.hi < 0, [R.both(one) for one in either]
+        none = np.ones(Omega.lo.shape, dtype=bool)
+        for one in left:
+            if self.system in FORCED:
+                value = one.square() + lag.square() - force.square()
+            else:
+                value = dissipation_intervals.F_A_halved(one, R_A, lag, I_A)
+            none &= (one.lo > one.hi) | value.has_sign
+        return np.asarray(found | none | (lag.lo > lag.hi))
 
     def _far_from_peaks(self, cells: Cells, Omega: Interval) -> Bools:
         """Whether there is no peak on boxes that reach down to A = 0, by what both functions are over A^2."""
@@ -359,7 +388,8 @@ def _first_boxes(searched: Searched, pieces: Sequence[Stretch], most: float) -> 
     for number, piece in enumerate(pieces):
         first, last = piece.first.A[0], piece.last.A[0]
         if first == 0:
-            nodes = np.concatenate(([0.0], last * 0.25 ** np.arange(ORDERS, -1, -1)))
+            # bounds are a forcing times a power of 2: static states of a linear spring would lie on the edges of two
+            nodes = np.concatenate(([0.0], last * (0.5 * ASKEW) ** np.arange(ORDERS, -1, -1)))
         else:
             nodes = np.array([first, last])
             for _ in range(2):

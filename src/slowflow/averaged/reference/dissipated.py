@@ -16,14 +16,16 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from slowflow.averaged.reference.along import Rest
 from slowflow.averaged.reference.arcs import Event, Ints, Kind, merged
 from slowflow.averaged.reference.boxes import Points, points_of, slopes_at
-from slowflow.averaged.reference.cells import cells_of, samples_at, stretches_up_to
+from slowflow.averaged.reference.cells import Stretch, cells_of, samples_at, stretches_up_to
 from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.averaged.reference.inertia import intervals_beyond
+from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow_kernels import dissipation, inertia, slow_flow
-from slowflow_kernels.conventions import ENDLESS
+from slowflow_kernels.conventions import ENDLESS, HARDLY
 
 Bools = NDArray[np.bool_]
 
@@ -192,29 +194,41 @@ def most_restoring(model: Model, F_0: float, rungs: Floats) -> tuple[Floats, flo
 
 
 def bound_by_inertia(model: Model, F_0: float, rungs: Floats) -> float | None:
-    """The same under an excitation by inertia, by quadratic or structural damping; None where none is known."""
+    """The same under an excitation by inertia, by damping or as nothing pulls back; None where none is known.
+
+    Where h >= 0 from an amplitude above F_0 on, as of a softening spring, R >= A Omega^2 exceeds F_0 Omega^2.
+    """
     found = [np.inf]
     if model.d > 0:
         found.append(2 * float(dissipation.quadratic_bound(F_0, model.d)))
     eta = model.laws.eta
-    if eta > 0 and model.mechanism.enclosed is None:
+    if model.mechanism.enclosed is None:
         at, far = samples_at(model, rungs), samples_at(model, ENDLESS * np.maximum(rungs, 1.0))
-        steepest = np.abs(cells_of(model, at, far).h_A.ends).max(axis=0)
-        holds = np.all([one > 0 for one in dissipation.structural_bound(rungs, F_0, eta, at.h, steepest)], axis=0)
+        slope = cells_of(model, at, far).h_A
+        holds = (rungs > F_0) & (at.h >= 0) & (slope.lo >= 0)
+        if eta > 0:
+            steepest = np.abs(slope.ends).max(axis=0)
+            by_eta = dissipation.structural_bound(rungs, F_0, eta, at.h, steepest)
+            holds |= np.all([one > 0 for one in by_eta], axis=0)
         found.append(float(rungs[np.argmax(holds)]) if holds.any() else np.inf)
-    elif eta > 0:
+    else:
         nodes = intervals_beyond(model, rungs)
         low = nodes[:-1]
-        most = np.abs(enclosed(model, low, nodes[1:])[0].ends).max(axis=0)
-        excluded = dissipation.structural_bound(low, F_0, eta, most, 0.0)[0] > 0
+        h, _ = enclosed(model, low, nodes[1:])
+        excluded = (low > F_0) & (h.lo >= 0)
+        if eta > 0:
+            excluded |= dissipation.structural_bound(low, F_0, eta, np.abs(h.ends).max(axis=0), 0.0)[0] > 0
         beyond = low[np.logical_and.accumulate(excluded[::-1])[::-1]]
         found.append(float(np.min(rungs[np.isin(rungs, beyond)], initial=np.inf)))
     least = min(found)
     return least if least < np.inf else None
 
 
-def response_events(model: Model, F_0: float, A_max: float) -> list[Event]:
-    """Where the number of frequencies of the response may change, by rising A: peaks, static states, breakpoints."""
+def response_events(model: Model, F_0: float, A_max: float) -> tuple[list[Event], bool]:
+    """Where the number of frequencies of the response may change, by rising A: peaks, static states, breakpoints.
+
+    And whether doubles leave open if there are more.
+    """
     if model.inertial:
         return _events_of_inertia(model, F_0, A_max)
     pieces = stretches_up_to(model, A_max)
@@ -238,26 +252,56 @@ def response_events(model: Model, F_0: float, A_max: float) -> list[Event]:
         found += sorted(inside, key=lambda event: event.A)
         if number + 1 < len(pieces):
             found.append(Event(float(piece.last.A[0]), 0.0, Kind.THROUGH))
-    return merged([*found, Event(A_max, 0.0, Kind.CUT)])
+    return merged([*found, Event(A_max, 0.0, Kind.CUT)]), peaks.undecided or static.undecided
 
 
-def _events_of_inertia(model: Model, F_0: float, A_max: float) -> list[Event]:
+def _events_of_inertia(model: Model, F_0: float, A_max: float) -> tuple[list[Event], bool]:
     """The same under an excitation by inertia, which leaves none at rest: a frequency comes from inf."""
     pieces = stretches_up_to(model, A_max)
     peaks = points_of(model, "peaks_by_inertia", pieces, F_0)
     full = float(dissipation.full_by_inertia(F_0, model.d))
-    c = _Quartics(model, F_0, np.array([full])).c
-    falls = bool(c[1][0] == 0 and c[2][0] < 0)
-    inside = [Event(full, np.inf, Kind.TO_INFINITY, 1 if falls else -1)]
     with np.errstate(all="ignore"):
         rises, bends = model.F_A(peaks.Omega, peaks.A) > 0, _bends(model, peaks, F_0)
+    falls = _falls_from_infinity(model, F_0, full, peaks.Omega[bends])
+    inside = [Event(full, np.inf, Kind.TO_INFINITY, 1 if falls else -1)]
     for A, Omega, up, low in zip(peaks.A.tolist(), peaks.Omega.tolist(), rises.tolist(), bends.tolist(), strict=True):
         gain = 2 if up == low else -2
         inside.append(Event(A, Omega, Kind.PAIR_HIGH if low else Kind.PAIR_LOW, gain))
     inside += [Event(float(piece.last.A[0]), 0.0, Kind.THROUGH) for piece in pieces[:-1]]
+    if model.zeta == model.m == model.laws.eta == 0:
+        inside += _where_nothing_pulls(model, F_0, pieces)
     inside.sort(key=lambda event: event.A)
     start = float(inertia.moves_from(F_0, model.m))
-    return [Event(0.0, start, Kind.CUT), *inside, Event(A_max, 0.0, Kind.CUT)]
+    return [Event(0.0, start, Kind.CUT), *inside, Event(A_max, 0.0, Kind.CUT)], peaks.undecided
+
+
+def _where_nothing_pulls(model: Model, F_0: float, pieces: list[Stretch]) -> list[Event]:
+    """By quadratic damping alone: where h = 0 frequencies come from 0, as all but h falls with Omega^2.
+
+    Next to there h/Omega^2 is -A -+ r with r^2 = F_0^2 - (d A^2)^2: both on one side, or one on either.
+    """
+    zeros = find_zeros(model, [Rest(model, 0.0)], [piece for piece in pieces if piece.has_force])[0]
+    found = []
+    for A, rising in zip(zeros.A[zeros.channel == 0].tolist(), zeros.rising[zeros.channel == 0].tolist(), strict=True):
+        beyond = dissipation.far_by_inertia(0.0, A, F_0, 0.0, 0.0, model.d, 0.0)[0]  # A^2 - r^2
+        if beyond < 0:
+            found.append(Event(A, 0.0, Kind.TO_ZERO))
+        elif beyond < A**2:
+            found.append(Event(A, 0.0, Kind.PAIR_LOW, -2 if rising else 2))
+    return found
+
+
+def _falls_from_infinity(model: Model, F_0: float, full: float, meet: Floats) -> bool:
+    """Whether above the amplitude that the response tends to there is one more frequency than below, not one less.
+
+    There F over Omega^4 is x (c_1 + c_2 x) next to x = 0, c_1 >= 0. For c_2 < 0 a pair meets at x = -c_1/(2 c_2), at
+    an amplitude that is lower by c_1^2/|c_2| over F_0^2, or less: next to nothing where damping is weak.
+
+    meet -- frequencies at which a higher pair is known to meet
+    """
+    _, c_1, c_2, *_ = (float(one[0]) for one in _Quartics(model, F_0, np.array([full])).c)
+    hardly_lower = c_2 < 0 and c_1**2 <= HARDLY * -c_2 * F_0**2
+    return hardly_lower and not (c_1 * meet > -c_2).any()
 
 
 def _bends(model: Model, peaks: Points, F_0: float) -> Bools:

@@ -301,7 +301,8 @@ def _consider_boxes(model: Model, pieces: list[Stretch], best: _Best) -> None:
     """The same by other laws of damping; a least level that is none is no lower than the one of its curve.
 
     Only what lies below the best so far is looked for: next to u_cr, where friction ends and I falls, F_A and F_AA are
-    nearly proportional on boxes that reach down to it.
+    nearly proportional on boxes that reach down to it, and far above the cusps isola points may be too badly
+    conditioned for boxes.
     """
     _check_not_degenerate(model, pieces)
     if not model.inertial:  # at Omega = 0 the level is infinite
@@ -313,10 +314,20 @@ def _consider_boxes(model: Model, pieces: list[Stretch], best: _Best) -> None:
         )  # of the two that end the locus h vanishes, and so R: I is what is left
         best.consider_ends(model, ends.A[~balanced], model.level(0.0, ends.A[~balanced]))
         best.rest = float(np.min(model.at_rest(ends.A[balanced])[0], initial=best.rest))
-    for system, kind in ((dissipated.isolas_of(model), "isola"), ("cusps", "cusp")):
+
+    def consider(system: str, kind: str) -> None:
         points = points_of(model, system, pieces, most=best.F_SN)
         best.undecided |= points.undecided
         best.consider(model.level(points.Omega, points.A), points.Omega, points.A, kind)
+
+    isolas = dissipated.isolas_of(model)
+    try:
+        consider(isolas, "isola")
+    except ArithmeticError:  # fewer levels are asked for once the cusps are known
+        consider("cusps", "cusp")
+        consider(isolas, "isola")
+    else:
+        consider("cusps", "cusp")
 
 
 def _check_not_degenerate(model: Model, pieces: list[Stretch]) -> None:

@@ -57,18 +57,20 @@ class Skeleton:
 
     curves -- each a list of (segment, upward): segments in order along the curve, and whether A rises along it
     closed -- for each curve whether it is an isola
+    undecided -- whether doubles leave open how many states or folds there are
     """
 
     roots: Along
     folds: SaddleNodes
     curves: list[list[tuple[Segment, bool]]]
     closed: list[bool]
+    undecided: bool
     message: str
 
     @property
     def remarks(self) -> Remark:
         """Of a curve."""
-        return words.beside(Remark.UNDECIDED in self.folds.remarks, self.message)
+        return words.beside(self.undecided, self.message)
 
     @property
     def segments(self) -> list[Segment]:
@@ -79,10 +81,11 @@ class Skeleton:
 def skeleton(model: Model, F_0: float) -> Skeleton:
     """Segments and how they hang together, for F_0 > m; kept, as states at one frequency after another ask for it."""
     A_max, remark = amplitude_bound(model, F_0)
-    roots, events = _along(model, F_0)
+    roots, events_up_to = _along(model, F_0)
     folds = saddle_nodes(model, F_0)
     try:
-        graph = Graph(roots, events(model, F_0, A_max))
+        events, undecided = events_up_to(model, F_0, A_max)
+        graph = Graph(roots, events)
     except ArithmeticError as failure:
         raise ArithmeticError(words.unresolved(model, F_0)) from failure
     on_arc = _arcs_of_folds(roots, graph, folds)
@@ -95,11 +98,13 @@ def skeleton(model: Model, F_0: float) -> Skeleton:
             parts = [Segment(arc.index, arc.count, low, high) for low, high in pairwise(corners)]
             curve += [(part, upward) for part in (parts if upward else parts[::-1])]
         curves.append(curve)
-    return Skeleton(roots, folds, _with_stability(roots, curves), [tour.closed for tour in graph.tours], remark)
+    undecided |= Remark.UNDECIDED in folds.remarks
+    closed = [tour.closed for tour in graph.tours]
+    return Skeleton(roots, folds, _with_stability(roots, curves), closed, undecided, remark)
 
 
-def _along(model: Model, F_0: float) -> tuple[Along, Callable[[Model, float, float], list[Event]]]:
-    """The frequencies along the amplitude, and what gives the events up to one."""
+def _along(model: Model, F_0: float) -> tuple[Along, Callable[[Model, float, float], tuple[list[Event], bool]]]:
+    """The frequencies along the amplitude, and what gives the events up to one, and whether doubles leave some open."""
     if model.laws.any:
         return dissipated.Roots(model, F_0), dissipated.response_events
     if model.inertial:
@@ -107,7 +112,7 @@ def _along(model: Model, F_0: float) -> tuple[Along, Callable[[Model, float, flo
     return Roots(model, F_0), _events
 
 
-def _events(model: Model, F_0: float, A_max: float) -> list[Event]:
+def _events(model: Model, F_0: float, A_max: float) -> tuple[list[Event], bool]:
     """Where the number of roots may change, by rising A: peaks, static states, breakpoints."""
     pieces = stretches_up_to(model, A_max)
     peaks, static = find_zeros(model, [Peak(model, F_0), Rest(model, F_0)], pieces)
@@ -130,10 +135,10 @@ def _events(model: Model, F_0: float, A_max: float) -> list[Event]:
         found += sorted(inside, key=lambda event: event.A)
         if number + 1 < len(pieces):
             found.append(Event(float(piece.last.A[0]), 0.0, Kind.THROUGH))
-    return merged([*found, Event(A_max, 0.0, Kind.CUT)])
+    return merged([*found, Event(A_max, 0.0, Kind.CUT)]), peaks.undecided or static.undecided
 
 
-def _events_of_inertia(model: Model, F_0: float, A_max: float) -> list[Event]:
+def _events_of_inertia(model: Model, F_0: float, A_max: float) -> tuple[list[Event], bool]:
     """The same for an excitation by inertia: peaks, breakpoints, and A = F_0, where a frequency comes from inf."""
     pieces, at = stretches_up_to(model, A_max), np.array([F_0])
     (peaks,) = find_zeros(model, [InertiaPeak(model, F_0)], pieces)
@@ -144,7 +149,7 @@ def _events_of_inertia(model: Model, F_0: float, A_max: float) -> list[Event]:
     inside += [Event(float(piece.last.A[0]), 0.0, Kind.THROUGH) for piece in pieces[:-1]]
     inside.sort(key=lambda event: event.A)
     start = inertia.Roots(model, F_0).start()
-    return [Event(0.0, start, Kind.CUT), *inside, Event(A_max, 0.0, Kind.CUT)]
+    return [Event(0.0, start, Kind.CUT), *inside, Event(A_max, 0.0, Kind.CUT)], peaks.undecided
 
 
 def _arcs_of_folds(roots: Along, graph: Graph, folds: SaddleNodes) -> dict[int, list[tuple[float, float]]]:
@@ -420,7 +425,7 @@ def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     at, A, stable = states_at(found, Omega)
     with np.errstate(all="ignore"):
         in_doubt = doubt.is_at_fold(model, F_0, Omega, found.folds.Omega, found.folds.A)
-    undecided = Omega if Remark.UNDECIDED in found.folds.remarks else Omega[in_doubt]
+    undecided = Omega if found.undecided else Omega[in_doubt]
     message = joined(found.message, words.without_a_state(np.setdiff1d(Omega, undecided), at))
     message = joined(message, words.sticks_below(model, F_0, Omega))
     message = joined(message, words.undecided_at(undecided))
