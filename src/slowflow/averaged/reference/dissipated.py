@@ -1,8 +1,8 @@
-"""Other laws of damping: in go a model and a forcing, out come frequencies at an amplitude, events, bounds.
+"""Other laws of damping: in go a model and a forcing, out come frequencies at an amplitude, bounds.
 
 With I = I_0(A) + 2 zeta A Omega + d (A Omega)^2, F and F_A/2 are quartics in Omega whose coefficients of Omega, Omega^3
 and Omega^4 are not negative (derivations/dissipation.py): they have at most two positive critical points, a maximum w1
-and then a minimum w2, and are monotone between. Where the number of roots changes along the amplitude, `boxes` finds.
+and then a minimum w2, and are monotone between. Where their number changes along the amplitude `dissipated_points` has.
 
 Under an excitation by inertia F has -F_0^2 Omega^4 in the place of -F_0^2: over Omega^4 it is such a quartic in
 x = 1/Omega, with the same coefficients the other way round. Its root that comes from x = 0, Omega = inf, is there below
@@ -16,16 +16,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.averaged.reference.along import Rest
-from slowflow.averaged.reference.arcs import Event, Ints, Kind, merged
-from slowflow.averaged.reference.boxes import Points, points_of, slopes_at
-from slowflow.averaged.reference.cells import Stretch, cells_of, samples_at, stretches_up_to
+from slowflow.averaged.reference.arcs import Event, Ints, Kind
+from slowflow.averaged.reference.cells import cells_of, samples_at
 from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.averaged.reference.inertia import intervals_beyond
-from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import THROUGHOUT, Floats, Model
-from slowflow_kernels import dissipation, inertia, slow_flow
-from slowflow_kernels.conventions import ENDLESS, HARDLY
+from slowflow_kernels import dissipation, slow_flow
+from slowflow_kernels.conventions import ENDLESS
 
 Bools = NDArray[np.bool_]
 
@@ -42,23 +39,23 @@ class Roots:
 
     def count(self, A: Floats) -> Ints:
         """How many there are at each amplitude."""
-        return np.asarray(_Quartics(self.model, self.F_0, A).shown.sum(axis=0), dtype=np.intp)
+        return np.asarray(Quartics(self.model, self.F_0, A).shown.sum(axis=0), dtype=np.intp)
 
     def at(self, A: Floats, count: Ints, index: Ints) -> Floats:
         """Number `index` of `count` at each amplitude; where rounding hides a pair, the place where it meets."""
-        return _Quartics(self.model, self.F_0, A).roots(count, index)
+        return Quartics(self.model, self.F_0, A).roots(count, index)
 
     def lower_pair(self, event: Event) -> tuple[bool, float]:
         """Whether the lower pair of roots meets at an event, and where."""
         if event.kind in (Kind.PAIR_LOW, Kind.PAIR_HIGH):
             return event.kind == Kind.PAIR_LOW, event.Omega
-        one = _Quartics(self.model, self.F_0, np.array([event.A]))
+        one = Quartics(self.model, self.F_0, np.array([event.A]))
         first = bool(one.w1[0] > 0 and abs(one.f1[0]) < abs(one.f2[0]))
         w = float(one.w1[0] if first else one.w2[0])
         return (not first, 1 / w) if one.by_x else (first, w)
 
 
-class _Quartics:
+class Quartics:
     """The quartic of each amplitude: its coefficients c, its critical points w1 <= w2 or NaN, its values there.
 
     beyond -- as in `Model.at_rest`
@@ -224,179 +221,9 @@ def bound_by_inertia(model: Model, F_0: float, rungs: Floats) -> float | None:
     return least if least < np.inf else None
 
 
-def response_events(model: Model, F_0: float, A_max: float) -> tuple[list[Event], bool]:
-    """Where the number of frequencies of the response may change, by rising A: peaks, static states, breakpoints.
-
-    And whether doubles leave open if there are more.
-    """
-    if model.inertial:
-        return _events_of_inertia(model, F_0, A_max)
-    pieces = stretches_up_to(model, A_max)
-    peaks, static = points_of(model, "peaks", pieces, F_0), points_of(model, "rest", pieces, F_0)
-    found = [Event(0.0, np.inf, Kind.CUT)]
-    with np.errstate(all="ignore"):
-        rises, bends = model.F_A(peaks.Omega, peaks.A) > 0, _F_OmegaOmega(model, peaks.Omega, peaks.A) < 0
-        at_rest = model.F_A(0.0, static.A) > 0
-        coefficients = _Quartics(model, F_0, static.A).c
-        # where F falls from Omega = 0 on, it is a second root that comes from there
-        second = (coefficients[1] == 0) & (coefficients[2] < 0)
-    for number, piece in enumerate(pieces):
-        inside = []
-        for i in np.flatnonzero(peaks.piece == number):
-            up = 1 if rises[i] else -1
-            kind, gain = (Kind.PAIR_LOW, 2 * up) if bends[i] else (Kind.PAIR_HIGH, -2 * up)
-            inside.append(Event(float(peaks.A[i]), float(peaks.Omega[i]), kind, gain))
-        for i in np.flatnonzero(static.piece == number):
-            up = 1 if at_rest[i] else -1
-            inside.append(Event(float(static.A[i]), 0.0, Kind.TO_ZERO, up if second[i] else -up))
-        found += sorted(inside, key=lambda event: event.A)
-        if number + 1 < len(pieces):
-            found.append(Event(float(piece.last.A[0]), 0.0, Kind.THROUGH))
-    return merged([*found, Event(A_max, 0.0, Kind.CUT)]), peaks.undecided or static.undecided
-
-
-def _events_of_inertia(model: Model, F_0: float, A_max: float) -> tuple[list[Event], bool]:
-    """The same under an excitation by inertia, which leaves none at rest: a frequency comes from inf."""
-    pieces = stretches_up_to(model, A_max)
-    peaks = points_of(model, "peaks_by_inertia", pieces, F_0)
-    full = float(dissipation.full_by_inertia(F_0, model.d))
-    with np.errstate(all="ignore"):
-        rises, bends = model.F_A(peaks.Omega, peaks.A) > 0, _bends(model, peaks, F_0)
-    falls = _falls_from_infinity(model, F_0, full, peaks.Omega[bends])
-    inside = [Event(full, np.inf, Kind.TO_INFINITY, 1 if falls else -1)]
-    for A, Omega, up, low in zip(peaks.A.tolist(), peaks.Omega.tolist(), rises.tolist(), bends.tolist(), strict=True):
-        gain = 2 if up == low else -2
-        inside.append(Event(A, Omega, Kind.PAIR_HIGH if low else Kind.PAIR_LOW, gain))
-    inside += [Event(float(piece.last.A[0]), 0.0, Kind.THROUGH) for piece in pieces[:-1]]
-    if model.zeta == model.m == model.laws.eta == 0:
-        inside += _where_nothing_pulls(model, F_0, pieces)
-    inside.sort(key=lambda event: event.A)
-    start = float(inertia.moves_from(F_0, model.m))
-    return [Event(0.0, start, Kind.CUT), *inside, Event(A_max, 0.0, Kind.CUT)], peaks.undecided
-
-
-def _where_nothing_pulls(model: Model, F_0: float, pieces: list[Stretch]) -> list[Event]:
-    """By quadratic damping alone: where h = 0 frequencies come from 0, as all but h falls with Omega^2.
-
-    Next to there h/Omega^2 is -A -+ r with r^2 = F_0^2 - (d A^2)^2: both on one side, or one on either.
-    """
-    zeros = find_zeros(model, [Rest(model, 0.0)], [piece for piece in pieces if piece.has_force])[0]
-    found = []
-    for A, rising in zip(zeros.A[zeros.channel == 0].tolist(), zeros.rising[zeros.channel == 0].tolist(), strict=True):
-        beyond = dissipation.far_by_inertia(0.0, A, F_0, 0.0, 0.0, model.d, 0.0)[0]  # A^2 - r^2
-        if beyond < 0:
-            found.append(Event(A, 0.0, Kind.TO_ZERO))
-        elif beyond < A**2:
-            found.append(Event(A, 0.0, Kind.PAIR_LOW, -2 if rising else 2))
-    return found
-
-
-def _falls_from_infinity(model: Model, F_0: float, full: float, meet: Floats) -> bool:
-    """Whether above the amplitude that the response tends to there is one more frequency than below, not one less.
-
-    There F over Omega^4 is x (c_1 + c_2 x) next to x = 0, c_1 >= 0. For c_2 < 0 a pair meets at x = -c_1/(2 c_2), at
-    an amplitude that is lower by c_1^2/|c_2| over F_0^2, or less: next to nothing where damping is weak.
-
-    meet -- frequencies at which a higher pair is known to meet
-    """
-    _, c_1, c_2, *_ = (float(one[0]) for one in _Quartics(model, F_0, np.array([full])).c)
-    hardly_lower = c_2 < 0 and c_1**2 <= HARDLY * -c_2 * F_0**2
-    return hardly_lower and not (c_1 * meet > -c_2).any()
-
-
-def _bends(model: Model, peaks: Points, F_0: float) -> Bools:
-    """Whether F has a maximum over Omega at these peaks."""
-    if not model.inertial:
-        return np.asarray(_F_OmegaOmega(model, peaks.Omega, peaks.A) < 0)
-    # F_OmegaOmega is -4/Omega times that of the second function by Omega
-    return np.asarray(slopes_at(model, "peaks_by_inertia", peaks, F_0)[3] > 0)
-
-
-@dataclass(frozen=True)
-class Stations:
-    """What happens along the fold locus, by rising A."""
-
-    found: list[Event]
-
-    @classmethod
-    def of(cls, model: Model, A_max: float) -> Stations:
-        """Up to an amplitude."""
-        pieces = [piece for piece in stretches_up_to(model, A_max) if piece.has_force]
-        stiffness, cusps, isolas, turns = (
-            points_of(model, system, pieces) for system in ("stiffness", "cusps", isolas_of(model), "turns")
-        )
-        with np.errstate(all="ignore"):
-            low, rising = _F_AOmegaOmega(model, turns.Omega, turns.A) < 0, model.F_AA(turns.Omega, turns.A) > 0
-        found: list[Event] = []
-        for number, piece in enumerate(pieces):
-            inside = [
-                Event(float(points.A[i]), float(points.Omega[i]), Kind.THROUGH)
-                for points in (cusps, isolas)
-                for i in np.flatnonzero(points.piece == number)
-            ]
-            inside += [
-                Event(float(stiffness.A[i]), 0.0, Kind.TO_ZERO) for i in np.flatnonzero(stiffness.piece == number)
-            ]
-            for i in np.flatnonzero(turns.piece == number):
-                kind, gain = (Kind.PAIR_LOW if low[i] else Kind.PAIR_HIGH), 2 if rising[i] == low[i] else -2
-                inside.append(Event(float(turns.A[i]), float(turns.Omega[i]), kind, gain))
-            first = piece.base if number == 0 else float(np.nextafter(piece.base, np.inf))
-            ends = (Event(A, 0.0, Kind.CUT) for A in (first, float(piece.last.A[0])))
-            found += [next(ends), *sorted(inside, key=lambda event: event.A), next(ends)]
-        return cls(merged(found))
-
-    def events(self) -> list[Event]:
-        """By rising A."""
-        return self.found
-
-
-def is_top(model: Model, peaks: Points, F_0: float) -> Bools:
-    """Whether two frequencies that are there below these peaks meet in them."""
-    with np.errstate(all="ignore"):
-        return np.asarray((model.F_A(peaks.Omega, peaks.A) > 0) != _bends(model, peaks, F_0))
-
-
-def isolas_of(model: Model) -> str:
-    """The system of isola points, where the level of the excitation is stationary."""
-    return "isolas_by_inertia" if model.inertial else "isolas"
-
-
-def rises_from_rest(model: Model, A: Floats) -> Bools:
-    """Whether the level rises with Omega from Omega = 0 on at these amplitudes, or F at least does not fall."""
-    I_0 = model.at_rest(A)[0]
-    return np.asarray((model.zeta * I_0 > 0) | (_F_OmegaOmega(model, np.zeros_like(A), A) >= 0))
-
-
-def is_minimum(model: Model, Omega: Floats, A: Floats) -> Bools:
-    """Whether the level has a minimum along the fold locus at these cusps."""
-    kernel = dissipation.cusp_bend_by_inertia if model.inertial else dissipation.cusp_bend
-    bend = kernel(Omega, A, *model.at_rest(A), model.zeta, model.d, *model.averaged(A))
-    return np.asarray(bend > 0)
-
-
-def at_isola(model: Model, Omega: Floats, A: Floats) -> tuple[Bools, Bools]:
-    """Whether F has a saddle at these isola points, and whether the level has a minimum along the fold locus."""
-    rest, known = model.at_rest(A)[:3], model.averaged(A)[:3]
-    kernel = dissipation.isola_bend_by_inertia if model.inertial else dissipation.isola_bend
-    determinant, bend = kernel(Omega, A, *rest, model.zeta, model.d, *known)
-    return np.asarray(determinant < 0), np.asarray(bend > 0)
-
-
-def _F_OmegaOmega(model: Model, Omega: Floats, A: Floats) -> Floats:
-    return np.asarray(
-        dissipation.F_OmegaOmega(Omega, A, model.at_rest(A)[0], model.zeta, model.d, model.averaged(A)[0])
-    )
-
-
-def _F_AOmegaOmega(model: Model, Omega: Floats, A: Floats) -> Floats:
-    I_0, I_0A, *_ = model.at_rest(A)
-    h, h_A, *_ = model.averaged(A)
-    return np.asarray(dissipation.F_AOmegaOmega(Omega, A, I_0, I_0A, model.zeta, model.d, h, h_A))
-
-
 def stationary_at(model: Model, A: float, F_0: float = 0.0) -> Floats:
     """Every Omega > 0 at which the level of the amplitude is stationary, by its size."""
-    one = _Quartics(model, F_0, np.array([A]))
+    one = Quartics(model, F_0, np.array([A]))
     found = np.concatenate((one.w1, one.w2))
     found = found[found > 0]
     return np.sort(1 / found) if one.by_x else np.asarray(found)
@@ -407,9 +234,9 @@ def frequencies_at(model: Model, A: float, F_0: float, beyond: bool | None = Non
 
     beyond -- as in `Model.at_rest`
     """
-    one = _Quartics(model, F_0, np.array([A]), beyond)
+    one = Quartics(model, F_0, np.array([A]), beyond)
     n = int(one.shown.sum())
-    many = _Quartics(model, F_0, np.full(n, A), beyond)
+    many = Quartics(model, F_0, np.full(n, A), beyond)
     return many.roots(np.full(n, n), np.arange(n))
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from slowflow.averaged import words
-from slowflow.averaged.reference import dissipated
+from slowflow.averaged.reference import dissipated, dissipated_points
 from slowflow.averaged.reference.along import Asked, Cusp, InertiaIsola, Isola, Stiffness, Turn, Undamped
 from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.boxes import points_of
@@ -85,7 +85,7 @@ class Stations:
 def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max, in order along each branch."""
     roots: Along = dissipated.Roots(model, -1.0) if model.laws.any else Roots(model, -1.0)
-    stations = (dissipated.Stations if model.laws.any else Stations).of(model, A_max)
+    stations = (dissipated_points.Stations if model.laws.any else Stations).of(model, A_max)
     graph = Graph(roots, stations.events())
     arcs = graph.arcs
     if not arcs:
@@ -143,11 +143,11 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
 def _extrema_in_boxes(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The same by other laws of damping."""
     pieces = _with_force(model, A_max)
-    cusps, isolas = (points_of(model, system, pieces) for system in ("cusps", dissipated.isolas_of(model)))
+    cusps, isolas = (points_of(model, system, pieces) for system in ("cusps", dissipated_points.isolas_of(model)))
     with np.errstate(all="ignore"):
         levels = [model.level(points.Omega, points.A) for points in (cusps, isolas)]
-        minimum = dissipated.is_minimum(model, cusps.Omega, cusps.A)
-        saddle, birth = dissipated.at_isola(model, isolas.Omega, isolas.A)
+        minimum = dissipated_points.is_minimum(model, cusps.Omega, cusps.A)
+        saddle, birth = dissipated_points.at_isola(model, isolas.Omega, isolas.A)
     kind = np.where(saddle, "merger", np.where(birth, "birth", "death"))
     return (
         Cusps(levels[0], cusps.Omega, cusps.A, minimum, "" if len(cusps) else words.NO_CUSP.format(A_max)),

@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from slowflow.averaged import words
-from slowflow.averaged.reference import dissipated
+from slowflow.averaged.reference import dissipated, dissipated_points
 from slowflow.averaged.reference.along import (
     Cusp,
     InertiaIsola,
@@ -87,7 +87,7 @@ class _Best:
         down to this one and without it.
         """
         if model.laws.any:
-            counts = dissipated.rises_from_rest(model, A)
+            counts = dissipated_points.rises_from_rest(model, A)
         else:
             counts = (model.m > 0) | (slow_flow.F_OmegaOmega(0.0, A, model.zeta, model.averaged(A)[0]) >= 0)
         self.rest = float(np.min(np.where(counts, level, math.inf), initial=self.rest))
@@ -320,7 +320,7 @@ def _consider_boxes(model: Model, pieces: list[Stretch], best: _Best) -> None:
         best.undecided |= points.undecided
         best.consider(model.level(points.Omega, points.A), points.Omega, points.A, kind)
 
-    isolas = dissipated.isolas_of(model)
+    isolas = dissipated_points.isolas_of(model)
     try:
         consider(isolas, "isola")
     except ArithmeticError:  # fewer levels are asked for once the cusps are known
@@ -473,13 +473,13 @@ def _peak_in_boxes(model: Model, F_0: float, A_max: float) -> PeakFound:
     pieces = stretches_up_to(model, A_max)
     if model.inertial:
         peaks = points_of(model, "peaks_by_inertia", pieces, F_0)
-        tops = peaks.take(dissipated.is_top(model, peaks, F_0))
+        tops = peaks.take(dissipated_points.is_top(model, peaks, F_0))
         if not len(tops):
             full = dissipation.full_by_inertia(F_0, model.d)
             return PeakFound(None, None, F_0, words.NO_TOP_BELOW.format(float(full)))
         return PeakFound(float(tops.A[-1]), float(tops.Omega[-1]), F_0, "")
     peaks, static = points_of(model, "peaks", pieces, F_0), points_of(model, "rest", pieces, F_0)
-    tops = peaks.take(dissipated.is_top(model, peaks, F_0))
+    tops = peaks.take(dissipated_points.is_top(model, peaks, F_0))
     A, Omega = (tops.A, tops.Omega) if len(tops) else (static.A, np.zeros(len(static)))
     if not A.size and F_0 <= model.m:
         return PeakFound(None, None, F_0, words.sticks(model, F_0), _status=Status.STICKS)

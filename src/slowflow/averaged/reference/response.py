@@ -17,7 +17,7 @@ import numpy as np
 
 from slowflow.answer import joined
 from slowflow.averaged import words
-from slowflow.averaged.reference import dissipated, doubt, inertia
+from slowflow.averaged.reference import dissipated, dissipated_points, doubt, inertia
 from slowflow.averaged.reference.along import InertiaPeak, Peak, Rest
 from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.bounds import amplitude_bound
@@ -106,7 +106,7 @@ def skeleton(model: Model, F_0: float) -> Skeleton:
 def _along(model: Model, F_0: float) -> tuple[Along, Callable[[Model, float, float], tuple[list[Event], bool]]]:
     """The frequencies along the amplitude, and what gives the events up to one, and whether doubles leave some open."""
     if model.laws.any:
-        return dissipated.Roots(model, F_0), dissipated.response_events
+        return dissipated.Roots(model, F_0), dissipated_points.response_events
     if model.inertial:
         return inertia.Roots(model, F_0), _events_of_inertia
     return Roots(model, F_0), _events
