@@ -6,7 +6,7 @@ Out: moments <r^(n) cos^p psi> along u = B + A cos psi: values, and intervals th
 r' is continuous (derivations/curved.py): moments of r and r' have slopes without terms from moving angles, and those of
 r'' only where r'' jumps.
 
-Values are sums by Gauss's rule between the angles at which the motion passes an end, on 1, 2, 4, ... panels until twice
+Values are sums by Gauss's rule between the angles at which the motion passes an end, on 2, 4, 8, ... panels until twice
 as many change nothing. On a box the force and its derivatives are evaluated on intervals of u, panel by panel of the
 angle. That alone would be off by the width of the panels: a moment is its value in the middle of the box and what its
 slopes, held on all of the box, can change it by. So it is held the better the smaller the box, by the square of that.
@@ -192,7 +192,7 @@ class Curved:
         n = motion[0].size
         sure = np.array([n < 3 for n, _ in asked])
         value, size, left = np.full((len(asked), n), np.nan), np.full((len(asked), n), np.nan), np.arange(n)
-        last, panels = None, 1
+        last, panels = None, 2
         while left.size and panels <= MOST_PANELS:
             now, wide = self._summed(part, number, tuple(one[left] for one in motion), asked, panels)
             if last is not None:
