@@ -31,6 +31,14 @@ and y for B - A, each the root of how far that end is past a step, or the end it
     (B + A)_x = 2 X    (B - A)_y = -2 Y    c_x = X (c_1 + s_1)    c_y = -Y (c_1 - s_1)    A_x = X    A_y = Y
 
 where X = x or 1/2. `Ended` has what vanishes at states and at folds in these.
+
+What dissipates and what excites has no part in the balance. It comes in as I and as the amplitude of the force G, which
+is F_0, or F_2 Omega^2 of an excitation by inertia. With R for the frequency, A Omega^2 = R - h, nothing cancels next to
+a resonance, where R is small:
+
+    F = R^2 + I^2 - G^2    A F_A/2 = G^2 + I (A I_A - I) + R (A h_A - h) on F = 0
+
+and A I_A - I is d (A Omega)^2 - m: neither viscous nor structural damping is in it.
 """
 
 from __future__ import annotations
@@ -38,12 +46,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Any
 
 import sympy as sp
 
 from .averaging import Averaged, F_k, cycle_integral, psi
+from .dissipation import I_0, I_A, Dissipation
 from .slow_flow import I, R, SlowFlow, m, turn
-from .symbols import F_0, A, Omega, h, sigma, u, zeta
+from .symbols import F_0, A, Omega, h, mu, sigma, u, zeta
 
 Let = tuple[sp.Symbol, sp.Expr]
 
@@ -54,6 +64,11 @@ c = sp.symbols(f"c_0:{ORDERS + 1}", real=True)
 s = sp.symbols(f"s_0:{ORDERS + 1}", real=True)
 #: phase: R = 2 t F_0/(1 + t^2), I = (1 - t^2) F_0/(1 + t^2), all with I >= 0 for |t| <= 1
 t = sp.Symbol("t", real=True)
+
+#: amplitude of the force on the mass; what it is of an excitation by inertia over Omega^2
+force, F_2 = sp.symbols("force F_2", nonnegative=True)
+#: Omega^2, A Omega, A I_A - I
+square, speed, drift = sp.symbols("square speed drift", real=True)
 
 #: h - A h_A along the balance; the least size that it has at a fold
 intercept, least = sp.symbols("intercept least", real=True)
@@ -105,7 +120,7 @@ class Ended:
     state -- f_0 and F, and their slopes by x and y in turn
     along -- along the balance, where it goes as (-c_y, c_x): A's slope, and what F_A gains there by R; c_1 has the sign
              of the first
-    fold  -- at a forcing, in x, y and t: f_0, F along the balance, whether R and I belong to one Omega; and slopes
+    fold  -- at a forcing, in x, y and R, in the lets of `OffCentre.by_R`: f_0, F along the balance, F; and slopes
     """
 
     state: tuple[sp.Expr, ...]
@@ -118,14 +133,12 @@ class Phases:
     """At a forcing.
 
     balance -- R and I of a motion by t
-    of      -- t by R and I
     turns   -- what vanishes at a fold, in k = h - A h_A along the balance: a quadratic in t
     lesser  -- its lesser root, in the least size that k has at a fold
     by_I, by_R -- Omega of a motion by I; Omega^2 by R
     """
 
     balance: tuple[sp.Expr, sp.Expr]
-    of: sp.Expr
     turns: sp.Expr
     lesser: sp.Expr
     by_I: sp.Expr
@@ -137,9 +150,12 @@ class OffCentre:
     """Of any mechanism, in c and s.
 
     lets, averaged -- B_A, B_AA, B_AAA and with them h, h_A, h_AA, h_AAA along the balance, for c_1 other than 0
-    state    -- f_0 and F, and their slopes by A and B in turn
-    fold     -- at a forcing, in A, B and t: f_0, F_A along the balance times c_1, and whether R and I belong to one
-                Omega; and their slopes by A, B and t in turn
+    state    -- f_0 and F, and their slopes by A and B in turn, in R, I, I_A and the force
+    by_R     -- what is known at a given R, of any damping and excitation
+    fold     -- at a forcing, in A, B and R, in these: f_0, F_A along the balance times A c_1/2, and F; and their slopes
+                by A, B and R in turn
+    fold_by_t -- of a force with viscous damping and friction, in A, B and t: f_0, F_A along the balance times c_1, and
+                whether R and I belong to one Omega; and their slopes by A, B and t in turn
     turns    -- the second of these over c_1, in s_0 and `resists`: it stays finite where the force jumps
     past     -- `resists` where the motion passes a step at which the force gains D_0: root may be 0
     beside   -- `resists` of an odd force without a load, where B is not 0: with c_3 and s_2 at some B between
@@ -152,7 +168,9 @@ class OffCentre:
     lets: tuple[Let, ...]
     averaged: tuple[sp.Expr, ...]
     state: tuple[sp.Expr, ...]
+    by_R: tuple[Let, ...]
     fold: tuple[sp.Expr, ...]
+    fold_by_t: tuple[sp.Expr, ...]
     turns: sp.Expr
     past: sp.Expr
     beside: sp.Expr
@@ -215,7 +233,7 @@ def check_balance(averaged: Averaged) -> None:
     _vanishes(others, "the mean of forcing, damping and friction")
 
 
-def off_centre(averaged: Averaged, flow: SlowFlow) -> OffCentre:
+def off_centre(averaged: Averaged, flow: SlowFlow, laws: Dissipation) -> OffCentre:
     """All of it."""
     check_means()
     check_balance(averaged)
@@ -226,29 +244,34 @@ def off_centre(averaged: Averaged, flow: SlowFlow) -> OffCentre:
     R_value, I_value = flow.R.subs(of_h), flow.I
 
     lets, chain = _along_balance(f_0, of_h[h])
-    F = (flow.F + F_0**2).subs({R: R_value, I: I_value}) - F_0**2
-    state = (f_0, flow.F, s[1], c[1], *(sp.factor_terms(by(F)) for by in (_by_A, _by_B)))
-    # in R and I, which a kernel has first
-    slopes = tuple(2 * (R * by(R_value) + I * sp.diff(I_value, symbol)) for by, symbol in ((_by_A, A), (_by_B, B)))
-    for value, slope in zip(state[4:], slopes, strict=True):
-        _vanishes((slope.subs({R: R_value, I: I_value}) - value), "the slopes of F")
-    fold = _fold(R_value, I_value, f_0, slopes)
+    F = R**2 + I**2 - force**2
+    _vanishes((F - flow.F).subs(force, F_0), "F by the force")
+    # in R, I and I_A, which a kernel has first
+    slopes = tuple(2 * (R * by(R_value) + I * of_I) for by, of_I in ((_by_A, I_A), (_by_B, 0)))
+    state = (f_0, F, s[1], c[1], *slopes)
+    by_t = tuple(2 * (R * by(R_value) + I * sp.diff(I_value, one)) for by, one in ((_by_A, A), (_by_B, B)))
+    fold_by_t = _fold(R_value, I_value, f_0, by_t)
+    by_R = _by_R(laws)
+    fold = _fold_by_R(by_R, f_0, c[1], c[1] * s[0] - A * (c[1] ** 2 - s[1] ** 2) / 2, (_by_A, _by_B))
+    _check_fold_by_R(by_R, fold[1], (c[1], -s[1]), (_by_A, _by_B))
     along_balance = 2 * s[0] / A - 2 * resists
     phases = _phases(flow)
     turns = sp.expand(phases.turns.subs(intercept, of_h[h] - A * along_balance))
     of_means = {resists: (c[1] ** 2 - s[1] ** 2) / c[1]}
     _vanishes(along_balance.subs(of_means) - chain[1].subs(lets), "h_A along the balance")
-    _vanishes(c[1] * turns.subs(of_means) - fold[1], "F_A along the balance")
+    _vanishes(c[1] * turns.subs(of_means) - fold_by_t[1], "F_A along the balance")
     return OffCentre(
         lets,
         chain,
-        (*state[:4], *slopes),
+        state,
+        by_R,
         fold,
+        fold_by_t,
         turns,
         _past(of_means[resists]),
         _beside(of_means[resists]),
         moved(),
-        _ended(R_value, I_value, f_0),
+        _ended(R_value, by_R, f_0),
         phases,
         _versine(),
     )
@@ -268,14 +291,12 @@ def _versine() -> sp.Expr:
 def _phases(flow: SlowFlow) -> Phases:
     """With R and I of F = 0 and k for h - A h_A a fold is a line in R and I: F_0^2 - m I = k R."""
     balance = (_CIRCLE[R], _CIRCLE[I])
-    of = R / (F_0 + I)
-    _vanishes(of.subs(_CIRCLE) - t, "t by R and I")
     line = sp.cancel((F_0**2 - m * I - intercept * R).subs(_CIRCLE) * (1 + t**2) / F_0)
     turns = sp.collect(sp.expand(line), t)
     lesser = (F_0 - m) / (intercept + sp.sqrt((intercept - least) * (intercept + least)))
     _vanishes(turns.subs(t, lesser).subs(least, sp.sqrt(F_0**2 - m**2)), "the fold's t")
     square = sp.solve(R - flow.R.subs(Omega**2, turn), turn)[0]
-    return Phases(balance, of, turns, lesser, sp.solve(I - flow.I, Omega)[0], square)
+    return Phases(balance, turns, lesser, sp.solve(I - flow.I, Omega)[0], square)
 
 
 def _past(of_means: sp.Expr) -> sp.Expr:
@@ -381,31 +402,65 @@ def _by_ends() -> tuple[Callable[[sp.Expr], sp.Expr], Callable[[sp.Expr], sp.Exp
     return by(chains[0]), by(chains[1])
 
 
-def _ended(R_value: sp.Expr, I_value: sp.Expr, f_0: sp.Expr) -> Ended:
+def _by_R(laws: Dissipation) -> tuple[Let, ...]:
+    """What is known at a given R, in order."""
+    known = sp.expand(laws.I.subs(I_0, laws.at_rest[0].subs(mu, sp.pi * m / 4)))
+    value = sp.expand(known.subs(Omega, speed / A))
+    beside = sp.expand(sp.expand(A * sp.diff(known, A) - known).subs(Omega, speed / A))
+    return (
+        (square, (R + 2 * s[0]) / A),
+        (speed, sp.sqrt(A * (R + 2 * s[0]))),
+        (force, F_0 + F_2 * square),
+        (I, value),
+        (drift, beside),
+    )
+
+
+By = Callable[[sp.Expr], sp.Expr]
+
+
+def _along_R(by_R: tuple[Let, ...], by: By) -> By:
+    """A slope, of an expression in what is known at R too, by what `by` is the slope by."""
+    chain = {}
+    for one, value in by_R:
+        inside = sp.expand(value**2) if one is speed else value
+        slope = by(inside) + sum(sp.diff(inside, known) * moved for known, moved in chain.items())
+        chain[one] = sp.expand(slope) / (2 * speed) if one is speed else slope
+    return lambda expression: by(expression) + sum(sp.diff(expression, one) * slope for one, slope in chain.items())
+
+
+def _fold_by_R(by_R: tuple[Let, ...], f_0: sp.Expr, A_t: sp.Expr, gain: sp.Expr, by: tuple[By, By]) -> Any:
+    """What vanishes at a fold, and its slopes by two coordinates and R.
+
+    A_t, gain -- along the balance A's slope, and that of (A h_A - h)/4, which A_t is a factor of
+    """
+    values = (f_0, A_t * (force**2 + I * drift) + 4 * gain * R, R**2 + I**2 - force**2)
+    by_each = [_along_R(by_R, one) for one in (*by, lambda expression: sp.diff(expression, R))]
+    return (*values, *(one(value) for value in values for one in by_each))
+
+
+def _check_fold_by_R(by_R: tuple[Let, ...], turns: sp.Expr, to: Any, by: tuple[By, By]) -> None:
+    """On F = 0 the second is A/2 times the slope of F at a given Omega, where the balance goes `to`."""
+    of_Omega = {one: value.subs(speed, A * Omega) for one, value in by_R}
+    R_value = A * Omega**2 - 2 * s[0]
+    slope = A * (to[0] * by[0](R_value**2 + of_Omega[I] ** 2) + to[1] * by[1](R_value**2 + of_Omega[I] ** 2)) / 2
+    on_F = turns.subs(force**2, R**2 + I**2).subs({I: of_Omega[I], drift: of_Omega[drift]}).subs(R, R_value)
+    _vanishes(slope - on_F, "F along the balance, by R")
+
+
+def _ended(R_value: sp.Expr, by_R: tuple[Let, ...], f_0: sp.Expr) -> Ended:
     """As `state` and `fold` by A and B, by the chain rule."""
     both = _by_ends()
-    slopes = tuple(2 * (R * by(R_value) + I * by(I_value)) for by in both)
-    F = R**2 + I**2 - F_0**2
-    # along the balance, as in `_fold`
+    slopes = tuple(2 * (R * by(R_value) + I * I_A * by(A)) for by in both)
+    F = R**2 + I**2 - force**2
+    # along the balance
     A_t = -c_y * X + c_x * Y
-    turns = A * (-c_y * slopes[0] + c_x * slopes[1]) / 2
     gain = s[0] * A_t + A * c_x * c_y
-    line = A_t * (F_0**2 - m * I) + 4 * gain * R
-    of_Omega = {R: R_value, I: I_value}
-    _vanishes((turns - line).subs(F_0**2, R**2 + I**2).subs(of_Omega), "a fold as a line in R and I, by the ends")
     of_means = {c_x: X * (c[1] + s[1]), c_y: -Y * (c[1] - s[1])}
     _vanishes(A_t.subs(of_means) - 2 * X * Y * c[1], "A rises along the balance where c_1 is positive")
-    values = (
-        f_0,
-        sp.expand(sp.cancel(line.subs(_CIRCLE) * (1 + t**2) / F_0)),
-        _one_Omega(),
-    )
-    by_each = (*both, lambda expression: sp.diff(expression, t))
-    return Ended(
-        (f_0, F, *(by(f_0) for by in both), *slopes),
-        (A_t, gain),
-        (*values, *(by(value) for value in values for by in by_each)),
-    )
+    fold = _fold_by_R(by_R, f_0, A_t, gain, both)
+    _check_fold_by_R(by_R, fold[1], (-c_y, c_x), both)
+    return Ended((f_0, F, *(by(f_0) for by in both), *slopes), (A_t, gain), fold)
 
 
 #: R and I of a motion at F_0

@@ -169,7 +169,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         gradients(curve, by_inertia.force),
         gradients(by_laws.curve),
         gradients(by_laws.curve, by_inertia.force),
-        off_centre(equations, flows[""]),
+        off_centre(equations, flows[""], by_laws),
         climb(),
         sampled(),
         steps(flows[""]),

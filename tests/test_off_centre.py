@@ -25,6 +25,7 @@ from slowflow.isolator import ROD_SPRING
 from slowflow.model import Model
 from slowflow.off_centre.answers import OffCentreStates
 from slowflow.off_centre.ends import Charts
+from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.questions import OffCentre
 from slowflow.paper.example import TABLE_1, isolator
@@ -571,8 +572,6 @@ def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
         loaded.rest().gradient()
     with pytest.raises(ValueError, match="no polynomial"):
         loaded.replace(force="untruncated")
-    with pytest.raises(ValueError, match="only with 'force'"):
-        loaded.replace(excitation="base")
     with pytest.raises(ValueError, match="load = nan"):
         Duffing(1.0, 0.5, load=float("nan"))
     with pytest.raises(ValueError, match="needs zeta > 0"):
@@ -883,7 +882,9 @@ def test_where_there_is_no_gradient_off_the_centre_the_reason_is_said(loaded):
     assert none.F_cr is None and "no answer that could move" in none.gradient().message
     bent = Duffing(1.0, 0.5, 0.0, 0.05, load=0.3)
     folds = bent.saddle_nodes(0.2)
-    states = OffCentreStates(folds.Omega, folds.A, folds.B, folds.kind == "", 0.2, 0.3, "", _h=folds.A, _damping=(0, 0))
+    states = OffCentreStates(
+        folds.Omega, folds.A, folds.B, folds.kind == "", 0.2, 0.3, "", _h=folds.A, _flow=Flow(0.0, 0.0)
+    )
     on_folds = dataclasses.replace(states, _model=bent.off_centre._model).gradient()
     assert "2 of 2: it meets another answer there" in on_folds.message and np.isnan(on_folds.slopes).all()
 

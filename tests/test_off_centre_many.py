@@ -236,10 +236,10 @@ def test_what_batches_have_no_answer_to_off_the_centre_is_refused_in_words():
     for name in ("at_rest", "certify", "second_approximation"):
         with pytest.raises(ValueError, match="motions about the centre"):
             getattr(designs, name)
-    with pytest.raises(ValueError, match="only with 'force'"):
-        Isolator.many(**TABLE_1, load=[0.03, 0.1], excitation="base")
-    with pytest.raises(ValueError, match="only with mu and zeta"):
-        Isolator.many(**TABLE_1, load=0.1, c_2=[0.1, 0.2])
+    with pytest.raises(ValueError, match="load is not available with rubs = 'attached'"):
+        Isolator.many(**TABLE_1, load=0.1, rubs="attached")
+    with pytest.raises(ValueError, match="stated at one frequency"):
+        Isolator.many(**TABLE_1, load=0.1, eta=0.02).shock_spectrum(acceleration=0.1, duration=2.0)
     with pytest.raises(ValueError, match="no polynomial"):
         Isolator.many(**TABLE_1, load=0.1, force="untruncated")
     with pytest.raises(ValueError, match="shapes"):

@@ -417,8 +417,8 @@ def test_a_number_that_is_no_argument_is_said_with_the_nearest():
 
 
 def test_a_load_that_is_refused_is_the_mass_that_was_given(mount):
-    for change in ({"excitation": "base"}, {"force": "untruncated"}):
-        with pytest.raises(ValueError, match=r"^load = 10 kg is not available with (excitation|force) = "):
+    for change in ({"rubs": "attached"}, {"force": "untruncated"}):
+        with pytest.raises(ValueError, match=r"^load = 10 kg is not available with (rubs|force) = "):
             mount.replace(load=10, **change)
 
 

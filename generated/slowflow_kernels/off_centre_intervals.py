@@ -17,14 +17,14 @@ __all__ = [
     "ended_along",
     "ended_fold",
     "ended_state",
-    "fold",
+    "fold_by_t",
     "past",
     "state",
     "turns",
 ]
 
 
-def state(Omega, A, F_0, m, zeta, load, c_0, c_1, s_0, s_1):
+def state(Omega, A, force, I, I_A, load, c_0, c_1, s_0, s_1):
     """What vanishes at a steady state: the balance of the mean and F; slopes of each by A and B.
 
     Equation (24) and the mean of (3). Domain: A > 0.
@@ -32,19 +32,17 @@ def state(Omega, A, F_0, m, zeta, load, c_0, c_1, s_0, s_1):
     t0 = 2.0 * s_0
     t1 = Omega.square()
     R = A * t1 - t0
-    t2 = Omega * zeta
-    I = 2.0 * A * t2 + m
     return (
         c_0 - load,
-        R.square() + (-F_0 + I) * (F_0 + I),
+        I.square() + R.square() - force.square(),
         s_1,
         c_1,
-        4.0 * I * t2 + 2.0 * R * (-2.0 * c_1 + t1 + t0 / A),
+        2.0 * I * I_A + 2.0 * R * (-2.0 * c_1 + t1 + t0 / A),
         -4.0 * R * s_1,
     )
 
 
-def fold(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
+def fold_by_t(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
     """What vanishes at a fold at F_0 with cos phi = -2 t/(1 + t^2): the balance, F_A along it times c_1 and a positive number, R and I of one Omega; slopes of each by A, B and t.
 
     Equation (24), (30) and the mean of (3). Domain: A > 0, |t| <= 1.
@@ -98,7 +96,7 @@ def fold(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
     )
 
 
-def ended_state(Omega, A, F_0, m, zeta, load, c_0, s_0, c_x, c_y, X, Y):
+def ended_state(Omega, A, force, I, I_A, load, c_0, s_0, c_x, c_y, X, Y):
     """What vanishes at a steady state, by coordinates x and y of the motion's ends: the balance of the mean and F; slopes of each by x and y.
 
     Equation (24) and the mean of (3). Domain: A > 0.
@@ -106,18 +104,16 @@ def ended_state(Omega, A, F_0, m, zeta, load, c_0, s_0, c_x, c_y, X, Y):
     t0 = 2.0 * s_0
     t1 = Omega.square()
     R = A * t1 - t0
-    t2 = Omega * zeta
-    I = 2.0 * A * t2 + m
-    t3 = 4.0 * I * t2
-    t4 = t0 / A
-    t5 = 2.0 * R
+    t2 = 2.0 * I * I_A
+    t3 = t0 / A
+    t4 = 2.0 * R
     return (
         c_0 - load,
-        -F_0.square() + I.square() + R.square(),
+        I.square() + R.square() - force.square(),
         c_x,
         c_y,
-        X * t3 + t5 * (X * t1 + X * t4 - 2.0 * c_x),
-        Y * t3 + t5 * (Y * t1 + Y * t4 + 2.0 * c_y),
+        X * t2 + t4 * (X * t1 + X * t3 - 2.0 * c_x),
+        Y * t2 + t4 * (Y * t1 + Y * t3 + 2.0 * c_y),
     )
 
 
@@ -133,65 +129,69 @@ def ended_along(A, s_0, c_x, c_y, X, Y):
     )
 
 
-def ended_fold(t, A, F_0, m, zeta, load, c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y):
-    """What vanishes at a fold at F_0 with cos phi = -2 t/(1 + t^2), by coordinates x and y of the motion's ends: the balance, F along it times a positive number, R and I of one Omega; slopes of each by x, y and t.
+def ended_fold(R, A, F_0, F_2, m, eta, zeta, d, load, c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y):
+    """What vanishes at a fold, by R, with the force F_0 + F_2 Omega^2, by coordinates x and y of the motion's ends: the balance, F along it times A/2, and F; slopes of each by x, y and R.
 
-    Equation (24), (30) and the mean of (3). Domain: A > 0, |t| <= 1.
+    Equation (24), (30) and the mean of (3). Domain: A > 0, R + 2 s_0 > 0.
     """
-    t0 = F_0 * Y
-    t1 = c_x * t0
-    t2 = c_y * m
-    t3 = X * t2
-    t4 = F_0 * c_y
-    t5 = X * t4
-    t6 = Y * m
-    t7 = c_x * t6
-    t8 = 8.0 * t
-    t9 = c_y * t8
-    t10 = A * t9
-    t11 = X * c_y
-    t12 = s_0 * t8
-    t13 = Y * c_x
-    t14 = t.square()
-    t15 = t14 + 1.0
-    t16 = F_0 * (1.0 - t14) - m * t15
-    t17 = zeta.square()
-    t18 = 2.0 * F_0
-    t19 = 2.0 * s_0 * t15 + t * t18
-    t20 = A * t17 * t19
-    t21 = 4.0 * t15
-    t22 = t11 * t8
-    t23 = 1.0 / A
-    t24 = s_0 * t23
-    t25 = -X * t24 + c_x
-    t26 = 8.0 * Y * c_x * t - t22
-    t27 = Y * t12 + t0 * t14 + t0 + t10 + t14 * t6 - t6
-    t28 = F_0 * X
-    t29 = 8.0 * A * c_x * t - X * m * t14 + X * m - X * t12 - t14 * t28 - t28
-    t30 = 0.5 * t23 * (-t11 - t13)
-    t31 = -Y * t24 - c_y
-    t32 = F_0 * c_x
-    t33 = c_x * m
-    t34 = 8.0 * s_0
-    t35 = 2.0 * t
-    t36 = t17 * t21
-    t37 = t19 * t36
-    t38 = A * t36
-    t39 = t38 * (2.0 * t14 + 2.0)
-    t40 = 4.0 * t
+    t0 = 1.0 / A
+    t1 = R + 2.0 * s_0
+    square = t0 * t1
+    speed = A.sqrt() * t1.sqrt()
+    force = F_0 + F_2 * square
+    t2 = 2.0 * zeta
+    t3 = d * speed.square()
+    I = A * eta + m + speed * t2 + t3
+    drift = -m + t3
+    t4 = force.square()
+    t5 = I * drift + t4
+    t6 = X * c_y
+    t7 = Y * c_x
+    t8 = -t6 + t7
+    t9 = 4.0 * A
+    t10 = c_y * t9
+    t11 = 4.0 * s_0
+    t12 = c_x * t10 + t11 * t8
+    t13 = 4.0 * t6
+    t14 = R * t11
+    t15 = 2.0 * A
+    t16 = R * X + c_x * t15
+    t17 = I * d * t8
+    t18 = s_0 * t0
+    t19 = -X * t18 + c_x
+    t20 = R * (4.0 * Y * c_x - t13)
+    t21 = R * (Y * t11 + t10) + Y * t5
+    t22 = (2.0 * d * speed + t2) / speed
+    t23 = 0.5 * t22
+    t24 = X * eta + t16 * t23
+    t25 = drift * t8
+    t26 = R * (-X * t11 + c_x * t9) - X * t5
+    t27 = 0.5 * t0 * (-t6 - t7)
+    t28 = t1 / (A.square())
+    t29 = 2.0 * t0
+    t30 = F_2 * force
+    t31 = 2.0 * t30
+    t32 = t31 * (-X * t28 + t19 * t29)
+    t33 = R * Y - c_y * t15
+    t34 = -Y * t18 - c_y
+    t35 = Y * eta + t23 * t33
+    t36 = t31 * (-Y * t28 + t29 * t34)
+    t37 = t29 * t30
     return (
         c_0 - load,
-        c_x * t10 + t1 * t14 + t1 - t11 * t12 + t12 * t13 - t14 * t3 - t14 * t5 + t14 * t7 + t3 - t5 - t7,
-        t16.square() - t20 * t21,
+        R * t12 + t5 * t8,
+        I.square() + R.square() - t4,
         c_x,
         c_y,
         0.0,
-        X_x * (c_y * m - s_0 * t9 - t14 * t2 - t14 * t4 - t4) + c_x * t22 + c_xx * t27 + t25 * t26 + t29 * t30,
-        Y_y * (c_x * t12 + t14 * t32 + t14 * t33 + t32 - t33) + c_yy * t29 + t13 * t9 + t26 * t31 + t27 * t30,
-        8.0 * A * c_x * c_y + t1 * t35 - t11 * t34 + t13 * t34 - t3 * t35 - t35 * t5 + t35 * t7,
-        -X * t37 - t25 * t39,
-        -Y * t37 - t31 * t39,
-        t16 * (-F_0 * t40 - m * t40) - t20 * t8 - t38 * (s_0 * t40 + t18),
+        R * c_x * t13 + X_x * (-c_y * t14 - c_y * t5) + c_xx * t21 + t16 * t17 + t19 * t20 + t24 * t25 + t26 * t27 +
+        t32 * t8,
+        4.0 * R * c_y * t7 + Y_y * (c_x * t14 + c_x * t5) + c_yy * t26 + t17 * t33 + t20 * t34 + t21 * t27 + t25 *
+        t35 + t36 * t8,
+        A * t17 + A * t23 * t25 + t12 + t37 * t8,
+        2.0 * I * t24 - t32,
+        2.0 * I * t35 - t36,
+        A * I * t22 + 2.0 * R - t37,
     )
 
 

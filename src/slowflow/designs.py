@@ -108,9 +108,7 @@ def designs_of(
     values |= {name: value for name, value in laws.items() if not _is_none(value)}
     if not mechanism.odd or not _is_none(load):
         why = off_centre_by(mechanism, 0.0) or "load"
-        validate.is_force(why, excitation)
-        told = [name for name in laws if name in values] + ([] if rubs == THROUGHOUT else [f"rubs = {rubs!r}"])
-        validate.is_plain(why, ", ".join(told))
+        validate.is_plain(why, "" if rubs == THROUGHOUT else f"rubs = {rubs!r}")
         values["load"] = load
     if any(validate.is_labelled(value) for value in values.values()):
         from slowflow.grid.designs import Grid
@@ -119,7 +117,7 @@ def designs_of(
     if "load" in values:
         from slowflow.off_centre.many import OffCentreDesigns
 
-        return OffCentreDesigns(mechanism, values)
+        return OffCentreDesigns(mechanism, values, excitation)
     return Designs(mechanism, values, excitation, rubs)
 
 

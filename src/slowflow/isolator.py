@@ -155,9 +155,8 @@ class Isolator(Oscillator):
         vertical spring is preset, by m g/k_v, so that m rests at the centre, where the push-rods lie flat. Another load
         rests off the centre, `rest()` tells where, and moves about there without symmetry: its answers have a mean B.
         Raises ValueError for a number outside its domain, for laws of damping as `Isolator`, and for such a load where
-        motions off the centre are not derived: with the force that is not truncated, an excitation by inertia, or
-        another law of damping. A number that is allowed, and looks as if it were in another unit, as L = 80, is told
-        in a warning.
+        motions off the centre are not derived: with the force that is not truncated, or rubs="attached". A number that
+        is allowed, and looks as if it were in another unit, as L = 80, is told in a warning.
         """
         moving = m if load is None else validate.number("load", si("load", load, "kilogram"), above=0.0)
         excited = validate.choice("excitation", excitation, tuple(EXCITATIONS))

@@ -170,16 +170,17 @@ class Model:
         """Raises ValueError for an excitation by inertia that has no answer here."""
         if self.zeta == self.laws.eta == self.laws.c_2 == 0:
             raise ValueError(f"excitation = {self.excitation!r} is not allowed with zeta = 0: {WITHOUT_DAMPING}")
-        if self.preload != 0:
+        # a force that is not odd has no motions about u = 0
+        if self.mechanism.odd and self.preload != 0:
             raise ValueError(f"excitation = {self.excitation!r} is not allowed for a force that jumps at u = 0")
 
     @np.errstate(all="ignore")
     def _check_laws(self) -> None:
         """Raises ValueError for laws that have no answer here."""
-        told = self.laws.told()
-        if self.preload != 0:
+        told, odd = self.laws.told(), self.mechanism.odd
+        if odd and self.preload != 0:
             raise ValueError(f"{told} is not allowed for {self.mechanism.name}: its force jumps at u = 0")
-        if not math.isfinite(self.mechanism.pieces[0].slope(0.0, *self.parameters)):
+        if odd and not math.isfinite(self.mechanism.pieces[0].slope(0.0, *self.parameters)):
             raise ValueError(f"{told} is not allowed for {self.mechanism.name}: its stiffness is infinite at u = 0")
         if self.laws.rubs == THROUGHOUT:
             return

@@ -91,8 +91,7 @@ class Oscillator(Averaged):
         laws = Laws.of(eta, c_2, rubs)
         known_as = validate.choice("excitation", excitation, tuple(EXCITATIONS))
         if not mechanism.odd:  # nothing is averaged about the centre, which these would be asked of
-            validate.is_force(off_centre_by(mechanism, 0.0), known_as)
-            validate.is_plain(off_centre_by(mechanism, 0.0), laws.told())
+            self._check_rubs(off_centre_by(mechanism, 0.0), laws)
         super().__init__(Model.of(mechanism, values, known_as, laws))
         model = self.model
         own = dict(zip(mechanism.design_names, model.design, strict=True))
@@ -111,12 +110,16 @@ class Oscillator(Averaged):
         """Off the centre by a load or by a force that is not odd: its slow flow about it is not asked from here on."""
         load = validate.number("load", load)
         why = off_centre_by(self.model.mechanism, load)
-        validate.is_force(why, self.excitation)
-        self.only_for_plain_damping(why)
+        self._check_rubs(why, self.model.laws)
         if load != 0:
             self.given["load"] = load
         self.__dict__["model"] = Loaded(self.model, load)
         self.off_centre  # noqa: B018  refuses a force that nothing is derived for
+
+    @staticmethod
+    def _check_rubs(question: str, laws: Laws) -> None:
+        """Off the centre friction acts throughout: where |u| passes u_cr on one side it would rub on the other."""
+        validate.is_plain(question, "" if laws.rubs == THROUGHOUT else f"rubs = {laws.rubs!r}")
 
     @property
     def load(self) -> float:
@@ -140,12 +143,11 @@ class Oscillator(Averaged):
         """Questions about motions off the centre: all places of rest, and all states and folds with their mean B.
 
         Without a load too: a mass between two wells, or on a spring that softens, leaves the centre by itself.
-        Raises ValueError for a force that is no polynomial in pieces, and for an excitation by inertia.
+        Raises ValueError for a force of which nothing is derived there, and for friction that ends at u_cr.
         """
         from slowflow.off_centre.questions import OffCentre
 
-        self.only_for_a_force("off_centre")
-        self.only_for_plain_damping("off_centre")
+        self._check_rubs("off_centre", self.model.laws)
         return OffCentre(self.model.unloaded if isinstance(self.model, Loaded) else self.model, self.load)
 
     def at_centre(self, question: str) -> None:

@@ -6,9 +6,11 @@ Out: `off_centre_module`.
 
 from __future__ import annotations
 
+from ...dissipation import I_A, d
 from ...off_centre import (
     C_1,
     D_0,
+    F_2,
     L_1,
     L_2,
     M_1,
@@ -33,6 +35,7 @@ from ...off_centre import (
     c_yy,
     edge,
     end_p,
+    force,
     intercept,
     k,
     least,
@@ -47,7 +50,7 @@ from ...off_centre import (
 )
 from ...results import Results
 from ...slow_flow import m
-from ...symbols import F_0, A, Omega, h, zeta
+from ...symbols import F_0, A, Omega, eta, h, zeta
 from ..form import Module, plain
 
 
@@ -56,7 +59,8 @@ def off_centre_module(results: Results) -> Module:
     flow, of, climb = results.flows[""], results.off_centre, results.climb
     generic = {"generic": True}
     wanted = {**generic, "searched": True}
-    R_and_I = [(R, flow.R.subs(h, -2 * s[0])), (I, flow.I)]
+    of_R = [(R, flow.R.subs(h, -2 * s[0]))]
+    known = (F_0, F_2, m, eta, zeta, d, load)
     above = (k, A, a, L_2, L_1, M_2, M_1)
     return Module(
         name="off_centre",
@@ -76,18 +80,29 @@ def off_centre_module(results: Results) -> Module:
             ),
             plain(
                 "state",
-                (Omega, A, F_0, m, zeta, load, *c[:2], *s[:2]),
+                (Omega, A, force, I, I_A, load, *c[:2], *s[:2]),
                 of.state,
                 "What vanishes at a steady state: the balance of the mean and F; slopes of each by A and B.",
                 "(24) and the mean of (3)",
                 "A > 0",
-                lets=R_and_I,
+                lets=of_R,
                 **wanted,
             ),
             plain(
                 "fold",
-                (t, A, F_0, m, zeta, load, *c[:3], *s[:3]),
+                (R, A, *known, *c[:3], *s[:3]),
                 of.fold,
+                "What vanishes at a fold, by R, with the force F_0 + F_2 Omega^2: the balance, F along it by "
+                "c_1 A/2, and F; slopes of each by A, B and R.",
+                "(24), (30) and the mean of (3)",
+                "A > 0, R + 2 s_0 > 0",
+                lets=of.by_R,
+                **generic,
+            ),
+            plain(
+                "fold_by_t",
+                (t, A, F_0, m, zeta, load, *c[:3], *s[:3]),
+                of.fold_by_t,
                 "What vanishes at a fold at F_0 with cos phi = -2 t/(1 + t^2): the balance, F_A along it times c_1 and "
                 "a positive number, R and I of one Omega; slopes of each by A, B and t.",
                 "(24), (30) and the mean of (3)",
@@ -96,13 +111,13 @@ def off_centre_module(results: Results) -> Module:
             ),
             plain(
                 "ended_state",
-                (Omega, A, F_0, m, zeta, load, c[0], s[0], c_x, c_y, X, Y),
+                (Omega, A, force, I, I_A, load, c[0], s[0], c_x, c_y, X, Y),
                 of.ended.state,
                 "What vanishes at a steady state, by coordinates x and y of the motion's ends: the balance of the mean "
                 "and F; slopes of each by x and y.",
                 "(24) and the mean of (3)",
                 "A > 0",
-                lets=R_and_I,
+                lets=of_R,
                 **wanted,
             ),
             plain(
@@ -116,13 +131,13 @@ def off_centre_module(results: Results) -> Module:
             ),
             plain(
                 "ended_fold",
-                (t, A, F_0, m, zeta, load, c[0], s[0], c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y),
+                (R, A, *known, c[0], s[0], c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y),
                 of.ended.fold,
-                "What vanishes at a fold at F_0 with cos phi = -2 t/(1 + t^2), by coordinates x and y of the motion's "
-                "ends: the balance, F along it times a positive number, R and I of one Omega; slopes of each by x, y "
-                "and t.",
+                "What vanishes at a fold, by R, with the force F_0 + F_2 Omega^2, by coordinates x and y of the "
+                "motion's ends: the balance, F along it times A/2, and F; slopes of each by x, y and R.",
                 "(24), (30) and the mean of (3)",
-                "A > 0, |t| <= 1",
+                "A > 0, R + 2 s_0 > 0",
+                lets=of.by_R,
                 **wanted,
             ),
             plain(
@@ -140,16 +155,6 @@ def off_centre_module(results: Results) -> Module:
                 of.phases.balance,
                 "R and I of a motion with cos phi = -2 t/(1 + t^2).",
                 "(23)",
-                "|t| <= 1",
-                **generic,
-            ),
-            plain("phase", (R, I, F_0), of.phases.of, "The t of a motion by R and I.", "(23)", "I >= 0", **generic),
-            plain(
-                "turns_by",
-                (t, F_0, m, intercept),
-                of.phases.turns,
-                "What vanishes at a fold, by the intercept h - A h_A along the balance: a quadratic in t.",
-                "(30)",
                 "|t| <= 1",
                 **generic,
             ),

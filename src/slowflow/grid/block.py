@@ -174,7 +174,7 @@ class Ask:
 
     def _designs(self, given: dict[str, Any]) -> Designs | SecondDesigns | OffCentreDesigns:
         if "load" in given:
-            return OffCentreDesigns(self.mechanism, given)
+            return OffCentreDesigns(self.mechanism, given, self.excitation)
         designs = Designs(self.mechanism, given, self.excitation, self.rubs)
         return designs if self.depth == DEPTHS[0] else SecondDesigns(designs)
 

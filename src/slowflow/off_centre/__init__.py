@@ -3,6 +3,7 @@
 means      of a piecewise polynomial and its derivatives over a cycle, at numbers and on boxes
 curved     what a force has beside its steps that is no polynomial, by sums, at numbers and on boxes
 smooth     where such a force is smooth, and where it holds motions back
+flow       what excites and what dissipates: frequencies, levels and bounds at points and on boxes
 boxes      all solutions of a few equations in a box, by exclusion and Krawczyk's test
 equations  what vanishes at rest, where the springs detach, and at folds beside the centre, as `boxes` takes it
 ends       the means by the motion's ends, in which nothing is singular next to a jump of the force

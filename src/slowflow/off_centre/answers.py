@@ -15,9 +15,9 @@ from slowflow.gradient import Gradient
 from slowflow.measured.validity import Validity, off_centre
 from slowflow.model import Floats, Model
 from slowflow.off_centre import moves
+from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.moves import Given
 from slowflow.results import DRAWN, InDecibels, Remark
-from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import Pinned
 
 NOT_MEASURED = "errors of averaging are measured about the centre only: off it steady_state has the motions themselves"
@@ -138,12 +138,12 @@ class OffCentreStates(AveragedOff, InDecibels, Table):
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
     _h: Floats = field(repr=False)
-    _damping: tuple[float, float] = field(repr=False)
+    _flow: Flow = field(repr=False)
 
     @cached_property
     def phi(self) -> Floats:
         """Phase in radians, in [-pi, 0] (25); computed when first asked for."""
-        return frozen(np.asarray(slow_flow.phase(self.Omega, self.A, *self._damping, self._h)) + 0 * self.A)
+        return frozen(np.asarray(self._flow.phase(self.Omega, self.A, self._h)) + 0 * self.A)
 
     @property
     def u_max(self) -> Floats:
@@ -152,9 +152,11 @@ class OffCentreStates(AveragedOff, InDecibels, Table):
 
     @cached_property
     def transmissibility(self) -> Floats:
-        """Fundamental harmonic of what spring, damper and friction pass on, over F_0, of each state."""
-        given = self.Omega, self.A, self.F_0, *self._damping, self._h
-        return frozen(np.asarray(slow_flow.transmissibility(*given)) + 0 * self.A)
+        """Fundamental harmonic of what spring, damper and friction pass on, over the force, of each state.
+
+        On a base that shakes it is as well the absolute displacement of the mass over that of the base.
+        """
+        return frozen(np.asarray(self._flow.transmissibility(self.Omega, self.A, self.F_0, self._h)) + 0 * self.A)
 
     def gradient(self) -> Gradient:
         """How A, B, phi and transmissibility of each state move with the parameters, the load, F_0 and Omega, exactly.

@@ -1,7 +1,7 @@
 """States and folds by the motion's ends, as `boxes` takes them: in go charts and a forcing, out come equations.
 
 EndedState  f_0 = F = 0                  in x and y, at frequencies and a forcing
-EndedFold   f_0 = F = 0, F stationary    in x, y and t, at forcings; Omega follows
+EndedFold   f_0 = F = 0, F stationary    in x, y and R, at forcings; Omega follows
 EndedEdge   f_0 = 0                      in x or y, of motions that just come to the edge of a chart
 
 A system is a frequency, or a forcing, in one chart: its number is that of the first times the charts, and the chart's.
@@ -18,11 +18,10 @@ from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints
 from slowflow.off_centre.ends import Charts, Local
 from slowflow.off_centre.equations import ends_of, interval_of, numbers_of
+from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ALL
-from slowflow_kernels import off_centre, off_centre_intervals, slow_flow
+from slowflow_kernels import off_centre, off_centre_intervals
 
-#: what rounding does to a bound
-ROUNDED = 2.0**-40
 #: x or y next to an edge of its chart
 NEAR = 2.0**-8
 
@@ -39,8 +38,8 @@ class ByEnds:
 
     unknowns = 2
 
-    def __init__(self, charts: Charts, m: float, zeta: float, given: Floats) -> None:
-        self.charts, self.m, self.zeta, self.given = charts, m, zeta, given
+    def __init__(self, charts: Charts, flow: Flow, given: Floats) -> None:
+        self.charts, self.flow, self.given = charts, flow, given
 
     def chart(self, of: Ints) -> Ints:
         """Of a system."""
@@ -82,30 +81,39 @@ class ByEnds:
                 z = np.where(known & (np.abs(change) < 2.0**-30 * size).all(axis=0), z - change, z)
         return z
 
-    def _numbers(self, *values: float) -> tuple[Interval, ...]:
-        return tuple(Interval.point(value) for value in values)
+    @property
+    def _load(self) -> Interval:
+        return Interval.point(self.charts.steps.load)
+
+
+def _of_motions(values: Floats, slopes: Floats, here: Local, r: Floats) -> tuple[Floats, Floats]:
+    """Values and slopes, with no zero in boxes without any motion: those beyond A = 0."""
+    values[:, 0, (here.A.hi <= 0) & (r > 0).all(axis=0)] = 1.0
+    return values, slopes
 
 
 class EndedState(ByEnds):
     """At frequencies and one forcing."""
 
-    def __init__(self, charts: Charts, m: float, zeta: float, Omega: Floats, F_0: float) -> None:
-        super().__init__(charts, m, zeta, Omega)
-        self.F_0 = F_0
+    def __init__(self, charts: Charts, flow: Flow, Omega: Floats, F_0: float) -> None:
+        super().__init__(charts, flow, Omega)
+        self.force = flow.force(F_0, Omega)
 
     def on(self, x: Floats, r: Floats, of: Ints) -> tuple[Floats, ...]:
         """See `boxes.Equations`."""
         here = self.charts.on(interval_of(x[0], r[0]), interval_of(x[1], r[1]), self.chart(of))
-        Omega = _point(self.given[self.number(of)])
-        known = self._numbers(self.F_0, self.m, self.zeta, self.charts.steps.load)
+        Omega, force = (_point(one[self.number(of)]) for one in (self.given, self.force))
+        known = force, *self.flow.balances(Omega, here.A), self._load
         of_means = here.c_0, here.s_0, here.c_x, here.c_y, here.X, here.Y
-        return ends_of(off_centre_intervals.ended_state(Omega, here.A, *known, *of_means), 2, of.size)
+        found = off_centre_intervals.ended_state(Omega, here.A, *known, *of_means)
+        return _of_motions(*ends_of(found, 2, of.size), here, r)
 
     def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `ByEnds`."""
-        means = self.charts.steps.at(z[0], z[1], 1)
-        known = self.F_0, self.m, self.zeta, self.charts.steps.load
-        return numbers_of(off_centre.state(self.given[self.number(of)], z[0], *known, *means.c, *means.s), 2, of.size)
+        means, Omega = self.charts.steps.at(z[0], z[1], 1), self.given[self.number(of)]
+        of_flow = self.force[self.number(of)], self.flow.sine(Omega, z[0]), self.flow.sine_A(Omega, z[0])
+        known = *of_flow, self.charts.steps.load
+        return numbers_of(off_centre.state(Omega, z[0], *known, *means.c, *means.s), 2, of.size)
 
 
 class EndedFold(ByEnds):
@@ -117,20 +125,31 @@ class EndedFold(ByEnds):
         """See `boxes.Equations`."""
         xy = [interval_of(*pair) for pair in zip(x, r, strict=True)]
         here = self.charts.on(xy[0], xy[1], self.chart(of))
-        F_0 = self.given[self.number(of)]
-        known = self._numbers(self.m, self.zeta, self.charts.steps.load)
+        forcing = [_point(one) for one in self.flow.forcing(self.given[self.number(of)])]
+        known = [Interval.point(one) for one in self._damping]
         of_means = (here.c_0, here.s_0, here.c_x, here.c_y, here.c_xx, here.c_yy, here.X, here.Y, here.X_x, here.Y_y)
-        found = off_centre_intervals.ended_fold(xy[2], here.A, _point(F_0), *known, *of_means)
+        found = off_centre_intervals.ended_fold(xy[2], here.A, *forcing, *known, self._load, *of_means)
         holds = np.stack((np.full_like(x, -np.inf), np.full_like(x, np.inf)))
-        w = (here.A * resists(here)[0] - here.s_0) * 4.0
-        holds[:, 2] = phases(w, F_0, self.m, np.where(x[2] >= 0, 1.0, -1.0))
-        return *ends_of(found, 3, of.size), holds
+        # R (h - A h_A) = G^2 + I (A I_A - I)
+        intercept = (here.A * resists(here)[0] - here.s_0) * 4.0
+        square = Interval(np.maximum((xy[2] + here.s_0 * 2.0).ends, 0.0))
+        of_speed = square * here.A
+        force, speed = forcing[0] + forcing[1] * (square / here.A), of_speed.sqrt()
+        moves = here.A * self.flow.eta + speed * (2 * self.flow.zeta) + of_speed * self.flow.d + self.flow.m
+        by_line = (force.square() + moves * (of_speed * self.flow.d - self.flow.m)) / intercept
+        most = (force.square() - moves.square()).sqrt().hi
+        holds[0, 2], holds[1, 2] = np.fmax(by_line.lo, -most), np.fmin(by_line.hi, most)
+        return *_of_motions(*ends_of(found, 3, of.size), here, r), holds
 
     def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `ByEnds`."""
         means = self.charts.steps.at(z[0], z[1], 2)
-        known = self.given[self.number(of)], self.m, self.zeta, self.charts.steps.load
+        known = *self.flow.forcing(self.given[self.number(of)]), *self._damping, self.charts.steps.load
         return numbers_of(off_centre.fold(z[2], z[0], *known, *means.c, *means.s), 3, of.size)
+
+    @property
+    def _damping(self) -> tuple[float, ...]:
+        return self.flow.m, self.flow.eta, self.flow.zeta, self.flow.d
 
 
 class EndedEdge:
@@ -176,24 +195,3 @@ def resists(here: Local) -> tuple[Interval, Interval]:
         found.append(value + outwards * 2.0**-48 * np.abs(value))
     known = A_t.has_sign & np.isfinite(found).all(axis=0)
     return Interval(np.where(known, np.stack(found), ALL)), A_t
-
-
-def phases(w: Interval, F_0: Floats, m: float, sign: Floats) -> Floats:
-    """Between which t of that sign folds are at a forcing, lower and upper ends; none if they cross.
-
-    w -- h - A h_A along the balance: the lesser t at which F_A vanishes falls with |w|
-    """
-    least, most = np.where(sign > 0, w.lo, -w.hi), np.where(sign > 0, w.hi, -w.lo)
-    # what is not known is NaN
-    least = np.where(least > 0, least * (1 - ROUNDED), 0.0)
-    most = np.where(most > 0, most * (1 + ROUNDED), np.where(np.isnan(most), np.inf, -1.0))
-    half = slow_flow.least_restoring(F_0, m) * (1 - ROUNDED)
-
-    def at(w: Floats) -> Floats:
-        w = np.maximum(w, half)
-        # next to where the root vanishes it has half the digits
-        return np.asarray(off_centre.fold_phase(F_0, m, w, half))
-
-    low, high = at(most) * (1 - 2.0**-22), at(least) * (1 + 2.0**-22)
-    low, high = np.where(most < half, 1.0, low), np.where(most < half, 0.0, high)
-    return np.where(sign > 0, np.stack((low, high)), np.stack((-high, -low)))

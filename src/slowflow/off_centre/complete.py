@@ -7,16 +7,17 @@ wherever they turn. What could not be decided comes out beside what was found.
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
-from slowflow.averaged.reference.roots import response_roots
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints, Solutions, solve
 from slowflow.off_centre.by_ends import EndedFold, EndedState
 from slowflow.off_centre.equations import Fold
+from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.onset import Lowest, Search
 from slowflow.off_centre.sheets import Corner, Sheets
@@ -40,8 +41,8 @@ class Complete:
     sheets -- of the balance of the mean, in whose charts they are looked for
     """
 
-    def __init__(self, steps: Steps, m: float, zeta: float) -> None:
-        self._steps, self._m, self._zeta = steps, m, zeta
+    def __init__(self, steps: Steps, flow: Flow) -> None:
+        self._steps, self._flow = steps, flow
         self._breakpoints = tuple(map(float, steps.breakpoints))
         self.sheets = Sheets(steps, self.offset_bound)
 
@@ -60,11 +61,11 @@ class Complete:
         return np.concatenate([part.x for part in parts], axis=1), of, undecided
 
     def folds(self, F_0: Floats) -> Solutions:
-        """All folds at some forcings but those on corners, by A, B and t."""
+        """All folds at some forcings but those on corners, by A, B and R."""
         if self.has_centre:
             return self._beside_centre(F_0)
-        boxes = self.sheets.folds(max(map(self.A_max, F_0.tolist())), F_0, self._m, self._zeta)
-        return self._solved(EndedFold(self.sheets.charts, self._m, self._zeta, F_0), *boxes)
+        boxes = self.sheets.folds(max(map(self.A_max, F_0.tolist())), F_0, self._flow)
+        return self._solved(EndedFold(self.sheets.charts, self._flow, F_0), *boxes)
 
     def corners(self, F_0: float) -> tuple[Floats, list[str], Floats]:
         """The folds where a motion just touches a jump of the force, their kinds, and where there may be others."""
@@ -75,28 +76,26 @@ class Complete:
             if self.has_centre and abs(corner.B) <= AT_CENTRE:
                 continue
             A = np.array([corner.A])
-            Omega = response_roots(A, np.array([-2 * corner.s_0]), self._m, self._zeta, np.array([F_0]))[0]
+            Omega = self._flow.frequencies(A, np.array([-2 * corner.s_0]), F_0)[0]
             for at in Omega[Omega > 0].tolist():
-                R, I = slow_flow.R(at, corner.A, -2 * corner.s_0), slow_flow.I(at, corner.A, self._m, self._zeta)
-                t = off_centre.phase(R, I, F_0)
-                if kind := self._kind_at_corner(corner, t, F_0):
-                    found.append((corner.A, corner.B, t))
+                if kind := self._kind_at_corner(corner, at):
+                    found.append((corner.A, corner.B, float(slow_flow.R(at, corner.A, -2 * corner.s_0))))
                     kinds.append(kind)
         open_ = np.concatenate((open_, np.zeros((1, open_.shape[1]))))
         return np.array(found).reshape(-1, 3).T, kinds, open_
 
     def lowest(self) -> Lowest | None:
         """The fold at the onset, or None where none is. Raises ArithmeticError where that is not decided."""
-        search = Search(self._steps, self._m, self._zeta)
+        search = Search(self._steps, self._flow)
         size = max(1.0, abs(self._steps.load), *map(abs, self._breakpoints))
         known = [search.descend(*at) for at in search.begin(size, self.offset_bound)]
-        known += search.corners(self.sheets.corners(self.A_max(self._m))[0])
+        known += search.corners(self.sheets.corners(self.A_max(self._flow.m))[0])
         while True:
             best = min(known, key=lambda fold: fold.F_0, default=None)
             if best is not None and not best.kind:
                 raise ArithmeticError("a fold whose forcing only falls")
             F_0 = math.inf if best is None else best.F_0
-            lower = search.lower(self.sheets, self.A_max(self._m if best is None else F_0), F_0)
+            lower = search.lower(self.sheets, self.A_max(self._flow.m if best is None else F_0), F_0)
             if lower is None:
                 return best
             known.append(search.descend(*lower))
@@ -108,7 +107,7 @@ class Complete:
 
         A force that is no polynomial may be 2^24 times the load and 1 on both sides before: up to there, then.
         """
-        sizes = (1.0, F_0, F_0 / self._zeta, abs(self._steps.load), *map(abs, self._breakpoints))
+        sizes = (1.0, F_0, F_0 / self._flow.zeta, abs(self._steps.load), *map(abs, self._breakpoints))
         return min(2.0**ABOVE * max(sizes), self._grown)
 
     @property
@@ -147,12 +146,14 @@ class Complete:
     def _at(self, Omega: Floats, F_0: float) -> Solutions:
         """All states at some frequencies, by A and B."""
         with np.errstate(divide="ignore"):
-            bounds = slow_flow.limit_envelope(Omega, F_0, self._m, self._zeta) * (1 + 2.0**-40)  # I <= F_0
+            force = self._flow.force(F_0, Omega)
+            # I is not more than the force
+            bounds = slow_flow.limit_envelope(Omega, force, self._flow.m, self._flow.zeta) * (1 + 2.0**-40)
         # at Omega = 0 it is a static state
         most = max(self.A_max(F_0), float(bounds[np.isfinite(bounds)].max(initial=0.0)))
         most = min(most, self._grown)
-        boxes = self.sheets.states(most, Omega, F_0, self._m, self._zeta)
-        return self._solved(EndedState(self.sheets.charts, self._m, self._zeta, Omega, F_0), *boxes)
+        boxes = self.sheets.states(most, Omega, F_0, self._flow)
+        return self._solved(EndedState(self.sheets.charts, self._flow, Omega, F_0), *boxes)
 
     def _beside_centre(self, F_0: Floats) -> Solutions:
         """The same of an odd force without a load: where motions about the centre lose their stability others begin."""
@@ -166,8 +167,13 @@ class Complete:
                 low += [(*a, t) for t in phases[:-1]]
                 high += [(*b, t) for t in phases[1:]]
             of += [i] * (len(low) - len(of))
-        equations = Fold(self._steps, self._m, self._zeta, F_0)
-        return solve(equations, np.array(low).T, np.array(high).T, np.array(of, dtype=np.intp))
+        equations = Fold(self._steps, self._flow.m, self._flow.zeta, F_0)
+        found = solve(equations, np.array(low).T, np.array(high).T, np.array(of, dtype=np.intp))
+        return replace(found, x=self._by_R(found.x, F_0[found.of]))
+
+    def _by_R(self, x: Floats, F_0: Floats) -> Floats:
+        """R in the place of t."""
+        return np.stack((*x[:2], off_centre.balance_by_phase(x[2], F_0)[0]))
 
     def _add(self, edges: Floats, low: list[Any], high: list[Any]) -> None:
         """Boxes of A between neighbouring edges and of all B that the balance may have there."""
@@ -188,8 +194,8 @@ class Complete:
     def _phases(self, F_0: float) -> Floats:
         """Ends of parts of all t."""
         # I >= m: beyond it the phase belongs to no Omega
-        least = slow_flow.least_restoring(F_0, self._m)
-        most = float(off_centre.fold_phase(F_0, self._m, least, least)) * (1 + 2.0**-40)
+        least = slow_flow.least_restoring(F_0, self._flow.m)
+        most = float(off_centre.fold_phase(F_0, self._flow.m, least, least)) * (1 + 2.0**-40)
         return np.linspace(-most, most, 5)
 
     def _solved(self, equations: EndedState | EndedFold, low: Floats, high: Floats, of: Ints) -> Solutions:
@@ -212,9 +218,10 @@ class Complete:
         order = np.lexsort((*z[::-1], number))
         return z[:, order], number[order]
 
-    def _kind_at_corner(self, corner: Corner, t: float, F_0: float) -> str:
+    def _kind_at_corner(self, corner: Corner, Omega: float) -> str:
         """The kind of a fold there, "" for none: F_A has other signs where a motion reaches no jump and beyond it."""
-        turns = [off_centre.turns_by(t, F_0, self._m, corner.A * e) for e in corner.e]
+        h = -2 * corner.s_0
+        turns = [float(self._flow.F_A(Omega, corner.A, h, h / corner.A - e)) for e in corner.e]
         if turns[0] * turns[1] >= 0:
             return ""
         side = int(turns[1] > 0)

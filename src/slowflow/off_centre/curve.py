@@ -18,8 +18,9 @@ import numpy as np
 from slowflow.averaged.reference.intervals import Bools
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints
+from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps
-from slowflow_kernels import off_centre, slow_flow
+from slowflow_kernels import off_centre
 
 #: frequencies of a cell that are asked for at first, and how often a stretch is cut where its arcs are not told apart
 FIRST, CUTS = 6, 12
@@ -79,8 +80,7 @@ class Slow(NamedTuple):
     """An averaged oscillator at a forcing."""
 
     steps: Steps
-    m: float
-    zeta: float
+    flow: Flow
     F_0: float
 
 
@@ -295,7 +295,7 @@ def _first(low: float, high: float, after_fold: bool, before_fold: bool) -> list
 def _tangents(of: Slow, Omega: Floats, x: Floats) -> Floats:
     """dA/dOmega and dB/dOmega along the response at states (2, n)."""
     means = of.steps.at(x[0], x[1], 0)
-    by_Omega = slow_flow.F_Omega(Omega, x[0], of.m, of.zeta, -2 * means.s[0])
+    by_Omega = of.flow.F_Omega(Omega, x[0], -2 * means.s[0])
     return -_solved(of, Omega, x, lambda f_0, F: (0 * f_0, by_Omega))
 
 
@@ -317,7 +317,8 @@ def _arm(of: Slow, Omega: Floats, x: Floats) -> Floats:
 def _state(of: Slow, Omega: Floats, x: Floats) -> Any:
     """f_0 and F, and their slopes by A and B."""
     means = of.steps.at(x[0], x[1], 1)
-    return off_centre.state(Omega, x[0], of.F_0, of.m, of.zeta, of.steps.load, *means.c, *means.s)
+    given = of.flow.force(of.F_0, Omega), of.flow.sine(Omega, x[0]), of.flow.sine_A(Omega, x[0]), of.steps.load
+    return off_centre.state(Omega, x[0], *given, *means.c, *means.s)
 
 
 def _points(of: Slow, skeleton: _Skeleton, tours: list[tuple[list[Node], bool]], points: int) -> Curves:

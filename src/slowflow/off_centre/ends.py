@@ -114,14 +114,28 @@ class Charts:
         return (other, along, at) if edge else (other, at, along)
 
     def stiffness(self, x: Interval, y: Interval, chart: Ints) -> Interval:
-        """f' on all that motions of charts in which x and y are the ends may pass: -h/A is a mean of it."""
-        u = Interval(np.stack((-y.hi, x.hi)))
-        D = self.steps.pieces[self.upper[chart]].T
+        """f' on all that motions may pass next to one place: -h/A is a mean of it; unknown where the force jumps there.
+
+        They are of one piece, or of two, one step being passed by small motions.
+        """
+        passes, rooted = self.passes[chart], self.rooted[:, chart]
+        past_x, past_y = (np.where(root, one.hi**2, one.hi) for root, one in zip(rooted, (x, y), strict=True))
+        upper, lower = self.place[:, chart]
+        u = Interval(np.stack((lower - past_y, upper + past_x)))
+        ends = [self._slope(u, self.steps.pieces[of[chart]].T).ends for of in (self.upper, self.lower)]
+        hull = np.stack((np.minimum(ends[0][0], ends[1][0]), np.maximum(ends[0][1], ends[1][1])))
+        known = ~rooted.any(axis=0) & (~passes | (self.upper[chart] == self.lower[chart] + 1))
+        found = Interval(np.where(known, hull, ALL))
+        return found if self.steps.curved is None else found + self.steps.curved.slope(u)
+
+    @staticmethod
+    def _slope(u: Interval, D: Floats) -> Interval:
+        """That of a polynomial by its derivatives at u = 0."""
         found, power = Interval(np.zeros_like(u.ends)), Interval(np.ones_like(u.ends))
         for k in range(1, len(D)):
             found = found + _scaled(power, D[k] / math.factorial(k - 1))
             power = (u.square() if k == 2 else power * u) if k > 1 else u
-        return found if self.steps.curved is None else found + self.steps.curved.slope(u)
+        return found
 
     def on(self, x: Interval, y: Interval, chart: Ints) -> Local:
         """On boxes within the limits of their charts."""

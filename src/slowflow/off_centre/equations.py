@@ -113,7 +113,9 @@ class Fold:
         means = self.steps.on(A, B, 2)
         F_0 = Interval(np.array((self.F_0[of],) * 2))
         m, zeta, load = (Interval.point(value) for value in (self.m, self.zeta, self.steps.load))
-        values, slopes = ends_of(off_centre_intervals.fold(t, A, F_0, m, zeta, load, *means.c, *means.s), 3, of.size)
+        values, slopes = ends_of(
+            off_centre_intervals.fold_by_t(t, A, F_0, m, zeta, load, *means.c, *means.s), 3, of.size
+        )
         beside, none = self._beside_centre(A, B, means)
         resists = [one.both(beside) for one in self.steps.resists(A, B, means)]
         turns = [
@@ -143,4 +145,4 @@ class Fold:
         """See `boxes.Equations`."""
         means = self.steps.at(x[0], x[1], 2)
         given = (self.F_0[of], self.m, self.zeta, self.steps.load)
-        return numbers_of(off_centre.fold(x[2], x[0], *given, *means.c, *means.s), 3, of.size)
+        return numbers_of(off_centre.fold_by_t(x[2], x[0], *given, *means.c, *means.s), 3, of.size)

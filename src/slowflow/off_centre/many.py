@@ -259,17 +259,18 @@ class OffCentreDesigns:
     """Arrays of designs of one mechanism under static loads, and the questions off the centre about them.
 
     values -- as of `slowflow.averaged.many.Designs`, with "load"
+    excitation -- as there; friction acts throughout
 
-    Raises TypeError and ValueError as that does, ValueError for an excitation by inertia, for other laws of damping
-    than mu and zeta, and for a force that is no piecewise polynomial.
+    Raises TypeError and ValueError as that does, ValueError for a force that is no piecewise polynomial.
     """
 
-    excitation, rubs = "force", THROUGHOUT
+    rubs = THROUGHOUT
 
-    def __init__(self, mechanism: Mechanism, values: dict[str, Any]) -> None:
+    def __init__(self, mechanism: Mechanism, values: dict[str, Any], excitation: str = "force") -> None:
         check_polynomial(mechanism)
-        self._unloaded = many.Designs(mechanism, {name: value for name, value in values.items() if name != "load"})
-        self.mechanism = mechanism
+        own = {name: value for name, value in values.items() if name != "load"}
+        self._unloaded = many.Designs(mechanism, own, excitation)
+        self.mechanism, self.excitation = mechanism, excitation
         self.values = {**self._unloaded.values, "load": validate.real_array("load", values["load"])}
         self.shape = validate.common_shape(self.values)
         self._singles: dict[tuple[float, ...], OffCentre] = {}
@@ -355,7 +356,8 @@ class OffCentreDesigns:
         """
         validate.workers(workers)
         asked = {"Omega": validate.real_array("Omega", Omega), "F_0": validate.real_array("F_0", F_0)}
-        rows = OffCentreDesigns(self.mechanism, {name: value[..., np.newaxis] for name, value in self.values.items()})
+        by_rows = {name: value[..., np.newaxis] for name, value in self.values.items()}
+        rows = OffCentreDesigns(self.mechanism, by_rows, self.excitation)
         shape = validate.common_shape({**rows.values, **asked})
         numbers = [np.broadcast_to(value, shape[:-1]) for value in self.values.values()]
         tones = [np.broadcast_to(value, shape).astype(float) for value in asked.values()]
@@ -400,6 +402,7 @@ class OffCentreDesigns:
 
         Some hundredths of a second a design.
         """
+        self._of_no_frequency("transient")
         if (duration is None) == (tau is None):
             raise ValueError(NO_PULSE)
         if after is not None:
@@ -419,8 +422,14 @@ class OffCentreDesigns:
 
         Some hundredths of a second a design.
         """
+        self._of_no_frequency("shock_spectrum")
         pulse = shocks_many.numbers(acceleration=acceleration, duration=duration)
         return self._answered(OffCentreShocks, _shock, pulse, workers, beside={"_pulse": pulse})
+
+    def _of_no_frequency(self, question: str) -> None:
+        """Raises NotAvailable where structural damping, which is stated at one frequency, has no motion in time."""
+        if "eta" in self.values:
+            raise NotAvailable(f"{question} is not available with eta: structural damping is stated at one frequency")
 
     def _answered(
         self,
@@ -584,6 +593,8 @@ def _states(single: OffCentre, F_0: float, Omega: float) -> Found:
 
 def _peak(single: OffCentre, F_0: float) -> Found:
     found = single.peak(F_0)
+    if found.A is None:  # as an excitation by inertia may have it
+        return {}, Status.NONE, found.remarks
     return _columns(found, "A", "B", "Omega", "u_max", "Omega_max"), Status.OK, found.remarks
 
 
@@ -620,7 +631,7 @@ def _shocked(single: OffCentre) -> tuple[EquationOfMotion, int]:
     model = single.model
     force = followed(Force.of(model.mechanism, model.parameters), model.mechanism.name)
     stands = 1 if force.odd and single.load == 0 else int(single.rest().stable.sum())
-    return EquationOfMotion(force, model.mu, model.zeta, load=single.load), stands
+    return EquationOfMotion(force, model.mu, model.zeta, load=single.load, c_2=model.laws.c_2), stands
 
 
 def _of_shock(single: OffCentre, found: Any, stands: int, *names: str) -> Found:

@@ -30,6 +30,7 @@ STEP = 1e-200
 ON_A_JUMP = (Pinned.CORNER_FOLD, Pinned.CORNER_END)
 
 NO_DESIGN = "gradients are known of an oscillator whose record says how its force moves with its design: this is none"
+OF_A_FORCE = "off the centre gradients are known with excitation = 'force', mu and zeta only"
 CURVED = "off the centre gradients are known of piecewise polynomials, which this force is none of"
 NEXT_TO_REST = "a force that may jump at u = 0 and does not has no gradients off the centre"
 
@@ -54,6 +55,8 @@ class Given:
             raise NotAvailable(NO_DESIGN)
         if model.mechanism.steps is None:
             raise NotAvailable(CURVED)
+        if model.inertial or model.laws.any:
+            raise NotAvailable(OF_A_FORCE)
         steps = Steps(model.mechanism, model.parameters, load)
         return cls(model, steps, *_by_design(model, steps))
 

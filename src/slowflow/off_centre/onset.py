@@ -15,27 +15,23 @@ Only folds that end a stable motion are looked at, those with c_1 = df_0/dB > 0.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
-from slowflow.averaged.reference.intervals import Bools, Interval
-from slowflow.averaged.reference.roots import fold_roots, peak_roots
+from slowflow.averaged.reference.intervals import Bools
 from slowflow.model import Floats
+from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Steps
-from slowflow.off_centre.reach import ROUNDED
 from slowflow.off_centre.sheets import Cells, Corner, Sheets
-from slowflow_kernels import off_centre, slow_flow
+from slowflow_kernels import off_centre
 
 #: relative distance below F_SN within which no fold is proved to be absent
 GAP = 2.0**-16
 #: boxes that are looked at in all, and up to which number the middle of each is asked for a lower fold
 MOST_BOXES, FEW = 100_000, 2000
-#: parts of the range of y, and how often what is left of it is cut into parts again
-PARTS, ROUNDS = 8, 7
 #: amplitudes, by octaves, and mean displacements at which folds are looked for to begin with
 OCTAVES, SAMPLES, ACROSS = 20, 121, 96
 
@@ -52,10 +48,10 @@ class Lowest:
 
 
 class Search:
-    """For one force with its load, 4 mu/pi and zeta."""
+    """For one force with its load, by what excites and dissipates."""
 
-    def __init__(self, steps: Steps, m: float, zeta: float) -> None:
-        self.steps, self.m, self.zeta = steps, m, zeta
+    def __init__(self, steps: Steps, flow: Flow) -> None:
+        self.steps, self.flow = steps, flow
 
     # ==== Folds at points of the balance ==============================================================================
 
@@ -64,18 +60,7 @@ class Search:
         means = self.steps.at(A, B, 1)
         with np.errstate(all="ignore"):
             h_A = 2 * means.s[0] / A - 2 * (means.c[1] - means.s[1] ** 2 / means.c[1])
-            return self._lowest(A, means.s[0], np.where(means.c[1] > 0, h_A, np.nan))
-
-    def _lowest(self, A: Floats, s_0: Floats, h_A: Floats) -> tuple[Floats, Floats]:
-        known = np.isfinite(h_A) & (A > 0)
-        Omega = np.full((A.size, 3), np.nan)
-        with np.errstate(all="ignore"):
-            if known.any():
-                Omega[known] = fold_roots(A[known], -2 * s_0[known], h_A[known], self.m, self.zeta)[0]
-            level = slow_flow.level(Omega, A[:, np.newaxis], self.m, self.zeta, -2 * s_0[:, np.newaxis])
-        level = np.where(Omega > 0, level, np.inf)
-        lowest = np.argmin(level, axis=1)[:, np.newaxis]
-        return np.take_along_axis(level, lowest, 1)[:, 0], np.take_along_axis(Omega, lowest, 1)[:, 0]
+        return self.flow.least_fold(A, -2 * means.s[0], np.where(means.c[1] > 0, h_A, np.nan))
 
     def begin(self, size: float, offset_bound: Callable[[float], float]) -> list[tuple[float, float]]:
         """Points of the balance with low folds: the lowest on each stretch of a coarse sample of it."""
@@ -108,12 +93,12 @@ class Search:
                 continue
             A, s_0 = np.array([corner.A]), np.array([corner.s_0])
             beside = [-2 * s_0 / A - e for e in corner.e]
-            candidates = [self._lowest(A, s_0, h_A) for h_A in beside]
-            Omega = peak_roots(A, -2 * s_0, self.m, self.zeta)[0][0]
-            Omega = Omega[Omega > 0]
-            turns = [slow_flow.F_A(Omega, corner.A, self.m, self.zeta, -2 * s_0, h_A) for h_A in beside]
+            candidates = [self.flow.least_fold(A, -2 * s_0, h_A) for h_A in beside]
+            Omega = self.flow.stationary(A, -2 * s_0)[0]
+            Omega = Omega[(Omega > 0) & np.isfinite(Omega)]
+            turns = [self.flow.F_A(Omega, corner.A, -2 * s_0, h_A) for h_A in beside]
             Omega = Omega[turns[0] * turns[1] < 0]
-            candidates.append((slow_flow.level(Omega, corner.A, self.m, self.zeta, -2 * s_0), Omega))
+            candidates.append((self.flow.level(Omega, corner.A, -2 * s_0), Omega))
             level, Omega = (np.concatenate(column) for column in zip(*candidates, strict=True))
             i = int(np.argmin(level))
             if np.isfinite(level[i]):
@@ -187,10 +172,9 @@ class Search:
         at = np.array([A]), np.array([B])
         means, Omega = self.steps.at(*at, ORDERS), self.folds(*at)[1]
         h, h_A, h_AA, _ = off_centre.averaged(at[0], *means.c[1:], *means.s)
-        given = Omega, at[0], self.m, self.zeta, h
         return {
-            "cusp": float(np.asarray(slow_flow.F_AA(*given, h_A, h_AA))[0]),
-            "isola": float(np.asarray(slow_flow.F_Omega(*given))[0]),
+            "cusp": float(np.asarray(self.flow.F_AA(Omega, at[0], h, h_A, h_AA))[0]),
+            "isola": float(np.asarray(self.flow.F_Omega(Omega, at[0], h))[0]),
         }
 
     # ==== No fold is lower ============================================================================================
@@ -226,35 +210,5 @@ class Search:
 
     def _may_be_lower(self, cells: Cells, below: float) -> Bools:
         """Which cells may hold a fold with a level below."""
-        e = cells.e
-        may = self._may(cells.A, cells.p, e.hi, below, 1.0) | self._may(cells.A, cells.p, -e.lo, below, -1.0)
-        return np.asarray((cells.rising.hi > 0) & may)
-
-    def _may(self, A: Interval, p: Interval, e: Floats, below: float, sign: float) -> Bools:
-        """Whether there may be a fold with y of that sign, |e| <= e, and a level below."""
-        rest = math.sqrt(max(below**2 - self.m**2, 0.0))
-        most = np.where(np.isnan(e), np.inf, e) * (1 + ROUNDED)
-        e = most
-        most = np.fmin(most, rest / A.lo * (1 + ROUNDED))
-        if sign < 0:
-            most = np.minimum(most, np.maximum(p.hi, 0.0))
-        start, end = np.maximum(0.0, -p.hi if sign > 0 else 0.0), most
-        left = (end >= start) & (end >= 0)
-        unknown = ~np.isfinite(end) | ~np.isfinite(p.ends).all(axis=0)
-        shares = np.arange(PARTS + 1)[:, np.newaxis] / PARTS
-        for _ in range(ROUNDS):
-            edges = start + shares * (end - start)
-            y_0, y_1 = edges[:-1] * (1 - ROUNDED), edges[1:] * (1 + ROUNDED)
-            x = np.maximum(p.lo + (y_0 if sign > 0 else -y_1), 0.0)
-            highest = np.clip(0.5 * e, y_0, y_1)
-            # I times its slope along A, over A
-            w = np.sqrt(x)
-            needed = slow_flow.I(w, 1.0, 0.0, self.zeta) * slow_flow.I(w, A.hi, self.m, self.zeta) / A.hi
-            fold = np.isinf(e) | (highest * (e - highest) * (1 + ROUNDED) >= needed * (1 - ROUNDED))
-            level = (A.lo * y_0) ** 2 + slow_flow.I(w, A.lo, self.m, self.zeta) ** 2
-            holds = fold & (level * (1 - ROUNDED) <= below**2)
-            left &= holds.any(axis=0)
-            first, last = np.argmax(holds, axis=0), PARTS - 1 - np.argmax(holds[::-1], axis=0)
-            n = np.arange(first.size)
-            start, end = np.where(left, edges[first, n], start), np.where(left, edges[last + 1, n], end)
-        return np.asarray(left | unknown)
+        found = (self.flow.folds_between(cells.A, cells.p, cells.e, sign, (0.0, below))[2] for sign in (1.0, -1.0))
+        return np.asarray((cells.rising.hi > 0) & np.logical_or(*found))

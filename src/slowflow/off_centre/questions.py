@@ -17,7 +17,7 @@ from scipy.optimize import brentq
 
 from slowflow import loads, validate
 from slowflow.answer import joined
-from slowflow.averaged import remarks
+from slowflow.averaged import remarks, words
 from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.questions import Averaged
 from slowflow.loaded import Loaded
@@ -35,10 +35,12 @@ from slowflow.off_centre.boxes import Ints, Solutions, solve
 from slowflow.off_centre.complete import AT_CENTRE, PARTS, UNBOUNDED, Complete
 from slowflow.off_centre.curve import Curves, Slow, curves, on_curve
 from slowflow.off_centre.equations import Detaching, Resting
+from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Means, Steps
 from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach
+from slowflow.off_centre.reach import BEYOND as BEYOND_IT
 from slowflow.results import Remark, SaddleNodes
-from slowflow_kernels import off_centre, slow_flow
+from slowflow_kernels import dissipation, off_centre
 
 #: octaves of an amplitude beside the size of the problem, where what is beyond is not bounded by a polynomial
 OCTAVES = 40
@@ -46,8 +48,18 @@ OCTAVES = 40
 KEPT = 64
 #: how nearly the highest frequency is known that is looked at for isolation
 COARSE = 2.0**-6
+#: above the frequency from which on a base moves the mass, and of the highest one of a window, where curves begin
+BEGINS = 2.0**-10
 STICKS = "sticks: F_0 = {:g} does not exceed 4 mu/pi = {:g}"
 UNDAMPED = "{} needs zeta > 0 off the centre: without viscous damping amplitudes have no bound"
+BY_ITSELF = (
+    "{} is not available of motions that leave the centre by themselves with {}: of them it is only with "
+    "excitation = 'force', mu and zeta"
+)
+OPEN = "isolation is not available: motions beyond A = {:g} are not looked at, and the response may not close"
+CUT = "no peak up to A = {:g}, beyond which it is not looked for: the response may not close"
+TENDED_TO = "the first breakpoint is tended to as Omega tends to inf, at F_0 = {:g}, and not reached below that"
+NO_MARGINS = "margins is not available here: {}"
 BEYOND = "at rest the mass stands at the first breakpoint or beyond it already"
 ONE_PIECE = "no detachment: the force has one piece only"
 NOT_REACHED = "no motion comes to the first breakpoint"
@@ -83,14 +95,17 @@ class OffCentre:
 
     Answers are kept for some time, as one is made of others: a response of its folds, margins of almost all.
     The force may be any piecewise polynomial, odd or not, and any other that is smooth up to the ends of its pieces.
+    What excites and what dissipates is as about the centre, but for friction that ends at u_cr; motions that leave the
+    centre by themselves, without a load, have a force, viscous damping and friction.
     """
 
     def __init__(self, model: Model, load: float) -> None:
         self._model, self.model = model, Loaded(model, load)
         self._steps = Steps(model.mechanism, model.parameters, load)
+        self._flow = Flow.of(model)
         self._m, self._zeta = model.m, model.zeta
-        self._reach = Reach(self._steps, self._m, self._zeta)
-        self._complete = Complete(self._steps, self._m, self._zeta)
+        self._reach = Reach(self._steps, self._flow)
+        self._complete = Complete(self._steps, self._flow)
         self._known: dict[tuple[Any, ...], Any] = {}
 
     def __eq__(self, other: object) -> bool:
@@ -117,8 +132,8 @@ class OffCentre:
 
     @property
     def sticking_forcing(self) -> float:
-        """4 mu/pi: a forcing that does not exceed it leaves a mass at rest, wherever that is (27)."""
-        return self._m
+        """4 mu/pi: a forcing that does not exceed it leaves a mass at rest, wherever that is (27); 0 under inertia."""
+        return 0.0 if self._flow.inertial else self._m
 
     @property
     def breakpoints(self) -> tuple[float, ...]:
@@ -167,8 +182,10 @@ class OffCentre:
         A, B = A[inside], equations.offset(A, found.of)[inside]
         if not A.size:
             return self._no_detachment(NOT_REACHED)
-        level, Omega = self._reach.least_forcing(A, -2 * equations.steps.at(A, B, 0).s[0])
+        level, Omega = self._flow.least_forcing(A, -2 * equations.steps.at(A, B, 0).s[0])
         least = int(np.argmin(level))
+        if math.isinf(Omega[least]):
+            return self._no_detachment(TENDED_TO.format(level[least]))
         F_cr, Omega_cr, A_cr, B_cr = (float(column[least]) for column in (level, Omega, A, B))
         return OffCentreDetachment(F_cr, Omega_cr, A_cr, B_cr, self.load, "", _model=self._model)
 
@@ -223,16 +240,18 @@ class OffCentre:
             found = at_pairs(lambda at, one: self.amplitudes(Omega=at, F_0=one), Omega, F_0, names)
             told: dict[str, Any] = {"load": self.load, "message": found.message(), "Omega_undecided": found.undecided()}
             told["remarks"] = reduce(or_, (part.remarks for part in found.parts), Remark(0))
-            return OffCentreStates(**found.columns, F_0=found.F_0, _damping=self._damping, _model=self._model, **told)
+            return OffCentreStates(**found.columns, F_0=found.F_0, _flow=self._flow, _model=self._model, **told)
         at = validate.frequencies("Omega", Omega).ravel()
         F_0 = validate.number("F_0", F_0, above=0.0)
         self._damped("amplitudes")
-        if F_0 <= self._m or not at.size:
-            said = _Said(STICKS.format(F_0, self._m)) if F_0 <= self._m else _Said()
+        if self._flow.sticks(F_0) or not at.size:
+            said = _Said(STICKS.format(F_0, self._m)) if self._flow.sticks(F_0) else _Said()
             return self._states(at, np.empty(0), np.empty(0), F_0, said, np.empty(0), np.empty(0, int))
         x, of, undecided = np.empty((2, 0)), np.empty(0, dtype=np.intp), np.empty(0, dtype=np.intp)
-        if not self._keeps_centre:
-            x, of, undecided = self._complete.states(at, F_0)
+        moves = np.flatnonzero(self._flow.force(F_0, at) > self._m)
+        if moves.size and not self._keeps_centre:
+            x, of, undecided = self._complete.states(at[moves], F_0)
+            of, undecided = moves[of], moves[undecided]
         if self._complete.has_centre:
             centred = Averaged(self._model).amplitudes(Omega=at, F_0=F_0)
             of_centred = np.concatenate([np.flatnonzero(at == Omega) for Omega in np.unique(centred.Omega)] or [of])
@@ -242,6 +261,7 @@ class OffCentre:
         order = np.lexsort((x[1], x[0], of))
         missing = np.unique(at[undecided])
         said = _Said(UNDECIDED.format(_listed(missing)), Remark.UNDECIDED) if missing.size else _Said()
+        said = said.beside(_Said(words.sticks_below(self._model, F_0, at)))
         return self._states(at, x[0, order], x[1, order], F_0, said, missing, of[order])
 
     @property
@@ -265,7 +285,8 @@ class OffCentre:
         """The response at F_0, every branch and isolated curve with its B, for frequencies in the window `Omega`.
 
         About `samples` points; folds are among them exactly. No branch is lost: folds and the states at frequencies
-        between them are all there are, and neighbouring states are shown to be on one arc.
+        between them are all there are, and neighbouring states are shown to be on one arc. Under an excitation by
+        inertia it begins where the mass has begun to move, or at 2^-10 of the window's end.
         Raises ValueError as `Oscillator.frequency_response` and for zeta = 0, ArithmeticError where it is not decided
         which states are on one curve.
         """
@@ -276,14 +297,17 @@ class OffCentre:
 
     def _curve(self, F_0: float, samples: int, low: float, high: float) -> OffCentreResponse:
         """`frequency_response` in a window of frequencies."""
-        if F_0 <= self._m:
+        if self._flow.sticks(F_0):
             return self._response(Curves.none(), F_0, _Said(STICKS.format(F_0, self._m)))
         found, said = Curves.none(), _Said()
-        if not self._keeps_centre:
+        if self._flow.inertial:
+            # at rest it begins, with no amplitude: there all states meet
+            low = max(low, self._flow.moves_from(F_0) * (1 + BEGINS), high * BEGINS)
+        if not self._keeps_centre and low < high:
             folds = self.saddle_nodes(F_0)
             off = np.abs(folds.B) > AT_CENTRE if self._complete.has_centre else np.ones(len(folds), dtype=bool)
             places = np.stack((folds.Omega, folds.A, folds.B))[:, off]
-            slow = Slow(self._steps, self._m, self._zeta, F_0)
+            slow = Slow(self._steps, self._flow, F_0)
             found = curves(slow, places, partial(self._off, F_0=F_0), (low, high), samples)
             said = _Said(folds.message, folds.remarks) if len(folds) else said
         if self._complete.has_centre:
@@ -309,7 +333,7 @@ class OffCentre:
         return self._once(("saddle_nodes", F_0), lambda: self._saddle_nodes(F_0))
 
     def _saddle_nodes(self, F_0: float) -> OffCentreFolds:
-        if F_0 <= self._m:
+        if self._flow.sticks(F_0):
             return self._folds(np.empty((3, 0)), np.empty(0, dtype=str), F_0, _Said(STICKS.format(F_0, self._m)))
         centred = Averaged(self._model).saddle_nodes(F_0) if self._complete.has_centre else None
         if centred is not None and self._keeps_centre:
@@ -318,7 +342,7 @@ class OffCentre:
 
     def _folds_at(self, F_0: list[float]) -> list[OffCentreFolds]:
         """`saddle_nodes` at several forcings together."""
-        several = [one for one in F_0 if one > self._m and ("saddle_nodes", one) not in self._known]
+        several = [one for one in F_0 if not self._flow.sticks(one) and ("saddle_nodes", one) not in self._known]
         if len(several) > 1 and not self._complete.has_centre:
             self._damped("saddle_nodes")
             found = self._complete.folds(np.array(several))
@@ -389,6 +413,7 @@ class OffCentre:
         """The largest amplitude at F_0, and the largest |u| = |B| + A, of motions with a positive mean stiffness.
 
         That none goes farther is proved but for 2^-24 of it, up to `A_max(F_0)`; see `slowflow.off_centre.reach`.
+        Of an excitation by inertia there is none where motions go beyond `A_max`, or where the amplitude only rises.
         Raises ValueError for F_0 <= 0 and zeta = 0, ArithmeticError where too many boxes stay undecided.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
@@ -396,13 +421,14 @@ class OffCentre:
         return self._once(("peak", F_0), lambda: self._peak(F_0))
 
     def _peak(self, F_0: float) -> OffCentrePeak:
-        if F_0 <= self._m:
-            none = (None,) * 5
-            return OffCentrePeak(*none, F_0, self.load, STICKS.format(F_0, self._m), _model=self._model)
+        if self._flow.sticks(F_0):
+            return self._no_peak(F_0, STICKS.format(F_0, self._m))
         if self._keeps_centre:
             centred = Averaged(self._model).peak(F_0)
-            columns = centred.A, 0.0, centred.Omega, centred.A, centred.Omega
+            columns = centred.A, 0.0 if centred.A is not None else None, centred.Omega, centred.A, centred.Omega
             return OffCentrePeak(*columns, F_0, self.load, centred.message, remarks=centred.remarks, _model=self._model)
+        if self._flow.inertial and (why := self._no_top(F_0)):
+            return self._no_peak(F_0, why)
         highest, widest = (self._farthest(F_0, measure) for measure in (AMPLITUDE, LARGEST))
         if highest is None or widest is None:
             raise ArithmeticError("the farthest motion is unresolved: none is found")
@@ -412,7 +438,26 @@ class OffCentre:
         said_of = {**said._asdict(), "_model": self._model, "_turns": highest.turns}
         return OffCentrePeak(*columns, F_0, self.load, **said_of)
 
+    def _no_peak(self, F_0: float, message: str) -> OffCentrePeak:
+        return OffCentrePeak(*(None,) * 5, F_0, self.load, message, _model=self._model)
+
+    def _no_top(self, F_0: float) -> str:
+        """Why an excitation by inertia has no motion that goes farthest, "" where it has one."""
+        highest, full = self._farthest(F_0, AMPLITUDE), float(dissipation.full_by_inertia(F_0, self._flow.d))
+        if highest is None or highest.A <= full * (1 + BEGINS):
+            return words.NO_TOP_BELOW.format(full)
+        return CUT.format(self.A_max(F_0)) if self._is_cut(F_0) else ""
+
+    def _is_cut(self, F_0: float) -> bool:
+        """Whether there are motions beyond the amplitude up to which is looked."""
+        highest = None if self._keeps_centre else self._farthest(F_0, AMPLITUDE)
+        return highest is not None and highest.A > self.A_max(F_0)
+
     def _farthest(self, F_0: float, measure: Measure) -> Farthest | None:
+        """`_go_farthest`, kept."""
+        return self._once(("_farthest", F_0, measure.at), lambda: self._go_farthest(F_0, measure))
+
+    def _go_farthest(self, F_0: float, measure: Measure) -> Farthest | None:
         """The motion that goes farthest; of one about the centre as its own solvers have it."""
         found = self._reach.farthest(self._complete.sheets, self.A_max(F_0), F_0, measure)
         if found is None or not self._complete.has_centre or abs(found.B) > AT_CENTRE:
@@ -424,6 +469,9 @@ class OffCentre:
 
     def margins(self, F_0: float) -> loads.Margins:
         """How far F_0 is from F_SN and F_cr, see `Oscillator.margins`."""
+        detachment = self.detachment()
+        if detachment.F_cr is None and detachment.message not in (ONE_PIECE, BEYOND, NOT_REACHED):
+            raise validate.NotAvailable(NO_MARGINS.format(detachment.message))
         return loads.margins(self, F_0, self._detaches)
 
     def _detaches(self, F_0: float) -> bool:
@@ -466,12 +514,15 @@ class OffCentre:
         """The frequency from which on every stable motion at F_0 transmits less than F_0, see `Oscillator.isolation`.
 
         It is found on the response, and that no stable motion transmits F_0 beyond it is proved but for 2^-16 of it;
-        where that is not decided the answer says so, `Remark.UNDECIDED`. See `slowflow.off_centre.reach`.
+        where that is not decided the answer says so, `Remark.UNDECIDED`. See `slowflow.off_centre.reach`. Raises
+        NotAvailable where motions go beyond `A_max`, as on a base that shakes too much for a hardening spring.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
         self._damped("isolation")
-        if F_0 <= self._m:
+        if self._flow.sticks(F_0):
             return loads.Isolation(None, None, False, F_0, STICKS.format(F_0, self._m), Remark(0))
+        if self._flow.inertial and self._is_cut(F_0):
+            raise validate.NotAvailable(OPEN.format(self.A_max(F_0)))
         # what is transmitted has the square h^2 + I^2, as much as F_0 where R = -h, at Omega^2 = 2 p with p = -h/A
         backbone = self._reach.highest_backbone(self._complete.sheets, self.A_max(F_0), F_0, COARSE)
         highest = loads.BEYOND * math.sqrt(2 * (1 + COARSE) * backbone)
@@ -480,7 +531,7 @@ class OffCentre:
             return found
         # between points of the response a motion may come to transmit F_0 and leave that again: more points there
         if math.isfinite(left[1]):
-            higher = self._begins(F_0, left[0], loads.BEYOND * left[1])
+            higher = self._begins(F_0, left[0] * (1 + BEYOND_IT), loads.BEYOND * left[1])
             if higher.Omega and not self._transmits_beyond(higher):
                 return higher
         return replace(found, message=joined(found.message, UNDECIDED_BEYOND), remarks=found.remarks | Remark.UNDECIDED)
@@ -496,14 +547,14 @@ class OffCentre:
 
     def _transmits(self, curve: OffCentreResponse, one: int, other: int) -> tuple[float, float]:
         """Omega and A between two points of a curve, at which the motion transmits F_0."""
-        slow = Slow(self._steps, self._m, self._zeta, curve.F_0)
+        slow = Slow(self._steps, self._flow, curve.F_0)
         ends = np.array([(curve.Omega[k], curve.A[k], curve.B[k]) for k in (one, other)])
 
         def at(Omega: float) -> tuple[Floats, float]:
             share = (Omega - ends[0, 0]) / (ends[1, 0] - ends[0, 0])
             x = on_curve(slow, np.array([Omega]), (ends[0, 1:] + share * (ends[1, 1:] - ends[0, 1:]))[:, np.newaxis])
             h = -2 * self._steps.at(x[0], x[1], 0).s[0]
-            return x, float(slow_flow.transmissibility(Omega, x[0], curve.F_0, self._m, self._zeta, h)[0]) - 1
+            return x, float(np.asarray(self._flow.transmissibility(Omega, x[0], curve.F_0, h))[0]) - 1
 
         if at(ends[0, 0])[1] * at(ends[1, 0])[1] > 0:  # it is at the very point
             return float(ends[0, 0]), float(ends[0, 1])
@@ -515,13 +566,13 @@ class OffCentre:
         return self._complete.A_max(F_0)
 
     def _folds(self, x: Floats, on_corner: Any, F_0: float, said: _Said) -> OffCentreFolds:
-        """Folds in A, B and t; of which kind those on a corner are, "" for others."""
-        A, B, t = x
+        """Folds in A, B and R; of which kind those on a corner are, "" for others."""
+        A, B, R = x
         means = self._steps.at(A, B, ORDERS)
         with np.errstate(all="ignore"):
             h, h_A, h_AA, _ = self._along(A, means)
-            Omega = self._frequency(A, t, F_0, h)
-            bends = np.asarray(slow_flow.F_AA(Omega, A, self._m, self._zeta, h, h_A, h_AA))
+            Omega = self._frequency(A, R, F_0, h)
+            bends = np.asarray(self._flow.F_AA(Omega, A, h, h_A, h_AA))
         kind = np.where(bends < 0, "jump-up", "jump-down")
         kind, corner = np.where(means.c[1] > 0, kind, "unstable"), on_corner != ""
         kind = np.where(corner, on_corner, kind)
@@ -530,11 +581,13 @@ class OffCentre:
         beside = {**said._asdict(), "_model": self._model}
         return OffCentreFolds(Omega, A, B, kind[order], corner[order], F_0, self.load, **beside)
 
-    def _frequency(self, A: Floats, t: Floats, F_0: Any, h: Any) -> Floats:
-        """Omega of a fold: from I = m + 2 zeta A Omega, or from R = A Omega^2 + h where that moves it less."""
+    def _frequency(self, A: Floats, R: Floats, F_0: Any, h: Any) -> Floats:
+        """Omega of a fold from R = A Omega^2 + h, or from I = m + 2 zeta A Omega where that moves it less."""
         with np.errstate(all="ignore"):
-            R, I = off_centre.balance_by_phase(t, F_0)
+            I = np.sqrt((F_0 - R) * (F_0 + R))
             lag, square = off_centre.frequency_by_phase(A, R, I, self._m, self._zeta, h)
+            if not self._flow.plain:
+                return np.asarray(np.sqrt(np.maximum(square, 0.0)))
             by_R = (np.abs(R) + np.abs(h)) * (I - self._m) < 2 * A * square * (I + self._m)
             return np.asarray(np.where((square > 0) & by_R, np.sqrt(np.maximum(square, 0.0)), lag))
 
@@ -557,14 +610,10 @@ class OffCentre:
             self.load,
             Omega_undecided=undecided,
             _h=h,
-            _damping=self._damping,
+            _flow=self._flow,
             **said._asdict(),
             _model=self._model,
         )
-
-    @property
-    def _damping(self) -> tuple[float, float]:
-        return self._m, self._zeta
 
     def _beyond_reach(self, A: Any, B: Any) -> _Said:
         """That displacements |B| + A are beyond what the mechanism reaches, and why; nothing where none is."""
@@ -578,7 +627,7 @@ class OffCentre:
         means = self._steps.at(A, B, ORDERS)
         with np.errstate(all="ignore"):
             h, h_A, *_ = self._along(A, means)
-            turns = np.asarray(slow_flow.F_A(Omega, A, self._m, self._zeta, h, h_A))
+            turns = np.asarray(self._flow.F_A(Omega, A, h, h_A))
         return (turns > 0) & (means.c[1] > 0), np.asarray(h)
 
     def _response(self, found: Curves, F_0: float, said: _Said) -> OffCentreResponse:
@@ -592,7 +641,7 @@ class OffCentre:
             F_0,
             self.load,
             _h=h,
-            _damping=self._damping,
+            _flow=self._flow,
             branch=found.branch,
             isola=found.closed,
             **said._asdict(),
@@ -602,6 +651,10 @@ class OffCentre:
     def _damped(self, question: str) -> None:
         if self._zeta == 0:
             raise ValueError(UNDAMPED.format(question))
+        if self._complete.has_centre and not self._flow.plain and not self._keeps_centre:
+            beside = [f"excitation = {self._model.excitation!r}"] * self._model.inertial
+            told = ", ".join([*beside, *([self._model.laws.told()] if self._model.laws.any else [])])
+            raise validate.NotAvailable(BY_ITSELF.format(question, told))
 
 
 def _listed(values: Iterable[float]) -> str:

@@ -19,16 +19,17 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
 from slowflow.averaged.reference.intervals import Bools, Interval
-from slowflow.averaged.reference.roots import peak_roots, response_roots
 from slowflow.model import Floats
+from slowflow.off_centre.flow import ROUNDED, Flow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.sheets import Cells, Sheets
-from slowflow_kernels import off_centre, slow_flow
+from slowflow_kernels import off_centre
 
 #: share of the farthest beyond which it is proved that no motion goes
 GAP = 2.0**-24
@@ -38,10 +39,12 @@ MOST_BOXES, MIDDLES, STEPS = 100_000, 64, 10
 EVERY = 6
 #: share of a frequency beyond which it is proved that nothing transmits the force; boxes and rounds for that
 BEYOND, MOST_BEYOND, ROUNDS = 2.0**-16, 20_000, 80
+#: parts of a range of frequencies, and how often what is left of it is cut into parts again
+PARTS, NARROWED = 8, 5
 #: share of the forcing that motions are small against
 SMALL = 2.0**-40
-#: by how much a forcing may be off by rounding, and what rounding does to a bound
-AT, ROUNDED = 2.0**-40, 2.0**-40
+#: by how much a forcing may be off by rounding
+AT = 2.0**-40
 
 
 @dataclass(frozen=True)
@@ -72,20 +75,10 @@ BACKBONE = Measure(lambda A, B, p: np.maximum(p, 1.0), lambda A, B, p: np.maximu
 
 
 class Reach:
-    """For one force with its load, 4 mu/pi and zeta > 0."""
+    """For one force with its load, by what excites and dissipates, zeta > 0."""
 
-    def __init__(self, steps: Steps, m: float, zeta: float) -> None:
-        self.steps, self.m, self.zeta = steps, m, zeta
-
-    def least_forcing(self, A: Floats, h: Floats) -> tuple[Floats, Floats]:
-        """The lowest F_0 for which each amplitude is a steady state, and its Omega."""
-        with np.errstate(all="ignore"):
-            roots = peak_roots(A, h, self.m, self.zeta)[0]
-            Omega = np.concatenate((np.zeros((A.size, 1)), roots), axis=1)
-            level = slow_flow.level(Omega, A[:, np.newaxis], self.m, self.zeta, h[:, np.newaxis])
-        level = np.where(np.isnan(level), np.inf, level)
-        lowest = np.argmin(level, axis=1)[:, np.newaxis]
-        return np.take_along_axis(level, lowest, 1)[:, 0], np.take_along_axis(Omega, lowest, 1)[:, 0]
+    def __init__(self, steps: Steps, flow: Flow) -> None:
+        self.steps, self.flow = steps, flow
 
     def farthest(self, sheets: Sheets, A_max: float, F_0: float, measure: Measure, gap: float = GAP) -> Farthest | None:
         """The motion at F_0 up to an amplitude that goes farthest; no other goes farther by more than `gap` of that.
@@ -115,7 +108,7 @@ class Reach:
                 raise ArithmeticError("the farthest motion is unresolved: too many boxes stay undecided")
             with np.errstate(all="ignore"):
                 most = measure.most(cells.A, cells.B, cells.p)
-                left = ~((cells.rising.hi <= 0) | (self._needed(cells) * (1 - ROUNDED) > F_0))
+                left = ~((cells.rising.hi <= 0) | (self.flow.needed(cells.A, cells.p) * (1 - ROUNDED) > F_0))
                 # p is not known of what has no size
                 left &= np.isnan(most) | (most > (-np.inf if best is None else best.value * (1 + gap)))
                 aside = left & (LARGEST.most(cells.A, cells.B, cells.p) <= small) & np.isfinite(most)
@@ -154,24 +147,31 @@ class Reach:
         """Which cells may hold a stable motion at F_0 with least <= Omega^2 <= 2 p."""
         with np.errstate(all="ignore"):
             highest = 2 * cells.p.hi * (1 + ROUNDED)
-            square = Interval.of(least * (1 - ROUNDED), np.maximum(highest, least))
-            at = square.sqrt()
-            R, I = cells.A * (square - cells.p), cells.A * at * (2 * self.zeta) + self.m
-            level = R.square() + I.square()
-            # F F_A along the balance
-            rises = R * (square - cells.p - cells.e) + I * at * (2 * self.zeta)
-            none = (cells.rising.hi <= 0) | (highest < least) | (rises.hi < 0)
-            none |= (level.lo > F_0**2 * (1 + ROUNDED)) | (level.hi < F_0**2 * (1 - ROUNDED))
+            none = (cells.rising.hi <= 0) | (highest < least)
+            none |= self.flow.needed(cells.A, cells.p) * (1 - ROUNDED) > F_0
+            start = np.full(none.size, least * (1 - ROUNDED))
+            end = np.maximum(highest, start)
+            shares = np.arange(PARTS + 1)[:, np.newaxis] / PARTS
+            # ever less of the range of Omega^2
+            for _ in range(NARROWED):
+                edges = start + shares * (end - start)
+                may = np.array([self._may_at(cells, F_0, *ends) for ends in pairwise(edges)])
+                none |= ~may.any(axis=0)
+                first, last = np.argmax(may, axis=0), PARTS - np.argmax(may[::-1], axis=0)
+                n = np.arange(none.size)
+                start, end = np.where(none, start, edges[first, n]), np.where(none, end, edges[last, n])
         return ~none
 
-    def _needed(self, found: Cells) -> Floats:
-        """The least forcing of what is on boxes, from below; 4 mu/pi where nothing is known."""
-        p = np.where(found.p.lo > 0, found.p.lo, np.where(found.p.hi < 0, found.p.hi, 0.0))
-        needed = np.full(p.size, self.m)
-        known = np.isfinite(p) & (p != 0) & (found.A.lo > 0)
-        A = found.A.lo[known]
-        needed[known] = self.least_forcing(A, -A * p[known])[0]
-        return needed
+    def _may_at(self, cells: Cells, F_0: float, low: Floats, high: Floats) -> Bools:
+        """Which of them may have Omega^2 between two numbers each."""
+        square = Interval.of(low * (1 - ROUNDED), high * (1 + ROUNDED))
+        at = square.sqrt()
+        R, (I, I_A) = cells.A * (square - cells.p), self.flow.balances(at, cells.A)
+        level, force = R.square() + I.square(), self.flow.force(F_0, at.ends) ** 2
+        # F_A along the balance
+        rises = R * (square - cells.p - cells.e) + I * I_A
+        beyond = (level.lo > force[1] * (1 + ROUNDED)) | (level.hi < force[0] * (1 - ROUNDED))
+        return np.asarray(~(beyond | (rises.hi < 0)))
 
     def _motions(self, x: Floats, F_0: float, measure: Measure) -> list[Farthest]:
         """The farthest that is found from some places: where all of F_0 is needed, and on the balance near by."""
@@ -185,7 +185,7 @@ class Reach:
         if not A.size:
             return []
         means = self.steps.at(A, B, 1)
-        level, Omega = self.least_forcing(A, -2 * means.s[0])
+        level, Omega = self.flow.least_forcing(A, -2 * means.s[0])
         size = np.abs(means.c[1]) * (A + np.abs(B)) + abs(self.steps.load)
         holds = (np.abs(means.c[0] - self.steps.load) <= AT * size) & (means.c[1] > 0)
         holds &= np.where(turns, level <= F_0, np.abs(level - F_0) <= AT * F_0)
@@ -202,12 +202,12 @@ class Reach:
         Where it is the least, F does not change with Omega.
         """
         means = self.steps.at(x[0], x[1], 1)
-        _, Omega = self.least_forcing(x[0], -2 * means.s[0])
-        given = F_0, self.m, self.zeta, self.steps.load
+        _, Omega = self.flow.least_forcing(x[0], -2 * means.s[0])
+        given = self.flow.force(F_0, Omega), self.flow.sine(Omega, x[0]), self.flow.sine_A(Omega, x[0]), self.steps.load
         f_0, F, f_A, f_B, F_A, F_B = off_centre.state(Omega, x[0], *given, *means.c, *means.s)
         both = np.stack((F_B * f_0 - f_B * F, f_A * F - F_A * f_0)) / (f_A * F_B - f_B * F_A)
         return np.where(turns, np.stack((0 * f_0, f_0 / f_B)), both)
 
     def _highest(self, A: Floats, h: Floats, F_0: float) -> float:
         """The highest frequency of a state."""
-        return float(np.nanmax(response_roots(A, h, self.m, self.zeta, np.array([F_0]))[0]))
+        return float(np.nanmax(self.flow.frequencies(A, h, F_0)))

@@ -9,7 +9,7 @@ fold or a peak: `Sheets.states` and `Sheets.folds` are the boxes that may, from 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -18,15 +18,16 @@ import numpy as np
 from slowflow.averaged.reference.intervals import Bools, Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import MOST_BOXES, TOO_MANY, Ints, solve
-from slowflow.off_centre.by_ends import ROUNDED, EndedEdge, phases, resists
+from slowflow.off_centre.by_ends import EndedEdge, resists
 from slowflow.off_centre.ends import Charts, above_diagonal
-from slowflow.off_centre.means import Steps
-from slowflow_kernels import off_centre, slow_flow
+from slowflow.off_centre.flow import ROUNDED, Flow
+from slowflow.off_centre.means import ALL, Steps
 
 #: octaves of the ends' distance from a chart's edge that are cut apart at first, and parts of a chart between two edges
 BELOW, PARTS = 5, 4
 #: how small cells are beside their amplitude, which amplitude is small beside the problem, rounds of cuts
 FINE, SMALL, ROUNDS = 2.0**-4, 2.0**-8, 16
+UNKNOWN = "folds are unresolved: where the mean turns back their frequencies have no bound"
 
 
 @dataclass(frozen=True, eq=False)
@@ -174,10 +175,14 @@ class Sheets:
         for slope, rise, one in ((here.c_x, here.X, r[0]), (-here.c_y, here.Y, r[1])):
             nearer = nearer + (slope - rise * p) * 2.0 / here.A * one
         p = p.both(nearer)
-        resting = np.flatnonzero(here.A.lo <= 0)
+        small = here.A.lo <= np.where(self.charts.passes[chart], 0.0, SMALL * self._size)
+        resting = np.flatnonzero(small)
         if resting.size:
             ends = p.ends.copy()
-            ends[:, resting] = self.charts.stiffness(x.take(resting), y.take(resting), chart[resting]).ends
+            # where A may be 0 nothing else is known
+            known = Interval(np.where(here.A.lo[resting] <= 0, ALL, ends[:, resting]))
+            beside = self.charts.stiffness(x.take(resting), y.take(resting), chart[resting])
+            ends[:, resting] = known.both(beside).ends
             p = Interval(ends)
         bent, A_t = resists(here)
         return empty, Cells(chart, low, high, here.A, here.B, p, bent * 4.0 - p * 2.0, A_t)
@@ -236,50 +241,47 @@ class Sheets:
         low, high = np.array(boxes).T.reshape(2, 2, -1)
         return low, high, np.array(number, dtype=np.intp)
 
-    def folds(self, A_max: float, F_0: Floats, m: float, zeta: float) -> tuple[Floats, Floats, Ints]:
-        """Boxes of x, y and t in which folds may be, and of which system each is (`by_ends`)."""
-        cells = self.cells(A_max)
+    def folds(self, A_max: float, F_0: Floats, flow: Flow) -> tuple[Floats, Floats, Ints]:
+        """Boxes of x, y and R in which folds may be, and of which system each is (`by_ends`)."""
+        cells, size = self.cells(A_max), self.charts.passes.size
         lows, highs, systems = [], [], []
         for i, forcing in enumerate(F_0.tolist()):
             for sign in (-1.0, 1.0):
-                with np.errstate(all="ignore"):
-                    t = phases(
-                        cells.A * cells.e, np.full(cells.chart.size, forcing), m, np.full(cells.chart.size, sign)
-                    )
-                    may = (t[0] <= t[1]) & _one_frequency(t, forcing, m, zeta, cells.A, cells.p)
-                lows.append(np.concatenate((cells.low, t[:1]))[:, may])
-                highs.append(np.concatenate((cells.high, t[1:]))[:, may])
-                systems.append(i * self.charts.passes.size + cells.chart[may])
+                for found, ends in self._with_folds(cells, forcing, flow, sign):
+                    lows.append(np.concatenate((found.low, ends[:1])))
+                    highs.append(np.concatenate((found.high, ends[1:])))
+                    systems.append(i * size + found.chart)
         return np.concatenate(lows, axis=1), np.concatenate(highs, axis=1), np.concatenate(systems)
 
-    def states(self, A_max: float, Omega: Floats, F_0: float, m: float, zeta: float) -> tuple[Floats, Floats, Ints]:
+    def _with_folds(self, cells: Cells, F_0: float, flow: Flow, sign: float) -> Iterator[tuple[Cells, Floats]]:
+        """Cells that may hold a fold with R of that sign, and the ends of R: those without are cut further."""
+        for _ in range(ROUNDS):
+            with np.errstate(all="ignore"):
+                start, end, may = flow.folds_between(cells.A, cells.p, cells.e, sign, (F_0, F_0))
+                R = flow.between(cells.A, cells.p, start, end, F_0)
+                ends = R if sign > 0 else -R[::-1]
+                known = np.asarray(np.isfinite(ends).all(axis=0))
+                whole, open_ = cells.take(may & known), cells.take(may & ~known)
+            yield whole, ends[:, may & known]
+            if not open_.chart.size:
+                return
+            with np.errstate(all="ignore"):
+                cells = self.cut(open_)
+        raise ArithmeticError(UNKNOWN)
+
+    def states(self, A_max: float, Omega: Floats, F_0: float, flow: Flow) -> tuple[Floats, Floats, Ints]:
         """Boxes of x and y in which states may be, and of which system each is."""
-        cells = self.cells(A_max)
+        cells, force = self.cells(A_max), flow.force(F_0, Omega)
         number = np.repeat(np.arange(Omega.size), cells.chart.size)
         cell = np.tile(np.arange(cells.chart.size), Omega.size)
         with np.errstate(all="ignore"):
             at, A = Omega[number], cells.A.take(cell)
-            I = Interval(slow_flow.I(at, A.ends, m, zeta))
+            I = Interval(flow.sine(at, A.ends))
             R = A * (-cells.p.take(cell) + at * at)
-            level = R.square() + I.square()
-            may = ~((level.lo > F_0**2 * (1 + ROUNDED)) | (level.hi < F_0**2 * (1 - ROUNDED)))
+            level, needed = R.square() + I.square(), force[number] ** 2
+            may = ~((level.lo > needed * (1 + ROUNDED)) | (level.hi < needed * (1 - ROUNDED)))
         number, cell = number[may], cell[may]
         return cells.low[:, cell], cells.high[:, cell], number * self.charts.passes.size + cells.chart[cell]
-
-
-def _one_frequency(t: Floats, F_0: float, m: float, zeta: float, A: Interval, p: Interval) -> Bools:
-    """Whether R and I with t in an interval that does not pass 0 may be of one frequency."""
-    size = np.sort(np.abs(t), axis=0)
-    # I falls with |t|, R rises with t
-    I = off_centre.balance_by_phase(size, F_0)[1][::-1]
-    R = np.sort(off_centre.balance_by_phase(t, F_0)[0], axis=0)
-    # A Omega by I: what the forcing I holds at Omega = 1
-    reach, doubt = np.maximum(slow_flow.limit_envelope(1.0, I, m, zeta), 0.0), ROUNDED * F_0 / zeta
-    by_I = Interval(np.stack((reach[0] * (1 - ROUNDED), reach[1] * (1 + ROUNDED) + doubt)))
-    # its square by R, in which Omega^2 is multiplied by A only
-    by_R = A * (Interval(R + ROUNDED * np.array([[-F_0], [F_0]])) + A * p)
-    apart = by_I.square() - by_R
-    return ~apart.has_sign
 
 
 def halved(low: Floats, high: Floats, wide: Floats) -> tuple[Floats, Floats]:

@@ -113,7 +113,7 @@ class Subject:
         self.one_by_one = self.loaded or bool(self.laws) or backend.SOLVER is None
         letter = "Omega" if self.mount is None else "f"
         others = ABOUT_THE_CENTRE if self.loaded else UNDER_A_LOAD
-        others = others | (OF_INERTIA if self.excitation == "force" else {})
+        others = others | (OF_INERTIA if self.loaded or self.excitation == "force" else {})
         others = others | (IN_A_SHOCK if "eta" in self.laws else {})
         known = {name: kind for name, kind in KIND.items() if name not in others}
         self.answers = {f"{letter}_{name}" if kind == "frequency" else name: name for name, kind in known.items()}
@@ -270,7 +270,7 @@ class Subject:
         Omega = None if load.frequency is None else np.broadcast_to(load.frequency / units["frequency"], shape)
         pulse = load.shock and (load.shock[0] / units["acceleration"], load.shock[1] / units["time"])
         if self.loaded:
-            designs: Any = OffCentreDesigns(self.mechanism, {**arrays, "load": arrays.pop("load")})
+            designs: Any = OffCentreDesigns(self.mechanism, {**arrays, "load": arrays.pop("load")}, self.excitation)
         else:
             designs = Designs(self.mechanism, arrays, self.excitation, self.rubs)
         table = None

@@ -8,7 +8,7 @@ import random
 from mpmath import mp, mpf
 
 from tests.oracles.definitions.points import Function, entry, points
-from tests.oracles.definitions.slow_flow import balances, response
+from tests.oracles.definitions.slow_flow import balances
 
 #: exponents of a force that is a sum of exponentials in u, whose means are Bessel functions
 EXPONENTS = tuple(mpf(k) / 3 for k in (-4, -3, -2, -1, 1, 2, 3, 4))
@@ -76,18 +76,42 @@ def off_moved_at_end(side, c_1, s_1, c_0_p, load_p, end_p):
         return [mp.diff(A, 0)]
 
 
-def off_state(Omega, A, F_0, m, zeta, load, c_0, c_1, s_0, s_1):
-    of = force_with(A, (c_0, c_1), (s_0, s_1))
+def off_state(Omega, A, force, I, I_A, load, c_0, c_1, s_0, s_1):
+    of, place = force_with(A, (c_0, c_1), (s_0, s_1)), A
 
     def both(A, B):
         mean, first = of(A, B)
-        return mean - load, response(Omega, A, F_0, m, zeta, -2 * first)
+        return mean - load, (A * Omega**2 - 2 * first) ** 2 + (I + I_A * (A - place)) ** 2 - force**2
 
     slopes = [mp.diff(lambda *x, k=k: both(*x)[k], (A, 0), order) for k in (0, 1) for order in ((1, 0), (0, 1))]
     return [*both(A, mpf(0)), *slopes]
 
 
-def off_fold(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
+def lag(A, Omega, m, eta, zeta, d):
+    """I, its slope by A."""
+    return m + eta * A + 2 * zeta * A * Omega + d * (A * Omega) ** 2, eta + 2 * zeta * Omega + 2 * d * A * Omega**2
+
+
+def off_fold(R, A, F_0, F_2, m, eta, zeta, d, load, c_0, c_1, c_2, s_0, s_1, s_2):
+    """The slope of R^2 + I^2 along the balance at the Omega of R, by c_1 A/2; less by c_1 what F is there."""
+    of = force_with(A, (c_0, c_1, c_2), (s_0, s_1, s_2))
+
+    def three(A, B, R):
+        mean, first = of(A, B)
+        by = [[mp.diff(lambda *x, k=k: of(*x)[k], (A, B), order) for order in ((1, 0), (0, 1))] for k in (0, 1)]
+        Omega = mp.sqrt((R + 2 * first) / A)
+        I, I_A = lag(A, Omega, m, eta, zeta, d)
+        F = R**2 + I**2 - (F_0 + F_2 * Omega**2) ** 2
+        half_F_A = R * (Omega**2 - 2 * by[1][0]) + I * I_A
+        turns = by[0][1] * half_F_A - by[0][0] * R * -2 * by[1][1]
+        return mean - load, A * turns - by[0][1] * F, F
+
+    place = A, mpf(0), R
+    with mp.workdps(90):
+        return [*three(*place), *itertools.chain(*by_each(three, *place))]
+
+
+def off_fold_by_t(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
     """R and I by t, A Omega^2 and 2 zeta A Omega from these apart: F_A along the balance, then that they agree."""
     of = force_with(A, (c_0, c_1, c_2), (s_0, s_1, s_2))
 
@@ -141,12 +165,12 @@ def by_each(f, *place):
     return [[mp.diff(lambda *z, k=k: f(*z)[k], place, order) for order in orders] for k in range(len(f(*place)))]
 
 
-def ended_state(Omega, A, F_0, m, zeta, load, *ends):
+def ended_state(Omega, A, force, I, I_A, load, *ends):
     of = by_ends(A, *ends)
 
     def both(x, y):
         at, mean, first = of(x, y)
-        return mean - load, response(Omega, at, F_0, m, zeta, -2 * first)
+        return mean - load, (at * Omega**2 - 2 * first) ** 2 + (I + I_A * (at - A)) ** 2 - force**2
 
     return [*both(mpf(0), mpf(0)), *itertools.chain(*by_each(both, mpf(0), mpf(0)))]
 
@@ -163,29 +187,30 @@ def ended_along(A, s_0, c_x, c_y, X, Y):
     return [slope, A**2 / 4 * share]
 
 
-def ended_fold(t, A, F_0, m, zeta, load, *rest):
+def ended_fold(R, A, F_0, F_2, m, eta, zeta, d, load, *rest):
     """As `off_fold`, along the balance by the ends."""
     c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y = rest
     of = by_ends(A, c_0, s_0, c_x, c_y, X, Y, c_xx, c_yy, X_x, Y_y)
 
-    def three(x, y, t):
+    def three(x, y, R):
         at, mean, first = of(x, y)
         by_A, by_mean, by_first = by_each(of, x, y)
-        R, I = 2 * t * F_0 / (1 + t**2), (1 - t**2) * F_0 / (1 + t**2)
-        inertia, damping = R + 2 * first, I - m
-        half = [R * (inertia / at * a - 2 * s) + I * damping / at * a for a, s in zip(by_A, by_first, strict=True)]
-        turns = at * (by_mean[0] * half[1] - by_mean[1] * half[0])
-        agrees = damping**2 - 4 * zeta**2 * at * inertia
-        return mean - load, turns * (1 + t**2) / F_0, agrees * (1 + t**2) ** 2
+        Omega = mp.sqrt((R + 2 * first) / at)
+        I, I_A = lag(at, Omega, m, eta, zeta, d)
+        F = R**2 + I**2 - (F_0 + F_2 * Omega**2) ** 2
+        half = [R * (Omega**2 * a - 2 * s) + I * I_A * a for a, s in zip(by_A, by_first, strict=True)]
+        along = [by_mean[0] * one[1] - by_mean[1] * one[0] for one in (half, by_A)]
+        return mean - load, at * along[0] - along[1] * F, F
 
     with mp.workdps(90):
-        return [*three(mpf(0), mpf(0), t), *itertools.chain(*by_each(three, mpf(0), mpf(0), t))]
+        return [*three(mpf(0), mpf(0), R), *itertools.chain(*by_each(three, mpf(0), mpf(0), R))]
 
 
 OFF_CENTRE: dict[str, tuple[str, Function]] = {
     "averaged": ("A c_1 c_2 c_3 s_0 s_1 s_2 s_3", off_averaged),
-    "state": ("Omega A F_0 m zeta load c_0 c_1 s_0 s_1", off_state),
-    "fold": ("t A F_0 m zeta load c_0 c_1 c_2 s_0 s_1 s_2", off_fold),
+    "state": ("Omega A force I I_A load c_0 c_1 s_0 s_1", off_state),
+    "fold": ("R A F_0 F_2 m eta zeta d load c_0 c_1 c_2 s_0 s_1 s_2", off_fold),
+    "fold_by_t": ("t A F_0 m zeta load c_0 c_1 c_2 s_0 s_1 s_2", off_fold_by_t),
     "turns": (
         "t A F_0 m resists s_0",
         lambda t, A, F_0, m, e, s_0: [(F_0 - m) + (F_0 + m) * t**2 - 2 * t * (-2 * s_0 - A * (2 * s_0 / A - 2 * e))],
@@ -212,17 +237,12 @@ OFF_CENTRE: dict[str, tuple[str, Function]] = {
     "beside": ("B c_3 s_2", lambda B, c_3, s_2: [(lambda c, s: (c + s) * (c - s) / c)(B**2 * c_3 / 3, B * s_2)]),
     "moved": ("A c_1 c_2 c_3 s_1 s_2 s_3 c_0_p c_1_p c_2_p s_0_p s_1_p s_2_p load_p", off_moved),
     "moved_at_end": ("side c_1 s_1 c_0_p load_p end_p", off_moved_at_end),
-    "ended_state": ("Omega A F_0 m zeta load c_0 s_0 c_x c_y X Y", ended_state),
+    "ended_state": ("Omega A force I I_A load c_0 s_0 c_x c_y X Y", ended_state),
     "ended_along": ("A s_0 c_x c_y X Y", ended_along),
-    "ended_fold": ("t A F_0 m zeta load c_0 s_0 c_x c_y c_xx c_yy X Y X_x Y_y", ended_fold),
+    "ended_fold": ("R A F_0 F_2 m eta zeta d load c_0 s_0 c_x c_y c_xx c_yy X Y X_x Y_y", ended_fold),
     "balance_by_phase": (
         "t F_0",  # F_0 exp(i angle), t the tangent of half of what is left to a right angle
         lambda t, F_0: [F_0 * mp.sin(2 * mp.atan(t)), F_0 * mp.cos(2 * mp.atan(t))],
-    ),
-    "phase": ("R I F_0", lambda R, I, F_0: [R / (F_0 + I)]),
-    "turns_by": (
-        "t F_0 m intercept",
-        lambda t, F_0, m, k: [(1 + t**2) * (F_0 - m * mp.cos(2 * mp.atan(t)) - k * mp.sin(2 * mp.atan(t)))],
     ),
     "fold_phase": (
         "F_0 m intercept least",
@@ -252,5 +272,7 @@ def off_centre_table(rng: random.Random) -> dict:
         for number, x in enumerate(chosen):
             if names.startswith("k "):
                 x[0] = float(number + 1 if kernel == "up" else -(number % 2))
+            if names.startswith("R A "):  # A Omega^2 = R + 2 s_0
+                x[0] += 2.0
         table[kernel] = [entry(f, x) for x in chosen]
     return table

@@ -1,0 +1,315 @@
+"""What excites and what dissipates off the centre: in goes a model, out comes what the slow flow has beside f_0 and h.
+
+The mean displacement has no part in it: with h and h_A along the balance of the mean, frequencies, levels and stability
+are those about the centre, whatever the damping and the excitation (`slowflow.averaged.reference.dissipated`). With
+p = -h/A, e = -h_A - p and y = Omega^2 - p a fold has y (e - y) A = I I_A, with y of the sign of e, and R = A y.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, cast
+
+import numpy as np
+
+from slowflow.averaged.reference.dissipated import Quartics
+from slowflow.averaged.reference.intervals import Bools, Interval
+from slowflow.averaged.reference.roots import fold_roots, peak_roots, response_roots
+from slowflow.model import Floats, Model
+from slowflow_kernels import dissipation, inertia, slow_flow
+
+#: what rounding does to a bound
+ROUNDED = 2.0**-40
+#: parts of the range of y, and how often what is left of it is cut into parts again
+PARTS, ROUNDS = 8, 7
+#: of a bracket
+HALVINGS = 60
+
+
+@dataclass(frozen=True)
+class Flow:
+    """Of one oscillator.
+
+    m, zeta, eta, d -- I = m + eta A + 2 zeta A Omega + d (A Omega)^2
+    inertial -- whether the force is the amplitude of the excitation times Omega^2
+    """
+
+    m: float
+    zeta: float
+    eta: float = 0.0
+    d: float = 0.0
+    inertial: bool = False
+
+    @classmethod
+    def of(cls, model: Model) -> Flow:
+        """Of an oscillator whose dry friction acts throughout."""
+        return cls(model.m, model.zeta, model.laws.eta, model.d, model.inertial)
+
+    @property
+    def plain(self) -> bool:
+        """Whether it is a force, with friction and viscous damping only."""
+        return not (self.eta or self.d or self.inertial)
+
+    # ==== At points ===================================================================================================
+
+    def sine(self, Omega: Any, A: Any) -> Any:
+        """The sine balance (23)."""
+        return dissipation.I(Omega, A, self.m + self.eta * A, self.zeta, self.d)
+
+    def sine_A(self, Omega: Any, A: Any) -> Any:
+        """Its slope by A."""
+        return dissipation.I_A(Omega, A, self.eta, self.zeta, self.d)
+
+    def force(self, F_0: Any, Omega: Any) -> Any:
+        """Amplitude of the force on the mass."""
+        return inertia.force(Omega, F_0) if self.inertial else F_0 + 0.0 * Omega
+
+    def forcing(self, F_0: Any) -> tuple[Any, Any]:
+        """F_0 and F_2 of the force F_0 + F_2 Omega^2."""
+        return (0.0 * F_0, F_0) if self.inertial else (F_0, 0.0 * F_0)
+
+    def sticks(self, F_0: float) -> bool:
+        """Whether the mass rests at every frequency (27)."""
+        return F_0 <= self.m and not self.inertial
+
+    def moves_from(self, F_0: float) -> float:
+        """The frequency from which on friction does not hold the mass."""
+        return float(inertia.moves_from(F_0, self.m)) if self.inertial else 0.0
+
+    def level(self, Omega: Any, A: Any, h: Any) -> Any:
+        """The F_0 for which (Omega, A) is a steady state (24); that of an excitation by inertia at Omega = inf too."""
+        with np.errstate(all="ignore"):
+            if not self.inertial:
+                return slow_flow.level(Omega, A, self.sine(Omega, A), 0.0, h)
+            full = np.sqrt(dissipation.far_by_inertia(0.0, A, 0.0, 0.0, self.zeta, self.d, 0.0)[0])
+            return np.where(np.isinf(Omega), full, inertia.level(Omega, A, self.sine(Omega, A), 0.0, h))
+
+    def phase(self, Omega: Any, A: Any, h: Any) -> Any:
+        """phi (25)."""
+        return slow_flow.phase(Omega, A, self.sine(Omega, A), 0.0, h)
+
+    def transmissibility(self, Omega: Any, A: Any, F_0: Any, h: Any) -> Any:
+        """What spring and dampers pass on, over the force."""
+        return slow_flow.transmissibility(Omega, A, self.force(F_0, Omega), self.sine(Omega, A), 0.0, h)
+
+    def F_A(self, Omega: Any, A: Any, h: Any, h_A: Any) -> Any:
+        """Slope of F along the balance, (30)."""
+        return dissipation.F_A(Omega, A, self.m + self.eta * A, self.eta, self.zeta, self.d, h, h_A)
+
+    def F_AA(self, Omega: Any, A: Any, h: Any, h_A: Any, h_AA: Any) -> Any:
+        """Its slope."""
+        return dissipation.F_AA(Omega, A, self.m + self.eta * A, self.eta, 0.0, self.zeta, self.d, h, h_A, h_AA)
+
+    def F_Omega(self, Omega: Any, A: Any, h: Any) -> Any:
+        """Slope of F by Omega at a state: that of the squared level, times Omega^4 under an excitation by inertia."""
+        if not self.inertial:
+            return dissipation.F_Omega(Omega, A, self.m + self.eta * A, self.zeta, self.d, h)
+        return -4.0 * self._least(Omega, A, h) / Omega
+
+    def _least(self, Omega: Any, A: Any, h: Any) -> Any:
+        # h R + I (I_0 + zeta A Omega), derivations/dissipation.py
+        R, I = slow_flow.R(Omega, A, h), self.sine(Omega, A)
+        return h * R + I * (self.m + self.eta * A + self.zeta * A * Omega)
+
+    # ==== Frequencies =================================================================================================
+
+    def _quartics(self, A: Floats, h: Floats, h_A: Floats, F_0: float) -> Quartics:
+        return Quartics(cast(Any, _Known(self, h, h_A)), F_0, A)
+
+    def frequencies(self, A: Floats, h: Floats, F_0: float) -> Floats:
+        """Every Omega at which these are steady states at F_0, (n, k) with NaN where there are less."""
+        if self.plain:
+            return response_roots(A, h, self.m, self.zeta, np.array([F_0]))[0]
+        return _all(self._quartics(A, h, 0 * h, F_0))
+
+    def fold_frequencies(self, A: Floats, h: Floats, h_A: Floats) -> Floats:
+        """Every Omega at which F_A vanishes, likewise."""
+        if not (self.eta or self.d):
+            return fold_roots(A, h, h_A, self.m, self.zeta)[0]
+        return _all(self._quartics(A, h, h_A, -1.0))
+
+    def stationary(self, A: Floats, h: Floats) -> Floats:
+        """Every Omega at which the level is stationary, likewise, and the end at which it may be least: 0 or inf."""
+        if self.plain:
+            found = peak_roots(A, h, self.m, self.zeta)[0]
+        else:
+            one = self._quartics(A, h, 0 * h, 0.0)
+            found = np.stack((one.w1, one.w2), axis=1)
+            with np.errstate(divide="ignore"):
+                found = 1 / found if one.by_x else found
+        end = np.full((A.size, 1), np.inf if self.inertial else 0.0)
+        return np.concatenate((end, found), axis=1)
+
+    def least_forcing(self, A: Floats, h: Floats) -> tuple[Floats, Floats]:
+        """The lowest F_0 for which each amplitude is a steady state, and its Omega; inf where it is only tended to."""
+        with np.errstate(all="ignore"):
+            Omega = self.stationary(A, h)
+            level = np.asarray(self.level(Omega, A[:, np.newaxis], h[:, np.newaxis]))
+        return _lowest(np.where(np.isnan(level), np.inf, level), Omega)
+
+    def least_fold(self, A: Floats, h: Floats, h_A: Floats) -> tuple[Floats, Floats]:
+        """The lowest F_0 with a fold at each amplitude, inf where there is none, and its Omega."""
+        known = np.isfinite(h_A) & (A > 0)
+        Omega = np.full((A.size, 4), np.nan)
+        with np.errstate(all="ignore"):
+            if known.any():
+                found = self.fold_frequencies(A[known], h[known], h_A[known])
+                Omega[np.flatnonzero(known)[:, np.newaxis], np.arange(found.shape[1])] = found
+            level = np.asarray(self.level(Omega, A[:, np.newaxis], h[:, np.newaxis]))
+        return _lowest(np.where(Omega > 0, level, np.inf), Omega)
+
+    # ==== On boxes ====================================================================================================
+
+    def balances(self, Omega: Interval, A: Interval) -> tuple[Interval, Interval]:
+        """I and I_A, which rise with both."""
+        ends = self.sine(Omega.ends, A.ends), self.sine_A(Omega.ends, A.ends)
+        I, I_A = (Interval(np.stack((one[0] * (1 - ROUNDED), one[1] * (1 + ROUNDED)))) for one in ends)
+        return I, I_A
+
+    def needed(self, A: Interval, p: Interval) -> Floats:
+        """What the forcing of states is not less than; 4 mu/pi, or 0 under inertia, where nothing is known.
+
+        It rises with A. Of a force it rises with |p|: where p > 0 it is least at Omega^2 <= p. Of an excitation by
+        inertia it falls as p rises, since with the frequency that goes as sqrt(p) only I falls beside Omega^2.
+        """
+        if self.inertial:
+            nearest = p.hi
+        else:
+            nearest = np.where(p.lo > 0, p.lo, np.where(p.hi < 0, p.hi, 0.0))
+        needed = np.full(nearest.size, 0.0 if self.inertial else self.m)
+        known = np.isfinite(nearest) & (nearest != 0) & (A.lo > 0)
+        least = A.lo[known]
+        needed[known] = self.least_forcing(least, -least * nearest[known])[0]
+        return needed
+
+    def folds_between(
+        self, A: Interval, p: Interval, e: Interval, sign: float, forcing: tuple[float, float]
+    ) -> tuple[Floats, Floats, Bools]:
+        """Between which |y| there may be folds with y of that sign at forcings between two, and whether there may be.
+
+        e -- of that sign, NaN or inf where it is not known
+        """
+        lowest, highest = forcing
+        e = e if sign > 0 else -e
+        least_e, most_e = np.fmax(e.lo, 0.0), np.where(np.isnan(e.hi), np.inf, e.hi) * (1 + ROUNDED)
+        most = most_e
+        if not self.inertial:
+            most = np.fmin(most, np.sqrt(max(highest**2 - self.m**2, 0.0)) / A.lo * (1 + ROUNDED))
+        if sign < 0:
+            most = np.minimum(most, np.maximum(p.hi, 0.0))
+        start, end = np.maximum(0.0, -p.hi if sign > 0 else 0.0), most
+        left = (end >= start) & (end >= 0)
+        unknown = ~np.isfinite(end) | ~np.isfinite(p.ends).all(axis=0)
+        shares = np.arange(PARTS + 1)[:, np.newaxis] / PARTS
+        for _ in range(ROUNDS):
+            edges = start + shares * (end - start)
+            y = edges[:-1] * (1 - ROUNDED), edges[1:] * (1 + ROUNDED)
+            turns = (p.lo + y[0], p.hi + y[1]) if sign > 0 else (p.lo - y[1], p.hi - y[0])
+            x = [np.maximum(one, 0.0) for one in turns]
+            low, high = (np.sqrt(one) for one in x)
+            middle = np.clip(0.5 * most_e, *y)
+            # y (e - y) and I I_A/A
+            resists = self._resists(low, A.lo, A.hi), self._resists(high, A.hi, A.lo)
+            fold = np.isinf(most_e) | (middle * (most_e - middle) * (1 + ROUNDED) >= resists[0] * (1 - ROUNDED))
+            slowest = np.fmin(*(one * (least_e - one) for one in y))
+            fold &= ~(slowest * (1 - ROUNDED) > resists[1] * (1 + ROUNDED))
+            least, largest = self._levels(A, p, y, x, (low, high), sign)
+            holds = fold & (least * (1 - ROUNDED) <= highest**2) & ~(largest * (1 + ROUNDED) < lowest**2)
+            left &= holds.any(axis=0)
+            first, last = np.argmax(holds, axis=0), PARTS - 1 - np.argmax(holds[::-1], axis=0)
+            n = np.arange(first.size)
+            start, end = np.where(left, edges[first, n], start), np.where(left, edges[last + 1, n], end)
+        return start, end, np.asarray(left | unknown)
+
+    def between(self, A: Interval, p: Interval, start: Floats, end: Floats, F_0: float) -> Floats:
+        """Between which |R| = A |y| of folds is, from that of y, and what |R| of states is not more than."""
+        most = self._most(A, p, F_0) if self.inertial else np.sqrt(max(F_0**2 - self.m**2, 0.0))
+        # 0 times what is not known is not known
+        ends = np.fmax(A.lo * start, 0.0), np.where(np.isnan(A.hi * end), np.inf, A.hi * end)
+        return np.asarray(np.minimum(np.stack(ends), most) * np.array([[1 - ROUNDED], [1 + ROUNDED]]))
+
+    def _most(self, A: Interval, p: Interval, F_0: float) -> Floats:
+        """What |R| <= F_0 Omega^2 is not more than; inf next to the amplitude that is tended to as Omega rises.
+
+        Above it A Omega^2 = R + A p. Below it 1/Omega^2 has to be so large that F over Omega^4 is not negative.
+        """
+        size = np.maximum(np.abs(p.lo), np.abs(p.hi))
+        beyond = np.where(A.lo > F_0, F_0 * size / (1 - F_0 / A.lo), np.inf)
+        low, high = np.zeros_like(size), np.where(A.hi < F_0, 1.0, 0.0)
+
+        def level(z: Floats) -> Floats:
+            I = (self.m + self.eta * A.hi) * z + 2 * self.zeta * A.hi * np.sqrt(z) + self.d * A.hi**2
+            return np.asarray((A.hi * (1 + size * z)) ** 2 + I**2)
+
+        for _ in range(HALVINGS):
+            middle = 0.5 * (low + high)
+            under = level(middle) * (1 + ROUNDED) < F_0**2
+            low, high = np.where(under, middle, low), np.where(under, high, middle)
+        return np.fmin(beyond, np.where(low > 0, F_0 / low, np.inf))
+
+    def _resists(self, Omega: Floats, A: Floats, of_friction: Floats) -> Floats:
+        """I I_A/A, with friction's share at another amplitude."""
+        # I/A has half of the slope that quadratic damping gives to I
+        over = dissipation.I_A(Omega, A, self.eta, self.zeta, 0.5 * self.d)
+        return np.asarray(self.sine_A(Omega, A) * (self.m / of_friction + over))
+
+    def _levels(self, A: Interval, p: Interval, y: Any, x: Any, Omega: Any, sign: float) -> tuple[Floats, Floats]:
+        """Between which the square of the forcing is of folds with |y|, Omega^2 = x and Omega between ends."""
+        if not self.inertial:
+            ends = zip((A.lo, A.hi), y, Omega, strict=True)
+            least, largest = ((one * far) ** 2 + self.sine(at, one) ** 2 for one, far, at in ends)
+            return least, largest
+        # of y/Omega^2 = y/(p + y) either way, and I/Omega^2, which falls with Omega
+        each = ((y[0], x[1]), (y[1], x[0]), *((far, end + sign * far) for end in (p.hi, p.lo) for far in y))
+        shares = [np.where(square > 0, far / square, np.inf) for far, square in each]
+        low = np.fmax(shares[0], np.fmin(shares[2], shares[3]))
+        high = np.fmin(shares[1], np.fmax(shares[4], shares[5]))
+        of_I = zip(Omega[::-1], (A.lo, A.hi), strict=True)
+        I = [np.where(at > 0, self.sine(at, one) / at**2, np.inf) for at, one in of_I]
+        return (A.lo * low) ** 2 + I[0] ** 2, (A.hi * high) ** 2 + I[1] ** 2
+
+
+@dataclass(frozen=True)
+class _Known:
+    """What `Quartics` asks a model for, with h and h_A at the amplitudes that it is asked at."""
+
+    flow: Flow
+    h: Floats
+    h_A: Floats
+
+    @property
+    def zeta(self) -> float:
+        return self.flow.zeta
+
+    @property
+    def d(self) -> float:
+        return self.flow.d
+
+    @property
+    def inertial(self) -> bool:
+        return self.flow.inertial
+
+    def averaged(self, A: Floats) -> tuple[Floats, Floats]:
+        return self.h, self.h_A
+
+    def at_rest(self, A: Floats, beyond: Any = None) -> tuple[Any, Any]:
+        return self.flow.m + self.flow.eta * A, self.flow.eta + 0 * A
+
+    def F_A(self, Omega: Floats, A: Floats, beyond: Any = None) -> Floats:
+        return np.asarray(self.flow.F_A(Omega, A, self.h, self.h_A))
+
+
+def _all(quartics: Quartics) -> Floats:
+    """Every root of each, (n, 3), NaN where there are less."""
+    count = quartics.shown.sum(axis=0)
+    found = np.full((count.size, 3), np.nan)
+    for index in range(3):
+        some = index < count
+        if some.any():
+            found[some, index] = quartics.roots(count, np.minimum(index, np.maximum(count - 1, 0)))[some]
+    return found
+
+
+def _lowest(level: Floats, Omega: Floats) -> tuple[Floats, Floats]:
+    lowest = np.argmin(level, axis=1)[:, np.newaxis]
+    return np.take_along_axis(level, lowest, 1)[:, 0], np.take_along_axis(Omega, lowest, 1)[:, 0]

@@ -1,0 +1,251 @@
+"""Off the centre on a base that shakes, by an unbalance, with structural and quadratic damping: cases and limits."""
+
+import json
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
+
+from slowflow import Duffing, Isolator, derive
+from slowflow.paper.example import TABLE_1
+from slowflow.validate import NotAvailable
+from tests.oracles.errors import U, error
+
+u, k, g, a, b = sp.symbols("u k g a b", real=True)
+ABOVE = {"above": 0}
+CASES = json.loads((Path(__file__).parent / "data" / "off_centre_laws.json").read_text())
+#: errors in u (1 + kappa): of folds, states, their phase; of B over A + |B|, by kappa of A
+FOLD, STATE, PHASE, MEAN = 4.0, 4.0, 20.0, 1.0
+#: one of each law and excitation
+LAWS = ({"excitation": "base"}, {"excitation": "unbalance", "c_2": 0.02}, {"eta": 0.02}, {"c_2": 0.03, "eta": 0.01})
+
+
+def made(force):
+    if force == "even":
+        return derive.mechanism("even", [(u + a * u**2 + b * u**3, None)], {"a": {}, "b": ABOVE}, odd=False)
+    pieces = [(a * u, g), (a * u + k * (u - g), None)]
+    return derive.mechanism("bends", pieces, {"a": ABOVE, "k": {}, "g": {}}, odd=False)
+
+
+def error_of_mean(found, sure):
+    kappa = sum(sure[which]["A"] for which in ("condition", "condition_kernel"))
+    return abs(found.B - float(sure["B"])) / (found.A + abs(found.B)) / (U * (1 + kappa))
+
+
+def test_there_are_certified_cases_of_each_excitation_with_folds():
+    by_law = Counter(
+        (case["excitation"], *(float(case["parameters"][law][1]) > 0 for law in ("eta", "c_2"))) for case in CASES
+    )
+    assert by_law == {
+        ("base", False, False): 15,
+        ("base", True, False): 3,
+        ("base", False, True): 3,
+        ("base", True, True): 4,
+        ("force", True, False): 7,
+        ("force", False, True): 7,
+        ("force", True, True): 3,
+    }
+    assert sum(len(case["folds"]) for case in CASES) == 56
+
+
+@pytest.mark.parametrize("force", ["even", "stop", pytest.param("springs", marks=pytest.mark.slow)])
+def test_folds_and_states_are_the_certified_ones_and_no_others(force):
+    of = made(force)
+    for case in (case for case in CASES if case["force"] == force):
+        given = {name: value[1] for name, value in case["parameters"].items()}
+        one, F_0 = of(**given, excitation=case["excitation"]), case["F_0"][1]
+        folds = one.saddle_nodes(F_0)
+        assert [fold.kind for fold in folds] == [fold["kind"] for fold in case["folds"]]
+        for found, sure in zip(folds, case["folds"], strict=True):
+            assert error(found.Omega, sure, "Omega") < FOLD
+            assert error(found.A, sure, "A") < FOLD
+            assert error_of_mean(found, sure) < MEAN
+        for at in case["amplitudes"]:
+            states, known = one.amplitudes(Omega=at["Omega"][1], F_0=F_0), at["steady"]
+            assert states.stable.tolist() == [state["stable"] for state in known]
+            for found, sure in zip(states, known, strict=True):
+                assert error(found.A, sure, "A") < STATE
+                assert error_of_mean(found, sure) < MEAN
+                kappa = sure["condition"]["A"] + sure["condition_kernel"]["A"]
+                assert found.phi == pytest.approx(float(sure["phi"]), abs=PHASE * U * (1 + kappa))
+
+
+@pytest.mark.parametrize("eta", [0.0, 0.07])
+def test_a_linear_mount_on_a_shaking_base_is_the_closed_form_about_its_rest(eta):
+    zeta, Y, load = 0.06, 0.03, 0.4
+    mount = Duffing(1.0, 0.0, zeta=zeta, eta=eta, load=load, excitation="base")
+    Omega = np.array([0.01, 0.3, 0.9, 1.0, 1.3, 4.0, 30.0])
+    states = mount.amplitudes(Omega=Omega, F_0=Y)
+    lag = eta + 2 * zeta * Omega
+    whole = np.hypot(1 - Omega**2, lag)
+    np.testing.assert_allclose(states.A, Y * Omega**2 / whole, rtol=1e-13)
+    np.testing.assert_allclose(states.B, load, rtol=1e-13)
+    np.testing.assert_allclose(states.transmissibility, np.hypot(1, lag) / whole, rtol=1e-12)
+    assert states.stable.all() and len(mount.saddle_nodes(Y)) == 0
+    assert mount.isolation(Y).Omega == pytest.approx(np.sqrt(2), rel=1e-12)
+    if eta == 0:
+        peak = mount.peak(Y)
+        assert peak.A == pytest.approx(Y / (2 * zeta * np.sqrt(1 - zeta**2)), rel=1e-12)
+        assert peak.Omega == pytest.approx(1 / np.sqrt(1 - 2 * zeta**2), rel=1e-7)
+        assert peak.u_max == pytest.approx(peak.A + load, rel=1e-12)
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.slow
+def test_a_vanishing_load_leaves_the_answers_about_the_centre(law):
+    given, F_0 = {"zeta": 0.04, "mu": 0.002, **law}, 0.085
+    centred, loaded = (Duffing(1.0, 1.0, **given, load=load) for load in (0.0, 1e-9))
+    for Omega in (0.4, 1.15, 1.3, 1.8):
+        one, other = (of.amplitudes(Omega=Omega, F_0=F_0) for of in (centred, loaded))
+        np.testing.assert_allclose(other.A, one.A, rtol=1e-10)
+        np.testing.assert_allclose(other.phi, one.phi, rtol=1e-10)
+        np.testing.assert_allclose(other.transmissibility, one.transmissibility, rtol=1e-10)
+        assert other.stable.tolist() == one.stable.tolist() and np.abs(other.B).max() < 2e-9
+    one, other = (of.saddle_nodes(F_0) for of in (centred, loaded))
+    np.testing.assert_allclose(other.Omega, one.Omega, rtol=1e-9)
+    assert other.kind.tolist() == one.kind.tolist()
+    one, other = (of.saddle_node_onset() for of in (centred, loaded))
+    assert [other.F_SN, other.Omega, other.A] == pytest.approx([one.F_SN, one.Omega, one.A], rel=1e-7)
+    one, other = (of.peak(F_0) for of in (centred, loaded))
+    assert [other.A, other.Omega] == pytest.approx([one.A, one.Omega], rel=1e-6)
+    assert loaded.isolation(F_0).Omega == pytest.approx(centred.isolation(F_0).Omega, rel=1e-9)
+
+
+@pytest.mark.slow
+def test_the_isolator_under_a_vanishing_load_on_a_base_detaches_and_jumps_as_about_the_centre():
+    centred, loaded = (Isolator(**TABLE_1, load=load, excitation="base") for load in (0.0, 1e-9))
+    assert loaded.detachment().F_cr == pytest.approx(centred.detachment().F_cr, rel=1e-6)
+    assert loaded.saddle_node_onset().F_SN == pytest.approx(centred.saddle_node_onset().F_SN, rel=1e-6)
+    one, other = (of.saddle_nodes(0.05) for of in (centred, loaded))
+    np.testing.assert_allclose(other.Omega, one.Omega, rtol=1e-5)
+    assert loaded.margins(0.05).detaches and loaded.margins(0.05).Omega_sticks == centred.margins(0.05).Omega_sticks
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_states_of_a_loaded_isolator_are_those_of_averages_by_sums(law):
+    """The mean is solved for at each amplitude, and F on a grid of them: all its zeros are the states."""
+    isolator = Isolator(**TABLE_1, load=0.05, **law)
+    F_0, Omega = 0.06, 0.85
+    psi = 2 * np.pi * (np.arange(20000) + 0.5) / 20000
+    force, eta, c_2 = isolator.restoring_force(), isolator.eta, isolator.c_2
+    level = F_0 * Omega**2 if "excitation" in law else F_0
+
+    def at(A):
+        def mean(B):
+            return force(B + A * np.cos(psi)).mean() - 0.05
+
+        B = brentq(mean, -1.0, 1.0, xtol=1e-14)
+        h = -2 * (force(B + A * np.cos(psi)) * np.cos(psi)).mean()
+        I = 4 * isolator.mu / np.pi + eta * A + 2 * isolator.zeta * A * Omega + 8 * c_2 / (3 * np.pi) * (A * Omega) ** 2
+        return (A * Omega**2 + h) ** 2 + I**2 - level**2
+
+    grid = np.geomspace(1e-3, 3.0, 150)
+    values = np.array([at(A) for A in grid])
+    roots = [brentq(at, grid[i], grid[i + 1], xtol=1e-12) for i in np.flatnonzero(values[:-1] * values[1:] < 0)]
+    found = isolator.amplitudes(Omega=Omega, F_0=F_0)
+    np.testing.assert_allclose(found.A, roots, rtol=1e-4)
+    assert len(roots) >= 1
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("law", LAWS)
+def test_a_curve_has_its_folds_and_the_peak_and_the_onset_is_where_folds_begin(law):
+    mount, F_0 = Duffing(1.0, 1.0, zeta=0.04, mu=0.003, load=0.15, **law), 0.085
+    curve, folds, peak = mount.frequency_response(F_0), mount.saddle_nodes(F_0), mount.peak(F_0)
+    assert set(folds.A[folds.Omega < 2]) <= set(curve.A)
+    assert peak.A >= curve.A.max() * (1 - 1e-9)
+    near = mount.amplitudes(Omega=peak.Omega, F_0=F_0)
+    assert near.A.max() == pytest.approx(peak.A, rel=1e-5)
+    assert not len(mount.amplitudes(Omega=peak.Omega, F_0=F_0 * (1 - 1e-4)).A[near.A.max() * (1 - 1e-5) < 0])
+    onset = mount.saddle_node_onset()
+    assert len(mount.saddle_nodes(onset.F_SN * 1.001)) == 2 and not len(mount.saddle_nodes(onset.F_SN * 0.999))
+    for fold in folds:
+        beside = [len(mount.amplitudes(Omega=fold.Omega * (1 + side), F_0=F_0)) for side in (-1e-5, 1e-5)]
+        assert sorted(beside) == [1, 3]
+
+
+def by_time(mount, Omega, F_0, start, turns=150):
+    """Mean and first harmonic after many turns of the forcing, by an integrator of its own."""
+    period, force = 2 * np.pi / Omega, F_0 * Omega**2 if mount.model.inertial else F_0
+    zeta = mount.zeta + mount.eta / (2 * Omega)
+
+    def rates(tau, y):
+        drag = 2 * zeta * y[1] + mount.c_2 * abs(y[1]) * y[1]
+        return y[1], force * np.cos(Omega * tau) - drag - y[0] - y[0] ** 3 + mount.load
+
+    last = solve_ivp(rates, (0, turns * period), start, "LSODA", rtol=1e-10, atol=1e-12, max_step=period / 40).y[:, -1]
+    grid = period * (np.arange(512) + 0.5) / 512
+    wave = solve_ivp(rates, (0, period), last, "LSODA", rtol=1e-10, atol=1e-12, t_eval=grid, max_step=period / 100).y[0]
+    return wave.mean(), abs(2 * (wave * np.exp(-1j * Omega * grid)).mean())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("law", LAWS)
+def test_exact_motions_under_a_load_are_those_of_integration_by_time_and_averages_near_them(law):
+    mount = Duffing(1.0, 1.0, zeta=0.08, load=0.2, **law)
+    Omega, F_0 = 1.0, 0.04
+    motion = mount.steady_state(Omega=Omega, F_0=F_0)
+    middle, first = motion.harmonics(1)
+    B, A = by_time(mount, Omega, F_0, (0.19, 0.0))
+    assert middle.real == pytest.approx(B, abs=1e-7) and abs(first) == pytest.approx(A, abs=1e-7)
+    (state,) = mount.amplitudes(Omega=Omega, F_0=F_0)
+    assert state.A == pytest.approx(A, rel=0.03) and state.B == pytest.approx(B, rel=0.02)
+
+
+def test_friction_holds_a_mount_on_a_base_up_to_a_frequency():
+    mount = Duffing(1.0, 0.5, zeta=0.05, mu=0.01, load=0.2, excitation="base")
+    begin = np.sqrt(4 * 0.01 / np.pi / 0.05)
+    states = mount.amplitudes(Omega=[0.9 * begin, 1.001 * begin, 1.2], F_0=0.05)
+    assert states.Omega.tolist() == [1.001 * begin, 1.2] and f"sticks up to Omega = {begin:g}" in states.message
+    curve = mount.frequency_response(0.05)
+    assert begin < curve.Omega.min() < 1.002 * begin and curve.A[0] < 1e-3
+    assert not len(mount.amplitudes(Omega=0.5 * begin, F_0=0.05))
+
+
+def test_small_forcings_have_small_motions():
+    """Boxes beyond A = 0 are left, and do not pile up."""
+    for law in ({}, *LAWS):
+        mount = Duffing(1.0, 1.0, zeta=0.03, load=0.2, **{name: one for name, one in law.items() if name != "c_2"})
+        one, other = (mount.amplitudes(Omega=0.5, F_0=F_0) for F_0 in (1e-6, 1e-9))
+        assert other.A == pytest.approx(1e-3 * one.A, rel=1e-9)
+
+
+def test_what_a_base_does_without_an_end_is_said():
+    hard = Duffing(1.0, 1.0, zeta=0.03, load=0.2, excitation="base")
+    assert "may not close" in hard.peak(0.1).message and hard.peak(0.1).A is None
+    with pytest.raises(NotAvailable, match="isolation is not available"):
+        hard.isolation(0.1)
+    overdamped = Duffing(1.0, 0.0, zeta=0.9, load=0.2, excitation="base").peak(0.1)
+    assert overdamped.A is None and "tends to 0.1 from below" in overdamped.message
+
+
+def test_what_is_not_answered_off_the_centre_is_refused_in_words():
+    well = Duffing(-0.5, 1.0, zeta=0.05, excitation="base")
+    for ask in (well.off_centre.saddle_nodes, well.off_centre.peak, well.off_centre.frequency_response):
+        with pytest.raises(NotAvailable, match="leave the centre by themselves with excitation = 'base'"):
+            ask(0.1)
+    assert len(well.off_centre.rest()) == 3
+    assert well.replace(load=0.05).amplitudes(Omega=1.0, F_0=0.1).A.size
+    with pytest.raises(NotAvailable, match="rubs = 'attached'"):
+        Isolator(**TABLE_1, load=0.05, rubs="attached")
+    for law in LAWS:
+        with pytest.raises(NotAvailable, match="gradients are known with excitation = 'force', mu and zeta only"):
+            Duffing(1.0, 1.0, zeta=0.05, load=0.1, **law).saddle_node_onset().gradient()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("law", LAWS)
+def test_batches_are_single_answers(law):
+    many = Isolator.many(**TABLE_1, load=[0.03, 0.1], **law)
+    found = many.peak(0.05), many.saddle_node_onset(), many.detachment(), many.amplitudes(Omega=0.9, F_0=0.05)
+    for row, load in enumerate((0.03, 0.1)):
+        one = Isolator(**TABLE_1, load=load, **law)
+        states = one.amplitudes(Omega=0.9, F_0=0.05)
+        assert found[0].A[row] == one.peak(0.05).A and found[1].F_SN[row] == one.saddle_node_onset().F_SN
+        assert found[2].F_cr[row] == one.detachment().F_cr
+        assert np.array_equal(found[3].A[row, : len(states)], states.A)
+        assert np.array_equal(found[3].transmissibility[row, : len(states)], states.transmissibility)
