@@ -14,6 +14,7 @@ from filelock import FileLock
 
 from derivations.emit.catalogue import all_modules
 from derivations.emit.form import Module
+from derivations.emit.views import Code, programs
 from derivations.results import Results, derive
 from tests.native import headers
 
@@ -25,6 +26,12 @@ if "PYTEST_XDIST_WORKER" not in os.environ:
 os.environ.setdefault("MPLBACKEND", "Agg")
 
 Once = Callable[[str, Callable[[Path], object]], Path]
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Files that ask for the derivation come first: one worker has all of them, and derives for all of them."""
+    derive = {item.path for item in items if "results" in getattr(item, "fixturenames", ())}
+    items.sort(key=lambda item: item.path not in derive)
 
 
 @pytest.fixture(autouse=True)
@@ -66,6 +73,12 @@ def results() -> Results:
 def modules(results: Results) -> list[Module]:
     """Modules of kernels as the derivation states them."""
     return all_modules(results)
+
+
+@pytest.fixture(scope="session")
+def code(modules: list[Module]) -> dict[str, Code]:
+    """The programs of each kernel, by module and kernel."""
+    return {module.name: programs(module) for module in modules}
 
 
 @pytest.fixture(scope="session")

@@ -10,16 +10,9 @@ import sympy as sp
 
 from derivations.emit import proved, rounding
 from derivations.emit.passes import straight_line
-from derivations.emit.views import programs
 
 DATA = Path(__file__).parent / "data"
 A, B = sp.symbols("A B", real=True)
-
-
-@pytest.fixture(scope="module")
-def code(modules):
-    """The programs of each kernel, by module and kernel."""
-    return {module.name: programs(module) for module in modules}
 
 
 @pytest.fixture(scope="module")
