@@ -776,6 +776,9 @@ def test_an_isola_point_far_above_does_not_hide_the_onset_by_inertia(excitation)
         (0.2, -1.1, {"c_2": 0.0023}, 1.31),
         (0.2, -0.74, {"c_2": 0.0022}, 4.32),
         (-0.5, 1.0, {"c_2": 0.1}, 0.6),
+        # damping so weak that boxes all along the backbone were kept
+        (1.0, 0.72, {"zeta": 2.8e-6, "mu": 8e-4, "c_2": 2.6e-5}, 0.00122),
+        (0.2, 0.53, {"zeta": 4.5e-8, "mu": 9.2e-6, "c_2": 9.6e-6, "eta": 1.6e-5}, 0.00012),
         # a pair that meets 1e-14 below the amplitude that the response tends to
         (1.0, 0.0, {"zeta": 0.05, "c_2": 0.01}, 0.001),
     ],

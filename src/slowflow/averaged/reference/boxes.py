@@ -75,17 +75,22 @@ class Points:
 
     piece     -- on which of the pieces
     A, Omega  -- where
-    undecided -- whether some box holds a number of points that doubles do not tell
+    A_undecided -- amplitudes of boxes that hold a number of points that doubles do not tell
     """
 
     piece: Ints
     A: Floats
     Omega: Floats
-    undecided: bool
+    A_undecided: Floats
+
+    @property
+    def undecided(self) -> bool:
+        """Whether there are such boxes."""
+        return bool(self.A_undecided.size)
 
     def take(self, which: Any) -> Points:
         """Some of them."""
-        return Points(self.piece[which], self.A[which], self.Omega[which], self.undecided)
+        return Points(self.piece[which], self.A[which], self.Omega[which], self.A_undecided)
 
     def __len__(self) -> int:
         return self.A.size
@@ -335,7 +340,7 @@ def points_of(model: Model, system: str, pieces: Sequence[Stretch], F_0: float =
     searched = Searched(model, system, F_0, pieces, most)
     base = np.array([piece.base for piece in pieces])
     boxes = _first_boxes(searched, pieces, F_0 if system in FORCED else most)
-    found, undecided, looked_at = [], False, 0
+    found, undecided, looked_at = [], [np.empty(0)], 0
     while len(boxes):
         looked_at += len(boxes)
         if looked_at > MOST:
@@ -362,7 +367,7 @@ def points_of(model: Model, system: str, pieces: Sequence[Stretch], F_0: float =
         # Omega = 0 is known of a static system: nothing is cut across it
         thin = np.isfinite(high) & (high - low <= NARROW * np.maximum(np.abs(high), LOW)) | (system in STATIC)
         ends = ~single & ~gone & ((narrow & thin) | (boxes.b.A < FIRST))
-        undecided |= bool((ends & (boxes.b.A >= FIRST)).any())
+        undecided.append(boxes.b.A[ends & (boxes.b.A >= FIRST)])
         kept = np.flatnonzero(~(single | gone | ends))
         boxes = _cut(
             searched,
@@ -376,10 +381,10 @@ def points_of(model: Model, system: str, pieces: Sequence[Stretch], F_0: float =
         )
     if not found:
         none = np.empty(0)
-        return Points(np.empty(0, np.intp), none, none, undecided)
+        return Points(np.empty(0, np.intp), none, none, np.concatenate(undecided))
     of_piece, A, at_Omega = (np.concatenate(column) for column in zip(*found, strict=True))
     order = np.lexsort((at_Omega, A, of_piece))
-    return Points(of_piece[order], A[order], at_Omega[order], undecided)
+    return Points(of_piece[order], A[order], at_Omega[order], np.concatenate(undecided))
 
 
 def _first_boxes(searched: Searched, pieces: Sequence[Stretch], most: float) -> _Boxes:
