@@ -88,10 +88,18 @@ static int sf_arc_of_fold(const sf_model *model, double F_0, const sf_graph *gra
     return found;
 }
 
+/* By the sign of F_A. Where the resonance is so sharp that of R rounding of A Omega^2 leaves nothing, F has it up to
+ * its sign, which is that of F_Omega there: F rises at the last root. */
 static int sf_is_stable(const sf_model *model, double F_0, const sf_segment *segment) {
     sf_sample at;
+    double Omega, I, R;
     sf_sample_at(model, 0.5 * (segment->A[0] + segment->A[1]), &at);
-    return sf_half_F_A(model, &at, sf_response_branch(model, &at, F_0, segment->count, segment->index)) > 0;
+    Omega = sf_response_branch(model, &at, F_0, segment->count, segment->index);
+    if (sf_inertial(model) || !(at.A * Omega * Omega > SF_SHARP * F_0))
+        return sf_half_F_A(model, &at, Omega) > 0;
+    I = slow_flow_I(Omega, at.A, model->m, model->zeta);
+    R = sqrt(fmax(0, (F_0 - I) * (F_0 + I))) * ((segment->count - segment->index) % 2 == 1 ? 1 : -1);
+    return R * (at.h_A + Omega * Omega) + 2 * model->zeta * Omega * I > 0;
 }
 
 static void sf_add_segment(const sf_model *model, double F_0, sf_skeleton *out, sf_segment segment) {
@@ -125,10 +133,11 @@ static void sf_add_step(const sf_model *model, double F_0, const sf_arc *arc, in
 
 /* The last digits of the folds, also where segments end in them. What lies on which arc was told by the numbers
  * before. */
-static void sf_settle_skeleton(const sf_model *model, const sf_exactly *exactly, double F_0, sf_work *work) {
+static void sf_settle_skeleton(const sf_model *model, const sf_given *given, double F_0, sf_room *room) {
+    sf_work *work = &room->work;
     const sf_folds before = work->folds;
     int i, k, end;
-    sf_settle_folds(exactly, model, F_0, &work->folds);
+    sf_settle_or_prove(model, given, F_0, room, &work->folds);
     for (i = 0; i < before.n; i++)
         for (k = 0; k < work->skeleton.segments; k++)
             for (end = 0; end < 2; end++) {
@@ -163,7 +172,7 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, 
         out->curves = c + 1;
     }
     if (given != NULL)
-        sf_settle_skeleton(model, &given->exactly, F_0, work);
+        sf_settle_skeleton(model, given, F_0, room);
     return SF_OK;
 }
 

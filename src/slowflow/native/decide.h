@@ -124,6 +124,30 @@ static int sf_is_linear(const sf_model *model) {
     return at.h_AA == 0 && fabs(at.k) <= SF_LINEAR * fabs(at.h);
 }
 
+/* Whether a fold is of a peak so sharp that rounding of A Omega^2 alone takes a point off the response: Newton's method
+ * may stay anywhere along the backbone there. */
+static int sf_is_sharp(const sf_folds *folds, double F_0) {
+    int i = 0;
+    while (i < folds->n && !(folds->at[i].A * folds->at[i].Omega * folds->at[i].Omega > SF_SHARP * F_0))
+        i++;
+    return i < folds->n;
+}
+
+/* The last digits of folds, of which proofs have what Newton's method leaves. Returns how far off one is left,
+ * relatively. */
+static double sf_settle_or_prove(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
+                                 sf_folds *folds)
+{
+    const double off = given == NULL ? 0 : sf_settle_folds(&given->exactly, model, F_0, folds);
+    sf_folds settled;
+    if (given == NULL || off > SF_FEW_DIGITS || !(off > SF_FEW_ROUNDINGS || sf_is_sharp(folds, F_0)))
+        return off;
+    settled = *folds;
+    if (!sf_take_proved_folds(model, given, F_0, room, folds) || folds->n != settled.n)
+        *folds = settled;
+    return off;
+}
+
 /* The same to their last digit. */
 static sf_status sf_settled_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
                                   sf_folds *folds)
@@ -134,7 +158,7 @@ static sf_status sf_settled_folds(const sf_model *model, const sf_given *given, 
         return folds->status = SF_OK;
     }
     status = sf_decided_folds(model, given, F_0, room, folds);
-    if (status == SF_OK && given != NULL && !sf_settle_folds(&given->exactly, model, F_0, folds))
+    if (status == SF_OK && sf_settle_or_prove(model, given, F_0, room, folds) > SF_FEW_DIGITS)
         folds->undecided = 1;
     return status;
 }

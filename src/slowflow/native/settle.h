@@ -25,6 +25,8 @@
 enum { SF_MOST_DOUBLINGS = 32 };
 /* the square of a step to a level is left out */
 #define SF_LEVEL_STEP 0x1p-30
+/* a square of this times a rounding is some rounding */
+#define SF_SHARP 0x1p25
 enum { SF_MOST_SETTLING = 8, SF_MOST_ABOVE = 24 };
 
 typedef void (*sf_step)(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A,
@@ -364,25 +366,26 @@ static inline int sf_breakpoint_at(const sf_model *model, double A) {
     return i;
 }
 
-/* Whether a fold that does not settle has digits all the same, by how far Newton's method would move it. */
-static inline int sf_fold_has_digits(const sf_exactly *exactly, const sf_model *model, const sf_settling *of) {
+/* How far, relatively, Newton's method would move a fold that does not settle; 0 where pairs do not tell. */
+static inline double sf_fold_is_off_by(const sf_exactly *exactly, const sf_model *model, const sf_settling *of) {
     sf_exact_sample at;
-    double out[4];
+    double out[4], off;
     if (!sf_exact_at(exactly, model, sf_piece_of(model, of->A.high), of->A, 2, NULL, &at))
-        return 1;
+        return 0;
     sf_take_step(slow_flow_pairs_fold_step, exactly, &at, of, out);
-    return fabs(out[0]) <= SF_FEW_DIGITS * of->Omega.high && fabs(out[1]) <= SF_FEW_DIGITS * of->A.high;
+    off = fmax(fabs(out[0]) / of->Omega.high, fabs(out[1]) / of->A.high);
+    return isnan(off) ? HUGE_VAL : off;
 }
 
-/* Returns whether the fold has digits. */
-static inline int sf_settle_fold(const sf_exactly *exactly, const sf_model *model, double F_0, double *Omega,
-                                 double *A)
+/* Returns how far off the fold is left, relatively; 0 where it settled. */
+static inline double sf_settle_fold(const sf_exactly *exactly, const sf_model *model, double F_0, double *Omega,
+                                    double *A)
 {
     const sf_settling begin = {sfp_point(*Omega), sfp_point(*A), sfp_point(F_0)};
     sf_settling of = begin, above = begin;
     const int piece = sf_piece_of(model, *A);
     if (exactly == NULL)
-        return 1;
+        return 0;
     if (sf_settle_all(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, &of))
         *Omega = of.Omega.high, *A = of.A.high;
     else if (piece > 0 && model->breaks == exactly->breaks &&
@@ -390,8 +393,8 @@ static inline int sf_settle_fold(const sf_exactly *exactly, const sf_model *mode
                              piece, &above))
         *Omega = above.Omega.high, *A = fmax(above.A.high, nextafter(model->b[piece - 1], HUGE_VAL));
     else
-        return sf_fold_has_digits(exactly, model, &begin);
-    return 1;
+        return sf_fold_is_off_by(exactly, model, &begin);
+    return 0;
 }
 
 static inline void sf_swap(double *x, double *y) {
@@ -400,10 +403,10 @@ static inline void sf_swap(double *x, double *y) {
 }
 
 /* Folds, by rising Omega also where doubles had them in another order. Two that were apart do not become one. Returns
- * whether all have digits. */
-static int sf_settle_folds(const sf_exactly *exactly, const sf_model *model, double F_0, sf_folds *folds) {
-    double Omega[SF_MOST_FOLDS], A[SF_MOST_FOLDS];
-    int i, j, digits = 1;
+ * how far off one of them is left, relatively. */
+static double sf_settle_folds(const sf_exactly *exactly, const sf_model *model, double F_0, sf_folds *folds) {
+    double Omega[SF_MOST_FOLDS], A[SF_MOST_FOLDS], off = 0;
+    int i, j;
     for (i = 0; i < folds->n; i++) {
         const sf_fold *fold = &folds->at[i];
         Omega[i] = fold->Omega, A[i] = fold->A;
@@ -411,7 +414,7 @@ static int sf_settle_folds(const sf_exactly *exactly, const sf_model *model, dou
         if (fold->corner || (model->breaks > 0 && fold->A == model->b[sf_breakpoint_at(model, fold->A)]))
             sf_settle_on(slow_flow_pairs_corner_step, exactly, sf_breakpoint_at(model, fold->A), F_0, &Omega[i]);
         else
-            digits &= sf_settle_fold(exactly, model, F_0, &Omega[i], &A[i]);
+            off = fmax(off, sf_settle_fold(exactly, model, F_0, &Omega[i], &A[i]));
     }
     for (i = 1; i < folds->n; i++)
         for (j = 0; j < i; j++) {
@@ -429,7 +432,16 @@ static int sf_settle_folds(const sf_exactly *exactly, const sf_model *model, dou
         }
     for (i = 0; i < folds->n; i++)
         folds->at[i].Omega = Omega[i], folds->at[i].A = A[i];
-    return digits;
+    return off;
+}
+
+/* The level of an isola point has its own form where damping is so weak that the square of R, which rounding of
+ * A Omega^2 leaves, is no small share of it. */
+static int sf_settle_isola(const sf_model *model, const sf_exactly *exactly, double *Omega, double *A, double *F_0) {
+    const int settled = sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, Omega, A, F_0);
+    if (settled && *A * *Omega * *Omega > SF_SHARP * *F_0)
+        *F_0 = sf_isola_level(model, *Omega, *A);
+    return settled;
 }
 
 /* Returns whether an onset settled, or is on a breakpoint, where it is what it is. */
@@ -438,8 +450,7 @@ static int sf_settle_onset(const sf_model *model, const sf_exactly *exactly, sf_
         return sf_settle_numbers(slow_flow_pairs_cusp_step, SF_MOVES_ALL, 4, exactly, model, &out->Omega, &out->A,
                                  &out->F_SN);
     if (out->kind == SF_ISOLA_KIND)
-        return sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, &out->Omega, &out->A,
-                                 &out->F_SN);
+        return sf_settle_isola(model, exactly, &out->Omega, &out->A, &out->F_SN);
     return 1;
 }
 
@@ -463,7 +474,7 @@ static sf_extremum sf_settled_extremum(const sf_model *model, const sf_exactly *
     if (zero->question == SF_CUSP)
         sf_settle_numbers(slow_flow_pairs_cusp_step, SF_MOVES_ALL, 4, exactly, model, &out.Omega, &out.A, &out.F_0);
     else if (zero->question == SF_ISOLA)
-        sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, &out.Omega, &out.A, &out.F_0);
+        sf_settle_isola(model, exactly, &out.Omega, &out.A, &out.F_0);
     return out;
 }
 

@@ -56,6 +56,17 @@ static double sf_settled_amplitude(const sf_model *model, const sf_exactly *exac
     return segment->A[0] * (1 - SF_SAME) <= of.A.high && of.A.high <= segment->A[1] * (1 + SF_SAME) ? of.A.high : A;
 }
 
+/* Of two states with the same double the lower one is stable if the next below is not: F crosses 0 upward and downward
+ * in turn along the amplitude, beginning below 0. */
+static void sf_order_same(int n, const double *A, unsigned char *stable) {
+    int i;
+    for (i = 0; i + 1 < n; i++)
+        if (A[i] == A[i + 1] && stable[i] != stable[i + 1]) {
+            stable[i] = (unsigned char)(i == 0 || !stable[i - 1]);
+            stable[i + 1] = (unsigned char)!stable[i];
+        }
+}
+
 /* The states of the segments at Omega, by rising A; returns their number. */
 static int sf_states_of_segments(const sf_model *model, const sf_exactly *exactly, double F_0, const sf_work *work,
                                  double Omega, double *A, unsigned char *stable) {
@@ -68,6 +79,7 @@ static int sf_states_of_segments(const sf_model *model, const sf_exactly *exactl
             n = sf_add_state(sf_settled_amplitude(model, exactly, F_0, work, segment, is_end, Omega), segment->stable,
                              is_end, n, A, stable);
     }
+    sf_order_same(n, A, stable);
     return n;
 }
 

@@ -20,7 +20,7 @@ from slowflow.averaged.reference.minima import cusp_is_minimum, is_saddle, isola
 from slowflow.averaged.reference.search import Zeros, find_zeros
 from slowflow.model import Floats, Model
 from slowflow.results import Cusps, FoldLocus, IsolaPoints
-from slowflow_kernels import inertia
+from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import SPREAD
 
 
@@ -122,6 +122,17 @@ def of_cusps(model: Model, cusps: Zeros) -> Floats:
     return inertia.amplitude(cusps.Omega, cusps.level) if model.inertial else cusps.level
 
 
+def of_isolas(model: Model, Omega: Floats, A: Floats) -> Floats:
+    """The level at isola points.
+
+    F_Omega = 0 says that Omega R = -zeta I: of R from h rounding leaves nothing where damping is weak.
+    """
+    if model.inertial:
+        return model.level(Omega, A)
+    I = slow_flow.I(Omega, A, model.m, model.zeta)
+    return np.asarray(I * np.hypot(1.0, model.zeta / Omega))
+
+
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The cusps and the isola points up to A_max."""
     if model.laws.any:
@@ -134,7 +145,7 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
         F_0 = of_cusps(model, at) if model.zeta > 0 else model.level(Omega, A)
         cusps = Cusps(F_0, Omega, A, cusp_is_minimum(model, Omega, A), "" if A.size else words.NO_CUSP.format(A_max))
         Omega, A = (isolas[0].Omega, isolas[0].A) if isolas else (np.empty(0),) * 2
-        F_0 = model.level(Omega, A)
+        F_0 = of_isolas(model, Omega, A)
         birth = np.where(isola_is_minimum(model, Omega, A), "birth", "death")
         kind = np.where(is_saddle(model, Omega, A), "merger", birth)
     return cusps, IsolaPoints(F_0, Omega, A, kind, "" if A.size else words.NO_ISOLA.format(A_max))

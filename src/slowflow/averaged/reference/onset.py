@@ -28,7 +28,7 @@ from slowflow.averaged.reference.boxes import points_of
 from slowflow.averaged.reference.cells import Samples, Stretch, sample_above, samples_at, stretches_up_to
 from slowflow.averaged.reference.excited import stationary_at
 from slowflow.averaged.reference.folds import saddle_nodes
-from slowflow.averaged.reference.locus import of_cusps
+from slowflow.averaged.reference.locus import of_cusps, of_isolas
 from slowflow.averaged.reference.minima import cusp_is_minimum, isola_is_minimum
 from slowflow.averaged.reference.roots import fold_roots, peak_roots
 from slowflow.averaged.reference.search import find_zeros
@@ -291,7 +291,7 @@ def _consider_pieces(model: Model, pieces: list[Stretch], best: _Best) -> None:
             best.rest = min(best.rest, model.m)
     best.undecided |= isolas.undecided or cusps.undecided
     least = isola_is_minimum(model, isolas.Omega, isolas.A)
-    level = model.level(isolas.Omega, isolas.A)
+    level = of_isolas(model, isolas.Omega, isolas.A)
     best.consider(level[least], isolas.Omega[least], isolas.A[least], "isola")
     least = cusp_is_minimum(model, cusps.Omega, cusps.A)
     best.consider(of_cusps(model, cusps)[least], cusps.Omega[least], cusps.A[least], "cusp")

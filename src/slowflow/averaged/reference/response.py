@@ -30,6 +30,9 @@ from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyState
 from slowflow_kernels import frequencies, slow_flow
 from slowflow_kernels.conventions import AT_ROOT, HARDLY, LAST_STEP, SAME, SLOW, SPREAD
 
+#: A Omega^2 beside F_0 from which on rounding leaves nothing of R, as SF_SHARP in native/settle.h
+SHARP = 2.0**25
+
 
 @dataclass(frozen=True)
 class Segment:
@@ -100,7 +103,7 @@ def skeleton(model: Model, F_0: float) -> Skeleton:
         curves.append(curve)
     undecided |= Remark.UNDECIDED in folds.remarks
     closed = [tour.closed for tour in graph.tours]
-    return Skeleton(roots, folds, _with_stability(roots, curves), closed, undecided, remark)
+    return Skeleton(roots, folds, _with_stability(roots, F_0, curves), closed, undecided, remark)
 
 
 def _along(model: Model, F_0: float) -> tuple[Along, Callable[[Model, float, float], tuple[list[Event], bool]]]:
@@ -173,7 +176,9 @@ def _arcs_of_folds(roots: Along, graph: Graph, folds: SaddleNodes) -> dict[int, 
     return found
 
 
-def _with_stability(roots: Along, curves: list[list[tuple[Segment, bool]]]) -> list[list[tuple[Segment, bool]]]:
+def _with_stability(
+    roots: Along, F_0: float, curves: list[list[tuple[Segment, bool]]]
+) -> list[list[tuple[Segment, bool]]]:
     """The same with each segment's stability: a state is stable where F_A is positive (30)."""
     segments = [segment for curve in curves for segment, _ in curve]
     if not segments:
@@ -182,8 +187,23 @@ def _with_stability(roots: Along, curves: list[list[tuple[Segment, bool]]]) -> l
     A = np.array([0.5 * (segment.low[0] + segment.high[0]) for segment in segments])
     with np.errstate(all="ignore"):
         Omega = roots.at(A, *_numbers(segments))
-        stable = iter((model.F_A(Omega, A) > 0).tolist())
+        rises = model.F_A(Omega, A)
+        if not (model.inertial or model.laws.any):
+            rises = np.where(
+                A * Omega**2 > SHARP * F_0, _rise_where_sharp(model, F_0, A, Omega, *_numbers(segments)), rises
+            )
+        stable = iter((rises > 0).tolist())
     return [[(replace(segment, stable=next(stable)), upward) for segment, upward in curve] for curve in curves]
+
+
+def _rise_where_sharp(model: Model, F_0: float, A: Floats, Omega: Floats, count: Any, index: Any) -> Floats:
+    """F_A/2 where rounding of A Omega^2 leaves nothing of R.
+
+    F has R up to its sign, which is that of F_Omega there: F rises at the last root.
+    """
+    I = slow_flow.I(Omega, A, model.m, model.zeta)
+    R = np.sqrt(np.maximum(0.0, (F_0 - I) * (F_0 + I))) * np.where((count - index) % 2 == 1, 1.0, -1.0)
+    return np.asarray(R * (model.averaged(A)[1] + Omega**2) + 2 * model.zeta * Omega * I)
 
 
 def _numbers(segments: list[Segment]) -> tuple[Any, Any]:
@@ -215,7 +235,21 @@ def states_at(found: Skeleton, Omega: Floats) -> tuple[Floats, Floats, np.ndarra
     keep = np.concatenate([[True], ~same]) if which.size else np.empty(0, dtype=bool)
     stable[1:] &= stable[:-1] | ~same
     keep &= A > 0  # where the response begins the mass is at rest
-    return Omega[which][keep], A[keep], stable[keep]
+    which, A, stable = which[keep], A[keep], stable[keep]
+    _order_same(which, A, stable)
+    return Omega[which], A, stable
+
+
+def _order_same(which: Any, A: Floats, stable: Any) -> None:
+    """Of two states that rounding does not tell apart the lower one is stable if the next below is not.
+
+    F crosses 0 upward and downward in turn along the amplitude, beginning below 0.
+    """
+    same = (np.diff(which) == 0) & (np.diff(A) <= SAME * A[1:]) & (stable[1:] != stable[:-1])
+    for i in np.flatnonzero(same):
+        lowest = i == 0 or which[i - 1] != which[i]
+        stable[i] = lowest or not stable[i - 1]
+        stable[i + 1] = not stable[i]
 
 
 @np.errstate(all="ignore")
