@@ -128,11 +128,14 @@ class ScipyIntegrator:
         def variational(at: float, y: Array) -> Array:
             resists, damps = drive.resistance(y[1])
             given = (np.cos(at), y[1], Omega, F_0, zeta, resists, piece(y[0]))
-            by_state = np.reshape(motion.rates_by_state(Omega, damps, piece.slope(y[0])), (2, 2))
-            by_parameter = np.reshape(motion.rates_by_parameter(*given), (2, -1))
-            tangent = by_state @ y[2:].reshape(2, 4)
+            # arrays of numbers: np.reshape of a tuple takes as long as all the rest
+            by_state = np.array(motion.rates_by_state(Omega, damps, piece.slope(y[0]))).reshape(2, 2)
+            by_parameter = np.array(motion.rates_by_parameter(*given)).reshape(2, -1)
+            rates = np.empty(10)
+            rates[:2] = motion.rates(*given)
+            tangent = np.matmul(by_state, y[2:].reshape(2, 4), out=rates[2:].reshape(2, 4))
             tangent[:, 2:] += by_parameter[:, :2]
-            return np.array([*motion.rates(*given), *tangent.ravel()])
+            return rates
 
         start = np.array([u, v, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0])
         if end == theta:
