@@ -12,6 +12,7 @@ from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, derive
 from slowflow.paper.example import TABLE_1
+from slowflow.sizing import tolerances
 from slowflow.validate import NotAvailable
 from tests.oracles.errors import U, error
 
@@ -249,3 +250,12 @@ def test_batches_are_single_answers(law):
         assert found[2].F_cr[row] == one.detachment().F_cr
         assert np.array_equal(found[3].A[row, : len(states)], states.A)
         assert np.array_equal(found[3].transmissibility[row, : len(states)], states.transmissibility)
+
+
+@pytest.mark.slow
+def test_tolerances_of_a_heavy_mount_on_a_shaking_floor_are_of_its_single_answers():
+    sheet = {"m": 12, "k_v": 2500, "k_h": 1700, "n": 3, "L": 0.080, "preload": 0.009, "friction": 0.4, "zeta": 0.02}
+    mount = Isolator.physical(**sheet, load=12.36, excitation="base")
+    found = tolerances(mount, {"load": 0.02}, F=0.004, answers=["Y_cr", "of_SN", "A_peak"], samples=4)
+    margins = mount.margins(F=0.004)
+    assert found.nominal.tolist() == pytest.approx([margins.Y_cr, margins.of_SN, mount.peak(F=0.004).A], rel=1e-12)

@@ -317,6 +317,9 @@ class _Batch:
             lowest = np.where(onsets.status == Status.NONE, math.inf, onsets.F_SN)
             # folds below it end at Omega = 0; under a load the onset is undecided then
             return np.where(getattr(onsets, "at_rest", False), np.nan, lowest)
+        if name == "F_cr" and isinstance(self.designs, OffCentreDesigns) and self.designs.excitation != "force":
+            # where there is none it may be tended to as Omega rises, at what is not known of batches
+            return np.asarray(self._ask(self.designs.detachment).F_cr)
         if name == "F_cr":
             return lifting(self.designs, self._ask(self.designs.detachment))
         if name == "rest" and isinstance(self.designs, OffCentreDesigns):
