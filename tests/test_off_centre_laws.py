@@ -259,3 +259,12 @@ def test_tolerances_of_a_heavy_mount_on_a_shaking_floor_are_of_its_single_answer
     found = tolerances(mount, {"load": 0.02}, F=0.004, answers=["Y_cr", "of_SN", "A_peak"], samples=4)
     margins = mount.margins(F=0.004)
     assert found.nominal.tolist() == pytest.approx([margins.Y_cr, margins.of_SN, mount.peak(F=0.004).A], rel=1e-12)
+
+
+@pytest.mark.parametrize("load", [1e-9, 1e-6, 1e-3])
+def test_the_onset_of_a_base_goes_to_that_about_the_centre_with_the_load(load):
+    """Levels of folds that nearly meet were not known well enough next to the cusp: the onset was called undecided."""
+    at_centre = Duffing(1.0, 0.5, zeta=0.05, excitation="base").saddle_node_onset()
+    found = Duffing(1.0, 0.5, zeta=0.05, load=load, excitation="base").saddle_node_onset()
+    assert found.kind == "cusp"
+    assert found.F_SN == pytest.approx(at_centre.F_SN, rel=1e-12 + 2 * load**2)

@@ -20,8 +20,9 @@ from slowflow_kernels import dissipation, inertia, slow_flow
 
 #: what rounding does to a bound
 ROUNDED = 2.0**-40
-#: parts of the range of y, and how often what is left of it is cut into parts again
-PARTS, ROUNDS = 8, 7
+#: parts of the range of y, and how often what is left of it is cut into parts again: folds that are about to meet, next
+#: to a cusp, leave no less than half of it each time, and their level has to be known better than `onset.GAP`
+PARTS, ROUNDS = 8, 10
 #: of a bracket
 HALVINGS = 60
 
