@@ -73,8 +73,7 @@ class Search:
         row, column = np.nonzero(value[:, :-1] * value[:, 1:] <= 0)
         A, low, high = amplitudes[row], bound[row] * across[column], bound[row] * across[column + 1]
         sign = np.sign(value[row, column])
-        # to seven digits of a cell: what descends from there steps onto the balance
-        for _ in range(24):
+        for _ in range(45):
             B = 0.5 * (low + high)
             same = sign * (self.steps.at(A, B, 0).c[0] - self.steps.load) > 0
             low, high = np.where(same, B, low), np.where(same, high, B)
