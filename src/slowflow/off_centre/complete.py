@@ -93,14 +93,14 @@ class Complete:
         while True:
             best = min(known, key=lambda fold: fold.F_0, default=None)
             if best is not None and not best.kind:
-                raise ArithmeticError("a fold whose forcing only falls")
+                raise ArithmeticError("folds of ever lower forcing go on to Omega = 0, or to where the mean turns back")
             F_0 = math.inf if best is None else best.F_0
             lower = search.lower(self.sheets, self.A_max(self._flow.m if best is None else F_0), F_0)
             if lower is None:
                 return best
             known.append(search.descend(*lower))
             if best is not None and known[-1].F_0 >= best.F_0:
-                raise ArithmeticError("a lower fold that is not reached")
+                raise ArithmeticError("a lower fold is known of, but not reached")
 
     def A_max(self, F_0: float) -> float:
         """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as.

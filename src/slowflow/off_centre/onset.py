@@ -187,7 +187,7 @@ class Search:
         while cells.chart.size:
             looked_at += cells.chart.size
             if looked_at > MOST_BOXES:
-                raise ArithmeticError("the onset is unresolved: too many boxes stay undecided")
+                raise ArithmeticError("too many boxes of A and B may hold a lower fold")
             with np.errstate(all="ignore"):
                 cells = cells.take(self._may_be_lower(cells, known * (1 - GAP)))
             if 0 < cells.chart.size <= FEW:

@@ -67,7 +67,7 @@ TURNS = "the mean turns back where a motion goes farthest: how far is told to 2^
 WITHIN = "motions whose mean stiffness vanishes may lose their stability within a band too"
 NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
 NO_ONSET = "no saddle node at any forcing, up to amplitudes far beyond the size of the problem"
-UNRESOLVED = "the onset is undecided: folds of ever lower forcing go on to Omega = 0, or to where the mean turns back"
+UNDECIDED_ONSET = "the onset is undecided: {}"
 ON_CORNER = "on a corner that the jump of the force makes: one that does not jump has none there"
 UNDECIDED = "how many states there are is undecided at Omega = {}"
 UNDECIDED_BEYOND = "whether a stable motion transmits the force at a higher frequency too is undecided"
@@ -397,8 +397,8 @@ class OffCentre:
         try:
             with np.errstate(over="ignore"):  # it is looked for up to amplitudes of any size
                 found = self._complete.lowest()
-        except ArithmeticError:
-            return self._no_onset(UNRESOLVED, Remark.UNDECIDED)
+        except ArithmeticError as failure:
+            return self._no_onset(UNDECIDED_ONSET.format(failure), Remark.UNDECIDED)
         if found is None:
             return self._no_onset(NO_ONSET, Remark(0))
         truncated = Remark.OF_TRUNCATION if self._model.mechanism.truncated else Remark(0)
