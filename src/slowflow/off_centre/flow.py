@@ -108,9 +108,9 @@ class Flow:
         return -4.0 * self._least(Omega, A, h) / Omega
 
     def _least(self, Omega: Any, A: Any, h: Any) -> Any:
-        # h R + I (I_0 + zeta A Omega), derivations/dissipation.py
         R, I = slow_flow.R(Omega, A, h), self.sine(Omega, A)
-        return h * R + I * (self.m + self.eta * A + self.zeta * A * Omega)
+        rest = self.m + self.eta * A
+        return dissipation.peaks_by_inertia(Omega, A, 0.0, rest, 0.0, self.zeta, self.d, h, 0.0, R, I)[1]
 
     # ==== Frequencies =================================================================================================
 
