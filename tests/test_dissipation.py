@@ -715,6 +715,7 @@ def of_play(A):
     return factor * A * (beside - product), factor * (beside + product)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("Y", [0.05, 0.3, 0.8, 1.2, 2.0])
 @pytest.mark.parametrize("c_2", [0.1, 0.02])
 def test_a_play_on_a_shaking_base_has_all_folds_under_quadratic_damping(c_2, Y):
@@ -762,6 +763,7 @@ def test_an_isola_point_far_above_does_not_hide_the_onset_by_inertia(excitation)
     assert found.F_SN == pytest.approx(of_force.F_SN / of_force.Omega**2, rel=1e-13)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("excitation", ["base", "unbalance"])
 @pytest.mark.parametrize(
     ("alpha", "beta", "damping", "F_0"),
@@ -805,6 +807,7 @@ def test_every_state_by_inertia_is_there_by_laws_other_than_viscous_damping(exci
     assert most >= 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("excitation", ["force", "base", "unbalance"])
 @pytest.mark.parametrize(
     "damping", [{"c_2": 0.05}, {"c_2": 0.05, "zeta": 0.05}, {"eta": 0.02}, {"eta": 0.02, "c_2": 0.3, "mu": 1e-5}]

@@ -751,6 +751,7 @@ def test_from_the_isolation_frequency_on_less_than_the_force_is_transmitted(load
     assert (beyond.transmissibility[beyond.stable] < 1).all()
 
 
+@pytest.mark.slow
 def test_what_transmits_the_force_beyond_the_isolation_found_is_seen_by_the_proof(loaded, monkeypatch):
     """Points of the response that pass over its last stretch do not make the answer: more are taken, or it says so."""
     true, begins = loaded.isolation(0.04), loads.begins
