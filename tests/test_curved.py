@@ -15,8 +15,7 @@ from slowflow import backend, derive
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.off_centre.means import Steps
 from slowflow.validate import NotAvailable
-from tests.oracles.errors import error
-from tests.test_sided import FOLD, ONSET, STATE, error_of_mean
+from tests.off_centre_cases import check_folds_and_states, check_onset
 
 u, k, g, q, d, p, z = sp.symbols("u k g q d p z")
 ABOVE = {"above": 0}
@@ -255,20 +254,6 @@ def test_folds_states_and_onsets_are_the_certified_ones_and_no_others(name):
     force, odd = CERTIFIED[name]
     made = derive.mechanism(f"certified_{name}", [(force, None)], {"k": ABOVE, "q": ABOVE, "d": ABOVE}, odd=odd)
     for case in (case for case in CASES if case["force"] == name):
-        one, F_0 = made(**{key: value[1] for key, value in case["parameters"].items()}), case["F_0"][1]
-        folds = one.saddle_nodes(F_0)
-        assert [fold.kind for fold in folds] == [fold["kind"] for fold in case["folds"]]
-        for found, sure in zip(folds, case["folds"], strict=True):
-            assert error(found.Omega, sure, "Omega") < FOLD and error(found.A, sure, "A") < FOLD_A
-            assert error_of_mean(found, sure) < MEAN
-        for at in case["amplitudes"]:
-            states, known = one.amplitudes(Omega=at["Omega"][1], F_0=F_0), at["steady"]
-            assert states.stable.tolist() == [state["stable"] for state in known]
-            for found, sure in zip(states, known, strict=True):
-                assert error(found.A, sure, "A") < STATE and error_of_mean(found, sure) < MEAN
-        onset, sure = one.saddle_node_onset(), case["onset"]
-        if sure is None:
-            assert onset.F_SN is None or onset.F_SN > one.sticking_forcing + 0.15
-            continue
-        for quantity in ("F_SN", "Omega", "A"):
-            assert error(getattr(onset, quantity), sure, quantity) < ONSET
+        one = made(**{key: value[1] for key, value in case["parameters"].items()})
+        check_folds_and_states(one, case, fold_A=FOLD_A, mean=MEAN)
+        check_onset(one, case, mean=MEAN)

@@ -10,31 +10,17 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from slowflow import Duffing, Isolator, derive
+from slowflow import Duffing, Isolator
 from slowflow.paper.example import TABLE_1
 from slowflow.sizing import tolerances
 from slowflow.validate import NotAvailable
-from tests.oracles.errors import U, error
+from tests.off_centre_cases import check_folds_and_states, made
 
 u, k, g, a, b = sp.symbols("u k g a b", real=True)
 ABOVE = {"above": 0}
 CASES = json.loads((Path(__file__).parent / "data" / "off_centre_laws.json").read_text())
-#: errors in u (1 + kappa): of folds, states, their phase; of B over A + |B|, by kappa of A
-FOLD, STATE, PHASE, MEAN = 4.0, 4.0, 20.0, 1.0
 #: one of each law and excitation
 LAWS = ({"excitation": "base"}, {"excitation": "unbalance", "c_2": 0.02}, {"eta": 0.02}, {"c_2": 0.03, "eta": 0.01})
-
-
-def made(force):
-    if force == "even":
-        return derive.mechanism("even", [(u + a * u**2 + b * u**3, None)], {"a": {}, "b": ABOVE}, odd=False)
-    pieces = [(a * u, g), (a * u + k * (u - g), None)]
-    return derive.mechanism("bends", pieces, {"a": ABOVE, "k": {}, "g": {}}, odd=False)
-
-
-def error_of_mean(found, sure):
-    kappa = sum(sure[which]["A"] for which in ("condition", "condition_kernel"))
-    return abs(found.B - float(sure["B"])) / (found.A + abs(found.B)) / (U * (1 + kappa))
 
 
 def test_there_are_certified_cases_of_each_excitation_with_folds():
@@ -58,21 +44,7 @@ def test_folds_and_states_are_the_certified_ones_and_no_others(force):
     of = made(force)
     for case in (case for case in CASES if case["force"] == force):
         given = {name: value[1] for name, value in case["parameters"].items()}
-        one, F_0 = of(**given, excitation=case["excitation"]), case["F_0"][1]
-        folds = one.saddle_nodes(F_0)
-        assert [fold.kind for fold in folds] == [fold["kind"] for fold in case["folds"]]
-        for found, sure in zip(folds, case["folds"], strict=True):
-            assert error(found.Omega, sure, "Omega") < FOLD
-            assert error(found.A, sure, "A") < FOLD
-            assert error_of_mean(found, sure) < MEAN
-        for at in case["amplitudes"]:
-            states, known = one.amplitudes(Omega=at["Omega"][1], F_0=F_0), at["steady"]
-            assert states.stable.tolist() == [state["stable"] for state in known]
-            for found, sure in zip(states, known, strict=True):
-                assert error(found.A, sure, "A") < STATE
-                assert error_of_mean(found, sure) < MEAN
-                kappa = sure["condition"]["A"] + sure["condition_kernel"]["A"]
-                assert found.phi == pytest.approx(float(sure["phi"]), abs=PHASE * U * (1 + kappa))
+        check_folds_and_states(of(**given, excitation=case["excitation"]), case)
 
 
 @pytest.mark.parametrize("eta", [0.0, 0.07])

@@ -21,7 +21,7 @@ from slowflow.exact.integrate import ScipyIntegrator
 from slowflow.exact.motion import Forced, follow
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.validate import NotAvailable
-from tests.oracles.errors import U, error
+from tests.off_centre_cases import check_folds_and_states, check_onset, made
 from tests.test_off_centre import mean
 
 u, k, g, p, q, a, b = sp.symbols("u k g p q a b")
@@ -390,13 +390,6 @@ def test_its_derivation_is_told(stop, tmp_path):
 
 
 CASES = json.loads((Path(__file__).parent / "data" / "sided.json").read_text())
-#: errors in u (1 + kappa): of folds, states, their phase, onsets; of B over A + |B|, by kappa of A
-FOLD, STATE, PHASE, ONSET, MEAN = 4.0, 4.0, 20.0, 4.0, 1.0
-
-
-def error_of_mean(found, sure):
-    kappa = sum(sure[which]["A"] for which in ("condition", "condition_kernel"))
-    return abs(found.B - float(sure["B"])) / (found.A + abs(found.B)) / (U * (1 + kappa))
 
 
 def test_there_are_certified_cases_of_each_force_with_folds_and_onsets():
@@ -408,31 +401,8 @@ def test_there_are_certified_cases_of_each_force_with_folds_and_onsets():
 @pytest.mark.slow
 def test_folds_states_and_onsets_are_the_certified_ones_and_no_others(name):
     """All folds and states that there are, with their mean; and the lowest forcing that has a fold."""
-    if name == "even":
-        made = derive.mechanism("even", [(u + a * u**2 + b * u**3, None)], {"a": {}, "b": ABOVE}, odd=False)
-    else:
-        pieces = [(a * u, g), (a * u + k * (u - g), None)]
-        made = derive.mechanism("bends", pieces, {"a": ABOVE, "k": {}, "g": {}}, odd=False)
+    of = made(name)
     for case in (case for case in CASES if case["force"] == name):
-        one, F_0 = made(**{key: value[1] for key, value in case["parameters"].items()}), case["F_0"][1]
-        folds = one.saddle_nodes(F_0)
-        assert [fold.kind for fold in folds] == [fold["kind"] for fold in case["folds"]]
-        for found, sure in zip(folds, case["folds"], strict=True):
-            assert error(found.Omega, sure, "Omega") < FOLD
-            assert error(found.A, sure, "A") < FOLD
-            assert error_of_mean(found, sure) < MEAN
-        for at in case["amplitudes"]:
-            states, known = one.amplitudes(Omega=at["Omega"][1], F_0=F_0), at["steady"]
-            assert states.stable.tolist() == [state["stable"] for state in known]
-            for found, sure in zip(states, known, strict=True):
-                assert error(found.A, sure, "A") < STATE
-                assert error_of_mean(found, sure) < MEAN
-                kappa = sure["condition"]["A"] + sure["condition_kernel"]["A"]
-                assert found.phi == pytest.approx(float(sure["phi"]), abs=PHASE * U * (1 + kappa))
-        onset, sure = one.saddle_node_onset(), case["onset"]
-        if sure is None:
-            assert onset.F_SN is None or onset.F_SN > one.sticking_forcing + 0.15
-            continue
-        for quantity in ("F_SN", "Omega", "A"):
-            assert error(getattr(onset, quantity), sure, quantity) < ONSET
-        assert error_of_mean(onset, sure) < MEAN
+        one = of(**{key: value[1] for key, value in case["parameters"].items()})
+        check_folds_and_states(one, case)
+        check_onset(one, case)
