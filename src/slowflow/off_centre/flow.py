@@ -8,7 +8,7 @@ p = -h/A, e = -h_A - p and y = Omega^2 - p a fold has y (e - y) A = I I_A, with 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
@@ -115,7 +115,7 @@ class Flow:
     # ==== Frequencies =================================================================================================
 
     def _quartics(self, A: Floats, h: Floats, h_A: Floats, F_0: float) -> Quartics:
-        return Quartics(cast(Any, _Known(self, h, h_A)), F_0, A)
+        return Quartics(_Known(self, h, h_A), F_0, A)
 
     def frequencies(self, A: Floats, h: Floats, F_0: float) -> Floats:
         """Every Omega at which these are steady states at F_0, (n, k) with NaN where there are less."""

@@ -12,6 +12,7 @@ the amplitude that the response tends to. F_A is the same.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,6 +56,25 @@ class Roots:
         return (not first, 1 / w) if one.by_x else (first, w)
 
 
+class Damped(Protocol):
+    """What a quartic takes of an oscillator: as `Model` has it."""
+
+    @property
+    def zeta(self) -> float: ...
+
+    @property
+    def d(self) -> float: ...
+
+    @property
+    def inertial(self) -> bool: ...
+
+    def averaged(self, A: Any) -> tuple[Any, ...]: ...
+
+    def at_rest(self, A: Any, beyond: Any = None) -> tuple[Any, ...]: ...
+
+    def F_A(self, Omega: Any, A: Any, beyond: Any = None) -> Any: ...
+
+
 class Quartics:
     """The quartic of each amplitude: its coefficients c, its critical points w1 <= w2 or NaN, its values there.
 
@@ -62,7 +82,7 @@ class Quartics:
     by_x   -- whether it is one in 1/Omega: w is 1/Omega then
     """
 
-    def __init__(self, model: Model, F_0: float, A: Floats, beyond: bool | None = None) -> None:
+    def __init__(self, model: Damped, F_0: float, A: Floats, beyond: bool | None = None) -> None:
         self.model, self.F_0, self.A, self.beyond = model, F_0, A, beyond
         h, h_A, *_ = (value + np.zeros_like(A) for value in model.averaged(A))
         I_0, I_0A, *_ = model.at_rest(A, beyond)
@@ -81,7 +101,7 @@ class Quartics:
     def value(self, w: Floats) -> Floats:
         """F, or F_A/2, from R and I, in which nothing cancels but what cancels in F."""
         if self.F_0 < 0:
-            return 0.5 * self.model.F_A(w, self.A, self.beyond)
+            return np.asarray(0.5 * self.model.F_A(w, self.A, self.beyond))
         model, I_0 = self.model, self.model.at_rest(self.A)[0]
         if self.by_x:
             known = (self.A, self.F_0, I_0, model.zeta, model.d, model.averaged(self.A)[0])

@@ -32,7 +32,7 @@ def response_events(model: Model, F_0: float, A_max: float) -> tuple[list[Event]
     peaks, static = points_of(model, "peaks", pieces, F_0), points_of(model, "rest", pieces, F_0)
     found = [Event(0.0, np.inf, Kind.CUT)]
     with np.errstate(all="ignore"):
-        rises, bends = model.F_A(peaks.Omega, peaks.A) > 0, _F_OmegaOmega(model, peaks.Omega, peaks.A) < 0
+        rises, bends = model.F_A(peaks.Omega, peaks.A) > 0, _bends(model, peaks, F_0)
         at_rest = model.F_A(0.0, static.A) > 0
         coefficients = Quartics(model, F_0, static.A).c
         # where F falls from Omega = 0 on, it is a second root that comes from there

@@ -27,7 +27,7 @@ from slowflow.averaged.reference.roots import Quartics
 from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates
-from slowflow_kernels import frequencies, slow_flow
+from slowflow_kernels import dissipation, frequencies, slow_flow
 from slowflow_kernels.conventions import AT_ROOT, HARDLY, LAST_STEP, SAME, SLOW, SPREAD
 
 #: A Omega^2 beside F_0 from which on rounding leaves nothing of R, as SF_SHARP in native/settle.h
@@ -187,11 +187,11 @@ def _with_stability(
     A = np.array([0.5 * (segment.low[0] + segment.high[0]) for segment in segments])
     with np.errstate(all="ignore"):
         Omega = roots.at(A, *_numbers(segments))
-        rises = model.F_A(Omega, A)
+        rises = np.asarray(model.F_A(Omega, A))
         if not (model.inertial or model.laws.any):
-            rises = np.where(
-                A * Omega**2 > SHARP * F_0, _rise_where_sharp(model, F_0, A, Omega, *_numbers(segments)), rises
-            )
+            sharp = A * Omega**2 > SHARP * F_0
+            count, index = (one[sharp] for one in _numbers(segments))
+            rises[sharp] = _rise_where_sharp(model, F_0, A[sharp], Omega[sharp], count, index)
         stable = iter((rises > 0).tolist())
     return [[(replace(segment, stable=next(stable)), upward) for segment, upward in curve] for curve in curves]
 
@@ -203,7 +203,8 @@ def _rise_where_sharp(model: Model, F_0: float, A: Floats, Omega: Floats, count:
     """
     I = slow_flow.I(Omega, A, model.m, model.zeta)
     R = np.sqrt(np.maximum(0.0, (F_0 - I) * (F_0 + I))) * np.where((count - index) % 2 == 1, 1.0, -1.0)
-    return np.asarray(R * (model.averaged(A)[1] + Omega**2) + 2 * model.zeta * Omega * I)
+    R_A, I_A = model.averaged(A)[1] + Omega**2, dissipation.I_A(Omega, A, 0.0, model.zeta, 0.0)
+    return np.asarray(dissipation.F_A_halved(R, R_A, I, I_A))
 
 
 def _numbers(segments: list[Segment]) -> tuple[Any, Any]:
