@@ -17,7 +17,8 @@
 
 PYTHON ?= python3
 BIN := .venv/bin
-PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check install
+# pip and what it and setup.py import run a few times in all: their bytecode would be 11 MB
+PIP := PYTHONDONTWRITEBYTECODE=1 $(BIN)/python -m pip --quiet --disable-pip-version-check install
 # stamps: the package with what derives and draws; compiled from the C as it is now; what tests and benchmarks need besides
 INSTALLED := .venv/installed
 COMPILED := .venv/compiled
@@ -106,7 +107,7 @@ dist: $(INSTALLED)
 .venv/pyvenv.cfg:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "slowflow needs Python 3.11 or newer: make PYTHON=python3.12"; exit 1; }
 	@$(PYTHON) -m venv .venv || { echo "no venv module: on Debian, apt install python3-venv"; exit 1; }
-	$(PIP) --no-compile --upgrade setuptools numpy
+	$(PIP) --no-compile --upgrade pip setuptools numpy
 
 # What is imported is compiled to bytecode then; all of SymPy would take longer than the derivation. The C is left to the
 # next rule, which pip need not be waited for, and which leaves the processors to it and to the derivation.
@@ -115,7 +116,7 @@ $(INSTALLED): .venv/pyvenv.cfg pyproject.toml setup.py
 	@touch $@
 
 $(COMPILED): .venv/pyvenv.cfg setup.py $(NATIVE)
-	nice $(BIN)/python setup.py --quiet build_ext --inplace
+	nice $(BIN)/python -B setup.py --quiet build_ext --inplace
 	@touch $@
 
 $(DEVELOPED): $(INSTALLED) $(COMPILED)
