@@ -48,6 +48,8 @@ class Remark(IntFlag):
     CUT = 256
     #: states that turn beyond the top of the force's well, where it pushes on: exact motions do not come back from it
     BEYOND_WELL = 512
+    #: doubles left undecided how many folds or states there are, and balls of more digits decided it
+    BY_BALLS = 1024
 
 
 class State(NamedTuple):
@@ -234,7 +236,8 @@ class SteadyStates(InDecibels, Table):
     stable   -- True where both eigenvalues of the Jacobian (28) have a negative real part
     F_0      -- the forcing, one number; an array with that of each state where several were asked for
     message  -- remarks in words; empty if there is nothing to say
-    Omega_undecided -- those of the frequencies asked for at which doubles do not tell how many states there are
+    Omega_undecided -- those of the frequencies asked for at which neither doubles nor balls tell how many states there
+                       are
     """
 
     entry: ClassVar[Any] = State

@@ -1,7 +1,7 @@
 """The questions about many designs: what an answer is made of, and each of one design where it is not compiled.
 
 In:  an averaged oscillator, None for a blank answer, with F_0, Omega and places. Out: a number, or an array of places,
-     for each column, a status last.
+     for each column, a status last. By doubles alone: what these leave undecided a batch asks balls afterwards.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from slowflow.averaged.proofs import Allowance
 from slowflow.results import Remark
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 
@@ -45,7 +46,7 @@ FOLD_KINDS = {
 
 
 def _saddle_nodes(oscillator: Any, F_0: float, places: int) -> tuple[Any, ...]:
-    found = None if oscillator is None else oscillator.saddle_nodes(F_0)
+    found = None if oscillator is None else oscillator.folds(F_0, allowance=Allowance(0))
     return in_places(found, places, found is not None and Remark.UNDECIDED in found.remarks)
 
 
@@ -61,10 +62,14 @@ def in_places(found: Any, places: int, undecided: bool) -> tuple[Any, ...]:
 
 
 def _amplitudes(oscillator: Any, F_0: float, Omega: float, places: int) -> tuple[Any, ...]:
+    return states_in_places(oscillator and oscillator.states(Omega=Omega, F_0=F_0, allowance=Allowance(0)), places)
+
+
+def states_in_places(found: Any, places: int) -> tuple[Any, ...]:
+    """A single answer's states at one frequency, None for a blank one, in the places of a batch."""
     A, stable = np.full(places, np.nan), np.zeros(places, np.int8)
-    if oscillator is None:
+    if found is None:
         return A, stable, 0, False, Status.NONE
-    found = oscillator.states(Omega=Omega, F_0=F_0)
     n = min(places, len(found.A))
     A[:n], stable[:n] = found.A[:n], found.stable[:n]
     fits = n == len(found.A)

@@ -246,6 +246,7 @@ class Counted(Batch):
 
     if TYPE_CHECKING:  # each has it as a column
         undecided: Codes
+    _by_balls: Any = field(repr=False, kw_only=True, default=False)
 
     @property
     def _are_cut(self) -> Any:
@@ -265,11 +266,12 @@ class Counted(Batch):
 
     @cached_property
     def remarks(self) -> remarks.Codes:
-        """As of all batches, `Remark.UNDECIDED` and `Remark.CUT`."""
+        """As of all batches, `Remark.UNDECIDED`, `Remark.BY_BALLS` and `Remark.CUT`."""
         undecided = np.where(self.undecided, np.uint16(Remark.UNDECIDED), np.uint16(0))
         asked = (self.status != Status.INVALID) & (self.status != Status.STICKS)
         cut = np.where(asked & self._may_be_cut & self._are_cut, np.uint16(Remark.CUT), np.uint16(0))
-        return frozen(super().remarks | undecided | cut)
+        by_balls = np.where(self._by_balls, np.uint16(Remark.BY_BALLS), np.uint16(0))
+        return frozen(super().remarks | undecided | by_balls | cut)
 
 
 @dataclass(frozen=True, eq=False)
@@ -413,7 +415,7 @@ class States(Passing, AtFrequency):
     A      -- by rising A, then NaN
     stable -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
     count  -- how many states there are, also where they are more than places
-    undecided -- 1 where doubles do not tell whether there is another pair
+    undecided -- 1 where neither doubles nor balls tell whether there is another pair
     """
 
     inner: ClassVar[Mapping[str, str]] = MappingProxyType(dict.fromkeys(("A", "stable"), "place"))

@@ -8,8 +8,9 @@ raised for it: `status` says why, by the numbers of `slowflow_kernels.convention
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cached_property
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -30,6 +31,7 @@ from slowflow.averaged.asked import (
     Question,
     curves,
     in_places,
+    states_in_places,
 )
 from slowflow.averaged.batches import Codes, Curves, Detachments, Folds, Onsets, Peaks, Proofs, States
 from slowflow.averaged.parts import blocks, share
@@ -113,24 +115,37 @@ class Designs:
     def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Folds:
         """Every fold at F_0, which broadcasts with the designs; `Status.TOO_MANY` where they exceed `places`.
 
-        What doubles leave undecided is asked of balls, as of single designs, see `certify`.
+        What doubles leave undecided is asked of balls, as of single designs, see `certify`; of the first 200 designs.
         """
         places = validate.count("places", places, least=1)
         columns = self.ask(SADDLE_NODES, workers, F_0, places)
-        self._decide_folds(F_0, places, columns)
-        return Folds(*columns, _designs=self, _F_0=F_0, _averaged=True)
 
-    def _decide_folds(self, F_0: Any, places: int, columns: list[npt.NDArray[Any]]) -> None:
-        """Change the columns to those of single answers where doubles do not decide, and balls may."""
+        def of_one(one: Averaged, F: float) -> tuple[Remark, tuple[Any, ...]]:
+            found = one.folds(F)
+            return found.remarks, in_places(found, places, Remark.UNDECIDED in found.remarks)
+
+        by_balls = self._decide(of_one, columns, F_0)
+        return Folds(*columns, _designs=self, _F_0=F_0, _averaged=True, _by_balls=by_balls)
+
+    def _decide(
+        self, of_one: Callable[..., tuple[Remark, tuple[Any, ...]]], columns: list[npt.NDArray[Any]], *asked: Any
+    ) -> npt.NDArray[np.bool_]:
+        """Change the columns to those of single answers where doubles do not decide, and balls may; where these do.
+
+        of_one -- from a single oscillator, and what is asked of it, the remarks and the columns of its answer
+        """
         *_, undecided, status = columns
         # what is refused single answers refuse too
         left = (undecided != 0) & (status != Status.UNRESOLVED)
+        by_balls = np.zeros(left.shape, dtype=bool)
         if self.excitation != "force" or self.laws or not left.any() or proofs.in_balls() is None:
-            return
-        for at, numbers, (F,) in self._each(left, F_0):
-            found = Averaged(self.model(dict(zip(self.values, numbers, strict=True)))).saddle_nodes(F)
-            for column, value in zip(columns, in_places(found, places, Remark.UNDECIDED in found.remarks), strict=True):
+            return by_balls
+        for at, numbers, own in islice(self._each(left, *asked), proofs.MOST_IN_BALLS):
+            remarked, values = of_one(Averaged(self.model(dict(zip(self.values, numbers, strict=True)))), *own)
+            by_balls[at] = Remark.BY_BALLS in remarked
+            for column, value in zip(columns, values, strict=True):
                 column[at] = value
+        return by_balls
 
     def _each(self, wanted: npt.NDArray[np.bool_], *asked: Any) -> Iterator[tuple[Any, list[float], list[float]]]:
         """Where a design is wanted, its numbers, and what is asked of it, one by one."""
@@ -142,12 +157,20 @@ class Designs:
     def amplitudes(self, *, Omega: Any, F_0: Any, places: int = 6, workers: int = 1) -> States:
         """Every steady state at (Omega, F_0), which broadcast with the designs (24), (30).
 
-        `Status.TOO_MANY` where they exceed `places`.
+        `Status.TOO_MANY` where they exceed `places`. What doubles leave undecided is asked of balls, as of folds.
         """
         places = validate.count("places", places, least=1)
-        A, stable, *rest = self.ask(AMPLITUDES, workers, F_0, places, Omega=Omega)
+        columns = self.ask(AMPLITUDES, workers, F_0, places, Omega=Omega)
+
+        def of_one(one: Averaged, F: float, at: float) -> tuple[Remark, tuple[Any, ...]]:
+            found = one.states(Omega=at, F_0=F)
+            return found.remarks, states_in_places(found, places)
+
+        by_balls = self._decide(of_one, columns, F_0, Omega)
+        A, stable, *rest = columns
         self._leave_out_what_drifts(np.asarray(Omega, dtype=float)[..., np.newaxis], A, stable)
-        return States(A, stable, *rest, _designs=self, _F_0=F_0, _Omega=Omega, _averaged=True)
+        given = {"_designs": self, "_F_0": F_0, "_Omega": Omega}
+        return States(A, stable, *rest, **given, _averaged=True, _by_balls=by_balls)
 
     def _leave_out_what_drifts(self, Omega: Floats, A: Floats, stable: Codes) -> None:
         """States, along one more axis, are stable only if they stay about u = 0, and within its well, as well."""

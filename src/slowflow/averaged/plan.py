@@ -45,6 +45,7 @@ CURVE = (
 
 
 FOLDS = "level crossings of the fold locus, and corners"
+STATES = "of states at each frequency: one on each piece of the curve"
 IN_BALLS = "; where doubles do not tell how many, balls, with python-flint"
 
 
@@ -101,7 +102,10 @@ def plan(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None)
     if question == "peak":
         return Plan(question, F_0, whole, False, (force, flow, *PEAK))
     if question != "saddle_nodes":
-        return Plan(question, F_0, whole, True, (force, flow, *CURVE))
+        counted = (
+            [Step("number", True, STATES + IN_BALLS)] if question == "amplitudes" and proofs.is_plain(whole) else []
+        )
+        return Plan(question, F_0, whole, True, (force, flow, *CURVE, *counted))
     if whole.linear:
         folds = Step("folds", False, "a linear oscillator has none")
     elif onset is not None and _is_below(F_0, onset):

@@ -14,6 +14,7 @@ from types import ModuleType
 from typing import Any, TypeVar
 
 import numpy as np
+import numpy.typing as npt
 
 from slowflow import backend
 from slowflow.answer import joined
@@ -21,7 +22,7 @@ from slowflow.averaged import words
 from slowflow.certificate import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
-from slowflow.results import Remark, SaddleNodes
+from slowflow.results import Remark, SaddleNodes, SteadyStates
 from slowflow_kernels.conventions import OnsetKind, Status
 
 Answer = TypeVar("Answer", bound=Proved)
@@ -33,6 +34,20 @@ _NO_FLAG = np.empty(0, bool)
 _KINDS = np.array(["", "jump-down", "jump-up"])
 #: relative width of an enclosure whose middle may be an answer
 _NARROW = 2.0**-40
+#: folds at a forcing, or states at a frequency, that one answer asks balls for at most: tens of seconds
+MOST_IN_BALLS = 200
+
+
+@dataclasses.dataclass
+class Allowance:
+    """How often an answer, single or of a batch, may ask balls yet."""
+
+    left: int = MOST_IN_BALLS
+
+    def take(self) -> bool:
+        """Whether it may once more."""
+        self.left -= 1
+        return self.left >= 0
 
 
 def _asked(proof: Callable[[ModuleType], Callable[..., Any]], model: Model, *numbers: Any) -> tuple[Any, str]:
@@ -104,10 +119,10 @@ def is_plain(model: Model) -> bool:
     return bool(model.design) and not model.inertial and not model.laws.any
 
 
-def decided(found: SaddleNodes, model: Model) -> SaddleNodes:
+def decided(found: SaddleNodes, model: Model, allowance: Allowance) -> SaddleNodes:
     """Folds whose number doubles leave undecided, as balls prove them; as they are where these do not decide either."""
     balls = in_balls() if Remark.UNDECIDED in found.remarks and is_plain(model) else None
-    proof = None if balls is None else balls.saddle_nodes(model, found.F_0)
+    proof = None if balls is None or not allowance.take() else balls.saddle_nodes(model, found.F_0)
     if proof is None or not proof.proved:
         return found
     # doubles may have more digits of one that lies next to a breakpoint
@@ -123,8 +138,57 @@ def decided(found: SaddleNodes, model: Model) -> SaddleNodes:
         told = np.where(model.F_AA(Omega, A) < 0, "jump-up", "jump-down")
     kind = np.where(proof.kind == "", told, proof.kind)
     message, cut = words.of_folds(model, found.F_0, A.size > 0, found.message if Remark.CUT in found.remarks else "")
-    codes = words.beside(False, cut)
+    codes = words.beside(False, cut) | Remark.BY_BALLS
     return SaddleNodes(Omega, A, kind, proof.corner, found.F_0, message, model, remarks=codes)
+
+
+def decided_states(found: SteadyStates, model: Model, asked: Floats, F_0: float, allowance: Allowance) -> SteadyStates:
+    """States at the frequencies `asked`, where doubles leave their number undecided as balls prove them.
+
+    In the order of `asked`, repeated ones too. As they are where balls do not decide either, or have been asked too
+    often already.
+    """
+    balls = in_balls() if found.Omega_undecided.size and is_plain(model) else None
+    if balls is None:
+        return found
+    proved: dict[float, ProvedStates] = {}
+    for w in np.unique(found.Omega_undecided).tolist():
+        proof = balls.amplitudes(model, w, F_0) if allowance.take() else None
+        if proof is not None and proof.proved and not np.isnan(_middle(proof.A, None)).any():
+            proved[w] = proof
+    if not proved:
+        return found
+    Omega, A, stable = _with_proved(found, asked, proved)
+    undecided = found.Omega_undecided[~np.isin(found.Omega_undecided, list(proved))]
+    cut = balls.amplitude_bound(model, F_0)[1] if Remark.CUT in found.remarks else ""
+    message = words.of_states(model, F_0, cut, asked, Omega, undecided)
+    if words.sticks(model, F_0) in (proof.message for proof in proved.values()):
+        message = words.sticks(model, F_0)
+    if allowance.left < 0:
+        message = joined(message, words.ASKED_ENOUGH.format(MOST_IN_BALLS))
+    codes = words.beside(undecided.size > 0, cut) | Remark.BY_BALLS
+    return SteadyStates(Omega, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=codes)
+
+
+def _with_proved(
+    found: SteadyStates, asked: Floats, proved: dict[float, ProvedStates]
+) -> tuple[Floats, Floats, npt.NDArray[np.bool_]]:
+    """Omega, A, stable with proved states in the place of those found, by the order of the frequencies asked for."""
+    Omega, of = np.unique(asked, return_inverse=True)
+    # as many at each of repeated frequencies
+    count = np.bincount(np.searchsorted(Omega, found.Omega), minlength=Omega.size) // np.bincount(of)
+    place = np.repeat(np.arange(asked.size), count[of])
+    kept = ~np.isin(found.Omega, list(proved))
+    places, A, stable = [place[kept]], [found.A[kept]], [found.stable[kept]]
+    for i, w in enumerate(asked.tolist()):
+        if (proof := proved.get(w)) is not None:
+            known = found.A[place == i]
+            places.append(np.full(len(proof.A), i))
+            A.append(_middle(proof.A, known if known.size == len(proof.A) else None))
+            stable.append(proof.stable)
+    joint = np.concatenate(places)
+    order = np.argsort(joint, kind="stable")
+    return asked[joint[order]], np.concatenate(A)[order], np.concatenate(stable)[order]
 
 
 def _middle(enclosed: Floats, known: Floats | None) -> Floats:

@@ -120,24 +120,36 @@ class Averaged:
         F_0 may be an array that broadcasts with Omega: then the points are the pairs. Flat arrays .Omega, .A, .phi,
         .stable, in the order of the points, then by rising A. Raises ValueError for Omega <= 0 or > 1e40, for F_0 <= 0,
         and for shapes that do not broadcast. F_0 <= 4 mu/pi gives no state and a message.
+
+        Where doubles do not tell how many there are balls of more digits do, as for `saddle_nodes`, at 200 points at
+        most; `.Omega_undecided` has the frequencies at which neither does.
         """
         if validate.is_single(F_0):
             return self._remarked(self.states(Omega=Omega, F_0=F_0), F_0)
-        found = at_pairs(lambda at, one: self.amplitudes(Omega=at, F_0=one), Omega, F_0, ("Omega", "A", "stable"))
+        allowance = proofs.Allowance()
+
+        def ask(at: Floats, one: float) -> SteadyStates:
+            return self._remarked(self.states(Omega=at, F_0=one, allowance=allowance), one)
+
+        found = at_pairs(ask, Omega, F_0, ("Omega", "A", "stable"))
         beside = functools.reduce(operator.or_, (part.remarks for part in found.parts), remarks.NOTHING)
         asked = found.parts[-1]._asked if found.parts else None
         told: dict[str, Any] = {"remarks": beside, "Omega_undecided": found.undecided(), "_asked": asked}
         return SteadyStates(**found.columns, F_0=found.F_0, message=found.message(), _model=self.model, **told)
 
-    def states(self, *, Omega: Any, F_0: float) -> SteadyStates:
+    def states(self, *, Omega: Any, F_0: float, allowance: proofs.Allowance | None = None) -> SteadyStates:
         """`amplitudes` without the remarks on averaging: what another approximation starts from."""
         at = validate.frequencies("Omega", Omega).ravel()
+        found = self._states(at, F_0)
+        return self._centred(proofs.decided_states(found, self.model, at, float(F_0), allowance or proofs.Allowance()))
+
+    def _states(self, at: Floats, F_0: float) -> SteadyStates:
         F_0 = validate.number("F_0", F_0, above=0.0)
         planned = self._plan("amplitudes", F_0)
         if planned.model is None:
             none = np.empty(0)
             return SteadyStates(none, none, np.empty(0, dtype=bool), F_0, words.sticks(self.model, F_0), self.model)
-        return self._centred(solvers.amplitudes(planned.model, at, F_0))
+        return solvers.amplitudes(planned.model, at, F_0)
 
     def saddle_nodes(self, F_0: float, *, certify: bool = False) -> SaddleNodes:
         """Every fold of the response curve at F_0, by rising Omega (24), (30). Raises ValueError for F_0 <= 0.
@@ -182,15 +194,18 @@ class Averaged:
         beside = f"{len(proof.A)} folds are proved, saddle_nodes gives {len(found)}"
         return dataclasses.replace(proof, message=joined(proof.message, beside))
 
-    def folds(self, F_0: float) -> SaddleNodes:
+    def folds(self, F_0: float, *, allowance: proofs.Allowance | None = None) -> SaddleNodes:
         """`saddle_nodes` without the remarks on averaging: what another approximation starts from."""
+        return proofs.decided(self._folds(F_0), self.model, allowance or proofs.Allowance())
+
+    def _folds(self, F_0: float) -> SaddleNodes:
         F_0 = validate.number("F_0", F_0, above=0.0)
         planned = self._plan("saddle_nodes", F_0)
         if planned.model is None or not planned.folds:
             none = np.empty(0)
             message = words.sticks(self.model, F_0) if planned.model is None else words.NO_FOLD.format(F_0)
             return SaddleNodes(none, none, np.empty(0, "U9"), np.empty(0, bool), F_0, message, self.model)
-        return proofs.decided(solvers.saddle_nodes(planned.model, F_0), planned.model)
+        return solvers.saddle_nodes(planned.model, F_0)
 
     def saddle_node_onset(self) -> SaddleNodeOnset:
         """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33)."""

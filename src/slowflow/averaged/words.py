@@ -54,6 +54,8 @@ OPEN = (
     "no lowest amplitude of the excitation is attained: folds come ever lower as they go to higher amplitudes or Omega"
 )
 
+ASKED_ENOUGH = "balls were asked {} times, and at others not"
+
 #: of proofs
 NO_SOLVERS = "not certified: that needs the compiled solvers"
 NOT_COMPILED = (
@@ -84,6 +86,17 @@ OF_NO_ONSET = (
 def does_not_close(A_max: float) -> tuple[float, str]:
     """Where a response is cut that has no end, though there is viscous damping, and a remark."""
     return A_max, NOT_CLOSED.format(A_max)
+
+
+def of_states(model: Model, F_0: float, cut: str, Omega: Floats, found: Floats, undecided: Floats) -> str:
+    """The message of states at the frequencies asked for, `Omega`.
+
+    cut       -- where the response is cut, in words or empty
+    found     -- frequencies of the states
+    undecided -- those of the frequencies asked for at which their number is
+    """
+    none = without_a_state(np.setdiff1d(Omega, undecided), found)
+    return joined(cut, none, sticks_below(model, F_0, Omega), undecided_at(undecided))
 
 
 def beside(undecided: bool, cut: str) -> Remark:

@@ -74,7 +74,7 @@ WORDS = {
     "count": "how many there are: folds or states, also where they are more than places, or what is proved",
     "proved": "1 where these are proved to be all",
     "bits": "of the arithmetic of the proof: 53 of intervals of doubles, more of balls",
-    "undecided": "1 where doubles do not tell whether there is another pair",
+    "undecided": "1 where neither doubles nor balls tell whether there is another pair",
     "kind": "kind of fold",
     "status": "whether there is an answer, and why there is none",
     "remarks": "what to bear in mind with the answer, codes that add up",

@@ -34,10 +34,11 @@ typedef struct {
     int interval, count, index;
 } sf_arc;
 
-/* interval k lies between events k and k + 1, and first[k] is the first of its arcs */
+/* interval k lies between events k and k + 1, and first[k] is the first of its arcs; close: whether rounding may have
+ * decided which events there are */
 typedef struct {
     sf_status status;
-    int events, arcs;
+    int events, arcs, close;
     sf_event event[SF_MOST_EVENTS];
     int count[SF_MOST_EVENTS], first[SF_MOST_EVENTS];
     sf_arc arc[SF_MOST_ARCS];

@@ -38,20 +38,32 @@ static void sf_add_infinity(const sf_model *model, double F_0, double A, int *pa
     sf_add_event(graph, F_0, HUGE_VAL, SF_TO_INFINITY, sf_least_x(model, &at) > 0 ? 1 : -1);
 }
 
+/* Whether zero k of sorted ones lies so close above another one of the same question that between them there may be no
+ * double: what lies there, as a whole curve where h passes through 0 by steps larger than F_0, is lost then. */
+static int sf_is_zero_close(const sf_zero *at, int k) {
+    int i;
+    for (i = k - 1; i >= 0 && at[k].A - at[i].A <= SF_COINCIDE * at[k].A; i--)
+        if (at[i].question == at[k].question)
+            return 1;
+    return 0;
+}
+
 /* Needs the pieces of work. */
 static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) {
     const sf_curve curve = {model, F_0};
     sf_graph *graph = &work->response;
     sf_zeros *zeros = &work->zeros;
     int i, k, passed = !sf_inertial(model);
-    graph->events = 0, graph->status = SF_OK;
+    graph->events = graph->close = 0, graph->status = SF_OK;
     sf_add_event(graph, 0, sf_inertial(model) ? inertia_moves_from(F_0, model->m) : HUGE_VAL, SF_CUT, 0);
     for (i = 0; i < work->pieces.n; i++) {
         sf_clear_zeros(zeros);
         sf_ask_all(model, SF_PEAK, F_0, &work->pieces.at[i], zeros);
         sf_ask_all(model, SF_REST, F_0, &work->pieces.at[i], zeros);
         sf_sort_zeros(zeros);
+        graph->close |= zeros->undecided;
         for (k = 0; k < zeros->n; k++) {
+            graph->close |= sf_is_zero_close(zeros->at, k);
             sf_add_infinity(model, F_0, zeros->at[k].A, &passed, graph);
             sf_add_response_event(&zeros->at[k], !sf_inertial(model) && sf_is_biquadratic(model, F_0, zeros->at[k].A),
                                   graph);
@@ -150,7 +162,7 @@ static void sf_settle_skeleton(const sf_model *model, const sf_given *given, dou
 static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, double F_0, sf_room *room) {
     sf_work *work = &room->work;
     sf_skeleton *out = &work->skeleton;
-    int arc_of[SF_MOST_FOLDS], i, c;
+    int arc_of[SF_MOST_FOLDS], lost = 0, i, c;
     sf_status status = sf_decided_folds(model, given, F_0, room, &work->folds);
     out->segments = out->curves = 0, out->start[0] = 0;
     if (status != SF_OK)
@@ -159,8 +171,14 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, 
     if (work->response.status != SF_OK)
         return work->response.status;
     sf_make_tour(&work->response, &work->tour);
-    for (i = 0; i < work->folds.n; i++)
+    for (i = 0; i < work->folds.n; i++) {
         arc_of[i] = sf_arc_of_fold(model, F_0, &work->response, &work->folds.at[i]);
+        lost |= arc_of[i] < 0 && !work->folds.at[i].corner;
+    }
+    if (!sf_inertial(model)) { /* of which there is no proof */
+        room->doubt |= work->response.close | lost;
+        room->undecided |= work->response.close;
+    }
     for (c = 0; c < work->tour.curves; c++) {
         for (i = work->tour.start[c]; i < work->tour.start[c + 1]; i++) {
             const int arc = work->tour.step[i] / 2;

@@ -28,7 +28,7 @@ from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates
 from slowflow_kernels import dissipation, frequencies, slow_flow
-from slowflow_kernels.conventions import AT_ROOT, HARDLY, LAST_STEP, SAME, SLOW, SPREAD
+from slowflow_kernels.conventions import AT_ROOT, COINCIDE, HARDLY, LAST_STEP, SAME, SLOW, SPREAD
 
 #: A Omega^2 beside F_0 from which on rounding leaves nothing of R, as SF_SHARP in native/settle.h
 SHARP = 2.0**25
@@ -138,7 +138,17 @@ def _events(model: Model, F_0: float, A_max: float) -> tuple[list[Event], bool]:
         found += sorted(inside, key=lambda event: event.A)
         if number + 1 < len(pieces):
             found.append(Event(float(piece.last.A[0]), 0.0, Kind.THROUGH))
-    return merged([*found, Event(A_max, 0.0, Kind.CUT)]), peaks.undecided or static.undecided
+    undecided = peaks.undecided or static.undecided or _are_close(peaks.A) or _are_close(static.A)
+    return merged([*found, Event(A_max, 0.0, Kind.CUT)]), undecided
+
+
+def _are_close(A: Floats) -> bool:
+    """Whether two of them lie so close that between them there may be no double.
+
+    What lies there, as a whole curve where h passes through 0 by steps larger than F_0, is lost then.
+    """
+    rising = np.sort(A)
+    return bool((np.diff(rising) <= COINCIDE * rising[1:]).any())
 
 
 def _events_of_inertia(model: Model, F_0: float, A_max: float) -> tuple[list[Event], bool]:
@@ -461,8 +471,6 @@ def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     with np.errstate(all="ignore"):
         in_doubt = doubt.is_at_fold(model, F_0, Omega, found.folds.Omega, found.folds.A)
     undecided = Omega if found.undecided else Omega[in_doubt]
-    message = joined(found.message, words.without_a_state(np.setdiff1d(Omega, undecided), at))
-    message = joined(message, words.sticks_below(model, F_0, Omega))
-    message = joined(message, words.undecided_at(undecided))
+    message = words.of_states(model, F_0, found.message, Omega, at, undecided)
     codes = words.beside(undecided.size > 0, found.message)
     return SteadyStates(at, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=codes)

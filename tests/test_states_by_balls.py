@@ -1,0 +1,158 @@
+"""Numbers of states that doubles leave undecided: as balls prove them, in single answers and in batches alike."""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+
+import numpy as np
+import pytest
+
+from slowflow import Duffing, Isolator, backend
+from slowflow.averaged import proofs, solvers
+from slowflow.averaged.asked import AMPLITUDES
+from slowflow.results import Remark
+from tests.oracles import averaged, counts
+
+pytestmark = pytest.mark.both_backends
+
+flint = pytest.mark.skipif(importlib.util.find_spec("flint") is None, reason="balls are of python-flint")
+
+
+def exact(one):
+    kind = averaged.Duffing if isinstance(one, Duffing) else averaged.RodSpring
+    names = (domain.name for domain in one.model.mechanism.design)
+    return kind(**dict(zip(names, one.model.design, strict=True)), mu=one.mu, zeta=one.zeta)
+
+
+def batch(one):
+    names = (domain.name for domain in one.model.mechanism.design)
+    return type(one).many(**dict(zip(names, one.model.design, strict=True)), mu=one.mu, zeta=one.zeta)
+
+
+#: h = 0 at A = 263.85 by steps of 5e-13 from double to double, 1e5 times sqrt(F_0^2 - m^2): a whole isola lies between
+#: two doubles, up to Omega = 1.27308305173502e-19, and was missing without a word
+BETWEEN_DOUBLES = {"alpha": -5.967114315434874, "beta": 1.142814496402943e-4, "mu": 3.1874244168978207e-12}
+BETWEEN_DOUBLES["zeta"] = 0.29001258439922
+F_BETWEEN, TIP = 4.0583742969611374e-12, 1.27308305173502e-19
+
+
+@flint
+@pytest.mark.parametrize("share", [1e-6, 0.5, 1 - 5.4e-11])
+def test_states_of_an_isola_between_two_doubles_are_found(share):
+    one, Omega = Duffing(**BETWEEN_DOUBLES), share * TIP
+    assert counts.States(exact(one), Omega).count(F_BETWEEN) == 3
+    found = one.amplitudes(Omega=[Omega, 2 * TIP], F_0=F_BETWEEN)
+    assert found.Omega.tolist() == [Omega] * 3 + [2 * TIP]
+    h_is_0 = math.sqrt(-4 * one.alpha / (3 * one.beta))
+    assert found.A[1:3].tolist() == pytest.approx([h_is_0] * 2, rel=1e-15)
+    assert found.stable.tolist()[1:3] == [False, True]
+    assert Remark.BY_BALLS in found.remarks and Remark.UNDECIDED not in found.remarks
+    many = batch(one).amplitudes(Omega=Omega, F_0=F_BETWEEN)
+    assert many.count == 3 and many.A[:3].tolist() == found.A[:3].tolist() and not many.undecided
+
+
+def test_a_curve_without_an_isola_between_two_doubles_says_that_it_is_undecided():
+    one = Duffing(**BETWEEN_DOUBLES)
+    assert Remark.UNDECIDED in one.frequency_response(F_BETWEEN, samples=20).remarks
+    many = batch(one).frequency_response(F_BETWEEN, samples=20)
+    assert many.undecided and int(many.remarks) & Remark.UNDECIDED
+
+
+@pytest.mark.parametrize("share", [1e-6, 0.5, 1 - 5.4e-11])
+def test_without_flint_an_isola_between_two_doubles_is_undecided(share, monkeypatch):
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
+    one, Omega = Duffing(**BETWEEN_DOUBLES), share * TIP
+    found, many = (ask.amplitudes(Omega=Omega, F_0=F_BETWEEN) for ask in (one, batch(one)))
+    assert found.Omega_undecided.tolist() == [Omega] and "is undecided at Omega" in found.message
+    assert many.undecided and many.remarks == int(found.remarks) and Remark.UNDECIDED in found.remarks
+    assert Remark.BY_BALLS not in found.remarks
+
+
+#: an oscillator, and a forcing with folds: next to these doubles do not tell how many states there are
+BESIDE = {
+    "hardening": (Duffing(1.0, 2.0, 0.01, 0.02), 0.04),
+    "softening": (Duffing(1.0, -0.3, 0.01, 0.02), 0.08),
+    "isolator": (Isolator(lam=3, r=2, delta_h=0.1, mu=0.01, zeta=0.02), 0.04),
+}
+
+
+def beside_folds(one, F_0):
+    """Doubles next to the folds' frequencies, out of order, one of them twice."""
+    at = [math.nextafter(w, side) for w in one.saddle_nodes(F_0).Omega.tolist() for side in (w, 0, 9)]
+    return [*at[::-1], 1.4, at[0], 1.4]
+
+
+@flint
+@pytest.mark.parametrize("name", BESIDE)
+def test_states_next_to_a_fold_are_as_many_as_the_oracle_proves_in_the_order_asked_for(name):
+    one, F_0 = BESIDE[name]
+    asked = beside_folds(one, F_0)
+    number = [counts.States(exact(one), w).count(F_0) for w in asked]
+    assert solvers.amplitudes(one.model, np.array(asked), F_0).Omega_undecided.size or name == "isolator"
+    found, many = one.amplitudes(Omega=asked, F_0=F_0), batch(one).amplitudes(Omega=asked, F_0=F_0)
+    assert found.Omega.tolist() == [w for w, n in zip(asked, number, strict=True) for _ in range(n)]
+    ends = np.cumsum([0, *number]).tolist()
+    alone = [one.amplitudes(Omega=w, F_0=F_0) for w in asked]
+    for k, (state, low, high) in enumerate(zip(alone, ends, ends[1:], strict=False)):
+        assert found.A[low:high].tolist() == state.A.tolist() == many.A[k, : high - low].tolist()
+        assert found.stable[low:high].tolist() == state.stable.tolist() == (many.stable[k, : high - low] != 0).tolist()
+        assert (np.diff(state.A) >= 0).all() and state.stable.tolist() == [True, False, True][: len(state)]
+    assert many.count.tolist() == number and not many.undecided.any()
+    assert many.remarks.tolist() == [int(state.remarks) for state in alone]
+    assert not found.Omega_undecided.size and Remark.UNDECIDED not in found.remarks
+    assert (Remark.BY_BALLS in found.remarks) == ("balls of more digits" in found.message)
+    pairs = one.amplitudes(Omega=asked, F_0=np.full(len(asked), F_0))
+    assert pairs.A.tolist() == found.A.tolist() and pairs.remarks == found.remarks
+
+
+@flint
+def test_folds_that_balls_decided_say_so_in_batches_too():
+    one = Duffing(1.0021174150372412, -0.7852683936675544, 0.03237752605590381, 1e-4)
+    F_0 = [0.5048231197593197, 0.2]
+    many = batch(one).saddle_nodes(F_0)
+    for k, F in enumerate(F_0):
+        found = one.saddle_nodes(F)
+        assert many.remarks[k] == int(found.remarks)
+        assert (Remark.BY_BALLS in found.remarks) == ("balls of more digits" in found.message) == (k == 0)
+
+
+@flint
+def test_a_mass_that_a_forcing_moves_to_rounding_only_is_said_to_stick_or_to_move():
+    one = Duffing(1.0, 0.5, 1e-9, 0.01)
+    for F_0 in (math.nextafter(one.sticking_forcing, 1), one.sticking_forcing * (1 + 1e-14)):
+        found = one.amplitudes(Omega=[0.62, 0.9], F_0=F_0)
+        number = [counts.States(exact(one), w).count(F_0) for w in (0.62, 0.9)]
+        assert found.Omega.tolist() == [0.62] * number[0] + [0.9] * number[1]
+        assert not found.Omega_undecided.size and ("sticks" in found.message) == (not any(number))
+
+
+@flint
+def test_balls_are_asked_so_often_and_what_is_left_is_said_to_be_undecided(monkeypatch):
+    one, F_0 = BESIDE["hardening"]
+    asked = sorted(set(beside_folds(one, F_0)[:-1]))
+    model = one.model
+    open_ = solvers.amplitudes(model, np.array(asked), F_0).Omega_undecided.tolist()
+    monkeypatch.setattr(proofs, "MOST_IN_BALLS", 2)
+    monkeypatch.setattr(proofs.Allowance.__init__, "__defaults__", (2,))
+    found, many = one.amplitudes(Omega=asked, F_0=F_0), batch(one).amplitudes(Omega=asked, F_0=F_0)
+    assert len(open_) > 2 and found.Omega_undecided.tolist() == open_[2:]
+    assert "balls were asked 2 times" in found.message and {Remark.BY_BALLS, Remark.UNDECIDED} <= set(found.remarks)
+    assert many.undecided.tolist() == [w in open_[2:] for w in asked]
+    by_balls, undecided = ((many.remarks & remark != 0).tolist() for remark in (Remark.BY_BALLS, Remark.UNDECIDED))
+    assert by_balls == [w in open_[:2] for w in asked] and undecided == many.undecided.tolist()
+    pairs = one.amplitudes(Omega=asked, F_0=[[F_0], [F_0 * (1 + 1e-15)]])
+    assert set(open_[2:]) <= set(pairs.Omega_undecided.tolist())
+
+
+@flint
+def test_a_batch_asks_balls_once(monkeypatch):
+    one, F_0 = BESIDE["hardening"]
+    asked = beside_folds(one, F_0)[:2]
+    balls, tried = proofs.in_balls(), []
+    ask = balls.amplitudes
+    monkeypatch.setattr(balls, "amplitudes", lambda *given: tried.append(given) or ask(*given))
+    batch(one).amplitudes(Omega=asked, F_0=F_0)
+    columns = batch(one).ask(AMPLITUDES, 1, F_0, 6, Omega=asked)
+    assert len(tried) == (columns[-2] != 0).sum()
+    assert backend.SOLVER is None or len(tried) > 0
