@@ -28,7 +28,7 @@ from . import given as given_by
 from .averaging import averaged
 from .document import document, document_of_quadrature, document_of_sided
 from .emit.catalogue.bent import with_bends
-from .emit.catalogue.mechanism import mechanism_module
+from .emit.catalogue.mechanism import mechanism_module, with_proofs
 from .emit.catalogue.quadrature import quadrature_module
 from .emit.catalogue.sided import sided_module
 from .emit.form import Module
@@ -40,7 +40,7 @@ from .mechanisms import DAMPING, DISSIPATION, FORCING, Mechanism, Parameter, Pie
 from .monotone import not_shown, smooth_end
 from .oscillator import oscillator, without_poles_that_cancel
 from .quadrature import FUNCTIONS, Quadrature, singular_at, v
-from .results import of_mechanism
+from .results import OfMechanism, of_mechanism
 from .sided import Sided
 from .sided import check as check_sided
 from .slow_flow import slow_flow
@@ -64,26 +64,36 @@ DOCUMENT = "derivation.md"
 
 @dataclass(frozen=True)
 class Sources:
-    """What is printed of one mechanism.
+    """What is derived of one mechanism, printed where it is asked for: NumPy answers without any C.
 
-    name    -- of the module, with a hash of all that it follows from
-    python  -- text of the module
-    headers -- C headers by file name; `record` includes them, and those of the package
-    record  -- a C source that defines `slowflow_record`, for a shared library; "" of a force that is not odd
-    motion  -- one that defines `slowflow_laws`: the pieces of the force as Taylor recurrences
+    module  -- its kernels and its record; its name has a hash of all that it follows from
+    derived -- steps of the derivation that compiled solvers need more of; None where the module has them
+    odd     -- whether the force is: only such a one has a record in C
     """
 
-    name: str
-    python: str
-    headers: dict[str, str]
-    record: str
-    motion: str
+    module: Module
+    derived: OfMechanism | None = None
+    odd: bool = True
+
+    @property
+    def python(self) -> dict[str, str]:
+        """The module by file name."""
+        return {f"{self.module.name}.py": numpy.text(self.module, programs(self.module, numpy.asked(self.module)))}
 
     @property
     def compiled(self) -> dict[str, str]:
-        """The C sources of the library by file name."""
-        texts = {f"{self.name}.c": self.record, f"{self.name}_motion.c": self.motion}
-        return {name: text for name, text in texts.items() if text}
+        """The sources of its shared library by file name, with headers of its own and those of the package to include.
+
+        One source defines `slowflow_record`, the last `slowflow_laws`, the pieces of the force as Taylor recurrences.
+        """
+        motion = {f"{self.module.name}_motion.c": c.motion(self.module)}
+        if not self.odd:
+            return motion
+        module = self.module if self.derived is None else with_proofs(self.module, self.derived)
+        code = {module.name: programs(module)}
+        files = c.headers([module], code) | interval.files([module], code) | pair.headers([module], code)
+        headers = {Path(file).name: text for file, text in files.items()}
+        return headers | {f"{module.name}.c": c.records.of_one(module)} | motion
 
 
 def stated(
@@ -196,19 +206,18 @@ def by_quadrature(mechanism: Mechanism) -> Mechanism | None:
 
 
 def sources(mechanism: Mechanism | Sided) -> Sources:
-    """All that is printed of it, under `name_of`. Raises ArithmeticError where the derivation refuses it, and why."""
-    module = sided_module(name_of(mechanism), mechanism) if isinstance(mechanism, Sided) else _module(mechanism)
-    code = {module.name: programs(module)}
+    """What is printed of it, under `name_of`. Raises ArithmeticError where the derivation refuses it, and why."""
+    name = name_of(mechanism)
     if isinstance(mechanism, Sided):
-        return Sources(module.name, numpy.text(module, code[module.name]), {}, "", c.motion(module))
-    files = c.headers([module], code) | interval.files([module], code) | pair.headers([module], code)
-    return Sources(
-        module.name,
-        numpy.text(module, code[module.name]),
-        {Path(file).name: text for file, text in files.items()},
-        c.records.of_one(module),
-        c.motion(module),
-    )
+        return Sources(sided_module(name, mechanism), odd=False)
+    integrated = by_quadrature(mechanism)
+    if integrated is not None:
+        return Sources(quadrature_module(name, integrated, quadrature(integrated)))
+    derived = of_mechanism(replace(mechanism, name=name), enclosed=True)
+    # not composed with the slow flow and without resultants: solvers ask neither
+    module = mechanism_module({name: derived}, name, None)
+    module = replace(module, inputs=("live.py",), native=False, record=replace(module.record, scales=()))
+    return Sources(with_bends(module, derived) if not_shown(derived.oscillator) else module, derived)
 
 
 def told(mechanism: Mechanism | Sided) -> str:
@@ -226,8 +235,8 @@ def told(mechanism: Mechanism | Sided) -> str:
 def written(mechanism: Mechanism | Sided, folder: Path) -> list[str]:
     """All that is printed and told of it as files in a folder, in which an earlier run's are replaced; their names."""
     printed = sources(mechanism)
-    name = printed.name
-    files = {**printed.headers, **printed.compiled, f"{name}.py": printed.python, DOCUMENT: told(mechanism)}
+    name = printed.module.name
+    files = {**printed.compiled, **printed.python, DOCUMENT: told(mechanism)}
     content = {
         "command": "slowflow derive",
         "mechanism": {"name": name, "title": mechanism.title},
@@ -242,18 +251,6 @@ def written(mechanism: Mechanism | Sided, folder: Path) -> list[str]:
 def name_of(mechanism: Mechanism | Sided) -> str:
     """Of its module: with a hash of all that it follows from, so that one of that name is this one."""
     return f"{mechanism.name}_{_digest(mechanism)}"
-
-
-def _module(mechanism: Mechanism) -> Module:
-    """Its kernels, without those that compose it with the slow flow and without resultants: solvers ask neither."""
-    integrated = by_quadrature(mechanism)
-    if integrated is not None:
-        return quadrature_module(name_of(mechanism), integrated, quadrature(integrated))
-    named = replace(mechanism, name=name_of(mechanism))
-    derived = of_mechanism(named, enclosed=True)
-    module = mechanism_module({named.name: derived}, named.name, None)
-    module = replace(module, inputs=("live.py",), native=False, record=replace(module.record, scales=()))
-    return with_bends(module, derived) if not_shown(derived.oscillator) else module
 
 
 def _coefficients(forces: Sequence[sp.Expr], ends: Sequence[sp.Expr]) -> tuple[dict[int, sp.Symbol], ...]:

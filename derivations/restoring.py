@@ -417,14 +417,17 @@ def average(
     return Regime(passed, passed_far, tuple(lets), tuple(derivatives), intercept, remainders)
 
 
-def restoring(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Restoring:
-    """All of step 3 for the pieces of a force. Give u + F_k for h (the whole force), F_k for H (the paper's H_i)."""
+def restoring(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], orders: int = ORDERS) -> Restoring:
+    """All of step 3 for the pieces of a force, with so many derivatives.
+
+    Give u + F_k for h (the whole force), F_k for H (the paper's H_i).
+    """
     jumps = tuple(
         at_breakpoint(below - above, b) for below, above, b in zip(pieces, pieces[1:], breakpoints, strict=False)
     )
-    regimes = tuple(average(pieces, breakpoints, count) for count in range(len(pieces)))
+    regimes = tuple(average(pieces, breakpoints, count, orders=orders) for count in range(len(pieces)))
     far_regimes = {
-        (count, far): average(pieces, breakpoints, count, far)
+        (count, far): average(pieces, breakpoints, count, far, orders=orders)
         for count in range(1, len(pieces))
         for far in range(1, count + 1)
     }

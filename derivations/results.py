@@ -44,7 +44,7 @@ class OfMechanism:
 
     oscillator        -- dimensionless force, coefficients, breakpoints
     whole             -- h and its derivatives: the average of the whole restoring force u + F_k
-    beside_vertical   -- H and its derivatives: the average of F_k alone
+    beside_vertical   -- H and H_A, untruncated with further derivatives: the average of F_k alone
     saddle_node_onset -- (33), with all damping terms; None where h is no polynomial, or where it was not asked for
     saddle_nodes      -- Res_Omega(F, F_A); likewise
     """
@@ -133,10 +133,11 @@ def of_mechanism(mechanism: Mechanism, flow: SlowFlow | None = None, *, enclosed
     pieces, ends = dimensionless.polynomials, dimensionless.breakpoints
     polynomial = all(piece.is_polynomial(u) for piece in pieces)
     eliminated = flow is not None and polynomial
-    whole, beside_vertical = (
-        restoring(forces, tuple(ends)) if polynomial else elliptic.restoring(forces, ends)
-        for forces in (pieces, [piece - u for piece in pieces])
-    )
+    beside = [piece - u for piece in pieces]
+    if polynomial:
+        whole, beside_vertical = restoring(pieces, tuple(ends)), restoring(beside, tuple(ends), orders=1)
+    else:
+        whole, beside_vertical = (elliptic.restoring(forces, ends) for forces in (pieces, beside))
     return OfMechanism(
         dimensionless,
         whole,

@@ -299,6 +299,21 @@ def test_what_is_derived_once_is_not_derived_again(stop, monkeypatch):
         derive.mechanism(**{**STOP, "pieces": [(k_1 * u, 2 * gap), (k_1 * u + k_2 * (u - 2 * gap), None)]})
 
 
+@COMPILED
+def test_c_is_printed_where_it_is_compiled(folder):
+    """NumPy needs none; what is compiled later is derived again, and is the same mechanism."""
+    given = {**STOP, "name": "stop_twice"}
+    on_numpy = derive.mechanism(**given)
+    assert [path.suffix for path in folder.iterdir() if path.name.startswith("stop_twice")] == [".py"]
+    oscillator = on_numpy(**NUMBERS)
+    before = oscillator.saddle_nodes(0.05)
+    in_c = derive.mechanism(**given, compile=True)
+    assert in_c.compiled and in_c.record is on_numpy.record
+    after = in_c(**NUMBERS).saddle_nodes(0.05)
+    np.testing.assert_allclose(after.Omega, before.Omega, rtol=1e-14)
+    assert len(after.Omega) == 2
+
+
 @pytest.mark.slow
 def test_an_oscillator_is_pickled_into_another_process(stop, folder):
     asked = "import pickle, sys; one = pickle.load(sys.stdin.buffer); print(repr(one.saddle_node_onset().F_SN))"

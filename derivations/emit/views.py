@@ -10,7 +10,7 @@ import functools
 import itertools
 import textwrap
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -133,18 +133,12 @@ class Calls:
     averages: tuple[str, ...]
 
 
-def programs(module: Module) -> Code:
-    """The straight-line code of every branch, by kernel."""
+def programs(module: Module, asked: Iterable[Kernel] | None = None) -> Code:
+    """The straight-line code of every branch, by kernel: of all of a module, or of those that are asked for."""
+    every = (*module.kernels, *module.cells, *module.settled, *module.balls, *module.held, *module.on_intervals)
     return {
         kernel.name: tuple(straight_line(branch.lets, branch.outputs, kernel.arguments) for branch in kernel.branches)
-        for kernel in (
-            *module.kernels,
-            *module.cells,
-            *module.settled,
-            *module.balls,
-            *module.held,
-            *module.on_intervals,
-        )
+        for kernel in (every if asked is None else asked)
     }
 
 

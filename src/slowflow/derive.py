@@ -41,6 +41,8 @@ from slowflow_support.quadrature import COMPILED
 NEEDED = "deriving needs SymPy, python-flint, Jinja2 and platformdirs: pip install 'slowflow[derive]'"
 #: IEEE arithmetic, as the package itself is compiled
 FLAGS = ("-std=c11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-shared", "-fPIC")
+#: the source that is written after the others, and is there where they are
+LAST_OF_C = "_motion.c"
 
 
 class Stated:
@@ -261,8 +263,13 @@ def _derived(stated: Any, compile: bool) -> Derived:
     live = _derivation()
     folder = _folder()
     module = live.name_of(stated)
-    if not (folder / f"{module}.py").exists():
-        _write(folder, live.sources(stated))
+    in_c, in_python = (not (folder / f"{module}{last}").exists() for last in (LAST_OF_C, ".py"))
+    if in_python or (compile and in_c):
+        sources = live.sources(stated)
+        if compile and in_c:
+            _write(folder, sources.compiled)
+        if in_python:
+            _write(folder, sources.python)
     importlib.invalidate_caches()
     printed = importlib.import_module(f"slowflow_derived.{module}")
     record: Mechanism = printed.MECHANISM
@@ -287,10 +294,9 @@ def _folder() -> Path:
     return FOLDER
 
 
-def _write(folder: Path, sources: Any) -> None:
-    """Each file under its name only when it is whole; the Python module last, which says that all are there."""
-    sources_by_name = {**sources.headers, **sources.compiled, f"{sources.name}.py": sources.python}
-    for name, text in sources_by_name.items():
+def _write(folder: Path, sources: Mapping[str, str]) -> None:
+    """Each file under its name only when it is whole, in their order: the last one says that all are there."""
+    for name, text in sources.items():
         files.write(folder / name, text)
 
 
@@ -305,7 +311,7 @@ def _compiled(folder: Path, module: str) -> Path:
         return library
     compiler = shlex.split(os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc")
     headers = [f"-I{place}" for place in (folder, *include())]
-    sources = [str(path) for name in (f"{module}.c", f"{module}_motion.c") if (path := folder / name).exists()]
+    sources = [str(path) for name in (f"{module}.c", f"{module}{LAST_OF_C}") if (path := folder / name).exists()]
     made = library.with_suffix(f".{os.getpid()}")
     try:
         done = subprocess.run(

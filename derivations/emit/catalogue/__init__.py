@@ -13,7 +13,7 @@ from .dissipation import dissipation_module, shaken_module
 from .flow import slow_flow_modules
 from .frequencies import frequencies_module
 from .inertia import inertia_module
-from .mechanism import mechanism_module
+from .mechanism import mechanism_module, with_proofs
 from .motion import motion_module
 from .off_centre import off_centre_module
 from .sampled import sampled_module
@@ -33,5 +33,8 @@ def all_modules(results: Results) -> list[Module]:
         motion_module(results),
         second_approximation_module(results),
         den_hartog_module(results),
-        *(mechanism_module(results.mechanisms, name, flows[0]) for name in results.mechanisms),
+        *(
+            with_proofs(mechanism_module(results.mechanisms, name, flows[0]), derived)
+            for name, derived in results.mechanisms.items()
+        ),
     ]

@@ -1,7 +1,7 @@
 """The kernels of a mechanism: its averages, its force, its resultants, and the slow flow with its own h put in.
 
 In:  `Results` and the slow flow's module.
-Out: `mechanism_module`.
+Out: `mechanism_module`; `with_proofs`, the module with what proofs and compiled solvers ask besides.
 """
 
 from __future__ import annotations
@@ -74,16 +74,23 @@ def mechanism_module(mechanisms: Mapping[str, OfMechanism], name: str, flow: Mod
             force_kernel(derived, pieces[::2]),
             *resultant_kernels(derived),
         ),
-        cells=cell_kernels(derived),
-        settled=closely(derived),
-        held=held_kernels(derived),
-        balls=ball_kernels(derived),
         selections=(*averages.selections, *selections(averages, compiled=not is_spelled_out(derived))),
         compositions=tuple(compositions(flow, mechanism, averages.pair, compiled=not is_spelled_out(derived)))
         if flow
         else (),
         flow=flow.name if flow else "",
         record=record(mechanisms, derived, table),
+    )
+
+
+def with_proofs(module: Module, derived: OfMechanism) -> Module:
+    """The same with what compiled solvers and balls ask of it besides."""
+    return replace(
+        module,
+        cells=cell_kernels(derived),
+        settled=closely(derived),
+        held=held_kernels(derived),
+        balls=ball_kernels(derived),
     )
 
 

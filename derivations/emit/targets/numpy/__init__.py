@@ -69,6 +69,11 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     return result
 
 
+def asked(module: Module) -> tuple[Kernel, ...]:
+    """The kernels that a module's text has."""
+    return (*module.kernels, *module.on_intervals)
+
+
 def text(module: Module, code: Code) -> str:
     """One module."""
     return (
