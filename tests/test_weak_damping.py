@@ -76,3 +76,31 @@ def test_of_two_states_within_a_rounding_the_lower_one_is_the_saddle(design, F_0
 
     assert states.stable.tolist() == signs
     assert (np.diff(states.A) >= 0).all()
+
+
+#: Duffing oscillators with a cusp next to Omega = 0, as friction far exceeds what the spring has there: at the double
+#: next to its amplitude Omega^2 from F_AA = 0 exceeds it by far, or is negative. Cusps from exact algebra: F_0, Omega, A
+NEXT_TO_REST = (
+    # was 8 % off on NumPy, and none otherwise
+    (
+        (0.000851181307780771, -170.14399503133887, 8.362562395973274, 0.2724363742646413),
+        (10.647545137868523, 8.90767182004742e-11, 0.002169312688520841),
+    ),
+    # 2.8 % off
+    (
+        (-0.0004075408420264791, 3171.2896077882606, 0.27962343122676186, 0.014648987411895499),
+        (0.3560276102724673, 1.8203316372242992e-09, 0.00034768587506578755),
+    ),
+    # none
+    (
+        (0.0006460651908889042, -1120.3362292711977, 88.2907240692041, 4.441208426955776),
+        (112.4152413182113, 1.0123302677344342e-13, 0.000736518078783563),
+    ),
+)
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize(("design", "cusp"), NEXT_TO_REST)
+def test_a_cusp_next_to_rest_is_found_with_its_frequency(design, cusp):
+    found = slowflow.Duffing(*design).cusps(A_max=1.5 * cusp[2])[0]
+    assert (found.F_0, found.Omega, found.A) == pytest.approx(cusp, rel=1e-13, abs=0) and not found.minimum

@@ -148,11 +148,27 @@ static inline double sf_quadratic_root(double a, double b, double root, int larg
     return larger ? root - a : -a - root;
 }
 
+/* Next to Omega = 0 a rounding of A moves the root X = Omega^2 of F_AA by more than X, but hardly the fold at A, whose
+ * Omega is the root of F_A next to it. */
+static inline void sf_take_fold_next_to(const sf_model *model, const sf_sample *at, int channel, sf_answer *out) {
+    double w[3], nearest = HUGE_VAL;
+    const double by_X = out->Omega[channel];
+    const int n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
+    int i;
+    for (i = 0; i < n; i++)
+        if (fabs(w[i] - by_X) < nearest)
+            nearest = fabs(w[i] - by_X), out->Omega[channel] = w[i];
+    if (n > 0)
+        out->level[channel] = slow_flow_level(out->Omega[channel], at->A, model->m, model->zeta, at->h);
+}
+
 /* Channel 0 is the larger root Omega^2 of F_AA. */
 static inline void sf_ask_cusp(const sf_model *model, int open, const sf_sample *at, sf_answer *out) {
     double q[5];
     int i;
     slow_flow_cusps(at->A, model->zeta, at->h, at->h_A, at->h_AA, at->k, q);
+    if (fabs(q[3]) <= SF_CLOSE * q[2] * q[2]) /* a channel ends at Omega = 0, where F_A has the sign of h h_A */
+        out->edge = at->h * at->h_A > 0 ? 1 : -1;
     for (i = 0; i < 2 && q[4] >= 0; i++) {
         const double root = sqrt(q[4]), X = sf_quadratic_root(q[2], q[3], root, i == 0);
         const double T = sf_quadratic_root(q[0], q[1], root, i == 0);
@@ -176,6 +192,8 @@ static inline void sf_ask_cusp(const sf_model *model, int open, const sf_sample 
                 fabs(slow_flow_R(sqrt(nearly[0]), at->A, at->h)) < SF_SOFT * fabs(at->h))
                 out->Omega[i] = sqrt(fold[0]), out->level[i] = sqrt(fold[1]);
         }
+        if (X < SF_SOFT * fabs(q[2]))
+            sf_take_fold_next_to(model, at, i, out);
     }
 }
 

@@ -252,6 +252,8 @@ class Cusp(Asked):
         model = self.model
         a, b, c, d, square = slow_flow.cusps(at.A, model.zeta, at.h, at.h_A, at.h_AA, at.k)
         root, answers = np.sqrt(np.maximum(square, 0.0)), []
+        # where a channel ends at Omega = 0 F_A has the sign of h h_A
+        edge = np.where(np.abs(d) <= CLOSE * c * c, np.where(at.h * at.h_A > 0, 1.0, -1.0), 0.0)
         for larger in (True, False):
             X, T = _quadratic_root(c, d, root, larger), _quadratic_root(a, b, root, larger)
             exists = (square >= 0) & (X > 0)
@@ -267,8 +269,28 @@ class Cusp(Asked):
             small = np.abs(slow_flow.R(np.sqrt(nearly), at.A, at.h)) < SOFT * np.abs(at.h)
             lost &= small & (right > 0) & (forcing > 0)
             w, level = np.where(lost, np.sqrt(right), w), np.where(lost, np.sqrt(forcing), level)
-            answers.append(_channel(at, exists, y, dy, w, 0.0, level))
+            w, level = self._folds_next_to(at, X < SOFT * np.abs(c), w, level)
+            answers.append(_channel(at, exists, y, dy, w, 0.0, level, edge))
         return answers
+
+    def _folds_next_to(self, at: Samples, some: Bools, w: Floats, level: Floats) -> tuple[Floats, Floats]:
+        """Omega and level, some of them of the fold at A whose Omega, a root of F_A, is the nearest.
+
+        Next to Omega = 0 a rounding of A moves the root X = Omega^2 of F_AA by more than X, but hardly that fold.
+        """
+        model, those = self.model, np.flatnonzero(some)
+        A, h, h_A = (np.repeat(column[those], 3) for column in (at.A, at.h, at.h_A))
+        index = np.tile(np.arange(3), those.size)
+        folds = Quartics(A, h, h_A, model.m, model.zeta, -1.0)
+        count = folds.count().astype(np.intp)
+        roots = np.where(index < count, folds.roots(count, index), np.nan).reshape(-1, 3)
+        off = np.where(np.isnan(roots), np.inf, np.abs(roots - w[those, np.newaxis]))
+        found = np.isfinite(off).any(axis=1)
+        those, nearest = those[found], np.take_along_axis(roots, off.argmin(axis=1)[:, np.newaxis], axis=1)[found, 0]
+        w, level = w.copy(), level.copy()
+        w[those] = nearest
+        level[those] = slow_flow.level(nearest, at.A[those], model.m, model.zeta, at.h[those])
+        return w, level
 
     def range(self, cells: Cells) -> list[Range]:
         """On the fold locus R has the sign of k.
