@@ -79,7 +79,7 @@ def test_of_two_states_within_a_rounding_the_lower_one_is_the_saddle(design, F_0
 
 
 #: Duffing oscillators with a cusp next to Omega = 0, as friction far exceeds what the spring has there: at the double
-#: next to its amplitude Omega^2 from F_AA = 0 exceeds it by far, or is negative. Cusps from exact algebra: F_0, Omega, A
+#: next to its amplitude Omega^2 from F_AA = 0 exceeds it by far, or is negative. From exact algebra: F_0, Omega, A
 NEXT_TO_REST = (
     # was 8 % off on NumPy, and none otherwise
     (
