@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import os
 import sys
+import time
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, replace
 from functools import partial
@@ -17,9 +18,11 @@ import numpy as np
 from mpmath import mpf, workdps
 
 from benchmarks import bench_exact, bench_kernels, bench_roots, certified, footprint
+from benchmarks.bench_solver import random_designs
 from benchmarks.document import quantity
 from benchmarks.remote import ROOT, Remote, in_turn
 from slowflow import backend
+from slowflow.paper.example import isolator
 
 
 @dataclass(frozen=True)
@@ -67,7 +70,7 @@ class Target:
 def measure(size: Size) -> list[dict[str, Any]]:
     """All targets."""
     found: list[Target] = []
-    for part in (quartics, kernels, curves, batches, rates, second, motions, starting, remembering):
+    for part in (quartics, kernels, curves, batches, rates, gradients, second, motions, starting, remembering):
         print(f"{part.__name__} ...", file=sys.stderr, flush=True)
         found += part(size)
     return [{**asdict(row), "reached": row.reached} for row in found]
@@ -292,6 +295,44 @@ def rates(size: Size) -> list[Target]:
             *("", "curve", curves["status"] < UNSOLVED),
         )
     )
+    return out
+
+
+#: what gradients are asked of; F_0 first, then Omega
+ANSWERS: dict[str, dict[str, float]] = {
+    "saddle_node_onset": {},
+    "saddle_nodes": {"F_0": 0.04},
+    "peak": {"F_0": 0.04},
+    "amplitudes": {"F_0": 0.04, "Omega": 0.6},
+    "frequency_response": {"F_0": 0.04},
+}
+
+
+def gradients(size: Size) -> list[Target]:
+    """Gradients over their answers, each asked of an oscillator made anew, on Table 1 and on random designs."""
+    count = max(size.onsets // 10, 100)
+    designs = random_designs(count, 5)
+    out = []
+    for where, made in (
+        *((f"Table 1, {excited}", partial(isolator, excitation=excited)) for excited in ("force", "base")),
+        (f"{count} random designs", lambda: designs),
+    ):
+        shares = {}
+        for question, at in ANSWERS.items():
+            if made() is designs and question == "frequency_response":
+                continue  # curves of many designs have no gradient of each point
+            answering, moving = [], []
+            for _ in range(20 * size.rounds if made() is not designs else size.rounds):
+                start = time.perf_counter()
+                answer = getattr(made(), question)(**at)
+                answered = time.perf_counter()
+                answer.gradient()
+                answering.append(answered - start)
+                moving.append(time.perf_counter() - answered)
+            shares[question] = float(np.median(moving) / np.median(answering))
+        worst = max(shares, key=lambda question: shares[question])
+        each = ", ".join(f"{question} {share:.2g} ×" for question, share in shares.items())
+        out.append(Target(f"gradient over its answer, {where}, worst", *(2.0, shares[worst], "×", True), each, "", ""))
     return out
 
 

@@ -317,4 +317,452 @@ static inline double inertia_share(double A, double zeta, double h)
     return -A * twice / h;
 }
 
+/* A_p, Omega_p, F_0_p of a steady state; with Omega = 0 a peak at rest; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 61 structured, 49 common subexpressions, 46 power chains
+   Proved, error / u (1 + kappa): -, 0.0, 0.0, -, -, 0.0, 0.0
+ */
+static inline void inertia_moves_of_state(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(h_AA);
+    (void)(h_AAA);
+    (void)(h_Ap);
+    (void)(h_AAp);
+    (void)(end_p);
+    const double Omega2 = Omega * Omega;
+    const double t0 = A * Omega2;
+    const double R = h + t0;
+    const double t1 = 2.0 * Omega;
+    const double t2 = A * t1;
+    const double t3 = m + t2 * zeta;
+    const double t4 = t3 * zeta;
+    const double F_A = 2.0 * (R * (Omega2 + h_A) + t1 * t4);
+    const double Omega3 = Omega * Omega2;
+    const double F_Omega = 4.0 * A * (Omega * R + t4) - 4.0 * F_0 * F_0 * Omega3;
+    const double F_p = 2.0 * (R * h_p + t3 * (m_p + t2 * zeta_p));
+    const double Omega4 = Omega2 * Omega2;
+    out[0] = (2.0 * F_0 * Omega4 * forcing_p - F_Omega * frequency_p - F_p) / F_A;
+    out[1] = frequency_p;
+    out[2] = forcing_p;
+    out[3] = F_A;
+    out[4] = 4.0 * Omega * t3 * zeta + 2.0 * (Omega2 + fabs(h_A)) * (t0 + fabs(h));
+    out[5] = 1.0;
+    out[6] = 1.0;
+}
+
+/* A_p, Omega_p, F_0_p of a fold at a forcing; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 127 structured, 82 common subexpressions, 79 power chains
+ */
+static inline void inertia_moves_of_fold(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(h_AAA);
+    (void)(h_AAp);
+    (void)(end_p);
+    (void)(frequency_p);
+    const double Omega2 = Omega * Omega;
+    const double t0 = A * Omega2;
+    const double R = h + t0;
+    const double t1 = A * Omega;
+    const double t2 = 2.0 * t1;
+    const double t3 = m + t2 * zeta;
+    const double t4 = Omega2 + h_A;
+    const double t5 = zeta * zeta;
+    const double t6 = Omega2 * t5;
+    const double F_AA = 2.0 * (R * h_AA + t4 * t4 + 4.0 * t6);
+    const double t7 = Omega * R + t3 * zeta;
+    const double F_AOmega = 4.0 * (t1 * t4 + t2 * t5 + t7);
+    const double Omega3 = Omega * Omega2;
+    const double t8 = 4.0 * F_0 * F_0 * Omega3;
+    const double t9 = 4.0 * A;
+    const double F_Omega = t7 * t9 - t8;
+    const double t10 = m_p + t2 * zeta_p;
+    const double F_p = 2.0 * (R * h_p + t10 * t3);
+    const double t11 = 2.0 * Omega;
+    const double F_Ap = 2.0 * (R * h_Ap + h_p * t4 + t10 * t11 * zeta + t11 * t3 * zeta_p);
+    const double t12 = 1.0 / F_Omega;
+    const double Omega4 = Omega2 * Omega2;
+    const double t13 = 2.0 * F_0 * Omega4 * forcing_p;
+    const double t14 = t0 + fabs(h);
+    const double t15 = Omega2 + fabs(h_A);
+    out[0] = -t12 * (-F_AOmega * F_p + F_AOmega * t13 + F_Ap * F_Omega) / F_AA;
+    out[1] = t12 * (-F_p + t13);
+    out[2] = forcing_p;
+    out[3] = F_AA;
+    out[4] = 2.0 * t14 * fabs(h_AA) + 2.0 * t15 * t15 + 8.0 * t6;
+    out[5] = F_Omega;
+    out[6] = t8 + t9 * (Omega * t14 + t3 * zeta);
+}
+
+/* A_p, Omega_p, F_0_p of a fold at a forcing, on a breakpoint; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 63 structured, 46 common subexpressions, 43 power chains
+   Proved, error / u (1 + kappa): 0.0, -, 0.0, 4.67, -, 0.0, 0.0
+ */
+static inline void inertia_moves_of_corner_fold(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(h_AA);
+    (void)(h_AAA);
+    (void)(h_Ap);
+    (void)(h_AAp);
+    (void)(frequency_p);
+    const double Omega2 = Omega * Omega;
+    const double t0 = A * Omega2;
+    const double R = h + t0;
+    const double t1 = 2.0 * Omega;
+    const double t2 = A * t1;
+    const double t3 = m + t2 * zeta;
+    const double t4 = t3 * zeta;
+    const double F_A = 2.0 * (R * (Omega2 + h_A) + t1 * t4);
+    const double Omega3 = Omega * Omega2;
+    const double t5 = 4.0 * F_0 * F_0 * Omega3;
+    const double t6 = 4.0 * A;
+    const double F_Omega = -t5 + t6 * (Omega * R + t4);
+    const double F_p = 2.0 * (R * h_p + t3 * (m_p + t2 * zeta_p));
+    const double Omega4 = Omega2 * Omega2;
+    out[0] = end_p;
+    out[1] = (2.0 * F_0 * Omega4 * forcing_p - F_A * end_p - F_p) / F_Omega;
+    out[2] = forcing_p;
+    out[3] = F_Omega;
+    out[4] = t5 + t6 * (Omega * (t0 + fabs(h)) + t3 * zeta);
+    out[5] = 1.0;
+    out[6] = 1.0;
+}
+
+/* A_p, Omega_p, F_0_p of a peak at a forcing; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 124 structured, 82 common subexpressions, 79 power chains
+ */
+static inline void inertia_moves_of_peak(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(h_AA);
+    (void)(h_AAA);
+    (void)(h_Ap);
+    (void)(h_AAp);
+    (void)(end_p);
+    (void)(frequency_p);
+    const double Omega2 = Omega * Omega;
+    const double t0 = A * Omega2;
+    const double R = h + t0;
+    const double t1 = A * Omega;
+    const double t2 = 2.0 * t1;
+    const double t3 = m + t2 * zeta;
+    const double t4 = t3 * zeta;
+    const double t5 = Omega2 + h_A;
+    const double F_A = 2.0 * (2.0 * Omega * t4 + R * t5);
+    const double t6 = 2.0 * zeta * zeta;
+    const double F_AOmega = 4.0 * (Omega * R + t1 * t5 + t1 * t6 + t4);
+    const double t7 = 12.0 * F_0 * F_0 * Omega2;
+    const double t8 = A * t6;
+    const double t9 = 4.0 * A;
+    const double F_OmegaOmega = -t7 + t9 * (R + 2.0 * t0 + t8);
+    const double t10 = m_p + t2 * zeta_p;
+    const double F_p = 2.0 * (R * h_p + t10 * t3);
+    const double F_Omegap = t9 * (Omega * h_p + t10 * zeta + t3 * zeta_p);
+    const double t11 = 1.0 / F_A;
+    const double t12 = F_0 * forcing_p;
+    const double Omega4 = Omega2 * Omega2;
+    const double t13 = 2.0 * Omega4 * t12;
+    const double t14 = fabs(h);
+    const double Omega3 = Omega * Omega2;
+    out[0] = t11 * (-F_p + t13);
+    out[1] = t11 * (-F_A * F_Omegap + 8.0 * F_A * Omega3 * t12 + F_AOmega * F_p - F_AOmega * t13) / F_OmegaOmega;
+    out[2] = forcing_p;
+    out[3] = F_A;
+    out[4] = 4.0 * Omega * t3 * zeta + 2.0 * (Omega2 + fabs(h_A)) * (t0 + t14);
+    out[5] = F_OmegaOmega;
+    out[6] = t7 + t9 * (3.0 * t0 + t14 + t8);
+}
+
+/* A_p, Omega_p, F_0_p of where two folds meet; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 145 structured, 105 common subexpressions, 102 power chains
+ */
+static inline void inertia_moves_of_cusp(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(end_p);
+    (void)(forcing_p);
+    (void)(frequency_p);
+    const double Omega2 = Omega * Omega;
+    const double t0 = A * Omega2;
+    const double R = h + t0;
+    const double t1 = A * Omega;
+    const double t2 = 2.0 * t1;
+    const double t3 = m + t2 * zeta;
+    const double t4 = Omega2 + h_A;
+    const double F_AAA = 2.0 * (R * h_AAA + 3.0 * h_AA * t4);
+    const double t5 = zeta * zeta;
+    const double t6 = Omega * R + t3 * zeta;
+    const double F_AOmega = 4.0 * (t1 * t4 + t2 * t5 + t6);
+    const double t7 = 4.0 * Omega;
+    const double F_AAOmega = t7 * (A * h_AA + 2.0 * Omega2 + 2.0 * h_A + 4.0 * t5);
+    const double Omega3 = Omega * Omega2;
+    const double F_Omega = 4.0 * A * t6 - 4.0 * F_0 * F_0 * Omega3;
+    const double t8 = m_p + t2 * zeta_p;
+    const double F_p = 2.0 * (R * h_p + t3 * t8);
+    const double t9 = 2.0 * Omega;
+    const double F_Ap = 2.0 * (R * h_Ap + h_p * t4 + t3 * t9 * zeta_p + t8 * t9 * zeta);
+    const double F_AAp = 2.0 * (8.0 * Omega2 * zeta * zeta_p + R * h_AAp + h_AA * h_p + 2.0 * h_Ap * t4);
+    const double t10 = 1.0 / F_AOmega;
+    const double t11 = Omega2 + fabs(h_A);
+    const double t12 = t0 + fabs(h);
+    const double Omega4 = Omega2 * Omega2;
+    out[0] = t10 * (F_AAOmega * F_Ap - F_AAp * F_AOmega) / F_AAA;
+    out[1] = -F_Ap * t10;
+    out[2] = 0.5 * t10 * (F_AOmega * F_p - F_Ap * F_Omega) / (F_0 * Omega4);
+    out[3] = F_AAA;
+    out[4] = 6.0 * t11 * fabs(h_AA) + 2.0 * t12 * fabs(h_AAA);
+    out[5] = F_AOmega;
+    out[6] = 4.0 * t1 * t11 + 8.0 * t1 * t5 + t12 * t7 + 4.0 * t3 * zeta;
+}
+
+/* A_p, Omega_p, F_0_p of where an isolated curve is born; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 181 structured, 113 common subexpressions, 111 power chains
+ */
+static inline void inertia_moves_of_isola(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(h_AAA);
+    (void)(h_AAp);
+    (void)(end_p);
+    (void)(forcing_p);
+    (void)(frequency_p);
+    const double Omega2 = Omega * Omega;
+    const double t0 = A * Omega2;
+    const double R = h + t0;
+    const double t1 = A * Omega;
+    const double t2 = 2.0 * t1;
+    const double t3 = m + t2 * zeta;
+    const double t4 = Omega2 + h_A;
+    const double t5 = zeta * zeta;
+    const double t6 = Omega2 * t5;
+    const double F_AA = 2.0 * (R * h_AA + t4 * t4 + 4.0 * t6);
+    const double t7 = 2.0 * t5;
+    const double F_AOmega = 4.0 * (Omega * R + t1 * t4 + t1 * t7 + t3 * zeta);
+    const double t8 = 12.0 * F_0 * F_0 * Omega2;
+    const double t9 = A * t7;
+    const double t10 = 4.0 * A;
+    const double F_OmegaOmega = t10 * (R + 2.0 * t0 + t9) - t8;
+    const double t11 = m_p + t2 * zeta_p;
+    const double F_p = 2.0 * (R * h_p + t11 * t3);
+    const double t12 = t3 * zeta_p;
+    const double t13 = 2.0 * Omega;
+    const double t14 = t11 * zeta;
+    const double F_Ap = 2.0 * (R * h_Ap + h_p * t4 + t12 * t13 + t13 * t14);
+    const double F_Omegap = t10 * (Omega * h_p + t12 + t14);
+    const double t15 = 4.0 * F_p;
+    const double t16 = F_Ap * Omega;
+    const double t17 = F_AA * F_OmegaOmega - F_AOmega * F_AOmega;
+    const double t18 = 1.0 / (Omega * t17);
+    const double t19 = Omega2 + fabs(h_A);
+    const double t20 = fabs(h);
+    const double t21 = t0 + t20;
+    const double Omega4 = Omega2 * Omega2;
+    const double t22 = 4.0 * Omega * t21 + 4.0 * t1 * t19 + 8.0 * t1 * t5 + 4.0 * t3 * zeta;
+    out[0] = t18 * (F_AOmega * F_Omegap * Omega - F_AOmega * t15 - F_OmegaOmega * t16);
+    out[1] = -t18 * (F_AA * F_Omegap * Omega - F_AA * t15 - F_AOmega * t16);
+    out[2] = 0.5 * F_p / (F_0 * Omega4);
+    out[3] = t17;
+    out[4] = t22 * t22 + (t10 * (3.0 * t0 + t20 + t9) + t8) * (2.0 * t19 * t19 + 2.0 * t21 * fabs(h_AA) + 8.0 *
+        t6);
+    out[5] = 1.0;
+    out[6] = 1.0;
+}
+
+/* A_p, Omega_p, F_0_p of the least forcing on a breakpoint; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 98 structured, 69 common subexpressions, 67 power chains
+   Proved, error / u (1 + kappa): 0.0, -, -, 3.56, -, 0.0, 0.0
+ */
+static inline void inertia_moves_of_corner_top(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(h_AA);
+    (void)(h_AAA);
+    (void)(h_Ap);
+    (void)(h_AAp);
+    (void)(forcing_p);
+    (void)(frequency_p);
+    const double Omega2 = Omega * Omega;
+    const double t0 = A * Omega2;
+    const double R = h + t0;
+    const double t1 = A * Omega;
+    const double t2 = 2.0 * t1;
+    const double I_ = m + t2 * zeta;
+    const double t3 = I_ * zeta;
+    const double t4 = Omega2 + h_A;
+    const double F_A = 2.0 * (2.0 * Omega * t3 + R * t4);
+    const double t5 = 2.0 * zeta * zeta;
+    const double F_AOmega = 4.0 * (Omega * R + t1 * t4 + t1 * t5 + t3);
+    const double t6 = 12.0 * F_0 * F_0 * Omega2;
+    const double t7 = A * t5;
+    const double t8 = 4.0 * A;
+    const double F_OmegaOmega = -t6 + t8 * (R + 2.0 * t0 + t7);
+    const double t9 = m_p + t2 * zeta_p;
+    const double F_p = 2.0 * (I_ * t9 + R * h_p);
+    const double F_Omegap = t8 * (I_ * zeta_p + Omega * h_p + t9 * zeta);
+    const double t10 = F_A * end_p;
+    const double Omega4 = Omega2 * Omega2;
+    out[0] = end_p;
+    out[1] = (-F_AOmega * Omega * end_p - F_Omegap * Omega + 4.0 * F_p + 4.0 * t10) / (F_OmegaOmega * Omega);
+    out[2] = 0.5 * (F_p + t10) / (F_0 * Omega4);
+    out[3] = F_OmegaOmega;
+    out[4] = t6 + t8 * (3.0 * t0 + t7 + fabs(h));
+    out[5] = 1.0;
+    out[6] = 1.0;
+}
+
+/* A_p, Omega_p, F_0_p of where the fold locus meets a breakpoint; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 110 structured, 80 common subexpressions, 77 power chains
+ */
+static inline void inertia_moves_of_corner_end(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(h_AAA);
+    (void)(h_AAp);
+    (void)(forcing_p);
+    (void)(frequency_p);
+    const double Omega2 = Omega * Omega;
+    const double t0 = A * Omega2;
+    const double R = h + t0;
+    const double t1 = A * Omega;
+    const double t2 = 2.0 * t1;
+    const double t3 = m + t2 * zeta;
+    const double t4 = Omega2 + h_A;
+    const double t5 = zeta * zeta;
+    const double F_AA = 2.0 * (4.0 * Omega2 * t5 + R * h_AA + t4 * t4);
+    const double t6 = Omega * R + t3 * zeta;
+    const double F_AOmega = 4.0 * (t1 * t4 + t2 * t5 + t6);
+    const double Omega3 = Omega * Omega2;
+    const double F_Omega = 4.0 * A * t6 - 4.0 * F_0 * F_0 * Omega3;
+    const double t7 = m_p + t2 * zeta_p;
+    const double F_p = 2.0 * (R * h_p + t3 * t7);
+    const double t8 = 2.0 * Omega;
+    const double F_Ap = 2.0 * (R * h_Ap + h_p * t4 + t3 * t8 * zeta_p + t7 * t8 * zeta);
+    const double t9 = 1.0 / F_AOmega;
+    const double t10 = F_AA * end_p;
+    const double Omega4 = Omega2 * Omega2;
+    out[0] = end_p;
+    out[1] = -t9 * (F_Ap + t10);
+    out[2] = -0.5 * t9 * (-F_AOmega * F_p + F_Ap * F_Omega + F_Omega * t10) / (F_0 * Omega4);
+    out[3] = F_AOmega;
+    out[4] = 4.0 * Omega * (t0 + fabs(h)) + 8.0 * t1 * t5 + 4.0 * t1 * (Omega2 + fabs(h_A)) + 4.0 * t3 * zeta;
+    out[5] = 1.0;
+    out[6] = 1.0;
+}
+
+/* A_p, Omega_p, F_0_p of where the backbone meets a breakpoint; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 47 structured, 39 common subexpressions, 36 power chains
+   Proved, error / u (1 + kappa): 0.0, 4.34, -, 0.34, 0.34, 0.0, 0.0
+ */
+static inline void inertia_moves_of_corner_backbone(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(h);
+    (void)(h_AA);
+    (void)(h_AAA);
+    (void)(h_Ap);
+    (void)(h_AAp);
+    (void)(forcing_p);
+    (void)(frequency_p);
+    const double t0 = 2.0 * A * Omega;
+    const double I_ = m + t0 * zeta;
+    const double t1 = 4.0 * I_ * zeta;
+    const double F_A = Omega * t1;
+    const double Omega2 = Omega * Omega;
+    const double Omega3 = Omega * Omega2;
+    const double F_Omega = A * t1 - 4.0 * F_0 * F_0 * Omega3;
+    const double R_A = Omega2 + h_A;
+    const double F_p = 2.0 * I_ * (m_p + t0 * zeta_p);
+    const double t2 = 1.0 / t0;
+    const double t3 = R_A * end_p;
+    const double Omega4 = Omega2 * Omega2;
+    out[0] = end_p;
+    out[1] = -t2 * (h_p + t3);
+    out[2] = 0.5 * t2 * (F_A * end_p * t0 - F_Omega * h_p - F_Omega * t3 + F_p * t0) / (F_0 * Omega4);
+    out[3] = t0;
+    out[4] = t0;
+    out[5] = 1.0;
+    out[6] = 1.0;
+}
+
+/* A_p, Omega_p, F_0_p of at Omega = 0 on a breakpoint; then what must not vanish, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 44 structured, 39 common subexpressions, 36 power chains
+   Proved, error / u (1 + kappa): 0.0, 0.0, -, 0.0, 0.0, 0.0, 0.0
+ */
+static inline void inertia_moves_of_corner_rest(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+{
+    (void)(h_AA);
+    (void)(h_AAA);
+    (void)(h_Ap);
+    (void)(h_AAp);
+    (void)(forcing_p);
+    const double Omega2 = Omega * Omega;
+    const double R = A * Omega2 + h;
+    const double t0 = 2.0 * Omega;
+    const double t1 = A * t0;
+    const double I_ = m + t1 * zeta;
+    const double t2 = I_ * zeta;
+    const double F_A = 2.0 * (R * (Omega2 + h_A) + t0 * t2);
+    const double Omega3 = Omega * Omega2;
+    const double F_Omega = 4.0 * A * (Omega * R + t2) - 4.0 * F_0 * F_0 * Omega3;
+    const double F_p = 2.0 * (I_ * (m_p + t1 * zeta_p) + R * h_p);
+    const double Omega4 = Omega2 * Omega2;
+    out[0] = end_p;
+    out[1] = frequency_p;
+    out[2] = 0.5 * (F_A * end_p + F_Omega * frequency_p + F_p) / (F_0 * Omega4);
+    out[3] = 1.0;
+    out[4] = 1.0;
+    out[5] = 1.0;
+    out[6] = 1.0;
+}
+
+/* F_A, F_Omega and R, each with its size.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 66 structured, 37 common subexpressions, 36 power chains
+ */
+static inline void inertia_beside(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double *out)
+{
+    const double Omega2 = Omega * Omega;
+    const double t0 = A * Omega2;
+    const double R = h + t0;
+    const double t1 = 2.0 * Omega;
+    const double t2 = A * t1 * zeta + m;
+    const double t3 = t2 * zeta;
+    const double F_A = 2.0 * (R * (Omega2 + h_A) + t1 * t3);
+    const double Omega3 = Omega * Omega2;
+    const double t4 = 4.0 * F_0 * F_0 * Omega3;
+    const double t5 = 4.0 * A;
+    const double F_Omega = -t4 + t5 * (Omega * R + t3);
+    const double t6 = t2 * zeta;
+    const double t7 = t0 + fabs(h);
+    out[0] = F_A;
+    out[1] = 4.0 * Omega * t6 + 2.0 * t7 * (Omega2 + fabs(h_A));
+    out[2] = F_Omega;
+    out[3] = t4 + t5 * (Omega * t7 + t6);
+    out[4] = R;
+    out[5] = t7;
+}
+
+/* d/dp of the phase (25) and of the transmissibility of a state that moves by A_p, Omega_p, F_0_p.
+   Equation from (23)-(34). Domain: Omega > 0, A > 0.
+   Operations: 56 structured, 46 common subexpressions, 46 power chains
+ */
+static inline void inertia_moves_of_phase(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_p, double m_p, double zeta_p, double A_p, double Omega_p, double F_0_p, double *out)
+{
+    const double t0 = Omega * Omega;
+    const double R = A * t0 + h;
+    const double t1 = 2.0 * A * Omega;
+    const double I_ = m + t1 * zeta;
+    const double t2 = A_p * h_A + h_p;
+    const double R_moved = A_p * t0 + Omega_p * t1 + t2;
+    const double t3 = 2.0 * zeta;
+    const double I_moved = A * Omega_p * t3 + A_p * Omega * t3 + m_p + t1 * zeta_p;
+    const double t4 = 1.0 / F_0;
+    const double t5 = hypot(h, I_);
+    const double t6 = 1.0 / t5;
+    out[0] = (-I_ * R_moved + I_moved * R) / (I_ * I_ + R * R);
+    out[1] = t4 * (-F_0_p * t4 * t5 + I_ * I_moved * t6 + h * t2 * t6 - 2.0 * Omega_p * t5 / Omega) / t0;
+}
+
 #endif

@@ -96,7 +96,7 @@ def gradient(
     )
 
 
-#: rows of what `_moves` gives: A, Omega and forcing; phase and transmissibility too
+#: rows of what `_moves` gives: A, Omega and forcing; A, phase and transmissibility, then Omega and forcing
 SIMPLE, OF_STATES = 3, 5
 
 
@@ -114,11 +114,12 @@ def _moves(given: Given, kind: Any, at: tuple[Any, Any, Any], rows: int, columns
     slopes, status = np.empty((*shape, rows, columns)), np.empty(shape, np.int8)
     if given.mechanism.by_parameter is None:
         raise validate.NotAvailable((OF_FUNCTIONS if given.mechanism.told else OF_RECORD).format(given.mechanism.name))
-    plain = given.excitation == "force" and given.rubs is None
-    record = backend.record_of(given.mechanism) if plain else None
+    record = backend.record_of(given.mechanism) if given.rubs is None else None
     if backend.SOLVER is not None and record is not None:
+        forced = given.excitation == "force"
+        asked = backend.SOLVER.many_gradients if forced else backend.SOLVER.many_inertial_gradients
         # an array without axes would come back as a number
-        backend.SOLVER.many_gradients(record)(*arrays, out=(slopes, status))
+        asked(record)(*arrays, out=(slopes, status))
     else:
         with np.errstate(all="ignore"):
             broadcast = np.broadcast_arrays(*(np.asarray(one, dtype=float) for one in arrays))
@@ -263,7 +264,7 @@ def _of_kind(given: Given, kind: Pinned, arrays: list[Floats], inner: tuple[int,
         found, meets = solved(kernels, Pinned(pinned), at, (*of_h, *damps.causes, *of_rest), columns)
         if rows > 3:
             of_phase = (damps.causes[part] for part in damps.of_phase)
-            found[3:3] = kernels.moves_of_phase(Omega, A, F_0, *damps.slower, h, h_A, of_h[0], *of_phase, *found[:3])
+            found[1:1] = kernels.moves_of_phase(Omega, A, F_0, *damps.slower, h, h_A, of_h[0], *of_phase, *found[:3])
         here = (kinds == pinned) & (past == side)
         out[here] = np.moveaxis(np.array(found[:rows]), -1, 0)[here]
         status[here & meets & (status == MovesStatus.OK)] = MovesStatus.MEETS
@@ -307,9 +308,26 @@ def _in_shape(value: Any, shape: tuple[int, ...]) -> Any:
 def of_states(given: Given, Omega: Any, A: Any, F_0: Any, phi: Any, transmissibility: Any) -> Gradient:
     """Of steady states at a forcing and a frequency."""
     by = (*_names(given.mechanism, given.rubs is not None), "F_0", "Omega")
-    slopes, status = _moves(given, float(Pinned.STATE), (A, Omega, F_0), OF_STATES, len(by))
     values, at = (A, phi, transmissibility), (*given.numbers, F_0, Omega)
-    return Gradient(("A", "phi", "transmissibility"), by, slopes[..., (0, 3, 4), :], status, values, at)
+    slopes, status = _of_places(given, (A, Omega, F_0), len(values), len(by))
+    return Gradient(("A", "phi", "transmissibility"), by, slopes, status, values, at)
+
+
+def _of_places(given: Given, at: tuple[Any, Any, Any], rows: int, columns: int) -> tuple[Floats, Codes]:
+    """The first rows of what `_moves` gives of states, asked where there is one: a batch's places are mostly empty."""
+    there = np.isfinite(at[0])
+    state = float(Pinned.STATE)
+    if there.all():
+        slopes, status = _moves(given, state, at, OF_STATES, columns)
+        return slopes[..., :rows, :], status
+    arrays = np.broadcast_arrays(there, *given.numbers, *at)
+    there, *numbers = arrays[: len(arrays) - len(at)]
+    chosen = given._replace(numbers=tuple(number[there] for number in numbers))
+    A, Omega, F_0 = (one[there] for one in arrays[-len(at) :])
+    slopes, status = np.full((*there.shape, rows, columns), np.nan), np.full(there.shape, MovesStatus.NOTHING, np.int8)
+    found, status[there] = _moves(chosen, state, (A, Omega, F_0), OF_STATES, columns)
+    slopes[there] = found[..., :rows, :]
+    return slopes, status
 
 
 def of_folds(given: Given, Omega: Any, A: Any, F_0: Any, corner: Any) -> Gradient:

@@ -6,7 +6,6 @@ Out: `inertia_module`.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import partial
 
 import sympy as sp
@@ -167,6 +166,6 @@ def inertia_module(results: Results) -> Module:
                 "h < 0",
                 lets=of.share_lets,
             ),
-            *(replace(kernel, in_c=False) for kernel in gradient_kernels(results.inertia_gradients)),
+            *gradient_kernels(results.inertia_gradients),
         ),
     )

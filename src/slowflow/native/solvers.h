@@ -47,6 +47,7 @@ const sf_solvers SF_SOLVERS = {
     sf_many_proved_states,
     sf_many_curves,
     sf_many_gradients,
+    sf_many_inertial_gradients,
     sf_many_second_detachment,
     sf_many_second_onsets,
     sf_many_second_folds,

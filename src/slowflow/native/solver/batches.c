@@ -54,6 +54,9 @@ static const question proved_states = {
 
 static const question gradients = {
     "many_gradients", "(r,n),()", "design, damping, F_0, Omega, A, what it is -> moves, status", 4, 2, {D, B}};
+static const question inertial_gradients = {
+    "many_inertial_gradients", "(r,n),()",
+    "design, damping, amplitude of the excitation, Omega, A, what it is -> moves, status", 4, 2, {D, B}};
 
 enum { MOST_OPERANDS = SF_MOST_DESIGN + SF_MOST_DAMPING + 4 + 12 };
 
@@ -166,6 +169,11 @@ static PyObject *many_gradients(PyObject *cache, PyObject *record)
     return batch(cache, record, &gradients, sf_here()->many_gradients);
 }
 
+static PyObject *many_inertial_gradients(PyObject *cache, PyObject *record)
+{
+    return batch(cache, record, &inertial_gradients, sf_here()->many_inertial_gradients);
+}
+
 static PyMethodDef functions[] = {
     {"many_detachment", many_detachment, METH_O,
      "record -> ufunc of (design, damping) -> F_cr, Omega_cr, u_cr, status"},
@@ -190,6 +198,7 @@ static PyMethodDef functions[] = {
      "record -> ufunc of (design, damping, F_0, Omega) -> count, whether it is proved, status"},
     {"many_gradients", many_gradients, METH_O,
      "record -> ufunc of (design, damping, F_0, Omega, A, what it is) -> moves (rows, columns), status"},
+    {"many_inertial_gradients", many_inertial_gradients, METH_O, "as many_gradients, where inertia excites"},
 };
 
 int sf_add_batches(PyObject *module)
