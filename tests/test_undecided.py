@@ -216,6 +216,13 @@ EXTREME = {
         1.5946190078945942e-19,
         0,
     ),
+    # F_0^2 - m^2 has 11 digits: where the lower fold is, at Omega = 1e-17, h_A has the other sign by them; it was lost
+    "a fold where the locus ends by rounding": (
+        Duffing,
+        (0.0037022059817632784, -0.0011695355483726886, 0.41331865120111955, 1.0981313503559726),
+        0.526261794105098,
+        2,
+    ),
     "a softening spring next to its static load": (
         Duffing,
         (0.00013791025799766277, -12.48933524903305, 2.911234464557362e-31, 2.9136502074270093e-06),

@@ -135,13 +135,15 @@ class Designs:
         of_one -- from a single oscillator, and what is asked of it, the remarks and the columns of its answer
         """
         *_, undecided, status = columns
-        # what is refused single answers refuse too
-        left = (undecided != 0) & (status != Status.UNRESOLVED)
+        left = (undecided != 0) | (status == Status.UNRESOLVED)
         by_balls = np.zeros(left.shape, dtype=bool)
         if self.excitation != "force" or self.laws or not left.any() or proofs.in_balls() is None:
             return by_balls
         for at, numbers, own in islice(self._each(left, *asked), proofs.MOST_IN_BALLS):
-            remarked, values = of_one(Averaged(self.model(dict(zip(self.values, numbers, strict=True)))), *own)
+            try:
+                remarked, values = of_one(Averaged(self.model(dict(zip(self.values, numbers, strict=True)))), *own)
+            except ArithmeticError:  # what single answers refuse stays refused
+                continue
             by_balls[at] = Remark.BY_BALLS in remarked
             for column, value in zip(columns, values, strict=True):
                 column[at] = value

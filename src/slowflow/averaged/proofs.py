@@ -170,6 +170,16 @@ def decided_states(found: SteadyStates, model: Model, asked: Floats, F_0: float,
     return SteadyStates(Omega, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=codes)
 
 
+def nothing_decided(model: Model, asked: Floats, F_0: float) -> SteadyStates:
+    """States of which doubles tell nothing."""
+    from slowflow.averaged.reference.bounds import amplitude_bound  # which takes time to load
+
+    none, cut = np.empty(0), amplitude_bound(model, F_0)[1]
+    at, codes = np.unique(asked), words.beside(True, cut)
+    message = words.of_states(model, F_0, cut, asked, none, at)
+    return SteadyStates(none, none, _NO_FLAG, F_0, message, model, Omega_undecided=at, remarks=codes)
+
+
 def _with_proved(
     found: SteadyStates, asked: Floats, proved: dict[float, ProvedStates]
 ) -> tuple[Floats, Floats, npt.NDArray[np.bool_]]:

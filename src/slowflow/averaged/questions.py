@@ -140,8 +140,17 @@ class Averaged:
     def states(self, *, Omega: Any, F_0: float, allowance: proofs.Allowance | None = None) -> SteadyStates:
         """`amplitudes` without the remarks on averaging: what another approximation starts from."""
         at = validate.frequencies("Omega", Omega).ravel()
-        found = self._states(at, F_0)
-        return self._centred(proofs.decided_states(found, self.model, at, float(F_0), allowance or proofs.Allowance()))
+        allowance = allowance or proofs.Allowance()
+        try:
+            found = self._states(at, F_0)
+        except OverflowError:
+            raise
+        except ArithmeticError:  # branches coincide within rounding
+            found = proofs.nothing_decided(self.model, at, float(F_0))
+            if (by_balls := proofs.decided_states(found, self.model, at, float(F_0), allowance)) is found:
+                raise
+            return self._centred(by_balls)
+        return self._centred(proofs.decided_states(found, self.model, at, float(F_0), allowance))
 
     def _states(self, at: Floats, F_0: float) -> SteadyStates:
         F_0 = validate.number("F_0", F_0, above=0.0)

@@ -40,7 +40,14 @@ static inline void sf_range_simple(sf_interval y, sf_interval dy, sf_where where
     out->where = where, out->y = y, out->dy = dy, out->edge = 0;
 }
 
-/* With viscous damping the channel ends at Omega = 0, where |k| is the least; F_A there has the sign of h_A. */
+/* What rounding may make of a force on a cell, as sf_size_at of a sample. */
+static inline double sf_rounding_on(const sf_cell *cell, double F_0) {
+    const double h = fmax(fabs(cell->h.lo), fabs(cell->h.hi)), h_A = fmax(fabs(cell->h_A.lo), fabs(cell->h_A.hi));
+    return SF_CLOSE * (F_0 + h + cell->A.hi * (1 + h_A));
+}
+
+/* With viscous damping the channel ends at Omega = 0, where |k| is the least; F_A there has the sign of h_A. If that
+ * turns on the cell, a fold may lie so near to the end that it is rounding of the least, F_0^2 - m^2, that decides. */
 static inline void sf_range_fold(const sf_terms *terms, const sf_cell *cell, sf_range *out) {
     const sf_interval least = terms->least;
     sf_interval k = cell->k, fold[3];
@@ -68,6 +75,10 @@ static inline void sf_range_fold(const sf_terms *terms, const sf_cell *cell, sf_
     }
     slow_flow_intervals_fold(cell->A, terms->F_0, terms->m, terms->zeta, cell->h, cell->h_A, k, cell->k_A, fold);
     out->y = fold[0], out->dy = fold[1];
+    if (out->where == SF_PARTLY && !sfi_has_sign(cell->h_A) && least.lo == least.hi) {
+        const double rounding = sf_rounding_on(cell, terms->F_0.hi);
+        out->y = sfi_add(out->y, sfi_of(-rounding, rounding));
+    }
 }
 
 static inline void sf_range_isola(const sf_terms *terms, const sf_cell *cell, sf_range *out) {

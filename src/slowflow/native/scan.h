@@ -229,6 +229,8 @@ static int sf_settle(const sf_search *search, const sf_probe *a, const sf_probe 
             sf_find_zero(search, a, b, c, edge);
         return 1;
     }
+    if (last && a->answer.exists[c] != b->answer.exists[c] && a->answer.edge * b->answer.edge < 0)
+        search->found->undecided = 1; /* it ends where its sign there turns, which doubles do not tell apart */
     return last;
 }
 

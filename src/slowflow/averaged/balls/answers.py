@@ -46,9 +46,9 @@ Answer = TypeVar("Answer", bound=Proved)
 _DIGITS = threading.Lock()
 
 
-def is_sharp(found: ProvedFolds) -> bool:
-    """Whether enclosures tell each fold to a unit in the last place."""
-    return all(bool((high - low <= SHARP * high).all()) for low, high in (found.Omega.T, found.A.T))
+def _are_sharp(*enclosures: Floats) -> bool:
+    """Whether enclosures tell each fold or state to a unit in the last place."""
+    return all(bool((high - low <= SHARP * high).all()) for low, high in (one.T for one in enclosures))
 
 
 def _decided(
@@ -144,7 +144,9 @@ def saddle_nodes(model: Model, F_0: float) -> ProvedFolds | None:
         enclosed = _pairs(found.Omega), _pairs(found.A), kind, corner
         return ProvedFolds(proved, message, ctx.prec, *enclosed, A_max, bounded, _pairs(found.doubts))
 
-    return _of_forcing(model, F_0, lambda asked, A_max: asked.folds(A_max), answer, is_sharp)
+    return _of_forcing(
+        model, F_0, lambda asked, A_max: asked.folds(A_max), answer, lambda found: _are_sharp(found.Omega, found.A)
+    )
 
 
 def amplitudes(model: Model, Omega: float, F_0: float) -> ProvedStates | None:
@@ -154,7 +156,9 @@ def amplitudes(model: Model, Omega: float, F_0: float) -> ProvedStates | None:
         stable = np.array([sign > 0 for sign in found.sign], dtype=bool)
         return ProvedStates(proved, message, ctx.prec, _pairs(found.A), stable, A_max, bounded, _pairs(found.doubts))
 
-    return _of_forcing(model, F_0, lambda asked, A_max: asked.states(Omega, A_max), answer)
+    return _of_forcing(
+        model, F_0, lambda asked, A_max: asked.states(Omega, A_max), answer, lambda found: _are_sharp(found.A)
+    )
 
 
 def _forcing(proved: bool, message: str, best: Candidate | None = None) -> ProvedForcing:

@@ -24,8 +24,8 @@ MOST_CELLS = 4000
 NARROW, NEXT = 2 / 3, arb(2) ** -960
 #: what a function does on an interval is no more than what it is not known by at the ends, up to this
 NOISE = 4
-#: of Newton's method on intervals
-MOST_STEPS = 60
+#: of Newton's method on intervals, and of halving them
+MOST_STEPS = 200
 #: how often what is in doubt is looked at once more, each time with so much more around it
 AROUND, WIDER = 4, 16
 
@@ -236,17 +236,20 @@ class Search:
 
     def _add(self, piece: int, a: _Checked, b: _Checked, c: int, on: Range, cell: Cell, rising: bool) -> None:
         """Enters the one zero between two amplitudes, made narrow by Newton's method on intervals."""
-        beyond = Enclosure(a.A, b.A)
+        beyond, halved = Enclosure(a.A, b.A), False
         for step in range(MOST_STEPS):
-            x = amid(beyond.lo, beyond.hi) if step == 0 else beyond.middle
+            x = amid(beyond.lo, beyond.hi) if step == 0 or halved else beyond.middle
             if not beyond.lo < x < beyond.hi:
                 break
             there = self._ranges(piece, self._at(piece, x))[c]
             if there.where is not Where.THROUGHOUT:
                 break
             following = beyond.both(Enclosure(x, x) - there.y / on.dy)
-            if not following.lo <= following.hi or not following.width < 0.75 * beyond.width:
+            halved = not (following.lo <= following.hi and following.width < 0.75 * beyond.width)
+            if halved and there.y.sign == 0:
                 break
+            if halved:  # as next to another zero, where slopes turn
+                following = Enclosure(x, beyond.hi) if (there.y.sign < 0) == rising else Enclosure(beyond.lo, x)
             a = self._at(piece, following.lo) if following.lo > beyond.lo else a
             b = self._at(piece, following.hi) if following.hi < beyond.hi else b
             beyond = following

@@ -90,6 +90,10 @@ def _range(like: Cells, where: Any, y: Interval, dy: Interval, edge: Any = 0) ->
     return Range(np.broadcast_to(where, shape), y, dy, np.broadcast_to(edge, shape))
 
 
+def _largest(x: Interval) -> Floats:
+    return np.asarray(np.maximum(np.abs(x.lo), np.abs(x.hi)))
+
+
 def _unknown(like: Cells) -> Interval:
     shape = like.A.lo.shape
     return Interval.of(np.full(shape, -np.inf), np.full(shape, np.inf))
@@ -191,6 +195,10 @@ class FoldAt(Asked):
         known = ~whole & ~both_sides & cells.k_A.has_sign & cells.h_A.has_sign
         edge = np.where(known, np.where(cells.h_A.lo > 0, 1, -1), 0)
         y, dy, _ = slow_flow_intervals.fold(cells.A, F_0, self.m, self.zeta, cells.h, cells.h_A, k, cells.k_A)
+        # if that turns on the cell a fold may lie so near to the end that rounding of the least decides
+        turns, h, h_A = (where == PARTLY) & ~cells.h_A.has_sign, _largest(cells.h), _largest(cells.h_A)
+        rounding = np.where(turns, CLOSE * (self.F_0 + h + cells.A.hi * (1 + h_A)), 0.0)
+        y = y + Interval.of(-rounding, rounding)
         unknown = _unknown(cells)
         return [_range(cells, where, unknown.where(both_sides, y), unknown.where(both_sides, dy), edge)]
 

@@ -165,7 +165,10 @@ def _settle(a: Channel, b: Channel, found: Range, A: Floats, last: Bools) -> tup
     negative_a = np.where(a.exists, a.y < 0, edge < 0)
     negative_b = np.where(b.exists, b.y < 0, edge < 0)
     holds = (by_ends | one_ends) & (negative_a != negative_b)
-    return empty | by_ends | one_ends | last, holds, np.where(one_ends, edge, 0), ~empty & last & ~found.dy.has_sign
+    # it ends where its sign there turns, which doubles do not tell apart
+    turns = decided & ~by_ends & ~one_ends & (a.exists != b.exists) & (a.edge * b.edge < 0)
+    unknown = ~empty & last & (~found.dy.has_sign | turns)
+    return empty | by_ends | one_ends | last, holds, np.where(one_ends, edge, 0), unknown
 
 
 def _cut(
