@@ -115,8 +115,9 @@ def of_folds(model: Model, F_0: float, told: bool, cut: str) -> tuple[str, str]:
 
 
 def sticks(model: Model, F_0: float) -> str:
-    """Why the mass stays at rest (27)."""
-    return f"sticks: F_0 = {F_0:g} does not exceed 4 mu/pi = {model.m:g}"
+    """Why the mass stays at rest (27); where F_0 is the double next to 4 mu/pi, by which it is told."""
+    to_rounding = " by more than rounding" if F_0 == model.m else ""
+    return f"sticks: F_0 = {F_0:g} does not exceed 4 mu/pi = {model.m:g}{to_rounding}"
 
 
 def unresolved(model: Model, F_0: float) -> str:
