@@ -605,15 +605,50 @@ def test_a_curve_with_static_friction_goes_through_the_motions_and_a_shock_rests
 def test_onsets_that_boxes_cannot_tell_are_refused_with_the_reason():
     """Folds that come down to rest, a level that does not change with Omega; with a law that decides they are there."""
     play = derive.library("dead_zone")
-    for kept in ({}, {"zeta": 0.02}, {"mu": 0.01}):
-        with pytest.raises(ArithmeticError, match=r"up to \|u\| = 0\.2 there is no spring"):
-            play(delta=0.2, c_2=0.1, **kept).saddle_node_onset()
+    with pytest.raises(ArithmeticError, match=r"up to \|u\| = 0\.2 there is no spring"):
+        play(delta=0.2, c_2=0.1, excitation="base").saddle_node_onset()
+    with pytest.raises(ArithmeticError, match="doubles do not tell"):  # it lies nearer to 0.2 than a double
+        play(delta=0.2, c_2=1e-9, mu=0.01).saddle_node_onset()
     assert play(delta=0.2, c_2=0.1, eta=0.02).saddle_node_onset().kind == "cusp"
     assert play(delta=0.2, c_2=0.1, zeta=0.02, excitation="base").saddle_node_onset().kind == "isola"
     wells = Duffing(-0.5, 1.0, c_2=0.1, excitation="base")
     with pytest.raises(ArithmeticError, match="quadratic damping alone"):
         wells.saddle_node_onset()
     assert wells.replace(eta=0.02).saddle_node_onset().kind == "isola"
+
+
+@pytest.mark.parametrize("damping", [{"zeta": 0.02}, {"mu": 0.01}, {"mu": 0.005, "zeta": 0.02}])
+@pytest.mark.parametrize("c_2", [0.1, 5.0])
+def test_the_onset_of_a_play_with_quadratic_damping(damping, c_2):
+    """Against levels of folds along the amplitude, from the play's describing function as typed here."""
+    delta, m, zeta, d = 0.2, 4 / math.pi * damping.get("mu", 0.0), damping.get("zeta", 0.0), 8 / (3 * math.pi) * c_2
+
+    def lowest(past):
+        """The least level of the folds at an amplitude: F_A/2 is a quartic in Omega."""
+        A = delta + math.exp(past)
+        x, y = delta / A, math.sqrt((A - delta) * (A + delta)) / A
+        h, h_A = -2 * A / math.pi * (math.atan2(y, x) - x * y), -2 / math.pi * (math.atan2(y, x) + x * y)
+        I, I_A = np.poly1d([d * A**2, 2 * zeta * A, m]), np.poly1d([2 * d * A, 2 * zeta, 0])
+        R = np.poly1d([A, 0, h])
+        roots = (R * np.poly1d([1, 0, h_A]) + I * I_A).roots
+        Omega = roots[(abs(roots.imag) < 1e-12) & (roots.real > 0)].real
+        return min((math.hypot(R(one), I(one)) for one in Omega), default=math.inf)
+
+    past = np.linspace(math.log(1e-8), 0, 2000)
+    level = [lowest(one) for one in past]
+    near = int(np.argmin(level))
+    least = minimize_scalar(lowest, bounds=past[[near - 1, near + 1]], method="bounded", options={"xatol": 1e-7})
+    onset = derive.library("dead_zone")(delta=delta, c_2=c_2, **damping).saddle_node_onset()
+    assert onset.kind == "cusp"
+    assert onset.F_SN == pytest.approx(least.fun, rel=1e-7)
+
+
+def test_a_play_with_quadratic_damping_alone_has_folds_at_any_forcing():
+    mount = derive.library("dead_zone")(delta=0.2, c_2=0.1)
+    onset = mount.saddle_node_onset()
+    assert onset.kind == "" and "no lowest forcing" in onset.message
+    for F_0 in (0.1, 1e-2, 1e-4):
+        assert [fold.kind for fold in mount.saddle_nodes(F_0)] == ["jump-up", "jump-down"]
 
 
 def test_what_has_no_answer_is_refused_in_words():

@@ -102,6 +102,8 @@ def onset(model: Model) -> SaddleNodeOnset:
         if come_down:
             message = words.OPEN if model.inertial else words.STIFF_AT_REST.format(model.m)
             return SaddleNodeOnset(None, None, None, "", message, _status=Status.UNBOUNDED)
+        if _comes_down_to_play(model):
+            return SaddleNodeOnset(None, None, None, "", words.NO_LOWEST.format(model.m), _status=Status.UNBOUNDED)
         best = _lowest(model, base)
     if _hardly_jumps(model) or (best.undecided and _is_beside_breakpoint(model, best)):
         raise ArithmeticError(words.unresolved_onset(model))
@@ -137,6 +139,23 @@ def next_to_rest(model: Model) -> tuple[bool, float]:
     known = (of_none < 1) & np.append(np.diff(of_none) < 0, True)
     known = np.logical_and.accumulate(known[::-1])[::-1]
     return False, float(at.A[np.argmax(known)]) if known.any() else 0.0
+
+
+def _ends_play(first: Samples) -> bool:
+    """Whether a spring that only pulls begins there, smoothly, where none was."""
+    return bool(first.A[0] > 0 and first.h[0] == first.h_A[0] == 0 and first.h_AA[0] < 0)
+
+
+def _comes_down_to_play(model: Model) -> bool:
+    """Whether there are folds at any forcing, next to where a play ends: by a force, with quadratic damping alone.
+
+    |h_A| exceeds |h|/A there, so that R R_A = -a A Omega^4 where Omega^2 = |h_A|/(1 + a) and h is left out; I I_A is
+    2 d^2 A^3 Omega^4. For a small Omega they do outweigh each other either way as a changes: F_A vanishes between, at a
+    level that is of the size of Omega^2.
+    """
+    if model.inertial or not model.d > 0 or model.zeta + model.m + model.laws.eta > 0:
+        return False
+    return any(_ends_play(sample_above(model, i)) for i in range(len(model.breakpoints)))
 
 
 def _hardly_jumps(model: Model) -> bool:
@@ -304,7 +323,7 @@ def _consider_boxes(model: Model, pieces: list[Stretch], best: _Best) -> None:
     nearly proportional on boxes that reach down to it, and far above the cusps isola points may be too badly
     conditioned for boxes.
     """
-    _check_not_degenerate(model, pieces)
+    pieces = [_beyond_play(model, piece) for piece in pieces]
     if not model.inertial:  # at Omega = 0 the level is infinite
         ends = points_of(model, "stiffness", pieces)
         best.undecided |= ends.undecided
@@ -330,16 +349,33 @@ def _consider_boxes(model: Model, pieces: list[Stretch], best: _Best) -> None:
         consider("cusps", "cusp")
 
 
-def _check_not_degenerate(model: Model, pieces: list[Stretch]) -> None:
-    """Raises ArithmeticError where both functions of a system vanish together, of which boxes would be cut for ever."""
+def _beyond_play(model: Model, piece: Stretch) -> Stretch:
+    """A piece without what lies next to the end of a play, where F_A is positive at any frequency.
+
+    There both functions of a system vanish together at Omega = 0, and boxes would be cut for ever. F_A/2 is
+    R R_A >= -Omega^2 max(A |h_A|, |h|) and I I_A, of which one part goes as Omega^2, too, and the others are positive.
+    Raises ArithmeticError where that part is 0, or what it outweighs lies between two doubles, and where the level does
+    not change with Omega.
+    """
+    first = piece.first
     if model.d == 0 or model.laws.eta > 0 or (model.inertial and model.zeta + model.m > 0):
-        return
-    for piece in pieces:
-        starts = piece.first
-        if piece.base > 0 and starts.h[0] == 0 and starts.h_A[0] == 0:
-            raise ArithmeticError(words.SLIDES_FREE.format(piece.base))
-        if model.inertial and (starts.h[0] > 0 or (piece.base == 0 and starts.h_A[0] > 0)):
-            raise ArithmeticError(words.BALANCED)
+        return piece
+    if model.inertial and (first.h[0] > 0 or (piece.base == 0 and first.h_A[0] > 0)):
+        raise ArithmeticError(words.BALANCED)
+    if not (piece.base > 0 and first.h[0] == 0 and first.h_A[0] == 0):
+        return piece
+    base = piece.base
+    least = dissipation.fold_quartic(base, model.m, 0.0, model.zeta, model.d, 0.0, 0.0)[2]
+    if not (least > 0 and _ends_play(first) and model.laws.rubs == THROUGHOUT):
+        raise ArithmeticError(words.SLIDES_FREE.format(base))
+    A = base + (piece.last.A[0] - base) * FALL ** np.arange(FALLS)
+    at = samples_at(model, A)
+    # h_AAA is monotone, of one sign at both ends: h_AA is negative between as there, and h_A and h fall from 0
+    falls = (at.h_AA < 0) & (np.sign(at.h_AAA) == np.sign(first.h_AAA))
+    known = falls & (np.maximum(A * -at.h_A, -at.h) <= least / 2)
+    if not known.any():
+        raise ArithmeticError(words.unresolved_onset(model))
+    return Stretch(samples_at(model, float(A[np.argmax(known)])), piece.last, base)
 
 
 def _consider_corner(model: Model, i: int, best: _Best) -> None:
