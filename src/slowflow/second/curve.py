@@ -28,13 +28,13 @@ def follow(balance: Balance, first: FrequencyResponse, wanted: Wanted = Wanted.E
     for b, jump in zip(balance.model.breakpoints, balance.model.jumps, strict=True):
         if jump != 0:
             at, A, branch = _across(balance, b, at, A, branch, first.F_0)
-    stable = balance.response(at, A, first.F_0).F_A > 0
+    there = balance.response(at, A, first.F_0)
+    stable = there.F_A > 0
     order = _order(at, stable, branch)
     at, A, stable = at[order], A[order], stable[order]
-    there = balance.response(at, A, first.F_0)
     ends = (lost.min(), lost.max()) if lost.size else (0.0, 0.0)
     message = told(first, lost.size, kept.size, *ends)
-    return Curve(at, A, there.u_max, there.A_1, there.phi, stable, branch, isola, message)
+    return Curve(at, A, there.u_max[order], there.A_1[order], there.phi[order], stable, branch, isola, message)
 
 
 def _across(
@@ -49,7 +49,7 @@ def _across(
     share = (b - A[passing]) / (A[passing + 1] - A[passing])
     at = np.repeat((Omega[passing] + share * (Omega[passing + 1] - Omega[passing]))[:, np.newaxis], BESIDE.size, 1)
     with np.errstate(all="ignore"):
-        at, step = on_curve(balance, at, amplitudes, F_0)
+        at, step = on_curve(balance, at, amplitudes, F_0, balance.averages(amplitudes))
     # inserted where the points on both sides do not lie nearer
     ends = np.sort(np.column_stack((A[passing], A[passing + 1])), axis=1)[:, :, np.newaxis]
     good = (np.abs(step) <= DONE) & (amplitudes > ends[:, 0]) & (amplitudes < ends[:, 1])
@@ -73,8 +73,9 @@ def _moved(balance: Balance, Omega_1: Floats, A_1: Floats, F_0: float) -> tuple[
     with np.errstate(all="ignore"):
         left = np.flatnonzero(balance.off_resonance(Omega, A))
         for _ in range(STEPS):
-            at, amplitude = _at_R(balance, Omega[left], A[left], R[left], F_0), A[left]
-            there = balance.response(at, amplitude, F_0)
+            amplitude, averages = A[left], balance.averages(A[left])
+            at = _at_R(balance, Omega[left], amplitude, R[left], F_0, averages)
+            there = balance.response(at, amplitude, F_0, averages)
             # by ln A and ln Omega
             F, F_x, F_z = (value / F_0**2 for value in (there.F, there.F_A * amplitude, there.F_Omega * at))
             R_x, R_z = there.R_A * amplitude / F_0, there.R_Omega * at / F_0
@@ -90,7 +91,7 @@ def _moved(balance: Balance, Omega_1: Floats, A_1: Floats, F_0: float) -> tuple[
             left = left[size > _done(at, amplitude, F_0)]
             if not left.size:
                 break
-        Omega = _at_R(balance, Omega, A, R, F_0)
+        Omega = _at_R(balance, Omega, A, R, F_0, balance.averages(A))
         near = (np.abs(np.log(A / A_1)) < SMALL) & (np.abs(np.log(Omega / Omega_1)) < SMALL)
         kept = near & (step <= _done(Omega, A, F_0)) & balance.is_small(Omega, A)
     return Omega, A, kept
@@ -101,9 +102,8 @@ def _done(Omega: Floats, A: Floats, F_0: float) -> Floats:
     return np.asarray(MOVED + ROUNDING * A * Omega**2 / F_0)
 
 
-def on_curve(balance: Balance, Omega: Any, A: Any, F_0: float) -> tuple[Floats, Floats]:
+def on_curve(balance: Balance, Omega: Any, A: Any, F_0: float, averages: tuple[Floats, ...]) -> tuple[Floats, Floats]:
     """The frequency near the one given at which A is a steady state, and the last step to its logarithm."""
-    averages = balance.averages(A)
     step = np.full_like(Omega, np.inf)
     for _ in range(STEPS):
         there = balance.response(Omega, A, F_0, averages)
@@ -114,9 +114,8 @@ def on_curve(balance: Balance, Omega: Any, A: Any, F_0: float) -> tuple[Floats, 
     return Omega, step
 
 
-def _at_R(balance: Balance, Omega_0: Floats, A: Floats, R: Floats, F_0: float) -> Floats:
+def _at_R(balance: Balance, Omega_0: Floats, A: Floats, R: Floats, F_0: float, averages: tuple[Floats, ...]) -> Floats:
     """The frequency at which the cosine balance is R, the one given where R hardly depends on it."""
-    averages = balance.averages(A)
     Omega = Omega_0
     for _ in range(MATCHING):
         there = balance.response(Omega, A, F_0, averages)

@@ -41,11 +41,14 @@ def _fold(balance: Balance, curve: Curve, k: int, F_0: float) -> tuple[float, fl
     rising = [k, k + 1] if curve.A[k + 1] > curve.A[k] else [k + 1, k]
     frequencies, amplitudes = curve.Omega[rising], curve.A[rising]
 
-    def frequency(A: float) -> float:
-        return float(on_curve(balance, np.interp(A, amplitudes, frequencies), A, F_0)[0])
+    def at(A: float) -> tuple[float, float]:
+        """Omega and F_A of the state at an amplitude."""
+        averages = balance.averages(A)
+        Omega = float(on_curve(balance, np.interp(A, amplitudes, frequencies), A, F_0, averages)[0])
+        return Omega, float(balance.response(Omega, A, F_0, averages).F_A)
 
     def slope(A: float) -> float:
-        return float(balance.response(frequency(A), A, F_0).F_A)
+        return at(A)[1]
 
     ends = amplitudes.tolist()
     slopes = [slope(A) for A in ends]
@@ -53,10 +56,11 @@ def _fold(balance: Balance, curve: Curve, k: int, F_0: float) -> tuple[float, fl
         return None
     A = float(brentq(slope, *ends, xtol=4 * np.finfo(float).tiny, rtol=4 * np.finfo(float).eps))
     corners = [b for b in balance.model.breakpoints if abs(A - b) <= 8 * np.spacing(b)]
-    # next to a tip `frequency` may slip to its other side, and the slope with it
-    if not corners and abs(slope(A)) > VANISHED * max(map(abs, slopes)):
+    # next to a tip the frequency may slip to its other side, and the slope with it
+    Omega, left = at(A)
+    if not corners and abs(left) > VANISHED * max(map(abs, slopes)):
         return None
-    return frequency(A), corners[0] if corners else A, bool(corners), slopes[0] > 0
+    return Omega, corners[0] if corners else A, bool(corners), slopes[0] > 0
 
 
 def states(balance: Balance, curve: Curve, Omega: Floats, F_0: float) -> list[State]:
