@@ -13,7 +13,7 @@ docstring gives equation number, domain, shape and the operations after each pas
 
 from slowflow_kernels import slow_flow as flow
 from slowflow_support.backend import NATIVE, coefficients_of, compiled, in_tuple
-from slowflow_support.broadcast import floats, full, number_by_regime, stacked
+from slowflow_support.broadcast import common_shape, floats, full, number_by_regime, stacked
 from slowflow_support.record import Law, Mechanism, Parameter
 
 __all__ = [
@@ -35,12 +35,12 @@ def averaged(A, alpha, beta):
     A, alpha, beta = floats(A, alpha, beta)
     t0 = A * A * beta
     t1 = 4.5 * beta
-    arguments = (A, alpha, beta)
+    shape = common_shape((A, alpha, beta))
     return (
         A * (-alpha - 0.75 * t0),
         -alpha - 2.25 * t0,
-        full(-A * t1, arguments),
-        full(-t1, arguments),
+        full(-A * t1, shape),
+        full(-t1, shape),
     )
 
 
@@ -85,7 +85,7 @@ def intercept(A, alpha, beta):
     A, alpha, beta = floats(A, alpha, beta)
     A2 = A * A
     A3 = A * A2
-    return full(1.5 * A3 * beta, (A, alpha, beta))
+    return full(1.5 * A3 * beta, common_shape((A, alpha, beta)))
 
 
 def harmonics(A, alpha, beta):
@@ -99,16 +99,16 @@ def harmonics(A, alpha, beta):
     t0 = 1.5 * beta
     A2 = A * A
     A3 = A * A2
-    arguments = (A, alpha, beta)
+    shape = common_shape((A, alpha, beta))
     return (
-        full(-0.25 * A3 * beta, arguments),
-        full(-0.75 * A2 * beta, arguments),
-        full(-A * t0, arguments),
-        full(-t0, arguments),
-        full(0.0, arguments),
-        full(0.0, arguments),
-        full(0.0, arguments),
-        full(0.0, arguments),
+        full(-0.25 * A3 * beta, shape),
+        full(-0.75 * A2 * beta, shape),
+        full(-A * t0, shape),
+        full(-t0, shape),
+        full(0.0, shape),
+        full(0.0, shape),
+        full(0.0, shape),
+        full(0.0, shape),
     )
 
 
@@ -122,14 +122,14 @@ def by_parameter(A, h, h_A, h_AA, alpha, beta):
     A, h, h_A, h_AA, alpha, beta = floats(A, h, h_A, h_AA, alpha, beta)
     A2 = A * A
     A3 = A * A2
-    arguments = (A, h, h_A, h_AA, alpha, beta)
+    shape = common_shape((A, h, h_A, h_AA, alpha, beta))
     return (
-        full(-A, arguments),
-        full(-1.0, arguments),
-        full(0.0, arguments),
-        full(-0.75 * A3, arguments),
-        full(-2.25 * A2, arguments),
-        full(-4.5 * A, arguments),
+        full(-A, shape),
+        full(-1.0, shape),
+        full(0.0, shape),
+        full(-0.75 * A3, shape),
+        full(-2.25 * A2, shape),
+        full(-4.5 * A, shape),
     )
 
 
@@ -141,12 +141,12 @@ def by_design(alpha, beta):
     Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0
     """
     alpha, beta = floats(alpha, beta)
-    arguments = (alpha, beta)
+    shape = common_shape((alpha, beta))
     return (
-        full(1.0, arguments),
-        full(0.0, arguments),
-        full(0.0, arguments),
-        full(1.0, arguments),
+        full(1.0, shape),
+        full(0.0, shape),
+        full(0.0, shape),
+        full(1.0, shape),
     )
 
 
@@ -158,10 +158,10 @@ def coefficients(alpha, beta):
     Proved, error / u (1 + kappa): 0.0, 0.0
     """
     alpha, beta = floats(alpha, beta)
-    arguments = (alpha, beta)
+    shape = common_shape((alpha, beta))
     return (
-        full(alpha, arguments),
-        full(beta, arguments),
+        full(alpha, shape),
+        full(beta, shape),
     )
 
 
@@ -193,9 +193,9 @@ def hardening(alpha, beta):
     Proved, error / u (1 + kappa): 0.0
     """
     alpha, beta = floats(alpha, beta)
-    arguments = (alpha, beta)
+    shape = common_shape((alpha, beta))
     return (
-        full(beta, arguments),
+        full(beta, shape),
     )
 
 
@@ -208,16 +208,16 @@ def steps(alpha, beta):
     """
     alpha, beta = floats(alpha, beta)
     t0 = 6.0 * beta
-    arguments = (alpha, beta)
+    shape = common_shape((alpha, beta))
     return (
-        full(0.0, arguments),
-        full(alpha, arguments),
-        full(0.0, arguments),
-        full(t0, arguments),
-        full(0.0, arguments),
-        full(alpha, arguments),
-        full(0.0, arguments),
-        full(t0, arguments),
+        full(0.0, shape),
+        full(alpha, shape),
+        full(0.0, shape),
+        full(t0, shape),
+        full(0.0, shape),
+        full(alpha, shape),
+        full(0.0, shape),
+        full(t0, shape),
     )
 
 
@@ -291,7 +291,7 @@ def saddle_node_onset(m, zeta, alpha, beta):
             -1259712.0 * beta7 * zeta2,
             59049.0 * beta8,
         ),
-        (m, zeta, alpha, beta),
+        common_shape((m, zeta, alpha, beta)),
     )
 
 
@@ -344,7 +344,7 @@ def saddle_nodes(F_0, m, zeta, alpha, beta):
             1944.0 * beta5 * t8,
             729.0 * beta6 * zeta4,
         ),
-        (F_0, m, zeta, alpha, beta),
+        common_shape((F_0, m, zeta, alpha, beta)),
     )
 
 

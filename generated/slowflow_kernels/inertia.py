@@ -14,7 +14,7 @@ docstring gives equation number, domain, shape and the operations after each pas
 import numpy as np
 
 from slowflow_support.backend import NATIVE, compiled
-from slowflow_support.broadcast import by_regime, floats, full
+from slowflow_support.broadcast import by_regime, common_shape, floats, full
 
 __all__ = [
     "MOVES", "F", "Omega_A", "amplitude", "beside", "bound", "cusp_bend", "force", "force_slopes", "hessian",
@@ -44,10 +44,10 @@ def force_slopes(Omega, F_0):
     Proved, error / u (1 + kappa): 0.34, 0.34
     """
     Omega, F_0 = floats(Omega, F_0)
-    arguments = (Omega, F_0)
+    shape = common_shape((Omega, F_0))
     return (
         2.0 * F_0 * Omega,
-        full(Omega * Omega, arguments),
+        full(Omega * Omega, shape),
     )
 
 
@@ -187,11 +187,11 @@ def terms(A, m, zeta, h):
     Proved, error / u (1 + kappa): 1.61, 0.76, 0.67
     """
     A, m, zeta, h = floats(A, m, zeta, h)
-    arguments = (A, m, zeta, h)
+    shape = common_shape((A, m, zeta, h))
     return (
-        full(-A * (2.0 * A * zeta * zeta + h), arguments),
-        full(12.0 * A * m * zeta, arguments),
-        full(h * h + m * m, arguments),
+        full(-A * (2.0 * A * zeta * zeta + h), shape),
+        full(12.0 * A * m * zeta, shape),
+        full(h * h + m * m, shape),
     )
 
 
@@ -233,10 +233,10 @@ def peak(x, A, F_0, m, zeta, h, h_A):
     share = drag / h
     t2 = x * x
     root = np.sqrt(share * share + t2)
-    arguments = (x, A, F_0, m, zeta, h, h_A)
+    shape = common_shape((x, A, F_0, m, zeta, h, h_A))
     return (
-        full(-F_0 + root * (2.0 * t0 + t1), arguments),
-        full((-share * (h_A * t2 + 1.0) + 2.0 * t2 * zeta) / root, arguments),
+        full(-F_0 + root * (2.0 * t0 + t1), shape),
+        full((-share * (h_A * t2 + 1.0) + 2.0 * t2 * zeta) / root, shape),
     )
 
 
@@ -257,9 +257,9 @@ def isola(x, A, m, zeta, h, h_A, h_AA):
     t7 = t6 + 1.0
     t8 = 8.0 * x
     t9 = 4.0 * h
-    arguments = (x, A, m, zeta, h, h_A, h_AA)
+    shape = common_shape((x, A, m, zeta, h, h_A, h_AA))
     return (
-        full(t2 * t7 - t4 * t5, arguments),
+        full(t2 * t7 - t4 * t5, shape),
         h_AA * t2 * t3 - t5 * t6 + t7 * zeta + (2.0 * h_A * t2 * x + m * t7 - t9 * x * zeta) * (16.0 * A * zeta *
         zeta - h_A * (-4.0 * A - 8.0 * t4) + 12.0 * t1 * zeta + t9) / (-h * h * t8 - m * m * t8 - 12.0 * m * t0),
     )
@@ -349,12 +349,12 @@ def bound(A, F_0, zeta, h, h_A, h_AA, h_AAA, lost):
     t2 = 24.0 * t1
     A2 = A * A
     A3 = A * A2
-    arguments = (A, F_0, zeta, h, h_A, h_AA, h_AAA, lost)
+    shape = common_shape((A, F_0, zeta, h, h_A, h_AA, h_AAA, lost))
     return (
-        full(4.0 * A3 * t1 + h * t0, arguments),
-        full(12.0 * A2 * t1 + h_A * t0, arguments),
-        full(A * t2 + h_AA * t0, arguments),
-        full(h_AAA * t0 + t2, arguments),
+        full(4.0 * A3 * t1 + h * t0, shape),
+        full(12.0 * A2 * t1 + h_A * t0, shape),
+        full(A * t2 + h_AA * t0, shape),
+        full(h_AAA * t0 + t2, shape),
     )
 
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from slowflow_kernels import slow_flow as flow
 from slowflow_support.backend import NATIVE, coefficients_of, compiled, in_tuple
-from slowflow_support.broadcast import by_regime, floats, full, number_by_regime, stacked
+from slowflow_support.broadcast import by_regime, common_shape, floats, full, number_by_regime, stacked
 from slowflow_support.record import Law, Mechanism, Parameter, Scale
 
 __all__ = [
@@ -838,23 +838,23 @@ def by_design(lam, r, delta_h):
     t2 = 0.5 * t1
     t3 = 0.375 * t1
     t4 = -t1 / (np.sqrt(delta_h) * np.sqrt(2.0 - delta_h))
-    arguments = (lam, r, delta_h)
+    shape = common_shape((lam, r, delta_h))
     return (
-        full(-delta_h * r, arguments),
-        full(-delta_h * lam, arguments),
-        full(-t0, arguments),
-        full(-r * t2, arguments),
-        full(-lam * t2, arguments),
-        full(-0.5 * t0, arguments),
-        full(-r * t3, arguments),
-        full(-lam * t3, arguments),
-        full(-0.375 * t0, arguments),
-        full(0.0, arguments),
-        full(0.0, arguments),
-        full(t4, arguments),
-        full(0.0, arguments),
-        full(0.0, arguments),
-        full(t4, arguments),
+        full(-delta_h * r, shape),
+        full(-delta_h * lam, shape),
+        full(-t0, shape),
+        full(-r * t2, shape),
+        full(-lam * t2, shape),
+        full(-0.5 * t0, shape),
+        full(-r * t3, shape),
+        full(-lam * t3, shape),
+        full(-0.375 * t0, shape),
+        full(0.0, shape),
+        full(0.0, shape),
+        full(t4, shape),
+        full(0.0, shape),
+        full(0.0, shape),
+        full(t4, shape),
     )
 
 
@@ -868,12 +868,12 @@ def coefficients(lam, r, delta_h):
     lam, r, delta_h = floats(lam, r, delta_h)
     t0 = lam * r
     t1 = t0 * (delta_h - 1.0)
-    arguments = (lam, r, delta_h)
+    shape = common_shape((lam, r, delta_h))
     return (
         -delta_h * t0 + 1.0,
         -0.5 * t1,
         -0.375 * t1,
-        full(np.sqrt(delta_h) * np.sqrt(2.0 - delta_h), arguments),
+        full(np.sqrt(delta_h) * np.sqrt(2.0 - delta_h), shape),
     )
 
 
@@ -885,9 +885,9 @@ def breakpoints(alpha, beta, gamma, u_cr):
     Proved, error / u (1 + kappa): 0.0
     """
     alpha, beta, gamma, u_cr = floats(alpha, beta, gamma, u_cr)
-    arguments = (alpha, beta, gamma, u_cr)
+    shape = common_shape((alpha, beta, gamma, u_cr))
     return (
-        full(u_cr, arguments),
+        full(u_cr, shape),
     )
 
 
@@ -914,10 +914,10 @@ def hardening(alpha, beta, gamma, u_cr):
     """
     alpha, beta, gamma, u_cr = floats(alpha, beta, gamma, u_cr)
     t0 = u_cr * u_cr
-    arguments = (alpha, beta, gamma, u_cr)
+    shape = common_shape((alpha, beta, gamma, u_cr))
     return (
-        full(beta, arguments),
-        full(gamma, arguments),
+        full(beta, shape),
+        full(gamma, shape),
         -u_cr * (alpha + t0 * (beta + gamma * t0) - 1.0),
     )
 
@@ -935,26 +935,26 @@ def steps(alpha, beta, gamma, u_cr):
     t1 = 120.0 * gamma
     t2 = u_cr * u_cr
     t3 = gamma * t2
-    arguments = (alpha, beta, gamma, u_cr)
+    shape = common_shape((alpha, beta, gamma, u_cr))
     return (
-        full(0.0, arguments),
-        full(alpha, arguments),
-        full(0.0, arguments),
-        full(t0, arguments),
-        full(0.0, arguments),
-        full(t1, arguments),
+        full(0.0, shape),
+        full(alpha, shape),
+        full(0.0, shape),
+        full(t0, shape),
+        full(0.0, shape),
+        full(t1, shape),
         -u_cr * (alpha + t2 * (beta + t3) - 1.0),
         -alpha + t2 * (-3.0 * beta - 5.0 * t3) + 1.0,
-        full(u_cr * (-t0 - 20.0 * t3), arguments),
-        full(-t0 - 60.0 * t3, arguments),
-        full(-t1 * u_cr, arguments),
-        full(-t1, arguments),
-        full(0.0, arguments),
-        full(1.0, arguments),
-        full(0.0, arguments),
-        full(0.0, arguments),
-        full(0.0, arguments),
-        full(0.0, arguments),
+        full(u_cr * (-t0 - 20.0 * t3), shape),
+        full(-t0 - 60.0 * t3, shape),
+        full(-t1 * u_cr, shape),
+        full(-t1, shape),
+        full(0.0, shape),
+        full(1.0, shape),
+        full(0.0, shape),
+        full(0.0, shape),
+        full(0.0, shape),
+        full(0.0, shape),
     )
 
 
@@ -1090,7 +1090,7 @@ def saddle_node_onset(m, zeta, alpha, beta, gamma, u_cr):
             42187500.0 * beta * gamma7,
             9765625.0 * gamma8,
         ),
-        (m, zeta, alpha, beta, gamma, u_cr),
+        common_shape((m, zeta, alpha, beta, gamma, u_cr)),
     )
 
 
@@ -1200,7 +1200,7 @@ def saddle_nodes(F_0, m, zeta, alpha, beta, gamma, u_cr):
             75000.0 * gamma5 * t7,
             15625.0 * gamma6 * zeta4,
         ),
-        (F_0, m, zeta, alpha, beta, gamma, u_cr),
+        common_shape((F_0, m, zeta, alpha, beta, gamma, u_cr)),
     )
 
 

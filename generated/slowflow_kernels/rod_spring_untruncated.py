@@ -17,7 +17,7 @@ import numpy as np
 
 from slowflow_kernels import slow_flow as flow
 from slowflow_support.backend import NATIVE, compiled, in_tuple
-from slowflow_support.broadcast import by_regime, floats, full, number_by_regime
+from slowflow_support.broadcast import by_regime, common_shape, floats, full, number_by_regime
 from slowflow_support.record import Law, Mechanism, Parameter, Scale
 
 __all__ = [
@@ -1607,20 +1607,20 @@ def by_design(lam, r, delta_h):
     t0 = lam * r
     t1 = delta_h - 1.0
     t2 = 0.5 * t1
-    arguments = (lam, r, delta_h)
+    shape = common_shape((lam, r, delta_h))
     return (
-        full(-delta_h * r, arguments),
-        full(-delta_h * lam, arguments),
-        full(-t0, arguments),
-        full(-r * t2, arguments),
-        full(-lam * t2, arguments),
-        full(-0.5 * t0, arguments),
-        full(0.0, arguments),
-        full(0.0, arguments),
-        full(1.0, arguments),
-        full(0.0, arguments),
-        full(0.0, arguments),
-        full(-t1 / (np.sqrt(delta_h) * np.sqrt(2.0 - delta_h)), arguments),
+        full(-delta_h * r, shape),
+        full(-delta_h * lam, shape),
+        full(-t0, shape),
+        full(-r * t2, shape),
+        full(-lam * t2, shape),
+        full(-0.5 * t0, shape),
+        full(0.0, shape),
+        full(0.0, shape),
+        full(1.0, shape),
+        full(0.0, shape),
+        full(0.0, shape),
+        full(-t1 / (np.sqrt(delta_h) * np.sqrt(2.0 - delta_h)), shape),
     )
 
 
@@ -1633,11 +1633,11 @@ def coefficients(lam, r, delta_h):
     """
     lam, r, delta_h = floats(lam, r, delta_h)
     t0 = lam * r
-    arguments = (lam, r, delta_h)
+    shape = common_shape((lam, r, delta_h))
     return (
         -delta_h * t0 + 1.0,
         -0.5 * t0 * (delta_h - 1.0),
-        full(delta_h, arguments),
+        full(delta_h, shape),
     )
 
 
@@ -1648,9 +1648,9 @@ def breakpoints(alpha, beta, delta_h):
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
     """
     alpha, beta, delta_h = floats(alpha, beta, delta_h)
-    arguments = (alpha, beta, delta_h)
+    shape = common_shape((alpha, beta, delta_h))
     return (
-        full(np.sqrt(-delta_h * delta_h + 2.0 * delta_h), arguments),
+        full(np.sqrt(-delta_h * delta_h + 2.0 * delta_h), shape),
     )
 
 
@@ -1662,9 +1662,9 @@ def jumps(alpha, beta, delta_h):
     Proved, error / u (1 + kappa): 0.0
     """
     alpha, beta, delta_h = floats(alpha, beta, delta_h)
-    arguments = (alpha, beta, delta_h)
+    shape = common_shape((alpha, beta, delta_h))
     return (
-        full(0.0, arguments),
+        full(0.0, shape),
     )
 
 
@@ -1676,9 +1676,9 @@ def hardening(alpha, beta, delta_h):
     Proved, error / u (1 + kappa): 0.0
     """
     alpha, beta, delta_h = floats(alpha, beta, delta_h)
-    arguments = (alpha, beta, delta_h)
+    shape = common_shape((alpha, beta, delta_h))
     return (
-        full(2.0 * beta, arguments),
+        full(2.0 * beta, shape),
     )
 
 

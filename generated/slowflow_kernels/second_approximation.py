@@ -14,7 +14,7 @@ docstring gives equation number, domain, shape and the operations after each pas
 import numpy as np
 
 from slowflow_support.backend import NATIVE, compiled
-from slowflow_support.broadcast import floats, full
+from slowflow_support.broadcast import common_shape, floats, full
 
 RESONANCE = 9.0
 
@@ -119,17 +119,17 @@ def response(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_
     t35 = -I
     t36 = 2.0 * I
     t37 = 2.0 * R
-    arguments = (Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA)
+    shape = common_shape((Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA))
     return (
-        full(u_max, arguments),
-        full(A_1, arguments),
-        full(np.arctan2(t35, -R), arguments),
-        full(R, arguments),
-        full(R * R + (-F_0 - t35) * (F_0 + I), arguments),
-        full(I_A * t36 + R_A * t37, arguments),
-        full(I_Omega * t36 + R_Omega * t37, arguments),
-        full(R_A, arguments),
-        full(R_Omega, arguments),
+        full(u_max, shape),
+        full(A_1, shape),
+        full(np.arctan2(t35, -R), shape),
+        full(R, shape),
+        full(R * R + (-F_0 - t35) * (F_0 + I), shape),
+        full(I_A * t36 + R_A * t37, shape),
+        full(I_Omega * t36 + R_Omega * t37, shape),
+        full(R_A, shape),
+        full(R_Omega, shape),
     )
 
 
@@ -228,10 +228,10 @@ def detachment(Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, 
     I_Omega = A_1_Omega * t34 + a_3_Omega * t32 + a_5_Omega * t33 + t19 * u_max_Omega + 2.0 * t30
     t35 = 2.0 * I
     t36 = 2.0 * R
-    arguments = (Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA)
+    shape = common_shape((Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA))
     return (
-        full(np.hypot(R, I), arguments),
-        full(u_max, arguments),
+        full(np.hypot(R, I), shape),
+        full(u_max, shape),
         u_max_A * (I_Omega * t35 + R_Omega * t36) - u_max_Omega * (I_A * t35 + R_A * t36),
     )
 
@@ -336,10 +336,10 @@ def detachment_by_inertia(Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h
     t38 = 18.0 * t30
     t39 = 50.0 * t31
     t40 = A_1_Omega * Omega2 * t22 * zeta
-    arguments = (Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA)
+    shape = common_shape((Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA))
     return (
-        full(t1 * np.hypot(R, I), arguments),
-        full(u_max, arguments),
+        full(t1 * np.hypot(R, I), shape),
+        full(u_max, shape),
         -u_max_Omega * (I_A * t36 + R_A * t37) + u_max_A * (t36 * (-A_1 * t33 - A_1_Omega * Omega * t35 + 2.0 *
         A_1_Omega * Omega2 * zeta + Omega * m * t18 * u_max_Omega + 36.0 * Omega2 * a_3 * a_3_Omega * t18 * zeta +
         100.0 * Omega2 * a_5 * a_5_Omega * t18 * zeta - 2.0 * t29 - t34 * t38 - t34 * t39 - t38 * t40 - t39 * t40) +
@@ -501,11 +501,11 @@ def folds(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_3, h_3_A, h_3_AA, h_3_A
     )
     t68 = 2.0 * I
     t69 = 2.0 * R
-    arguments = (Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA)
+    shape = common_shape((Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA))
     return (
-        full(R * R + (-F_0 + I) * (F_0 + I), arguments),
-        full(I_A * t68 + R_A * t69, arguments),
-        full(2.0 * I_A * I_A + I_AA * t68 + 2.0 * R_A * R_A + R_AA * t69, arguments),
+        full(R * R + (-F_0 + I) * (F_0 + I), shape),
+        full(I_A * t68 + R_A * t69, shape),
+        full(2.0 * I_A * I_A + I_AA * t68 + 2.0 * R_A * R_A + R_AA * t69, shape),
     )
 
 
@@ -537,15 +537,15 @@ def components(Omega, A, m, h, h_3, h_5):
     sine = -m * t0 * total / A_1
     cosine = np.sqrt((1.0 - sine) * (sine + 1.0))
     u_max = A_1 * cosine + share
-    arguments = (Omega, A, m, h, h_3, h_5)
+    shape = common_shape((Omega, A, m, h, h_3, h_5))
     return (
         u_max,
-        full(A_1, arguments),
+        full(A_1, shape),
         sine,
         cosine,
-        full(a_3, arguments),
-        full(a_5, arguments),
-        full(kappa, arguments),
+        full(a_3, shape),
+        full(a_5, shape),
+        full(kappa, shape),
     )
 
 

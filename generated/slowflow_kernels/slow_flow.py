@@ -14,7 +14,7 @@ docstring gives equation number, domain, shape and the operations after each pas
 import numpy as np
 
 from slowflow_support.backend import NATIVE, coefficients_of, compiled
-from slowflow_support.broadcast import floats, full, stacked
+from slowflow_support.broadcast import common_shape, floats, full, stacked
 
 SCENE = "mu > 0, zeta > 0: F is a quartic in Omega"
 
@@ -98,7 +98,7 @@ def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
     t0 = Omega * Omega
     R = A * t0 + h
     t1 = h_A + t0
-    return full(2.0 * (R * h_AA + 4.0 * t0 * zeta * zeta + t1 * t1), (Omega, A, m, zeta, h, h_A, h_AA))
+    return full(2.0 * (R * h_AA + 4.0 * t0 * zeta * zeta + t1 * t1), common_shape((Omega, A, m, zeta, h, h_A, h_AA)))
 
 
 def F_Omega(Omega, A, m, zeta, h):
@@ -218,12 +218,12 @@ def jacobian(Omega, A, m, zeta, h, h_A):
     t0 = Omega * Omega
     t1 = 0.5 / Omega
     t2 = t1 / A
-    arguments = (Omega, A, m, zeta, h, h_A)
+    shape = common_shape((Omega, A, m, zeta, h, h_A))
     return (
-        full(-zeta, arguments),
-        full(t1 * (A * t0 + h), arguments),
-        full(t2 * (-h_A - t0), arguments),
-        full(t2 * (-2.0 * A * Omega * zeta - m), arguments),
+        full(-zeta, shape),
+        full(t1 * (A * t0 + h), shape),
+        full(t2 * (-h_A - t0), shape),
+        full(t2 * (-2.0 * A * Omega * zeta - m), shape),
     )
 
 
@@ -274,12 +274,12 @@ def response_quartic(A, F_0, m, zeta, h):
     """
     A, F_0, m, zeta, h = floats(A, F_0, m, zeta, h)
     t0 = A * A
-    arguments = (A, F_0, m, zeta, h)
+    shape = common_shape((A, F_0, m, zeta, h))
     return (
-        full(h * h + (-F_0 + m) * (F_0 + m), arguments),
-        full(4.0 * A * m * zeta, arguments),
-        full(2.0 * A * h + 4.0 * t0 * zeta * zeta, arguments),
-        full(t0, arguments),
+        full(h * h + (-F_0 + m) * (F_0 + m), shape),
+        full(4.0 * A * m * zeta, shape),
+        full(2.0 * A * h + 4.0 * t0 * zeta * zeta, shape),
+        full(t0, shape),
     )
 
 
@@ -291,12 +291,12 @@ def fold_quartic(A, m, zeta, h, h_A):
     Proved, error / u (1 + kappa): 0.34, 0.34, 2.34, 0.0
     """
     A, m, zeta, h, h_A = floats(A, m, zeta, h, h_A)
-    arguments = (A, m, zeta, h, h_A)
+    shape = common_shape((A, m, zeta, h, h_A))
     return (
-        full(h * h_A, arguments),
-        full(2.0 * m * zeta, arguments),
-        full(A * (h_A + 4.0 * zeta * zeta) + h, arguments),
-        full(A, arguments),
+        full(h * h_A, shape),
+        full(2.0 * m * zeta, shape),
+        full(A * (h_A + 4.0 * zeta * zeta) + h, shape),
+        full(A, shape),
     )
 
 
@@ -308,11 +308,11 @@ def peak_cubic(A, m, zeta, h):
     Proved, error / u (1 + kappa): 0.34, 1.01, 0.0
     """
     A, m, zeta, h = floats(A, m, zeta, h)
-    arguments = (A, m, zeta, h)
+    shape = common_shape((A, m, zeta, h))
     return (
-        full(m * zeta, arguments),
-        full(2.0 * A * zeta * zeta + h, arguments),
-        full(A, arguments),
+        full(m * zeta, shape),
+        full(2.0 * A * zeta * zeta + h, shape),
+        full(A, shape),
     )
 
 
@@ -342,7 +342,7 @@ def detachment(A, m, zeta, h):
             -3.0 * m2 + 8.0 * t2 + 8.0 * t4 + t5,
             1.0,
         ),
-        (A, m, zeta, h),
+        common_shape((A, m, zeta, h)),
     )
 
 
@@ -380,11 +380,11 @@ def rest(F_0, m, h, h_A):
     F_0, m, h, h_A = floats(F_0, m, h, h_A)
     product = -(-F_0 + m) * (F_0 + m)
     c = np.sqrt(product)
-    arguments = (F_0, m, h, h_A)
+    shape = common_shape((F_0, m, h, h_A))
     return (
-        full(-c + h, arguments),
-        full(c + h, arguments),
-        full(h_A, arguments),
+        full(-c + h, shape),
+        full(c + h, shape),
+        full(h_A, shape),
     )
 
 
@@ -396,10 +396,10 @@ def intercept(A, h, h_A, h_AA):
     Proved, error / u (1 + kappa): 1.01, 0.34
     """
     A, h, h_A, h_AA = floats(A, h, h_A, h_AA)
-    arguments = (A, h, h_A, h_AA)
+    shape = common_shape((A, h, h_A, h_AA))
     return (
-        full(-A * h_A + h, arguments),
-        full(-A * h_AA, arguments),
+        full(-A * h_A + h, shape),
+        full(-A * h_AA, shape),
     )
 
 
@@ -424,11 +424,11 @@ def fold(A, F_0, m, zeta, h, h_A, k, k_A):
     t5 = 1.0 / A
     t6 = t4 * t5
     t7 = 0.25 * lag * lag
-    arguments = (A, F_0, m, zeta, h, h_A, k, k_A)
+    shape = common_shape((A, F_0, m, zeta, h, h_A, k, k_A))
     return (
-        full(-F_0 * t3 + h + t6 * t7, arguments),
-        full(F_0 * J * J * k_A * (0.5 * t3 * t6 + (F_0 + m * t2) / excess) / (k * k) + h_A - t4 * t7 / (A * A), arguments),
-        full(0.5 * lag * t5 / zeta, arguments),
+        full(-F_0 * t3 + h + t6 * t7, shape),
+        full(F_0 * J * J * k_A * (0.5 * t3 * t6 + (F_0 + m * t2) / excess) / (k * k) + h_A - t4 * t7 / (A * A), shape),
+        full(0.5 * lag * t5 / zeta, shape),
     )
 
 
@@ -452,9 +452,9 @@ def fold_moves(A, k, R):
     """
     A, k, R = floats(A, k, R)
     t0 = 2.0 * R
-    arguments = (A, k, R)
+    shape = common_shape((A, k, R))
     return (
-        full(t0, arguments),
+        full(t0, shape),
         -2.0 * (k - t0) / A,
     )
 
@@ -481,10 +481,10 @@ def isola(A, m, zeta, h, h_A, h_AA):
     t0 = 2.0 * zeta * zeta
     bracket = A * (h_A + t0) + h
     bracket_A = A * h_AA + 2.0 * h_A + t0
-    arguments = (A, m, zeta, h, h_A, h_AA)
+    shape = common_shape((A, m, zeta, h, h_A, h_AA))
     return (
-        full(bracket * w + m * zeta, arguments),
-        full(0.5 * bracket * h_AA / w + bracket_A * w, arguments),
+        full(bracket * w + m * zeta, shape),
+        full(0.5 * bracket * h_AA / w + bracket_A * w, shape),
     )
 
 
@@ -499,13 +499,13 @@ def cusps(A, zeta, h, h_A, h_AA, k):
     t0 = zeta * zeta
     half_e = 0.5 * A * h_AA + 2.0 * t0
     t1 = 4.0 * h_A * t0 - h_AA * k
-    arguments = (A, zeta, h, h_A, h_AA, k)
+    shape = common_shape((A, zeta, h, h_A, h_AA, k))
     return (
-        full(half_e, arguments),
-        full(-t1, arguments),
-        full(h_A + half_e, arguments),
-        full(h * h_AA + h_A * h_A, arguments),
-        full(half_e * half_e + t1, arguments),
+        full(half_e, shape),
+        full(-t1, shape),
+        full(h_A + half_e, shape),
+        full(h * h_AA + h_A * h_A, shape),
+        full(half_e * half_e + t1, shape),
     )
 
 
@@ -517,10 +517,10 @@ def cusp_R(A, zeta, h_AA, k, X, T):
     Proved, error / u (1 + kappa): 1.01, 1.81
     """
     A, zeta, h_AA, k, X, T = floats(A, zeta, h_AA, k, X, T)
-    arguments = (A, zeta, h_AA, k, X, T)
+    shape = common_shape((A, zeta, h_AA, k, X, T))
     return (
-        full(A * T + k, arguments),
-        full((-T * T - 4.0 * X * zeta * zeta) / h_AA, arguments),
+        full(A * T + k, shape),
+        full((-T * T - 4.0 * X * zeta * zeta) / h_AA, shape),
     )
 
 
@@ -535,12 +535,12 @@ def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
     t0 = m * zeta
     t1 = 2.0 * t0 * w
     t2 = 4.0 * A * zeta * zeta
-    arguments = (A, m, zeta, h_AA, h_AAA, k, X, T, R, root)
+    shape = common_shape((A, m, zeta, h_AA, h_AAA, k, X, T, R, root))
     return (
-        full(R * T + X * t2 + t1, arguments),
-        full(-A * h_AA * k + T * (-A * A * h_AA + k) + t1, arguments),
-        full(0.5 * (R * h_AAA + 3.0 * T * h_AA) * (-A * T - R - t0 / w - t2) / root, arguments),
-        full(np.sqrt(A * t1 + R * k + m * m), arguments),
+        full(R * T + X * t2 + t1, shape),
+        full(-A * h_AA * k + T * (-A * A * h_AA + k) + t1, shape),
+        full(0.5 * (R * h_AAA + 3.0 * T * h_AA) * (-A * T - R - t0 / w - t2) / root, shape),
+        full(np.sqrt(A * t1 + R * k + m * m), shape),
     )
 
 
@@ -555,10 +555,10 @@ def cusp_balance(A, m, zeta, h, k, X, T):
     t0 = 2.0 * w * zeta
     t1 = A * t0
     R = t0 * (-m - t1) / T
-    arguments = (A, m, zeta, h, k, X, T)
+    shape = common_shape((A, m, zeta, h, k, X, T))
     return (
-        full((R - h) / A, arguments),
-        full(R * k + m * m + m * t1, arguments),
+        full((R - h) / A, shape),
+        full(R * k + m * m + m * t1, shape),
     )
 
 
@@ -573,10 +573,10 @@ def peak(Omega, A, F_0, m, zeta, h_A):
     t0 = 2.0 * A
     R = -t0 * zeta * zeta - m * zeta / Omega
     I = Omega * t0 * zeta + m
-    arguments = (Omega, A, F_0, m, zeta, h_A)
+    shape = common_shape((Omega, A, F_0, m, zeta, h_A))
     return (
-        full(R * R + (-F_0 + I) * (F_0 + I), arguments),
-        full(-2.0 * R * (Omega * Omega - h_A), arguments),
+        full(R * R + (-F_0 + I) * (F_0 + I), shape),
+        full(-2.0 * R * (Omega * Omega - h_A), shape),
     )
 
 

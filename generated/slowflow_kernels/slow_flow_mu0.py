@@ -18,7 +18,7 @@ from slowflow_kernels.slow_flow import (
     limit_envelope, peak_cubic, phase, stability,
 )
 from slowflow_support.backend import NATIVE, coefficients_of, compiled
-from slowflow_support.broadcast import floats, full, stacked
+from slowflow_support.broadcast import common_shape, floats, full, stacked
 
 SCENE = "mu = 0: F is a quadratic in Omega^2, roots in closed form"
 
@@ -38,12 +38,12 @@ def response_quartic(A, F_0, m, zeta, h):
     """
     A, F_0, m, zeta, h = floats(A, F_0, m, zeta, h)
     t0 = A * A
-    arguments = (A, F_0, m, zeta, h)
+    shape = common_shape((A, F_0, m, zeta, h))
     return (
-        full((-F_0 + h) * (F_0 + h), arguments),
-        full(0.0, arguments),
-        full(2.0 * A * h + 4.0 * t0 * zeta * zeta, arguments),
-        full(t0, arguments),
+        full((-F_0 + h) * (F_0 + h), shape),
+        full(0.0, shape),
+        full(2.0 * A * h + 4.0 * t0 * zeta * zeta, shape),
+        full(t0, shape),
     )
 
 
@@ -66,7 +66,7 @@ def detachment(A, m, zeta, h):
             4.0 * A * A * zeta4 + h * t2 - t0,
             1.0,
         ),
-        (A, m, zeta, h),
+        common_shape((A, m, zeta, h)),
     )
 
 
@@ -90,11 +90,11 @@ def fold(A, F_0, m, zeta, h, h_A, k, k_A):
     t5 = 1.0 / A
     t6 = t4 * t5
     t7 = 0.25 * lag * lag
-    arguments = (A, F_0, m, zeta, h, h_A, k, k_A)
+    shape = common_shape((A, F_0, m, zeta, h, h_A, k, k_A))
     return (
-        full(-F_0 * t3 + h + t6 * t7, arguments),
-        full(F_0 * k_A * t2 * t2 * (F_0 / excess + 0.5 * t3 * t6) / (k * k) + h_A - t4 * t7 / (A * A), arguments),
-        full(0.5 * lag * t5 / zeta, arguments),
+        full(-F_0 * t3 + h + t6 * t7, shape),
+        full(F_0 * k_A * t2 * t2 * (F_0 / excess + 0.5 * t3 * t6) / (k * k) + h_A - t4 * t7 / (A * A), shape),
+        full(0.5 * lag * t5 / zeta, shape),
     )
 
 
@@ -110,10 +110,10 @@ def isola(A, m, zeta, h, h_A, h_AA):
     t0 = 2.0 * zeta * zeta
     bracket = A * (h_A + t0) + h
     bracket_A = A * h_AA + 2.0 * h_A + t0
-    arguments = (A, m, zeta, h, h_A, h_AA)
+    shape = common_shape((A, m, zeta, h, h_A, h_AA))
     return (
-        full(bracket, arguments),
-        full(bracket_A, arguments),
+        full(bracket, shape),
+        full(bracket_A, shape),
     )
 
 

@@ -20,7 +20,7 @@ from slowflow_kernels.slow_flow_zeta0 import (
     fold, limit_envelope, undamped, undamped_Omega, undamped_level, undamped_rises,
 )
 from slowflow_support.backend import NATIVE, coefficients_of, compiled
-from slowflow_support.broadcast import floats, stacked
+from slowflow_support.broadcast import common_shape, floats, stacked
 
 SCENE = "mu = zeta = 0: F is a quadratic in Omega^2, roots in closed form"
 
@@ -44,7 +44,7 @@ def detachment(A, m, zeta, h):
             -h * h,
             1.0,
         ),
-        (A, m, zeta, h),
+        common_shape((A, m, zeta, h)),
     )
 
 

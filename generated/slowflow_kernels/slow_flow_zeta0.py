@@ -18,7 +18,7 @@ from slowflow_kernels.slow_flow import (
     response_quartic, stability,
 )
 from slowflow_support.backend import NATIVE, coefficients_of, compiled
-from slowflow_support.broadcast import floats, full, stacked
+from slowflow_support.broadcast import common_shape, floats, full, stacked
 
 SCENE = "zeta = 0: F is a quadratic in Omega^2, roots in closed form"
 
@@ -36,7 +36,7 @@ def limit_envelope(Omega, F_0, m, zeta):
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
     """
     Omega, F_0, m, zeta = floats(Omega, F_0, m, zeta)
-    return full(np.inf, (Omega, F_0, m, zeta))
+    return full(np.inf, common_shape((Omega, F_0, m, zeta)))
 
 
 def detachment(A, m, zeta, h):
@@ -55,7 +55,7 @@ def detachment(A, m, zeta, h):
             -2.0 * t0 - t1,
             1.0,
         ),
-        (A, m, zeta, h),
+        common_shape((A, m, zeta, h)),
     )
 
 
@@ -78,10 +78,10 @@ def fold(F_0, m, k, k_A):
     F_0, m, k, k_A = floats(F_0, m, k, k_A)
     excess = (F_0 - m) * (F_0 + m)
     least = np.sqrt(excess)
-    arguments = (F_0, m, k, k_A)
+    shape = common_shape((F_0, m, k, k_A))
     return (
-        full((k - least) * (k + least), arguments),
-        full(2.0 * k * k_A, arguments),
+        full((k - least) * (k + least), shape),
+        full(2.0 * k * k_A, shape),
     )
 
 
@@ -103,10 +103,10 @@ def undamped_rises(h_AA, h_AAA, k):
     Proved, error / u (1 + kappa): 0.34, 0.34
     """
     h_AA, h_AAA, k = floats(h_AA, h_AAA, k)
-    arguments = (h_AA, h_AAA, k)
+    shape = common_shape((h_AA, h_AAA, k))
     return (
-        full(-h_AA * k, arguments),
-        full(-h_AAA * k, arguments),
+        full(-h_AA * k, shape),
+        full(-h_AAA * k, shape),
     )
 
 
@@ -118,12 +118,12 @@ def undamped(A, h, h_A, h_AA, h_AAA):
     Proved, error / u (1 + kappa): 0.0, 0.0, 1.01, 0.34
     """
     A, h, h_A, h_AA, h_AAA = floats(A, h, h_A, h_AA, h_AAA)
-    arguments = (A, h, h_A, h_AA, h_AAA)
+    shape = common_shape((A, h, h_A, h_AA, h_AAA))
     return (
-        full(h_AA, arguments),
-        full(h_AAA, arguments),
-        full(-A * h_A + h, arguments),
-        full(-A * h_AA, arguments),
+        full(h_AA, shape),
+        full(h_AAA, shape),
+        full(-A * h_A + h, shape),
+        full(-A * h_AA, shape),
     )
 
 

@@ -16,30 +16,28 @@ def floats(*arguments: Any) -> tuple[Floats, ...]:
     return tuple(np.asarray(argument, dtype=float) for argument in arguments)
 
 
-def common_shape(arguments: Sequence[Any]) -> tuple[int, ...]:
+def common_shape(arguments: Sequence[Floats]) -> tuple[int, ...]:
     """The shape to which all arguments broadcast; there is mostly one, and NumPy's own search takes microseconds."""
-    shapes = {np.shape(argument) for argument in arguments} - {()}
+    shapes = {argument.shape for argument in arguments} - {()}
     return np.broadcast_shapes(*shapes) if len(shapes) > 1 else next(iter(shapes), ())
 
 
-def _in_shape(value: Any, shape: tuple[int, ...]) -> Any:
-    """A copy of the value in a shape; `broadcast_to` takes microseconds."""
-    if np.shape(value) == shape:
-        return np.array(value)[()]
-    copy = np.empty(shape, np.asarray(value).dtype)
+def full(value: Any, shape: tuple[int, ...]) -> Any:
+    """A copy of the value in a shape, a NumPy scalar for (); `broadcast_to` takes microseconds."""
+    value = np.asarray(value)
+    if value.shape == shape:
+        return value.copy()[()]
+    copy = np.empty(shape, value.dtype)
     copy[...] = value
-    return copy[()]
+    return copy
 
 
-def full(value: Any, arguments: Sequence[Any]) -> Any:
-    """A copy of the value in the common shape of all arguments, also of those it does not depend on."""
-    return _in_shape(value, common_shape(arguments))
-
-
-def stacked(values: Sequence[Any], arguments: Sequence[Any]) -> Floats:
-    """Coefficients along a new first axis, each in the common shape of all arguments."""
-    shape = common_shape(arguments)
-    return np.stack([_in_shape(value, shape) for value in values])
+def stacked(values: Sequence[Any], shape: tuple[int, ...]) -> Floats:
+    """Coefficients along a new first axis, each in the shape."""
+    stack = np.empty((len(values), *shape))
+    for number, value in enumerate(values):
+        stack[number] = value
+    return stack
 
 
 def by_regime(
@@ -51,18 +49,22 @@ def by_regime(
     """
     shape = common_shape(arguments)
     left = np.ones(shape, dtype=bool)
-    results: tuple[Floats, ...] = ()
+    results = np.empty((outputs, 0))
     for guard, body in zip((*guards, True), bodies, strict=True):
         mask = left & guard
-        if mask.all():
-            return tuple(_in_shape(value, shape) for value in body(*arguments))
-        if mask.any():
-            results = results or tuple(np.empty(shape) for _ in range(outputs))
-            chosen = [a if a.ndim == 0 else np.broadcast_to(a, shape)[mask] for a in arguments]
+        held = np.count_nonzero(mask)
+        if held == left.size:
+            return tuple([full(value, shape) for value in body(*arguments)])
+        if held:
+            results = results if results.size else np.empty((outputs, *shape))
+            which = mask.nonzero()
+            chosen = [
+                a if a.ndim == 0 else (a if a.shape == shape else np.broadcast_to(a, shape))[which] for a in arguments
+            ]
             for result, value in zip(results, body(*chosen), strict=True):
-                result[mask] = value
-            left = left & ~mask
-    return results
+                result[which] = value
+            left = left ^ mask
+    return tuple(results)
 
 
 def number_by_regime(guards: Sequence[Any], bodies: Sequence[Callable[..., Any]], arguments: Sequence[Floats]) -> Any:

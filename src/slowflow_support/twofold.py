@@ -27,7 +27,7 @@ def two_product(a: Any, b: Any) -> tuple[Any, Any]:
     """a b and its rounding error, by Dekker's splitting: NumPy has no fma."""
     p = a * b
     a_high, a_low = _split(a)
-    b_high, b_low = _split(b)
+    b_high, b_low = (a_high, a_low) if b is a else _split(b)
     return p, ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
 
 

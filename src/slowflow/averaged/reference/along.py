@@ -45,31 +45,54 @@ NOWHERE, PARTLY, THROUGHOUT = 0, 1, 2
 
 
 @dataclass(frozen=True, eq=False)
-class Channel:
-    """One channel at samples.
+class Channels:
+    """The channels of a question at samples.
 
-    exists, y, dy  -- whether it is defined, its value and slope
-    Omega, Omega_A -- of its zero, and dOmega/dA where that is known, else 0
-    level          -- a cusp's forcing
-    edge           -- its sign where it ends, if it ends next to the sample; 0 where that is not known
+    rows -- array (7, channels, n):
+        exists, y, dy  -- whether it is defined, its value and slope
+        Omega, Omega_A -- of its zero, and dOmega/dA where that is known, else 0
+        level          -- a cusp's forcing
+        edge           -- its sign where it ends, if it ends next to the sample; 0 where that is not known
     """
 
-    exists: Bools
-    y: Floats
-    dy: Floats
-    Omega: Floats
-    Omega_A: Floats
-    level: Floats
-    edge: Floats
+    rows: Floats
 
-    def take(self, which: Any) -> Channel:
+    def take(self, which: Any) -> Channels:
         """At some of them."""
-        return Channel(*(getattr(self, name)[which] for name in self.__dataclass_fields__))
+        return Channels(self.rows[..., which])
+
+    @property
+    def exists(self) -> Bools:
+        return np.asarray(self.rows[0] != 0)
+
+    @property
+    def y(self) -> Floats:
+        return np.asarray(self.rows[1])
+
+    @property
+    def dy(self) -> Floats:
+        return np.asarray(self.rows[2])
+
+    @property
+    def Omega(self) -> Floats:
+        return np.asarray(self.rows[3])
+
+    @property
+    def Omega_A(self) -> Floats:
+        return np.asarray(self.rows[4])
+
+    @property
+    def level(self) -> Floats:
+        return np.asarray(self.rows[5])
+
+    @property
+    def edge(self) -> Floats:
+        return np.asarray(self.rows[6])
 
 
 @dataclass(frozen=True, eq=False)
-class Range:
-    """One channel on cells: where it is defined, what holds it and its slope there.
+class Ranges:
+    """The channels on cells: where they are defined, what holds them and their slopes there; arrays (channels, n).
 
     edge -- its sign at the end of where it is defined, if there is one such end in the cell and the sign is known; or 0
     """
@@ -80,14 +103,24 @@ class Range:
     edge: np.ndarray[Any, np.dtype[np.int_]]
 
 
-def _channel(like: Samples, exists: Any, y: Any, dy: Any, Omega: Any = 0.0, *beside: Any) -> Channel:
-    values = (exists, y, dy, Omega, *beside, *(0.0,) * (3 - len(beside)))
-    return Channel(*(np.broadcast_to(np.asarray(value), like.A.shape) for value in values))
+def _channels(count: int, like: Samples, exists: Any, y: Any, dy: Any, Omega: Any = 0.0, *beside: Any) -> Channels:
+    """Of values that broadcast to (count, n)."""
+    rows = np.zeros((7, count, len(like)))
+    for row, value in zip(rows, (exists, y, dy, Omega, *beside), strict=False):
+        row[...] = value
+    return Channels(rows)
 
 
-def _range(like: Cells, where: Any, y: Interval, dy: Interval, edge: Any = 0) -> Range:
-    shape = like.A.lo.shape
-    return Range(np.broadcast_to(where, shape), y, dy, np.broadcast_to(edge, shape))
+def _ranges(count: int, like: Cells, where: Any, y: Interval, dy: Interval, edge: Any = 0) -> Ranges:
+    """Of intervals (2, count n), channel by channel, and flags that broadcast to (count, n)."""
+    shape = (count, len(like))
+    y, dy = (Interval(one.ends.reshape(2, *shape)) for one in (y, dy))
+    return Ranges(np.broadcast_to(where, shape), y, dy, np.broadcast_to(edge, shape))
+
+
+def _beside(*parts: Interval) -> Interval:
+    """All of them, one after the other."""
+    return Interval(np.concatenate([part.ends for part in parts], axis=1))
 
 
 def _largest(x: Interval) -> Floats:
@@ -95,8 +128,7 @@ def _largest(x: Interval) -> Floats:
 
 
 def _unknown(like: Cells) -> Interval:
-    shape = like.A.lo.shape
-    return Interval.of(np.full(shape, -np.inf), np.full(shape, np.inf))
+    return Interval(np.array([[-np.inf], [np.inf]]) + np.zeros(len(like)))
 
 
 def _where_positive(x: Interval) -> np.ndarray[Any, np.dtype[np.int_]]:
@@ -104,7 +136,7 @@ def _where_positive(x: Interval) -> np.ndarray[Any, np.dtype[np.int_]]:
 
 
 class Asked:
-    """One of those above, about a model. `ask` and `range` give one entry for each of its `channels`."""
+    """One of those above, about a model, with so many `channels`."""
 
     channels: ClassVar[int] = 2
 
@@ -112,15 +144,15 @@ class Asked:
         self.model = model
         self.m, self.zeta = Interval.point(model.m), Interval.point(model.zeta)
 
-    def ask(self, at: Samples) -> list[Channel]:
+    def ask(self, at: Samples) -> Channels:
         """At samples."""
         raise NotImplementedError
 
-    def range(self, cells: Cells) -> list[Range]:
+    def range(self, cells: Cells) -> Ranges:
         """On cells."""
         raise NotImplementedError
 
-    def is_close(self, at: Samples, answers: list[Channel]) -> bool:
+    def is_close(self, at: Samples, answers: Channels) -> bool:
         """Whether a number of zeros may be decided by rounding, as far as these samples tell."""
         return False
 
@@ -128,16 +160,17 @@ class Asked:
 class Stiffness(Asked):
     """h, next to A = 0 over A, and h_A."""
 
-    def ask(self, at: Samples) -> list[Channel]:
-        return [_channel(at, True, np.where(at.A > 0, at.h, at.h_A), at.h_A), _channel(at, True, at.h_A, at.h_AA)]
+    def ask(self, at: Samples) -> Channels:
+        first = np.where(at.A > 0, at.h, at.h_A)
+        return _channels(2, at, True, np.array((first, at.h_A)), np.array((at.h_A, at.h_AA)))
 
-    def range(self, cells: Cells) -> list[Range]:
+    def range(self, cells: Cells) -> Ranges:
         # where h is constant, as under a preload alone, F_A vanishes at Omega = 0 throughout: nothing ends there
         flat = (cells.h_A.lo == 0) & (cells.h_A.hi == 0)
         inside = (cells.A.lo > 0) | flat
-        first = cells.h.where(inside, cells.h_A), cells.h_A.where(inside, cells.h_AA)
-        where = np.where(flat, NOWHERE, THROUGHOUT)
-        return [_range(cells, THROUGHOUT, *first), _range(cells, where, cells.h_A, cells.h_AA)]
+        y = _beside(cells.h.where(inside, cells.h_A), cells.h_A)
+        dy = _beside(cells.h_A.where(inside, cells.h_AA), cells.h_AA)
+        return _ranges(2, cells, np.where([np.zeros_like(flat), flat], NOWHERE, THROUGHOUT), y, dy)
 
 
 class FoldAt(Asked):
@@ -150,23 +183,22 @@ class FoldAt(Asked):
         self.F_0 = F_0
         self.least = float(slow_flow.least_restoring(F_0, model.m))
 
-    def ask(self, at: Samples) -> list[Channel]:
+    def ask(self, at: Samples) -> Channels:
         model, flow, F_0 = self.model, self.model.flow, self.F_0
         _, k_A = slow_flow.intercept(at.A, at.h, at.h_A, at.h_AA)
         if model.zeta == 0:
             y, dy = flow.fold(F_0, model.m, at.k, k_A)
-            return [_channel(at, at.h_A < 0, y, dy, flow.undamped_Omega(np.minimum(at.h_A, 0.0)))]
+            return _channels(1, at, at.h_A < 0, y, dy, flow.undamped_Omega(np.minimum(at.h_A, 0.0)))
         y, dy, Omega = flow.fold(at.A, F_0, model.m, model.zeta, at.h, at.h_A, at.k, k_A)
         # |k| may be the least but for the rounding of that: then y is NaN
         exists = (np.abs(at.k) >= self.least) & ~np.isnan(y)
         # F_A has the sign of h_A where the channel ends
-        return [_channel(at, exists, y, dy, self._Omega(at, Omega, y), 0.0, 0.0, np.sign(at.h_A))]
+        return _channels(1, at, exists, y, dy, self._Omega(at, Omega, y), 0.0, 0.0, np.sign(at.h_A))
 
-    def is_close(self, at: Samples, answers: list[Channel]) -> bool:
+    def is_close(self, at: Samples, answers: Channels) -> bool:
         """Whether the function is next to 0 at one of them."""
-        (answer,) = answers
-        close = is_fold_close(self.model, self.F_0, self.least, at, answer.y, answer.Omega)
-        return bool((answer.exists & close).any())
+        close = is_fold_close(self.model, self.F_0, self.least, at, answers.y[0], answers.Omega[0])
+        return bool((answers.exists[0] & close).any())
 
     def _Omega(self, at: Samples, Omega: Floats, y: Floats) -> Floats:
         """Where a fold may be, from I or from R, y being what the two lack of agreeing: what rounding moves less.
@@ -179,11 +211,11 @@ class FoldAt(Asked):
         of_R = (2 * np.abs(at.h) + at.A * square) / (at.A * square)
         return np.where((square > 0) & ~(of_R >= of_I), np.sqrt(np.maximum(square, 0.0)), Omega)
 
-    def range(self, cells: Cells) -> list[Range]:
+    def range(self, cells: Cells) -> Ranges:
         model, least, k, F_0 = self.model, self.least, cells.k, Interval.point(self.F_0)
         if model.zeta == 0:
             y, dy = slow_flow_zeta0_intervals.fold(F_0, self.m, k, cells.k_A)
-            return [_range(cells, _where_positive(-cells.h_A), y, dy)]
+            return _ranges(1, cells, _where_positive(-cells.h_A), y, dy)
         nowhere = (k.hi < least) & (k.lo > -least)
         both_sides = ~((k.hi < least) | (k.lo > -least))
         whole = (k.lo >= least) | (k.hi <= -least)
@@ -200,7 +232,7 @@ class FoldAt(Asked):
         rounding = np.where(turns, CLOSE * (self.F_0 + h + cells.A.hi * (1 + h_A)), 0.0)
         y = y + Interval.of(-rounding, rounding)
         unknown = _unknown(cells)
-        return [_range(cells, where, unknown.where(both_sides, y), unknown.where(both_sides, dy), edge)]
+        return _ranges(1, cells, where, unknown.where(both_sides, y), unknown.where(both_sides, dy), edge)
 
 
 class Isola(Asked):
@@ -208,13 +240,13 @@ class Isola(Asked):
 
     channels = 1
 
-    def ask(self, at: Samples) -> list[Channel]:
+    def ask(self, at: Samples) -> Channels:
         model = self.model
         rises = np.maximum(at.h_A, 0.0)
         y, dy = model.flow.isola(at.A, model.m, model.zeta, at.h, rises, at.h_AA)
         # where the channel ends, at Omega = 0, F_Omega/(4 A) is m zeta
         edge = float(model.m > 0 and model.zeta > 0)
-        return [_channel(at, at.h_A > 0, y, dy, self._Omega(at, rises), 0.0, 0.0, edge)]
+        return _channels(1, at, at.h_A > 0, y, dy, self._Omega(at, rises), 0.0, 0.0, edge)
 
     def _Omega(self, at: Samples, rises: Floats) -> Floats:
         """Omega^2 = h_A, or, where h_A is small beside its terms, the root of F_Omega, without h_A, next to that.
@@ -227,26 +259,23 @@ class Isola(Asked):
         lost &= np.abs(roots[:, 0] ** 2 - rises) < 2 * BESIDE * rises + rounding
         return np.where(lost, roots[:, 0], slow_flow.isola_Omega(rises))
 
-    def range(self, cells: Cells) -> list[Range]:
+    def range(self, cells: Cells) -> Ranges:
         intervals = slow_flow_mu0_intervals if self.model.m == 0 else slow_flow_intervals
         y, dy = intervals.isola(cells.A, self.m, self.zeta, cells.h, cells.h_A, cells.h_AA)
-        return [_range(cells, _where_positive(cells.h_A), y, dy)]
+        return _ranges(1, cells, _where_positive(cells.h_A), y, dy)
 
 
-def _quadratic_root(a: Floats, b: Floats, root: Floats, larger: bool) -> Floats:
-    """A root of x^2 + 2 a x + b: the larger or the smaller one, root^2 = a^2 - b."""
-    if larger:
-        return np.where(a > 0, -b / (a + root), root - a)
-    return np.where(a < 0, b / (root - a), -a - root)
+def _quadratic_roots(a: Floats, b: Floats, root: Floats) -> Floats:
+    """The larger and the smaller root (2, n) of x^2 + 2 a x + b, root^2 = a^2 - b."""
+    plus, minus = a + root, root - a
+    return np.array((np.where(a > 0, -b / plus, minus), np.where(a < 0, b / minus, -plus)))
 
 
-def _quadratic_root_range(a: Interval, b: Interval, root: Interval, larger: bool) -> Interval:
-    """The same as of numbers; both forms hold the root."""
-    if larger:
-        direct, quotient, apart = root - a, -(b / (a + root)), a.lo >= 0
-    else:
-        direct, quotient, apart = -a - root, b / (root - a), a.hi <= 0
-    return direct.both(quotient).where(apart, direct)
+def _quadratic_root_ranges(a: Interval, b: Interval, root: Interval) -> Interval:
+    """The same as of numbers, the larger roots before the smaller ones; both forms hold the root."""
+    plus, minus = a + root, root - a
+    direct, quotient = _beside(minus, -plus), _beside(-b, b) / _beside(plus, minus)
+    return direct.both(quotient).where(np.concatenate((a.lo >= 0, a.hi <= 0)), direct)
 
 
 class Cusp(Asked):
@@ -256,51 +285,51 @@ class Cusp(Asked):
         super().__init__(model)
         self.F_0 = F_0
 
-    def ask(self, at: Samples) -> list[Channel]:
+    def ask(self, at: Samples) -> Channels:
         model = self.model
         a, b, c, d, square = slow_flow.cusps(at.A, model.zeta, at.h, at.h_A, at.h_AA, at.k)
-        root, answers = np.sqrt(np.maximum(square, 0.0)), []
+        root = np.sqrt(np.maximum(square, 0.0))
+        X, T = _quadratic_roots(c, d, root), _quadratic_roots(a, b, root)
         # where a channel ends at Omega = 0 F_A has the sign of h h_A
         edge = np.where(np.abs(d) <= CLOSE * c * c, np.where(at.h * at.h_A > 0, 1.0, -1.0), 0.0)
-        for larger in (True, False):
-            X, T = _quadratic_root(c, d, root, larger), _quadratic_root(a, b, root, larger)
-            exists = (square >= 0) & (X > 0)
-            X, signed = np.where(exists, X, np.nan), root if larger else -root
-            by_tangent, by_F_AA = slow_flow.cusp_R(at.A, model.zeta, at.h_AA, at.k, X, T)
-            # k + A T has lost digits
-            lost = np.abs(by_tangent) < CANCELLED * np.abs(at.k)
-            R, w = np.where(lost, by_F_AA, by_tangent), np.sqrt(X)
-            y, _, dy, level = slow_flow.cusp(at.A, model.m, model.zeta, at.h_AA, at.h_AAA, at.k, X, T, R, signed)
-            # a rounding of A moves h_AA by much where that is steep, but no fold by F_A beside a cusp
-            nearly, _ = slow_flow.cusp_balance(at.A, model.m, model.zeta, at.h, at.k, X, T)
-            right, forcing = slow_flow.cusp_balance(at.A, model.m, model.zeta, at.h, at.k, nearly, T)
-            small = np.abs(slow_flow.R(np.sqrt(nearly), at.A, at.h)) < SOFT * np.abs(at.h)
-            lost &= small & (right > 0) & (forcing > 0)
-            w, level = np.where(lost, np.sqrt(right), w), np.where(lost, np.sqrt(forcing), level)
-            w, level = self._folds_next_to(at, X < SOFT * np.abs(c), w, level)
-            answers.append(_channel(at, exists, y, dy, w, 0.0, level, edge))
-        return answers
+        exists = (square >= 0) & (X > 0)
+        X = np.where(exists, X, np.nan)
+        by_tangent, by_F_AA = slow_flow.cusp_R(at.A, model.zeta, at.h_AA, at.k, X, T)
+        # k + A T has lost digits
+        lost = np.abs(by_tangent) < CANCELLED * np.abs(at.k)
+        R, w, signed = np.where(lost, by_F_AA, by_tangent), np.sqrt(X), np.array((root, -root))
+        y, _, dy, level = slow_flow.cusp(at.A, model.m, model.zeta, at.h_AA, at.h_AAA, at.k, X, T, R, signed)
+        # a rounding of A moves h_AA by much where that is steep, but no fold by F_A beside a cusp
+        nearly, _ = slow_flow.cusp_balance(at.A, model.m, model.zeta, at.h, at.k, X, T)
+        right, forcing = slow_flow.cusp_balance(at.A, model.m, model.zeta, at.h, at.k, nearly, T)
+        small = np.abs(slow_flow.R(np.sqrt(nearly), at.A, at.h)) < SOFT * np.abs(at.h)
+        lost &= small & (right > 0) & (forcing > 0)
+        w, level = np.where(lost, np.sqrt(right), w), np.where(lost, np.sqrt(forcing), level)
+        self._folds_next_to(at, X < SOFT * np.abs(c), w, level)
+        return _channels(2, at, exists, y, dy, w, 0.0, level, edge)
 
-    def _folds_next_to(self, at: Samples, some: Bools, w: Floats, level: Floats) -> tuple[Floats, Floats]:
-        """Omega and level, some of them of the fold at A whose Omega, a root of F_A, is the nearest.
+    def _folds_next_to(self, at: Samples, some: Bools, w: Floats, level: Floats) -> None:
+        """Puts into Omega and level (2, n), some of them, those of the fold at A whose Omega is the nearest.
 
-        Next to Omega = 0 a rounding of A moves the root X = Omega^2 of F_AA by more than X, but hardly that fold.
+        Next to Omega = 0 a rounding of A moves the root X = Omega^2 of F_AA by more than X, but hardly that fold, whose
+        Omega is a root of F_A.
         """
-        model, those = self.model, np.flatnonzero(some)
+        model, (channel, those) = self.model, some.nonzero()
+        if not those.size:
+            return
         A, h, h_A = (np.repeat(column[those], 3) for column in (at.A, at.h, at.h_A))
         index = np.tile(np.arange(3), those.size)
         folds = Quartics(A, h, h_A, model.m, model.zeta, -1.0)
         count = folds.count().astype(np.intp)
         roots = np.where(index < count, folds.roots(count, index), np.nan).reshape(-1, 3)
-        off = np.where(np.isnan(roots), np.inf, np.abs(roots - w[those, np.newaxis]))
+        off = np.where(np.isnan(roots), np.inf, np.abs(roots - w[channel, those][:, np.newaxis]))
         found = np.isfinite(off).any(axis=1)
-        those, nearest = those[found], np.take_along_axis(roots, off.argmin(axis=1)[:, np.newaxis], axis=1)[found, 0]
-        w, level = w.copy(), level.copy()
-        w[those] = nearest
-        level[those] = slow_flow.level(nearest, at.A[those], model.m, model.zeta, at.h[those])
-        return w, level
+        channel, those = channel[found], those[found]
+        nearest = np.take_along_axis(roots, off.argmin(axis=1)[:, np.newaxis], axis=1)[found, 0]
+        w[channel, those] = nearest
+        level[channel, those] = slow_flow.level(nearest, at.A[those], model.m, model.zeta, at.h[those])
 
-    def range(self, cells: Cells) -> list[Range]:
+    def range(self, cells: Cells) -> Ranges:
         """On the fold locus R has the sign of k.
 
         There F_AA/2 = (dR/dA)^2 + h_AA R + 4 zeta^2 Omega^2 vanishes only if h_AA has the other sign.
@@ -308,18 +337,20 @@ class Cusp(Asked):
         alike = ((cells.h_AA.lo >= 0) & (cells.k.lo >= 0)) | ((cells.h_AA.hi <= 0) & (cells.k.hi <= 0))
         free = self._is_free_of_folds(cells)
         a, b, c, d, square = slow_flow_intervals.cusps(cells.A, self.zeta, cells.h, cells.h_A, cells.h_AA, cells.k)
-        root, ranges = square.sqrt(), []
-        for larger in (True, False):
-            X, T = _quadratic_root_range(c, d, root, larger), _quadratic_root_range(a, b, root, larger)
-            where = np.where(square.lo > 0, _where_positive(X), np.minimum(_where_positive(X), PARTLY))
-            X, signed = Interval.of(np.maximum(X.lo, 0.0), X.hi), root if larger else -root
-            by_tangent, by_F_AA = slow_flow_intervals.cusp_R(cells.A, self.zeta, cells.h_AA, cells.k, X, T)
-            y, less, dy, level = slow_flow_intervals.cusp(
-                cells.A, self.m, self.zeta, cells.h_AA, cells.h_AAA, cells.k, X, T, by_tangent.both(by_F_AA), signed
-            )
-            where = np.where(alike | free | (square.hi < 0) | (level.lo > self.F_0), NOWHERE, where)
-            ranges.append(_range(cells, where, y.both(less), dy))
-        return ranges
+        root, n = square.sqrt(), len(cells)
+        # X and T, by their larger and by their smaller roots
+        both = _quadratic_root_ranges(_beside(c, a), _beside(d, b), _beside(root, root)).ends.reshape(2, 2, 2, n)
+        X, T = (Interval(both[:, :, k].reshape(2, 2 * n)) for k in (0, 1))
+        where = _where_positive(X).reshape(2, n)
+        where = np.where(square.lo > 0, where, np.minimum(where, PARTLY))
+        X, signed, twice = Interval.of(np.maximum(X.lo, 0.0), X.hi), _beside(root, -root), cells.twice()
+        by_tangent, by_F_AA = slow_flow_intervals.cusp_R(twice.A, self.zeta, twice.h_AA, twice.k, X, T)
+        y, less, dy, level = slow_flow_intervals.cusp(
+            twice.A, self.m, self.zeta, twice.h_AA, twice.h_AAA, twice.k, X, T, by_tangent.both(by_F_AA), signed
+        )
+        above = level.lo.reshape(2, n) > self.F_0
+        where = np.where(alike | free | (square.hi < 0) | above, NOWHERE, where)
+        return _ranges(2, cells, where, y.both(less), dy)
 
     def _is_free_of_folds(self, cells: Cells) -> Bools:
         """Whether F_A > 0 next to A = 0, where h_AA may be infinite, at all frequencies; known without a preload only.
@@ -343,8 +374,8 @@ def _over_A(cells: Cells) -> tuple[Interval, Interval]:
     return Interval.point(1.0).where(origin, cells.A), cells.h_A.where(origin, cells.h)
 
 
-def _critical_of(cells: Cells, p: Interval, q: float) -> tuple[Any, Interval, Interval]:
-    """Positive roots w1 < w2 of A w^3 + p w + q: where they exist, and what holds them.
+def _critical_of(cells: Cells, p: Interval, q: float) -> tuple[Any, Interval]:
+    """Positive roots w1 < w2 of A w^3 + p w + q: where they exist, and what holds them, (2, 2 n).
 
     As A and p rise w1 rises and w2 falls, so the corners of the box (A, p) hold them. Next to A = 0, where p vanishes
     too, p is asked over A; with friction there is no root for small A.
@@ -361,57 +392,51 @@ def _critical_of(cells: Cells, p: Interval, q: float) -> tuple[Any, Interval, In
     w2 = Interval.of(np.where(high, second[n:], first[:n]) * (1 - DOUBT), second[:n] * (1 + DOUBT))
     where = np.where(origin, np.where((p.lo < 0) & low, PARTLY, NOWHERE), where)
     next_to_0 = Interval.of(np.zeros(n), np.sqrt(np.maximum(-p.lo, 0.0)) * (1 + DOUBT))
-    return where, next_to_0.where(origin, w1), next_to_0.where(origin, w2)
+    return where, _beside(next_to_0.where(origin, w1), next_to_0.where(origin, w2))
 
 
 class Turn(Asked):
     """For zeta > 0; without friction the first channel lies at Omega = 0 and belongs to other questions."""
 
-    def ask(self, at: Samples) -> list[Channel]:
+    def ask(self, at: Samples) -> Channels:
         model, flow = self.model, slow_flow
         inside = at.A > 0
         A = np.where(inside, at.A, 1.0)
         quartics = Quartics(A, at.h, at.h_A, model.m, model.zeta, -1.0)
-        answers = []
-        for w, y in quartics.critical:
-            dy = 0.5 * flow.F_AA(w, A, model.m, model.zeta, at.h, at.h_A, at.h_AA)
-            answers.append(_channel(at, inside & quartics.exist & (w > 0), y, dy, w))
-        return answers
+        w, y = np.array(quartics.critical).swapaxes(0, 1)
+        dy = 0.5 * flow.F_AA(w, A, model.m, model.zeta, at.h, at.h_A, at.h_AA)
+        return _channels(2, at, inside & quartics.exist & (w > 0), y, dy, w)
 
-    def range(self, cells: Cells) -> list[Range]:
+    def range(self, cells: Cells) -> Ranges:
         model = self.model
         A, h = _over_A(cells)
         _, q, p, _ = slow_flow_intervals.fold_quartic(A, self.m, self.zeta, h, cells.h_A)
-        where, *critical = _critical_of(cells, 0.5 * p, 0.25 * float(q.lo[0]))
-        origin, ranges = cells.A.lo == 0, []
+        where, w = _critical_of(cells, 0.5 * p, 0.25 * float(q.lo[0]))
+        origin, twice = cells.A.lo == 0, cells.twice()
         m = (self.m / cells.A).where(origin, self.m)
-        for channel, w in enumerate(critical):
-            y = 0.5 * slow_flow_intervals.F_A(w, A, m, self.zeta, h, cells.h_A)
-            dy = 0.5 * slow_flow_intervals.F_AA(w, A, m, self.zeta, h, cells.h_A, cells.h_AA)
-            there = where if channel == 1 or model.m > 0 else NOWHERE
-            ranges.append(_range(cells, there, y, _unknown(cells).where(origin, dy)))
-        return ranges
+        A, h, m = _beside(A, A), _beside(h, h), _beside(m, m)
+        y = 0.5 * slow_flow_intervals.F_A(w, A, m, self.zeta, h, twice.h_A)
+        dy = 0.5 * slow_flow_intervals.F_AA(w, A, m, self.zeta, h, twice.h_A, twice.h_AA)
+        dy = _unknown(twice).where(np.tile(origin, 2), dy)
+        return _ranges(2, cells, [where if model.m > 0 else np.full_like(where, NOWHERE), where], y, dy)
 
 
 class Undamped(Asked):
     """For zeta = 0: h_AA, next to A = 0 over A, and R, there over A^3/3."""
 
-    def ask(self, at: Samples) -> list[Channel]:
+    def ask(self, at: Samples) -> Channels:
         flow = self.model.flow
         first, first_A, second, second_A = flow.undamped(at.A, at.h, at.h_A, at.h_AA, at.h_AAA)
         falls, inside = at.h_A < 0, at.A > 0
         Omega = flow.undamped_Omega(np.minimum(at.h_A, 0.0))
-        return [
-            _channel(at, falls, np.where(inside, first, at.h_AAA), first_A, Omega),
-            _channel(at, falls, np.where(inside, second, -at.h_AAA), second_A, Omega),
-        ]
+        y = np.where(inside, (first, second), (at.h_AAA, -at.h_AAA))
+        return _channels(2, at, falls, y, np.array((first_A, second_A)), Omega)
 
-    def range(self, cells: Cells) -> list[Range]:
+    def range(self, cells: Cells) -> Ranges:
         where, inside, unknown = _where_positive(-cells.h_A), cells.A.lo > 0, _unknown(cells)
-        return [
-            _range(cells, where, cells.h_AA.where(inside, cells.h_AAA), cells.h_AAA.where(inside, unknown)),
-            _range(cells, where, cells.k.where(inside, -cells.h_AAA), cells.k_A.where(inside, unknown)),
-        ]
+        y = _beside(cells.h_AA.where(inside, cells.h_AAA), cells.k.where(inside, -cells.h_AAA))
+        dy = _beside(cells.h_AAA.where(inside, unknown), cells.k_A.where(inside, unknown))
+        return _ranges(2, cells, where, y, dy)
 
 
 class Peak(Asked):
@@ -421,33 +446,27 @@ class Peak(Asked):
         super().__init__(model)
         self.F_0 = F_0
 
-    def ask(self, at: Samples) -> list[Channel]:
+    def ask(self, at: Samples) -> Channels:
         m, zeta = self.model.m, self.model.zeta
         inside = at.A > 0
         A = np.where(inside, at.A, 1.0)
         w, n = peak_roots(A, at.h, m, zeta)
-        answers = []
-        for channel in (0, 1):
-            exists = inside & (n > 1 - channel) & (zeta > 0)
-            place = np.clip(channel + n - 2, 0, 1)
-            Omega = np.where(exists, np.take_along_axis(w, place[:, np.newaxis], axis=-1)[:, 0], np.nan)
-            y, dy = slow_flow.peak(Omega, A, self.F_0, m, zeta, at.h_A)
-            answers.append(_channel(at, exists, y, dy, Omega, slow_flow.peak_Omega_A(Omega, A, m, zeta, at.h_A)))
-        return answers
+        channel = np.array([[0], [1]])
+        exists = inside & (n > 1 - channel) & (zeta > 0)
+        Omega = np.where(exists, w[np.arange(len(at)), np.clip(channel + n - 2, 0, 1)], np.nan)
+        y, dy = slow_flow.peak(Omega, A, self.F_0, m, zeta, at.h_A)
+        return _channels(2, at, exists, y, dy, Omega, slow_flow.peak_Omega_A(Omega, A, m, zeta, at.h_A))
 
-    def range(self, cells: Cells) -> list[Range]:
-        model = self.model
+    def range(self, cells: Cells) -> Ranges:
+        model, twice = self.model, cells.twice()
         if model.zeta == 0:
-            return [_range(cells, NOWHERE, _unknown(cells), _unknown(cells))] * 2
+            return _ranges(2, cells, NOWHERE, _unknown(twice), _unknown(twice))
         A, h = _over_A(cells)
         q, p, _ = slow_flow_intervals.peak_cubic(A, self.m, self.zeta, h)
-        where, *critical = _critical_of(cells, p, float(q.lo[0]))
-        ranges, most = [], self._most(cells)
-        for channel, w in enumerate(critical):
-            y, dy = slow_flow_intervals.peak(w, cells.A, Interval.point(self.F_0), self.m, self.zeta, cells.h_A)
-            y = Interval.of(np.where(y.lo > -np.inf, y.lo, -np.inf), np.fmin(y.hi, most))
-            ranges.append(_range(cells, where if channel == 1 or model.m > 0 else NOWHERE, y, dy))
-        return ranges
+        where, w = _critical_of(cells, p, float(q.lo[0]))
+        y, dy = slow_flow_intervals.peak(w, twice.A, Interval.point(self.F_0), self.m, self.zeta, twice.h_A)
+        y = Interval.of(np.where(y.lo > -np.inf, y.lo, -np.inf), np.fmin(y.hi, np.tile(self._most(cells), 2)))
+        return _ranges(2, cells, [where if model.m > 0 else np.full_like(where, NOWHERE), where], y, dy)
 
     def _most(self, cells: Cells) -> Floats:
         """What F does not exceed at an extremum over Omega.
@@ -469,18 +488,16 @@ class Rest(Asked):
         super().__init__(model)
         self.F_0 = F_0
 
-    def ask(self, at: Samples) -> list[Channel]:
+    def ask(self, at: Samples) -> Channels:
         lower, upper, slope = slow_flow.rest(self.F_0, self.model.m, at.h, at.h_A)
-        return [_channel(at, True, lower, slope), _channel(at, True, upper, slope)]
+        return _channels(2, at, True, np.array((lower, upper)), slope)
 
-    def range(self, cells: Cells) -> list[Range]:
+    def range(self, cells: Cells) -> Ranges:
         # F at A = 0: -c and c
-        ranges = []
-        for half in slow_flow.rest(self.F_0, self.model.m, 0.0, 0.0)[:2]:
-            around = Interval.of(half - DOUBT * abs(half), half + DOUBT * abs(half))
-            around = Interval(around.ends.reshape(2, 1))
-            ranges.append(_range(cells, THROUGHOUT, cells.h + around, cells.h_A))
-        return ranges
+        halves = slow_flow.rest(self.F_0, self.model.m, 0.0, 0.0)[:2]
+        around = (Interval(np.array([[half - DOUBT * abs(half)], [half + DOUBT * abs(half)]])) for half in halves)
+        y = _beside(*(cells.h + half for half in around))
+        return _ranges(2, cells, THROUGHOUT, y, _beside(cells.h_A, cells.h_A))
 
 
 class _Inertia(Asked):
@@ -515,27 +532,27 @@ class InertiaPeak(_Inertia):
         super().__init__(model)
         self.F_0 = F_0
 
-    def ask(self, at: Samples) -> list[Channel]:
+    def ask(self, at: Samples) -> Channels:
         exists, x = self._exists(at)
         y, dy = inertia.peak(x, at.A, self.F_0, self.model.m, self.model.zeta, at.h, at.h_A)
-        return [_channel(at, exists, y, dy, 1 / x, self._Omega_A(x, at))]
+        return _channels(1, at, exists, y, dy, 1 / x, self._Omega_A(x, at))
 
-    def range(self, cells: Cells) -> list[Range]:
+    def range(self, cells: Cells) -> Ranges:
         where, x = self._where(cells)
         F_0 = Interval.point(self.F_0)
         y, dy = inertia_intervals.peak(x, cells.A, F_0, self.m, self.zeta, cells.h, cells.h_A)
-        return [_range(cells, where, y, dy)]
+        return _ranges(1, cells, where, y, dy)
 
 
 class InertiaIsola(_Inertia):
     """A function with the sign of F_A."""
 
-    def ask(self, at: Samples) -> list[Channel]:
+    def ask(self, at: Samples) -> Channels:
         exists, x = self._exists(at)
         y, dy = inertia.isola(x, at.A, self.model.m, self.model.zeta, at.h, at.h_A, at.h_AA)
-        return [_channel(at, exists, y, dy, 1 / x, self._Omega_A(x, at))]
+        return _channels(1, at, exists, y, dy, 1 / x, self._Omega_A(x, at))
 
-    def range(self, cells: Cells) -> list[Range]:
+    def range(self, cells: Cells) -> Ranges:
         where, x = self._where(cells)
         y, dy = inertia_intervals.isola(x, cells.A, self.m, self.zeta, cells.h, cells.h_A, cells.h_AA)
-        return [_range(cells, where, y, dy)]
+        return _ranges(1, cells, where, y, dy)

@@ -70,13 +70,17 @@ def joined(*parts: Samples) -> Samples:
 def samples_at(model: Model, A: Any) -> Samples:
     """At amplitudes of any number; k without what cancels in it, where it has lost digits as a difference."""
     A = np.array(A, dtype=float, ndmin=1)
-    h, h_A, h_AA, h_AAA = model.averaged(A)
+    rows = np.empty((6, A.size))
+    rows[0] = A
+    for row, value in zip(rows[1:5], model.averaged(A), strict=True):
+        row[...] = value
+    _, h, h_A, h_AA, _, k = rows
     # at A = 0 a slope that is infinite there takes nothing off h
-    k = np.where(A > 0, slow_flow.intercept(A, h, h_A, h_AA)[0], h)
-    lost = np.abs(k) < CANCELLED * np.abs(h)
-    if lost.any():
+    k[...] = np.where(A > 0, slow_flow.intercept(A, h, h_A, h_AA)[0], h)
+    lost = (np.abs(k) < CANCELLED * np.abs(h)).nonzero()
+    if lost[0].size:
         k[lost] = model.mechanism.intercept(A[lost], *model.parameters)
-    return Samples(np.array((A, *np.broadcast_arrays(h, h_A, h_AA, h_AAA, k))))
+    return Samples(rows)
 
 
 def sample_above(model: Model, i: int) -> Samples:
@@ -151,19 +155,51 @@ def _doubt(f: Floats, A: Floats, slope: Floats) -> Floats:
 
 @dataclass(frozen=True, eq=False)
 class Cells:
-    """What h and its derivatives are on intervals of A."""
+    """What h and its derivatives are on intervals of A.
 
-    A: Interval
-    h: Interval
-    h_A: Interval
-    h_AA: Interval
-    h_AAA: Interval
-    k: Interval
-    k_A: Interval
+    rows -- array (7, 2, n): the ends of A, h, h_A, h_AA, h_AAA, k, k_A
+    """
+
+    rows: Floats
 
     def take(self, which: Any) -> Cells:
         """Some of them."""
-        return Cells(*(getattr(self, name).take(which) for name in self.__dataclass_fields__))
+        return Cells(self.rows[..., which])
+
+    def twice(self) -> Cells:
+        """All of them, and all of them again, for questions with two channels."""
+        return Cells(np.concatenate((self.rows, self.rows), axis=-1))
+
+    def __len__(self) -> int:
+        return int(self.rows.shape[-1])
+
+    @property
+    def A(self) -> Interval:
+        return Interval(self.rows[0])
+
+    @property
+    def h(self) -> Interval:
+        return Interval(self.rows[1])
+
+    @property
+    def h_A(self) -> Interval:
+        return Interval(self.rows[2])
+
+    @property
+    def h_AA(self) -> Interval:
+        return Interval(self.rows[3])
+
+    @property
+    def h_AAA(self) -> Interval:
+        return Interval(self.rows[4])
+
+    @property
+    def k(self) -> Interval:
+        return Interval(self.rows[5])
+
+    @property
+    def k_A(self) -> Interval:
+        return Interval(self.rows[6])
 
 
 def cells_of(model: Model, a: Samples, b: Samples) -> Cells:
@@ -193,7 +229,7 @@ def cells_of(model: Model, a: Samples, b: Samples) -> Cells:
     h = along(a.h, b.h, a.h_A, b.h_A, h_A)
     _, k_A = slow_flow_intervals.intercept(A, h, h_A, h_AA)
     k = along(a.k, b.k, a.A * a.h_AA, b.A * b.h_AA, k_A)
-    return Cells(A, h, h_A, h_AA, h_AAA, k, k_A)
+    return Cells(np.array([one.ends for one in (A, h, h_A, h_AA, h_AAA, k, k_A)]))
 
 
 def amid(base: Floats, a: Floats, b: Floats) -> Floats:

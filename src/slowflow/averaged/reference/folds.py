@@ -29,10 +29,13 @@ from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import CLOSE, NEAR_END
 
 
-#: what is said where there is no answer
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
-    A_max, remark = amplitude_bound(model, F_0)
+    return folds_up_to(model, F_0, *amplitude_bound(model, F_0))
+
+
+def folds_up_to(model: Model, F_0: float, A_max: float, remark: str) -> SaddleNodes:
+    """The same, up to the amplitude that `amplitude_bound` gives, with its remark."""
     found_by = _points if model.laws.any else _crossings if model.inertial else _zeros
     with np.errstate(all="ignore"):
         A, Omega, near = found_by(model, F_0, A_max)
@@ -137,7 +140,7 @@ def _is_stable_below(model: Model, F_0: float, b: float, Omega: Floats) -> Bools
     m, zeta, at = model.m, model.zeta, samples_at(model, b)
     if model.inertial or model.laws.any:
         return model.F_A(Omega, b) > 0
-    (fold,) = FoldAt(model, F_0).ask(at)
+    fold = FoldAt(model, F_0).ask(at).take(0)
     (h,), (h_A,), (k,) = at.h, at.h_A, at.k
     R = slow_flow.R(Omega, b, h)
     F, F_A = slow_flow.fold_moves(b, k, R) if zeta > 0 else (np.ones_like(R), np.zeros_like(R))

@@ -31,6 +31,19 @@ def _wider(ends: Floats) -> Floats:
     return found
 
 
+def _product(product: Floats, zero: Bools) -> Floats:
+    """The ends of what holds the products of ends (2, 2, n), each moved by itself; `zero`: a factor is.
+
+    Where 0 meets what is infinite or not known, or products are too small for doubles.
+    """
+    doubt = 2.0**-52 * np.abs(product) + 2.0**-1022
+    below, above = product - doubt, product + doubt
+    below[zero] = above[zero] = 0.0
+    ends = np.array((np.fmin.reduce(below, axis=(0, 1)), np.fmax.reduce(above, axis=(0, 1))))
+    ends[:, (np.isnan(product) & ~zero).any(axis=(0, 1))] = np.nan
+    return ends
+
+
 class Interval:
     """Intervals, elementwise; in sums and products numbers stand for themselves.
 
@@ -91,18 +104,16 @@ class Interval:
         if SOLVER is not None:
             return type(self)(np.array(SOLVER.interval_product(*self.ends, *other.ends)))
         a, b = self.ends[:, np.newaxis], other.ends
-        product = a * b
-        doubt = 2.0**-52 * np.abs(product) + 2.0**-1022
-        below, above = product - doubt, product + doubt
-        zero = (a == 0) | (b == 0)
-        if zero.any():
-            below[zero] = above[zero] = 0.0
+        products = a * b
         # an infinite product has no lower end, or no upper one, of its own: the others have, or it is not known
-        ends = np.array((np.fmin.reduce(below, axis=(0, 1)), np.fmax.reduce(above, axis=(0, 1))))
-        unknown = np.isnan(product) & ~zero
-        if unknown.any():
-            ends[:, unknown.any(axis=(0, 1))] = np.nan
-        return type(self)(ends)
+        ends = np.array((np.minimum.reduce(products, axis=(0, 1)), np.maximum.reduce(products, axis=(0, 1))))
+        least = _LEAST
+        if np.count_nonzero(products) < products.size or np.count_nonzero(ends == ends) < ends.size:
+            zero = (a == 0) | (b == 0)
+            if np.count_nonzero((np.abs(products) < 2.0**-1021) != zero):
+                return type(self)(_product(products, zero))
+            least = _LEAST * (ends != 0)
+        return type(self)(ends + (_ULP * np.abs(ends) + least))
 
     __radd__, __rmul__ = __add__, __mul__
 

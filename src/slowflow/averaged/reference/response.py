@@ -22,7 +22,7 @@ from slowflow.averaged.reference.along import InertiaPeak, Peak, Rest
 from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.averaged.reference.cells import amid, stretches_up_to
-from slowflow.averaged.reference.folds import saddle_nodes
+from slowflow.averaged.reference.folds import folds_up_to
 from slowflow.averaged.reference.roots import Quartics
 from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import Floats, Model
@@ -85,7 +85,7 @@ def skeleton(model: Model, F_0: float) -> Skeleton:
     """Segments and how they hang together, for F_0 > m; kept, as states at one frequency after another ask for it."""
     A_max, remark = amplitude_bound(model, F_0)
     roots, events_up_to = _along(model, F_0)
-    folds = saddle_nodes(model, F_0)
+    folds = folds_up_to(model, F_0, A_max, remark)
     try:
         events, undecided = events_up_to(model, F_0, A_max)
         graph = Graph(roots, events)
@@ -281,7 +281,9 @@ def solve_segments(roots: Along, segments: list[Segment], Omega: Floats) -> Floa
     active = np.flatnonzero((Omega != at_low) & (Omega != at_high))
     for _ in range(200):
         below, above, at = lo[active], hi[active], A[active]
-        at = np.where((at > below) & (at < above), at, amid(np.zeros(1), below, above))
+        inside = (at > below) & (at < above)
+        if not inside.all():
+            at = np.where(inside, at, amid(np.zeros(1), below, above))
         w = roots.at(at, count[active], index[active])
         left = (w > Omega[active]) == falls[active]
         below, above = np.where(left, at, below), np.where(left, above, at)
@@ -290,8 +292,9 @@ def solve_segments(roots: Along, segments: list[Segment], Omega: Floats) -> Floa
         x[active], lo[active], hi[active] = at, below, above
         done = (moved <= AT_ROOT * at) | ~(below < above)
         outside = ~((following > below) & (following < above)) | (moved > SLOW * last[active])
-        following = np.where(outside, amid(np.zeros(1), below, above), following)
-        done |= ~((following > below) & (following < above))
+        if outside.any():
+            following = np.where(outside, amid(np.zeros(1), below, above), following)
+            done |= outside & ~((following > below) & (following < above))
         last[active], A[active] = np.abs(following - at), following
         active = active[~done]
         if not active.size:

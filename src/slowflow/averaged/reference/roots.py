@@ -34,9 +34,10 @@ size.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
-from dataclasses import dataclass, fields
-from functools import partial
+from dataclasses import dataclass
+from functools import cached_property, partial
 from typing import Any, Self
 
 import numpy as np
@@ -70,23 +71,27 @@ CHUNK = 8192  # elements solved together: the work arrays stay in the cache, and
 # these. ==============================================================================================================
 
 
-@dataclass(frozen=True)
-class _Quartic:
-    """Parameters, and the coefficients of the derivative k (A w^3 + p w + q); p and q are double-double."""
+def _taken(value: Any, which: Any) -> Any:
+    """Some elements of an array; a number is the same for all of them."""
+    return value[which] if isinstance(value, np.ndarray) else value
 
-    A: Floats
-    h: Floats
-    m: Floats
-    zeta: Floats
-    other: Floats  # F_0 of the response, h_A of the fold
-    k: Floats
-    p: Floats
-    p_low: Floats
-    q: Floats
-    q_low: Floats
+
+class _Quartic:
+    """Parameters, and the coefficients of the derivative k (A w^3 + p w + q); p and q are double-double.
+
+    A, p and p_low are arrays (n,), all others too, or numbers, whose arithmetic takes a tenth of the time.
+
+    other -- F_0 of the response, h_A of the fold
+    """
+
+    def __init__(
+        self, A: Floats, h: Any, m: Any, zeta: Any, other: Any, k: Any, p: Floats, p_low: Floats, q: Any, q_low: Any
+    ) -> None:
+        self.A, self.h, self.m, self.zeta, self.other = A, h, m, zeta, other
+        self.k, self.p, self.p_low, self.q, self.q_low = k, p, p_low, q, q_low
 
     def take(self, which: NDArray[np.intp] | Bools) -> Self:
-        return type(self)(*(getattr(self, field.name)[which] for field in fields(self)))
+        return type(self)(*[_taken(value, which) for value in vars(self).values()])
 
     def value(self, w: Floats) -> tuple[Floats, Floats]:
         """The quartic in double, and a size; the error is below ROUGH * size."""
@@ -135,7 +140,7 @@ class _Response(_Quartic):
     """F."""
 
     @classmethod
-    def of(cls, A: Floats, h: Floats, m: Floats, zeta: Floats, F_0: Floats) -> Self:
+    def of(cls, A: Floats, h: Any, m: Any, zeta: Any, F_0: Any) -> Self:
         p, p_low, q, q_low, k = frequencies.response_derivative(A, m, zeta, h)
         return cls(A, h, m, zeta, F_0, k, p, p_low, q, q_low)
 
@@ -165,9 +170,9 @@ class _Fold(_Quartic):
     """F_A/2."""
 
     @classmethod
-    def of(cls, A: Floats, h: Floats, h_A: Floats, m: Floats, zeta: Floats) -> Self:
+    def of(cls, A: Floats, h: Any, h_A: Any, m: Any, zeta: Any) -> Self:
         p, p_low, q, q_low, k = frequencies.fold_derivative(A, m, zeta, h, h_A)
-        return cls(A, h, m, zeta, h_A, np.full_like(A, k), p, p_low, q, q_low)
+        return cls(A, h, m, zeta, h_A, k, p, p_low, q, q_low)
 
     def value(self, w: Floats) -> tuple[Floats, Floats]:
         value, size = frequencies.fold(w, self.A, self.m, self.zeta, self.h, self.other)
@@ -205,7 +210,8 @@ def _critical_points(s: _Quartic) -> tuple[Bools, Floats, Floats]:
     rho = np.where(falls, 1.5 * s.q / (np.abs(s.p) * r), 2.0)
     gap = (1 - rho) * (1 + rho)
     unsure = np.flatnonzero(np.abs(rho - 1) <= MAY_MEET)
-    gap[unsure] = s.take(unsure).gap()
+    if unsure.size:
+        gap[unsure] = s.take(unsure).gap()
     exist = gap >= 0
     rho = np.minimum(rho, 1 + MAY_MEET)
     # cubic Hermite interpolation of c(rho) between c(0) = sqrt(3)/2, c' = 1/6 and c(1) = 1, c' = 1/9
@@ -225,30 +231,34 @@ def _critical_points(s: _Quartic) -> tuple[Bools, Floats, Floats]:
 def _polish_cubic(s: _Quartic, w: Floats) -> Floats:
     """Newton with the double-double residual on simple roots of the cubic near w."""
     w = w.copy()
-    active = np.arange(w.size)
-    for _ in range(POLISHING):
-        t, x = s.take(active), w[active]
+    t, x, active = s, w, np.arange(w.size)
+    for _ in range(POLISHING if w.size else 0):
         slope = t.cubic_slope(x)
         step = t.cubic_fine(x) / slope
         # at a double root the slope is noise, and w is as good as it gets
         simple = np.abs(step) <= SIMPLE * x
         x = np.where(simple, x - step, x)
         w[active] = x
-        active = active[simple & (3 * t.A * x * step * step > POLISHED * x * np.abs(slope))]
-        if not active.size:
+        left_over = (simple & (3 * t.A * x * step * step > POLISHED * x * np.abs(slope))).nonzero()[0]
+        if not left_over.size:
             break
+        t, x, active = t.take(left_over), x[left_over], active[left_over]
     return w
 
 
 # ==== The quartic =====================================================================================================
 
 
-def _critical_values(s: _Quartic, w: Floats) -> Floats:
-    """The quartic at its critical points near w, with a certain sign; 0 where only rounding is left."""
+def _critical_values(s: _Quartic, w: Floats, there: Bools) -> Floats:
+    """The quartics at their critical points near w (2, n), where there are any, with a certain sign; elsewhere NaN.
+
+    0 where only rounding is left.
+    """
     value, size = s.value(w)
-    unsure = np.flatnonzero(np.abs(value) <= ROUGH * size)
-    if unsure.size:
-        t, x = s.take(unsure), w[unsure]
+    value = np.where(there, value, np.nan)
+    unsure = (np.abs(value) <= ROUGH * size).nonzero()
+    if unsure[0].size:
+        t, x = s.take(unsure[1]), w[unsure]
         tail = np.zeros_like(x)
         for last in (False, False, True):
             step = t.cubic_fine(x) / t.cubic_slope(x)
@@ -268,48 +278,57 @@ def _critical_values(s: _Quartic, w: Floats) -> Floats:
 
 def _refine(s: _Quartic, w: Floats, lo: Floats, hi: Floats, rising: Floats) -> Floats:
     """The roots between lo and hi, where the quartics are monotone and rise (+1) or fall (-1), from first guesses w."""
-    lo, hi = lo.copy(), hi.copy()
-    w = np.where((w > lo) & (w < hi), w, 0.5 * (lo + hi))
-
-    active = np.arange(w.size)
-    for _ in range(NEARING):  # Halley in double, until the next error is below 2^-36 of the distance to a fold
-        t, x, below, above = s.take(active), w[active], lo[active], hi[active]
+    state = np.array((np.where((w > lo) & (w < hi), w, 0.5 * (lo + hi)), lo, hi))
+    t, (x, below, above), way, active = s, state, rising, np.arange(w.size)
+    for _ in range(NEARING if w.size else 0):  # Halley in double, until the next error is below 2^-36 of that to a fold
         f, size = t.value(x)
         certain = np.abs(f) > ROUGH * size
         D = t.cubic_slope(x)
         C = t.cubic(x)
-        left = f * rising[active] < 0
+        left = f * way < 0
         below = np.where(certain & left, x, below)
         above = np.where(certain & ~left, x, above)
         following = x - 2 * f * C / (2 * t.k * C * C - f * D)
         following = np.where((following > below) & (following < above), following, 0.5 * (below + above))
         moved = np.abs(following - x)
-        lo[active], hi[active] = below, above
-        w[active] = np.where(certain, following, x)
         near = (moved * np.abs(D) <= NEAR_ROOT * np.abs(C)) & (moved <= NEAR_ROOT * following)
-        active = active[certain & ~near]
-        if not active.size:
+        left_over = (certain & ~near).nonzero()[0]
+        state[:, active] = np.where(certain, following, x), below, above
+        if not left_over.size:
             break
+        t, way, active, (x, below, above) = (
+            t.take(left_over),
+            way[left_over],
+            active[left_over],
+            state[:, active[left_over]],
+        )
 
-    active = np.arange(w.size)
-    for _ in range(CORRECTING):  # Newton with the double-double residual: once, but for nearly multiple roots
-        t, x, below, above = s.take(active), w[active], lo[active], hi[active]
+    t, (x, below, above), way, active = s, state, rising, np.arange(w.size)
+    for _ in range(
+        CORRECTING if w.size else 0
+    ):  # Newton with the double-double residual: once, but for nearly multiple roots
         f = t.value_fine(x)
         D = t.cubic_slope(x)
         C = t.cubic(x)
         step = f / (t.k * C)
         following = x - step
         done = (step * step * np.abs(D) <= CORRECTED * np.abs(C) * x) & (following >= below) & (following <= above)
-        left = f * rising[active] < 0
+        left = f * way < 0
         below = np.where(left, x, below)
         above = np.where(left, above, x)
         inside = (following > below) & (following < above)
         following = np.where(done | inside, following, 0.5 * (below + above))
-        lo[active], hi[active], w[active] = below, above, following
-        active = active[~done & (following != x) & (below < above)]
-        if not active.size:
+        left_over = (~done & (following != x) & (below < above)).nonzero()[0]
+        state[:, active] = following, below, above
+        if not left_over.size:
             break
-    return w
+        t, way, active, (x, below, above) = (
+            t.take(left_over),
+            way[left_over],
+            active[left_over],
+            state[:, active[left_over]],
+        )
+    return np.asarray(state[0])
 
 
 @dataclass(frozen=True)
@@ -331,64 +350,90 @@ class _Isolated:
     def of(cls, s: _Quartic) -> Self:
         f0 = s.value_at_0()
         exist, w1, w2 = _critical_points(s)
-        f1, f2 = np.full(s.A.size, np.nan), np.full(s.A.size, np.nan)
-        f2[exist] = _critical_values(s.take(exist), w2[exist])
-        inside = exist & (w1 > 0)
-        f1[inside] = _critical_values(s.take(inside), w1[inside])
-        f1 = np.where(exist & (w1 == 0), f0, f1)
+        inside = w1 > 0
+        f1, f2 = _critical_values(s, np.array((w1, w2)), np.array((exist & inside, exist)))
+        f1 = np.where(exist & ~inside, f0, f1)
         return cls(s, exist, w1, w2, f0, f1, f2)
 
+    @cached_property
     def places(self) -> tuple[NDArray[np.intp], Counts]:
-        """The places of the roots that the signs show, by rising w, `NO_PLACE` behind the last; and their number.
+        """The places (4, n) of the roots that the signs show, by rising w, `NO_PLACE` behind the last; and how many.
 
         A pair that touches is not counted.
         """
-        shown = (
-            self.exist & (self.f0 < 0) & (self.f1 > 0),
-            self.exist & (self.f1 > 0) & (self.f2 < 0),
-            self.exist & (self.f2 < 0),
-            ~self.exist & (self.f0 < 0),
-        )
-        place = np.sort([np.where(there, code, NO_PLACE) for code, there in enumerate(shown)], axis=0)
-        return place, np.sum(shown, axis=0, dtype=np.int32)
+        signs = 4 * (self.f0 < 0) + 2 * (self.f1 > 0) + (self.f2 < 0)
+        case = np.where(self.exist, signs, 8 + signs)
+        return _PLACES[:, case], _SHOWN[case]
 
     def roots(self, which: NDArray[np.intp], place: NDArray[np.intp]) -> Floats:
         """The roots of the given elements at the given places: each by a first guess, refined between its bounds."""
-        if not which.size:
-            return np.empty(0)
-        s = self.s.take(which)
-        w1, w2, f0, f1, f2 = (part[which] for part in (self.w1, self.w2, self.f0, self.f1, self.f2))
-        A, k, p, q = s.A, s.k, s.p, s.q
-        # between 0 and the maximum the quartic is concave: the tangent at 0 and the parabola at w1 end below the root
-        drop = np.sqrt(2 * np.maximum(f1, 0.0) / (-k * s.cubic_slope(w1)))
-        # with v^2 = slope'(w2)/(2A), d (v ± d/2) = ±S is exact for q = 0, and a close first guess otherwise
-        vv = 0.5 * np.maximum(3 * w2 * w2 + p / A, 0.0)
-        twice_S = 2 * np.sqrt(np.maximum(-f2, 0.0) / (k * A))
+        start, lo, hi = np.empty((3, which.size))
+        for one, guess in enumerate((self._below, self._between, self._above, self._rising)):
+            at = np.flatnonzero(place == one)
+            if at.size:
+                start[at], lo[at], hi[at] = guess(which[at])
+        return _refine(self.s.take(which), start, lo, hi, np.where(place == BETWEEN, -1.0, 1.0))
+
+    # In go elements, out come first guesses, and lower and upper bounds. Between 0 and the maximum the quartic is
+    # concave: the tangent at 0 and the parabola at w1 end below the root. With v^2 = slope'(w2)/(2A),
+    # d (v ± d/2) = ±S is exact for q = 0, and a close first guess otherwise. Where the quartic is biquadratic, w1 = 0,
+    # the guess is the root but for rounding.
+
+    def _below(self, which: NDArray[np.intp]) -> tuple[Any, Any, Any]:
+        s, w1 = self.s.take(which), self.w1[which]
+        drop = _drop(s, w1, self.f1[which])
+        return np.maximum(-self.f0[which] / (s.k * s.q), w1 - drop), 0.0, w1
+
+    def _between(self, which: NDArray[np.intp]) -> tuple[Any, Any, Any]:
+        s, w1, w2, f1, f2 = self.s.take(which), self.w1[which], self.w2[which], self.f1[which], self.f2[which]
+        vv, twice_S = _parabola(s, w2, f2)
         down = w2 - twice_S / (np.sqrt(vv) + np.sqrt(np.maximum(vv - twice_S, 0.0)))
+        single = np.sqrt(4 * self.f0[which] / (s.k * s.A * (w2 * w2 + twice_S)))
+        return np.where(w1 == 0, single, np.where(f1 < -f2, w1 + _drop(s, w1, f1), down)), w1, w2
+
+    def _above(self, which: NDArray[np.intp]) -> tuple[Any, Any, Any]:
+        w2 = self.w2[which]
+        vv, twice_S = _parabola(self.s.take(which), w2, self.f2[which])
         above = w2 + twice_S / (np.sqrt(vv) + np.sqrt(vv + twice_S))
-        # rising everywhere: one root, below the biquadratic's and, for p >= 0, below the line's
-        E = -f0 / k
+        start = np.where(self.w1[which] == 0, np.sqrt(w2 * w2 + twice_S), above)
+        return start, w2, 2 * start
+
+    def _rising(self, which: NDArray[np.intp]) -> tuple[Any, Any, Any]:
+        """One root, below the biquadratic's and, for p >= 0, below the line's."""
+        s = self.s.take(which)
+        A, p, E = s.A, s.p, -self.f0[which] / s.k
         root = np.sqrt(p * p + 4 * A * E)
         high = np.sqrt(np.where(p > 0, 4 * E / (p + root), (root - p) / A))
-        rising = np.where(p >= 0, np.minimum(high, E / q), high)
-        # biquadratic: closed form, the guess is the root but for rounding
-        xx = w2 * w2 + twice_S
-        zero, two = np.zeros_like(A), w1 == 0
-        cases = (
-            (place == BELOW, np.maximum(-f0 / (k * q), w1 - drop), zero, w1),
-            (two & (place == BETWEEN), np.sqrt(4 * f0 / (k * A * xx)), zero, w2),
-            (two & (place == ABOVE), np.sqrt(xx), w2, 2 * np.sqrt(xx)),
-            (place == BETWEEN, np.where(f1 < -f2, w1 + drop, down), w1, w2),
-            (place == ABOVE, above, w2, 2 * above),
-            (place == RISING, rising, zero, 2 * high),
-        )
-        start, lo, hi = (np.select([case[0] for case in cases], [case[j] for case in cases]) for j in (1, 2, 3))
-        return _refine(s, start, lo, hi, np.where(place == BETWEEN, -1.0, 1.0))
+        return np.where(p >= 0, np.minimum(high, E / s.q), high), 0.0, 2 * high
+
+
+def _drop(s: _Quartic, w1: Floats, f1: Floats) -> Floats:
+    """How far from the maximum its parabola ends."""
+    return np.asarray(np.sqrt(2 * np.maximum(f1, 0.0) / (-s.k * s.cubic_slope(w1))))
+
+
+def _parabola(s: _Quartic, w2: Floats, f2: Floats) -> tuple[Floats, Floats]:
+    """v^2 and 2 S at the minimum."""
+    vv = 0.5 * np.maximum(3 * w2 * w2 + s.p / s.A, 0.0)
+    return vv, 2 * np.sqrt(np.maximum(-f2, 0.0) / (s.k * s.A))
 
 
 #: where a root lies: below the maximum, between it and the minimum, above that, or where there are none; and, of a
 #: curve's root that the signs don't show, the point that stands for it
 BELOW, BETWEEN, ABOVE, RISING, AT_W1, AT_W2, AT_0, NO_PLACE = range(8)
+
+
+def _shown(case: int) -> list[int]:
+    """The places of the roots that signs show: 8 without critical points, 4 for f0 < 0, 2 for f1 > 0, 1 for f2 < 0."""
+    none, low, hump, dip = case & 8, case & 4, case & 2, case & 1
+    if none:
+        return [RISING] if low else []
+    there = (BELOW, low and hump), (BETWEEN, hump and dip), (ABOVE, dip)
+    return [place for place, is_there in there if is_there]
+
+
+_PLACES = np.array([(_shown(case) + [NO_PLACE] * 4)[:4] for case in range(16)], dtype=np.intp).T
+_SHOWN = np.array([len(_shown(case)) for case in range(16)], dtype=np.int32)
 
 
 def _quartic_roots(s: _Quartic) -> tuple[Floats, Counts]:
@@ -399,7 +444,7 @@ def _quartic_roots(s: _Quartic) -> tuple[Floats, Counts]:
     at_maximum, at_minimum = (q.f1 == 0) & (q.w1 > 0), q.f2 == 0
     found[at_maximum, :2] = q.w1[at_maximum, None]
     found[at_minimum, 1:] = q.w2[at_minimum, None]
-    place, _ = q.places()
+    place, _ = q.places
     number, which = np.nonzero(place < NO_PLACE)
     place = place[number, which]
     column = np.array([0, 1, 2, 0])[place]
@@ -411,41 +456,45 @@ def _quartic_roots(s: _Quartic) -> tuple[Floats, Counts]:
 # ==== Public ==========================================================================================================
 
 
-def _response(A: Floats, h: Floats, m: Floats, zeta: Floats, F_0: Floats) -> tuple[Floats, Counts]:
+def _response(A: Floats, h: Any, m: Any, zeta: Any, F_0: Any) -> tuple[Floats, Counts]:
     found, count = np.full((A.size, 3), np.nan), np.zeros(A.size, np.int32)
-    moves = np.flatnonzero(F_0 >= m)  # otherwise I >= m > F_0: the mass sticks
-    found[moves], count[moves] = _quartic_roots(_Response.of(A[moves], h[moves], m[moves], zeta[moves], F_0[moves]))
+    moves = np.flatnonzero(np.full(A.size, F_0 >= m))  # otherwise I >= m > F_0: the mass sticks
+    if moves.size:
+        of = (_taken(value, moves) for value in (A, h, m, zeta, F_0))
+        found[moves], count[moves] = _quartic_roots(_Response.of(*of))
     return found, count
 
 
-def _fold(A: Floats, h: Floats, h_A: Floats, m: Floats, zeta: Floats) -> tuple[Floats, Counts]:
+def _fold(A: Floats, h: Floats, h_A: Floats, m: Any, zeta: Any) -> tuple[Floats, Counts]:
     found = np.full((A.size, 3), np.nan)
-    two_factors = zeta == 0  # the backbone, and one in h_A alone
+    two_factors = np.full(A.size, zeta == 0)  # the backbone, and one in h_A alone
     i = np.flatnonzero(two_factors)
-    found[i, 0] = slow_flow_zeta0.backbone(A[i], np.where(h[i] < 0, h[i], np.nan))
-    found[i, 1] = slow_flow_zeta0.undamped_Omega(np.where(h_A[i] < 0, h_A[i], np.nan))
+    if i.size:
+        found[i, 0] = slow_flow_zeta0.backbone(A[i], np.where(h[i] < 0, h[i], np.nan))
+        found[i, 1] = slow_flow_zeta0.undamped_Omega(np.where(h_A[i] < 0, h_A[i], np.nan))
     i = np.flatnonzero(~two_factors)
-    # beside a corner h_A is huge: measure w there in units of sqrt|h_A|, lest w^4 overflow
-    e = np.where(np.abs(h_A[i]) > 2.0**100, np.frexp(h_A[i])[1] // 4, 0)
-    scaled = (np.ldexp(A[i], 2 * e), np.ldexp(h[i], -2 * e), np.ldexp(h_A[i], -4 * e), np.ldexp(m[i], -2 * e))
-    found[i] = _quartic_roots(_Fold.of(*scaled, np.ldexp(zeta[i], -2 * e)))[0] * np.ldexp(1.0, 2 * e)[:, None]
+    if i.size:
+        A, h, h_A, m, zeta = (_taken(value, i) for value in (A, h, h_A, m, zeta))
+        # beside a corner h_A is huge: measure w there in units of sqrt|h_A|, lest w^4 overflow
+        huge = np.abs(h_A) > 2.0**100
+        if huge.any():
+            e = np.where(huge, np.frexp(h_A)[1] // 4, 0)
+            scaled = (np.ldexp(A, 2 * e), np.ldexp(h, -2 * e), np.ldexp(h_A, -4 * e), np.ldexp(m, -2 * e))
+            found[i] = _quartic_roots(_Fold.of(*scaled, np.ldexp(zeta, -2 * e)))[0] * np.ldexp(1.0, 2 * e)[:, None]
+        else:
+            found[i] = _quartic_roots(_Fold.of(A, h, h_A, m, zeta))[0]
     found.sort(axis=-1)
     return found, np.sum(found > 0, axis=-1, dtype=np.int32)
 
 
-def _peak(A: Floats, h: Floats, m: Floats, zeta: Floats) -> tuple[Floats, Counts]:
+def _peak(A: Floats, h: Any, m: Any, zeta: Any) -> tuple[Floats, Counts]:
     found = np.full((A.size, 2), np.nan)
-    s = _Response.of(A, h, m, zeta, np.zeros_like(A))
+    s = _Response.of(A, h, m, zeta, 0.0)
     exist, w1, w2 = _critical_points(s)
-    for place, w, which in ((0, w1, exist & (w1 > 0)), (1, w2, exist)):
-        found[which, place] = _polish_cubic(s.take(which), w[which])
+    which, place = np.array((exist & (w1 > 0), exist)).T.nonzero()
+    found[which, place] = _polish_cubic(s.take(which), np.array((w1, w2))[place, which])
     found.sort(axis=-1)
     return found, np.sum(found > 0, axis=-1, dtype=np.int32)
-
-
-def _quartic_of(fold: bool, A: Floats, h: Floats, h_A: Floats, m: float, zeta: float, F_0: float) -> _Quartic:
-    numbers = (np.full_like(A, m), np.full_like(A, zeta))
-    return _Fold.of(A, h, h_A, *numbers) if fold else _Response.of(A, h, *numbers, np.full_like(A, F_0))
 
 
 class Quartics:
@@ -456,7 +505,7 @@ class Quartics:
     """
 
     def __init__(self, A: Floats, h: Floats, h_A: Floats, m: float, zeta: float, F_0: float) -> None:
-        self._isolated = _Isolated.of(_quartic_of(F_0 < 0, A, h, h_A, m, zeta, F_0))
+        self._isolated = _Isolated.of(_Fold.of(A, h, h_A, m, zeta) if F_0 < 0 else _Response.of(A, h, m, zeta, F_0))
 
     @property
     def exist(self) -> Bools:
@@ -471,35 +520,46 @@ class Quartics:
 
     def count(self) -> Counts:
         """How many roots the signs show; a pair that touches is not counted."""
-        return self._isolated.places()[1]
+        return self._isolated.places[1]
 
     def roots(self, count: NDArray[np.intp], index: NDArray[np.intp]) -> Floats:
         """Root number `index` of `count`, also where the signs count otherwise."""
         q = self._isolated
         place = self._place(count, index)
-        Omega = np.where(place == AT_W1, q.w1, np.where((place == AT_W2) & q.exist, q.w2, 0.0))
         proper = np.flatnonzero(place <= RISING)
-        Omega[proper] = q.roots(proper, place[proper])
+        if proper.size == place.size:
+            return q.roots(proper, place)
+        Omega = np.where(place == AT_W1, q.w1, np.where((place == AT_W2) & q.exist, q.w2, 0.0))
+        if proper.size:
+            Omega[proper] = q.roots(proper, place[proper])
         return Omega
 
     def _place(self, count: NDArray[np.intp], index: NDArray[np.intp]) -> NDArray[np.intp]:
-        q = self._isolated
-        places, shown = q.places()
+        places, shown = self._isolated.places
+        place = np.where(index < count, _picked(places, index), AT_W2)
+        others = np.flatnonzero(shown != count)
+        if others.size:
+            place[others] = self._place_by_count(others, count[others], index[others])
+        return place
 
-        def at(number: NDArray[np.intp]) -> NDArray[np.intp]:
-            picked: NDArray[np.intp] = np.take_along_axis(places, np.clip(number, 0, 3)[np.newaxis], axis=0)[0]
-            return picked
+    def _place_by_count(self, which: NDArray[np.intp], count: Any, index: Any) -> NDArray[np.intp]:
+        """The places where the signs of these elements count otherwise."""
+        q = self._isolated
+        places, shown = q.places[0][:, which], q.places[1][which]
+        exist, f0, f1, f2 = (part[which] for part in (q.exist, q.f0, q.f1, q.f2))
+
+        def at(number: Any) -> Any:
+            return _picked(places, number)
 
         # a pair that is about to meet: where maximum and minimum are about to as well, all three roots are
         lower = np.where(index < 2, AT_W1, at(index - 2))
         upper = np.where(index < count - 2, at(index), AT_W2)
-        hidden = np.where(q.exist, np.where(q.f1 > 0, upper, lower), np.where(q.f0 < 0, RISING, AT_0))
+        hidden = np.where(exist, np.where(f1 > 0, upper, lower), np.where(f0 < 0, RISING, AT_0))
         # of two too many the pair that is nearest to nothing does not count
-        surplus = at(np.where(np.abs(q.f1) < np.abs(q.f2), index + 2, index))
+        surplus = at(np.where(np.abs(f1) < np.abs(f2), index + 2, index))
         chosen: NDArray[np.intp] = np.select(
-            [shown == count, shown == count - 1, shown == count + 1, shown == count - 2, shown == count + 2],
+            [shown == count - 1, shown == count + 1, shown == count - 2, shown == count + 2],
             [
-                np.where(index < count, at(index), AT_W2),
                 np.where(index == 0, AT_0, at(index - 1)),  # the lowest has gone to 0
                 at(index + 1),  # one has come from 0
                 hidden,
@@ -510,10 +570,15 @@ class Quartics:
         return chosen
 
 
+def _picked(places: NDArray[np.intp], number: Any) -> NDArray[np.intp]:
+    """Of each element the place with its number."""
+    picked: NDArray[np.intp] = places[np.clip(number, 0, 3), np.arange(places.shape[1])]
+    return picked
+
+
 def critical_points(A: Floats, p: Floats, q: float) -> tuple[Bools, Floats, Floats]:
     """Where A w^3 + p w + q, q >= 0, vanishes on w >= 0, and the two points; A and p of one length."""
-    none = np.zeros_like(A)
-    return _critical_points(_Quartic(A, none, none, none, none, none, p, none, np.full_like(A, q), none))
+    return _critical_points(_Quartic(A, 0.0, 0.0, 0.0, 0.0, 0.0, p, np.zeros_like(p), q, 0.0))
 
 
 def _broadcast(
@@ -525,17 +590,21 @@ def _broadcast(
     """
     arrays = floats(*parameters)
     shape = common_shape(arrays)
-    flat = [(array if array.shape == shape else np.broadcast_to(array, shape)).reshape(-1) for array in arrays]
-    n = flat[0].size
+    # what is one number stays one
+    flat = [
+        float(array) if array.ndim == 0 and number not in (0, *any_sign) else np.broadcast_to(array, shape).reshape(-1)
+        for number, array in enumerate(arrays)
+    ]
+    n = math.prod(shape)
+    valid = np.asarray(flat[0] > 0)
+    for number, array in enumerate(flat):
+        valid = valid & (np.abs(array) < np.inf if number in any_sign else (array >= 0) & (array < np.inf))
     found, count = np.full((n, places), np.nan), np.full(n, -1, np.int32)
+    left = np.flatnonzero(valid)
     with np.errstate(all="ignore"):
-        for first in range(0, n, CHUNK):
-            part = [array[first : first + CHUNK] for array in flat]
-            valid = part[0] > 0
-            for number, array in enumerate(part):
-                valid &= np.isfinite(array) & ((array >= 0) | (number in any_sign))
-            i = np.flatnonzero(valid)
-            found[first + i], count[first + i] = solve(*(array[i] for array in part))
+        for first in range(0, left.size, CHUNK):
+            i = left[first : first + CHUNK]
+            found[i], count[i] = solve(*(_taken(array, i) for array in flat))
     return found.reshape(*shape, places), count.reshape(shape)
 
 

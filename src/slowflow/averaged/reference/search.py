@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.averaged.reference.along import NOWHERE, THROUGHOUT, Asked, Channel, Range
+from slowflow.averaged.reference.along import NOWHERE, THROUGHOUT, Asked, Channels, Ranges
 from slowflow.averaged.reference.cells import Samples, Stretch, amid, between, cells_of, joined, samples_at
 from slowflow.averaged.reference.intervals import Bools
 from slowflow.model import Floats, Model
@@ -59,12 +59,17 @@ class Zeros:
 
 @dataclass(eq=False)
 class _Brackets:
-    """Intervals that hold just one zero of a channel each, which ends there with the sign `edge` if that is not 0."""
+    """Intervals that hold just one zero of a channel of a question each.
 
-    piece: Ints
-    low: Samples
-    high: Samples
+    A, rows -- arrays (2, n), (2, 7, n): the ends and what the channel is there, as `Channels` has it
+    edge    -- the sign with which the channel ends there, if that is not 0
+    """
+
+    question: Ints
     channel: Ints
+    piece: Ints
+    A: Floats
+    rows: Floats
     edge: Ints
 
 
@@ -82,7 +87,7 @@ def _find_zeros(model: Model, questions: Sequence[Asked], pieces: Sequence[Stret
     base = np.array([one.base for one in pieces])
     values = [question.ask(joined(a, b)) for question in questions]
     is_open = [_opened(answers, a) for answers in values]
-    brackets: list[list[_Brackets]] = [[] for _ in questions]
+    brackets: list[_Brackets] = []
     undecided = [question.is_close(joined(a, b), answers) for question, answers in zip(questions, values, strict=True)]
     looked_at = 0
     while len(a):
@@ -97,25 +102,19 @@ def _find_zeros(model: Model, questions: Sequence[Asked], pieces: Sequence[Stret
             if not some.size:
                 continue
             part = cells if some.size == n else cells.take(some)
-            for c, found in enumerate(question.range(part)):
-                answer = values[number][c]
-                settled, holds, edge, unknown = _settle(
-                    answer.take(some), answer.take(n + some), found, part.A.ends, last[some]
-                )
-                wanted = is_open[number][c, some]
-                undecided[number] |= bool((unknown & wanted).any())
-                hits = some[holds & wanted]
-                if hits.size:
-                    of_hits = edge[holds & wanted]
-                    channel = np.full(hits.size, c)
-                    brackets[number].append(_Brackets(piece[hits], a.take(hits), b.take(hits), channel, of_hits))
-                is_open[number][c, some] = wanted & ~settled
+            at_a, at_b = values[number].take(some), values[number].take(n + some)
+            settled, holds, edge, unknown = _settle(at_a, at_b, question.range(part), part.A.ends, last[some])
+            wanted = is_open[number][:, some]
+            undecided[number] |= bool((unknown & wanted).any())
+            channel, place = (holds & wanted).nonzero()
+            if channel.size:
+                rows = np.array((at_a.rows[:, channel, place], at_b.rows[:, channel, place]))
+                of = np.full(channel.size, number), channel, piece[some[place]]
+                brackets.append(_Brackets(*of, part.A.ends[:, place], rows, edge[channel, place]))
+            is_open[number][:, some] = wanted & ~settled
         piece, a, b, values, is_open, close = _cut(model, questions, base, piece, a, b, values, is_open)
         undecided = [one or other for one, other in zip(undecided, close, strict=True)]
-    return [
-        replace(_solved(model, question, base, found), undecided=unknown)
-        for question, found, unknown in zip(questions, brackets, undecided, strict=True)
-    ]
+    return _solved(model, questions, base, brackets, undecided)
 
 
 def _first_intervals(model: Model, pieces: Sequence[Stretch]) -> tuple[Ints, Samples, Samples]:
@@ -141,33 +140,33 @@ def _first_intervals(model: Model, pieces: Sequence[Stretch]) -> tuple[Ints, Sam
     return np.concatenate(numbers), joined(*lows), joined(*highs)
 
 
-def _opened(answers: list[Channel], a: Samples) -> Bools:
+def _opened(answers: Channels, a: Samples) -> Bools:
     """Which intervals are looked at, a row for each channel: next to A = 0 none of what vanishes there."""
-    n = len(a)
-    vanishes = np.any([answer.exists[:n] & (answer.y[:n] == 0) for answer in answers], axis=0) & (a.A == 0)
-    return np.tile(~vanishes, (len(answers), 1))
+    at_a = answers.take(slice(0, len(a)))
+    vanishes = (at_a.exists & (at_a.y == 0)).any(axis=0) & (a.A == 0)
+    return np.array([~vanishes] * len(answers.y))
 
 
-def _settle(a: Channel, b: Channel, found: Range, A: Floats, last: Bools) -> tuple[Bools, Bools, Ints, Bools]:
-    """Whether a channel is settled on intervals, whether it has a zero there, the sign where it ends, and whether it is
-    settled without a proof; `last`: it is settled anyway.
+def _settle(a: Channels, b: Channels, found: Ranges, A: Floats, last: Bools) -> tuple[Bools, Bools, Ints, Bools]:
+    """Whether channels are settled on intervals, whether they have a zero there, the sign where they end, and whether
+    they are settled without a proof; `last`: they are settled anyway.
     """
-    both = a.exists & b.exists
-    passes = both & ((a.y < 0) != (b.y < 0))
+    in_a, in_b, falls_a, falls_b = a.exists, b.exists, a.y < 0, b.y < 0
+    both, throughout, monotone = in_a & in_b, found.where == THROUGHOUT, found.dy.has_sign
+    passes = both & (falls_a != falls_b)
     known = found.y.both(between(a.y, b.y, found.dy, A[1] - A[0]))
     # values on both sides of zero may differ by roundings more than slopes allow
-    y = known.where((found.where == THROUGHOUT) & both & ~passes, found.y)
+    y = known.where(throughout & both & ~passes, found.y)
     empty = (found.where == NOWHERE) | y.has_sign
-    decided = ~empty & (last | found.dy.has_sign)
-    by_ends = decided & both & (last | (found.where == THROUGHOUT))
+    decided = ~empty & (last | monotone)
+    by_ends = decided & both & (last | throughout)
     edge = np.where((found.edge == 0) & last & (a.edge == b.edge), a.edge, found.edge).astype(np.intp)
-    one_ends = decided & ~by_ends & (edge != 0) & (a.exists != b.exists)
-    negative_a = np.where(a.exists, a.y < 0, edge < 0)
-    negative_b = np.where(b.exists, b.y < 0, edge < 0)
+    one_ends = decided & ~by_ends & (edge != 0) & (in_a != in_b)
+    negative_a, negative_b = np.where(in_a, falls_a, edge < 0), np.where(in_b, falls_b, edge < 0)
     holds = (by_ends | one_ends) & (negative_a != negative_b)
-    # it ends where its sign there turns, which doubles do not tell apart
-    turns = decided & ~by_ends & ~one_ends & (a.exists != b.exists) & (a.edge * b.edge < 0)
-    unknown = ~empty & last & (~found.dy.has_sign | turns)
+    # they end where their sign there turns, which doubles do not tell apart
+    turns = decided & ~by_ends & ~one_ends & (in_a != in_b) & (a.edge * b.edge < 0)
+    unknown = ~empty & last & (~monotone | turns)
     return empty | by_ends | one_ends | last, holds, np.where(one_ends, edge, 0), unknown
 
 
@@ -178,9 +177,9 @@ def _cut(
     piece: Ints,
     a: Samples,
     b: Samples,
-    values: list[list[Channel]],
+    values: list[Channels],
     is_open: list[Bools],
-) -> tuple[Ints, Samples, Samples, list[list[Channel]], list[Bools], list[bool]]:
+) -> tuple[Ints, Samples, Samples, list[Channels], list[Bools], list[bool]]:
     """The intervals that are open for some channel, cut in two or more; and whether a question is close."""
     n = len(a)
     left = np.flatnonzero(np.any([opened.any(axis=0) for opened in is_open], axis=0))
@@ -202,95 +201,94 @@ def _cut(
     low, high = np.where(nodes[row, of] == a.A[of], of, row * left.size + of), (row + 1) * left.size + of
     kept = np.flatnonzero(ends.A[low] < ends.A[high])
     low, high, of = low[kept], high[kept], of[kept]
-    fresh, of_inner = [], [question.ask(inner) for question in questions]
-    close = [question.is_close(inner, asked) for question, asked in zip(questions, of_inner, strict=True)]
-    for answers, asked in zip(values, of_inner, strict=True):
-        table = [
-            _joined_channels(answer.take(left), one, answer.take(n + left))
-            for answer, one in zip(answers, asked, strict=True)
-        ]
-        fresh.append([one.take(np.concatenate((low, high))) for one in table])
-    opened = [part[:, left][:, of] for part in is_open]
+    fresh, opened, close = [], [], []
+    for question, answers, part in zip(questions, values, is_open, strict=True):
+        # a question is asked on the intervals that are open for it
+        own = np.flatnonzero(part[:, left].any(axis=0))
+        rows = np.zeros((*answers.rows.shape[:2], parts + 1, left.size))
+        close.append(False)
+        if own.size:
+            asked = (
+                inner
+                if own.size == left.size
+                else inner.take(np.add.outer(left.size * np.arange(parts - 1), own).ravel())
+            )
+            found = question.ask(asked)
+            close[-1] = question.is_close(asked, found)
+            rows[..., 1:-1, own] = found.rows.reshape(*rows.shape[:2], parts - 1, own.size)
+            rows[..., 0, :], rows[..., -1, :] = answers.rows[..., left], answers.rows[..., n + left]
+        fresh.append(Channels(rows.reshape(*rows.shape[:2], -1)[..., np.concatenate((low, high))]))
+        opened.append(part[:, left[of]])
     return piece[of], ends.take(low), ends.take(high), fresh, opened, close
 
 
-def _joined_channels(*parts: Channel) -> Channel:
-    return Channel(*(np.concatenate([getattr(part, name) for part in parts]) for name in Channel.__dataclass_fields__))
-
-
-def _solved(model: Model, question: Asked, base: Floats, found: list[_Brackets]) -> Zeros:
-    """The zeros in the brackets, by rising A."""
+def _solved(
+    model: Model, questions: Sequence[Asked], base: Floats, found: list[_Brackets], undecided: list[bool]
+) -> list[Zeros]:
+    """The zeros in the brackets, of each question by rising A."""
     if not found:
         none, numbers = np.empty(0), np.empty(0, dtype=np.intp)
-        return Zeros(numbers, numbers, none, none, none, np.empty(0, dtype=bool))
+        nothing = Zeros(numbers, numbers, none, none, none, np.empty(0, dtype=bool))
+        return [replace(nothing, undecided=unknown) for unknown in undecided]
     brackets = _Brackets(
-        np.concatenate([one.piece for one in found]),
-        joined(*(one.low for one in found)),
-        joined(*(one.high for one in found)),
-        np.concatenate([one.channel for one in found]),
-        np.concatenate([one.edge for one in found]),
+        *(np.concatenate([getattr(one, name) for one in found], axis=-1) for name in _Brackets.__dataclass_fields__)
     )
-    zeros = _solve(model, question, base[brackets.piece], brackets)
-    return zeros.take(np.lexsort((zeros.A, zeros.piece)))
+    zeros = _solve(model, questions, base[brackets.piece], brackets)
+    order = np.lexsort((zeros.A, zeros.piece))
+    return [
+        replace(zeros.take(order[brackets.question[order] == number]), undecided=unknown)
+        for number, unknown in enumerate(undecided)
+    ]
 
 
-def _of_channel(answers: list[Channel], channel: Ints) -> Channel:
-    """At each sample the answer of its own channel."""
-    if len(answers) == 1:
-        return answers[0]
-    first, second = answers
-    return Channel(
-        *(np.where(channel == 0, getattr(first, n), getattr(second, n)) for n in Channel.__dataclass_fields__)
-    )
+def _asked(questions: Sequence[Asked], of: Ints, channel: Ints, at: Samples) -> Floats:
+    """At each sample (n,) the answer of its own channel of its own question: rows (7, n)."""
+    rows = np.empty((7, len(at)))
+    for number, question in enumerate(questions):
+        own = np.flatnonzero(of == number)
+        if own.size:
+            rows[:, own] = question.ask(at.take(own)).rows[:, channel[own], np.arange(own.size)]
+    return rows
 
 
-def _solve(model: Model, question: Asked, base: Floats, brackets: _Brackets) -> Zeros:
+def _solve(model: Model, questions: Sequence[Asked], base: Floats, brackets: _Brackets) -> Zeros:
     """Newton's steps, kept in the brackets."""
-    channel, edge = brackets.channel, brackets.edge
-    lo, hi = brackets.low.A.copy(), brackets.high.A.copy()
-    n = lo.size
-    ends = _of_channel(question.ask(joined(brackets.low, brackets.high)), np.tile(channel, 2))
-    at_low, at_high = ends.take(slice(0, n)), ends.take(slice(n, None))
+    question, channel, edge = brackets.question, brackets.channel, brackets.edge
+    ends_A, ends = brackets.A.copy(), brackets.rows.copy()
+    at_low, at_high = Channels(ends[0]), Channels(ends[1])
     rising = np.where(at_low.exists, at_low.y < 0, edge < 0)
     # begin where the value is the lesser, of those that exist
     from_low = at_low.exists & ~(at_high.exists & ~(np.abs(at_low.y) < np.abs(at_high.y)))
-    A = np.where(from_low, lo, hi)
-    state = {name: np.where(from_low, getattr(at_low, name), getattr(at_high, name)) for name in at_low.__dict__}
-    lo_state = {name: getattr(at_low, name).copy() for name in at_low.__dict__}
-    hi_state = {name: getattr(at_high, name).copy() for name in at_high.__dict__}
-    last = hi - lo
-    active = np.arange(n)
+    A, state = np.where(from_low, ends_A[0], ends_A[1]), np.where(from_low, ends[0], ends[1])
+    last = ends_A[1] - ends_A[0]
+    active = np.arange(A.size)
     for step in range(400):
-        x = A[active]
-        following = np.where(state["exists"][active], x - state["y"][active] / state["dy"][active], np.nan)
+        x, (below, above), (exists, y, dy) = A[active], ends_A[:, active], state[:3, active]
+        following = np.where(exists != 0, x - y / dy, np.nan)
         moved = np.abs(following - x)
         near = (moved <= 2.0**-52 * x) if step else np.zeros(active.size, dtype=bool)
-        below, above = lo[active], hi[active]
         outside = ~((following > below) & (following < above)) | (moved > SLOW * last[active])
-        following = np.where(outside, amid(base[active], below, above), following)
-        near |= outside & ~((following > below) & (following < above))
+        if outside.any():
+            following = np.where(outside, amid(base[active], below, above), following)
+            near |= outside & ~((following > below) & (following < above))
         active, following = active[~near], following[~near]
         if not active.size:
             break
         last[active] = np.abs(following - A[active])
-        answer = _of_channel(question.ask(samples_at(model, following)), channel[active])
-        A[active] = following
-        for name, column in state.items():
-            column[active] = getattr(answer, name)
-        negative = np.where(answer.exists, answer.y < 0, edge[active] < 0)
-        same = negative == rising[active]
-        for keep, ends_A, end_state in ((same, lo, lo_state), (~same, hi, hi_state)):
-            ends_A[active[keep]] = following[keep]
-            for name, column in end_state.items():
-                column[active[keep]] = getattr(answer, name)[keep]
+        answer = _asked(questions, question[active], channel[active], samples_at(model, following))
+        A[active], state[:, active] = following, answer
+        negative = np.where(answer[0] != 0, answer[1] < 0, edge[active] < 0)
+        # the end that it takes the place of: the lower one has the sign that the channel rises from
+        end = (negative != rising[active]).astype(np.intp)
+        ends_A[end, active], ends[end, :, active] = following, answer.T
     # the channel may end an ulp before the zero: the end that it is defined at stands for it
-    for ends_A, end_state in ((lo, lo_state), (hi, hi_state)):
-        ended = ~state["exists"] & end_state["exists"]
-        A = np.where(ended, ends_A, A)
-        state = {name: np.where(ended, end_state[name], column) for name, column in state.items()}
+    for end in (0, 1):
+        ended = (state[0] == 0) & (ends[end, 0] != 0)
+        A, state = np.where(ended, ends_A[end], A), np.where(ended, ends[end], state)
     # Omega at the zero itself, which lies within roundings of A: where h_A is large, but no limit, that moves
     # Omega by much
-    beyond = state["y"] / state["dy"]
-    moves = (state["Omega_A"] != 0) & np.isfinite(state["Omega_A"]) & (np.abs(beyond) <= AT_ROOT * A)
-    Omega = np.where(moves, state["Omega"] - state["Omega_A"] * np.where(moves, beyond, 0.0), state["Omega"])
-    return Zeros(brackets.piece, channel, A, Omega, state["level"], rising)
+    at = Channels(state)
+    beyond = at.y / at.dy
+    moves = (at.Omega_A != 0) & np.isfinite(at.Omega_A) & (np.abs(beyond) <= AT_ROOT * A)
+    Omega = np.where(moves, at.Omega - at.Omega_A * np.where(moves, beyond, 0.0), at.Omega)
+    return Zeros(brackets.piece, channel, A, Omega, at.level, rising)
