@@ -200,3 +200,29 @@ def test_without_flint_states_whose_branches_coincide_are_refused(monkeypatch):
     with pytest.raises(ArithmeticError, match="branches coincide"):
         Duffing(*design).amplitudes(Omega=Omega, F_0=F_0)
     assert batch(Duffing(*design)).amplitudes(Omega=Omega, F_0=F_0).status == Status.UNRESOLVED
+
+
+#: Duffing oscillators and forcings next to levels at which folds are born, of so many as are proved
+NEXT_TO_LEVELS = (
+    ((0.48142232365018633, 9.788661688263335, 0.0, 1.0564987447954073), 10.365586243652253, 2),
+    ((17.403023028802444, -0.0012316003355198357, 5.861465155805233e-10, 1.1195404367675672), 593.8396952349344, 1),
+    ((0.11012827209751788, -0.11242638519274138, 0.0, 0.12291587747807577), 0.0402214821341839, 3),
+    ((0.37626339128722736, 8.177922744698371, 0.10756759764482636, 1.5532233127001491), 35.19007969500994, 0),
+)
+
+
+@pytest.mark.parametrize(("design", "F_0", "number"), NEXT_TO_LEVELS)
+def test_a_curve_is_decided_where_balls_prove_the_folds_that_it_has(design, F_0, number, monkeypatch):
+    one = Duffing(*design)
+    assert averaged.Duffing(**dict(zip(("alpha", "beta", "mu", "zeta"), design, strict=True))).fold_count(F_0) == number
+    decided, many = (ask.frequency_response(F_0, samples=50) for ask in (one, batch(one)))
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
+    found, in_doubles = (ask.frequency_response(F_0, samples=50) for ask in (one, batch(one)))
+    assert Remark.UNDECIDED in found.remarks and in_doubles.undecided
+    for single, several in ((found, in_doubles), (decided, many)):
+        assert (int(single.remarks), single.A.tolist()) == (several.remarks, several.A[: len(single)].tolist())
+    by_balls, folds = Remark.BY_BALLS in decided.remarks, solvers.saddle_nodes(one.model, F_0)
+    assert by_balls == (Remark.UNDECIDED not in decided.remarks) == (not many.undecided)
+    assert by_balls or backend.SOLVER is None  # whose folds have fewer digits
+    assert not by_balls or len(folds) == number
+    assert decided.A.tolist() == found.A.tolist()

@@ -93,9 +93,8 @@ def curves(samples: int, window: tuple[float, float]) -> Question:
     n = samples + MORE_POINTS
 
     def one(oscillator: Any, F_0: float, places: int) -> tuple[Any, ...]:
-        found = oscillator and oscillator.frequency_response(F_0, samples=samples, Omega=window)
+        found = oscillator and oscillator.curve(F_0, samples=samples, Omega=window, allowance=Allowance(0))
         *folds, undecided, status = _saddle_nodes(oscillator, F_0, places)
-        # folds that balls decide leave the curve as doubles have it
         undecided = undecided or (bool(found) and Remark.UNDECIDED in found.remarks)
         size = len(found) if found else 0
         Omega, A, branch = np.full(n, np.nan), np.full(n, np.nan), np.full(n, -1, np.int16)

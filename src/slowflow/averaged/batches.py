@@ -444,7 +444,7 @@ class Curves(Passing, AlongCurves):
     isola  -- 1 where that curve is closed
     points -- how many points there are
     fold_Omega, fold_A, fold_kind, count -- `Omega`, `A`, `kind` and `count` of `Folds`, with `places` places
-    undecided -- 1 where doubles do not tell whether there is another pair of folds
+    undecided -- 1 where neither doubles nor balls tell whether there are other folds, peaks or static states
     """
 
     inner: ClassVar[Mapping[str, str]] = MappingProxyType(

@@ -196,10 +196,21 @@ class Designs:
         curve has more points, which has none then, or more folds than `places`. Some 25 bytes a point.
         """
         places = validate.count("places", places, least=1)
-        question = curves(*validate.curve(samples, Omega))
-        found, A, stable, *rest = self.ask(question, workers, F_0, places)
+        samples, window = validate.curve(samples, Omega)
+        question = curves(samples, window)
+        in_doubles = question.one
+        columns = self.ask(question, workers, F_0, places)
+
+        def of_one(one: Averaged, F: float) -> tuple[Remark, tuple[Any, ...]]:
+            assert in_doubles is not None  # only proofs have none
+            remarked = one.curve(F, samples=samples, Omega=window).remarks
+            *values, undecided, status = in_doubles(one, F, places)
+            return remarked, (*values, undecided and Remark.BY_BALLS not in remarked, status)
+
+        by_balls = self._decide(of_one, columns, F_0)
+        found, A, stable, *rest = columns
         self._leave_out_what_drifts(found, A, stable)
-        return Curves(found, A, stable, *rest, _designs=self, _F_0=F_0, _averaged=True)
+        return Curves(found, A, stable, *rest, _designs=self, _F_0=F_0, _averaged=True, _by_balls=by_balls)
 
     def peak(self, F_0: Any, *, workers: int = 1) -> Peaks:
         """The highest peak at F_0, which broadcasts with the designs."""

@@ -18,12 +18,12 @@ import numpy.typing as npt
 
 from slowflow import backend
 from slowflow.answer import joined
-from slowflow.averaged import words
+from slowflow.averaged import solvers, words
 from slowflow.certificate import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
-from slowflow.results import Remark, SaddleNodes, SteadyStates
-from slowflow_kernels.conventions import OnsetKind, Status
+from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates
+from slowflow_kernels.conventions import SAME, OnsetKind, Status
 
 Answer = TypeVar("Answer", bound=Proved)
 
@@ -168,6 +168,37 @@ def decided_states(found: SteadyStates, model: Model, asked: Floats, F_0: float,
         message = joined(message, words.ASKED_ENOUGH.format(MOST_IN_BALLS))
     codes = words.beside(undecided.size > 0, cut) | Remark.BY_BALLS
     return SteadyStates(Omega, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=codes)
+
+
+def decided_curve(
+    found: FrequencyResponse, model: Model, window: tuple[float, float], allowance: Allowance
+) -> FrequencyResponse:
+    """A response curve in a window of which doubles leave open how many folds it has: not where balls prove its own.
+
+    As it is where they prove others, or the same with other digits, and where doubles do not tell its peaks or static
+    states either.
+    """
+    F_0 = float(found.F_0)
+    if Remark.UNDECIDED not in found.remarks or not is_plain(model):
+        return found
+    folds = solvers.saddle_nodes(model, F_0)
+    known = folds if Remark.UNDECIDED not in folds.remarks else decided(folds, model, allowance)
+    if known is folds or len(known) != len(folds) or not (_same(known.A, folds.A) and _same(known.Omega, folds.Omega)):
+        return found
+    inside = (window[0] < folds.Omega) & (folds.Omega < window[1])
+    points = set(zip(found.Omega.tolist(), found.A.tolist(), strict=True))
+    if not points.issuperset(zip(folds.Omega[inside].tolist(), folds.A[inside].tolist(), strict=True)):
+        return found
+    from slowflow.averaged.reference.response import are_events_undecided  # which takes time to load
+
+    if are_events_undecided(model, F_0):
+        return found
+    return dataclasses.replace(found, remarks=(found.remarks & ~Remark.UNDECIDED) | Remark.BY_BALLS)
+
+
+def _same(one: Floats, other: Floats) -> bool:
+    """Whether numbers are the same but for a few roundings."""
+    return bool((np.abs(one - other) <= SAME * one).all())
 
 
 def nothing_decided(model: Model, asked: Floats, F_0: float) -> SteadyStates:

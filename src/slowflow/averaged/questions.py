@@ -102,7 +102,9 @@ class Averaged:
         """
         return self._remarked(self.curve(F_0, samples=samples, Omega=Omega), F_0)
 
-    def curve(self, F_0: float, *, samples: int, Omega: tuple[float, float]) -> FrequencyResponse:
+    def curve(
+        self, F_0: float, *, samples: int, Omega: tuple[float, float], allowance: proofs.Allowance | None = None
+    ) -> FrequencyResponse:
         """`frequency_response` without the remarks on averaging: what another approximation starts from."""
         F_0 = validate.number("F_0", F_0, above=0.0)
         samples, shown = validate.curve(samples, Omega)
@@ -112,7 +114,8 @@ class Averaged:
             return FrequencyResponse(
                 none, none, flags, F_0, words.sticks(self.model, F_0), self.model, np.empty(0, np.intp), ()
             )
-        return self._centred(solvers.frequency_response(planned.model, F_0, samples, shown))
+        found = solvers.frequency_response(planned.model, F_0, samples, shown)
+        return self._centred(proofs.decided_curve(found, self.model, shown, allowance or proofs.Allowance()))
 
     def amplitudes(self, *, Omega: Any, F_0: Any) -> SteadyStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies (24), (30).

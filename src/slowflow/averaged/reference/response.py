@@ -165,6 +165,15 @@ def _events_of_inertia(model: Model, F_0: float, A_max: float) -> tuple[list[Eve
     return [Event(0.0, start, Kind.CUT), *inside, Event(A_max, 0.0, Kind.CUT)], peaks.undecided
 
 
+@np.errstate(all="ignore")
+def are_events_undecided(model: Model, F_0: float) -> bool:
+    """Whether doubles leave open which peaks and static states a response curve has; of a force."""
+    try:
+        return _events(model, F_0, amplitude_bound(model, F_0)[0])[1]
+    except ArithmeticError:
+        return True
+
+
 def _arcs_of_folds(roots: Along, graph: Graph, folds: SaddleNodes) -> dict[int, list[tuple[float, float]]]:
     """The folds (A, Omega) on each arc: of those that reach a fold's amplitude the one that is nearest."""
     pairs = [
