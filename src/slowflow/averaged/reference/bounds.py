@@ -64,7 +64,8 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
         if np.isfinite(model.reach) and not bounded:
             return words.cut_at_reach(model) if _has_state(model, model.reach, F_0) else (model.reach, "")
     else:
-        at, far = samples_at(model, rungs), samples_at(model, ENDLESS * np.maximum(rungs, 1.0))
+        both = samples_at(model, np.concatenate((rungs, ENDLESS * np.maximum(rungs, 1.0))))
+        at, far = both.take(slice(0, rungs.size)), both.take(slice(rungs.size, None))
         slope = cells_of(model, at, far).h_A
         rises = np.where(at.h > 0, slope.lo >= 0, slope.hi <= 0)
         bounds = rises & (np.abs(at.h) > most)

@@ -122,12 +122,11 @@ class Stretch:
 
 def stretches_up_to(model: Model, A_max: float) -> list[Stretch]:
     """All pieces up to an amplitude."""
-    ends = [b for b in model.breakpoints if b < A_max]
-    firsts = [samples_at(model, 0.0), *(sample_above(model, i) for i in range(len(ends)))]
-    return [
-        Stretch(first, samples_at(model, last), float(first.A[0]))
-        for first, last in zip(firsts, [*ends, A_max], strict=True)
-    ]
+    inner = [b for b in model.breakpoints if b < A_max]
+    at = samples_at(model, [0.0, *inner, A_max])
+    ends = [at.take([i]) for i in range(len(at))]
+    firsts = [ends[0], *(sample_above(model, i) for i in range(len(inner)))]
+    return [Stretch(first, last, float(first.A[0])) for first, last in zip(firsts, ends[1:], strict=True)]
 
 
 def between(f_a: Floats, f_b: Floats, slope: Interval, width: Floats) -> Interval:

@@ -103,7 +103,9 @@ def _settled(model: Model, F_0: float, A: Floats, Omega: Floats) -> Floats:
     h, h_A = model.averaged(A)[:2]
     roots, count = response_roots(A, h, model.m, model.zeta, F_0)
     # beyond the tip of the curve by rounding: Omega from F_A = 0 after all
-    roots = np.where((count > 0)[:, np.newaxis], roots, fold_roots(A, h, h_A, model.m, model.zeta)[0])
+    beyond = np.flatnonzero(count <= 0)
+    if beyond.size:
+        roots[beyond] = fold_roots(A[beyond], h[beyond], h_A[beyond], model.m, model.zeta)[0]
     distance = np.where(np.isnan(roots), np.inf, np.abs(roots - Omega[:, np.newaxis]))
     nearest = np.take_along_axis(roots, distance.argmin(axis=-1)[:, np.newaxis], axis=-1)[:, 0]
     return np.where(np.isfinite(nearest), nearest, Omega)
