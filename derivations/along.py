@@ -10,6 +10,7 @@ The eliminations, each proved on the way:
     isola point  F_A = F_Omega = 0   I from F_Omega leaves F_A = 2 R (h_A - Omega^2); so Omega^2 = h_A, in F_Omega/(4 A)
     cusp         F_A = F_AA = 0      F_AA/2 is a quadratic in X = Omega^2; its discriminant without what cancels
     state        at an Omega         R by its tangent as well: where Omega^2 + h_A is small that varies less along A
+    turn         F_A = F_AOmega = 0  T = dR/dA from F_AOmega, and R = k + A T: F_A has k and what damping adds, not h
     peak         F = F_Omega = 0     R from F_Omega, which leaves F_A = -2 R (Omega^2 - h_A)
     rest         F = Omega = 0       h^2 = c^2, one smooth function for each sign of h
     zeta = 0                         F_A has the factor R and another, on which F_AA is a product too
@@ -40,7 +41,7 @@ _product = sp.Symbol("product", nonnegative=True)
 _c, _X, _p = sp.symbols("c X p", real=True)
 #: R less the R of F = F_A = 0
 lacks = sp.Symbol("lacks", real=True)
-_half_e = sp.Symbol("half_e", real=True)
+_half_e, _drawn = sp.symbols("half_e drawn", real=True)
 _excess, _least, _share, _J, _lag = sp.symbols("excess least share J lag", nonnegative=True)
 
 
@@ -60,6 +61,7 @@ class Damped:
     cusps_scaled -- F_AA/2 over (A h_AA)^2 as t^2 + 2 a t + b: a, b, and the discriminant a^2 - b
     cusp_X    -- Omega^2 by t
     cusp_scaled -- as `cusp` in numbers without scale: F_A/2 less A F_AA/2, its slope along A, the forcing if it is 0
+    turn      -- F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A
     peak      -- F where F_Omega = 0, an extremum of F over Omega, and its slope along A
     peak_Omega_A -- dOmega/dA along F_Omega = 0
     """
@@ -83,6 +85,8 @@ class Damped:
     cusp_X: sp.Expr
     cusp_scaled_lets: tuple[Let, ...]
     cusp_scaled: tuple[sp.Expr, ...]
+    turn_lets: tuple[Let, ...]
+    turn: tuple[sp.Expr, ...]
     peak_lets: tuple[Let, ...]
     peak: tuple[sp.Expr, ...]
     peak_Omega_A: sp.Expr
@@ -196,6 +200,7 @@ def _damped(flow: SlowFlow) -> Damped:
     cusps_lets, cusps, cusp_R, cusp_lets, cusp = _cusps(flow)
     cusp_balance_lets, cusp_balance = _cusp_balance(flow, cusp_lets, cusp)
     cusps_scaled_lets, cusps_scaled, cusp_X, cusp_scaled_lets, cusp_scaled = _scaled(flow, cusps_lets, cusps, cusp)
+    turn_lets, turn = _turn(flow)
     peak_lets, peak = _peak(flow)
     return Damped(
         fold_lets=fold_lets,
@@ -217,6 +222,8 @@ def _damped(flow: SlowFlow) -> Damped:
         cusp_X=cusp_X,
         cusp_scaled_lets=cusp_scaled_lets,
         cusp_scaled=cusp_scaled,
+        turn_lets=turn_lets,
+        turn=turn,
         peak_lets=peak_lets,
         peak=peak,
         peak_Omega_A=_peak_Omega_A(flow, peak_lets),
@@ -415,6 +422,25 @@ def _scaled(
         ((_w, sp.sqrt(X_)), (sum_, kappa + t)),
         (scaled_half_F_A, scaled_along, level),
     )
+
+
+def _turn(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
+    """R = k/2 - drawn and A T = -k/2 - drawn: of the two factors h + A Omega^2 and h_A + Omega^2, which nearly cancel
+    where damping is weak, only their difference k is left.
+    """
+    of_T = {R: k + A * T, h_A: T - Omega**2, I: flow.I}
+    (balanced,) = sp.solve(flow.F_AOmega.subs(of_T), T)
+    drawn = sp.factor(sp.expand(-A * balanced - k / 2))
+    if drawn.has(k):
+        raise ArithmeticError(f"what damping adds where F_AOmega = 0 depends on the spring: {drawn}")
+    of_R, of_slope = k / 2 - _drawn, -(k / 2 + _drawn) / A
+    damped = sp.factor((flow.F_A / 2).subs(R, 0))
+    value = of_R * of_slope + damped
+    along = of_slope**2 + h_AA * of_R + sp.expand((flow.F_AA / 2).subs(R, 0) - slope(flow.R) ** 2)
+    for one, whole in ((value, flow.F_A), (along, flow.F_AA)):
+        left = one.subs(_drawn, drawn) - (whole / 2).subs(of_T).subs(T, balanced)
+        _vanishes(left.subs(I, flow.I), "F_A and its slope where F_AOmega = 0")
+    return ((I, flow.I), (_drawn, drawn)), (value, along)
 
 
 def _peak(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:

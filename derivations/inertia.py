@@ -20,6 +20,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from .along import T, k
 from .mechanisms import EXCITATIONS as stated
 from .oscillator import F, groups, m, omega, omega_n
 from .slopes import hessian
@@ -43,6 +44,12 @@ fall, linear, rest = sp.symbols("fall linear rest", real=True)
 #: F over Omega^4 without its cubic term is square X^2 - 2 falls X + over, X = x^2; what its root is of, which rounding
 #: may take below 0
 square, falls, over, inner, spread = sp.symbols("square falls over inner spread", real=True)
+#: 3 h - A h_A, which a force like A^3 has nothing of
+cubic = sp.Symbol("cubic", real=True)
+#: the level of a fold without its share of R
+of_I = sp.Symbol("of_I", positive=True)
+#: slopes of R on the fold locus; what a root is of, which rounding may take below 0
+steep, other, part = sp.symbols("steep other part", real=True)
 #: a force; what holds a mass at rest; Omega^2
 excited, holds = sp.symbols("force holds", nonnegative=True)
 turn = sp.Symbol("turn", nonnegative=True)
@@ -70,6 +77,12 @@ class Inertia:
     least_Omega_A -- dOmega/dA there, along these
     peak        -- level there less F_0, and its slope along A: R follows from I, and nothing cancels
     isola       -- what that slope vanishes with, and its own slope along A
+    isola_apart -- the same by k and `cubic`: of h like A^3, as it is far out, large terms cancel in the other form
+    fold_slopes -- T = dR/dA on the fold locus, where F_A vanishes, by k, the larger of two first, and -R/I with that;
+                   without h, which may be all rounding
+    fold_level  -- the level there, by the T that is not its own
+    peak_share  -- -R/I where the level is least, without h
+    Omega_of_share -- the frequency of a level with an -R/I
     level_rise, cusp_bend -- along the fold locus, as in `Slopes`
     hessian     -- as there, at an isola point, in its lets
     bound       -- 4 zeta^2 A^2 (1 - lost) - F_0^2 |h|/A and three derivatives, each times powers of A: while it is
@@ -98,6 +111,14 @@ class Inertia:
     peak: tuple[sp.Expr, ...]
     isola_lets: tuple[Let, ...]
     isola: tuple[sp.Expr, ...]
+    isola_apart: sp.Expr
+    fold_slopes_lets: tuple[Let, ...]
+    fold_slopes: tuple[sp.Expr, ...]
+    fold_level: sp.Expr
+    peak_share_lets: tuple[Let, ...]
+    peak_share: sp.Expr
+    Omega_of_share_lets: tuple[Let, ...]
+    Omega_of_share: sp.Expr
     level_rise: sp.Expr
     cusp_bend: sp.Expr
     hessian_lets: tuple[Let, ...]
@@ -145,6 +166,9 @@ def inertia(flow: SlowFlow) -> Inertia:
     outer_lets, outer, outer_beyond, outer_falls = _outer(F_value.subs(whole))
     terms, least = _least(quadratic)
     peak_lets, peak, isola = _peak(flow, slope_of_level, of_level)
+    fold_slopes_lets, fold_slopes, fold_level = _fold(flow)
+    peak_share_lets, peak_share = _peak_share(flow, slope_of_level)
+    Omega_of_share_lets, Omega_of_share = _Omega_of_share(flow)
     least_Omega_A = sp.factor_terms(-_x_A(of_level) / x**2)
     F_AOmega, F_AA = flow.F_AOmega, flow.F_AA
     # bend/Omega is a force's F_OmegaOmega less 3 F_Omega/Omega; in the determinant of a force no squares cancel
@@ -175,6 +199,14 @@ def inertia(flow: SlowFlow) -> Inertia:
         peak=peak,
         isola_lets=((drag, friction * x + zeta * A),),
         isola=isola,
+        isola_apart=_isola_apart(flow, isola[0], of_level),
+        fold_slopes_lets=fold_slopes_lets,
+        fold_slopes=fold_slopes,
+        fold_level=fold_level,
+        peak_share_lets=peak_share_lets,
+        peak_share=peak_share,
+        Omega_of_share_lets=Omega_of_share_lets,
+        Omega_of_share=Omega_of_share,
         # along F_A = 0: dOmega/dA = -F_AA/F_AOmega
         level_rise=-slope_of_level * F_AA * F_AOmega,
         cusp_bend=-slope_of_level * flow.F_AAA * F_AOmega,
@@ -253,6 +285,53 @@ def _peak(
     value = drag * (1 + h_A * x**2) - 2 * zeta * h * x**2
     whole = value.subs(of_drag)
     return lets, peak, (value, slope(whole) + sp.diff(whole, x) * _x_A(of_level))
+
+
+def _isola_apart(flow: SlowFlow, value: sp.Expr, of_level: sp.Expr) -> sp.Expr:
+    """A times it less what vanishes where the level is least: what is left of A + h x^2 there is -I x drag/h."""
+    slow = sp.expand(flow.I.subs(Omega, 1 / x) * x)
+    apart = -slow * drag**2 / h - zeta * A * cubic * x**2 - friction * k * x**3
+    of_h = {cubic: 3 * h - A * h_A, k: h - A * h_A, drag: friction * x + zeta * A}
+    vanishing = sp.expand(of_level.subs(Omega, 1 / x) * x**2)
+    left = (apart - A * value).subs(of_h)
+    _vanishes(left - of_h[drag] * vanishing / (4 * h), "F_A where the level is least, by k and cubic")
+    return apart / A
+
+
+def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], sp.Expr]:
+    """F_A/2 is R T + I dI/dA, and R = k + A T: a quadratic in T, whose roots are T and -R/A."""
+    of_T = {R: k + A * T, h_A: T - Omega**2}
+    quadratic = sp.Poly(sp.expand((flow.F_A / 2).subs(of_T)), T)
+    leading, middle, constant = quadratic.all_coeffs()
+    if (leading, middle) != (A, k):
+        raise ArithmeticError(f"F_A/2 is no quadratic of the sum -k/A of its roots: {quadratic}")
+    larger = -k * (1 + root) / (2 * A)
+    at_larger = sp.expand(quadratic.as_expr().subs(T, larger))
+    _vanishes(at_larger.subs(root**2, 1 - 4 * A * constant / k**2), "dR/dA on the fold locus")
+    inner = 1 - 4 * A * constant / k**2
+    lets = ((I, flow.I), (part, inner), (root, sp.sqrt((part + sp.Abs(part)) / 2)), (steep, larger))
+    level = sp.sqrt((A * other) ** 2 + I**2) / Omega**2
+    return lets, (steep, constant / (A * steep), constant / (I * steep)), level
+
+
+def _peak_share(flow: SlowFlow, slope_of_level: sp.Expr) -> tuple[tuple[Let, ...], sp.Expr]:
+    """h is R - A Omega^2: the level is least where a quadratic in R vanishes; of its roots that which is 0 with I."""
+    of_R = slope_of_level.subs(h, R - flow.R + h).subs(R, -share * I) / (-4 * I)
+    quadratic = sp.Poly(sp.expand(of_R), share)
+    leading, middle, constant = (sp.factor(term) for term in quadratic.all_coeffs())
+    value = -2 * constant / (middle + root)
+    square = (middle**2 - root**2) / (4 * constant)
+    _vanishes(square * value**2 + middle * value + constant, "R where the level is least")
+    inner = middle**2 - 4 * leading * constant
+    return ((I, flow.I), (part, inner), (root, sp.sqrt((part + sp.Abs(part)) / 2))), value
+
+
+def _Omega_of_share(flow: SlowFlow) -> tuple[tuple[Let, ...], sp.Expr]:
+    """The level is I sqrt(1 + share^2)/Omega^2."""
+    viscous = zeta * A
+    value = (viscous + sp.sqrt(viscous**2 + of_I * friction)) / of_I
+    _vanishes((of_I * Omega**2 - flow.I).subs(Omega, value), "the frequency of a level")
+    return ((of_I, F_0 / sp.sqrt(1 + share**2)),), value
 
 
 def _bound(G: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[Let, ...], sp.Expr]:

@@ -104,3 +104,142 @@ NEXT_TO_REST = (
 def test_a_cusp_next_to_rest_is_found_with_its_frequency(design, cusp):
     found = slowflow.Duffing(*design).cusps(A_max=1.5 * cusp[2])[0]
     assert (found.F_0, found.Omega, found.A) == pytest.approx(cusp, rel=1e-13, abs=0) and not found.minimum
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("excitation", ["base", "unbalance"])
+@pytest.mark.parametrize(
+    ("design", "F_0", "folds"),
+    [
+        (  # h is 0 but for 1e-17 of its terms at the lower one, whose amplitude is the double next to where h vanishes
+            (24.385136404012684, -81.12766266934281, 0.0, 1.0810898401412928e-06),
+            434.5,
+            [(3.1502823632243324e-09, 0.6330638009890452), (0.11689150237488066, 0.3653971421344502)],
+        ),
+        (
+            (-3.53380923989328, 1.513271295366812e-05, 0.0, 2.058742435489848e-11),
+            222.01750264031827,
+            [(1.0348498024515065e-10, 557.997845644648)],
+        ),
+        (
+            (23.028435253865972, -6770.7361633321725, 0.0, 4.34945209014e-05),
+            171656.37860710084,
+            [(3.4126224110015636e-11, 0.0673416320591206), (0.0018647390603326829, 0.03887970646161926)],
+        ),
+        (  # of a sharp peak
+            (-0.020320730073893307, 3.0702744280843666, 2.7242015272123092e-05, 3.299050768215736e-11),
+            8.681660259283265e-10,
+            [(205.0834572064054, 135.1485857657214)],
+        ),
+        (
+            (-0.02068582878939144, 0.0020611287322159057, 0.006285351646735414, 1.5868330063427211e-12),
+            473281.523706005,
+            [
+                (0.0001300349437542943, 3.65808211426762),
+                (0.00025262750612914256, 2.111997088190292),
+                (48345.340942497074, 709922.2855527244),
+            ],
+        ),
+        (  # two branches of the fold locus that all but cross where it begins
+            (0.00012223489416793594, -4.194232628399483, 0.0, 1.4514874356382633e-12),
+            4.282247679037371e-11,
+            [(0.00042227483421100685, 0.006229077098145243), (0.011055951309998108, 9.405316505329826e-06)],
+        ),
+        (  # h all but A^3 for most of the way
+            (0.0007299071781955587, 28.70221291937318, 0.0, 0.006456331126528536),
+            6.710658737381811,
+            [(80.89197204054874, 10.065989132715492)],
+        ),
+    ],
+)
+def test_folds_by_inertia_have_their_digits(design, F_0, folds, excitation):
+    Omega, A = np.array(folds).T
+
+    found = slowflow.Duffing(*design, excitation=excitation).saddle_nodes(F_0)
+
+    assert found.Omega == pytest.approx(Omega, rel=1e-14, abs=0) and found.A == pytest.approx(A, rel=1e-14, abs=0)
+    given = dict(zip(("alpha", "beta", "mu", "zeta"), design, strict=True))
+    many = slowflow.Duffing.many(**given, excitation=excitation).saddle_nodes(F_0)
+    assert (many.Omega[: len(folds)] == found.Omega).all() and (many.A[: len(folds)] == found.A).all()
+    assert many.undecided == 0
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize(
+    ("design", "F_0", "Omega"),
+    [
+        ((-10.99748294033345, 11.970056903782066, 0.0, 9.675128034420492e-10), 1.1067968368662073, 4.689879090196985),
+        (
+            (-0.807652864051542, 110.45614954492217, 1.5019183112444228e-11, 1.2841305464947507e-05),
+            0.09873855955134225,
+            1.2709467842647448,
+        ),
+    ],
+)
+def test_an_isola_point_by_inertia_beside_a_zero_of_h_is_found(design, F_0, Omega):
+    """It lies nearer to it than the next double. There is no other candidate: that it is no onset is no doubt."""
+    mount = slowflow.Duffing(*design, excitation="base")
+
+    found = mount.isola_points(A_max=10.0)
+
+    assert found.F_0 == pytest.approx([F_0], rel=1e-15) and found.Omega == pytest.approx([Omega], rel=1e-14)
+    assert found.kind.tolist() == ["merger"]
+    assert mount.saddle_node_onset().F_SN is None
+
+
+@pytest.mark.both_backends
+def test_the_onset_by_inertia_below_amplitudes_at_which_h_is_all_but_a_cube():
+    onset = slowflow.Duffing(
+        -0.0005733252201321912, 0.06208677058945224, 0.0, 0.10773897290215424, excitation="base"
+    ).saddle_node_onset()
+
+    assert (onset.F_SN, onset.Omega, onset.A) == pytest.approx(
+        (0.9433997200477158, 0.3716762105864352, 1.4092508735479263), rel=1e-14
+    )
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("excitation", ["force", "base"])
+@pytest.mark.parametrize(
+    ("design", "F_0", "Omega", "A"),
+    [
+        (  # Omega^2 is 2e-13 of h_A
+            (0.0007088040325831721, -13.621088767675495, 0.32104680770736754, 0.050456830710668026),
+            0.40876949130639684,
+            2.8018378846545696e-08,
+            0.006996431860430683,
+        ),
+        (  # and nearer to 0 than the next double
+            (0.0016735384224566508, -50.1156387207955, 51.20352679471929, 5.379791675679887),
+            65.19435514494359,
+            7.357987405349278e-12,
+            0.0056046776510399335,
+        ),
+    ],
+)
+def test_a_cusp_next_to_Omega_0_has_its_digits(design, F_0, Omega, A, excitation):
+    mount = slowflow.Duffing(*design, excitation=excitation)
+    level = F_0 if excitation == "force" else F_0 / Omega**2
+
+    cusps = mount.cusps(A_max=1.0)
+
+    assert cusps.Omega == pytest.approx([Omega], rel=1e-13, abs=0) and cusps.A == pytest.approx([A], rel=1e-14)
+    assert cusps.F_0 == pytest.approx([level], rel=1e-13)
+    if excitation == "base":
+        onset = mount.saddle_node_onset()
+        assert (onset.F_SN, onset.Omega, onset.A) == pytest.approx((level, Omega, A), rel=1e-13, abs=0)
+
+
+@pytest.mark.both_backends
+def test_a_peak_by_inertia_beside_a_zero_of_h_is_found():
+    """The branches that meet there are the ones that the states lie on."""
+    mount = slowflow.Duffing(
+        0.5458758695736523, -0.001181373076817857, 0.0, 7.894001479905327e-12, excitation="unbalance"
+    )
+
+    peak = mount.peak(8.298060153609718)
+    states = mount.amplitudes(Omega=0.2133004675098253, F_0=8.298060153609718)
+
+    assert peak.A == pytest.approx(24.82120046422046, rel=1e-15)
+    assert peak.Omega == pytest.approx(4.7940521170256493e-11, rel=1e-14, abs=0)
+    assert states.A == pytest.approx([0.7552664571615544, 23.377677392673924, 24.132943849835478], rel=1e-14)

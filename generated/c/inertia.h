@@ -226,6 +226,74 @@ static inline void inertia_isola(double x, double A, double m, double zeta, doub
         t0);
 }
 
+/* The same without its slope by k = h - A h_A and cubic = 3 h - A h_A, small where h is like A^3.
+   Equation from (24), (30). Domain: x of `least`, h < 0.
+   Operations: 21 structured, 18 common subexpressions, 17 power chains
+ */
+static inline double inertia_isola_apart(double x, double A, double m, double zeta, double h, double k, double cubic)
+{
+    const double t0 = A * zeta;
+    const double t1 = m * x;
+    const double drag = t0 + t1;
+    const double x2 = x * x;
+    const double x3 = x * x2;
+    return (-cubic * t0 * x2 + drag * drag * (-2.0 * t0 - t1) / h - k * m * x3) / A;
+}
+
+/* dR/dA at a fold by k = h - A h_A: of the two with F_A = 0 the larger, the other; -R/I with the first.
+   Equation from (30). Domain: Omega > 0, A > 0, zeta > 0, k other than 0.
+   Operations: 28 structured, 24 common subexpressions, 24 power chains
+ */
+static inline void inertia_fold_slopes(double Omega, double A, double m, double zeta, double k, double *out)
+{
+    const double t0 = 2.0 * Omega * zeta;
+    const double I_ = A * t0 + m;
+    const double part = -8.0 * A * I_ * Omega * zeta / (k * k) + 1.0;
+    const double root = sqrt(0.5 * part + 0.5 * fabs(part));
+    const double t1 = 1.0 / A;
+    const double steep = -0.5 * k * t1 * (root + 1.0);
+    const double t2 = t0 / steep;
+    out[0] = steep;
+    out[1] = I_ * t1 * t2;
+    out[2] = t2;
+}
+
+/* The F_0 of a fold, by the one of `fold_slopes` that is not its own.
+   Equation from (24), (30). Domain: Omega > 0, A > 0.
+   Operations: 12 structured, 12 common subexpressions, 12 power chains
+ */
+static inline double inertia_fold_level(double Omega, double A, double m, double zeta, double other)
+{
+    const double I_ = 2.0 * A * Omega * zeta + m;
+    return sqrt(A * A * other * other + I_ * I_) / (Omega * Omega);
+}
+
+/* -R/I where the level is least and R small beside A Omega^2.
+   Equation from (24). Domain: Omega > 0, A > 0, zeta > 0.
+   Operations: 29 structured, 24 common subexpressions, 22 power chains
+ */
+static inline double inertia_peak_share(double Omega, double A, double m, double zeta)
+{
+    const double t0 = A * Omega * zeta;
+    const double t1 = 2.0 * t0;
+    const double I_ = m + t1;
+    const double Omega2 = Omega * Omega;
+    const double Omega4 = Omega2 * Omega2;
+    const double part = A * A * Omega4 - 4.0 * I_ * (m + t0);
+    const double root = sqrt(0.5 * part + 0.5 * fabs(part));
+    return (-2.0 * m - t1) / (A * Omega2 + root);
+}
+
+/* Omega of a steady state with that -R/I.
+   Equation from (24). Domain: A > 0, F_0 > 0.
+   Operations: 13 structured, 13 common subexpressions, 13 power chains
+ */
+static inline double inertia_Omega_of_share(double A, double F_0, double m, double zeta, double share)
+{
+    const double of_I = F_0 / sqrt(share * share + 1.0);
+    return (A * zeta + sqrt(A * A * zeta * zeta + m * of_I)) / of_I;
+}
+
 /* Positive where the level rises with A along the fold locus, negative where it falls.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 41 structured, 32 common subexpressions, 32 power chains

@@ -448,6 +448,22 @@ static inline void slow_flow_cusp_balance(double A, double m, double zeta, doubl
     out[1] = R * k + m * m + m * t1;
 }
 
+/* F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A.
+   Equation from (30). Domain: Omega > 0, A > 0.
+   Operations: 35 structured, 28 common subexpressions, 28 power chains
+ */
+static inline void slow_flow_turn(double Omega, double A, double m, double zeta, double h_AA, double k, double *out)
+{
+    const double t0 = A * Omega * zeta;
+    const double I_ = m + 2.0 * t0;
+    const double drawn = 0.5 * zeta * (m + 4.0 * t0) / Omega;
+    const double t1 = 0.5 * k;
+    const double t2 = -drawn - t1;
+    const double t3 = -drawn + t1;
+    out[0] = 2.0 * I_ * Omega * zeta + t2 * t3 / A;
+    out[1] = 4.0 * Omega * Omega * zeta * zeta + h_AA * t3 + t2 * t2 / (A * A);
+}
+
 /* F where F_Omega = 0: an extremum of F over Omega, and its slope along A.
    Equation from (24), (34). Domain: Omega > 0, A > 0.
    Operations: 19 structured, 18 common subexpressions, 18 power chains

@@ -89,6 +89,32 @@ SF_LOOP(inertia_isola_loop, 2,
     inertia_isola(x, A, m, zeta, h, h_A, h_AA, values);
 )
 
+SF_LOOP(inertia_isola_apart_loop, 1,
+    const double x = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], k = in[5][i], cubic =
+        in[6][i];
+    values[0] = inertia_isola_apart(x, A, m, zeta, h, k, cubic);
+)
+
+SF_LOOP(inertia_fold_slopes_loop, 3,
+    const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], k = in[4][i];
+    inertia_fold_slopes(Omega, A, m, zeta, k, values);
+)
+
+SF_LOOP(inertia_fold_level_loop, 1,
+    const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], other = in[4][i];
+    values[0] = inertia_fold_level(Omega, A, m, zeta, other);
+)
+
+SF_LOOP(inertia_peak_share_loop, 1,
+    const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i];
+    values[0] = inertia_peak_share(Omega, A, m, zeta);
+)
+
+SF_LOOP(inertia_Omega_of_share_loop, 1,
+    const double A = in[0][i], F_0 = in[1][i], m = in[2][i], zeta = in[3][i], share = in[4][i];
+    values[0] = inertia_Omega_of_share(A, F_0, m, zeta, share);
+)
+
 SF_LOOP(inertia_level_rise_loop, 1,
     const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i], h_AA =
         in[6][i];
@@ -131,6 +157,11 @@ static const sf_kernel kernels[] = {
     {"least_Omega_A", 6, 1, 1, NULL, SF_ONE(inertia_least_Omega_A_loop)},
     {"peak", 7, 2, 1, NULL, SF_ONE(inertia_peak_loop)},
     {"isola", 7, 2, 1, NULL, SF_ONE(inertia_isola_loop)},
+    {"isola_apart", 7, 1, 1, NULL, SF_ONE(inertia_isola_apart_loop)},
+    {"fold_slopes", 5, 3, 1, NULL, SF_ONE(inertia_fold_slopes_loop)},
+    {"fold_level", 5, 1, 1, NULL, SF_ONE(inertia_fold_level_loop)},
+    {"peak_share", 4, 1, 1, NULL, SF_ONE(inertia_peak_share_loop)},
+    {"Omega_of_share", 5, 1, 1, NULL, SF_ONE(inertia_Omega_of_share_loop)},
     {"level_rise", 7, 1, 1, NULL, SF_ONE(inertia_level_rise_loop)},
     {"cusp_bend", 8, 1, 1, NULL, SF_ONE(inertia_cusp_bend_loop)},
     {"hessian", 7, 1, 1, NULL, SF_ONE(inertia_hessian_loop)},

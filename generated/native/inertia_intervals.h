@@ -58,4 +58,17 @@ static inline void inertia_intervals_isola(sf_interval x, sf_interval A, sf_inte
         sfi_mul(m, t0)))));
 }
 
+/* The same without its slope by k = h - A h_A and cubic = 3 h - A h_A, small where h is like A^3.
+   Equation from (24), (30). Domain: x of `least`, h < 0. */
+static inline sf_interval inertia_intervals_isola_apart(sf_interval x, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h, sf_interval k, sf_interval cubic)
+{
+    const sf_interval t0 = sfi_mul(A, zeta);
+    const sf_interval t1 = sfi_mul(m, x);
+    const sf_interval drag = sfi_add(t0, t1);
+    const sf_interval x2 = sfi_square(x);
+    const sf_interval x3 = sfi_mul(x, x2);
+    return sfi_div(sfi_sub(sfi_add(sfi_neg(sfi_mul(sfi_mul(cubic, t0), x2)), sfi_div(sfi_mul(sfi_square(drag),
+        sfi_sub(sfi_neg(sfi_times(2.0, t0)), t1)), h)), sfi_mul(sfi_mul(k, m), x3)), A);
+}
+
 #endif

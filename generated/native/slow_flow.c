@@ -182,6 +182,11 @@ SF_LOOP(slow_flow_cusp_balance_loop, 2,
     slow_flow_cusp_balance(A, m, zeta, h, k, X, T, values);
 )
 
+SF_LOOP(slow_flow_turn_loop, 2,
+    const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h_AA = in[4][i], k = in[5][i];
+    slow_flow_turn(Omega, A, m, zeta, h_AA, k, values);
+)
+
 SF_LOOP(slow_flow_peak_loop, 2,
     const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], m = in[3][i], zeta = in[4][i], h_A = in[5][i];
     slow_flow_peak(Omega, A, F_0, m, zeta, h_A, values);
@@ -268,6 +273,7 @@ static const sf_kernel kernels[] = {
     {"cusp_R", 6, 2, 1, NULL, SF_ONE(slow_flow_cusp_R_loop)},
     {"cusp", 10, 4, 1, NULL, SF_ONE(slow_flow_cusp_loop)},
     {"cusp_balance", 7, 2, 1, NULL, SF_ONE(slow_flow_cusp_balance_loop)},
+    {"turn", 6, 2, 1, NULL, SF_ONE(slow_flow_turn_loop)},
     {"peak", 6, 2, 1, NULL, SF_ONE(slow_flow_peak_loop)},
     {"peak_Omega_A", 5, 1, 1, NULL, SF_ONE(slow_flow_peak_Omega_A_loop)},
     {"Omega_A", 6, 1, 1, NULL, SF_ONE(slow_flow_Omega_A_loop)},

@@ -214,6 +214,21 @@ static inline void slow_flow_intervals_cusp(sf_interval A, sf_interval m, sf_int
     out[3] = sfi_sqrt(sfi_add(sfi_add(sfi_mul(A, t1), sfi_mul(R, k)), sfi_square(m)));
 }
 
+/* F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A.
+   Equation from (30). Domain: Omega > 0, A > 0. */
+static inline void slow_flow_intervals_turn(sf_interval Omega, sf_interval A, sf_interval m, sf_interval zeta, sf_interval h_AA, sf_interval k, sf_interval *out)
+{
+    const sf_interval t0 = sfi_mul(sfi_mul(A, Omega), zeta);
+    const sf_interval I_ = sfi_add(m, sfi_times(2.0, t0));
+    const sf_interval drawn = sfi_div(sfi_times(0.5, sfi_mul(zeta, sfi_add(m, sfi_times(4.0, t0)))), Omega);
+    const sf_interval t1 = sfi_times(0.5, k);
+    const sf_interval t2 = sfi_sub(sfi_neg(drawn), t1);
+    const sf_interval t3 = sfi_add(sfi_neg(drawn), t1);
+    out[0] = sfi_add(sfi_times(2.0, sfi_mul(sfi_mul(I_, Omega), zeta)), sfi_div(sfi_mul(t2, t3), A));
+    out[1] = sfi_add(sfi_add(sfi_times(4.0, sfi_mul(sfi_square(Omega), sfi_square(zeta))), sfi_mul(h_AA, t3)),
+        sfi_div(sfi_square(t2), sfi_square(A)));
+}
+
 /* F where F_Omega = 0: an extremum of F over Omega, and its slope along A.
    Equation from (24), (34). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_intervals_peak(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval m, sf_interval zeta, sf_interval h_A, sf_interval *out)

@@ -17,11 +17,12 @@ from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import by_regime, common_shape, floats, full
 
 __all__ = [
-    "MOVES", "F", "Omega_A", "amplitude", "beside", "bound", "cusp_bend", "force", "force_slopes", "hessian",
-    "isola", "least", "least_Omega_A", "level", "level_rise", "level_slope", "moves_from",
-    "moves_of_corner_backbone", "moves_of_corner_end", "moves_of_corner_fold", "moves_of_corner_rest",
-    "moves_of_corner_top", "moves_of_cusp", "moves_of_fold", "moves_of_isola", "moves_of_peak", "moves_of_phase",
-    "moves_of_state", "outer", "peak", "share", "terms",
+    "MOVES", "F", "Omega_A", "Omega_of_share", "amplitude", "beside", "bound", "cusp_bend", "fold_level",
+    "fold_slopes", "force", "force_slopes", "hessian", "isola", "isola_apart", "least", "least_Omega_A", "level",
+    "level_rise", "level_slope", "moves_from", "moves_of_corner_backbone", "moves_of_corner_end",
+    "moves_of_corner_fold", "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp", "moves_of_fold",
+    "moves_of_isola", "moves_of_peak", "moves_of_phase", "moves_of_state", "outer", "peak", "peak_share", "share",
+    "terms",
 ]
 
 
@@ -263,6 +264,82 @@ def isola(x, A, m, zeta, h, h_A, h_AA):
         h_AA * t2 * t3 - t5 * t6 + t7 * zeta + (2.0 * h_A * t2 * x + m * t7 - t9 * x * zeta) * (16.0 * A * zeta *
         zeta - h_A * (-4.0 * A - 8.0 * t4) + 12.0 * t1 * zeta + t9) / (-h * h * t8 - m * m * t8 - 12.0 * m * t0),
     )
+
+
+def isola_apart(x, A, m, zeta, h, k, cubic):
+    """The same without its slope by k = h - A h_A and cubic = 3 h - A h_A, small where h is like A^3.
+
+    Equation from (24), (30). Domain: x of `least`, h < 0. Shape: as the arguments broadcast.
+    Operations: 21 structured, 18 common subexpressions, 17 power chains.
+    """
+    x, A, m, zeta, h, k, cubic = floats(x, A, m, zeta, h, k, cubic)
+    t0 = A * zeta
+    t1 = m * x
+    drag = t0 + t1
+    x2 = x * x
+    x3 = x * x2
+    return (-cubic * t0 * x2 + drag * drag * (-2.0 * t0 - t1) / h - k * m * x3) / A
+
+
+def fold_slopes(Omega, A, m, zeta, k):
+    """dR/dA at a fold by k = h - A h_A: of the two with F_A = 0 the larger, the other; -R/I with the first.
+
+    Equation from (30). Domain: Omega > 0, A > 0, zeta > 0, k other than 0. Shape: 3 results, each as the arguments
+    broadcast.
+    Operations: 28 structured, 24 common subexpressions, 24 power chains.
+    """
+    Omega, A, m, zeta, k = floats(Omega, A, m, zeta, k)
+    t0 = 2.0 * Omega * zeta
+    I = A * t0 + m
+    part = -8.0 * A * I * Omega * zeta / (k * k) + 1.0
+    root = np.sqrt(0.5 * part + 0.5 * np.abs(part))
+    t1 = 1.0 / A
+    steep = -0.5 * k * t1 * (root + 1.0)
+    t2 = t0 / steep
+    return (
+        steep,
+        I * t1 * t2,
+        t2,
+    )
+
+
+def fold_level(Omega, A, m, zeta, other):
+    """The F_0 of a fold, by the one of `fold_slopes` that is not its own.
+
+    Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Operations: 12 structured, 12 common subexpressions, 12 power chains.
+    """
+    Omega, A, m, zeta, other = floats(Omega, A, m, zeta, other)
+    I = 2.0 * A * Omega * zeta + m
+    return np.sqrt(A * A * other * other + I * I) / (Omega * Omega)
+
+
+def peak_share(Omega, A, m, zeta):
+    """-R/I where the level is least and R small beside A Omega^2.
+
+    Equation from (24). Domain: Omega > 0, A > 0, zeta > 0. Shape: as the arguments broadcast.
+    Operations: 29 structured, 24 common subexpressions, 22 power chains.
+    """
+    Omega, A, m, zeta = floats(Omega, A, m, zeta)
+    t0 = A * Omega * zeta
+    t1 = 2.0 * t0
+    I = m + t1
+    Omega2 = Omega * Omega
+    Omega4 = Omega2 * Omega2
+    part = A * A * Omega4 - 4.0 * I * (m + t0)
+    root = np.sqrt(0.5 * part + 0.5 * np.abs(part))
+    return (-2.0 * m - t1) / (A * Omega2 + root)
+
+
+def Omega_of_share(A, F_0, m, zeta, share):
+    """Omega of a steady state with that -R/I.
+
+    Equation from (24). Domain: A > 0, F_0 > 0. Shape: as the arguments broadcast.
+    Operations: 13 structured, 13 common subexpressions, 13 power chains.
+    """
+    A, F_0, m, zeta, share = floats(A, F_0, m, zeta, share)
+    of_I = F_0 / np.sqrt(share * share + 1.0)
+    return (A * zeta + np.sqrt(A * A * zeta * zeta + m * of_I)) / of_I
 
 
 def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
@@ -806,10 +883,12 @@ def moves_of_phase(Omega, A, F_0, m, zeta, h, h_A, h_p, m_p, zeta_p, A_p, Omega_
 if NATIVE is not None:
     (
         force, force_slopes, level, F, level_slope, Omega_A, outer, terms, least, least_Omega_A, peak, isola,
-        level_rise, cusp_bend, hessian, bound, share,
+        isola_apart, fold_slopes, fold_level, peak_share, Omega_of_share, level_rise, cusp_bend, hessian, bound,
+        share,
     ) = compiled(
         (force, force_slopes, level, F, level_slope, Omega_A, outer, terms, least, least_Omega_A, peak, isola,
-         level_rise, cusp_bend, hessian, bound, share,),
+         isola_apart, fold_slopes, fold_level, peak_share, Omega_of_share, level_rise, cusp_bend, hessian, bound,
+         share,),
         NATIVE.inertia(),
     )
 

@@ -13,6 +13,7 @@ the methods `square` and `sqrt`.
 
 __all__ = [
     "isola",
+    "isola_apart",
     "peak",
     "terms",
 ]
@@ -67,4 +68,19 @@ def isola(x, A, m, zeta, h, h_A, h_AA):
         h_AA * t2 * t3 - t5 * t6 + t7 * zeta + (2.0 * h_A * t2 * x + m * t7 - t9 * x * zeta) * (16.0 * A *
         zeta.square() - h_A * (-4.0 * A - 8.0 * t4) + 12.0 * t1 * zeta + t9) / (-h.square() * t8 - m.square() * t8 -
         12.0 * m * t0),
+    )
+
+
+def isola_apart(x, A, m, zeta, h, k, cubic):
+    """The same without its slope by k = h - A h_A and cubic = 3 h - A h_A, small where h is like A^3.
+
+    Equation from (24), (30). Domain: x of `least`, h < 0.
+    """
+    t0 = A * zeta
+    t1 = m * x
+    drag = t0 + t1
+    x2 = x.square()
+    x3 = x * x2
+    return (
+        (-cubic * t0 * x2 + drag.square() * (-2.0 * t0 - t1) / h - k * m * x3) / A
     )

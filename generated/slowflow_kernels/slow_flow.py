@@ -27,6 +27,7 @@ __all__ = [
     "moves_of_corner_fold", "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp", "moves_of_fold",
     "moves_of_isola", "moves_of_peak", "moves_of_phase", "moves_of_state", "offset_stiffness", "peak",
     "peak_Omega_A", "peak_cubic", "phase", "response_quartic", "rest", "stability", "tail", "transmissibility",
+    "turn",
 ]
 
 
@@ -559,6 +560,26 @@ def cusp_balance(A, m, zeta, h, k, X, T):
     return (
         full((R - h) / A, shape),
         full(R * k + m * m + m * t1, shape),
+    )
+
+
+def turn(Omega, A, m, zeta, h_AA, k):
+    """F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A.
+
+    Equation from (30). Domain: Omega > 0, A > 0. Shape: 2 results, each as the arguments broadcast.
+    Operations: 35 structured, 28 common subexpressions, 28 power chains.
+    """
+    Omega, A, m, zeta, h_AA, k = floats(Omega, A, m, zeta, h_AA, k)
+    t0 = A * Omega * zeta
+    I = m + 2.0 * t0
+    drawn = 0.5 * zeta * (m + 4.0 * t0) / Omega
+    t1 = 0.5 * k
+    t2 = -drawn - t1
+    t3 = -drawn + t1
+    shape = common_shape((Omega, A, m, zeta, h_AA, k))
+    return (
+        full(2.0 * I * Omega * zeta + t2 * t3 / A, shape),
+        4.0 * Omega * Omega * zeta * zeta + h_AA * t3 + t2 * t2 / (A * A),
     )
 
 
@@ -1129,14 +1150,14 @@ if NATIVE is not None:
         friction, R, I, F, F_A, F_AA, F_Omega, F_AOmega, phase, backbone, limit_envelope, equivalent_damping,
         transmissibility, jacobian, mean_stiffness, offset_stiffness, stability, response_quartic, fold_quartic,
         peak_cubic, detachment, F_OmegaOmega, level, rest, intercept, fold, fold_square, fold_moves, isola_Omega,
-        isola, cusps, cusp_R, cusp, cusp_balance, peak, peak_Omega_A, Omega_A, level_rise, cusp_bend, isola_bend,
-        isola_hessian, tail, most_restoring, least_restoring,
+        isola, cusps, cusp_R, cusp, cusp_balance, turn, peak, peak_Omega_A, Omega_A, level_rise, cusp_bend,
+        isola_bend, isola_hessian, tail, most_restoring, least_restoring,
     ) = compiled(
         (friction, R, I, F, F_A, F_AA, F_Omega, F_AOmega, phase, backbone, limit_envelope, equivalent_damping,
          transmissibility, jacobian, mean_stiffness, offset_stiffness, stability, response_quartic, fold_quartic,
          peak_cubic, detachment, F_OmegaOmega, level, rest, intercept, fold, fold_square, fold_moves, isola_Omega,
-         isola, cusps, cusp_R, cusp, cusp_balance, peak, peak_Omega_A, Omega_A, level_rise, cusp_bend, isola_bend,
-         isola_hessian, tail, most_restoring, least_restoring,),
+         isola, cusps, cusp_R, cusp, cusp_balance, turn, peak, peak_Omega_A, Omega_A, level_rise, cusp_bend,
+         isola_bend, isola_hessian, tail, most_restoring, least_restoring,),
         NATIVE.slow_flow(),
     )
     detachment = coefficients_of(detachment)

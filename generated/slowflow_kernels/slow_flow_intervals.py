@@ -39,6 +39,7 @@ __all__ = [
     "R",
     "state",
     "state_R",
+    "turn",
 ]
 
 
@@ -282,6 +283,23 @@ def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
         -A * h_AA * k + T * (-A.square() * h_AA + k) + t1,
         0.5 * (R * h_AAA + 3.0 * T * h_AA) * (-A * T - R - t0 / w - t2) / root,
         (A * t1 + R * k + m.square()).sqrt(),
+    )
+
+
+def turn(Omega, A, m, zeta, h_AA, k):
+    """F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A.
+
+    Equation from (30). Domain: Omega > 0, A > 0.
+    """
+    t0 = A * Omega * zeta
+    I = m + 2.0 * t0
+    drawn = 0.5 * zeta * (m + 4.0 * t0) / Omega
+    t1 = 0.5 * k
+    t2 = -drawn - t1
+    t3 = -drawn + t1
+    return (
+        2.0 * I * Omega * zeta + t2 * t3 / A,
+        4.0 * Omega.square() * zeta.square() + h_AA * t3 + t2.square() / (A.square()),
     )
 
 

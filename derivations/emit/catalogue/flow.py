@@ -57,7 +57,20 @@ IN_SCENES = (
 
 #: what the solvers and their proofs ask on whole intervals, by scene: the general form where it holds for zeros too
 SEARCHED = {
-    "": ("F_A", "F_AA", "fold_quartic", "peak_cubic", "fold", "isola", "cusps", "cusp_R", "cusp", "peak", "intercept"),
+    "": (
+        "F_A",
+        "F_AA",
+        "fold_quartic",
+        "peak_cubic",
+        "fold",
+        "isola",
+        "cusps",
+        "cusp_R",
+        "cusp",
+        "turn",
+        "peak",
+        "intercept",
+    ),
     "mu0": ("isola",),
     "zeta0": ("fold",),
 }
@@ -578,6 +591,15 @@ def damped_kernels(along: Damped) -> list[Kernel]:
             "from (30)",
             "A > 0, X > 0, T not 0",
             lets=along.cusp_balance_lets,
+        ),
+        plain(
+            "turn",
+            (Omega, A, m, zeta, h_AA, k),
+            along.turn,
+            "F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A.",
+            "from (30)",
+            "Omega > 0, A > 0",
+            lets=along.turn_lets,
         ),
         plain(
             "peak",

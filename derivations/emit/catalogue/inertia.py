@@ -10,7 +10,8 @@ from functools import partial
 
 import sympy as sp
 
-from ...inertia import excited, fall, holds, linear, lost, rest, x
+from ...along import k
+from ...inertia import cubic, excited, fall, holds, linear, lost, other, rest, share, x
 from ...results import Results
 from ...slow_flow import I, R, m
 from ...symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
@@ -130,6 +131,52 @@ def inertia_module(results: Results) -> Module:
                 "x of `least`, h < 0",
                 lets=of.isola_lets,
                 **wanted,
+            ),
+            plain(
+                "isola_apart",
+                (x, A, *damped, h, k, cubic),
+                of.isola_apart,
+                "The same without its slope by k = h - A h_A and cubic = 3 h - A h_A, small where h is like A^3.",
+                "from (24), (30)",
+                "x of `least`, h < 0",
+                lets=of.isola_lets,
+                **wanted,
+            ),
+            plain(
+                "fold_slopes",
+                (Omega, A, *damped, k),
+                of.fold_slopes,
+                "dR/dA at a fold by k = h - A h_A: of the two with F_A = 0 the larger, the other; -R/I with the first.",
+                "from (30)",
+                "Omega > 0, A > 0, zeta > 0, k other than 0",
+                lets=of.fold_slopes_lets,
+            ),
+            plain(
+                "fold_level",
+                (Omega, A, *damped, other),
+                of.fold_level,
+                "The F_0 of a fold, by the one of `fold_slopes` that is not its own.",
+                "from (24), (30)",
+                "Omega > 0, A > 0",
+                lets=[(I, flow.I)],
+            ),
+            plain(
+                "peak_share",
+                (Omega, A, *damped),
+                of.peak_share,
+                "-R/I where the level is least and R small beside A Omega^2.",
+                "from (24)",
+                "Omega > 0, A > 0, zeta > 0",
+                lets=of.peak_share_lets,
+            ),
+            plain(
+                "Omega_of_share",
+                (A, F_0, *damped, share),
+                of.Omega_of_share,
+                "Omega of a steady state with that -R/I.",
+                "from (24)",
+                "A > 0, F_0 > 0",
+                lets=of.Omega_of_share_lets,
             ),
             on_locus(
                 "level_rise",

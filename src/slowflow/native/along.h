@@ -52,7 +52,7 @@ typedef struct {
 
 /* A question with what it needs. F_0: of SF_FOLD_AT, SF_PEAK, SF_REST, SF_STATE; Omega: of SF_STATE. most: of SF_CUSP,
  * where only the lowest minimum of the level is wanted, a forcing above which cusps may be left out: each minimum
- * found lowers it; NULL for all cusps. highest: of SF_PEAK and SF_REST, whether only the highest zero that is a top
+ * found lowers it; NULL for all cusps. first: where the piece begins that is searched. highest: of SF_PEAK and SF_REST, whether only the highest zero that is a top
  * (zeros.h) is wanted */
 typedef struct {
     sf_question question;
@@ -60,6 +60,7 @@ typedef struct {
     double F_0, Omega;
     double least;
     double *most;
+    const sf_sample *first;
     int highest;
     sf_terms terms; /* the same as m, zeta, F_0 and least */
 } sf_asked;
@@ -67,7 +68,7 @@ typedef struct {
 static inline sf_asked sf_asked_of(sf_question question, const sf_model *model, double F_0) {
     sf_asked asked;
     asked.question = question, asked.model = model, asked.F_0 = F_0, asked.Omega = 0, asked.most = NULL,
-    asked.highest = 0;
+    asked.first = NULL, asked.highest = 0;
     asked.least = question == SF_FOLD_AT ? slow_flow_least_restoring(F_0, model->m) : 0;
     asked.terms.m = sfi_point(model->m), asked.terms.zeta = sfi_point(model->zeta);
     asked.terms.F_0 = sfi_point(F_0), asked.terms.least = sfi_point(asked.least);
@@ -211,9 +212,11 @@ static inline void sf_ask_turn(const sf_model *model, const sf_sample *at, sf_an
         return;
     sf_isolate_fold(&q, at->A, at->h, at->h_A, model->m, model->zeta);
     sf_ask_critical(&q, out);
-    if (q.exist) {
+    if (q.exist) { /* at the upper one F_A is all rounding of h if damping is weak */
+        double turn[2];
+        slow_flow_turn(q.w2, at->A, model->m, model->zeta, at->h_AA, at->k, turn);
         out->dy[0] = sf_half_F_AA(model, at, q.w1);
-        out->dy[1] = sf_half_F_AA(model, at, q.w2);
+        out->y[1] = turn[0], out->dy[1] = turn[1];
     }
 }
 
@@ -270,21 +273,51 @@ static inline void sf_ask_state(const sf_asked *asked, const sf_sample *at, sf_a
     out->dy[0] = slow_flow_F_A(asked->Omega, at->A, model->m, model->zeta, at->h, at->h_A);
 }
 
+/* Whether h lacks of being 0 what damping makes of it, so that x, where the level is least, is all rounding. */
+static inline int sf_is_x_lost(const sf_model *model, const sf_sample *at) {
+    double terms[3];
+    inertia_terms(at->A, model->m, model->zeta, at->h, terms);
+    return terms[0] <= SF_SOFT * at->A * (fabs(at->h) + at->A * fabs(at->h_A));
+}
+
+/* Omega at an isola point then: that on the fold locus at which h lacks the least of making the level stationary. */
+static inline double sf_isola_Omega_by_inertia(const sf_model *model, const sf_sample *at) {
+    double w[3], Omega = 0, least = HUGE_VAL;
+    const int n = sf_fold_roots(at->A, at->h, at->h_A, model->m, model->zeta, w);
+    int i;
+    for (i = 0; i < n; i++) {
+        const double lacks = fabs(inertia_level_slope(w[i], at->A, model->m, model->zeta, at->h) /
+                                  slow_flow_R(w[i], at->A, at->h));
+        if (w[i] > 0 && lacks < least)
+            least = lacks, Omega = w[i];
+    }
+    return Omega;
+}
+
 /* Both at x = 1/Omega where the level is least; the peak is the pair's that is the upper one. */
 static inline void sf_ask_inertial(const sf_asked *asked, const sf_sample *at, sf_answer *out) {
     const sf_model *model = asked->model;
     const double x = sf_least_x(model, at);
     const int channel = asked->question == SF_PEAK;
-    double found[2];
+    double found[2], Omega = 0, share;
+    if (model->zeta > 0) /* where a channel ends, as Omega tends to inf, F_A rises, and the level is the amplitude */
+        out->edge = asked->question == SF_ISOLA || at->A > asked->F_0 ? 1 : -1;
     if (asked->question == SF_REST || x == 0)
         return;
-    if (asked->question == SF_PEAK)
+    if (asked->question == SF_PEAK) {
         inertia_peak(x, at->A, asked->F_0, model->m, model->zeta, at->h, at->h_A, found);
-    else
+        if (sf_is_x_lost(model, at))
+            Omega = sf_Omega_by_share(model, asked->F_0, at, 0, &share);
+    } else {
         inertia_isola(x, at->A, model->m, model->zeta, at->h, at->h_A, at->h_AA, found);
+        found[0] = inertia_isola_apart(x, at->A, model->m, model->zeta, at->h, at->k, 2 * at->h + at->k);
+        if (sf_is_x_lost(model, at))
+            Omega = sf_isola_Omega_by_inertia(model, at);
+    }
     out->exists[channel] = 1;
-    out->Omega[channel] = 1 / x;
-    out->Omega_A[channel] = inertia_least_Omega_A(x, at->A, model->m, model->zeta, at->h, at->h_A);
+    out->Omega[channel] = Omega > 0 ? Omega : 1 / x;
+    if (Omega == 0)
+        out->Omega_A[channel] = inertia_least_Omega_A(x, at->A, model->m, model->zeta, at->h, at->h_A);
     out->y[channel] = found[0], out->dy[channel] = found[1];
 }
 

@@ -42,6 +42,33 @@ static inline int sf_inertial_overflows(const sf_model *model, const sf_sample *
     return at->h != 0 && !(outer[0] < HUGE_VAL) && at->A < F_0;
 }
 
+/* of -R/I, up to which R follows from I better than from h where that is all rounding; how many are tried until none
+ * changes Omega */
+#define SF_LARGEST_SHARE 0.5
+enum { SF_MOST_SHARES = 100 };
+
+/* Omega of a fold, or of a peak, by I and what R is of it there, without h; 0 where that is too much. */
+static inline double sf_Omega_by_share(const sf_model *model, double F_0, const sf_sample *at, int fold, double *share)
+{
+    double w = 0, last, slopes[3];
+    int i;
+    *share = 0;
+    for (i = 0; i < SF_MOST_SHARES; i++) {
+        last = w, w = inertia_Omega_of_share(at->A, F_0, model->m, model->zeta, *share);
+        if (fold) {
+            inertia_fold_slopes(w, at->A, model->m, model->zeta, at->k, slopes);
+            *share = slopes[2];
+        } else {
+            *share = inertia_peak_share(w, at->A, model->m, model->zeta);
+        }
+        if (!(fabs(*share) <= SF_LARGEST_SHARE))
+            return 0;
+        if (fabs(w - last) <= 0x1p-52 * w)
+            return w;
+    }
+    return 0;
+}
+
 /* How many frequencies there are at A. */
 static inline int sf_inertial_count(const sf_model *model, const sf_sample *at, double F_0) {
     double peak[2], x;

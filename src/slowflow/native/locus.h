@@ -10,6 +10,10 @@
 #include "arc_links.h"
 #include "bounds.h"
 
+/* by how much more than I the terms of R may be, as a share of I, or if squares of roundings are to count */
+#define SF_FEW_LOST 4
+#define SF_SQUARE_LOST 0x1p24
+
 static void sf_ask_all(const sf_model *model, sf_question question, double F_0, const sf_stretch *piece,
                        sf_zeros *found) {
     const sf_asked asked = sf_asked_of(question, model, F_0);
@@ -203,6 +207,35 @@ static void sf_corner_folds(const sf_model *model, double F_0, sf_work *work, sf
     }
 }
 
+/* What rounding may leave of R at an amplitude, over a rounding. */
+static double sf_size_of_R(const sf_sample *at, double w) {
+    return fabs(at->h) + at->A * fabs(at->h_A) + at->A * w * w;
+}
+
+/* The level at a point of the fold locus: under an excitation by inertia by k and F_A = 0, as rounding of h and
+ * A Omega^2 may leave nothing of R. */
+static double sf_locus_level(const sf_model *model, const sf_sample *at, double w) {
+    const double slope = w * w + at->h_A;
+    double slopes[3];
+    if (!sf_inertial(model) || model->zeta == 0 || !(at->k * at->k > 0 && fabs(at->k) < HUGE_VAL))
+        return sf_level(model, at, w);
+    inertia_fold_slopes(w, at->A, model->m, model->zeta, at->k, slopes);
+    return inertia_fold_level(w, at->A, model->m, model->zeta,
+                              slopes[fabs(slope - slopes[0]) <= fabs(slope - slopes[1])]);
+}
+
+/* Omega of a fold of an excitation by inertia where damping is so weak that what rounding leaves of R takes it off the
+ * response: by I and F_A = 0, if h is that of the amplitude but for roundings; else as it was. */
+static double sf_sharp_Omega(const sf_model *model, double F_0, const sf_sample *at, double Omega) {
+    double share;
+    const double w = sf_Omega_by_share(model, F_0, at, 1, &share), I = inertia_force(w, F_0);
+    const double size = sf_size_of_R(at, w), loss = size / I;
+    if (w > 0 && (fabs(share) * loss > SF_FEW_LOST || loss > SF_SQUARE_LOST) &&
+        fabs(slow_flow_R(w, at->A, at->h) + share * I) <= SF_CLOSE * size)
+        return w;
+    return Omega;
+}
+
 /* The level on an arc of the fold locus less F_0. */
 static double sf_excess(const sf_model *model, double F_0, const sf_arc *arc, double A, double *Omega) {
     sf_sample at;
@@ -210,7 +243,7 @@ static double sf_excess(const sf_model *model, double F_0, const sf_arc *arc, do
     *Omega = A == arc->A[0]   ? arc->Omega[0]
              : A == arc->A[1] ? arc->Omega[1]
                               : sf_fold_branch(model, &at, arc->count, arc->index);
-    return *Omega > 0 ? sf_level(model, &at, *Omega) - F_0 : HUGE_VAL;
+    return *Omega > 0 ? sf_locus_level(model, &at, *Omega) - F_0 : HUGE_VAL;
 }
 
 /* Where the level, which is monotone along the arc, passes F_0: regula falsi (Illinois), and halves where that is
@@ -259,6 +292,8 @@ static sf_status sf_locus_folds(const sf_model *model, double F_0, sf_work *work
         A = sf_level_crossing(model, F_0, arc, low, high, &Omega);
         sf_sample_at(model, A, &at);
         Omega = sf_settled_Omega(model, F_0, &at, Omega);
+        if (model->zeta > 0)
+            Omega = sf_sharp_Omega(model, F_0, &at, Omega);
         sf_add_fold(folds, Omega, A, sf_half_F_AA(model, &at, Omega) < 0, 0);
     }
     return SF_OK;
@@ -373,7 +408,7 @@ static long sf_draw_locus(const sf_model *model, long samples, sf_work *work, do
                 sf_sample_at(model, A[n], &at);
                 Omega[n] = k == 0 || k == steps ? arc->Omega[end]
                                                 : sf_fold_branch(model, &at, arc->count, arc->index);
-                F_0[n] = sf_level(model, &at, Omega[n]);
+                F_0[n] = sf_locus_level(model, &at, Omega[n]);
                 branch[n] = c;
             }
         }

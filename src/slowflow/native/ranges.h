@@ -15,11 +15,11 @@ typedef enum { SF_NOWHERE, SF_PARTLY, SF_THROUGHOUT } sf_where;
 
 /* One of these functions on a cell: where it is defined, what holds it and its slope there, and in a proof that slope's
  * slope, if it is known. edge: its sign at the end of where it is defined, if there is one such end in the cell and the
- * sign is known; else 0 */
+ * sign is known; else 0. once: of isola points, whether it has one zero at most, its slope apart */
 typedef struct {
     sf_where where;
     sf_interval y, dy, ddy;
-    int edge;
+    int edge, once;
 } sf_range;
 
 /* before a function in which all calls are inlined */
@@ -37,7 +37,7 @@ static inline sf_where sf_where_positive(sf_interval x) {
 }
 
 static inline void sf_range_simple(sf_interval y, sf_interval dy, sf_where where, sf_range *out) {
-    out->where = where, out->y = y, out->dy = dy, out->edge = 0;
+    out->where = where, out->y = y, out->dy = dy, out->edge = out->once = 0;
 }
 
 /* What rounding may make of a force on a cell, as sf_size_at of a sample. */
@@ -273,6 +273,7 @@ static inline void sf_critical_of(const sf_cell *cell, sf_interval p, double q, 
         if (p.lo < 0 && sf_critical_at(A.hi, p.lo * (1 + SF_DOUBT) * A.hi, q, &low[0], &low[1])) {
             out->where = SF_PARTLY;
             out->w1 = out->w2 = sfi_of(0, sqrt(-p.lo) * (1 + SF_DOUBT));
+            out->w2.lo = sqrt(sfi_most(-p.hi, 0) / 3) * (1 - SF_DOUBT); /* where the cubic's slope is 0 */
         }
         return;
     }
@@ -287,29 +288,27 @@ static inline void sf_critical_of(const sf_cell *cell, sf_interval p, double q, 
 
 static inline void sf_range_turn(const sf_model *model, const sf_cell *cell, int open, sf_range out[2]) {
     const sf_interval m = sfi_point(model->m), zeta = sfi_point(model->zeta);
-    const sf_interval one = sfi_point(1);
     const int next_to_0 = cell->A.lo == 0;
-    sf_interval quartic[4];
+    const sf_interval A = next_to_0 ? sfi_point(1) : cell->A, h = next_to_0 ? cell->h_A : cell->h;
+    const sf_interval per_A = next_to_0 ? sfi_div(m, cell->A) : m;
+    sf_interval quartic[4], turn[2], y, dy;
     sf_critical_box box;
     int i;
-    slow_flow_intervals_fold_quartic(next_to_0 ? one : cell->A, m, zeta, next_to_0 ? cell->h_A : cell->h, cell->h_A,
-                                     quartic);
+    slow_flow_intervals_fold_quartic(A, m, zeta, h, cell->h_A, quartic);
     sf_critical_of(cell, sfi_of(0.5 * quartic[2].lo, 0.5 * quartic[2].hi), 0.25 * quartic[1].lo, &box);
     for (i = 0; i < 2; i++) {
         const sf_interval w = i == 0 ? box.w1 : box.w2;
         out[i].where = i == 0 && model->m == 0 ? SF_NOWHERE : box.where;
         if (out[i].where == SF_NOWHERE || !(open & 1 << i))
             continue;
-        if (next_to_0) { /* F_A over A, where h/A is a slope of h */
-            const sf_interval per_A = sfi_div(m, cell->A);
-            sf_range_simple(slow_flow_intervals_F_A(w, one, per_A, zeta, cell->h_A, cell->h_A),
-                            sfi_of(-HUGE_VAL, HUGE_VAL), box.where, &out[i]);
-            continue;
+        if (i == 0) { /* next to A = 0 over A, where h/A is a slope of h */
+            y = sfi_times(0.5, slow_flow_intervals_F_A(w, A, per_A, zeta, h, cell->h_A));
+            dy = sfi_times(0.5, slow_flow_intervals_F_AA(w, A, per_A, zeta, h, cell->h_A, cell->h_AA));
+        } else { /* and k/A one of k */
+            slow_flow_intervals_turn(w, A, per_A, zeta, cell->h_AA, next_to_0 ? cell->k_A : cell->k, turn);
+            y = turn[0], dy = turn[1];
         }
-        sf_range_simple(slow_flow_intervals_F_A(w, cell->A, m, zeta, cell->h, cell->h_A),
-                        slow_flow_intervals_F_AA(w, cell->A, m, zeta, cell->h, cell->h_A, cell->h_AA), box.where,
-                        &out[i]);
-        out[i].y.lo *= 0.5, out[i].y.hi *= 0.5, out[i].dy.lo *= 0.5, out[i].dy.hi *= 0.5;
+        sf_range_simple(y, next_to_0 ? sfi_of(-HUGE_VAL, HUGE_VAL) : dy, box.where, &out[i]);
     }
 }
 
@@ -402,18 +401,44 @@ SF_FLAT static inline void sf_range_state_in_turn(const sf_terms *terms, sf_inte
     out->ddy = state[2];
 }
 
+/* 3 h - A h_A, which is 2 h + k, on a cell; also from where its piece begins: far out, where h is like A^3, it is a
+ * small difference of large terms there, and its second derivative h_AA - A h_AAA is small on all of the way. */
+static inline sf_interval sf_cubic_on(const sf_asked *asked, const sf_cell *cell) {
+    const sf_interval direct = sfi_add(sfi_times(2, cell->h), cell->k);
+    const sf_sample *first = asked->first;
+    sf_interval way, bend, slope, cubic;
+    sf_known from;
+    if (asked->model->mechanism->bent != NULL || first == NULL)
+        return direct;
+    sf_know(first, &from);
+    way = sfi_sub(cell->A, sfi_point(first->A));
+    bend = sfi_of(sfi_least(first->h_AAA, cell->h_AAA.lo), sfi_most(first->h_AAA, cell->h_AAA.hi));
+    slope = sfi_sub(sfi_times(2, from.h_A), sfi_times(first->A, from.h_AA));
+    bend = sfi_add(sfi_sub(from.h_AA, sfi_times(first->A, bend)), sfi_mul(way, sfi_sub(bend, bend)));
+    cubic = sfi_add(sfi_add(sfi_times(2, from.h), from.k),
+                    sfi_mul(way, sfi_add(slope, sfi_times(0.5, sfi_mul(way, bend)))));
+    return cubic.hi - cubic.lo < HUGE_VAL ? sfi_both(direct, cubic) : direct;
+}
+
+/* Whether a cell has one isola point at most, as one beside a zero of h, that doubles may not tell from it: where |h| is
+ * small beside k and 3 h - A h_A, A F_A is zero there where zeta A^2 + m A x = cubic zeta A x^2 + k m x^3, which one x
+ * is, and as h rises to where the least level ends, x falls to 0. */
+static inline int sf_has_one_isola(sf_interval h, sf_interval h_A, sf_interval k, sf_interval cubic) {
+    return sfi_has_sign(h_A) && -h.lo <= SF_BESIDE * sfi_least(k.lo, cubic.lo);
+}
+
 /* x rises with the first of its terms and falls with the others, so their corners hold it. No level of A is above A, so
  * that a peak exceeds F_0; and below the least amplitude that is looked at the force is its slope, where nothing
  * vanishes. */
 static inline void sf_range_inertial(const sf_asked *asked, const sf_cell *cell, sf_range out[2]) {
     const sf_interval m = asked->terms.m, zeta = asked->terms.zeta;
     sf_range *own = &out[asked->question == SF_PEAK];
-    sf_interval terms[3], x, found[2];
+    sf_interval terms[3], x, h = cell->h, found[2];
     out[0].where = out[1].where = SF_NOWHERE;
     if (asked->question == SF_REST || cell->A.hi <= SF_FIRST || (asked->question == SF_PEAK && cell->A.hi < asked->F_0))
         return;
     if (cell->A.lo == 0) {
-        own->where = SF_PARTLY, own->y = own->dy = sfi_of(-HUGE_VAL, HUGE_VAL), own->edge = 0;
+        own->where = SF_PARTLY, own->y = own->dy = sfi_of(-HUGE_VAL, HUGE_VAL), own->edge = own->once = 0;
         return;
     }
     inertia_intervals_terms(cell->A, m, zeta, cell->h, terms);
@@ -427,6 +452,13 @@ static inline void sf_range_inertial(const sf_asked *asked, const sf_cell *cell,
     else
         inertia_intervals_isola(x, cell->A, m, zeta, cell->h, cell->h_A, cell->h_AA, found);
     sf_range_simple(found[0], found[1], own->where, own);
+    if (asked->question == SF_ISOLA && !sfi_has_sign(own->y)) {
+        const sf_interval cubic = sf_cubic_on(asked, cell);
+        h.hi = sfi_least(h.hi, -2 * zeta.lo * zeta.lo * cell->A.lo * (1 - SF_DOUBT)); /* where there is a least level */
+        own->y = sfi_both(own->y,
+                          inertia_intervals_isola_apart(x, cell->A, m, zeta, h, cell->k, cubic));
+        own->once = sf_has_one_isola(h, cell->h_A, cell->k, cubic);
+    }
 }
 
 /* open: which channels are wanted; a, b: what is known at the ends of the cell, of which only the slopes are made */

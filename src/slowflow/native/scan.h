@@ -214,7 +214,7 @@ static int sf_settle(const sf_search *search, const sf_probe *a, const sf_probe 
         y = sfi_both(y, sf_between(a->answer.y[c], b->answer.y[c], dy, width));
     if (sfi_has_sign(y))
         return 1;
-    if (!sfi_has_sign(dy)) {
+    if (!sfi_has_sign(dy) && !(search->asked.question == SF_ISOLA && range->once)) {
         if (!last)
             return 0;
         search->found->undecided = 1;
@@ -338,9 +338,10 @@ static int sf_begins_above_rest(sf_question question, const sf_sample *rest) {
 /* All zeros of a question's channels on a piece, added to those found; a zero at its last amplitude counts, one at A =
  * 0 does not. */
 static void sf_find_zeros(const sf_asked *asked, const sf_stretch *piece, sf_zeros *found) {
-    const sf_search search = {*asked, piece->first.A, piece->last.A, found};
+    sf_search search = {*asked, piece->first.A, piece->last.A, found};
     const int open = sf_channels(asked->question);
     sf_probe low, high;
+    search.asked.first = &piece->first;
     low.at = piece->first, high.at = piece->last;
     sf_ask(asked, open, &low.at, &low.answer);
     sf_ask(asked, open, &high.at, &high.answer);

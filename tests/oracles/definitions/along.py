@@ -115,6 +115,17 @@ def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
     return [half_F_A, by_tangent[0] - A * by_tangent[1], along, mp.sqrt(R * (k + A * T) + I**2 - A * half_F_A)]
 
 
+def turn(Omega, A, m, zeta, h_AA, k):
+    """F_A/2 and F_AA/2 by differentiating F, at the slope of R for which F_AOmega, linear in it, vanishes."""
+
+    def at(T):
+        return k + A * T - A * Omega**2, T - Omega**2, h_AA
+
+    mixed = [partials([(1, 1)], Omega, A, m, zeta, *at(T))[0] for T in (mpf(0), mpf(1))]
+    T = mixed[0] / (mixed[0] - mixed[1])
+    return [F / 2 for F in partials([(1, 0), (2, 0)], Omega, A, m, zeta, *at(T))]
+
+
 def stationary(Omega, A, m, zeta):
     """The h that makes F stationary over Omega."""
 
@@ -295,6 +306,7 @@ DAMPED: dict[str, tuple[str, Function, int]] = {
     "cusp_R": ("A zeta h_AA intercept X T", cusp_R, 0),
     "cusp": ("A m zeta h_AA h_AAA intercept X T R root", cusp, 0),
     "cusp_balance": ("A m zeta h intercept X T", cusp_balance, 0),
+    "turn": ("Omega A m zeta h_AA intercept", turn, 0),
     "peak": ("Omega A F_0 m zeta h_A", peak, 0),
     "peak_Omega_A": ("Omega A m zeta h_A", lambda *x: [peak_slope(*x)], 0),
 }

@@ -118,6 +118,57 @@ def shaken_isola(x, A, m, zeta, *values):
     return [value(A, x), value_A - value_x * falls_A / falls_x]
 
 
+def shaken_isola_apart(x, A, m, zeta, h, k, cubic):
+    """The same at amplitudes where R is that: A dR/dA is R - k, and R + 2 h - cubic; each for its part of damping."""
+    w, R, I = balanced(x, A, m, zeta, h)
+    friction, viscous = (balances(w, A, *only, h)[1] for only in ((m, 0), (0, zeta)))
+    drag = friction + viscous / 2
+    A_R_A = (friction * (R - k) + viscous / 2 * (R + 2 * h - cubic)) / drag
+    h_A = A_R_A / A - w**2
+    return [-h * slope_of_response(1, w, A, m, zeta, R - A * w**2, h_A) / (2 * I * w**3)]
+
+
+def shaken_fold_slopes(Omega, A, m, zeta, k):
+    """By F_A at three slopes of R, in which it is a quadratic; I by its definition."""
+
+    def half_F_A(T):
+        return slope_of_response(1, Omega, A, m, zeta, k + A * T - A * Omega**2, T - Omega**2) / 2
+
+    constant, linear, square = parabola(half_F_A)
+    with mp.extradps(20):
+        smaller, larger = sorted(
+            (mp.re(T) for T in mp.polyroots([square, linear, constant], 200, extraprec=200)), key=abs
+        )
+    return [larger, smaller, -(k + A * larger) / balances(Omega, A, m, zeta, 0)[1]]
+
+
+def shaken_fold_level(Omega, A, m, zeta, other):
+    """R is A times the other slope, reversed."""
+    return [shaken_level(Omega, A, m, zeta, -A * other - A * Omega**2)]
+
+
+def shaken_peak_share(Omega, A, m, zeta):
+    """By the level's slope at three values of R, in which it is a quadratic."""
+    terms = parabola(lambda R: shaken_level_slope(Omega, A, m, zeta, R - A * Omega**2))
+    with mp.extradps(20):
+        R = min((mp.re(R) for R in mp.polyroots(terms[::-1], 200, extraprec=200)), key=abs)
+    return [-R / balances(Omega, A, m, zeta, 0)[1]]
+
+
+def shaken_Omega_of_share(A, F_0, m, zeta, share):
+    """As a root, between frequencies at which the level is higher and lower."""
+
+    def excess(w):
+        return shaken_level(w, A, m, zeta, -share * balances(w, A, m, zeta, 0)[1] - A * w**2) - F_0
+
+    low, high = mpf(1), mpf(1)
+    while excess(low) < 0:
+        low /= 2
+    while excess(high) > 0:
+        high *= 2
+    return [mp.findroot(excess, (low, high), solver="anderson")]
+
+
 def shaken_sense(order, Omega, A, *x):
     """What tells minima from maxima along the fold locus: as for a force, with the level's slope for F_Omega."""
     by_A, F_AOmega = partials([(order, 0), (1, 1)], Omega, A, *x)
@@ -308,6 +359,11 @@ INERTIA: dict[str, tuple[str, Function]] = {
     "least": ("fall linear rest", lambda *x: [shaken_least(*x)]),
     "peak": ("x A F_0 m zeta h h_A", shaken_peak),
     "isola": ("x A m zeta h h_A h_AA", shaken_isola),
+    "isola_apart": ("x A m zeta h intercept cubic", shaken_isola_apart),
+    "fold_slopes": ("Omega A m zeta intercept", shaken_fold_slopes),
+    "fold_level": ("Omega A m zeta other", shaken_fold_level),
+    "peak_share": ("Omega A m zeta", shaken_peak_share),
+    "Omega_of_share": ("A F_0 m zeta share", shaken_Omega_of_share),
     "level_rise": ("Omega A m zeta h h_A h_AA", lambda *x: [shaken_sense(2, *x)]),
     "cusp_bend": ("Omega A m zeta h h_A h_AA h_AAA", lambda *x: [shaken_sense(3, *x)]),
     "hessian": ("Omega A m zeta h h_A h_AA", lambda *x: [shaken_hessian(*x)]),

@@ -25,10 +25,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from slowflow.averaged.reference.cells import Cells, Samples
+from slowflow.averaged.reference.cells import Cells, Samples, doubtful
 from slowflow.averaged.reference.doubt import is_fold_close
 from slowflow.averaged.reference.intervals import Bools, Interval
-from slowflow.averaged.reference.roots import Quartics, critical_points, peak_roots
+from slowflow.averaged.reference.roots import Quartics, critical_points, fold_roots, peak_roots
 from slowflow.model import Floats, Model
 from slowflow_kernels import (
     inertia,
@@ -40,6 +40,9 @@ from slowflow_kernels import (
 )
 from slowflow_kernels.conventions import BESIDE, CANCELLED, CLOSE, DOUBT, SOFT
 
+#: of -R/I, up to which R follows from I better than from h where that is all rounding; how many are tried until none
+#: changes Omega: as in native/inertial.h
+LARGEST_SHARE, MOST_SHARES = 0.5, 100
 #: where a channel is defined on a cell
 NOWHERE, PARTLY, THROUGHOUT = 0, 1, 2
 
@@ -95,12 +98,14 @@ class Ranges:
     """The channels on cells: where they are defined, what holds them and their slopes there; arrays (channels, n).
 
     edge -- its sign at the end of where it is defined, if there is one such end in the cell and the sign is known; or 0
+    once -- whether it has one zero at most, its slope apart
     """
 
     where: np.ndarray[Any, np.dtype[np.int_]]
     y: Interval
     dy: Interval
     edge: np.ndarray[Any, np.dtype[np.int_]]
+    once: Bools
 
 
 def _channels(count: int, like: Samples, exists: Any, y: Any, dy: Any, Omega: Any = 0.0, *beside: Any) -> Channels:
@@ -111,11 +116,12 @@ def _channels(count: int, like: Samples, exists: Any, y: Any, dy: Any, Omega: An
     return Channels(rows)
 
 
-def _ranges(count: int, like: Cells, where: Any, y: Interval, dy: Interval, edge: Any = 0) -> Ranges:
+def _ranges(count: int, like: Cells, where: Any, y: Interval, dy: Interval, edge: Any = 0, once: Any = False) -> Ranges:
     """Of intervals (2, count n), channel by channel, and flags that broadcast to (count, n)."""
     shape = (count, len(like))
     y, dy = (Interval(one.ends.reshape(2, *shape)) for one in (y, dy))
-    return Ranges(np.broadcast_to(where, shape), y, dy, np.broadcast_to(edge, shape))
+    where, edge, once = (np.broadcast_to(flag, shape) for flag in (where, edge, once))
+    return Ranges(where, y, dy, edge, once)
 
 
 def _beside(*parts: Interval) -> Interval:
@@ -391,8 +397,11 @@ def _critical_of(cells: Cells, p: Interval, q: float) -> tuple[Any, Interval]:
     w1 = Interval.of(first[:n] * (1 - DOUBT), np.where(high, first[n:], second[:n] if q > 0 else 0.0) * (1 + DOUBT))
     w2 = Interval.of(np.where(high, second[n:], first[:n]) * (1 - DOUBT), second[:n] * (1 + DOUBT))
     where = np.where(origin, np.where((p.lo < 0) & low, PARTLY, NOWHERE), where)
-    next_to_0 = Interval.of(np.zeros(n), np.sqrt(np.maximum(-p.lo, 0.0)) * (1 + DOUBT))
-    return where, _beside(next_to_0.where(origin, w1), next_to_0.where(origin, w2))
+    most = np.sqrt(np.maximum(-p.lo, 0.0)) * (1 + DOUBT)
+    # the higher one lies above where the cubic's slope is 0
+    least = np.sqrt(np.maximum(-p.hi, 0.0) / 3) * (1 - DOUBT)
+    w1, w2 = Interval.of(np.zeros(n), most).where(origin, w1), Interval.of(least, most).where(origin, w2)
+    return where, _beside(w1, w2)
 
 
 class Turn(Asked):
@@ -405,6 +414,8 @@ class Turn(Asked):
         quartics = Quartics(A, at.h, at.h_A, model.m, model.zeta, -1.0)
         w, y = np.array(quartics.critical).swapaxes(0, 1)
         dy = 0.5 * flow.F_AA(w, A, model.m, model.zeta, at.h, at.h_A, at.h_AA)
+        # at the upper one F_A is all rounding of h if damping is weak
+        y[1], dy[1] = flow.turn(w[1], A, model.m, model.zeta, at.h_AA, at.k)
         return _channels(2, at, inside & quartics.exist & (w > 0), y, dy, w)
 
     def range(self, cells: Cells) -> Ranges:
@@ -412,13 +423,17 @@ class Turn(Asked):
         A, h = _over_A(cells)
         _, q, p, _ = slow_flow_intervals.fold_quartic(A, self.m, self.zeta, h, cells.h_A)
         where, w = _critical_of(cells, 0.5 * p, 0.25 * float(q.lo[0]))
-        origin, twice = cells.A.lo == 0, cells.twice()
+        origin = cells.A.lo == 0
         m = (self.m / cells.A).where(origin, self.m)
-        A, h, m = _beside(A, A), _beside(h, h), _beside(m, m)
-        y = 0.5 * slow_flow_intervals.F_A(w, A, m, self.zeta, h, twice.h_A)
-        dy = 0.5 * slow_flow_intervals.F_AA(w, A, m, self.zeta, h, twice.h_A, twice.h_AA)
-        dy = _unknown(twice).where(np.tile(origin, 2), dy)
-        return _ranges(2, cells, [where if model.m > 0 else np.full_like(where, NOWHERE), where], y, dy)
+        k = cells.k_A.where(origin, cells.k)  # next to A = 0 k/A is a slope of k
+        n = len(cells)
+        w1, w2 = Interval(w.ends[:, :n]), Interval(w.ends[:, n:])
+        lower = 0.5 * slow_flow_intervals.F_A(w1, A, m, self.zeta, h, cells.h_A)
+        lower_A = 0.5 * slow_flow_intervals.F_AA(w1, A, m, self.zeta, h, cells.h_A, cells.h_AA)
+        upper, upper_A = slow_flow_intervals.turn(w2, A, m, self.zeta, cells.h_AA, k)
+        dy = _unknown(cells.twice()).where(np.tile(origin, 2), _beside(lower_A, upper_A))
+        there = [where if model.m > 0 else np.full_like(where, NOWHERE), where]
+        return _ranges(2, cells, there, _beside(lower, upper), dy)
 
 
 class Undamped(Asked):
@@ -500,6 +515,30 @@ class Rest(Asked):
         return _ranges(2, cells, THROUGHOUT, y, _beside(cells.h_A, cells.h_A))
 
 
+def omega_by_share(model: Model, F_0: float, at: Samples, some: Bools, *, fold: bool) -> tuple[Floats, Floats]:
+    """Omega of folds, or of peaks, by I and what R is of it there, without h, which may be all rounding; and -R/I.
+
+    0 where that is too much, and beside `some`.
+    """
+    found, shares = np.zeros(at.A.shape), np.zeros(at.A.shape)
+    which = np.flatnonzero(some)
+    w = np.zeros(which.size)
+    for _ in range(MOST_SHARES):
+        A, last = at.A[which], w
+        w = inertia.Omega_of_share(A, F_0, model.m, model.zeta, shares[which])
+        if fold:
+            share = inertia.fold_slopes(w, A, model.m, model.zeta, at.k[which])[2]
+        else:
+            share = inertia.peak_share(w, A, model.m, model.zeta)
+        shares[which] = share
+        settled, stays = np.abs(w - last) <= 2.0**-52 * w, np.abs(share) <= LARGEST_SHARE
+        found[which[settled & stays]] = w[settled & stays]
+        which, w = which[~settled & stays], w[~settled & stays]
+        if not which.size:
+            break
+    return found, shares
+
+
 class _Inertia(Asked):
     """Of an excitation by inertia: at x = 1/Omega where the level of an amplitude is least, if there is one.
 
@@ -512,6 +551,11 @@ class _Inertia(Asked):
         fall, linear, rest = inertia.terms(at.A, self.model.m, self.model.zeta, at.h)
         exists = (at.A > 0) & (fall > 0)
         return exists, np.where(exists, inertia.least(np.where(exists, fall, 1.0), linear, rest), 1.0)
+
+    def _lost(self, at: Samples, exists: Bools) -> Bools:
+        """Where h lacks of being 0 what damping makes of it, so that x is all rounding."""
+        fall, _, _ = inertia.terms(at.A, self.model.m, self.model.zeta, at.h)
+        return np.asarray(exists & (fall <= SOFT * at.A * (np.abs(at.h) + at.A * np.abs(at.h_A))))
 
     def _Omega_A(self, x: Floats, at: Samples) -> Floats:
         """What a rounding of A does to 1/x."""
@@ -535,7 +579,12 @@ class InertiaPeak(_Inertia):
     def ask(self, at: Samples) -> Channels:
         exists, x = self._exists(at)
         y, dy = inertia.peak(x, at.A, self.F_0, self.model.m, self.model.zeta, at.h, at.h_A)
-        return _channels(1, at, exists, y, dy, 1 / x, self._Omega_A(x, at))
+        by_share = omega_by_share(self.model, self.F_0, at, self._lost(at, exists), fold=False)[0]
+        Omega = np.where(by_share > 0, by_share, 1 / x)
+        moves = np.where(by_share > 0, 0.0, self._Omega_A(x, at))
+        # where the channel ends, as Omega tends to inf, the level is the amplitude
+        edge = np.where(at.A > self.F_0, 1.0, -1.0) * (self.model.zeta > 0)
+        return _channels(1, at, exists, y, dy, Omega, moves, 0.0, edge)
 
     def range(self, cells: Cells) -> Ranges:
         where, x = self._where(cells)
@@ -545,14 +594,62 @@ class InertiaPeak(_Inertia):
 
 
 class InertiaIsola(_Inertia):
-    """A function with the sign of F_A."""
+    """A function with the sign of F_A, which rises where the channel ends, as Omega tends to inf."""
 
     def ask(self, at: Samples) -> Channels:
         exists, x = self._exists(at)
-        y, dy = inertia.isola(x, at.A, self.model.m, self.model.zeta, at.h, at.h_A, at.h_AA)
-        return _channels(1, at, exists, y, dy, 1 / x, self._Omega_A(x, at))
+        m, zeta = self.model.m, self.model.zeta
+        _, dy = inertia.isola(x, at.A, m, zeta, at.h, at.h_A, at.h_AA)
+        y = inertia.isola_apart(x, at.A, m, zeta, at.h, at.k, 2 * at.h + at.k)
+        lost = self._lost(at, exists)
+        Omega = self._Omega(at, lost, x)
+        moves = np.where(lost, 0.0, self._Omega_A(x, at))
+        return _channels(1, at, exists, y, dy, Omega, moves, 0.0, float(zeta > 0))
+
+    def _Omega(self, at: Samples, lost: Bools, x: Floats) -> Floats:
+        """1/x, or, where that is lost, what h on the fold locus lacks the least of making the level stationary at."""
+        m, zeta, Omega = self.model.m, self.model.zeta, 1 / x
+        if lost.any():
+            A, h = at.A[lost], at.h[lost]
+            roots, count = fold_roots(A, h, at.h_A[lost], m, zeta)
+            A, h = A[:, np.newaxis], h[:, np.newaxis]
+            lacks = np.abs(inertia.level_slope(roots, A, m, zeta, h) / slow_flow.R(roots, A, h))
+            lacks = np.where(roots > 0, lacks, np.inf)
+            found = np.take_along_axis(roots, np.nanargmin(lacks, axis=-1)[:, np.newaxis], axis=-1)[:, 0]
+            Omega[lost] = np.where(count > 0, found, Omega[lost])
+        return Omega
 
     def range(self, cells: Cells) -> Ranges:
         where, x = self._where(cells)
         y, dy = inertia_intervals.isola(x, cells.A, self.m, self.zeta, cells.h, cells.h_A, cells.h_AA)
-        return _ranges(1, cells, where, y, dy)
+        cubic = self._cubic(cells)
+        # where there is a least level
+        most = np.minimum(cells.h.hi, -2 * self.model.zeta**2 * cells.A.lo * (1 - DOUBT))
+        h = Interval.of(cells.h.lo, most)
+        y = y.both(inertia_intervals.isola_apart(x, cells.A, self.m, self.zeta, h, cells.k, cubic))
+        # A F_A is 0 beside a zero of h, which doubles may not tell from it, where zeta A^2 + m A x = cubic zeta A x^2 +
+        # k m x^3, which one x is; and as h rises to where the least level ends, x falls to 0
+        once = cells.h_A.has_sign & (-h.lo <= BESIDE * np.minimum(cells.k.lo, cubic.lo))
+        return _ranges(1, cells, where, y, dy, 0, once)
+
+    def _cubic(self, cells: Cells) -> Interval:
+        """3 h - A h_A, which is 2 h + k, on cells; also from where their pieces begin.
+
+        Far out, where h is like A^3, it is a small difference of large terms there, and its second derivative
+        h_AA - A h_AAA is small on all of the way.
+        """
+        direct, first = 2.0 * cells.h + cells.k, cells.first
+        if self.model.mechanism.enclosed is not None:
+            return direct
+        way = cells.A - Interval.of(first.A, first.A)
+        bend = Interval.of(np.minimum(first.h_AAA, cells.h_AAA.lo), np.maximum(first.h_AAA, cells.h_AAA.hi))
+        h, h_A, h_AA = (
+            doubtful(f, first.A, slope)
+            for f, slope in ((first.h, first.h_A), (first.h_A, first.h_AA), (first.h_AA, first.h_AAA))
+        )
+        k = doubtful(first.k, first.A, first.A * first.h_AA)
+        at = Interval.of(first.A, first.A)
+        slope, bend = 2.0 * h_A - at * h_AA, h_AA - at * bend + way * (bend - bend)
+        cubic = 2.0 * h + k + way * (slope + 0.5 * (way * bend))
+        known = np.isfinite(cubic.hi - cubic.lo)
+        return direct.both(cubic).where(known, direct)

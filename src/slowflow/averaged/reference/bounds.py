@@ -66,7 +66,7 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
     else:
         both = samples_at(model, np.concatenate((rungs, ENDLESS * np.maximum(rungs, 1.0))))
         at, far = both.take(slice(0, rungs.size)), both.take(slice(rungs.size, None))
-        slope = cells_of(model, at, far).h_A
+        slope = cells_of(model, at, far, at).h_A
         rises = np.where(at.h > 0, slope.lo >= 0, slope.hi <= 0)
         bounds = rises & (np.abs(at.h) > most)
     bounds &= np.isfinite(rungs)

@@ -348,7 +348,7 @@ def points_of(model: Model, system: str, pieces: Sequence[Stretch], F_0: float =
                 "the response is unresolved: too many boxes of amplitude and frequency stay undecided"
             )
         Omega = Interval.of(boxes.low, boxes.high)
-        cells = cells_of(model, boxes.a, boxes.b)
+        cells = cells_of(model, boxes.a, boxes.b, boxes.a)
         left = np.flatnonzero(~searched.empty(cells, boxes.piece, Omega))
         if not left.size:
             break
@@ -403,7 +403,7 @@ def _first_boxes(searched: Searched, pieces: Sequence[Stretch], most: float) -> 
         between = samples_at(model, nodes[1:-1])
         a, b = joined(piece.first, between), joined(between, piece.last)
         numbers = np.full(len(a), number)
-        cells = cells_of(model, a, b)
+        cells = cells_of(model, a, b, a)
         if searched.system in STATIC:
             low, high = np.full(len(a), -ASIDE), np.full(len(a), ASIDE * 1.0625)
         else:

@@ -145,6 +145,12 @@ def between(f_a: Floats, f_b: Floats, slope: Interval, width: Floats) -> Interva
     return Interval(np.array((low, high)))
 
 
+def doubtful(f: Floats, A: Floats, slope: Floats) -> Interval:
+    """What holds a kernel's value."""
+    doubt = _doubt(f, A, slope)
+    return Interval.of(f - doubt, f + doubt)
+
+
 def _doubt(f: Floats, A: Floats, slope: Floats) -> Floats:
     """By how much a kernel may err: relatively, and as if its argument were a rounding away; a limit does not."""
     doubt = DOUBT * (np.abs(f) + A * np.abs(slope))
@@ -157,17 +163,19 @@ class Cells:
     """What h and its derivatives are on intervals of A.
 
     rows -- array (7, 2, n): the ends of A, h, h_A, h_AA, h_AAA, k, k_A
+    first -- samples where the piece of each begins
     """
 
     rows: Floats
+    first: Samples
 
     def take(self, which: Any) -> Cells:
         """Some of them."""
-        return Cells(self.rows[..., which])
+        return Cells(self.rows[..., which], self.first.take(which))
 
     def twice(self) -> Cells:
         """All of them, and all of them again, for questions with two channels."""
-        return Cells(np.concatenate((self.rows, self.rows), axis=-1))
+        return Cells(np.concatenate((self.rows, self.rows), axis=-1), joined(self.first, self.first))
 
     def __len__(self) -> int:
         return int(self.rows.shape[-1])
@@ -201,8 +209,8 @@ class Cells:
         return Interval(self.rows[6])
 
 
-def cells_of(model: Model, a: Samples, b: Samples) -> Cells:
-    """From samples at the ends, by rising A."""
+def cells_of(model: Model, a: Samples, b: Samples, first: Samples) -> Cells:
+    """From samples at the ends, by rising A, and where their pieces begin."""
     width = b.A - a.A
 
     def along(f_a: Floats, f_b: Floats, slope_a: Floats, slope_b: Floats, slope: Interval) -> Interval:
@@ -228,7 +236,7 @@ def cells_of(model: Model, a: Samples, b: Samples) -> Cells:
     h = along(a.h, b.h, a.h_A, b.h_A, h_A)
     _, k_A = slow_flow_intervals.intercept(A, h, h_A, h_AA)
     k = along(a.k, b.k, a.A * a.h_AA, b.A * b.h_AA, k_A)
-    return Cells(np.array([one.ends for one in (A, h, h_A, h_AA, h_AAA, k, k_A)]))
+    return Cells(np.array([one.ends for one in (A, h, h_A, h_AA, h_AAA, k, k_A)]), first)
 
 
 def amid(base: Floats, a: Floats, b: Floats) -> Floats:

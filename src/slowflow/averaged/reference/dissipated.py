@@ -221,7 +221,7 @@ def bound_by_inertia(model: Model, F_0: float, rungs: Floats) -> float | None:
     eta = model.laws.eta
     if model.mechanism.enclosed is None:
         at, far = samples_at(model, rungs), samples_at(model, ENDLESS * np.maximum(rungs, 1.0))
-        slope = cells_of(model, at, far).h_A
+        slope = cells_of(model, at, far, at).h_A
         holds = (rungs > F_0) & (at.h >= 0) & (slope.lo >= 0)
         if eta > 0:
             steepest = np.abs(slope.ends).max(axis=0)

@@ -13,20 +13,24 @@ from scipy.optimize import brentq
 
 from slowflow.averaged import words
 from slowflow.averaged.reference import dissipated, doubt
-from slowflow.averaged.reference.along import FoldAt
+from slowflow.averaged.reference.along import FoldAt, omega_by_share
 from slowflow.averaged.reference.arcs import Arc, Graph, Roots
 from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.averaged.reference.boxes import points_of
 from slowflow.averaged.reference.cells import samples_at, stretches_up_to
 from slowflow.averaged.reference.excited import frequencies_at
 from slowflow.averaged.reference.intervals import Bools
-from slowflow.averaged.reference.locus import Stations
+from slowflow.averaged.reference.locus import Stations, of_locus
 from slowflow.averaged.reference.roots import fold_roots, response_roots
 from slowflow.averaged.reference.search import find_zeros
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import SaddleNodes
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import CLOSE, NEAR_END
+
+#: by how much more than I the terms of R may be, as a share of I, or if squares of roundings are to count: as in
+#: native/locus.h
+FEW_LOST, SQUARE_LOST = 4.0, 2.0**24
 
 
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
@@ -77,17 +81,18 @@ def _crossings(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, 
         (Omega,) = locus.at(np.array([A]), np.array([count]), np.array([index]))
         return float(Omega)
 
+    def level_at(Omega: float, A: float) -> float:
+        return float(of_locus(model, np.array([Omega]), np.array([A]))[0])
+
     for arc in Graph(locus, stations.events()).arcs:
-        ends = [
-            float(model.level(Omega, A)) if Omega > 0 else np.inf for A, Omega in zip(arc.A, arc.Omega, strict=True)
-        ]
+        ends = [level_at(Omega, A) if Omega > 0 else np.inf for A, Omega in zip(arc.A, arc.Omega, strict=True)]
         near |= any(abs(level - F_0) <= CLOSE * F_0 for level in ends)
         if (ends[0] < F_0) == (ends[1] < F_0):
             continue
 
         def excess(A: float, arc: Arc = arc, ends: list[float] = ends) -> float:
-            level = ends[arc.A.index(A)] if A in arc.A else float(model.level(at(A, arc.count, arc.index), A))
-            return min(level, 2 * F_0 + 1.0) - F_0
+            there = ends[arc.A.index(A)] if A in arc.A else level_at(at(A, arc.count, arc.index), A)
+            return min(there, 2 * F_0 + 1.0) - F_0
 
         root = float(brentq(excess, *arc.A, xtol=4e-323, rtol=4 * np.finfo(float).eps, maxiter=1000))
         Omega = arc.Omega[arc.A.index(root)] if root in arc.A else at(root, arc.count, arc.index)
@@ -95,7 +100,21 @@ def _crossings(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, 
         of_response = frequencies_at(model, root, F_0)
         found.append((root, min(of_response, key=lambda one: abs(one - Omega), default=Omega)))
     As, Omegas = np.array(found).reshape(-1, 2).T
-    return As, Omegas, near
+    return As, _sharp(model, F_0, As, Omegas) if model.zeta > 0 else Omegas, near
+
+
+def _sharp(model: Model, F_0: float, A: Floats, Omega: Floats) -> Floats:
+    """Omega where damping is so weak that what rounding leaves of R takes folds off the response.
+
+    By I and F_A = 0, if h is that of the amplitude but for roundings.
+    """
+    at = samples_at(model, A)
+    w, share = omega_by_share(model, F_0, at, np.ones(A.size, dtype=bool), fold=True)
+    I, size = model.force(F_0, w), np.abs(at.h) + at.A * np.abs(at.h_A) + at.A * w**2
+    loss = size / I
+    sharp = (w > 0) & ((np.abs(share) * loss > FEW_LOST) | (loss > SQUARE_LOST))
+    sharp &= np.abs(slow_flow.R(w, at.A, at.h) + share * I) <= CLOSE * size
+    return np.where(sharp, w, Omega)
 
 
 def _settled(model: Model, F_0: float, A: Floats, Omega: Floats) -> Floats:

@@ -15,7 +15,7 @@ from slowflow.averaged.reference import dissipated, dissipated_points
 from slowflow.averaged.reference.along import Asked, Cusp, InertiaIsola, Isola, Stiffness, Turn, Undamped
 from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.boxes import points_of
-from slowflow.averaged.reference.cells import Stretch, stretches_up_to
+from slowflow.averaged.reference.cells import Stretch, samples_at, stretches_up_to
 from slowflow.averaged.reference.minima import cusp_is_minimum, is_saddle, isola_is_minimum
 from slowflow.averaged.reference.search import Zeros, find_zeros
 from slowflow.model import Floats, Model
@@ -112,9 +112,25 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
         # the Omega of the ends is known; at A = 0 there is no quartic
         inside = roots.at(np.where(A_at > 0, A_at, A_max), count, index)
         Omega_at = np.where(low, Omega[at, 0], np.where(high, Omega[at, 1], inside))
-        F_0 = model.level(Omega_at, A_at)
+        F_0 = of_locus(model, Omega_at, A_at)
     there = ~np.isnan(Omega_at)
     return FoldLocus(Omega_at[there], A_at[there], F_0[there], np.concatenate(branch)[there], "")
+
+
+def of_locus(model: Model, Omega: Floats, A: Floats) -> Floats:
+    """The level at points of the fold locus.
+
+    Under an excitation by inertia by k and F_A = 0, as rounding of h and A Omega^2 may leave nothing of R.
+    """
+    level = np.asarray(model.level(Omega, A))
+    if not model.inertial or model.zeta == 0 or model.laws.any:
+        return level
+    at = samples_at(model, A)
+    steep, flat, _ = inertia.fold_slopes(Omega, at.A, model.m, model.zeta, at.k)
+    slope = Omega**2 + at.h_A
+    other = np.where(np.abs(slope - steep) <= np.abs(slope - flat), flat, steep)
+    known = (at.k**2 > 0) & (np.abs(at.k) < np.inf)
+    return np.where(known, inertia.fold_level(Omega, at.A, model.m, model.zeta, other), level)
 
 
 def of_cusps(model: Model, cusps: Zeros) -> Floats:

@@ -85,6 +85,7 @@ def find_zeros(model: Model, questions: Sequence[Asked], pieces: Sequence[Stretc
 def _find_zeros(model: Model, questions: Sequence[Asked], pieces: Sequence[Stretch]) -> list[Zeros]:
     piece, a, b = _first_intervals(model, pieces)
     base = np.array([one.base for one in pieces])
+    starts = joined(*(one.first for one in pieces))
     values = [question.ask(joined(a, b)) for question in questions]
     is_open = [_opened(answers, a) for answers in values]
     brackets: list[_Brackets] = []
@@ -96,7 +97,7 @@ def _find_zeros(model: Model, questions: Sequence[Asked], pieces: Sequence[Stret
             raise ArithmeticError("the response is unresolved: too many intervals of the amplitude stay undecided")
         n, middle = len(a), amid(base[piece], a.A, b.A)
         last = ~((middle > a.A) & (middle < b.A)) | (b.A - a.A <= NARROW * b.A)
-        cells = cells_of(model, a, b)
+        cells = cells_of(model, a, b, starts.take(piece))
         for number, question in enumerate(questions):
             some = np.flatnonzero(is_open[number].any(axis=0))
             if not some.size:
@@ -152,7 +153,7 @@ def _settle(a: Channels, b: Channels, found: Ranges, A: Floats, last: Bools) -> 
     they are settled without a proof; `last`: they are settled anyway.
     """
     in_a, in_b, falls_a, falls_b = a.exists, b.exists, a.y < 0, b.y < 0
-    both, throughout, monotone = in_a & in_b, found.where == THROUGHOUT, found.dy.has_sign
+    both, throughout, monotone = in_a & in_b, found.where == THROUGHOUT, found.dy.has_sign | found.once
     passes = both & (falls_a != falls_b)
     known = found.y.both(between(a.y, b.y, found.dy, A[1] - A[0]))
     # values on both sides of zero may differ by roundings more than slopes allow
