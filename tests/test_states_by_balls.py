@@ -226,3 +226,10 @@ def test_a_curve_is_decided_where_balls_prove_the_folds_that_it_has(design, F_0,
     assert by_balls or backend.SOLVER is None  # whose folds have fewer digits
     assert not by_balls or len(folds) == number
     assert decided.A.tolist() == found.A.tolist()
+
+
+def test_a_curve_whose_fold_has_few_digits_says_so():
+    """F_0 exceeds 4 mu/pi by two ulps: the fold lies at Omega = 5.93e-17, as balls say, and not at 4.42e-17."""
+    one = Duffing(0.0018877757998804665, -135.1962285773889, 1.3170412018428775e-05, 0.017745655026123557)
+    curve, many = (ask.frequency_response(1.6769089402318778e-05, samples=20) for ask in (one, batch(one)))
+    assert Remark.UNDECIDED in curve.remarks and many.undecided and many.remarks == int(curve.remarks)

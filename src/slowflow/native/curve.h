@@ -144,12 +144,12 @@ static void sf_add_step(const sf_model *model, double F_0, const sf_arc *arc, in
 }
 
 /* The last digits of the folds, also where segments end in them. What lies on which arc was told by the numbers
- * before. */
-static void sf_settle_skeleton(const sf_model *model, const sf_given *given, double F_0, sf_room *room) {
+ * before. Returns how far off one of them is left, relatively. */
+static double sf_settle_skeleton(const sf_model *model, const sf_given *given, double F_0, sf_room *room) {
     sf_work *work = &room->work;
     const sf_folds before = work->folds;
     int i, k, end;
-    sf_settle_or_prove(model, given, F_0, room, &work->folds);
+    const double off = sf_settle_or_prove(model, given, F_0, room, &work->folds);
     for (i = 0; i < before.n; i++)
         for (k = 0; k < work->skeleton.segments; k++)
             for (end = 0; end < 2; end++) {
@@ -157,6 +157,7 @@ static void sf_settle_skeleton(const sf_model *model, const sf_given *given, dou
                 if (segment->A[end] == before.at[i].A && segment->Omega[end] == before.at[i].Omega)
                     segment->A[end] = work->folds.at[i].A, segment->Omega[end] = work->folds.at[i].Omega;
             }
+    return off;
 }
 
 static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, double F_0, sf_room *room) {
@@ -189,8 +190,8 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, 
         out->start[c + 1] = out->segments;
         out->curves = c + 1;
     }
-    if (given != NULL)
-        sf_settle_skeleton(model, given, F_0, room);
+    if (given != NULL && sf_settle_skeleton(model, given, F_0, room) > SF_FEW_DIGITS && !sf_inertial(model))
+        room->doubt = room->undecided = 1;
     return SF_OK;
 }
 
