@@ -243,3 +243,29 @@ def test_a_peak_by_inertia_beside_a_zero_of_h_is_found():
     assert peak.A == pytest.approx(24.82120046422046, rel=1e-15)
     assert peak.Omega == pytest.approx(4.7940521170256493e-11, rel=1e-14, abs=0)
     assert states.A == pytest.approx([0.7552664571615544, 23.377677392673924, 24.132943849835478], rel=1e-14)
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize(
+    ("design", "F_0", "Omega", "A"),
+    [
+        (
+            (0.0006608772906922332, -0.14732792149632207, 0.00036167136263417024, 2.1592817574176304e-11),
+            3.353305055455534e-10,
+            2000.0,
+            3.149493793439107e-10,
+        ),
+        (
+            (0.274826669803216, -27.699243075979357, 0.00041624527217125297, 0.0002788972373001397),
+            6.845338528996432e-12,
+            1e6,
+            6.845338508481958e-12,
+        ),
+    ],
+)
+def test_a_peak_by_inertia_that_is_below_F_0_by_rounding_leaves_the_states(design, F_0, Omega, A):
+    """The response tends to F_0, an amplitude that the peak exceeds by less than a double."""
+    states = slowflow.Duffing(*design, excitation="base").amplitudes(Omega=Omega, F_0=F_0)
+
+    assert states.stable.tolist() == [True]
+    assert states.A == pytest.approx([A], rel=1e-14)

@@ -64,6 +64,8 @@ static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) 
         graph->close |= zeros->undecided;
         for (k = 0; k < zeros->n; k++) {
             graph->close |= sf_is_zero_close(zeros->at, k);
+            if (sf_inertial(model)) /* no level of an amplitude is above it: a peak is below F_0 by rounding alone */
+                zeros->at[k].A = fmax(zeros->at[k].A, F_0);
             sf_add_infinity(model, F_0, zeros->at[k].A, &passed, graph);
             sf_add_response_event(&zeros->at[k], !sf_inertial(model) && sf_is_biquadratic(model, F_0, zeros->at[k].A),
                                   graph);

@@ -157,7 +157,9 @@ def _events_of_inertia(model: Model, F_0: float, A_max: float) -> tuple[list[Eve
     (peaks,) = find_zeros(model, [InertiaPeak(model, F_0)], pieces)
     falls = bool(inertia.falls_to_least(model, at, model.averaged(at)[0])[0][0])
     inside = [Event(F_0, np.inf, Kind.TO_INFINITY, 1 if falls else -1)]
-    for A, Omega, rising in zip(peaks.A.tolist(), peaks.Omega.tolist(), peaks.rising.tolist(), strict=True):
+    # no level of an amplitude is above it: a peak is below F_0 by rounding alone
+    A_at = np.maximum(peaks.A, F_0)
+    for A, Omega, rising in zip(A_at.tolist(), peaks.Omega.tolist(), peaks.rising.tolist(), strict=True):
         inside.append(Event(A, Omega, Kind.PAIR_HIGH, -2 if rising else 2))
     inside += [Event(float(piece.last.A[0]), 0.0, Kind.THROUGH) for piece in pieces[:-1]]
     inside.sort(key=lambda event: event.A)
