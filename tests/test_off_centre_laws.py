@@ -205,19 +205,60 @@ def test_what_is_not_answered_off_the_centre_is_refused_in_words():
     assert well.replace(load=0.05).amplitudes(Omega=1.0, F_0=0.1).A.size
     with pytest.raises(NotAvailable, match="rubs = 'attached'"):
         Isolator(**TABLE_1, load=0.05, rubs="attached")
-    for law in LAWS:
-        with pytest.raises(NotAvailable, match="gradients are known with excitation = 'force', mu and zeta only"):
-            Duffing(1.0, 1.0, zeta=0.05, load=0.1, **law).saddle_node_onset().gradient()
+
+
+#: a central difference's share of its step, whose square its error is
+STEP = 1e-5
+ASKED = {
+    "onset": lambda of: of.saddle_node_onset(),
+    "folds": lambda of: of.saddle_nodes(0.1),
+    "peak": lambda of: of.peak(0.06),
+    "states": lambda of: of.amplitudes(Omega=0.8, F_0=0.06),
+    "detachment": lambda of: of.detachment(),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("ask", ASKED)
+def test_gradients_are_differences_of_answers(law, ask):
+    plain = ask in ("onset", "folds", "peak")  # of an isolator these take seconds
+    given = {**({"alpha": 1.0, "beta": 1.0, "mu": 0.01, "zeta": 0.03} if plain else TABLE_1), "load": 0.1, **law}
+    made = Duffing if plain else Isolator
+
+    def found(**changes):
+        answer = ASKED[ask](made(**{**given, **changes}))
+        return np.array([np.atleast_1d(getattr(answer, name))[-1] for name in gradient.of])
+
+    gradient = ASKED[ask](made(**given)).gradient()
+    slopes = gradient.slopes.reshape(-1, *gradient.slopes.shape[-2:])[-1]
+    moving = [name for name in gradient.by if isinstance(given.get(name), float)]
+    assert {*given} - {"excitation"} == {*moving}
+    for name in moving:
+        ends = [found(**{name: given[name] * (1 + sign * STEP)}) for sign in (1, -1)]
+        expected = (ends[0] - ends[1]) / (2 * STEP * given[name])
+        size = np.abs((found() / given[name], expected)).max()
+        np.testing.assert_allclose(slopes[:, gradient.by.index(name)], expected, rtol=0, atol=1e-8 * size)
+
+
+def test_gradients_by_a_law_that_is_not_there_tend_to_those_with_it():
+    """eta and c_2 at 0, one of which is there: one-sided differences."""
+    with_eta = Duffing(1.0, 1.0, zeta=0.05, eta=0.02, load=0.1)
+    slope = with_eta.saddle_node_onset().gradient()["F_SN", "c_2"]
+    ends = [with_eta.replace(c_2=c_2).saddle_node_onset().F_SN for c_2 in (1e-5, 0.0)]
+    assert slope == pytest.approx((ends[0] - ends[1]) / 1e-5, rel=1e-4)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("law", LAWS)
 def test_batches_are_single_answers(law):
     many = Isolator.many(**TABLE_1, load=[0.03, 0.1], **law)
+    moved = many.saddle_node_onset().gradient()
     found = many.peak(0.05), many.saddle_node_onset(), many.detachment(), many.amplitudes(Omega=0.9, F_0=0.05)
     for row, load in enumerate((0.03, 0.1)):
         one = Isolator(**TABLE_1, load=load, **law)
         states = one.amplitudes(Omega=0.9, F_0=0.05)
+        assert np.array_equal(moved.slopes[row], one.saddle_node_onset().gradient().slopes, equal_nan=True)
         assert found[0].A[row] == one.peak(0.05).A and found[1].F_SN[row] == one.saddle_node_onset().F_SN
         assert found[2].F_cr[row] == one.detachment().F_cr
         assert np.array_equal(found[3].A[row, : len(states)], states.A)

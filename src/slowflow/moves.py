@@ -136,7 +136,7 @@ def _on_numpy(given: Given, arrays: Sequence[Floats], slopes: Floats, status: Co
         slopes[here], status[here] = _of_kind(given, Pinned(int(kind)), chosen, slopes.shape[-2:])
 
 
-class _Dissipates(NamedTuple):
+class Dissipates(NamedTuple):
     """What dissipates, as kernels take it between F_0 and h.
 
     most, slower -- with all derivatives by A, and with the first
@@ -150,18 +150,18 @@ class _Dissipates(NamedTuple):
     of_phase: tuple[int, ...]
 
 
-def _plainly(place: int, damping: Sequence[Floats], columns: int) -> _Dissipates:
+def plainly(place: int, damping: Sequence[Floats], columns: int) -> Dissipates:
     """By mu and zeta, from number `place` on."""
     mu, zeta = damping
     causes = np.zeros((2, columns, zeta.size))
     causes[0, place], causes[1, place + 1] = slow_flow.friction(1.0), 1.0
     own = np.asarray(slow_flow.friction(mu)), zeta
-    return _Dissipates(own, own, causes, (0, 1))
+    return Dissipates(own, own, causes, (0, 1))
 
 
-def _by_laws(
+def by_laws(
     place: int, damping: Sequence[Floats], columns: int, A: Floats, ends: tuple[Floats, Floats] | None, beyond: Any
-) -> _Dissipates:
+) -> Dissipates:
     """By mu, zeta, eta and c_2, from number `place` on.
 
     ends   -- where friction ends, and how that moves with the design; None where it acts throughout
@@ -182,7 +182,7 @@ def _by_laws(
     causes[3, place + 1] = 1.0
     causes[:3, place + 2] = of_eta
     causes[4, place + 3] = dissipation.quadratic(1.0)
-    return _Dissipates((*rest, zeta, d), (*rest[:2], zeta, d), causes, (0, 3, 4))
+    return Dissipates((*rest, zeta, d), (*rest[:2], zeta, d), causes, (0, 3, 4))
 
 
 def _of_kind(given: Given, kind: Pinned, arrays: list[Floats], inner: tuple[int, ...]) -> tuple[Floats, Codes]:
@@ -222,13 +222,13 @@ def _of_kind(given: Given, kind: Pinned, arrays: list[Floats], inner: tuple[int,
     by_design = _stacked(mechanism.by_design(*design), A).reshape(-1, n, A.size)
     of_ends = by_design[len(parameters) :]
 
-    def dissipates(beyond: Any = None) -> _Dissipates:
+    def dissipates(beyond: Any = None) -> Dissipates:
         if not laws:
-            return _plainly(n, damping, columns)
+            return plainly(n, damping, columns)
         if not (leaves and len(ends)):
-            return _by_laws(n, damping, columns, A, None, beyond)
+            return by_laws(n, damping, columns, A, None, beyond)
         first, each = np.argmax(ends_friction, axis=0), np.arange(A.size)
-        return _by_laws(n, damping, columns, A, (ends[first, each], of_ends[first, :, each].T), beyond)
+        return by_laws(n, damping, columns, A, (ends[first, each], of_ends[first, :, each].T), beyond)
 
     own, past = dissipates(), np.zeros(A.shape, bool)
     beside = [np.asarray(value) for value in kernels.beside(Omega, A, F_0, *own.slower, h, h_A)]

@@ -31,7 +31,7 @@ from slowflow.off_centre.questions import OffCentre
 from slowflow.results import InDecibels, Remark
 from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import MovesStatus, OnsetKind, Status
-from slowflow_kernels.domains import DAMPING
+from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 NO_GRADIENT = "off the centre states, folds, onsets, detachments and peaks have gradients: this answer has none"
 #: designs that are kept with what is known of them, some 0.2 MB each
@@ -57,7 +57,7 @@ class OffCentreBatch(Told):
         `.slopes` have shape (..., numbers, parameters), behind the shape of the columns; they are those of the single
         answers, design by design, of which those that are not at hand any more are asked for again. Where there is no
         answer, and where a single one has no gradient, `.status` and `.message` say so. Of a peak the slopes of `u_max`
-        are NaN where another motion has that.
+        are NaN where another motion has that, and those by eta and c_2 of designs that have neither.
 
         Raises NotAvailable where it is not known how the force moves with the design, and of an answer without one.
         """
@@ -66,7 +66,8 @@ class OffCentreBatch(Told):
         asked = self._asked_at()
         numbers = {**self._designs.values, **asked}
         given = dict(zip(numbers, np.broadcast_arrays(*numbers.values()), strict=True))
-        by = (*self._designs.mechanism.design_names, *(one.name for one in DAMPING), "load", *asked)
+        laws = DISSIPATION if any(one.name in numbers for one in DISSIPATION) else ()
+        by = (*self._designs.mechanism.design_names, *(one.name for one in (*DAMPING, *laws)), "load", *asked)
         columns = tuple(getattr(self, name) for name in self.moves)
         several = columns[0].ndim > self.status.ndim
         slopes = np.full((*columns[0].shape, len(self.moves), len(by)), np.nan)
@@ -84,9 +85,11 @@ class OffCentreBatch(Told):
             kept = slice(0, status.shape[-1]) if several else ...
             for row, name in enumerate(self.moves):
                 if name in found.of:
-                    slopes[(*own, row)] = found[name][kept]
+                    told = [by.index(parameter) for parameter in found.by]
+                    slopes[(*own, row)][..., told] = found[name][kept]
             status[own] = found.status[kept]
-        at = tuple(given[name][..., np.newaxis] if several else given[name] for name in by)
+        none = np.zeros(self.status.shape)
+        at = tuple(given.get(name, none)[..., np.newaxis] if several else given.get(name, none) for name in by)
         return Gradient(self.moves, by, slopes, status, columns, at)
 
 

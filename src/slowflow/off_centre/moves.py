@@ -17,11 +17,11 @@ import numpy.typing as npt
 from slowflow import moves
 from slowflow.gradient import Gradient
 from slowflow.model import Floats, Model
+from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.validate import NotAvailable
-from slowflow_kernels import off_centre, slow_flow
+from slowflow_kernels import off_centre
 from slowflow_kernels.conventions import MovesStatus, Pinned
-from slowflow_kernels.domains import DAMPING
 
 #: of a complex step, by which what is analytic has its derivative to the last digit
 STEP = 1e-200
@@ -30,7 +30,6 @@ STEP = 1e-200
 ON_A_JUMP = (Pinned.CORNER_FOLD, Pinned.CORNER_END)
 
 NO_DESIGN = "gradients are known of an oscillator whose record says how its force moves with its design: this is none"
-OF_A_FORCE = "off the centre gradients are known with excitation = 'force', mu and zeta only"
 CURVED = "off the centre gradients are known of piecewise polynomials, which this force is none of"
 NEXT_TO_REST = "a force that may jump at u = 0 and does not has no gradients off the centre"
 
@@ -55,8 +54,6 @@ class Given:
             raise NotAvailable(NO_DESIGN)
         if model.mechanism.steps is None:
             raise NotAvailable(CURVED)
-        if model.inertial or model.laws.any:
-            raise NotAvailable(OF_A_FORCE)
         steps = Steps(model.mechanism, model.parameters, load)
         return cls(model, steps, *_by_design(model, steps))
 
@@ -88,7 +85,14 @@ class Given:
     @property
     def names(self) -> tuple[str, ...]:
         """What answers move with, beside what is asked."""
-        return (*self.model.mechanism.design_names, *(one.name for one in DAMPING), "load")
+        return (*self.model.mechanism.design_names, *self.damping, "load")
+
+    @property
+    def damping(self) -> dict[str, float]:
+        """Of all laws where there are others than friction and viscous damping."""
+        model, laws = self.model, self.model.laws
+        others = {"eta": laws.eta, "c_2": laws.c_2} if laws.any else {}
+        return {"mu": model.mu, "zeta": model.zeta, **others}
 
 
 def _by_design(model: Model, steps: Steps) -> tuple[Floats, Floats]:
@@ -188,7 +192,7 @@ def gradient(
     status[~(np.isfinite(A) & np.isfinite(F_0))] = MovesStatus.NOTHING
     slopes[status != MovesStatus.OK] = np.nan
     model, known = given.model, {"F_0": point[3], "Omega": point[2]}
-    numbers = (*model.design, model.mu, model.zeta, given.steps.load, *(known[name] for name in asked))
+    numbers = (*model.design, *given.damping.values(), given.steps.load, *(known[name] for name in asked))
     whole = slopes.reshape(*shape, len(of), len(names)), status.reshape(shape)
     return Gradient(tuple(of), names, *whole, tuple(row.reshape(shape) for row in values), numbers)
 
@@ -197,11 +201,11 @@ def _of_kind(
     given: Given, kind: Pinned, names: tuple[str, ...], A: Floats, B: Floats, Omega: Floats, F_0: Floats
 ) -> tuple[Mapping[str, Floats], Mapping[str, Floats], Any]:
     """What each number that answers move with does to them, (names, n) each; the answers; their status."""
-    model, steps = given.model, given.steps
+    model, steps, flow = given.model, given.steps, Flow.of(given.model)
     means = steps.at(A, B, ORDERS)
     h, h_A, h_AA, h_AAA = off_centre.averaged(A, *means.c[1:], *means.s)
-    of_mu, of_zeta, of_load, of_F_0, of_Omega = (
-        (np.array(names) == name)[:, np.newaxis] * np.ones(A.size) for name in (*given.names[-3:], "F_0", "Omega")
+    of_load, of_F_0, of_Omega = (
+        (np.array(names) == name)[:, np.newaxis] * np.ones(A.size) for name in ("load", "F_0", "Omega")
     )
     c_p, s_p = (np.zeros((ORDERS, len(names), A.size)) for _ in range(2))
     ends = np.zeros((len(names), A.size))
@@ -213,11 +217,17 @@ def _of_kind(
     if kind in (Pinned.CORNER_TOP, Pinned.CORNER_REST):
         side, ends[: len(model.design)] = given.end(A, B)
         (ends,) = off_centre.moved_at_end(side, means.c[1], means.s[1], c_p[0], of_load, ends)
-    m, zeta = model.m, model.zeta
-    at = (Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA)
-    causes = (*of_h, slow_flow.friction(1.0) * of_mu, of_zeta, ends, of_F_0, of_Omega)
-    (A_p, Omega_p, F_0_p), meets = moves.solved(slow_flow, kind, at, causes, len(names))
-    phase = slow_flow.moves_of_phase(*at[:7], of_h[0], *causes[3:5], A_p, Omega_p, F_0_p)  # type: ignore[call-arg]
+    damping, place = [np.full(A.shape, number) for number in given.damping.values()], len(model.design)
+    if model.laws.any:
+        damps = moves.by_laws(place, damping, len(names), A, None, None)
+    else:
+        damps = moves.plainly(place, damping, len(names))
+    kernels = moves.KERNELS[model.laws.any, model.inertial]
+    at = (Omega, A, F_0, *damps.most, h, h_A, h_AA, h_AAA)
+    causes = (*of_h, *damps.causes, ends, of_F_0, of_Omega)
+    (A_p, Omega_p, F_0_p), meets = moves.solved(kernels, kind, at, causes, len(names))
+    of_phase = (damps.causes[part] for part in damps.of_phase)
+    phase = kernels.moves_of_phase(Omega, A, F_0, *damps.slower, h, h_A, of_h[0], *of_phase, A_p, Omega_p, F_0_p)
     found = {"A": A_p, "B": B_p - means.s[1] / means.c[1] * A_p, "Omega": Omega_p, "F_0": F_0_p}
     found["u_max"] = found["A"] + np.sign(B) * found["B"]
     found |= dict(zip(("phi", "transmissibility"), phase, strict=True))
@@ -227,7 +237,7 @@ def _of_kind(
         "u_max": A + np.abs(B),
         "Omega": Omega,
         "F_0": F_0,
-        "phi": slow_flow.phase(Omega, A, m, zeta, h),
+        "phi": flow.phase(Omega, A, h),
+        "transmissibility": flow.transmissibility(Omega, A, F_0, h),
     }
-    values["transmissibility"] = slow_flow.transmissibility(Omega, A, F_0, m, zeta, h)
     return found, values, np.where(meets, MovesStatus.MEETS, MovesStatus.OK)
