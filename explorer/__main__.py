@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import base64
+import functools
 import hashlib
 import json
 import re
@@ -17,10 +18,11 @@ import sys
 import tempfile
 from pathlib import Path
 
+from derivations import live
 from derivations.library import stated
+from derivations.sided import Sided
 from explorer import one_end
 from explorer.about import LIBRARY, about
-from slowflow import derive
 
 HERE = Path(__file__).parent
 ROOT = HERE.parent
@@ -65,32 +67,35 @@ def records(text: str) -> list[tuple[str, int]]:
     return [(name, int(counts[name])) for name in re.findall(r"&(\w+)_record", table)]
 
 
-def mechanisms() -> tuple[list[str], dict[str, str], set[Path]]:
-    """What the page calls the mechanisms; C by the name of its file; folders from which that includes.
+@functools.cache
+def mechanisms() -> tuple[list[str], dict[str, str], dict[str, str]]:
+    """What the page calls the mechanisms; C by the name of its file; likewise what that includes.
 
     The C is a header with records and restoring forces in that order, and a source for each mechanism of the library:
     in one the names of their statics would meet. Those whose force is not odd have theirs in the header.
     """
     of_package = records((ROOT / "generated/native/records.h").read_text())
     table = [(name, name, count, f"records + {i}") for i, (name, count) in enumerate(of_package)]
-    header, sources, folders = [], {}, set()
+    header, sources, included = [], {}, {}
     on_one_side: list[tuple[str, str]] = []
     for _, name, *_ in LIBRARY:
-        derived = derive.library(name)
-        if not derived.record.odd:
-            on_one_side.append((name, one_end.text(name, stated(name))))
+        mechanism = stated(name)
+        if isinstance(mechanism, Sided):
+            on_one_side.append((name, one_end.text(name, mechanism)))
             continue
-        source = f"{derived.record.name}.c"
-        ((kernels, count),) = records((derived.folder / source).read_text())
+        derived = live.sources(mechanism)
+        source, printed = f"{derived.module.name}.c", derived.compiled
+        ((kernels, count),) = records(printed[source])
         table.append((name, kernels, count, f"&{name}_of_library"))
         sources[f"{name}.c"] = f'#define slowflow_record {name}_of_library\n#include "{source}"\n'
         header += [f'#include "{kernels}.h"', f"extern const sf_mechanism *const {name}_of_library;"]
-        folders.add(derived.folder)
+        included |= printed
     for name, kernels, count, _ in table:
         arguments = "".join(f", p[{i}]" for i in range(count))
         header.append(f"static double {name}_at(double u, const double *p) {{ return {kernels}_force(u{arguments}); }}")
-        (kernel,) = (folder / f"{kernels}.h" for folder in (*INCLUDED, *folders) if (folder / f"{kernels}.h").exists())
-        last = max(map(int, re.findall(rf"\b{kernels}_force_(\d+)_u\(", kernel.read_text())))
+        shipped = (folder / f"{kernels}.h" for folder in INCLUDED)
+        kernel = included.get(f"{kernels}.h") or next(one.read_text() for one in shipped if one.exists())
+        last = max(map(int, re.findall(rf"\b{kernels}_force_(\d+)_u\(", kernel)))
         pieces = [f"passed == {k - 1} ? {kernels}_force_{k}_u(u{arguments}) : " for k in range(1, last)]
         slope = f"{''.join(pieces)}{kernels}_force_{last}_u(u{arguments})"
         header.append(f"static double {name}_slope(double u, const double *p, int passed) {{ return {slope}; }}")
@@ -110,7 +115,7 @@ def mechanisms() -> tuple[list[str], dict[str, str], set[Path]]:
     # where the force is not odd nothing asks for its slope
     slopes = ", ".join("NULL" if name in own else f"{name}_slope" for name, *_ in table)
     header.append(f"static double (*const slopes[])(double, const double *, int) = {{{slopes}}};")
-    return [name for name, *_ in table], {**sources, "mechanisms.h": "\n".join(header) + "\n"}, folders
+    return [name for name, *_ in table], sources, {**included, "mechanisms.h": "\n".join(header) + "\n"}
 
 
 def compiled() -> bytes:
@@ -121,12 +126,12 @@ def compiled() -> bytes:
     if version != ZIG:
         sys.exit(f"the explorer is compiled by ziglang {ZIG}, not {version or 'none'}: pip install ziglang=={ZIG}")
     with tempfile.TemporaryDirectory() as folder:
-        _, files, folders = mechanisms()
-        for name, text in files.items():
+        _, sources, headers = mechanisms()
+        for name, text in {**sources, **headers}.items():
             Path(folder, name).write_text(text)
-        included = [f"-I{path.relative_to(ROOT)}" for path in INCLUDED] + [f"-I{path}" for path in sorted(folders)]
+        included = [f"-I{path.relative_to(ROOT)}" for path in INCLUDED]
         target = Path(folder, "solvers.wasm")
-        given = ["explorer/explorer.c", *(str(Path(folder, name)) for name in sorted(files) if name.endswith(".c"))]
+        given = ["explorer/explorer.c", *(str(Path(folder, name)) for name in sorted(sources))]
         command = [sys.executable, "-m", "ziglang", "cc", *FLAGS, *LINKED, *included, f"-I{folder}", *given]
         subprocess.run([*command, "-o", str(target)], cwd=ROOT, check=True)
         return target.read_bytes()
