@@ -47,9 +47,9 @@ def test_folds_and_states_are_the_certified_ones_and_no_others(force):
         check_folds_and_states(of(**given, excitation=case["excitation"]), case)
 
 
-@pytest.mark.parametrize("eta", [0.0, 0.07])
-def test_a_linear_mount_on_a_shaking_base_is_the_closed_form_about_its_rest(eta):
-    zeta, Y, load = 0.06, 0.03, 0.4
+@pytest.mark.parametrize(("zeta", "eta"), [(0.06, 0.0), (0.06, 0.07), (0.0, 0.07)])
+def test_a_linear_mount_on_a_shaking_base_is_the_closed_form_about_its_rest(zeta, eta):
+    Y, load = 0.03, 0.4
     mount = Duffing(1.0, 0.0, zeta=zeta, eta=eta, load=load, excitation="base")
     Omega = np.array([0.01, 0.3, 0.9, 1.0, 1.3, 4.0, 30.0])
     states = mount.amplitudes(Omega=Omega, F_0=Y)
@@ -185,6 +185,34 @@ def test_small_forcings_have_small_motions():
         mount = Duffing(1.0, 1.0, zeta=0.03, load=0.2, **{name: one for name, one in law.items() if name != "c_2"})
         one, other = (mount.amplitudes(Omega=0.5, F_0=F_0) for F_0 in (1e-6, 1e-9))
         assert other.A == pytest.approx(1e-3 * one.A, rel=1e-9)
+
+
+@pytest.mark.parametrize("law", [{"eta": 0.04}, {"c_2": 0.05}, {"excitation": "base", "c_2": 0.05}])
+def test_damping_without_a_viscous_part_is_the_limit_of_it_falling_to_none(law):
+    """Answers are analytic in zeta: extrapolated from two small ones to 0, they are off by its square."""
+    of = Duffing(1.0, 1.0, mu=0.01, load=0.1, **law)
+    steps = 1e-6, 2e-6
+
+    def asked(one):
+        top, folds = one.peak(0.06), one.saddle_nodes(0.1)
+        return np.concatenate(((top.A, top.B, top.Omega), folds.Omega, folds.A, one.amplitudes(Omega=0.8, F_0=0.06).A))
+
+    near, far = (asked(of.replace(zeta=zeta)) for zeta in steps)
+    found = asked(of)
+    assert len(found) == 3 + 4 + 1
+    np.testing.assert_allclose(found, 2 * near - far, rtol=1e-6)
+
+
+def test_without_damping_that_grows_the_reason_is_said():
+    with pytest.raises(ValueError, match=r"needs zeta > 0, eta > 0 or c_2 > 0 off the centre"):
+        Duffing(1.0, 1.0, mu=0.01, load=0.1).peak(0.1)
+
+
+@pytest.mark.parametrize("zeta", [0.0, 1e-9])
+def test_an_onset_that_only_falls_as_motions_grow_is_none(zeta):
+    """A hardening spring on a base, with structural damping: levels of the backbone go as eta/A."""
+    onset = Duffing(1.0, 1.0, zeta=zeta, eta=0.04, load=0.1, excitation="base").saddle_node_onset()
+    assert onset.F_SN is None and "undecided" in onset.message
 
 
 def test_what_a_base_does_without_an_end_is_said():

@@ -94,6 +94,8 @@ class Complete:
             best = min(known, key=lambda fold: fold.F_0, default=None)
             if best is not None and not best.kind:
                 raise ArithmeticError("folds of ever lower forcing go on to Omega = 0, or to where the mean turns back")
+            if best is not None and best.A > self.A_max(best.F_0):
+                raise ArithmeticError("folds of ever lower forcing go on to ever larger amplitudes")
             F_0 = math.inf if best is None else best.F_0
             lower = search.lower(self.sheets, self.A_max(self._flow.m if best is None else F_0), F_0)
             if lower is None:
@@ -107,7 +109,12 @@ class Complete:
 
         A force that is no polynomial may be 2^24 times the load and 1 on both sides before: up to there, then.
         """
-        sizes = (1.0, F_0, F_0 / self._flow.zeta, abs(self._steps.load), *map(abs, self._breakpoints))
+        flow = self._flow
+        if flow.zeta > 0 or F_0 == 0:
+            damped = F_0 / flow.zeta if F_0 > 0 else 0.0
+        else:
+            damped = 2 * float(replace(flow, m=0.0).bound(1.0, F_0))
+        sizes = (1.0, F_0, damped, abs(self._steps.load), *map(abs, self._breakpoints))
         return min(2.0**ABOVE * max(sizes), self._grown)
 
     @property
@@ -148,7 +155,7 @@ class Complete:
         with np.errstate(divide="ignore"):
             force = self._flow.force(F_0, Omega)
             # I is not more than the force
-            bounds = slow_flow.limit_envelope(Omega, force, self._flow.m, self._flow.zeta) * (1 + 2.0**-40)
+            bounds = self._flow.bound(Omega, force) * (1 + 2.0**-40)
         # at Omega = 0 it is a static state
         most = max(self.A_max(F_0), float(bounds[np.isfinite(bounds)].max(initial=0.0)))
         most = min(most, self._grown)

@@ -69,6 +69,17 @@ class Flow:
         """F_0 and F_2 of the force F_0 + F_2 Omega^2."""
         return (0.0 * F_0, F_0) if self.inertial else (F_0, 0.0 * F_0)
 
+    @property
+    def damps(self) -> bool:
+        """Whether what is dissipated grows with the amplitude, so that a state is bounded by the force."""
+        return self.zeta + self.eta + self.d > 0
+
+    def bound(self, Omega: Any, force: Any) -> Any:
+        """The amplitude at which I alone would take all of the force, with friction or, for m = 0, without."""
+        if not (self.eta or self.d):
+            return slow_flow.limit_envelope(Omega, force, self.m, self.zeta)
+        return dissipation.limit_envelope(Omega, force, self.m, self.zeta, self.eta, self.d)
+
     def sticks(self, F_0: float) -> bool:
         """Whether the mass rests at every frequency (27)."""
         return F_0 <= self.m and not self.inertial
@@ -250,9 +261,12 @@ class Flow:
 
     def _resists(self, Omega: Floats, A: Floats, of_friction: Floats) -> Floats:
         """I I_A/A, with friction's share at another amplitude."""
-        # I/A has half of the slope that quadratic damping gives to I
+        # I/A has half of the slope that quadratic damping gives to I, whose share of I_A/A knows no amplitude
         over = dissipation.I_A(Omega, A, self.eta, self.zeta, 0.5 * self.d)
-        return np.asarray(self.sine_A(Omega, A) * (self.m / of_friction + over))
+        at_rest, rising = (
+            dissipation.I_A(Omega, *one) for one in ((0.0, self.eta, self.zeta, 0.0), (1.0, 0.0, 0.0, self.d))
+        )
+        return np.asarray(self.m * (at_rest / of_friction + rising) + self.sine_A(Omega, A) * over)
 
     def _levels(self, A: Interval, p: Interval, y: Any, x: Any, Omega: Any, sign: float) -> tuple[Floats, Floats]:
         """Between which the square of the forcing is of folds with |y|, Omega^2 = x and Omega between ends."""

@@ -27,6 +27,7 @@ from slowflow.loads import Spectrum
 from slowflow.loads_many import ManySpectra
 from slowflow.mechanism import EquationOfMotion, Force, Mechanism, followed
 from slowflow.model import THROUGHOUT, Floats
+from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.questions import OffCentre
 from slowflow.results import InDecibels, Remark
 from slowflow.validate import NotAvailable
@@ -385,7 +386,7 @@ class OffCentreDesigns:
         """The rows of one design, and how they fared."""
         try:
             single = self._single(numbers)
-            if single.model.zeta == 0:
+            if not Flow.of(single.model).damps:
                 return None, Status.UNBOUNDED
             found = single.spectrum(Omega=Omega, F_0=F_0)
         except (ValueError, ArithmeticError) as error:
@@ -493,7 +494,7 @@ class OffCentreDesigns:
                 if single.model.sticks(at["F_0"]) and one is not _margins:
                     return none, Status.STICKS, Remark(0)
             moves = "F_0" in at or one is _onset
-            if single.model.zeta == 0 and moves:
+            if moves and not Flow.of(single.model).damps:
                 return none, Status.UNBOUNDED, Remark(0)
             found, status, said = one(single, *at.values())
             return found, Status.TOO_MANY if places and found["count"] > places else status, said

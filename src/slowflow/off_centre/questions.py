@@ -51,7 +51,7 @@ COARSE = 2.0**-6
 #: above the frequency from which on a base moves the mass, and of the highest one of a window, where curves begin
 BEGINS = 2.0**-10
 STICKS = "sticks: F_0 = {:g} does not exceed 4 mu/pi = {:g}"
-UNDAMPED = "{} needs zeta > 0 off the centre: without viscous damping amplitudes have no bound"
+UNDAMPED = "{} needs zeta > 0, eta > 0 or c_2 > 0 off the centre: without damping that grows amplitudes have no bound"
 BY_ITSELF = (
     "{} is not available of motions that leave the centre by themselves with {}: of them it is only with "
     "excitation = 'force', mu and zeta"
@@ -233,7 +233,7 @@ class OffCentre:
         """Every steady state at the frequency Omega, or at each of an array of frequencies, with its B.
 
         F_0 may be an array that broadcasts with Omega, as in `Averaged.amplitudes`. Raises ValueError for Omega <= 0,
-        F_0 <= 0 and zeta = 0.
+        F_0 <= 0 and without damping that grows with the amplitude.
         """
         if not validate.is_single(F_0):
             names = ("Omega", "A", "B", "stable", "_h")
@@ -287,7 +287,7 @@ class OffCentre:
         About `samples` points; folds are among them exactly. No branch is lost: folds and the states at frequencies
         between them are all there are, and neighbouring states are shown to be on one arc. Under an excitation by
         inertia it begins where the mass has begun to move, or at 2^-10 of the window's end.
-        Raises ValueError as `Oscillator.frequency_response` and for zeta = 0, ArithmeticError where it is not decided
+        Raises ValueError as `Oscillator.frequency_response` and without damping that grows, ArithmeticError where it is not decided
         which states are on one curve.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
@@ -326,7 +326,7 @@ class OffCentre:
     def saddle_nodes(self, F_0: float) -> OffCentreFolds:
         """Every fold of the response at F_0, by rising Omega, on every sheet of the balance, up to `A_max(F_0)`.
 
-        Raises ValueError for F_0 <= 0 and zeta = 0.
+        Raises ValueError for F_0 <= 0 and without damping that grows with the amplitude.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
         self._damped("saddle_nodes")
@@ -383,7 +383,7 @@ class OffCentre:
         """The lowest forcing for which a stable motion ends at a fold, with its Omega, A, B; up to `A_max(F_SN)`.
 
         That no fold is below it is proved up to 2^-16 of F_SN; nearer to it, it is the least of its surroundings.
-        Raises ValueError for zeta = 0.
+        Raises ValueError without damping that grows with the amplitude.
         """
         self._damped("saddle_node_onset")
         return self._once(("saddle_node_onset",), self._onset)
@@ -414,7 +414,8 @@ class OffCentre:
 
         That none goes farther is proved but for 2^-24 of it, up to `A_max(F_0)`; see `slowflow.off_centre.reach`.
         Of an excitation by inertia there is none where motions go beyond `A_max`, or where the amplitude only rises.
-        Raises ValueError for F_0 <= 0 and zeta = 0, ArithmeticError where too many boxes stay undecided.
+        Raises ValueError for F_0 <= 0 and without damping that grows with the amplitude, ArithmeticError where too many
+        boxes stay undecided.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
         self._damped("peak")
@@ -649,7 +650,7 @@ class OffCentre:
         )
 
     def _damped(self, question: str) -> None:
-        if self._zeta == 0:
+        if not self._flow.damps:
             raise ValueError(UNDAMPED.format(question))
         if self._complete.has_centre and not self._flow.plain and not self._keeps_centre:
             beside = [f"excitation = {self._model.excitation!r}"] * self._model.inertial
