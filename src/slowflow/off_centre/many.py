@@ -386,7 +386,7 @@ class OffCentreDesigns:
         """The rows of one design, and how they fared."""
         try:
             single = self._single(numbers)
-            if not Flow.of(single.model).damps:
+            if not Flow.of(single.model.unloaded).damps:
                 return None, Status.UNBOUNDED
             found = single.spectrum(Omega=Omega, F_0=F_0)
         except (ValueError, ArithmeticError) as error:
@@ -494,7 +494,7 @@ class OffCentreDesigns:
                 if single.model.sticks(at["F_0"]) and one is not _margins:
                     return none, Status.STICKS, Remark(0)
             moves = "F_0" in at or one is _onset
-            if moves and not Flow.of(single.model).damps:
+            if moves and not Flow.of(single.model.unloaded).damps:
                 return none, Status.UNBOUNDED, Remark(0)
             found, status, said = one(single, *at.values())
             return found, Status.TOO_MANY if places and found["count"] > places else status, said

@@ -287,8 +287,8 @@ class OffCentre:
         About `samples` points; folds are among them exactly. No branch is lost: folds and the states at frequencies
         between them are all there are, and neighbouring states are shown to be on one arc. Under an excitation by
         inertia it begins where the mass has begun to move, or at 2^-10 of the window's end.
-        Raises ValueError as `Oscillator.frequency_response` and without damping that grows, ArithmeticError where it is not decided
-        which states are on one curve.
+        Raises ValueError as `Oscillator.frequency_response` and without damping that grows, ArithmeticError where it is
+        not decided which states are on one curve.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
         samples, (low, high) = validate.curve(samples, Omega)
