@@ -136,6 +136,24 @@ def test_folds_at_the_corner_of_a_heavily_damped_mount_come_ever_lower_as_the_fr
         assert answers.onset(iso.model).F_SN is None
 
 
+@pytest.mark.both_backends
+@pytest.mark.parametrize("zeta", [1e-20, 1e-50, 1e-111])
+def test_a_locus_that_begins_at_rest_has_no_folds_there(zeta):
+    """Where damping is next to none it begins below any amplitude that is looked at: folds at Omega = inf, A = 1e-323.
+
+    One of its branches stays at R = 0 but for damping; on the other Omega^2 = -h_A, so that R = h - A h_A.
+    """
+    given = {"lam": 3, "r": 4.56e-4, "delta_h": 0.2, "mu": 0, "zeta": zeta, "force": "untruncated"}
+    F_0, one = 1.1e-16, Isolator(**given, excitation="base")
+    folds = one.saddle_nodes(F_0)
+    within = folds.A < one.model.reach
+    assert folds.kind[within].tolist() == ["jump-up"]
+    (A,), (Omega,) = folds.A[within], folds.Omega[within]
+    h, h_A, *_ = one.model.averaged(A)
+    assert Omega**2 == pytest.approx(-h_A, rel=1e-15)
+    assert abs(h - A * h_A) / Omega**2 == pytest.approx(F_0, rel=1e-3)  # the difference of two has few digits
+
+
 def test_the_linear_mount_has_its_closed_forms():
     alpha, zeta, Y = 0.8, 0.07, 0.3
     osc = Duffing(alpha, 0.0, zeta=zeta, excitation="base")

@@ -245,7 +245,7 @@ def test_between_two_folds_that_differ_by_rounding_there_is_no_band():
 
 def test_what_is_unresolved_has_that_status_in_every_batch():
     """A search that runs out of room is no answer with too few places."""
-    given = {"lam": 3, "r": 4.56e-4, "delta_h": 0.2, "mu": 0.0, "zeta": 2e-111, "excitation": "base"}
+    given = {"lam": 3, "r": 4.56e-4, "delta_h": 0.2, "mu": 0.0, "zeta": 1e-150, "excitation": "base"}
     given["force"] = "untruncated"
     designs, F_0 = Isolator.many(**given), 1.1e-16
     with pytest.raises(ArithmeticError, match="unresolved"):

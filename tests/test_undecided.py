@@ -408,10 +408,13 @@ def test_folds_plain_in_a_batch_and_proved_do_not_differ_without_a_word(kind, dr
 @pytest.mark.parametrize(("kind", "draw"), [(Isolator, drawn_isolators), (Duffing, drawn_springs)])
 @pytest.mark.slow
 def test_states_and_proofs_do_not_differ_without_a_word(kind, draw):
-    """10^5 frequencies, most of them next to folds; where only the proof is at a loss, balls agree with the answer."""
+    """10^5 frequencies, most of them next to folds, asked of doubles alone.
+
+    Where only the proof is at a loss balls agree with the answer; where doubles are, the answer is what balls say.
+    """
     rng = np.random.default_rng(2027)
     numbers = draw(rng, 700)
-    asked = undecided = unproved = judged = 0
+    asked = undecided = unproved = judged = decided = 0
     forced = forcings(rng, batch(kind, numbers), numbers[-2])
     for k, F_0 in enumerate(forced.tolist()):
         *own, mu, zeta = (float(column[k]) for column in numbers)
@@ -420,11 +423,11 @@ def test_states_and_proofs_do_not_differ_without_a_word(kind, draw):
             folds = iso.saddle_nodes(F_0)
             beside = folds.Omega[:, np.newaxis] * (1 + rng.choice([-1, 1], 60) * 10 ** rng.uniform(-16.3, -2, 60))
             Omega = np.unique(np.concatenate((10 ** rng.uniform(-1, 0.5, 30), beside.ravel())))
-            states = iso.amplitudes(Omega=Omega[Omega > 0], F_0=F_0)
+            Omega = Omega[Omega > 0]
+            states = iso.states(Omega=Omega, F_0=F_0, allowance=proofs.Allowance(0))
         except ArithmeticError as refusal:
             assert "unresolved" in str(refusal)
             continue
-        Omega = Omega[Omega > 0]
         number = np.searchsorted(states.Omega, Omega, "right") - np.searchsorted(states.Omega, Omega)
         said = np.isin(Omega, states.Omega_undecided)
         counted, all_proved, *_ = batch(kind, (*own, mu, zeta)).ask(PROVED_STATES, 1, F_0, Omega=Omega)
@@ -437,7 +440,14 @@ def test_states_and_proofs_do_not_differ_without_a_word(kind, draw):
             if judged < 40 and zeta >= 1e-6:
                 judged += 1
                 assert counts.States(exact(iso), float(w)).count(F_0) == number_at(states, w), (iso, F_0, w)
+        for w in Omega[said][:1]:
+            if decided < 40 and zeta >= 1e-6:
+                decided += 1
+                answer = iso.amplitudes(Omega=w, F_0=F_0)
+                known = answer.Omega_undecided.tolist() == [w] or counts.States(exact(iso), w).count(F_0) == len(answer)
+                assert known, (iso, F_0, w)
     assert asked > 50_000
+    assert decided == 40
     assert 0 < undecided < 0.08 * asked
     assert unproved <= 1e-4 * asked
 

@@ -213,10 +213,12 @@ static double sf_size_of_R(const sf_sample *at, double w) {
 }
 
 /* The level at a point of the fold locus: under an excitation by inertia by k and F_A = 0, as rounding of h and
- * A Omega^2 may leave nothing of R. */
+ * A Omega^2 may leave nothing of R; and 0 at A = 0, where the locus begins without friction and no Omega is known. */
 static double sf_locus_level(const sf_model *model, const sf_sample *at, double w) {
     const double slope = w * w + at->h_A;
     double slopes[3];
+    if (sf_inertial(model) && at->A == 0)
+        return 0;
     if (!sf_inertial(model) || model->zeta == 0 || !(at->k * at->k > 0 && fabs(at->k) < HUGE_VAL))
         return sf_level(model, at, w);
     inertia_fold_slopes(w, at->A, model->m, model->zeta, at->k, slopes);
@@ -243,7 +245,7 @@ static double sf_excess(const sf_model *model, double F_0, const sf_arc *arc, do
     *Omega = A == arc->A[0]   ? arc->Omega[0]
              : A == arc->A[1] ? arc->Omega[1]
                               : sf_fold_branch(model, &at, arc->count, arc->index);
-    return *Omega > 0 ? sf_locus_level(model, &at, *Omega) - F_0 : HUGE_VAL;
+    return *Omega > 0 || A == 0 ? sf_locus_level(model, &at, *Omega) - F_0 : HUGE_VAL;
 }
 
 /* Where the level, which is monotone along the arc, passes F_0: regula falsi (Illinois), and halves where that is

@@ -85,7 +85,8 @@ def _crossings(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, 
         return float(of_locus(model, np.array([Omega]), np.array([A]))[0])
 
     for arc in Graph(locus, stations.events()).arcs:
-        ends = [level_at(Omega, A) if Omega > 0 else np.inf for A, Omega in zip(arc.A, arc.Omega, strict=True)]
+        places = zip(arc.A, arc.Omega, strict=True)
+        ends = [level_at(Omega, A) if Omega > 0 or A == 0 else np.inf for A, Omega in places]
         near |= any(abs(level - F_0) <= CLOSE * F_0 for level in ends)
         if (ends[0] < F_0) == (ends[1] < F_0):
             continue

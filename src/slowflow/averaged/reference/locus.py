@@ -120,10 +120,14 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
 def of_locus(model: Model, Omega: Floats, A: Floats) -> Floats:
     """The level at points of the fold locus.
 
-    Under an excitation by inertia by k and F_A = 0, as rounding of h and A Omega^2 may leave nothing of R.
+    Under an excitation by inertia by k and F_A = 0, as rounding of h and A Omega^2 may leave nothing of R; and 0 at
+    A = 0, where the locus begins without friction and no Omega is known.
     """
     level = np.asarray(model.level(Omega, A))
-    if not model.inertial or model.zeta == 0 or model.laws.any:
+    if not model.inertial or model.laws.any:
+        return level
+    level = np.where(A > 0, level, 0.0)
+    if model.zeta == 0:
         return level
     at = samples_at(model, A)
     steep, flat, _ = inertia.fold_slopes(Omega, at.A, model.m, model.zeta, at.k)
