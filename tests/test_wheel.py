@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 import importlib.metadata
+import json
 import math
 import os
 import shutil
@@ -34,8 +36,9 @@ PLOTTING = ("matplotlib", "contourpy", "cycler", "fonttools", "kiwisolver", "pac
 
 #: what the derivation imports
 DERIVING = ("sympy", "mpmath", "python-flint", "jinja2", "markupsafe", "platformdirs")
-#: a force that the project has not, from its name, its numbers and its pieces; prints its folds' frequencies
+#: a force that the project has not, from its name, its numbers and its pieces; prints what it answers
 TRIAL = """
+import json
 import os
 os.environ["SLOWFLOW_DERIVED"] = "derived"
 import sympy as sp
@@ -46,30 +49,54 @@ about = {name: {"above": 0} for name in ("b", "k", "d")}
 PIECES
 how = {"reach": 1.0} if hasattr(pieces[0][0], "__code__") else {"compile": backend.SOLVER is not None}
 made = derive.mechanism("pad", pieces, about, **how)
-one = made(b=2.0, k=3.0, d=0.2, mu=0.005, zeta=0.02)
-motion = one.steady_state(Omega=0.5, F_0=0.05)
-print(getattr(made, "compiled", False), motion.A, one.saddle_node_onset().F_SN, *one.saddle_nodes(0.05).Omega.tolist())
+numbers = {"k": 3.0, "d": 0.2, "zeta": 0.02}
+one = made(b=2.0, mu=0.005, **numbers)
+told = {
+    "compiled": getattr(made, "compiled", False),
+    "A": one.steady_state(Omega=0.5, F_0=0.05).A,
+    "F_SN": one.saddle_node_onset().F_SN,
+    "folds": one.saddle_nodes(0.05).Omega.tolist(),
+    "of many": [row[:2] for row in made.many(b=[2.0, 2.5], mu=0.005, **numbers).saddle_nodes(0.05).Omega.tolist()],
+}
+shaken = made(b=2.0, c_2=0.8, excitation="base", **numbers)
+told["shaken"] = shaken.steady_state(Omega=0.8, F_0=0.1).A, *shaken.amplitudes(Omega=0.8, F_0=0.1).A.tolist()
+if told["compiled"]:  # by SciPy a sweep takes long
+    swept = one.sweep(Omega=[share * told["folds"][0] for share in (1.06, 1.05, 1.04, 0.98, 0.97, 0.96)], F_0=0.05)
+    told["jumps"], told["last"] = swept.jumps, swept[-1][:2]
+print(json.dumps(told))
+"""
+#: a stop on one side only, which the mass meets off its centre; a program that `slowflow derive` runs
+SIDED = """
+import sympy as sp
+from slowflow import derive
+
+u, k, d = sp.symbols("u k d")
+stop = derive.mechanism("sided", [(u, d), (u + k*(u - d), None)], {"k": {"above": 0}, "d": {"above": 0}}, odd=False)
+if __name__ == "__main__":
+    one = stop(k=3.0, d=0.2, zeta=0.02)
+    state, motion = one.amplitudes(Omega=0.8, F_0=0.1), one.steady_state(Omega=0.8, F_0=0.1)
+    print(*state.u_max, *state.B, motion.A, motion.harmonics(0)[0].real)
 """
 #: hardening from the centre, stiffer beyond a gap; a sine within it, a saturating pad beyond: pieces in SymPy, or
 #: functions of Python; and the force for u > 0 typed once more
 PADS = {
     "polynomial": (
         "pieces = [(u + b*u**3, d), (u + b*u**3 + k*(u - d), None)]",
-        lambda u: u + 2 * u**3 + 3 * np.maximum(u - 0.2, 0),
+        lambda u, b: u + b * u**3 + 3 * np.maximum(u - 0.2, 0),
     ),
     "elementary": (
         "pieces = [(u + sp.sin(b*u)/b, d), (u + sp.sin(b*d)/b + k*sp.tanh(2*(u - d))*sp.sqrt(1 + u), None)]",
-        lambda u: np.where(
+        lambda u, b: np.where(
             u < 0.2,
-            u + np.sin(2 * u) / 2,
-            u + math.sin(0.4) / 2 + 3 * np.tanh(2 * (u - 0.2)) * np.sqrt(1 + u),
+            u + np.sin(b * u) / b,
+            u + math.sin(0.2 * b) / b + 3 * np.tanh(2 * (u - 0.2)) * np.sqrt(1 + u),
         ),
     ),
     "functions of Python": (
         """import numpy as np
 inner = lambda u, b, k, d: u + b * u**3
 pieces = [(inner, lambda b, k, d: d), (lambda u, b, k, d: inner(u, b, k, d) + k * np.tanh(u - d), None)]""",
-        lambda u: u + 2 * u**3 + 3 * np.tanh(np.maximum(u - 0.2, 0)),
+        lambda u, b: u + b * u**3 + 3 * np.tanh(np.maximum(u - 0.2, 0)),
     ),
 }
 
@@ -195,20 +222,57 @@ def test_with_matplotlib_figures_scenes_and_reports_are_made(wheel: Path, tmp_pa
     assert len(list((tmp_path / "empty").glob("*.html"))) == 2
 
 
-def test_a_stranger_derives_a_mechanism_in_an_empty_folder(wheel: Path, tmp_path: Path) -> None:
-    programs = environment(tmp_path / "environment", wheel, NEEDED + DERIVING)
-    (tmp_path / "empty").mkdir()
-    for kind, (pieces, force) in PADS.items():
-        done = run([programs / "python", "-W", "ignore", "-c", TRIAL.replace("PIECES", pieces)], tmp_path / "empty")
-        assert done.returncode == 0, done.stderr
-        made, A, F_SN, *jumps = done.stdout.split()
-        assert (made == "True") == (backend.SOLVER is not None and kind != "functions of Python")
-        folds = turns(force)
-        assert folds(float(F_SN) * 0.97) == []
-        assert len(jumps) == 2
-        np.testing.assert_allclose(folds(0.05), [float(one) for one in jumps], atol=2e-3)
-        # with smoothed friction a mass that sticks creeps at 1e-6
-        assert integrated(force, Omega=0.5, F_0=0.05) == pytest.approx(float(A), rel=1e-4)
+@pytest.fixture(scope="module")
+def stranger(once: Once, wheel: Path) -> Path:
+    """The programs of an environment with what the derivation imports as well."""
+    return once("deriving", lambda folder: environment(folder, wheel, NEEDED + DERIVING)) / "bin"
+
+
+@pytest.mark.parametrize("kind", PADS)
+def test_a_stranger_derives_a_mechanism_in_an_empty_folder(stranger: Path, tmp_path: Path, kind: str) -> None:
+    pieces, force = PADS[kind]
+    done = run([stranger / "python", "-W", "ignore", "-c", TRIAL.replace("PIECES", pieces)], tmp_path)
+    assert done.returncode == 0, done.stderr
+    told = json.loads(done.stdout)
+    assert told["compiled"] == (backend.SOLVER is not None and kind != "functions of Python")
+    folds, others = turns(functools.partial(force, b=2.0)), turns(functools.partial(force, b=2.5))
+    assert folds(told["F_SN"] * 0.97) == []
+    assert len(told["folds"]) == 2
+    np.testing.assert_allclose(folds(0.05), told["folds"], atol=2e-3)
+    np.testing.assert_allclose([folds(0.05), others(0.05)], told["of many"], atol=2e-3)
+    odd = odd_of(functools.partial(force, b=2.0))
+    # with smoothed friction a mass that sticks creeps at 1e-6
+    assert integrated(odd, Omega=0.5, F_0=0.05, mu=0.005)[0] == pytest.approx(told["A"], rel=1e-4)
+    motion, *states = told["shaken"]
+    settled, _ = integrated(odd, Omega=0.8, F_0=0.1 * 0.8**2, c_2=0.8)
+    assert motion == pytest.approx(settled, rel=1e-6)
+    assert states == pytest.approx([settled], rel=5e-3)  # what averaging may be off here
+    if told["compiled"]:
+        ((before, after),) = told["jumps"]
+        assert after < folds(0.05)[0] < before
+        Omega, A = told["last"]
+        assert integrated(odd, Omega=Omega, F_0=0.05, mu=0.005)[0] == pytest.approx(A, rel=1e-4)
+
+
+def test_a_stranger_puts_a_stop_on_one_side_and_has_its_derivation_written(stranger: Path, tmp_path: Path) -> None:
+    (tmp_path / "sided.py").write_text(SIDED)
+    kept = str(tmp_path / "kept")
+    done = run([stranger / "python", "-W", "ignore", "sided.py"], tmp_path, SLOWFLOW_DERIVED=kept)
+    assert done.returncode == 0, done.stderr
+    u_max, B, A, mean = map(float, done.stdout.split())
+    settled, centre = integrated(lambda u: u + 3 * max(u - 0.2, 0.0), Omega=0.8, F_0=0.1)
+    assert A == pytest.approx(settled, rel=1e-6)
+    assert mean == pytest.approx(centre, rel=1e-4)
+    # averaging without even harmonics: some percent of the stroke, a fifth of the small mean
+    assert u_max == pytest.approx(settled, rel=0.05)
+    assert B == pytest.approx(centre, rel=0.2)
+    done = run([stranger / "slowflow", "derive", "sided.py", "-o", "out"], tmp_path, SLOWFLOW_DERIVED=kept)
+    assert done.returncode == 0, done.stderr
+    folder = tmp_path / "out" / "sided"
+    listed = json.loads((folder / "MANIFEST.json").read_text())["files"]
+    assert {path.name for path in folder.iterdir()} == {*listed, "MANIFEST.json"}
+    assert any(name.endswith(".py") for name in listed)
+    assert "Equation of motion" in (folder / "derivation.md").read_text()
 
 
 def turns(force: Callable[[Any], Any]) -> Callable[[float], list[float]]:
@@ -216,7 +280,7 @@ def turns(force: Callable[[Any], Any]) -> Callable[[float], list[float]]:
 
     By brute force: A over Omega from (24) with the describing function by quadrature.
     """
-    t = (np.arange(2000) + 0.5) * math.pi / 4000
+    t = (np.arange(1000) + 0.5) * math.pi / 2000
     A = np.linspace(2e-4, 0.7, 3500)
     h = -4 / math.pi * np.sum(force(A[:, np.newaxis] * np.cos(t)) * np.cos(t), axis=1) * (t[1] - t[0])
 
@@ -229,18 +293,25 @@ def turns(force: Callable[[Any], Any]) -> Callable[[float], list[float]]:
     return folds
 
 
-def integrated(force: Callable[[Any], Any], Omega: float, F_0: float) -> float:
-    """The amplitude that the equation of motion settles to, by SciPy."""
+def odd_of(force: Callable[[Any], Any]) -> Callable[[float], float]:
+    """A force for all u, of one for u > 0."""
+    return lambda u: math.copysign(float(force(abs(u))), u)
+
+
+def integrated(
+    force: Callable[[float], float], Omega: float, F_0: float, mu: float = 0.0, c_2: float = 0.0
+) -> tuple[float, float]:
+    """The largest |u| and the mean of what the equation of motion settles to, by SciPy; zeta is 0.02."""
 
     def motion(tau: float, state: Any) -> tuple[float, float]:
         u, v = state
-        friction = 0.005 * math.tanh(v / 1e-6)
-        return v, F_0 * math.cos(Omega * tau) - math.copysign(float(force(abs(u))), u) - 0.04 * v - friction
+        resists = 0.04 * v + c_2 * abs(v) * v + (mu * math.tanh(v / 1e-6) if mu else 0.0)
+        return v, F_0 * math.cos(Omega * tau) - force(u) - resists
 
     turn = 2 * math.pi / Omega
-    at = np.linspace(78 * turn, 80 * turn, 8001)
-    found = solve_ivp(motion, (0, 80 * turn), (0.0, 0.0), method="LSODA", rtol=1e-9, atol=1e-12, t_eval=at)
-    return float(np.abs(found.y[0]).max())
+    at = np.linspace(118 * turn, 120 * turn, 8001)
+    found = solve_ivp(motion, (0, 120 * turn), (0.0, 0.0), method="LSODA", rtol=1e-9, atol=1e-12, t_eval=at)
+    return float(np.abs(found.y[0]).max()), float(found.y[0][:-1].mean())
 
 
 def test_the_wheel_is_compiled_and_typed(installed: Path, tmp_path: Path) -> None:
