@@ -8,7 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from decimal import ROUND_HALF_EVEN, Decimal, localcontext
+from functools import cache, partial, reduce
 from itertools import pairwise
+from operator import add, methodcaller, mul
 from typing import Any
 
 import sympy as sp
@@ -39,35 +41,54 @@ def rational(value: Any) -> fmpq:
 
 def evaluate(expression: sp.Expr, values: Mapping[sp.Symbol, Any]) -> Any:
     """The expression with balls (or Taylor series, or polynomials) for its symbols."""
-    if expression.is_Symbol:
-        return values[expression]
-    if expression.is_Rational:
-        return arb(rational(expression))
-    if expression is sp.pi:
-        return arb.pi()
-    if expression.func in (sp.atan, sp.atan2):
-        quotient = expression.args if isinstance(expression, sp.atan2) else sp.fraction(expression.args[0])
-        return _angle(*(evaluate(side, values) for side in quotient))
-    parts = [evaluate(argument, values) for argument in expression.args]
-    if expression.func == R_D:
-        return acb.elliptic_rd(*parts).real
-    if expression.is_Add:
-        total = parts[0]
-        for part in parts[1:]:
-            total = total + part
-        return total
-    if expression.is_Mul:
-        total = parts[0]
-        for part in parts[1:]:
-            total = total * part
-        return total
-    if expression.is_Pow:
-        return _power(parts[0], expression.exp)
-    if expression.func in (sp.sin, sp.cos, sp.exp, sp.tan):
-        return getattr(parts[0], expression.func.__name__)()
-    if expression.func is sp.sign:
-        return parts[0].sgn()
-    raise ArithmeticError(f"{expression.func} is not evaluated")
+    found: list[Any] = []
+    for act, operands in _steps(expression, ctx.prec):
+        found.append(values[operands] if act is None else act(*[found[k] for k in operands]))
+    return found[-1]
+
+
+@cache
+def _steps(expression: sp.Expr, bits: int) -> tuple[tuple[Callable[..., Any] | None, Any], ...]:
+    """What is done in turn, each part of the expression once: a function and the places of what it takes, or a symbol.
+
+    Kept for an expression, which is asked at thousands of balls, and for the precision that its constants have.
+    """
+    steps: list[tuple[Callable[..., Any] | None, Any]] = []
+    places: dict[sp.Expr, int] = {}
+
+    def place(part: sp.Expr) -> int:
+        if part not in places:
+            act, operands = _step(part)
+            steps.append((act, operands if act is None else tuple(place(one) for one in operands)))
+            places[part] = len(steps) - 1
+        return places[part]
+
+    place(expression)
+    return tuple(steps)
+
+
+def _step(part: sp.Expr) -> tuple[Callable[..., Any] | None, Any]:
+    """How a part is had of others, and these; of a symbol the symbol."""
+    if part.is_Symbol:
+        return None, part
+    if part.is_Rational or part is sp.pi:
+        constant = arb.pi() if part is sp.pi else arb(rational(part))
+        return lambda: constant, ()
+    if part.func in (sp.atan, sp.atan2):
+        return _angle, part.args if isinstance(part, sp.atan2) else sp.fraction(part.args[0])
+    if part.func == R_D:
+        return lambda *of: acb.elliptic_rd(*of).real, part.args
+    if part.is_Add:
+        return lambda *of: reduce(add, of), part.args
+    if part.is_Mul:
+        return lambda *of: reduce(mul, of), part.args
+    if part.is_Pow:
+        return partial(_power, exponent=part.exp), part.args[:1]
+    if part.func in (sp.sin, sp.cos, sp.exp, sp.tan):
+        return methodcaller(part.func.__name__), part.args
+    if part.func is sp.sign:
+        return methodcaller("sgn"), part.args
+    raise ArithmeticError(f"{part.func} is not evaluated")
 
 
 def _angle(y: Any, x: Any) -> Any:
