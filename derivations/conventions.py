@@ -186,6 +186,11 @@ CONVENTIONS = (
                 sp.Integer(10) ** 40,
                 "highest frequency: for F_0 >= 1e-70 the square of A is in the range of doubles up to it",
             ),
+            Number(
+                "LARGEST",
+                sp.Integer(10) ** 300,
+                "size of a force's parameter and of 4 mu/pi: beyond it ordinary amplitudes leave the range of doubles",
+            ),
             Number("STATIC_MULTIPLE", sp.Integer(100), "an undamped response without a reach is cut at this times F_0"),
             Number("RAISE", sp.Integer(4), "the forcing is raised by this factor until the onset lies below it"),
             Number("RAISES", 30, "how often, at most"),

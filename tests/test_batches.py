@@ -14,6 +14,7 @@ from slowflow import Duffing, Isolator, backend
 from slowflow.averaged import many as batches
 from slowflow.results import Remark
 from slowflow_kernels.conventions import FoldKind, Status
+from tests import batch_questions
 from tests.interrupts import ENDING, interrupted
 
 native_only = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
@@ -334,3 +335,30 @@ def test_springs_that_never_touch_leave_a_linear_mount_without_an_end(force):
     np.testing.assert_allclose(seen[0], F_0 / (seen[1] ** 2 - 1), rtol=1e-11)
     shock = designs.transient(acceleration=4.0, duration=2.0)
     assert (shock.A > 1).all() and shock.remarks.tolist() == [[0, Remark.BEYOND_REACH]] * 2
+
+
+#: designs of which the middle one has numbers within their domains, and a parameter or 4 mu/pi beyond 1e300
+BEYOND_DOUBLES = {
+    "stiff springs": (Isolator, {"lam": 3, "r": [1.0, 1e300, 2.0], "delta_h": 0.1, "mu": 0.012}),
+    "much friction": (Isolator, {"lam": 3, "r": 2.0, "delta_h": 0.1, "mu": [0.01, 1e300, 0.0]}),
+    "stiff": (Duffing, {"alpha": [1.0, 1.7e308, 0.5], "beta": 0.1, "mu": 0.012}),
+    "hard": (Duffing, {"alpha": 1.0, "beta": [1.0, -1.7e308, -0.1], "mu": 0.0}),
+}
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("zeta", [0.0, 0.02])
+@pytest.mark.parametrize("case", BEYOND_DOUBLES)
+@pytest.mark.parametrize("question", batch_questions.ALL)
+def test_a_design_beyond_doubles_has_that_status_and_the_others_their_answers(question, case, zeta):
+    kind, given = BEYOND_DOUBLES[case]
+    given = {**given, "zeta": zeta}
+    numbers = {name: np.broadcast_to(value, 3) for name, value in given.items()}
+    with pytest.raises(ValueError, match="beyond 1e\\+300"):
+        kind(**{name: float(value[1]) for name, value in numbers.items()})
+    F_0 = np.array([0.04, 0.04, 0.06])
+    found = batch_questions.columns(batch_questions.ask(kind.many(**given), question, F_0))
+    assert (found["status"][1] == Status.INVALID).all()
+    others = kind.many(**{name: value[::2] for name, value in numbers.items()})
+    for name, value in batch_questions.columns(batch_questions.ask(others, question, F_0[::2])).items():
+        np.testing.assert_array_equal(found[name][::2], value, strict=True)

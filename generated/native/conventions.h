@@ -61,6 +61,8 @@ typedef enum {
 
 /* highest frequency: for F_0 >= 1e-70 the square of A is in the range of doubles up to it */
 #define SF_HIGHEST_OMEGA 1e+40
+/* size of a force's parameter and of 4 mu/pi: beyond it ordinary amplitudes leave the range of doubles */
+#define SF_LARGEST 1.0000000000000001e+300
 /* an undamped response without a reach is cut at this times F_0 */
 #define SF_STATIC_MULTIPLE 100.0
 /* the forcing is raised by this factor until the onset lies below it */

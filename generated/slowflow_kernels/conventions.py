@@ -110,6 +110,8 @@ class MovesStatus(IntEnum):
 
 # highest frequency: for F_0 >= 1e-70 the square of A is in the range of doubles up to it
 HIGHEST_OMEGA = 1e+40
+# size of a force's parameter and of 4 mu/pi: beyond it ordinary amplitudes leave the range of doubles
+LARGEST = 1.0000000000000001e+300
 # an undamped response without a reach is cut at this times F_0
 STATIC_MULTIPLE = 100.0
 # the forcing is raised by this factor until the onset lies below it

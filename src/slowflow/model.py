@@ -20,13 +20,11 @@ from slowflow import backend, validate
 from slowflow.mechanism import Floats, Mechanism, Parameter, check_at_rest
 from slowflow_kernels import dissipation, inertia
 from slowflow_kernels import slow_flow as general_flow
+from slowflow_kernels.conventions import LARGEST
 from slowflow_kernels.domains import DAMPING, DISSIPATION, RUBS
 from slowflow_kernels.scenes import flow_of
 
 __all__ = ["Floats", "Laws", "Model", "check_names"]
-
-#: of a force's parameters: beyond it a force of ordinary amplitudes is beyond the range of doubles
-LARGEST = 1e300
 
 WITHOUT_DAMPING = (
     "the response to an excitation by inertia is derived with viscous, structural or quadratic damping only"
@@ -193,10 +191,16 @@ class Model:
 
     @np.errstate(all="ignore")
     def _prepared(self) -> tuple[float, tuple[float, ...], tuple[float, ...]]:
-        """m, breakpoints and jumps, where the compiled solvers do not tell.
+        """m, breakpoints and jumps, where the compiled solvers do not tell, or refuse the numbers.
 
-        Raises ValueError for pieces whose ends do not rise.
+        Raises ValueError for a parameter beyond `LARGEST`, and for pieces whose ends do not rise.
         """
+        m = float(general_flow.friction(self.mu))
+        for name, value in zip((*self.mechanism.parameter_names, "4 mu/pi"), (*self.parameters, m), strict=True):
+            if not abs(value) <= LARGEST:
+                of_damping = {"mu": self.mu, "zeta": self.zeta}
+                given = ", ".join(f"{name} = {value!r}" for name, value in (self._numbers() | of_damping).items())
+                raise ValueError(f"{given}: not allowed together, {name} would be beyond {LARGEST:g}")
         ends = tuple(map(float, self.mechanism.breakpoints(*self.parameters)))
         jumps = map(float, self.mechanism.jumps(*self.parameters))
         # A piece of no width (u_cr = 0 for a null preload) is no piece.
@@ -211,7 +215,6 @@ class Model:
                 raise ValueError(f"{given}: not allowed together, {where}")
             where = f"{'|u|' if odd else 'u'} = {', '.join(f'{end:g}' for end in ends)}"
             raise ValueError(f"{given}: not allowed together, the force's pieces end at {where}, which must rise")
-        m = float(general_flow.friction(self.mu))
         return m, tuple(end for end, _ in kept), tuple(jump for _, jump in kept)
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -230,14 +233,7 @@ class Model:
         domains = (*mechanism.design, *DAMPING)
         *own, mu, zeta = [validate.within(domain, values[domain.name]) for domain in domains]
         design = tuple(own)
-        model = cls(mechanism, backend.parameters_of(mechanism, design), mu, zeta, design, excitation, laws)
-        numbers = (*model.parameters, model.m)
-        if not sum(map(abs, numbers)) <= LARGEST and not all(abs(value) <= LARGEST for value in numbers):
-            each = zip((*mechanism.parameter_names, "4 mu/pi"), numbers, strict=True)
-            name = next(name for name, value in each if not abs(value) <= LARGEST)
-            given = ", ".join(f"{domain.name} = {values[domain.name]!r}" for domain in domains)
-            raise ValueError(f"{given}: not allowed together, {name} would be beyond {LARGEST:g}")
-        return model
+        return cls(mechanism, backend.parameters_of(mechanism, design), mu, zeta, design, excitation, laws)
 
     @cached_property
     def linear(self) -> bool:

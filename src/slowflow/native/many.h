@@ -35,7 +35,7 @@ static void sf_read_numbers_at(const sf_mechanism *mechanism, char **args, const
         out->damping[i] = sf_input(args, steps, mechanism->design_size + i, k);
 }
 
-/* Design k as the solvers take it; 0 if a number lies outside its domain, or the pieces' ends do not rise.
+/* Design k as the solvers take it; 0 if a number lies outside its domain, or sf_prepare refuses it.
  * jumps: whether it is asked what the force loses at its breakpoints, which takes longer than some answers. */
 static int sf_design_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, int jumps,
                         sf_model *model) {

@@ -75,12 +75,17 @@ static inline unsigned sf_jumps_of(const sf_mechanism *mechanism, const double *
 /* The share of h by which it is rounded where it is proportional to A. */
 #define SF_LINEAR 0x1p-50
 
-/* The rest of a model whose parameters and damping are set; 0 where the ends of its pieces do not rise. design: NULL
- * where it is not known */
+/* The rest of a model whose parameters and damping are set; 0 where one of these is beyond SF_LARGEST, and where the
+ * ends of its pieces do not rise. design: NULL where it is not known */
 static inline int sf_prepare(const sf_mechanism *mechanism, const double *design, sf_model *model) {
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[2 * SF_MOST_BREAKS];
     unsigned in_doubt;
     int i;
+    if (!(model->m <= SF_LARGEST))
+        return 0;
+    for (i = 0; i < mechanism->parameters; i++)
+        if (!(fabs(model->p[i]) <= SF_LARGEST))
+            return 0;
     model->mechanism = mechanism;
     model->breaks = model->in_doubt = 0, model->reach = mechanism->reach;
     if (mechanism->breakpoints == 0)
