@@ -261,6 +261,40 @@ def test_an_oscillator_cannot_be_changed():
         isolator.replace(zeeta=0.5)
 
 
+def grid():
+    xarray = pytest.importorskip("xarray")
+    return Isolator.many(lam=xarray.DataArray([2.0, 3.0], dims="lam"), r=2, delta_h=0.1)
+
+
+#: what has numbers that questions are asked about, beside oscillators
+UNCHANGING = {
+    "designs": lambda: Isolator.many(lam=[2.0, 3.0], r=2, delta_h=0.1),
+    "designs of the second approximation": lambda: Isolator.many(lam=3, r=[2.0], delta_h=0.1).second_approximation,
+    "designs off the centre": lambda: Isolator.many(lam=3, r=[2.0], delta_h=0.1, load=0.01),
+    "a grid": grid,
+    "a grid of the second approximation": lambda: grid().second_approximation,
+    "the second approximation": lambda: single(2).second_approximation,
+    "off the centre": lambda: single(2).off_centre,
+    "a mount": lambda: Isolator.physical(m=12, k_v=2500, k_h=1700, L=0.08, preload=0.009),
+}
+
+
+@pytest.mark.parametrize("name", ["zeta", "zeeta", "values", "shape", "model", "_singles"])
+@pytest.mark.parametrize("what", UNCHANGING)
+def test_whatever_is_asked_about_cannot_be_changed(what, name):
+    """Nor be given another attribute, which would be a word misspelt; and what it says of itself stays."""
+    asked = UNCHANGING[what]()
+    before, said = dict(vars(asked)), repr(asked)
+    with pytest.raises(AttributeError, match=rf"{name}.* cannot be set|cannot assign to field '{name}'"):
+        setattr(asked, name, 0.5)
+    with pytest.raises(AttributeError, match=r"cannot be deleted|cannot delete field"):
+        delattr(asked, name)
+    assert vars(asked).keys() == before.keys() and all(vars(asked)[key] is value for key, value in before.items())
+    assert repr(asked) == said
+    copied = pickle.loads(pickle.dumps(asked))
+    assert copied == asked and copy.copy(asked) == asked
+
+
 def test_equal_oscillators_are_one_key_in_whatever_order_their_numbers_are_given():
     one = Oscillator(duffing.MECHANISM, alpha=1.0, beta=0.5, zeta=0.05)
     assert {one, Oscillator(duffing.MECHANISM, zeta=0.05, beta=0.5, alpha=1.0)} == {one}

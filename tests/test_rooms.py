@@ -32,7 +32,7 @@ FLOORS = (
     ("answer", "loaded"),
     ("model", "transmitted"),
     ("validate", "page"),
-    ("mechanism", "sampled", "backend", "pictures", "plausible", "progress", "version"),
+    ("mechanism", "sampled", "backend", "pictures", "plausible", "progress", "unchanging", "version"),
 )
 FLOOR = {room: number for number, rooms in enumerate(reversed(FLOORS)) for room in rooms}
 FILES = sorted((SOURCE / "slowflow").rglob("*.py"))

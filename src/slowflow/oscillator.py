@@ -21,6 +21,7 @@ from slowflow.loaded import Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, followed
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.results import Measured, MeasuredFolds, Remark, SaddleNodeOnset, SaddleNodes, SteadyStates
+from slowflow.unchanging import Unchanging
 from slowflow_kernels import motion
 from slowflow_kernels.domains import EXCITATIONS
 
@@ -44,7 +45,7 @@ DEFAULTS = (("force", FORCES[0]), ("excitation", "force"))
 CENTRED = "{} is not available with {}, only about the centre"
 
 
-class Oscillator(Averaged):
+class Oscillator(Unchanging, Averaged):
     """A forced oscillator u'' + 2 zeta u' + mu sign(u') + f(u) = F_0 cos(Omega tau) (3), dimensionless.
 
     mechanism -- the record of its restoring force, `MECHANISM` of a module of `slowflow_kernels`
@@ -69,6 +70,9 @@ class Oscillator(Averaged):
     makes another oscillator. Raises ValueError for a number outside its domain, TypeError for a name that is missing
     or unknown.
     """
+
+    stays = "an oscillator does not change"
+    instead = "replace({}=...) makes another"
 
     given: dict[str, Any]
     design: tuple[float, ...]
@@ -223,12 +227,6 @@ class Oscillator(Averaged):
     def excitation(self) -> str:
         """What F_0 is the amplitude of: "force", "base" or "unbalance"."""
         return self.model.excitation
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        raise AttributeError(f"{name} cannot be set, an oscillator does not change: replace({name}=...) makes another")
-
-    def __delattr__(self, name: str) -> None:
-        raise AttributeError(f"{name} cannot be deleted, an oscillator does not change")
 
     def replace(self, **changes: Any) -> Self:
         """Another oscillator with some of the numbers changed that this one was made from, by name."""

@@ -40,12 +40,13 @@ from slowflow.certificate import DOUBLES
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, Floats, Laws, Model, check_names
 from slowflow.results import Remark
+from slowflow.unchanging import Unchanging
 from slowflow_kernels import inertia
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.domains import DISSIPATION
 
 
-class Designs:
+class Designs(Unchanging):
     """Arrays of designs of one mechanism, and the questions about them.
 
     mechanism -- record of the mechanism
@@ -59,13 +60,20 @@ class Designs:
     excitation.
     """
 
+    mechanism: Mechanism
+    values: dict[str, npt.NDArray[Any]]
+    shape: tuple[int, ...]
+    excitation: str
+    rubs: str
+
     def __init__(
         self, mechanism: Mechanism, values: dict[str, Any], excitation: str = "force", rubs: str = THROUGHOUT
     ) -> None:
         names = check_names(mechanism, values, DISSIPATION)
-        self.mechanism, self.excitation, self.rubs = mechanism, excitation, rubs
-        self.values = {name: validate.real_array(name, values[name]) for name in names}
-        self.shape = validate.common_shape(self.values)
+        numbers = {name: validate.real_array(name, values[name]) for name in names}
+        # not by attribute: these cannot be set
+        self.__dict__.update(mechanism=mechanism, excitation=excitation, rubs=rubs, values=numbers)
+        self.__dict__["shape"] = validate.common_shape(numbers)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Designs) or (self.mechanism, *self.values) != (other.mechanism, *other.values):

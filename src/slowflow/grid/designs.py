@@ -22,6 +22,7 @@ from slowflow.loaded import AT_CENTRE, off_centre_by
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, check_names
 from slowflow.off_centre.many import check_polynomial
+from slowflow.unchanging import Unchanging
 from slowflow_kernels.domains import DISSIPATION
 
 __all__ = ["Grid"]
@@ -30,7 +31,7 @@ __all__ = ["Grid"]
 AT_ONCE = 2**18
 
 
-class Grid:
+class Grid(Unchanging):
     """Designs of one mechanism over named axes, and the questions about them; answers are xarray's Datasets.
 
     mechanism -- record of the mechanism
@@ -47,17 +48,24 @@ class Grid:
     do not fit, ImportError without xarray.
     """
 
+    mechanism: Mechanism
+    excitation: str
+    rubs: str
+    values: dict[str, Any]
+    _given: dict[str, Any]
+    _depth: str
+
     def __init__(
         self, mechanism: Mechanism, values: Mapping[str, Any], excitation: str = "force", rubs: str = THROUGHOUT
     ) -> None:
-        self.mechanism, self.excitation, self.rubs = mechanism, excitation, rubs
-        self._depth = DEPTHS[0]
         own = {name: value for name, value in values.items() if name != "load"}
-        self._given = {name: own[name] for name in check_names(mechanism, own, DISSIPATION)}
+        given = {name: own[name] for name in check_names(mechanism, own, DISSIPATION)}
         if "load" in values:
             check_polynomial(mechanism)
-            self._given["load"] = values["load"]
-        self.values = labelled(self._given)
+            given["load"] = values["load"]
+        # not by attribute: these cannot be set
+        self.__dict__.update(mechanism=mechanism, excitation=excitation, rubs=rubs, values=labelled(given))
+        self.__dict__.update(_given=given, _depth=DEPTHS[0])
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Grid):
@@ -76,7 +84,7 @@ class Grid:
         if "load" in self._given:
             raise validate.NotAvailable(AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load"))
         deeper = copy.copy(self)
-        deeper._depth = DEPTHS[1]
+        deeper.__dict__["_depth"] = DEPTHS[1]
         return deeper
 
     @property

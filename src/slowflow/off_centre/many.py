@@ -14,6 +14,7 @@ from types import MappingProxyType
 from typing import Any, ClassVar, TypeVar
 
 import numpy as np
+import numpy.typing as npt
 
 from slowflow import loads_many, validate
 from slowflow.averaged import batches, many
@@ -30,6 +31,7 @@ from slowflow.model import THROUGHOUT, Floats
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.questions import OffCentre
 from slowflow.results import InDecibels, Remark
+from slowflow.unchanging import Unchanging
 from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import MovesStatus, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
@@ -259,7 +261,7 @@ class OffCentreTransients(OffCentreBatch, shocks_many.Transients):
     stands: Codes = field(kw_only=True)
 
 
-class OffCentreDesigns:
+class OffCentreDesigns(Unchanging):
     """Arrays of designs of one mechanism under static loads, and the questions off the centre about them.
 
     values -- as of `slowflow.averaged.many.Designs`, with "load"
@@ -269,15 +271,21 @@ class OffCentreDesigns:
     """
 
     rubs = THROUGHOUT
+    mechanism: Mechanism
+    excitation: str
+    values: dict[str, npt.NDArray[Any]]
+    shape: tuple[int, ...]
+    _unloaded: many.Designs
+    _singles: dict[tuple[float, ...], OffCentre]
 
     def __init__(self, mechanism: Mechanism, values: dict[str, Any], excitation: str = "force") -> None:
         check_polynomial(mechanism)
         own = {name: value for name, value in values.items() if name != "load"}
-        self._unloaded = many.Designs(mechanism, own, excitation)
-        self.mechanism, self.excitation = mechanism, excitation
-        self.values = {**self._unloaded.values, "load": validate.real_array("load", values["load"])}
-        self.shape = validate.common_shape(self.values)
-        self._singles: dict[tuple[float, ...], OffCentre] = {}
+        unloaded = many.Designs(mechanism, own, excitation)
+        numbers = {**unloaded.values, "load": validate.real_array("load", values["load"])}
+        # not by attribute: these cannot be set
+        self.__dict__.update(mechanism=mechanism, excitation=excitation, values=numbers)
+        self.__dict__.update(shape=validate.common_shape(numbers), _unloaded=unloaded, _singles={})
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, OffCentreDesigns):

@@ -40,6 +40,7 @@ from slowflow.off_centre.means import ORDERS, Means, Steps
 from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach
 from slowflow.off_centre.reach import BEYOND as BEYOND_IT
 from slowflow.results import Remark, SaddleNodes
+from slowflow.unchanging import Unchanging
 from slowflow_kernels import dissipation, off_centre
 
 #: octaves of an amplitude beside the size of the problem, where what is beyond is not bounded by a polynomial
@@ -88,7 +89,7 @@ class _Said(NamedTuple):
         return _Said(joined(self.message, other.message), self.remarks | other.remarks)
 
 
-class OffCentre:
+class OffCentre(Unchanging):
     """An oscillator under a static load, or one whose motions may leave the centre, averaged.
 
     load -- the static load over k_v L, what the mass weighs beyond what the vertical spring holds at the centre
@@ -99,14 +100,25 @@ class OffCentre:
     centre by themselves, without a load, have a force, viscous damping and friction.
     """
 
+    stays = "an oscillator does not change"
+    instead = "replace({}=...) of the oscillator itself makes another"
+
+    model: Loaded
+    _model: Model
+    _steps: Steps
+    _flow: Flow
+    _m: float
+    _zeta: float
+    _reach: Reach
+    _complete: Complete
+    _known: dict[tuple[Any, ...], Any]
+
     def __init__(self, model: Model, load: float) -> None:
-        self._model, self.model = model, Loaded(model, load)
-        self._steps = Steps(model.mechanism, model.parameters, load)
-        self._flow = Flow.of(model)
-        self._m, self._zeta = model.m, model.zeta
-        self._reach = Reach(self._steps, self._flow)
-        self._complete = Complete(self._steps, self._flow)
-        self._known: dict[tuple[Any, ...], Any] = {}
+        steps, flow = Steps(model.mechanism, model.parameters, load), Flow.of(model)
+        # not by attribute: these cannot be set
+        self.__dict__.update(model=Loaded(model, load), _model=model, _steps=steps, _flow=flow)
+        self.__dict__.update(_m=model.m, _zeta=model.zeta, _known={})
+        self.__dict__.update(_reach=Reach(steps, flow), _complete=Complete(steps, flow))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, OffCentre):
