@@ -116,6 +116,7 @@ class Hysteresis(Table):
 
     Omega_low, Omega_high -- ends of the band: folds, 0, or inf where a motion has no end, as without viscous damping
     motions -- number of stable ones in it, the rest among them at which a preload holds the mass
+    remarks -- those of the folds
     """
 
     entry: ClassVar[Any] = Band
@@ -125,6 +126,7 @@ class Hysteresis(Table):
     motions: npt.NDArray[np.intp]
     F_0: float
     message: str
+    remarks: Remark
 
 
 @dataclass(frozen=True, eq=False)
@@ -303,7 +305,7 @@ def hysteresis(oscillator: Any, F_0: float) -> Hysteresis:
             bands.append((low, high, stable))
     low, high, motions = np.array(bands).reshape(-1, 3).T
     message = joined(folds.message, "" if bands else "at each frequency at most one motion is stable")
-    return Hysteresis(low, high, motions.astype(np.intp), folds.F_0, message)
+    return Hysteresis(low, high, motions.astype(np.intp), folds.F_0, message, folds.remarks)
 
 
 def isolation(oscillator: Averaged, F_0: float) -> Isolation:

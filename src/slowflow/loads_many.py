@@ -20,6 +20,7 @@ from slowflow import loads, validate
 from slowflow.averaged.batches import Batch, Codes, Detachments, Told, first_end
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
+from slowflow.averaged.remarks import stay_centred
 from slowflow.mechanism import Floats
 from slowflow.model import THROUGHOUT, held
 from slowflow.results import Remark
@@ -90,11 +91,13 @@ class ManyMargins(Told):
 
 
 @dataclass(frozen=True, eq=False)
-class ManyBands(Batch):
+class ManyBands(Told):
     """`slowflow.loads.Hysteresis` of each design; what is a band's has one more axis, with `places` places.
 
     Omega_low, Omega_high, motions -- by rising frequency, then NaN and 0
     count -- how many bands there are, also where they are more than places
+
+    `remarks` are those of the folds, as of a single answer.
     """
 
     inner: ClassVar[Mapping[str, str]] = MappingProxyType(
@@ -109,12 +112,14 @@ class ManyBands(Batch):
 
 
 @dataclass(frozen=True, eq=False)
-class ManyIsolations(Batch):
+class ManyIsolations(Told):
     """`slowflow.loads.Isolation` of each design.
 
     Omega, A -- 0 and NaN where every motion transmits less than F_0; NaN where there is no such frequency,
                 `Status.NONE`
     at_fold -- 1 where a motion that transmits more ends there in a fold
+
+    `remarks` are those of the response, as of a single answer.
     """
 
     Omega: Floats
@@ -273,21 +278,28 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
         low[at][:n], high[at][:n] = found.Omega_low[:n], found.Omega_high[:n]
         motions[at][:n] = found.motions[:n]
     status[(count > places) & (status == Status.OK)] = Status.TOO_MANY
-    return ManyBands(low, high, motions, count, status, _designs=designs, _F_0=F_0)
+    return ManyBands(low, high, motions, count, status, _designs=designs, _F_0=F_0, _said=folds.remarks)
 
 
 def isolation(designs: Designs, F_0: Any, workers: int = 1) -> ManyIsolations:
     """See `slowflow.designs.Designs.isolation`.
 
     The states that transmit the whole force are the zeros of one function of A, see `loads.isolation`; the last of them
-    that is stable, or the last fold of a motion that transmits more, is where isolation begins.
+    that is stable, or the last fold of a motion that transmits more, is where isolation begins. What is said of the
+    response is known of its peak and folds, where no motion leaves the centre in between.
     """
     peaks, folds = designs.peak(F_0, workers=workers), designs.saddle_nodes(F_0, workers=workers)
     shape = peaks.status.shape
     Omega, A, at_fold = np.full(shape, np.nan), np.full(shape, np.nan), np.zeros(shape, np.int8)
     status = peaks.status.copy()
     plain = (peaks.status == Status.OK) & (folds.status == Status.OK) & (not designs.laws)
-    plain &= ((peaks.remarks | folds.remarks) & (Remark.LEAVES_CENTRE | Remark.NEGATIVE_STIFFNESS)) == 0
+    said = (peaks.remarks | folds.remarks) & ~np.uint16(Remark.OF_TRUNCATION)  # which a fold is, not the response
+    with np.errstate(all="ignore"):  # a number outside its domain has a status
+        parameters = tuple(np.asarray(value) for value in designs.mechanism.coefficients(*designs.design))
+        plain &= stay_centred(designs.mechanism, parameters) & (said & (Remark.UNDECIDED | Remark.BY_BALLS) == 0)
+    if designs.excitation != "force":  # at low frequencies friction all but holds the mass
+        said = said | np.where(np.asarray(designs.values["mu"]) > 0, np.uint16(Remark.NEAR_STICKING), np.uint16(0))
+    said = np.array(said)  # of a single design too, as others are put in
     spread = {name: np.broadcast_to(value, shape)[plain] for name, value in designs.values.items()}
     forcing = np.broadcast_to(np.asarray(F_0, dtype=float), shape)[plain]
     columns = [np.empty(forcing.size), np.empty(forcing.size), np.empty(forcing.size, bool)]
@@ -304,10 +316,12 @@ def isolation(designs: Designs, F_0: Any, workers: int = 1) -> ManyIsolations:
     searched = np.isin(status, (Status.OK, Status.UNBOUNDED, Status.NONE)) & np.isnan(Omega)
     for at, one in _singly(designs, F_0, searched, loads.isolation):
         status[at] = Status.UNRESOLVED if one is None else Status.NONE if one.Omega is None else Status.OK
+        said[at] = 0 if one is None else one.remarks
         if one is not None and one.Omega is not None:
             Omega[at], at_fold[at] = one.Omega, one.at_fold
             A[at] = np.nan if one.A is None else one.A
-    return ManyIsolations(Omega=Omega, A=A, at_fold=at_fold, status=status, _designs=designs, _F_0=F_0)
+    said = np.where(np.isin(status, (Status.OK, Status.NONE)), said, np.uint16(0))
+    return ManyIsolations(Omega=Omega, A=A, at_fold=at_fold, status=status, _designs=designs, _F_0=F_0, _said=said)
 
 
 def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> ManySpectra:
