@@ -81,6 +81,13 @@ def attempt(job: Callable[[], Any]) -> Any:
         return None
 
 
+def whole(curve: Response) -> Response:
+    """A curve that was followed to its ends; of a part neither folds nor a peak are known."""
+    if not curve.complete:
+        raise ArithmeticError(curve.message)
+    return curve
+
+
 def logs(Omega: Any, A: Any) -> np.ndarray:
     return np.column_stack((np.log(Omega), np.log(A)))
 
@@ -127,7 +134,7 @@ def compared(
         out["second"], out["second points"] = approximate(second, averaged.mu, F_0, low_high, 4000)
     for force in FORCES:
         exact = attempt(
-            lambda force=force: averaged.exact_response(F_0, Omega=low_high, step=STEP, force=FORCES[force])
+            lambda force=force: whole(averaged.exact_response(F_0, Omega=low_high, step=STEP, force=FORCES[force]))
         )
         if exact is None:
             out[force] = None
@@ -270,7 +277,8 @@ def onset(averaged: Isolator, F_SN: float) -> dict[str, float | None]:
     for force in FORCES:
 
         def folded(F_0: float, force: str = force) -> float:
-            curve = averaged.exact_response(F_0, Omega=(0.4 * Omega, 1.3 * Omega), step=STEP, force=FORCES[force])
+            window = (0.4 * Omega, 1.3 * Omega)
+            curve = whole(averaged.exact_response(F_0, Omega=window, step=STEP, force=FORCES[force]))
             try:
                 return -steepness(curve)
             except ArithmeticError:
@@ -297,7 +305,7 @@ def detachment(averaged: Isolator, F_cr: float) -> dict[str, Any]:
 
         def peak(F_0: float, system: EquationOfMotion = system) -> SteadyState:
             window = (0.5 * math.sqrt(averaged.alpha), 1.25 * Omega)
-            return exact_response(system, F_0, Omega=window, step=STEP).peak
+            return whole(exact_response(system, F_0, Omega=window, step=STEP)).peak
 
         exact = zero_near(lambda F_0, peak=peak: peak(F_0).A / averaged.u_cr - 1, F_cr)
         out[force] = None if exact is None else F_cr / exact - 1
@@ -317,8 +325,8 @@ def plane() -> list[dict[str, Any]]:
         averaged = isolator(ratio, TABLE_1["zeta"], TABLE_1["delta_h"], PLANE_FORCING)
         row: dict[str, Any] = {"ratio": ratio}
         curve = attempt(
-            lambda averaged=averaged: averaged.exact_response(
-                PLANE_FORCING, Omega=PLANE_WINDOW, step=STEP, force="untruncated"
+            lambda averaged=averaged: whole(
+                averaged.exact_response(PLANE_FORCING, Omega=PLANE_WINDOW, step=STEP, force="untruncated")
             )
         )
         if curve is None:

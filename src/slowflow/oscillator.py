@@ -323,7 +323,8 @@ class Oscillator(Unchanging, Averaged):
         A     -- the motion whose amplitude is nearest to A, stable or not, of those that averaging leads to: from its
                  states at Omega, its folds beside it, and A itself, under a load without its folds; where none of them
                  leads to a motion near it, what the averaged state nearest to A settles to; with static friction that
-                 of a mass at rest is one of them. Without it the motion that a mass at rest comes to
+                 of a mass at rest is one of them. Next to a fold the nearest may well be the unstable one: `.stable`
+                 tells. Without it the motion that a mass at rest comes to
         force -- "truncated" for (6), "untruncated" for (5); by default the one that is averaged
 
         `.force` of the answer is that on the mass: F_0 Omega^2 for an excitation by inertia.
@@ -351,7 +352,10 @@ class Oscillator(Unchanging, Averaged):
         as in `steady_state`. `.A` is the largest |u|, off the centre too, `.peak` the highest motion of the curve.
         By inertia the mass is excited so little at low frequencies that friction may hold it: the curve begins next to
         where it moves then, and `.message` says so.
-        Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError where it cannot be followed.
+        What takes more than some ten seconds, or cannot be followed further, is given as far as it was reached:
+        `.complete` is False, and `.message` says where and why.
+        Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError where there is no start or
+        resonance is unbounded.
         """
         from slowflow.exact import questions
 

@@ -254,7 +254,7 @@ class Physical:
         entry = ("Omega", "A", "stable", "stops")
         columns = ("Omega", "A", "kind", "corner")
         folds = {name: np.array([getattr(fold, name) for fold in found.folds]) for name in columns}
-        said = {name: getattr(found, name) for name in (*entry, "F_0", "closed", "message")}
+        said = {name: getattr(found, name) for name in (*entry, "F_0", "closed", "message", "complete")}
         curve = self.scales.named(said, found, entry)
         values = {**curve.values, "folds": self.scales.named(folds, found.folds, columns)}
         return Quantities(values, curve.units, found, curve.entry, self.scales)

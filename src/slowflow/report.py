@@ -521,9 +521,13 @@ def _depths(of: Any, F: float) -> Iterator[str]:
     found, missing = {}, []
     for depth, ask in curves.items():
         try:
-            found[depth] = _shown(ask())
+            curve = ask()
         except (ValueError, ArithmeticError) as error:
             missing.append(f"<p>No {depth} here: {page.inline(str(error))}.</p>")
+            continue
+        found[depth] = _shown(curve)
+        if not getattr(curve, "complete", True):
+            missing.append(f"<p>By the {depth} {page.inline(curve.message)}.</p>")
     if len(found) > 1:
         ax = pictures.depths(page.axes(), found)
         force, unit = _letter(of)

@@ -173,8 +173,7 @@ class TaylorIntegrator:
             equations,
             along,
         )
-        # elimination, next to steps
-        spend(steps + k**3 // 1000)
+        spend(steps)
         return outcome, equations, along, tuple(rest)
 
     def trace(
@@ -217,7 +216,7 @@ class TaylorIntegrator:
             steps_left(),
             rows,
         )
-        spend(steps + count * (k**3 // 1000))
+        spend(steps, keep=count > 0)
         return rows[:count], size, travelled
 
 

@@ -31,8 +31,16 @@ LARGEST = 1e3  # amplitude, in rod lengths, beyond which a curve is taken to go 
 NEAR = 2e-3  # largest distance, in Omega and relative in u_0, of the first point beyond a border
 COINCIDE = 1e-8  # neighbouring folds closer than this, in Omega and A, are one turn there and back by rounding
 LEVEL = 1e-5  # Omega component of a tangent that is none: where phases vanish like a square root, Omega stands still
+#: share of the way to a border, that much before which the order of switches is seen to hold: nearer, where motions
+#: touch a jump of the force, rounding decides
+BEFORE = 1e-3
+AT_BORDER = 1e-10  # a span, or a margin, that is taken to vanish
 MOST_POINTS = 20_000
 FOLDS = ("fold", "corner")  # roles of points
+
+
+class LostCurve(ArithmeticError):
+    """The curve cannot be followed beyond the last point that was found."""
 
 
 class Point(NamedTuple):
@@ -152,7 +160,7 @@ class Path:
                 yield self._border(point, new)
                 yield new
                 point, size = new, 0.05 * self.step
-        raise ArithmeticError(
+        raise LostCurve(
             f"the response curve at F_0 = {self.F_0} cannot be followed beyond Omega = {point.z[-1]:.9g}, "
             f"A = {point.A:.9g}"
         )
@@ -251,8 +259,10 @@ class Path:
         """Where the tangent's Omega component vanishes."""
         return self._zero(lambda at: float(at.tangent[-1]), point, new, size)._replace(role="fold")
 
-    def _zero(self, function: Callable[[Point], float], point: Point, new: Point, size: float) -> Point:
-        """Where a function vanishes between `point` and `new`, by regula falsi (Illinois) along the curve."""
+    def _zero(
+        self, function: Callable[[Point], float], point: Point, new: Point, size: float, within: float = 1e-13
+    ) -> Point:
+        """Where a function vanishes between `point` and `new`, within a bound: regula falsi (Illinois) on the curve."""
         a, b = 0.0, size
         at_a, at_b = function(point), function(new)
         middle = new
@@ -263,7 +273,7 @@ class Path:
                 break
             middle = corrected
             at_c = function(middle)
-            if at_c == 0.0 or abs(at_c) < 1e-13:
+            if at_c == 0.0 or abs(at_c) < within:
                 break
             if at_c * at_b < 0:
                 a, at_a = b, at_b
@@ -315,14 +325,7 @@ class Path:
 
     def _cross(self, point: Point, size: float) -> list[Point] | None:
         """The border beyond `point`, and a first point with the new order of switches; a fold before it, if any."""
-        held, lost = 0.0, size
-        for _ in range(24):
-            middle = 0.5 * (held + lost)
-            at = self._corrected(point, middle)
-            if at is not None and at.cycle.holds(at.z, self.F_0):
-                held = middle
-            else:
-                lost = middle
+        held = self._held_up_to(point, size)
         last = self._corrected(point, held)
         if last is None:
             return None
@@ -346,6 +349,64 @@ class Path:
                 found.append(border._replace(role="corner") if sense * leaving < 0 else border)
                 return found + after
         return None
+
+    def _held_up_to(self, point: Point, size: float) -> float:
+        """The arclength up to which the order of switches holds that is lost at `size`.
+
+        Where a span or a margin vanishes, the equations tell to rounding; it is enough that the order holds just
+        before. Else, as where the mass stops within a slip, it is halved.
+        """
+        border = self._border_ahead(point, size)
+        if border is None:
+            return self._halved(point, size)
+        before = (1.0 - BEFORE) * border
+        return border if self._holds_at(point, before) else self._halved(point, before)
+
+    def _border_ahead(self, point: Point, size: float) -> float | None:
+        """The arclength at which the first of the spans and margins vanishes that are lost at `size`; None if none is.
+
+        It is looked for along the curve: at no span the equations have other solutions, too, and Newton's iteration no
+        single one.
+        """
+        there = self._corrected(point, size)
+        if there is None:
+            return None
+        vanishing: list[tuple[float, Callable[[Point], float]]] = []
+
+        def consider(value: Callable[[Point], float], here: float, beyond: float) -> None:
+            if beyond < 0.0 < here:
+                vanishing.append((here / (here - beyond), value))
+
+        for i in range(2, there.z.size - 1):
+            consider(lambda at, i=i: float(at.z[i]), float(point.z[i]), float(there.z[i]))  # type: ignore[misc]
+        borders = [at.cycle.equations(at.z, self.F_0).borders for at in (point, there)]
+        for i, (one, other) in enumerate(zip(*borders, strict=True)):
+            consider(
+                lambda at, i=i: at.cycle.equations(at.z, self.F_0).borders[i].margin,  # type: ignore[misc]
+                one.margin,
+                other.margin,
+            )
+        if not vanishing:
+            return None
+        _, first = min(vanishing, key=lambda found: found[0])
+        found = self._zero(first, point, there, size, within=AT_BORDER)
+        return float((self._weights(point.z) * point.tangent) @ (found.z - point.z))
+
+    def _halved(self, point: Point, size: float) -> float:
+        """The arclength up to which the order of switches holds, by bisection."""
+        held, lost = 0.0, size
+        for _ in range(24):
+            middle = 0.5 * (held + lost)
+            if self._holds_at(point, middle):
+                held = middle
+            else:
+                lost = middle
+        return held
+
+    def _holds_at(self, point: Point, size: float) -> bool:
+        """Whether the order of switches holds at an arclength."""
+        at = self._corrected(point, size)
+        return at is not None and at.cycle.holds(at.z, self.F_0)
 
     def _other_side(self, last: Point, trial: Point) -> Point | None:
         """A point near the border with the new order of switches."""
@@ -414,7 +475,7 @@ class Path:
         found = cycle.newton(z, self.F_0, Row(row, float(row @ z)))
         if found is None or not cycle.holds(found[0], self.F_0):
             return None
-        return Point.of(cycle, *found, self._tangent(found[0], found[1], None))
+        return Point.of(cycle, *found, self._unit(found[0], found[1].along))
 
     def _leaving(self, new: Point, last: Point) -> Point:
         """The first point beyond a border with its tangent turned away from the border."""

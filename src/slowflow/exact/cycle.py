@@ -14,7 +14,9 @@ from __future__ import annotations
 
 import cmath
 import functools
+import itertools
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import NamedTuple
@@ -229,12 +231,12 @@ class Cycle:
     def highest(self, z: Array, F_0: float) -> int:
         """Index of the phase that starts from the farthest turning point or rest at which a cycle can start."""
         best, found = abs(float(z[0])), 0
-        for i in range(1, len(self.signature)):
+        for i, (_, end) in zip(range(1, len(self.signature)), self._ends(z, F_0), strict=False):
             slip, region = self.signature[i]
             before = self.signature[i - 1]
             if slip == 0 or before == (slip, region) or before[1] != region or (slip == 1 and self.sign == 1):
                 continue
-            u = abs(self._end(z, F_0, i - 1)[1])
+            u = abs(end)
             if u > best * (1.0 + 1e-9):
                 best, found = u, i
         return found
@@ -311,14 +313,18 @@ class Cycle:
 
     def _end(self, z: Array, F_0: float, phase: int) -> tuple[float, float]:
         """theta and u at the end of a phase, integrated over the spans."""
+        return next(itertools.islice(self._ends(z, F_0), phase, None))
+
+    def _ends(self, z: Array, F_0: float) -> Iterator[tuple[float, float]]:
+        """theta and u at the end of each phase, one after the other."""
         forced = Forced(self.system, float(z[-1]), F_0, self.integrator)
         theta, u, v = float(z[1]), float(z[0]), 0.0
-        for i, (slip, region) in enumerate(self.signature[: phase + 1]):
-            end = theta + float(z[2 + i])
+        for (slip, region), span in zip(self.signature, z[2:-1].tolist(), strict=True):
+            end = theta + span
             if slip != 0:
                 u, v, _ = self.integrator.advance(forced.piece(region), forced.drive(slip, region), theta, u, v, end)
             theta = end
-        return theta, u
+            yield theta, u
 
     def _with(
         self,

@@ -24,12 +24,20 @@ from slowflow_kernels.exact_conventions import Event
 Array = NDArray[np.float64]
 
 MOST_STEPS = 200_000  # of one integration, or calls by SciPy: a slip takes some tens, hundreds at low frequency
-MOST_WORK = 3_000_000  # steps or calls of one question, twenty times what a curve of 300 points takes
+#: steps of one question, 240 times what a curve of 390 points takes: ten to twenty seconds, by SciPy less than a minute
+MOST_WORK = 3_000_000
+CALL_WORK = 2  # steps that a call by SciPy counts as
 PHASE_WORK = 30  # steps that take as long as all else that is done for a phase of a motion
 
 
-class _OutOfWork(Exception):
+GIVEN_UP = "given up after {} integration steps, more than an answer should take"
+
+
+class OutOfWork(Exception):
     """The question has used up its steps. No ArithmeticError: a trial that fails is replaced by another."""
+
+    def __init__(self, most: int) -> None:
+        super().__init__(GIVEN_UP.format(most))
 
 
 _left: ContextVar[list[int] | None] = ContextVar("steps that the question has left", default=None)
@@ -41,11 +49,11 @@ def limited(most: int = MOST_WORK) -> Iterator[None]:
     if _left.get() is not None:
         yield
         return
-    token = _left.set([most])
+    token = _left.set([most, most])
     try:
         yield
-    except _OutOfWork:
-        raise ArithmeticError(f"given up after {most} integration steps, more than an answer should take") from None
+    except OutOfWork as used_up:
+        raise ArithmeticError(str(used_up)) from None
     finally:
         _left.reset(token)
 
@@ -53,16 +61,19 @@ def limited(most: int = MOST_WORK) -> Iterator[None]:
 def steps_left() -> int:
     """The steps that one integration may take now."""
     left = _left.get()
-    return MOST_STEPS if left is None else min(MOST_STEPS, left[0] + 1)
+    return MOST_STEPS if left is None else max(0, min(MOST_STEPS, left[0] + 1))
 
 
-def spend(steps: int) -> None:
-    """Counts steps of an integrator against what the question has left."""
+def spend(steps: int, *, keep: bool = False) -> None:
+    """Counts steps of an integrator against what the question has left.
+
+    keep -- what was found with them is good: not this call is refused but the next
+    """
     left = _left.get()
     if left is not None:
         left[0] -= steps
-        if left[0] < 0:
-            raise _OutOfWork
+        if left[0] < 0 and not keep:
+            raise OutOfWork(left[1])
 
 
 class Drive(NamedTuple):
@@ -194,7 +205,7 @@ class ScipyIntegrator:
 
         def counted(theta: float, y: Array) -> Any:
             nonlocal left
-            spend(1)
+            spend(CALL_WORK)
             left -= 1
             if left < 0:
                 raise ArithmeticError(f"the integration from theta = {span[0]} stalls at theta = {theta}, u = {y[0]}")

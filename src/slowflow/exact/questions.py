@@ -128,7 +128,9 @@ def exact_response(
             f"start = {start!r} is not allowed: start must be a steady state at F_0 = {F_0:g}, Omega in {Omega}"
         )
     found = response.exact_response(system, F_0, Omega=(low, high), start=start, step=step)
-    return dataclasses.replace(found, message=joined(rests, _others(averaged, found, (low, high))))
+    # what else there is cannot be told from a part
+    said = _others(averaged, found, (low, high)) if found.complete else found.message
+    return dataclasses.replace(found, message=joined(rests, said))
 
 
 def _others(averaged: Averaged, found: response.Response, window: tuple[float, float]) -> str:

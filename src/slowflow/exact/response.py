@@ -7,9 +7,9 @@ Out: `Response`: points in the order of the curve with amplitude, stability and 
 from __future__ import annotations
 
 import functools
+import itertools
 import math
-from dataclasses import dataclass, field
-from itertools import pairwise
+from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -17,14 +17,15 @@ from numpy.typing import NDArray
 
 from slowflow.answer import Table
 from slowflow.exact.compiled import default_integrator
-from slowflow.exact.continuation import COINCIDE, FOLDS, STEP, Path, Point, least_scale
+from slowflow.exact.continuation import COINCIDE, FOLDS, STEP, LostCurve, Path, Point, least_scale
 from slowflow.exact.cycle import Array
-from slowflow.exact.integrate import Integrator, limited
+from slowflow.exact.integrate import Integrator, OutOfWork, limited
 from slowflow.exact.shooting import SteadyState, check_forcing, describe, steady_state
 from slowflow.mechanism import EquationOfMotion
 from slowflow.transmitted import Transmitted
 
 NEAR_TOP = 0.9  # share of the highest point's amplitude from which on a stretch of the curve may hold its peak
+PARTLY = "a part of the curve only: {}"
 
 
 @dataclass(frozen=True)
@@ -61,7 +62,9 @@ class Response(Table):
     folds        -- by rising Omega
     borders      -- (Omega, A) where the order of switches changes
     closed       -- whether the curve closed on itself (an isola)
-    message      -- curves that do not hang together with this one, as far as averaging knows; empty if there is none
+    message      -- curves that do not hang together with this one, as far as averaging knows; where it was given up,
+                    and why; empty if there is nothing to say
+    complete     -- whether it was followed to its ends; if not, the points are those that were reached before
     """
 
     entry: ClassVar[Any] = ResponsePoint
@@ -77,6 +80,7 @@ class Response(Table):
     closed: bool
     states: tuple[Point, ...] = field(repr=False)
     message: str = ""
+    complete: bool = True
     picture: ClassVar[str] = "motions"
 
     def steady_state(self, index: int) -> SteadyState:
@@ -128,7 +132,9 @@ def exact_response(
              does not hang together with that one (an isola) needs its own start.
     step  -- largest distance of neighbouring points: relative change of u_0, radians of phase, twice that of Omega
 
-    Raises ValueError for parameters out of range, ArithmeticError where the curve cannot be followed.
+    A curve that takes more than `MOST_WORK` integration steps (some ten seconds), or that cannot be followed further,
+    is given as far as it was reached, `complete` False. Raises ValueError for parameters out of range, ArithmeticError
+    where no start is found, nothing beyond it is reached, or resonance is unbounded.
     """
     low, high = (float(end) for end in Omega)
     if not (0 < low < high < math.inf):
@@ -142,14 +148,30 @@ def exact_response(
     if not low <= start.Omega <= high:
         raise ValueError(f"start.Omega = {start.Omega} lies outside Omega = {Omega}")
     path = Path(F_0, low, high, step, least_scale(start.cycle, start.A))
-    first = path.begin(start, 1.0)
-    forward = list(path.follow(first))
+    forward, lost = _reached(path, path.begin(start, 1.0))
     closed = path.closed
     backward: list[Point] = []
     if not closed and start.Omega > low:
-        backward = list(path.follow(path.begin(start, -1.0)))[1:]
-    points = [point.turned() for point in reversed(backward)] + forward
-    return _response(F_0, points, closed)
+        backward, before = _reached(path, path.begin(start, -1.0))
+        lost = lost or before
+    points = [point.turned() for point in reversed(backward[1:])] + forward
+    if lost is not None and len(points) == 1:
+        raise lost
+    found = _response(F_0, points, closed)
+    return found if lost is None else replace(found, message=PARTLY.format(lost), complete=False)
+
+
+def _reached(path: Path, first: Point) -> tuple[list[Point], ArithmeticError | None]:
+    """The points of a curve from the first on, and why there are no more of them; None where it came to its end."""
+    points = [first]
+    try:
+        for point in itertools.islice(path.follow(first), 1, None):
+            points.append(point)
+    except LostCurve as lost:
+        return points, lost
+    except OutOfWork as used_up:
+        return points, ArithmeticError(f"{used_up}, at Omega = {points[-1].z[-1]:.9g}, A = {points[-1].A:.9g}")
+    return points, None
 
 
 def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, float]) -> Fold | None:
@@ -178,7 +200,7 @@ def _highest(F_0: float, points: tuple[Point, ...]) -> Point:
     best = max(points, key=lambda point: point.A)
     path = Path(F_0, 0.0, math.inf, STEP, least_scale(best.cycle, best.A))
     least = NEAR_TOP * best.A
-    for a, b in pairwise(points):
+    for a, b in itertools.pairwise(points):
         if max(a.A, b.A) < least:
             continue
         back = [point.turned() for point in (b, a)]

@@ -226,13 +226,28 @@ typedef struct {
     long border;
 } sf_extra;
 
+/* The column of an unknown while the equations are solved: spans backwards, then u_0, theta_0, Omega. The equation of a
+ * switch holds no later span, so all but four rows have zeros where a column is cleared, and elimination, which passes
+ * over them, takes k^2 operations. */
+static inline long sf_column(long unknown, long k)
+{
+    return unknown < 2 ? k + unknown : unknown < k + 2 ? k + 1 - unknown : unknown;
+}
+
+/* a row of `size` numbers by unknown, by column */
+static inline void sf_in_columns(const double *row, long k, long size, double *out)
+{
+    for (long j = 0; j < size; j++)
+        out[sf_column(j, k)] = row[j];
+}
+
 /* Newton's iteration from z, which it moves. SF_DIVERGES where it does not converge. `along`, if not NULL: the solution
  * of J x = 0, row x = 1 at the end. `work`: (k + 3)^2 + 2 (k + 3) + 3 (k + 4) numbers. */
 static sf_outcome sf_newton(sf_forced *forced, const sf_cycle *cycle, double *z, const sf_extra *extra, int most,
                             double tolerance, sf_equations *out, double *along, double *work)
 {
     const long k = cycle->k, n = k + 4, size = k + 2 + (extra->kind != SF_NO_MORE);
-    double *const m = work, *const step = m + size * size, *const other = step + size, *const rest = other + size;
+    double *const m = work, *const solved = m + size * size, *const turned = solved + size, *const rest = turned + size;
     double last = HUGE_VAL;
     for (int i = 0; i < most; i++) {
         const sf_outcome outcome = sf_cycle_equations(forced, cycle, z, out, rest);
@@ -240,28 +255,30 @@ static sf_outcome sf_newton(sf_forced *forced, const sf_cycle *cycle, double *z,
             return outcome;
         double error = 0.0;
         for (long r = 0; r < k + 2; r++) {
-            memcpy(m + r * size, out->jacobian + r * n, (size_t)size * sizeof *m);
-            step[r] = -out->residual[r], other[r] = 0.0;
+            sf_in_columns(out->jacobian + r * n, k, size, m + r * size);
+            solved[r] = -out->residual[r], turned[r] = 0.0;
             error = fmax(error, fabs(out->residual[r]));
         }
         if (extra->kind == SF_ROW) {
             double value = -extra->value;
             for (long j = 0; j < size; j++)
                 value += extra->row[j] * z[j];
-            memcpy(m + (k + 2) * size, extra->row, (size_t)size * sizeof *m);
-            step[k + 2] = -value, other[k + 2] = 1.0;
+            sf_in_columns(extra->row, k, size, m + (k + 2) * size);
+            solved[k + 2] = -value, turned[k + 2] = 1.0;
             error = fmax(error, fabs(value));
         }
         else if (extra->kind == SF_BORDER) {
             if (extra->border >= out->borders)
                 return SF_DIVERGES;
-            memcpy(m + (k + 2) * size, out->gradients + extra->border * n, (size_t)size * sizeof *m);
-            step[k + 2] = -out->border[extra->border].margin, other[k + 2] = 1.0;
-            error = fmax(error, fabs(step[k + 2]));
+            sf_in_columns(out->gradients + extra->border * n, k, size, m + (k + 2) * size);
+            solved[k + 2] = -out->border[extra->border].margin, turned[k + 2] = 1.0;
+            error = fmax(error, fabs(solved[k + 2]));
         }
-        double *const sides[2] = {step, other};
+        double *const sides[2] = {solved, turned}, *const step = m;
         if (!sf_solve(m, size, sides))
             return SF_SINGULAR;
+        for (long j = 0; j < size; j++)
+            step[j] = solved[sf_column(j, k)];
         double length = 0.0;
         for (long j = 0; j < size; j++)
             length = isfinite(step[j]) ? fmax(length, fabs(step[j])) : HUGE_VAL;
@@ -281,8 +298,8 @@ static sf_outcome sf_newton(sf_forced *forced, const sf_cycle *cycle, double *z,
         for (long j = 0; !stays && j < size; j++)
             z[j] += step[j];
         if (stays || converges) {
-            if (along != NULL)
-                memcpy(along, other, (size_t)size * sizeof *along);
+            for (long j = 0; along != NULL && j < size; j++)
+                along[j] = turned[sf_column(j, k)];
             return SF_GOOD;
         }
         last = length;
