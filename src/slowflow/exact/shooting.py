@@ -50,6 +50,12 @@ PEAK_SAMPLES = 65  # per phase, between which the largest force that is passed o
 WITHIN = (0.25, 0.5, 0.9)
 #: of its amplitude, what a motion that is adrift may still change in a turn of the forcing
 CALM = 1e-10
+#: distance of a multiplier from 1, from which on it says by itself whether a motion is stable
+NEUTRAL = 1e-6
+#: doublings of the distance from a neutral motion, and how much more than rounding a way is that is seen
+FARTHER, SEEN = 60, 100.0
+#: places on each side at which it is asked whether the force rises
+SLOPES = 16
 
 ADRIFT = (
     "no steady state is singled out at Omega = {Omega:g}, F_0 = {F_0:g}: a motion of amplitude {A:.6g} stays within "
@@ -536,11 +542,13 @@ def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, .
             found = _from_start(forced, theta, u, n, v)
             if found is not None and _is_adrift(found):
                 return Settled(None, len(history) - 1, u, v, phases, change, found)
-            if found is not None and found.stable:
+            if found is not None and (found.stable or _is_neutral(found)):
                 found = _once(found, forced, tries)
                 there = _passed(found, theta, u, v)
-                if _approaches(forced, found, theta, (u, v), there):
+                if found.stable and _approaches(forced, found, theta, (u, v), there):
                     return Settled(found, len(history) - 1, *there, phases, change)
+                if _drifts_to(forced, found, theta, u, there):
+                    return Settled(replace(found, stable=True), len(history) - 1, *there, phases, change)
     return Settled(None, len(history) - 1, u, v, phases, change)
 
 
@@ -620,6 +628,47 @@ def _is_adrift(found: SteadyState) -> bool:
     inner = found.cycle.system.force.pieces[0]
     within = all(region == 0 for _, region in found.cycle.signature)
     return within and all(inner.slope(share * found.A) == 0 for share in WITHIN)
+
+
+def _is_neutral(found: SteadyState) -> bool:
+    """Whether rounding may hide how a symmetric motion's mean is brought back: a multiplier of half of it is -1."""
+    half = found.half_multipliers
+    return half is not None and bool(np.min(np.abs(half + 1.0)) < NEUTRAL)
+
+
+def _drifts_to(forced: Forced, found: SteadyState, theta: float, u: float, there: tuple[float, float]) -> bool:
+    """Whether a motion at u tends to the neutral one found, which passes `there`, though rounding hides how it moves.
+
+    The mean is brought back by the spring alone, and the more the farther off it is, where the force rises all the way:
+    so what moves farther off tells of the way between, from the nearest place on at which it is seen to move.
+    """
+    if not _is_neutral(found):
+        return False
+    end = theta + found.Omega * found.period
+
+    def way(off: float) -> float:
+        return follow(forced, theta, there[0] + off, there[1], end)[-1].u_end - (there[0] + off)
+
+    away, still = abs(u - there[0]), abs(way(0.0))
+    off = math.copysign(AGAIN * found.A, u - there[0])
+    for _ in range(FARTHER):
+        largest = found.A + abs(off)
+        if not _rises(forced.system, largest):
+            return False
+        moved = way(off)
+        if abs(moved) > SEEN * max(still, 2.0**-53 * largest):
+            if not (moved * off < 0.0 and abs(moved) < abs(off)):
+                return False
+            if abs(off) >= away:
+                return True
+        off *= 2.0
+    return False
+
+
+def _rises(system: EquationOfMotion, A: float) -> bool:
+    """Whether the force nowhere falls up to |u| = A; at SLOPES places."""
+    places = (A * i / SLOPES for i in range(-SLOPES, SLOPES + 1))
+    return all(system.force.piece(system.force.region_of(u)).slope(u) >= 0.0 for u in places)
 
 
 def _passed(found: SteadyState, theta: float, u: float, v: float) -> tuple[float, float]:
