@@ -66,12 +66,15 @@ lint: $(DEVELOPED)
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
+# without the headers their row keeps what was last measured
 bench: $(DEVELOPED)
+	-$(PIP) --no-compile "slowflow[bench]"
 	$(BIN)/python -m benchmarks
 	$(BIN)/python -m benchmarks.bench_scenes
 	$(BIN)/python -m benchmarks.bench_derive
 	$(BIN)/python -m benchmarks.bench_exact
 	$(BIN)/python -m benchmarks.bench_grid
+	$(BIN)/python -m benchmarks.bench_paper
 	$(BIN)/python -m benchmarks.peers
 
 validity: $(DEVELOPED)

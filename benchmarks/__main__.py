@@ -24,14 +24,15 @@ def main() -> None:
     size = targets.SMALL if options.small else targets.Size()
     start = time.monotonic()
 
-    rows = targets.measure(size)
+    kept = {name: document.earlier(options.results / f"{name}.json") for name in ("bench", "work_precision")}
+    rows = targets.with_earlier(targets.measure(size), kept["bench"])
     missed = {row["limit"] for row in rows if not row["reached"]}
     about = environment.describe()
     explained = limits.of(missed)
     document.save(options.results / "bench.json", {"environment": about, "rows": rows, "limits": explained})
 
     print("work-precision ...", file=sys.stderr, flush=True)
-    precision = {"environment": about, **work_precision.measure(size.precision_rounds)}
+    precision = {"environment": about, **work_precision.measure(size.precision_rounds, kept["work_precision"])}
     document.save(options.results / "work_precision.json", precision)
     diagrams.draw(precision, options.docs)
     document.write(options.results, options.docs)

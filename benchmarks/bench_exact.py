@@ -1,22 +1,24 @@
 """The exact motion against its targets, on Table 1 with F_0 = 0.04 unless a row says otherwise.
 
 `rows()` gives one `Row` per target: what was measured, the bound, whether it is kept.
-`python -m benchmarks.bench_exact` prints them; `--direct` adds Appendix A's direct integration, which takes a minute.
+`python -m benchmarks.bench_exact` prints them and writes benchmarks/results/exact.json and docs/benchmarks.md;
+`--direct` adds Appendix A's direct integration, which takes a minute.
 """
 
 from __future__ import annotations
 
 import argparse
+import importlib.util
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import partial
 
 import mpmath as mp
 import numpy as np
 from scipy.optimize import minimize_scalar, root
 
-from benchmarks import footprint
+from benchmarks import document, environment, footprint
 from slowflow.exact import EquationOfMotion, Response, exact_response, linear, steady_state, sweep
 from slowflow.exact.compiled import default_integrator
 from slowflow.exact.integrate import Drive, Integrator, ScipyIntegrator
@@ -30,6 +32,8 @@ from tests.oracles.exact_cases import isolator, table_1
 from tests.oracles.exact_scipy import half_turn
 
 FORCINGS = (0.025, 0.03, 0.0301, 0.04, 0.05)
+#: a job that `benchmarks.counted` takes apart, and its frequency
+TURNS, OMEGA = "200 turns of the forcing with every switch", 0.9
 NAMES = {False: "truncated (6)", True: "untruncated (5)"}
 
 
@@ -118,9 +122,9 @@ def jobs() -> list[Job]:
             lambda i: exact_response(stops, 1.0, Omega=(0.07, 0.5), integrator=i),
         ),
         Job(
-            "200 turns of the forcing with every switch",
+            TURNS,
             *(1.0, 5),
-            lambda i: follow(Forced(system, 0.9, 0.04, i), 0.0, 0.0, 0.0, 200 * TURN),
+            lambda i: follow(Forced(system, OMEGA, 0.04, i), 0.0, 0.0, 0.0, 200 * TURN),
         ),
         Job(
             "sweep up and down, 600 frequencies",
@@ -147,21 +151,34 @@ def by_stops(repeats: int) -> list[dict[str, float]]:
     return out
 
 
-def beside_heyoka() -> list[Row]:
-    """The jobs that users wait for, in one run by the compiled integrator and by heyoka.
+def in_turn(most: int = 101) -> list[tuple[Job, float, float | None]]:
+    """The jobs that users wait for, and their seconds by the compiled integrator and by heyoka, repeats `most` at most.
 
-    By heyoka all around the integration is Python; the first row is that of the integration alone.
+    None where heyoka has no wheels. By heyoka all around the integration is Python; the first job is the integration
+    alone.
     """
-    try:
+    own, other = default_integrator(table_1(True)), None
+    if importlib.util.find_spec("heyoka"):
         from tests.oracles.exact_heyoka import HeyokaIntegrator
-    except ImportError:  # it has no wheels here
-        return []
-    other = HeyokaIntegrator()
-    own = default_integrator(table_1(True))
+
+        other = HeyokaIntegrator()
     out = []
     for job in jobs():
-        ours, theirs = (1e3 * best(lambda i=i, job=job: job.run(i), job.repeats) for i in (own, other))
-        out += [Row(job.name, ours, "ms", job.bound), Row(f"{job.name}: by heyoka over this", theirs / ours, "")]
+        ours, theirs = (
+            None if i is None else best(lambda i=i, job=job: job.run(i), min(job.repeats, most)) for i in (own, other)
+        )
+        assert ours is not None  # there is always an integrator of its own
+        out.append((job, ours, theirs))
+    return out
+
+
+def beside_heyoka() -> list[Row]:
+    """The same in rows."""
+    out = []
+    for job, ours, theirs in in_turn():
+        out.append(Row(job.name, 1e3 * ours, "ms", job.bound))
+        if theirs is not None:
+            out.append(Row(f"{job.name}: by heyoka over this", theirs / ours, ""))
     return [*out, *measured()]
 
 
@@ -381,9 +398,10 @@ def main() -> None:
     parser.add_argument("--direct", action="store_true", help="Appendix A's direct integration too")
     arguments = parser.parse_args()
     print(f"integrator: {default_integrator(table_1(False)).name}")
-    for row in rows() + (direct() if arguments.direct else []):
-        target = "" if row.bound is None else f"<= {row.bound:g}  {'kept' if row.kept else 'MISSED'}"
-        print(f"{row.measured:12.3g} {row.unit:3s} {target:20s} {row.job}")
+    found = [{**asdict(row), "kept": row.kept} for row in rows() + (direct() if arguments.direct else [])]
+    print("\n".join(document.exact_table(found)))
+    document.save(document.RESULTS / "exact.json", {"environment": environment.describe(), "rows": found})
+    document.write()
 
 
 if __name__ == "__main__":

@@ -34,12 +34,17 @@ typedef struct {
     int passed, wanted;
     sf_pair A, beyond, p[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
 } kept_pairs;
+typedef struct {
+    int of_folds; /* else of the response */
+    double A, h, m, zeta, more; /* F_0, or h_A of folds */
+} kept_quartic;
 
-static long ranges, values, averages, in_pairs;
+static long ranges, values, averages, in_pairs, in_intervals, made, made_in_pairs, quartics_solved;
 static kept_range range_kept[KEPT];
 static kept_value value_kept[KEPT];
 static kept_average average_kept[KEPT];
 static kept_pairs pairs_kept[KEPT];
+static kept_quartic quartic_kept[KEPT];
 static const sf_mechanism *record;
 static volatile double sink;
 
@@ -71,11 +76,47 @@ static void counted_in_pairs(int passed, int wanted, sf_pair A, sf_pair beyond, 
     record->averaged_in_pairs(passed, wanted, A, beyond, p, out);
 }
 
+static int counted_parameters(const double *design, double *p) {
+    made++;
+    return record->parameters_of(design, p);
+}
+
+static void counted_within(const double *design, sf_interval *p) {
+    in_intervals++;
+    record->parameters_within(design, p);
+}
+
+static void counted_made_in_pairs(const double *design, sf_pair *p) {
+    made_in_pairs++;
+    record->parameters_in_pairs(design, p);
+}
+
+static void keep_quartic(int of_folds, double A, double h, double m, double zeta, double more) {
+    const kept_quartic kept = {of_folds, A, h, m, zeta, more};
+    quartic_kept[quartics_solved++ % KEPT] = kept;
+}
+
+static int counted_response_roots(double A, double h, double m, double zeta, double F_0, double *Omega) {
+    keep_quartic(0, A, h, m, zeta, F_0);
+    return sf_response_roots(A, h, m, zeta, F_0, Omega);
+}
+
+static int counted_fold_roots(double A, double h, double h_A, double m, double zeta, double *Omega) {
+    keep_quartic(1, A, h, m, zeta, h_A);
+    return sf_fold_roots(A, h, h_A, m, zeta, Omega);
+}
+
 #define sf_find_range counted_range
 #define sf_ask counted_value
 #include "scan.h"
 #undef sf_find_range
 #undef sf_ask
+/* of a design they are asked on its breakpoints, and where Newton's method does not find them */
+#define sf_response_roots counted_response_roots
+#define sf_fold_roots counted_fold_roots
+#include "settle.h"
+#undef sf_response_roots
+#undef sf_fold_roots
 #include "design_lanes.h"
 #include "root_lanes.h"
 #include "second_lanes.h"
@@ -199,6 +240,73 @@ static double seconds_in_pairs(long n) {
     return best;
 }
 
+static double seconds_of_quartics(long n) {
+    double best = HUGE_VAL, Omega[3];
+    for (int round = 0; round < ROUNDS; round++) {
+        const double start = now();
+        for (long i = 0; i < n; i++) {
+            const kept_quartic *q = &quartic_kept[i];
+            sink = q->of_folds ? sf_fold_roots(q->A, q->h, q->more, q->m, q->zeta, Omega)
+                               : sf_response_roots(q->A, q->h, q->m, q->zeta, q->more, Omega);
+        }
+        best = least(best, (now() - start) / (double)n);
+    }
+    return best;
+}
+
+/* What the numbers of a design take to become what the solvers take: as doubles, as intervals, as pairs. */
+static void seconds_of_designs(char **args, const ptrdiff_t *steps, long n, double out[3]) {
+    out[0] = out[1] = out[2] = HUGE_VAL;
+    for (int round = 0; round < ROUNDS; round++) {
+        sf_interval within[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
+        sf_numbers given;
+        sf_model model;
+        sf_exactly exactly;
+        double start = now(), reading;
+        for (long k = 0; k < n; k++)
+            sf_read_numbers_at(record, args, steps, k, &given), sink = given.design[0];
+        reading = now() - start, start = now();
+        for (long k = 0; k < n; k++)
+            sink = sf_design_at(record, args, steps, k, 0, &model) + model.p[0];
+        out[0] = least(out[0], (now() - start) / (double)n), start = now();
+        for (long k = 0; k < n; k++) {
+            sf_read_numbers_at(record, args, steps, k, &given);
+            record->parameters_within(given.design, within), sink = within[0].lo;
+        }
+        out[1] = least(out[1], (now() - start - reading) / (double)n), start = now();
+        for (long k = 0; k < n; k++)
+            sink = sf_exactly_at(record, args, steps, k, &exactly) + exactly.p[0].high;
+        out[2] = least(out[2], (now() - start - reading) / (double)n);
+    }
+}
+
+/* What an answer takes to be written. */
+static double seconds_of_writing(int asked, char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, int out) {
+    static const double A[1] = {1};
+    static const unsigned char stable[1] = {1};
+    static const sf_onset onset;
+    static const sf_fold fold;
+    double best = HUGE_VAL;
+    for (int round = 0; round < ROUNDS; round++) {
+        const double start = now();
+        for (ptrdiff_t k = 0; k < dimensions[0]; k++) {
+            if (asked == 0)
+                sf_write_states(args, dimensions, steps, out, k, 1, A, stable, 0, SF_OK);
+            if (asked == 1) {
+                for (ptrdiff_t i = 0; i < dimensions[1]; i++)
+                    sf_write_fold(args, steps, steps + out + 6, out, k, i, i < 2 ? &fold : NULL);
+                sf_write_count(args, steps, out + 3, k, 2, 0, dimensions[1], SF_OK);
+            }
+            if (asked == 2)
+                sf_write_peak(args, steps, out, k, 1, 1, SF_OK);
+            if (asked == 3)
+                sf_write_onset(args, steps, out, k, &onset, 0, SF_OK);
+        }
+        best = least(best, (now() - start) / (double)dimensions[0]);
+    }
+    return best;
+}
+
 /* What asking the clock takes. */
 static double seconds_of_clock(void) {
     double clock = HUGE_VAL;
@@ -222,16 +330,34 @@ static int find_record(const char *name) {
     return record != NULL;
 }
 
+/* What is counted of a design; the numbers of out in `count`. */
+enum {
+    AVERAGES,
+    IN_PAIRS,
+    VALUES,
+    RANGES,
+    CELLS,
+    AMPLITUDES,
+    QUARTICS,
+    MADE,
+    IN_INTERVALS,
+    MADE_IN_PAIRS,
+    WRITTEN,
+    PARTS
+};
+
 /* asked: 0 states, 1 folds, 2 peaks, 3 onsets; inputs: one column after another, n of each; out: how often a design has
- * its averages taken, in pairs too, a function's value at an amplitude and its range on a cell, and of loops over many
- * designs a cell and an amplitude, then the seconds of one of each. Returns 0 where there is no such record. */
+ * its averages taken, in pairs too, a function's value at an amplitude and its range on a cell, of loops over many
+ * designs a cell and an amplitude, a quartic solved by itself, its parameters made, on intervals and in pairs too, and
+ * its answer written; then the seconds of one of each. Returns 0 where there is no such record. */
 int count(int asked, const char *name, long n, double *inputs, double *out) {
     const sf_many loops[] = {solvers_counted.many_states, solvers_counted.many_folds, solvers_counted.many_peaks,
                              solvers_counted.many_onsets};
     const int at[] = {2, 1, 1, 0}, outputs[] = {5, 6, 3, 6};
+    double *taken = out + PARTS;
     static unsigned char answers[4096];
     char *args[MOST_INPUTS + 6];
-    ptrdiff_t steps[2 * (MOST_INPUTS + 6)] = {0}, dimensions[2] = {n, 8};
+    ptrdiff_t steps[2 * (MOST_INPUTS + 6)] = {0}, dimensions[2] = {n, 6};
     sf_mechanism counting;
     int i, given;
     if (!find_record(name))
@@ -243,18 +369,26 @@ int count(int asked, const char *name, long n, double *inputs, double *out) {
         args[given + i] = (char *)answers + 64 * i;
     counting = *record;
     counting.averaged = counted_average, counting.averaged_in_pairs = counted_in_pairs;
-    ranges = values = averages = in_pairs = 0;
+    counting.parameters_of = counted_parameters, counting.parameters_within = counted_within;
+    counting.parameters_in_pairs = counted_made_in_pairs;
+    ranges = values = averages = in_pairs = in_intervals = made = made_in_pairs = quartics_solved = 0;
     memset(&cells_in_lanes, 0, sizeof cells_in_lanes), memset(&amplitudes_in_lanes, 0, sizeof amplitudes_in_lanes);
     loops[asked](args, dimensions, steps, &counting);
-    out[0] = (double)averages / (double)n, out[1] = (double)in_pairs / (double)n;
-    out[2] = (double)values / (double)n, out[3] = (double)ranges / (double)n;
-    out[4] = (double)cells_in_lanes.places / (double)n, out[5] = (double)amplitudes_in_lanes.places / (double)n;
+    out[AVERAGES] = (double)averages, out[IN_PAIRS] = (double)in_pairs, out[VALUES] = (double)values;
+    out[RANGES] = (double)ranges, out[QUARTICS] = (double)quartics_solved, out[MADE] = (double)made;
+    out[IN_INTERVALS] = (double)in_intervals, out[MADE_IN_PAIRS] = (double)made_in_pairs, out[WRITTEN] = (double)n;
+    out[CELLS] = (double)cells_in_lanes.places, out[AMPLITUDES] = (double)amplitudes_in_lanes.places;
+    for (i = 0; i < PARTS; i++)
+        out[i] /= (double)n;
     mend();
-    out[6] = seconds_of_averages(averages < KEPT ? averages : KEPT);
-    out[7] = seconds_in_pairs(in_pairs < KEPT ? in_pairs : KEPT);
-    out[8] = values > 0 ? seconds_of_values(values < KEPT ? values : KEPT) : 0;
-    out[9] = ranges > 0 ? seconds_of_ranges(ranges < KEPT ? ranges : KEPT) : 0;
-    out[10] = seconds_in_lanes(&cells_in_lanes), out[11] = seconds_in_lanes(&amplitudes_in_lanes);
+    taken[AVERAGES] = seconds_of_averages(averages < KEPT ? averages : KEPT);
+    taken[IN_PAIRS] = seconds_in_pairs(in_pairs < KEPT ? in_pairs : KEPT);
+    taken[VALUES] = values > 0 ? seconds_of_values(values < KEPT ? values : KEPT) : 0;
+    taken[RANGES] = ranges > 0 ? seconds_of_ranges(ranges < KEPT ? ranges : KEPT) : 0;
+    taken[CELLS] = seconds_in_lanes(&cells_in_lanes), taken[AMPLITUDES] = seconds_in_lanes(&amplitudes_in_lanes);
+    taken[QUARTICS] = quartics_solved > 0 ? seconds_of_quartics(quartics_solved < KEPT ? quartics_solved : KEPT) : 0;
+    seconds_of_designs(args, steps, n, taken + MADE);
+    taken[WRITTEN] = seconds_of_writing(asked, args, dimensions, steps, given);
     return 1;
 }
 

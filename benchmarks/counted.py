@@ -1,9 +1,10 @@
 """Why a batch is no faster: in go the kinds of a question, out come sentences that add up what an answer is made of.
 
 Counts and costs are measured by `counted.c`, which gcc builds around the solvers as they are: evaluations of the
-averages, these in double-double, values of the function that is searched, its ranges on cells, and of loops over many
-designs cells and amplitudes. What is left over are the parameters of a design, the pieces of its force, roots of
-quartics on its breakpoints, and what the search does in between.
+averages, these in double-double, values of the function that is searched, its ranges on cells, of loops over many
+designs cells and amplitudes, quartics solved by themselves, the parameters of a design and its answer written. What
+Python and NumPy take is the answer's time less that of the compiled loop on the same arrays. What is left is told as
+unexplained: what the search does in between, as carrying samples into cells and back, and Newton's steps.
 """
 
 from __future__ import annotations
@@ -14,17 +15,21 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from benchmarks import certified, jobs
+from benchmarks import bench_exact, certified, jobs
 from benchmarks.bench_roots import SCENES
 from benchmarks.document import quantity
 from benchmarks.remote import ROOT
 from slowflow import backend
+from slowflow.averaged.asked import AMPLITUDES, ONSET, PEAK, SADDLE_NODES, Question
 from slowflow.averaged.reference.roots import response_roots
+from slowflow.exact.compiled import TaylorIntegrator, by_rising_u
+from slowflow.exact.motion import TURN
 from slowflow.paper import example
 from slowflow.paper.example import TABLE_1
 from slowflow.validate import WINDOW
@@ -33,18 +38,21 @@ from slowflow_kernels.second_conventions import BEYOND, Wanted
 from slowflow_kernels.second_conventions import SAMPLES as FEWER
 from tests.oracles.frequencies import stress_cases
 
-DESIGNS = 4096
+DESIGNS = 2**15
 ROUNDS = 5
 FLAGS = ("-std=gnu11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-fno-tree-slp-vectorize")
 FOLDERS = ("src/slowflow/native", "generated/c", "generated/native")
 LANES = ("cusp", "peak", "root", "second", "state")
-SOURCES = ("benchmarks/counted.c", *(f"src/slowflow/native/solver/{name}_lanes.c" for name in LANES))
-#: by kind: its number in counted.c, the seconds that are asked of a design, its name
+SOURCES = {
+    "counted": ("benchmarks/counted.c", *(f"src/slowflow/native/solver/{name}_lanes.c" for name in LANES)),
+    "counted_motion": ("benchmarks/counted_motion.c",),
+}
+#: by kind: its number in counted.c, the seconds that are asked of a design, its name, the compiled loop
 KINDS = {
-    "amplitudes": (0, 0.5e-6, "the states of one design"),
-    "saddle_nodes": (1, 1e-6 / 0.3, "all folds of one design"),
-    "peak": (2, 1e-6, "one peak"),
-    "saddle_node_onset": (3, 1e-6, "one F_SN"),
+    "amplitudes": (0, 0.5e-6, "the states of one design", AMPLITUDES),
+    "saddle_nodes": (1, 1e-6 / 0.3, "all folds of one design", SADDLE_NODES),
+    "peak": (2, 1e-6, "one peak", PEAK),
+    "saddle_node_onset": (3, 1e-6, "one F_SN", ONSET),
 }
 #: what is asked of a curve of so many points with its folds, in seconds
 CURVE, SAMPLES, PLACES = 1 / 15e3, 1000, 4096
@@ -52,13 +60,22 @@ CURVE, SAMPLES, PLACES = 1 / 15e3, 1000, 4096
 SECOND, QUARTIC = 0.4e-3, 40e-9
 #: blocks of 64 quartics of each of the scenes that the target is measured on
 QUARTICS = 4096
+#: coefficients of u along a step, and of v
+SERIES = 2 * 25
+#: of a design's folds or states, as by default
+PLACES_OF_ONE = 6
 PARTS = (
     "averages h to h_AAA",
-    "the same in double-double",
+    "of these in double-double",
     "values of what is searched",
     "ranges of it on cells",
     "cells judged in lanes",
     "amplitudes asked in lanes",
+    "quartics by themselves",
+    "designs' parameters and pieces",
+    "the same on intervals, for jumps of the force",
+    "the same in double-double",
+    "answers written",
 )
 
 
@@ -80,37 +97,64 @@ def of(kinds: Iterable[str]) -> list[str]:
         "saddle_node_onset": designs.saddle_node_onset,
     }
     with tempfile.TemporaryDirectory() as folder:
-        library = _built(Path(folder))
         others = {"curve": _of_curve, **OTHERS}
+        built = {name: _built(Path(folder), name) for name in SOURCES if name == "counted" or "motion" in known}
         return [
-            others[kind](library) if kind in others else _sentence(kind, library.count, inputs, asked[kind])
+            others[kind](built["counted_motion" if kind == "motion" else "counted"])
+            if kind in others
+            else _sentence(kind, built["counted"].count, inputs, designs, asked[kind])
             for kind in known
         ]
 
 
-def _built(folder: Path) -> ctypes.CDLL:
-    library = folder / "counted.so"
+def _built(folder: Path, name: str) -> ctypes.CDLL:
+    library = folder / f"{name}.so"
     include = [f"-I{ROOT / name}" for name in FOLDERS]
-    sources = [str(ROOT / name) for name in SOURCES]
+    sources = [str(ROOT / name) for name in SOURCES[name]]
     command = ["gcc", *FLAGS, "-shared", "-fPIC", *include, *sources, "-o", str(library), "-lm"]
     subprocess.run(command, check=True)
     return ctypes.CDLL(str(library))
 
 
-def _sentence(kind: str, count: Any, inputs: np.ndarray, ask: Callable[[], Any]) -> str:
-    number, wanted, name = KINDS[kind]
+def _sentence(kind: str, count: Any, inputs: np.ndarray, designs: Any, ask: Callable[[], Any]) -> str:
+    number, wanted, name, question = KINDS[kind]
     out = np.zeros(2 * len(PARTS))
     pointers = (array.ctypes.data_as(ctypes.POINTER(ctypes.c_double)) for array in (inputs, out))
     if not count(number, b"rod_spring", ctypes.c_long(inputs.shape[1]), *pointers):
         raise RuntimeError("the record of the isolator is not compiled in")
     times, costs = np.split(out, 2)
-    whole = _seconds(ask) / inputs.shape[1]
+    whole, compiled = np.array(_in_turn(ask, _loop(question, inputs, designs))) / inputs.shape[1]
     parts = [f"{n:.3g} {part} of {quantity(cost, 's')}" for n, part, cost in zip(times, PARTS, costs, strict=True) if n]
-    least = ", ".join(quantity(n * cost, "s") for n, cost in zip(times, costs, strict=True) if n)
+    each = [n * cost for n, cost in zip(times, costs, strict=True) if n]
     return (
-        f"{name} takes {quantity(whole, 's')}, asked {quantity(wanted, 's')}: {', '.join(parts)}: "
-        f"{least}, together {quantity(float(times @ costs), 's')}"
+        f"{name} takes {quantity(whole, 's')}, asked {quantity(wanted, 's')}: {', '.join(parts)}, Python and NumPy "
+        f"{quantity(whole - compiled, 's')}: {_added(whole, [*each, whole - compiled])}"
     )
+
+
+def _added(whole: float, parts: list[float]) -> str:
+    """The parts of a time, their sum, and what of it is left."""
+    left = whole - sum(parts)
+    return (
+        f"{', '.join(quantity(part, 's') for part in parts)}, together {quantity(sum(parts), 's')}; unexplained "
+        f"{quantity(left, 's')}, {100 * left / whole:.0f} %"
+    )
+
+
+def _loop(question: Question, inputs: np.ndarray, designs: Any) -> Callable[[], Any]:
+    """The compiled loop of a question alone, on arrays that are there."""
+    assert question.batch is not None  # all of these are compiled
+    solve = question.batch(backend.solver())(backend.record_of(designs.mechanism, inertial=False))
+    size = inputs.shape[1]
+    given = inputs[: solve.nin]
+    out = tuple(np.empty((size, *inner), kind) for inner, kind in question.outputs(PLACES_OF_ONE))
+
+    def blocks() -> None:
+        for start in range(0, size, question.at_once):
+            part = slice(start, start + question.at_once)
+            solve(*given[:, part], out=tuple(column[part] for column in out))
+
+    return blocks
 
 
 def _of_curve(library: Any) -> str:
@@ -123,12 +167,13 @@ def _of_curve(library: Any) -> str:
         raise RuntimeError("the curve of Table 1 is not drawn")
     points, averages, ranges, *seconds = out
     whole = _seconds(lambda: [ask() for _ in range(100)]) / 100
+    made = _seconds(lambda: [example.isolator() for _ in range(100)]) / 100
     segments, along, folds, each = (quantity(part, "s") for part in (*seconds, seconds[1] / points))
     return (
         f"one curve of {points:.0f} points with its folds takes {quantity(whole, 's')}, asked {quantity(CURVE, 's')}: "
         f"its segments by {averages:.0f} averages and {ranges:.0f} ranges on cells {segments}, the points on them "
-        f"{along}, of each {each}, its folds {folds}, together {quantity(sum(seconds), 's')}; the rest is Python's: an "
-        "isolator made, arrays copied, answers named"
+        f"{along}, of each {each}, its folds {folds}, an isolator made {quantity(made, 's')}: "
+        f"{_added(whole, [*seconds, made])}, Python's: arrays copied, remarks, answers named"
     )
 
 
@@ -159,11 +204,26 @@ def _of_second(library: Any) -> str:
             f"{quantity(whole, 's')}"
         )
         compiled += whole
-    whole = _seconds(lambda: [ask() for _ in range(100)]) / 100
+    better = first.second_approximation
+    curve, folds = better.frequency_response(certified.F_0, samples=SAMPLES), better.saddle_nodes(certified.F_0)
+    moved = better._around(certified.F_0, np.array(marks), Wanted.FOLDS_ONLY)
+    beside: dict[str, Callable[[], Any]] = {
+        "an isolator made": example.isolator,
+        "averaging's curve, which it begins with": lambda: first.curve(certified.F_0, samples=SAMPLES, Omega=WINDOW),
+        "the one about its folds": lambda: first.curve(certified.F_0, samples=FEWER, Omega=around),
+        "averaging's folds and peak": lambda: (first.folds(certified.F_0), first.peak(certified.F_0)),
+        "folds between points": lambda: backend.solver().second_folds(first.model.native, certified.F_0, moved.native),
+        "what is to be said of validity": lambda: [better._remarked("", x.Omega, x.A) for x in (curve, folds)],
+        "answers as records that do not change": lambda: [replace(x, message="") for x in (curve, folds)],
+    }
+    whole, *others = (
+        seconds / 100
+        for seconds in _in_turn(*(lambda of=of: [of() for _ in range(100)] for of in (ask, *beside.values())))
+    )
+    each = ", ".join(f"{name} {quantity(taken, 's')}" for name, taken in zip(beside, others, strict=True))
     return (
         f"one curve of the second approximation with its folds takes {quantity(whole, 's')}, asked "
-        f"{quantity(SECOND, 's')}: {', '.join(told)}, together {quantity(compiled, 's')}; the rest are averaging's two "
-        "curves that these begin with, and Python's: an isolator made, arrays copied, remarks, answers named"
+        f"{quantity(SECOND, 's')}: {', '.join(told)}, {each}: {_added(whole, [compiled, *others])}"
     )
 
 
@@ -181,12 +241,45 @@ def _of_quartics(library: Any) -> str:
         f"one quartic of the scene {slowest} takes {quantity(took[slowest], 's')}, asked {quantity(QUARTIC, 's')}: "
         f"its signs in lanes {signs}, {roots:.3g} roots in lanes of {root}, {on:.3g} of them that go on in "
         f"double-double of {further}, {unsure:.3g} quartics whose signs are unsure in double of {alone}: "
-        f"{', '.join(quantity(part, 's') for part in parts)}, together {quantity(sum(parts), 's')}"
+        f"{_added(took[slowest], list(parts))}"
+    )
+
+
+def _of_motion(library: Any) -> str:
+    """Turns of the forcing with every switch."""
+    (job,) = (job for job in bench_exact.jobs() if job.name == bench_exact.TURNS)
+    system = bench_exact.table_1(True)
+    integrator = bench_exact.default_integrator(system)
+    if not isinstance(integrator, TaylorIntegrator):
+        return f"{job.name}: the integrator is not compiled"
+    pieces, edges = by_rising_u(system.force)
+    names = (ctypes.c_char_p * len(pieces))(*(piece.law.name.encode() for piece in pieces))
+    sizes = np.array([len(piece.constants) for piece in pieces], dtype=np.intc)
+    constants, ends = np.array([x for piece in pieces for x in piece.constants]), np.array(edges)
+    numbers, out, end = (system.mu, system.zeta, bench_exact.OMEGA, certified.F_0), np.zeros(5), 200 * TURN
+    if not library.turns(
+        *(len(pieces), -system.force.region_of(-np.inf), names, _pointer(sizes), _pointer(constants), _pointer(ends)),
+        *map(ctypes.c_double, (*numbers, end)),
+        _pointer(out),
+    ):
+        raise RuntimeError("the motion of Table 1 is not followed")
+    start = (0.0, 0.0, 0.0)
+    whole, compiled = _in_turn(
+        lambda: job.run(integrator),
+        lambda: integrator.follow(system, bench_exact.OMEGA, certified.F_0, start, end, None),
+    )
+    phases, steps, searches, step, search = out
+    return (
+        f"{job.name} take {quantity(whole, 's')}, asked {quantity(1e-3 * (job.bound or 0), 's')}: {phases:.0f} phases "
+        f"by {steps:.0f} steps of {SERIES} coefficients, of which none is known before the one below it, of "
+        f"{quantity(step, 's')}, {searches:.0f} searches for a stop on a step of {quantity(search, 's')}, Python, a "
+        f"record of each phase, {quantity(whole - compiled, 's')}: "
+        f"{_added(whole, [steps * step, searches * search, whole - compiled])}"
     )
 
 
 #: kinds that are counted in ways of their own
-OTHERS: dict[str, Callable[[Any], str]] = {"second": _of_second, "quartic": _of_quartics}
+OTHERS: dict[str, Callable[[Any], str]] = {"second": _of_second, "quartic": _of_quartics, "motion": _of_motion}
 
 
 def _pointer(array: np.ndarray) -> Any:
@@ -194,12 +287,19 @@ def _pointer(array: np.ndarray) -> Any:
 
 
 def _seconds(ask: Callable[[], Any]) -> float:
-    ask()
-    best = np.inf
-    for _ in range(ROUNDS):
-        start = time.process_time()
+    return _in_turn(ask)[0]
+
+
+def _in_turn(*asked: Callable[[], Any]) -> list[float]:
+    """The least seconds of each, all asked in every round."""
+    best = [np.inf] * len(asked)
+    for ask in asked:
         ask()
-        best = min(best, time.process_time() - start)
+    for _ in range(ROUNDS):
+        for i, ask in enumerate(asked):
+            start = time.process_time()
+            ask()
+            best[i] = min(best[i], time.process_time() - start)
     return best
 
 

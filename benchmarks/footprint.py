@@ -32,6 +32,33 @@ import slowflow
 print("all", time.perf_counter() - start)
 """
 
+#: what of an import no order of modules saves: the bytecode of those that are loaded, read and made objects, and shared
+#: libraries
+READING = """
+import importlib.machinery, marshal, sys, time
+import numpy
+before = set(sys.modules)
+start = time.perf_counter()
+import slowflow
+whole = time.perf_counter() - start
+modules = [module for name, module in sys.modules.items() if name not in before]
+kept = {module.__cached__ for module in modules if getattr(module, "__cached__", None)}
+read, size, count = 0.0, 0, 0
+for path in kept:
+    start = time.perf_counter()
+    try:
+        with open(path, "rb") as file:
+            code = file.read()
+    except OSError:
+        continue
+    marshal.loads(code[16:])
+    read += time.perf_counter() - start
+    size, count = size + len(code), count + 1
+suffixes = tuple(importlib.machinery.EXTENSION_SUFFIXES)
+libraries = sum(str(getattr(module, "__file__", "")).endswith(suffixes) for module in modules)
+print(whole, count, size, read, libraries)
+"""
+
 REMEMBERING = """
 import sys
 import numpy as np
@@ -82,6 +109,16 @@ def modules(count: int = 4) -> list[tuple[str, float]]:
     """The generated modules that the import loads by name, which -X importtime does not see, and their seconds."""
     spent = [line.split() for line in fresh(LOADING).splitlines()]
     return sorted(((name, float(seconds)) for name, seconds in spent), key=lambda pair: -pair[1])[:count]
+
+
+def bytecode(times: int = 7) -> list[float]:
+    """Of the import beyond NumPy's: its seconds, modules, bytes of bytecode, seconds to read these, shared libraries.
+
+    Times are the least of so many processes.
+    """
+    run(READING)
+    found = [run(READING) for _ in range(times)]
+    return [min(column) for column in zip(*found, strict=True)]
 
 
 def memory(count: int) -> dict[str, Any]:

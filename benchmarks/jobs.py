@@ -6,6 +6,8 @@ rate's denominator only, and `certified` answers with the critical forcings of t
 
 from __future__ import annotations
 
+import os
+import time
 from collections.abc import Callable
 from functools import partial
 from typing import Any
@@ -14,6 +16,7 @@ import numpy as np
 
 from benchmarks import certified
 from benchmarks.bench_solver import random_designs, table_1_designs
+from benchmarks.remote import processor
 from slowflow import Isolator
 from slowflow.averaged.reference.roots import response_roots
 from slowflow.paper.example import isolator
@@ -89,6 +92,11 @@ def response(at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return response_roots(at, h, iso.sticking_forcing, iso.zeta, certified.F_0)
 
 
+def clock(name: str) -> Callable[[], float]:
+    """What a job is timed by: the processor's time, where it is not about how many of these there are."""
+    return time.perf_counter if name.startswith("cores") else processor
+
+
 def prepare() -> dict[str, Job]:
     """Jobs by name."""
 
@@ -126,7 +134,15 @@ def prepare() -> dict[str, Job]:
         for question in ("detachment", "saddle_node_onset"):
             for family in FAMILIES:
                 jobs[f"{family} {question} {count}"] = batch(question, family, count), of_batch
-        jobs[f"cores saddle_node_onset {count}"] = batch("saddle_node_onset", "random", count, workers=-1), of_batch
+        for workers in range(1, (os.cpu_count() or 1) + 1):
+            jobs[f"cores saddle_node_onset {count} {workers}"] = (
+                batch("saddle_node_onset", "random", count, workers=workers),
+                of_batch,
+            )
+            for question in ("saddle_nodes", "peak"):
+                asked = batch(question, "random", count, above=0.03, workers=workers)
+                jobs[f"cores {question} {count} {workers}"] = asked, of_batch
+            jobs[f"cores amplitudes {count} {workers}"] = states(count, workers), of_batch
         for question in ("saddle_nodes", "peak"):
             jobs[f"random {question} {count}"] = batch(question, "random", count, above=0.03), of_batch
             jobs[f"second {question} {count}"] = batch(question, "random", count, above=0.03, second=True), of_batch
@@ -137,7 +153,7 @@ def prepare() -> dict[str, Job]:
     return jobs
 
 
-def states(count: int) -> Callable[[], Any]:
+def states(count: int, workers: int = 1) -> Callable[[], Any]:
     """The states of so many designs, each at a frequency of its own, 0.03 above sticking."""
     made: list[Any] = []
 
@@ -145,7 +161,8 @@ def states(count: int) -> Callable[[], Any]:
         if not made:
             designs = FAMILIES["random"](count)
             Omega = np.random.default_rng(count).uniform(0.3, 1.5, count)
-            made.append(partial(designs.amplitudes, Omega=Omega, F_0=4 / np.pi * designs.values["mu"] + 0.03))
+            F_0 = 4 / np.pi * designs.values["mu"] + 0.03
+            made.append(partial(designs.amplitudes, Omega=Omega, F_0=F_0, workers=workers))
         return made[0]()
 
     return ask

@@ -161,9 +161,15 @@ def _counted(package: str, code: str, times: int) -> int:
 
 
 def imports() -> list[str]:
-    """The generated modules that an import spends longest on."""
+    """The generated modules that an import spends longest on, and what of it reading alone takes."""
     own = ", ".join(f"{name} {quantity(seconds, 's')}" for name, seconds in footprint.modules(5))
-    return [f"import slowflow, what takes longest (each module with those that it loads first): {own}"]
+    whole, modules, size, read, libraries = footprint.bytecode()
+    return [
+        f"import slowflow, what takes longest (each module with those that it loads first): {own}",
+        f"import slowflow beyond NumPy's, at its best {quantity(whole, 's')}: {modules:.0f} modules, whose "
+        f"{size / 1e3:.0f} kB of bytecode are read and made objects in {quantity(read, 's')}, and {libraries:.0f} "
+        f"shared libraries; the rest is to find these files, to load the libraries and to run what modules define",
+    ]
 
 
 def traffic(count: int = 10**6) -> list[str]:

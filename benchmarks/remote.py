@@ -1,8 +1,9 @@
 """Measuring in a process of its own: `Remote` asks, `python -m benchmarks.remote <module>` answers, in lines of JSON.
 
 The module has `prepare()`, which gives jobs by name: pairs of a function that is timed and one that makes of its
-answer a dictionary for JSON. A request names a job; the reply adds `seconds`, the median of its calls. The process may
-be another interpreter with another environment: nothing but the standard library is imported here.
+answer a dictionary for JSON. A request names a job; the reply adds `seconds`, the median of its calls, by the
+processor's clock or by what `clock(job)` of the module gives. The process may be another interpreter with another
+environment: nothing but the standard library is imported here.
 """
 
 from __future__ import annotations
@@ -103,14 +104,24 @@ def in_turn(jobs: dict[str, tuple[Remote, str]], rounds: int) -> tuple[dict[str,
     return {key: answer for key, answer in done.items() if key not in failures}, failures
 
 
-def timed(job: Callable[[], Any]) -> tuple[float, Any]:
-    """Median seconds of a call after one that warms up, and its answer."""
+def processor() -> float:
+    """Seconds of processor time, of this process and of those that it waited for: other work does not count."""
+    try:
+        import resource  # not everywhere
+    except ImportError:
+        return time.process_time()
+    both = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    return sum(used.ru_utime + used.ru_stime for used in both)
+
+
+def timed(job: Callable[[], Any], clock: Callable[[], float]) -> tuple[float, Any]:
+    """Median seconds of a call after one that warms up, by a clock, and its answer."""
     answer = job()
     times: list[float] = []
     while sum(times) < WHILE:
-        start = time.perf_counter()
+        start = clock()
         job()
-        times.append(time.perf_counter() - start)
+        times.append(clock() - start)
     return statistics.median(times), answer
 
 
@@ -126,14 +137,16 @@ def main() -> None:
     try:
         module = importlib.import_module(sys.argv[1])
         jobs = module.prepare()
+        clock = getattr(module, "clock", lambda _: processor)
         answer(jobs=list(jobs))
     except Exception as error:
         answer(error=f"{type(error).__name__}: {error}")
         return
     for line in sys.stdin:
         try:
-            run, describe = jobs[json.loads(line)]
-            seconds, found = timed(run)
+            name = json.loads(line)
+            run, describe = jobs[name]
+            seconds, found = timed(run, clock(name))
             answer(**describe(found), seconds=seconds)
         except Exception as error:
             answer(error=f"{type(error).__name__}: {error}")

@@ -10,7 +10,7 @@ import os
 import sys
 import time
 from collections.abc import Callable, Iterable
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field, replace
 from functools import partial
 from typing import Any
 
@@ -39,6 +39,7 @@ class Size:
     memory: int = 10**7
 
 
+EARLIER = "measured earlier, on"
 #: from this status on, a design was not solved although it has an answer
 UNSOLVED = 5
 #: designs whose curves are drawn at once, 30 kB each
@@ -59,6 +60,8 @@ class Target:
     error: str
     limit: str
     sound: bool = True
+    #: others on the same scenes, by name: what was measured of them, None where they are not at hand
+    others: dict[str, str | None] = field(default_factory=dict)
 
     @property
     def reached(self) -> bool:
@@ -70,10 +73,22 @@ class Target:
 def measure(size: Size) -> list[dict[str, Any]]:
     """All targets."""
     found: list[Target] = []
-    for part in (quartics, kernels, curves, batches, rates, gradients, second, motions, starting, remembering):
+    for part in PARTS:
         print(f"{part.__name__} ...", file=sys.stderr, flush=True)
         found += part(size)
     return [{**asdict(row), "reached": row.reached} for row in found]
+
+
+def with_earlier(rows: list[dict[str, Any]], before: dict[str, Any]) -> list[dict[str, Any]]:
+    """The rows, in which others that are not at hand have what was last measured of them, which says so."""
+    known = {row["job"]: row.get("others", {}) for row in before.get("rows", ())}
+    for row in rows:
+        for name, told in row["others"].items():
+            old = known.get(row["job"], {}).get(name)
+            if told is None and old is not None:
+                note = "" if EARLIER in old else f" ({EARLIER} {before['environment']['processor']})"
+                row["others"][name] = old + note
+    return rows
 
 
 def quartics(size: Size) -> list[Target]:
@@ -112,8 +127,8 @@ def quartics(size: Size) -> list[Target]:
         )
     for name in (bench_roots.BOOST, bench_roots.ACM):
         rows_of = [of[scene, name] for scene in bench_roots.SCENES if (scene, name) in of]
-        told = _of_peer(name, rows_of, size) if rows_of else f"{name} is not at hand here"
-        out[0] = replace(out[0], ratio=f"{out[0].ratio}; {told}")
+        told = _of_peer(name, rows_of, size) if rows_of else None
+        out[0] = replace(out[0], others={**out[0].others, name: told})
     return out
 
 
@@ -253,6 +268,28 @@ def batches(size: Size) -> list[Target]:
     return out
 
 
+def cores(size: Size) -> list[Target]:
+    """How much more so many workers do than one, question by question, by the clock on the wall."""
+    there = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    asked = {"saddle_node_onset": "F_SN", "saddle_nodes": "folds", "peak": "peaks", "amplitudes": "states"}
+    workers = sorted({1, *(2**power for power in range(there.bit_length())), there})
+    names = {(question, n): f"cores {question} {size.onsets} {n}" for question in asked for n in workers}
+    answers = both([(name, None) for name in names.values()], min(size.rounds, 5))
+    out = []
+    for question, title in asked.items():
+        taken = {n: answers[names[question, n]]["here"]["seconds"] for n in workers}
+        each = ", ".join(f"{n}: {quantity(size.onsets / seconds, 'a second')}" for n, seconds in taken.items())
+        out.append(
+            Target(
+                f"{title} of {size.onsets} designs on {there} cores over one, near-linear",
+                *(0.8 * there, taken[1] / taken[there], "×", False),
+                f"by workers {each}",
+                *("", "cores"),
+            )
+        )
+    return out
+
+
 def rates(size: Size) -> list[Target]:
     """Answers a second on one core, of random designs: folds, peaks, states, whole curves."""
     wanted = {
@@ -261,21 +298,10 @@ def rates(size: Size) -> list[Target]:
         "amplitudes": ("states at (Ω, F_0)", 2e6),
     }
     names: list[tuple[str, str | None]] = [(f"random {name} {size.onsets}", f"random {name} 10") for name in wanted]
-    on_all = f"cores saddle_node_onset {size.onsets}"
-    alone = f"random saddle_node_onset {size.onsets}"
     drawn = min(size.onsets, CURVES)
     drawing = f"random frequency_response {drawn}"
-    answers = both([*names, (drawing, None), ("curve", None), (alone, None), (on_all, None)], min(size.rounds, 3))
-    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    taken, one = answers[on_all]["here"]["seconds"], answers[alone]["here"]["seconds"]
-    out = [
-        Target(
-            f"F_SN of {size.onsets} designs on {cores} cores over one, near-linear",
-            *(0.8 * cores, one / taken, "×", False),
-            f"{quantity(size.onsets / taken, 'a second')} by workers=-1",
-            *("", "cores"),
-        )
-    ]
+    answers = both([*names, (drawing, None), ("curve", None)], min(size.rounds, 3))
+    out = []
     for name, (title, least) in wanted.items():
         answer = answers[f"random {name} {size.onsets}"]
         out.append(
@@ -368,27 +394,26 @@ def second(size: Size) -> list[Target]:
 def motions(size: Size) -> list[Target]:
     """The equation of motion itself: times, residuals and folds."""
     system = bench_exact.table_1(True)
-    integrator = bench_exact.default_integrator(system)
     out = []
-    for job in bench_exact.jobs():
-        if job.bound is not None:
-            seconds = bench_exact.best(partial(job.run, integrator), min(job.repeats, 5 * size.rounds))
-            out.append(Target(f"exact: {job.name}", *(1e-3 * job.bound, seconds, "s", True), "", *("", "motion")))
+    for job, seconds, by_heyoka in bench_exact.in_turn(5 * size.rounds):
+        if job.bound is None:
+            continue
+        told = (
+            f"heyoka {quantity(by_heyoka, 's')}, {by_heyoka / seconds:.3g} ×" if by_heyoka else "heyoka has no wheels"
+        )
+        limit = "motion" if job.name == bench_exact.TURNS else ""
+        out.append(Target(f"exact: {job.name}", *(1e-3 * job.bound, seconds, "s", True), told, "", limit))
     for row in (*bench_exact.measured(), *bench_exact.first_answer()):
         scale = 1e-3 if row.unit == "ms" else 1.0
-        out.append(
-            Target(f"exact: {row.job}", *(scale * row.bound, scale * row.measured, "s", True), "", *("", "motion"))
-        )
+        out.append(Target(f"exact: {row.job}", *(scale * row.bound, scale * row.measured, "s", True), "", *("", "")))
     curve = bench_exact.exact_response(system, certified.F_0)
     smooth = [i for i, point in enumerate(curve.states) if point.role not in ("border", "corner")]
     residual = max(curve.steady_state(i).residual for i in smooth)
     exact = certified.exact_folds()
     error = max(certified.relative_error(fold.Omega, Omega) for fold, Omega in zip(curve.folds, exact, strict=True))
     out += [
-        Target(
-            "exact: residual of periodicity, largest on the curve", *(1e-14, residual, "", True), "", *("", "motion")
-        ),
-        Target("exact: Omega of the folds against 40 digits", *(1e-13, error, "", True), "", *("", "motion")),
+        Target("exact: residual of periodicity, largest on the curve", *(1e-14, residual, "", True), "", *("", "")),
+        Target("exact: Omega of the folds against 40 digits", *(1e-13, error, "", True), "", *("", "")),
     ]
     return out
 
@@ -416,3 +441,6 @@ def remembering(size: Size) -> list[Target]:
             *("", "memory"),
         )
     ]
+
+
+PARTS = (quartics, kernels, curves, batches, rates, cores, gradients, second, motions, starting, remembering)

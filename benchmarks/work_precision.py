@@ -77,12 +77,12 @@ def wanted(samples: int) -> dict[str, list[list[list[Any]]]]:
     }
 
 
-def measure(rounds: int) -> dict[str, Any]:
-    """Scenes and scaling."""
+def measure(rounds: int, before: dict[str, Any]) -> dict[str, Any]:
+    """Scenes and scaling. before: what was measured last, for methods that cannot be run here."""
     processes = Processes()
     try:
         sizes: dict[str, Any] = {**scaling(processes, 1), "stops": by_stops(7 * rounds)}
-        return {"scenes": [*precision(processes, rounds), motion()], "scaling": sizes}
+        return {"scenes": [*precision(processes, rounds), with_earlier(motion(), before)], "scaling": sizes}
     finally:
         processes.stop()
 
@@ -146,6 +146,15 @@ def motion() -> dict[str, Any]:
         row = {"method": method, "variant": variant, "seconds": answer["seconds"], "error": error, "error_max": error}
         rows.append({**row, "missed": int(error > MISSED), "false": 0})
     return {"scene": "motion", "title": "exact motion: its amplitude", "sought": 1, "rows": rows}
+
+
+def with_earlier(scene: dict[str, Any], before: dict[str, Any]) -> dict[str, Any]:
+    """The scene, and of a method that could not be run the rows that were last measured, which say so as `earlier`."""
+    old = [row for one in before.get("scenes", ()) if one["scene"] == scene["scene"] for row in one["rows"]]
+    ran = {row["method"] for row in scene["rows"]}
+    kept = [row for row in old if row["method"] not in ran]
+    about = before.get("environment", {}).get("processor")
+    return {**scene, "rows": [*scene["rows"], *({"earlier": f"measured earlier, on {about}", **row} for row in kept)]}
 
 
 def scaling(processes: Processes, rounds: int) -> dict[str, list[dict[str, Any]]]:

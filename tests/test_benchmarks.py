@@ -1,15 +1,22 @@
 """What the benchmarks compare with: the peers' problem and the 40-digit equations against the kernels; the judging."""
 
 import math
+import re
+import shutil
+import subprocess
+import sys
+import time
 
 import mpmath
 import numpy as np
 import pytest
 
-from benchmarks import bench_exact, certified, document, work_precision
+from benchmarks import bench_exact, certified, counted, document, remote, targets, work_precision
 from benchmarks.peers import problem
 from benchmarks.peers.__main__ import with_earlier
 from benchmarks.remote import Remote, in_turn
+from slowflow.exact import compiled
+from slowflow.exact.motion import TURN
 from slowflow.paper.example import DESIGN, TABLE_1
 from slowflow_kernels import rod_spring, slow_flow
 
@@ -79,6 +86,53 @@ def test_a_peer_that_cannot_be_installed_keeps_its_last_measured_rows() -> None:
     assert rows == [{**measured, "earlier": note}, ran, new]
     (again,) = with_earlier([missing], {"environment": {"processor": "a third"}, "rows": [rows[0]]})
     assert again["earlier"] == note
+
+
+def test_others_that_are_not_at_hand_keep_their_last_measured_figures() -> None:
+    """And say so once, however often they are missed; what was never measured stays missing."""
+    before = {"environment": {"processor": "another"}, "rows": [{"job": "quartic", "others": {"Boost.Math": "90 ns"}}]}
+    for _ in range(2):
+        (row,) = targets.with_earlier([{"job": "quartic", "others": {"Boost.Math": None, "ACM": None}}], before)
+        assert row["others"] == {"Boost.Math": "90 ns (measured earlier, on another)", "ACM": None}
+        before = {"environment": {"processor": "a third"}, "rows": [row]}
+    (row,) = targets.with_earlier([{"job": "quartic", "others": {"Boost.Math": "80 ns"}}], before)
+    assert row["others"] == {"Boost.Math": "80 ns"}
+    about = {"ratio": "NumPy", "at_most": True, "target": 1.0, "measured": 2.0, "unit": "s", "reached": False}
+    (*_, line) = document.bench_table([{"job": "quartic", **about, "others": {"Boost.Math": "80 ns", "ACM": None}}])
+    assert "NumPy; 80 ns; ACM is not at hand here" in line
+
+
+def test_a_method_that_cannot_be_run_keeps_its_place_in_the_diagram() -> None:
+    row = {"method": "AUTO", "variant": "5 intervals", "seconds": 1.0}
+    before = {"environment": {"processor": "another"}, "scenes": [{"scene": "motion", "rows": [row]}]}
+    ours = {"method": "ours", "variant": "", "seconds": 2.0}
+    found = work_precision.with_earlier({"scene": "motion", "rows": [ours]}, before)
+    assert found["rows"] == [ours, {**row, "earlier": "measured earlier, on another"}]
+    assert work_precision.with_earlier({"scene": "motion", "rows": [row]}, before)["rows"] == [row]
+
+
+def test_processor_time_holds_what_a_process_waited_for() -> None:
+    """And no time that it only waits."""
+    start = remote.processor()
+    time.sleep(0.2)
+    assert remote.processor() - start < 0.1
+    busy = "import time; start = time.process_time()\nwhile time.process_time() - start < 0.3: pass"
+    subprocess.run([sys.executable, "-c", busy], check=True)
+    assert remote.processor() - start > 0.3
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="what is counted gcc compiles")
+def test_what_a_limit_leaves_unexplained_is_told() -> None:
+    """In seconds and percent; a motion's steps and phases are those of the integrator."""
+    states, motion = counted.of(["amplitudes", "motion"])
+    for sentence in (states, motion):
+        assert re.search(r"together [\d.]+ .?s; unexplained -?[\d.]+ .?s, -?\d+ %", sentence)
+    steps = int(re.search(r"by (\d+) steps", motion)[1])
+    asked = compiled.of_system(bench_exact.table_1(True)), bench_exact.OMEGA, 0.04, 0.0, 0.0, 0.0, 200 * TURN
+    _, taken, phases = compiled.EXACT.follow(*asked, False, 0, 0, 10**6, False)
+    assert steps == taken
+    assert f" {len(phases) // compiled.PHASE.size} phases" in motion
 
 
 def test_a_process_that_was_ended_is_said_to_be_so() -> None:
