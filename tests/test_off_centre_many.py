@@ -245,3 +245,33 @@ def test_what_batches_have_no_answer_to_off_the_centre_is_refused_in_words():
     with pytest.raises(ValueError, match="shapes"):
         Isolator.many(**TABLE_1, load=[0.1, 0.2]).saddle_nodes([0.03, 0.04, 0.05])
     assert not hasattr(designs, "nothing_of_the_kind")
+
+
+@pytest.mark.parametrize(
+    "given",
+    [{"beta": 1e-310, "load": -0.09}, {"beta": 0.0, "load": 1.7e308}, {"beta": 0.1, "load": 1.7e308}],
+    ids=["hardly a spring", "linear", "Duffing"],
+)
+def test_motions_beyond_the_range_of_doubles_are_refused_in_words(given):
+    """In a batch by a status; words of Python about its integers were passed on."""
+    given = {"alpha": 1.0, **given, "mu": 0.01, "zeta": 0.05}
+    one, many = Duffing(**given), Duffing.many(**given)
+    for asked in (
+        lambda of: of.saddle_nodes(0.05),
+        lambda of: of.amplitudes(Omega=0.9, F_0=0.05),
+        lambda of: of.peak(0.05),
+    ):
+        with pytest.raises(OverflowError, match=r"off the centre are unresolved: .* beyond the range of doubles"):
+            asked(one)
+        assert asked(many).status == Status.NO_BOUND
+    assert "beyond the range of doubles" in one.saddle_node_onset().message
+
+
+def test_a_question_about_the_centre_is_no_attribute_and_says_why():
+    """`hasattr` and `getattr` with a default are how a program finds out, and raised instead."""
+    designs = Isolator.many(**TABLE_1, load=[0.01])
+    for name in ("certify", "at_rest", "second_approximation", "cusps", "what"):
+        assert not hasattr(designs, name) and getattr(designs, name, None) is None
+    with pytest.raises(ValueError, match="not available, this question is about motions about the centre"):
+        getattr(designs, "certify")  # noqa: B009  a bare expression would be one without use
+    assert hasattr(designs, "peak") and not hasattr(Isolator(**TABLE_1, load=0.01).model, "averaged")

@@ -10,7 +10,7 @@ from typing import Any
 
 from slowflow.mechanism import Mechanism
 from slowflow.model import Model
-from slowflow.validate import NotAvailable
+from slowflow.validate import NoAttribute
 
 #: what a load leaves as it is
 KNOWN = (
@@ -71,4 +71,4 @@ class Loaded:
         # what copying and pickling ask for is asked before there are any numbers
         if name.startswith("_") or "load" not in self.__dict__:
             raise AttributeError(name)
-        raise NotAvailable(AT_CENTRE.format(off_centre_by(self.unloaded.mechanism, self.load)))
+        raise NoAttribute(AT_CENTRE.format(off_centre_by(self.unloaded.mechanism, self.load)))

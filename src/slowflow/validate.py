@@ -32,6 +32,10 @@ class NotAvailable(ValueError):
     """A question that an oscillator has no answer to yet, though another might: said in words."""
 
 
+class NoAttribute(NotAvailable, AttributeError):
+    """The same, of a question that is no attribute then: `hasattr` says so."""
+
+
 def _refuse(name: str, value: Any, allowed: str) -> ValueError:
     value = value.item() if isinstance(value, np.generic) else value  # as it is written, without its type
     return ValueError(f"{name} = {value!r} is not allowed: {name} must be {allowed}")

@@ -20,7 +20,7 @@ from slowflow.off_centre.equations import Fold
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.onset import Lowest, Search
-from slowflow.off_centre.sheets import Corner, Sheets
+from slowflow.off_centre.sheets import TOO_FAR, Corner, Sheets
 from slowflow_kernels import off_centre, slow_flow
 
 #: octaves of the amplitude that are looked at apart from the first, below and above the size of the problem
@@ -132,7 +132,10 @@ class Complete:
             if not math.isfinite(settled):
                 raise ValueError(UNBOUNDED)
             return (A + settled) * (1 + 2.0**-40)
-        return max(self._outer_bound(np.trim_zeros(last, "b"), A) for last in self._steps.outer)
+        try:
+            return max(self._outer_bound(np.trim_zeros(last, "b"), A) for last in self._steps.outer)
+        except OverflowError:  # of a power of A, in Python's words
+            raise OverflowError(TOO_FAR.format(A)) from None
 
     def _outer_bound(self, last: Floats, A: float) -> float:
         n = last.size - 1

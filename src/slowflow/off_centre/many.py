@@ -299,7 +299,7 @@ class OffCentreDesigns(Unchanging):
 
     def __getattr__(self, name: str) -> Any:
         if name in CENTRED:
-            raise validate.NotAvailable(AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load"))
+            raise validate.NoAttribute(AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load"))
         why = ", a single oscillator has it" if hasattr(OffCentre, name) else ""
         raise AttributeError(f"many designs off the centre have no {name}{why}")
 

@@ -27,6 +27,9 @@ from slowflow.off_centre.means import ALL, Steps
 BELOW, PARTS = 5, 4
 #: how small cells are beside their amplitude, which amplitude is small beside the problem, rounds of cuts
 FINE, SMALL, ROUNDS = 2.0**-4, 2.0**-8, 16
+#: amplitudes beyond it are not followed, as their squares are beyond the range of doubles
+FARTHEST = 2.0**500
+TOO_FAR = "motions off the centre are unresolved: amplitudes may be as large as {:.3g}, beyond the range of doubles"
 UNKNOWN = "folds are unresolved: where the mean turns back their frequencies have no bound"
 
 
@@ -105,7 +108,12 @@ class Sheets:
         return np.asarray((cells.high - cells.low) * by)
 
     def _octave(self, A_max: float) -> int:
-        """The least that is known and holds an amplitude, or that of the amplitude."""
+        """The least that is known and holds an amplitude, or that of the amplitude.
+
+        Raises OverflowError for an amplitude that is not known to be below `FARTHEST`.
+        """
+        if not A_max < FARTHEST:
+            raise OverflowError(TOO_FAR.format(A_max))
         needed = math.ceil(math.log2(A_max))
         return min((octave for octave in self._known if octave >= needed), default=needed)
 
@@ -215,6 +223,8 @@ class Sheets:
     def _first(self, A_max: float) -> tuple[Floats, Floats, Ints]:
         """Boxes of all charts: motions up to an amplitude."""
         charts, bound = self.charts, A_max + self._offset_bound(A_max)
+        if not bound < FARTHEST:
+            raise OverflowError(TOO_FAR.format(bound))
         octaves = self._size * 0.5 ** np.arange(BELOW, -math.ceil(math.log2(bound / self._size)) - 1, -1)
         boxes, number = [], []
         for chart in range(charts.passes.size):
