@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import loads, validate
+from slowflow import loads, progress, validate
 from slowflow.averaged.batches import Batch, Codes, Detachments, Told, first_end
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
@@ -303,8 +303,7 @@ def isolation(designs: Designs, F_0: Any, workers: int = 1) -> ManyIsolations:
     spread = {name: np.broadcast_to(value, shape)[plain] for name, value in designs.values.items()}
     forcing = np.broadcast_to(np.asarray(F_0, dtype=float), shape)[plain]
     columns = [np.empty(forcing.size), np.empty(forcing.size), np.empty(forcing.size, bool)]
-    for start in range(0, forcing.size, AT_ONCE):
-        part = slice(start, start + AT_ONCE)
+    for part in progress.parts(forcing.size, AT_ONCE, "isolation"):
         own = {name: np.asarray(value[part], dtype=float) for name, value in spread.items()}
         of_folds = folds.Omega[plain][part], folds.A[plain][part]
         for column, values in zip(
@@ -460,7 +459,8 @@ def _isolated(
 def _singly(designs: Designs, F_0: Any, wanted: Flags, ask: Callable[[Averaged, float], Any]) -> Any:
     """A single question of each wanted design, with its place; None where it fails."""
     forcing = np.broadcast_to(np.asarray(F_0, dtype=float), wanted.shape)
-    for at in map(tuple, np.argwhere(wanted)):
+    chosen = np.argwhere(wanted)
+    for at in progress.each(map(tuple, chosen), len(chosen), "designs asked singly"):
         values = {name: float(np.broadcast_to(value, wanted.shape)[at]) for name, value in designs.values.items()}
         try:
             yield at, ask(Averaged(designs.model(values)), float(forcing[at]))

@@ -16,8 +16,11 @@ import contextlib
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextvars import ContextVar
+from typing import TypeVar
+
+T = TypeVar("T")
 
 #: seconds after which something is said, and between two words
 EVERY = 1.0
@@ -48,6 +51,39 @@ def parts(count: int, at_once: int, what: str) -> Iterator[slice]:
             said = now
             say(f"{what}: {100 * start // count} %")
         yield slice(start, start + at_once)
+
+
+class Tally:
+    """How many designs of so many are done; told by any thread, and said every second."""
+
+    def __init__(self, total: int, what: str = "designs") -> None:
+        # of who asks: a thread of a pool has no reader of its own
+        self._say, self._said, self._lock = _say.get(), time.monotonic(), threading.Lock()
+        self._total, self._what, self._done = total, what, 0
+
+    def add(self, more: int) -> None:
+        """So many more are done."""
+        with self._lock:
+            self._done += more
+        self.come_to(lambda: self._done)
+
+    def come_to(self, count: Callable[[], int]) -> None:
+        """It is asked how many are done if it is time to say so."""
+        now = time.monotonic()
+        with self._lock:
+            if self._say is None or now - self._said < EVERY:
+                return
+            self._said = now
+        if (done := count()) < self._total:
+            self._say(f"{self._what}: {done} of {self._total}")
+
+
+def each(items: Iterable[T], total: int, what: str = "designs") -> Iterator[T]:
+    """The items, so many in all; between them, how many are done."""
+    tally = Tally(total, what)
+    for item in items:
+        yield item
+        tally.add(1)
 
 
 @contextlib.contextmanager

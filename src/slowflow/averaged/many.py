@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import backend, validate
+from slowflow import backend, progress, validate
 from slowflow.averaged import proofs, remarks, words
 from slowflow.averaged.asked import (
     AMPLITUDES,
@@ -160,7 +160,8 @@ class Designs(Unchanging):
     def _each(self, wanted: npt.NDArray[np.bool_], *asked: Any) -> Iterator[tuple[Any, list[float], list[float]]]:
         """Where a design is wanted, its numbers, and what is asked of it, one by one."""
         values = [np.broadcast_to(value, wanted.shape) for value in (*self.values.values(), *asked)]
-        for at in map(tuple, np.argwhere(wanted)):
+        chosen = np.argwhere(wanted)
+        for at in progress.each(map(tuple, chosen), len(chosen), "designs asked singly"):
             numbers = [float(value[at]) for value in values]
             yield at, numbers[: len(self.values)], numbers[len(self.values) :]
 
@@ -346,7 +347,8 @@ class Designs(Unchanging):
                 out = tuple(output[block] for output in told)
                 solve(*(value[block] for value in given), out=out)
 
-            share(part, blocks(shape, question.at_once), threads)
+            places_of = np.broadcast_to(np.uint8(0), shape)
+            share(part, blocks(shape, question.at_once), threads, lambda one: places_of[one].size, places_of.size)
         elif question.one is None:
             for output, value in zip(told, NO_PROOF, strict=True):
                 output[...] = value
@@ -358,7 +360,7 @@ class Designs(Unchanging):
         self, one: One, values: list[npt.NDArray[Any]], beside: int, places: int, outputs: list[npt.NDArray[Any]]
     ) -> None:
         """Design by design, on NumPy; the last `beside` of the values are F_0 and Omega."""
-        for at in np.ndindex(values[0].shape):
+        for at in progress.each(np.ndindex(values[0].shape), values[0].size):
             numbers = [float(value[at]) for value in values]
             size = len(numbers) - beside
             found = self._one(one, numbers[:size], numbers[size:], places)

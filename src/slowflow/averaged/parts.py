@@ -7,6 +7,8 @@ import time
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from slowflow import progress
+
 #: designs of the first part, few enough where each takes as long as any, and seconds that a part is to take at most
 FIRST_PART, TOO_LONG = 16, 0.4
 
@@ -38,17 +40,28 @@ def blocks(shape: tuple[int, ...], most: int) -> Iterator[tuple[slice | int, ...
             rows = min(4 * rows, most_rows)
 
 
-def share(work: Callable[[Any], None], parts: Iterator[Any], threads: int) -> None:
-    """The work on each part, which does not hold the interpreter's lock, by so many threads."""
+def share(
+    work: Callable[[Any], None], parts: Iterator[Any], threads: int, size: Callable[[Any], int], total: int
+) -> None:
+    """The work on each part, which does not hold the interpreter's lock, by so many threads; it says how far it is.
+
+    size, total -- how many designs a part has, and all of them
+    """
+    tally = progress.Tally(total)
+
+    def told(one: Any) -> None:
+        work(one)
+        tally.add(size(one))
+
     if threads == 1:
         for one in parts:
-            work(one)
+            told(one)
         return
     from concurrent.futures import ThreadPoolExecutor  # one thread is what most ask for
 
     with ThreadPoolExecutor(threads) as pool:
         try:
-            for _ in pool.map(work, parts):
+            for _ in pool.map(told, parts):
                 pass
         except BaseException:
             pool.shutdown(cancel_futures=True)

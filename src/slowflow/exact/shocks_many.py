@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slowflow import validate
+from slowflow import progress, validate
 from slowflow.answer import frozen
 from slowflow.averaged import remarks
 from slowflow.averaged.batches import Batch, Codes
@@ -154,7 +154,7 @@ def _followed(
     # a force that jumps at rest is followed one by one; one that has no stiffness there is refused by that
     smooth = np.broadcast_to((at_rest[0] == 0) & np.isfinite(at_rest[1]), shape).ravel()
     singly = asked if designs.laws or None in laws else asked[~smooth[asked]]
-    for k in singly.tolist():
+    for k in progress.each(singly.tolist(), singly.size, "designs followed singly"):
         one = {name: float(value[k]) for name, value in values.items()}
         status[k], numbers[k] = _alone(designs, one, pulses_of[which[k]], float(begins[k]), after)
     together = np.setdiff1d(asked, singly, assume_unique=True)
@@ -170,7 +170,7 @@ def _followed(
 
     at_once = max(1, AT_ONCE // (ALONE + arcs.shape[-2]))
     parts = (slice(first, first + at_once) for first in range(0, together.size, at_once))
-    share(part, parts, threads)
+    share(part, parts, threads, lambda where: together[where].size, together.size)
     A, tau_A, a_max, tau_a, tau_detaches, rests, u_end = np.moveaxis(numbers.reshape(*shape, 7), -1, 0).copy()
     flags = {"detaches": ~np.isnan(tau_detaches), "rests": rests == 1, "status": status.reshape(shape)}
     found = {"A": A, "tau_A": tau_A, "a_max": a_max, "tau_a": tau_a, "tau_detaches": tau_detaches, "u_end": u_end}

@@ -20,7 +20,9 @@ import dask
 import numpy as np
 import xarray
 import zarr
+from dask.callbacks import Callback
 
+from slowflow import progress
 from slowflow.grid import meaning
 from slowflow.grid.block import INNER, Ask
 from slowflow.model import THROUGHOUT
@@ -51,9 +53,24 @@ def filled(path: Any, ask: Ask, values: Mapping[str, Any], sizes: dict[str, int]
     if DONE not in group:
         _prepare(path, ask, values, group, sizes, blocks)
     if not group.attrs["complete"]:
-        dask.compute(*_missing(path, ask, values, group, sizes, blocks))
+        with _told(group):
+            dask.compute(*_missing(path, ask, values, group, sizes, blocks))
         group.attrs["complete"] = int(np.all(group[DONE][...]))
     return xarray.open_zarr(path, consolidated=False).drop_vars(DONE)
+
+
+def _told(group: Any) -> Callback:
+    """What says how many blocks are written, while dask computes on this machine; a cluster's dashboard says it there.
+
+    Each is ticked off in the store, of whichever process.
+    """
+    total = group[DONE].size
+    tally = progress.Tally(total, "blocks")
+
+    def after(*_: Any) -> None:
+        tally.come_to(lambda: int(np.count_nonzero(group[DONE][...])))
+
+    return Callback(posttask=after)
 
 
 # ---- one block

@@ -16,7 +16,7 @@ from typing import Any, ClassVar, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import loads_many, validate
+from slowflow import loads_many, progress, validate
 from slowflow.averaged import batches, many
 from slowflow.averaged.asked import FOLD_KINDS, MORE_POINTS
 from slowflow.averaged.batches import Codes, Told
@@ -75,7 +75,7 @@ class OffCentreBatch(Told):
         several = columns[0].ndim > self.status.ndim
         slopes = np.full((*columns[0].shape, len(self.moves), len(by)), np.nan)
         status = np.full(columns[0].shape, MovesStatus.NOTHING, np.int8)
-        for place in np.ndindex(self.status.shape):
+        for place in progress.each(np.ndindex(self.status.shape), self.status.size):
             if self.status[place] not in (Status.OK, Status.TOO_MANY):
                 continue
             single = self._designs._single(tuple(float(given[name][place]) for name in self._designs.values))
@@ -376,7 +376,7 @@ class OffCentreDesigns(Unchanging):
         columns: dict[str, Any] = {name: np.full(shape, np.nan) for name in ("A", "transmissibility_dB")}
         columns |= {name: np.zeros(shape, np.int8) for name in ("motions", "crosses", "detaches", "sticks")}
         status, said = np.full(shape, Status.INVALID, np.int8), np.zeros(shape, np.uint16)
-        for place in np.ndindex(shape[:-1]):
+        for place in progress.each(np.ndindex(shape[:-1]), math.prod(shape[:-1])):
             own = tuple(float(value[place]) for value in numbers)
             for run in _runs(*(tone[place] for tone in tones)):
                 found, status[place][run] = self._tones(own, *(tone[place][run] for tone in tones))
@@ -476,7 +476,7 @@ class OffCentreDesigns(Unchanging):
                 column[...] = np.nan
         said = np.zeros(shape, np.uint16)
         given = np.broadcast_arrays(*values.values())
-        for place in np.ndindex(shape):
+        for place in progress.each(np.ndindex(shape), math.prod(shape)):
             numbers = tuple(float(value[place]) for value in given)
             own, there = numbers[: len(self.values)], dict(zip(at, numbers[len(self.values) :], strict=True))
             found, columns["status"][place], said[place] = self._status(one, own, there, several)
