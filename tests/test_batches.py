@@ -57,6 +57,13 @@ def test_a_number_of_workers_that_is_none_is_refused(workers):
         Isolator.many(lam=3, r=1, delta_h=0.1).detachment(workers=workers)
 
 
+@pytest.mark.parametrize("more", [{}, {"load": 0.01}], ids=["about the centre", "off it"])
+def test_a_map_for_workers_is_refused_with_the_reason(more):
+    """SciPy takes one, and so somebody will give one."""
+    with pytest.raises(ValueError, match=r"workers = .*map.* is not allowed: threads write into arrays"):
+        Isolator.many(lam=3, r=[1.0], delta_h=0.1, **more).detachment(workers=map)
+
+
 @native_only
 @pytest.mark.parametrize(
     "question",

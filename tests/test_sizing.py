@@ -497,9 +497,11 @@ def test_what_takes_long_says_how_far_it_is_and_only_to_who_asks(monkeypatch):
     monkeypatch.setattr(progress, "EVERY", 0.0)
     with progress.shown(said.append):
         tolerances(MOUNT, {"k_h": 0.05}, answers=["F_cr"], samples=6000)
-    assert said == ["tolerances: 0 %", "tolerances: 33 %", "tolerances: 66 %"]
+    count = len(said)  # with what the batches of each part say of themselves
+    own = [one for one in said if one.startswith("tolerances")]
+    assert own == ["tolerances: 0 %", "tolerances: 33 %", "tolerances: 66 %"]
     tolerances(MOUNT, {"k_h": 0.05}, answers=["F_cr"], samples=6000)
-    assert len(said) == 3
+    assert len(said) == count
 
 
 # ---- fits ----------------------------------------------------------------------------------------------------------

@@ -115,7 +115,12 @@ def count(name: str, value: Any, *, least: int, most: int | None = None) -> int:
 
 
 def workers(value: Any) -> int:
-    """How many threads: an integer >= 1, or -1 for one for each processor."""
+    """How many threads: an integer >= 1, or -1 for one for each processor; no map-like callable, as SciPy has it."""
+    if callable(value):
+        raise ValueError(
+            f"workers = {value!r} is not allowed: threads write into arrays that they share, which a map of other "
+            "processes cannot; workers must be an integer >= 1 or -1, and a map by blocks, .store(...), is for clusters"
+        )
     return os.cpu_count() or 1 if value == -1 else count("workers", value, least=1)
 
 

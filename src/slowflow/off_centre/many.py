@@ -267,6 +267,9 @@ class OffCentreDesigns(Unchanging):
     values -- as of `slowflow.averaged.many.Designs`, with "load"
     excitation -- as there; friction acts throughout
 
+    `workers` changes nothing: these searches are Python, of which one thread at a time runs. What is to be shared is
+    cut by who asks, or a grid's blocks on dask's processes.
+
     Raises TypeError and ValueError as that does, ValueError for a force that is no piecewise polynomial.
     """
 
