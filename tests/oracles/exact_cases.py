@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slowflow import Isolator
+from slowflow import Duffing, Isolator
 from slowflow.exact import EquationOfMotion
 from slowflow.paper.example import TABLE_1
 from tests.oracles import exact_brute
@@ -56,3 +56,47 @@ def random_cases(count, seed):
         system, by_hand = isolator(lam, r, delta_h, mu, rng.uniform(0.005, 0.1), exact=bool(n % 2))
         cases.append(Case(system, by_hand, float(Omega), float(F_0)))
     return cases
+
+
+#: what may act on a mass beside its spring, viscous damping and friction, for a share of the force
+LAWS = (
+    lambda rng, F_0: {},
+    lambda rng, F_0: {"c_2": rng.uniform(0.05, 0.5)},
+    lambda rng, F_0: {"mu_s": F_0 * rng.uniform(0.5, 0.95)},
+    lambda rng, F_0: {"excitation": str(rng.choice(["base", "unbalance"]))},
+    lambda rng, F_0: {"load": F_0 * rng.uniform(-0.5, 0.5)},
+    lambda rng, F_0: {"rubs": "attached"},
+)
+
+
+def random_motions(count, seed):
+    """(system, Omega, F_0) of isolators with either force and of Duffing oscillators, with each of LAWS in turn.
+
+    A third of them at low frequencies, a sixth without friction.
+    """
+    rng = np.random.default_rng(seed)
+    found = []
+    while len(found) < count:
+        n = len(found)
+        law = n % len(LAWS)
+        Omega, F_0 = (
+            float(rng.uniform(0.1, 0.3) if n % 3 == 1 else rng.uniform(0.3, 1.3)),
+            float(rng.uniform(0.02, 0.2)),
+        )
+        given = LAWS[law](rng, F_0)
+        inertial = "excitation" in given
+        force = F_0 * Omega**2 if inertial else F_0
+        own = {"mu": 0.0 if n % 36 < 6 and "rubs" not in given else force * rng.uniform(0.05, 0.5)}
+        own["zeta"] = rng.uniform(0.005, 0.1)
+        if n // len(LAWS) % 3 == 2:
+            given.pop("rubs", None)  # its force has one piece
+            one = Duffing(rng.uniform(0.2, 1.5), rng.uniform(0.0, 1.0), **own, **given)
+        else:
+            lam, r = int(rng.integers(1, 5)), rng.uniform(0.5, 3)
+            delta_h = (1 - rng.uniform(0.05, 0.95)) / (lam * r)
+            if delta_h > 0.6:
+                continue
+            one = Isolator(lam=lam, r=r, delta_h=delta_h, **own, **given)
+        which = ("truncated", "untruncated")[n % 2] if isinstance(one, Isolator) else None
+        found.append((one.equation_of_motion(which), Omega, F_0))
+    return found

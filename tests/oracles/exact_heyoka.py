@@ -84,7 +84,7 @@ class HeyokaIntegrator(threading.local):
         found = self._compiled.get(piece.law)
         if found is None:
             hy = self._heyoka
-            constants = [_Traced(hy.par[6 + i]) for i in range(len(piece.constants))]
+            constants = [_Traced(hy.par[7 + i]) for i in range(len(piece.constants))]
             force = piece.law.force(_Traced(hy.make_vars("u")), *constants).expression
             found = self._by_text.get(str(force))
             if found is None:
@@ -95,8 +95,8 @@ class HeyokaIntegrator(threading.local):
     def _compile(self, force: Any) -> _Compiled:
         hy = self._heyoka
         u, v = hy.make_vars("u", "v")
-        Omega, F_0, zeta, friction, slip, edge = (hy.par[i] for i in range(6))
-        acceleration = F_0 * hy.cos(hy.time) - 2.0 * zeta * v - force - friction
+        Omega, F_0, zeta, friction, quadratic, slip, edge = (hy.par[i] for i in range(7))
+        acceleration = F_0 * hy.cos(hy.time) - 2.0 * zeta * v - force - friction - quadratic * v * v
         system = [(u, v / Omega), (v, acceleration / Omega)]
         variational = hy.var_ode_sys(system, args=[u, v, Omega, F_0], order=1)
         events = [
@@ -110,7 +110,7 @@ class HeyokaIntegrator(threading.local):
     @staticmethod
     def _set(integrator: Any, piece: Piece, drive: Drive, slip: float, edge: float, theta: float) -> None:
         # an integrator has as many parameters as its expressions mention
-        integrator.pars[:] = (*drive[:4], slip, edge, *piece.constants)[: len(integrator.pars)]
+        integrator.pars[:] = (*drive, slip, edge, *piece.constants)[: len(integrator.pars)]
         integrator.time = theta
 
     def _propagated(self, integrator: Any, end: float) -> Any:
