@@ -112,7 +112,7 @@ def test_every_extra_of_a_user_stands_on_the_page_that_tells_how_to_install() ->
     told = re.findall(
         r"^\| `(\w+)` \|", (ROOT / "docs" / "howto" / "install.md").read_text(encoding="utf-8"), re.MULTILINE
     )
-    assert set(told) == set(extras) - {"paper", "explorer", "browser", "docs", "dev"}
+    assert set(told) == set(extras) - {"paper", "explorer", "browser", "docs", "dev", "bench"}
 
 
 def test_the_conda_recipe_asks_for_what_the_package_asks_for() -> None:
