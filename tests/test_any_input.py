@@ -112,7 +112,12 @@ columns = st.lists(numbers, min_size=0, max_size=4) | anything
 batches = st.fixed_dictionaries({name: columns for name in ("lam", "r", "delta_h", "mu", "zeta")})
 of_batches = st.one_of(
     *(st.tuples(st.just(name), st.just(()), st.just({})) for name in ("saddle_node_onset", "detachment")),
-    *(st.tuples(st.just(name), st.tuples(columns), st.just({})) for name in ("peak", "saddle_nodes", "certify")),
+    *(
+        st.tuples(st.just(name), st.tuples(columns), st.just({}))
+        for name in ("peak", "saddle_nodes", "certify", "margins", "hysteresis", "isolation")
+    ),
+    st.tuples(st.just("amplitudes"), st.just(()), st.fixed_dictionaries({"Omega": columns, "F_0": columns})),
+    st.tuples(st.just("frequency_response"), st.tuples(columns), st.just({"samples": 5})),
 )
 #: motions of the equation itself, each of them a second at most
 motions = st.tuples(st.just("steady_state"), st.just(()), st.fixed_dictionaries({"Omega": anything, "F_0": anything}))
@@ -176,9 +181,9 @@ def test_a_batch_has_numbers_or_a_status(given_numbers, asked):
     """No NaN where the status says that there is an answer, and no answer that is none of the right sign."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        for name, arguments, _ in asked:
+        for name, arguments, named in asked:
             try:
-                found = getattr(Isolator.many(**given_numbers), name)(*arguments)
+                found = getattr(Isolator.many(**given_numbers), name)(*arguments, **named)
             except REFUSED as refusal:
                 assert str(refusal)
                 continue
