@@ -38,7 +38,7 @@ def grouped(rows, *names):
 KERNELS = grouped(BASELINE["kernels"], "module", "kernel")
 ANSWERS = grouped(BASELINE["answers"], "mechanism", "kind")
 ROOTS = grouped(BASELINE["roots"], "kind")
-COUNTS = grouped(BASELINE["counts"], "mechanism", "kind")
+COUNTS = grouped(BASELINE["counts"], "mechanism", "kind", "by")
 
 
 @pytest.fixture(scope="module", params=["numpy", "native"])
@@ -86,15 +86,22 @@ def test_no_answer_is_worse_at_its_worst_points(mechanism, kind):
         assert found[0] <= max(float(row["error"]) * ROUNDED, 1.0), row["at"]
 
 
-@pytest.mark.parametrize(("mechanism", "kind"), COUNTS)
-def test_no_more_stored_counts_are_wrong(mechanism, kind):
-    """The stored cases were wrong when they were stored: they are right by now, or say that doubles do not decide."""
-    rows = COUNTS[mechanism, kind]
-    wrong = 0
-    for row in rows:
-        number, said = counts.found(mechanism, kind, tuple(map(float, row["at"])))
-        wrong += number != row["proved"] and not said
-    assert wrong <= sum(not row["said"] for row in rows)
+@pytest.mark.parametrize(("mechanism", "kind", "by"), COUNTS)
+def test_no_stored_count_beside_a_level_is_wrong(mechanism, kind, by):
+    """Within some u (1 + kappa) of a level: what doubles had right they have, or say that they do not decide."""
+    if by == "balls":
+        pytest.importorskip("flint")
+    for row in COUNTS[mechanism, kind, by]:
+        at = tuple(map(float, row["at"]))
+        iso = answers.oscillator(mechanism, at)
+        number, said = counts.by_doubles(kind, iso, at)
+        assert said or number == row["proved"], at
+        number, said = counts.by_balls(kind, iso, at)
+        assert number == row["proved"] or (said and by != "balls"), at
+
+
+def test_counts_of_both_kinds_are_stored_by_doubles_and_by_balls():
+    assert {("states", "doubles"), ("folds", "doubles"), ("states", "balls")} <= {key[1:] for key in COUNTS}
 
 
 @pytest.mark.slow
@@ -105,6 +112,7 @@ def test_seeded_counts_are_proved(mechanism, oscillators, states):
     assert found["states"]["cases"] > states
     for kind in ("states", "folds"):
         assert found[kind]["wrong"] == []
+        assert found[kind]["wrong beside"] == found[kind]["wrong by balls"] == 0
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import dataclasses
+import functools
 import math
 import warnings
 from collections.abc import Callable, Iterator
@@ -38,6 +39,10 @@ BOUNDS = {
 }  # fmt: skip
 #: A value, its exact one, and kappa
 Judged = tuple[float, Any, float]
+
+
+class Unjudged(str):
+    """Why the exact solution next to an answer could not be had: a failure of the oracle, not of the answer."""
 
 
 def oscillator(mechanism: str, at: Point) -> Any:
@@ -72,16 +77,20 @@ def design(mechanism: str, rng: np.random.Generator) -> tuple[str, list[float]]:
     return place, [lam, r, delta_h, mu, zeta]
 
 
-def answers(mechanism: str, at: Point, only: str | None = None) -> Iterator[tuple[str, Judged | None]]:
+def answers(mechanism: str, at: Point, only: str | None = None) -> Iterator[tuple[str, Judged | Unjudged | None]]:
     """Each answer at a point by kind, judged; None for an answer that no exact solution lies next to."""
     iso = oscillator(mechanism, at)
     *own, F_0, Omega = at
     exactly = Nearby(mechanism, **dict(zip(NAMES[mechanism], own, strict=False)))
 
-    def of(found: Any, fields: dict[str, float], kind: str) -> Iterator[tuple[str, Judged | None]]:
+    def of(find: Callable[[], Any], fields: dict[str, float], kind: str) -> Iterator[tuple[str, Any]]:
+        try:
+            found = find()
+        except (ArithmeticError, ValueError) as failure:
+            found = Unjudged(failure)
         for name, value in fields.items():
-            if found is None:
-                yield f"{kind}, {name}", None
+            if found is None or isinstance(found, Unjudged):
+                yield f"{kind}, {name}", found
             else:
                 point, condition = found
                 key = {"F_SN": "F_0", "F_cr": "F_0"}.get(name, name)
@@ -93,38 +102,39 @@ def answers(mechanism: str, at: Point, only: str | None = None) -> Iterator[tupl
 
     if wanted("state"):
         for state in iso.amplitudes(Omega=Omega, F_0=F_0):
-            yield from of(exactly.state(Omega, state.A, F_0), {"A": state.A}, "state at Omega")
+            yield from of(functools.partial(exactly.state, Omega, state.A, F_0), {"A": state.A}, "state at Omega")
     if wanted("fold"):
         for fold in iso.saddle_nodes(F_0):
             if fold.corner:
-                yield from of(exactly.on_corner("fold", fold.Omega, F_0), {"Omega": fold.Omega}, "fold on the corner")
+                found = functools.partial(exactly.on_corner, "fold", fold.Omega, F_0)
+                yield from of(found, {"Omega": fold.Omega}, "fold on the corner")
             else:
-                found = exactly.two("fold", fold.Omega, fold.A, F_0)
+                found = functools.partial(exactly.two, "fold", fold.Omega, fold.A, F_0)
                 yield from of(found, {"Omega": fold.Omega, "A": fold.A}, "fold at F_0")
     if wanted("peak"):
         peak = iso.peak(F_0)
         if peak.A is not None and peak.Omega:
-            found = exactly.two("peak", peak.Omega, peak.A, F_0)
+            found = functools.partial(exactly.two, "peak", peak.Omega, peak.A, F_0)
             yield from of(found, {"Omega": peak.Omega, "A": peak.A}, "peak")
     if wanted("critical") and mechanism != "duffing":
         left = iso.detachment()
         if left.Omega_cr:
-            found = exactly.on_corner("detachment", left.Omega_cr, 1.0)
+            found = functools.partial(exactly.on_corner, "detachment", left.Omega_cr, 1.0)
             yield from of(found, {"F_cr": left.F_cr}, "critical forcing")
     if wanted("onset"):
         onset = iso.saddle_node_onset()
         if onset.F_SN is not None and onset.kind in ("cusp", "isola") and onset.Omega:
-            found = exactly.two(onset.kind, onset.Omega, onset.A, onset.F_SN)
+            found = functools.partial(exactly.two, onset.kind, onset.Omega, onset.A, onset.F_SN)
             article = "an" if onset.kind == "isola" else "a"
             yield from of(found, {"F_SN": onset.F_SN}, f"onset at {article} {onset.kind}")
     A_max = {} if math.isfinite(iso.model.reach) else {"A_max": 5.0}
     if wanted("cusp"):
         for cusp in iso.cusps(**A_max):
-            found = exactly.two("cusp", cusp.Omega, cusp.A, cusp.F_0)
+            found = functools.partial(exactly.two, "cusp", cusp.Omega, cusp.A, cusp.F_0)
             yield from of(found, {"F_0": cusp.F_0, "Omega": cusp.Omega, "A": cusp.A}, "cusp")
     if wanted("isola"):
         for point in iso.isola_points(**A_max):
-            found = exactly.two("isola", point.Omega, point.A, point.F_0)
+            found = functools.partial(exactly.two, "isola", point.Omega, point.A, point.F_0)
             yield from of(found, {"F_0": point.F_0, "Omega": point.Omega, "A": point.A}, "isola point")
 
 
@@ -180,7 +190,7 @@ def measure(mechanism: str, kind: str) -> Callable[[Point], tuple[float, float] 
         if not inside(mechanism, at):
             return None
         try:
-            found = [judged(a) for k, a in answers(mechanism, at, kind) if k == kind and a is not None]
+            found = [judged(a) for k, a in answers(mechanism, at, kind) if k == kind and isinstance(a, tuple)]
         except (ArithmeticError, ValueError):
             return None
         return max(found, default=None)
@@ -193,6 +203,7 @@ def stress(mechanism: str, part: int, count: int, restarts: int, steps: int) -> 
     rng = np.random.default_rng([SEED, part, len(mechanism)])
     seen: dict[str, list[Found]] = {}
     alone: dict[str, list[Point]] = {}
+    unjudged: dict[str, list[tuple[str, Point]]] = {}
     failed: list[tuple[str, Point]] = []
     for _ in range(count):
         try:
@@ -205,6 +216,8 @@ def stress(mechanism: str, part: int, count: int, restarts: int, steps: int) -> 
                 for kind, answer in answers(mechanism, at):
                     if answer is None:
                         alone.setdefault(kind, []).append(at)
+                    elif isinstance(answer, Unjudged):
+                        unjudged.setdefault(kind, []).append((answer, at))
                     else:
                         seen.setdefault(kind, []).append(Found(*judged(answer), at, place))
             except (ArithmeticError, ValueError) as failure:
@@ -219,6 +232,7 @@ def stress(mechanism: str, part: int, count: int, restarts: int, steps: int) -> 
                 "names": NAMES[mechanism],
                 "answers": len(found),
                 "alone": alone.get(kind, []),
+                "unjudged": unjudged.get(kind, []),
                 "failed": failed,
                 "drawn": [(f.condition, f.error) for f in found],
                 "worst": [dataclasses.asdict(f) for f in worst[:1]],

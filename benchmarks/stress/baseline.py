@@ -1,8 +1,8 @@
 """The worst points as tests: measured results in, tests/data/stability.json out, which the tests replay.
 
 Kernels keep their points with exact values as `kernel_oracle.json` does; roots and answers keep points, exact values
-and conditions; counts keep wrong cases with the proved number, and whether the answer says that it is undecided. Beside
-each stands the error measured: it may not grow.
+and conditions; beside each stands the error measured: it may not grow. Counts keep the cases next to a level whose
+number was right, by doubles or by balls, with the proved number, and those that doubles had wrong without a word.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 OUT = Path(__file__).resolve().parents[2] / "tests" / "data" / "stability.json"
-#: wrong counts kept of each mechanism and kind
+#: wrong counts kept of each mechanism and kind of each share
 CASES = 20
 
 
@@ -30,18 +30,13 @@ def of(found: dict[str, Any]) -> dict[str, list[dict[str, Any]]]:
             for w in a["worst"]
         ],
         "counts": [
-            {
-                "mechanism": c["mechanism"],
-                "kind": kind,
-                "at": at,
-                "found": number,
-                "proved": proved,
-                "said": name != "wrong",
-            }
+            {"mechanism": c["mechanism"], "kind": kind, "by": by, "at": at, "proved": number}
             for c in found["counts"]
             for kind in ("states", "folds")
-            for name in ("wrong", "wrong, said")
-            for at, number, proved, *_ in c[kind][name][:CASES]
+            for by, at, number in (
+                *((by, at, number) for _, by, at, number in c[kind]["hard"]),
+                *(("nothing", at, number) for at, _, number, *_ in c[kind]["wrong"][:CASES]),
+            )
         ],
     }
 

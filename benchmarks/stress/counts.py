@@ -2,8 +2,10 @@
 
 Forcings are drawn next to the levels at which a number changes, from an ulp on, and between them; frequencies next to
 folds and at random. A case whose forcing is a level to within `UNDECIDED` is one that doubles cannot decide, as
-rounding the inputs and h once each moves the level by as much: those are counted apart, and so are answers that say
-themselves that doubles do not decide (`Remark.UNDECIDED`).
+rounding the inputs and h once each moves the level by as much: those are counted apart.
+
+Doubles alone are asked, and may say that they do not decide. Of those that say so a share is asked again as users ask,
+with balls.
 """
 
 from __future__ import annotations
@@ -23,6 +25,7 @@ from benchmarks.stress import instead
 from benchmarks.stress.answers import NAMES, design, oscillator
 from benchmarks.stress.domains import ulps
 from benchmarks.stress.search import Point
+from slowflow.averaged.proofs import Allowance
 from slowflow.results import Remark
 from tests.oracles import counts as proved
 from tests.oracles.averaged import Duffing, RodSpring
@@ -36,8 +39,13 @@ FORCINGS = {"states": 150, "folds": 60}
 FREQUENCIES = 4
 #: share of the forcings that is asked without compiled code, which takes a hundred times longer
 ON_NUMPY = 0.1
-#: what is counted
-NUMBERS = ("cases", "undecided", "wrong undecided", "wrong undecided unsaid", "said", "unproved")
+#: share of what doubles leave undecided that balls are asked, which take tens of milliseconds
+ASKED_OF_BALLS = 0.1
+#: what is counted: cases, those next to a level, those that doubles say they do not decide, of them next to a level,
+#: wrong without a word next to one, asked of balls, left open by them, wrong after them, without a proof
+NUMBERS = ("cases", "beside", "said", "said beside", "wrong beside", "balls", "open", "wrong by balls", "unproved")
+#: right ones kept of each mechanism and question, by doubles and by balls: those next to a level
+HARD = 3
 #: of them go to what one would write instead
 COMPARED = 1
 
@@ -75,12 +83,18 @@ def cases(mechanism: str, rng: np.random.Generator) -> Iterator[tuple[str, Any, 
     yield "folds", iso, tuple(own), math.nan, functools.partial(proved.Folds, exact)
 
 
-def found(mechanism: str, kind: str, at: Point) -> tuple[int, bool]:
-    """The number of states or folds that an oscillator gives, and whether it says that doubles do not decide it."""
-    return _number(kind, oscillator(mechanism, at), at)
+def by_doubles(kind: str, iso: Any, at: Point) -> tuple[int, bool]:
+    """The number of states or folds that doubles give, and whether they say that they do not decide it."""
+    F_0, Omega = at[-2:]
+    if kind == "states":
+        states = iso.states(Omega=Omega, F_0=F_0, allowance=Allowance(0))
+        return len(states), states.Omega_undecided.size > 0
+    folds = iso.folds(F_0, allowance=Allowance(0))
+    return len(folds), Remark.UNDECIDED in folds.remarks
 
 
-def _number(kind: str, iso: Any, at: Point) -> tuple[int, bool]:
+def by_balls(kind: str, iso: Any, at: Point) -> tuple[int, bool]:
+    """The same of what a user is given: where doubles do not decide, balls are asked."""
     F_0, Omega = at[-2:]
     answer = iso.amplitudes(Omega=Omega, F_0=F_0) if kind == "states" else iso.saddle_nodes(F_0)
     return len(answer), Remark.UNDECIDED in answer.remarks
@@ -92,7 +106,7 @@ def stress(
     """A share of the oscillators: cases and wrong counts, decided and not; `compared` with other ways beside it."""
     rng = np.random.default_rng([SEED, part, len(mechanism)])
     table: dict[str, dict[str, Any]] = {
-        kind: {**dict.fromkeys(NUMBERS, 0), "wrong": [], "wrong, said": [], "refused": [], "instead": {}}
+        kind: {**dict.fromkeys(NUMBERS, 0), "wrong": [], "refused": [], "hard": [], "instead": {}}
         for kind in ("states", "folds")
     }
     for _ in range(oscillators):
@@ -110,7 +124,10 @@ def stress(
                 row["unproved"] += 1
                 continue
             for k, F_0 in enumerate(forcings(round(FORCINGS[kind] * forcings_share), levels, iso.model.m, rng)):
-                _one(row, kind, iso, (*own, F_0, Omega), truth, compared and k < COMPARED)
+                again = rng.random() < ASKED_OF_BALLS
+                _one(row, kind, iso, (*own, F_0, Omega), truth, again, compared and k < COMPARED)
+    for row in table.values():
+        row["hard"] = [h for by in ("doubles", "balls") for h in sorted(h for h in row["hard"] if h[1] == by)[:HARD]]
     return {"mechanism": mechanism, "names": NAMES[mechanism], **table}
 
 
@@ -122,7 +139,7 @@ def on_numpy(mechanism: str, part: int, oscillators: int) -> dict[str, Any]:
     return dict(json.loads(done.stdout))
 
 
-def _one(row: dict[str, Any], kind: str, iso: Any, at: Point, truth: Any, compared: bool) -> None:
+def _one(row: dict[str, Any], kind: str, iso: Any, at: Point, truth: Any, again: bool, compared: bool) -> None:
     F_0, Omega = at[-2:]
     try:
         number = truth.count(F_0)
@@ -131,25 +148,38 @@ def _one(row: dict[str, Any], kind: str, iso: Any, at: Point, truth: Any, compar
         return
     row["cases"] += 1
     distance = proved.distance(truth, F_0)
-    undecided = distance[0] < UNDECIDED
-    row["undecided"] += undecided
+    beside = distance[0] < UNDECIDED
+    row["beside"] += beside
     try:
-        given, said = _number(kind, iso, at)
+        given, said = by_doubles(kind, iso, at)
     except ArithmeticError as refusal:
         row["refused"].append((str(refusal), at))
         return
-    row["said"] += said and not undecided
-    if given != number:
-        if undecided:
-            row["wrong undecided"] += 1
-            row["wrong undecided unsaid"] += not said
+    row["said"] += said
+    row["said beside"] += said and beside
+    if said and again:
+        _asked_again(row, kind, iso, at, number, distance[0])
+    if not said and given != number:
+        if beside:
+            row["wrong beside"] += 1
         else:
-            row["wrong, said" if said else "wrong"].append((at, given, number, *distance))
-    if compared and not undecided:
+            row["wrong"].append((at, given, number, *distance))
+    if not said and given == number and math.isfinite(distance[0]):
+        row["hard"].append((distance[0], "doubles", at, number))
+    if compared and not beside:
         for name, count in instead.counts(kind, iso, Omega, F_0).items():
             tally = row["instead"].setdefault(name, [0, 0])
             tally[0] += 1
             tally[1] += count != number
+
+
+def _asked_again(row: dict[str, Any], kind: str, iso: Any, at: Point, number: int, units: float) -> None:
+    given, still = by_balls(kind, iso, at)
+    row["balls"] += 1
+    row["open"] += still
+    row["wrong by balls"] += not still and given != number
+    if not still and given == number and math.isfinite(units):
+        row["hard"].append((units, "balls", at, number))
 
 
 if __name__ == "__main__":

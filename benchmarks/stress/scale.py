@@ -1,14 +1,21 @@
 """Numbers of folds and states against proofs, by the million: a share of seeded cases in, what is counted out.
 
-Proofs are those of `Isolator.many(...).certify` in doubles; `tests/test_undecided.py` has balls judge some of the same
-kind.
+Answers are those of doubles alone, compiled or on NumPy: balls, which a public answer asks where these do not decide,
+would take hours. Proofs are those of `Isolator.many(...).certify` in doubles; `tests/test_undecided.py` has balls judge
+some of the same kind.
 Counted are answers that differ from a proof without saying that they are undecided, answers that say so, and answers
 that claim a number where doubles prove none.
 """
 
 from __future__ import annotations
 
+import dataclasses
+import io
+import os
+import subprocess
+import sys
 import warnings
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -16,30 +23,136 @@ import numpy.typing as npt
 
 from slowflow import Duffing, Isolator
 from slowflow.averaged.asked import PROVED_FOLDS, PROVED_STATES, SADDLE_NODES
+from slowflow.averaged.proofs import Allowance
+from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
-from tests.oracles.draws import batch, drawn_isolators, drawn_springs, forcings, oscillator
+from tests.oracles import draws
 
 SEED = 41
 AT_ONCE = 20_000
-KINDS = {"rod_spring": (Isolator, drawn_isolators), "duffing": (Duffing, drawn_springs)}
 #: frequencies beside each fold, and anywhere
 BESIDE, ANYWHERE = 120, 60
 COUNTED = ("asked", "differ", "undecided", "unproved", "refused")
 #: cases named of each kind that differ or that nothing proves
 NAMED = 3
+#: undamped motions are looked at up to the reach, 1, and no farther: where u_cr is 1 in doubles, and less exactly, the
+#: proof has the fold on u_cr and the answer does not
+NEXT_TO_REACH = 1e-7
 Tally = dict[str, Any]
 Flags = npt.NDArray[np.bool_]
+Numbers = tuple[draws.Floats, ...]
+
+
+@dataclasses.dataclass(frozen=True)
+class Kind:
+    """Oscillators of one force: what makes them, their numbers drawn, and what is set beside these."""
+
+    made: type
+    draw: Callable[[np.random.Generator, int], Numbers]
+    also: dict[str, str] = dataclasses.field(default_factory=dict)
+
+    def given(self, numbers: Any) -> dict[str, Any]:
+        """By name."""
+        names = ("lam", "r", "delta_h", "mu", "zeta") if self.made is Isolator else ("alpha", "beta", "mu", "zeta")
+        return {**dict(zip(names, numbers, strict=True)), **self.also}
+
+    def batch(self, numbers: Any) -> Any:
+        """All of them."""
+        return self.made.many(**self.given(numbers))  # type: ignore[attr-defined]
+
+    def one(self, numbers: Any) -> Any:
+        """One of them, without the warning of negative stiffness."""
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return self.made(**self.given(numbers))
+
+
+def undamped_isolators(rng: np.random.Generator, count: int) -> Numbers:
+    """Friction alone, or nothing."""
+    lam, r, delta_h, mu, zeta = draws.drawn_isolators(rng, count)
+    return lam, r, np.minimum(delta_h, 1 - NEXT_TO_REACH), mu, 0 * zeta
+
+
+def isolators_without_stiffness(rng: np.random.Generator, count: int) -> Numbers:
+    """lam r delta_h is 1 exactly."""
+    _, _, _, mu, zeta = draws.drawn_isolators(rng, count)
+    lam, delta_h = 2.0 ** rng.integers(0, 3, count), 2.0 ** -rng.integers(1, 11, count)
+    return lam, 1 / (lam * delta_h), delta_h, mu, zeta
+
+
+def undamped_springs(rng: np.random.Generator, count: int) -> Numbers:
+    """Friction alone, or nothing."""
+    *own, mu, zeta = draws.drawn_springs(rng, count)
+    return *own, mu, 0 * zeta
+
+
+def springs_without_stiffness(rng: np.random.Generator, count: int) -> Numbers:
+    """A cubic force."""
+    alpha, *others = draws.drawn_springs(rng, count)
+    return 0 * alpha, *others
+
+
+#: by the mechanism's name, then what is special
+KINDS = {
+    "rod_spring": Kind(Isolator, draws.drawn_isolators),
+    "rod_spring, zeta = 0": Kind(Isolator, undamped_isolators),
+    "rod_spring, alpha = 0": Kind(Isolator, isolators_without_stiffness),
+    "rod_spring_untruncated": Kind(Isolator, draws.drawn_isolators, {"force": "untruncated"}),
+    "duffing": Kind(Duffing, draws.drawn_springs),
+    "duffing, zeta = 0": Kind(Duffing, undamped_springs),
+    "duffing, alpha = 0": Kind(Duffing, springs_without_stiffness),
+}
 
 
 def folds(kind: str, part: int, number: int) -> Tally:
     """What is counted, of folds at one forcing of each of so many oscillators."""
-    rng, (made, draw) = np.random.default_rng([SEED, part, len(kind), 0]), KINDS[kind]
-    tally = empty(kind, "folds")
+    return _folds(kind, "folds", [SEED, part, len(kind), 0], number, compiled)
+
+
+def folds_on_numpy(kind: str, part: int, number: int) -> Tally:
+    """The same of other oscillators, whose folds a process of its own finds that does without compiled code."""
+    return _folds(kind, "folds on NumPy", [SEED, part, len(kind), 2], number, without_compiled)
+
+
+def compiled(kind: str, numbers: Numbers, F_0: draws.Floats) -> list[npt.NDArray[Any]]:
+    """Number of folds, whether it is said to be undecided, status."""
+    *_, given, undecided, status = KINDS[kind].batch(numbers).ask(SADDLE_NODES, 1, F_0, 12)
+    return [given, undecided, status]
+
+
+def without_compiled(kind: str, numbers: Numbers, F_0: draws.Floats) -> list[npt.NDArray[Any]]:
+    """The same."""
+    asked = io.BytesIO()
+    np.save(asked, np.stack([*numbers, F_0]))
+    command = [sys.executable, "-m", "benchmarks.stress.scale", kind]
+    environment = {**os.environ, "SLOWFLOW_BACKEND": "numpy"}
+    done = subprocess.run(command, input=asked.getvalue(), capture_output=True, check=True, env=environment)
+    return list(np.load(io.BytesIO(done.stdout)))
+
+
+def answer() -> None:
+    """What that process does: numbers in by stdin, answers out by stdout."""
+    kind, (*numbers, forcings) = KINDS[sys.argv[1]], np.load(io.BytesIO(sys.stdin.buffer.read()))
+    found = []
+    for F_0, *own in zip(forcings.tolist(), *(column.tolist() for column in numbers), strict=True):
+        iso = kind.one(own)
+        try:
+            answered = iso.folds(F_0, allowance=Allowance(0))
+        except ArithmeticError:
+            found.append((0, False, Status.UNRESOLVED))
+        else:
+            status = Status.STICKS if iso.model.sticks(F_0) else Status.OK
+            found.append((len(answered), Remark.UNDECIDED in answered.remarks, status))
+    np.save(sys.stdout.buffer, np.array(found, int).reshape(-1, 3).T)
+
+
+def _folds(kind: str, what: str, seed: list[int], number: int, answers: Callable[..., list[npt.NDArray[Any]]]) -> Tally:
+    rng, tally = np.random.default_rng(seed), empty(kind, what)
     for first in range(0, number, AT_ONCE):
-        numbers = draw(rng, min(AT_ONCE, number - first))
-        designs = batch(made, numbers)
-        F_0 = forcings(rng, designs, numbers[-2])
-        *_, given, undecided, status = designs.ask(SADDLE_NODES, 1, F_0, 12)  # by doubles alone
+        numbers = KINDS[kind].draw(rng, min(AT_ONCE, number - first))
+        designs = KINDS[kind].batch(numbers)
+        F_0 = draws.forcings(rng, designs, numbers[-2])
+        given, undecided, status = answers(kind, numbers, F_0)
         counted, proved, *_ = designs.ask(PROVED_FOLDS, 1, F_0)
         there = status == Status.OK
         said, other = undecided != 0, given != counted
@@ -50,24 +163,24 @@ def folds(kind: str, part: int, number: int) -> Tally:
 
 def states(kind: str, part: int, number: int) -> Tally:
     """The same of states at frequencies, most of them beside folds, of so many oscillators."""
-    rng, (made, draw) = np.random.default_rng([SEED, part, len(kind), 1]), KINDS[kind]
-    numbers, tally = draw(rng, number), empty(kind, "states")
+    rng, made = np.random.default_rng([SEED, part, len(kind), 1]), KINDS[kind]
+    numbers, tally = made.draw(rng, number), empty(kind, "states")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        for k, F_0 in enumerate(forcings(rng, batch(made, numbers), numbers[-2]).tolist()):
-            *own, mu, zeta = (float(column[k]) for column in numbers)
-            iso = oscillator(made, *own, mu=mu, zeta=zeta)
+        for k, F_0 in enumerate(draws.forcings(rng, made.batch(numbers), numbers[-2]).tolist()):
+            own = [float(column[k]) for column in numbers]
+            iso = made.one(own)
             try:
-                at = iso.saddle_nodes(F_0).Omega[:, np.newaxis]
+                at = iso.folds(F_0, allowance=Allowance(0)).Omega[:, np.newaxis]
                 beside = at * (1 + rng.choice([-1, 1], BESIDE) * 10 ** rng.uniform(-16.3, -2, BESIDE))
                 Omega = np.unique(np.concatenate((10 ** rng.uniform(-1, 0.5, ANYWHERE), beside[beside > 0])))
-                found = iso.amplitudes(Omega=Omega, F_0=F_0)
+                found = iso.states(Omega=Omega, F_0=F_0, allowance=Allowance(0))
             except ArithmeticError:
                 tally["refused"] += 1
                 continue
             count = np.searchsorted(found.Omega, Omega, "right") - np.searchsorted(found.Omega, Omega)
-            counted, proved, *_ = batch(made, (*own, mu, zeta)).ask(PROVED_STATES, 1, F_0, Omega=Omega)
-            asked = np.stack(np.broadcast_arrays(*own, mu, zeta, F_0, Omega), axis=-1)
+            counted, proved, *_ = made.batch(own).ask(PROVED_STATES, 1, F_0, Omega=Omega)
+            asked = np.stack(np.broadcast_arrays(*own, F_0, Omega), axis=-1)
             enter(tally, asked, np.isin(Omega, found.Omega_undecided), proved == 1, count != counted)
     return tally
 
@@ -100,3 +213,7 @@ def summed(found: list[Tally]) -> list[Tally]:
         kinds = dict.fromkeys(name for name, _ in total["named"])
         total["named"] = [one for kind in kinds for one in [n for n in total["named"] if n[0] == kind][:NAMED]]
     return list(totals.values())
+
+
+if __name__ == "__main__":
+    answer()
