@@ -15,6 +15,8 @@ that is positive too; where it is negative the cycle's changing stiffness may st
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import sympy as sp
 
 from .averaging import DISPLACEMENT, psi
@@ -46,7 +48,23 @@ def mean_stiffness() -> sp.Expr:
     return _integral(sp.Integer(1), -(h_A + h / A) / 2, 1 / (2 * sp.pi))
 
 
-def offset_stiffness() -> sp.Expr:
+@dataclass(frozen=True)
+class OffsetStiffness:
+    """What carries a small offset back, in two forms.
+
+    apart -- k_0 + k_2^2/(2 (4 Omega^2 - k_0)): of the two one may be one and a half times the result where h/A and
+             Omega^2 are small beside h_A
+    over  -- over D = 2 (4 Omega^2 - k_0), with its powers of h_A and h/A gathered: of no use where D is a small
+             difference, which then counts twice
+    far   -- D and what it is compared with: `over` where the second, half of |h/A| + |h_A|, is not larger than |D|
+    """
+
+    apart: sp.Expr
+    over: sp.Expr
+    far: tuple[sp.Expr, sp.Expr]
+
+
+def offset_stiffness() -> OffsetStiffness:
     """What carries a small offset back, with k_2 = (1/pi) int_0^{2 pi} f'(A cos psi) cos 2 psi dpsi."""
     k_0, k_2 = mean_stiffness(), _integral(sp.cos(2 * psi), h / A - h_A, 1 / sp.pi)
     k = sp.symbols("k_0 k_2", real=True)
@@ -55,4 +73,13 @@ def offset_stiffness() -> sp.Expr:
     structured = k[0] + k[1] ** 2 / (2 * (4 * Omega**2 - k[0]))
     if sp.simplify(carried - structured) != 0:
         raise ArithmeticError("the offset is not carried back as stated")
-    return structured.subs(dict(zip(k, (k_0, k_2), strict=True)))
+    apart = structured.subs(dict(zip(k, (k_0, k_2), strict=True)))
+    q = sp.Symbol("q", real=True)
+    D = 2 * (4 * Omega**2 - k_0)
+    whole = sp.expand(sp.cancel(apart * D).subs(h, q * A))
+    of_h_A = sp.factor_terms(sp.expand(whole - whole.subs(h_A, 0)) / h_A)
+    of_h_A, of_q = (sp.expand(part) for part in (of_h_A, whole.subs(h_A, 0) / q))
+    over = ((h_A * of_h_A + q * of_q) / D).subs(q, h / A)
+    if sp.simplify(over - apart) != 0:
+        raise ArithmeticError("the two forms of what carries an offset back are not the same")
+    return OffsetStiffness(apart, over, (sp.Abs(h / A) / 2 + sp.Abs(h_A) / 2, sp.Abs(D)))

@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from derivations.restoring import FAR
+from tests.oracles import kernels as exact
 from tests.oracles.definitions.points import RANGES
 
 Point = dict[str, float]
@@ -50,7 +51,7 @@ BOX: dict[str, tuple[float, float, bool, bool]] = {
     "R": (1e-9, 1e6, True, True),
 }
 #: modules whose numbers have no scale to vary over: the ranges of the kernels' oracle serve
-PLAIN = ("motion", "den_hartog", "second_approximation")
+PLAIN = ("motion", "den_hartog", "second_approximation", *exact.BY_NAMES)
 #: what a double lacks of its number
 LACKED = ("tail", "p_low", "q_low")
 #: sizes of the extreme arguments

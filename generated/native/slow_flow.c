@@ -84,10 +84,29 @@ SF_LOOP(slow_flow_mean_stiffness_loop, 1,
     values[0] = slow_flow_mean_stiffness(A, h, h_A);
 )
 
-SF_LOOP(slow_flow_offset_stiffness_loop, 1,
+SF_LOOP(slow_flow_offset_stiffness_over_loop, 1,
     const double Omega = in[0][i], A = in[1][i], h = in[2][i], h_A = in[3][i];
-    values[0] = slow_flow_offset_stiffness(Omega, A, h, h_A);
+    values[0] = slow_flow_offset_stiffness_over(Omega, A, h, h_A);
 )
+SF_LOOP(slow_flow_offset_stiffness_apart_loop, 1,
+    const double Omega = in[0][i], A = in[1][i], h = in[2][i], h_A = in[3][i];
+    values[0] = slow_flow_offset_stiffness_apart(Omega, A, h, h_A);
+)
+
+static SF_WIDE void slow_flow_offset_stiffness_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
+{
+    /* a char may alias the table of arrays */
+    const double *Omega_ = in[0], *A_ = in[1], *h_ = in[2], *h_A_ = in[3];
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const double Omega = Omega_[i], A = A_[i], h = h_[i], h_A = h_A_[i];
+        regime[i] = 0.5 * fabs(h_A) + 0.5 * fabs(h) / A <= fabs(8.0 * Omega * Omega + h_A + h / A) ? 0 : 1;
+    }
+}
+
+static const sf_loop slow_flow_offset_stiffness_loops[] = {
+    slow_flow_offset_stiffness_over_loop, slow_flow_offset_stiffness_apart_loop
+};
 
 SF_LOOP(slow_flow_stability_loop, 1,
     const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], h = in[4][i], h_A = in[5][i];
@@ -254,7 +273,7 @@ static const sf_kernel kernels[] = {
     {"transmissibility", 6, 1, 1, NULL, SF_ONE(slow_flow_transmissibility_loop)},
     {"jacobian", 6, 4, 1, NULL, SF_ONE(slow_flow_jacobian_loop)},
     {"mean_stiffness", 3, 1, 1, NULL, SF_ONE(slow_flow_mean_stiffness_loop)},
-    {"offset_stiffness", 4, 1, 1, NULL, SF_ONE(slow_flow_offset_stiffness_loop)},
+    {"offset_stiffness", 4, 1, 2, slow_flow_offset_stiffness_regime, slow_flow_offset_stiffness_loops},
     {"stability", 6, 1, 1, NULL, SF_ONE(slow_flow_stability_loop)},
     {"response_quartic", 5, 4, 1, NULL, SF_ONE(slow_flow_response_quartic_loop)},
     {"fold_quartic", 5, 4, 1, NULL, SF_ONE(slow_flow_fold_quartic_loop)},

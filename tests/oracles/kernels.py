@@ -22,6 +22,7 @@ from tests.oracles.definitions import (
     averaged_force,
     den_hartog,
     frequencies,
+    inertia,
     motion,
     moves,
     resultants,
@@ -54,6 +55,10 @@ BY_QUADRATURE = {
 }
 #: in place of a search for roots
 SLOPE = {"Omega_A": ("Omega A m zeta h h_A", lambda *x: [_slope_of_frequency(*x)])}
+#: modules whose definitions name their arguments and take numbers of moderate size, those of `RANGES`
+BY_NAMES: dict[str, Any] = {
+    "inertia": inertia.INERTIA,
+}
 Definition = Callable[..., list[Any]]
 
 
@@ -97,6 +102,7 @@ def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
             "frequencies": frequencies.FREQUENCIES,
             "motion": motion.MOTION,
             "den_hartog": den_hartog.DEN_HARTOG,
+            **BY_NAMES,
         }.get(base)
         f, rational = (slow_flow.second_kernel(kernel) if table is None else table[kernel][1]), False
     return zeroed(f, list(names), scene), rational
@@ -115,10 +121,12 @@ def is_of_gradients(kernel: str) -> bool:
 def knows(module: str) -> bool:
     """Whether the kernels of a module are defined here: those of mechanisms that are typed, and of none.
 
-    Those of an excitation by inertia have exact values at the points of `make_kernel_oracle` alone.
+    Those off the centre, of other laws of damping and of a sampled force have exact values at the points of
+    `make_kernel_oracle` alone: their definitions search for roots and integrate, and hold next to these points only.
     """
     base, _ = scene_of(module)
-    return base in (*averaged_force.TYPED, "slow_flow", "frequencies", "motion", "den_hartog", "second_approximation")
+    known = (*averaged_force.TYPED, "slow_flow", "frequencies", "motion", "den_hartog", "second_approximation")
+    return base in (*known, *BY_NAMES)
 
 
 def _of_mechanism(name: str, kernel: str, names: Sequence[str], at: Sequence[float]) -> tuple[Definition, bool]:
@@ -304,7 +312,7 @@ def values(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
 
     Raises ArithmeticError or ValueError outside the domain.
     """
-    if kernel == "amplitude":  # Den Hartog's motion has to exist
+    if module.startswith("den_hartog") and kernel == "amplitude":  # Den Hartog's motion has to exist
         Omega, F_0, mu = (mpf(x) for x in at)
         if F_0 * abs(den_hartog.exact_V(Omega)[0]) <= mu * abs(den_hartog.exact_U(Omega)[0]):
             raise ValueError("no motion without stops")

@@ -36,7 +36,7 @@ from ...results import Results
 from ...slopes import Slopes
 from ...slow_flow import SCENES, I, R, SlowFlow, m, preload
 from ...symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, zeta
-from ..form import GENERAL, Kernel, Module, by_even_power, in_words, plain, suffix
+from ..form import GENERAL, Branch, Kernel, Module, by_even_power, in_words, plain, suffix
 
 #: of a frequency
 square = sp.Symbol("square", real=True)
@@ -193,7 +193,7 @@ def of_R_and_I(
 
 def slow_flow_kernels(flow: SlowFlow, detachment: Elimination) -> list[Kernel]:
     """Every function of the slow flow."""
-    of_flow = partial(of_R_and_I, flow)
+    of_flow, carried = partial(of_R_and_I, flow), offset_stiffness()
     amplitude = "A > 0"
     quartic = flow.response_quartic
     fold, peak = flow.fold_quartic, flow.peak_cubic
@@ -285,12 +285,16 @@ def slow_flow_kernels(flow: SlowFlow, detachment: Elimination) -> list[Kernel]:
             "beside (30)",
             amplitude,
         ),
-        plain(
+        Kernel(
             "offset_stiffness",
             (Omega, A, h, h_A),
-            offset_stiffness(),
+            (
+                Branch("over", (carried.far,), (), (carried.over,)),
+                Branch("apart", (), (), (carried.apart,)),
+            ),
             "What carries a small mean offset back; where the mean stiffness is negative this decides.",
             "beside (30)",
+            "Omega > 0, A > 0",
         ),
         of_flow(
             "stability",

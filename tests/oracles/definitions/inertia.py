@@ -135,6 +135,8 @@ def shaken_fold_slopes(Omega, A, m, zeta, k):
         return slope_of_response(1, Omega, A, m, zeta, k + A * T - A * Omega**2, T - Omega**2) / 2
 
     constant, linear, square = parabola(half_F_A)
+    if linear**2 < 4 * square * constant:
+        raise ValueError("no fold at such an intercept")
     with mp.extradps(20):
         smaller, larger = sorted(
             (mp.re(T) for T in mp.polyroots([square, linear, constant], 200, extraprec=200)), key=abs
@@ -344,6 +346,8 @@ def shaken_outer(A, F_0, m, zeta, h):
 
 def shaken_share(A, zeta, h):
     """What the least level without friction is short of 4 zeta^2 A^3/|h|."""
+    if h > 0:
+        raise ValueError("without a resonance the level has no least value")
     least = shaken_level(1 / shaken_least(*shaken_terms(A, 0, zeta, h)), A, 0, zeta, h)
     return [1 - least**2 * abs(h) / (4 * zeta**2 * A**3)]
 
