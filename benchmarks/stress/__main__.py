@@ -3,7 +3,7 @@
 Out: benchmarks/results/stability.json, docs/stability.md and its pictures, tests/data/stability.json. Some minutes on
 two cores. `--only answers counts` measures these anew and keeps the rest of the last results, `--draw` keeps all;
 `--size 0.1` takes a tenth of the points. Counts against proofs are ten million, a million isolators among them. What
-was measured is kept as soon as a part is through. `--only "folds on NumPy" --size 180` is a million of these, in hours,
+was measured is kept as soon as a part is through. `--only "folds on NumPy" --size 170` is a million of these, in hours,
 and is kept beside smaller ones.
 """
 
@@ -42,11 +42,12 @@ STATES = {
     "rod_spring": 250, "rod_spring, zeta = 0": 50, "rod_spring, alpha = 0": 50,
     "rod_spring_untruncated": 50, "duffing": 5_000, "duffing, zeta = 0": 250, "duffing, alpha = 0": 250,
 }  # fmt: skip
-#: the same without compiled code: each takes some 20 ms
+#: the same without compiled code, of each of fewer shares: each takes some 20 ms, and a process some seconds to start
 ON_NUMPY = {
-    "rod_spring": 280, "rod_spring, zeta = 0": 50, "rod_spring, alpha = 0": 50,
-    "rod_spring_untruncated": 50, "duffing": 180, "duffing, zeta = 0": 50, "duffing, alpha = 0": 50,
+    "rod_spring": 1200, "rod_spring, zeta = 0": 200, "rod_spring, alpha = 0": 200,
+    "rod_spring_untruncated": 200, "duffing": 800, "duffing, zeta = 0": 200, "duffing, alpha = 0": 200,
 }  # fmt: skip
+SHARES_ON_NUMPY = 2
 #: points shown of each kernel and kind in a picture
 SHOWN = 40
 Job = tuple[Callable[..., Any], tuple[Any, ...]]
@@ -82,7 +83,7 @@ def jobs(size: float) -> dict[str, list[Job]]:
         "folds on NumPy": [
             (scale.folds_on_numpy, (kind, part, many(number)))
             for kind, number in ON_NUMPY.items()
-            for part in range(SHARES)
+            for part in range(SHARES_ON_NUMPY)
         ],
         "proofs": [(proofs.stress, (part, many(125))) for part in range(SHARES)],
         "roots": [(roots.stress, (kind, family, many(4000, 50), many(1500))) for kind, family in roots.jobs()],

@@ -57,6 +57,16 @@ def named() -> dict[tuple[str, str], tuple[str, ...]]:
     return found
 
 
+def unsearched() -> dict[str, int]:
+    """How many kernels of each module have exact values at stored points alone."""
+    found = {}
+    for module, functions in loaded()["numpy"].items():
+        if not exact.knows(module):
+            own = (function for name in functions.__all__ if (function := getattr(functions, name)))
+            found[module] = sum(getattr(f, "__module__", "").endswith(f".{module}") for f in own)
+    return {module: count for module, count in found.items() if count}
+
+
 @functools.cache
 def last_worst() -> dict[tuple[str, str], list[Point]]:
     """The worst points of the last search, by module and name."""

@@ -152,6 +152,8 @@ def shaken_fold_level(Omega, A, m, zeta, other):
 def shaken_peak_share(Omega, A, m, zeta):
     """By the level's slope at three values of R, in which it is a quadratic."""
     terms = parabola(lambda R: shaken_level_slope(Omega, A, m, zeta, R - A * Omega**2))
+    if terms[1] ** 2 < 4 * terms[0] * terms[2]:
+        raise ValueError("no peak at such a frequency")
     with mp.extradps(20):
         R = min((mp.re(R) for R in mp.polyroots(terms[::-1], 200, extraprec=200)), key=abs)
     return [-R / balances(Omega, A, m, zeta, 0)[1]]
