@@ -20,7 +20,7 @@ from slowflow.results import Remark
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import Status
 
-u, k, c, p, gap = sp.symbols("u k c p gap")
+u, k, c, p, gap, end = sp.symbols("u k c p gap end")
 ABOVE_0 = {"above": 0}
 DAMPING = {"mu": 0.01, "zeta": 0.03}
 COMPILED = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
@@ -34,6 +34,14 @@ FORCES = {
     "septic": ([(u - k * u**3 + c * u**5 - p * u**7 + u**9 / 50, None)], {"k": 1.0, "c": 0.6, "p": 0.15}),
     "dead": ([(sp.Integer(0), gap), (k * (u - gap) ** 2, None)], {"k": 3.0, "gap": 0.1}),
     "soft_stop": ([(u, gap), (u + c * sp.tanh(k * (u - gap)), None)], {"k": 3.0, "c": 5.0, "gap": 0.2}),
+    "two_stops": (
+        [
+            (u, gap),
+            (u + c * sp.tanh(k * (u - gap)), end),
+            (u + c * sp.tanh(k * (end - gap)) + p * (u - end), None),
+        ],
+        {"k": 3.0, "c": 5.0, "gap": 0.1, "end": 0.3, "p": 4.0},
+    ),
     "hertz": ([(u, gap), (u + k * (u - gap) ** 1.5, None)], {"k": 3.0, "gap": 0.1}),
     "numbers": ([(sp.sin(u), sp.Rational(1, 2)), (k * u, None)], {"k": 1.5}),
 }
@@ -48,6 +56,10 @@ MORE = {
     "oblique": ([(u + 2 * k * u * (1 - c / sp.sqrt(c**2 + u**2)), None)], ("k", "c")),
     "arctangent": ([(sp.atan(u / k), None)], ("k",)),
     "hard_stop": ([(u, gap), (u + 2 * k * sp.sinh(u - gap), None)], ("k", "gap")),
+    "two_steps": (
+        [(k * sp.sin(u), gap), (p * u + (u - gap) ** 2 * sp.exp(c * u), end), (u**3 + c * u, None)],
+        ("k", "c", "p", "gap", "end"),
+    ),
     "letting_go": ([(k * sp.sin(u), gap), (u, None)], ("k", "gap")),
     "buffer": (
         [(u + u**3, gap), (u + u**3 + k * (u - gap) ** sp.Rational(5, 2) * (1 + c * u), None)],

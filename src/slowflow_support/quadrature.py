@@ -97,25 +97,34 @@ def _sums(
     A, *parameters = numbers
     total = np.zeros((width, A.size))
     ends = [np.broadcast_to(np.asarray(end, dtype=float), A.shape) for end in breakpoints(*parameters)]
-    low = np.zeros(A.shape)
+    nowhere, everywhere = np.zeros(A.shape, dtype=bool), np.ones(A.shape, dtype=bool)
+    low, begin = np.zeros(A.shape), np.zeros(A.shape)
     for number, piece in enumerate(terms):
-        contact = number > len(ends)
-        last = number == len(ends) or contact
-        passed = np.zeros(A.shape, dtype=bool) if last else A > ends[number]
-        # the complement of the angle, which is exact where the amplitude is next to the breakpoint
-        end = ends[begins[number - len(ends) - 1] if contact else number - 1 if last else number] if ends else low
-        beside = np.arctan2(np.sqrt((A - end) * (A + end)), end)
-        angle = np.arctan2(end, np.sqrt((A - end) * (A + end)))
-        high = np.where(passed, angle, np.pi / 2)
-        from_top = last and number > 0
-        span = np.where(A > end, beside, 0.0) if from_top else high - low
-        wide = span > 0
-        if wide.any():
-            chosen = [one[wide] for one in numbers]
-            own = _Piece(piece, width, graded[number], from_top, rule, doubt)
-            total[:, wide] += own.settled(chosen, low[wide], span[wide])
+        if number > 0:
+            begin = ends[begins[number - len(ends) - 1] if number > len(ends) else number - 1]
+        passed = A > ends[number] if number < len(ends) else nowhere
+        high = np.full(A.shape, np.pi / 2)
+        if number < len(ends):
+            high = np.where(passed, np.arctan2(ends[number], _root(A, ends[number])), high)
+        # where the cycle ends in the piece the angle is counted from there: next to the beginning it is the complement
+        # of the angle that keeps its digits, and so does the cosine
+        from_low = passed if number > 0 else everywhere
+        spans = (
+            (False, from_low, high - low),
+            (True, ~from_low & (A > begin), np.arctan2(_root(A, begin), begin)),
+        )
+        for from_top, there, span in spans:
+            wide = there & (span > 0)
+            if wide.any():
+                own = _Piece(piece, width, graded[number], from_top, rule, doubt)
+                total[:, wide] += own.settled([one[wide] for one in numbers], low[wide], span[wide])
         low = high
     return total
+
+
+def _root(A: Floats, end: Floats) -> Floats:
+    """sqrt(A^2 - b^2) of a breakpoint."""
+    return np.sqrt((A - end) * (A + end))
 
 
 @dataclass(frozen=True)

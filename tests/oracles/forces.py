@@ -59,6 +59,11 @@ def arctangent(x: Any) -> Any:
     return x.atan()
 
 
+def beside(end: float) -> list[float]:
+    """Amplitudes that exceed a piece's end by next to nothing."""
+    return [end * (1 + share) for share in (5e-11, 1e-7)]
+
+
 #: each force's numbers, its pieces f(u) for u > 0 in these, where they end, and amplitudes
 FORCES: dict[str, tuple[dict[str, float], list[Callable[..., Any]], list[str], list[float]]] = {
     "pendulum": ({"k": 1.3}, [lambda u, n: n("k") * u.sin()], [], [0.01, 0.5, 1.7, 3.0]),
@@ -103,6 +108,26 @@ FORCES: dict[str, tuple[dict[str, float], list[Callable[..., Any]], list[str], l
         [lambda u, n: u, lambda u, n: u + n("c") * tanh(n("k") * (u - n("gap")))],
         ["gap"],
         [0.2001, 0.25, 1.1],
+    ),
+    "two_stops": (
+        {"k": 3.0, "c": 5.0, "gap": 0.1, "end": 0.3, "p": 4.0},
+        [
+            lambda u, n: u,
+            lambda u, n: u + n("c") * tanh(n("k") * (u - n("gap"))),
+            lambda u, n: u + n("c") * tanh(acb_series([n("k") * (n("end") - n("gap"))])) + n("p") * (u - n("end")),
+        ],
+        ["gap", "end"],
+        [0.05, *beside(0.1), 0.13, 0.29, *beside(0.3), 0.3001, 0.5, 2.0],
+    ),
+    "two_steps": (
+        {"k": 1.5, "c": 2.0, "gap": 0.2, "end": 0.25, "p": 0.7},
+        [
+            lambda u, n: n("k") * u.sin(),
+            lambda u, n: n("p") * u + (u - n("gap")) * (u - n("gap")) * (n("c") * u).exp(),
+            lambda u, n: u * u * u + n("c") * u,
+        ],
+        ["gap", "end"],
+        [0.1, *beside(0.2), 0.21, 0.249, *beside(0.25), 0.26, 1.0],
     ),
     "letting_go": (
         {"k": 1.5, "gap": 0.5},

@@ -125,16 +125,16 @@ static inline int sf_sums_at(const sf_quarter *of, int wanted, double A, const d
     for (k = 0; k < wanted; k++)
         sums[k] = 0;
     for (piece = 0; piece < of->pieces; piece++) {
-        const int last = piece + 1 == of->pieces;
-        const double end = of->pieces == 1 ? 0 : ends[last ? piece - 1 : piece];
-        /* exact where the amplitude is next to the breakpoint, as its complement is */
-        const double root = sqrt((A - end) * (A + end));
-        const double high = !last && A > end ? atan2(end, root) : SF_QUARTER;
-        const double span = !(last && piece > 0) ? high - low : A > end ? atan2(root, end) : 0;
-        if (span > 0) {
-            /* where the last piece begins is known by what it leaves of the quarter */
-            const sf_part on = last && piece > 0 ? (sf_part){piece, span, cos(span), sin(span)}
-                                                 : (sf_part){piece, span, sin(low), cos(low)};
+        const double end = piece + 1 < of->pieces ? ends[piece] : INFINITY;
+        const double high = A > end ? atan2(end, sqrt((A - end) * (A + end))) : SF_QUARTER;
+        sf_part on = {piece, high - low, sin(low), cos(low)};
+        if (piece > 0 && !(A > end)) {
+            /* where the cycle ends in a piece its beginning is known by what it leaves of the quarter, which keeps its
+             * digits next to it */
+            const double begin = ends[piece - 1], span = A > begin ? atan2(sqrt((A - begin) * (A + begin)), begin) : 0;
+            on = (sf_part){piece, span, cos(span), sin(span)};
+        }
+        if (on.span > 0) {
             if (!sf_settled_part(of, wanted, &on, A, p, of_part))
                 return 0;
             for (k = 0; k < wanted; k++)
