@@ -196,6 +196,16 @@ def test_batches_and_other_excitations_are_answered():
     assert one.detachment().u_cr == 0.2
 
 
+def test_states_of_batches_are_those_of_each_design():
+    """Whether motions turn beyond a well was asked of the force with arrays of parameters: a TypeError."""
+    made = mechanism("soft_stop")
+    many = made.many(c=np.array([1.0, 3.0]), k=2.0, gap=0.2, **DAMPING).amplitudes(Omega=1.3, F_0=0.06)
+    for k, c in enumerate((1.0, 3.0)):
+        one = made(c=c, k=2.0, gap=0.2, **DAMPING).amplitudes(Omega=1.3, F_0=0.06)
+        np.testing.assert_allclose(many.A[k][: len(one)], one.A, rtol=1e-14)
+        assert np.isnan(many.A[k][len(one) :]).all() and many.remarks[k] == one.remarks
+
+
 def test_it_says_what_it_is():
     made = mechanism("pendulum", reach_reason="it stands on its head")
     assert "a Python function" in repr(made) and "NumPy" in repr(made)

@@ -106,10 +106,15 @@ class Asked:
     # --- of a piece ---
 
     def force(self, u: Any, *given: Any) -> Any:
-        return self.stated.force(self._numbers(given)).value(self.number, u, 0)
+        return self._value(u, given, 0)
 
     def slope(self, u: Any, *given: Any) -> Any:
-        return self.stated.force(self._numbers(given)).value(self.number, u, 1)
+        return self._value(u, given, 1)
+
+    def _value(self, u: Any, given: Sequence[Any], order: int) -> Any:
+        """The piece, or a derivative of it."""
+        (found,) = self._by_design(given, u, of=lambda force, u: (force.value(self.number, u, order),))
+        return found
 
     # --- on intervals ---
 
