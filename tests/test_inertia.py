@@ -11,7 +11,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator
+from slowflow import Duffing, Isolator, backend, derive
 from slowflow.averaged.reference import answers
 from slowflow.exact.compiled import SCIPY, default_integrator
 from slowflow.paper import example
@@ -21,6 +21,7 @@ from slowflow_kernels.conventions import Status
 
 CASES = json.loads((Path(__file__).parent / "data" / "inertia.json").read_text())
 U = 2.0**-53
+COMPILED = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
 #: errors in u (1 + kappa)
 FOLD, STATE, CUSP = 4.0, 2.0, 16.0
 
@@ -48,6 +49,27 @@ def test_folds_are_the_certified_ones_and_no_others():
             of = {name: sure["condition"][name] + sure["condition_kernel"][name] for name in sure["condition"]}
             assert error(fold.Omega, sure["Omega"], of["Omega"]) < FOLD
             assert fold.corner or error(fold.A, sure["A"], of["A"]) < FOLD
+
+
+@pytest.mark.parametrize(
+    ("name", "numbers"),
+    [
+        ("elastic_stop", {"delta": 0.2, "kappa": 5.0}),
+        ("bilinear", {"delta": 0.2, "kappa": 0.4}),
+        ("dead_zone", {"delta": 0.2}),
+    ],
+)
+@pytest.mark.parametrize("compile", [False, pytest.param(True, marks=[COMPILED, pytest.mark.slow])])
+def test_beside_a_kink_the_number_of_folds_is_known(name, numbers, compile):
+    """There h_AA is infinite, but F_A > 0 at all frequencies: a cusp within a double of the kink was not ruled out."""
+    made = derive.library(name, compile=compile)
+    for excitation in ("base", "unbalance"):
+        for damping in ({"mu": 0.0, "zeta": 0.02}, {"mu": 0.004, "zeta": 0.1}):
+            one = made(**numbers, **damping, excitation=excitation)
+            for found in (one.saddle_nodes(0.07), one.amplitudes(Omega=1.3, F_0=0.07), one.frequency_response(0.07)):
+                assert Remark.UNDECIDED not in found.remarks
+            many = made.many(**{**numbers, "delta": [0.2, 0.25]}, **damping, excitation=excitation)
+            assert not (many.saddle_nodes(0.07).remarks & Remark.UNDECIDED).any()
 
 
 def test_states_are_the_certified_ones_and_no_others():

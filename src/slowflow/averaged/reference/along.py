@@ -359,19 +359,20 @@ class Cusp(Asked):
         return _ranges(2, cells, where, y.both(less), dy)
 
     def _is_free_of_folds(self, cells: Cells) -> Bools:
-        """Whether F_A > 0 next to A = 0, where h_AA may be infinite, at all frequencies; known without a preload only.
+        """Whether F_A > 0 at all frequencies, which is known also where h_AA is infinite.
 
         With X = Omega^2 it is no less than 2 A [(X + h/A) (X + h_A) + 4 zeta^2 X]. That is positive where no
-        coefficient is negative, or where its discriminant is, (h/A - h_A)^2 + 8 zeta^2 (h/A + h_A) + 16 zeta^4.
-        As h = 0 at A = 0, h/A is a slope of h.
+        coefficient is negative, or where its discriminant is, (h/A - h_A)^2 + 8 zeta^2 (h/A + h_A) + 16 zeta^4, whose
+        difference is k/A. Next to A = 0 h/A is a slope of h: without a preload h = 0 there.
         """
-        if self.model.preload != 0:
-            return np.zeros(cells.A.lo.shape, dtype=bool)
-        slope, square = cells.h_A, self.zeta.square()
-        discriminant = (slope - slope).square() + 16.0 * square * (slope + square)
-        one_sign = (slope.lo >= 0) | (slope.hi <= 0)
-        positive = one_sign & ((slope + 2.0 * square).lo > 0)
-        return np.asarray((cells.A.lo == 0) & (positive | (discriminant.hi < 0)))
+        slope, square, origin = cells.h_A, self.zeta.square(), cells.A.lo == 0
+        over_A = slope.where(origin, cells.h / cells.A)
+        apart = (slope - slope).where(origin, cells.k / cells.A)
+        discriminant = apart.square() + 8.0 * square * (over_A + slope + 2.0 * square)
+        alike = ((slope.lo >= 0) & (over_A.lo >= 0)) | ((slope.hi <= 0) & (over_A.hi <= 0))
+        positive = alike & ((over_A + slope + 4.0 * square).lo > 0)
+        known = ~origin if self.model.preload != 0 else np.ones_like(origin)
+        return np.asarray(known & (positive | (discriminant.hi < 0)))
 
 
 def _over_A(cells: Cells) -> tuple[Interval, Interval]:
