@@ -686,6 +686,26 @@ def test_a_force_that_does_not_hold_motions_of_any_size_asks_for_its_reach(force
     assert derive.mechanism(*stated, reach=1.5)(k=1.0, zeta=0.05).saddle_node_onset().kind == "cusp"
 
 
+@pytest.mark.parametrize(
+    ("force", "fits", "reaches", "place"),
+    [
+        (sp.tan(k * u), 1.5, 2.0, math.pi / 4),
+        (sp.asin(k * u), 0.9, 2.0, 0.5),
+        (u * sp.sqrt(1 - k * u), 0.9, 1.25, 0.8),
+        (u + (1 / (k - u) ** 2 - 1 / (k + u) ** 2) / 20, 1.1, 0.5, 0.5),
+    ],
+    ids=["tan", "asin", "root", "magnets"],
+)
+def test_a_force_that_is_not_finite_within_its_reach_is_refused_by_its_place(force, fits, reaches, place):
+    """It was built, and every question ended in a sum that does not settle."""
+    made = derive.mechanism("ends_early", [(force, None)], {"k": ABOVE_0}, reach=1)
+    assert made(k=fits, **DAMPING).saddle_nodes(0.05).F_0 == 0.05
+    with pytest.raises(ValueError, match=rf"k = {reaches}: not allowed.* at \|u\| = {place:.6g}, within its reach 1"):
+        made(k=reaches, **DAMPING)
+    many = made.many(k=np.array([fits, reaches]), **DAMPING).saddle_nodes(0.05)
+    assert many.status.tolist() == [Status.OK, Status.INVALID]
+
+
 def test_nothing_is_asked_beyond_the_reach():
     """u/(1 - u), infinite at 1: whether it is linear was asked there."""
     made = derive.mechanism("pole", [(k * u / (1 - u), None)], {"k": ABOVE_0}, reach=0.95)

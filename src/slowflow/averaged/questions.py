@@ -19,6 +19,7 @@ from slowflow import validate
 from slowflow.answer import Single, joined
 from slowflow.averaged import plan, proofs, remarks, solvers, words
 from slowflow.averaged.pairs import at_pairs
+from slowflow.averaged.reference.defined import check_defined
 from slowflow.certificate import Certificate, ProvedFolds
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import (
@@ -55,6 +56,7 @@ class Averaged:
     _equation: Measures | None = None
 
     def __init__(self, model: Model) -> None:
+        check_defined(model)
         # not by attribute: what inherits from this cannot be changed
         self.__dict__["model"] = model
 

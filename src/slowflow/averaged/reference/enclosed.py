@@ -56,7 +56,7 @@ def _enclosed(model: Model, ends: Floats, low: Floats, high: Floats) -> tuple[Fl
         amplitudes = Elementary.of(np.tile(low, parts_of), np.tile(high, parts_of))
         values = record.terms[number](Elementary.point, amplitudes, beyond, sine, *given)
         for k, value in enumerate(values):
-            parts = _interval(value, angle) * angle
+            parts = interval_like(value, angle) * angle
             added = sums[k] + Interval(parts.ends.reshape(2, parts_of, -1).sum(axis=1))
             # a sum that is too large for a double is at least this large
             sums[k] = Interval(np.clip(added.ends, [[-np.inf], [-LARGEST_SUM]], [[LARGEST_SUM], [np.inf]]))
@@ -70,14 +70,14 @@ def _enclosed(model: Model, ends: Floats, low: Floats, high: Floats) -> tuple[Fl
             wide = -np.diff(2 * np.sqrt(1 - shares))[:, np.newaxis] * over
             weight = _widths(wide, wide)
             for value in contact(Elementary.point, amplitudes, share, *given):
-                parts = _interval(value, weight) * weight
+                parts = interval_like(value, weight) * weight
                 sums.append(Interval(parts.ends.reshape(2, parts_of, -1).sum(axis=1)))
         else:
             sums += [Interval(np.zeros((2, low.size)))] * CONTACT_SUMS
     roots = [_root(end, low, high) for end in ends]
     A = Elementary.of(low, high)
     h, bend = record.closing[len(ends)](Elementary.point, A, *roots, *sums, *given)
-    return _interval(h, A).ends, _interval(bend, A).ends
+    return interval_like(h, A).ends, interval_like(bend, A).ends
 
 
 def _shares(length: float) -> Floats:
@@ -86,7 +86,7 @@ def _shares(length: float) -> Floats:
     return np.concatenate(([0.0], _SHARES[1] * 0.5 ** np.arange(halved, 0, -1), _SHARES[1:]))
 
 
-def _interval(value: Any, like: Interval) -> Interval:
+def interval_like(value: Any, like: Interval) -> Interval:
     """A value that may be a number."""
     if not isinstance(value, Interval):
         value = Interval.point(float(value))

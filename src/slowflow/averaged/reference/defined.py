@@ -1,0 +1,78 @@
+"""Whether a force of any kind is finite within its reach: in go its pieces on intervals, out comes a refusal.
+
+At a pole within the reach no average settles, and beyond a function's domain there is no force: a fault of the numbers
+given, which is told by its place before anything is asked.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from itertools import pairwise
+
+import numpy as np
+
+from slowflow.averaged.reference.enclosed import interval_like
+from slowflow.averaged.reference.intervals import Bools, Elementary
+from slowflow.model import Floats, Model
+
+#: into how many parts a piece is divided first; how short one is, over the reach, that is not cut again
+PARTS, NARROW = 64, 2.0**-40
+#: how large a force is next to a pole; how often intervals are cut
+AT_POLE = 2.0**16
+MOST_CUTS = 2000
+
+
+def check_defined(model: Model) -> None:
+    """Raises ValueError where a piece of an odd force is infinite, or no number, within the reach that is stated."""
+    record, reach = model.mechanism.enclosed, model.reach
+    if record is None or not model.mechanism.odd or not math.isfinite(reach):
+        return
+    given = [Elementary.point(value) for value in model.parameters]
+    ends = [0.0, *(min(float(end), reach) for end in model.mechanism.breakpoints(*model.parameters)), reach]
+    one = Elementary.point(1.0)
+    for number, (begin, end) in enumerate(pairwise(ends)):
+
+        def are_known(edges: Floats, number: int = number, begin: float = begin) -> Bools:
+            beyond = Elementary(np.array([edges[:-1] - begin, edges[1:] - begin]))
+            found = record.terms[number](Elementary.point, one, beyond, one, *given)[0]
+            return np.asarray(np.isfinite(interval_like(found, beyond).ends).all(axis=0))
+
+        def at(u: float, number: int = number) -> float:
+            return float(model.mechanism.pieces[number].force(u, *model.parameters))
+
+        with np.errstate(all="ignore"):
+            place = _infinite_at(are_known, at, begin, end, reach)
+        if place is not None:
+            told = ", ".join(f"{name} = {value!r}" for name, value in model.given().items() if name in _own(model))
+            raise ValueError(
+                f"{told}: not allowed for {model.mechanism.name}, whose force is infinite or no number at "
+                f"|u| = {place:.6g}, within its reach {reach:g}"
+            )
+
+
+def _own(model: Model) -> tuple[str, ...]:
+    return (*model.mechanism.design_names, *model.mechanism.parameter_names)
+
+
+def _infinite_at(
+    are_known: Callable[[Floats], Bools], at: Callable[[float], float], begin: float, end: float, reach: float
+) -> float | None:
+    """The least u of a piece where its force is not finite; None where it is so on all of it, or that is not seen soon.
+
+    An interval that holds it is not known, but neither is one where intervals are too wide: numbers next to it decide.
+    Where the piece begins, a quotient of zeros may be a number next to it.
+    """
+    pending = [(begin, end, PARTS)] if end > begin else []
+    for _ in range(MOST_CUTS):
+        if not pending:
+            break
+        low, high, parts = pending.pop()
+        edges = np.linspace(low, high, parts + 1)
+        for k in np.flatnonzero(~are_known(edges))[::-1]:
+            a, b = float(edges[k]), float(edges[k + 1])
+            if b - a > NARROW * reach:
+                pending.append((a, b, 2))
+            elif begin < a and b < end and not all(abs(at(u)) < AT_POLE for u in (a, b, 2 * b - a)):
+                return a
+    return None
