@@ -10,6 +10,7 @@ form. theta = Omega tau; v = du/dtau.
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import NamedTuple
 
@@ -51,6 +52,9 @@ class Phase(NamedTuple):
     v_end: float
     event: int
     undecided: bool = False
+
+
+_phase = functools.partial(tuple.__new__, Phase)  # of as many fields as C has: `_make` would count them each time
 
 
 class Forced(NamedTuple):
@@ -135,7 +139,7 @@ def follow(
     system, integrator = forced.system, forced.integrator
     if isinstance(integrator, TaylorIntegrator):
         outcome, rows = integrator.follow(system, forced.Omega, forced.F_0, (theta, u, v), end, start)
-        phases = list(map(Phase._make, rows))
+        phases = list(map(_phase, rows))
         _refuse(outcome, forced, phases[-1] if phases else None)
         return phases
     if start is not None:
