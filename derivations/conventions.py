@@ -212,6 +212,11 @@ CONVENTIONS = (
             ),
             Number("LAST_STEP", sp.Rational(1, 10**8), "relative step of A up to which Newton's last step is taken"),
             Number("FIRST", sp.Rational(1, 2**200), "where a search begins that cannot begin at A = 0"),
+            Number(
+                "FAR_ABOVE",
+                sp.Integer(2) ** 30,
+                "an amplitude beside that where its piece begins, from which h is smooth",
+            ),
             Number("NARROW", sp.Rational(1, 2**50), "relative width of an interval of A that is not cut any more"),
             Number("MOST_CELLS", 50000, "intervals of A, after which a search is given up: numbers overflow"),
             Number("NO_WIDTH", sp.Rational(1, 2**51), "relative width of an interval that holds no amplitude"),

@@ -80,6 +80,7 @@ class Inertia:
     isola_apart -- the same by k and `cubic`: of h like A^3, as it is far out, large terms cancel in the other form
     fold_slopes -- T = dR/dA on the fold locus, where F_A vanishes, by k, the larger of two first, and -R/I with that;
                    without h, which may be all rounding
+    fold_force  -- the F_0 of a force there, by the T that is not its own
     fold_level  -- the level there, by the T that is not its own
     peak_share  -- -R/I where the level is least, without h
     Omega_of_share -- the frequency of a level with an -R/I
@@ -114,6 +115,7 @@ class Inertia:
     isola_apart: sp.Expr
     fold_slopes_lets: tuple[Let, ...]
     fold_slopes: tuple[sp.Expr, ...]
+    fold_force: sp.Expr
     fold_level: sp.Expr
     peak_share_lets: tuple[Let, ...]
     peak_share: sp.Expr
@@ -166,7 +168,7 @@ def inertia(flow: SlowFlow) -> Inertia:
     outer_lets, outer, outer_beyond, outer_falls = _outer(F_value.subs(whole))
     terms, least = _least(quadratic)
     peak_lets, peak, isola = _peak(flow, slope_of_level, of_level)
-    fold_slopes_lets, fold_slopes, fold_level = _fold(flow)
+    fold_slopes_lets, fold_slopes, fold_force = _fold(flow)
     peak_share_lets, peak_share = _peak_share(flow, slope_of_level)
     Omega_of_share_lets, Omega_of_share = _Omega_of_share(flow)
     least_Omega_A = sp.factor_terms(-_x_A(of_level) / x**2)
@@ -202,7 +204,8 @@ def inertia(flow: SlowFlow) -> Inertia:
         isola_apart=_isola_apart(flow, isola[0], of_level),
         fold_slopes_lets=fold_slopes_lets,
         fold_slopes=fold_slopes,
-        fold_level=fold_level,
+        fold_force=fold_force,
+        fold_level=fold_force / Omega**2,
         peak_share_lets=peak_share_lets,
         peak_share=peak_share,
         Omega_of_share_lets=Omega_of_share_lets,
@@ -299,7 +302,7 @@ def _isola_apart(flow: SlowFlow, value: sp.Expr, of_level: sp.Expr) -> sp.Expr:
 
 
 def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], sp.Expr]:
-    """F_A/2 is R T + I dI/dA, and R = k + A T: a quadratic in T, whose roots are T and -R/A."""
+    """F_A/2 is R T + I dI/dA, and R = k + A T: a quadratic in T, whose roots are T and -R/A, for a force as well."""
     of_T = {R: k + A * T, h_A: T - Omega**2}
     quadratic = sp.Poly(sp.expand((flow.F_A / 2).subs(of_T)), T)
     leading, middle, constant = quadratic.all_coeffs()
@@ -310,8 +313,8 @@ def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], sp.Expr
     _vanishes(at_larger.subs(root**2, 1 - 4 * A * constant / k**2), "dR/dA on the fold locus")
     inner = 1 - 4 * A * constant / k**2
     lets = ((I, flow.I), (part, inner), (root, sp.sqrt((part + sp.Abs(part)) / 2)), (steep, larger))
-    level = sp.sqrt((A * other) ** 2 + I**2) / Omega**2
-    return lets, (steep, constant / (A * steep), constant / (I * steep)), level
+    force = sp.sqrt((A * other) ** 2 + I**2)
+    return lets, (steep, constant / (A * steep), constant / (I * steep)), force
 
 
 def _peak_share(flow: SlowFlow, slope_of_level: sp.Expr) -> tuple[tuple[Let, ...], sp.Expr]:

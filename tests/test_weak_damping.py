@@ -4,6 +4,7 @@ Expected values are of the polynomial that a Duffing oscillator's response is th
 discriminant and resultants, were isolated exactly with FLINT (each number below to the digits of doubles).
 """
 
+import mpmath
 import numpy as np
 import pytest
 
@@ -269,3 +270,30 @@ def test_a_peak_by_inertia_that_is_below_F_0_by_rounding_leaves_the_states(desig
 
     assert states.stable.tolist() == [True]
     assert states.A == pytest.approx([A], rel=1e-14)
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("mu", [0.0, 1e-9])
+@pytest.mark.parametrize("zeta", [1e-6, 1e-12, 1e-20, 1e-30, 1e-50])
+def test_the_fold_locus_of_a_force_has_the_digits_of_its_level(zeta, mu):
+    """F_A = 0 as a polynomial in Omega by mpmath, at each A: on one branch R is far below rounding of A Omega^2."""
+    alpha, beta = 2.0, 0.5
+    found = slowflow.Duffing(alpha, beta, mu=mu, zeta=zeta).fold_locus(A_max=3.0, samples=60)
+    # what damping is too weak to hide begins at rest at the stiffness there
+    assert found.Omega[found.A == 0] == pytest.approx(np.sqrt(alpha), rel=1e-15) and (found.Omega > 0.5).all()
+    checked = set()
+    with mpmath.workdps(150):
+        m = 4 * mpmath.mpf(mu) / mpmath.pi
+        for Omega, A, F_0 in zip(
+            found.Omega.tolist(), map(mpmath.mpf, found.A.tolist()), found.F_0.tolist(), strict=True
+        ):
+            if not 0.05 < A < 3:
+                continue
+            h, h_A = -alpha * A - 0.75 * beta * A**3, -alpha - 2.25 * beta * A**2
+            polynomial = [A, 0, h + A * h_A + 4 * mpmath.mpf(zeta) ** 2 * A, 2 * zeta * m, h * h_A]
+            roots = mpmath.polyroots(polynomial, maxsteps=500, extraprec=1000)
+            Omega = min((mpmath.re(root) for root in roots), key=lambda root: abs(root - Omega))
+            level = mpmath.hypot(A * Omega**2 + h, 2 * mpmath.mpf(zeta) * A * Omega + m)
+            assert F_0 == pytest.approx(float(level), rel=1e-13, abs=0)
+            checked.add(bool(abs(A * Omega**2 + h) < 1e-3 * A))
+    assert checked == {True, False}

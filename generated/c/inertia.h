@@ -258,6 +258,16 @@ static inline void inertia_fold_slopes(double Omega, double A, double m, double 
     out[2] = t2;
 }
 
+/* The F_0 of a force at a fold, by the one of `fold_slopes` that is not its own.
+   Equation from (24), (30). Domain: Omega > 0, A > 0.
+   Operations: 10 structured, 10 common subexpressions, 10 power chains
+ */
+static inline double inertia_fold_force(double Omega, double A, double m, double zeta, double other)
+{
+    const double I_ = 2.0 * A * Omega * zeta + m;
+    return sqrt(A * A * other * other + I_ * I_);
+}
+
 /* The F_0 of a fold, by the one of `fold_slopes` that is not its own.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 12 structured, 12 common subexpressions, 12 power chains

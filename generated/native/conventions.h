@@ -89,6 +89,8 @@ typedef enum {
 #define SF_LAST_STEP 1e-08
 /* where a search begins that cannot begin at A = 0 */
 #define SF_FIRST 6.2230152778611417e-61
+/* an amplitude beside that where its piece begins, from which h is smooth */
+#define SF_FAR_ABOVE 1073741824.0
 /* relative width of an interval of A that is not cut any more */
 #define SF_NARROW 8.8817841970012523e-16
 /* intervals of A, after which a search is given up: numbers overflow */

@@ -100,6 +100,11 @@ SF_LOOP(inertia_fold_slopes_loop, 3,
     inertia_fold_slopes(Omega, A, m, zeta, k, values);
 )
 
+SF_LOOP(inertia_fold_force_loop, 1,
+    const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], other = in[4][i];
+    values[0] = inertia_fold_force(Omega, A, m, zeta, other);
+)
+
 SF_LOOP(inertia_fold_level_loop, 1,
     const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i], other = in[4][i];
     values[0] = inertia_fold_level(Omega, A, m, zeta, other);
@@ -159,6 +164,7 @@ static const sf_kernel kernels[] = {
     {"isola", 7, 2, 1, NULL, SF_ONE(inertia_isola_loop)},
     {"isola_apart", 7, 1, 1, NULL, SF_ONE(inertia_isola_apart_loop)},
     {"fold_slopes", 5, 3, 1, NULL, SF_ONE(inertia_fold_slopes_loop)},
+    {"fold_force", 5, 1, 1, NULL, SF_ONE(inertia_fold_force_loop)},
     {"fold_level", 5, 1, 1, NULL, SF_ONE(inertia_fold_level_loop)},
     {"peak_share", 4, 1, 1, NULL, SF_ONE(inertia_peak_share_loop)},
     {"Omega_of_share", 5, 1, 1, NULL, SF_ONE(inertia_Omega_of_share_loop)},

@@ -138,6 +138,8 @@ BESIDE = 0.001
 LAST_STEP = 1e-08
 # where a search begins that cannot begin at A = 0
 FIRST = 6.2230152778611417e-61
+# an amplitude beside that where its piece begins, from which h is smooth
+FAR_ABOVE = 1073741824.0
 # relative width of an interval of A that is not cut any more
 NARROW = 8.8817841970012523e-16
 # intervals of A, after which a search is given up: numbers overflow

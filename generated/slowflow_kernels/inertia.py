@@ -17,12 +17,12 @@ from slowflow_support.backend import NATIVE, compiled
 from slowflow_support.broadcast import by_regime, common_shape, floats, full
 
 __all__ = [
-    "MOVES", "F", "Omega_A", "Omega_of_share", "amplitude", "beside", "bound", "cusp_bend", "fold_level",
-    "fold_slopes", "force", "force_slopes", "hessian", "isola", "isola_apart", "least", "least_Omega_A", "level",
-    "level_rise", "level_slope", "moves_from", "moves_of_corner_backbone", "moves_of_corner_end",
-    "moves_of_corner_fold", "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp", "moves_of_fold",
-    "moves_of_isola", "moves_of_peak", "moves_of_phase", "moves_of_state", "outer", "peak", "peak_share", "share",
-    "terms",
+    "MOVES", "F", "Omega_A", "Omega_of_share", "amplitude", "beside", "bound", "cusp_bend", "fold_force",
+    "fold_level", "fold_slopes", "force", "force_slopes", "hessian", "isola", "isola_apart", "least",
+    "least_Omega_A", "level", "level_rise", "level_slope", "moves_from", "moves_of_corner_backbone",
+    "moves_of_corner_end", "moves_of_corner_fold", "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp",
+    "moves_of_fold", "moves_of_isola", "moves_of_peak", "moves_of_phase", "moves_of_state", "outer", "peak",
+    "peak_share", "share", "terms",
 ]
 
 
@@ -301,6 +301,17 @@ def fold_slopes(Omega, A, m, zeta, k):
         I * t1 * t2,
         t2,
     )
+
+
+def fold_force(Omega, A, m, zeta, other):
+    """The F_0 of a force at a fold, by the one of `fold_slopes` that is not its own.
+
+    Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Operations: 10 structured, 10 common subexpressions, 10 power chains.
+    """
+    Omega, A, m, zeta, other = floats(Omega, A, m, zeta, other)
+    I = 2.0 * A * Omega * zeta + m
+    return np.sqrt(A * A * other * other + I * I)
 
 
 def fold_level(Omega, A, m, zeta, other):
@@ -883,12 +894,12 @@ def moves_of_phase(Omega, A, F_0, m, zeta, h, h_A, h_p, m_p, zeta_p, A_p, Omega_
 if NATIVE is not None:
     (
         force, force_slopes, level, F, level_slope, Omega_A, outer, terms, least, least_Omega_A, peak, isola,
-        isola_apart, fold_slopes, fold_level, peak_share, Omega_of_share, level_rise, cusp_bend, hessian, bound,
-        share,
+        isola_apart, fold_slopes, fold_force, fold_level, peak_share, Omega_of_share, level_rise, cusp_bend,
+        hessian, bound, share,
     ) = compiled(
         (force, force_slopes, level, F, level_slope, Omega_A, outer, terms, least, least_Omega_A, peak, isola,
-         isola_apart, fold_slopes, fold_level, peak_share, Omega_of_share, level_rise, cusp_bend, hessian, bound,
-         share,),
+         isola_apart, fold_slopes, fold_force, fold_level, peak_share, Omega_of_share, level_rise, cusp_bend,
+         hessian, bound, share,),
         NATIVE.inertia(),
     )
 

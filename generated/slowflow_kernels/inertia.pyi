@@ -9,12 +9,12 @@ from slowflow_support.broadcast import Floats
 from slowflow_support.record import Mechanism
 
 __all__ = [
-    "MOVES", "F", "Omega_A", "Omega_of_share", "amplitude", "beside", "bound", "cusp_bend", "fold_level",
-    "fold_slopes", "force", "force_slopes", "hessian", "isola", "isola_apart", "least", "least_Omega_A", "level",
-    "level_rise", "level_slope", "moves_from", "moves_of_corner_backbone", "moves_of_corner_end",
-    "moves_of_corner_fold", "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp", "moves_of_fold",
-    "moves_of_isola", "moves_of_peak", "moves_of_phase", "moves_of_state", "outer", "peak", "peak_share", "share",
-    "terms",
+    "MOVES", "F", "Omega_A", "Omega_of_share", "amplitude", "beside", "bound", "cusp_bend", "fold_force",
+    "fold_level", "fold_slopes", "force", "force_slopes", "hessian", "isola", "isola_apart", "least",
+    "least_Omega_A", "level", "level_rise", "level_slope", "moves_from", "moves_of_corner_backbone",
+    "moves_of_corner_end", "moves_of_corner_fold", "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp",
+    "moves_of_fold", "moves_of_isola", "moves_of_peak", "moves_of_phase", "moves_of_state", "outer", "peak",
+    "peak_share", "share", "terms",
 ]
 
 MOVES: tuple[Any, ...]
@@ -34,6 +34,7 @@ def peak(x: ArrayLike, A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLi
 def isola(x: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, h_A: ArrayLike, h_AA: ArrayLike) -> tuple[Any, Any]: ...
 def isola_apart(x: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, h: ArrayLike, k: ArrayLike, cubic: ArrayLike) -> Any: ...
 def fold_slopes(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, k: ArrayLike) -> tuple[Any, Any, Any]: ...
+def fold_force(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, other: ArrayLike) -> Any: ...
 def fold_level(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike, other: ArrayLike) -> Any: ...
 def peak_share(Omega: ArrayLike, A: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> Any: ...
 def Omega_of_share(A: ArrayLike, F_0: ArrayLike, m: ArrayLike, zeta: ArrayLike, share: ArrayLike) -> Any: ...

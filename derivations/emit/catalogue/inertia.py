@@ -152,6 +152,15 @@ def inertia_module(results: Results) -> Module:
                 lets=of.fold_slopes_lets,
             ),
             plain(
+                "fold_force",
+                (Omega, A, *damped, other),
+                of.fold_force,
+                "The F_0 of a force at a fold, by the one of `fold_slopes` that is not its own.",
+                "from (24), (30)",
+                "Omega > 0, A > 0",
+                lets=[(I, flow.I)],
+            ),
+            plain(
                 "fold_level",
                 (Omega, A, *damped, other),
                 of.fold_level,

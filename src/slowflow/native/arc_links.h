@@ -18,7 +18,8 @@ static int sf_fold_count(const sf_model *model, const sf_sample *at) {
 
 static double sf_fold_branch(const sf_model *model, const sf_sample *at, int count, int index) {
     sf_isolated q;
-    if (model->zeta == 0)
+    /* at A = 0, where the quartic is none, what damping is too weak to hide begins at the stiffness there */
+    if (model->zeta == 0 || (at->A == 0 && fabs(at->h_A) < HUGE_VAL))
         return slow_flow_zeta0_undamped_Omega(fmin(at->h_A, 0));
     sf_isolate_fold(&q, at->A, at->h, at->h_A, model->m, model->zeta);
     return sf_wanted_root(&q, count, index);

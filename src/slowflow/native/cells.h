@@ -244,7 +244,8 @@ static inline double sf_amid(double base, double a, double b) {
         return 0.125 * b;
     if (b > 4 * a)
         return sqrt(a) * sqrt(b);
-    if (base > 0) {
+    /* far above the base the coordinate is A itself, and the square of A / base may overflow */
+    if (a < SF_FAR_ABOVE * base) {
         const double p = a / base, q = b / base, r = 0.5 * (sqrt((p - 1) * (p + 1)) + sqrt((q - 1) * (q + 1)));
         return base + base * (r * r / (1 + sqrt(1 + r * r)));
     }

@@ -208,9 +208,10 @@ static inline sf_lane_critical sf_lane_critical_at(double A, double p, double q)
 
 /* An amplitude well inside a cell, as sf_amid; next to A = 0 in the middle. */
 static inline double sf_lane_amid(double base, double a, double b) {
-    const double steps = base > 0 ? base : 1.0, pa = a / steps, pb = b / steps;
+    const int near = a < SF_FAR_ABOVE * base;
+    const double steps = near ? base : 1.0, pa = a / steps, pb = b / steps;
     const double mean = 0.5 * (sqrt(SF_GREATER((pa - 1) * (pa + 1), 0.0)) + sqrt(SF_GREATER((pb - 1) * (pb + 1), 0.0)));
-    const double amid = base > 0 ? base * sqrt(1 + mean * mean) : 0.5 * (a + b);
+    const double amid = near ? base * sqrt(1 + mean * mean) : 0.5 * (a + b);
     return b > 4 * a ? (a > 0 ? sqrt(a) * sqrt(b) : 0.5 * b) : amid;
 }
 

@@ -119,15 +119,24 @@ static sf_status sf_fold_locus(const sf_model *model, double A_max, sf_work *wor
 
 /* ==== Folds at a forcing ========================================================================================== */
 
+/* Whether a fold comes after another one: by rising Omega, of one Omega by rising A, of one A too the corner first. */
+static int sf_comes_after(const sf_fold *one, const sf_fold *other) {
+    if (one->Omega != other->Omega)
+        return one->Omega > other->Omega;
+    return one->A != other->A ? one->A > other->A : other->corner && !one->corner;
+}
+
 static void sf_add_fold(sf_folds *folds, double Omega, double A, int up, int corner) {
+    sf_fold fold;
     int i;
     if (folds->n == SF_MOST_FOLDS) {
         folds->status = SF_TOO_MANY;
         return;
     }
-    for (i = folds->n++; i > 0 && folds->at[i - 1].Omega > Omega; i--)
+    fold.Omega = Omega, fold.A = A, fold.up = up, fold.corner = corner;
+    for (i = folds->n++; i > 0 && sf_comes_after(&folds->at[i - 1], &fold); i--)
         folds->at[i] = folds->at[i - 1];
-    folds->at[i].Omega = Omega, folds->at[i].A = A, folds->at[i].up = up, folds->at[i].corner = corner;
+    folds->at[i] = fold;
 }
 
 /* All frequencies at an amplitude, by their size; returns their number. */
@@ -212,18 +221,22 @@ static double sf_size_of_R(const sf_sample *at, double w) {
     return fabs(at->h) + at->A * fabs(at->h_A) + at->A * w * w;
 }
 
-/* The level at a point of the fold locus: under an excitation by inertia by k and F_A = 0, as rounding of h and
- * A Omega^2 may leave nothing of R; and 0 at A = 0, where the locus begins without friction and no Omega is known. */
+/* The level at a point of the fold locus: by k and F_A = 0, as rounding of h and A Omega^2 may leave nothing of R, but
+ * where the two slopes that R may have all but meet and the root between them loses more; and under an excitation by
+ * inertia 0 at A = 0, where the locus begins without friction and no Omega is known. */
 static double sf_locus_level(const sf_model *model, const sf_sample *at, double w) {
     const double slope = w * w + at->h_A;
-    double slopes[3];
+    double slopes[3], other;
     if (sf_inertial(model) && at->A == 0)
         return 0;
-    if (!sf_inertial(model) || model->zeta == 0 || !(at->k * at->k > 0 && fabs(at->k) < HUGE_VAL))
+    if (model->zeta == 0 || !(w > 0 && at->k * at->k > 0 && fabs(at->k) < HUGE_VAL))
         return sf_level(model, at, w);
     inertia_fold_slopes(w, at->A, model->m, model->zeta, at->k, slopes);
-    return inertia_fold_level(w, at->A, model->m, model->zeta,
-                              slopes[fabs(slope - slopes[0]) <= fabs(slope - slopes[1])]);
+    other = slopes[fabs(slope - slopes[0]) <= fabs(slope - slopes[1])];
+    if (!(fabs(slopes[0] - slopes[1]) * sf_size_of_R(at, w) >= fabs(at->k * other)))
+        return sf_level(model, at, w);
+    return sf_inertial(model) ? inertia_fold_level(w, at->A, model->m, model->zeta, other)
+                              : inertia_fold_force(w, at->A, model->m, model->zeta, other);
 }
 
 /* Omega of a fold of an excitation by inertia where damping is so weak that what rounding leaves of R takes it off the

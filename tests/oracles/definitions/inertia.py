@@ -144,6 +144,11 @@ def shaken_fold_slopes(Omega, A, m, zeta, k):
     return [larger, smaller, -(k + A * larger) / balances(Omega, A, m, zeta, 0)[1]]
 
 
+def fold_force(Omega, A, m, zeta, other):
+    """The same of a force."""
+    return [mp.hypot(*balances(Omega, A, m, zeta, -A * other - A * Omega**2))]
+
+
 def shaken_fold_level(Omega, A, m, zeta, other):
     """R is A times the other slope, reversed."""
     return [shaken_level(Omega, A, m, zeta, -A * other - A * Omega**2)]
@@ -367,6 +372,7 @@ INERTIA: dict[str, tuple[str, Function]] = {
     "isola": ("x A m zeta h h_A h_AA", shaken_isola),
     "isola_apart": ("x A m zeta h intercept cubic", shaken_isola_apart),
     "fold_slopes": ("Omega A m zeta intercept", shaken_fold_slopes),
+    "fold_force": ("Omega A m zeta other", fold_force),
     "fold_level": ("Omega A m zeta other", shaken_fold_level),
     "peak_share": ("Omega A m zeta", shaken_peak_share),
     "Omega_of_share": ("A F_0 m zeta share", shaken_Omega_of_share),

@@ -113,8 +113,16 @@ class Roots:
     def at(self, A: Floats, count: Ints, index: Ints) -> Floats:
         """Number `index` of `count` at each amplitude."""
         if self._is_backbone:
-            return np.asarray(slow_flow_zeta0.undamped_Omega(np.minimum(self.model.averaged(A)[1], 0.0)))
-        return self._quartics(A).roots(count, index)
+            return self._undamped(A)
+        Omega = self._quartics(A).roots(count, index)
+        if self.F_0 > 0 or A.all():
+            return Omega
+        # at A = 0, where the quartic is none, what damping is too weak to hide begins at the stiffness there
+        at_rest = self._undamped(A)
+        return np.where((A == 0) & np.isfinite(at_rest), at_rest, Omega)
+
+    def _undamped(self, A: Floats) -> Floats:
+        return np.asarray(slow_flow_zeta0.undamped_Omega(np.minimum(self.model.averaged(A)[1], 0.0)))
 
     def lower_pair(self, event: Event) -> tuple[bool, float]:
         """Whether the lower pair of roots meets at an event, and where.

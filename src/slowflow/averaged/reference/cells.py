@@ -18,7 +18,7 @@ from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow, slow_flow_intervals
-from slowflow_kernels.conventions import CANCELLED, DOUBT
+from slowflow_kernels.conventions import CANCELLED, DOUBT, FAR_ABOVE
 
 
 @dataclass(frozen=True, eq=False)
@@ -246,5 +246,7 @@ def amid(base: Floats, a: Floats, b: Floats) -> Floats:
     """
     p, q = a / base, b / base
     r = 0.5 * (np.sqrt((p - 1) * (p + 1)) + np.sqrt((q - 1) * (q + 1)))
-    middle = np.where(base > 0, base + base * (r * r / (1 + np.sqrt(1 + r * r))), 0.5 * (a + b))
+    # far above the base the coordinate is A itself, and the square of A / base may overflow
+    near = (base > 0) & (a < FAR_ABOVE * base)
+    middle = np.where(near, base + base * (r * r / (1 + np.sqrt(1 + r * r))), 0.5 * (a + b))
     return np.where(a == 0, 0.125 * b, np.where(b > 4 * a, np.sqrt(a) * np.sqrt(b), middle))

@@ -120,21 +120,26 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
 def of_locus(model: Model, Omega: Floats, A: Floats) -> Floats:
     """The level at points of the fold locus.
 
-    Under an excitation by inertia by k and F_A = 0, as rounding of h and A Omega^2 may leave nothing of R; and 0 at
-    A = 0, where the locus begins without friction and no Omega is known.
+    By k and F_A = 0, as rounding of h and A Omega^2 may leave nothing of R, but where the two slopes that R may have
+    all but meet and the root between them loses more; and under an excitation by inertia 0 at A = 0, where the locus
+    begins without friction and no Omega is known.
     """
     level = np.asarray(model.level(Omega, A))
-    if not model.inertial or model.laws.any:
+    if model.laws.any:
         return level
-    level = np.where(A > 0, level, 0.0)
+    if model.inertial:
+        level = np.where(A > 0, level, 0.0)
     if model.zeta == 0:
         return level
     at = samples_at(model, A)
     steep, flat, _ = inertia.fold_slopes(Omega, at.A, model.m, model.zeta, at.k)
     slope = Omega**2 + at.h_A
     other = np.where(np.abs(slope - steep) <= np.abs(slope - flat), flat, steep)
-    known = (at.k**2 > 0) & (np.abs(at.k) < np.inf)
-    return np.where(known, inertia.fold_level(Omega, at.A, model.m, model.zeta, other), level)
+    size = np.abs(at.h) + at.A * np.abs(at.h_A) + at.A * Omega**2
+    known = (Omega > 0) & (at.k**2 > 0) & (np.abs(at.k) < np.inf)
+    known &= np.abs(steep - flat) * size >= np.abs(at.k * other)
+    by_slope = inertia.fold_level if model.inertial else inertia.fold_force
+    return np.where(known, by_slope(Omega, at.A, model.m, model.zeta, other), level)
 
 
 def of_cusps(model: Model, cusps: Zeros) -> Floats:
