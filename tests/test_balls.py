@@ -12,12 +12,13 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator
-from slowflow.averaged import proofs, words
+from slowflow.averaged import proofs, solvers, words
 from slowflow.averaged.balls import answers
 from slowflow.averaged.balls.enclosure import Enclosure
 from slowflow.averaged.balls.given import Given, averages_of
 from slowflow.certificate import DOUBLES
 from slowflow.paper import example
+from slowflow.results import Remark
 from tests.test_certified import CASES, check_folds, holds, level_ulps, oscillator
 
 #: designs of the force that is not truncated: as in Table 1, nearly quasi-zero stiffness, negative stiffness, steep
@@ -195,10 +196,13 @@ def test_an_onset_that_doubles_refuse_is_proved():
     design = {"lam": 3.0, "r": 0.0507, "delta_h": 1 - 1e-8, "mu": 1e-4, "zeta": 0.02}
     iso = untruncated(design)
     with pytest.raises(ArithmeticError, match=r"unresolved: .*certify\(F_0\).saddle_node_onset may hold it"):
-        iso.saddle_node_onset()
-    found = answers.onset(iso.model)
+        solvers.onset(iso.model)
+    found, given = answers.onset(iso.model), iso.saddle_node_onset()
     assert found.proved
-    assert found.kind == "cusp"
+    assert found.kind == given.kind == "cusp"
+    assert given.remarks == Remark.BY_BALLS and "balls of more digits" in given.message
+    for value, (low, high) in zip((given.F_SN, given.Omega, given.A), (found.F_0, found.Omega, found.A), strict=True):
+        assert low <= value <= high
     A, w = (mpmath.mpf(float(ends.mean())) for ends in (found.A, found.Omega))
     with mpmath.workdps(30):
         level = average(design, A) + A * w**2, 2 * design["zeta"] * A * w + 4 * mpmath.mpf(design["mu"]) / mpmath.pi

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import math
+import warnings
 
 import mpmath
 import numpy as np
@@ -114,8 +115,10 @@ def test_the_onset_of_a_force_that_hardly_jumps_is_the_corner_on_the_backbone_or
         found = iso.saddle_node_onset()
     except ArithmeticError as refusal:
         assert "next to the breakpoint A = " in str(refusal) and many.status == [Status.UNRESOLVED]
-        assert backend.SOLVER is None and delta_h < 1e-4
+        assert backend.SOLVER is None and delta_h < 1e-4 and proofs.in_balls() is None
         return
+    assert (Remark.BY_BALLS in found.remarks) == (backend.SOLVER is None and delta_h < 1e-4)
+    assert many.remarks == [int(found.remarks)]
     with mpmath.workdps(50):
         u_cr = mpmath.sqrt(2 * mpmath.mpf(delta_h) - mpmath.mpf(delta_h) ** 2)
         Omega = iso.backbone(iso.breakpoints[0])
@@ -534,8 +537,9 @@ def test_a_batch_without_flint_is_that_of_doubles(monkeypatch):
 
 @pytest.mark.both_backends
 @pytest.mark.parametrize("delta_h", [1e-85, 1e-200, 5e-324])
-def test_an_onset_on_a_jump_below_the_range_of_doubles_is_refused_and_not_denied(delta_h):
+def test_without_flint_an_onset_on_a_jump_below_the_range_of_doubles_is_refused_and_not_denied(delta_h, monkeypatch):
     """The force jumps at u_cr by some r u_cr^7: it was 0 in doubles, and "no saddle node" was said."""
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
     design = {"lam": 2.0, "r": 3.43e-83, "delta_h": delta_h, "mu": 1e-12, "zeta": 0.02}
     iso, many = Isolator(**design), Isolator.many(**design).saddle_node_onset()
     with pytest.raises(ArithmeticError, match="the onset is unresolved"):
@@ -543,12 +547,34 @@ def test_an_onset_on_a_jump_below_the_range_of_doubles_is_refused_and_not_denied
     assert many.status == Status.UNRESOLVED and np.isnan(many.F_SN)
 
 
-@compiled
+@pytest.mark.both_backends
 @pytest.mark.slow
-def test_balls_hold_the_onset_on_a_jump_below_the_range_of_doubles():
+@pytest.mark.parametrize("delta_h", [1e-85, 5e-324])
+def test_balls_give_the_onset_on_a_jump_below_the_range_of_doubles(delta_h):
+    """There it jumps up, and folds are born where R = 0, from F_0 = I on (24); single and in a batch."""
     pytest.importorskip("flint")
-    proof = Isolator(lam=2, r=3.43e-83, delta_h=1e-300, mu=1e-12, zeta=0.02).certify(5.7e-5).saddle_node_onset
-    assert proof.proved and proof.kind == "corner"
+    design = {"lam": 2.0, "r": 3.43e-83, "delta_h": delta_h, "mu": 1e-12, "zeta": 0.02}
+    found, many = Isolator(**design).saddle_node_onset(), Isolator.many(**design).saddle_node_onset()
+    u_cr = float(mpmath.sqrt(2 * mpmath.mpf(delta_h)))
+    assert found.kind == "corner" and [found.Omega, found.A] == pytest.approx([1.0, u_cr], rel=1e-15, abs=0)
+    assert found.F_SN == pytest.approx(4e-12 / math.pi, rel=1e-15, abs=0)
+    assert found.remarks == Remark.BY_BALLS | Remark.OF_TRUNCATION and many.remarks == int(found.remarks)
+    assert [many.F_SN, many.Omega, many.A] == [found.F_SN, found.Omega, found.A] and many.status == Status.OK
+
+
+@pytest.mark.both_backends
+@pytest.mark.slow
+@pytest.mark.parametrize("mu", [0.0, 1e-3])
+def test_an_onset_by_balls_says_that_lower_folds_end_at_rest(mu):
+    """Of a softening spring they do where h vanishes at Omega = 0, from the level of friction on."""
+    pytest.importorskip("flint")
+    iso = Duffing(678.8564034128265, -0.0005845965970001937, mu=mu, zeta=1e-6)
+    found = proofs.decided_onset(iso.model, proofs.Allowance())
+    assert Remark.FOLDS_AT_REST in found.remarks and f"from F_0 = {4 * mu / math.pi:g} on" in found.message
+    in_doubles = solvers.onset(iso.model)
+    assert [found.F_SN, found.Omega, found.A] == pytest.approx(
+        [in_doubles.F_SN, in_doubles.Omega, in_doubles.A], rel=1e-12
+    )
 
 
 @pytest.mark.both_backends
@@ -603,3 +629,45 @@ def test_folds_that_end_at_rest_are_there_under_quadratic_damping_alone_too():
     onset = asked.saddle_node_onset()
     assert Remark.FOLDS_AT_REST in onset.remarks and "from F_0 = 0 on" in onset.message
     assert len(fresh.saddle_nodes(0.2 * onset.F_SN)) == len(asked.saddle_nodes(0.2 * onset.F_SN)) == 1
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize(
+    ("design", "F_0"),
+    [
+        (
+            (
+                *(0.2975918362696879, 0.07663223225442382, 5.113539157467413e-08),
+                6.711744366936679e-11,
+                3.42393114108e-11,
+            ),
+            9.604108744497731e-11,
+        ),
+        (
+            (
+                *(0.734943376826064, 0.02300796750558373, 3.5148607123967826e-06),
+                3.719130072490559e-09,
+                3.47870743161e-09,
+            ),
+            6.160060597471898e-09,
+        ),
+        (
+            (*(2.9900301983650466, 4.792058447591987, 1.0475111962595819e-07), 4.53570293e-08, 6.472038710960279e-09),
+            5.775780250235655e-08,
+        ),
+    ],
+)
+def test_folds_of_one_frequency_come_by_rising_amplitude(design, F_0):
+    """Next to u_cr two folds have one double: on each path the lower one comes first, as in a certificate."""
+    pytest.importorskip("flint")
+    lam, r, delta_h, mu, zeta = design
+    iso = Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        folds, proof = iso.saddle_nodes(F_0, certify=True), proofs.in_balls().saddle_nodes(iso.model, F_0)
+    assert proof.proved and len(folds) == len(proof.A) > 1
+    for found in (folds, folds.proof, proof):
+        assert found.corner.tolist() == proof.corner.tolist()
+    assert folds.kind.tolist() == proof.kind.tolist()
+    assert np.lexsort((folds.A, folds.Omega)).tolist() == list(range(len(folds)))
+    assert (np.diff(proof.A.mean(axis=1))[np.diff(folds.Omega) == 0] >= 0).all()

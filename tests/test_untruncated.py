@@ -6,6 +6,8 @@ step from an answer to the reference's solution is the error of the answer.
 
 from __future__ import annotations
 
+import importlib.util
+
 import numpy as np
 import pytest
 from mpmath import mp, mpf
@@ -325,7 +327,17 @@ def test_an_onset_next_to_a_steep_corner(delta_h, r):
 
 
 @pytest.mark.parametrize("delta_h", [1 - 1e-9, 1 - 2.0**-52])
-def test_an_onset_at_an_amplitude_that_no_double_is_is_refused(delta_h):
-    """About 20 (1 - delta_h)^2 below 1: neither a wrong onset nor none."""
+def test_an_onset_at_an_amplitude_that_no_double_is_is_proved_in_balls_or_refused(delta_h, monkeypatch):
+    """About 20 (1 - delta_h)^2 below 1: neither a wrong onset nor none.
+
+    Its level is the least along the fold locus, which goes through A = u_cr = 1 but for that: bisecting F_A there.
+    """
+    if importlib.util.find_spec("flint") is not None:
+        found, iso = steep_isolator(delta_h).saddle_node_onset(), steep_isolator(delta_h)
+        assert found.kind == "cusp" and Remark.BY_BALLS in found.remarks
+        assert found.A == pytest.approx(iso.breakpoints[0], rel=4e-16)
+        assert len(iso.saddle_nodes(found.F_SN * (1 - 1e-9))) == 0
+        assert len(iso.saddle_nodes(found.F_SN * (1 + 1e-6))) == 2
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
     with pytest.raises(ArithmeticError, match="unresolved"):
         steep_isolator(delta_h).saddle_node_onset()

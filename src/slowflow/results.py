@@ -48,7 +48,8 @@ class Remark(IntFlag):
     CUT = 256
     #: states that turn beyond the top of the force's well, where it pushes on: exact motions do not come back from it
     BEYOND_WELL = 512
-    #: doubles left undecided how many folds or states there are, and balls of more digits decided it
+    #: doubles left undecided how many folds or states there are, or where folds are born, and balls of more digits
+    #: decided it
     BY_BALLS = 1024
 
 

@@ -28,7 +28,11 @@ def _detachment(oscillator: Any, _: int) -> tuple[Any, ...]:
 
 
 def _onset(oscillator: Any, _: int) -> tuple[Any, ...]:
-    found = oscillator and oscillator.saddle_node_onset()
+    return onset_in_columns(oscillator and oscillator.onset(Allowance(0)))
+
+
+def onset_in_columns(found: Any) -> tuple[Any, ...]:
+    """A single answer, None for a blank one, as a batch has it."""
     if not found or found.F_SN is None:
         at_rest = bool(found) and Remark.FOLDS_AT_REST in found.remarks
         return np.nan, np.nan, np.nan, 0, at_rest, found._status if found else Status.NONE

@@ -214,11 +214,14 @@ class Onsets(Batch):
     kind: Codes
     at_rest: Codes
     status: Codes
+    _by_balls: Any = field(repr=False, kw_only=True, default=False)
 
     @cached_property
     def remarks(self) -> remarks.Codes:
-        """As of all batches, and `Remark.FOLDS_AT_REST`."""
-        return frozen(super().remarks | np.where(self.at_rest, np.uint16(Remark.FOLDS_AT_REST), np.uint16(0)))
+        """As of all batches, `Remark.FOLDS_AT_REST` and `Remark.BY_BALLS`."""
+        at_rest = np.where(self.at_rest, np.uint16(Remark.FOLDS_AT_REST), np.uint16(0))
+        by_balls = np.where(self._by_balls, np.uint16(Remark.BY_BALLS), np.uint16(0))
+        return frozen(super().remarks | at_rest | by_balls)
 
     @cached_property
     def untruncated(self) -> Floats:

@@ -31,6 +31,7 @@ from slowflow.averaged.asked import (
     Question,
     curves,
     in_places,
+    onset_in_columns,
     states_in_places,
 )
 from slowflow.averaged.batches import Codes, Curves, Detachments, Folds, Onsets, Peaks, Proofs, States
@@ -44,6 +45,12 @@ from slowflow.unchanging import Unchanging
 from slowflow_kernels import inertia
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.domains import DISSIPATION
+
+
+def _undecided(columns: list[npt.NDArray[Any]]) -> npt.NDArray[np.bool_]:
+    """Where doubles do not tell a number, by the last columns of an answer."""
+    *_, undecided, status = columns
+    return np.asarray((undecided != 0) | (status == Status.UNRESOLVED))
 
 
 class Designs(Unchanging):
@@ -117,8 +124,18 @@ class Designs(Unchanging):
         return Detachments(*self.ask(DETACHMENT, workers), _designs=self, _averaged=True)
 
     def saddle_node_onset(self, *, workers: int = 1) -> Onsets:
-        """F_SN of every design, with its Omega and A."""
-        return Onsets(*self.ask(ONSET, workers), _designs=self, _averaged=True)
+        """F_SN of every design, with its Omega and A.
+
+        Which it is where doubles do not tell is asked of balls, as of single designs; of the first 20 designs.
+        """
+        columns = self.ask(ONSET, workers)
+
+        def of_one(one: Averaged) -> tuple[Remark, tuple[Any, ...]]:
+            found = one.onset()
+            return found.remarks, onset_in_columns(found)
+
+        by_balls = self._decide(of_one, columns, columns[-1] == Status.UNRESOLVED, most=proofs.MOST_ONSETS_IN_BALLS)
+        return Onsets(*columns, _designs=self, _averaged=True, _by_balls=by_balls)
 
     def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Folds:
         """Every fold at F_0, which broadcasts with the designs; `Status.TOO_MANY` where they exceed `places`.
@@ -132,22 +149,27 @@ class Designs(Unchanging):
             found = one.folds(F)
             return found.remarks, in_places(found, places, Remark.UNDECIDED in found.remarks)
 
-        by_balls = self._decide(of_one, columns, F_0)
+        by_balls = self._decide(of_one, columns, _undecided(columns), F_0)
         return Folds(*columns, _designs=self, _F_0=F_0, _averaged=True, _by_balls=by_balls)
 
     def _decide(
-        self, of_one: Callable[..., tuple[Remark, tuple[Any, ...]]], columns: list[npt.NDArray[Any]], *asked: Any
+        self,
+        of_one: Callable[..., tuple[Remark, tuple[Any, ...]]],
+        columns: list[npt.NDArray[Any]],
+        left: npt.NDArray[np.bool_],
+        *asked: Any,
+        most: int = proofs.MOST_IN_BALLS,
     ) -> npt.NDArray[np.bool_]:
-        """Change the columns to those of single answers where doubles do not decide, and balls may; where these do.
+        """Change the columns to those of single answers where balls decide; where that is.
 
         of_one -- from a single oscillator, and what is asked of it, the remarks and the columns of its answer
+        left   -- where doubles do not decide
+        most   -- how many of these balls are asked for
         """
-        *_, undecided, status = columns
-        left = (undecided != 0) | (status == Status.UNRESOLVED)
         by_balls = np.zeros(left.shape, dtype=bool)
         if self.excitation != "force" or self.laws or not left.any() or proofs.in_balls() is None:
             return by_balls
-        for at, numbers, own in islice(self._each(left, *asked), proofs.MOST_IN_BALLS):
+        for at, numbers, own in islice(self._each(left, *asked), most):
             try:
                 remarked, values = of_one(Averaged(self.model(dict(zip(self.values, numbers, strict=True)))), *own)
             except ArithmeticError:  # what single answers refuse stays refused
@@ -177,7 +199,7 @@ class Designs(Unchanging):
             found = one.states(Omega=at, F_0=F)
             return found.remarks, states_in_places(found, places)
 
-        by_balls = self._decide(of_one, columns, F_0, Omega)
+        by_balls = self._decide(of_one, columns, _undecided(columns), F_0, Omega)
         A, stable, *rest = columns
         self._leave_out_what_drifts(np.asarray(Omega, dtype=float)[..., np.newaxis], A, stable)
         given = {"_designs": self, "_F_0": F_0, "_Omega": Omega}
@@ -216,7 +238,7 @@ class Designs(Unchanging):
             *values, undecided, status = in_doubles(one, F, places)
             return remarked, (*values, undecided and Remark.BY_BALLS not in remarked, status)
 
-        by_balls = self._decide(of_one, columns, F_0)
+        by_balls = self._decide(of_one, columns, _undecided(columns), F_0)
         found, A, stable, *rest = columns
         self._leave_out_what_drifts(found, A, stable)
         return Curves(found, A, stable, *rest, _designs=self, _F_0=F_0, _averaged=True, _by_balls=by_balls)

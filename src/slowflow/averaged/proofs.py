@@ -22,7 +22,7 @@ from slowflow.averaged import solvers, words
 from slowflow.certificate import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
-from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates
+from slowflow.results import FrequencyResponse, Remark, SaddleNodeOnset, SaddleNodes, SteadyStates
 from slowflow_kernels.conventions import SAME, OnsetKind, Status
 
 Answer = TypeVar("Answer", bound=Proved)
@@ -36,6 +36,8 @@ _KINDS = np.array(["", "jump-down", "jump-up"])
 _NARROW = 2.0**-40
 #: folds at a forcing, or states at a frequency, that one answer asks balls for at most: tens of seconds
 MOST_IN_BALLS = 200
+#: the same of onsets, which take some seconds each
+MOST_ONSETS_IN_BALLS = 20
 
 
 @dataclasses.dataclass
@@ -136,10 +138,12 @@ def decided(found: SaddleNodes, model: Model, allowance: Allowance) -> SaddleNod
     # which way a sweep leaves doubles say where the proof does not
     with np.errstate(all="ignore"):  # folds of any size
         told = np.where(model.F_AA(Omega, A) < 0, "jump-up", "jump-down")
-    kind = np.where(proof.kind == "", told, proof.kind)
+    kind, corner = np.where(proof.kind == "", told, proof.kind), proof.corner
+    order = np.lexsort((~corner, A, Omega))
+    Omega, A, kind, corner = Omega[order], A[order], kind[order], corner[order]
     message, cut = words.of_folds(model, found.F_0, A.size > 0, found.message if Remark.CUT in found.remarks else "")
     codes = words.beside(False, cut) | Remark.BY_BALLS
-    return SaddleNodes(Omega, A, kind, proof.corner, found.F_0, message, model, remarks=codes)
+    return SaddleNodes(Omega, A, kind, corner, found.F_0, message, model, remarks=codes)
 
 
 def decided_states(found: SteadyStates, model: Model, asked: Floats, F_0: float, allowance: Allowance) -> SteadyStates:
@@ -199,6 +203,36 @@ def decided_curve(
 def _same(one: Floats, other: Floats) -> bool:
     """Whether numbers are the same but for a few roundings."""
     return bool((np.abs(one - other) <= SAME * one).all())
+
+
+def decided_onset(model: Model, allowance: Allowance) -> SaddleNodeOnset | None:
+    """The onset that doubles refuse, as balls prove it, with the level of lower folds that end at rest.
+
+    None where they do not: of an excitation by inertia, of other laws of damping, with a preload, without viscous
+    damping, and of a force that is infinitely stiff at rest.
+    """
+    if not is_plain(model) or model.zeta == 0 or model.preload > 0 or not np.isfinite(model.averaged(0.0)[1]):
+        return None
+    balls = in_balls()
+    if balls is None or not allowance.take():
+        return None
+    proof = balls.onset(model)
+    # that none is born is proved of amplitudes up to one that stands for infinite ones, and no forcing bounds them
+    if proof is None or not (proof.proved and proof.kind):
+        return None
+    rest = balls.at_rest(model, proof.F_0[1])
+    if rest is None or not rest.proved:
+        return None
+    # whether folds at rest lie below it has to be proved as well
+    low, high = rest.F_0 if rest.F_0.size else (np.inf, np.inf)
+    on_end = [b for b in model.breakpoints if proof.kind == "corner" and proof.A[0] <= b <= proof.A[1]]
+    ends = np.array((proof.F_0, proof.Omega, proof.A))
+    F_SN, Omega, A = _middle(ends, np.array((np.nan, np.nan, on_end[0])) if on_end else None).tolist()
+    if (low <= proof.F_0[1] and proof.F_0[0] <= high) or np.isnan((F_SN, Omega, A)).any():
+        return None
+    found = SaddleNodeOnset(F_SN, Omega, A, proof.kind, "")
+    found = words.with_folds_at_rest(model, found, 0.5 * (low + high))
+    return dataclasses.replace(found, remarks=found.remarks | Remark.BY_BALLS)
 
 
 def nothing_decided(model: Model, asked: Floats, F_0: float) -> SteadyStates:

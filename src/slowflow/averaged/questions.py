@@ -166,7 +166,9 @@ class Averaged:
         return solvers.amplitudes(planned.model, at, F_0)
 
     def saddle_nodes(self, F_0: float, *, certify: bool = False) -> SaddleNodes:
-        """Every fold of the response curve at F_0, by rising Omega (24), (30). Raises ValueError for F_0 <= 0.
+        """Every fold of the response curve at F_0, by rising Omega, of one Omega by rising A (24), (30).
+
+        Raises ValueError for F_0 <= 0.
 
         Where doubles do not tell how many there are balls of more digits do, with python-flint
         (`pip install 'slowflow[proofs]'`), in hundredths of a second; `Remark.UNDECIDED` says where neither does.
@@ -222,10 +224,14 @@ class Averaged:
         return solvers.saddle_nodes(planned.model, F_0)
 
     def saddle_node_onset(self) -> SaddleNodeOnset:
-        """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33)."""
+        """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33).
+
+        Where doubles do not tell which it is balls of more digits do, as for `saddle_nodes`, in some seconds; without
+        python-flint that is refused. Raises ArithmeticError where neither tells.
+        """
         # not as a cached property: in Python 3.11 its lock takes longer than all that is said beside the answer
         if (known := self.__dict__.get("_onset")) is None:
-            known = self.__dict__["_onset"] = self._remarked(self._lowest_fold(), math.nan)
+            known = self.__dict__["_onset"] = self._remarked(self.onset(), math.nan)
         return known
 
     def detachment(self) -> Detachment:
@@ -390,11 +396,18 @@ class Averaged:
             return plan.plan_composed(question, F_0, self.model)
         return self._plan(question, F_0)
 
-    def _lowest_fold(self) -> SaddleNodeOnset:
-        """`saddle_node_onset` without the remarks on averaging."""
+    def onset(self, allowance: proofs.Allowance | None = None) -> SaddleNodeOnset:
+        """`saddle_node_onset` without the remarks on averaging: what another approximation starts from."""
         if plan.needs_no_solver("saddle_node_onset", self.model):
             return SaddleNodeOnset(None, None, None, "", words.NO_ONSET)
-        return solvers.onset(self.model)
+        try:
+            return solvers.onset(self.model)
+        except OverflowError:
+            raise
+        except ArithmeticError:
+            if (by_balls := proofs.decided_onset(self.model, allowance or proofs.Allowance())) is None:
+                raise
+            return by_balls
 
     @cached_property
     def _detachment(self) -> Detachment:

@@ -41,7 +41,7 @@ WORDS = {
     "where",
     Remark.BEYOND_WELL: "there are states beyond the well, which turn where the spring pushes on instead of back: "
     "none is stable, as exact motions do not come back from there",
-    Remark.BY_BALLS: "balls of more digits decided how many there are, where doubles do not tell",
+    Remark.BY_BALLS: "balls of more digits decided how many there are, or which is lowest, where doubles do not tell",
     Remark.OF_TRUNCATION: "at the corner at u_cr, where the truncated force (6) jumps: the untruncated one has none",
 }
 

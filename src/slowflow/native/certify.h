@@ -143,12 +143,21 @@ static void sf_certify_corners(const sf_given *given, const sf_terms *terms, sf_
 
 static double sf_middle(sf_interval x) { return 0.5 * x.lo + 0.5 * x.hi; }
 
-/* By rising Omega. */
+/* Whether a fold comes after another one: by rising Omega, by rising A where that does not tell them apart, and where
+ * neither does the corner first. */
+static int sf_follows(const sf_enclosure *one, const sf_enclosure *other) {
+    if (one->Omega.lo > other->Omega.hi || one->Omega.hi < other->Omega.lo)
+        return one->Omega.lo > other->Omega.hi;
+    if (one->A.lo > other->A.hi || one->A.hi < other->A.lo)
+        return one->A.lo > other->A.hi;
+    return other->corner && !one->corner;
+}
+
 static void sf_sort_enclosures(sf_certificate *out) {
     int i, k;
     for (i = 1; i < out->n; i++) {
         const sf_enclosure one = out->at[i];
-        for (k = i; k > 0 && sf_middle(out->at[k - 1].Omega) > sf_middle(one.Omega); k--)
+        for (k = i; k > 0 && sf_follows(&out->at[k - 1], &one); k--)
             out->at[k] = out->at[k - 1];
         out->at[k] = one;
     }

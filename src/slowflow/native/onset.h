@@ -23,8 +23,9 @@ static sf_status sf_detachment(const sf_model *model, double *F_cr, double *Omeg
     *F_cr = sf_least_forcing(model, &at, Omega_cr);
     if (*F_cr < HUGE_VAL)
         return SF_OK;
-    *F_cr = *Omega_cr = *u_cr = NAN; /* tended to as Omega tends to inf */
-    return SF_NONE;
+    *F_cr = *Omega_cr = *u_cr = NAN;
+    /* by inertia tended to as Omega tends to inf; of a force squares are beyond the range of doubles */
+    return sf_inertial(model) ? SF_NONE : SF_NO_BOUND;
 }
 
 static void sf_consider(double level, double Omega, double A, sf_onset_kind kind, sf_onset *best) {

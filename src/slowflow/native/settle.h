@@ -397,11 +397,6 @@ static inline double sf_settle_fold(const sf_exactly *exactly, const sf_model *m
     return 0;
 }
 
-static inline void sf_swap(double *x, double *y) {
-    const double kept = *x;
-    *x = *y, *y = kept;
-}
-
 /* Folds, by rising Omega also where doubles had them in another order. Two that were apart do not become one. Returns
  * how far off one of them is left, relatively. */
 static double sf_settle_folds(const sf_exactly *exactly, const sf_model *model, double F_0, sf_folds *folds) {
@@ -424,14 +419,13 @@ static double sf_settle_folds(const sf_exactly *exactly, const sf_model *model, 
                 Omega[back] = folds->at[back].Omega, A[back] = folds->at[back].A;
             }
         }
-    for (i = 1; i < folds->n; i++)
-        for (j = i; j > 0 && Omega[j - 1] > Omega[j]; j--) {
-            const sf_fold fold = folds->at[j];
-            folds->at[j] = folds->at[j - 1], folds->at[j - 1] = fold;
-            sf_swap(&Omega[j], &Omega[j - 1]), sf_swap(&A[j], &A[j - 1]);
-        }
     for (i = 0; i < folds->n; i++)
         folds->at[i].Omega = Omega[i], folds->at[i].A = A[i];
+    for (i = 1; i < folds->n; i++)
+        for (j = i; j > 0 && sf_comes_after(&folds->at[j - 1], &folds->at[j]); j--) {
+            const sf_fold fold = folds->at[j];
+            folds->at[j] = folds->at[j - 1], folds->at[j - 1] = fold;
+        }
     return off;
 }
 

@@ -16,7 +16,7 @@ import numpy as np
 from flint import arb, ctx
 
 from slowflow.averaged import solvers, words
-from slowflow.averaged.balls.enclosure import Enclosure
+from slowflow.averaged.balls.enclosure import INFINITE, ZERO, Enclosure
 from slowflow.averaged.balls.given import Given, averages_of
 from slowflow.averaged.balls.questions import (
     ABOVE_ONSET,
@@ -24,6 +24,7 @@ from slowflow.averaged.balls.questions import (
     Candidate,
     Found,
     is_bounded,
+    lowest_at_rest,
     lowest_next_to,
     lowest_of_all,
     lowest_undamped,
@@ -33,7 +34,7 @@ from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.certificate import Proved, ProvedFolds, ProvedForcing, ProvedStates
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
-from slowflow_kernels.conventions import OnsetKind
+from slowflow_kernels.conventions import ENDLESS, OnsetKind
 
 #: how many bits are tried, in turn
 BITS = (128, 512)
@@ -49,6 +50,10 @@ _DIGITS = threading.Lock()
 def _are_sharp(*enclosures: Floats) -> bool:
     """Whether enclosures tell each fold or state to a unit in the last place."""
     return all(bool((high - low <= SHARP * high).all()) for low, high in (one.T for one in enclosures))
+
+
+def _is_forcing_sharp(found: ProvedForcing) -> bool:
+    return _are_sharp(*(one.reshape(-1, 2) for one in (found.F_0, found.Omega, found.A)))
 
 
 def _decided(
@@ -190,7 +195,23 @@ def onset(model: Model) -> ProvedForcing | None:
             return _forcing(proved, said[proved])
         return _forcing(proved, "" if proved else words.BALLS_IN_DOUBT.format(ctx.prec, ""), best)
 
-    return _decided(model, at)
+    return _decided(model, at, _is_forcing_sharp)
+
+
+def at_rest(model: Model, F_SN: float) -> ProvedForcing | None:
+    """The lowest level at which the fold locus ends at Omega = 0; proved and of no number if it nowhere does.
+
+    Not proved where states at F_SN may have amplitudes beyond the one that stands for infinite ones.
+    """
+
+    def at(given: Given) -> ProvedForcing | None:
+        level = lowest_at_rest(given)
+        if level is None or not is_bounded(given, arb(F_SN), ENDLESS):
+            return _forcing(False, words.BALLS_IN_DOUBT.format(ctx.prec, ""))
+        none = Enclosure(ZERO, ZERO)
+        return _forcing(True, "", Candidate(level, none, none, OnsetKind.NO) if level.lo < INFINITE else None)
+
+    return _decided(model, at, lambda found: _are_sharp(found.F_0.reshape(-1, 2)))
 
 
 def detachment(model: Model) -> ProvedForcing | None:

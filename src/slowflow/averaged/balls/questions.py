@@ -48,8 +48,12 @@ class Found:
         self.sign.append(sign)
 
     def by_Omega(self) -> Found:
-        """By rising frequency."""
-        order = sorted(range(len(self.A)), key=lambda i: self.Omega[i].middle)
+        """By rising frequency, of those that are the same double by rising amplitude, and of one of both the corner."""
+
+        def place(i: int) -> tuple[float, float, bool]:
+            return float(self.Omega[i].middle), float(self.A[i].middle), not self.corner[i]
+
+        order = sorted(range(len(self.A)), key=place)
         return Found(
             [self.Omega[i] for i in order],
             [self.A[i] for i in order],
@@ -431,6 +435,47 @@ def lowest_of_all(given: Given) -> tuple[Candidate | None, bool]:
     candidates.all_up_to(ENDLESS)
     best = candidates.lowest()
     return best, not candidates.full and bool(candidates.doubted > (best.level.hi if best else 0))
+
+
+def lowest_at_rest(given: Given) -> Enclosure | None:
+    """The lowest level at which the fold locus ends at Omega = 0, infinite if it nowhere does; None if not decided.
+
+    There h_A vanishes, or h, and so R; from where F_Omega falls below 0 without friction the level does not rise, so
+    that there are folds at every forcing about it. Of amplitudes from 1e-60 on.
+    """
+    least_level = Enclosure(INFINITE, INFINITE)
+    asked = Asked(given, math.inf)
+
+    def consider(level: Enclosure) -> None:
+        nonlocal least_level
+        least_level = Enclosure(least(level.lo, least_level.lo), least(level.hi, least_level.hi))
+
+    def end(on: Cell) -> bool:
+        """Whether it is decided if it is one."""
+        rises = 1 if given.m.lo > 0 else flow.F_OmegaOmega(Enclosure(ZERO, ZERO), on.A, given.zeta, on.h).sign
+        if rises > 0:
+            consider(asked.level(Enclosure(ZERO, ZERO), on))
+        return bool(rises)
+
+    def ends_on(cell: Cell) -> Sequence[Range]:
+        return Range(Where.THROUGHOUT, cell.h, cell.h_A), Range(Where.THROUGHOUT, cell.h_A, cell.h_AA)
+
+    search = Search(given, ends_on).up_to(ENDLESS, FIRST)
+    if search.doubts:
+        return None
+    for zero in search.zeros:
+        if zero.channel == 0:
+            consider(given.m)
+        elif not end(zero.on):
+            return None
+    for i, jump in enumerate(given.jumps):
+        on = asked.at_breakpoint(i)
+        if jump.lo == jump.hi == 0 or jump.sign * on.h_A.sign > 0:
+            continue
+        # h_A of the other side is infinite there: it passes 0 on the breakpoint
+        if not (jump.sign and on.h_A.sign and end(on)):
+            return None
+    return least_level
 
 
 def lowest_next_to(given: Given, F_SN: float, A_max: float) -> tuple[Candidate | None, bool]:

@@ -34,7 +34,7 @@ FEW_LOST, SQUARE_LOST = 4.0, 2.0**24
 
 
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
-    """Every fold at F_0 > m, in every regime, by rising Omega."""
+    """Every fold at F_0 > m, in every regime, by rising Omega, of one Omega by rising A, of one A the corner first."""
     return folds_up_to(model, F_0, *amplitude_bound(model, F_0))
 
 
@@ -52,7 +52,7 @@ def folds_up_to(model: Model, F_0: float, A_max: float, remark: str) -> SaddleNo
     Omega, A = np.concatenate((Omega, corner_Omega)), np.concatenate((A, corner_A))
     up = np.concatenate((up, corner_up))
     corner = np.arange(A.size) >= A.size - corner_A.size
-    order = np.argsort(Omega, kind="stable")
+    order = np.lexsort((~corner, A, Omega))
     message, cut = words.of_folds(model, F_0, A.size > 0 or undecided, remark)
     kind = np.where(up, "jump-up", "jump-down")[order]
     codes = words.beside(undecided, cut)
