@@ -12,6 +12,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import mpmath
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -20,6 +21,7 @@ from hypothesis import strategies as st
 from slowflow import Duffing, Isolator, backend
 from slowflow.averaged import parts
 from slowflow.paper.example import isolator
+from slowflow_kernels.conventions import Status
 from tests.interrupts import ENDING, interrupted
 
 native_only = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
@@ -308,6 +310,65 @@ def test_a_motion_within_its_residual_or_a_refusal(place):
             else:
                 assert found.residual <= 1e-9 * max(found.A, F_0)
             assert time.process_time() - start < 60
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize(
+    ("force", "delta_h"),
+    [
+        *(("truncated", delta_h) for delta_h in (1e-310, 1e-305, 1e-300, 1e-200, 1e-100)),
+        *(("untruncated", delta_h) for delta_h in (1e-310, 1e-200, 1e-100)),
+    ],
+)
+def test_a_preload_next_to_none_moves_nothing(force, delta_h):
+    """Springs that leave their seat at u_cr of 1e-50 and less: the mass on k_v alone, linear (24), (34)."""
+    mu, zeta, F_0, Omega = 0.01, 0.1, 0.1, 0.9
+    iso = Isolator(lam=3, r=2, delta_h=delta_h, mu=mu, zeta=zeta, force=force)
+    with mpmath.workdps(60):
+        m = 4 * mpmath.mpf(mu) / mpmath.pi
+
+        def amplitude(Omega):
+            R, I = Omega**2 - 1, 2 * mpmath.mpf(zeta) * Omega
+            return (mpmath.sqrt((I * m) ** 2 + (R**2 + I**2) * (mpmath.mpf(F_0) ** 2 - m**2)) - I * m) / (R**2 + I**2)
+
+        top = mpmath.findroot(lambda w: mpmath.diff(amplitude, w), (0.9, 1.1), solver="anderson", tol=1e-20)
+        expected, state = float(amplitude(top)), float(amplitude(mpmath.mpf(Omega)))
+    peak = iso.peak(F_0)
+    assert peak.A == pytest.approx(expected, rel=1e-14) and peak.Omega == pytest.approx(float(top), rel=1e-14)
+    assert iso.amplitudes(Omega=Omega, F_0=F_0).A.tolist() == pytest.approx([state], rel=1e-14)
+    assert iso.frequency_response(F_0).A.max() == pytest.approx(expected, rel=1e-14)
+    if force == "untruncated":  # the truncated force jumps at u_cr, where folds lie then
+        assert len(iso.saddle_nodes(F_0)) == 0
+
+
+@pytest.mark.both_backends
+@pytest.mark.filterwarnings("ignore:.*negative stiffness")
+@pytest.mark.parametrize("r", [1e180, 1e250])
+def test_a_detachment_beyond_the_range_of_doubles_is_refused(r):
+    """It was said to be tended to as Omega tends to inf, or at F_0 = inf."""
+    iso = Isolator(lam=3, r=r, delta_h=0.1, mu=0.01, zeta=0.1)
+    with pytest.raises(OverflowError, match=r"squares of the forces at the amplitude u_cr = 0\.43589 are beyond"):
+        iso.detachment()
+    many = Isolator.many(lam=3, r=[r, 2.0], delta_h=0.1, mu=0.01, zeta=0.1).detachment()
+    assert many.status.tolist() == [Status.NO_BOUND, Status.OK]
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("F_0", [1e60, 1e120])
+def test_a_force_whose_powers_leave_the_range_of_doubles_is_said_to_be_one(F_0):
+    """It is answered, or refused in these words: branches were said to coincide, which are far apart."""
+    spring = Duffing(1.0, 0.5, mu=0.01, zeta=0.1)
+    with mpmath.workdps(30):  # where R = 0: 2 zeta A Omega + m = F_0, Omega^2 = 1 + 3/8 A^2, for A as large as that
+        A = float(mpmath.sqrt(mpmath.mpf(F_0) / (2 * mpmath.mpf(0.1) * mpmath.sqrt(mpmath.mpf(3) / 8))))
+    for ask in (lambda: spring.peak(F_0).A, lambda: spring.saddle_nodes(F_0).A[-1]):
+        try:
+            assert ask() == pytest.approx(A, rel=1e-12)
+        except ArithmeticError as refusal:
+            assert "leave the range of doubles" in str(refusal)
+    try:
+        spring.frequency_response(F_0)
+    except ArithmeticError as refusal:
+        assert "leave the range of doubles" in str(refusal)
 
 
 @native_only

@@ -119,6 +119,9 @@ def test_folds_at_rest_are_said_beside_an_onset_and_where_none_is_born():
         assert onset.F_SN == (F_SN and pytest.approx(F_SN, abs=1e-4))
         assert Remark.FOLDS_AT_REST in onset.remarks and "folds that end at Omega = 0" in onset.message
         assert len(oscillator.saddle_nodes(1.001 * oscillator.sticking_forcing)) > 0
+    folds = averaged.Duffing(alpha=-0.5, beta=10, mu=0.3, zeta=0.1)
+    for F_0 in (0.5, 1.0, 3.0):  # an arc of the curve that ends at Omega = 0 twice: two folds, counted by resultants
+        assert len(spring.saddle_nodes(F_0)) == len(folds.folds(F_0)) == 2
     assert Isolator.many(**DESIGNS).saddle_node_onset().at_rest.tolist() == [0, 1, 0, 0, 1]
 
 

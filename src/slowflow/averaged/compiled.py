@@ -88,6 +88,8 @@ def onset(model: Model) -> SaddleNodeOnset:
 def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
     status, F_cr, Omega_cr, u_cr = backend.solver().detachment(model.native)
+    if status == Status.NO_BOUND:
+        raise OverflowError(words.BEYOND_RANGE.format(model.breakpoints[0]))
     if status == Status.NONE:
         said = words.NOT_REACHED.format(model.breakpoints[0]) if model.breakpoints else words.NO_DETACHMENT
         return Detachment(None, None, None, said)

@@ -45,6 +45,7 @@ NO_TOP = "no peak: the amplitude tends to F_0 = {:g} from below as Omega tends t
 NOT_REACHED = (
     "the amplitude u_cr = {0:g} is tended to as Omega tends to inf, at F_0 = {0:g}, and not reached below that"
 )
+BEYOND_RANGE = "F_cr is not found: squares of the forces at the amplitude u_cr = {:g} are beyond the range of doubles"
 NO_TOP_BELOW = "no peak: the amplitude tends to {:g} from below as Omega tends to inf"
 NOT_REACHED_BELOW = (
     "the amplitude u_cr = {:g} is tended to as Omega tends to inf, at F_0 = {:g}, and not reached below that"
@@ -81,6 +82,10 @@ OF_NO_ONSET = (
     "not certified: that no fold is born at any forcing is not proved",
     "no saddle node is born at any forcing",
 )
+
+
+#: of a forcing, from which on its powers in the discriminants of F and F_A leave the range of doubles
+LARGEST = 2.0**170
 
 
 def does_not_close(A_max: float) -> tuple[float, str]:
@@ -121,8 +126,11 @@ def sticks(model: Model, F_0: float) -> str:
 
 
 def unresolved(model: Model, F_0: float) -> str:
-    """That branches coincide within rounding, and why where F_0 hardly moves the mass."""
-    said = f"the response is unresolved at F_0 = {F_0:.17g}: branches coincide within rounding"
+    """That branches coincide within rounding, and why where F_0 hardly moves the mass, or that they are too large."""
+    said = f"the response is unresolved at F_0 = {F_0:.17g}: "
+    if F_0 > LARGEST:
+        return f"{said}powers of it leave the range of doubles; in larger units of length it may be resolved"
+    said += "branches coincide within rounding"
     if not model.inertial and F_0 <= model.m * (1 + CLOSE):
         said += f", as F_0 exceeds 4 mu/pi = {model.m:.17g} by no more than rounding may make of it"
     return said + _or_not_known(model)

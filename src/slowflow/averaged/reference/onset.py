@@ -474,6 +474,8 @@ def detachment(model: Model) -> Detachment:
         least = int(np.argmin(levels))
         return Detachment(float(levels[least]), float(at[least]), u_cr, "")
     level, Omega = least_forcing(model, np.array([model.breakpoints[0]]))
+    if not level[0] < np.inf:
+        raise OverflowError(words.BEYOND_RANGE.format(model.breakpoints[0]))
     return Detachment(float(level[0]), float(Omega[0]), model.breakpoints[0], "")
 
 

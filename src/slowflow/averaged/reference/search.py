@@ -94,7 +94,10 @@ def _find_zeros(model: Model, questions: Sequence[Asked], pieces: Sequence[Stret
     while len(a):
         looked_at += len(a)
         if looked_at > MOST_CELLS:
-            raise ArithmeticError("the response is unresolved: too many intervals of the amplitude stay undecided")
+            raise ArithmeticError(
+                "the response is unresolved: too many intervals of the amplitude stay undecided, as where numbers "
+                "leave the range of doubles"
+            )
         n, middle = len(a), amid(base[piece], a.A, b.A)
         last = ~((middle > a.A) & (middle < b.A)) | (b.A - a.A <= NARROW * b.A)
         cells = cells_of(model, a, b, starts.take(piece))
