@@ -396,11 +396,13 @@ def direct() -> list[Row]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--direct", action="store_true", help="Appendix A's direct integration too")
+    parser.add_argument("--busy", action="store_true", help="say on the page that other work kept the machine busy")
     arguments = parser.parse_args()
     print(f"integrator: {default_integrator(table_1(False)).name}")
     found = [{**asdict(row), "kept": row.kept} for row in rows() + (direct() if arguments.direct else [])]
     print("\n".join(document.exact_table(found)))
-    document.save(document.RESULTS / "exact.json", {"environment": environment.describe(), "rows": found})
+    busy = {"earlier": document.BUSY} if arguments.busy else {}
+    document.save(document.RESULTS / "exact.json", {"environment": environment.describe(), **busy, "rows": found})
     document.write()
 
 

@@ -189,7 +189,9 @@ def write(results: Path = RESULTS, docs: Path = DOCS) -> None:
         lines += ["## How cost grows", "", "![Cost against size](scaling.png)", ""]
         lines += [*STOPS_WORDS, "", *stops_table(precision["scaling"]["stops"]), ""]
     if exact:
-        lines += ["## The equation of motion", "", *EXACT_WORDS, "", *environment_lines(exact["environment"]), ""]
+        about = [f"{exact['earlier'].capitalize()}."] if "earlier" in exact else []
+        lines += ["## The equation of motion", "", *EXACT_WORDS, *about, ""]
+        lines += [*environment_lines(exact["environment"]), ""]
         lines += [*exact_table(exact["rows"]), ""]
     if derive:
         about = [f"{derive['earlier'].capitalize()}."] if "earlier" in derive else []
