@@ -509,6 +509,22 @@ def test_next_to_no_preload_the_oscillator_is_linear(delta_h):
     assert oscillator.peak(0.1).A == pytest.approx(linear.peak(0.1).A, rel=1e-12)
 
 
+@pytest.mark.both_backends
+def test_an_undamped_isolator_has_the_fold_on_u_cr_where_that_rounds_to_the_reach():
+    """1 - u_cr is 1.3e-24: amplitudes were looked at up to 1 and the breakpoint passed over, "no saddle node"."""
+    iso = Isolator(lam=3, r=0.08375893991500209, delta_h=0.9999999999983609, mu=0.0008087995494863725, zeta=0)
+    F_0 = 0.0012489827592250076
+    folds = iso.saddle_nodes(F_0)
+    assert folds.A.tolist() == [1.0] and folds.corner.tolist() == [True] and folds.kind.tolist() == ["jump-up"]
+    with mpmath.workdps(60):  # next to 1 the truncated force (6) is that of the spring attached: R = -sqrt(F_0^2 - m^2)
+        u_cr = mpmath.sqrt(2 * mpmath.mpf(iso.delta_h) - mpmath.mpf(iso.delta_h) ** 2)
+        alpha, beta, gamma = (mpmath.mpf(x) for x in iso.model.parameters[:3])
+        H = alpha * u_cr + 3 * beta * u_cr**3 / 4 + 5 * gamma * u_cr**5 / 8
+        R = mpmath.sqrt(mpmath.mpf(F_0) ** 2 - (4 * mpmath.mpf(iso.mu) / mpmath.pi) ** 2)
+        known = [float(mpmath.sqrt((H + sign * R) / u_cr)) for sign in (-1, 1) if H + sign * R > 0]
+    assert min(abs(folds.Omega[0] - one) for one in known) < 1e-14
+
+
 @pytest.mark.parametrize("zeta", [1e-9, 1e-11, 1e-12, 1e-14])
 def test_no_fold_on_the_corner_is_made_up_where_there_is_all_but_no_damping(zeta):
     """The folds tend to those at zeta = 0, off the peak, which goes to infinity and is none."""

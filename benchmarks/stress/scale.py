@@ -35,9 +35,6 @@ BESIDE, ANYWHERE = 120, 60
 COUNTED = ("asked", "differ", "undecided", "unproved", "refused")
 #: cases named of each kind that differ or that nothing proves
 NAMED = 3
-#: undamped motions are looked at up to the reach, 1, and no farther: where u_cr is 1 in doubles, and less exactly, the
-#: proof has the fold on u_cr and the answer does not
-NEXT_TO_REACH = 1e-7
 Tally = dict[str, Any]
 Flags = npt.NDArray[np.bool_]
 Numbers = tuple[draws.Floats, ...]
@@ -70,7 +67,7 @@ class Kind:
 def undamped_isolators(rng: np.random.Generator, count: int) -> Numbers:
     """Friction alone, or nothing."""
     lam, r, delta_h, mu, zeta = draws.drawn_isolators(rng, count)
-    return lam, r, np.minimum(delta_h, 1 - NEXT_TO_REACH), mu, 0 * zeta
+    return lam, r, delta_h, mu, 0 * zeta
 
 
 def isolators_without_stiffness(rng: np.random.Generator, count: int) -> Numbers:

@@ -372,8 +372,13 @@ class Model:
 
     @cached_property
     def reach(self) -> float:
-        """Largest |u| of the mechanism, inf if it has none, see `Mechanism.reach_at`."""
-        return float(self.mechanism.reach_at(*self.parameters))
+        """Largest |u| of the mechanism, inf if it has none, see `Mechanism.reach_at`.
+
+        A breakpoint that rounds to it lies below it: folds on it are looked for.
+        """
+        reach = float(self.mechanism.reach_at(*self.parameters))
+        last = max(self.breakpoints, default=0.0)
+        return reach if last < reach else math.nextafter(last, math.inf)
 
     def given(self) -> dict[str, Any]:
         """Names of mechanism and excitation, and the numbers that make the oscillator, its design if that is known."""

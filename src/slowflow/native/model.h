@@ -112,6 +112,9 @@ static inline int sf_prepare(const sf_mechanism *mechanism, const double *design
         if (at[2] == 0 && fabs(at[0] - A * at[1]) <= SF_LINEAR * fabs(at[0]))
             model->reach = HUGE_VAL;
     }
+    /* a breakpoint that rounds to the reach lies below it: folds on it are looked for */
+    if (model->breaks > 0 && model->b[model->breaks - 1] >= model->reach)
+        model->reach = nextafter(model->b[model->breaks - 1], HUGE_VAL);
     return 1;
 }
 
