@@ -53,7 +53,7 @@ class Motion:
     rates        -- u', v' by theta
     by_state     -- derivatives of the rates by u, v: row by row
     stopping     -- friction over the largest force of inertia of A cos theta, in its let
-    structural   -- the zeta whose damper is (eta/Omega) u'
+    structural   -- the zeta whose damper is (eta/Omega) u', and its slope by Omega
     by_parameter -- by Omega, F_0, zeta, friction and f, which any parameter of the force enters by: row by row
     """
 
@@ -67,7 +67,7 @@ class Motion:
     push_slopes: tuple[sp.Expr, ...]
     stopping_lets: tuple[Let, ...]
     stopping: sp.Expr
-    structural: sp.Expr
+    structural: tuple[sp.Expr, sp.Expr]
     rates: tuple[sp.Expr, ...]
     by_state: tuple[sp.Expr, ...]
     by_parameter: tuple[sp.Expr, ...]
@@ -147,11 +147,11 @@ def _stopping() -> tuple[tuple[Let, ...], sp.Expr]:
     return ((turn, Omega**2),), mu / largest.subs(Omega, sp.sqrt(turn))
 
 
-def _structural(equation: sp.Expr) -> sp.Expr:
-    """Of what (3) has for zeta."""
+def _structural(equation: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Of what (3) has for zeta, and how that goes with Omega along a curve."""
     damper = equation - equation.subs(zeta, 0)
     (found,) = sp.solve(damper - eta / Omega * v, zeta)
-    return found
+    return found, sp.diff(found, Omega)
 
 
 def motion() -> Motion:

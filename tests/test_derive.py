@@ -289,6 +289,36 @@ def test_floats_in_a_force_are_the_decimals_that_were_written(folder):
     assert half(beta=1.0, zeta=0.02).force(np.array([0.3])) == pytest.approx(0.5 * 0.3 + 0.3**3, rel=1e-15)
 
 
+@pytest.mark.parametrize(
+    ("force", "told"),
+    [
+        (u + beta * u**2, "beta*u**2 + u is not odd: for u < 0 the force is that of |u| with the other sign"),
+        (beta + u, "beta + u is not odd: for u < 0 the force is that of |u| with the other sign, a preload of beta"),
+        (u + beta * u**3, ""),
+        (u + beta * u * sp.Abs(u), ""),
+    ],
+    ids=str,
+)
+def test_a_force_that_was_not_written_odd_says_what_stands_for_it(folder, force, told):
+    made = derive.mechanism("even", [(force, None)], {"beta": ABOVE_0})
+    assert repr(made).endswith(f"on NumPy; {told}" if told else "on NumPy")
+    assert made(beta=0.5, zeta=0.02).force([-0.3]) == -made(beta=0.5, zeta=0.02).force([0.3])
+
+
+def test_a_load_on_a_preload_is_refused_for_the_jump_that_it_is(folder):
+    held = derive.mechanism("held", [(beta + u, None)], {"beta": ABOVE_0})
+    with pytest.raises(ValueError, match=r"held_.*not derived for a force that jumps at u = 0, as a preload does"):
+        held(beta=0.1, zeta=0.02, load=0.3)
+
+
+def test_an_end_below_0_and_an_acceleration_are_refused_with_what_is_allowed(stop):
+    below = derive.mechanism(**{**STOP, "parameters": {"k_1": ABOVE_0, "k_2": ABOVE_0, "gap": {}}})
+    with pytest.raises(ValueError, match=r"end at \|u\| = -0\.2, which must rise from 0"):
+        below(**{**NUMBERS, "gap": -0.2})
+    with pytest.raises(ValueError, match=r"'acceleration' is not allowed.*'base'.*is a force, F_0 = m a/\(k_v L\)"):
+        stop(**NUMBERS, excitation="acceleration")
+
+
 def test_what_is_derived_once_is_not_derived_again(stop, monkeypatch):
     import slowflow_derivation.live
 

@@ -83,6 +83,20 @@ def test_states_and_derivatives_against_twenty_five_digits(name, end):
     assert np.max(np.abs(flow.ravel() - np.array(y[2:], dtype=float))) <= 5e-15
 
 
+@pytest.mark.parametrize("integrator", [OURS, ScipyIntegrator()], ids=lambda one: one.name)
+def test_structural_damping_goes_with_the_frequency_by_which_a_state_is_differentiated(integrator):
+    """The derivative by Omega against a difference: zeta + eta/(2 Omega) is that of either frequency."""
+    piece = PIECES["duffing"][0]
+
+    def at(Omega):
+        drive = Drive(Omega, 0.3, 0.02 + 0.3 / (2 * Omega), 0.0, 0.4, -0.3 / (2 * Omega**2))
+        u, v, flow = integrator.advance(piece, drive, 0.7, 0.9, 0.4, 1.4)
+        return np.array((u, v)), flow[:, 2]
+
+    (above, _), (below, _), (_, slope) = at(0.8 + 1e-5), at(0.8 - 1e-5), at(0.8)
+    assert slope == pytest.approx((above - below) / 2e-5, rel=1e-8)
+
+
 @pytest.mark.parametrize("zeta", [0.0, 0.02, 0.7])
 def test_a_stop_is_found_where_the_closed_form_has_it(zeta):
     """The linear oscillator released from rest: v = 0 again where the closed form says, to the last places."""

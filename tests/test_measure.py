@@ -4,6 +4,7 @@ import pickle
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator
 from slowflow.averaged.questions import Averaged
@@ -105,3 +106,65 @@ def test_an_answer_that_knows_whom_it_was_asked_of_is_what_it_was():
     assert asked == alone and hash(asked) == hash(alone) and asked.to_dict() == alone.to_dict()
     back = pickle.loads(pickle.dumps(asked))
     assert back == asked and back.measure() == asked.measure()
+
+
+OFF_CENTRE = [
+    (Duffing(1.0, 0.6, 0.0, 0.03, load=0.3), 0.12),
+    (Duffing(1.0, 0.6, 0.0, 0.03, load=0.3, c_2=0.2, excitation="base"), 0.12),
+]
+
+
+@pytest.mark.parametrize(("osc", "F_0"), OFF_CENTRE, ids=repr)
+def test_states_under_a_load_are_measured_by_the_motion_that_an_integration_settles_to(osc, F_0):
+    asked = osc.amplitudes(Omega=[0.8, 1.5, 1.8], F_0=F_0)
+    measured = asked.measure()
+    assert len(asked) == 3 and asked.stable.all() and measured.found.all() and measured.stable.all()
+    for state, entry in zip(asked, measured, strict=True):
+        largest = settled(osc, state.Omega, F_0, state.B)
+        assert entry.A == pytest.approx(largest, rel=1e-6)
+        assert entry.error == pytest.approx((abs(state.B) + state.A) / largest - 1.0, abs=2e-6)
+    assert 1e-4 < np.abs(measured.error).max() < 0.1
+
+
+def settled(osc, Omega, F_0, start):
+    """The largest |u| over a turn of the forcing, long after the mass was released at rest, by SciPy."""
+    amplitude = F_0 * Omega**2 if osc.excitation == "base" else F_0
+
+    def motion(tau, state):
+        u, v = state
+        pushes = osc.load + amplitude * np.cos(Omega * tau)
+        return v, pushes - osc.alpha * u - osc.beta * u**3 - 2 * osc.zeta * v - osc.c_2 * abs(v) * v
+
+    turn = 2 * np.pi / Omega
+    at = np.linspace(160 * turn, 161 * turn, 8001)
+    return np.abs(
+        solve_ivp(motion, (0, at[-1]), (start, 0.0), rtol=1e-9, atol=1e-11, t_eval=at, method="DOP853").y[0]
+    ).max()
+
+
+def test_folds_under_a_load_are_measured_by_those_of_the_exact_curve():
+    osc, F_0 = Duffing(1.0, 0.6, 0.0, 0.03, load=0.3), 0.16
+    asked = osc.saddle_nodes(F_0)
+    measured, exact = asked.measure(), osc.exact_response(F_0, Omega=(0.9, 1.8)).folds
+    assert len(asked) == 2 and measured.found.all()
+    for fold, entry in zip(asked, measured, strict=True):
+        (same,) = (one for one in exact if one.kind == fold.kind and abs(one.Omega / fold.Omega - 1) < 0.05)
+        assert (entry.Omega, entry.A) == pytest.approx((same.Omega, same.A), rel=1e-8)
+        assert entry.error == fold.Omega / entry.Omega - 1.0
+        assert entry.error_of_A == (abs(fold.B) + fold.A) / entry.A - 1.0
+
+
+def test_motions_in_either_well_are_two():
+    """They have one largest |u|, and opposite means."""
+    asked = Duffing(-0.5, 1.0, 0.0, 0.05).off_centre.amplitudes(Omega=1.2, F_0=0.05)
+    measured = asked.measure()
+    assert asked.B[1:] == pytest.approx([asked.B[1], -asked.B[1]])
+    assert measured.found.tolist() == [True] * 3 and measured.stable.tolist() == [False, True, True]
+    assert measured.A[1] == pytest.approx(measured.A[2], rel=1e-12)
+
+
+def test_what_is_no_state_and_no_fold_off_the_centre_is_not_measured():
+    osc = Duffing(1.0, 0.6, 0.0, 0.03, load=0.3)
+    for answer in (osc.peak(0.1), osc.rest(), osc.saddle_node_onset()):
+        with pytest.raises(ValueError, match="states and folds are measured"):
+            answer.measure()

@@ -66,6 +66,17 @@ static inline void motion_resistance(double v, double zeta, double friction, dou
     out[1] = quadratic * v + zeta;
 }
 
+/* The zeta of structural damping at one frequency, and its slope by Omega.
+   Equation beside (3). Domain: Omega > 0.
+   Operations: 5 structured, 4 common subexpressions, 4 power chains
+ */
+static inline void motion_structural(double Omega, double eta, double *out)
+{
+    const double t0 = 0.5 * eta;
+    out[0] = t0 / Omega;
+    out[1] = -t0 / (Omega * Omega);
+}
+
 /* What u' gains of a deviation of u where u'' changes at an edge.
    Equation beside (3). Domain: v other than 0.
    Operations: 2 structured, 2 common subexpressions, 2 power chains

@@ -88,10 +88,10 @@ class Derived(Stated):
 
     folder: Path
 
-    def __init__(self, record: Mechanism, folder: Path, stated: Any) -> None:
+    def __init__(self, record: Mechanism, folder: Path, stated: Any, beside: str = "") -> None:
         super().__init__(record)
         self.folder = folder
-        self._stated = stated
+        self._stated, self._beside = stated, beside
 
     @property
     def stated_name(self) -> str:
@@ -125,7 +125,7 @@ class Derived(Stated):
             how += ", by quadrature"
         if not self.record.odd and self.compiled:
             how = "motions compiled, averages on NumPy"
-        return self._told(how)
+        return self._told(how + self._beside)
 
 
 def mechanism(
@@ -144,8 +144,9 @@ def mechanism(
     name       -- of a module
     pieces     -- by rising |u|: the whole restoring force for u > 0, an expression in the SymPy symbol u and the
                   parameters, and the |u| at which the piece ends, None for the last one. |u| is u there, a constant in
-                  the first piece is a preload. Polynomials have averages in closed form; those of powers that are no
-                  whole numbers, and of elementary functions, are summed by quadrature
+                  the first piece is a preload: a force that is odd is f(|u|) sign(u), and where it was not written so
+                  the mechanism says that when it is printed. Polynomials have averages in closed form; those of powers
+                  that are no whole numbers, and of elementary functions, are summed by quadrature
                   A piece may be a Python function instead, as all of them then are, called as f(u, **parameters): on
                   NumPy, with one number for u or an array, whichever it takes. It ends at a number or at a function
                   of the parameters. It needs the `reach`; it is smooth between its ends, which ends of pieces are
@@ -173,7 +174,7 @@ def mechanism(
         return _sampled(name, pieces, parameters, title, reach, reach_reason, odd, compile)
     stated = _derivation().stated(name, pieces, parameters, title, *furthest, odd=odd)
     _check_names(stated.design)
-    return _derived(stated, compile)
+    return _derived(stated, compile, _made_odd(given.expression("piece 1", pieces[0][0])) if odd else "")
 
 
 def library(name: str, *, compile: bool = False) -> Derived:
@@ -256,7 +257,17 @@ def _sampled(
     return Sampled(sampled.record(stated, titled[0].upper() + titled[1:], of_record, reach_reason))
 
 
-def _derived(stated: Any, compile: bool) -> Derived:
+def _made_odd(force: Any) -> str:
+    """That a first piece is not odd as it was written, and what stands for it; "" where it is."""
+    u = next((symbol for symbol in force.free_symbols if symbol.name == "u"), None)
+    preload, mirrored = (force, force) if u is None else (force.subs(u, 0), force.subs(u, -u))
+    if (force + mirrored).expand() == 0:
+        return ""
+    jumps = f", a preload of {preload}" if preload != 0 else ""
+    return f"; {force} is not odd: for u < 0 the force is that of |u| with the other sign{jumps}"
+
+
+def _derived(stated: Any, compile: bool, beside: str = "") -> Derived:
     """Derived and printed, if it was not, and compiled if that is wanted."""
     if not isinstance(compile, bool):
         raise TypeError(f"compile = {compile!r} is not allowed: it must be True or False")
@@ -275,7 +286,7 @@ def _derived(stated: Any, compile: bool) -> Derived:
     record: Mechanism = printed.MECHANISM
     if compile and not _is_attached(record):
         _attach(printed, _compiled(folder, module))
-    return Derived(record, folder, stated)
+    return Derived(record, folder, stated, beside)
 
 
 def _derivation(module: str = "slowflow_derivation.live") -> ModuleType:

@@ -103,7 +103,7 @@ def designs_of(
 
     laws -- eta and c_2: a plain 0 is none, as of load
     """
-    validate.choice("excitation", excitation, tuple(EXCITATIONS))
+    validate.excitation(excitation, tuple(EXCITATIONS))
     validate.choice("rubs", rubs, tuple(RUBS))
     values |= {name: value for name, value in laws.items() if not _is_none(value)}
     if not mechanism.odd or not _is_none(load):

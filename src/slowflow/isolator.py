@@ -159,7 +159,7 @@ class Isolator(Oscillator):
         is allowed, and looks as if it were in another unit, as L = 80, is told in a warning.
         """
         moving = m if load is None else validate.number("load", si("load", load, "kilogram"), above=0.0)
-        excited = validate.choice("excitation", excitation, tuple(EXCITATIONS))
+        excited = validate.excitation(excitation, tuple(EXCITATIONS))
         scales = Scales(m=moving, k_v=k_v, L=L, excitation=excited, damping="zeta" if c is None else "c")
         preset = validate.number("m", si("m", m, "kilogram"), above=0.0)
         beyond = scales.m - preset

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from slowflow_kernels import duffing, inertia, slow_flow
+from slowflow_kernels import duffing, inertia, motion, slow_flow
 from slowflow_support.record import Function, Law, Mechanism, Parameter
 
 __all__ = [
@@ -255,6 +255,7 @@ class EquationOfMotion:
     c_2      -- quadratic damping, c_2 |u'|u'
     released -- whether friction acts on the first piece of the force only
     mu_s     -- what friction holds a mass at rest with, where that is more than mu
+    eta      -- structural damping, (eta/Omega) u' in a motion at Omega
     """
 
     force: Force
@@ -265,9 +266,11 @@ class EquationOfMotion:
     c_2: float = 0.0
     released: bool = False
     mu_s: float = 0.0
+    eta: float = 0.0
 
     def __post_init__(self) -> None:
-        for name, value in (("mu", self.mu), ("zeta", self.zeta), ("c_2", self.c_2), ("mu_s", self.mu_s)):
+        for name in ("mu", "zeta", "c_2", "mu_s", "eta"):
+            value = getattr(self, name)
             if not (np.isfinite(value) and value >= 0):
                 raise ValueError(f"{name} = {value} must be finite and not negative")
 
@@ -284,6 +287,18 @@ class EquationOfMotion:
         """The largest push against which friction holds a mass at rest there."""
         held = 0.0 if self.released and region != 0 else max(self.mu, self.mu_s)
         return held + self.force.jump if region == 0 else held
+
+    @property
+    def is_damped(self) -> bool:
+        """Whether anything resists."""
+        return not self.mu == self.zeta == self.c_2 == self.eta == 0
+
+    def damping(self, Omega: float) -> tuple[float, float]:
+        """The viscous damping ratio of motions at Omega, structural damping among it, and its slope by Omega."""
+        if self.eta == 0:
+            return self.zeta, 0.0
+        zeta, slope = motion.structural(Omega, self.eta)
+        return self.zeta + float(zeta), float(slope)
 
     def forcing(self, *, Omega: float, F_0: float) -> float:
         """Amplitude of the force at an amplitude F_0 of the excitation."""

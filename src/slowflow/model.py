@@ -214,7 +214,10 @@ class Model:
                 where = f"there is no real u at which piece {lost} of the force ends"
                 raise ValueError(f"{given}: not allowed together, {where}")
             where = f"{'|u|' if odd else 'u'} = {', '.join(f'{end:g}' for end in ends)}"
-            raise ValueError(f"{given}: not allowed together, the force's pieces end at {where}, which must rise")
+            above = " from 0" if odd and min(ends) < 0 else ""
+            raise ValueError(
+                f"{given}: not allowed together, the force's pieces end at {where}, which must rise{above}"
+            )
         return m, tuple(end for end, _ in kept), tuple(jump for _, jump in kept)
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -20,9 +20,8 @@ from slowflow.certificate import Certificate
 from slowflow.loaded import Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, followed
 from slowflow.model import THROUGHOUT, Laws, Model
-from slowflow.results import Measured, MeasuredFolds, Remark, SaddleNodeOnset, SaddleNodes, SteadyStates
+from slowflow.results import Measured, MeasuredFolds, Remark, SaddleNodeOnset
 from slowflow.unchanging import Unchanging
-from slowflow_kernels import motion
 from slowflow_kernels.domains import EXCITATIONS
 
 if TYPE_CHECKING:
@@ -64,7 +63,7 @@ class Oscillator(Unchanging, Averaged):
         off the centre: what has no answer there, see `off_centre`, raises ValueError
 
     With eta, c_2 or rubs="attached" the averaged questions are answered on NumPy, in some tenths of a second each.
-    There are no proofs, no second approximation, and with eta > 0 no exact response curves, sweeps or shocks.
+    There are no proofs, no second approximation, and with eta > 0, which is stated at a frequency, no shocks.
 
     It does not change. Each of these numbers, and each parameter of the force, can be read under its name; `replace`
     makes another oscillator. Raises ValueError for a number outside its domain, TypeError for a name that is missing
@@ -93,7 +92,7 @@ class Oscillator(Unchanging, Averaged):
     ) -> None:
         values = {**design, "mu": mu, "zeta": zeta}
         laws = Laws.of(eta, c_2, rubs)
-        known_as = validate.choice("excitation", excitation, tuple(EXCITATIONS))
+        known_as = validate.excitation(excitation, tuple(EXCITATIONS))
         if not mechanism.odd:  # nothing is averaged about the centre, which these would be asked of
             self._check_rubs(off_centre_by(mechanism, 0.0), laws)
         super().__init__(Model.of(mechanism, values, known_as, laws))
@@ -152,7 +151,7 @@ class Oscillator(Unchanging, Averaged):
         from slowflow.off_centre.questions import OffCentre
 
         self._check_rubs("off_centre", self.model.laws)
-        return OffCentre(self.model.unloaded if isinstance(self.model, Loaded) else self.model, self.load)
+        return OffCentre(self.model.unloaded if isinstance(self.model, Loaded) else self.model, self.load, self)
 
     def at_centre(self, question: str) -> None:
         """Raises ValueError where the question is asked of an oscillator under a load, for which it has no answer."""
@@ -300,20 +299,23 @@ class Oscillator(Unchanging, Averaged):
         other = mechanism.load_untruncated()
         return Force.of(other, tuple(float(value) for value in other.coefficients(*self.design)))
 
-    def equation_of_motion(self, which: str | None = None, *, Omega: float | None = None) -> EquationOfMotion:
+    def equation_of_motion(self, which: str | None = None) -> EquationOfMotion:
         """Equation (3) without its forcing, the force as in `restoring_force`.
 
-        Structural damping is (eta/Omega) u' at the frequency of the motion, and so needs that. Raises ValueError as
-        `restoring_force`, for a force that has no stiffness at u = 0 that is finite, and for eta > 0 without Omega.
+        Structural damping is (eta/Omega) u' in a motion at Omega. Raises ValueError as `restoring_force`, and for a
+        force that has no stiffness at u = 0 that is finite.
         """
         laws, force = self.model.laws, followed(self.restoring_force(which), self.model.mechanism.name)
-        if laws.eta > 0 and Omega is None:
-            raise validate.NotAvailable(
-                f"eta = {laws.eta:g} is not allowed here: structural damping is stated at one frequency"
-            )
-        structural = 0.0 if laws.eta == 0 or Omega is None else motion.structural(Omega, laws.eta)
         beside = self.model.inertial, self.load, laws.c_2, laws.rubs != THROUGHOUT, self.given.get("mu_s", 0.0)
-        return EquationOfMotion(force, self.mu, self.zeta + structural, *beside)
+        return EquationOfMotion(force, self.mu, self.zeta, *beside, laws.eta)
+
+    def _in_time(self, which: str | None) -> EquationOfMotion:
+        """`equation_of_motion` of a motion that has no frequency. Raises ValueError for eta > 0."""
+        if self.eta > 0:
+            raise validate.NotAvailable(
+                f"eta = {self.eta:g} is not allowed here: structural damping is stated at one frequency"
+            )
+        return self.equation_of_motion(which)
 
     def steady_state(
         self, *, Omega: float, F_0: float, A: float | None = None, force: str | None = None
@@ -332,8 +334,7 @@ class Oscillator(Unchanging, Averaged):
         """
         from slowflow.exact import questions
 
-        at = validate.number("Omega", Omega, above=0.0)
-        return questions.steady_state(self, self.equation_of_motion(force, Omega=at), at, F_0, A)
+        return questions.steady_state(self, self.equation_of_motion(force), Omega, F_0, A)
 
     def exact_response(
         self,
@@ -399,7 +400,7 @@ class Oscillator(Unchanging, Averaged):
         """
         from slowflow.exact import questions
 
-        return questions.transient(self, self.equation_of_motion(force), acceleration, duration, tau, after)
+        return questions.transient(self, self._in_time(force), acceleration, duration, tau, after)
 
     def shock_spectrum(self, *, acceleration: Any, duration: Any, force: str | None = None) -> exact.ShockSpectrum:
         """What half sines of the base do to the mass: deflection and acceleration over peak and duration of the pulse.
@@ -411,7 +412,7 @@ class Oscillator(Unchanging, Averaged):
         """
         from slowflow.exact import questions
 
-        return questions.shocks(self, self.equation_of_motion(force), acceleration, duration)
+        return questions.shocks(self, self._in_time(force), acceleration, duration)
 
     def at_rest(self) -> loads.AtRest:
         """What holds whatever the forcing: .Omega_0 .k_0 .u_cr, and by friction .break_loose .rests_within .sticking.
@@ -470,17 +471,24 @@ class Oscillator(Unchanging, Averaged):
         """Itself: it has an equation of motion."""
         return self
 
-    def measured_states(self, found: SteadyStates, force: str | None) -> Measured:
-        """See `slowflow.results.SteadyStates.measure`."""
+    def measured_states(self, found: Any, force: str | None, B: Floats | None = None) -> Measured:
+        """See `slowflow.results.SteadyStates.measure`; off the centre with the mean of each state."""
         from slowflow.exact import measure
 
-        return measure.states(self.equation_of_motion(force), found)
+        return measure.states(self.equation_of_motion(force), found, B)
 
-    def measured_folds(self, found: SaddleNodes, force: str | None) -> MeasuredFolds:
-        """See `slowflow.results.SaddleNodes.measure`."""
+    def measured_folds(self, found: Any, force: str | None, B: Floats | None = None) -> MeasuredFolds:
+        """See `slowflow.results.SaddleNodes.measure`; likewise."""
         from slowflow.exact import measure
 
-        return measure.folds(self, self.equation_of_motion(force), found)
+        def at_frequency(Omega: float) -> tuple[Any, Floats]:
+            if B is None:
+                centred = self.states(Omega=Omega, F_0=found.F_0)
+                return centred, np.zeros(centred.A.size)
+            states = self.off_centre.amplitudes(Omega=Omega, F_0=found.F_0)
+            return states, states.B
+
+        return measure.folds(at_frequency, self.equation_of_motion(force), found, B)
 
     @cached_property
     def second_approximation(self) -> SecondApproximation:

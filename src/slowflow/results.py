@@ -181,12 +181,12 @@ class MeasuredFolds(Table):
 class Measures(Protocol):
     """What an answer was asked of, as far as it can be held against the equation of motion."""
 
-    def measured_states(self, found: SteadyStates, force: str | None) -> Measured:
-        """See `SteadyStates.measure`."""
+    def measured_states(self, found: Any, force: str | None, B: Floats | None = None) -> Measured:
+        """See `SteadyStates.measure`; B is the mean of each state off the centre."""
         ...
 
-    def measured_folds(self, found: SaddleNodes, force: str | None) -> MeasuredFolds:
-        """See `SaddleNodes.measure`."""
+    def measured_folds(self, found: Any, force: str | None, B: Floats | None = None) -> MeasuredFolds:
+        """See `SaddleNodes.measure`; likewise."""
         ...
 
 

@@ -143,6 +143,14 @@ def choice(name: str, value: Any, allowed: tuple[str, ...]) -> str:
     return value
 
 
+def excitation(value: Any, allowed: tuple[str, ...]) -> str:
+    """What F_0 is the amplitude of, one of the words allowed; of an acceleration it is said what stands for it."""
+    if isinstance(value, str) and "acceleration" in value.lower() and value not in allowed:
+        of_constant = "a base whose acceleration has a constant amplitude a is a force, F_0 = m a/(k_v L)"
+        raise _refuse("excitation", value, f"{' or '.join(map(repr, allowed))}; {of_constant}")
+    return choice("excitation", value, allowed)
+
+
 def meant(word: Any, known: Iterable[str]) -> str:
     """The known word that is nearest to another one, as the end of a sentence; empty where none is near."""
     if not isinstance(word, str):

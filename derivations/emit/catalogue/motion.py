@@ -34,7 +34,7 @@ from ..form import Module, plain
 #: what the compiled integrator asks for
 IN_C = (
     *("push", "push_slopes", "breakaway", "acceleration", "resistance"),
-    *("across", "turned", "released", "rates_by_state", "rates_by_parameter"),
+    *("across", "turned", "released", "rates_by_state", "rates_by_parameter", "structural"),
 )
 
 
@@ -112,7 +112,7 @@ def motion_module(results: Results) -> Module:
             "structural",
             (Omega, eta),
             sharp.structural,
-            "The zeta of structural damping at one frequency.",
+            "The zeta of structural damping at one frequency, and its slope by Omega.",
             "beside (3)",
             "Omega > 0",
             generic=True,

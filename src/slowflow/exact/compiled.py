@@ -34,7 +34,17 @@ from slowflow.mechanism import EquationOfMotion, Force, Law, OneSided, Piece
 
 EXACT: Any = backend.EXACT
 PHASE = struct.Struct("@iiddddddi?0d")  # a phase as C has it, in the order of `motion.Phase`
-ALONE = 0.0, 0.0, False, 0.0, 0.0, False, 0.0, 0.0  # friction and damping of a piece by itself: a drive has its own
+ALONE = (
+    0.0,
+    0.0,
+    False,
+    0.0,
+    0.0,
+    False,
+    0.0,
+    0.0,
+    0.0,
+)  # friction and damping of a piece by itself: a drive has its own
 TRACED = 50  # points of a curve at a time: some milliseconds, after which Ctrl-C is heard
 
 
@@ -55,7 +65,7 @@ def of_system(system: EquationOfMotion) -> Any:
     pieces, edges = by_rising_u(force)
     about = -force.region_of(-math.inf)
     laws, constants = tuple(recurrences(piece.law) for piece in pieces), tuple(piece.constants for piece in pieces)
-    damping = system.mu, system.zeta, system.inertial, system.load, system.c_2, system.released, system.mu_s
+    damping = system.mu, system.zeta, system.inertial, system.load, system.c_2, system.released, system.mu_s, system.eta
     return EXACT.system(laws, constants, edges, about, force.odd, *damping, force.jump)
 
 

@@ -131,7 +131,7 @@ class Path:
                     yield self._fold(point, new, size)
                 yield new
                 if new.A > LARGEST:
-                    unbounded = new.cycle.system.zeta == 0
+                    unbounded = new.cycle.system.zeta == new.cycle.system.eta == 0
                     raise ArithmeticError(
                         f"the response curve at F_0 = {self.F_0} passes A = {LARGEST:g} at Omega = {new.z[-1]:.9g}: "
                         + ("without viscous damping resonance is unbounded (27); " if unbounded else "")

@@ -79,7 +79,7 @@ def spend(steps: int, *, keep: bool = False) -> None:
 class Drive(NamedTuple):
     """The constants of a slip phase; friction and quadratic are mu and c_2 times the sign of the velocity.
 
-    Of friction a static load is taken off.
+    Of friction a static load is taken off. Structural damping is part of zeta, and has it go with Omega.
     """
 
     Omega: float
@@ -87,6 +87,7 @@ class Drive(NamedTuple):
     zeta: float
     friction: float
     quadratic: float = 0.0
+    zeta_by_Omega: float = 0.0
 
     def resistance(self, v: Any) -> tuple[Any, Any]:
         """What resists like friction at a velocity, quadratic damping included, and zeta with its slope beside it."""
@@ -142,6 +143,7 @@ class ScipyIntegrator:
             # arrays of numbers: np.reshape of a tuple takes as long as all the rest
             by_state = np.array(motion.rates_by_state(Omega, damps, piece.slope(y[0]))).reshape(2, 2)
             by_parameter = np.array(motion.rates_by_parameter(*given)).reshape(2, -1)
+            by_parameter[:, 0] += drive.zeta_by_Omega * by_parameter[:, 2]
             rates = np.empty(10)
             rates[:2] = motion.rates(*given)
             tangent = np.matmul(by_state, y[2:].reshape(2, 4), out=rates[2:].reshape(2, 4))

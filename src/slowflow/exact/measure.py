@@ -1,6 +1,7 @@
 """Averaged answers held against the equation of motion, here and now: in go states or folds, out come their errors.
 
-In:  an averaged oscillator and the equation of motion, steady states or folds at one forcing.
+In:  an averaged oscillator and the equation of motion, steady states or folds at one forcing; off the centre their mean
+     displacements B, and |B| + A is what the largest |u| of a motion is held against.
 Out: `Measured` or `MeasuredFolds`: the motion or fold that each leads to, and how far from it averaging is; where it
      leads to none, words.
 
@@ -10,17 +11,15 @@ met from a motion beside it.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
 from slowflow.exact import response, shooting
 from slowflow.exact.integrate import limited
 from slowflow.mechanism import EquationOfMotion, Floats
-from slowflow.results import Measured, MeasuredFolds, SaddleNodes, SteadyStates
-
-if TYPE_CHECKING:
-    from slowflow.averaged.questions import Averaged
+from slowflow.results import Measured, MeasuredFolds
 
 #: motions nearer to each other than this, relative in amplitude, are one
 MATCHES = 1e-8
@@ -44,26 +43,32 @@ NO_FOLD = f"the exact curve beside it has no fold within a factor of {AROUND:g} 
 TAKEN_FOLD = "it leads to the fold of another one"
 
 
-def states(system: EquationOfMotion, found: SteadyStates) -> Measured:
+#: averaged states at a frequency, with their means
+AtFrequency = Callable[[float], tuple[Any, Floats]]
+
+
+def states(system: EquationOfMotion, found: Any, B: Floats | None = None) -> Measured:
     """The motion that each averaged state leads to. Raises ValueError for a force <= mu."""
+    means = np.zeros(found.A.size) if B is None else B
+    largest = found.A + np.abs(means)
     motions: list[shooting.SteadyState | None] = []
     reasons = [""] * found.A.size
     forcing = np.broadcast_to(found.F_0, found.Omega.shape)
-    columns = (column.tolist() for column in (found.Omega, found.A, found.phi, forcing))
-    for i, (Omega, A, phi, F_0) in enumerate(zip(*columns, strict=True)):
+    columns = (column.tolist() for column in (found.Omega, found.A, found.phi, forcing, means))
+    for i, (Omega, A, phi, F_0, mean) in enumerate(zip(*columns, strict=True)):
         motion = None
         for share in TRIALS if Omega > 0.0 else ():
-            motion = shooting.near(system, Omega, F_0, (share * A, phi))
+            motion = shooting.near(system, Omega, F_0, (share * A, phi), B=mean)
             if motion is not None:
                 break
         motions.append(motion)
         if motion is None:
             reasons[i] = NO_MOTION if Omega > 0.0 else AT_REST
-    _one_each(found, forcing, motions, reasons)
+    _one_each(found, largest, forcing, motions, reasons, has_mean=B is not None)
     return Measured(
         Omega=found.Omega.copy(),
         A=np.array([np.nan if motion is None else motion.A for motion in motions]),
-        error=np.array([np.nan if m is None else A / m.A - 1.0 for m, A in zip(motions, found.A, strict=True)]),
+        error=np.array([np.nan if m is None else A / m.A - 1.0 for m, A in zip(motions, largest, strict=True)]),
         stable=np.array([motion is not None and motion.stable for motion in motions], dtype=bool),
         stops=np.array([0 if motion is None else motion.stops for motion in motions], dtype=np.intp),
         found=np.array([motion is not None for motion in motions], dtype=bool),
@@ -73,14 +78,23 @@ def states(system: EquationOfMotion, found: SteadyStates) -> Measured:
 
 
 def _one_each(
-    found: SteadyStates, forcing: Floats, motions: list[shooting.SteadyState | None], reasons: list[str]
+    found: Any,
+    largest: Floats,
+    forcing: Floats,
+    motions: list[shooting.SteadyState | None],
+    reasons: list[str],
+    *,
+    has_mean: bool,
 ) -> None:
-    """Leaves a motion to one of the states at its frequency that lead to it: as stable as it is, else the nearest."""
+    """Leaves a motion to one of the states at its frequency that lead to it: as stable as it is, else the nearest.
+
+    Of two whose means are opposite |u| is alike, and u where it turns is not.
+    """
 
     def distance(i: int) -> tuple[bool, float]:
         motion = motions[i]
         assert motion is not None
-        return bool(found.stable[i]) != motion.stable, abs(float(found.A[i]) - motion.A)
+        return bool(found.stable[i]) != motion.stable, abs(float(largest[i]) - motion.A)
 
     for i, motion in enumerate(motions):
         for j in range(i - 1, -1, -1):
@@ -89,18 +103,21 @@ def _one_each(
                 break
             if motion is None or other is None or abs(motion.A - other.A) > MATCHES * motion.A:
                 continue
+            if has_mean and abs(float(motion.unknowns[0] - other.unknowns[0])) > MATCHES * motion.A:
+                continue
             loser = max(i, j, key=distance)
             motions[loser], reasons[loser] = None, TAKEN
             motion = motions[i]
 
 
 @limited()
-def folds(averaged: Averaged, system: EquationOfMotion, found: SaddleNodes) -> MeasuredFolds:
+def folds(at_frequency: AtFrequency, system: EquationOfMotion, found: Any, B: Floats | None = None) -> MeasuredFolds:
     """The fold of the exact curve that each averaged one leads to. Raises ValueError for F_0 <= mu."""
     exact: list[response.Fold | None] = []
     reasons = []
-    for Omega, A in zip(found.Omega.tolist(), found.A.tolist(), strict=True):
-        fold = _fold(averaged, system, found.F_0, Omega, A)
+    largest = found.A if B is None else found.A + np.abs(B)
+    for Omega, A in zip(found.Omega.tolist(), largest.tolist(), strict=True):
+        fold = _fold(at_frequency, system, found.F_0, Omega, A)
         taken = fold is not None and any(
             abs(other.Omega / fold.Omega - 1.0) + abs(other.A / fold.A - 1.0) < MATCHES for other in exact if other
         )
@@ -112,23 +129,26 @@ def folds(averaged: Averaged, system: EquationOfMotion, found: SaddleNodes) -> M
         Omega=at,
         A=height,
         error=found.Omega / at - 1.0,
-        error_of_A=found.A / height - 1.0,
+        error_of_A=largest / height - 1.0,
         found=np.array([fold is not None for fold in exact], dtype=bool),
         reason=np.array(reasons, dtype=np.str_),
         message=_told(reasons, "folds"),
     )
 
 
-def _fold(averaged: Averaged, system: EquationOfMotion, F_0: float, Omega: float, A: float) -> response.Fold | None:
+def _fold(
+    at_frequency: AtFrequency, system: EquationOfMotion, F_0: float, Omega: float, A: float
+) -> response.Fold | None:
     """The nearest of the folds that the exact curve meets from motions beside the averaged one."""
-    more, fewer = (averaged.states(Omega=Omega * (1 + side * ASIDE), F_0=F_0).A.size for side in (1, -1))
+    more, fewer = (at_frequency(Omega * (1 + side * ASIDE))[0].A.size for side in (1, -1))
     for offset in BESIDE:
         for side in (1.0, -1.0) if more == fewer else (1.0,) if more > fewer else (-1.0,):
             at = Omega * (1.0 + side * offset)
-            beside = averaged.states(Omega=at, F_0=F_0)
-            by_distance = np.argsort(np.abs(beside.A - A) / A + ~beside.stable)
+            beside, means = at_frequency(at)
+            by_distance = np.argsort(np.abs(beside.A + np.abs(means) - A) / A + ~beside.stable)
             for i in by_distance[:2]:
-                start = shooting.near(system, at, F_0, (float(beside.A[i]), float(beside.phi[i])))
+                guess = float(beside.A[i]), float(beside.phi[i])
+                start = shooting.near(system, at, F_0, guess, B=float(means[i]))
                 if start is None:
                     continue
                 fold = response.first_fold(start, -side, (Omega / AROUND, Omega * AROUND))

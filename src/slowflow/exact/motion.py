@@ -78,7 +78,8 @@ class Forced(NamedTuple):
         """The constants of a slip phase in that region."""
         system = self.system
         friction = slip * system.friction(region) - system.load
-        return Drive(self.Omega, self.force, system.zeta, friction, slip * system.c_2)
+        zeta, by_Omega = system.damping(self.Omega)
+        return Drive(self.Omega, self.force, zeta, friction, slip * system.c_2, by_Omega)
 
     def push(self, region: int, theta: float, u: float) -> float:
         """The force less f(u): what friction has to hold at rest."""

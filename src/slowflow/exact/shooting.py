@@ -412,7 +412,7 @@ def check_numbers(system: EquationOfMotion, Omega: float, F_0: float) -> None:
     for name, value in (("Omega", Omega), ("F_0", F_0)):
         if not (math.isfinite(value) and value > 0):
             raise ValueError(f"{name} = {value} must be positive and finite")
-    if system.mu == system.zeta == system.c_2 == 0:
+    if not system.is_damped:
         raise ValueError("mu = 0 and zeta = 0: without any damping the forced motion has no attracting steady state")
 
 

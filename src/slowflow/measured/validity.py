@@ -31,7 +31,7 @@ NOT_MEASURED_LAWS = (
 )
 NOT_MEASURED_OFF_CENTRE = (
     "not measured: how far averaging is off is known of motions about the centre only (docs/validity.md); "
-    "steady_state() has the motion itself"
+    "measure() of states and folds measures here and now"
 )
 NEAR_STICKING = "mu/F_0 = {:.3g} is near pi/4, where averaging fails: amplitudes "
 NEAR_STICKING_ATTACHED = (

@@ -17,10 +17,10 @@ from slowflow.model import Floats, Model
 from slowflow.off_centre import moves
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.moves import Given
-from slowflow.results import DRAWN, InDecibels, Remark
+from slowflow.results import DRAWN, NOT_ASKED, InDecibels, Measured, MeasuredFolds, Measures, Remark
 from slowflow_kernels.conventions import Pinned
 
-NOT_MEASURED = "errors of averaging are measured about the centre only: off it steady_state has the motions themselves"
+NOT_MEASURED = "off the centre states and folds are measured, as amplitudes(...).measure(): this answer is neither"
 NO_GRADIENT = "where a mass rests has no gradient: those of its motions have the mean's"
 WITHIN = "no gradient is derived where the mean turns back at the peak"
 
@@ -29,11 +29,11 @@ class Balanced:
     """What answers share that stand on the balance of the mean."""
 
     def measure(self) -> NoReturn:
-        """Raises NotAvailable: off the centre averaging is not held against the equation of motion at the answer."""
+        """Raises NotAvailable: off the centre states and folds are held against the equation of motion."""
         raise validate.NotAvailable(NOT_MEASURED)
 
 
-class AveragedOff(Balanced):
+class AveragedOff:
     """What answers share that averaging gives: a place of rest is one of the equation of motion itself."""
 
     #: of an answer, where its forcing is
@@ -139,6 +139,7 @@ class OffCentreStates(AveragedOff, InDecibels, Table):
     _model: Model | None = field(default=None, kw_only=True, repr=False)
     _h: Floats = field(repr=False)
     _flow: Flow = field(repr=False)
+    _asked: Measures | None = field(default=None, kw_only=True, repr=False)
 
     @cached_property
     def phi(self) -> Floats:
@@ -157,6 +158,15 @@ class OffCentreStates(AveragedOff, InDecibels, Table):
         On a base that shakes it is as well the absolute displacement of the mass over that of the base.
         """
         return frozen(np.asarray(self._flow.transmissibility(self.Omega, self.A, self.F_0, self._h)) + 0 * self.A)
+
+    def measure(self, force: str | None = None) -> Measured:
+        """How far each state is from the equation of motion, here and now; see `SteadyStates.measure`.
+
+        `.A` of the answer is the largest |u| of the motion, and `.error` that of `u_max`.
+        """
+        if self._asked is None:
+            raise ValueError(NOT_ASKED)
+        return self._asked.measured_states(self, force, self.B)
 
     def gradient(self) -> Gradient:
         """How A, B, phi and transmissibility of each state move with the parameters, the load, F_0 and Omega, exactly.
@@ -219,6 +229,7 @@ class OffCentreFolds(AveragedOff, Table):
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
+    _asked: Measures | None = field(default=None, kw_only=True, repr=False)
     picture: ClassVar[str] = "folds"
 
     def plot(self, ax: Any = None) -> Any:
@@ -226,6 +237,15 @@ class OffCentreFolds(AveragedOff, Table):
         from slowflow import pictures
 
         return pictures.folds(ax, self)
+
+    def measure(self, force: str | None = None) -> MeasuredFolds:
+        """How far each fold is from one of the exact curve, here and now, about a second; see `SaddleNodes.measure`.
+
+        `.A` of the answer is the largest |u| at the fold, and `.error_of_A` that of |B| + A.
+        """
+        if self._asked is None:
+            raise ValueError(NOT_ASKED)
+        return self._asked.measured_folds(self, force, self.B)
 
     def gradient(self) -> Gradient:
         """How Omega, A and B of each fold move with the parameters, the load and F_0, exactly.
@@ -240,7 +260,7 @@ class OffCentreFolds(AveragedOff, Table):
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentreDetachment(AveragedOff, Single):
+class OffCentreDetachment(Balanced, AveragedOff, Single):
     """The lowest forcing for which |B| + A reaches u_cr; None and a message where there is none.
 
     F_cr, Omega_cr -- forcing and frequency
@@ -269,7 +289,7 @@ class OffCentreDetachment(AveragedOff, Single):
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentrePeak(AveragedOff, Single):
+class OffCentrePeak(Balanced, AveragedOff, Single):
     """How far motions at one forcing go, isolated curves included; None and a message where there is no motion.
 
     A, B, Omega -- the largest amplitude, its mean displacement and its frequency
@@ -305,7 +325,7 @@ class OffCentrePeak(AveragedOff, Single):
 
 
 @dataclass(frozen=True, eq=False)
-class OffCentreOnset(AveragedOff, Single):
+class OffCentreOnset(Balanced, AveragedOff, Single):
     """The lowest forcing for which a stable motion ends at a fold; None and a message where none is found.
 
     F_SN, Omega -- forcing and frequency

@@ -29,6 +29,7 @@ from slowflow.loads_many import ManySpectra
 from slowflow.mechanism import EquationOfMotion, Force, Mechanism, followed
 from slowflow.model import THROUGHOUT, Floats
 from slowflow.off_centre.flow import Flow
+from slowflow.off_centre.means import NO_MEANS, NOT_SMOOTH
 from slowflow.off_centre.questions import OffCentre
 from slowflow.results import InDecibels, Remark
 from slowflow.unchanging import Unchanging
@@ -526,7 +527,7 @@ class OffCentreDesigns(Unchanging):
 def check_polynomial(mechanism: Mechanism) -> None:
     """Raises ValueError for a force that is not answered off the centre."""
     if mechanism.steps is None and mechanism.curved is None:
-        raise validate.NotAvailable(f"load is not available for {mechanism.name}: its force is no polynomial")
+        raise validate.NotAvailable(f"load is not available for {mechanism.name}: {NO_MEANS.format(NOT_SMOOTH)}")
 
 
 #: questions about the centre that many designs have

@@ -21,12 +21,17 @@ from typing import Any
 
 import numpy as np
 
+from slowflow import validate
 from slowflow.averaged.reference.intervals import Elementary, Interval
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats
 from slowflow.off_centre.curved import Curved, Part
 from slowflow.off_centre.smooth import SINGULAR, Beyond, check, outwards
 from slowflow_kernels import off_centre, off_centre_intervals
+
+NO_MEANS = "motions off the centre are not derived for a force {}"
+JUMPS = "that jumps at u = 0, as a preload does"
+NOT_SMOOTH = "of which a piece is no polynomial, nor known to be smooth up to its ends"
 
 #: derivatives of the force that are asked for at most, as `off_centre.averaged` does
 ORDERS = 3
@@ -153,10 +158,8 @@ class Steps:
         """Of a force that is no polynomial, from what it and its slope gain at its ends."""
         stated = mechanism.curved
         if stated is None:
-            raise ValueError(
-                f"{mechanism.name}: a piece of its force is no polynomial, and motions off the centre are not derived "
-                "for such a force"
-            )
+            jumps = mechanism.odd and float(mechanism.pieces[0].force(0.0, *parameters)) != 0
+            raise validate.NotAvailable(f"{mechanism.name}: {NO_MEANS.format(JUMPS if jumps else NOT_SMOOTH)}")
         gains = np.array([float(one) for one in stated.gained(*parameters)]).reshape(-1, 3)
         laws = [
             (partial(_law, one, parameters), partial(_held, other, parameters), False)

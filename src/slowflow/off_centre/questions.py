@@ -39,7 +39,7 @@ from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Means, Steps
 from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach
 from slowflow.off_centre.reach import BEYOND as BEYOND_IT
-from slowflow.results import Remark, SaddleNodes
+from slowflow.results import Measures, Remark, SaddleNodes
 from slowflow.unchanging import Unchanging
 from slowflow_kernels import dissipation, off_centre
 
@@ -93,6 +93,7 @@ class OffCentre(Unchanging):
     """An oscillator under a static load, or one whose motions may leave the centre, averaged.
 
     load -- the static load over k_v L, what the mass weighs beyond what the vertical spring holds at the centre
+    asked -- what measures answers against the equation of motion, where that is known
 
     Answers are kept for some time, as one is made of others: a response of its folds, margins of almost all.
     The force may be any piecewise polynomial, odd or not, and any other that is smooth up to the ends of its pieces.
@@ -105,6 +106,7 @@ class OffCentre(Unchanging):
 
     model: Loaded
     _model: Model
+    _asked: Measures | None
     _steps: Steps
     _flow: Flow
     _m: float
@@ -113,10 +115,11 @@ class OffCentre(Unchanging):
     _complete: Complete
     _known: dict[tuple[Any, ...], Any]
 
-    def __init__(self, model: Model, load: float) -> None:
+    def __init__(self, model: Model, load: float, asked: Measures | None = None) -> None:
         steps, flow = Steps(model.mechanism, model.parameters, load), Flow.of(model)
         # not by attribute: these cannot be set
-        self.__dict__.update(model=Loaded(model, load), _model=model, _steps=steps, _flow=flow)
+        self.__dict__.update(model=Loaded(model, load), _model=model, _asked=asked)
+        self.__dict__.update(_steps=steps, _flow=flow)
         self.__dict__.update(_m=model.m, _zeta=model.zeta, _known={})
         self.__dict__.update(_reach=Reach(steps, flow), _complete=Complete(steps, flow))
 
@@ -136,6 +139,11 @@ class OffCentre(Unchanging):
             if len(self._known) > KEPT:
                 self._known.pop(next(iter(self._known)), None)
         return found
+
+    @property
+    def _whose(self) -> dict[str, Any]:
+        """What states and folds know of whom they were asked of."""
+        return {"_model": self._model, "_asked": self._asked}
 
     @property
     def load(self) -> float:
@@ -252,7 +260,7 @@ class OffCentre(Unchanging):
             found = at_pairs(lambda at, one: self.amplitudes(Omega=at, F_0=one), Omega, F_0, names)
             told: dict[str, Any] = {"load": self.load, "message": found.message(), "Omega_undecided": found.undecided()}
             told["remarks"] = reduce(or_, (part.remarks for part in found.parts), Remark(0))
-            return OffCentreStates(**found.columns, F_0=found.F_0, _flow=self._flow, _model=self._model, **told)
+            return OffCentreStates(**found.columns, F_0=found.F_0, _flow=self._flow, **self._whose, **told)
         at = validate.frequencies("Omega", Omega).ravel()
         F_0 = validate.number("F_0", F_0, above=0.0)
         self._damped("amplitudes")
@@ -389,7 +397,7 @@ class OffCentre(Unchanging):
             columns = [np.concatenate(pair) for pair in zip(columns, beside, strict=True)]
         order = np.argsort(columns[0], kind="stable")
         Omega, A, B, kind, corner = (column[order] for column in columns)
-        return OffCentreFolds(Omega, A, B, kind, corner, F_0, self.load, **said._asdict(), _model=self._model)
+        return OffCentreFolds(Omega, A, B, kind, corner, F_0, self.load, **said._asdict(), **self._whose)
 
     def saddle_node_onset(self) -> OffCentreOnset:
         """The lowest forcing for which a stable motion ends at a fold, with its Omega, A, B; up to `A_max(F_SN)`.
@@ -591,7 +599,7 @@ class OffCentre(Unchanging):
         kind = np.where(corner, on_corner, kind)
         order, said = np.argsort(Omega, kind="stable"), said.beside(self._beyond_reach(A, B))
         Omega, A, B = Omega[order], A[order], B[order]
-        beside = {**said._asdict(), "_model": self._model}
+        beside = {**said._asdict(), **self._whose}
         return OffCentreFolds(Omega, A, B, kind[order], corner[order], F_0, self.load, **beside)
 
     def _frequency(self, A: Floats, R: Floats, F_0: Any, h: Any) -> Floats:
@@ -625,7 +633,7 @@ class OffCentre(Unchanging):
             _h=h,
             _flow=self._flow,
             **said._asdict(),
-            _model=self._model,
+            **self._whose,
         )
 
     def _beyond_reach(self, A: Any, B: Any) -> _Said:
@@ -658,7 +666,7 @@ class OffCentre(Unchanging):
             branch=found.branch,
             isola=found.closed,
             **said._asdict(),
-            _model=self._model,
+            **self._whose,
         )
 
     def _damped(self, question: str) -> None:

@@ -84,9 +84,13 @@ def passed_on(Omega, A_1, F_0, phi):
 
 
 def of_structural(Omega, eta):
-    """By the work of a cycle of amplitude 1: pi eta, and that of a damper 2 zeta u'."""
-    cycle = [2 * mp.pi * k / (8 * Omega) for k in range(8)]
-    return [mp.pi * eta / sum(2 * mp.diff(lambda t: mp.cos(Omega * t), t) ** 2 * mp.pi / (4 * Omega) for t in cycle)]
+    """By the work of a cycle of amplitude 1: pi eta, and that of a damper 2 zeta u'; and its slope."""
+
+    def zeta(at):
+        cycle = [2 * mp.pi * k / (8 * at) for k in range(8)]
+        return mp.pi * eta / sum(2 * mp.diff(lambda t: mp.cos(at * t), t) ** 2 * mp.pi / (4 * at) for t in cycle)
+
+    return [zeta(Omega), mp.diff(zeta, Omega)]
 
 
 def stopping(Omega, A, mu):

@@ -23,16 +23,18 @@ static void numbers(PyObject *tuple, double *out, Py_ssize_t count)
         out[i] = PyFloat_AsDouble(PyTuple_GetItem(tuple, i));
 }
 
-/* (laws, constants, edges, about, odd, mu, zeta, inertial, load, c_2, released, mu_s): pieces by rising u; constants
+/* (laws, constants, edges, about, odd, mu, zeta, inertial, load, c_2, released, mu_s, eta): pieces by rising u;
+ * constants
  * less the side of u = 0 */
 static PyObject *make_system(PyObject *self, PyObject *arguments)
 {
     (void)self;
     PyObject *laws, *constants, *edges;
-    double mu, zeta, load, c_2, mu_s, jump = 0.0;
+    double mu, zeta, load, c_2, mu_s, eta, jump = 0.0;
     int about, odd, inertial, released, alone = 0;
-    if (!PyArg_ParseTuple(arguments, "O!O!O!ipddpddpd|di", &PyTuple_Type, &laws, &PyTuple_Type, &constants, &PyTuple_Type,
-                          &edges, &about, &odd, &mu, &zeta, &inertial, &load, &c_2, &released, &mu_s, &jump, &alone))
+    if (!PyArg_ParseTuple(arguments, "O!O!O!ipddpddpdd|di", &PyTuple_Type, &laws, &PyTuple_Type, &constants, &PyTuple_Type,
+                          &edges, &about, &odd, &mu, &zeta, &inertial, &load, &c_2, &released, &mu_s, &eta, &jump,
+                          &alone))
         return NULL;
     const Py_ssize_t pieces = PyTuple_Size(laws);
     if (pieces < 1 || PyTuple_Size(constants) != pieces || PyTuple_Size(edges) != pieces - 1 || about < 0 ||
@@ -55,7 +57,8 @@ static PyObject *make_system(PyObject *self, PyObject *arguments)
         return PyErr_NoMemory();
     sf_piece *const piece = (sf_piece *)(system + 1);
     double *const edge = (double *)(piece + pieces), *at = edge + pieces + 1;
-    *system = (sf_system){(int)pieces, about, odd, piece, edge, mu, zeta, inertial, load, c_2, released, mu_s, jump};
+    *system = (sf_system){(int)pieces, about, odd, piece, edge, mu, zeta, inertial, load,
+                          c_2, released, mu_s, jump, eta};
     edge[0] = -SF_FAR, edge[pieces] = SF_FAR;
     numbers(edges, edge + 1, pieces - 1);
     for (Py_ssize_t i = 0; i < pieces && !PyErr_Occurred(); i++) {
@@ -105,8 +108,8 @@ static PyObject *advance(PyObject *self, PyObject *arguments)
     double theta, u, v, end;
     long left;
     Py_buffer out;
-    if (!PyArg_ParseTuple(arguments, "O(ddddd)ddddlw*", &capsule, &drive.Omega, &drive.F_0, &drive.zeta,
-                          &drive.friction, &drive.quadratic, &theta, &u, &v, &end, &left, &out))
+    if (!PyArg_ParseTuple(arguments, "O(dddddd)ddddlw*", &capsule, &drive.Omega, &drive.F_0, &drive.zeta,
+                          &drive.friction, &drive.quadratic, &drive.zeta_by_Omega, &theta, &u, &v, &end, &left, &out))
         return NULL;
     const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
     if (system == NULL || out.len < (Py_ssize_t)(2 * sizeof(sf_four))) {
@@ -133,8 +136,8 @@ static PyObject *until(PyObject *self, PyObject *arguments)
     int slip;
     _Bool undecided = 0;
     long left;
-    if (!PyArg_ParseTuple(arguments, "O(ddddd)idddddl", &capsule, &drive.Omega, &drive.F_0, &drive.zeta,
-                          &drive.friction, &drive.quadratic, &slip, &edge, &theta, &u, &v, &end, &left))
+    if (!PyArg_ParseTuple(arguments, "O(dddddd)idddddl", &capsule, &drive.Omega, &drive.F_0, &drive.zeta,
+                          &drive.friction, &drive.quadratic, &drive.zeta_by_Omega, &slip, &edge, &theta, &u, &v, &end, &left))
         return NULL;
     const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
     if (system == NULL)
@@ -160,8 +163,8 @@ static PyObject *sample(PyObject *self, PyObject *arguments)
     double theta, u, v;
     long left;
     Py_buffer grid, out;
-    if (!PyArg_ParseTuple(arguments, "O(ddddd)dddly*w*", &capsule, &drive.Omega, &drive.F_0, &drive.zeta,
-                          &drive.friction, &drive.quadratic, &theta, &u, &v, &left, &grid, &out))
+    if (!PyArg_ParseTuple(arguments, "O(dddddd)dddly*w*", &capsule, &drive.Omega, &drive.F_0, &drive.zeta,
+                          &drive.friction, &drive.quadratic, &drive.zeta_by_Omega, &theta, &u, &v, &left, &grid, &out))
         return NULL;
     const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
     const long count = (long)(grid.len / (Py_ssize_t)sizeof(double)), most = left;
@@ -395,7 +398,7 @@ static PyObject *shocks(PyObject *self, PyObject *arguments)
 
 static PyMethodDef methods[] = {
     {"system", make_system, METH_VARARGS,
-     "laws, constants, edges, about, odd, mu, zeta, inertial, load, c_2, released, mu_s -> an oscillator."},
+     "laws, constants, edges, about, odd, mu, zeta, inertial, load, c_2, released, mu_s, eta -> an oscillator."},
     {"laws", laws, METH_O, "The laws of a table in a shared library, by name."},
     {"advance", advance, METH_VARARGS, "system, drive, theta, u, v, end, steps, derivatives -> outcome, spent, u, v."},
     {"until", until, METH_VARARGS,

@@ -26,6 +26,7 @@ typedef struct {
     int released; /* whether friction acts on piece `about` only */
     double mu_s;  /* what friction holds a mass at rest with, where that is more than mu */
     double jump;  /* f(0+): where it is not 0 piece `about` is the place u = 0, without width, with f = 0 */
+    double eta;   /* structural damping, (eta/Omega) u' */
 } sf_system;
 
 /* F_0: amplitude of the excitation, see sf_forcing */
@@ -94,11 +95,22 @@ static inline int sf_zeros_of_start(const sf_system *system, int region)
     return sf_static(system, region) > sf_friction(system, region) ? 1 : 2;
 }
 
+/* the viscous damping ratio of motions at Omega, structural damping among it, and its slope by Omega */
+static inline void sf_damping(const sf_forced *forced, double damping[2])
+{
+    damping[0] = damping[1] = 0.0;
+    if (forced->system->eta != 0.0)
+        motion_structural(forced->Omega, forced->system->eta, damping);
+    damping[0] += forced->system->zeta;
+}
+
 static inline sf_drive sf_drive_of(const sf_forced *forced, int slip, int region)
 {
     const sf_system *const system = forced->system;
     const double friction = slip * sf_friction(system, region) - system->load;
-    return (sf_drive){forced->Omega, sf_forcing(forced), system->zeta, friction, slip * system->c_2};
+    double zeta[2];
+    sf_damping(forced, zeta);
+    return (sf_drive){forced->Omega, sf_forcing(forced), zeta[0], friction, slip * system->c_2, zeta[1]};
 }
 
 /* what friction has to hold at rest */
@@ -118,9 +130,10 @@ static inline void sf_push_slopes(const sf_forced *forced, int region, double th
 static inline double sf_acceleration(const sf_forced *forced, int slip, int region, double theta, double u, double v)
 {
     const sf_system *const system = forced->system;
-    double resists[2];
-    motion_resistance(v, system->zeta, slip * sf_friction(system, region), slip * system->c_2, resists);
-    return motion_acceleration(cos(theta), v, sf_forcing(forced), system->zeta, resists[0],
+    double resists[2], zeta[2];
+    sf_damping(forced, zeta);
+    motion_resistance(v, zeta[0], slip * sf_friction(system, region), slip * system->c_2, resists);
+    return motion_acceleration(cos(theta), v, sf_forcing(forced), zeta[0], resists[0],
                                sf_value(sf_piece_of(system, region), u) - system->load);
 }
 

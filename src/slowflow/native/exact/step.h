@@ -10,9 +10,9 @@
 #include "series.h"
 
 /* the constants of a slip phase: friction is mu times the sign of the velocity, less a static load, and quadratic is
- * c_2 times it */
+ * c_2 times it; structural damping is part of zeta, and has it go with Omega */
 typedef struct {
-    double Omega, F_0, zeta, friction, quadratic;
+    double Omega, F_0, zeta, friction, quadratic, zeta_by_Omega;
 } sf_drive;
 
 /* in time from the start of the step, coefficient by coefficient */
@@ -196,14 +196,14 @@ static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p,
 
 /* The same with the derivatives: of u, U' = V; of v, V' = -f'(u) U less what resists it, plus cos theta in the column
  * of F_0;
- * and in that of Omega what the rates of u and v have of it at a fixed theta. f' is series `slope`; where it is linear,
+ * and in that of Omega what the rates of u and v have of it at a fixed theta, and what zeta has. f' is series `slope`; where it is linear,
  * its first coefficient. */
 static SF_INLINE void sf_expand_both(sf_begin *begin, sf_next *next, const double *p, const sf_drive *drive,
                                      double theta, double u, double v, const sf_four flow[2], int series, int fours,
                                      int value, int slope, int linear, double *over, double *w, sf_four *left,
                                      sf_four *right, sf_expansion *x)
 {
-    const double by_Omega = sf_by_Omega(drive->Omega);
+    const double by_Omega = sf_by_Omega(drive->Omega), damped_more = sf_damped(drive->zeta_by_Omega);
     const sf_four damped = sf_all(sf_damped(drive->zeta)), damped_by_v = sf_all(sf_damped(drive->quadratic));
     double cosine = cos(theta), sine = sin(theta);
     sf_four slopes[SF_TERMS];
@@ -226,7 +226,8 @@ static SF_INLINE void sf_expand_both(sf_begin *begin, sf_next *next, const doubl
             sf_fours_with_v(x->v, x->V, n - 1, &with_v);
             resisted = sf_more(resisted, damped_by_v, with_v);
         }
-        x->V[n] = sf_times(sf_less(sf_four_of(0.0, 0.0, rate * by_Omega, cosine), resisted), each);
+        const double of_Omega = rate * by_Omega - damped_more * x->v[n - 1];
+        x->V[n] = sf_times(sf_less(sf_four_of(0.0, 0.0, of_Omega, cosine), resisted), each);
         if (n == SF_ORDER)
             break;
         x->u[n + 1] = rate * (sf_over[n] * sf_over[n + 1]);
