@@ -406,3 +406,13 @@ def test_folds_states_and_onsets_are_the_certified_ones_and_no_others(name):
         one = of(**{key: value[1] for key, value in case["parameters"].items()})
         check_folds_and_states(one, case)
         check_onset(one, case)
+
+
+def test_in_a_play_that_is_not_symmetric_a_mean_is_not_singled_out():
+    """Boxes of places, each as good as another, were cut for up to 16 s; a load that leaves the play has an answer."""
+    pieces = [(k * (u + g), -g), (0, 2 * g), (k * (u - 2 * g), None)]
+    play = derive.mechanism("sided_play", pieces, {"k": ABOVE, "g": ABOVE}, odd=False)(k=1.0, g=0.2, **DAMPED)
+    for ask in (play.rest, lambda: play.amplitudes(Omega=0.8, F_0=0.05), lambda: play.saddle_nodes(0.05)):
+        with pytest.raises(ArithmeticError, match=r"in a play a mean is not singled out: .* on all of -0.2 < u < 0.4"):
+            ask()
+    assert play.replace(load=0.05).rest().u == pytest.approx([0.45])

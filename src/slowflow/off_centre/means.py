@@ -57,6 +57,12 @@ class Means:
     beside: Any = (0.0, 0.0)
 
 
+IN_PLAY = (
+    "in a play a mean is not singled out: the force is the load, {load:g}, on all of {low:g} < u < {high:g}, where the "
+    "mass rests, and moves, about one place as well as about another"
+)
+
+
 class Steps:
     """A force as steps: the first piece, which all of a motion is above, and at each breakpoint one on either side.
 
@@ -81,6 +87,15 @@ class Steps:
         else:
             rows = values.reshape(2 * ends.size + 1, -1)
             self._state_sided(ends, rows[: ends.size + 1], rows[ends.size + 1 :], load)
+
+    def check_balanced(self) -> None:
+        """Raises ArithmeticError where the force is the load on a whole interval of u, as in a play."""
+        if self.curved is not None or self.odd:
+            return
+        edges = [-math.inf, *self.breakpoints.tolist(), math.inf]
+        for row, low, high in zip(self.pieces, edges, edges[1:], strict=False):
+            if row[0] == self.load and not row[1:].any():
+                raise ArithmeticError(IN_PLAY.format(load=self.load, low=low, high=high))
 
     def first(self) -> Steps:
         """The first piece alone, as if it held everywhere."""

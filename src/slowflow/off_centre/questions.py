@@ -161,9 +161,10 @@ class OffCentre(Unchanging):
         return tuple(map(float, self._steps.breakpoints))
 
     def rest(self) -> RestPositions:
-        """Every place of rest, f(u) = load."""
+        """Every place of rest, f(u) = load. Raises ArithmeticError in a play, where each is one."""
         # a bound of 0, as of a linear force without a load, leaves u = 0: it is looked for in a box around it
         bound = self._complete.offset_bound(0.0) or 1.0
+        self._steps.check_balanced()
         edges = np.concatenate((np.linspace(-bound, bound, PARTS + 1), self._steps.places * self._steps.sides))
         edges = np.unique(edges[(edges >= -bound) & (edges <= bound)])
         found = solve(

@@ -88,10 +88,14 @@ class Sheets:
         self._corners: dict[int, tuple[list[Corner], Floats]] = {}
 
     def cells(self, A_max: float) -> Cells:
-        """All of the balance up to an amplitude, and somewhat beyond. Raises ArithmeticError for too many boxes."""
+        """All of the balance up to an amplitude, and somewhat beyond.
+
+        Raises ArithmeticError for too many boxes, and in a play.
+        """
         octave = self._octave(A_max)
         found = self._known.get(octave)
         if found is None:
+            self.steps.check_balanced()
             with np.errstate(all="ignore"):
                 found = self._known[octave] = self._covered(2.0**octave)
         return found
