@@ -34,17 +34,8 @@ from slowflow.mechanism import EquationOfMotion, Force, Law, OneSided, Piece
 
 EXACT: Any = backend.EXACT
 PHASE = struct.Struct("@iiddddddi?0d")  # a phase as C has it, in the order of `motion.Phase`
-ALONE = (
-    0.0,
-    0.0,
-    False,
-    0.0,
-    0.0,
-    False,
-    0.0,
-    0.0,
-    0.0,
-)  # friction and damping of a piece by itself: a drive has its own
+# friction and damping of a piece by itself: a drive has its own
+ALONE = (0.0, 0.0, False, 0.0, 0.0, False, 0.0, 0.0, 0.0)
 TRACED = 50  # points of a curve at a time: some milliseconds, after which Ctrl-C is heard
 
 

@@ -32,8 +32,8 @@ static PyObject *make_system(PyObject *self, PyObject *arguments)
     PyObject *laws, *constants, *edges;
     double mu, zeta, load, c_2, mu_s, eta, jump = 0.0;
     int about, odd, inertial, released, alone = 0;
-    if (!PyArg_ParseTuple(arguments, "O!O!O!ipddpddpdd|di", &PyTuple_Type, &laws, &PyTuple_Type, &constants, &PyTuple_Type,
-                          &edges, &about, &odd, &mu, &zeta, &inertial, &load, &c_2, &released, &mu_s, &eta, &jump,
+    if (!PyArg_ParseTuple(arguments, "O!O!O!ipddpddpdd|di", &PyTuple_Type, &laws, &PyTuple_Type, &constants,
+                          &PyTuple_Type, &edges, &about, &odd, &mu, &zeta, &inertial, &load, &c_2, &released, &mu_s, &eta, &jump,
                           &alone))
         return NULL;
     const Py_ssize_t pieces = PyTuple_Size(laws);
@@ -137,7 +137,8 @@ static PyObject *until(PyObject *self, PyObject *arguments)
     _Bool undecided = 0;
     long left;
     if (!PyArg_ParseTuple(arguments, "O(dddddd)idddddl", &capsule, &drive.Omega, &drive.F_0, &drive.zeta,
-                          &drive.friction, &drive.quadratic, &drive.zeta_by_Omega, &slip, &edge, &theta, &u, &v, &end, &left))
+                          &drive.friction, &drive.quadratic, &drive.zeta_by_Omega, &slip, &edge, &theta, &u, &v, &end,
+                          &left))
         return NULL;
     const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
     if (system == NULL)

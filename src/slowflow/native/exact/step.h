@@ -195,9 +195,8 @@ static SF_INLINE void sf_expand(sf_begin *begin, sf_next *next, const double *p,
 }
 
 /* The same with the derivatives: of u, U' = V; of v, V' = -f'(u) U less what resists it, plus cos theta in the column
- * of F_0;
- * and in that of Omega what the rates of u and v have of it at a fixed theta, and what zeta has. f' is series `slope`; where it is linear,
- * its first coefficient. */
+ * of F_0; and in that of Omega what the rates of u and v have of it at a fixed theta, and what zeta has. f' is series
+ * `slope`; where it is linear, its first coefficient. */
 static SF_INLINE void sf_expand_both(sf_begin *begin, sf_next *next, const double *p, const sf_drive *drive,
                                      double theta, double u, double v, const sf_four flow[2], int series, int fours,
                                      int value, int slope, int linear, double *over, double *w, sf_four *left,
