@@ -214,7 +214,10 @@ def test_folds_states_and_stability_next_to_them_are_all_there():
     F_A = oscillator.model.flow.F_A(curve.Omega, curve.A, oscillator.model.m, zeta, h, h_A)
     clear = np.abs(F_A) > 1e-6
     attracts = np.asarray(curve.stable)
-    assert (attracts[clear] == (F_A[clear] > 0)).all() and len(slopes) == 3
+    # beyond the well no motion comes back
+    within = curve.A < math.sqrt(alpha / -beta)
+    assert (attracts[clear] == ((F_A > 0) & within)[clear]).all() and len(slopes) == 3
+    assert (attracts[clear] & within[clear]).any() and (~attracts[clear] & within[clear]).any()
 
 
 @pytest.mark.slow

@@ -336,7 +336,7 @@ def test_every_shipped_force_is_compiled():
 
 
 def test_c_refuses_what_does_not_fit():
-    damping = 0.0, 0.1, False, 0.0, 0.0, False, 0.0
+    damping = 0.0, 0.1, False, 0.0, 0.0, False, 0.0, 0.0
     piece = linear().pieces[0]
     number = recurrences(piece.law)
     with pytest.raises(ValueError, match="pieces of a force"):
@@ -350,7 +350,7 @@ def test_c_refuses_what_does_not_fit():
         EXACT.system((number,), ((1.0, "0"),), (), 0, True, *damping)
     system = EXACT.system((number,), ((1.0, 0.0),), (), 0, True, *damping)
     with pytest.raises(ValueError, match="room for too few"):
-        EXACT.advance(system, (1.0, 1.0, 0.1, 0.0, 0.0), 0.0, 0.0, 0.0, 1.0, 100, np.empty(7))
+        EXACT.advance(system, (1.0, 1.0, 0.1, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0, 1.0, 100, np.empty(7))
     with pytest.raises(ValueError, match="do not fit"):
         EXACT.newton(
             system, b"\0" * 8, 1, np.zeros(9), 0.1, 0, np.zeros(9), 0.0, 0, 5, 1e-13, 100, np.zeros(99), np.zeros(9)

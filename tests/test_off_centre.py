@@ -923,5 +923,5 @@ def test_springs_that_differ_on_both_sides_isolate_from_where_twice_their_backbo
 
 def test_a_forcing_beyond_all_sizes_is_refused_before_it_takes_the_memory():
     """Its motions span a thousand octaves, and boxes of all of them tens of gigabytes."""
-    with pytest.raises(ArithmeticError, match="too many boxes"):
+    with pytest.raises(ArithmeticError, match=r"amplitudes may be as large as .* beyond the range of doubles"):
         Isolator(lam=3, r=2.03, delta_h=0.082, mu=0.012, zeta=0.02, load=0.03).saddle_nodes(1e290)

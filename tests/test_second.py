@@ -278,6 +278,7 @@ def test_a_question_that_it_does_not_answer_is_refused_with_the_reason():
         "curve",
         "states",
         "folds",
+        "onset",
         "closes",
         "only_for_a_force",
         "only_for_plain_damping",

@@ -196,12 +196,14 @@ class Model:
         Raises ValueError for a parameter beyond `LARGEST`, and for pieces whose ends do not rise.
         """
         m = float(general_flow.friction(self.mu))
-        for name, value in zip((*self.mechanism.parameter_names, "4 mu/pi"), (*self.parameters, m), strict=True):
-            if not abs(value) <= LARGEST:
+        numbers = dict(zip((*self.mechanism.parameter_names, "4 mu/pi"), (*self.parameters, m), strict=True))
+        ends = tuple(map(float, self.mechanism.breakpoints(*self.parameters)))
+        for name, value in numbers.items():
+            # of an end that is no number it is said below which piece has it
+            if not abs(value) <= LARGEST and not (math.isnan(value) and any(map(math.isnan, ends))):
                 of_damping = {"mu": self.mu, "zeta": self.zeta}
                 given = ", ".join(f"{name} = {value!r}" for name, value in (self._numbers() | of_damping).items())
                 raise ValueError(f"{given}: not allowed together, {name} would be beyond {LARGEST:g}")
-        ends = tuple(map(float, self.mechanism.breakpoints(*self.parameters)))
         jumps = map(float, self.mechanism.jumps(*self.parameters))
         # A piece of no width (u_cr = 0 for a null preload) is no piece.
         odd = self.mechanism.odd

@@ -110,7 +110,7 @@ class HeyokaIntegrator(threading.local):
     @staticmethod
     def _set(integrator: Any, piece: Piece, drive: Drive, slip: float, edge: float, theta: float) -> None:
         # an integrator has as many parameters as its expressions mention
-        integrator.pars[:] = (*drive, slip, edge, *piece.constants)[: len(integrator.pars)]
+        integrator.pars[:] = (*drive[:5], slip, edge, *piece.constants)[: len(integrator.pars)]
         integrator.time = theta
 
     def _propagated(self, integrator: Any, end: float) -> Any:

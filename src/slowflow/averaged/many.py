@@ -158,18 +158,18 @@ class Designs(Unchanging):
         columns: list[npt.NDArray[Any]],
         left: npt.NDArray[np.bool_],
         *asked: Any,
-        most: int = proofs.MOST_IN_BALLS,
+        most: int | None = None,
     ) -> npt.NDArray[np.bool_]:
         """Change the columns to those of single answers where balls decide; where that is.
 
         of_one -- from a single oscillator, and what is asked of it, the remarks and the columns of its answer
         left   -- where doubles do not decide
-        most   -- how many of these balls are asked for
+        most   -- how many of these balls are asked for, `MOST_IN_BALLS` by default
         """
         by_balls = np.zeros(left.shape, dtype=bool)
         if self.excitation != "force" or self.laws or not left.any() or proofs.in_balls() is None:
             return by_balls
-        for at, numbers, own in islice(self._each(left, *asked), most):
+        for at, numbers, own in islice(self._each(left, *asked), proofs.MOST_IN_BALLS if most is None else most):
             try:
                 remarked, values = of_one(Averaged(self.model(dict(zip(self.values, numbers, strict=True)))), *own)
             except ArithmeticError:  # what single answers refuse stays refused

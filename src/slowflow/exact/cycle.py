@@ -231,12 +231,15 @@ class Cycle:
     def highest(self, z: Array, F_0: float) -> int:
         """Index of the phase that starts from the farthest turning point or rest at which a cycle can start."""
         best, found = abs(float(z[0])), 0
-        for i, (_, end) in zip(range(1, len(self.signature)), self._ends(z, F_0), strict=False):
-            slip, region = self.signature[i]
-            before = self.signature[i - 1]
+        starts = []
+        for i, (before, (slip, region)) in enumerate(pairwise(self.signature), 1):
             if slip == 0 or before == (slip, region) or before[1] != region or (slip == 1 and self.sign == 1):
                 continue
-            u = abs(end)
+            starts.append(i)
+        # no phase is followed that none of these comes after
+        ends = list(itertools.islice(self._ends(z, F_0), max(starts, default=0)))
+        for i in starts:
+            u = abs(ends[i - 1][1])
             if u > best * (1.0 + 1e-9):
                 best, found = u, i
         return found

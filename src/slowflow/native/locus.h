@@ -235,8 +235,11 @@ static double sf_locus_level(const sf_model *model, const sf_sample *at, double 
     other = slopes[fabs(slope - slopes[0]) <= fabs(slope - slopes[1])];
     if (!(fabs(slopes[0] - slopes[1]) * sf_size_of_R(at, w) >= fabs(at->k * other)))
         return sf_level(model, at, w);
-    return sf_inertial(model) ? inertia_fold_level(w, at->A, model->m, model->zeta, other)
-                              : inertia_fold_force(w, at->A, model->m, model->zeta, other);
+    if (sf_inertial(model))
+        return inertia_fold_level(w, at->A, model->m, model->zeta, other);
+    /* by what the record's excitation differs from a force */
+    return inertia_fold_force(w, at->A, model->m, model->zeta, other) *
+           (sf_level(model, at, w) / slow_flow_level(w, at->A, model->m, model->zeta, at->h));
 }
 
 /* Omega of a fold of an excitation by inertia where damping is so weak that what rounding leaves of R takes it off the
