@@ -25,9 +25,10 @@ MOST_CUTS = 2000
 
 def check_defined(model: Model) -> None:
     """Raises ValueError where a piece of an odd force is infinite, or no number, within the reach that is stated."""
-    record, reach = model.mechanism.enclosed, model.reach
-    if record is None or not model.mechanism.odd or not math.isfinite(reach):
+    record = model.mechanism.enclosed
+    if record is None or not model.mechanism.odd or not math.isfinite(model.reach):
         return
+    reach = model.reach
     given = [Elementary.point(value) for value in model.parameters]
     ends = [0.0, *(min(float(end), reach) for end in model.mechanism.breakpoints(*model.parameters)), reach]
     one = Elementary.point(1.0)
