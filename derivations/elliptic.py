@@ -19,7 +19,8 @@ attached            theta = pi/2. K = pi/(2 M), M the limit of the arithmetic-ge
                     with its differences c_n, B = int cos^2/Delta and D = int sin^2/Delta:
                     D - B = K sum 2^n c_n^2/m, 1 - M = sum c_n. So D - pi/4 is a sum without a difference.
 detached            s = sin t is rational in tau = tan(t/2), and the integrands are even in it: Gauss's rule on
-                    |tau| <= tan(theta/2). Their singularities tau = +-i and u = +-1 stay away for u_cr <= `MODERATE`.
+                    |tau| <= tan(theta/2). Their singularities tau = +-i and u = +-1 stay away for u_cr <= `MODERATE`,
+                    and for u_cr <= `STEEPER` with more nodes.
 steep               beyond, the duplication theorem of R_D, carried along with its derivatives by the second argument:
                     as R_D is completely monotone in it, each is a sum of terms of one sign, also across A = 1.
 far                 where A^2 - u_cr^2 is no small part of 1 - u_cr^2 the derivatives differ little from their boundary
@@ -49,7 +50,7 @@ Let = tuple[sp.Symbol, sp.Expr]
 FEW = sp.Rational(7, 10)
 #: breakpoint up to which Gauss's rule serves
 MODERATE = sp.Rational(3, 4)
-#: breakpoint up to which it serves far below the amplitude, where R_D would be a difference
+#: breakpoint up to which it serves with more nodes, where R_D would be a difference
 STEEPER = sp.Rational(23, 25)
 #: multiple of a breakpoint from which on it lies far below
 AWAY = sp.Rational(21, 20)
@@ -57,7 +58,7 @@ AWAY = sp.Rational(21, 20)
 AWAY_STEEP = sp.Rational(1, 4)
 #: steps of the mean up to A = FEW, to the last double below 1, and to any u_cr: its differences fall quadratically
 STEPS, STEPS_STEEP, STEPS_END = 4, 8, 9
-#: nodes on 0 < tau < tan(theta/2); the worst point is A = u_cr = MODERATE, or A far beyond u_cr = STEEPER
+#: nodes on 0 < tau < tan(theta/2); the worst point is A = u_cr = MODERATE, or STEEPER
 NODES, NODES_STEEPER = 15, 24
 #: duplications: each divides the spread of the arguments by 4, of which the sixth power is left out
 DUPLICATIONS = 6
@@ -512,9 +513,10 @@ def _integrals(end: Corner, way: str, steep: bool, nodes: int) -> tuple[_Detache
     return quarter, getattr(quarter, way)()
 
 
-def detached(a: sp.Expr, b: sp.Expr, corner_: Corner, steep: bool) -> Regime:
+def detached(a: sp.Expr, b: sp.Expr, corner_: Corner, way: str, nodes: int = NODES) -> Regime:
     """A > u_cr, where u (a + b (1/Delta - 1/c)) is averaged over 0 < t < theta, a u beyond."""
-    quarter, (W, V3, V5, V7) = _integrals(corner_, "by_duplication" if steep else "by_gauss", steep, NODES)
+    steep = way != "by_gauss" or nodes > NODES
+    quarter, (W, V3, V5, V7) = _integrals(corner_, way, steep, nodes)
     end, root, c = quarter.b, quarter.root, quarter.c
     whole = u * (1 / ROOT - 1 / c)
 
@@ -852,14 +854,15 @@ def restoring(pieces: Sequence[sp.Expr], breakpoints: Mapping[sp.Symbol, sp.Expr
         Case("passed_0", ((A, value), (A, FEW)), attached(a, b, STEPS)),
         Case("passed_0_steep", ((A, value),), attached(a, b, STEPS_STEEP)),
         Case("passed_1_far", ((value, MODERATE), (AWAY * value, A)), far_detached(rest, b, end, "far_by_gauss")),
-        Case("passed_1", ((value, MODERATE),), detached(rest, b, end, steep=False)),
+        Case("passed_1", ((value, MODERATE),), detached(rest, b, end, "by_gauss")),
         Case(
             "passed_1_steeper_far",
             ((value, STEEPER), (AWAY * value, A)),
             far_detached(rest, b, end, "far_by_gauss", NODES_STEEPER),
         ),
+        Case("passed_1_steeper", ((value, STEEPER),), detached(rest, b, end, "by_gauss", NODES_STEEPER)),
         Case("passed_1_steep_far", ((AWAY * value, A),), far_detached(rest, b, end, "far_by_duplication")),
         Case("passed_1_steep_away", (away,), far_detached(rest, b, end, "closer_by_duplication")),
-        Case("passed_1_steep", (), detached(rest, b, end, steep=True)),
+        Case("passed_1_steep", (), detached(rest, b, end, "by_duplication")),
     )
     return Restoring(tuple(pieces), (name,), (sp.Integer(0),), closed_forms(a, b, rest, name), {}, cases)

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 from pathlib import Path
 
 import pytest
 import sympy as sp
 
-from derivations.emit import proved, rounding
+from benchmarks.stress import headers
+from derivations.emit import measured, proved, rounding
 from derivations.emit.passes import straight_line
+from tests.oracles import kernels as exact
 
 DATA = Path(__file__).parent / "data"
 A, B = sp.symbols("A B", real=True)
@@ -85,3 +88,38 @@ def test_the_bound_of_a_sum_is_no_more_than_its_terms():
 def test_a_quotient_counts_its_division():
     (k,) = rounding.bounds(straight_line([], [1 / A], (A, B)), (A, B))
     assert k == pytest.approx(0.5, abs=0.02)
+
+
+def test_no_error_that_was_found_exceeds_what_a_header_says():
+    for row in json.loads((DATA / "stability.json").read_text())["kernels"]:
+        stated = float(measured.stored()[row["module"]].kernels[row["kernel"]])
+        assert all(error is None or float(error) <= stated for error in row["errors"].values()), row
+
+
+@pytest.mark.slow
+def test_what_is_measured_at_stored_points_is_what_headers_say():
+    for module, found in headers.stored().items():
+        for kernel, error in found.kernels.items():
+            # the arctangent, sine and cube root of another library may differ by an ulp
+            assert float(error) <= max(float(measured.stored()[module].kernels[kernel]), 0.5), (module, kernel)
+
+
+def test_every_kernel_has_a_bound_that_is_proved_or_measured(modules, of_kernels):
+    for module in modules:
+        named = (*module.kernels, *module.twofolds, *module.selections, *module.compositions)
+        named = tuple(kernel for kernel in named if getattr(kernel, "width", 1) > 0)
+        # kernels of gradients are judged by differences of answers
+        bounded = of_kernels.keys() | {(module.name, kernel) for kernel in measured.of(module).kernels}
+        lacking = {kernel.name for kernel in named if (module.name, kernel.name) not in bounded}
+        assert all(exact.is_of_gradients(kernel) for kernel in lacking), lacking
+
+
+def test_an_oscillator_that_is_derived_live_has_no_measured_bounds(modules):
+    (module,) = (module for module in modules if module.name == "duffing")
+    assert measured.of(module).kernels
+    assert not measured.of(dataclasses.replace(module, inputs=())).kernels
+
+
+@pytest.mark.parametrize(("error", "shown"), [(0.0, "0"), (1.01, "1.1"), (1.1, "1.1"), (0.0123, "0.013"), (18.2, "19")])
+def test_errors_in_headers_are_rounded_up(error, shown):
+    assert headers.shown(error) == shown

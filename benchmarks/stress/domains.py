@@ -7,7 +7,7 @@ subnormals, measured apart.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -68,6 +68,16 @@ def limits(module: str, name: str) -> tuple[float, float, bool, bool]:
         low, high = RANGES[{"friction": "mu"}.get(name, name)]
         return min(abs(low), abs(high)) if low * high > 0 else 0.0, max(abs(low), abs(high)), low < 0, low <= 0 <= high
     return (0.0, 1e-10, True, True) if name in LACKED else BOX[name]
+
+
+def in_words(module: str, names: Iterable[str]) -> str:
+    """The box of some arguments."""
+    told = []
+    for name in names:
+        low, high, negative, zero = limits(module, name)
+        sizes = f"up to {high:.4g}" if low == 0 else f"{low:.4g} to {high:.4g}"
+        told.append(f"{name} {sizes}" + " of either sign" * negative + " or 0" * (zero and low > 0))
+    return ", ".join(told)
 
 
 def inside(module: str, names: Sequence[str], at: Sequence[float]) -> bool:

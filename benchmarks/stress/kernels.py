@@ -15,6 +15,7 @@ import sys
 import warnings
 import zlib
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -27,6 +28,8 @@ from tests.oracles import kernels as exact
 from tests.oracles.definitions.points import shown
 
 U = 2.0**-53
+#: exact values at points of every kernel
+STORED = Path(__file__).resolve().parents[2] / "tests" / "data" / "kernel_oracle.json"
 LARGEST, SMALLEST = sys.float_info.max, sys.float_info.min
 TARGET = 4.0
 #: points kept of each kernel
@@ -57,14 +60,29 @@ def named() -> dict[tuple[str, str], tuple[str, ...]]:
     return found
 
 
-def unsearched() -> dict[str, int]:
-    """How many kernels of each module have exact values at stored points alone."""
+def unsearched() -> dict[str, list[str]]:
+    """The kernels of each module that have exact values at stored points alone."""
     found = {}
     for module, functions in loaded()["numpy"].items():
         if not exact.knows(module):
-            own = (function for name in functions.__all__ if (function := getattr(functions, name)))
-            found[module] = sum(getattr(f, "__module__", "").endswith(f".{module}") for f in own)
-    return {module: count for module, count in found.items() if count}
+            own = ((name, getattr(functions, name)) for name in functions.__all__)
+            found[module] = [name for name, f in own if getattr(f, "__module__", "").endswith(f".{module}")]
+    return {module: names for module, names in found.items() if names}
+
+
+def at_stored_points(module: str, kernel: str) -> float:
+    """The largest error there, of each backend."""
+    rows = json.loads(STORED.read_text(encoding="utf-8"))[module][kernel]
+    errors = [0.0]
+    for functions in loaded().values():
+        for row in rows:
+            values = np.ravel(np.array(getattr(functions[module], kernel)(*row["at"]), dtype=float))
+            found = [
+                measured(float(value), mpf(true), mpf(scale))
+                for value, true, scale in zip(values, row["is"], row["scale"], strict=True)
+            ]
+            errors += [one for one in found if one is not None]
+    return max(errors)
 
 
 @functools.cache

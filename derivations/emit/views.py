@@ -97,6 +97,11 @@ class KernelView:
         return self.kernel.doc
 
     @property
+    def proved(self) -> bool:
+        """Whether every output has a proved bound in every regime."""
+        return all(branch.proved and "-" not in branch.proved for branch in self.branches)
+
+    @property
     def uses_angles(self) -> bool:
         """Whether it calls the generated arctangent."""
         texts = (text for branch in self.branches for text in (*branch.outputs, *(line.value for line in branch.lets)))

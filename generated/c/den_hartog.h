@@ -6,7 +6,10 @@
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
+   where nothing overflows or underflows (derivations/emit/rounding.py).
+   Others are measured: the worst error of all outputs that was found, by a search for it with A 0.01 to 1, F_0 0.03
+   to 0.1, Omega 0.3 to 2, S 0.5 to 2, mu 0.001 to 0.02, tau 1e-09 to 30.
+   u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef DEN_HARTOG_H
 #define DEN_HARTOG_H
@@ -16,6 +19,7 @@
 /* Response function.
    Equation (37). Domain: Omega > 0, Omega != 1.
    Operations: 3 structured, 3 common subexpressions, 3 power chains
+   Measured, error / u (1 + kappa): 1.4
  */
 static inline double den_hartog_V(double Omega)
 {
@@ -25,6 +29,7 @@ static inline double den_hartog_V(double Omega)
 /* Damping function.
    Equation (37). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on.
    Operations: 5 structured, 6 common subexpressions, 6 power chains
+   Measured, error / u (1 + kappa): 1.3
  */
 static inline double den_hartog_U(double Omega)
 {
@@ -35,6 +40,7 @@ static inline double den_hartog_U(double Omega)
 /* S is the maximum of this over 0 < tau < pi/Omega.
    Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on.
    Operations: 24 structured, 23 common subexpressions, 23 power chains
+   Measured, error / u (1 + kappa): 3.1
  */
 static inline double den_hartog_S_ratio(double tau, double Omega)
 {
@@ -49,6 +55,7 @@ static inline double den_hartog_S_ratio(double tau, double Omega)
 /* Amplitude of the motion.
    Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega not 1, 1/3, 1/5 and so on.
    Operations: 16 structured, 14 common subexpressions, 14 power chains
+   Measured, error / u (1 + kappa): 0.94
  */
 static inline double den_hartog_amplitude(double Omega, double F_0, double mu)
 {
@@ -64,6 +71,7 @@ static inline double den_hartog_amplitude(double Omega, double F_0, double mu)
 /* The motion has no stops while its amplitude exceeds this.
    Equation (36). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on.
    Operations: 21 structured, 21 common subexpressions, 20 power chains
+   Measured, error / u (1 + kappa): 1.8
  */
 static inline double den_hartog_bound(double Omega, double F_0, double S)
 {
@@ -79,6 +87,7 @@ static inline double den_hartog_bound(double Omega, double F_0, double S)
 /* Displacement tau after a maximum.
    Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on.
    Operations: 30 structured, 27 common subexpressions, 27 power chains
+   Measured, error / u (1 + kappa): 1.7
  */
 static inline double den_hartog_motion(double tau, double Omega, double A, double mu)
 {

@@ -6,7 +6,11 @@
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
+   where nothing overflows or underflows (derivations/emit/rounding.py).
+   Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
+   1e-09 to 1000, Omega 0.001 to 1000, alpha 1e-16 to 1000 of either sign or 0, beta 1e-12 to 1000 of either sign or
+   0, m 1e-12 to 1 or 0, mu 1e-12 to 1 or 0, u 1e-09 to 1000 of either sign or 0, zeta 1e-12 to 1 or 0.
+   u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef DUFFING_H
 #define DUFFING_H
@@ -271,6 +275,7 @@ static inline void duffing_saddle_node_onset(double m, double zeta, const double
    Equation from (24), (30). Domain: roots with A > 0.
    Operations: 191 structured, 115 common subexpressions, 98 power chains
    Proved, error / u (1 + kappa): -, -, -, -, -, -, -, -, -, 0.91, 0.91
+   Measured, error / u (1 + kappa): 1.2
  */
 #define DUFFING_SADDLE_NODES_COUNT 11
 static inline void duffing_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out)
@@ -317,7 +322,9 @@ static inline void duffing_saddle_nodes(double F_0, double m, double zeta, const
 }
 
 /* The averaged restoring force h = H - A.
-   Equation (20)-(22). Domain: A >= 0. */
+   Equation (20)-(22). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 0.69
+ */
 static inline double duffing_h(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
@@ -327,7 +334,9 @@ static inline double duffing_h(double A, double alpha, double beta)
 }
 
 /* d/dA of the averaged restoring force h = H - A.
-   Equation (31). Domain: A >= 0. */
+   Equation (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 0.83
+ */
 static inline double duffing_h_A(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
@@ -337,7 +346,9 @@ static inline double duffing_h_A(double A, double alpha, double beta)
 }
 
 /* d2/dA2 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0. */
+   Equation from (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 0.67
+ */
 static inline double duffing_h_AA(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
@@ -347,7 +358,9 @@ static inline double duffing_h_AA(double A, double alpha, double beta)
 }
 
 /* d3/dA3 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0. */
+   Equation from (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 0.49
+ */
 static inline double duffing_h_AAA(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
@@ -357,7 +370,9 @@ static inline double duffing_h_AAA(double A, double alpha, double beta)
 }
 
 /* The averaged force H beside the vertical spring.
-   Equation (20)-(22). Domain: A >= 0. */
+   Equation (20)-(22). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 1.5
+ */
 static inline double duffing_H(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
@@ -367,7 +382,9 @@ static inline double duffing_H(double A, double alpha, double beta)
 }
 
 /* d/dA of the averaged force H beside the vertical spring.
-   Equation (31). Domain: A >= 0. */
+   Equation (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 2
+ */
 static inline double duffing_H_A(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
@@ -377,7 +394,9 @@ static inline double duffing_H_A(double A, double alpha, double beta)
 }
 
 /* d2/dA2 of the averaged force H beside the vertical spring.
-   Equation from (31). Domain: A >= 0. */
+   Equation from (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 0.63
+ */
 static inline double duffing_H_AA(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
@@ -387,7 +406,9 @@ static inline double duffing_H_AA(double A, double alpha, double beta)
 }
 
 /* Frequency response; zero at a steady state.
-   Equation (24). Domain: Omega > 0, A > 0. */
+   Equation (24). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 1.9
+ */
 static inline double duffing_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -396,7 +417,9 @@ static inline double duffing_F(double Omega, double A, double F_0, double mu, do
 }
 
 /* dF/dA; positive where stable.
-   Equation (24), (30). Domain: Omega > 0, A > 0. */
+   Equation (24), (30). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 1.4
+ */
 static inline double duffing_F_A(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -405,7 +428,9 @@ static inline double duffing_F_A(double Omega, double A, double mu, double zeta,
 }
 
 /* The forcing F_0 for which (Omega, A) is a steady state.
-   Equation (24). Domain: Omega >= 0, A > 0. */
+   Equation (24). Domain: Omega >= 0, A > 0.
+   Measured, error / u (1 + kappa): 2.1
+ */
 static inline double duffing_level(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -414,7 +439,9 @@ static inline double duffing_level(double Omega, double A, double mu, double zet
 }
 
 /* Phase phi of a steady state, from -pi to 0.
-   Equation (25). Domain: Omega > 0, A > 0. */
+   Equation (25). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 1.1
+ */
 static inline double duffing_phase(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -423,7 +450,9 @@ static inline double duffing_phase(double Omega, double A, double mu, double zet
 }
 
 /* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
-   Equation (28). Domain: Omega > 0, A > 0. */
+   Equation (28). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 1.6
+ */
 static inline void duffing_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -432,7 +461,9 @@ static inline void duffing_jacobian(double Omega, double A, double mu, double ze
 }
 
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
-   Equation (30). Domain: Omega > 0, A > 0. */
+   Equation (30). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 1.7
+ */
 static inline double duffing_stability(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -441,7 +472,9 @@ static inline double duffing_stability(double Omega, double A, double mu, double
 }
 
 /* Fundamental harmonic of the force on the base over F_0, at a steady state.
-   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. */
+   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
+   Measured, error / u (1 + kappa): 0.88
+ */
 static inline double duffing_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -450,7 +483,9 @@ static inline double duffing_transmissibility(double Omega, double A, double F_0
 }
 
 /* Frequency on the backbone.
-   Equation (26). Domain: A > 0, h <= 0. */
+   Equation (26). Domain: A > 0, h <= 0.
+   Measured, error / u (1 + kappa): 0.98
+ */
 static inline double duffing_backbone(double A, const double *p)
 {
     double average[2];
@@ -459,21 +494,27 @@ static inline double duffing_backbone(double A, const double *p)
 }
 
 /* Largest amplitude that the forcing can hold at this frequency.
-   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. */
+   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
+   Measured, error / u (1 + kappa): 0.63
+ */
 static inline double duffing_limit_envelope(double Omega, double F_0, double mu, double zeta)
 {
     return slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
 }
 
 /* Viscous damping ratio that dissipates as much as zeta and friction together.
-   Equation (38). Domain: Omega > 0, A > 0. */
+   Equation (38). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 0.9
+ */
 static inline double duffing_equivalent_damping(double Omega, double A, double mu, double zeta)
 {
     return slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
 }
 
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24). Domain: A > 0. */
+   Equation (24). Domain: A > 0.
+   Measured, error / u (1 + kappa): 1.3
+ */
 static inline void duffing_response_quartic(double A, double F_0, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -482,7 +523,9 @@ static inline void duffing_response_quartic(double A, double F_0, double mu, dou
 }
 
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24), (30). Domain: A > 0. */
+   Equation (24), (30). Domain: A > 0.
+   Measured, error / u (1 + kappa): 0.82
+ */
 static inline void duffing_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -491,7 +534,9 @@ static inline void duffing_fold_quartic(double A, double mu, double zeta, const 
 }
 
 /* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
-   Equation (34). Domain: A > 0. */
+   Equation (34). Domain: A > 0.
+   Measured, error / u (1 + kappa): 0.83
+ */
 static inline void duffing_peak_cubic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -500,7 +545,9 @@ static inline void duffing_peak_cubic(double A, double mu, double zeta, const do
 }
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
-   Equation (34). Domain: A > 0. */
+   Equation (34). Domain: A > 0.
+   Measured, error / u (1 + kappa): 1.8
+ */
 static inline void duffing_detachment(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];

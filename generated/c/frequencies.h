@@ -6,7 +6,13 @@
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
+   where nothing overflows or underflows (derivations/emit/rounding.py).
+   Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
+   1e-09 to 1000, Omega 0.001 to 1000, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0,
+   k 1e-09 to 1000 of either sign, m 1e-12 to 1 or 0, p 1e-09 to 1000 of either sign, p_low up to 1e-10 of either
+   sign, q 1e-12 to 1000 or 0, q_low up to 1e-10 of either sign, tail up to 1e-10 of either sign, zeta 1e-12 to 1 or
+   0.
+   u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef FREQUENCIES_H
 #define FREQUENCIES_H
@@ -21,6 +27,7 @@
 /* F, and what its rounding error is below ROUGH times of.
    Equation (24). Domain: Omega >= 0, A > 0.
    Operations: 27 structured, 20 common subexpressions, 20 power chains
+   Measured, error / u (1 + kappa): 0.98
  */
 TWOFOLD_INLINE void frequencies_response(double Omega, double A, double F_0, double m, double zeta, double h, double *out)
 {
@@ -37,6 +44,7 @@ TWOFOLD_INLINE void frequencies_response(double Omega, double A, double F_0, dou
    Equation (24). Domain: any.
    Operations: 9 structured, 7 common subexpressions, 7 power chains
    Proved, error / u (1 + kappa): -, 1.34
+   Measured, error / u (1 + kappa): 1.3
  */
 TWOFOLD_INLINE void frequencies_response_at_0(double F_0, double m, double h, double *out)
 {
@@ -49,6 +57,7 @@ TWOFOLD_INLINE void frequencies_response_at_0(double F_0, double m, double h, do
 /* F_A/2, and what its rounding error is below ROUGH times of.
    Equation (30). Domain: Omega >= 0, A > 0.
    Operations: 38 structured, 23 common subexpressions, 23 power chains
+   Measured, error / u (1 + kappa): 1.1
  */
 TWOFOLD_INLINE void frequencies_fold(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
 {
@@ -98,6 +107,7 @@ TWOFOLD_INLINE double frequencies_cubic_slope(double Omega, double A, double p)
    Equation from (24), (30). Domain: Omega >= 0, A > 0.
    Operations: 17 structured, 11 common subexpressions, 11 power chains
    Proved, error / u (1 + kappa): 3.01, -
+   Measured, error / u (1 + kappa): 0.55
  */
 TWOFOLD_INLINE void frequencies_rise(double Omega, double A, double p, double k, double *out)
 {
@@ -110,7 +120,9 @@ TWOFOLD_INLINE void frequencies_rise(double Omega, double A, double p, double k,
 
 /* F in double-double, and what its error is below FINE times of.
    Equation (24). Domain: Omega >= 0, A > 0.
-   Exact: 6 products and 4 sums. */
+   Exact: 6 products and 4 sums.
+   Measured, error / u (1 + kappa): 1.9
+ */
 TWOFOLD_INLINE void frequencies_response_fine(double Omega, double A, double F_0, double m, double zeta, double h, double *out)
 {
     double d0_low;
@@ -149,7 +161,9 @@ TWOFOLD_INLINE void frequencies_response_fine(double Omega, double A, double F_0
 
 /* F at Omega + tail in double-double, and what its error is below FINE times of.
    Equation (24). Domain: Omega >= 0, A > 0.
-   Exact: 7 products and 4 sums. */
+   Exact: 7 products and 4 sums.
+   Measured, error / u (1 + kappa): 1.7
+ */
 TWOFOLD_INLINE void frequencies_response_beside(double Omega, double tail, double A, double F_0, double m, double zeta, double h, double *out)
 {
     double d0_low;
@@ -193,7 +207,9 @@ TWOFOLD_INLINE void frequencies_response_beside(double Omega, double tail, doubl
 
 /* The derivative of F by Omega is k (A Omega^3 + p Omega + q): p, p_low, q, q_low, k.
    Equation (24). Domain: A > 0.
-   Exact: 3 products and 2 sums. */
+   Exact: 3 products and 2 sums.
+   Measured, error / u (1 + kappa): 0.31
+ */
 TWOFOLD_INLINE void frequencies_response_derivative(double A, double m, double zeta, double h, double *out)
 {
     double d0_low;
@@ -217,7 +233,9 @@ TWOFOLD_INLINE void frequencies_response_derivative(double A, double m, double z
 
 /* F at Omega = 0, with a certain sign.
    Equation (24). Domain: any.
-   Exact: 3 products. */
+   Exact: 3 products.
+   Measured, error / u (1 + kappa): 0.33
+ */
 TWOFOLD_INLINE double frequencies_response_exactly_at_0(double F_0, double m, double h)
 {
     double d0_low;
@@ -232,7 +250,9 @@ TWOFOLD_INLINE double frequencies_response_exactly_at_0(double F_0, double m, do
 
 /* F_A/2 in double-double, and what its error is below FINE times of.
    Equation (30). Domain: Omega >= 0, A > 0.
-   Exact: 7 products and 4 sums. */
+   Exact: 7 products and 4 sums.
+   Measured, error / u (1 + kappa): 1.4
+ */
 TWOFOLD_INLINE void frequencies_fold_fine(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
 {
     double d0_low;
@@ -276,7 +296,9 @@ TWOFOLD_INLINE void frequencies_fold_fine(double Omega, double A, double m, doub
 
 /* F_A/2 at Omega + tail in double-double, and what its error is below FINE times of.
    Equation (30). Domain: Omega >= 0, A > 0.
-   Exact: 8 products and 4 sums. */
+   Exact: 8 products and 4 sums.
+   Measured, error / u (1 + kappa): 1.1
+ */
 TWOFOLD_INLINE void frequencies_fold_beside(double Omega, double tail, double A, double m, double zeta, double h, double h_A, double *out)
 {
     double d0_low;
@@ -327,7 +349,9 @@ TWOFOLD_INLINE void frequencies_fold_beside(double Omega, double tail, double A,
 
 /* The derivative of F_A/2 by Omega is k (A Omega^3 + p Omega + q): p, p_low, q, q_low, k.
    Equation (30). Domain: A > 0.
-   Exact: 4 products and 4 sums. */
+   Exact: 4 products and 4 sums.
+   Measured, error / u (1 + kappa): 0.73
+ */
 TWOFOLD_INLINE void frequencies_fold_derivative(double A, double m, double zeta, double h, double h_A, double *out)
 {
     double d0_low;
@@ -358,7 +382,9 @@ TWOFOLD_INLINE void frequencies_fold_derivative(double A, double m, double zeta,
 
 /* A Omega^3 + p Omega + q in double-double.
    Equation from (24), (30). Domain: A > 0.
-   Exact: 3 products and 2 sums. */
+   Exact: 3 products and 2 sums.
+   Measured, error / u (1 + kappa): 0.5
+ */
 TWOFOLD_INLINE double frequencies_cubic_fine(double Omega, double A, double p, double p_low, double q, double q_low)
 {
     double d0_low;
@@ -380,7 +406,9 @@ TWOFOLD_INLINE double frequencies_cubic_fine(double Omega, double A, double p, d
 
 /* Of the cubic, over A: for p < 0 < q positive where it has two positive roots; and its first term.
    Equation from (24), (30). Domain: A > 0.
-   Exact: 5 products and 1 sum. */
+   Exact: 5 products and 1 sum.
+   Measured, error / u (1 + kappa): 1.6
+ */
 TWOFOLD_INLINE void frequencies_discriminant(double A, double p, double p_low, double q, double q_low, double *out)
 {
     double d0_low;

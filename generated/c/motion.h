@@ -6,7 +6,16 @@
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
+   where nothing overflows or underflows (derivations/emit/rounding.py).
+   Others are measured: the worst error of all outputs that was found, by a search for it with A 0.01 to 1, A_1 0.01
+   to 1, F_0 0.03 to 0.1, Omega 0.3 to 2, after up to 1 of either sign, before up to 1 of either sign, beyond 0.001
+   to 0.1, by_theta up to 1 of either sign, by_u up to 1 of either sign, cosine up to 0.99 of either sign, eta 0.005
+   to 0.2, f up to 1 of either sign, f_u up to 2 of either sign, friction 0.001 to 0.02, growth 0.01 to 1, inner up
+   to 1 of either sign, inner_u up to 2 of either sign, left 0.01 to 0.99, mu 0.001 to 0.02, nu 10 to 1000, outer up
+   to 1 of either sign, outer_u up to 2 of either sign, phi 0.05 to 3.1 of either sign, pull 0.01 to 1, quadratic up
+   to 0.5 of either sign, right 0.01 to 0.99, sine up to 0.99 of either sign, slip up to 0.99 of either sign, v up
+   to 1 of either sign, zeta 0.004 to 0.1.
+   u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef MOTION_H
 #define MOTION_H
@@ -69,6 +78,7 @@ static inline void motion_resistance(double v, double zeta, double friction, dou
 /* The zeta of structural damping at one frequency, and its slope by Omega.
    Equation beside (3). Domain: Omega > 0.
    Operations: 5 structured, 4 common subexpressions, 4 power chains
+   Proved, error / u (1 + kappa): 0.34, 0.51
  */
 static inline void motion_structural(double Omega, double eta, double *out)
 {

@@ -7,7 +7,12 @@
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 21/20 times.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
+   where nothing overflows or underflows (derivations/emit/rounding.py).
+   Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
+   1e-09 to 1000, Omega 0.001 to 1000, alpha 1e-16 to 1000 of either sign or 0, beta 1e-12 to 1000 of either sign or
+   0, delta_h 1e-12 to 1, gamma 1e-12 to 1000 or 0, lam 1 to 100, m 1e-12 to 1 or 0, mu 1e-12 to 1 or 0, r 1e-06 to
+   1e+06, u 1e-09 to 1000 of either sign or 0, u_cr 1e-06 to 1, zeta 1e-12 to 1 or 0.
+   u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef ROD_SPRING_H
 #define ROD_SPRING_H
@@ -27,6 +32,7 @@
    Proved where passed_0, error / u (1 + kappa): 5.51, 4.51, 2.34, 1.51
    Operations where passed_1: 249 structured, 123 common subexpressions, 116 power chains
    Operations where passed_1_far_1: 313 structured, 182 common subexpressions, 167 power chains
+   Measured, error / u (1 + kappa): 2.1
  */
 static inline void rod_spring_averaged_passed_0(double A, const double *p, double *out)
 {
@@ -171,6 +177,7 @@ static inline void rod_spring_averaged(double A, const double *p, double *out)
    Proved where passed_0, error / u (1 + kappa): 5.51, 4.51
    Operations where passed_1: 76 structured, 59 common subexpressions, 56 power chains
    Operations where passed_1_far_1: 214 structured, 132 common subexpressions, 117 power chains
+   Measured, error / u (1 + kappa): 1.6
  */
 static inline void rod_spring_averaged_2_passed_0(double A, const double *p, double *out)
 {
@@ -277,6 +284,7 @@ static inline void rod_spring_averaged_2(double A, const double *p, double *out)
    Proved where passed_0, error / u (1 + kappa): 7.67, 6.34
    Operations where passed_1: 71 structured, 55 common subexpressions, 52 power chains
    Operations where passed_1_far_1: 212 structured, 130 common subexpressions, 115 power chains
+   Measured, error / u (1 + kappa): 3
  */
 static inline void rod_spring_averaged_H_passed_0(double A, const double *p, double *out)
 {
@@ -381,6 +389,7 @@ static inline void rod_spring_averaged_H(double A, const double *p, double *out)
    Proved where passed_0, error / u (1 + kappa): 4.61
    Operations where passed_1: 51 structured, 48 common subexpressions, 45 power chains
    Operations where passed_1_far_1: 186 structured, 114 common subexpressions, 99 power chains
+   Measured, error / u (1 + kappa): 2.8
  */
 static inline double rod_spring_intercept_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -460,6 +469,7 @@ static inline double rod_spring_intercept(double A, double alpha, double beta, d
    Proved where passed_0, error / u (1 + kappa): 4.11, 3.51, 2.34, 1.51, 0.72, 0.84, 0.81, 0.76
    Operations where passed_1: 975 structured, 291 common subexpressions, 278 power chains
    Operations where passed_1_far_1: 1104 structured, 363 common subexpressions, 331 power chains
+   Measured, error / u (1 + kappa): 3.2
  */
 static inline void rod_spring_harmonics_passed_0(double A, const double *p, double *out)
 {
@@ -909,6 +919,7 @@ static inline void rod_spring_by_design(double lam, double r, double delta_h, do
    Equation (5), (7). Domain: any design.
    Operations: 15 structured, 11 common subexpressions, 11 power chains
    Proved, error / u (1 + kappa): 1.34, 6.01, 8.01, -
+   Measured, error / u (1 + kappa): 2
  */
 static inline void rod_spring_coefficients(double lam, double r, double delta_h, double *out)
 {
@@ -1070,6 +1081,7 @@ static inline double rod_spring_force(double u, double alpha, double beta, doubl
    Equation (33). Domain: roots with 0 < A <= u_cr.
    Operations: 546 structured, 276 common subexpressions, 238 power chains
    Proved, error / u (1 + kappa): 0.82, 0.91, 6.01, 4.01, 8.17, -, -, -, -, -, -, -, -, -, -, 4.8, 5.04, 0.89, 0.89
+   Measured, error / u (1 + kappa): 3.5
  */
 #define ROD_SPRING_SADDLE_NODE_ONSET_COUNT 19
 static inline void rod_spring_saddle_node_onset(double m, double zeta, const double *p, double *out)
@@ -1148,6 +1160,7 @@ static inline void rod_spring_saddle_node_onset(double m, double zeta, const dou
 /* Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.
    Equation from (24), (30). Domain: roots with 0 < A <= u_cr.
    Operations: 780 structured, 382 common subexpressions, 355 power chains
+   Measured, error / u (1 + kappa): 1.8
  */
 #define ROD_SPRING_SADDLE_NODES_COUNT 17
 static inline void rod_spring_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out)
@@ -1254,7 +1267,9 @@ static inline void rod_spring_saddle_nodes(double F_0, double m, double zeta, co
 }
 
 /* The averaged restoring force h = H - A.
-   Equation (20)-(22). Domain: A >= 0. */
+   Equation (20)-(22). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 0.95
+ */
 static inline double rod_spring_h(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1264,7 +1279,9 @@ static inline double rod_spring_h(double A, double alpha, double beta, double ga
 }
 
 /* d/dA of the averaged restoring force h = H - A.
-   Equation (31). Domain: A >= 0. */
+   Equation (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 2.6
+ */
 static inline double rod_spring_h_A(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1274,7 +1291,9 @@ static inline double rod_spring_h_A(double A, double alpha, double beta, double 
 }
 
 /* d2/dA2 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0. */
+   Equation from (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 2.5
+ */
 static inline double rod_spring_h_AA(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1284,7 +1303,9 @@ static inline double rod_spring_h_AA(double A, double alpha, double beta, double
 }
 
 /* d3/dA3 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0. */
+   Equation from (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 0.8
+ */
 static inline double rod_spring_h_AAA(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1294,7 +1315,9 @@ static inline double rod_spring_h_AAA(double A, double alpha, double beta, doubl
 }
 
 /* The averaged force H beside the vertical spring.
-   Equation (20)-(22). Domain: A >= 0. */
+   Equation (20)-(22). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 1.6
+ */
 static inline double rod_spring_H(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1304,7 +1327,9 @@ static inline double rod_spring_H(double A, double alpha, double beta, double ga
 }
 
 /* d/dA of the averaged force H beside the vertical spring.
-   Equation (31). Domain: A >= 0. */
+   Equation (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 2.9
+ */
 static inline double rod_spring_H_A(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1314,7 +1339,9 @@ static inline double rod_spring_H_A(double A, double alpha, double beta, double 
 }
 
 /* d2/dA2 of the averaged force H beside the vertical spring.
-   Equation from (31). Domain: A >= 0. */
+   Equation from (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 1.8
+ */
 static inline double rod_spring_H_AA(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
@@ -1324,7 +1351,9 @@ static inline double rod_spring_H_AA(double A, double alpha, double beta, double
 }
 
 /* Frequency response; zero at a steady state.
-   Equation (24). Domain: Omega > 0, A > 0. */
+   Equation (24). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 1.7
+ */
 static inline double rod_spring_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1333,7 +1362,9 @@ static inline double rod_spring_F(double Omega, double A, double F_0, double mu,
 }
 
 /* dF/dA; positive where stable.
-   Equation (24), (30). Domain: Omega > 0, A > 0. */
+   Equation (24), (30). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 5.4
+ */
 static inline double rod_spring_F_A(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1342,7 +1373,9 @@ static inline double rod_spring_F_A(double Omega, double A, double mu, double ze
 }
 
 /* The forcing F_0 for which (Omega, A) is a steady state.
-   Equation (24). Domain: Omega >= 0, A > 0. */
+   Equation (24). Domain: Omega >= 0, A > 0.
+   Measured, error / u (1 + kappa): 1.7
+ */
 static inline double rod_spring_level(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1351,7 +1384,9 @@ static inline double rod_spring_level(double Omega, double A, double mu, double 
 }
 
 /* Phase phi of a steady state, from -pi to 0.
-   Equation (25). Domain: Omega > 0, A > 0. */
+   Equation (25). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 1.5
+ */
 static inline double rod_spring_phase(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1360,7 +1395,9 @@ static inline double rod_spring_phase(double Omega, double A, double mu, double 
 }
 
 /* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
-   Equation (28). Domain: Omega > 0, A > 0. */
+   Equation (28). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 1.4
+ */
 static inline void rod_spring_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1369,7 +1406,9 @@ static inline void rod_spring_jacobian(double Omega, double A, double mu, double
 }
 
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
-   Equation (30). Domain: Omega > 0, A > 0. */
+   Equation (30). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 3.8
+ */
 static inline double rod_spring_stability(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1378,7 +1417,9 @@ static inline double rod_spring_stability(double Omega, double A, double mu, dou
 }
 
 /* Fundamental harmonic of the force on the base over F_0, at a steady state.
-   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. */
+   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
+   Measured, error / u (1 + kappa): 0.86
+ */
 static inline double rod_spring_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1387,7 +1428,9 @@ static inline double rod_spring_transmissibility(double Omega, double A, double 
 }
 
 /* Frequency on the backbone.
-   Equation (26). Domain: A > 0, h <= 0. */
+   Equation (26). Domain: A > 0, h <= 0.
+   Measured, error / u (1 + kappa): 1.8
+ */
 static inline double rod_spring_backbone(double A, const double *p)
 {
     double average[2];
@@ -1396,21 +1439,27 @@ static inline double rod_spring_backbone(double A, const double *p)
 }
 
 /* Largest amplitude that the forcing can hold at this frequency.
-   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. */
+   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
+   Measured, error / u (1 + kappa): 0.58
+ */
 static inline double rod_spring_limit_envelope(double Omega, double F_0, double mu, double zeta)
 {
     return slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
 }
 
 /* Viscous damping ratio that dissipates as much as zeta and friction together.
-   Equation (38). Domain: Omega > 0, A > 0. */
+   Equation (38). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 0.82
+ */
 static inline double rod_spring_equivalent_damping(double Omega, double A, double mu, double zeta)
 {
     return slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
 }
 
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24). Domain: A > 0. */
+   Equation (24). Domain: A > 0.
+   Measured, error / u (1 + kappa): 1.7
+ */
 static inline void rod_spring_response_quartic(double A, double F_0, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1419,7 +1468,9 @@ static inline void rod_spring_response_quartic(double A, double F_0, double mu, 
 }
 
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24), (30). Domain: A > 0. */
+   Equation (24), (30). Domain: A > 0.
+   Measured, error / u (1 + kappa): 8.7
+ */
 static inline void rod_spring_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1428,7 +1479,9 @@ static inline void rod_spring_fold_quartic(double A, double mu, double zeta, con
 }
 
 /* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
-   Equation (34). Domain: A > 0. */
+   Equation (34). Domain: A > 0.
+   Measured, error / u (1 + kappa): 0.84
+ */
 static inline void rod_spring_peak_cubic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1437,7 +1490,9 @@ static inline void rod_spring_peak_cubic(double A, double mu, double zeta, const
 }
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
-   Equation (34). Domain: A > 0. */
+   Equation (34). Domain: A > 0.
+   Measured, error / u (1 + kappa): 1.6
+ */
 static inline void rod_spring_detachment(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];

@@ -7,7 +7,12 @@
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 21/20 times.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
+   where nothing overflows or underflows (derivations/emit/rounding.py).
+   Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
+   1e-09 to 1000, Omega 0.001 to 1000, alpha 1e-16 to 1000 of either sign or 0, beta 1e-12 to 1000 of either sign or
+   0, delta_h 1e-12 to 1, lam 1 to 100, mu 1e-12 to 1 or 0, r 1e-06 to 1e+06, u 1e-09 to 1000 of either sign or 0,
+   zeta 1e-12 to 1 or 0.
+   u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef ROD_SPRING_UNTRUNCATED_H
 #define ROD_SPRING_UNTRUNCATED_H
@@ -320,9 +325,11 @@ static inline void rod_spring_untruncated_tangent_node(double X2, double K2, dou
    Operations where passed_1_far: 715 structured, 715 common subexpressions, 655 power chains
    Operations where passed_1: 675 structured, 675 common subexpressions, 615 power chains
    Operations where passed_1_steeper_far: 1057 structured, 1057 common subexpressions, 988 power chains
+   Operations where passed_1_steeper: 1005 structured, 1005 common subexpressions, 944 power chains
    Operations where passed_1_steep_far: 1722 structured, 1722 common subexpressions, 1673 power chains
    Operations where passed_1_steep_away: 1365 structured, 1365 common subexpressions, 1357 power chains
    Operations where passed_1_steep: 1491 structured, 1491 common subexpressions, 1444 power chains
+   Measured, error / u (1 + kappa): 3.8
  */
 static inline void rod_spring_untruncated_averaged_all_passed_0_end(double A, const double *p, double *out)
 {
@@ -777,6 +784,123 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steeper_far(doub
     out[6] = 2.5464790894703255 * A * beta * (24.0 * T3 * sum_0 * u_cr2 / c + 8.0 * T3 * sum_1 * u_cr2 / c);
 }
 
+static inline void rod_spring_untruncated_averaged_all_passed_1_steeper(double A, const double *p, double *out)
+{
+    const double beta = p[1];
+    const double delta_h = p[2];
+    const double u_cr = sqrt(-delta_h * delta_h + 2.0 * delta_h);
+    const double c = 1.0 - delta_h;
+    const double c2 = c * c;
+    const double lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0);
+    const double half = 0.5 * (A - u_cr) * (A + u_cr);
+    const double root = sqrt(2.0 * half - 0.5 * fabs(half - lacking) + 0.5 * fabs(half + lacking));
+    const double T = u_cr / (A + root);
+    const double t0 = T * T;
+    const double A2 = A * A;
+    const double U2 = 4.0 * A2 * t0;
+    double W_1, V3_1, V5_1, V7_1;
+    rod_spring_untruncated_near_node(0.99877100725242607, 0.99754352492802578, 0.0012289927475738814,
+        0.0012274823244002922, 0.0031533460523058385, c, t0, U2, &W_1, &V3_1, &V5_1, &V7_1);
+    double W_2, V3_2, V5_2, V7_2;
+    rod_spring_untruncated_near_node(0.99353017226635076, 0.98710220320360464, 0.0064698277336492421,
+        0.0064279690627461455, 0.0073275539012762625, c, t0, U2, &W_2, &V3_2, &V5_2, &V7_2);
+    double W_3, V3_3, V5_3, V7_3;
+    rod_spring_untruncated_near_node(0.98412458372282685, 0.96850119628762721, 0.015875416277173142,
+        0.015623387435199608, 0.01147723457923454, c, t0, U2, &W_3, &V3_3, &V5_3, &V7_3);
+    double W_4, V3_4, V5_4, V7_4;
+    rod_spring_untruncated_near_node(0.97059159254624727, 0.94204803952146043, 0.029408407453752748,
+        0.028543553024786811, 0.015579315722943849, c, t0, U2, &W_4, &V3_4, &V5_4, &V7_4);
+    double W_5, V3_5, V5_5, V7_5;
+    rod_spring_untruncated_near_node(0.95298770316043091, 0.90818556237499348, 0.047012296839569138,
+        0.044802140785437379, 0.019616160457355529, c, t0, U2, &W_5, &V3_5, &V5_5, &V7_5);
+    double W_6, V3_6, V5_6, V7_6;
+    rod_spring_untruncated_near_node(0.93138669070655433, 0.86748116762530669, 0.068613309293445668,
+        0.063905523081247625, 0.02357076083932438, c, t0, U2, &W_6, &V3_6, &V5_6, &V7_6);
+    double W_7, V3_7, V5_7, V7_7;
+    rod_spring_untruncated_near_node(0.90587913671556963, 0.82061701033654577, 0.094120863284430326,
+        0.085262126379023903, 0.027426509708356948, c, t0, U2, &W_7, &V3_7, &V5_7, &V7_7);
+    double W_8, V3_8, V5_8, V7_8;
+    rod_spring_untruncated_near_node(0.87657202027424785, 0.76837850672767649, 0.12342797972575212,
+        0.10819351354657145, 0.03116722783279809, c, t0, U2, &W_8, &V3_8, &V5_8, &V7_8);
+    double W_9, V3_9, V5_9, V7_9;
+    rod_spring_untruncated_near_node(0.84358826162439349, 0.71164115515046622, 0.15641173837560646,
+        0.13194710647392729, 0.034777222564770442, c, t0, U2, &W_9, &V3_9, &V5_9, &V7_9);
+    double W_10, V3_10, V5_10, V7_10;
+    rod_spring_untruncated_near_node(0.80706620402944262, 0.65135585768649396, 0.19293379597055738,
+        0.15571034634294872, 0.038241351065830709, c, t0, U2, &W_10, &V3_10, &V5_10, &V7_10);
+    double W_11, V3_11, V5_11, V7_11;
+    rod_spring_untruncated_near_node(0.76715903251574036, 0.58853298117048669, 0.23284096748425967,
+        0.17862605134525358, 0.041545082943464748, c, t0, U2, &W_11, &V3_11, &V5_11, &V7_11);
+    double W_12, V3_12, V5_12, V7_12;
+    rod_spring_untruncated_near_node(0.72403413092381463, 0.52422542274260353, 0.27596586907618537,
+        0.19980870818121108, 0.04467456085669428, c, t0, U2, &W_12, &V3_12, &V5_12, &V7_12);
+    double W_13, V3_13, V5_13, V7_13;
+    rod_spring_untruncated_near_node(0.67787237963266389, 0.45951096306885042, 0.32212762036733611,
+        0.2183614165638135, 0.047616658492490478, c, t0, U2, &W_13, &V3_13, &V5_13, &V7_13);
+    double W_14, V3_14, V5_14, V7_14;
+    rod_spring_untruncated_near_node(0.6288673967765136, 0.395474202728469, 0.3711326032234864, 0.23339319404804459,
+        0.050359035553854473, c, t0, U2, &W_14, &V3_14, &V5_14, &V7_14);
+    double W_15, V3_15, V5_15, V7_15;
+    rod_spring_untruncated_near_node(0.57722472608397268, 0.33318838440271731, 0.42277527391602732,
+        0.24403634168125538, 0.052890189485193667, c, t0, U2, &W_15, &V3_15, &V5_15, &V7_15);
+    double W_16, V3_16, V5_16, V7_16;
+    rod_spring_untruncated_near_node(0.523160974722233, 0.27369740547231697, 0.47683902527776695,
+        0.24946356924991608, 0.055199503699984165, c, t0, U2, &W_16, &V3_16, &V5_16, &V7_16);
+    double W_17, V3_17, V5_17, V7_17;
+    rod_spring_untruncated_near_node(0.46690290475095841, 0.21799832246488254, 0.53309709524904159,
+        0.24890458228607587, 0.057277292100403214, c, t0, U2, &W_17, &V3_17, &V5_17, &V7_17);
+    double W_18, V3_18, V5_18, V7_18;
+    rod_spring_untruncated_near_node(0.40868648199071672, 0.16702464056194843, 0.59131351800928322,
+        0.24166184142876829, 0.059114839698395635, c, t0, U2, &W_18, &V3_18, &V5_18, &V7_18);
+    double W_19, V3_19, V5_19, V7_19;
+    rod_spring_untruncated_near_node(0.34875588629216075, 0.12163066822343055, 0.6512441137078393,
+        0.22712521806873018, 0.060704439165893881, c, t0, U2, &W_19, &V3_19, &V5_19, &V7_19);
+    double W_20, V3_20, V5_20, V7_20;
+    rod_spring_untruncated_near_node(0.28736248735545555, 0.082577199139114363, 0.71263751264454445,
+        0.2047852882163412, 0.062039423159892665, c, t0, U2, &W_20, &V3_20, &V5_20, &V7_20);
+    double W_21, V3_21, V5_21, V7_21;
+    rod_spring_untruncated_near_node(0.22476379039468905, 0.050518761472587721, 0.77523620960531092,
+        0.17424502892210134, 0.06311419228625402, c, t0, U2, &W_21, &V3_21, &V5_21, &V7_21);
+    double W_22, V3_22, V5_22, V7_22;
+    rod_spring_untruncated_near_node(0.16122235606889171, 0.025992648096404506, 0.83877764393110832,
+        0.13522970797248721, 0.063924238584648185, c, t0, U2, &W_22, &V3_22, &V5_22, &V7_22);
+    double W_23, V3_23, V5_23, V7_23;
+    rod_spring_untruncated_near_node(0.097004699209462697, 0.0094099116687183324, 0.90299530079053725,
+        0.087594787540744359, 0.064466164435950088, c, t0, U2, &W_23, &V3_23, &V5_23, &V7_23);
+    double W_24, V3_24, V5_24, V7_24;
+    rod_spring_untruncated_near_node(0.03238017096286936, 0.0010484754715846482, 0.96761982903713062,
+        0.031331695491284714, 0.064737696812683918, c, t0, U2, &W_24, &V3_24, &V5_24, &V7_24);
+    const double sum_0 = W_1 + W_10 + W_11 + W_12 + W_13 + W_14 + W_15 + W_16 + W_17 + W_18 + W_19 + W_2 + W_20 +
+        W_21 + W_22 + W_23 + W_24 + W_3 + W_4 + W_5 + W_6 + W_7 + W_8 + W_9;
+    const double sum_1 = V3_1 + V3_10 + V3_11 + V3_12 + V3_13 + V3_14 + V3_15 + V3_16 + V3_17 + V3_18 + V3_19 + V3_2
+        + V3_20 + V3_21 + V3_22 + V3_23 + V3_24 + V3_3 + V3_4 + V3_5 + V3_6 + V3_7 + V3_8 + V3_9;
+    const double sum_2 = V5_1 + V5_10 + V5_11 + V5_12 + V5_13 + V5_14 + V5_15 + V5_16 + V5_17 + V5_18 + V5_19 + V5_2
+        + V5_20 + V5_21 + V5_22 + V5_23 + V5_24 + V5_3 + V5_4 + V5_5 + V5_6 + V5_7 + V5_8 + V5_9;
+    const double sum_3 = V7_1 + V7_10 + V7_11 + V7_12 + V7_13 + V7_14 + V7_15 + V7_16 + V7_17 + V7_18 + V7_19 + V7_2
+        + V7_20 + V7_21 + V7_22 + V7_23 + V7_24 + V7_3 + V7_4 + V7_5 + V7_6 + V7_7 + V7_8 + V7_9;
+    const double u_cr2 = u_cr * u_cr;
+    const double T3 = T * t0;
+    const double T4 = t0 * t0;
+    const double T5 = T * T4;
+    const double u_cr4 = u_cr2 * u_cr2;
+    const double u_cr5 = u_cr * u_cr4;
+    const double A3 = A * A2;
+    const double c3 = c * c2;
+    const double root2 = root * root;
+    const double root3 = root * root2;
+    const double A4 = A2 * A2;
+    const double c4 = c2 * c2;
+    const double c5 = c * c4;
+    out[0] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A;
+    out[1] = -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c) - 1.0;
+    out[2] = -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root));
+    out[3] = -2.5464790894703255 * beta * (96.0 * T5 * sum_3 - 3.0 * u_cr5 / (A4 * c5 * root) + 3.0 * u_cr5 / (A4
+        * c3 * root) + u_cr5 / (A2 * c3 * root3));
+    out[4] = 20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c;
+    out[5] = -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c);
+    out[6] = 81.487330863050417 * A3 * T5 * beta * sum_1;
+}
+
 static inline void rod_spring_untruncated_averaged_all_passed_1_steep_far(double A, const double *p, double *out)
 {
     const double beta = p[1];
@@ -1202,6 +1326,10 @@ static inline void rod_spring_untruncated_averaged_all(double A, const double *p
         rod_spring_untruncated_averaged_all_passed_1_steeper_far(A, p, out);
         return;
     }
+    if (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.92000000000000004) {
+        rod_spring_untruncated_averaged_all_passed_1_steeper(A, p, out);
+        return;
+    }
     if (1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A) {
         rod_spring_untruncated_averaged_all_passed_1_steep_far(A, p, out);
         return;
@@ -1217,6 +1345,7 @@ static inline void rod_spring_untruncated_averaged_all(double A, const double *p
    Equation beyond (20). Domain: A >= 0, u_cr <= 3/4.
    Operations where passed_0: 4852 structured, 4852 common subexpressions, 1995 power chains
    Operations where passed_1: 3265 structured, 3265 common subexpressions, 2537 power chains
+   Measured, error / u (1 + kappa): 5.9
  */
 static inline void rod_spring_untruncated_harmonics_passed_0(double A, const double *p, double *out)
 {
@@ -1658,6 +1787,7 @@ static inline void rod_spring_untruncated_coefficients(double lam, double r, dou
 /* The |u| at which a piece of the force ends.
    Equation (5). Domain: any parameters.
    Operations: 4 structured, 4 common subexpressions, 4 power chains
+   Measured, error / u (1 + kappa): 0.96
  */
 static inline void rod_spring_untruncated_breakpoints(const double *p, double *out)
 {
@@ -1690,6 +1820,7 @@ static inline void rod_spring_untruncated_hardening(const double *p, double *out
 /* Piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (5). Domain: where it holds.
    Operations: 16 structured, 12 common subexpressions, 12 power chains
+   Measured, error / u (1 + kappa): 0.85
  */
 static inline double rod_spring_untruncated_force_1(double u, double alpha, double beta, double delta_h)
 {
@@ -1701,6 +1832,7 @@ static inline double rod_spring_untruncated_force_1(double u, double alpha, doub
 /* d/du of piece 1 of the whole restoring force u + F_k(u).
    Equation (3), (5). Domain: where it holds.
    Operations: 30 structured, 23 common subexpressions, 23 power chains
+   Measured, error / u (1 + kappa): 1.5
  */
 static inline double rod_spring_untruncated_force_1_u(double u, double alpha, double beta, double delta_h)
 {
@@ -1746,6 +1878,7 @@ static inline double rod_spring_untruncated_force_2_u(double u, double alpha, do
    Operations where force_2: 0 structured, 0 common subexpressions, 0 power chains
    Proved where force_2, error / u (1 + kappa): 0.0
    Operations where force_1: 16 structured, 12 common subexpressions, 12 power chains
+   Measured, error / u (1 + kappa): 0.86
  */
 static inline double rod_spring_untruncated_force(double u, double alpha, double beta, double delta_h)
 {
@@ -1755,7 +1888,9 @@ static inline double rod_spring_untruncated_force(double u, double alpha, double
 }
 
 /* h, h_A, h_AA, h_AAA together.
-   Equation (20)-(22), (31). Domain: A >= 0. */
+   Equation (20)-(22), (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 3.3
+ */
 static inline void rod_spring_untruncated_averaged(double A, const double *p, double *out)
 {
     double values[7];
@@ -1767,7 +1902,9 @@ static inline void rod_spring_untruncated_averaged(double A, const double *p, do
 }
 
 /* h, h_A together.
-   Equation (20)-(22), (31). Domain: A >= 0. */
+   Equation (20)-(22), (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 6.2
+ */
 static inline void rod_spring_untruncated_averaged_2(double A, const double *p, double *out)
 {
     double values[7];
@@ -1777,7 +1914,9 @@ static inline void rod_spring_untruncated_averaged_2(double A, const double *p, 
 }
 
 /* H, H_A together.
-   Equation (20)-(22), (31). Domain: A >= 0. */
+   Equation (20)-(22), (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 2.8
+ */
 static inline void rod_spring_untruncated_averaged_H(double A, const double *p, double *out)
 {
     double values[7];
@@ -1787,7 +1926,9 @@ static inline void rod_spring_untruncated_averaged_H(double A, const double *p, 
 }
 
 /* h - A h_A, where the tangent of h meets A = 0; linear terms are none.
-   Equation (20)-(22), (31). Domain: A >= 0. */
+   Equation (20)-(22), (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 2.9
+ */
 static inline double rod_spring_untruncated_intercept(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1797,7 +1938,9 @@ static inline double rod_spring_untruncated_intercept(double A, double alpha, do
 }
 
 /* The averaged restoring force h = H - A.
-   Equation (20)-(22). Domain: A >= 0. */
+   Equation (20)-(22). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 3.7
+ */
 static inline double rod_spring_untruncated_h(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1807,7 +1950,9 @@ static inline double rod_spring_untruncated_h(double A, double alpha, double bet
 }
 
 /* d/dA of the averaged restoring force h = H - A.
-   Equation (31). Domain: A >= 0. */
+   Equation (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 2
+ */
 static inline double rod_spring_untruncated_h_A(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1817,7 +1962,9 @@ static inline double rod_spring_untruncated_h_A(double A, double alpha, double b
 }
 
 /* d2/dA2 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0. */
+   Equation from (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 2.6
+ */
 static inline double rod_spring_untruncated_h_AA(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1827,7 +1974,9 @@ static inline double rod_spring_untruncated_h_AA(double A, double alpha, double 
 }
 
 /* d3/dA3 of the averaged restoring force h = H - A.
-   Equation from (31). Domain: A >= 0. */
+   Equation from (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 2.9
+ */
 static inline double rod_spring_untruncated_h_AAA(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1837,7 +1986,9 @@ static inline double rod_spring_untruncated_h_AAA(double A, double alpha, double
 }
 
 /* The averaged force H beside the vertical spring.
-   Equation (20)-(22). Domain: A >= 0. */
+   Equation (20)-(22). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 3.1
+ */
 static inline double rod_spring_untruncated_H(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1847,7 +1998,9 @@ static inline double rod_spring_untruncated_H(double A, double alpha, double bet
 }
 
 /* d/dA of the averaged force H beside the vertical spring.
-   Equation (31). Domain: A >= 0. */
+   Equation (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 1.7
+ */
 static inline double rod_spring_untruncated_H_A(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1857,7 +2010,9 @@ static inline double rod_spring_untruncated_H_A(double A, double alpha, double b
 }
 
 /* d2/dA2 of the averaged force H beside the vertical spring.
-   Equation from (31). Domain: A >= 0. */
+   Equation from (31). Domain: A >= 0.
+   Measured, error / u (1 + kappa): 2.4
+ */
 static inline double rod_spring_untruncated_H_AA(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
@@ -1867,7 +2022,9 @@ static inline double rod_spring_untruncated_H_AA(double A, double alpha, double 
 }
 
 /* Frequency response; zero at a steady state.
-   Equation (24). Domain: Omega > 0, A > 0. */
+   Equation (24). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 1.5
+ */
 static inline double rod_spring_untruncated_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1876,7 +2033,9 @@ static inline double rod_spring_untruncated_F(double Omega, double A, double F_0
 }
 
 /* dF/dA; positive where stable.
-   Equation (24), (30). Domain: Omega > 0, A > 0. */
+   Equation (24), (30). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 20
+ */
 static inline double rod_spring_untruncated_F_A(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1885,7 +2044,9 @@ static inline double rod_spring_untruncated_F_A(double Omega, double A, double m
 }
 
 /* The forcing F_0 for which (Omega, A) is a steady state.
-   Equation (24). Domain: Omega >= 0, A > 0. */
+   Equation (24). Domain: Omega >= 0, A > 0.
+   Measured, error / u (1 + kappa): 4.1
+ */
 static inline double rod_spring_untruncated_level(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1894,7 +2055,9 @@ static inline double rod_spring_untruncated_level(double Omega, double A, double
 }
 
 /* Phase phi of a steady state, from -pi to 0.
-   Equation (25). Domain: Omega > 0, A > 0. */
+   Equation (25). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 2.1
+ */
 static inline double rod_spring_untruncated_phase(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1903,7 +2066,9 @@ static inline double rod_spring_untruncated_phase(double Omega, double A, double
 }
 
 /* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
-   Equation (28). Domain: Omega > 0, A > 0. */
+   Equation (28). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 1.7
+ */
 static inline void rod_spring_untruncated_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1912,7 +2077,9 @@ static inline void rod_spring_untruncated_jacobian(double Omega, double A, doubl
 }
 
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
-   Equation (30). Domain: Omega > 0, A > 0. */
+   Equation (30). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 4.4
+ */
 static inline double rod_spring_untruncated_stability(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1921,7 +2088,9 @@ static inline double rod_spring_untruncated_stability(double Omega, double A, do
 }
 
 /* Fundamental harmonic of the force on the base over F_0, at a steady state.
-   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. */
+   Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
+   Measured, error / u (1 + kappa): 1.3
+ */
 static inline double rod_spring_untruncated_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
@@ -1930,7 +2099,9 @@ static inline double rod_spring_untruncated_transmissibility(double Omega, doubl
 }
 
 /* Frequency on the backbone.
-   Equation (26). Domain: A > 0, h <= 0. */
+   Equation (26). Domain: A > 0, h <= 0.
+   Measured, error / u (1 + kappa): 3
+ */
 static inline double rod_spring_untruncated_backbone(double A, const double *p)
 {
     double average[2];
@@ -1939,21 +2110,27 @@ static inline double rod_spring_untruncated_backbone(double A, const double *p)
 }
 
 /* Largest amplitude that the forcing can hold at this frequency.
-   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. */
+   Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
+   Measured, error / u (1 + kappa): 0.66
+ */
 static inline double rod_spring_untruncated_limit_envelope(double Omega, double F_0, double mu, double zeta)
 {
     return slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
 }
 
 /* Viscous damping ratio that dissipates as much as zeta and friction together.
-   Equation (38). Domain: Omega > 0, A > 0. */
+   Equation (38). Domain: Omega > 0, A > 0.
+   Measured, error / u (1 + kappa): 0.65
+ */
 static inline double rod_spring_untruncated_equivalent_damping(double Omega, double A, double mu, double zeta)
 {
     return slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
 }
 
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24). Domain: A > 0. */
+   Equation (24). Domain: A > 0.
+   Measured, error / u (1 + kappa): 1.4
+ */
 static inline void rod_spring_untruncated_response_quartic(double A, double F_0, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1962,7 +2139,9 @@ static inline void rod_spring_untruncated_response_quartic(double A, double F_0,
 }
 
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
-   Equation (24), (30). Domain: A > 0. */
+   Equation (24), (30). Domain: A > 0.
+   Measured, error / u (1 + kappa): 14
+ */
 static inline void rod_spring_untruncated_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1971,7 +2150,9 @@ static inline void rod_spring_untruncated_fold_quartic(double A, double mu, doub
 }
 
 /* F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
-   Equation (34). Domain: A > 0. */
+   Equation (34). Domain: A > 0.
+   Measured, error / u (1 + kappa): 4.9
+ */
 static inline void rod_spring_untruncated_peak_cubic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
@@ -1980,7 +2161,9 @@ static inline void rod_spring_untruncated_peak_cubic(double A, double mu, double
 }
 
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
-   Equation (34). Domain: A > 0. */
+   Equation (34). Domain: A > 0.
+   Measured, error / u (1 + kappa): 5.4
+ */
 static inline void rod_spring_untruncated_detachment(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];

@@ -6,7 +6,15 @@
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
+   where nothing overflows or underflows (derivations/emit/rounding.py).
+   Others are measured: the worst error of all outputs that was found, by a search for it with A 0.01 to 1, A_1 0.01
+   to 1, F_0 0.03 to 0.1, Omega 0.3 to 2, a_3 up to 0.02 of either sign, a_5 up to 0.01 of either sign, cosine up to
+   0.99 of either sign, h 0.001 to 1 of either sign, h_3 up to 0.02 of either sign, h_3_A up to 0.2 of either sign,
+   h_3_AA up to 2 of either sign, h_3_AAA up to 20 of either sign, h_5 up to 0.02 of either sign, h_5_A up to 0.2 of
+   either sign, h_5_AA up to 2 of either sign, h_5_AAA up to 20 of either sign, h_A up to 2 of either sign, h_AA up
+   to 5 of either sign, h_AAA up to 20 of either sign, kappa up to 8 of either sign, m 0.001 to 0.03, sine up to
+   0.99 of either sign, turned up to 3.14, zeta 0.004 to 0.1.
+   u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef SECOND_APPROXIMATION_H
 #define SECOND_APPROXIMATION_H
@@ -20,6 +28,7 @@
 /* Largest displacement, A_1 and phase, R, F, and dF/dA, dF/dOmega, dR/dA, dR/dOmega.
    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2.
    Operations: 359 structured, 255 common subexpressions, 254 power chains
+   Measured, error / u (1 + kappa): 1.3
  */
 static inline void second_approximation_response(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
 {
@@ -121,6 +130,7 @@ static inline void second_approximation_response(double Omega, double A, double 
 /* The forcing (24), largest displacement, and what vanishes where the forcing that reaches it is least.
    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2.
    Operations: 357 structured, 253 common subexpressions, 252 power chains
+   Measured, error / u (1 + kappa): 1.6
  */
 static inline void second_approximation_detachment(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
 {
@@ -215,6 +225,7 @@ static inline void second_approximation_detachment(double Omega, double A, doubl
 /* The same of an excitation by inertia.
    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2.
    Operations: 390 structured, 288 common subexpressions, 287 power chains
+   Measured, error / u (1 + kappa): 1.5
  */
 static inline void second_approximation_detachment_by_inertia(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
 {
@@ -316,6 +327,7 @@ static inline void second_approximation_detachment_by_inertia(double Omega, doub
 /* F and its derivatives: a fold has F = F_A = 0, a cusp all three.
    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2.
    Operations: 574 structured, 400 common subexpressions, 396 power chains
+   Measured, error / u (1 + kappa): 1.5
  */
 static inline void second_approximation_folds(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_3, double h_3_A, double h_3_AA, double h_3_AAA, double h_5, double h_5_A, double h_5_AA, double h_5_AAA, double *out)
 {
@@ -458,6 +470,7 @@ static inline void second_approximation_folds(double Omega, double A, double F_0
 /* Largest displacement and what `wave` takes.
    Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2.
    Operations: 66 structured, 62 common subexpressions, 62 power chains
+   Measured, error / u (1 + kappa): 1.1
  */
 static inline void second_approximation_components(double Omega, double A, double m, double h, double h_3, double h_5, double *out)
 {
@@ -491,6 +504,7 @@ static inline void second_approximation_components(double Omega, double A, doubl
 /* u and u' at an angle after the mass turned at its largest displacement.
    Equation beyond (23). Domain: Omega > 0, 0 <= turned <= pi, |kappa| < 9.
    Operations: 573 structured, 347 common subexpressions, 343 power chains
+   Measured, error / u (1 + kappa): 1.5
  */
 static inline void second_approximation_wave(double turned, double Omega, double m, double A_1, double sine, double cosine, double a_3, double a_5, double kappa, double *out)
 {

@@ -6,7 +6,14 @@
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
+   where nothing overflows or underflows (derivations/emit/rounding.py).
+   Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
+   1e-09 to 1000, Omega 0.001 to 1000, R 1e-09 to 1e+06 of either sign or 0, T 1e-09 to 1e+06 of either sign or 0, X
+   1e-06 to 1e+06, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0, h_AA 1e-09 to 1e+09
+   of either sign or 0, h_AAA 1e-09 to 1e+12 of either sign or 0, k 1e-09 to 1000 of either sign, k_A 1e-09 to 1e+06
+   of either sign or 0, lacks 1e-09 to 1000 of either sign or 0, m 1e-12 to 1 or 0, mu 1e-12 to 1 or 0, preload
+   1e-12 to 1 or 0, root 1e-09 to 1000 of either sign, zeta 1e-12 to 1 or 0.
+   u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef SLOW_FLOW_H
 #define SLOW_FLOW_H
@@ -18,6 +25,7 @@
 /* Dry friction's share of I.
    Equation (23). Domain: mu >= 0.
    Operations: 1 structured, 1 common subexpressions, 1 power chains
+   Measured, error / u (1 + kappa): 0.75
  */
 static inline double slow_flow_friction(double mu)
 {
@@ -47,6 +55,7 @@ static inline double slow_flow_I(double Omega, double A, double m, double zeta)
 /* Frequency response; zero at a steady state.
    Equation (24). Domain: Omega > 0, A > 0.
    Operations: 12 structured, 12 common subexpressions, 12 power chains
+   Measured, error / u (1 + kappa): 1.3
  */
 static inline double slow_flow_F(double Omega, double A, double F_0, double m, double zeta, double h)
 {
@@ -58,6 +67,7 @@ static inline double slow_flow_F(double Omega, double A, double F_0, double m, d
 /* dF/dA; positive where stable.
    Equation (24), (30). Domain: Omega > 0, A > 0.
    Operations: 15 structured, 12 common subexpressions, 12 power chains
+   Measured, error / u (1 + kappa): 1.1
  */
 static inline double slow_flow_F_A(double Omega, double A, double m, double zeta, double h, double h_A)
 {
@@ -71,6 +81,7 @@ static inline double slow_flow_F_A(double Omega, double A, double m, double zeta
 /* d2F/dA2.
    Equation (24), (33). Domain: Omega > 0, A > 0.
    Operations: 14 structured, 12 common subexpressions, 12 power chains
+   Measured, error / u (1 + kappa): 1.3
  */
 static inline double slow_flow_F_AA(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
 {
@@ -111,6 +122,7 @@ static inline double slow_flow_F_AOmega(double Omega, double A, double m, double
 /* Phase phi of a steady state, from -pi to 0.
    Equation (25). Domain: Omega > 0, A > 0.
    Operations: 8 structured, 8 common subexpressions, 8 power chains
+   Measured, error / u (1 + kappa): 0.82
  */
 static inline double slow_flow_phase(double Omega, double A, double m, double zeta, double h)
 {
@@ -122,6 +134,7 @@ static inline double slow_flow_phase(double Omega, double A, double m, double ze
 /* Frequency on the backbone.
    Equation (26). Domain: A > 0, h <= 0.
    Operations: 2 structured, 2 common subexpressions, 2 power chains
+   Measured, error / u (1 + kappa): 0.71
  */
 static inline double slow_flow_backbone(double A, double h)
 {
@@ -152,6 +165,7 @@ static inline double slow_flow_equivalent_damping(double Omega, double A, double
 /* Fundamental harmonic of the force on the base over F_0, at a steady state.
    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
    Operations: 6 structured, 6 common subexpressions, 6 power chains
+   Measured, error / u (1 + kappa): 0.6
  */
 static inline double slow_flow_transmissibility(double Omega, double A, double F_0, double m, double zeta, double h)
 {
@@ -189,6 +203,7 @@ static inline double slow_flow_mean_stiffness(double A, double h, double h_A)
    Equation beside (30). Domain: Omega > 0, A > 0.
    Operations where over: 22 structured, 18 common subexpressions, 18 power chains
    Operations where apart: 14 structured, 14 common subexpressions, 14 power chains
+   Measured, error / u (1 + kappa): 1.6
  */
 static inline double slow_flow_offset_stiffness_over(double Omega, double A, double h, double h_A)
 {
@@ -217,6 +232,7 @@ static inline double slow_flow_offset_stiffness(double Omega, double A, double h
 /* 4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
    Equation (30). Domain: Omega > 0, A > 0.
    Operations: 15 structured, 12 common subexpressions, 12 power chains
+   Measured, error / u (1 + kappa): 1.1
  */
 static inline double slow_flow_stability(double Omega, double A, double m, double zeta, double h, double h_A)
 {
@@ -231,6 +247,7 @@ static inline double slow_flow_stability(double Omega, double A, double m, doubl
    Equation (24). Domain: A > 0.
    Operations: 16 structured, 15 common subexpressions, 15 power chains
    Proved, error / u (1 + kappa): -, 0.51, 1.61, 0.34
+   Measured, error / u (1 + kappa): 0.98
  */
 static inline void slow_flow_response_quartic(double A, double F_0, double m, double zeta, double h, double *out)
 {
@@ -270,6 +287,7 @@ static inline void slow_flow_peak_cubic(double A, double m, double zeta, double 
    Equation (34). Domain: A > 0.
    Operations: 72 structured, 41 common subexpressions, 37 power chains
    Proved, error / u (1 + kappa): -, -, 6.67, 0.0
+   Measured, error / u (1 + kappa): 1.3
  */
 #define SLOW_FLOW_DETACHMENT_COUNT 4
 static inline void slow_flow_detachment(double A, double m, double zeta, double h, double *out)
@@ -306,6 +324,7 @@ static inline double slow_flow_F_OmegaOmega(double Omega, double A, double zeta,
 /* The forcing F_0 for which (Omega, A) is a steady state.
    Equation (24). Domain: Omega >= 0, A > 0.
    Operations: 11 structured, 11 common subexpressions, 11 power chains
+   Measured, error / u (1 + kappa): 1.3
  */
 static inline double slow_flow_level(double Omega, double A, double m, double zeta, double h)
 {
@@ -317,6 +336,7 @@ static inline double slow_flow_level(double Omega, double A, double m, double ze
 /* F at Omega = 0 as a product: h - c, h + c, and the slope of both along A.
    Equation from (24). Domain: F_0 >= m.
    Operations: 6 structured, 6 common subexpressions, 6 power chains
+   Measured, error / u (1 + kappa): 1.2
  */
 static inline void slow_flow_rest(double F_0, double m, double h, double h_A, double *out)
 {
@@ -341,6 +361,7 @@ static inline void slow_flow_intercept(double A, double h, double h_A, double h_
 /* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
    Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2.
    Operations: 51 structured, 48 common subexpressions, 48 power chains
+   Measured, error / u (1 + kappa): 1.8
  */
 static inline void slow_flow_fold(double A, double F_0, double m, double zeta, double h, double h_A, double k, double k_A, double *out)
 {
@@ -387,6 +408,7 @@ static inline void slow_flow_fold_moves(double A, double k, double R, double *ou
 /* Omega at an isola point.
    Equation from (30), (34). Domain: h_A >= 0.
    Operations: 1 structured, 1 common subexpressions, 1 power chains
+   Measured, error / u (1 + kappa): 0.67
  */
 static inline double slow_flow_isola_Omega(double h_A)
 {
@@ -396,6 +418,7 @@ static inline double slow_flow_isola_Omega(double h_A)
 /* Zero at an isola point: F_Omega/(4 A) at its Omega, for m = 0 without the factor Omega; slope along A.
    Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A.
    Operations: 20 structured, 18 common subexpressions, 18 power chains
+   Measured, error / u (1 + kappa): 1.7
  */
 static inline void slow_flow_isola(double A, double m, double zeta, double h, double h_A, double h_AA, double *out)
 {
@@ -411,6 +434,7 @@ static inline void slow_flow_isola(double A, double m, double zeta, double h, do
    Equation from (33). Domain: A > 0.
    Operations: 21 structured, 15 common subexpressions, 15 power chains
    Proved, error / u (1 + kappa): 1.01, 1.01, 1.51, 1.01, -
+   Measured, error / u (1 + kappa): 0.8
  */
 static inline void slow_flow_cusps(double A, double zeta, double h, double h_A, double h_AA, double k, double *out)
 {
@@ -438,6 +462,7 @@ static inline void slow_flow_cusp_R(double A, double zeta, double h_AA, double k
 /* Where F_AA = 0 (`cusps`; root = a + T): F_A/2, the same less A F_AA/2, its slope along A, F_0 if it is 0.
    Equation from (33). Domain: A > 0, X > 0.
    Operations: 47 structured, 37 common subexpressions, 37 power chains
+   Measured, error / u (1 + kappa): 1.2
  */
 static inline void slow_flow_cusp(double A, double m, double zeta, double h_AA, double h_AAA, double k, double X, double T, double R, double root, double *out)
 {
@@ -454,6 +479,7 @@ static inline void slow_flow_cusp(double A, double m, double zeta, double h_AA, 
 /* Omega^2 and F_0^2 at a cusp with R from F_A = 0, by an X = Omega^2 that is nearly right, and T (`cusps`).
    Equation from (30). Domain: A > 0, X > 0, T not 0.
    Operations: 19 structured, 14 common subexpressions, 14 power chains
+   Measured, error / u (1 + kappa): 0.98
  */
 static inline void slow_flow_cusp_balance(double A, double m, double zeta, double h, double k, double X, double T, double *out)
 {
@@ -468,6 +494,7 @@ static inline void slow_flow_cusp_balance(double A, double m, double zeta, doubl
 /* F_A/2 where F_AOmega = 0, an extremum of F_A over Omega, and its slope along A.
    Equation from (30). Domain: Omega > 0, A > 0.
    Operations: 35 structured, 28 common subexpressions, 28 power chains
+   Measured, error / u (1 + kappa): 1.5
  */
 static inline void slow_flow_turn(double Omega, double A, double m, double zeta, double h_AA, double k, double *out)
 {
@@ -485,6 +512,7 @@ static inline void slow_flow_turn(double Omega, double A, double m, double zeta,
    Equation from (24), (34). Domain: Omega > 0, A > 0.
    Operations: 19 structured, 18 common subexpressions, 18 power chains
    Proved, error / u (1 + kappa): -, 3.67
+   Measured, error / u (1 + kappa): 0.98
  */
 static inline void slow_flow_peak(double Omega, double A, double F_0, double m, double zeta, double h_A, double *out)
 {
@@ -498,6 +526,7 @@ static inline void slow_flow_peak(double Omega, double A, double F_0, double m, 
 /* dOmega/dA along F_Omega = 0: what a rounding of A does to Omega at a peak.
    Equation from (34). Domain: Omega > 0, A > 0.
    Operations: 14 structured, 13 common subexpressions, 12 power chains
+   Measured, error / u (1 + kappa): 1.6
  */
 static inline double slow_flow_peak_Omega_A(double Omega, double A, double m, double zeta, double h_A)
 {
@@ -509,6 +538,7 @@ static inline double slow_flow_peak_Omega_A(double Omega, double A, double m, do
 /* dOmega/dA along the response.
    Equation from (24). Domain: Omega > 0, A > 0.
    Operations: 21 structured, 18 common subexpressions, 18 power chains
+   Measured, error / u (1 + kappa): 1.9
  */
 static inline double slow_flow_Omega_A(double Omega, double A, double m, double zeta, double h, double h_A)
 {
@@ -525,6 +555,7 @@ static inline double slow_flow_Omega_A(double Omega, double A, double m, double 
 /* Positive where the level rises with A along the fold locus, negative where it falls.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 39 structured, 28 common subexpressions, 28 power chains
+   Measured, error / u (1 + kappa): 1.1
  */
 static inline double slow_flow_level_rise(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
 {
@@ -545,6 +576,7 @@ static inline double slow_flow_level_rise(double Omega, double A, double m, doub
 /* Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum; T = dR/dA.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 40 structured, 30 common subexpressions, 30 power chains
+   Measured, error / u (1 + kappa): 0.96
  */
 static inline double slow_flow_cusp_bend(double Omega, double A, double zeta, double h_AA, double h_AAA, double T)
 {
@@ -562,6 +594,7 @@ static inline double slow_flow_cusp_bend(double Omega, double A, double zeta, do
 /* The same at an isola point.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 49 structured, 39 common subexpressions, 33 power chains
+   Measured, error / u (1 + kappa): 0.98
  */
 static inline double slow_flow_isola_bend(double Omega, double A, double m, double zeta, double h_AA)
 {
@@ -597,6 +630,7 @@ static inline double slow_flow_isola_hessian(double Omega, double A, double m, d
 /* An amplitude of the size of that far above resonance.
    Equation from (24). Domain: Omega > 0, F_0 >= m.
    Operations: 7 structured, 7 common subexpressions, 7 power chains
+   Measured, error / u (1 + kappa): 1.7
  */
 static inline double slow_flow_tail(double Omega, double F_0, double m)
 {
@@ -607,6 +641,7 @@ static inline double slow_flow_tail(double Omega, double F_0, double m)
 /* The largest |h| of a state with this amplitude: F_0 + (A Omega)^2/A at the highest Omega.
    Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0.
    Operations: 6 structured, 6 common subexpressions, 6 power chains
+   Measured, error / u (1 + kappa): 0.85
  */
 static inline double slow_flow_most_restoring(double A, double F_0, double m, double zeta)
 {
@@ -618,6 +653,7 @@ static inline double slow_flow_most_restoring(double A, double F_0, double m, do
 /* The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.
    Equation from (24), (30). Domain: F_0 >= m.
    Operations: 5 structured, 5 common subexpressions, 5 power chains
+   Measured, error / u (1 + kappa): 1.1
  */
 static inline double slow_flow_least_restoring(double F_0, double m)
 {

@@ -6,7 +6,12 @@
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
+   where nothing overflows or underflows (derivations/emit/rounding.py).
+   Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
+   1e-09 to 1000, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0, h_AA 1e-09 to 1e+09
+   of either sign or 0, k 1e-09 to 1000 of either sign, k_A 1e-09 to 1e+06 of either sign or 0, m 1e-12 to 1 or 0,
+   zeta 1e-12 to 1 or 0.
+   u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef SLOW_FLOW_MU0_H
 #define SLOW_FLOW_MU0_H
@@ -17,6 +22,7 @@
    Equation (24). Domain: A > 0.
    Operations: 11 structured, 10 common subexpressions, 10 power chains
    Proved, error / u (1 + kappa): -, 0.0, 1.61, 0.34
+   Measured, error / u (1 + kappa): 0.86
  */
 static inline void slow_flow_mu0_response_quartic(double A, double F_0, double m, double zeta, double h, double *out)
 {
@@ -50,6 +56,7 @@ static inline void slow_flow_mu0_detachment(double A, double m, double zeta, dou
 /* Zero at a fold at F_0: R of (23) less the R of F = F_A = 0; its slope along A, and Omega.
    Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2.
    Operations: 44 structured, 39 common subexpressions, 39 power chains
+   Measured, error / u (1 + kappa): 1.4
  */
 static inline void slow_flow_mu0_fold(double A, double F_0, double m, double zeta, double h, double h_A, double k, double k_A, double *out)
 {

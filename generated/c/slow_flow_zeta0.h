@@ -6,7 +6,12 @@
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/emit/rounding.py); others are measured (docs/stability.md). */
+   where nothing overflows or underflows (derivations/emit/rounding.py).
+   Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0
+   1e-09 to 1000, Omega 0.001 to 1000, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0,
+   h_AA 1e-09 to 1e+09 of either sign or 0, h_AAA 1e-09 to 1e+12 of either sign or 0, k 1e-09 to 1000 of either
+   sign, k_A 1e-09 to 1e+06 of either sign or 0, m 1e-12 to 1 or 0, zeta 1e-12 to 1 or 0.
+   u = 2^-53, kappa is the relative condition number of an output in all arguments. */
 
 #ifndef SLOW_FLOW_ZETA0_H
 #define SLOW_FLOW_ZETA0_H
@@ -16,6 +21,7 @@
 /* Largest amplitude that the forcing can hold at this frequency.
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
+   Measured, error / u (1 + kappa): 0
  */
 static inline double slow_flow_zeta0_limit_envelope(double Omega, double F_0, double m, double zeta)
 {
@@ -46,6 +52,7 @@ static inline void slow_flow_zeta0_detachment(double A, double m, double zeta, d
 /* Omega of the folds.
    Equation from (30). Domain: h_A <= 0.
    Operations: 1 structured, 1 common subexpressions, 1 power chains
+   Measured, error / u (1 + kappa): 0.67
  */
 static inline double slow_flow_zeta0_undamped_Omega(double h_A)
 {
@@ -55,6 +62,7 @@ static inline double slow_flow_zeta0_undamped_Omega(double h_A)
 /* Zero at a fold at F_0, where h_A < 0: R^2 + I^2 - F_0^2 on the undamped folds, and its slope along A.
    Equation from (24), (30). Domain: F_0 > m.
    Operations: 9 structured, 9 common subexpressions, 9 power chains
+   Measured, error / u (1 + kappa): 0.59
  */
 static inline void slow_flow_zeta0_fold(double F_0, double m, double k, double k_A, double *out)
 {
@@ -67,6 +75,7 @@ static inline void slow_flow_zeta0_fold(double F_0, double m, double k, double k
 /* The forcing of a fold, whose R is k.
    Equation from (24), (30). Domain: h_A <= 0.
    Operations: 4 structured, 4 common subexpressions, 4 power chains
+   Measured, error / u (1 + kappa): 0.99
  */
 static inline double slow_flow_zeta0_undamped_level(double m, double k)
 {

@@ -38,6 +38,11 @@ SF_LOOP(rod_spring_untruncated_averaged_all_passed_1_steeper_far_loop, 7,
     const double p[] = {in[1][i], in[2][i], in[3][i]};
     rod_spring_untruncated_averaged_all_passed_1_steeper_far(A, p, values);
 )
+SF_LOOP(rod_spring_untruncated_averaged_all_passed_1_steeper_loop, 7,
+    const double A = in[0][i];
+    const double p[] = {in[1][i], in[2][i], in[3][i]};
+    rod_spring_untruncated_averaged_all_passed_1_steeper(A, p, values);
+)
 SF_LOOP(rod_spring_untruncated_averaged_all_passed_1_steep_far_loop, 7,
     const double A = in[0][i];
     const double p[] = {in[1][i], in[2][i], in[3][i]};
@@ -61,7 +66,7 @@ static SF_WIDE void rod_spring_untruncated_averaged_all_regime(ptrdiff_t n, cons
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         const double A = A_[i], delta_h = delta_h_[i];
-        regime[i] = A <= sqrt(-delta_h * delta_h + 2.0 * delta_h) && sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A ? 0 : A <= sqrt(-delta_h * delta_h + 2.0 * delta_h) && A <= 0.69999999999999996 ? 1 : A <= sqrt(-delta_h * delta_h + 2.0 * delta_h) ? 2 : sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75 && 1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A ? 3 : sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75 ? 4 : sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.92000000000000004 && 1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A ? 5 : 1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A ? 6 : sqrt(-0.75 * delta_h * delta_h + 1.5 * delta_h + 0.25) <= A ? 7 : 8;
+        regime[i] = A <= sqrt(-delta_h * delta_h + 2.0 * delta_h) && sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A ? 0 : A <= sqrt(-delta_h * delta_h + 2.0 * delta_h) && A <= 0.69999999999999996 ? 1 : A <= sqrt(-delta_h * delta_h + 2.0 * delta_h) ? 2 : sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75 && 1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A ? 3 : sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75 ? 4 : sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.92000000000000004 && 1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A ? 5 : sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.92000000000000004 ? 6 : 1.05 * sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A ? 7 : sqrt(-0.75 * delta_h * delta_h + 1.5 * delta_h + 0.25) <= A ? 8 : 9;
     }
 }
 
@@ -70,6 +75,7 @@ static const sf_loop rod_spring_untruncated_averaged_all_loops[] = {
     rod_spring_untruncated_averaged_all_passed_0_steep_loop, rod_spring_untruncated_averaged_all_passed_1_far_loop,
     rod_spring_untruncated_averaged_all_passed_1_loop,
     rod_spring_untruncated_averaged_all_passed_1_steeper_far_loop,
+    rod_spring_untruncated_averaged_all_passed_1_steeper_loop,
     rod_spring_untruncated_averaged_all_passed_1_steep_far_loop,
     rod_spring_untruncated_averaged_all_passed_1_steep_away_loop,
     rod_spring_untruncated_averaged_all_passed_1_steep_loop
@@ -156,7 +162,7 @@ SF_LOOP(rod_spring_untruncated_equivalent_damping_loop, 1,
 )
 
 static const sf_kernel kernels[] = {
-    {"averaged_all", 4, 7, 9, rod_spring_untruncated_averaged_all_regime, rod_spring_untruncated_averaged_all_loops},
+    {"averaged_all", 4, 7, 10, rod_spring_untruncated_averaged_all_regime, rod_spring_untruncated_averaged_all_loops},
     {"harmonics", 4, 8, 2, rod_spring_untruncated_harmonics_regime, rod_spring_untruncated_harmonics_loops},
     {"coefficients", 3, 3, 1, NULL, SF_ONE(rod_spring_untruncated_coefficients_loop)},
     {"breakpoints", 3, 1, 1, NULL, SF_ONE(rod_spring_untruncated_breakpoints_loop)},

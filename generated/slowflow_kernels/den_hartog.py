@@ -6,6 +6,9 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
 docstring gives equation number, domain, shape and the operations after each pass.
+Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
+ones are the worst of all outputs that was found, by a search for it with A 0.01 to 1, F_0 0.03 to 0.1, Omega 0.3 to
+2, S 0.5 to 2, mu 0.001 to 0.02, tau 1e-09 to 30.
 """
 
 # a formatter would spread each polynomial over a page
@@ -26,6 +29,7 @@ def V(Omega):
 
     Equation (37). Domain: Omega > 0, Omega != 1. Shape: as the arguments broadcast.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Measured, error / u (1 + kappa): 1.4
     """
     (Omega,) = floats(Omega)
     return -1.0 / ((Omega - 1.0) * (Omega + 1.0))
@@ -36,6 +40,7 @@ def U(Omega):
 
     Equation (37). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the arguments broadcast.
     Operations: 5 structured, 6 common subexpressions, 6 power chains.
+    Measured, error / u (1 + kappa): 1.3
     """
     (Omega,) = floats(Omega)
     t0 = 1.0 / Omega
@@ -48,6 +53,7 @@ def S_ratio(tau, Omega):
     Equation (37). Domain: 0 < tau < pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the arguments
     broadcast.
     Operations: 24 structured, 23 common subexpressions, 23 power chains.
+    Measured, error / u (1 + kappa): 3.1
     """
     tau, Omega = floats(tau, Omega)
     t0 = 1.0 / Omega
@@ -66,6 +72,7 @@ def amplitude(Omega, F_0, mu):
     Equation (35). Domain: F_0 |V| > mu |U|, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the arguments
     broadcast.
     Operations: 16 structured, 14 common subexpressions, 14 power chains.
+    Measured, error / u (1 + kappa): 0.94
     """
     Omega, F_0, mu = floats(Omega, F_0, mu)
     t0 = Omega - 1.0
@@ -82,6 +89,7 @@ def bound(Omega, F_0, S):
 
     Equation (36). Domain: Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the arguments broadcast.
     Operations: 21 structured, 21 common subexpressions, 20 power chains.
+    Measured, error / u (1 + kappa): 1.8
     """
     Omega, F_0, S = floats(Omega, F_0, S)
     t0 = Omega - 1.0
@@ -99,6 +107,7 @@ def motion(tau, Omega, A, mu):
     Equation from (37). Domain: 0 <= tau <= pi/Omega, Omega > 0, Omega not 1, 1/3, 1/5 and so on. Shape: as the
     arguments broadcast.
     Operations: 30 structured, 27 common subexpressions, 27 power chains.
+    Measured, error / u (1 + kappa): 1.7
     """
     tau, Omega, A, mu = floats(tau, Omega, A, mu)
     t0 = 1.0 / Omega

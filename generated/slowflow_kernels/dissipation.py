@@ -6,6 +6,8 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
 symbols. Each docstring gives equation number, domain and the operations after each pass.
+Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
+ones are the worst of all outputs that was found, at the points of tests/data/kernel_oracle.json.
 """
 
 # a formatter would spread each polynomial over a page
@@ -33,6 +35,7 @@ def quadratic(c_2):
 
     Equation from (19). Domain: any. Shape: the arguments that it depends on, broadcast.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    Measured, error / u (1 + kappa): 0.59
     """
     return 0.84882636315677518 * c_2
 
@@ -166,6 +169,7 @@ def F(Omega, A, F_0, I_0, zeta, d, h):
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 17 structured, 16 common subexpressions, 16 power chains.
+    Measured, error / u (1 + kappa): 0.4
     """
     t0 = Omega * Omega
     R = A * t0 + h
@@ -178,6 +182,7 @@ def F_A(Omega, A, I_0, I_0A, zeta, d, h, h_A):
 
     Equation (24), (30). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 26 structured, 20 common subexpressions, 20 power chains.
+    Measured, error / u (1 + kappa): 0.28
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -192,6 +197,7 @@ def F_AA(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA):
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 35 structured, 27 common subexpressions, 27 power chains.
+    Measured, error / u (1 + kappa): 0.38
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -209,6 +215,7 @@ def F_Omega(Omega, A, I_0, zeta, d, h):
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 20 structured, 18 common subexpressions, 18 power chains.
+    Measured, error / u (1 + kappa): 0.28
     """
     t0 = Omega * Omega
     R = A * t0 + h
@@ -222,6 +229,7 @@ def F_OmegaOmega(Omega, A, I_0, zeta, d, h):
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 28 structured, 23 common subexpressions, 23 power chains.
+    Measured, error / u (1 + kappa): 0.55
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -238,6 +246,7 @@ def F_AOmega(Omega, A, I_0, I_0A, zeta, d, h, h_A):
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 39 structured, 30 common subexpressions, 30 power chains.
+    Measured, error / u (1 + kappa): 0.35
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -257,6 +266,7 @@ def F_AOmegaOmega(Omega, A, I_0, I_0A, zeta, d, h, h_A):
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 48 structured, 35 common subexpressions, 35 power chains.
+    Measured, error / u (1 + kappa): 0.3
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -277,6 +287,7 @@ def Omega_A(Omega, A, I_0, I_0A, zeta, d, h, h_A):
 
     Equation from (24). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 40 structured, 31 common subexpressions, 31 power chains.
+    Measured, error / u (1 + kappa): 0.47
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -296,6 +307,7 @@ def Omega_A_by_inertia(Omega, A, I_0, I_0A, zeta, d, h, h_A):
 
     Equation from (24). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 36 structured, 29 common subexpressions, 29 power chains.
+    Measured, error / u (1 + kappa): 0.64
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -313,6 +325,7 @@ def cusp_bend(Omega, A, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA):
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 97 structured, 55 common subexpressions, 55 power chains.
+    Measured, error / u (1 + kappa): 0.36
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -341,6 +354,7 @@ def isola_bend(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA):
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: 2 results, each the arguments that it depends on,
     broadcast.
     Operations: 85 structured, 55 common subexpressions, 55 power chains.
+    Measured, error / u (1 + kappa): 0.2
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -370,6 +384,7 @@ def stability(Omega, A, I_0, I_0A, zeta, d, h, h_A):
 
     Equation (30). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 26 structured, 20 common subexpressions, 20 power chains.
+    Measured, error / u (1 + kappa): 0.22
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -425,6 +440,7 @@ def limit_envelope(Omega, F_0, m, zeta, eta, d):
     Equation (27). Domain: Omega > 0, F_0 > m, one of zeta, eta, d > 0. Shape: the arguments that it depends on,
     broadcast.
     Operations: 19 structured, 16 common subexpressions, 16 power chains.
+    Measured, error / u (1 + kappa): 0.61
     """
     t0 = 2.0 * Omega * zeta + eta
     return (2.0 * F_0 - 2.0 * m) / (t0 + np.sqrt(-4.0 * Omega * Omega * d * (-F_0 + m) + t0 * t0))
@@ -435,6 +451,7 @@ def turn_share(x, A, I_0, I_0A, zeta, d):
 
     Equation from (30). Domain: x >= 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 33 structured, 31 common subexpressions, 29 power chains.
+    Measured, error / u (1 + kappa): 0.37
     """
     A2 = A * A
     t0 = A2 * d
@@ -462,6 +479,7 @@ def R_of_response(F_0, I):
 
     Equation (24). Domain: Omega >= 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Measured, error / u (1 + kappa): 0.39
     """
     return np.sqrt(F_0 * F_0 - I * I)
 
@@ -482,6 +500,7 @@ def R_where_stationary(x, A, I_0, zeta, d):
     Equation from (24). Domain: Omega >= 0, A > 0. Shape: 3 results, each the arguments that it depends on,
     broadcast.
     Operations: 74 structured, 20 common subexpressions, 20 power chains.
+    Measured, error / u (1 + kappa): 0.68
     """
     t0 = A * A
     t1 = A * zeta
@@ -500,6 +519,7 @@ def R_of_fold(Omega, h_A, I, I_A):
 
     Equation from (30). Domain: Omega >= 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Measured, error / u (1 + kappa): 0.27
     """
     return -I * I_A / (Omega * Omega + h_A)
 
@@ -539,6 +559,7 @@ def F_A_scaled(Omega, h_over_A, h_A, I_over_A, I_A):
 
     Equation (30). Domain: Omega >= 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 7 structured, 6 common subexpressions, 6 power chains.
+    Measured, error / u (1 + kappa): 0.52
     """
     t0 = Omega * Omega
     return I_A * I_over_A + (h_A + t0) * (h_over_A + t0)
@@ -550,6 +571,7 @@ def least_scaled(Omega, zeta, eta, d, h_AA):
     Equation from (30). Domain: Omega >= 0. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 14 structured, 14 common subexpressions, 13 power chains.
     Proved, error / u (1 + kappa): -, 1.01
+    Measured, error / u (1 + kappa): 0.64
     """
     t0 = 2.0 * Omega * zeta + eta
     Omega2 = Omega * Omega
@@ -566,6 +588,7 @@ def far_by_inertia(x, A, F_0, I_0, zeta, d, h):
     Equation (24). Domain: x >= 0, A > 0. Shape: 3 results, each the arguments that it depends on, broadcast.
     Operations: 42 structured, 35 common subexpressions, 34 power chains.
     Proved, error / u (1 + kappa): -, -, 0.67
+    Measured, error / u (1 + kappa): 0.55
     """
     t0 = x * x
     A2 = A * A
@@ -586,6 +609,7 @@ def cusp_bend_by_inertia(Omega, A, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 94 structured, 54 common subexpressions, 54 power chains.
+    Measured, error / u (1 + kappa): 0.19
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -612,6 +636,7 @@ def isola_bend_by_inertia(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA):
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: 2 results, each the arguments that it depends on,
     broadcast.
     Operations: 90 structured, 61 common subexpressions, 61 power chains.
+    Measured, error / u (1 + kappa): 1.2
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -644,6 +669,7 @@ def full_by_inertia(F_0, d):
 
     Equation from (24). Domain: F_0 > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 10 structured, 10 common subexpressions, 10 power chains.
+    Measured, error / u (1 + kappa): 1.4
     """
     return 1.4142135623730951 * F_0 / np.sqrt(np.sqrt(4.0 * F_0 * F_0 * d * d + 1.0) + 1.0)
 
@@ -654,6 +680,7 @@ def structural_bound(A, F_0, eta, h, steepest):
     Equation from (23), (24). Domain: A > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 12 structured, 10 common subexpressions, 10 power chains.
     Proved, error / u (1 + kappa): -, 3.76
+    Measured, error / u (1 + kappa): 0.41
     """
     t0 = A - F_0
     t1 = A * eta
@@ -668,6 +695,7 @@ def quadratic_bound(F_0, d):
 
     Equation from (23), (24). Domain: d > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Measured, error / u (1 + kappa): 0.85
     """
     return np.sqrt(F_0) / np.sqrt(d)
 
@@ -679,6 +707,7 @@ def folds(Omega, A, F_0, I_0A, I_0AA, zeta, d, h_A, h_AA, R, I):
     broadcast.
     Operations: 91 structured, 47 common subexpressions, 47 power chains.
     Proved, error / u (1 + kappa): -, 5.01, 5.01, 3.26, -, -
+    Measured, error / u (1 + kappa): 0.55
     """
     t0 = Omega * Omega
     t1 = h_A + t0
@@ -707,6 +736,7 @@ def peaks(Omega, A, F_0, I_0, I_0A, zeta, d, h_A, R, I):
     broadcast.
     Operations: 88 structured, 54 common subexpressions, 54 power chains.
     Proved, error / u (1 + kappa): -, -, 5.01, 3.26, -, 10.51
+    Measured, error / u (1 + kappa): 0.39
     """
     t0 = zeta / Omega
     t1 = 3.0 * zeta
@@ -734,6 +764,7 @@ def cusps(Omega, A, I_0A, I_0AA, I_0AAA, zeta, d, h_A, h_AA, h_AAA, R, I):
     broadcast.
     Operations: 171 structured, 64 common subexpressions, 64 power chains.
     Proved, error / u (1 + kappa): 5.01, -, -, -, -, -
+    Measured, error / u (1 + kappa): 0.31
     """
     t0 = Omega * Omega
     t1 = h_A + t0
@@ -765,6 +796,7 @@ def isolas(Omega, A, I_0, I_0A, I_0AA, zeta, d, h_A, h_AA, R, I):
     broadcast.
     Operations: 125 structured, 66 common subexpressions, 66 power chains.
     Proved, error / u (1 + kappa): 5.01, -, -, -, -, 10.51
+    Measured, error / u (1 + kappa): 0.5
     """
     t0 = Omega * Omega
     t1 = h_A + t0
@@ -795,6 +827,7 @@ def turns(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA, R, I):
     broadcast.
     Operations: 166 structured, 111 common subexpressions, 110 power chains.
     Proved, error / u (1 + kappa): 5.01, -, -, -, -, 13.17
+    Measured, error / u (1 + kappa): 0.55
     """
     t0 = Omega * Omega
     t1 = h_A + t0
@@ -834,6 +867,7 @@ def rest(Omega, A, F_0, I_0A, zeta, d, h_A, R, I):
     broadcast.
     Operations: 27 structured, 25 common subexpressions, 25 power chains.
     Proved, error / u (1 + kappa): -, 5.01, 3.26
+    Measured, error / u (1 + kappa): 0.49
     """
     t0 = Omega * Omega
     t1 = A * d
@@ -851,6 +885,7 @@ def stiffness(Omega, A, I_0A, I_0AA, zeta, d, h_A, h_AA, R, I):
     broadcast.
     Operations: 64 structured, 38 common subexpressions, 38 power chains.
     Proved, error / u (1 + kappa): 5.01, -, -
+    Measured, error / u (1 + kappa): 0.32
     """
     t0 = Omega * Omega
     t1 = h_A + t0
@@ -873,6 +908,7 @@ def folds_by_inertia(Omega, A, F_0, I_0A, I_0AA, zeta, d, h_A, h_AA, R, I):
     broadcast.
     Operations: 110 structured, 54 common subexpressions, 54 power chains.
     Proved, error / u (1 + kappa): -, 5.01, 5.01, -, -, -
+    Measured, error / u (1 + kappa): 0.87
     """
     t0 = Omega * Omega
     t1 = F_0 * t0
@@ -906,6 +942,7 @@ def peaks_by_inertia(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A, R, I):
     broadcast.
     Operations: 89 structured, 55 common subexpressions, 55 power chains.
     Proved, error / u (1 + kappa): -, 2.01, 5.01, -, -, -
+    Measured, error / u (1 + kappa): 0.58
     """
     t0 = Omega * Omega
     t1 = F_0 * t0
@@ -937,6 +974,7 @@ def isolas_by_inertia(Omega, A, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA, R, I):
     broadcast.
     Operations: 107 structured, 59 common subexpressions, 59 power chains.
     Proved, error / u (1 + kappa): 5.01, 2.01, -, -, -, -
+    Measured, error / u (1 + kappa): 0.51
     """
     t0 = Omega * Omega
     t1 = h_A + t0
@@ -965,6 +1003,7 @@ def moves_of_state(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_A
     broadcast.
     Operations: 84 structured, 56 common subexpressions, 56 power chains.
     Proved, error / u (1 + kappa): -, 0.0, 0.0, -, -, 0.0, 0.0
+    Measured, error / u (1 + kappa): 0.39
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -995,6 +1034,7 @@ def moves_of_fold(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
     broadcast.
     Operations: 209 structured, 110 common subexpressions, 110 power chains.
+    Measured, error / u (1 + kappa): 1.2
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -1044,6 +1084,7 @@ def moves_of_corner_fold(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_
     broadcast.
     Operations: 75 structured, 51 common subexpressions, 51 power chains.
     Proved, error / u (1 + kappa): 0.0, -, 0.0, -, -, 0.0, 0.0
+    Measured, error / u (1 + kappa): 0.53
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -1075,6 +1116,7 @@ def moves_of_peak(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
     broadcast.
     Operations: 176 structured, 93 common subexpressions, 93 power chains.
+    Measured, error / u (1 + kappa): 0.67
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -1120,6 +1162,7 @@ def moves_of_cusp(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
     broadcast.
     Operations: 381 structured, 161 common subexpressions, 161 power chains.
+    Measured, error / u (1 + kappa): 0.59
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -1183,6 +1226,7 @@ def moves_of_isola(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_A
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
     broadcast.
     Operations: 300 structured, 139 common subexpressions, 139 power chains.
+    Measured, error / u (1 + kappa): 1.7
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -1241,6 +1285,7 @@ def moves_of_corner_top(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A
     broadcast.
     Operations: 139 structured, 78 common subexpressions, 78 power chains.
     Proved, error / u (1 + kappa): 0.0, -, -, -, -, 0.0, 0.0
+    Measured, error / u (1 + kappa): 0.5
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -1281,6 +1326,7 @@ def moves_of_corner_end(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
     broadcast.
     Operations: 178 structured, 100 common subexpressions, 100 power chains.
+    Measured, error / u (1 + kappa): 0.36
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -1327,6 +1373,7 @@ def moves_of_corner_backbone(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h
     broadcast.
     Operations: 57 structured, 43 common subexpressions, 43 power chains.
     Proved, error / u (1 + kappa): 0.0, 4.34, -, 0.34, 0.34, 0.0, 0.0
+    Measured, error / u (1 + kappa): 0.63
     """
     t0 = 2.0 * Omega
     t1 = t0 * zeta
@@ -1360,6 +1407,7 @@ def moves_of_corner_rest(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_
     broadcast.
     Operations: 53 structured, 43 common subexpressions, 43 power chains.
     Proved, error / u (1 + kappa): 0.0, 0.0, -, 0.0, 0.0, 0.0, 0.0
+    Measured, error / u (1 + kappa): 0.52
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -1388,6 +1436,7 @@ def beside(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A):
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 91 structured, 45 common subexpressions, 45 power chains.
+    Measured, error / u (1 + kappa): 0.29
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -1418,6 +1467,7 @@ def moves_of_phase(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A, h_p, I_0p, zeta_p,
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 2 results, each the arguments that it depends on,
     broadcast.
     Operations: 73 structured, 57 common subexpressions, 57 power chains.
+    Measured, error / u (1 + kappa): 0.24
     """
     t0 = Omega * Omega
     t1 = A * t0

@@ -6,6 +6,8 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
 symbols. Each docstring gives equation number, domain and the operations after each pass.
+Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
+ones are the worst of all outputs that was found, at the points of tests/data/kernel_oracle.json.
 """
 
 # a formatter would spread each polynomial over a page
@@ -28,6 +30,7 @@ def moves_of_state(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_A
     broadcast.
     Operations: 94 structured, 66 common subexpressions, 63 power chains.
     Proved, error / u (1 + kappa): -, 0.0, 0.0, -, -, 0.0, 0.0
+    Measured, error / u (1 + kappa): 0.76
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2
@@ -60,6 +63,7 @@ def moves_of_fold(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
     broadcast.
     Operations: 229 structured, 121 common subexpressions, 118 power chains.
+    Measured, error / u (1 + kappa): 2.7
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2
@@ -112,6 +116,7 @@ def moves_of_corner_fold(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_
     broadcast.
     Operations: 91 structured, 62 common subexpressions, 59 power chains.
     Proved, error / u (1 + kappa): 0.0, -, 0.0, -, -, 0.0, 0.0
+    Measured, error / u (1 + kappa): 0.42
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2
@@ -146,6 +151,7 @@ def moves_of_peak(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
     broadcast.
     Operations: 201 structured, 108 common subexpressions, 105 power chains.
+    Measured, error / u (1 + kappa): 1.7
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2
@@ -195,6 +201,7 @@ def moves_of_cusp(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
     broadcast.
     Operations: 391 structured, 171 common subexpressions, 168 power chains.
+    Measured, error / u (1 + kappa): 0.82
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2
@@ -260,6 +267,7 @@ def moves_of_isola(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_A
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
     broadcast.
     Operations: 326 structured, 156 common subexpressions, 154 power chains.
+    Measured, error / u (1 + kappa): 1.2
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2
@@ -322,6 +330,7 @@ def moves_of_corner_top(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A
     broadcast.
     Operations: 161 structured, 94 common subexpressions, 92 power chains.
     Proved, error / u (1 + kappa): 0.0, -, -, -, -, 0.0, 0.0
+    Measured, error / u (1 + kappa): 2
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2
@@ -365,6 +374,7 @@ def moves_of_corner_end(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 7 results, each the arguments that it depends on,
     broadcast.
     Operations: 188 structured, 110 common subexpressions, 107 power chains.
+    Measured, error / u (1 + kappa): 0.71
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2
@@ -413,6 +423,7 @@ def moves_of_corner_backbone(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h
     broadcast.
     Operations: 67 structured, 53 common subexpressions, 50 power chains.
     Proved, error / u (1 + kappa): 0.0, 4.34, -, 0.34, 0.34, 0.0, 0.0
+    Measured, error / u (1 + kappa): 0.41
     """
     t0 = 2.0 * Omega
     t1 = t0 * zeta
@@ -448,6 +459,7 @@ def moves_of_corner_rest(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_
     broadcast.
     Operations: 63 structured, 53 common subexpressions, 50 power chains.
     Proved, error / u (1 + kappa): 0.0, 0.0, -, 0.0, 0.0, 0.0, 0.0
+    Measured, error / u (1 + kappa): 0.72
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2
@@ -478,6 +490,7 @@ def beside(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A):
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 103 structured, 52 common subexpressions, 51 power chains.
+    Measured, error / u (1 + kappa): 0.41
     """
     Omega2 = Omega * Omega
     t0 = A * Omega2
@@ -510,6 +523,7 @@ def moves_of_phase(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A, h_p, I_0p, zeta_p,
     Equation from (23)-(34). Domain: Omega > 0, A > 0. Shape: 2 results, each the arguments that it depends on,
     broadcast.
     Operations: 80 structured, 61 common subexpressions, 61 power chains.
+    Measured, error / u (1 + kappa): 0.52
     """
     t0 = Omega * Omega
     t1 = A * t0

@@ -6,6 +6,10 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
 docstring gives equation number, domain, shape and the operations after each pass.
+Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
+ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, Omega
+0.001 to 1000, alpha 1e-16 to 1000 of either sign or 0, beta 1e-12 to 1000 of either sign or 0, m 1e-12 to 1 or 0,
+mu 1e-12 to 1 or 0, u 1e-09 to 1000 of either sign or 0, zeta 1e-12 to 1 or 0.
 """
 
 # a formatter would spread each polynomial over a page
@@ -302,6 +306,7 @@ def saddle_nodes(F_0, m, zeta, alpha, beta):
     arguments broadcast.
     Operations: 191 structured, 115 common subexpressions, 98 power chains.
     Proved, error / u (1 + kappa): -, -, -, -, -, -, -, -, -, 0.91, 0.91
+    Measured, error / u (1 + kappa): 1.2
     """
     F_0, m, zeta, alpha, beta = floats(F_0, m, zeta, alpha, beta)
     excess = (F_0 - m) * (F_0 + m)
@@ -352,6 +357,7 @@ def h(A, alpha, beta):
     """The averaged restoring force h = H - A.
 
     Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.69
     """
     return averaged_2(A, alpha, beta)[0]
 
@@ -360,6 +366,7 @@ def h_A(A, alpha, beta):
     """d/dA of the averaged restoring force h = H - A.
 
     Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.83
     """
     return averaged_2(A, alpha, beta)[1]
 
@@ -368,6 +375,7 @@ def h_AA(A, alpha, beta):
     """d2/dA2 of the averaged restoring force h = H - A.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.67
     """
     return averaged(A, alpha, beta)[2]
 
@@ -376,6 +384,7 @@ def h_AAA(A, alpha, beta):
     """d3/dA3 of the averaged restoring force h = H - A.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.49
     """
     return averaged(A, alpha, beta)[3]
 
@@ -384,6 +393,7 @@ def H(A, alpha, beta):
     """The averaged force H beside the vertical spring.
 
     Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.5
     """
     return averaged_H(A, alpha, beta)[0]
 
@@ -392,6 +402,7 @@ def H_A(A, alpha, beta):
     """d/dA of the averaged force H beside the vertical spring.
 
     Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 2
     """
     return averaged_H(A, alpha, beta)[1]
 
@@ -400,6 +411,7 @@ def H_AA(A, alpha, beta):
     """d2/dA2 of the averaged force H beside the vertical spring.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.63
     """
     return averaged(A, alpha, beta)[2]
 
@@ -408,6 +420,7 @@ def F(Omega, A, F_0, mu, zeta, alpha, beta):
     """Frequency response; zero at a steady state.
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.9
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.F(Omega, A, F_0, flow.friction(mu), zeta, average)
@@ -417,6 +430,7 @@ def F_A(Omega, A, mu, zeta, alpha, beta):
     """dF/dA; positive where stable.
 
     Equation (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.4
     """
     average, average_A = averaged_2(A, alpha, beta)
     return flow.F_A(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -426,6 +440,7 @@ def level(Omega, A, mu, zeta, alpha, beta):
     """The forcing F_0 for which (Omega, A) is a steady state.
 
     Equation (24). Domain: Omega >= 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 2.1
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.level(Omega, A, flow.friction(mu), zeta, average)
@@ -435,6 +450,7 @@ def phase(Omega, A, mu, zeta, alpha, beta):
     """Phase phi of a steady state, from -pi to 0.
 
     Equation (25). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.1
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.phase(Omega, A, flow.friction(mu), zeta, average)
@@ -444,6 +460,7 @@ def jacobian(Omega, A, mu, zeta, alpha, beta):
     """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
 
     Equation (28). Domain: Omega > 0, A > 0. Shape: 4 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.6
     """
     average, average_A = averaged_2(A, alpha, beta)
     return flow.jacobian(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -453,6 +470,7 @@ def stability(Omega, A, mu, zeta, alpha, beta):
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
     Equation (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.7
     """
     average, average_A = averaged_2(A, alpha, beta)
     return flow.stability(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -462,6 +480,7 @@ def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta):
     """Fundamental harmonic of the force on the base over F_0, at a steady state.
 
     Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.88
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.transmissibility(Omega, A, F_0, flow.friction(mu), zeta, average)
@@ -471,6 +490,7 @@ def backbone(A, alpha, beta):
     """Frequency on the backbone.
 
     Equation (26). Domain: A > 0, h <= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.98
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.backbone(A, average)
@@ -480,6 +500,7 @@ def limit_envelope(Omega, F_0, mu, zeta):
     """Largest amplitude that the forcing can hold at this frequency.
 
     Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.63
     """
     return flow.limit_envelope(Omega, F_0, flow.friction(mu), zeta)
 
@@ -488,6 +509,7 @@ def equivalent_damping(Omega, A, mu, zeta):
     """Viscous damping ratio that dissipates as much as zeta and friction together.
 
     Equation (38). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.9
     """
     return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
@@ -496,6 +518,7 @@ def response_quartic(A, F_0, mu, zeta, alpha, beta):
     """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.3
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.response_quartic(A, F_0, flow.friction(mu), zeta, average)
@@ -505,6 +528,7 @@ def fold_quartic(A, mu, zeta, alpha, beta):
     """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24), (30). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.82
     """
     average, average_A = averaged_2(A, alpha, beta)
     return flow.fold_quartic(A, flow.friction(mu), zeta, average, average_A)
@@ -514,6 +538,7 @@ def peak_cubic(A, mu, zeta, alpha, beta):
     """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
 
     Equation (34). Domain: A > 0. Shape: 3 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.83
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.peak_cubic(A, flow.friction(mu), zeta, average)
@@ -523,6 +548,7 @@ def detachment(A, mu, zeta, alpha, beta):
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
     Equation (34). Domain: A > 0. Shape: (4, ...), coefficients by rising power, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.8
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.detachment(A, flow.friction(mu), zeta, average)

@@ -5,6 +5,11 @@ Input: none but the equation of motion in derivations/averaging.py, derivations/
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless, for floats and arrays of them as they are. Each docstring gives equation number and domain.
+Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
+ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, Omega
+0.001 to 1000, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0, k 1e-09 to 1000 of
+either sign, m 1e-12 to 1 or 0, p 1e-09 to 1000 of either sign, p_low up to 1e-10 of either sign, q 1e-12 to 1000 or
+0, q_low up to 1e-10 of either sign, tail up to 1e-10 of either sign, zeta 1e-12 to 1 or 0.
 """
 
 # a formatter would spread each polynomial over a page
@@ -29,6 +34,7 @@ def response(Omega, A, F_0, m, zeta, h):
 
     Equation (24). Domain: Omega >= 0, A > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 27 structured, 20 common subexpressions, 20 power chains.
+    Measured, error / u (1 + kappa): 0.98
     """
     t0 = A * Omega * Omega
     R = h + t0
@@ -47,6 +53,7 @@ def response_at_0(F_0, m, h):
     Equation (24). Domain: any. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 9 structured, 7 common subexpressions, 7 power chains.
     Proved, error / u (1 + kappa): -, 1.34
+    Measured, error / u (1 + kappa): 1.3
     """
     t0 = h * h
     t1 = F_0 + m
@@ -61,6 +68,7 @@ def fold(Omega, A, m, zeta, h, h_A):
 
     Equation (30). Domain: Omega >= 0, A > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 38 structured, 23 common subexpressions, 23 power chains.
+    Measured, error / u (1 + kappa): 1.1
     """
     t0 = Omega * Omega
     t1 = A * t0
@@ -113,6 +121,7 @@ def rise(Omega, A, p, k):
     broadcast.
     Operations: 17 structured, 11 common subexpressions, 11 power chains.
     Proved, error / u (1 + kappa): 3.01, -
+    Measured, error / u (1 + kappa): 0.55
     """
     t0 = Omega * Omega
     t1 = 0.75 * A * t0
@@ -128,6 +137,7 @@ def response_fine(Omega, A, F_0, m, zeta, h):
 
     Equation (24). Domain: Omega >= 0, A > 0.
     Exact: 6 products and 4 sums.
+    Measured, error / u (1 + kappa): 1.9
     """
     d0, d0_low = two_product(A, Omega)
     d1, d1_low = two_product(d0, Omega)
@@ -160,6 +170,7 @@ def response_beside(Omega, tail, A, F_0, m, zeta, h):
 
     Equation (24). Domain: Omega >= 0, A > 0.
     Exact: 7 products and 4 sums.
+    Measured, error / u (1 + kappa): 1.7
     """
     d0, d0_low = two_product(A, Omega)
     d1 = A * tail + d0_low
@@ -196,6 +207,7 @@ def response_derivative(A, m, zeta, h):
 
     Equation (24). Domain: A > 0.
     Exact: 3 products and 2 sums.
+    Measured, error / u (1 + kappa): 0.31
     """
     d0, d0_low = two_product(A, zeta)
     d1, d1_low = two_product(d0, 2.0 * zeta)
@@ -218,6 +230,7 @@ def response_exactly_at_0(F_0, m, h):
 
     Equation (24). Domain: any.
     Exact: 3 products.
+    Measured, error / u (1 + kappa): 0.33
     """
     d0, d0_low = two_product(h, h)
     d1, d1_low = two_product(m, m)
@@ -230,6 +243,7 @@ def fold_fine(Omega, A, m, zeta, h, h_A):
 
     Equation (30). Domain: Omega >= 0, A > 0.
     Exact: 7 products and 4 sums.
+    Measured, error / u (1 + kappa): 1.4
     """
     d0, d0_low = two_product(A, Omega)
     d1, d1_low = two_product(d0, Omega)
@@ -266,6 +280,7 @@ def fold_beside(Omega, tail, A, m, zeta, h, h_A):
 
     Equation (30). Domain: Omega >= 0, A > 0.
     Exact: 8 products and 4 sums.
+    Measured, error / u (1 + kappa): 1.1
     """
     d0, d0_low = two_product(A, Omega)
     d1 = A * tail + d0_low
@@ -308,6 +323,7 @@ def fold_derivative(A, m, zeta, h, h_A):
 
     Equation (30). Domain: A > 0.
     Exact: 4 products and 4 sums.
+    Measured, error / u (1 + kappa): 0.73
     """
     d0, d0_low = two_product(A, zeta)
     d1, d1_low = two_product(d0, 2.0 * zeta)
@@ -334,6 +350,7 @@ def cubic_fine(Omega, A, p, p_low, q, q_low):
 
     Equation from (24), (30). Domain: A > 0.
     Exact: 3 products and 2 sums.
+    Measured, error / u (1 + kappa): 0.5
     """
     d0, d0_low = two_product(A, Omega)
     d1, d1_low = two_product(d0, Omega)
@@ -352,6 +369,7 @@ def discriminant(A, p, p_low, q, q_low):
 
     Equation from (24), (30). Domain: A > 0.
     Exact: 5 products and 1 sum.
+    Measured, error / u (1 + kappa): 1.6
     """
     d0, d0_low = two_product(27.0, A)
     d1, d1_low = two_product(d0, q)

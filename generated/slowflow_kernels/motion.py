@@ -6,6 +6,15 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
 symbols. Each docstring gives equation number, domain and the operations after each pass.
+Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
+ones are the worst of all outputs that was found, by a search for it with A 0.01 to 1, A_1 0.01 to 1, F_0 0.03 to
+0.1, Omega 0.3 to 2, after up to 1 of either sign, before up to 1 of either sign, beyond 0.001 to 0.1, by_theta up
+to 1 of either sign, by_u up to 1 of either sign, cosine up to 0.99 of either sign, eta 0.005 to 0.2, f up to 1 of
+either sign, f_u up to 2 of either sign, friction 0.001 to 0.02, growth 0.01 to 1, inner up to 1 of either sign,
+inner_u up to 2 of either sign, left 0.01 to 0.99, mu 0.001 to 0.02, nu 10 to 1000, outer up to 1 of either sign,
+outer_u up to 2 of either sign, phi 0.05 to 3.1 of either sign, pull 0.01 to 1, quadratic up to 0.5 of either sign,
+right 0.01 to 0.99, sine up to 0.99 of either sign, slip up to 0.99 of either sign, v up to 1 of either sign, zeta
+0.004 to 0.1.
 """
 
 # a formatter would spread each polynomial over a page
@@ -83,6 +92,7 @@ def transmissibility(Omega, A_1, F_0, phi):
 
     Equation (3). Domain: F_0 > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 9 structured, 9 common subexpressions, 9 power chains.
+    Measured, error / u (1 + kappa): 1.3
     """
     of_inertia = A_1 * Omega * Omega / F_0
     return np.hypot(of_inertia * np.cos(phi) + 1.0, of_inertia * np.sin(phi))
@@ -104,6 +114,7 @@ def structural(Omega, eta):
 
     Equation beside (3). Domain: Omega > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 5 structured, 4 common subexpressions, 4 power chains.
+    Proved, error / u (1 + kappa): 0.34, 0.51
     """
     t0 = 0.5 * eta
     return (
@@ -148,6 +159,7 @@ def out(beyond, pull):
 
     Equation beside (3). Domain: beyond >= 0, pull > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Measured, error / u (1 + kappa): 0.63
     """
     square = 2.0 * beyond / pull
     return np.sqrt(square)
@@ -158,6 +170,7 @@ def back(beyond, growth):
 
     Equation beside (3). Domain: beyond >= 0, growth > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Measured, error / u (1 + kappa): 0.85
     """
     cube = 6.0 * beyond / growth
     return np.cbrt(cube)
@@ -224,6 +237,7 @@ def smoothed(cosine, v, F_0, mu, zeta, left, right, slip, inner, outer):
     Equation (A1), (A2). Domain: any. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 11 structured, 11 common subexpressions, 11 power chains.
     Proved, error / u (1 + kappa): 0.0, -
+    Measured, error / u (1 + kappa): 1.7
     """
     weight = left - right
     return (
@@ -238,6 +252,7 @@ def smoothed_by_state(mu, zeta, nu, left, right, slip, inner, outer, inner_u, ou
     Equation (A1), (A2). Domain: any. Shape: 4 results, each the arguments that it depends on, broadcast.
     Operations: 18 structured, 18 common subexpressions, 18 power chains.
     Proved, error / u (1 + kappa): 0.0, 0.0, -, 4.51
+    Measured, error / u (1 + kappa): 0.88
     """
     weight = left - right
     weight_u = -nu * weight * (left + right - 1.0)

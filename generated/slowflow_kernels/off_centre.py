@@ -6,6 +6,8 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
 symbols. Each docstring gives equation number, domain and the operations after each pass.
+Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
+ones are the worst of all outputs that was found, at the points of tests/data/kernel_oracle.json.
 """
 
 # a formatter would spread each polynomial over a page
@@ -28,6 +30,7 @@ def averaged(A, c_1, c_2, c_3, s_0, s_1, s_2, s_3):
     broadcast.
     Operations: 124 structured, 107 common subexpressions, 105 power chains.
     Proved, error / u (1 + kappa): 0.0, 2.01, 28.01, -
+    Measured, error / u (1 + kappa): 0.66
     """
     t0 = 1.0 / c_1
     B_A = -s_1 * t0
@@ -65,6 +68,7 @@ def state(Omega, A, force, I, I_A, load, c_0, c_1, s_0, s_1):
     broadcast.
     Operations: 23 structured, 21 common subexpressions, 21 power chains.
     Proved, error / u (1 + kappa): 1.01, -, 0.0, 0.0, -, 1.51
+    Measured, error / u (1 + kappa): 0.42
     """
     t0 = 2.0 * s_0
     t1 = Omega * Omega
@@ -85,6 +89,7 @@ def fold(R, A, F_0, F_2, m, eta, zeta, d, load, c_0, c_1, c_2, s_0, s_1, s_2):
     Equation (24), (30) and the mean of (3). Domain: A > 0, R + 2 s_0 > 0. Shape: 12 results, each the arguments
     that it depends on, broadcast.
     Operations: 227 structured, 125 common subexpressions, 125 power chains.
+    Measured, error / u (1 + kappa): 0.7
     """
     t0 = 1.0 / A
     t1 = R + 2.0 * s_0
@@ -144,6 +149,7 @@ def fold_by_t(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
     depends on, broadcast.
     Operations: 233 structured, 137 common subexpressions, 134 power chains.
     Proved, error / u (1 + kappa): 1.01, 11.51, -, 0.0, 0.0, 0.0, -, 13.01, 4.01, 6.34, 1.01, 45.68
+    Measured, error / u (1 + kappa): 0.54
     """
     t0 = c_1 * c_1
     t1 = 4.0 * t
@@ -201,6 +207,7 @@ def ended_state(Omega, A, force, I, I_A, load, c_0, s_0, c_x, c_y, X, Y):
     broadcast.
     Operations: 38 structured, 30 common subexpressions, 30 power chains.
     Proved, error / u (1 + kappa): 1.01, -, 0.0, 0.0, -, -
+    Measured, error / u (1 + kappa): 0.4
     """
     t0 = 2.0 * s_0
     t1 = Omega * Omega
@@ -239,6 +246,7 @@ def ended_fold(R, A, F_0, F_2, m, eta, zeta, d, load, c_0, s_0, c_x, c_y, c_xx, 
     Equation (24), (30) and the mean of (3). Domain: A > 0, R + 2 s_0 > 0. Shape: 12 results, each the arguments
     that it depends on, broadcast.
     Operations: 365 structured, 155 common subexpressions, 155 power chains.
+    Measured, error / u (1 + kappa): 0.56
     """
     t0 = 1.0 / A
     t1 = R + 2.0 * s_0
@@ -317,6 +325,7 @@ def balance_by_phase(t, F_0):
 
     Equation (23). Domain: |t| <= 1. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 12 structured, 9 common subexpressions, 9 power chains.
+    Measured, error / u (1 + kappa): 0.63
     """
     t0 = F_0 / (t * t + 1.0)
     return (
@@ -330,6 +339,7 @@ def fold_phase(F_0, m, intercept, least):
 
     Equation (30). Domain: F_0 >= m, intercept >= least. Shape: the arguments that it depends on, broadcast.
     Operations: 7 structured, 7 common subexpressions, 7 power chains.
+    Measured, error / u (1 + kappa): 0.42
     """
     return (F_0 - m) / (intercept + np.sqrt((intercept - least) * (intercept + least)))
 
@@ -353,6 +363,7 @@ def versine(k):
 
     Equation the mean of (3). Domain: k >= 0. Shape: the arguments that it depends on, broadcast.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Measured, error / u (1 + kappa): 0.46
     """
     return (2.0 * k + 1.0) / (k + 1.0)
 
@@ -363,6 +374,7 @@ def past(A, root, edge, D_0, C_1, S_1):
     Equation the mean of (3). Domain: A > 0, 0 <= root <= A, D_0 + pi root C_1 other than 0. Shape: the arguments
     that it depends on, broadcast.
     Operations: 20 structured, 19 common subexpressions, 19 power chains.
+    Measured, error / u (1 + kappa): 0.68
     """
     t0 = 3.1415926535897931 * root
     return (
@@ -388,6 +400,7 @@ def moved(A, c_1, c_2, c_3, s_1, s_2, s_3, c_0_p, c_1_p, c_2_p, s_0_p, s_1_p, s_
     broadcast.
     Operations: 146 structured, 119 common subexpressions, 119 power chains.
     Proved, error / u (1 + kappa): 3.01, 5.01, -, -
+    Measured, error / u (1 + kappa): 0.42
     """
     t0 = 1.0 / c_1
     B_A = -s_1 * t0
@@ -430,6 +443,7 @@ def moved_at_end(side, c_1, s_1, c_0_p, load_p, end_p):
     Equation the mean of (3). Domain: side c_1 other than s_1. Shape: a tuple of one, the arguments that it depends
     on, broadcast.
     Operations: 7 structured, 6 common subexpressions, 6 power chains.
+    Measured, error / u (1 + kappa): 0.64
     """
     t0 = c_1 * side
     return (
@@ -443,6 +457,7 @@ def begin(A, a, root, angle):
     Equation the mean of (3). Domain: root = sqrt(A^2 - a^2). Shape: 4 results, each the arguments that it depends
     on, broadcast.
     Operations: 7 structured, 7 common subexpressions, 7 power chains.
+    Measured, error / u (1 + kappa): 0.59
     """
     t0 = 0.31830988618379069 / root
     t1 = 1.0 / A
@@ -459,6 +474,7 @@ def up(k, A, a, L_2, L_1, M_2, M_1):
 
     Equation the mean of (3). Domain: k >= 1. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 26 structured, 23 common subexpressions, 23 power chains.
+    Measured, error / u (1 + kappa): 0.29
     """
     t0 = 2.0 * k
     t1 = A + a
@@ -476,6 +492,7 @@ def down(k, A, a, root, L_1, L_k, M_1, M_k):
     Equation the mean of (3). Domain: root > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 22 structured, 21 common subexpressions, 21 power chains.
     Proved, error / u (1 + kappa): 14.01, -
+    Measured, error / u (1 + kappa): 0.33
     """
     t0 = 1.0 / (root * root)
     t1 = 2.0 * k

@@ -7,6 +7,11 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
 docstring gives equation number, domain, shape and the operations after each pass.
 Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 21/20 times.
+Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
+ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, Omega
+0.001 to 1000, alpha 1e-16 to 1000 of either sign or 0, beta 1e-12 to 1000 of either sign or 0, delta_h 1e-12 to 1,
+gamma 1e-12 to 1000 or 0, lam 1 to 100, m 1e-12 to 1 or 0, mu 1e-12 to 1 or 0, r 1e-06 to 1e+06, u 1e-09 to 1000 of
+either sign or 0, u_cr 1e-06 to 1, zeta 1e-12 to 1 or 0.
 """
 
 # a formatter would spread each polynomial over a page
@@ -153,6 +158,7 @@ def averaged(A, alpha, beta, gamma, u_cr):
     """h, h_A, h_AA, h_AAA together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 4 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 2.1
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
@@ -248,6 +254,7 @@ def averaged_2(A, alpha, beta, gamma, u_cr):
     """h, h_A together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.6
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
@@ -341,6 +348,7 @@ def averaged_H(A, alpha, beta, gamma, u_cr):
     """H, H_A together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 3
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
@@ -421,6 +429,7 @@ def intercept(A, alpha, beta, gamma, u_cr):
     """h - A h_A, where the tangent of h meets A = 0; linear terms are none.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 2.8
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
@@ -668,6 +677,7 @@ def harmonics(A, alpha, beta, gamma, u_cr):
     """Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
 
     Equation beyond (20). Domain: A >= 0. Shape: 8 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 3.2
     """
     arguments = floats(A, alpha, beta, gamma, u_cr)
     A, alpha, beta, gamma, u_cr = arguments
@@ -864,6 +874,7 @@ def coefficients(lam, r, delta_h):
     Equation (5), (7). Domain: any design. Shape: 4 results, each as the arguments broadcast.
     Operations: 15 structured, 11 common subexpressions, 11 power chains.
     Proved, error / u (1 + kappa): 1.34, 6.01, 8.01, -
+    Measured, error / u (1 + kappa): 2
     """
     lam, r, delta_h = floats(lam, r, delta_h)
     t0 = lam * r
@@ -1019,6 +1030,7 @@ def saddle_node_onset(m, zeta, alpha, beta, gamma, u_cr):
     arguments broadcast.
     Operations: 546 structured, 276 common subexpressions, 238 power chains.
     Proved, error / u (1 + kappa): 0.82, 0.91, 6.01, 4.01, 8.17, -, -, -, -, -, -, -, -, -, -, 4.8, 5.04, 0.89, 0.89
+    Measured, error / u (1 + kappa): 3.5
     """
     m, zeta, alpha, beta, gamma, u_cr = floats(m, zeta, alpha, beta, gamma, u_cr)
     t0 = alpha * alpha
@@ -1100,6 +1112,7 @@ def saddle_nodes(F_0, m, zeta, alpha, beta, gamma, u_cr):
     Equation from (24), (30). Domain: roots with 0 < A <= u_cr. Shape: (17, ...), coefficients by rising power, each
     as the arguments broadcast.
     Operations: 780 structured, 382 common subexpressions, 355 power chains.
+    Measured, error / u (1 + kappa): 1.8
     """
     F_0, m, zeta, alpha, beta, gamma, u_cr = floats(F_0, m, zeta, alpha, beta, gamma, u_cr)
     excess = (F_0 - m) * (F_0 + m)
@@ -1208,6 +1221,7 @@ def h(A, alpha, beta, gamma, u_cr):
     """The averaged restoring force h = H - A.
 
     Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.95
     """
     return averaged_2(A, alpha, beta, gamma, u_cr)[0]
 
@@ -1216,6 +1230,7 @@ def h_A(A, alpha, beta, gamma, u_cr):
     """d/dA of the averaged restoring force h = H - A.
 
     Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 2.6
     """
     return averaged_2(A, alpha, beta, gamma, u_cr)[1]
 
@@ -1224,6 +1239,7 @@ def h_AA(A, alpha, beta, gamma, u_cr):
     """d2/dA2 of the averaged restoring force h = H - A.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 2.5
     """
     return averaged(A, alpha, beta, gamma, u_cr)[2]
 
@@ -1232,6 +1248,7 @@ def h_AAA(A, alpha, beta, gamma, u_cr):
     """d3/dA3 of the averaged restoring force h = H - A.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.8
     """
     return averaged(A, alpha, beta, gamma, u_cr)[3]
 
@@ -1240,6 +1257,7 @@ def H(A, alpha, beta, gamma, u_cr):
     """The averaged force H beside the vertical spring.
 
     Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.6
     """
     return averaged_H(A, alpha, beta, gamma, u_cr)[0]
 
@@ -1248,6 +1266,7 @@ def H_A(A, alpha, beta, gamma, u_cr):
     """d/dA of the averaged force H beside the vertical spring.
 
     Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 2.9
     """
     return averaged_H(A, alpha, beta, gamma, u_cr)[1]
 
@@ -1256,6 +1275,7 @@ def H_AA(A, alpha, beta, gamma, u_cr):
     """d2/dA2 of the averaged force H beside the vertical spring.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.8
     """
     return averaged(A, alpha, beta, gamma, u_cr)[2]
 
@@ -1264,6 +1284,7 @@ def F(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
     """Frequency response; zero at a steady state.
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.7
     """
     average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.F(Omega, A, F_0, flow.friction(mu), zeta, average)
@@ -1273,6 +1294,7 @@ def F_A(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     """dF/dA; positive where stable.
 
     Equation (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 5.4
     """
     average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.F_A(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -1282,6 +1304,7 @@ def level(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     """The forcing F_0 for which (Omega, A) is a steady state.
 
     Equation (24). Domain: Omega >= 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.7
     """
     average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.level(Omega, A, flow.friction(mu), zeta, average)
@@ -1291,6 +1314,7 @@ def phase(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     """Phase phi of a steady state, from -pi to 0.
 
     Equation (25). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.5
     """
     average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.phase(Omega, A, flow.friction(mu), zeta, average)
@@ -1300,6 +1324,7 @@ def jacobian(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
 
     Equation (28). Domain: Omega > 0, A > 0. Shape: 4 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.4
     """
     average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.jacobian(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -1309,6 +1334,7 @@ def stability(Omega, A, mu, zeta, alpha, beta, gamma, u_cr):
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
     Equation (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 3.8
     """
     average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.stability(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -1318,6 +1344,7 @@ def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
     """Fundamental harmonic of the force on the base over F_0, at a steady state.
 
     Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.86
     """
     average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.transmissibility(Omega, A, F_0, flow.friction(mu), zeta, average)
@@ -1327,6 +1354,7 @@ def backbone(A, alpha, beta, gamma, u_cr):
     """Frequency on the backbone.
 
     Equation (26). Domain: A > 0, h <= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.8
     """
     average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.backbone(A, average)
@@ -1336,6 +1364,7 @@ def limit_envelope(Omega, F_0, mu, zeta):
     """Largest amplitude that the forcing can hold at this frequency.
 
     Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.58
     """
     return flow.limit_envelope(Omega, F_0, flow.friction(mu), zeta)
 
@@ -1344,6 +1373,7 @@ def equivalent_damping(Omega, A, mu, zeta):
     """Viscous damping ratio that dissipates as much as zeta and friction together.
 
     Equation (38). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.82
     """
     return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
@@ -1352,6 +1382,7 @@ def response_quartic(A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
     """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.7
     """
     average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.response_quartic(A, F_0, flow.friction(mu), zeta, average)
@@ -1361,6 +1392,7 @@ def fold_quartic(A, mu, zeta, alpha, beta, gamma, u_cr):
     """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24), (30). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 8.7
     """
     average, average_A = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.fold_quartic(A, flow.friction(mu), zeta, average, average_A)
@@ -1370,6 +1402,7 @@ def peak_cubic(A, mu, zeta, alpha, beta, gamma, u_cr):
     """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
 
     Equation (34). Domain: A > 0. Shape: 3 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.84
     """
     average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.peak_cubic(A, flow.friction(mu), zeta, average)
@@ -1379,6 +1412,7 @@ def detachment(A, mu, zeta, alpha, beta, gamma, u_cr):
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
     Equation (34). Domain: A > 0. Shape: (4, ...), coefficients by rising power, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.6
     """
     average, _ = averaged_2(A, alpha, beta, gamma, u_cr)
     return flow.detachment(A, flow.friction(mu), zeta, average)

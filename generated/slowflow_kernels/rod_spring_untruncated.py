@@ -8,6 +8,10 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
 docstring gives equation number, domain, shape and the operations after each pass.
 Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them 21/20 times.
+Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
+ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, Omega
+0.001 to 1000, alpha 1e-16 to 1000 of either sign or 0, beta 1e-12 to 1000 of either sign or 0, delta_h 1e-12 to 1,
+lam 1 to 100, mu 1e-12 to 1 or 0, r 1e-06 to 1e+06, u 1e-09 to 1000 of either sign or 0, zeta 1e-12 to 1 or 0.
 """
 
 # a formatter would spread each polynomial over a page
@@ -854,6 +858,155 @@ def _averaged_all_passed_1_steeper_far(A, alpha, beta, delta_h):
     )
 
 
+def _averaged_all_passed_1_steeper(A, alpha, beta, delta_h):
+    # operations: 1005 structured, 1005 common subexpressions, 944 power chains
+    u_cr = np.sqrt(-delta_h * delta_h + 2.0 * delta_h)
+    c = 1.0 - delta_h
+    c2 = c * c
+    lacking = c2 - (1.0 - u_cr) * (u_cr + 1.0)
+    half = 0.5 * (A - u_cr) * (A + u_cr)
+    root = np.sqrt(2.0 * half - 0.5 * np.abs(half - lacking) + 0.5 * np.abs(half + lacking))
+    T = u_cr / (A + root)
+    t0 = T * T
+    A2 = A * A
+    U2 = 4.0 * A2 * t0
+    W_1, V3_1, V5_1, V7_1 = _near_node(
+        0.99877100725242607, 0.99754352492802578, 0.0012289927475738814, 0.0012274823244002922,
+        0.0031533460523058385, c, t0, U2
+    )
+    W_2, V3_2, V5_2, V7_2 = _near_node(
+        0.99353017226635076, 0.98710220320360464, 0.0064698277336492421, 0.0064279690627461455,
+        0.0073275539012762625, c, t0, U2
+    )
+    W_3, V3_3, V5_3, V7_3 = _near_node(
+        0.98412458372282685, 0.96850119628762721, 0.015875416277173142, 0.015623387435199608, 0.01147723457923454,
+        c, t0, U2
+    )
+    W_4, V3_4, V5_4, V7_4 = _near_node(
+        0.97059159254624727, 0.94204803952146043, 0.029408407453752748, 0.028543553024786811, 0.015579315722943849,
+        c, t0, U2
+    )
+    W_5, V3_5, V5_5, V7_5 = _near_node(
+        0.95298770316043091, 0.90818556237499348, 0.047012296839569138, 0.044802140785437379, 0.019616160457355529,
+        c, t0, U2
+    )
+    W_6, V3_6, V5_6, V7_6 = _near_node(
+        0.93138669070655433, 0.86748116762530669, 0.068613309293445668, 0.063905523081247625, 0.02357076083932438,
+        c, t0, U2
+    )
+    W_7, V3_7, V5_7, V7_7 = _near_node(
+        0.90587913671556963, 0.82061701033654577, 0.094120863284430326, 0.085262126379023903, 0.027426509708356948,
+        c, t0, U2
+    )
+    W_8, V3_8, V5_8, V7_8 = _near_node(
+        0.87657202027424785, 0.76837850672767649, 0.12342797972575212, 0.10819351354657145, 0.03116722783279809, c,
+        t0, U2
+    )
+    W_9, V3_9, V5_9, V7_9 = _near_node(
+        0.84358826162439349, 0.71164115515046622, 0.15641173837560646, 0.13194710647392729, 0.034777222564770442, c,
+        t0, U2
+    )
+    W_10, V3_10, V5_10, V7_10 = _near_node(
+        0.80706620402944262, 0.65135585768649396, 0.19293379597055738, 0.15571034634294872, 0.038241351065830709, c,
+        t0, U2
+    )
+    W_11, V3_11, V5_11, V7_11 = _near_node(
+        0.76715903251574036, 0.58853298117048669, 0.23284096748425967, 0.17862605134525358, 0.041545082943464748, c,
+        t0, U2
+    )
+    W_12, V3_12, V5_12, V7_12 = _near_node(
+        0.72403413092381463, 0.52422542274260353, 0.27596586907618537, 0.19980870818121108, 0.04467456085669428, c,
+        t0, U2
+    )
+    W_13, V3_13, V5_13, V7_13 = _near_node(
+        0.67787237963266389, 0.45951096306885042, 0.32212762036733611, 0.2183614165638135, 0.047616658492490478, c,
+        t0, U2
+    )
+    W_14, V3_14, V5_14, V7_14 = _near_node(
+        0.6288673967765136, 0.395474202728469, 0.3711326032234864, 0.23339319404804459, 0.050359035553854473, c, t0,
+        U2
+    )
+    W_15, V3_15, V5_15, V7_15 = _near_node(
+        0.57722472608397268, 0.33318838440271731, 0.42277527391602732, 0.24403634168125538, 0.052890189485193667, c,
+        t0, U2
+    )
+    W_16, V3_16, V5_16, V7_16 = _near_node(
+        0.523160974722233, 0.27369740547231697, 0.47683902527776695, 0.24946356924991608, 0.055199503699984165, c,
+        t0, U2
+    )
+    W_17, V3_17, V5_17, V7_17 = _near_node(
+        0.46690290475095841, 0.21799832246488254, 0.53309709524904159, 0.24890458228607587, 0.057277292100403214, c,
+        t0, U2
+    )
+    W_18, V3_18, V5_18, V7_18 = _near_node(
+        0.40868648199071672, 0.16702464056194843, 0.59131351800928322, 0.24166184142876829, 0.059114839698395635, c,
+        t0, U2
+    )
+    W_19, V3_19, V5_19, V7_19 = _near_node(
+        0.34875588629216075, 0.12163066822343055, 0.6512441137078393, 0.22712521806873018, 0.060704439165893881, c,
+        t0, U2
+    )
+    W_20, V3_20, V5_20, V7_20 = _near_node(
+        0.28736248735545555, 0.082577199139114363, 0.71263751264454445, 0.2047852882163412, 0.062039423159892665, c,
+        t0, U2
+    )
+    W_21, V3_21, V5_21, V7_21 = _near_node(
+        0.22476379039468905, 0.050518761472587721, 0.77523620960531092, 0.17424502892210134, 0.06311419228625402, c,
+        t0, U2
+    )
+    W_22, V3_22, V5_22, V7_22 = _near_node(
+        0.16122235606889171, 0.025992648096404506, 0.83877764393110832, 0.13522970797248721, 0.063924238584648185,
+        c, t0, U2
+    )
+    W_23, V3_23, V5_23, V7_23 = _near_node(
+        0.097004699209462697, 0.0094099116687183324, 0.90299530079053725, 0.087594787540744359,
+        0.064466164435950088, c, t0, U2
+    )
+    W_24, V3_24, V5_24, V7_24 = _near_node(
+        0.03238017096286936, 0.0010484754715846482, 0.96761982903713062, 0.031331695491284714, 0.064737696812683918,
+        c, t0, U2
+    )
+    sum_0 = (
+        W_1 + W_10 + W_11 + W_12 + W_13 + W_14 + W_15 + W_16 + W_17 + W_18 + W_19 + W_2 + W_20 + W_21 + W_22 + W_23
+        + W_24 + W_3 + W_4 + W_5 + W_6 + W_7 + W_8 + W_9
+    )
+    sum_1 = (
+        V3_1 + V3_10 + V3_11 + V3_12 + V3_13 + V3_14 + V3_15 + V3_16 + V3_17 + V3_18 + V3_19 + V3_2 + V3_20 + V3_21
+        + V3_22 + V3_23 + V3_24 + V3_3 + V3_4 + V3_5 + V3_6 + V3_7 + V3_8 + V3_9
+    )
+    sum_2 = (
+        V5_1 + V5_10 + V5_11 + V5_12 + V5_13 + V5_14 + V5_15 + V5_16 + V5_17 + V5_18 + V5_19 + V5_2 + V5_20 + V5_21
+        + V5_22 + V5_23 + V5_24 + V5_3 + V5_4 + V5_5 + V5_6 + V5_7 + V5_8 + V5_9
+    )
+    sum_3 = (
+        V7_1 + V7_10 + V7_11 + V7_12 + V7_13 + V7_14 + V7_15 + V7_16 + V7_17 + V7_18 + V7_19 + V7_2 + V7_20 + V7_21
+        + V7_22 + V7_23 + V7_24 + V7_3 + V7_4 + V7_5 + V7_6 + V7_7 + V7_8 + V7_9
+    )
+    u_cr2 = u_cr * u_cr
+    T3 = T * t0
+    T4 = t0 * t0
+    T5 = T * T4
+    u_cr4 = u_cr2 * u_cr2
+    u_cr5 = u_cr * u_cr4
+    A3 = A * A2
+    c3 = c * c2
+    root2 = root * root
+    root3 = root * root2
+    A4 = A2 * A2
+    c4 = c2 * c2
+    c5 = c * c4
+    return (
+        20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c - A,
+        -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c) - 1.0,
+        -2.5464790894703255 * beta * (96.0 * A * T5 * sum_2 - u_cr5 / (A3 * c3 * root)),
+        -2.5464790894703255 * beta * (96.0 * T5 * sum_3 - 3.0 * u_cr5 / (A4 * c5 * root) + 3.0 * u_cr5 / (A4 * c3 *
+        root) + u_cr5 / (A2 * c3 * root3)),
+        20.371832715762604 * A * T3 * beta * sum_0 * u_cr2 / c,
+        -2.5464790894703255 * beta * (32.0 * A2 * T5 * sum_1 - 8.0 * T3 * sum_0 * u_cr2 / c),
+        81.487330863050417 * A3 * T5 * beta * sum_1,
+    )
+
+
 def _averaged_all_passed_1_steep_far(A, alpha, beta, delta_h):
     # operations: 1722 structured, 1722 common subexpressions, 1673 power chains
     u_cr = np.sqrt(-delta_h * delta_h + 2.0 * delta_h)
@@ -1208,11 +1361,12 @@ def averaged_all(A, alpha, beta, delta_h):
     """h, h_A, h_AA, h_AAA, H, H_A, h - A h_A together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 7 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 3.8
     """
     arguments = floats(A, alpha, beta, delta_h)
     A, alpha, beta, delta_h = arguments
-    guards = ((A <= np.sqrt(-delta_h * delta_h + 2.0 * delta_h)) & (np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A), (A <= np.sqrt(-delta_h * delta_h + 2.0 * delta_h)) & (A <= 0.69999999999999996), A <= np.sqrt(-delta_h * delta_h + 2.0 * delta_h), (np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75) & (1.05 * np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A), np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75, (np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.92000000000000004) & (1.05 * np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A), 1.05 * np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A, np.sqrt(-0.75 * delta_h * delta_h + 1.5 * delta_h + 0.25) <= A,)
-    bodies = (_averaged_all_passed_0_end, _averaged_all_passed_0, _averaged_all_passed_0_steep, _averaged_all_passed_1_far, _averaged_all_passed_1, _averaged_all_passed_1_steeper_far, _averaged_all_passed_1_steep_far, _averaged_all_passed_1_steep_away, _averaged_all_passed_1_steep)
+    guards = ((A <= np.sqrt(-delta_h * delta_h + 2.0 * delta_h)) & (np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A), (A <= np.sqrt(-delta_h * delta_h + 2.0 * delta_h)) & (A <= 0.69999999999999996), A <= np.sqrt(-delta_h * delta_h + 2.0 * delta_h), (np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75) & (1.05 * np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A), np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.75, (np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.92000000000000004) & (1.05 * np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A), np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= 0.92000000000000004, 1.05 * np.sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A, np.sqrt(-0.75 * delta_h * delta_h + 1.5 * delta_h + 0.25) <= A,)
+    bodies = (_averaged_all_passed_0_end, _averaged_all_passed_0, _averaged_all_passed_0_steep, _averaged_all_passed_1_far, _averaged_all_passed_1, _averaged_all_passed_1_steeper_far, _averaged_all_passed_1_steeper, _averaged_all_passed_1_steep_far, _averaged_all_passed_1_steep_away, _averaged_all_passed_1_steep)
     return by_regime(guards, bodies, arguments, 7)
 
 
@@ -1485,6 +1639,7 @@ def harmonics(A, alpha, beta, delta_h):
     """Higher harmonics of the force, as h is its first: h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA.
 
     Equation beyond (20). Domain: A >= 0, u_cr <= 3/4. Shape: 8 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 5.9
     """
     arguments = floats(A, alpha, beta, delta_h)
     A, alpha, beta, delta_h = arguments
@@ -1646,6 +1801,7 @@ def breakpoints(alpha, beta, delta_h):
 
     Equation (5). Domain: any parameters. Shape: a tuple of one, as the arguments broadcast.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Measured, error / u (1 + kappa): 0.96
     """
     alpha, beta, delta_h = floats(alpha, beta, delta_h)
     shape = common_shape((alpha, beta, delta_h))
@@ -1687,6 +1843,7 @@ def force_1(u, alpha, beta, delta_h):
 
     Equation (3), (5). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
     Operations: 16 structured, 12 common subexpressions, 12 power chains.
+    Measured, error / u (1 + kappa): 0.85
     """
     t0 = np.sqrt((1.0 - u) * (u + 1.0))
     return u * (alpha + 2.0 * beta * u * u / (t0 * (t0 + 1.0)))
@@ -1697,6 +1854,7 @@ def force_1_u(u, alpha, beta, delta_h):
 
     Equation (3), (5). Domain: where it holds. Shape: the arguments that it depends on, broadcast.
     Operations: 30 structured, 23 common subexpressions, 23 power chains.
+    Measured, error / u (1 + kappa): 1.5
     """
     root_1 = np.sqrt((1.0 - u) * (u + 1.0))
     t0 = root_1 + 1.0
@@ -1731,6 +1889,7 @@ def force(u, alpha, beta, delta_h):
     """Whole dimensionless restoring force u + F_k(u), untruncated.
 
     Equation (3), (5). Domain: |u| < 1. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.86
     """
     arguments = floats(u, alpha, beta, delta_h)
     u, alpha, beta, delta_h = arguments
@@ -1743,6 +1902,7 @@ def averaged(A, alpha, beta, delta_h):
     """h, h_A, h_AA, h_AAA together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 4 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 3.3
     """
     values = averaged_all(A, alpha, beta, delta_h)
     return values[0], values[1], values[2], values[3]
@@ -1752,6 +1912,7 @@ def averaged_2(A, alpha, beta, delta_h):
     """h, h_A together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 6.2
     """
     values = averaged_all(A, alpha, beta, delta_h)
     return values[0], values[1]
@@ -1761,6 +1922,7 @@ def averaged_H(A, alpha, beta, delta_h):
     """H, H_A together.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: 2 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 2.8
     """
     values = averaged_all(A, alpha, beta, delta_h)
     return values[4], values[5]
@@ -1770,6 +1932,7 @@ def intercept(A, alpha, beta, delta_h):
     """h - A h_A, where the tangent of h meets A = 0; linear terms are none.
 
     Equation (20)-(22), (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 2.9
     """
     return averaged_all(A, alpha, beta, delta_h)[6]
 
@@ -1778,6 +1941,7 @@ def h(A, alpha, beta, delta_h):
     """The averaged restoring force h = H - A.
 
     Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 3.7
     """
     return averaged_2(A, alpha, beta, delta_h)[0]
 
@@ -1786,6 +1950,7 @@ def h_A(A, alpha, beta, delta_h):
     """d/dA of the averaged restoring force h = H - A.
 
     Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 2
     """
     return averaged_2(A, alpha, beta, delta_h)[1]
 
@@ -1794,6 +1959,7 @@ def h_AA(A, alpha, beta, delta_h):
     """d2/dA2 of the averaged restoring force h = H - A.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 2.6
     """
     return averaged(A, alpha, beta, delta_h)[2]
 
@@ -1802,6 +1968,7 @@ def h_AAA(A, alpha, beta, delta_h):
     """d3/dA3 of the averaged restoring force h = H - A.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 2.9
     """
     return averaged(A, alpha, beta, delta_h)[3]
 
@@ -1810,6 +1977,7 @@ def H(A, alpha, beta, delta_h):
     """The averaged force H beside the vertical spring.
 
     Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 3.1
     """
     return averaged_H(A, alpha, beta, delta_h)[0]
 
@@ -1818,6 +1986,7 @@ def H_A(A, alpha, beta, delta_h):
     """d/dA of the averaged force H beside the vertical spring.
 
     Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.7
     """
     return averaged_H(A, alpha, beta, delta_h)[1]
 
@@ -1826,6 +1995,7 @@ def H_AA(A, alpha, beta, delta_h):
     """d2/dA2 of the averaged force H beside the vertical spring.
 
     Equation from (31). Domain: A >= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 2.4
     """
     return averaged(A, alpha, beta, delta_h)[2]
 
@@ -1834,6 +2004,7 @@ def F(Omega, A, F_0, mu, zeta, alpha, beta, delta_h):
     """Frequency response; zero at a steady state.
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.5
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.F(Omega, A, F_0, flow.friction(mu), zeta, average)
@@ -1843,6 +2014,7 @@ def F_A(Omega, A, mu, zeta, alpha, beta, delta_h):
     """dF/dA; positive where stable.
 
     Equation (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 20
     """
     average, average_A = averaged_2(A, alpha, beta, delta_h)
     return flow.F_A(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -1852,6 +2024,7 @@ def level(Omega, A, mu, zeta, alpha, beta, delta_h):
     """The forcing F_0 for which (Omega, A) is a steady state.
 
     Equation (24). Domain: Omega >= 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 4.1
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.level(Omega, A, flow.friction(mu), zeta, average)
@@ -1861,6 +2034,7 @@ def phase(Omega, A, mu, zeta, alpha, beta, delta_h):
     """Phase phi of a steady state, from -pi to 0.
 
     Equation (25). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 2.1
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.phase(Omega, A, flow.friction(mu), zeta, average)
@@ -1870,6 +2044,7 @@ def jacobian(Omega, A, mu, zeta, alpha, beta, delta_h):
     """Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
 
     Equation (28). Domain: Omega > 0, A > 0. Shape: 4 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.7
     """
     average, average_A = averaged_2(A, alpha, beta, delta_h)
     return flow.jacobian(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -1879,6 +2054,7 @@ def stability(Omega, A, mu, zeta, alpha, beta, delta_h):
     """4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.
 
     Equation (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 4.4
     """
     average, average_A = averaged_2(A, alpha, beta, delta_h)
     return flow.stability(Omega, A, flow.friction(mu), zeta, average, average_A)
@@ -1888,6 +2064,7 @@ def transmissibility(Omega, A, F_0, mu, zeta, alpha, beta, delta_h):
     """Fundamental harmonic of the force on the base over F_0, at a steady state.
 
     Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.3
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.transmissibility(Omega, A, F_0, flow.friction(mu), zeta, average)
@@ -1897,6 +2074,7 @@ def backbone(A, alpha, beta, delta_h):
     """Frequency on the backbone.
 
     Equation (26). Domain: A > 0, h <= 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 3
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.backbone(A, average)
@@ -1906,6 +2084,7 @@ def limit_envelope(Omega, F_0, mu, zeta):
     """Largest amplitude that the forcing can hold at this frequency.
 
     Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.66
     """
     return flow.limit_envelope(Omega, F_0, flow.friction(mu), zeta)
 
@@ -1914,6 +2093,7 @@ def equivalent_damping(Omega, A, mu, zeta):
     """Viscous damping ratio that dissipates as much as zeta and friction together.
 
     Equation (38). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 0.65
     """
     return flow.equivalent_damping(Omega, A, flow.friction(mu), zeta)
 
@@ -1922,6 +2102,7 @@ def response_quartic(A, F_0, mu, zeta, alpha, beta, delta_h):
     """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.4
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.response_quartic(A, F_0, flow.friction(mu), zeta, average)
@@ -1931,6 +2112,7 @@ def fold_quartic(A, mu, zeta, alpha, beta, delta_h):
     """F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24), (30). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 14
     """
     average, average_A = averaged_2(A, alpha, beta, delta_h)
     return flow.fold_quartic(A, flow.friction(mu), zeta, average, average_A)
@@ -1940,6 +2122,7 @@ def peak_cubic(A, mu, zeta, alpha, beta, delta_h):
     """F_Omega/(4 A) as a polynomial in Omega: coefficients of 1, Omega, Omega^3.
 
     Equation (34). Domain: A > 0. Shape: 3 results, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 4.9
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.peak_cubic(A, flow.friction(mu), zeta, average)
@@ -1949,6 +2132,7 @@ def detachment(A, mu, zeta, alpha, beta, delta_h):
     """Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
 
     Equation (34). Domain: A > 0. Shape: (4, ...), coefficients by rising power, each as the arguments broadcast.
+    Measured, error / u (1 + kappa): 5.4
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.detachment(A, flow.friction(mu), zeta, average)

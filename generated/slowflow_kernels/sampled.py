@@ -6,6 +6,8 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
 symbols. Each docstring gives equation number, domain and the operations after each pass.
+Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
+ones are the worst of all outputs that was found, at the points of tests/data/kernel_oracle.json.
 """
 
 # a formatter would spread each polynomial over a page
@@ -25,6 +27,7 @@ def at_rest(f):
 
     Equation (20). Domain: any. Shape: the arguments that it depends on, broadcast.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    Measured, error / u (1 + kappa): 0.3
     """
     return -1.2732395447351628 * f
 
@@ -34,6 +37,7 @@ def averaged_terms(sine, f, f_u, f_uu, f_uuu):
 
     Equation (20)-(22), (31). Domain: any. Shape: 4 results, each the arguments that it depends on, broadcast.
     Operations: 14 structured, 14 common subexpressions, 11 power chains.
+    Measured, error / u (1 + kappa): 0.51
     """
     sine2 = sine * sine
     sine3 = sine * sine2
@@ -52,6 +56,7 @@ def averaged_end(A, b, lost_0, lost_1, lost_2):
     Equation (21), (22), (31). Domain: A > b > 0. Shape: 3 results, each the arguments that it depends on,
     broadcast.
     Operations: 87 structured, 61 common subexpressions, 49 power chains.
+    Measured, error / u (1 + kappa): 0.46
     """
     root = np.sqrt(A - b) * np.sqrt(A + b)
     A2 = A * A
@@ -84,6 +89,7 @@ def intercept_terms(A, sine, cosine, f_uu):
 
     Equation from (20). Domain: any. Shape: the arguments that it depends on, broadcast.
     Operations: 6 structured, 6 common subexpressions, 6 power chains.
+    Measured, error / u (1 + kappa): 0.28
     """
     return 1.2732395447351628 * A * A * cosine * cosine * f_uu * sine
 
@@ -93,6 +99,7 @@ def intercept_end(A, b, lost_0, lost_1):
 
     Equation from (20). Domain: A > b > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 15 structured, 16 common subexpressions, 16 power chains.
+    Measured, error / u (1 + kappa): 0.61
     """
     root = np.sqrt(A - b) * np.sqrt(A + b)
     t0 = 1.0 / A
@@ -104,6 +111,7 @@ def harmonics_terms(sine, f, f_u, f_uu, f_uuu):
 
     Equation beyond (20). Domain: any. Shape: 8 results, each the arguments that it depends on, broadcast.
     Operations: 92 structured, 31 common subexpressions, 28 power chains.
+    Measured, error / u (1 + kappa): 4.1
     """
     sine2 = sine * sine
     sine3 = sine * sine2
@@ -135,6 +143,7 @@ def harmonics_end(A, b, lost_0, lost_1, lost_2):
 
     Equation beyond (20). Domain: A > b > 0. Shape: 6 results, each the arguments that it depends on, broadcast.
     Operations: 469 structured, 184 common subexpressions, 156 power chains.
+    Measured, error / u (1 + kappa): 1.8
     """
     root = np.sqrt(A - b) * np.sqrt(A + b)
     A2 = A * A
@@ -193,6 +202,7 @@ def bent_terms(sine, f, f_uuuu):
 
     Equation (20), (31). Domain: any. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 8 structured, 8 common subexpressions, 7 power chains.
+    Measured, error / u (1 + kappa): 0.53
     """
     sine2 = sine * sine
     sine4 = sine2 * sine2
@@ -208,6 +218,7 @@ def bent_end_0(A, b, lost_0, lost_1, lost_2, lost_3):
 
     Equation (31). Domain: A > b > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 105 structured, 80 common subexpressions, 56 power chains.
+    Measured, error / u (1 + kappa): 0.3
     """
     root = np.sqrt(A - b) * np.sqrt(A + b)
     A2 = A * A
@@ -238,6 +249,7 @@ def bent_end_1(A, b, lost_1, lost_2, lost_3):
 
     Equation (31). Domain: A > b > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 64 structured, 53 common subexpressions, 38 power chains.
+    Measured, error / u (1 + kappa): 0.23
     """
     root = np.sqrt(A - b) * np.sqrt(A + b)
     A2 = A * A
@@ -262,6 +274,7 @@ def bent_end_2(A, b, lost_2, lost_3):
 
     Equation (31). Domain: A > b > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 36 structured, 32 common subexpressions, 25 power chains.
+    Measured, error / u (1 + kappa): 0.33
     """
     root = np.sqrt(A - b) * np.sqrt(A + b)
     A2 = A * A
@@ -281,6 +294,7 @@ def bent_end_3(A, b, lost_3):
 
     Equation (31). Domain: A > b > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 17 structured, 17 common subexpressions, 15 power chains.
+    Measured, error / u (1 + kappa): 0.12
     """
     root = np.sqrt(A - b) * np.sqrt(A + b)
     A2 = A * A

@@ -6,6 +6,14 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
 docstring gives equation number, domain, shape and the operations after each pass.
+Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
+ones are the worst of all outputs that was found, by a search for it with A 0.01 to 1, A_1 0.01 to 1, F_0 0.03 to
+0.1, Omega 0.3 to 2, a_3 up to 0.02 of either sign, a_5 up to 0.01 of either sign, cosine up to 0.99 of either sign,
+h 0.001 to 1 of either sign, h_3 up to 0.02 of either sign, h_3_A up to 0.2 of either sign, h_3_AA up to 2 of either
+sign, h_3_AAA up to 20 of either sign, h_5 up to 0.02 of either sign, h_5_A up to 0.2 of either sign, h_5_AA up to 2
+of either sign, h_5_AAA up to 20 of either sign, h_A up to 2 of either sign, h_AA up to 5 of either sign, h_AAA up
+to 20 of either sign, kappa up to 8 of either sign, m 0.001 to 0.03, sine up to 0.99 of either sign, turned up to
+3.14, zeta 0.004 to 0.1.
 """
 
 # a formatter would spread each polynomial over a page
@@ -29,6 +37,7 @@ def response(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_
     Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Shape: 9 results, each as the arguments
     broadcast.
     Operations: 359 structured, 255 common subexpressions, 254 power chains.
+    Measured, error / u (1 + kappa): 1.3
     """
     Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA = floats(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA)
     t0 = 1.0 / A
@@ -139,6 +148,7 @@ def detachment(Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, 
     Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Shape: 3 results, each as the arguments
     broadcast.
     Operations: 357 structured, 253 common subexpressions, 252 power chains.
+    Measured, error / u (1 + kappa): 1.6
     """
     Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA = floats(Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA)
     t0 = 1.0 / A
@@ -242,6 +252,7 @@ def detachment_by_inertia(Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h
     Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Shape: 3 results, each as the arguments
     broadcast.
     Operations: 390 structured, 288 common subexpressions, 287 power chains.
+    Measured, error / u (1 + kappa): 1.5
     """
     Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA = floats(Omega, A, m, zeta, h, h_A, h_AA, h_3, h_3_A, h_3_AA, h_5, h_5_A, h_5_AA)
     t0 = 1.0 / A
@@ -354,6 +365,7 @@ def folds(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_3, h_3_A, h_3_AA, h_3_A
     Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Shape: 3 results, each as the arguments
     broadcast.
     Operations: 574 structured, 400 common subexpressions, 396 power chains.
+    Measured, error / u (1 + kappa): 1.5
     """
     Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA = floats(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_3, h_3_A, h_3_AA, h_3_AAA, h_5, h_5_A, h_5_AA, h_5_AAA)
     t0 = 1.0 / A
@@ -515,6 +527,7 @@ def components(Omega, A, m, h, h_3, h_5):
     Equation beyond (23). Domain: Omega > 0, A > 0, |h| < 9 A Omega^2. Shape: 7 results, each as the arguments
     broadcast.
     Operations: 66 structured, 62 common subexpressions, 62 power chains.
+    Measured, error / u (1 + kappa): 1.1
     """
     Omega, A, m, h, h_3, h_5 = floats(Omega, A, m, h, h_3, h_5)
     t0 = 1.0 / (Omega * Omega)
@@ -555,6 +568,7 @@ def wave(turned, Omega, m, A_1, sine, cosine, a_3, a_5, kappa):
     Equation beyond (23). Domain: Omega > 0, 0 <= turned <= pi, |kappa| < 9. Shape: 2 results, each as the arguments
     broadcast.
     Operations: 573 structured, 347 common subexpressions, 343 power chains.
+    Measured, error / u (1 + kappa): 1.5
     """
     turned, Omega, m, A_1, sine, cosine, a_3, a_5, kappa = floats(turned, Omega, m, A_1, sine, cosine, a_3, a_5, kappa)
     c_1 = np.cos(turned)

@@ -6,6 +6,13 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
 docstring gives equation number, domain, shape and the operations after each pass.
+Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
+ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, Omega
+0.001 to 1000, R 1e-09 to 1e+06 of either sign or 0, T 1e-09 to 1e+06 of either sign or 0, X 1e-06 to 1e+06, h 1e-12
+to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0, h_AA 1e-09 to 1e+09 of either sign or 0, h_AAA
+1e-09 to 1e+12 of either sign or 0, k 1e-09 to 1000 of either sign, k_A 1e-09 to 1e+06 of either sign or 0, lacks
+1e-09 to 1000 of either sign or 0, m 1e-12 to 1 or 0, mu 1e-12 to 1 or 0, preload 1e-12 to 1 or 0, root 1e-09 to
+1000 of either sign, zeta 1e-12 to 1 or 0.
 """
 
 # a formatter would spread each polynomial over a page
@@ -36,6 +43,7 @@ def friction(mu):
 
     Equation (23). Domain: mu >= 0. Shape: as the arguments broadcast.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    Measured, error / u (1 + kappa): 0.75
     """
     (mu,) = floats(mu)
     return 1.2732395447351628 * mu
@@ -68,6 +76,7 @@ def F(Omega, A, F_0, m, zeta, h):
 
     Equation (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 12 structured, 12 common subexpressions, 12 power chains.
+    Measured, error / u (1 + kappa): 1.3
     """
     Omega, A, F_0, m, zeta, h = floats(Omega, A, F_0, m, zeta, h)
     R = A * Omega * Omega + h
@@ -80,6 +89,7 @@ def F_A(Omega, A, m, zeta, h, h_A):
 
     Equation (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 15 structured, 12 common subexpressions, 12 power chains.
+    Measured, error / u (1 + kappa): 1.1
     """
     Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
     t0 = Omega * Omega
@@ -94,6 +104,7 @@ def F_AA(Omega, A, m, zeta, h, h_A, h_AA):
 
     Equation (24), (33). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 14 structured, 12 common subexpressions, 12 power chains.
+    Measured, error / u (1 + kappa): 1.3
     """
     Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
     t0 = Omega * Omega
@@ -136,6 +147,7 @@ def phase(Omega, A, m, zeta, h):
 
     Equation (25). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 8 structured, 8 common subexpressions, 8 power chains.
+    Measured, error / u (1 + kappa): 0.82
     """
     Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
     R = A * Omega * Omega + h
@@ -148,6 +160,7 @@ def backbone(A, h):
 
     Equation (26). Domain: A > 0, h <= 0. Shape: as the arguments broadcast.
     Operations: 2 structured, 2 common subexpressions, 2 power chains.
+    Measured, error / u (1 + kappa): 0.71
     """
     A, h = floats(A, h)
     square = -h / A
@@ -181,6 +194,7 @@ def transmissibility(Omega, A, F_0, m, zeta, h):
 
     Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0. Shape: as the arguments broadcast.
     Operations: 6 structured, 6 common subexpressions, 6 power chains.
+    Measured, error / u (1 + kappa): 0.6
     """
     Omega, A, F_0, m, zeta, h = floats(Omega, A, F_0, m, zeta, h)
     I = 2.0 * A * Omega * zeta + m
@@ -192,6 +206,7 @@ def isolation(A, h):
 
     Equation from (23). Domain: A > 0, h <= 0. Shape: as the arguments broadcast.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
+    Measured, error / u (1 + kappa): 0.63
     """
     A, h = floats(A, h)
     turn = -2.0 * h / A
@@ -203,6 +218,7 @@ def held(m, preload):
 
     Equation (24). Domain: preload >= 0, -h as A tends to 0. Shape: as the arguments broadcast.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    Measured, error / u (1 + kappa): 0.5
     """
     m, preload = floats(m, preload)
     return np.hypot(m, preload)
@@ -260,6 +276,7 @@ def offset_stiffness(Omega, A, h, h_A):
     """What carries a small mean offset back; where the mean stiffness is negative this decides.
 
     Equation beside (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
+    Measured, error / u (1 + kappa): 1.6
     """
     arguments = floats(Omega, A, h, h_A)
     Omega, A, h, h_A = arguments
@@ -273,6 +290,7 @@ def stability(Omega, A, m, zeta, h, h_A):
 
     Equation (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 15 structured, 12 common subexpressions, 12 power chains.
+    Measured, error / u (1 + kappa): 1.1
     """
     Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
     t0 = Omega * Omega
@@ -288,6 +306,7 @@ def response_quartic(A, F_0, m, zeta, h):
     Equation (24). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
     Operations: 16 structured, 15 common subexpressions, 15 power chains.
     Proved, error / u (1 + kappa): -, 0.51, 1.61, 0.34
+    Measured, error / u (1 + kappa): 0.98
     """
     A, F_0, m, zeta, h = floats(A, F_0, m, zeta, h)
     t0 = A * A
@@ -339,6 +358,7 @@ def detachment(A, m, zeta, h):
     Equation (34). Domain: A > 0. Shape: (4, ...), coefficients by rising power, each as the arguments broadcast.
     Operations: 72 structured, 41 common subexpressions, 37 power chains.
     Proved, error / u (1 + kappa): -, -, 6.67, 0.0
+    Measured, error / u (1 + kappa): 1.3
     """
     A, m, zeta, h = floats(A, m, zeta, h)
     m2 = m * m
@@ -381,6 +401,7 @@ def level(Omega, A, m, zeta, h):
 
     Equation (24). Domain: Omega >= 0, A > 0. Shape: as the arguments broadcast.
     Operations: 11 structured, 11 common subexpressions, 11 power chains.
+    Measured, error / u (1 + kappa): 1.3
     """
     Omega, A, m, zeta, h = floats(Omega, A, m, zeta, h)
     R = A * Omega * Omega + h
@@ -393,6 +414,7 @@ def rest(F_0, m, h, h_A):
 
     Equation from (24). Domain: F_0 >= m. Shape: 3 results, each as the arguments broadcast.
     Operations: 6 structured, 6 common subexpressions, 6 power chains.
+    Measured, error / u (1 + kappa): 1.2
     """
     F_0, m, h, h_A = floats(F_0, m, h, h_A)
     product = -(-F_0 + m) * (F_0 + m)
@@ -426,6 +448,7 @@ def fold(A, F_0, m, zeta, h, h_A, k, k_A):
     Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2. Shape: 3 results, each as the arguments
     broadcast.
     Operations: 51 structured, 48 common subexpressions, 48 power chains.
+    Measured, error / u (1 + kappa): 1.8
     """
     A, F_0, m, zeta, h, h_A, k, k_A = floats(A, F_0, m, zeta, h, h_A, k, k_A)
     excess = (F_0 - m) * (F_0 + m)
@@ -481,6 +504,7 @@ def isola_Omega(h_A):
 
     Equation from (30), (34). Domain: h_A >= 0. Shape: as the arguments broadcast.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    Measured, error / u (1 + kappa): 0.67
     """
     (h_A,) = floats(h_A)
     return np.sqrt(h_A)
@@ -492,6 +516,7 @@ def isola(A, m, zeta, h, h_A, h_AA):
     Equation from (30), (34). Domain: A > 0, h_A > 0; for m = 0 any h_A. Shape: 2 results, each as the arguments
     broadcast.
     Operations: 20 structured, 18 common subexpressions, 18 power chains.
+    Measured, error / u (1 + kappa): 1.7
     """
     A, m, zeta, h, h_A, h_AA = floats(A, m, zeta, h, h_A, h_AA)
     w = np.sqrt(h_A)
@@ -511,6 +536,7 @@ def cusps(A, zeta, h, h_A, h_AA, k):
     Equation from (33). Domain: A > 0. Shape: 5 results, each as the arguments broadcast.
     Operations: 21 structured, 15 common subexpressions, 15 power chains.
     Proved, error / u (1 + kappa): 1.01, 1.01, 1.51, 1.01, -
+    Measured, error / u (1 + kappa): 0.8
     """
     A, zeta, h, h_A, h_AA, k = floats(A, zeta, h, h_A, h_AA, k)
     t0 = zeta * zeta
@@ -546,6 +572,7 @@ def cusp(A, m, zeta, h_AA, h_AAA, k, X, T, R, root):
 
     Equation from (33). Domain: A > 0, X > 0. Shape: 4 results, each as the arguments broadcast.
     Operations: 47 structured, 37 common subexpressions, 37 power chains.
+    Measured, error / u (1 + kappa): 1.2
     """
     A, m, zeta, h_AA, h_AAA, k, X, T, R, root = floats(A, m, zeta, h_AA, h_AAA, k, X, T, R, root)
     w = np.sqrt(X)
@@ -566,6 +593,7 @@ def cusp_balance(A, m, zeta, h, k, X, T):
 
     Equation from (30). Domain: A > 0, X > 0, T not 0. Shape: 2 results, each as the arguments broadcast.
     Operations: 19 structured, 14 common subexpressions, 14 power chains.
+    Measured, error / u (1 + kappa): 0.98
     """
     A, m, zeta, h, k, X, T = floats(A, m, zeta, h, k, X, T)
     w = np.sqrt(X)
@@ -584,6 +612,7 @@ def turn(Omega, A, m, zeta, h_AA, k):
 
     Equation from (30). Domain: Omega > 0, A > 0. Shape: 2 results, each as the arguments broadcast.
     Operations: 35 structured, 28 common subexpressions, 28 power chains.
+    Measured, error / u (1 + kappa): 1.5
     """
     Omega, A, m, zeta, h_AA, k = floats(Omega, A, m, zeta, h_AA, k)
     t0 = A * Omega * zeta
@@ -605,6 +634,7 @@ def peak(Omega, A, F_0, m, zeta, h_A):
     Equation from (24), (34). Domain: Omega > 0, A > 0. Shape: 2 results, each as the arguments broadcast.
     Operations: 19 structured, 18 common subexpressions, 18 power chains.
     Proved, error / u (1 + kappa): -, 3.67
+    Measured, error / u (1 + kappa): 0.98
     """
     Omega, A, F_0, m, zeta, h_A = floats(Omega, A, F_0, m, zeta, h_A)
     t0 = 2.0 * A
@@ -622,6 +652,7 @@ def peak_Omega_A(Omega, A, m, zeta, h_A):
 
     Equation from (34). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 14 structured, 13 common subexpressions, 12 power chains.
+    Measured, error / u (1 + kappa): 1.6
     """
     Omega, A, m, zeta, h_A = floats(Omega, A, m, zeta, h_A)
     Omega2 = Omega * Omega
@@ -634,6 +665,7 @@ def Omega_A(Omega, A, m, zeta, h, h_A):
 
     Equation from (24). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 21 structured, 18 common subexpressions, 18 power chains.
+    Measured, error / u (1 + kappa): 1.9
     """
     Omega, A, m, zeta, h, h_A = floats(Omega, A, m, zeta, h, h_A)
     t0 = Omega * Omega
@@ -651,6 +683,7 @@ def level_rise(Omega, A, m, zeta, h, h_A, h_AA):
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 39 structured, 28 common subexpressions, 28 power chains.
+    Measured, error / u (1 + kappa): 1.1
     """
     Omega, A, m, zeta, h, h_A, h_AA = floats(Omega, A, m, zeta, h, h_A, h_AA)
     t0 = Omega * Omega
@@ -672,6 +705,7 @@ def cusp_bend(Omega, A, zeta, h_AA, h_AAA, T):
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 40 structured, 30 common subexpressions, 30 power chains.
+    Measured, error / u (1 + kappa): 0.96
     """
     Omega, A, zeta, h_AA, h_AAA, T = floats(Omega, A, zeta, h_AA, h_AAA, T)
     t0 = Omega * Omega
@@ -690,6 +724,7 @@ def isola_bend(Omega, A, m, zeta, h_AA):
 
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: as the arguments broadcast.
     Operations: 49 structured, 39 common subexpressions, 33 power chains.
+    Measured, error / u (1 + kappa): 0.98
     """
     Omega, A, m, zeta, h_AA = floats(Omega, A, m, zeta, h_AA)
     t0 = 2.0 * A
@@ -730,6 +765,7 @@ def tail(Omega, F_0, m):
 
     Equation from (24). Domain: Omega > 0, F_0 >= m. Shape: as the arguments broadcast.
     Operations: 7 structured, 7 common subexpressions, 7 power chains.
+    Measured, error / u (1 + kappa): 1.7
     """
     Omega, F_0, m = floats(Omega, F_0, m)
     square = (F_0 - m) * (F_0 + m)
@@ -741,6 +777,7 @@ def most_restoring(A, F_0, m, zeta):
 
     Equation from (23). Domain: A > 0, F_0 >= m, zeta > 0. Shape: as the arguments broadcast.
     Operations: 6 structured, 6 common subexpressions, 6 power chains.
+    Measured, error / u (1 + kappa): 0.85
     """
     A, F_0, m, zeta = floats(A, F_0, m, zeta)
     c = -0.5 * (-F_0 + m) / zeta
@@ -753,6 +790,7 @@ def least_restoring(F_0, m):
 
     Equation from (24), (30). Domain: F_0 >= m. Shape: as the arguments broadcast.
     Operations: 5 structured, 5 common subexpressions, 5 power chains.
+    Measured, error / u (1 + kappa): 1.1
     """
     F_0, m = floats(F_0, m)
     return np.sqrt(F_0 - m) * np.sqrt(F_0 + m)

@@ -6,6 +6,10 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
 docstring gives equation number, domain, shape and the operations after each pass.
+Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
+ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, h
+1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0, h_AA 1e-09 to 1e+09 of either sign or 0,
+k 1e-09 to 1000 of either sign, k_A 1e-09 to 1e+06 of either sign or 0, m 1e-12 to 1 or 0, zeta 1e-12 to 1 or 0.
 """
 
 # a formatter would spread each polynomial over a page
@@ -35,6 +39,7 @@ def response_quartic(A, F_0, m, zeta, h):
     Equation (24). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
     Operations: 11 structured, 10 common subexpressions, 10 power chains.
     Proved, error / u (1 + kappa): -, 0.0, 1.61, 0.34
+    Measured, error / u (1 + kappa): 0.86
     """
     A, F_0, m, zeta, h = floats(A, F_0, m, zeta, h)
     t0 = A * A
@@ -76,6 +81,7 @@ def fold(A, F_0, m, zeta, h, h_A, k, k_A):
     Equation from (24), (30). Domain: A > 0, F_0 > m, k^2 >= F_0^2 - m^2. Shape: 3 results, each as the arguments
     broadcast.
     Operations: 44 structured, 39 common subexpressions, 39 power chains.
+    Measured, error / u (1 + kappa): 1.4
     """
     A, F_0, m, zeta, h, h_A, k, k_A = floats(A, F_0, m, zeta, h, h_A, k, k_A)
     excess = F_0 * F_0

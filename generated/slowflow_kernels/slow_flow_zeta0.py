@@ -6,6 +6,11 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each
 docstring gives equation number, domain, shape and the operations after each pass.
+Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
+ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, F_0 1e-09 to 1000, Omega
+0.001 to 1000, h 1e-12 to 1000 of either sign or 0, h_A 1e-09 to 1e+06 of either sign or 0, h_AA 1e-09 to 1e+09 of
+either sign or 0, h_AAA 1e-09 to 1e+12 of either sign or 0, k 1e-09 to 1000 of either sign, k_A 1e-09 to 1e+06 of
+either sign or 0, m 1e-12 to 1 or 0, zeta 1e-12 to 1 or 0.
 """
 
 # a formatter would spread each polynomial over a page
@@ -34,6 +39,7 @@ def limit_envelope(Omega, F_0, m, zeta):
 
     Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise. Shape: as the arguments broadcast.
     Operations: 0 structured, 0 common subexpressions, 0 power chains.
+    Measured, error / u (1 + kappa): 0
     """
     Omega, F_0, m, zeta = floats(Omega, F_0, m, zeta)
     return full(np.inf, common_shape((Omega, F_0, m, zeta)))
@@ -64,6 +70,7 @@ def undamped_Omega(h_A):
 
     Equation from (30). Domain: h_A <= 0. Shape: as the arguments broadcast.
     Operations: 1 structured, 1 common subexpressions, 1 power chains.
+    Measured, error / u (1 + kappa): 0.67
     """
     (h_A,) = floats(h_A)
     return np.sqrt(-h_A)
@@ -74,6 +81,7 @@ def fold(F_0, m, k, k_A):
 
     Equation from (24), (30). Domain: F_0 > m. Shape: 2 results, each as the arguments broadcast.
     Operations: 9 structured, 9 common subexpressions, 9 power chains.
+    Measured, error / u (1 + kappa): 0.59
     """
     F_0, m, k, k_A = floats(F_0, m, k, k_A)
     excess = (F_0 - m) * (F_0 + m)
@@ -90,6 +98,7 @@ def undamped_level(m, k):
 
     Equation from (24), (30). Domain: h_A <= 0. Shape: as the arguments broadcast.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
+    Measured, error / u (1 + kappa): 0.99
     """
     m, k = floats(m, k)
     return np.sqrt(k * k + m * m)

@@ -13,6 +13,7 @@ import sympy as sp
 
 from ....conventions import CONVENTIONS
 from ....quadrature import rule
+from ... import measured
 from ...arctangent import estrin, series
 from ...form import Module
 from ...provenance import tools
@@ -67,6 +68,7 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             includes=includes(module, views),
             regimes=regimes(module),
             numbers=numbers(module),
+            measured=measured.of(module),
             rule=[(literal(node), literal(weight)) for node, weight in rule()] if module.sums else [],
             tools=tools(),
             **sources(module),

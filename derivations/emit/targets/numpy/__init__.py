@@ -18,6 +18,7 @@ from ....mechanisms import DAMPING, DISSIPATION, EXCITATIONS, RUBS, Parameter
 from ....quadrature import rule
 from ....scaling import Scale, of_every_excitation, of_every_law, of_every_oscillator
 from ....slow_flow import SCENES
+from ... import measured
 from ...form import AVERAGED, GENERAL, Composition, Kernel, Module, Selection, TwofoldKernel, suffix
 from ...provenance import tools
 from ...views import (
@@ -90,6 +91,7 @@ def text(module: Module, code: Code) -> str:
             moves=moves_of(module),
             borrowed={other: sorted(names, key=in_import) for other, names in sorted(module.borrowed.items())},
             regimes=regimes(module),
+            measured=measured.of(module),
             enclosed=[view(kernel, code[kernel.name], ENCLOSED) for kernel in module.on_intervals],
             rule=[(literal(node), literal(weight)) for node, weight in rule()] if module.sums else [],
             has_balls=module.native and bool(module.in_balls),
