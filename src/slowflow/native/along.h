@@ -52,8 +52,8 @@ typedef struct {
 
 /* A question with what it needs. F_0: of SF_FOLD_AT, SF_PEAK, SF_REST, SF_STATE; Omega: of SF_STATE. most: of SF_CUSP,
  * where only the lowest minimum of the level is wanted, a forcing above which cusps may be left out: each minimum
- * found lowers it; NULL for all cusps. first: where the piece begins that is searched. highest: of SF_PEAK and SF_REST, whether only the highest zero that is a top
- * (zeros.h) is wanted */
+ * found lowers it; NULL for all cusps. first: where the piece begins that is searched. highest: of SF_PEAK and
+ * SF_REST, whether only the highest zero that is a top (zeros.h) is wanted */
 typedef struct {
     sf_question question;
     const sf_model *model;

@@ -197,8 +197,8 @@ static inline int sf_are_alike(sf_interval x, sf_interval y) {
 
 /* Whether F_A > 0 at all frequencies, which is known also where h_AA is infinite. With X = Omega^2 it is no less than
  * 2 A [(X + h/A) (X + h_A) + 4 zeta^2 X]. That is positive where no coefficient is negative, or where its discriminant
- * is, (h/A - h_A)^2 + 8 zeta^2 (h/A + h_A) + 16 zeta^4, whose difference is k/A. Next to A = 0, where h = 0 there, h/A is
- * a slope of h. */
+ * is, (h/A - h_A)^2 + 8 zeta^2 (h/A + h_A) + 16 zeta^4, whose difference is k/A. Next to A = 0, where h = 0 there, h/A
+ * is a slope of h. */
 static inline int sf_is_free_of_folds(const sf_known *a, const sf_cell *cell, sf_interval zeta) {
     const sf_interval slope = cell->h_A, square = sfi_square(zeta);
     const int inside = cell->A.lo > 0;
@@ -238,8 +238,8 @@ static inline void sf_range_cusp(const sf_asked *asked, const sf_known *a, const
     }
 }
 
-/* Next to A = 0 a function that vanishes there has the sign of its slope, if that has one. Where h is constant, as under
- * a preload alone, F_A vanishes at Omega = 0 throughout: nothing ends there. */
+/* Next to A = 0 a function that vanishes there has the sign of its slope, if that has one. Where h is constant, as
+ * under a preload alone, F_A vanishes at Omega = 0 throughout: nothing ends there. */
 static inline void sf_range_stiffness(const sf_cell *cell, sf_range out[2]) {
     const int flat = cell->h_A.lo == 0 && cell->h_A.hi == 0, inside = cell->A.lo > 0 || flat;
     sf_range_simple(inside ? cell->h : cell->h_A, inside ? cell->h_A : cell->h_AA, SF_THROUGHOUT, &out[0]);
@@ -425,9 +425,9 @@ static inline sf_interval sf_cubic_on(const sf_asked *asked, const sf_cell *cell
     return cubic.hi - cubic.lo < HUGE_VAL ? sfi_both(direct, cubic) : direct;
 }
 
-/* Whether a cell has one isola point at most, as one beside a zero of h, that doubles may not tell from it: where |h| is
- * small beside k and 3 h - A h_A, A F_A is zero there where zeta A^2 + m A x = cubic zeta A x^2 + k m x^3, which one x
- * is, and as h rises to where the least level ends, x falls to 0. */
+/* Whether a cell has one isola point at most, as one beside a zero of h, that doubles may not tell from it: where |h|
+ * is small beside k and 3 h - A h_A, A F_A is zero there where zeta A^2 + m A x = cubic zeta A x^2 + k m x^3, which
+ * one x is, and as h rises to where the least level ends, x falls to 0. */
 static inline int sf_has_one_isola(sf_interval h, sf_interval h_A, sf_interval k, sf_interval cubic) {
     return sfi_has_sign(h_A) && -h.lo <= SF_BESIDE * sfi_least(k.lo, cubic.lo);
 }

@@ -61,6 +61,10 @@ class Samples:
     def k(self) -> Floats:
         return np.asarray(self.rows[5])
 
+    def size_of_R(self, Omega: Floats) -> Floats:
+        """What rounding may leave of R at frequencies, over a rounding."""
+        return np.asarray(np.abs(self.h) + self.A * np.abs(self.h_A) + self.A * Omega**2)
+
 
 def joined(*parts: Samples) -> Samples:
     """All of them, in order."""

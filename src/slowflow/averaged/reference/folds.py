@@ -111,7 +111,7 @@ def _sharp(model: Model, F_0: float, A: Floats, Omega: Floats) -> Floats:
     """
     at = samples_at(model, A)
     w, share = omega_by_share(model, F_0, at, np.ones(A.size, dtype=bool), fold=True)
-    I, size = model.force(F_0, w), np.abs(at.h) + at.A * np.abs(at.h_A) + at.A * w**2
+    I, size = model.force(F_0, w), at.size_of_R(w)
     loss = size / I
     sharp = (w > 0) & ((np.abs(share) * loss > FEW_LOST) | (loss > SQUARE_LOST))
     sharp &= np.abs(slow_flow.R(w, at.A, at.h) + share * I) <= CLOSE * size

@@ -135,9 +135,8 @@ def of_locus(model: Model, Omega: Floats, A: Floats) -> Floats:
     steep, flat, _ = inertia.fold_slopes(Omega, at.A, model.m, model.zeta, at.k)
     slope = Omega**2 + at.h_A
     other = np.where(np.abs(slope - steep) <= np.abs(slope - flat), flat, steep)
-    size = np.abs(at.h) + at.A * np.abs(at.h_A) + at.A * Omega**2
     known = (Omega > 0) & (at.k**2 > 0) & (np.abs(at.k) < np.inf)
-    known &= np.abs(steep - flat) * size >= np.abs(at.k * other)
+    known &= np.abs(steep - flat) * at.size_of_R(Omega) >= np.abs(at.k * other)
     by_slope = inertia.fold_level if model.inertial else inertia.fold_force
     return np.where(known, by_slope(Omega, at.A, model.m, model.zeta, other), level)
 
