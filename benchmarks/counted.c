@@ -463,8 +463,7 @@ int second(const char *name, const double *design, double F_0, int wanted, long 
     model.mechanism = &counting;
     memset(&averages_in_lanes, 0, sizeof averages_in_lanes), memset(&balances_in_lanes, 0, sizeof balances_in_lanes);
     for (int round = 0; round < ROUNDS; round++) {
-        sf_second_curve *moved =
-            solvers_counted.second_follow(&model, F_0, (sf_wanted)wanted, n, Omega, A, branch, closed);
+        sf_second_curve *moved = sf_second_follow(&model, F_0, (sf_wanted)wanted, n, Omega, A, branch, closed);
         if (moved == NULL)
             return 0;
         solvers_counted.second_free(moved);

@@ -184,9 +184,20 @@ def _of_second(library: Any) -> str:
     marks = [*first.saddle_nodes(certified.F_0).Omega, first.peak(certified.F_0).Omega]
     around = (min(marks) / BEYOND, max(marks) * BEYOND)
     design, compiled, told = np.array(list(TABLE_1.values())), 0.0, []
-    for name, wanted, drawn in (
-        ("its points", Wanted.EVERY_POINT, first.frequency_response(certified.F_0, samples=SAMPLES)),
-        ("its folds", Wanted.FOLDS_ONLY, first.frequency_response(certified.F_0, samples=FEWER, Omega=around)),
+    solver, asked = backend.solver(), (first.model.native, certified.F_0)
+    for name, wanted, drawn, ask_compiled in (
+        (
+            "its points",
+            Wanted.EVERY_POINT,
+            first.frequency_response(certified.F_0, samples=SAMPLES),
+            lambda: solver.second_curve(*asked, Wanted.EVERY_POINT, SAMPLES, *WINDOW),
+        ),
+        (
+            "its folds",
+            Wanted.FOLDS_ONLY,
+            first.frequency_response(certified.F_0, samples=FEWER, Omega=around),
+            lambda: solver.second_saddle_nodes(*asked),
+        ),
     ):
         out, columns = np.zeros(4), (drawn.Omega, drawn.A, drawn.branch.astype(np.int64))
         given, Omega, A, branch, found = (_pointer(array) for array in (design, *columns, out))
@@ -196,23 +207,17 @@ def _of_second(library: Any) -> str:
         ):
             raise RuntimeError("the second approximation of Table 1 is not drawn")
         averages, balances, average, balance = out
-        asked = (*(first.model.native, certified.F_0, wanted), *columns, np.array(drawn.isola))
-        whole = _seconds(lambda asked=asked: [backend.solver().second_follow(*asked) for _ in range(100)]) / 100
+        whole = _seconds(lambda ask=ask_compiled: [ask() for _ in range(100)]) / 100
         told.append(
             f"{name} by {averages:.0f} averages with their harmonics of {quantity(average, 's')} and {balances:.0f} "
             f"balances of {quantity(balance, 's')}, {quantity(averages * average + balances * balance, 's')} of "
-            f"{quantity(whole, 's')}"
+            f"{quantity(whole, 's')}, averaging's curve that they begin with among it"
         )
         compiled += whole
     better = first.second_approximation
     curve, folds = better.frequency_response(certified.F_0, samples=SAMPLES), better.saddle_nodes(certified.F_0)
-    moved = better._around(certified.F_0, np.array(marks), Wanted.FOLDS_ONLY)
     beside: dict[str, Callable[[], Any]] = {
         "an isolator made": example.isolator,
-        "averaging's curve, which it begins with": lambda: first.curve(certified.F_0, samples=SAMPLES, Omega=WINDOW),
-        "the one about its folds": lambda: first.curve(certified.F_0, samples=FEWER, Omega=around),
-        "averaging's folds and peak": lambda: (first.folds(certified.F_0), first.peak(certified.F_0)),
-        "folds between points": lambda: backend.solver().second_folds(first.model.native, certified.F_0, moved.native),
         "what is to be said of validity": lambda: [better._remarked("", x.Omega, x.A) for x in (curve, folds)],
         "answers as records that do not change": lambda: [replace(x, message="") for x in (curve, folds)],
     }

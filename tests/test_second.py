@@ -22,7 +22,7 @@ from slowflow.averaged.questions import Averaged
 from slowflow.paper.example import isolator
 from slowflow.second import compiled, reference
 from slowflow.second.balance import Balance
-from slowflow.second.curve import follow
+from slowflow.second.curve import along
 from slowflow_kernels import den_hartog, second_approximation
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.second_conventions import Wanted
@@ -187,7 +187,7 @@ def test_the_balance_is_met_on_the_curve(force, changes):
     shown = (0.8 * iso.backbone(0.1 * iso.u_cr), 1.2 * iso.backbone(1.4 * iso.u_cr))
     first = iso.curve(F_0, samples=1000, Omega=shown)
     balance = Balance(iso.model)
-    curve = follow(balance, first)
+    curve = along(balance, F_0, 1000, shown)
     _, _, _, _, F, *_ = balance.response(curve.Omega, curve.A, F_0)
     assert np.abs(F).max() < 1e-10 * F_0**2
     assert not curve.message and curve.A.size >= first.A.size
@@ -438,13 +438,12 @@ def test_compiled_and_numpy_find_the_same_curves_folds_states_and_peaks():
     seen = 0
     for oscillator, F_0 in random_oscillators():
         balance = Balance(oscillator.model)
-        first = oscillator.curve(F_0, samples=600, Omega=(0.5, 2.0))
-        one, other = compiled.follow(balance, first), reference.follow(balance, first)
-        assert abs(one.A.size - other.A.size) <= 0.01 * first.A.size
+        one, other = (path.along(balance, F_0, 600, (0.5, 2.0)) for path in (compiled, reference))
+        assert abs(one.A.size - other.A.size) <= 6
         met = balance.response(one.Omega, one.A, F_0)
         assert np.abs(met.F).max() < 1e-11 * F_0**2
         assert np.allclose(one.u_max, met.u_max, rtol=1e-12, atol=0) and np.array_equal(one.stable, met.F_A > 0)
-        folds, others = (path.folds(balance, curve, F_0)[0] for path, curve in ((compiled, one), (reference, other)))
+        folds, others = (path.folds(balance, curve, F_0).found for path, curve in ((compiled, one), (reference, other)))
         assert [fold.up for fold in folds] == [fold.up for fold in others]
         assert np.allclose(folds, others, rtol=1e-12, atol=0)
         at = np.linspace(0.55, 1.9, 9)
@@ -458,18 +457,30 @@ def test_compiled_and_numpy_find_the_same_curves_folds_states_and_peaks():
 
 
 @pytest.mark.skipif(backend.SOLVER is None, reason="the solvers are not compiled")
+def test_folds_asked_for_at_once_are_those_of_averagings_folds_and_peak_step_by_step():
+    """Their numbers, what is lost and what is said; where doubles do not tell averaging's there is no short way."""
+    seen = 0
+    for oscillator, F_0 in random_oscillators(20):
+        second = oscillator.second_approximation
+        at_once, by_steps = compiled.saddle_nodes(second._balance, F_0), second._folds_by_steps(F_0)
+        assert at_once == by_steps
+        seen += len(at_once.found)
+    assert seen > 30
+    undecided = isolator(mu=0.0, delta_h=0.03)
+    F_0 = undecided.saddle_node_onset().F_SN
+    asked = backend.solver().saddle_nodes(undecided.model.native, F_0)[-1]
+    assert asked == (compiled.saddle_nodes(Balance(undecided.model), F_0) is None)
+
+
+@pytest.mark.skipif(backend.SOLVER is None, reason="the solvers are not compiled")
 def test_points_far_from_folds_and_peak_are_not_needed_for_them():
     """The whole curve's folds and peak come of a fraction of its points."""
     seen = 0
     for oscillator, F_0 in random_oscillators(30):
         balance = Balance(oscillator.model)
-        first = oscillator.curve(F_0, samples=600, Omega=(0.4, 2.5))
-        whole = compiled.follow(balance, first)
-        beside_folds, beside_top = (
-            compiled.follow(balance, first, one) for one in (Wanted.FOLDS_ONLY, Wanted.TOP_ONLY)
-        )
+        whole, beside_folds, beside_top = (compiled.along(balance, F_0, 600, (0.4, 2.5), wanted) for wanted in Wanted)
         assert beside_folds.A.size < whole.A.size and beside_top.A.size < whole.A.size
-        folds, expected = (compiled.folds(balance, curve, F_0)[0] for curve in (beside_folds, whole))
+        folds, expected = (compiled.folds(balance, curve, F_0).found for curve in (beside_folds, whole))
         assert np.allclose(folds, expected, rtol=1e-15, atol=0) and len(folds) == len(expected)
         peak, expected = (compiled.peak(balance, curve, F_0) for curve in (beside_top, whole))
         assert (peak is None) == (expected is None)

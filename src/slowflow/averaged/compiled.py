@@ -28,7 +28,7 @@ from slowflow_kernels.conventions import OnsetKind, Status
 ONSET_KINDS = {kind.value: kind.name.lower() for kind in OnsetKind}
 
 
-def _check(status: int, model: Model, F_0: float | None = None) -> None:
+def check(status: int, model: Model, F_0: float | None = None) -> None:
     """Raise what the NumPy path raises where there is no answer."""
     if status == Status.OK:
         return
@@ -40,7 +40,7 @@ def _check(status: int, model: Model, F_0: float | None = None) -> None:
         raise ArithmeticError("the response is unresolved" if F_0 is None else words.unresolved(model, F_0))
 
 
-def _remark(model: Model, F_0: float) -> str:
+def remark_of(model: Model, F_0: float) -> str:
     if model.zeta == 0:
         return words.cut(model, F_0)[1]
     if not model.inertial and model.mechanism.enclosed is None:
@@ -59,8 +59,8 @@ def closes(model: Model, F_0: float) -> bool:
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
     status, Omega, A, up, corner, undecided = backend.solver().saddle_nodes(model.native, F_0)
-    _check(status, model, F_0)
-    message, cut = words.of_folds(model, F_0, A.size > 0 or undecided, _remark(model, F_0))
+    check(status, model, F_0)
+    message, cut = words.of_folds(model, F_0, A.size > 0 or undecided, remark_of(model, F_0))
     codes = words.beside(undecided, cut)
     return SaddleNodes(Omega, A, np.where(up, "jump-up", "jump-down"), corner, F_0, message, model, remarks=codes)
 
@@ -72,7 +72,7 @@ def onset(model: Model) -> SaddleNodeOnset:
         return words.with_folds_at_rest(model, SaddleNodeOnset(F_SN, Omega, A, ONSET_KINDS[kind], ""), at_rest)
     if status == Status.UNRESOLVED:
         raise ArithmeticError(words.unresolved_onset(model))
-    _check(status, model)
+    check(status, model)
     if status == Status.UNBOUNDED:
         said = words.OPEN if model.zeta > 0 else words.NO_LOWEST.format(model.m)
         if model.zeta > 0 and not model.inertial:
@@ -99,9 +99,9 @@ def detachment(model: Model) -> Detachment:
 def peak(model: Model, F_0: float) -> Peak:
     """The highest peak at F_0 > m."""
     status, A, Omega = backend.solver().peak(model.native, F_0)
-    _check(status, model, F_0)
+    check(status, model, F_0)
     if status == Status.UNBOUNDED:
-        said = _remark(model, F_0) if model.zeta > 0 else words.NO_PEAK
+        said = remark_of(model, F_0) if model.zeta > 0 else words.NO_PEAK
         return Peak(None, None, F_0, said, _status=Status.UNBOUNDED)
     if status == Status.NONE:
         return Peak(None, None, F_0, words.NO_TOP.format(F_0))
@@ -111,14 +111,14 @@ def peak(model: Model, F_0: float) -> Peak:
 def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max."""
     status, Omega, A, F_0, branch, _ = backend.solver().fold_locus(model.native, A_max, samples)
-    _check(status, model)
+    check(status, model)
     return FoldLocus(Omega, A, F_0, branch, "" if A.size else words.no_locus(model, A_max))
 
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The cusps and the isola points up to A_max."""
     status, _, _, _, _, found = backend.solver().fold_locus(model.native, A_max, 0)
-    _check(status, model)
+    check(status, model)
     table = np.array(found, dtype=float).reshape(-1, 6)
     isola = table[:, 3] == 1
     F_0, Omega, A, _, minimum, saddle = table[~isola].T
@@ -132,11 +132,11 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     """About `samples` points along every branch in the window, and its ends, folds, peaks and corners."""
     answer = backend.solver().frequency_response(model.native, F_0, samples, *window)
     status, Omega, A, stable, branch, isola, undecided = answer
-    _check(status, model, F_0)
+    check(status, model, F_0)
     moves = A > 0
     if not moves.all():  # where the response to an excitation by inertia begins the mass is at rest
         Omega, A, stable, branch = Omega[moves], A[moves], stable[moves], branch[moves]
-    remark = _remark(model, F_0)
+    remark = remark_of(model, F_0)
     message = remark if A.size else joined(remark, words.empty_window(window))
     codes = words.beside(undecided, remark)
     return FrequencyResponse(Omega, A, stable, F_0, message, model, branch, isola, remarks=codes)
@@ -145,8 +145,8 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
 def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
     status, at, A, stable, undecided = backend.solver().steady_states(model.native, F_0, Omega)
-    _check(status, model, F_0)
-    remark = _remark(model, F_0)
+    check(status, model, F_0)
+    remark = remark_of(model, F_0)
     message = words.of_states(model, F_0, remark, Omega, at, undecided)
     codes = words.beside(undecided.size > 0, remark)
     return SteadyStates(at, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=codes)

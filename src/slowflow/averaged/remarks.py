@@ -220,6 +220,8 @@ def stay_centred(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
 
 def in_words(remarks: Remark, model: Model, F_0: float) -> list[str]:
     """Each remark as a sentence or less."""
+    if not remarks:  # what most answers have, and numbers that the sentences name take time
+        return []
     if Remark.NEAR_STICKING not in remarks:
         near = []
     else:

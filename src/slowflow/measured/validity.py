@@ -45,6 +45,9 @@ STOPS_SECOND = (
     "in {} of {} states the mass stops within the cycle, or nearly so (mu/(A Omega^2) >= {:g}): their amplitudes "
 )
 OFF_SECOND = "were measured to be off by up to {:.0%}"
+#: edges of the bins of mu/(A Omega^2), errors of the second approximation there, and the edge from which on to say so
+_RESTS, _SECOND = np.array(measured.RESTS), np.array(measured.SECOND_BY_REST)
+_SECOND_FROM = next(edge for edge, size in zip(_RESTS.tolist(), _SECOND.tolist(), strict=True) if size >= WORTH)
 
 CORNER = (
     "a fold sits on the corner at u_cr, where the truncated force (6) jumps: it and its partner beside it are of the "
@@ -144,17 +147,18 @@ def near_sticking(model: Model, F_0: float) -> str:
 
 def of_second(model: Model, Omega: Floats, A: Floats) -> str:
     """The remark for states of the second approximation in which the mass stops; empty if there are none."""
+    if model.mu == 0:
+        return ""
     with np.errstate(divide="ignore"):
         rest = motion.stopping(Omega, A, model.mu)
-    least = next(edge for edge, size in zip(measured.RESTS, measured.SECOND_BY_REST, strict=True) if size >= WORTH)
-    above = rest[~(rest < least)]
-    off = np.array(measured.SECOND_BY_REST)[_bin(measured.RESTS, above)] if above.size else above
+    above = rest[~(rest < _SECOND_FROM)]
+    off = _SECOND[_RESTS.searchsorted(above, side="right") - 1]  # none lies below the first edge
     stopping = off >= WORTH
     if not stopping.any():
         return ""
     known = _is_measured(model) and not model.inertial
     size = OFF_SECOND.format(off.max()) if known else OFF_UNKNOWN
-    return STOPS_SECOND.format(np.count_nonzero(stopping), A.size, least) + size
+    return STOPS_SECOND.format(np.count_nonzero(stopping), A.size, _SECOND_FROM) + size
 
 
 def _bin(edges: tuple[float, ...], values: Floats) -> np.ndarray:

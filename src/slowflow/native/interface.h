@@ -39,8 +39,9 @@ typedef struct {
                                 sf_certificate *);
     sf_status (*certify_detachment)(const sf_given *, sf_interval *F_cr, sf_interval *Omega_cr);
     sf_status (*certify_onset)(const sf_model *, const sf_given *, sf_work *, sf_proof *, sf_proved_onset *);
-    sf_second_curve *(*second_follow)(const sf_model *, double F_0, sf_wanted, long n, const double *Omega,
-                                      const double *A, const long long *branch, const unsigned char *closed);
+    sf_second_curve *(*second_response)(const sf_model *, const sf_given *, double F_0, sf_wanted, double samples,
+                                        double low, double high, sf_room *, sf_status *);
+    sf_status (*second_saddle_nodes)(const sf_model *, const sf_given *, double F_0, sf_room *, sf_second_folds *);
     void (*second_free)(sf_second_curve *);
     void (*second_folds)(const sf_model *, double F_0, const sf_second_curve *, sf_second_folds *);
     long (*second_most)(const sf_second_curve *, double Omega);

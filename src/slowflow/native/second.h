@@ -88,18 +88,25 @@ static int sf_look_beside(const sf_second *second, const sf_first *first, const 
     return 1;
 }
 
-/* Where a point of a gap is expected. */
-static void sf_expected(const sf_first *first, const sf_beside_gap *beside, long i, double *Omega, double *A, double *R)
-{
-    const double along = first->along[i], *at = beside->along, *factor = beside->factor;
-    const double first_two = (along - at[0]) * (along - at[1]), last_two = (along - at[2]) * (along - at[3]);
-    const double weight[4] = {factor[0] * (along - at[1]) * last_two, factor[1] * (along - at[0]) * last_two,
-                              factor[2] * (along - at[3]) * first_two, factor[3] * (along - at[2]) * first_two};
-    double at_Omega = 0, at_A = 0, at_R = 0;
-    int j;
-    for (j = 0; j < 4; j++)
-        at_Omega += weight[j] * beside->Omega[j], at_A += weight[j] * beside->A[j], at_R += weight[j] * beside->R[j];
-    *Omega = first->Omega[i] * at_Omega, *A = first->A[i] * at_A, *R = first->R[i] + at_R;
+/* Where the points of a gap are expected, from..from + n; a loop that vectorises. */
+static void sf_expected(const sf_first *first, const sf_beside_gap *beside, long from, int n, double *restrict Omega,
+                        double *restrict A, double *restrict R) {
+    const double *restrict far = first->along + from, *restrict first_Omega = first->Omega + from;
+    const double *restrict first_A = first->A + from, *restrict first_R = first->R + from;
+    const sf_beside_gap gap = *beside;
+    int i;
+    for (i = 0; i < n; i++) {
+        const double at[4] = {far[i] - gap.along[0], far[i] - gap.along[1], far[i] - gap.along[2],
+                              far[i] - gap.along[3]};
+        const double first_two = at[0] * at[1], last_two = at[2] * at[3];
+        const double weight[4] = {gap.factor[0] * at[1] * last_two, gap.factor[1] * at[0] * last_two,
+                                  gap.factor[2] * at[3] * first_two, gap.factor[3] * at[2] * first_two};
+        double at_Omega = 0, at_A = 0, at_R = 0;
+        int j;
+        for (j = 0; j < 4; j++)
+            at_Omega += weight[j] * gap.Omega[j], at_A += weight[j] * gap.A[j], at_R += weight[j] * gap.R[j];
+        Omega[i] = first_Omega[i] * at_Omega, A[i] = first_A[i] * at_A, R[i] = first_R[i] + at_R;
+    }
 }
 
 /* Whether a point's way ends where the harmonics are a correction. */
@@ -153,9 +160,11 @@ static void sf_second_stretch(const sf_second *second, const sf_first *first, lo
                               const sf_moved *moved) {
     const long anchors = (to - 1 - from + SF_APART - 1) / SF_APART + 1;
     double best = 0;
+    double Omega[SF_APART], A[SF_APART], R[SF_APART];
     sf_beside_gap beside;
     sf_lanes lanes;
     long i, k;
+    int j;
     if (anchors < 4) {
         lanes.n = 0;
         for (i = from; i < to; i++)
@@ -186,13 +195,11 @@ static void sf_second_stretch(const sf_second *second, const sf_first *first, lo
         }
         if (!sf_look_beside(second, first, moved, own, &beside))
             continue;
-        for (i = sf_anchor(from, to, k) + 1; i < end; i++) {
-            double Omega, A, R;
-            if (!sf_off_resonance(first->Omega[i], first->A[i], first->h[i]))
-                continue;
-            sf_expected(first, &beside, i, &Omega, &A, &R);
-            sf_enter_lane(second, (int)i, Omega, A, R, 0, &lanes, moved);
-        }
+        i = sf_anchor(from, to, k) + 1;
+        sf_expected(first, &beside, i, (int)(end - i), Omega, A, R);
+        for (j = 0; i < end; i++, j++)
+            if (sf_off_resonance(first->Omega[i], first->A[i], first->h[i]))
+                sf_enter_lane(second, (int)i, Omega[j], A[j], R[j], 0, &lanes, moved);
     }
     sf_second_settle(second, &lanes, 0, moved);
     for (i = from; i < to; i++) /* what has not come from there goes its own way */
@@ -200,6 +207,18 @@ static void sf_second_stretch(const sf_second *second, const sf_first *first, lo
             sf_off_resonance(first->Omega[i], first->A[i], first->h[i]))
             sf_enter_lane(second, (int)i, first->Omega[i], first->A[i], first->R[i], 1, &lanes, moved);
     sf_second_settle(second, &lanes, 1, moved);
+}
+
+/* How far each point lies from the one before it, in the metric of the ways; 0 of the first. A loop that vectorises. */
+static void sf_distances(long n, double F_0, const double *restrict Omega, const double *restrict A,
+                         const double *restrict R, double *restrict out) {
+    long i;
+    out[0] = 0;
+    for (i = 1; i < n; i++) {
+        const double x = (A[i] - A[i - 1]) / A[i], y = (R[i] - R[i - 1]) / F_0;
+        const double z = SF_WEIGHT * (Omega[i] - Omega[i - 1]) / Omega[i];
+        out[i] = sqrt(x * x + y * y + z * z);
+    }
 }
 
 /* h, R, and the distance along each stretch in the metric of the ways. */
@@ -215,13 +234,9 @@ static void sf_measure_first(const sf_second *second, const sf_first *first) {
             first->R[i + k] = slow_flow_R(first->Omega[i + k], first->A[i + k], h[k]);
         }
     }
-    first->along[0] = 0;
-    for (i = 1; i < first->n; i++) {
-        const double x = (first->A[i] - first->A[i - 1]) / first->A[i];
-        const double y = (first->R[i] - first->R[i - 1]) / second->F_0;
-        const double z = SF_WEIGHT * (first->Omega[i] - first->Omega[i - 1]) / first->Omega[i];
-        first->along[i] = first->along[i - 1] + sqrt(x * x + y * y + z * z);
-    }
+    sf_distances(first->n, second->F_0, first->Omega, first->A, first->R, first->along);
+    for (i = 1; i < first->n; i++)
+        first->along[i] += first->along[i - 1];
 }
 
 /* ==== The curve =================================================================================================== */
@@ -372,9 +387,10 @@ static void sf_keep_parts(const sf_first *first, const unsigned char *closed, co
                     curve->closed[curve->parts++] = (unsigned char)whole;
                 curve->point[n++].part = (int)curve->parts - 1;
             } else {
-                curve->lost_low = curve->lost > 0 ? fmin(curve->lost_low, first->Omega[i]) : first->Omega[i];
-                curve->lost_high = curve->lost > 0 ? fmax(curve->lost_high, first->Omega[i]) : first->Omega[i];
-                curve->lost++;
+                sf_left_out *left = &curve->left;
+                left->low = left->lost > 0 ? fmin(left->low, first->Omega[i]) : first->Omega[i];
+                left->high = left->lost > 0 ? fmax(left->high, first->Omega[i]) : first->Omega[i];
+                left->lost++;
             }
             inside = kept[i];
         }
@@ -393,7 +409,10 @@ static void sf_order_points(sf_second_curve *curve) {
             ;
         rising = point[to - 1].Omega >= point[from].Omega ? 1 : -1;
         for (i = from + 1; i < to; i++) {
-            const sf_second_point one = point[i];
+            sf_second_point one;
+            if (!(rising * point[i - 1].Omega > rising * point[i].Omega))
+                continue; /* as nearly all are: to take one out and put it back copies it twice */
+            one = point[i];
             for (j = i; j > from && rising * point[j - 1].Omega > rising * one.Omega; j--)
                 point[j] = point[j - 1];
             point[j] = one;
@@ -459,7 +478,7 @@ static sf_second_curve *sf_second_follow(const sf_model *model, double F_0, sf_w
     unsigned char *kept = malloc((size_t)n + 1);
     int done = 0;
     if (curve != NULL) {
-        curve->of = n;
+        curve->left.of = n;
         curve->point = malloc((size_t)(n + 1) * sizeof *curve->point);
         curve->closed = malloc((size_t)n + 1);
     }

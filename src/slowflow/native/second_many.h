@@ -4,87 +4,12 @@
 #define SF_SECOND_MANY_H
 
 #include "many.h"
-#include "second_answers.h"
+#include "second_questions.h"
 
 /* Whether the spring's harmonics are known for this model. */
 static int sf_has_second(const sf_model *model) {
     return model->mechanism->harmonics != NULL &&
            !(model->breaks > 0 && model->b[model->breaks - 1] > model->mechanism->harmonics_up_to);
-}
-
-/* The curve about some frequencies and what may lie beside them; NULL if there is no memory. */
-static sf_second_curve *sf_second_around(const sf_model *model, double F_0, sf_wanted wanted, double low, double high,
-                                         sf_work *work) {
-    const long n = sf_show(model, F_0, low / SF_BEYOND, high * SF_BEYOND, SF_SAMPLES, work);
-    double *room = malloc((size_t)(2 * n + 1) * sizeof *room);
-    long long *branch = malloc((size_t)(n + 1) * sizeof *branch);
-    unsigned char *flags = malloc((size_t)(n + work->shown.curves + 1));
-    sf_second_curve *curve = NULL;
-    if (room != NULL && branch != NULL && flags != NULL) {
-        int i;
-        sf_draw(model, F_0, SF_SAMPLES, &work->shown, room, room + n, flags, branch);
-        for (i = 0; i < work->shown.curves; i++)
-            flags[n + i] = (unsigned char)work->shown.closed[i];
-        curve = sf_second_follow(model, F_0, wanted, n, room, room + n, branch, flags + n);
-    }
-    free(room);
-    free(branch);
-    free(flags);
-    return curve;
-}
-
-/* Every fold at F_0; SF_NONE where nothing of the first approximation is there to start from. */
-static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_given *given, double F_0, sf_room *room,
-                                        sf_second_folds *out)
-{
-    sf_work *work = &room->work;
-    double A, Omega, low = HUGE_VAL, high = 0;
-    sf_second_curve *curve;
-    sf_status status = sf_settled_peak(model, given == NULL ? NULL : &given->exactly, F_0, work, &A, &Omega);
-    int i;
-    out->n = out->lost = out->tried = 0, out->status = SF_OK;
-    if (status != SF_OK && status != SF_UNBOUNDED)
-        return status;
-    if (status == SF_OK && Omega > 0)
-        low = high = Omega;
-    status = sf_make_skeleton(model, given, F_0, room);
-    if (status != SF_OK)
-        return status;
-    for (i = 0; i < work->folds.n; i++)
-        low = fmin(low, work->folds.at[i].Omega), high = fmax(high, work->folds.at[i].Omega);
-    if (high == 0)
-        return SF_OK;
-    curve = sf_second_around(model, F_0, SF_FOLDS_ONLY, low, high, work);
-    if (curve == NULL)
-        return SF_NO_MEMORY;
-    sf_folds_on(model, F_0, curve, out);
-    sf_second_free(curve);
-    return out->status;
-}
-
-/* The highest peak at F_0, and its frequency. */
-static sf_status sf_second_peak(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double *u_max,
-                                double *Omega)
-{
-    sf_work *work = &room->work;
-    sf_second_point top;
-    sf_second_curve *curve;
-    double A, first;
-    sf_status status = sf_settled_peak(model, given == NULL ? NULL : &given->exactly, F_0, work, &A, &first);
-    if (status == SF_OK && first == 0)
-        status = SF_NONE;
-    if (status == SF_OK)
-        status = sf_make_skeleton(model, given, F_0, room);
-    if (status != SF_OK)
-        return status;
-    curve = sf_second_around(model, F_0, SF_TOP_ONLY, first, first, work);
-    if (curve == NULL)
-        return SF_NO_MEMORY;
-    status = sf_peak_on(model, F_0, curve, &top) == SF_OK_SECOND ? SF_OK : SF_NONE;
-    if (status == SF_OK)
-        *u_max = top.at.u_max, *Omega = top.Omega;
-    sf_second_free(curve);
-    return status;
 }
 
 /* design, damping -> F_cr, Omega_cr, u_cr, status */

@@ -84,8 +84,15 @@ static int sf_whole_lanes(sf_lanes *lanes) {
 }
 
 /* Steps of the lanes to logarithms, which are taken: values times exp(step). */
-static void sf_take_steps(int n, const double *steps, const double *grown, double *values) {
-    int i;
+static void sf_take_steps(int n, const double *restrict steps, const double *restrict grown, double *restrict values) {
+    int i, is_long = 0;
+    for (i = 0; i < n; i++)
+        is_long |= !(fabs(steps[i]) < SF_SHORT);
+    if (!is_long) { /* a loop that vectorises */
+        for (i = 0; i < n; i++)
+            values[i] *= grown[i];
+        return;
+    }
     for (i = 0; i < n; i++)
         values[i] *= fabs(steps[i]) < SF_SHORT ? grown[i] : exp(steps[i]);
 }

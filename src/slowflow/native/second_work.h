@@ -20,11 +20,16 @@ typedef struct {
     int part;
 } sf_second_point;
 
-/* parts: stretches of curve that are connected; lost: how many points of the first approximation were left out, and the
- * frequencies between which they lie */
+/* How many points of the first approximation were left out, of how many, and the frequencies between which they lie. */
 typedef struct {
-    long n, parts, lost, of;
-    double lost_low, lost_high;
+    long lost, of;
+    double low, high;
+} sf_left_out;
+
+/* parts: stretches of curve that are connected */
+typedef struct {
+    long n, parts;
+    sf_left_out left;
     sf_second_point *point;
     unsigned char *closed;
 } sf_second_curve;
@@ -35,10 +40,12 @@ typedef struct {
     int up, corner;
 } sf_second_fold;
 
-/* lost: how many of those looked for were not found, next to which the curve is lost */
+/* lost: how many of those looked for were not found, next to which the curve is lost; left: of the curve that they were
+ * looked for on */
 typedef struct {
     int n, lost, tried;
     sf_status status;
+    sf_left_out left;
     sf_second_fold at[SF_MOST_FOLDS];
 } sf_second_folds;
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from slowflow import backend
+from slowflow.answer import joined
+from slowflow.averaged import compiled as averaged
+from slowflow.averaged import words
 from slowflow.model import Floats
-from slowflow.results import FrequencyResponse
 from slowflow.second.balance import Balance
-from slowflow.second.found import Curve, Fold, State, told
+from slowflow.second.found import Curve, Fold, Folds, State, told, told_of_folds
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.second_conventions import Wanted
 
@@ -19,26 +19,36 @@ def serves(balance: Balance) -> bool:
     return native is not None and not balance.model.inertial and backend.solver().has_second(native)
 
 
-def follow(balance: Balance, first: FrequencyResponse, wanted: Wanted = Wanted.EVERY_POINT) -> Curve:
-    """The curve that the first approximation's moves to, as far as it is wanted."""
-    closed = np.array(first.isola, dtype=bool)
-    found = backend.solver().second_follow(
-        *(balance.model.native, first.F_0, wanted, first.Omega, first.A, first.branch, closed)
-    )
-    Omega, A, u_max, A_1, phi, stable, part = (
-        found[name] for name in ("Omega", "A", "u_max", "A_1", "phi", "stable", "part")
-    )
-    isola = tuple(found["closed"].tolist())
-    return Curve(Omega, A, u_max, A_1, phi, stable, part, isola, told(first, *found["lost"]), found["curve"])
+def along(
+    balance: Balance, F_0: float, samples: int, window: tuple[float, float], wanted: Wanted = Wanted.EVERY_POINT
+) -> Curve:
+    """The curve that the first approximation's of about `samples` points in a window moves to, as far as wanted."""
+    model = balance.model
+    status, columns, native = backend.solver().second_curve(model.native, F_0, wanted, samples, *window)
+    averaged.check(status, model, F_0)
+    Omega, A, u_max, A_1, phi, stable, part, closed, (lost, *left) = columns
+    first = averaged.remark_of(model, F_0)
+    message = first if left[0] else joined(first, words.empty_window(window))
+    isola, message = tuple(closed.tolist()), told(message, lost, *left)
+    return Curve(Omega, A, u_max, A_1, phi, stable, part, isola, message, lost > 0, native)
 
 
-def folds(balance: Balance, curve: Curve, F_0: float) -> tuple[list[Fold], int, int]:
-    """Every fold between points of the curve, by rising Omega; how many were not found, of how many."""
+def saddle_nodes(balance: Balance, F_0: float) -> Folds | None:
+    """Every fold beside averaging's and its highest peak; None where there is neither, or doubles do not tell."""
+    model = balance.model
+    status, undecided, found, lost, tried, left = backend.solver().second_saddle_nodes(model.native, F_0)
+    if status != Status.OK or undecided or not left[1]:
+        return None
+    of_curve = told(averaged.remark_of(model, F_0), *left)
+    return told_of_folds([Fold(*fold) for fold in found], lost, tried, of_curve, F_0)
+
+
+def folds(balance: Balance, curve: Curve, F_0: float) -> Folds:
+    """Every fold between points of the curve."""
     status, found, lost, tried = backend.solver().second_folds(balance.model.native, F_0, curve.native)
     if status != Status.OK:
-        raise ArithmeticError(f"the response is unresolved at F_0 = {F_0:.17g}")
-    folds_found = [Fold(Omega, u_max, A_1, up != 0, corner != 0) for Omega, u_max, A_1, up, corner in found]
-    return folds_found, lost, tried
+        raise ArithmeticError(words.unresolved(balance.model, F_0))
+    return told_of_folds([Fold(*fold) for fold in found], lost, tried, curve.message, F_0)
 
 
 def states(balance: Balance, curve: Curve, Omega: Floats, F_0: float) -> list[State]:

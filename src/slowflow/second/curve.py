@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from slowflow.averaged import solvers
 from slowflow.model import Floats
 from slowflow.results import FrequencyResponse
 from slowflow.second.balance import Balance, Flags
@@ -20,21 +21,28 @@ from slowflow_kernels.second_conventions import DONE, LONGEST, MATCHING, MOVED, 
 BESIDE = np.concatenate(([1 - 1e-6, 1.0], 1 + np.logspace(-13, -2, 34)))
 
 
-def follow(balance: Balance, first: FrequencyResponse, wanted: Wanted = Wanted.EVERY_POINT) -> Curve:
-    """The curve that the first approximation's moves to; here all of its points, whatever they are wanted for."""
-    at, A, kept = _moved(balance, first.Omega, first.A, first.F_0)
+def along(
+    balance: Balance, F_0: float, samples: int, window: tuple[float, float], wanted: Wanted = Wanted.EVERY_POINT
+) -> Curve:
+    """The curve that the first approximation's of about `samples` points in a window moves to.
+
+    All of its points, whatever they are wanted for.
+    """
+    first = solvers.frequency_response(balance.model, F_0, samples, window)
+    at, A, kept = _moved(balance, first.Omega, first.A, F_0)
     at, A, lost = at[kept], A[kept], first.Omega[~kept]
     branch, isola = _parts(first, kept)
     for b, jump in zip(balance.model.breakpoints, balance.model.jumps, strict=True):
         if jump != 0:
-            at, A, branch = _across(balance, b, at, A, branch, first.F_0)
-    there = balance.response(at, A, first.F_0)
+            at, A, branch = _across(balance, b, at, A, branch, F_0)
+    there = balance.response(at, A, F_0)
     stable = there.F_A > 0
     order = _order(at, stable, branch)
     at, A, stable = at[order], A[order], stable[order]
     ends = (lost.min(), lost.max()) if lost.size else (0.0, 0.0)
-    message = told(first, lost.size, kept.size, *ends)
-    return Curve(at, A, there.u_max[order], there.A_1[order], there.phi[order], stable, branch, isola, message)
+    message = told(first.message, lost.size, kept.size, *ends)
+    u_max, A_1, phi = (column[order] for column in (there.u_max, there.A_1, there.phi))
+    return Curve(at, A, u_max, A_1, phi, stable, branch, isola, message, lost.size > 0)
 
 
 def _across(

@@ -10,11 +10,12 @@ import numpy.typing as npt
 
 from slowflow.answer import joined
 from slowflow.model import Floats
-from slowflow.results import FrequencyResponse
 
 LOST = (
     "left out: {} of {} points of the first approximation, at Omega from {:.3g} to {:.3g}; its harmonics are not small"
 )
+UNSOLVED = "left out: {} of {} folds, next to which the curve is lost"
+NO_FOLD = "no saddle node at F_0 = {:g} in the second approximation"
 
 
 @dataclass(frozen=True)
@@ -23,6 +24,7 @@ class Curve:
 
     Omega, A        -- A as in the kernels, A_1 + a_3 + a_5
     u_max, A_1, phi -- largest displacement, first harmonic's amplitude and phase
+    lost            -- whether points of the first approximation's are left out
     native          -- the same as the compiled solvers take it, None on NumPy
     """
 
@@ -35,6 +37,7 @@ class Curve:
     branch: npt.NDArray[np.intp]
     isola: tuple[bool, ...]
     message: str
+    lost: bool = False
     native: Any = None
 
 
@@ -48,6 +51,14 @@ class Fold(NamedTuple):
     corner: bool
 
 
+class Folds(NamedTuple):
+    """Folds by rising Omega; how many were not found; what is to be said of them."""
+
+    found: list[Fold]
+    lost: int
+    message: str
+
+
 class State(NamedTuple):
     """Frequency, largest displacement, first harmonic's amplitude and phase, stability."""
 
@@ -58,6 +69,12 @@ class State(NamedTuple):
     stable: bool
 
 
-def told(first: FrequencyResponse, lost: int, of: int, low: float, high: float) -> str:
-    """The message of a curve that some of the first approximation's points do not move to, between two frequencies."""
-    return joined(first.message, LOST.format(lost, of, low, high) if lost else "")
+def told(message: str, lost: int, of: int, low: float, high: float) -> str:
+    """The first approximation's message of a curve, some of whose points move nowhere, between two frequencies."""
+    return joined(message, LOST.format(lost, of, low, high) if lost else "")
+
+
+def told_of_folds(found: list[Fold], lost: int, tried: int, of_curve: str, F_0: float) -> Folds:
+    """Folds at F_0, and those that were not found of those tried, with the message of the curve that they lie on."""
+    none = "" if found else NO_FOLD.format(F_0)
+    return Folds(found, lost, joined(none, of_curve, UNSOLVED.format(lost, tried) if lost else ""))

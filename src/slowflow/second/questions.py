@@ -18,7 +18,7 @@ import numpy.typing as npt
 
 from slowflow import validate
 from slowflow.answer import joined
-from slowflow.averaged import remarks
+from slowflow.averaged import remarks, words
 from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.plan import Plan, Step
 from slowflow.measured import validity
@@ -27,15 +27,13 @@ from slowflow.results import Detachment, Peak, Remark, SaddleNodeOnset
 from slowflow.second import solvers
 from slowflow.second.answers import SecondFolds, SecondResponse, SecondStates
 from slowflow.second.balance import Balance
-from slowflow.second.found import Curve
+from slowflow.second.found import Curve, Folds
 from slowflow_kernels.second_conventions import BEYOND, SAMPLES, Wanted
 
 if TYPE_CHECKING:
     from slowflow.averaged.questions import Averaged
 
 FEWER = "fewer states than in the first approximation at {} of {} frequencies"
-UNSOLVED = "left out: {} of {} folds, next to which the curve is lost"
-NO_FOLD = "no saddle node at F_0 = {:g} in the second approximation"
 NO_CUSP = "the onset of the first approximation is of kind {}: the second follows a cusp only"
 FAR = "the second approximation does not come near the first: its harmonics are not small"
 STATIC = "the static amplitude reaches u_cr first: there is no motion whose harmonics could be told"
@@ -130,18 +128,25 @@ class SecondApproximation:
         self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
     ) -> SecondResponse:
         """The response curve, as the first approximation's points move to it, with its peak among them."""
-        first = self.first.curve(F_0, samples=samples, Omega=Omega)
-        curve = self._solvers.follow(self._balance, first)
-        Omega_, u_max, A_1, phi, stable, branch = self._with_peak(curve, first.F_0, samples)
-        stable = stable & self._stay(Omega_, u_max)
-        message = self._remarked(curve.message, Omega_, u_max)
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        samples, window = validate.curve(samples, Omega)
+        model = self.first.model
+        if model.sticks(F_0):
+            none = np.empty(0)
+            columns = (none, none, none, none, np.empty(0, bool))
+            said, rest = self._remarked(words.sticks(model, F_0), none, none), (np.empty(0, np.intp), ())
+            return SecondResponse(*columns, said, *rest, F_0=F_0, force=none, _model=model)
+        curve = self._solvers.along(self._balance, F_0, samples, window)
+        Omega_, u_max, A_1, phi, stable, branch = self._with_peak(curve, F_0, samples)
+        if not model.stays_centred:
+            stable = stable & self._stay(Omega_, u_max)
         return SecondResponse(
-            *(Omega_, u_max, A_1, phi, stable, message),
+            *(Omega_, u_max, A_1, phi, stable, self._remarked(curve.message, Omega_, u_max)),
             *(branch, curve.isola),
-            F_0=first.F_0,
-            force=self._force(first.F_0, Omega_),
-            _model=self.first.model,
-            _lost=curve.message != first.message,
+            F_0=F_0,
+            force=self._force(F_0, Omega_),
+            _model=model,
+            _lost=curve.lost,
         )
 
     def amplitudes(self, *, Omega: Any, F_0: Any) -> SecondStates:
@@ -175,20 +180,14 @@ class SecondApproximation:
         Averaging's curve is complete, and so are the branches that are followed from it; folds are searched for along
         them, in 600 points, not proved. What lies where the harmonics are not small is left out, in words.
         """
-        first = self.first.folds(F_0)
-        peak = self.first.peak(F_0)
-        marks = [*first.Omega.tolist(), *([peak.Omega] if peak.Omega else [])]
-        found, lost, message = [], 0, first.message
-        if marks:
-            curve = self._around(F_0, np.array(marks), Wanted.FOLDS_ONLY)
-            found, lost, tried = self._solvers.folds(self._balance, curve, first.F_0)
-            none = "" if found else NO_FOLD.format(first.F_0)
-            message = joined(none, curve.message, UNSOLVED.format(lost, tried) if lost else "")
+        F_0 = validate.number("F_0", F_0, above=0.0)
+        of_curve = None if self.first.model.sticks(F_0) else self._solvers.saddle_nodes(self._balance, F_0)
+        found, lost, message = of_curve or self._folds_by_steps(F_0)
         at, u_max, A_1, up, corner = np.array(found).reshape(-1, 5).T
         # what a sweep leaves for a larger amplitude has its stable side below
         kind = np.where(up != 0, "jump-up", "jump-down")
         message = self._remarked(message, at, u_max)
-        return SecondFolds(at, u_max, A_1, kind, corner != 0, first.F_0, message, _lost=lost)
+        return SecondFolds(at, u_max, A_1, kind, corner != 0, F_0, message, _lost=lost)
 
     def peak(self, F_0: float) -> Peak:
         """The highest point of the curve about the first approximation's highest peak: its largest displacement A."""
@@ -230,6 +229,15 @@ class SecondApproximation:
         F_cr, Omega_cr = found
         return Detachment(F_cr, Omega_cr, first.u_cr, first.message)
 
+    def _folds_by_steps(self, F_0: float) -> Folds:
+        """Folds, where averaging's and its peak are asked for first: balls may have to tell these."""
+        first, peak = self.first.folds(F_0), self.first.peak(F_0)
+        marks = [*first.Omega.tolist(), *([peak.Omega] if peak.Omega else [])]
+        if not marks:
+            return Folds([], 0, first.message)
+        curve = self._around(F_0, np.array(marks), Wanted.FOLDS_ONLY)
+        return self._solvers.folds(self._balance, curve, F_0)  # type: ignore[no-any-return]
+
     def _with_peak(self, curve: Curve, F_0: float, samples: int) -> tuple[Any, ...]:
         """The columns of a curve, with its highest point where few samples leave that between two of them.
 
@@ -270,12 +278,13 @@ class SecondApproximation:
 
     def _force(self, F_0: float, Omega: Floats) -> Floats:
         """The amplitude of the force at each frequency."""
-        return np.broadcast_to(self.first.model.force(F_0, Omega), Omega.shape)
+        force = self.first.model.force(F_0, Omega)
+        return np.asarray(force) if self.first.model.inertial else np.full(Omega.shape, force)
 
     def _around(self, F_0: float, Omega: Floats, wanted: Wanted) -> Curve:
         """The curve that holds some frequencies and what may lie beside them."""
         shown = (float(Omega.min()) / BEYOND, float(Omega.max()) * BEYOND)
-        curve: Curve = self._solvers.follow(self._balance, self.first.curve(F_0, samples=SAMPLES, Omega=shown), wanted)
+        curve: Curve = self._solvers.along(self._balance, F_0, SAMPLES, shown, wanted)
         return curve
 
     @cached_property

@@ -14,15 +14,20 @@ from scipy.optimize import brentq, root
 
 from slowflow.model import Floats
 from slowflow.second.balance import Balance, Flags
-from slowflow.second.curve import follow, on_curve
-from slowflow.second.found import Curve, Fold, State
+from slowflow.second.curve import along, on_curve
+from slowflow.second.found import Curve, Fold, Folds, State, told_of_folds
 from slowflow_kernels.second_conventions import DONE, LONGEST, ROUNDING, SETTLED, SMALL, STEPS, VANISHED
 
-__all__ = ["cusp", "detachment", "folds", "follow", "peak", "states"]
+__all__ = ["along", "cusp", "detachment", "folds", "peak", "saddle_nodes", "states"]
 
 
-def folds(balance: Balance, curve: Curve, F_0: float) -> tuple[list[Fold], int, int]:
-    """Every fold between points of the curve, by rising Omega; how many were not found, of how many."""
+def saddle_nodes(balance: Balance, F_0: float) -> Folds | None:
+    """None: here averaging's folds and peak, the curve about them and its folds are asked for one by one."""
+    return None
+
+
+def folds(balance: Balance, curve: Curve, F_0: float) -> Folds:
+    """Every fold between points of the curve."""
     turns = np.flatnonzero((curve.stable[1:] != curve.stable[:-1]) & (np.diff(curve.branch) == 0))
     solved = [_fold(balance, curve, int(k), F_0) for k in turns]
     found = sorted(fold for fold in solved if fold is not None)
@@ -33,7 +38,8 @@ def folds(balance: Balance, curve: Curve, F_0: float) -> tuple[list[Fold], int, 
         Fold(Omega, float(there.u_max), float(there.A_1), up, corner)
         for (Omega, _, corner, up), there in zip(found, at, strict=True)
     ]
-    return told, sum(fold is None for fold in solved), len(solved)
+    lost = sum(fold is None for fold in solved)
+    return told_of_folds(told, lost, len(solved), curve.message, F_0)
 
 
 def _fold(balance: Balance, curve: Curve, k: int, F_0: float) -> tuple[float, float, bool, bool] | None:

@@ -26,81 +26,127 @@ static const void *values_of(PyObject *given, int type, PyArrayObject **array)
     return *array == NULL ? NULL : PyArray_DATA(*array);
 }
 
-/* A curve as a dictionary: the capsule, a column for each number of its points, and what was lost. */
-static PyObject *told(sf_second_curve *curve, PyObject *capsule)
+static PyObject *left_out(const sf_left_out *left)
 {
-    const npy_intp n = curve->n, parts = curve->parts;
-    static const char *const names[] = {"Omega", "A", "u_max", "A_1", "phi"};
-    double *columns[5] = {NULL};
-    npy_bool *stable = NULL, *closed = NULL;
-    npy_int64 *part = NULL;
-    PyObject *result = PyDict_New();
-    int failed = result == NULL;
-    for (int i = 0; i < 5 && !failed; i++) {
-        PyObject *array = PyArray_SimpleNew(1, &n, NPY_DOUBLE);
-        failed = array == NULL || PyDict_SetItemString(result, names[i], array) < 0;
-        columns[i] = array == NULL ? NULL : PyArray_DATA((PyArrayObject *)array);
-        Py_XDECREF((PyObject *)array);
-    }
-    PyObject *flags = PyArray_SimpleNew(1, &n, NPY_BOOL), *numbers = PyArray_SimpleNew(1, &n, NPY_INT64);
-    PyObject *whole = PyArray_SimpleNew(1, &parts, NPY_BOOL);
-    PyObject *lost = Py_BuildValue("lldd", curve->lost, curve->of, curve->lost_low, curve->lost_high);
-    failed = failed || flags == NULL || numbers == NULL || whole == NULL || lost == NULL ||
-             PyDict_SetItemString(result, "stable", flags) < 0 || PyDict_SetItemString(result, "part", numbers) < 0 ||
-             PyDict_SetItemString(result, "closed", whole) < 0 || PyDict_SetItemString(result, "lost", lost) < 0 ||
-             PyDict_SetItemString(result, "curve", capsule) < 0;
-    if (!failed) {
-        stable = PyArray_DATA((PyArrayObject *)flags), part = PyArray_DATA((PyArrayObject *)numbers);
-        closed = PyArray_DATA((PyArrayObject *)whole);
-        for (npy_intp i = 0; i < n; i++) {
-            const sf_second_point *point = &curve->point[i];
-            columns[0][i] = point->Omega, columns[1][i] = point->A, columns[2][i] = point->at.u_max;
-            columns[3][i] = point->at.A_1, columns[4][i] = point->at.phi;
-            stable[i] = point->at.F_A > 0, part[i] = point->part;
-        }
-        memcpy(closed, curve->closed, (size_t)parts);
-    }
-    Py_XDECREF(flags);
-    Py_XDECREF(numbers);
-    Py_XDECREF(whole);
-    Py_XDECREF(lost);
-    if (failed)
-        Py_CLEAR(result);
-    return result;
+    return Py_BuildValue("lldd", left->lost, left->of, left->low, left->high);
 }
 
-static PyObject *second_follow(PyObject *self, PyObject *args)
+/* What a curve is told by: a column for each number of its points, then one for its parts, then what is left out. */
+static PyObject *told(const sf_second_curve *curve)
 {
-    PyObject *given, *columns[4], *result = NULL;
-    PyArrayObject *kept[4] = {NULL};
-    const int types[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_INT64, NPY_BOOL};
-    const void *values[4];
-    double F_0;
+    const npy_intp n = curve->n, parts = curve->parts;
+    static const int types[] = {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_BOOL, NPY_INT64, NPY_BOOL};
+    enum { COLUMNS = sizeof types / sizeof *types, CLOSED = COLUMNS - 1 };
+    PyObject *tuple = PyTuple_New(COLUMNS + 1), *left = tuple == NULL ? NULL : left_out(&curve->left);
+    void *columns[COLUMNS];
+    int failed = left == NULL;
+    if (!failed)
+        PyTuple_SetItem(tuple, COLUMNS, left);
+    for (int i = 0; i < COLUMNS && !failed; i++) {
+        PyObject *array = PyArray_SimpleNew(1, i == CLOSED ? &parts : &n, types[i]);
+        if (array != NULL)
+            columns[i] = PyArray_DATA((PyArrayObject *)array), PyTuple_SetItem(tuple, i, array);
+        failed = array == NULL;
+    }
+    if (failed) {
+        Py_XDECREF(tuple);
+        return NULL;
+    }
+    double *const *numbers = (double *const *)columns;
+    npy_bool *stable = columns[5];
+    npy_int64 *part = columns[6];
+    for (npy_intp i = 0; i < n; i++) {
+        const sf_second_point *point = &curve->point[i];
+        numbers[0][i] = point->Omega, numbers[1][i] = point->A, numbers[2][i] = point->at.u_max;
+        numbers[3][i] = point->at.A_1, numbers[4][i] = point->at.phi;
+        stable[i] = point->at.F_A > 0, part[i] = point->part;
+    }
+    if (parts > 0)
+        memcpy(columns[CLOSED], curve->closed, (size_t)parts);
+    return tuple;
+}
+
+static sf_room *new_room(void)
+{
+    sf_room *room = malloc(sizeof *room);
+    if (room == NULL)
+        PyErr_NoMemory();
+    return room;
+}
+
+static PyObject *second_curve(PyObject *self, PyObject *args)
+{
+    PyObject *given, *capsule, *columns;
+    double F_0, samples, low, high;
     sf_second_curve *curve;
-    int i, wanted;
+    sf_status status;
+    sf_room *room;
+    int wanted;
     (void)self;
-    if (!PyArg_ParseTuple(args, "OdiOOOO", &given, &F_0, &wanted, &columns[0], &columns[1], &columns[2], &columns[3]))
+    if (!PyArg_ParseTuple(args, "Odiddd", &given, &F_0, &wanted, &samples, &low, &high))
         return NULL;
     const sf_model *model = sf_model_in(given);
-    for (i = 0; i < 4 && model != NULL; i++)
-        if ((values[i] = values_of(columns[i], types[i], &kept[i])) == NULL)
-            break;
-    if (model != NULL && i == 4) {
-        const long n = (long)PyArray_DIM(kept[0], 0);
-        Py_BEGIN_ALLOW_THREADS
-        curve = sf_here()->second_follow(model, F_0, (sf_wanted)wanted, n, values[0], values[1], values[2], values[3]);
-        Py_END_ALLOW_THREADS
-        PyObject *capsule = curve == NULL ? PyErr_NoMemory() : PyCapsule_New(curve, CURVE, free_curve);
-        if (capsule != NULL) {
-            result = told(curve, capsule);
-            Py_DECREF(capsule);
-        } else if (curve != NULL) {
-            sf_here()->second_free(curve);
-        }
+    if (model == NULL || (room = new_room()) == NULL)
+        return NULL;
+    const sf_given *exactly = sf_given_in(given);
+    Py_BEGIN_ALLOW_THREADS
+    curve = sf_here()->second_response(model, exactly, F_0, (sf_wanted)wanted, samples, low, high, room, &status);
+    Py_END_ALLOW_THREADS
+    free(room);
+    if (curve == NULL) {
+        const sf_second_curve nothing = {0};
+        return Py_BuildValue("iNO", (int)status, told(&nothing), Py_None);
     }
-    for (i = 0; i < 4; i++)
-        Py_XDECREF((PyObject *)kept[i]);
-    return result;
+    if ((capsule = PyCapsule_New(curve, CURVE, free_curve)) == NULL) {
+        sf_here()->second_free(curve);
+        return NULL;
+    }
+    if ((columns = told(curve)) == NULL) {
+        Py_DECREF(capsule);
+        return NULL;
+    }
+    return Py_BuildValue("iNN", (int)status, columns, capsule);
+}
+
+/* Folds as a list; NULL with an exception set. */
+static PyObject *list_of(const sf_second_folds *found)
+{
+    PyObject *list = PyList_New(0);
+    for (int i = 0; list != NULL && i < found->n; i++) {
+        const sf_second_fold *fold = &found->at[i];
+        PyObject *item = Py_BuildValue("dddii", fold->Omega, fold->u_max, fold->A_1, fold->up, fold->corner);
+        if (item == NULL || PyList_Append(list, item) < 0)
+            Py_CLEAR(list);
+        Py_XDECREF(item);
+    }
+    return list;
+}
+
+static PyObject *second_saddle_nodes(PyObject *self, PyObject *args)
+{
+    PyObject *given;
+    sf_second_folds found;
+    sf_status status;
+    sf_room *room;
+    double F_0;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "Od", &given, &F_0))
+        return NULL;
+    const sf_model *model = sf_model_in(given);
+    if (model == NULL || (room = new_room()) == NULL)
+        return NULL;
+    const sf_given *exactly = sf_given_in(given);
+    room->undecided = 0;
+    Py_BEGIN_ALLOW_THREADS
+    status = sf_here()->second_saddle_nodes(model, exactly, F_0, room, &found);
+    Py_END_ALLOW_THREADS
+    const int undecided = room->undecided;
+    free(room);
+    PyObject *list = list_of(&found);
+    if (list == NULL)
+        return NULL;
+    return Py_BuildValue("iNNiiN", (int)status, PyBool_FromLong(undecided), list, found.lost, found.tried,
+                         left_out(&found.left));
 }
 
 /* The model, the forcing and the curve of a question about a curve; 0 with an exception set. */
@@ -127,14 +173,7 @@ static PyObject *second_folds(PyObject *self, PyObject *args)
     Py_BEGIN_ALLOW_THREADS
     sf_here()->second_folds(model, F_0, curve, &found);
     Py_END_ALLOW_THREADS
-    PyObject *list = PyList_New(0);
-    for (int i = 0; list != NULL && i < found.n; i++) {
-        const sf_second_fold *fold = &found.at[i];
-        PyObject *item = Py_BuildValue("dddii", fold->Omega, fold->u_max, fold->A_1, fold->up, fold->corner);
-        if (item == NULL || PyList_Append(list, item) < 0)
-            Py_CLEAR(list);
-        Py_XDECREF(item);
-    }
+    PyObject *list = list_of(&found);
     return list == NULL ? NULL : Py_BuildValue("iNii", (int)found.status, list, found.lost, found.tried);
 }
 
@@ -233,9 +272,12 @@ static PyObject *has_second(PyObject *self, PyObject *given)
 }
 
 static PyMethodDef functions[] = {
-    {"second_follow", second_follow, METH_VARARGS,
-     "(model, F_0, wanted, Omega, A, branch, closed) of the first approximation -> columns, closed parts, (lost, of, "
-     "from, to), curve"},
+    {"second_curve", second_curve, METH_VARARGS,
+     "(model, F_0, wanted, samples, low, high) -> status, (Omega, A, u_max, A_1, phi, stable, part, closed parts, (lost, "
+     "of, from, to)), curve or None"},
+    {"second_saddle_nodes", second_saddle_nodes, METH_VARARGS,
+     "(model, F_0) -> status, whether doubles leave averaging's undecided, [(Omega, u_max, A_1, up, corner)], lost, "
+     "tried, (lost, of, from, to)"},
     {"second_folds", second_folds, METH_VARARGS,
      "(model, F_0, curve) -> status, [(Omega, u_max, A_1, up, corner)], lost, tried"},
     {"second_states", second_states, METH_VARARGS, "(model, F_0, curve, Omega) -> [(Omega, u_max, A_1, phi, stable)]"},
