@@ -340,8 +340,13 @@ static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdif
         sf_status status = room == NULL ? SF_NO_MEMORY : SF_INVALID;
         found.n = found.undecided = 0;
         if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, 1, &model)) {
-            const int is_given = sf_given_at(mechanism, args, steps, k, &given);
-            status = sf_of_search(sf_settled_folds(&model, is_given ? &given : NULL, F_0, room, &found));
+            /* the numbers that follow from a design on intervals take time, and few designs need them */
+            if (!(sf_exactly_at(mechanism, args, steps, k, &given.exactly) &&
+                  sf_told_folds(&model, &given.exactly, F_0, room, &found, &status))) {
+                const int is_given = sf_given_at(mechanism, args, steps, k, &given);
+                status = sf_settled_folds(&model, is_given ? &given : NULL, F_0, room, &found);
+            }
+            status = sf_of_search(status);
         }
         for (i = 0; i < places; i++)
             sf_write_fold(args, steps, inner, out, k, i, i < found.n ? &found.at[i] : NULL);
