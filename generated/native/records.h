@@ -235,6 +235,23 @@ static void duffing_record_averaged_in_pairs(int passed, int wanted, sf_pair A, 
         out[i] = all[i];
 }
 
+/* Parameters and jumps of n designs, two doubles each */
+static SF_FLAT void duffing_record_many_in_pairs(ptrdiff_t n, ptrdiff_t apart, const double *design,
+                                                           double *out)
+{
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
+        duffing_pairs_given(sfp_point(design[i]),
+sfp_point(design[apart + i]),
+p);
+        out[0 * apart + i] = p[0].high;
+        out[1 * apart + i] = p[0].low;
+        out[2 * apart + i] = p[1].high;
+        out[3 * apart + i] = p[1].low;
+    }
+}
+
 _Static_assert(2 <= SF_MOST_DESIGN && 2 <= SF_MOST_PARAMETERS && 0 <= SF_MOST_BREAKS,
                "duffing needs higher limits in mechanism.h");
 static const sf_mechanism duffing_record = {
@@ -264,6 +281,7 @@ static const sf_mechanism duffing_record = {
     .averaged_within = duffing_record_averaged_within,
     .parameters_in_pairs = duffing_record_parameters_in_pairs,
     .averaged_in_pairs = duffing_record_averaged_in_pairs,
+    .many_in_pairs = duffing_record_many_in_pairs,
 };
 
 static inline int rod_spring_record_averaged_regime(double A, const double *p)
@@ -524,6 +542,30 @@ static void rod_spring_record_averaged_in_pairs(int passed, int wanted, sf_pair 
         out[i] = all[i];
 }
 
+/* Parameters and jumps of n designs, two doubles each */
+static SF_FLAT void rod_spring_record_many_in_pairs(ptrdiff_t n, ptrdiff_t apart, const double *design,
+                                                           double *out)
+{
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
+        rod_spring_pairs_given(sfp_point(design[i]),
+sfp_point(design[apart + i]),
+sfp_point(design[2 * apart + i]),
+p);
+        out[0 * apart + i] = p[0].high;
+        out[1 * apart + i] = p[0].low;
+        out[2 * apart + i] = p[1].high;
+        out[3 * apart + i] = p[1].low;
+        out[4 * apart + i] = p[2].high;
+        out[5 * apart + i] = p[2].low;
+        out[6 * apart + i] = p[3].high;
+        out[7 * apart + i] = p[3].low;
+        out[8 * apart + i] = p[4].high;
+        out[9 * apart + i] = p[4].low;
+    }
+}
+
 /* The first breakpoint and h on it, two doubles each */
 static SF_FLAT void rod_spring_record_on_first_end_in_pairs(ptrdiff_t n, ptrdiff_t apart, const double *design,
                                                                    double *out)
@@ -574,6 +616,7 @@ static const sf_mechanism rod_spring_record = {
     .ends_within = rod_spring_intervals_breakpoints,
     .parameters_in_pairs = rod_spring_record_parameters_in_pairs,
     .averaged_in_pairs = rod_spring_record_averaged_in_pairs,
+    .many_in_pairs = rod_spring_record_many_in_pairs,
     .ends_in_pairs = rod_spring_pairs_breakpoints,
     .on_first_end_in_pairs = rod_spring_record_on_first_end_in_pairs,
 };
@@ -763,6 +806,28 @@ static void rod_spring_untruncated_record_averaged_in_pairs(int passed, int want
         out[i] = all[i];
 }
 
+/* Parameters and jumps of n designs, two doubles each */
+static SF_FLAT void rod_spring_untruncated_record_many_in_pairs(ptrdiff_t n, ptrdiff_t apart, const double *design,
+                                                           double *out)
+{
+    SF_INDEPENDENT
+    for (ptrdiff_t i = 0; i < n; i++) {
+        sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
+        rod_spring_untruncated_pairs_given(sfp_point(design[i]),
+sfp_point(design[apart + i]),
+sfp_point(design[2 * apart + i]),
+p);
+        out[0 * apart + i] = p[0].high;
+        out[1 * apart + i] = p[0].low;
+        out[2 * apart + i] = p[1].high;
+        out[3 * apart + i] = p[1].low;
+        out[4 * apart + i] = p[2].high;
+        out[5 * apart + i] = p[2].low;
+        out[6 * apart + i] = p[3].high;
+        out[7 * apart + i] = p[3].low;
+    }
+}
+
 /* The first breakpoint and h on it, two doubles each, of h NaN where another form is needed */
 static SF_FLAT void rod_spring_untruncated_record_on_first_end_in_pairs(ptrdiff_t n, ptrdiff_t apart, const double *design,
                                                                    double *out)
@@ -814,6 +879,7 @@ static const sf_mechanism rod_spring_untruncated_record = {
     .kinks_within = rod_spring_untruncated_intervals_kinks,
     .parameters_in_pairs = rod_spring_untruncated_record_parameters_in_pairs,
     .averaged_in_pairs = rod_spring_untruncated_record_averaged_in_pairs,
+    .many_in_pairs = rod_spring_untruncated_record_many_in_pairs,
     .ends_in_pairs = rod_spring_untruncated_pairs_breakpoints,
     .on_first_end_in_pairs = rod_spring_untruncated_record_on_first_end_in_pairs,
 };

@@ -54,7 +54,7 @@ class Mechanism(ctypes.Structure):
         ("mean_offset", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, Doubles)),
         *((name, ctypes.c_void_p) for name in ("parameters_within", "ends_within", "kinks_within", "averaged_within")),
         *((name, ctypes.c_void_p) for name in ("parameters_in_pairs", "ends_in_pairs", "averaged_in_pairs")),
-        ("on_first_end_in_pairs", ctypes.c_void_p),
+        *((name, ctypes.c_void_p) for name in ("many_in_pairs", "on_first_end_in_pairs")),
     )
 
 

@@ -23,16 +23,17 @@ typedef struct {
     sf_pair A, h[4]; /* h, h_A, h_AA, h_AAA */
 } sf_exact_sample;
 
-/* 0 where the mechanism has no form in pairs, or its excitation is no force, which the forms in pairs are about. */
-static inline int sf_make_exact(const sf_mechanism *mechanism, const double *design, double mu, double zeta,
-                                sf_exactly *out) {
+/* Whether the mechanism has a form in pairs, and its excitation is a force, which these forms are about. */
+static inline int sf_has_pairs(const sf_mechanism *mechanism) {
+    return mechanism->averaged_in_pairs != NULL && !mechanism->inertial;
+}
+
+/* What follows from the parameters, which are there. */
+static inline void sf_complete_exact(const sf_mechanism *mechanism, double mu, double zeta, sf_exactly *out) {
     sf_pair b[SF_MOST_BREAKS];
     int i;
     out->mechanism = mechanism;
-    if (mechanism->averaged_in_pairs == NULL || mechanism->inertial)
-        return 0;
     out->m = slow_flow_pairs_friction(sfp_point(mu)), out->zeta = sfp_point(zeta);
-    mechanism->parameters_in_pairs(design, out->p);
     if (mechanism->breakpoints > 0)
         mechanism->ends_in_pairs(out->p, b);
     out->empty = 0;
@@ -41,6 +42,15 @@ static inline int sf_make_exact(const sf_mechanism *mechanism, const double *des
     out->breaks = mechanism->breakpoints - out->empty;
     for (i = 0; i < mechanism->breakpoints; i++)
         out->b[i] = i < out->breaks ? b[out->empty + i] : sfp_point(0);
+}
+
+/* 0 where there is no form in pairs. */
+static inline int sf_make_exact(const sf_mechanism *mechanism, const double *design, double mu, double zeta,
+                                sf_exactly *out) {
+    if (!sf_has_pairs(mechanism))
+        return 0;
+    mechanism->parameters_in_pairs(design, out->p);
+    sf_complete_exact(mechanism, mu, zeta, out);
     return 1;
 }
 

@@ -14,7 +14,7 @@
 #include "pair.h"
 
 enum {
-    SF_FORM = 9, /* of the record below; one of another form is refused */
+    SF_FORM = 10, /* of the record below; one of another form is refused */
     SF_MOST_DESIGN = 16,
     SF_MOST_DAMPING = 2,
     SF_MOST_PARAMETERS = 16,
@@ -89,6 +89,10 @@ typedef struct sf_mechanism {
     void (*parameters_in_pairs)(const double *design, sf_pair *p);
     void (*ends_in_pairs)(const sf_pair *p, sf_pair *b);
     void (*averaged_in_pairs)(int passed, int wanted, sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out);
+
+    /* Of n designs at once what parameters_in_pairs gives, of each number the high and then the low part: number i of
+     * design k stands at design[i*apart + k], part i at out[i*apart + k]. */
+    void (*many_in_pairs)(ptrdiff_t n, ptrdiff_t apart, const double *design, double *out);
 
     /* Of n designs at once the first breakpoint and h on it as its lower side has it, of each the high and the low
      * part:
