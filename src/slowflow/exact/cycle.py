@@ -29,7 +29,17 @@ from slowflow.exact.integrate import PHASE_WORK, Integrator, spend
 from slowflow.exact.motion import Forced, Phase, break_away, edge_ahead, follow, signature
 from slowflow.mechanism import EquationOfMotion
 from slowflow_kernels import motion
-from slowflow_kernels.exact_conventions import FAR, LOOSE, ON_TIME, OVER_END, TIGHT, TOLERANCE, ExtraKind
+from slowflow_kernels.exact_conventions import (
+    FAR,
+    LOOSE,
+    MOST_NEWTON,
+    ON_TIME,
+    OVER_END,
+    TIGHT,
+    TOLERANCE,
+    WHOLE,
+    ExtraKind,
+)
 
 Array = NDArray[np.float64]
 
@@ -384,7 +394,7 @@ class Cycle:
         return found
 
     def newton(
-        self, z: Array, F_0: float, extra: Extra | None = None, *, most: int = 12, tolerance: float = TOLERANCE
+        self, z: Array, F_0: float, extra: Extra | None = None, *, most: int = MOST_NEWTON, tolerance: float = TOLERANCE
     ) -> tuple[Array, Equations] | None:
         """Newton's iteration; None where it does not converge.
 
@@ -514,7 +524,7 @@ def closed_cycle(
     starts = [
         i
         for i, phase in enumerate(phases)
-        if phase.slip == -1 and phase.v == 0.0 and phase.theta + span < phases[-1].end - 0.3
+        if phase.slip == -1 and phase.v == 0.0 and phase.theta + span < phases[-1].end - WHOLE
     ]
     if not starts:
         return None

@@ -23,6 +23,7 @@ from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import TURN, Forced, Phase, follow
 from slowflow.mechanism import EquationOfMotion
 from slowflow.transmitted import Transmitted, asked
+from slowflow_kernels.exact_conventions import ARRIVED, ASKED_AGAIN, COMES_BACK, NEARER, UNLIKE
 from slowflow_kernels.motion import acceleration
 
 Array = NDArray[np.float64]
@@ -528,8 +529,8 @@ def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, .
                 return Settled(None, len(history) - 1, u, v, phases, change, repeats=True)
         if len(history) <= ask:
             continue
-        ask += min(ask, 8)
-        scale = 1e-2 * _largest(phases)
+        ask += min(ask, ASKED_AGAIN)
+        scale = COMES_BACK * _largest(phases)
         change = math.inf
         for n in tries:
             turns = n if n % 2 else n // 2
@@ -687,13 +688,14 @@ def _approaches(
     A motion that merely lingers, or drifts too slowly to be seen, fails this whatever its distance.
     """
     away = state[0] - there[0], state[1] - there[1]
-    if max(map(abs, away)) <= 1e-8 * found.A:
+    if max(map(abs, away)) <= ARRIVED * found.A:
         return True
     end = theta + found.Omega * found.period
     ways = []
-    for share in (1.0, 0.1):
+    for share in (1.0, NEARER):
         u, v = there[0] + share * away[0], there[1] + share * away[1]
         last = follow(forced, theta, u, v, end)[-1]
         ways.append(((last.u_end - u) / share, (last.v_end - v) / share))
     (of_u, of_v), (nearer_of_u, nearer_of_v) = ways
-    return max(abs(of_u - nearer_of_u), abs(of_v - nearer_of_v)) <= 0.5 * max(abs(nearer_of_u), abs(nearer_of_v))
+    farther = UNLIKE * max(abs(nearer_of_u), abs(nearer_of_v))
+    return bool(max(abs(of_u - nearer_of_u), abs(of_v - nearer_of_v)) <= farther)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.answer import Table
-from slowflow.exact.compiled import default_integrator
+from slowflow.exact.compiled import TaylorIntegrator, default_integrator
 from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import Forced, stops
 from slowflow.exact.shooting import at_rest, calmed, check_forcing, check_numbers, lengths, settle
@@ -23,6 +23,7 @@ from slowflow.mechanism import EquationOfMotion
 
 Array = NDArray[np.float64]
 
+AT_ONCE = 4096  # frequencies that C is given at a time: as many rows are made
 JUMP = 0.1  # relative change of amplitude between neighbouring frequencies, from which on a jump is looked for
 
 
@@ -91,25 +92,36 @@ def sweep(
     for frequency in frequencies:
         check_numbers(system, float(frequency), F_0)
     check_forcing(system, float(frequencies.max()), F_0, from_rest=True)
-    integrator = integrator or default_integrator(system)
+    integrator, tries = integrator or default_integrator(system), lengths(system)
     A, rests, spent = np.empty(frequencies.size), np.empty(frequencies.size, int), np.empty(frequencies.size, int)
-    settled, rested, drifts = (np.zeros(frequencies.size, bool) for _ in range(3))
-    u, v = 0.0, 0.0
-    for i, frequency in enumerate(frequencies):
+    settled, rested = (np.zeros(frequencies.size, bool) for _ in range(2))
+    u, v, i = 0.0, 0.0, 0
+    while i < frequencies.size:
+        if isinstance(integrator, TaylorIntegrator):
+            packed = np.array(tries, dtype=np.intc).tobytes()
+            rows = integrator.sweep(system, frequencies[i : i + AT_ONCE], F_0, u, v, packed, most_turns)
+            if len(rows):
+                passed = slice(i, i + len(rows))
+                A[passed], spent[passed], rests[passed] = rows[:, 2:].T
+                settled[passed] = True
+                u, v = rows[-1, :2].tolist()
+                i += len(rows)
+                continue
         with limited():
-            forced = Forced(system, float(frequency), F_0, integrator)
-            end = settle(forced, 0.0, u, v, lengths(system), most_turns)
+            forced = Forced(system, float(frequencies[i]), F_0, integrator)
+            end = settle(forced, 0.0, u, v, tries, most_turns)
             if end.adrift is not None:
                 end = calmed(forced, 0.0, end, most_turns)
-        drifts[i] = end.adrift is not None and end.turns < most_turns
+        drifts = end.adrift is not None and end.turns < most_turns
         rested[i] = at_rest(end.phases)
         u, v, spent[i] = end.u, end.v, end.turns
-        settled[i] = end.found is not None or end.repeats or rested[i] or drifts[i]
+        settled[i] = end.found is not None or end.repeats or rested[i] or drifts
         if end.found is None:
             A[i] = max(max(abs(phase.u), abs(phase.u_end)) for phase in end.phases)
             rests[i] = stops(end.phases)
         else:
             A[i], rests[i] = end.found.A, end.found.stops
+        i += 1
     return Sweep(F_0, frequencies, A, rests, spent, settled, _jumps(frequencies, np.where(rested, np.nan, A)))
 
 
