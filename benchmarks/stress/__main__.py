@@ -4,7 +4,7 @@ Out: benchmarks/results/stability.json, docs/stability.md and its pictures, test
 say of kernels, derivations/emit/measured.json. Under twenty minutes on two cores. `--only answers counts` measures
 these anew and keeps the rest of the last results, `--draw` keeps all; `--size 0.1` takes a tenth of the points. Counts
 against proofs are ten million, a million isolators among them. What was measured is kept as soon as a part is through.
-`--only "folds on NumPy" --size 170` is a million of these, in hours, and is kept beside smaller ones.
+`--only "folds on NumPy" --size 340` is a million of these, in hours, and is kept beside smaller ones.
 """
 
 from __future__ import annotations
@@ -44,8 +44,8 @@ STATES = {
 }  # fmt: skip
 #: the same without compiled code, of each of fewer shares: each takes some 20 ms, and a process some seconds to start
 ON_NUMPY = {
-    "rod_spring": 1200, "rod_spring, zeta = 0": 200, "rod_spring, alpha = 0": 200,
-    "rod_spring_untruncated": 200, "duffing": 800, "duffing, zeta = 0": 200, "duffing, alpha = 0": 200,
+    "rod_spring": 600, "rod_spring, zeta = 0": 100, "rod_spring, alpha = 0": 100,
+    "rod_spring_untruncated": 100, "duffing": 400, "duffing, zeta = 0": 100, "duffing, alpha = 0": 100,
 }  # fmt: skip
 SHARES_ON_NUMPY = 2
 #: points shown of each kernel and kind in a picture
@@ -61,12 +61,12 @@ def jobs(size: float) -> dict[str, list[Job]]:
 
     return {
         "answers": [
-            (answers.stress, (mechanism, part, many(24 if mechanism != "rod_spring_untruncated" else 8), 2, many(60)))
+            (answers.stress, (mechanism, part, many(18 if mechanism != "rod_spring_untruncated" else 6), 2, many(60)))
             for mechanism in answers.NAMES
             for part in range(SHARES)
         ],
         "counts": [
-            (counts.stress, (mechanism, part, many(12 if mechanism == "rod_spring" else 35)))
+            (counts.stress, (mechanism, part, many(8 if mechanism == "rod_spring" else 24)))
             for mechanism in counts.ORACLES
             for part in range(SHARES)
         ],

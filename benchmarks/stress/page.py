@@ -491,6 +491,8 @@ def page(numbers: Numbers) -> str:
         "kappa is the condition in the oscillator's numbers and the forcing, plus that in the values of the kernels.",
         "*Alone* are answers without a solution within a hundredth that Newton's method settles on: seen an ulp above",
         "4 mu/pi, where the excess is a rounding, at the tip of a curve with zeta of 1e-9 and less, and on the corner.",
+        "A fold above u_cr by less than the doubles tell is given at the double of u_cr, whose own error is up to 3 u,",
+        "or at the next: there kappa is small, and A may miss the target.",
         "Bounds: " + "; ".join(f"{name} {low:g} to {high:g}" for name, (low, high) in answers.BOUNDS.items()) + ".",
         "",
         *table(ANSWERS, by_answer(of_answers)),
