@@ -241,7 +241,7 @@ def scale_lines(found: list[Numbers], most: Numbers | None) -> list[str]:
         "number is proved and which do not say that doubles do not decide. Where only the proof is at a loss balls",
         "agree with the answer wherever they were asked (`tests/test_undecided.py`).",
         "Without compiled code an answer takes some 20 ms:",
-        '`python -m benchmarks.stress --only "folds on NumPy" --size 170` asks a million, in hours; the largest run so',
+        '`python -m benchmarks.stress --only "folds on NumPy" --size 340` asks a million, in hours; the largest run so',
         "far has rows of its own.",
         "",
         *table(SCALE, rows),
