@@ -22,7 +22,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .slow_flow import I, R, SlowFlow, slope
+from .slow_flow import I, R, SlowFlow, m, slope
 from .symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
 
 Let = tuple[sp.Symbol, sp.Expr]
@@ -35,6 +35,9 @@ k, k_A = sp.symbols("k k_A", real=True)
 #: numbers without scale, which on a cell of amplitudes vary by little where h is nearly a power of A:
 #: k/(A^2 h_AA), A h_AAA/h_AA, dR/dA over A h_AA, and the root of its discriminant
 kappa, rho, t, scaled_root = sp.symbols("kappa rho t root", real=True)
+
+#: h/A, and h/A - h_A
+over_A, apart = sp.symbols("over_A apart", real=True)
 
 _w, _bracket, _bracket_A = sp.symbols("w bracket bracket_A", real=True)
 _product = sp.Symbol("product", nonnegative=True)
@@ -51,6 +54,8 @@ class Damped:
 
     fold      -- at a forcing: (23) less the R of F = F_A = 0, its slope along A, and Omega
     fold_square -- Omega^2 of the R that `fold` has of F = F_A = 0, by Omega and what `fold` is
+    fold_least -- F_A/(2 A) at zero friction as X^2 + b X + c in X = Omega^2: b, and the discriminant b^2 - 4 c; both by
+                 h/A and, where these cancel, by h/A - h_A. Friction only adds to F_A
     fold_moves -- by how much F and F_A change with that, at the amplitude and the Omega of `fold`
     isola_Omega -- Omega where F_A = F_Omega = 0
     isola     -- F_Omega/(4 A) there and its slope; for m = 0 without the factor Omega, which then is common
@@ -70,6 +75,7 @@ class Damped:
     fold: tuple[sp.Expr, ...]
     fold_moves: tuple[sp.Expr, ...]
     fold_square: sp.Expr
+    fold_least: tuple[sp.Expr, ...]
     isola_Omega: sp.Expr
     isola_lets: tuple[Let, ...]
     isola: tuple[sp.Expr, ...]
@@ -206,6 +212,7 @@ def _damped(flow: SlowFlow) -> Damped:
         fold_lets=fold_lets,
         fold=fold,
         fold_square=_fold_square(flow),
+        fold_least=_fold_least(flow),
         fold_moves=fold_moves,
         isola_Omega=_isola_Omega(flow),
         isola_lets=isola_lets,
@@ -240,6 +247,18 @@ def _fold_square(flow: SlowFlow) -> sp.Expr:
     square = sp.Symbol("square", positive=True)
     lacking = flow.R.subs(Omega, sp.sqrt(square)) - (flow.R - lacks)
     return sp.expand(sp.solve(lacking, square)[0])
+
+
+def _fold_least(flow: SlowFlow) -> tuple[sp.Expr, ...]:
+    """Of the fold quartic over its leading coefficient, without the odd term, which is not negative."""
+    constant, odd, square, cubic, leading = flow.fold_quartic
+    if cubic != 0 or not sp.cancel(odd / (m * zeta)).is_nonnegative:
+        raise ArithmeticError(f"friction may lower F_A: {odd}")
+    b, c = (sp.expand(sp.expand(value / leading).subs(h, A * over_A)) for value in (square, constant))
+    discriminant = sp.factor(sp.expand(b**2 - 4 * c - (over_A - h_A) ** 2)) + apart**2
+    whole = discriminant.subs(apart, over_A - h_A) - (b**2 - 4 * c)
+    _vanishes(whole, "the discriminant of the least F_A")
+    return b, discriminant
 
 
 def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:

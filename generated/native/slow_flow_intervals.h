@@ -343,6 +343,16 @@ static inline void slow_flow_intervals_state(sf_interval Omega, sf_interval A, s
         sfi_square(t2)));
 }
 
+/* F_A/(2 A) without friction as X^2 + b X + c in X = Omega^2, by h/A and h/A - h_A: b, and b^2 - 4 c.
+   Equation from (30). Domain: A > 0. */
+static inline void slow_flow_intervals_fold_least(sf_interval zeta, sf_interval h_A, sf_interval over_A, sf_interval apart, sf_interval *out)
+{
+    const sf_interval t0 = sfi_square(zeta);
+    const sf_interval t1 = sfi_add(h_A, over_A);
+    out[0] = sfi_add(sfi_times(4.0, t0), t1);
+    out[1] = sfi_add(sfi_square(apart), sfi_times(8.0, sfi_mul(t0, sfi_add(sfi_times(2.0, t0), t1))));
+}
+
 /* F_AA/2 over (A h_AA)^2 as t^2 + 2 a t + b, t = dR/dA over A h_AA, kappa = k/(A^2 h_AA): a, b, a^2 - b.
    Equation from (33). Domain: A > 0, h_AA other than 0. */
 static inline void slow_flow_intervals_cusps_scaled(sf_interval A, sf_interval zeta, sf_interval h_A, sf_interval h_AA, sf_interval kappa, sf_interval *out)

@@ -25,6 +25,7 @@ __all__ = [
     "F_Omega_reduced",
     "F_OmegaOmega",
     "fold",
+    "fold_least",
     "fold_quartic",
     "intercept",
     "isola",
@@ -435,4 +436,17 @@ def state(Omega, A, F_0, m, zeta, h_A, h_AA, R):
         R.square() + (-F_0 + I) * (F_0 + I),
         2.0 * (I * t0 + R * t2),
         2.0 * (R * h_AA + 4.0 * t1 * zeta.square() + t2.square()),
+    )
+
+
+def fold_least(zeta, h_A, over_A, apart):
+    """F_A/(2 A) without friction as X^2 + b X + c in X = Omega^2, by h/A and h/A - h_A: b, and b^2 - 4 c.
+
+    Equation from (30). Domain: A > 0.
+    """
+    t0 = zeta.square()
+    t1 = h_A + over_A
+    return (
+        4.0 * t0 + t1,
+        apart.square() + 8.0 * t0 * (2.0 * t0 + t1),
     )

@@ -19,10 +19,12 @@ from ...along import (
     Damped,
     T,
     Undamped,
+    apart,
     k,
     k_A,
     kappa,
     lacks,
+    over_A,
     rho,
     root,
     scaled_root,
@@ -637,7 +639,20 @@ def cell_kernels(along: Along, scene: str) -> tuple[Kernel, ...]:
         lets=along.F_Omega_reduced_lets,
     )
     searched = tuple(replace(one, searched=True) for one in (reduced, *(() if scene else state_cells(along))))
-    return searched if scene else (*searched, *cusp_cells(along.damped))
+    return searched if scene else (*searched, least_F_A(along.damped), *cusp_cells(along.damped))
+
+
+def least_F_A(along: Damped) -> Kernel:
+    """Whether there are folds at all."""
+    kernel = plain(
+        "fold_least",
+        (zeta, h_A, over_A, apart),
+        along.fold_least,
+        "F_A/(2 A) without friction as X^2 + b X + c in X = Omega^2, by h/A and h/A - h_A: b, and b^2 - 4 c.",
+        "from (30)",
+        "A > 0",
+    )
+    return replace(kernel, searched=True)
 
 
 def state_cells(along: Along) -> tuple[Kernel, ...]:

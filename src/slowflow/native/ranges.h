@@ -195,21 +195,18 @@ static inline int sf_are_alike(sf_interval x, sf_interval y) {
     return (x.lo >= 0 && y.lo >= 0) || (x.hi <= 0 && y.hi <= 0);
 }
 
-/* Whether F_A > 0 at all frequencies, which is known also where h_AA is infinite. With X = Omega^2 it is no less than
- * 2 A [(X + h/A) (X + h_A) + 4 zeta^2 X]. That is positive where no coefficient is negative, or where its discriminant
- * is, (h/A - h_A)^2 + 8 zeta^2 (h/A + h_A) + 16 zeta^4, whose difference is k/A. Next to A = 0, where h = 0 there, h/A
- * is a slope of h. */
+/* Whether F_A > 0 at all frequencies, which is known also where h_AA is infinite: where without friction no coefficient
+ * of it is negative, or where its discriminant is. Next to A = 0, where h = 0 there, h/A is a slope of h. */
 static inline int sf_is_free_of_folds(const sf_known *a, const sf_cell *cell, sf_interval zeta) {
-    const sf_interval slope = cell->h_A, square = sfi_square(zeta);
+    const sf_interval slope = cell->h_A;
     const int inside = cell->A.lo > 0;
     const sf_interval over_A = inside ? sfi_div(cell->h, cell->A) : slope;
-    const sf_interval apart = sfi_square(inside ? sfi_div(cell->k, cell->A) : sfi_sub(slope, slope));
-    const sf_interval sum = sfi_add(over_A, slope);
+    const sf_interval apart = inside ? sfi_div(cell->k, cell->A) : sfi_sub(slope, slope);
+    sf_interval least[2];
     if (!inside && (a->h.lo != 0 || a->h.hi != 0))
         return 0;
-    if (sf_are_alike(over_A, slope) && sfi_add(sum, sfi_times(4, square)).lo > 0)
-        return 1;
-    return sfi_add(apart, sfi_mul(sfi_times(8, square), sfi_add(sum, sfi_times(2, square)))).hi < 0;
+    slow_flow_intervals_fold_least(zeta, slope, over_A, apart, least);
+    return (sf_are_alike(over_A, slope) && least[0].lo > 0) || least[1].hi < 0;
 }
 
 /* On the fold locus R has the sign of k: F_AA/2 = (dR/dA)^2 + h_AA R + 4 zeta^2 Omega^2 vanishes only if h_AA has the

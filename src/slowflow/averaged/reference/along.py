@@ -361,18 +361,16 @@ class Cusp(Asked):
     def _is_free_of_folds(self, cells: Cells) -> Bools:
         """Whether F_A > 0 at all frequencies, which is known also where h_AA is infinite.
 
-        With X = Omega^2 it is no less than 2 A [(X + h/A) (X + h_A) + 4 zeta^2 X]. That is positive where no
-        coefficient is negative, or where its discriminant is, (h/A - h_A)^2 + 8 zeta^2 (h/A + h_A) + 16 zeta^4, whose
-        difference is k/A. Next to A = 0 h/A is a slope of h: without a preload h = 0 there.
+        That is where without friction no coefficient of it is negative, or where its discriminant is. Next to A = 0
+        h/A is a slope of h: without a preload h = 0 there.
         """
-        slope, square, origin = cells.h_A, self.zeta.square(), cells.A.lo == 0
+        slope, origin = cells.h_A, cells.A.lo == 0
         over_A = slope.where(origin, cells.h / cells.A)
         apart = (slope - slope).where(origin, cells.k / cells.A)
-        discriminant = apart.square() + 8.0 * square * (over_A + slope + 2.0 * square)
+        b, discriminant = slow_flow_intervals.fold_least(self.zeta, slope, over_A, apart)
         alike = ((slope.lo >= 0) & (over_A.lo >= 0)) | ((slope.hi <= 0) & (over_A.hi <= 0))
-        positive = alike & ((over_A + slope + 4.0 * square).lo > 0)
         known = ~origin if self.model.preload != 0 else np.ones_like(origin)
-        return np.asarray(known & (positive | (discriminant.hi < 0)))
+        return np.asarray(known & ((alike & (b.lo > 0)) | (discriminant.hi < 0)))
 
 
 def _over_A(cells: Cells) -> tuple[Interval, Interval]:
