@@ -373,9 +373,29 @@ static long sf_show(const sf_model *model, double F_0, double low, double high, 
     return points + shown->curves;
 }
 
+enum { SF_SHARES = 16 };
+
 /* How far along a segment the k-th of n - 1 points inside lies: they crowd towards its ends, where A or Omega may stand
  * still. */
 static double sf_share_at(int k, int n) { return 0.5 - 0.5 * cos(3.14159265358979312 * k / n); }
+
+/* The same of all of them. Cosines of sums, from those of every sixteenth angle and of the first sixteen, take a fraction
+ * of the time of one each. */
+static void sf_shares(int n, double *share) {
+    const double step = 3.14159265358979312 / n;
+    double cosine[SF_SHARES], sine[SF_SHARES];
+    int i, k;
+    for (i = 0; i < SF_SHARES; i++)
+        cosine[i] = cos(step * i), sine[i] = sin(step * i);
+    for (i = 1; i < n && i < SF_SHARES; i++)
+        share[i - 1] = 0.5 - 0.5 * cosine[i];
+    for (k = SF_SHARES; k < n; k += SF_SHARES) {
+        const double at_cosine = cos(step * k), at_sine = sin(step * k);
+        const int here = n - k < SF_SHARES ? n - k : SF_SHARES;
+        for (i = 0; i < here; i++)
+            share[k + i - 1] = 0.5 - 0.5 * (at_cosine * cosine[i] - at_sine * sine[i]);
+    }
+}
 
 static void sf_turn_round(int n, double *x) {
     int k;
@@ -388,8 +408,14 @@ static void sf_turn_round(int n, double *x) {
 /* n - 1 rising numbers between two. Where they span orders of magnitude half of them are shared out among these, as
  * Omega changes with each of A's; the others follow the top. */
 static void sf_numbers_between(double low, double high, int n, double *x) {
-    const int many = low > 0 && high > 100 * low, orders = many ? n / 2 : 1, plain = n + 1 - orders;
+    const int many = low > 0 && high > 100 * low, orders = n / 2, plain = n + 1 - orders;
     int i = 1, j = 1, k;
+    if (!many) {
+        sf_shares(n, x);
+        for (k = 0; k < n - 1; k++)
+            x[k] = low + (high - low) * x[k];
+        return;
+    }
     for (k = 0; k < n - 1; k++) {
         const double of_plain = i < plain ? low + (high - low) * sf_share_at(i, plain) : HUGE_VAL;
         const double of_orders = j < orders ? low * exp(sf_share_at(j, orders) * log(high / low)) : HUGE_VAL;
@@ -470,6 +496,7 @@ static void sf_draw(const sf_model *model, double F_0, double samples, const sf_
                        double *A, unsigned char *stable, long long *branch) {
     sf_sharing sharing;
     long at = 0, point;
+    long long curve;
     int i;
     sf_share_out(shown, &sharing);
     for (i = 0; i < shown->segments; i++) {
@@ -483,8 +510,9 @@ static void sf_draw(const sf_model *model, double F_0, double samples, const sf_
             sf_turn_round(n - 1, A + at), sf_turn_round(n - 1, Omega + at);
         at += n - 1;
         A[at] = sf_last_of(segment, segment->A), Omega[at++] = sf_last_of(segment, segment->Omega);
-        for (point = first; point < at; point++)
-            stable[point] = (unsigned char)segment->stable, branch[point] = segment->curve;
+        memset(stable + first, segment->stable != 0, (size_t)(at - first));
+        for (point = first, curve = segment->curve; point < at; point++)
+            branch[point] = curve;
     }
 }
 
