@@ -330,7 +330,8 @@ def ask(i):
     own = own if i % 2 else Duffing(1.0, 0.5 + 0.1 * (i % 8), .012, .05)
     found = own.steady_state(Omega=.6 + .05 * (i % 8), F_0=.04)
     u = shared[i % 2].series(8)[1]
-    return found.A, *found.multipliers, *u
+    swept = own.sweep(Omega=[.6 + .05 * (i % 8), .7], F_0=.04)
+    return found.A, *found.multipliers, *u, *swept.A
 jobs = list(range(48))
 alone = [ask(i) for i in jobs]
 with ThreadPoolExecutor({threads}) as pool:
