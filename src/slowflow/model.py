@@ -250,7 +250,12 @@ class Model:
     @cached_property
     def preload(self) -> float:
         """-h as A tends to 0: 4/pi times what the force jumps to at u = 0, which all but a few forces do not."""
-        return -float(self.averaged(0.0)[0])
+        return -float(self._rest[0])
+
+    @cached_property
+    def _rest(self) -> tuple[Floats, Floats, Floats, Floats]:
+        """The averages as A tends to 0, which several ask of an oscillator that is made."""
+        return self.averaged(0.0)
 
     @cached_property
     def hardens(self) -> bool:
@@ -261,7 +266,7 @@ class Model:
     @cached_property
     def negative_stiffness(self) -> bool:
         """Whether the stiffness at rest is negative, which is -h_A there, or a preload pushes outwards."""
-        return self.preload < 0 or bool(self.averaged(0.0)[1] > 0)
+        return self.preload < 0 or bool(self._rest[1] > 0)
 
     @cached_property
     def stays_centred(self) -> bool:
