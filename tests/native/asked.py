@@ -58,6 +58,8 @@ def asked(oscillator):
         yield lambda F_0=F_0: oscillator.amplitudes(Omega=[1e-9, 0.7, 1.0, 40.0], F_0=F_0)
         samples, window = next(CURVES)
         yield lambda F_0=F_0, n=samples, w=window: oscillator.frequency_response(F_0, samples=n, Omega=w)
+        yield lambda F_0=F_0, w=window: oscillator.second_approximation.frequency_response(F_0, samples=40, Omega=w)
+        yield lambda F_0=F_0: oscillator.second_approximation.saddle_nodes(F_0)
 
 
 def tried(question):
