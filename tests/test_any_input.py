@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import contextlib
+import inspect
 import io
-import math
 import tempfile
+import time
 import warnings
 from pathlib import Path
 
@@ -15,114 +16,45 @@ from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 from slowflow import Duffing, Isolator, cli, sizing
+from slowflow.answer import Answer
+from slowflow.averaged.batches import Batch
+from slowflow.loads_many import ManyIsolations, ManyMargins
 from slowflow.plausible import Implausible
 from slowflow_kernels.conventions import Status
+from tests.public_questions import (
+    AT,
+    AVERAGED,
+    BATCHES,
+    DUFFINGS,
+    FOLDS,
+    IN_UNITS,
+    ISOLATORS,
+    MOTIONS,
+    MOTIONS_IN_UNITS,
+    NO_QUESTIONS,
+    OF_BATCHES,
+    OF_CLASS,
+    OF_LOADED_BATCHES,
+    OF_SECOND_BATCHES,
+    OFF_CENTRE,
+    PICTURES,
+    SECOND,
+    SHEETS,
+    any_of,
+    anything,
+    columns,
+    numbers,
+)
 
-#: zero, subnormal, near one, the ends of the range: where formulas break
-HARD = [0.0, -0.0, 5e-324, 1e-310, 1e-160, 1e-20, 1e-8, 0.99, 1 - 2**-53, 1.0, 1 + 2**-52, 1e8, 1e150, 1.7e308]
-#: what no argument may be
-WRONG = [math.nan, math.inf, -math.inf, -1.0, None, "1", [1.0], np.array([1.0, 2.0]), 1j, True, 10**400, object()]
-
-usual = st.floats(1e-6, 2.0) | st.floats(-6, 1).map(lambda exponent: 10.0**exponent)
-numbers = usual | st.sampled_from(HARD)
-anything = numbers | st.sampled_from(WRONG)
-damping = {"mu": st.floats(0, 0.05) | anything, "zeta": st.floats(0, 0.2) | anything}
-isolators = st.fixed_dictionaries(
-    {
-        "lam": st.sampled_from([1, 2, 3, 4]) | anything,
-        "r": st.floats(0.2, 4) | anything,
-        "delta_h": st.floats(0, 0.6) | anything,
-        "force": st.sampled_from(["truncated", "untruncated", "exact"]),
-        **damping,
-    }
-)
-duffings = st.fixed_dictionaries(
-    {"alpha": st.floats(-0.5, 2) | anything, "beta": st.floats(-1, 3) | anything, **damping}
-)
-oscillators = st.tuples(st.just(Isolator), isolators) | st.tuples(st.just(Duffing), duffings)
-windows = st.tuples(numbers, numbers) | st.sampled_from([(0.0, 2.0), (0.5, 1.5), None, (1.0,), (2.0, 1.0)])
-samples = st.sampled_from([2, 10, 300, 1, 0, -3, 2.5, "many"])
-questions = st.one_of(
-    *(st.tuples(st.just(name), st.just(()), st.just({})) for name in ("saddle_node_onset", "detachment")),
-    *(
-        st.tuples(st.just(name), st.tuples(anything), st.just({}))
-        for name in ("peak", "saddle_nodes", "backbone", "margins", "hysteresis", "isolation")
-    ),
-    st.tuples(
-        st.just("frequency_response"),
-        st.tuples(anything),
-        st.fixed_dictionaries({"Omega": windows, "samples": samples}),
-    ),
-    *(
-        st.tuples(st.just(name), st.just(()), st.fixed_dictionaries({"Omega": anything, "F_0": anything}))
-        for name in ("amplitudes", "limit_envelope", "spectrum")
-    ),
-    *(
-        st.tuples(st.just(name), st.just(()), st.fixed_dictionaries({"Omega": anything, "A": anything}))
-        for name in ("stability", "equivalent_damping")
-    ),
-    st.tuples(st.just("fold_locus"), st.just(()), st.fixed_dictionaries({"A_max": anything, "samples": samples})),
-    *(
-        st.tuples(st.just(name), st.just(()), st.fixed_dictionaries({"A_max": anything}))
-        for name in ("cusps", "isola_points")
-    ),
-    st.tuples(st.just("certify"), st.tuples(anything), st.fixed_dictionaries({"Omega": anything})),
-    st.tuples(st.just("explain"), st.tuples(st.just("saddle_nodes"), anything), st.just({})),
-)
-#: a data sheet in SI units, and its questions: forces, frequencies
-sheets = st.fixed_dictionaries(
-    {
-        "m": st.floats(0.1, 100) | anything,
-        "k_v": st.floats(10, 1e5) | anything,
-        "k_h": st.floats(10, 1e5) | anything,
-        "L": st.floats(0.01, 1) | anything,
-        "preload": st.floats(0, 0.01) | anything,
-        "friction": st.floats(0, 1) | anything,
-        "zeta": st.floats(0, 0.2) | anything,
-        "load": st.none() | anything,
-    }
-)
-physical = st.one_of(
-    *(st.tuples(st.just(name), st.just(()), st.just({})) for name in ("at_rest", "saddle_node_onset", "detachment")),
-    *(
-        st.tuples(st.just(name), st.tuples(anything), st.just({}))
-        for name in ("peak", "saddle_nodes", "margins", "hysteresis", "isolation", "force", "backbone", "sag")
-    ),
-    *(
-        st.tuples(st.just(name), st.just(()), st.fixed_dictionaries({"f": anything, "F": anything}))
-        for name in ("amplitudes", "limit_envelope", "spectrum")
-    ),
-    st.tuples(
-        st.just("frequency_response"), st.tuples(anything), st.fixed_dictionaries({"f": windows, "samples": samples})
-    ),
-)
-#: of the second approximation
-second = st.one_of(
-    *(st.tuples(st.just(name), st.just(()), st.just({})) for name in ("saddle_node_onset", "detachment")),
-    *(st.tuples(st.just(name), st.tuples(anything), st.just({})) for name in ("peak", "saddle_nodes")),
-    st.tuples(
-        st.just("frequency_response"),
-        st.tuples(anything),
-        st.fixed_dictionaries({"Omega": windows, "samples": samples}),
-    ),
-    st.tuples(st.just("amplitudes"), st.just(()), st.fixed_dictionaries({"Omega": anything, "F_0": anything})),
-)
-#: of batches: their parameters are arrays of what single oscillators take
-columns = st.lists(numbers, min_size=0, max_size=4) | anything
-batches = st.fixed_dictionaries({name: columns for name in ("lam", "r", "delta_h", "mu", "zeta")})
-of_batches = st.one_of(
-    *(st.tuples(st.just(name), st.just(()), st.just({})) for name in ("saddle_node_onset", "detachment")),
-    *(
-        st.tuples(st.just(name), st.tuples(columns), st.just({}))
-        for name in ("peak", "saddle_nodes", "certify", "margins", "hysteresis", "isolation")
-    ),
-    st.tuples(st.just("amplitudes"), st.just(()), st.fixed_dictionaries({"Omega": columns, "F_0": columns})),
-    st.tuples(st.just("frequency_response"), st.tuples(columns), st.just({"samples": 5})),
-)
-#: motions of the equation itself, each of them a second at most
-motions = st.tuples(st.just("steady_state"), st.just(()), st.fixed_dictionaries({"Omega": anything, "F_0": anything}))
 #: refusals: each has words
 REFUSED = (ValueError, TypeError, ArithmeticError)
+#: of an answer: what follows motions of the equation itself, and what draws
+LONG = ("measure", "plot", "plot_map")
+#: processor time within which a question is promised to end
+AT_MOST = 60.0
+
+often = settings(max_examples=300, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
+seldom = settings(often, max_examples=60)
 
 
 def undefined(value):
@@ -130,68 +62,133 @@ def undefined(value):
     return isinstance(value, (float, np.ndarray)) and np.asarray(value).dtype.kind == "f" and np.isnan(value).any()
 
 
-def asked_all(make, asked):
+def answered(question):
+    """The answer, None for a refusal in words; neither takes longer than is promised."""
+    start = time.process_time()
+    try:
+        return question()
+    except REFUSED as refusal:
+        assert str(refusal)
+        return None
+    finally:
+        assert time.process_time() - start < AT_MOST
+
+
+def read(answer, beside=()):
+    """All that an answer has, and gives without further numbers: gradients, tables, decibels, words."""
+    if isinstance(answer, Batch):
+        no_nan_with_an_answer(answer)
+    elif hasattr(answer, "message"):
+        found = [value for value in vars(answer).values() if undefined(value)]
+        assert not found or answer.message
+    if not isinstance(answer, Answer):
+        assert not (isinstance(answer, float) and undefined(answer))
+        return
+    assert str(answer)
+    for name in dir(type(answer)):
+        if name.startswith("_") or (name in LONG and name not in beside):
+            continue
+        found = answered(lambda name=name: getattr(answer, name))
+        if callable(found) and not isinstance(found, type):
+            needed = [one.default is one.empty for one in inspect.signature(found).parameters.values()]
+            if not any(needed):
+                answered(found)
+
+
+def no_nan_with_an_answer(batch):
+    """No NaN where the status says that there is an answer, and none that is of the wrong sign."""
+    known = {"A", "Omega", "F_SN", "F_cr", "Omega_cr"}
+    known -= {"A"} if isinstance(batch, ManyIsolations) else set()  # where all isolates no motion transmits F_0
+    known -= {"F_SN"} if isinstance(batch, ManyMargins) else set()  # its status is `onset`
+    answered = np.asarray(batch.status) == Status.OK
+    for column in known:
+        values = np.asarray(getattr(batch, column, 0.0))
+        if values.shape == answered.shape:
+            assert (values[answered] >= 0).all()
+
+
+def asked_all(make, asked, beside=()):
     """Everything that is asked of what is made is answered, or refused in words, without a warning."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         # meant for the user
         warnings.filterwarnings("ignore", message=".*negative stiffness at rest")
         warnings.simplefilter("ignore", Implausible)
-        try:
-            oscillator = make()
-        except REFUSED as refusal:
-            assert str(refusal)
+        if (oscillator := answered(make)) is None:
             return
-        for name, arguments, named in asked:
-            try:
-                answer = getattr(oscillator, name)(*arguments, **named)
-            except REFUSED as refusal:
-                assert str(refusal)
-                continue
-            found = [value for value in vars(answer).values() if undefined(value)] if hasattr(answer, "message") else []
-            assert not found or answer.message
+        for name, (arguments, named) in asked:
+            read(answered(lambda: getattr(oscillator, name)(*arguments, **named)), beside)  # noqa: B023  asked at once
+
+
+@pytest.mark.parametrize("kind", OF_CLASS)
+def test_every_public_question_is_asked_here(kind):
+    public = {name for name in dir(kind) if not name.startswith("_") and callable(getattr(kind, name))}
+    assert public - NO_QUESTIONS - {"instead", "stays", "rubs"} == set(OF_CLASS[kind])
+
+
+oscillators = st.tuples(st.just(Isolator), st.fixed_dictionaries(ISOLATORS))
+oscillators |= st.tuples(st.just(Duffing), st.fixed_dictionaries(DUFFINGS))
 
 
 @pytest.mark.both_backends
-@settings(max_examples=300, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
-@given(oscillators, st.lists(questions, min_size=1, max_size=3))
+@often
+@given(oscillators, st.lists(any_of(AVERAGED), min_size=1, max_size=3))
 def test_an_answer_or_a_refusal_in_words(made, asked):
     kind, parameters = made
     asked_all(lambda: kind(**parameters), asked)
 
 
-@settings(max_examples=150, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
-@given(oscillators, st.lists(second, min_size=1, max_size=2))
+@settings(often, max_examples=150)
+@given(oscillators, st.lists(any_of(SECOND), min_size=1, max_size=2))
 def test_the_second_approximation_answers_or_refuses_in_words(made, asked):
     kind, parameters = made
     asked_all(lambda: kind(**parameters).second_approximation, asked)
 
 
-@settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
-@given(oscillators, st.lists(motions, min_size=1, max_size=2))
+@pytest.mark.slow
+@seldom
+@given(oscillators, st.lists(any_of(OFF_CENTRE), min_size=1, max_size=2))
+def test_motions_off_the_centre_are_answered_or_refused_in_words(made, asked):
+    kind, parameters = made
+    asked_all(lambda: kind(**parameters).off_centre, asked)
+
+
+@pytest.mark.slow
+@seldom
+@given(oscillators, st.lists(any_of(MOTIONS), min_size=1, max_size=2))
 def test_an_exact_motion_is_answered_or_refused_in_words(made, asked):
     kind, parameters = made
     asked_all(lambda: kind(**parameters), asked)
 
 
+@pytest.mark.slow
+@settings(often, max_examples=30)
+@given(oscillators, any_of({**PICTURES, **FOLDS, **AT}))
+def test_a_picture_and_a_measured_error_are_answered_or_refused_in_words(made, asked):
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    kind, parameters = made
+    asked_all(lambda: kind(**parameters), [asked], beside=("measure", "plot"))
+    pyplot.close("all")
+
+
 @pytest.mark.both_backends
-@settings(max_examples=150, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
-@given(batches, st.lists(of_batches, min_size=1, max_size=2))
+@settings(often, max_examples=150)
+@given(st.fixed_dictionaries(BATCHES), st.lists(any_of(OF_BATCHES), min_size=1, max_size=2))
 def test_a_batch_has_numbers_or_a_status(given_numbers, asked):
-    """No NaN where the status says that there is an answer, and no answer that is none of the right sign."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        for name, arguments, named in asked:
-            try:
-                found = getattr(Isolator.many(**given_numbers), name)(*arguments, **named)
-            except REFUSED as refusal:
-                assert str(refusal)
-                continue
-            answered = np.asarray(found.status) == Status.OK
-            for column in ("F_cr", "F_SN", "A", "Omega", "Omega_cr"):
-                values = np.asarray(getattr(found, column, 0.0))
-                if values.shape == answered.shape:
-                    assert (values[answered] >= 0).all()
+    asked_all(lambda: Isolator.many(**given_numbers), asked)
+
+
+@settings(often, max_examples=100)
+@given(st.fixed_dictionaries(BATCHES), st.lists(any_of(OF_SECOND_BATCHES), min_size=1, max_size=2))
+def test_a_batch_of_the_second_approximation_has_numbers_or_a_status(given_numbers, asked):
+    asked_all(lambda: Isolator.many(**given_numbers).second_approximation, asked)
+
+
+@pytest.mark.slow
+@seldom
+@given(st.fixed_dictionaries({**BATCHES, "load": columns}), any_of(OF_LOADED_BATCHES))
+def test_a_batch_off_the_centre_has_numbers_or_a_status(given_numbers, asked):
+    asked_all(lambda: Isolator.many(**given_numbers), [asked])
 
 
 SCENE = (Path(__file__).parents[1] / "scenes" / "table_1.toml").read_text(encoding="utf-8")
@@ -202,7 +199,7 @@ VALUES = st.one_of(
 
 
 @pytest.mark.slow
-@settings(max_examples=150, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
+@settings(often, max_examples=150)
 @given(st.integers(0, 6), VALUES)
 def test_a_scene_with_any_value_is_answered_or_refused_in_words(place, value):
     """The file of Table 1 with one of its values replaced: an exit code and words, and no traceback."""
@@ -222,7 +219,7 @@ def test_a_scene_with_any_value_is_answered_or_refused_in_words(place, value):
         assert code == 0 or words.getvalue().strip()
 
 
-@settings(max_examples=100, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
+@settings(often, max_examples=100)
 @example(1.7e308, 1.0, 1.0, "mu")
 @example(0.0, 1.0, 1e-160, "mu")
 @example(0.0, 1.0, 5e-324, "mu")
@@ -247,7 +244,14 @@ def test_sizing_is_answered_or_refused_in_words(part, F_0, bound, name):
 
 
 @pytest.mark.slow
-@settings(max_examples=300, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
-@given(sheets, st.lists(physical, min_size=1, max_size=3))
+@often
+@given(st.fixed_dictionaries(SHEETS), st.lists(any_of(IN_UNITS), min_size=1, max_size=3))
 def test_a_data_sheet_is_answered_or_refused_in_words(sheet, asked):
     asked_all(lambda: Isolator.physical(**sheet), asked)
+
+
+@pytest.mark.slow
+@settings(often, max_examples=30)
+@given(st.fixed_dictionaries(SHEETS), any_of(MOTIONS_IN_UNITS))
+def test_a_motion_of_a_data_sheet_is_answered_or_refused_in_words(sheet, asked):
+    asked_all(lambda: Isolator.physical(**sheet), [asked])

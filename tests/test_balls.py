@@ -271,3 +271,30 @@ def test_without_viscous_damping_what_is_born_is_proved_for_any_stiffness_at_res
     found = proofs.onset(iso.model)
     assert found.proved
     assert found.message == said[True]
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("delta_h", [1e-10, 1e-20, 1e-67])
+@pytest.mark.parametrize("mu", [0.0, 0.01])
+def test_undamped_folds_next_to_the_corner_have_a_frequency(delta_h, mu):
+    """Both lie within 1e-10 of u_cr, where R^2 + m^2 = F_0^2: they were said to be proved at Omega = inf.
+
+    Doubles do not tell them apart: balls do, where they are asked.
+    """
+    lam, r, F_0 = 3, 2.974727746287969, 0.49
+    with mpmath.workdps(80):
+        u, preload = mpmath.mpf(1), mpmath.mpf(delta_h)
+        u = mpmath.sqrt(1 - (1 - preload) ** 2)
+        stiffness, m = lam * mpmath.mpf(r), 4 * mpmath.mpf(mu) / mpmath.pi
+        # (6) of Table 1's kind: 1 - lam r delta_h and so on, below u_cr
+        alpha = 1 - stiffness * preload
+        beta, gamma = stiffness * (1 - preload) / 2, stiffness * 3 * (1 - preload) / 8
+        h = -(alpha * u + 3 * beta * u**3 / 4 + 5 * gamma * u**5 / 8)
+        Omega = float(mpmath.sqrt((mpmath.sqrt(mpmath.mpf(F_0) ** 2 - m**2) - h) / u))
+    one = Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu)
+    many = Isolator.many(lam=lam, r=r, delta_h=[delta_h, delta_h], mu=mu).saddle_nodes(F_0)
+    for found in (one.saddle_nodes(F_0).Omega, many.Omega[0, : many.count[0]]):
+        assert len(found) in (0, 2)
+        assert found == pytest.approx([Omega] * len(found), rel=1e-9)
+    proof = answers.saddle_nodes(one.model, F_0)
+    assert proof.proved and proof.Omega == pytest.approx(np.full((2, 2), Omega), rel=1e-9)

@@ -7,6 +7,7 @@ import json
 import warnings
 from pathlib import Path
 
+import mpmath
 import numpy as np
 import pytest
 import sympy as sp
@@ -234,3 +235,20 @@ def test_folds_on_a_base_come_at_the_onset(number):
     below, above = (osc.saddle_nodes(onset.F_SN * factor) for factor in (1 - 1e-4, 1 + 1e-4))
     assert len(below) == 0
     assert min(abs(above.A - onset.A)) < 0.1 * onset.A
+
+
+@pytest.mark.parametrize("F_0", [1.0, 1e20, 1e60, 1e150])
+@pytest.mark.parametrize("c_2", [1e20, 1e100, 1e150, 1e200, 1.7e308])
+def test_quadratic_damping_of_any_size_is_answered_or_refused_as_beyond_doubles(c_2, F_0):
+    """Far beyond resonance under inertia A^2 (1 + (8 c_2 A/3 pi)^2) = F_0^2; it was said to be 0, or a KeyError."""
+    iso = Isolator(lam=1.3, r=1.0, delta_h=1.5e-4, mu=0.65, zeta=1.4, excitation="unbalance", c_2=c_2)
+    with mpmath.workdps(400):  # some products have 300 digits before the point
+        d = 8 * mpmath.mpf(c_2) / (3 * mpmath.pi)
+        full = float(mpmath.sqrt(2 * mpmath.mpf(F_0) ** 2 / (1 + mpmath.sqrt(1 + 4 * (d * mpmath.mpf(F_0)) ** 2))))
+    try:
+        found = iso.frequency_response(F_0, samples=20, Omega=(0.0, 1e35))
+    except OverflowError as refusal:
+        assert "leave the range of doubles" in str(refusal)
+        assert c_2 * F_0 > 1e70  # ordinary numbers are not refused
+    else:
+        assert found.A.max() == pytest.approx(full, rel=1e-6)

@@ -344,3 +344,38 @@ def test_no_rounding_of_the_load_s_balance_keeps_a_shock_from_beginning():
             for one in (centred.replace(load=load), centred)
         )
         assert found.series().u - load == pytest.approx(plain.series().u, abs=1e-9 * plain.A + 1e-12 * abs(load))
+
+
+@pytest.mark.parametrize("load", [0.01, 0.1])
+def test_a_shock_that_rounding_of_the_load_hides_is_refused_and_others_are_linear(load):
+    """Small motions about a place of rest are linear: it was said to be 93 times, or inf times, what it is."""
+    loaded = Isolator(lam=3, r=2, delta_h=0.08, zeta=0.02, load=load)
+    ratio = (
+        Duffing(float(loaded.rest().stiffness[0]), 0.0, zeta=0.02).shock_spectrum(acceleration=1.0, duration=1.0).ratio
+    )
+    for peak in (1e-7, 1e-9, 1e-11):
+        found = loaded.shock_spectrum(acceleration=peak, duration=1.0).ratio
+        assert found == pytest.approx(ratio, rel=1e-5 + 1e-14 / peak)
+    for peak in (1e-14, 1e-17, 5e-324):
+        with pytest.raises(ArithmeticError, match="too weak to be followed beside u = 0"):
+            loaded.shock_spectrum(acceleration=peak, duration=1.0)
+    many = Isolator.many(lam=3, r=2, delta_h=0.08, zeta=0.02, load=[load, load])
+    status = many.shock_spectrum(acceleration=[1e-17, 1e-7], duration=1.0).status
+    assert status.tolist() == [Status.UNRESOLVED, Status.OK]
+    # what friction holds moves with its base, however weakly that is shaken
+    held = loaded.replace(mu=0.01).transient(acceleration=1e-17, duration=1.0)
+    assert held.rests and held.a_max == pytest.approx(1e-17)
+
+
+def test_a_pulse_whose_frequency_is_beyond_doubles_is_refused():
+    """It warned of an overflow; a batch has a status."""
+    mount = isolator()
+    for ask in (mount.transient, mount.shock_spectrum):
+        with pytest.raises(
+            ValueError, match=r"duration = 1e-310 is not allowed: duration must be a finite real number >"
+        ):
+            ask(acceleration=0.1, duration=1e-310)
+    with pytest.raises(ValueError, match="tau rising"):
+        mount.transient(acceleration=[0.1, 0.2], tau=[0.0, 1e-310])
+    many = Isolator.many(lam=3, r=2, delta_h=0.08, zeta=0.02).shock_spectrum(acceleration=0.1, duration=[1e-310, 1.0])
+    assert many.status.tolist() == [Status.INVALID, Status.OK]

@@ -566,6 +566,17 @@ def test_within_a_play_no_mean_is_singled_out_and_that_is_said():
     assert swept.A == pytest.approx([A, F_0 / (0.7 * np.hypot(0.7, 2 * zeta))], rel=1e-7)
 
 
+@pytest.mark.parametrize("excitation", ["force", "unbalance"])
+def test_without_a_spring_no_mean_is_singled_out_either(excitation):
+    """It was an IndexError: there is no breakpoint that the words could name."""
+    free, Omega, F_0, zeta = Duffing(0.0, 0.0, zeta=0.1, excitation=excitation), 0.9, 0.05, 0.1
+    A = F_0 * (1.0 if excitation == "force" else Omega**2) / (Omega * np.hypot(Omega, 2 * zeta))
+    for ask in (free.steady_state, lambda Omega, F_0: free.exact_response(F_0, Omega=(Omega, 1.1))):
+        with pytest.raises(ArithmeticError, match=f"amplitude {A:.6g} stays where no force brings its mean back"):
+            ask(Omega=Omega, F_0=F_0)
+    assert free.steady_state(Omega=Omega, F_0=F_0, A=A).A == pytest.approx(A, rel=1e-12)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("compiled", [False, True])
 def test_ends_that_do_not_rise_with_the_numbers_given_are_refused(compiled):

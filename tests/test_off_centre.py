@@ -925,3 +925,36 @@ def test_a_forcing_beyond_all_sizes_is_refused_before_it_takes_the_memory():
     """Its motions span a thousand octaves, and boxes of all of them tens of gigabytes."""
     with pytest.raises(ArithmeticError, match=r"amplitudes may be as large as .* beyond the range of doubles"):
         Isolator(lam=3, r=2.03, delta_h=0.082, mu=0.012, zeta=0.02, load=0.03).saddle_nodes(1e290)
+
+
+def test_how_far_folds_are_looked_for_is_not_said_where_nothing_damps():
+    """It divided by the damping, with a warning."""
+    with pytest.raises(ValueError, match="A_max needs zeta > 0, eta > 0 or c_2 > 0 off the centre"):
+        Isolator(lam=2, r=0.3, delta_h=0.3).off_centre.A_max(1.3)
+    with pytest.raises(ValueError, match=r"F_0 = -1\.0 is not allowed"):
+        isolator().off_centre.A_max(-1.0)
+
+
+def test_a_load_of_any_size_is_answered_or_refused_without_a_warning():
+    """Bounds on the mean are products that leave the range of doubles: they did with a warning."""
+    for load in (1e60, 1e150, 1.7e308):
+        loaded = Isolator(lam=3, r=2, delta_h=0.08, zeta=0.1, load=load)
+        for ask in (loaded.rest, loaded.detachment, lambda of=loaded: of.saddle_nodes(0.1)):
+            try:
+                assert ask().message
+            except ArithmeticError as refusal:
+                assert "unresolved" in str(refusal)
+    many = Isolator.many(lam=3, r=2, delta_h=0.08, zeta=0.1, load=[1.7e308, 0.01]).rest()
+    assert many.status.tolist() == [Status.NO_BOUND, Status.OK]
+
+
+def test_a_farthest_motion_whose_frequency_doubles_do_not_tell_is_refused():
+    """Its Omega was NaN, beside A = 7e15, with a warning: damping is next to none, and the spring at rest too."""
+    spring = Duffing(0.0, 0.003, zeta=3e-15, eta=0.085, excitation="unbalance", load=0.003)
+    for F_0 in (1e-6, 1e-3, 0.1):
+        try:
+            found = spring.peak(F_0)
+        except ArithmeticError as refusal:
+            assert "doubles do not tell the frequency" in str(refusal)
+        else:
+            assert found.message if found.Omega is None else found.Omega > 0

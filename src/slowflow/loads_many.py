@@ -210,7 +210,8 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
     status = np.where(folds.status == Status.STICKS, Status.OK, folds.status)
     for one, asked in ((onsets, True), (detachments, True), (peaks, np.isfinite(F_cr))):
         status = np.where((status == Status.OK) & np.isin(one.status, FAILED) & asked, one.status, status)
-    columns = {"F_SN": F_SN, "F_cr": F_cr, "of_SN": F_SN / forcing, "of_cr": F_cr / forcing}
+    with np.errstate(all="ignore"):  # what is no forcing has no share of one
+        columns = {"F_SN": F_SN, "F_cr": F_cr, "of_SN": F_SN / forcing, "of_cr": F_cr / forcing}
     columns["Omega_sticks"] = np.where(sticks, math.inf, sticks_below)
     codes = {"kind": onsets.kind, "detaches": detaches, "sticks": sticks}
     known: dict[str, Any] = {

@@ -269,7 +269,8 @@ def _with_proved(
 def _middle(enclosed: Floats, known: Floats | None) -> Floats:
     """What was known, where enclosures hold it, else their middles; NaN where they are too wide for that."""
     low, high = enclosed.T
-    middle = np.where(high - low <= _NARROW * high, enclosed.mean(axis=1), np.nan)
+    narrow = np.isfinite(high) & (high - low <= _NARROW * high)
+    middle = np.where(narrow, enclosed.mean(axis=1), np.nan)
     return middle if known is None else np.where((low <= known) & (known <= high), known, middle)
 
 

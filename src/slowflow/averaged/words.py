@@ -136,6 +136,14 @@ def unresolved(model: Model, F_0: float) -> str:
     return said + _or_not_known(model)
 
 
+def beyond_range(model: Model, F_0: float) -> str:
+    """That forces at the amplitudes of states are too large to be squared."""
+    return (
+        f"the response is unresolved at F_0 = {F_0:.17g} with {model.laws.told()}: squares of the forces at its "
+        "amplitudes leave the range of doubles"
+    )
+
+
 def _or_not_known(model: Model) -> str:
     """What else may leave an answer unresolved where averages are quadratures."""
     return ", or the average does not settle at some amplitude" if model.mechanism.enclosed is not None else ""

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import sys
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -43,6 +44,8 @@ OTHER = (
     "another curve is not part of this one: averaging has it at Omega = {Omega:.4g}, A = {A:.4g}; "
     "start = steady_state(Omega={Omega:.4g}, F_0={F_0:.4g}, A={A:.4g}) leads to it"
 )
+#: a pulse, or a step of a record, whose frequency is beyond the range of doubles
+SHORTEST = math.pi / sys.float_info.max
 NOWHERE = "no shock: there is no stable place of rest that the mass could begin at"
 SEVERAL = "there are several stable places of rest: the mass begins at that nearest to the centre"
 UNKNOWN = "whether there are other curves is not known, averaging does not say: {}"
@@ -178,10 +181,10 @@ def transient(
     begin = 0.0
     if duration is not None:
         peak = validate.number("acceleration", acceleration)
-        arcs = half_sine(peak, validate.number("duration", duration, above=0.0))
+        arcs = half_sine(peak, validate.number("duration", duration, above=SHORTEST))
     else:
         times, samples = validate.finite_array("tau", tau), validate.finite_array("acceleration", acceleration)
-        if times.ndim != 1 or times.shape != samples.shape or times.size < 2 or not (np.diff(times) > 0).all():
+        if times.ndim != 1 or times.shape != samples.shape or times.size < 2 or not (np.diff(times) > SHORTEST).all():
             shapes = f"{times.shape} and {samples.shape}"
             raise ValueError(f"tau and acceleration must be two rows of as many numbers, tau rising: not of {shapes}")
         arcs, begin = record(times, samples), float(times[0])
@@ -231,6 +234,7 @@ def shocks(averaged: Any, system: EquationOfMotion, acceleration: Any, duration:
         "duration": validate.positive_array("duration", duration),
     }
     shape = validate.common_shape(pulses)
+    validate.number("duration", float(pulses["duration"].min(initial=1.0)), above=SHORTEST)
     at, said = _at_rest(averaged, system)
     peaks, spans = (np.broadcast_to(values, shape).ravel() for values in pulses.values())
     found = shock_spectrum(system, peaks, spans, at)

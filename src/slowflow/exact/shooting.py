@@ -59,8 +59,8 @@ FARTHER, SEEN = 60, 100.0
 SLOPES = 16
 
 ADRIFT = (
-    "no steady state is singled out at Omega = {Omega:g}, F_0 = {F_0:g}: a motion of amplitude {A:.6g} stays within "
-    "|u| = {gap:g}, where no force brings its mean back, and each such mean is as good as another; "
+    "no steady state is singled out at Omega = {Omega:g}, F_0 = {F_0:g}: a motion of amplitude {A:.6g} stays {where} "
+    "no force brings its mean back, and each such mean is as good as another; "
     "A = {A:.6g} gives the one about u = 0"
 )
 
@@ -563,8 +563,9 @@ def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, 
     if settled.found is not None:
         return settled.found
     if settled.adrift is not None:
-        A, gap = settled.adrift.A, forced.system.force.breakpoints[0]
-        raise ArithmeticError(ADRIFT.format(Omega=forced.Omega, F_0=forced.F_0, A=A, gap=gap))
+        ends = forced.system.force.breakpoints
+        where = f"within |u| = {ends[0]:g}, where" if ends else "where"
+        raise ArithmeticError(ADRIFT.format(Omega=forced.Omega, F_0=forced.F_0, A=settled.adrift.A, where=where))
     if settled.repeats:
         raise NotSettled(RESTS_AT_JUMP.format(Omega=forced.Omega, F_0=forced.F_0, A=_largest(settled.phases)))
     if at_rest(settled.phases):

@@ -30,6 +30,12 @@ NO_PULSE = "a pulse needs either its duration, of a half sine, or tau, the times
 ARC = 1e-3
 #: share of load and forcing by which their balance may be off, and by which a motion begins behind its place of rest
 ROUNDING, BACK = 2.0**-50, 2.0**-47
+#: what the place of rest is off by may be this share of a pulse
+WEAK = 2.0**-10
+TOO_WEAK = (
+    "a pulse of {:g} is too weak to be followed beside u = {:g}, where the mass rests: rounding of that place and of "
+    "its load is {:.2g} of it"
+)
 #: for how long the free motion is shown: ten periods of the mass on k_v alone
 AFTER = 10 * TURN
 
@@ -150,8 +156,12 @@ def transient(
 
     It is followed until the mass has turned twice since, or friction holds it: a free motion only loses energy, so that
     A and a_max are the largest for all time. Raises ArithmeticError where the motion escapes a softening spring,
-    chatters where the force jumps, or does not turn.
+    chatters where the force jumps, or does not turn, and off the centre where a pulse is lost beside the load.
     """
+    peak, off_by = float(arcs[:, 2].max()), BACK * max(abs(at), abs(system.load))
+    held = peak + off_by <= system.holds(system.force.region_of(at))
+    if 0 < peak < off_by / WEAK and not held:
+        raise ArithmeticError(TOO_WEAK.format(peak, at, off_by / peak))
     forced = replace(system, inertial=False)  # an acceleration is a force, whatever else the oscillator is excited by
     stretches = list(_followed(forced, arcs, begin, after, at, integrator or default_integrator(system)))
     phases = [(stretch, phase) for stretch in stretches for phase in stretch.phases]

@@ -20,7 +20,7 @@ from slowflow.off_centre.equations import Fold
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.onset import Lowest, Search
-from slowflow.off_centre.sheets import TOO_FAR, Corner, Sheets
+from slowflow.off_centre.sheets import FARTHEST, TOO_FAR, Corner, Sheets
 from slowflow_kernels import off_centre, slow_flow
 
 #: octaves of the amplitude that are looked at apart from the first, below and above the size of the problem
@@ -133,12 +133,15 @@ class Complete:
                 raise ValueError(UNBOUNDED)
             return (A + settled) * (1 + 2.0**-40)
         try:
-            return max(self._outer_bound(np.trim_zeros(last, "b"), A) for last in self._steps.outer)
+            bound = max(self._outer_bound(np.trim_zeros(last, "b").tolist(), A) for last in self._steps.outer)
         except OverflowError:  # of a power of A, in Python's words
-            raise OverflowError(TOO_FAR.format(A)) from None
+            bound = math.inf
+        if not bound < FARTHEST:
+            raise OverflowError(TOO_FAR.format(max(A, bound)))
+        return bound
 
-    def _outer_bound(self, last: Floats, A: float) -> float:
-        n = last.size - 1
+    def _outer_bound(self, last: list[float], A: float) -> float:
+        n = len(last) - 1
         if n < 1:
             raise ValueError(UNBOUNDED)
         # coefficients of B^k in <f(B + A cos psi)>, |.| at most

@@ -584,8 +584,12 @@ class OffCentre(Unchanging):
         return Omega, float(at(Omega)[0][0, 0])
 
     def A_max(self, F_0: float) -> float:
-        """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as."""
-        return self._complete.A_max(F_0)
+        """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as.
+
+        Raises ValueError for F_0 <= 0, and where nothing is looked for, as `saddle_nodes`.
+        """
+        self._damped("A_max")
+        return self._complete.A_max(validate.number("F_0", F_0, above=0.0))
 
     def _folds(self, x: Floats, on_corner: Any, F_0: float, said: _Said) -> OffCentreFolds:
         """Folds in A, B and R; of which kind those on a corner are, "" for others."""

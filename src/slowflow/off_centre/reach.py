@@ -70,6 +70,7 @@ class Measure(NamedTuple):
 
 #: the amplitude; the largest |u|; the square of the frequency on the backbone, where that is not below 1
 AMPLITUDE = Measure(lambda A, B, p: A, lambda A, B, p: A.hi)
+NO_FREQUENCY = "how far motions go is unresolved: doubles do not tell the frequency at which they have A = {:g}"
 LARGEST = Measure(lambda A, B, p: A + np.abs(B), lambda A, B, p: A.hi + np.maximum(-B.lo, B.hi))
 BACKBONE = Measure(lambda A, B, p: np.maximum(p, 1.0), lambda A, B, p: np.maximum(p.hi, 1.0))
 
@@ -209,5 +210,8 @@ class Reach:
         return np.where(turns, np.stack((0 * f_0, f_0 / f_B)), both)
 
     def _highest(self, A: Floats, h: Floats, F_0: float) -> float:
-        """The highest frequency of a state."""
-        return float(np.nanmax(self.flow.frequencies(A, h, F_0)))
+        """The highest frequency of a state. Raises ArithmeticError where rounding leaves none."""
+        found = self.flow.frequencies(A, h, F_0)
+        if np.isnan(found).all():
+            raise ArithmeticError(NO_FREQUENCY.format(float(A[0])))
+        return float(np.nanmax(found))

@@ -119,7 +119,12 @@ class Asked:
 
     def frequencies(self, on: Cell) -> roots.Roots:
         """All roots of F: beyond some frequency R exceeds F_0."""
-        return roots.up_to(partial(self.F, on), flow.backbone(on.A, on.h - self.F_0).hi)
+        return roots.up_to(partial(self.F, on), self._highest(on))
+
+    def _highest(self, on: Cell) -> arb:
+        """The frequency beyond which R exceeds F_0."""
+        found: arb = flow.backbone(on.A, on.h - self.F_0).hi
+        return found
 
     def fold_frequencies(self, on: Cell) -> roots.Roots:
         """All roots of F_A: beyond some frequency R is positive, and Omega^2 + h_A."""
@@ -164,14 +169,13 @@ class Asked:
         return clipped(cell.k, high=-self.least.lo)
 
     def fold_Omega(self, cell: Cell) -> Enclosure:
-        """Omega of a fold from I, which exceeds m by little if damping is weak; then by F = 0."""
-        Omega: Enclosure
-        if self.zeta.hi == 0:
-            Omega = of_zeta_0.undamped_Omega(cell.h_A)
-            return Omega
+        """Omega of a fold from I, which exceeds m by little if damping is weak, or h_A; then by F = 0."""
         k, F = self._k_of_fold(cell), partial(self.F, cell)
-        *_, w = flow.fold(cell.A, self.F_0, self.m, self.zeta, cell.h, cell.h_A, k, cell.k_A)
-        Omega = roots.narrowed(F, w)
+        if self.zeta.hi == 0:  # next to a breakpoint where the force jumps h_A has no bound
+            w = clipped(of_zeta_0.undamped_Omega(cell.h_A), high=self._highest(cell))
+        else:
+            *_, w = flow.fold(cell.A, self.F_0, self.m, self.zeta, cell.h, cell.h_A, k, cell.k_A)
+        Omega: Enclosure = roots.narrowed(F, w)
         if Omega.width > WIDE * Omega.hi:  # two roots may lie in it: at the fold R has the sign of k
             found = roots.Roots([], [])
             roots.between(F, Omega.lo, Omega.hi, found)

@@ -41,8 +41,16 @@ def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
     """An amplitude above that of every steady state at F_0, and a remark in words where the response has to be cut.
 
     From there on |h| is too large for a state: it is so there, and rises up to where it has no bound in doubles. Raises
-    OverflowError where no such amplitude is found.
+    OverflowError where no such amplitude is found, or up to it numbers leave the range of doubles.
     """
+    found = _bounded(model, F_0)
+    if model.laws.any and not dissipated.is_in_range(model, F_0, found[0]):
+        raise OverflowError(words.beyond_range(model, F_0))
+    return found
+
+
+def _bounded(model: Model, F_0: float) -> tuple[float, str]:
+    """The same, of numbers of any size."""
     if model.zeta == 0 and not model.laws.any:
         return words.cut(model, F_0)
     rungs = max(2 * max(model.breakpoints, default=0.0), F_0) * _RUNGS

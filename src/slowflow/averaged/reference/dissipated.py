@@ -195,6 +195,12 @@ def _critical(c: list[Floats]) -> tuple[Floats, Floats]:
     return np.where(exist, w1, np.nan), np.where(exist, w2, np.nan)
 
 
+def is_in_range(model: Model, F_0: float, A_max: float) -> bool:
+    """Whether doubles hold squares of coefficients of the quartics up to an amplitude, and (d F_0)^2."""
+    one = Quartics(model, F_0, np.array([A_max]))
+    return bool(np.isfinite([*(c * c for c in one.c), [np.square(model.d * F_0)]]).all())
+
+
 def most_restoring(model: Model, F_0: float, rungs: Floats) -> tuple[Floats, float]:
     """What |h| is at most at a state of each amplitude, and an amplitude above all states that damping alone gives.
 

@@ -1,0 +1,221 @@
+"""Every public question, with what it may be asked: strategies of bad and extreme values out, by class and by name.
+
+A question that is not among them fails `tests/test_any_input.py`.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from hypothesis import strategies as st
+
+from slowflow.designs import Designs
+from slowflow.isolator import Isolator
+from slowflow.off_centre.many import OffCentreDesigns
+from slowflow.off_centre.questions import OffCentre
+from slowflow.physical import Physical
+from slowflow.second import SecondApproximation
+from slowflow.second.many import SecondDesigns
+
+#: zero, subnormal, near one, the ends of the range: where formulas break
+HARD = [0.0, -0.0, 5e-324, 1e-310, 1e-160, 1e-20, 1e-8, 0.99, 1 - 2**-53, 1.0, 1 + 2**-52, 1e8, 1e150, 1.7e308]
+#: what no argument may be
+WRONG = [math.nan, math.inf, -math.inf, -1.0, None, "1", [1.0], np.array([1.0, 2.0]), 1j, True, 10**400, object()]
+
+usual = st.floats(1e-6, 2.0) | st.floats(-6, 1).map(lambda exponent: 10.0**exponent)
+numbers = usual | st.sampled_from(HARD)
+
+
+#: numbers at which formulas break, and what is no number
+bad = st.sampled_from(HARD) | st.sampled_from(WRONG)
+
+
+def mostly(usually, otherwise=bad, among=8):
+    """One in so many is another: were each of ten numbers as often wrong as right, nothing would be answered."""
+    return st.integers(1, among).flatmap(lambda k: otherwise if k == among else usually)
+
+
+def seldom(usually, otherwise):
+    """Few of those that take longer, or that most questions refuse."""
+    return mostly(st.just(usually), otherwise)
+
+
+anything = mostly(usual)
+#: a word that a name may take, or none it may
+FORCES = mostly(st.sampled_from([None, "truncated", "untruncated"]), st.just("exact"))
+EXCITATIONS = st.sampled_from(["force", "base", "unbalance", "acceleration of the base", 1.0])
+RUBS = st.sampled_from(["throughout", "attached", "nowhere"])
+
+
+DAMPING = {
+    "mu": mostly(st.floats(0, 0.05)),
+    "zeta": mostly(st.floats(0, 0.2)),
+    "excitation": mostly(st.sampled_from(["force", "force", "base", "unbalance"]), EXCITATIONS),
+}
+BESIDE = {
+    "eta": seldom(0.0, mostly(st.floats(0, 0.2))),
+    "c_2": seldom(0.0, mostly(st.floats(0, 0.2))),
+    "load": seldom(0.0, mostly(st.floats(-0.1, 0.1))),
+}
+STATIC = {"mu_s": seldom(0.0, mostly(st.floats(0.05, 0.1)))}
+DESIGN = {"lam": mostly(st.sampled_from([1, 2, 3, 4])), "r": mostly(st.floats(0.2, 4))}
+DESIGN["delta_h"] = mostly(st.floats(0, 0.6))
+ISOLATORS = DESIGN | DAMPING | BESIDE | STATIC
+ISOLATORS |= {
+    "force": mostly(st.sampled_from(["truncated", "untruncated"]), st.just("exact")),
+    "rubs": seldom("throughout", RUBS),
+}
+DUFFINGS = {"alpha": mostly(st.floats(-0.5, 2)), "beta": mostly(st.floats(-1, 3)), **DAMPING, **BESIDE, **STATIC}
+#: a data sheet in SI units
+SHEETS = {
+    "m": mostly(st.floats(0.1, 100)),
+    "k_v": mostly(st.floats(10, 1e5)),
+    "k_h": mostly(st.floats(10, 1e5)),
+    "n": seldom(3, anything),
+    "L": mostly(st.floats(0.01, 1)),
+    "preload": mostly(st.floats(0, 0.01)),
+    "friction": mostly(st.floats(0, 1)),
+    "static_friction": seldom(None, anything),
+    "zeta": mostly(st.floats(0, 0.2)),
+    "c": seldom(None, anything),
+    "eta": seldom(0.0, anything),
+    "c_2": seldom(0.0, anything),
+    "rubs": seldom("throughout", RUBS),
+    "load": seldom(None, anything),
+    "force": seldom("truncated", st.just("untruncated")),
+    "excitation": seldom("force", EXCITATIONS),
+}
+#: of batches: their parameters are arrays of what single oscillators take
+columns = mostly(st.lists(numbers, min_size=3, max_size=3), st.lists(numbers, max_size=4) | anything, among=5)
+BATCHES = {name: columns for name in ("lam", "r", "delta_h", "mu", "zeta")}
+BATCHES |= {name: seldom(0.0, columns) for name in ("eta", "c_2", "load")}
+BATCHES |= {"rubs": seldom("throughout", RUBS), "excitation": DAMPING["excitation"]}
+BATCHES["force"] = mostly(st.sampled_from(["truncated", "untruncated"]), st.just("exact"))
+
+other_windows = st.tuples(numbers, numbers) | st.sampled_from([None, (1.0,), (2.0, 1.0)])
+windows = mostly(st.sampled_from([(0.0, 2.0), (0.5, 1.5)]), other_windows, among=4)
+samples = mostly(st.sampled_from([2, 10, 300]), st.sampled_from([1, 0, -3, 2.5, "many"]))
+steps = mostly(st.sampled_from([0.1, 0.3]))
+#: a row of frequencies, of times or of accelerations
+rows = mostly(st.lists(st.floats(0.5, 1.5), max_size=3), st.lists(numbers, max_size=3) | anything, among=4)
+
+
+def asked(*arguments, **named):
+    """How a question is asked: strategies of its arguments in, one of both kinds of arguments out."""
+    return st.tuples(st.tuples(*arguments), st.fixed_dictionaries(named))
+
+
+def shocks(times):
+    """A pulse, a record or something of both: times are called so."""
+    pulse = {"acceleration": anything, "duration": mostly(st.floats(0.5, 4.0))}
+    record = {"acceleration": rows, times: rows, "after": mostly(st.just(1.0))}
+    return asked(**pulse) | asked(**record)
+
+
+FOLDS = {"saddle_node_onset": asked(), "detachment": asked(), "saddle_nodes": asked(anything), "peak": asked(anything)}
+LOADS = {name: asked(anything) for name in ("margins", "hysteresis", "isolation")}
+CURVE = {"frequency_response": asked(anything, Omega=windows, samples=samples)}
+AT = {"amplitudes": asked(Omega=anything, F_0=anything)}
+SPECTRUM = {"spectrum": asked(Omega=rows, F_0=anything)}
+OF_FORCE = {name: asked(anything) for name in ("force", "stiffness", "backbone", "transmissibility_floor")}
+LOCUS = {"fold_locus": asked(A_max=anything, samples=samples)}
+LOCUS |= {name: asked(A_max=anything) for name in ("cusps", "isola_points")}
+
+AVERAGED = {
+    **FOLDS,
+    **LOADS,
+    **CURVE,
+    **AT,
+    **SPECTRUM,
+    **OF_FORCE,
+    **LOCUS,
+    "at_rest": asked(),
+    "rest": asked(),
+    "certify": asked(anything, Omega=anything),
+    "limit_envelope": asked(Omega=anything, F_0=anything),
+    "stability": asked(Omega=anything, A=anything),
+    "equivalent_damping": asked(Omega=anything, A=anything),
+    "closes": asked(anything),
+    "restoring_force": asked(FORCES),
+    "equation_of_motion": asked(FORCES),
+    "replace": st.sampled_from(["mu", "zeta", "excitation", "load", "mass"]).flatmap(
+        lambda name: asked(**{name: anything})
+    ),
+    "explain": asked(st.sampled_from(["saddle_nodes", "certify", "sweep", "cusps", "isolas", 1.0]), anything),
+    # of what other questions start from
+    "states": asked(Omega=anything, F_0=anything),
+    "folds": asked(anything),
+    "onset": asked(),
+    "curve": asked(anything, samples=samples, Omega=windows),
+}
+#: motions of the equation itself, each of them some seconds at most
+MOTIONS = {
+    "steady_state": asked(Omega=anything, F_0=anything, A=st.none() | anything, force=FORCES),
+    "exact_response": asked(anything, Omega=mostly(st.just((0.9, 1.1)), windows, among=4), step=steps, force=FORCES),
+    "sweep": asked(Omega=rows, F_0=anything, force=FORCES),
+    "transient": shocks("tau"),
+    "shock_spectrum": asked(acceleration=rows, duration=rows, force=FORCES),
+}
+PICTURES = {"plot": asked(anything, Omega=windows, of=st.sampled_from(["A", "phi", "transmissibility_dB", "B"]))}
+OFF_CENTRE = {**FOLDS, **LOADS, **CURVE, **AT, **SPECTRUM, "rest": asked(), "A_max": asked(anything)}
+EXPLAIN = {"explain": asked(st.sampled_from(["saddle_nodes", "cusps"]), anything)}
+SECOND = {**FOLDS, **CURVE, **AT, **EXPLAIN}
+IN_UNITS = {
+    **FOLDS,
+    **LOADS,
+    **OF_FORCE,
+    **LOCUS,
+    **EXPLAIN,
+    "frequency_response": asked(anything, f=windows, samples=samples),
+    "amplitudes": asked(f=anything, F=anything),
+    "spectrum": asked(f=rows, F=anything),
+    "limit_envelope": asked(f=anything, F=anything),
+    "certify": asked(anything, f=anything),
+    "at_rest": asked(),
+    "rest": asked(),
+    "sag": asked(anything),
+    "replace": st.sampled_from(["m", "zeta", "c", "load", "mu"]).flatmap(lambda name: asked(**{name: anything})),
+}
+MOTIONS_IN_UNITS = {
+    "steady_state": asked(f=anything, F=anything, A=st.none() | anything, samples=samples),
+    "exact_response": asked(anything, f=windows, step=steps),
+    "sweep": asked(f=rows, F=anything),
+    "transient": shocks("t"),
+    "shock_spectrum": asked(acceleration=rows, duration=rows),
+}
+PICTURES_IN_UNITS = {"plot": asked(anything, f=windows, of=st.sampled_from(["A", "phi", "B"]))}
+PARTS = {"places": st.sampled_from([1, 6, 0, "all"]), "workers": st.sampled_from([1, 2, 0, None])}
+PULSES = {name: asked(acceleration=columns, duration=columns) for name in ("transient", "shock_spectrum")}
+MANY = {
+    **{name: asked() for name in ("saddle_node_onset", "detachment")},
+    **{name: asked(columns) for name in ("peak", "margins", "isolation")},
+    **{name: asked(columns, **PARTS) for name in ("saddle_nodes", "hysteresis")},
+    **PULSES,
+    "amplitudes": asked(Omega=columns, F_0=columns),
+    "frequency_response": asked(columns, samples=st.sampled_from([5, 1]), Omega=st.just((0.5, 1.5)) | windows),
+    "spectrum": asked(Omega=columns, F_0=columns),
+}
+OF_BATCHES = {**MANY, "certify": asked(columns, Omega=st.none() | columns), "at_rest": asked()}
+OF_LOADED_BATCHES = {**MANY, "rest": asked()}
+OF_SECOND_BATCHES = {name: MANY[name] for name in ("saddle_node_onset", "detachment", "peak", "saddle_nodes")}
+OF_SECOND_BATCHES |= {name: MANY[name] for name in ("amplitudes", "frequency_response")}
+
+#: every question of each class
+OF_CLASS = {
+    Isolator: {**AVERAGED, **MOTIONS, **PICTURES},
+    OffCentre: OFF_CENTRE,
+    SecondApproximation: SECOND,
+    Physical: {**IN_UNITS, **MOTIONS_IN_UNITS, **PICTURES_IN_UNITS},
+    Designs: OF_BATCHES,
+    OffCentreDesigns: OF_LOADED_BATCHES,
+    SecondDesigns: OF_SECOND_BATCHES,
+}
+#: public, and asked by other methods: what makes oscillators, what measures answers, what refuses, what draws maps
+NO_QUESTIONS = {"many", "physical", "measured_states", "measured_folds", "at_centre", "only_for_a_force"}
+NO_QUESTIONS |= {"only_for_plain_damping", "ask", "model", "remarks", "spanned", "untruncated_onset"}
+
+
+def any_of(questions):
+    """One of the questions: its name, arguments and named ones."""
+    return st.one_of(*(st.tuples(st.just(name), how) for name, how in questions.items()))
