@@ -26,7 +26,6 @@ from tests.public_questions import (
     AVERAGED,
     BATCHES,
     DUFFINGS,
-    FOLDS,
     IN_UNITS,
     ISOLATORS,
     MOTIONS,
@@ -162,8 +161,8 @@ def test_an_exact_motion_is_answered_or_refused_in_words(made, asked):
 
 
 @pytest.mark.slow
-@settings(often, max_examples=30)
-@given(oscillators, any_of({**PICTURES, **FOLDS, **AT}))
+@settings(often, max_examples=12)
+@given(oscillators, any_of({**PICTURES, **AT}))
 def test_a_picture_and_a_measured_error_are_answered_or_refused_in_words(made, asked):
     pyplot = pytest.importorskip("matplotlib.pyplot")
     kind, parameters = made

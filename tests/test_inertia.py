@@ -560,3 +560,12 @@ def test_isola_points_have_the_frequency_of_40_digits_where_it_turns_quickly_wit
                 lambda *at: [mpmath.diff(squared_level, at, order) for order in ((1, 0), (0, 1))], (Omega, A)
             )
             assert abs(Omega / sure[0] - 1) < 1e-14 and abs(A / sure[1] - 1) < 1e-14
+
+
+@pytest.mark.both_backends
+def test_a_base_that_hardly_shakes_sticks_at_any_frequency_without_a_warning():
+    """Omega^2 = 4 mu/(pi F_0) is beyond the range of doubles."""
+    iso = Isolator(lam=3, r=2, delta_h=0.08, mu=0.01, zeta=0.05, excitation="base")
+    for ask in (iso.amplitudes, iso.second_approximation.amplitudes):
+        found = ask(Omega=0.9, F_0=5e-324)
+        assert len(found) == 0 and "sticks up to Omega = inf" in found.message

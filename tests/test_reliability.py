@@ -6,6 +6,7 @@ import itertools
 import math
 import multiprocessing
 import os
+import re
 import subprocess
 import sys
 import time
@@ -114,14 +115,33 @@ def test_designs_that_take_50_ms_each_are_asked_few_at_a_time(monkeypatch):
     assert asked == 1000
 
 
+#: minutes, each
+LONG = {
+    "an exact curve": "isolator().exact_response(0.04, step=1e-6)",
+    "a sweep": "isolator().sweep(Omega=np.linspace(0.5, 1.5, 10**6), F_0=0.04)",
+    "a record": "isolator().transient(acceleration=np.sin(np.arange(2e6)), tau=np.arange(2e6))",
+    "a shock spectrum": "isolator().shock_spectrum(acceleration=np.full(10**6, 0.1), duration=2.0)",
+    "a load spectrum": "isolator().spectrum(Omega=np.linspace(0.5, 1.5, 10**6), F_0=np.linspace(0.02, 0.04, 10**6))",
+    "states off the centre": "isolator(load=0.01).amplitudes(Omega=np.linspace(0.5, 1.5, 10**6), F_0=0.04)",
+    "folds of a batch off the centre": "Isolator.many(**batch, load=0.01).saddle_nodes(0.04)",
+    "shocks of a batch off the centre": "Isolator.many(**batch, load=0.01).shock_spectrum(acceleration=1, duration=1)",
+}
+
+
 @pytest.mark.slow
 @native_only
-def test_ctrl_c_ends_an_exact_curve():
+@pytest.mark.parametrize("what", LONG)
+def test_ctrl_c_ends_what_takes_minutes(what):
     program = (
-        "from slowflow.paper.example import isolator\n"
-        "print('asked', flush=True); isolator().exact_response(0.04, step=1e-6); print('answered', flush=True)"
+        "import numpy as np; from slowflow import Isolator; from slowflow.paper.example import isolator\n"
+        "batch = dict(lam=3, r=2, delta_h=0.08, mu=0.01, zeta=np.linspace(0.02, 0.1, 10**5))\n"
+        f"print('asked', flush=True); {LONG[what]}; print('answered', flush=True)"
     )
     assert interrupted(program) == ENDING
+
+
+#: of the program that looks for memory that is kept
+CALLS_A_ROUND = 8
 
 
 @pytest.mark.slow
@@ -150,11 +170,14 @@ def ask(k):
 for k in range(3000):
     ask(k)
 before = resident()
-for k in range(12000):
+for k in range(ROUNDS):
     ask(k)
 print((resident() - before) * 4096)
 """
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    rounds = int(os.environ.get("SLOWFLOW_CALLS", 10**5)) // CALLS_A_ROUND
+    done = subprocess.run(
+        [sys.executable, "-c", program.replace("ROUNDS", str(rounds))], capture_output=True, text=True, check=True
+    )
     assert int(done.stdout) < 2**20
 
 
@@ -187,6 +210,17 @@ def test_the_interpreters_switches_change_no_answer(switches, variables):
         for given, more in (([], {}), (switches, variables))
     )
     assert switched.stdout == plain.stdout and switched.stderr == ""
+
+
+def test_no_locale_is_asked_for():
+    """On a machine without a decimal comma, too: numbers are neither read nor written by what a locale changes."""
+    asks = r"\b(?:\w*printf|\w*scanf|strto\w+|ato[fil]|setlocale|localeconv|PyOS_string_to_double)\s*\("
+    folders = [Path(sys.modules["slowflow"].__file__).parent, Path(sys.modules["slowflow_kernels"].__file__).parent]
+    sources = [file for folder in folders for file in folder.rglob("*") if file.suffix in (".c", ".h", ".py")]
+    assert len(sources) > 100
+    for file in sources:
+        text = file.read_text(encoding="utf-8")
+        assert not re.search(asks, text) and "import locale" not in text and not re.search(r":[.\d]*n\}", text), file
 
 
 def test_nothing_is_written_into_the_package(tmp_path):

@@ -55,11 +55,47 @@ def asked(oscillator):
         yield lambda F_0=F_0: oscillator.saddle_nodes(F_0)
         yield lambda F_0=F_0: oscillator.certify(F_0, Omega=0.7)
         yield lambda F_0=F_0: oscillator.peak(F_0)
-        yield lambda F_0=F_0: oscillator.amplitudes(Omega=[1e-9, 0.7, 1.0, 40.0], F_0=F_0)
+        yield lambda F_0=F_0: oscillator.amplitudes(Omega=[1e-9, 0.7, 1.0, 40.0], F_0=F_0).gradient()
+        yield lambda F_0=F_0: oscillator.saddle_nodes(F_0).gradient()
+        yield lambda F_0=F_0: oscillator.peak(F_0).gradient()
         samples, window = next(CURVES)
         yield lambda F_0=F_0, n=samples, w=window: oscillator.frequency_response(F_0, samples=n, Omega=w)
         yield lambda F_0=F_0, w=window: oscillator.second_approximation.frequency_response(F_0, samples=40, Omega=w)
         yield lambda F_0=F_0: oscillator.second_approximation.saddle_nodes(F_0)
+
+
+def asked_beyond(oscillator):
+    """All questions of the second approximation, and gradients of what has no forcing."""
+    second = oscillator.second_approximation
+    yield second.saddle_node_onset
+    yield second.detachment
+    for F_0 in next(FORCINGS):
+        yield lambda F_0=F_0: second.saddle_nodes(F_0)
+        yield lambda F_0=F_0: second.peak(F_0)
+        yield lambda F_0=F_0: second.amplitudes(Omega=[0.7, 1.0], F_0=F_0)
+        yield lambda F_0=F_0: second.frequency_response(F_0, samples=30)
+    yield lambda: oscillator.saddle_node_onset().gradient()
+    yield lambda: oscillator.detachment().gradient()
+
+
+def asked_moving(oscillator):
+    """Exact motions of other laws, other excitations and of what stands under a load, and states they begin at."""
+    yield lambda: oscillator.amplitudes(Omega=[0.7, 1.0], F_0=0.05)
+    yield lambda: oscillator.steady_state(Omega=0.9, F_0=0.05)
+    yield lambda: oscillator.exact_response(0.05, Omega=(0.9, 1.0), step=0.1)
+    yield lambda: oscillator.sweep(Omega=[0.9, 1.0], F_0=0.05)
+    yield lambda: oscillator.transient(acceleration=0.2, duration=2.0, after=1.0)
+    yield lambda: oscillator.shock_spectrum(acceleration=0.2, duration=[1.0, 2.0])
+
+
+def ask_many(many, F_0):
+    """Compiled questions about many designs, and gradients."""
+    for name in ("detachment", "saddle_node_onset"):
+        tried(lambda: getattr(many, name)().gradient())  # noqa: B023
+    tried(lambda: many.peak(F_0).gradient())
+    tried(lambda: many.saddle_nodes(F_0, places=1).gradient())
+    tried(lambda: many.amplitudes(Omega=0.9, F_0=F_0, places=2).gradient())
+    tried(lambda: many.frequency_response(F_0, samples=30, places=1))
 
 
 def tried(question):
@@ -76,15 +112,40 @@ def main():
         for lam, r, delta_h in ((3, 2.0, 0.08), (2, 1.0, 0.499999), (3, 2, 0.4), (1, 0.5, 0.0), (1, 1, 0.999)):
             for question in asked(Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta, force=force)):
                 tried(question)
+    for excitation, mu, zeta in itertools.product(("base", "unbalance"), (0.0, 0.01), (1e-9, 0.03)):
+        given = dict(mu=mu, zeta=zeta, excitation=excitation)
+        for oscillator in (Isolator(lam=3, r=2.0, delta_h=0.08, **given), Duffing(1.0, 0.3, **given)):
+            for question in asked(oscillator):
+                tried(question)
+    for excitation, force in itertools.product(("force", "base"), ("truncated", "untruncated")):
+        for delta_h, mu in ((0.08, 0.0), (0.3, 0.01)):
+            beyond = Isolator(lam=3, r=2, delta_h=delta_h, mu=mu, zeta=0.03, force=force, excitation=excitation)
+            for question in asked_beyond(beyond):
+                tried(question)
+    for more in ({"eta": 0.05}, {"c_2": 0.05}, {"c_2": 0.05, "excitation": "base"}, {"load": 0.01}, {"mu_s": 0.02}):
+        for question in asked_moving(Isolator(lam=3, r=2, delta_h=0.08, mu=0.01, zeta=0.05, **more)):
+            tried(question)
+    off = Isolator(lam=3, r=2, delta_h=0.08, mu=0.01, zeta=0.05).off_centre
+    off.rest(), off.detachment(), off.amplitudes(Omega=0.9, F_0=0.05)
     for alpha, beta, mu, zeta in itertools.product((-0.5, 0.0, 1.0), (-0.3, 0.0, 2.0, 1e200), (0.0, 0.02), (0.0, 0.05)):
         for question in asked(Duffing(alpha, beta, mu, zeta)):
             tried(question)
     designs = [np.array([*NUMBERS, math.nan, math.inf, -1.0])[rng.integers(0, 14, 1000)] for _ in range(6)]
     for force in ("truncated", "untruncated"):
         many = Isolator.many(**dict(zip(("lam", "r", "delta_h", "mu", "zeta"), designs, strict=False)), force=force)
-        many.detachment(), many.saddle_node_onset(), many.peak(designs[5]), many.saddle_nodes(designs[5], places=1)
-        many.frequency_response(designs[5], samples=30, places=1)
+        ask_many(many, designs[5])
         many.certify(designs[5]), many.certify(designs[5], Omega=0.7)
+        few = Isolator.many(lam=3, r=2, delta_h=[0.05, 0.3], mu=0.01, zeta=0.05, force=force)
+        second = few.second_approximation
+        second.detachment(), second.saddle_node_onset(), second.peak(0.05), second.saddle_nodes(0.05, places=1)
+        second.amplitudes(Omega=0.9, F_0=0.05, places=1), second.frequency_response(0.05, samples=30)
+    for excitation in ("force", "base", "unbalance"):
+        names = dict(zip(("lam", "r", "delta_h", "mu", "zeta"), (one[:30] for one in designs), strict=False))
+        part, F_0 = Isolator.many(**names, excitation=excitation), designs[5][:30]
+        ask_many(part, F_0), part.margins(F_0), part.hysteresis(F_0)
+    for more in ({"load": [0.01, math.nan]}, {"c_2": [0.05, -1.0]}):  # of these exact motions alone are compiled
+        few = Isolator.many(lam=3, r=2, delta_h=0.08, mu=0.01, zeta=0.05, **more)
+        few.shock_spectrum(acceleration=0.2, duration=2.0), few.transient(acceleration=0.2, duration=2.0)
     for zeta, mu in ((0.05, 0.0), (0.05, 0.02), (0.3, 0.03)):
         isolator = Isolator(lam=3, r=1.5, delta_h=0.15, mu=mu, zeta=zeta)
         for force in ("truncated", "untruncated"):

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import sys
 from collections.abc import Iterable
 
 import numpy as np
@@ -84,8 +85,9 @@ OF_NO_ONSET = (
 )
 
 
-#: of a forcing, from which on its powers in the discriminants of F and F_A leave the range of doubles
-LARGEST = 2.0**170
+#: a forcing above it has powers beyond the range of doubles: the discriminant of the quartic F in Omega (24) has the
+#: cube of its last coefficient, h^2 + m^2 - F_0^2, and so F_0^6
+HIGHEST_FORCING = 2.0 ** (sys.float_info.max_exp // 6)
 
 
 def does_not_close(A_max: float) -> tuple[float, str]:
@@ -128,7 +130,7 @@ def sticks(model: Model, F_0: float) -> str:
 def unresolved(model: Model, F_0: float) -> str:
     """That branches coincide within rounding, and why where F_0 hardly moves the mass, or that they are too large."""
     said = f"the response is unresolved at F_0 = {F_0:.17g}: "
-    if F_0 > LARGEST:
+    if F_0 > HIGHEST_FORCING:
         return f"{said}powers of it leave the range of doubles; in larger units of length it may be resolved"
     said += "branches coincide within rounding"
     if not model.inertial and F_0 <= model.m * (1 + CLOSE):
@@ -241,7 +243,8 @@ def sticks_below(model: Model, F_0: float, Omega: Floats) -> str:
     """That the force of an excitation by inertia does not move the mass at the lower ones of the frequencies."""
     if not model.inertial or not np.any(model.force(F_0, Omega) <= model.m):
         return ""
-    begin = inertia.moves_from(F_0, model.m)
+    with np.errstate(over="ignore"):  # beyond any double it is at all
+        begin = inertia.moves_from(F_0, model.m)
     return f"sticks up to Omega = {begin:g}: the force F_0 Omega^2 does not exceed 4 mu/pi there"
 
 
