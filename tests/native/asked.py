@@ -65,15 +65,13 @@ def asked(oscillator):
 
 
 def asked_beyond(oscillator):
-    """All questions of the second approximation, and gradients of what has no forcing."""
+    """Other questions of the second approximation, and gradients of what has no forcing."""
     second = oscillator.second_approximation
     yield second.saddle_node_onset
     yield second.detachment
     for F_0 in next(FORCINGS):
-        yield lambda F_0=F_0: second.saddle_nodes(F_0)
         yield lambda F_0=F_0: second.peak(F_0)
         yield lambda F_0=F_0: second.amplitudes(Omega=[0.7, 1.0], F_0=F_0)
-        yield lambda F_0=F_0: second.frequency_response(F_0, samples=30)
     yield lambda: oscillator.saddle_node_onset().gradient()
     yield lambda: oscillator.detachment().gradient()
 
