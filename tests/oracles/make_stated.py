@@ -466,9 +466,7 @@ class Stated(Oscillator):
 
             def unfolded(x: arb, piece: Piece = piece) -> bool:
                 ctx.cap = 1
-                j = self._jet(piece, arb_series([x]))
-                A = j.A[0]
-                return bool(abs(j.h[0] - A * j.g[0]) < 4 * arb(self.zeta) * A * self.least_slope.sqrt())
+                return self._unfolded(self._jet(piece, arb_series([x])), piece)
 
             without = None if t_max is None else unfolded
             for x in isolate(
@@ -477,6 +475,11 @@ class Stated(Oscillator):
                 A = self.u_cr * (1 + x * x).sqrt() if piece.in_t else x
                 found.append((A, DETACHED if piece.beyond else ATTACHED))
         return found
+
+    def _unfolded(self, j: Jet, piece: Piece) -> bool:
+        """Whether no fold is there at any forcing."""
+        A = j.A[0]
+        return bool(abs(j.h[0] - A * j.g[0]) < 4 * arb(self.zeta) * A * self.least_slope.sqrt())
 
     def amplitudes(self, Omega: Number, F_0: Number) -> list[Amplitude]:
         with precision(BITS):
@@ -537,23 +540,21 @@ class Stated(Oscillator):
         return []
 
 
-def mechanism(name: str) -> type[Stated]:
+def mechanism(name: str, force: Force, kind: type[Stated]) -> type[Stated]:
     """The oscillators under one of the forces."""
-    force = FORCES[name]
     names = tuple(force.draw(random.Random(0)))
-    return type(name, (Stated,), {"force_": force, "inputs": (*names, "mu", "zeta")})
+    return type(name, (kind,), {"force_": force, "inputs": (*names, "mu", "zeta")})
 
 
-def case(name: str, index: int) -> dict:
+def case(name: str, force: Force, index: int, kind: type[Stated] = Stated) -> dict:
     """One oscillator: its onset, and its folds and states at one forcing."""
     rng = random.Random(f"{SEED} stated {name} {index}")
-    force = FORCES[name]
     parameters = force.draw(rng)
     parameters |= {
         "mu": 0.0 if index % EACH == EACH - 1 else rng.uniform(0.001, 0.02),
         "zeta": log_uniform(rng, 0.02, 0.06),
     }
-    oscillator = mechanism(name)(**parameters)
+    oscillator = mechanism(name, force, kind)(**parameters)
     conditioning, onset = Conditioning(oscillator), None
     m = float(oscillator.m.mid())
     F_0 = m + log_uniform(rng, 0.03, 0.2)
@@ -611,7 +612,7 @@ def case(name: str, index: int) -> dict:
 
 
 def main() -> None:
-    cases = [case(name, index) for name in FORCES for index in range(MORE.get(name, EACH))]
+    cases = [case(name, force, index) for name, force in FORCES.items() for index in range(MORE.get(name, EACH))]
     write(OUT, cases)
     print(json.dumps({"cases": len(cases), "folds": sum(len(one["folds"]) for one in cases)}))
 
