@@ -904,3 +904,21 @@ def test_a_linear_spring_has_one_motion_at_each_frequency(excitation, damping, a
             (A,) = states.A
             R, I = A * (Omega**2 - alpha), 2 * zeta * A * Omega + eta * A + d * (A * Omega) ** 2 + m
             assert np.hypot(R, I) == pytest.approx(force, rel=1e-13)
+
+
+def test_a_peak_within_rounding_of_where_the_force_jumps_is_undecided_and_what_is_not_there_is_answered():
+    """By structural damping alone A is F_0/eta at a peak: 0.6, where the cams leave, but for a rounding."""
+    cam = derive.library("cam_roller")(r=0.8, rho=0.8, c=0.1, eta=0.05)
+    assert cam.breakpoints[0] == pytest.approx(0.03 / 0.05, rel=1e-15)
+    at = cam.saddle_nodes(0.03)
+    below, above = (cam.saddle_nodes(0.03 * (1 + share)) for share in (-1e-7, 1e-7))
+    for beside in (below, above):
+        assert Remark.UNDECIDED not in beside.remarks and len(beside) % 2 == 0
+        assert at.Omega[0] == pytest.approx(beside.Omega[0], rel=1e-6)
+    assert Remark.UNDECIDED in at.remarks
+    states = cam.amplitudes(Omega=[0.5, 0.8, 0.9], F_0=0.03)
+    assert states.Omega_undecided.tolist() == [0.5, 0.8, 0.9]
+    np.testing.assert_allclose(states.A, cam.amplitudes(Omega=[0.5, 0.8, 0.9], F_0=0.03 * (1 + 1e-9)).A, rtol=1e-7)
+    with pytest.raises(ArithmeticError, match=r"there may be one within rounding of A = 0\.6"):
+        cam.peak(0.03)
+    assert [cam.peak(0.03 * (1 + share)).A for share in (-1e-7, 1e-7)] == pytest.approx([0.6, 0.6], rel=1e-6)

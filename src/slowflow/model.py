@@ -152,7 +152,8 @@ class Model:
             self._check_inertia()
         damping = self.mu, self.zeta
         native = None
-        if not self.laws.any:
+        # the compiled solvers know no preload under an excitation by inertia
+        if not (self.laws.any or (self.inertial and self.mechanism.odd and self.preload != 0)):
             native = backend.compiled_model(self.mechanism, self.parameters, damping, self.design, self.inertial)
         m, breakpoints, jumps = self._prepared() if native is None else backend.prepared(native)
         flow = general_flow if self.laws.any else flow_of(*damping)
@@ -168,16 +169,21 @@ class Model:
         """Raises ValueError for an excitation by inertia that has no answer here."""
         if self.zeta == self.laws.eta == self.laws.c_2 == 0:
             raise ValueError(f"excitation = {self.excitation!r} is not allowed with zeta = 0: {WITHOUT_DAMPING}")
+        self._check_preload(f"excitation = {self.excitation!r}")
+
+    def _check_preload(self, told: str) -> None:
+        """Raises ValueError for a preload that pushes outwards, beside what has no answer with it."""
         # a force that is not odd has no motions about u = 0
-        if self.mechanism.odd and self.preload != 0:
-            raise ValueError(f"excitation = {self.excitation!r} is not allowed for a force that jumps at u = 0")
+        if self.mechanism.odd and self.preload < 0:
+            raise ValueError(
+                f"{told} is not allowed for {self.mechanism.name}: its force jumps at u = 0, and pushes outwards"
+            )
 
     @np.errstate(all="ignore")
     def _check_laws(self) -> None:
         """Raises ValueError for laws that have no answer here."""
         told, odd = self.laws.told(), self.mechanism.odd
-        if odd and self.preload != 0:
-            raise ValueError(f"{told} is not allowed for {self.mechanism.name}: its force jumps at u = 0")
+        self._check_preload(told)
         if odd and not math.isfinite(self.mechanism.pieces[0].slope(0.0, *self.parameters)):
             raise ValueError(f"{told} is not allowed for {self.mechanism.name}: its stiffness is infinite at u = 0")
         if self.laws.rubs == THROUGHOUT:
@@ -246,6 +252,11 @@ class Model:
         if self.breakpoints or self.preload != 0:
             return False
         return bool(self.averaged(min(1.0, 0.5 * self.mechanism.reach))[2] == 0)
+
+    @cached_property
+    def free(self) -> bool:
+        """Whether no spring holds the mass at any amplitude."""
+        return self.linear and bool(self.averaged(0.0)[1] == 0)
 
     @cached_property
     def preload(self) -> float:
@@ -390,6 +401,11 @@ class Model:
         last = max(self.breakpoints, default=0.0)
         return reach if last < reach else math.nextafter(last, math.inf)
 
+    @property
+    def has_design(self) -> bool:
+        """Whether the numbers are known that the parameters follow from; a force may have none of its own."""
+        return len(self.design) == len(self.mechanism.design)
+
     def given(self) -> dict[str, Any]:
         """Names of mechanism and excitation, and the numbers that make the oscillator, its design if that is known."""
         damping = {"mu": self.mu, "zeta": self.zeta}
@@ -400,7 +416,7 @@ class Model:
         """The numbers of the force by name: its design if that is known, else its parameters."""
         of_force = zip(self.mechanism.parameter_names, self.parameters, strict=True)
         of_design = zip(self.mechanism.design_names, self.design, strict=False)
-        return dict(of_design) or dict(of_force)
+        return dict(of_design) if self.has_design else dict(of_force)
 
     def averaged(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
         """h, h_A, h_AA, h_AAA at the amplitudes A (any shape)."""

@@ -359,6 +359,8 @@ class Designs(Unchanging):
         record = None
         if not self.laws and (self.excitation == "force" or question.by_inertia):
             record = backend.record_of(self.mechanism, inertial=self.excitation != "force")
+        if record is not None and self.excitation != "force" and self._have_preload:
+            record = None
         if question.batch is not None and backend.SOLVER is not None and record is not None:
             solve = question.batch(backend.SOLVER)(record)
             # what the solvers do not take as it is, long doubles
@@ -377,6 +379,13 @@ class Designs(Unchanging):
         else:
             self._loop(question.one, list(np.broadcast_arrays(*values.values())), len(at), places, outputs)
         return outputs
+
+    @property
+    def _have_preload(self) -> bool:
+        """Whether a force jumps at u = 0, of which the compiled solvers have no answer under inertia."""
+        with np.errstate(all="ignore"):  # a number outside its domain has a status
+            parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
+            return bool(np.any(np.nan_to_num(self.mechanism.averaged(0.0, *parameters)[0]) != 0))
 
     def _loop(
         self, one: One, values: list[npt.NDArray[Any]], beside: int, places: int, outputs: list[npt.NDArray[Any]]

@@ -24,7 +24,11 @@ def _reference() -> ModuleType:
 def _either(on_compiled: Question, on_numpy: Callable[[], Question]) -> Question:
     def ask(model: Model, *arguments: Any) -> Any:
         if model.native is not None:
-            return on_compiled(model, *arguments)
+            try:
+                return on_compiled(model, *arguments)
+            except OverflowError:
+                if not model.free:
+                    raise
         # a solver tries values that it then discards: the warnings that these raise are no fault of the arguments
         with np.errstate(all="ignore"):
             return on_numpy()(model, *arguments)

@@ -214,6 +214,22 @@ def cut(model: Model, F_0: float) -> tuple[float, str]:
     return A_max, f"{words}{A_max:g}"
 
 
+def cut_towards_rest(F_0: float) -> tuple[float, str]:
+    """Where the response is cut of a mass that no spring holds, and a remark."""
+    A_max = float(STATIC_MULTIPLE * F_0)
+    return A_max, f"unbounded as Omega tends to 0, where no spring holds the mass: cut at A = {A_max:g}"
+
+
+def everywhere(A: float) -> str:
+    """That a mass without a spring follows a shaking base alike at any frequency, by quadratic damping alone."""
+    return f"no response curve: A = {A:.17g} at every frequency, as all forces on the mass grow with Omega^2 alike"
+
+
+def peak_at_doubles(F_0: float, A: float) -> str:
+    """That the highest peak is next to an amplitude, as a breakpoint, where doubles do not tell whether it is there."""
+    return f"the peak is unresolved at F_0 = {F_0:.17g}: there may be one within rounding of A = {A:.17g}"
+
+
 def cut_at_reach(model: Model) -> tuple[float, str]:
     """Where a response is cut that goes beyond the mechanism's reach, and a remark."""
     reason = f", {model.mechanism.reach_reason}" if model.mechanism.reach_reason else ""
@@ -241,10 +257,15 @@ def without_a_state(Omega: Floats, found: Floats) -> str:
 
 def sticks_below(model: Model, F_0: float, Omega: Floats) -> str:
     """That the force of an excitation by inertia does not move the mass at the lower ones of the frequencies."""
-    if not model.inertial or not np.any(model.force(F_0, Omega) <= model.m):
+    if not model.inertial or not np.any(model.force(F_0, Omega) <= model.held):
         return ""
     with np.errstate(over="ignore"):  # beyond any double it is at all
-        begin = inertia.moves_from(F_0, model.m)
+        begin = inertia.moves_from(F_0, model.held)
+    if model.preload > 0:
+        return (
+            f"a mass at rest stays there up to Omega = {begin:g}: the force F_0 Omega^2 does not exceed "
+            f"4/pi sqrt(mu^2 + c^2) = {model.held:g} there, c being the preload"
+        )
     return f"sticks up to Omega = {begin:g}: the force F_0 Omega^2 does not exceed 4 mu/pi there"
 
 

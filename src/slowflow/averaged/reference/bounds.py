@@ -10,7 +10,7 @@ from slowflow.averaged.reference.cells import cells_of, samples_at
 from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.averaged.reference.roots import peak_roots, response_roots
 from slowflow.model import Floats, Model
-from slowflow_kernels import slow_flow
+from slowflow_kernels import dissipation, slow_flow
 from slowflow_kernels.conventions import COARSEST, ENDLESS, FINE_RUNGS, RUNGS
 
 
@@ -37,22 +37,29 @@ def least_forcing(model: Model, A: Floats) -> tuple[Floats, Floats]:
 
 
 @np.errstate(all="ignore")
-def amplitude_bound(model: Model, F_0: float) -> tuple[float, str]:
+def amplitude_bound(model: Model, F_0: float, lowest: float = 0.0) -> tuple[float, str]:
     """An amplitude above that of every steady state at F_0, and a remark in words where the response has to be cut.
 
     From there on |h| is too large for a state: it is so there, and rises up to where it has no bound in doubles. Raises
     OverflowError where no such amplitude is found, or up to it numbers leave the range of doubles.
+
+    lowest -- the lowest Omega that is asked for: it bounds the states of a mass that no spring holds
     """
-    found = _bounded(model, F_0)
+    found = _bounded(model, F_0, lowest)
     if model.laws.any and not dissipated.is_in_range(model, F_0, found[0]):
         raise OverflowError(words.beyond_range(model, F_0))
     return found
 
 
-def _bounded(model: Model, F_0: float) -> tuple[float, str]:
+def _bounded(model: Model, F_0: float, lowest: float) -> tuple[float, str]:
     """The same, of numbers of any size."""
     if model.zeta == 0 and not model.laws.any:
         return words.cut(model, F_0)
+    if model.free and model.laws.eta == 0:
+        if not model.inertial:
+            return _bound_of_free(model, F_0, lowest)
+        if model.zeta == model.m == 0:
+            raise ArithmeticError(words.everywhere(float(dissipation.full_by_inertia(F_0, model.d))))
     rungs = max(2 * max(model.breakpoints, default=0.0), F_0) * _RUNGS
     if model.inertial:
         known = [inertia.bound(model, F_0, rungs) if model.zeta > 0 else None]
@@ -60,7 +67,11 @@ def _bounded(model: Model, F_0: float) -> tuple[float, str]:
             known.append(dissipated.bound_by_inertia(model, F_0, rungs))
         closed = min((one for one in known if one is not None), default=None)
         along = dissipated.Roots(model, F_0) if model.laws.any else inertia.Roots(model, F_0)
-        return (closed, "") if closed is not None else words.does_not_close(inertia.cut(along, rungs))
+        if closed is not None:
+            return closed, ""
+        if not (cut := inertia.cut(along, rungs)) < np.inf:
+            raise OverflowError(words.unbounded(model, F_0))
+        return words.does_not_close(cut)
     by_damping = np.inf
     if model.laws.any:
         most, by_damping = dissipated.most_restoring(model, F_0, rungs)
@@ -82,6 +93,13 @@ def _bounded(model: Model, F_0: float) -> tuple[float, str]:
     if not found < np.inf:
         raise OverflowError(words.unbounded(model, F_0))
     return found, ""
+
+
+def _bound_of_free(model: Model, F_0: float, lowest: float) -> tuple[float, str]:
+    """The same of a mass that no spring holds, whose motions at Omega damping alone limits, (27): none does at 0."""
+    if lowest == 0:
+        return words.cut_towards_rest(F_0)
+    return 2 * float(dissipation.limit_envelope(lowest, F_0, model.m, model.zeta, 0.0, model.d)), ""
 
 
 def _has_state(model: Model, A: float, F_0: float) -> bool:

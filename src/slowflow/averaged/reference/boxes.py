@@ -30,7 +30,7 @@ from slowflow.averaged.reference.cells import (
 from slowflow.averaged.reference.intervals import Bools, Interval
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow_kernels import dissipation, dissipation_intervals, slow_flow, slow_flow_intervals
-from slowflow_kernels.conventions import FIRST, NARROW
+from slowflow_kernels.conventions import CLOSE, FIRST, NARROW
 
 Ints = NDArray[np.intp]
 
@@ -57,10 +57,17 @@ FORCED, FOLDED, PEAKED, STATIONARY = (
 INERTIAL = STATIONARY | {"folds_by_inertia"}
 #: systems of points at Omega = 0, and how far from there they are looked for
 STATIC, ASIDE = {"rest", "stiffness"}, 2.0**-20
+#: how much of a frequency a box may span between amplitudes that are next to each other, and to a jump
+THIN_ENOUGH = 2.0**-24
+#: by how much more than A the average moves next to a jump
+STEEP = 2.0**10
 #: a frequency that counts as 0 where widths are compared
 LOW = 2.0**-10
 #: into how many orders a piece from A = 0 on is divided before the first look, and how many boxes are looked at at most
 ORDERS, MOST = 7, 200_000
+#: the same with a preload, of which the rest, 2^-59 of it, is left out: there x = A Omega^2 is all that counts, and
+#: F = (x + h)^2 + m^2 - F_0^2 has no fold but where F_0 is m, or what holds the mass at rest, to rounding
+ORDERS_OF_PRELOAD = 27
 #: where a box is cut, not in its middle: what vanishes there would lie on the edges of two
 ASKEW = 0.4375 + 2.0**-9
 #: a box that keeps more than this of its area is cut, too
@@ -365,7 +372,12 @@ def points_of(model: Model, system: str, pieces: Sequence[Stretch], F_0: float =
         narrow = (boxes.b.A - boxes.a.A <= NARROW * boxes.b.A) | ~inside
         low, high = boxes.low, boxes.high
         # Omega = 0 is known of a static system: nothing is cut across it
-        thin = np.isfinite(high) & (high - low <= NARROW * np.maximum(np.abs(high), LOW)) | (system in STATIC)
+        # next to a jump Omega moves by roots of roundings of A: finer boxes tell nothing
+        span = cells.h.hi[left] - cells.h.lo[left]
+        rounded = CLOSE * np.abs(boxes.a.h)
+        steep = ~(span <= STEEP * (boxes.b.A - boxes.a.A) + rounded)
+        width = np.where(steep & narrow, THIN_ENOUGH, NARROW)
+        thin = np.isfinite(high) & (high - low <= width * np.maximum(np.abs(high), LOW)) | (system in STATIC)
         ends = ~single & ~gone & ((narrow & thin) | (boxes.b.A < FIRST))
         undecided.append(boxes.b.A[ends & (boxes.b.A >= FIRST)])
         kept = np.flatnonzero(~(single | gone | ends))
@@ -377,7 +389,8 @@ def points_of(model: Model, system: str, pieces: Sequence[Stretch], F_0: float =
             (left_over[0].take(kept), left_over[1].take(kept)),
             (narrow[kept], thin[kept]),
             [one.take(kept) for one in slopes],
-            np.asarray(np.isinf(cells.h.ends[:, left[kept]]).any(axis=0)),
+            span[kept],
+            steep[kept],
         )
     if not found:
         none = np.empty(0)
@@ -394,14 +407,17 @@ def _first_boxes(searched: Searched, pieces: Sequence[Stretch], most: float) -> 
         first, last = piece.first.A[0], piece.last.A[0]
         if first == 0:
             # bounds are a forcing times a power of 2: static states of a linear spring would lie on the edges of two
-            nodes = np.concatenate(([0.0], last * (0.5 * ASKEW) ** np.arange(ORDERS, -1, -1)))
+            orders = ORDERS if model.preload == 0 else ORDERS_OF_PRELOAD
+            nodes = last * (0.5 * ASKEW) ** np.arange(orders, -1, -1)
+            nodes = np.concatenate(([0.0], nodes)) if model.preload == 0 else nodes
         else:
             nodes = np.array([first, last])
             for _ in range(2):
                 inner = amid(np.full(nodes.size - 1, piece.base), nodes[:-1], nodes[1:])
                 nodes = np.unique(np.concatenate((nodes, inner)))
         between = samples_at(model, nodes[1:-1])
-        a, b = joined(piece.first, between), joined(between, piece.last)
+        begin = piece.first if nodes[0] == first else samples_at(model, nodes[:1])
+        a, b = joined(begin, between), joined(between, piece.last)
         numbers = np.full(len(a), number)
         cells = cells_of(model, a, b, a)
         if searched.system in STATIC:
@@ -415,7 +431,7 @@ def _first_boxes(searched: Searched, pieces: Sequence[Stretch], most: float) -> 
 def _highest(searched: Searched, cells: Cells, numbers: Ints, piece: Stretch, most: float) -> Floats:
     """A frequency above that of every point: by the slopes of R and R/A, and by the forcing."""
     over = cells.h / cells.A
-    if piece.base == 0:  # h/A lies between slopes of h
+    if piece.base == 0 and searched.model.preload == 0:  # h/A lies between slopes of h
         start = piece.first.h_A
         slope = Interval.hull(np.minimum(start, cells.h_A.lo), np.maximum(start, cells.h_A.hi))
         over = over.both(slope)
@@ -504,11 +520,13 @@ def _cut(
     left: tuple[Interval, Interval],
     ended: tuple[Bools, Bools],
     slopes: list[Interval],
-    unknown: Bools,
+    span: Floats,
+    steep: Bools,
 ) -> _Boxes:
     """What is left of the boxes; those of which much is left are cut in two, across what moves the functions most.
 
-    unknown -- where h has no bounds, as averages by sums have none on wide intervals: no frequency decides there
+    span  -- of h; where it has no bounds, as averages by sums have none on wide intervals, no frequency decides
+    steep -- where h moves by far more than A
     """
     if not len(boxes):
         return boxes
@@ -526,9 +544,13 @@ def _cut(
         relative = width / boxes.b.A, height / np.maximum(np.abs(boxes.high), LOW)
         of_A = np.where(np.isfinite(by_A + by_Omega), by_A >= by_Omega, relative[0] >= relative[1])
         of_A = np.where(relative[0] > 64 * relative[1], True, np.where(relative[1] > 64 * relative[0], False, of_A))
+        # next to where the force jumps no slope by A is bounded, but h is: its span beside that of A Omega^2
+        of_A = np.where(
+            steep & np.isfinite(span) & np.isfinite(height), span >= 2 * boxes.b.A * boxes.high * height, of_A
+        )
     if searched.system in INERTIAL:  # what A does to R/Omega^2 = A + h/Omega^2, where Omega has no end
         of_A |= np.isinf(boxes.high) & (width * boxes.low**2 > np.abs(at.h))
-    of_A = ((of_A | unknown) & ~ended[0]) | ended[1]
+    of_A = ((of_A | np.isinf(span)) & ~ended[0]) | ended[1]
     model = searched.model
     shrunk = np.flatnonzero(small)
     parts = []

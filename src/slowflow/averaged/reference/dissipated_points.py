@@ -5,7 +5,7 @@ Where the number of frequencies changes along the amplitude boxes find: peaks, s
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -29,7 +29,7 @@ def response_events(model: Model, F_0: float, A_max: float) -> tuple[list[Event]
     if model.inertial:
         return _events_of_inertia(model, F_0, A_max)
     pieces = stretches_up_to(model, A_max)
-    peaks, static = points_of(model, "peaks", pieces, F_0), points_of(model, "rest", pieces, F_0)
+    peaks, static = peaks_of(model, pieces, F_0), points_of(model, "rest", pieces, F_0)
     found = [Event(0.0, np.inf, Kind.CUT)]
     with np.errstate(all="ignore"):
         rises, bends = model.F_A(peaks.Omega, peaks.A) > 0, _bends(model, peaks, F_0)
@@ -52,6 +52,16 @@ def response_events(model: Model, F_0: float, A_max: float) -> tuple[list[Event]
     return merged([*found, Event(A_max, 0.0, Kind.CUT)]), peaks.undecided or static.undecided
 
 
+def peaks_of(model: Model, pieces: list[Stretch], F_0: float) -> Points:
+    """Peaks under a force. Where there is no spring all of F rises with Omega: there are none, and at Omega = 0 F is
+    flat to the fourth power, which boxes do not tell from a peak."""
+    held = np.flatnonzero([piece.has_force for piece in pieces])
+    if not held.size:
+        return Points(held, np.empty(0), np.empty(0), np.empty(0))
+    found = points_of(model, "peaks", [pieces[number] for number in held], F_0)
+    return replace(found, piece=held[found.piece])
+
+
 def _events_of_inertia(model: Model, F_0: float, A_max: float) -> tuple[list[Event], bool]:
     """The same under an excitation by inertia, which leaves none at rest: a frequency comes from inf."""
     pieces = stretches_up_to(model, A_max)
@@ -68,7 +78,7 @@ def _events_of_inertia(model: Model, F_0: float, A_max: float) -> tuple[list[Eve
     if model.zeta == model.m == model.laws.eta == 0:
         inside += _where_nothing_pulls(model, F_0, pieces)
     inside.sort(key=lambda event: event.A)
-    start = float(inertia.moves_from(F_0, model.m))
+    start = float(inertia.moves_from(F_0, model.held))
     # a pair that meets there is known to do so
     undecided = np.abs(peaks.A_undecided - full) > (HARDLY * full if falls else 0.0)
     return [Event(0.0, start, Kind.CUT), *inside, Event(A_max, 0.0, Kind.CUT)], bool(undecided.any())

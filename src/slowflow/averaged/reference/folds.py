@@ -8,6 +8,8 @@ amplitude above, without passing zero.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from scipy.optimize import brentq
 
@@ -31,6 +33,8 @@ from slowflow_kernels.conventions import CLOSE, NEAR_END
 #: by how much more than I the terms of R may be, as a share of I, or if squares of roundings are to count: as in
 #: native/locus.h
 FEW_LOST, SQUARE_LOST = 4.0, 2.0**24
+#: what of an amplitude is left out next to rest, as a share
+NEXT_TO_REST = 2.0**-200
 
 
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
@@ -85,6 +89,10 @@ def _crossings(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, 
         return float(of_locus(model, np.array([Omega]), np.array([A]))[0])
 
     for arc in Graph(locus, stations.events()).arcs:
+        low, high = arc.A
+        if low == 0 and model.preload > 0:  # with A the level tends to 0 as Omega tends to inf, and Omega is not known
+            low = high * NEXT_TO_REST
+            arc = replace(arc, A=[low, high], Omega=[at(low, arc.count, arc.index), arc.Omega[1]])
         places = zip(arc.A, arc.Omega, strict=True)
         ends = [level_at(Omega, A) if Omega > 0 or A == 0 else np.inf for A, Omega in places]
         near |= any(abs(level - F_0) <= CLOSE * F_0 for level in ends)

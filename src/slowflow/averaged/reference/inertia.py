@@ -70,7 +70,7 @@ class Roots:
 
     def start(self) -> float:
         """Where the response begins, at A = 0: below it the mass sticks."""
-        return float(inertia.moves_from(self.F_0, self.model.m))
+        return float(inertia.moves_from(self.F_0, self.model.held))
 
     def _low(self, A: Floats, h: Floats, least: Floats) -> Floats:
         """Below the frequency of the least level."""
@@ -138,7 +138,8 @@ def _bound_by_h(model: Model, F_0: float, rungs: Floats) -> float | None:
 def intervals_beyond(model: Model, rungs: Floats) -> Floats:
     """Ends of intervals from the first of some rising amplitudes on, up to the reach or an endless one."""
     end = min(model.reach, ENDLESS * max(rungs[0], 1.0))
-    steps = rungs[0] * 2.0 ** np.arange(np.ceil(np.log2(end / rungs[0])) + 1)
+    # so fine that a cube of A, as h may grow, changes by less than the half that is left of zeta^2 A
+    steps = rungs[0] * 2.0 ** (0.125 * np.arange(np.ceil(8 * np.log2(end / rungs[0])) + 1))
     nodes = np.concatenate((rungs[rungs < end], steps[steps < end], [end]))
     return np.unique(np.concatenate((nodes, [b for b in model.breakpoints if rungs[0] < b < end])))
 

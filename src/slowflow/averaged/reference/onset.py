@@ -99,7 +99,8 @@ def onset(model: Model) -> SaddleNodeOnset:
         if model.zeta == 0 and not model.laws.any:
             return _onset_without_viscous_damping(model)
         come_down, base = next_to_rest(model)
-        if come_down:
+        # of a preload they have R next to 0 and A Omega^2 next to it, as Omega tends to inf
+        if come_down or (model.inertial and model.preload > 0):
             message = words.OPEN if model.inertial else words.STIFF_AT_REST.format(model.m)
             return SaddleNodeOnset(None, None, None, "", message, _status=Status.UNBOUNDED)
         if _comes_down_to_play(model):
@@ -487,7 +488,7 @@ def peak(model: Model, F_0: float) -> PeakFound:
     if model.zeta == 0 and not model.laws.any:
         return PeakFound(None, None, F_0, words.NO_PEAK, _status=Status.UNBOUNDED)
     A_max, cut = amplitude_bound(model, F_0)
-    if model.laws.any and not (model.inertial and cut):
+    if model.laws.any and not cut:
         return _peak_in_boxes(model, F_0, A_max)
     if cut:
         return PeakFound(None, None, F_0, cut, _status=Status.UNBOUNDED)
@@ -516,9 +517,11 @@ def _peak_in_boxes(model: Model, F_0: float, A_max: float) -> PeakFound:
             full = dissipation.full_by_inertia(F_0, model.d)
             return PeakFound(None, None, F_0, words.NO_TOP_BELOW.format(float(full)))
         return PeakFound(float(tops.A[-1]), float(tops.Omega[-1]), F_0, "")
-    peaks, static = points_of(model, "peaks", pieces, F_0), points_of(model, "rest", pieces, F_0)
+    peaks, static = dissipated_points.peaks_of(model, pieces, F_0), points_of(model, "rest", pieces, F_0)
     tops = peaks.take(dissipated_points.is_top(model, peaks, F_0))
     A, Omega = (tops.A, tops.Omega) if len(tops) else (static.A, np.zeros(len(static)))
+    if peaks.A_undecided.max(initial=0.0) > A.max(initial=0.0):
+        raise ArithmeticError(words.peak_at_doubles(F_0, float(peaks.A_undecided.max())))
     if not A.size and F_0 <= model.m:
         return PeakFound(None, None, F_0, words.sticks(model, F_0), _status=Status.STICKS)
     if not A.size:

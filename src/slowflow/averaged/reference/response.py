@@ -81,9 +81,12 @@ class Skeleton:
 
 
 @lru_cache(maxsize=16)
-def skeleton(model: Model, F_0: float) -> Skeleton:
-    """Segments and how they hang together, for F_0 > m; kept, as states at one frequency after another ask for it."""
-    A_max, remark = amplitude_bound(model, F_0)
+def skeleton(model: Model, F_0: float, lowest: float = 0.0) -> Skeleton:
+    """Segments and how they hang together, for F_0 > m; kept, as states at one frequency after another ask for it.
+
+    lowest -- as in `amplitude_bound`
+    """
+    A_max, remark = amplitude_bound(model, F_0, lowest)
     roots, events_up_to = _along(model, F_0)
     folds = folds_up_to(model, F_0, A_max, remark)
     try:
@@ -382,7 +385,7 @@ def _clipped(found: Skeleton, window: tuple[float, float]) -> list[tuple[list[tu
 
 def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
     """About `samples` points along every branch in the window; ends, folds, peaks, corners are among them exactly."""
-    found = skeleton(model, F_0)
+    found = skeleton(model, F_0, window[0] if model.free else 0.0)
     curves = _clipped(found, window)
     steps = [(number, segment, upward) for number, (curve, _) in enumerate(curves) for segment, upward in curve]
     weights = _weights([segment for _, segment, _ in steps])
@@ -480,7 +483,7 @@ def _weights(segments: list[Segment]) -> Floats:
 
 def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
-    found = skeleton(model, F_0)
+    found = skeleton(model, F_0, float(Omega.min(initial=np.inf)) if model.free else 0.0)
     at, A, stable = states_at(found, Omega)
     with np.errstate(all="ignore"):
         in_doubt = doubt.is_at_fold(model, F_0, Omega, found.folds.Omega, found.folds.A)

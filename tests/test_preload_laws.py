@@ -1,0 +1,202 @@
+"""A preload with other laws of damping and excited by inertia: states on a grid, folds, onsets, exact motions."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+
+from slowflow import backend, derive
+from slowflow.results import Remark
+from slowflow_kernels.conventions import Status
+
+u, k, c, gap = sp.symbols("u k c gap")
+ABOVE_0 = {"above": 0}
+LAWS = {
+    "structural": {"mu": 0.0, "zeta": 0.03, "eta": 0.04},
+    "quadratic": {"mu": 0.01, "zeta": 0.0, "c_2": 0.3},
+    "both": {"mu": 0.01, "zeta": 0.02, "eta": 0.01, "c_2": 0.1},
+    "rubs": {"mu": 0.02, "zeta": 0.03, "eta": 0.01, "rubs": "attached"},
+    "base": {"mu": 0.01, "zeta": 0.03, "excitation": "base"},
+    "base and structural": {"mu": 0.0, "zeta": 0.01, "eta": 0.05, "excitation": "base"},
+    "unbalance and quadratic": {"mu": 0.01, "zeta": 0.03, "c_2": 0.2, "excitation": "unbalance"},
+}
+
+
+@pytest.fixture(scope="module")
+def springs():
+    """A hardening one, and one with a stop."""
+    return {
+        "cubic": derive.mechanism("preloaded_cubic", [(c + u + k * u**3, None)], {"c": ABOVE_0, "k": ABOVE_0}),
+        "stop": derive.mechanism(
+            "preloaded_linear_stop",
+            [(c + u, gap), (c + u + k * (u - gap), None)],
+            {"c": ABOVE_0, "k": ABOVE_0, "gap": ABOVE_0},
+        ),
+    }
+
+
+NUMBERS = {"cubic": {"c": 0.03, "k": 1.2}, "stop": {"c": 0.02, "k": 1.5, "gap": 0.3}}
+CASES = [(spring, law) for spring in NUMBERS for law in LAWS if spring == "stop" or law != "rubs"]
+
+
+@pytest.fixture(params=CASES, ids=lambda case: " ".join(case))
+def oscillator(springs, request):
+    spring, law = request.param
+    return springs[spring](**NUMBERS[spring], **LAWS[law])
+
+
+def balance(one, Omega, A, F_0):
+    """F of (24) by the work over a cycle: closed forms of the force and of each law, typed here."""
+    p = one.given
+    h = -4 * p["c"] / math.pi - A
+    if "gap" in p:
+        angle = np.arccos(np.minimum(p["gap"] / A, 1.0))
+        h = h - p["k"] * 2 * A / math.pi * (angle - np.sin(angle) * np.cos(angle))
+    else:
+        h = h - 0.75 * p["k"] * A**3
+    way = np.minimum(A, p["gap"]) if one.rubs == "attached" else A
+    work = 4 * p["mu"] * way + math.pi * (one.eta + 2 * p["zeta"] * Omega) * A**2 + 8 / 3 * one.c_2 * Omega**2 * A**3
+    force = F_0 * Omega**2 if one.model.inertial else F_0
+    return (A * Omega**2 + h) ** 2 + (work / (math.pi * A)) ** 2 - force**2
+
+
+def forcings(one):
+    """Below and above what holds a mass at rest; of inertia a weak and a strong one."""
+    if one.model.inertial:
+        return 0.01, 0.08
+    return one.model.m + 0.6 * (one.model.held - one.model.m), 1.5 * one.model.held
+
+
+def test_no_state_is_missed_or_made_up(oscillator):
+    A, frequencies = np.geomspace(1e-7, 20, 20001), [0.5, 0.9, 1.05, 1.3, 2.5]
+    for F_0 in forcings(oscillator):
+        found = oscillator.amplitudes(Omega=frequencies, F_0=F_0)
+        assert Remark.UNDECIDED not in found.remarks
+        for Omega in frequencies:
+            F = balance(oscillator, Omega, A, F_0)
+            change = np.flatnonzero((F[1:] < 0) != (F[:-1] < 0))
+            here = found.Omega == Omega
+            np.testing.assert_allclose(found.A[here], A[change], rtol=2e-3)
+            # stable where F passes 0 upwards (30)
+            assert found.stable[here].tolist() == (F[change + 1] > 0).tolist()
+
+
+def test_folds_are_where_the_number_of_states_changes(oscillator):
+    A, grid = np.geomspace(1e-6, 20, 4001), np.linspace(0.3, 4.0, 371)
+    for F_0 in forcings(oscillator):
+        folds = oscillator.saddle_nodes(F_0)
+        for Omega, at in zip(folds.Omega, folds.A, strict=True):
+            scale = (F_0 * Omega**2 if oscillator.model.inertial else F_0) ** 2
+            F, beside = (balance(oscillator, Omega, at * one, F_0) for one in (1.0, np.array([1 - 1e-6, 1 + 1e-6])))
+            assert abs(F) < 1e-9 * scale
+            # of one sign on both sides of a fold
+            assert beside[0] * beside[1] > 0
+        signs = [balance(oscillator, Omega, A, F_0) < 0 for Omega in grid]
+        counts = np.array([np.count_nonzero(one[1:] != one[:-1]) for one in signs])
+        turns = np.flatnonzero(np.abs(np.diff(counts)) == 2)
+        within = folds.Omega[(folds.Omega > grid[0]) & (folds.Omega < grid[-1])]
+        assert all(((grid[i] <= within) & (within <= grid[i + 1])).any() for i in turns)
+
+
+def test_the_onset_is_where_two_folds_come_or_there_are_folds_down_to_rest(oscillator):
+    onset = oscillator.saddle_node_onset()
+    if oscillator.model.inertial:
+        # R next to 0 at A Omega^2 = 4c/pi: with A its level m/Omega^2 tends to 0, too
+        assert onset.F_SN is None and "folds come ever lower" in onset.message
+        assert [len(oscillator.saddle_nodes(F_0)) % 2 for F_0 in (1e-3, 1e-4)] == [1, 1]
+        return
+    assert (onset.F_SN is None or onset.F_SN < oscillator.model.m) or "4 mu/pi" in onset.message
+    if onset.F_SN is not None:
+        below, above = (len(oscillator.saddle_nodes(onset.F_SN * (1 + share))) for share in (-1e-5, 1e-4))
+        assert above == below + 2
+
+
+def test_a_curve_has_states_of_its_own_frequencies(oscillator):
+    F_0 = forcings(oscillator)[1]
+    curve = oscillator.frequency_response(F_0, samples=40, Omega=(0.3, 3.0))
+    scale = (F_0 * curve.Omega**2 if oscillator.model.inertial else F_0) ** 2
+    assert np.abs(balance(oscillator, curve.Omega, curve.A, F_0) / scale).max() < 1e-9
+    peak = oscillator.peak(F_0)
+    if peak.A is not None:
+        assert peak.A >= curve.A.max() * (1 - 1e-12)
+
+
+def settled(one, Omega, F_0, turns):
+    """The largest |u| after many turns, by SciPy between changes of the signs of u and u'; it must never rest."""
+    p, force = one.given, F_0 * Omega**2 if one.model.inertial else F_0
+    state, t, end, largest = np.array([1e-3, 1e-3]), 0.0, turns * 2 * np.pi / Omega, 0.0
+    side, slip = 1.0, 1.0
+
+    def pull(x):
+        hard = p["k"] * (abs(x) - p["gap"]) * (abs(x) > p["gap"]) if "gap" in p else p["k"] * abs(x) ** 3
+        return math.copysign(hard, x) + x
+
+    while t < end:
+
+        def field(tau, y, side=side, slip=slip):
+            mu = p["mu"] if one.rubs == "throughout" or abs(y[0]) <= p["gap"] else 0.0
+            resists = (2 * p["zeta"] + one.eta / Omega) * y[1] + slip * (one.c_2 * y[1] ** 2 + mu)
+            return [y[1], force * np.cos(Omega * tau) - resists - pull(y[0]) - side * p["c"]]
+
+        events = [lambda tau, y: y[0], lambda tau, y: y[1]]
+        events[0].terminal = events[1].terminal = True
+        events[0].direction, events[1].direction = -side, -slip
+        step = 0.05 / Omega if one.rubs == "attached" else np.inf
+        solution = solve_ivp(
+            field, (t, end), state, rtol=1e-9, atol=1e-12, events=events, method="DOP853", max_step=step
+        )
+        t, state = float(solution.t[-1]), solution.y[:, -1].copy()
+        if t > 0.9 * end:
+            largest = max(largest, np.abs(solution.y[0]).max())
+        if solution.t_events[0].size:
+            side, state[0] = -side, -side * 1e-15
+        elif solution.t_events[1].size:
+            slip, state[1] = -slip, -slip * 1e-15
+    return largest
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("law", "Omega", "F_0"), [("both", 1.1, 0.12), ("base and structural", 1.0, 0.1)])
+def test_exact_motions_are_those_of_an_independent_integration_and_near_the_averaged_ones(springs, law, Omega, F_0):
+    one = springs["cubic"](c=0.01, k=0.5, **LAWS[law])
+    state = one.steady_state(Omega=Omega, F_0=F_0)
+    assert state.stable and state.stops == 0
+    assert state.A == pytest.approx(settled(one, Omega, F_0, 120), rel=1e-6)
+    found = one.amplitudes(Omega=Omega, F_0=F_0)
+    assert np.min(np.abs(found.A[found.stable] / state.A - 1)) < 0.02
+
+
+def test_a_preload_that_pushes_outwards_is_refused():
+    outward = derive.mechanism("outward", [(-c + u + k * u**3, None)], {"c": ABOVE_0, "k": ABOVE_0})
+    for laws in ({"eta": 0.02}, {"excitation": "base"}):
+        with pytest.raises(ValueError, match="jumps at u = 0, and pushes outwards"):
+            outward(c=0.02, k=1.0, mu=0.01, zeta=0.03, **laws)
+
+
+def test_at_low_frequencies_an_excitation_by_inertia_leaves_the_mass_at_rest(springs):
+    one = springs["cubic"](c=0.03, k=1.2, **LAWS["base"])
+    begin = math.sqrt(one.model.held / 0.08)
+    found = one.amplitudes(Omega=[0.5 * begin, 1.5], F_0=0.08)
+    assert f"a mass at rest stays there up to Omega = {begin:g}" in found.message and 0.5 * begin not in found.Omega
+    # along the curve the amplitude tends to 0 there
+    curve = one.frequency_response(0.08, Omega=(0.0, 2.0))
+    assert curve.Omega[np.argmin(curve.A)] == pytest.approx(begin, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    "compile", [False, pytest.param(True, marks=pytest.mark.skipif(backend.SOLVER is None, reason="not compiled"))]
+)
+def test_batches_have_single_answers(compile):
+    made = derive.mechanism(
+        "preloaded_cubic", [(c + u + k * u**3, None)], {"c": ABOVE_0, "k": ABOVE_0}, compile=compile
+    )
+    for laws in ({"mu": 0.01, "zeta": 0.03, "excitation": "base"}, LAWS["structural"]):
+        single, many = made(c=0.03, k=1.2, **laws), made.many(c=np.array([0.03, -1.0]), k=1.2, **laws)
+        found = many.amplitudes(Omega=1.3, F_0=0.08)
+        alone = single.amplitudes(Omega=1.3, F_0=0.08)
+        assert found.A[0][: len(alone)] == pytest.approx(alone.A, rel=1e-14)
+        assert found.status.tolist() == [Status.OK, Status.INVALID]
