@@ -115,8 +115,6 @@ class Mechanism:
     reach_reason: str = ""
 
     def __post_init__(self) -> None:
-        if not self.design:
-            raise ValueError(f"{self.name}: it has no number of its own; a stiffness, for one, may be given as 1")
         given = tuple(parameter.symbol for parameter in self.design)
         if given not in (tuple(self.ratios), self.parameters):
             raise ValueError(f"{self.name}: the design {given} must be the ratios or the parameters, in their order")

@@ -219,7 +219,7 @@ def _of_kind(given: Given, kind: Pinned, arrays: list[Floats], inner: tuple[int,
     assert mechanism.by_parameter is not None
     assert mechanism.by_design is not None
     by_parameter = _stacked(mechanism.by_parameter(A, h, h_A, h_AA, *parameters), A).reshape(len(parameters), 3, A.size)
-    by_design = _stacked(mechanism.by_design(*design), A).reshape(-1, n, A.size)
+    by_design = _stacked(mechanism.by_design(*design), A).reshape(len(parameters) + len(ends), n, A.size)
     of_ends = by_design[len(parameters) :]
 
     def dissipates(beyond: Any = None) -> Dissipates:

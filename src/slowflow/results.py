@@ -202,7 +202,7 @@ NOT_AVERAGED = "gradients are known of averaged answers, asked of an oscillator 
 
 def _given(model: Model | None) -> moves.Given:
     """Whose answer it is. Raises ValueError where nothing says it."""
-    if model is None or not model.design:
+    if model is None or not model.has_design:
         raise ValueError(NOT_AVERAGED)
     laws, numbers = model.laws, (*model.design, model.mu, model.zeta)
     if not laws.any:

@@ -58,7 +58,7 @@ def _asked(proof: Callable[[ModuleType], Callable[..., Any]], model: Model, *num
         return None, words.NO_SOLVERS
     if model.native is None:
         return None, words.NOT_COMPILED
-    if not model.design:
+    if not model.has_design:
         return None, words.NO_DESIGN
     answer = proof(backend.SOLVER)(model.native, *numbers)
     return answer, "" if answer is not None else words.NO_INTERVALS
@@ -93,7 +93,7 @@ def in_balls() -> Any:
 
 def _decided(found: Answer, model: Model, ask: Callable[[Any], Answer | None]) -> Answer:
     """An answer that doubles gave, or, where it is not proved, what balls say instead."""
-    if found.proved or not model.design:
+    if found.proved or not model.has_design:
         return found
     balls = in_balls()
     if balls is None:

@@ -50,7 +50,7 @@ class Given:
     @classmethod
     def of(cls, model: Model | None, load: float) -> Given:
         """Under a load. Raises NotAvailable where it is not known how the force moves with the design."""
-        if model is None or not model.design or model.mechanism.by_design is None:
+        if model is None or not model.has_design or model.mechanism.by_design is None:
             raise NotAvailable(NO_DESIGN)
         if model.mechanism.steps is None:
             raise NotAvailable(CURVED)
@@ -70,8 +70,11 @@ class Given:
         """
         model, n = self.model, len(self.model.design)
         assert model.mechanism.by_design is not None
-        slopes = np.array(model.mechanism.by_design(*model.design), dtype=float).reshape(-1, n)[len(model.parameters) :]
         ends = np.array([float(end) for end in model.mechanism.breakpoints(*model.parameters)])
+        rows = len(model.parameters) + ends.size
+        slopes = np.array(model.mechanism.by_design(*model.design), dtype=float).reshape(rows, n)[
+            len(model.parameters) :
+        ]
         if not ends.size:  # none comes to it
             return np.ones_like(A), np.zeros((n, A.size))
         if self.steps.odd:
@@ -98,6 +101,8 @@ class Given:
 def _by_design(model: Model, steps: Steps) -> tuple[Floats, Floats]:
     """What each number of the design does to the gains of the steps, u held fixed, and to their places."""
     mechanism, parameters = model.mechanism, model.parameters
+    if not model.design:
+        return np.zeros((0, steps.places.size, steps.highest + 1)), np.zeros((0, steps.places.size))
     assert mechanism.by_design is not None
     slopes = np.array(mechanism.by_design(*model.design), dtype=float).reshape(-1, len(model.design))
     of_parameters, of_ends = slopes[: len(parameters)], slopes[len(parameters) :]

@@ -154,4 +154,4 @@ def within(parameters: Sequence[Parameter], name: str) -> str:
                 f"{here} {relation} {literal(sp.Rational(bound))}" for relation, bound in sides if bound is not None
             ]
             conditions.extend(bounds or [f"{here} {strict} {infinite}"])
-    return " && ".join(conditions)
+    return " && ".join(conditions) or "1"

@@ -61,7 +61,7 @@ def _decided(
 ) -> Answer | None:
     """An answer that is proved by as few bits as it takes for it to be good enough, or that of the most."""
     averages = averages_of(model.mechanism)
-    if averages is None or not model.design:
+    if averages is None or not model.has_design:
         return None
     ends = model.mechanism.breakpoints(*model.parameters)  # of which a design without a preload has none above 0
     if not len(ends) == len(model.breakpoints) == len(model.jumps):

@@ -1,0 +1,82 @@
+"""A force that has no number of its own: it answers as the same force does with its numbers as parameters."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from slowflow import Duffing, backend, derive
+
+u, k, gap = sp.symbols("u k gap")
+STOP = sp.Rational(1, 5)
+#: the pieces in numbers, the same with parameters, and these
+FORCES = {
+    "cubic": ([(u + u**3, None)], [(u + k * u**3, None)], {"k": 1.0}),
+    "stop": ([(u, STOP), (2 * u - STOP, None)], [(u, gap), (2 * u - gap, None)], {"gap": 0.2}),
+    "pendulum": ([(sp.sin(u), None)], [(k * sp.sin(u), None)], {"k": 1.0}),
+}
+DAMPING = {"mu": 0.01, "zeta": 0.03}
+F_0 = 0.06
+COMPILED = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
+
+
+def pair(name, compile=False):
+    bare, named, given = FORCES[name]
+    reach = {"reach": 3.1} if name == "pendulum" else {}
+    whole = derive.mechanism(f"bare_{name}", bare, {}, compile=compile, **reach)
+    return whole, derive.mechanism(f"named_{name}", named, {one: {"above": 0} for one in given}, **reach), given
+
+
+@pytest.mark.parametrize(
+    ("name", "compile"),
+    [*((name, False) for name in FORCES), *(pytest.param(name, True, marks=COMPILED) for name in ("cubic", "stop"))],
+)
+def test_answers_are_those_of_the_force_with_parameters(name, compile):
+    made, other, given = pair(name, compile)
+    one, same = made(**DAMPING), other(**given, **DAMPING)
+    for ask in (
+        lambda osc: osc.saddle_nodes(F_0).A,
+        lambda osc: osc.amplitudes(Omega=[0.7, 1.1], F_0=F_0).A,
+        lambda osc: osc.saddle_node_onset().F_SN,
+        lambda osc: osc.peak(F_0).A,
+        lambda osc: osc.second_approximation.amplitudes(Omega=0.9, F_0=F_0).A,
+        lambda osc: osc.replace(eta=0.02).saddle_nodes(F_0).A,
+        lambda osc: osc.replace(excitation="base").amplitudes(Omega=1.1, F_0=F_0).A,
+        lambda osc: osc.steady_state(Omega=0.8, F_0=F_0).A,
+    ):
+        assert ask(one) == pytest.approx(ask(same), rel=1e-12)
+    assert repr(one).endswith("mu=0.01, zeta=0.03)") and one.replace(zeta=0.03) == one
+
+
+@pytest.mark.parametrize(
+    ("name", "compile"),
+    [*((name, False) for name in FORCES), *(pytest.param(name, True, marks=COMPILED) for name in ("cubic", "stop"))],
+)
+def test_gradients_are_by_damping_and_the_forcing_alone(name, compile):
+    made, other, given = pair(name, compile)
+    one, same = made(**DAMPING), other(**given, **DAMPING)
+    found, expected = one.saddle_nodes(F_0).gradient(), same.saddle_nodes(F_0).gradient()
+    assert found.by == ("mu", "zeta", "F_0")
+    for which in found.by:
+        for of in ("Omega", "A"):
+            assert found[of, which] == pytest.approx(expected[of, which], rel=1e-9)
+
+
+@pytest.mark.parametrize("compile", [False, pytest.param(True, marks=COMPILED)])
+def test_batches_are_over_damping(compile):
+    made, _, _ = pair("cubic", compile)
+    zeta = np.array([0.03, 0.05])
+    found = made.many(mu=0.01, zeta=zeta).saddle_node_onset()
+    singles = [Duffing(1.0, 1.0, mu=0.01, zeta=one).saddle_node_onset().F_SN for one in zeta]
+    assert found.F_SN == pytest.approx(singles, rel=1e-14)
+
+
+def test_off_the_centre_too():
+    bare = derive.mechanism("bare_sided", [(u, STOP), (2 * u - STOP, None)], {}, odd=False)(mu=0.0, zeta=0.03)
+    named = derive.mechanism("named_sided", [(u, gap), (2 * u - gap, None)], {"gap": {"above": 0}}, odd=False)
+    same = named(gap=0.2, mu=0.0, zeta=0.03)
+    found, expected = (osc.off_centre.saddle_nodes(F_0) for osc in (bare, same))
+    assert (found.A, found.B) == (pytest.approx(expected.A, rel=1e-12), pytest.approx(expected.B, rel=1e-12))
+    of, to = found.gradient(), expected.gradient()
+    assert "gap" not in of.by and set(of.by) == set(to.by) - {"gap"}
