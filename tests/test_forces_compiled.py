@@ -13,6 +13,7 @@ import pytest
 import sympy as sp
 
 from slowflow import backend, derive, exact, include
+from slowflow_kernels.conventions import Status
 from tests.native.headers import COMPILER
 from tests.native.records import Interval, doubles, opened
 from tests.test_forces import ABOVE_0, CASES, DAMPING, FORCES, MORE, c, k, slow_beside, u
@@ -206,3 +207,18 @@ def test_what_is_written_for_other_programs_compiles_alone(derived, tmp_path):
     case = next(case for case in CASES if case["force"] == "wave" and case["A"] == 0.9)
     assert found == pytest.approx(float(case["h"][0]), rel=1e-14)
     assert json.loads((tmp_path / "MANIFEST.json").read_text())["files"].keys() >= {header}
+
+
+def test_batches_refuse_a_pole_within_the_reach_as_single_designs_do():
+    """Magnets that are nearer than the reach: compiled batches summed over the pole, and said OK."""
+    pieces = [(u + k * (1 / (c - u) ** 2 - 1 / (c + u) ** 2), None)]
+    magnets = derive.mechanism("near_magnets", pieces, {"k": {"above": 0}, "c": {"above": 0}}, reach=3.9, compile=True)
+    with pytest.raises(ValueError, match=r"infinite or no number at \|u\| = 3"):
+        magnets(k=10.0, c=3.0, mu=0.01, zeta=0.03)
+    several = magnets.many(k=10.0, c=np.array([4.5, 3.0, 3.8999, 4.0, -1.0]), mu=0.01, zeta=0.03)
+    expected = [Status.OK, Status.INVALID, Status.INVALID, Status.OK, Status.INVALID]
+    for found in (several.saddle_nodes(0.1), several.amplitudes(Omega=1.0, F_0=0.1), several.saddle_node_onset()):
+        assert found.status.tolist() == expected
+    found, alone = several.amplitudes(Omega=1.0, F_0=0.1), magnets(k=10.0, c=4.5, mu=0.01, zeta=0.03)
+    assert np.isnan(found.A[[1, 2, 4]]).all()
+    assert found.A[0, 0] == alone.amplitudes(Omega=1.0, F_0=0.1).A[0]

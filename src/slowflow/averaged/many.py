@@ -37,6 +37,7 @@ from slowflow.averaged.asked import (
 from slowflow.averaged.batches import Codes, Curves, Detachments, Folds, Onsets, Peaks, Proofs, States
 from slowflow.averaged.parts import blocks, share
 from slowflow.averaged.questions import Averaged
+from slowflow.averaged.reference.defined import check_defined, may_be_undefined
 from slowflow.certificate import DOUBLES
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, Floats, Laws, Model, check_names
@@ -373,6 +374,10 @@ class Designs(Unchanging):
 
             places_of = np.broadcast_to(np.uint8(0), shape)
             share(part, blocks(shape, question.at_once), threads, lambda one: places_of[one].size, places_of.size)
+            if question.one is not None:
+                self._refuse_undefined(
+                    question.one, list(np.broadcast_arrays(*values.values())), len(at), places, outputs
+                )
         elif question.one is None:
             for output, value in zip(told, NO_PROOF, strict=True):
                 output[...] = value
@@ -386,6 +391,25 @@ class Designs(Unchanging):
         with np.errstate(all="ignore"):  # a number outside its domain has a status
             parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
             return bool(np.any(np.nan_to_num(self.mechanism.averaged(0.0, *parameters)[0]) != 0))
+
+    def _refuse_undefined(
+        self, one: One, values: list[npt.NDArray[Any]], beside: int, places: int, outputs: list[Any]
+    ) -> None:
+        """A status for designs whose force is infinite within its reach, of which the compiled solvers do not know."""
+        if self.mechanism.enclosed is None:
+            return
+        with np.errstate(all="ignore"):  # a number outside its domain has a status already
+            parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
+            doubtful = np.broadcast_to(may_be_undefined(self.mechanism, parameters), values[0].shape)
+        for index in zip(*np.nonzero(doubtful & (outputs[-1] != Status.INVALID)), strict=True):
+            numbers = [float(value[index]) for value in values]
+            size = len(numbers) - beside
+            try:
+                check_defined(self.model(dict(zip(self.values, numbers[:size], strict=True))))
+            except ValueError:
+                blank = (*one(None, *numbers[size:], places)[:-1], Status.INVALID)
+                for output, value in zip(outputs, blank, strict=True):
+                    output[index] = value
 
     def _loop(
         self, one: One, values: list[npt.NDArray[Any]], beside: int, places: int, outputs: list[npt.NDArray[Any]]

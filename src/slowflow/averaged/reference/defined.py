@@ -9,11 +9,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
 from slowflow.averaged.reference.enclosed import interval_like
 from slowflow.averaged.reference.intervals import Bools, Elementary
+from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
 
 #: into how many parts a piece is divided first; how short one is, over the reach, that is not cut again
@@ -21,6 +23,8 @@ PARTS, NARROW = 64, 2.0**-40
 #: how large a force is next to a pole; how often intervals are cut
 AT_POLE = 2.0**16
 MOST_CUTS = 2000
+#: how many designs are looked at together
+TOGETHER = 1024
 
 
 def check_defined(model: Model) -> None:
@@ -50,6 +54,38 @@ def check_defined(model: Model) -> None:
                 f"{told}: not allowed for {model.mechanism.name}, whose force is infinite or no number at "
                 f"|u| = {place:.6g}, within its reach {reach:g}"
             )
+
+
+def may_be_undefined(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Bools:
+    """Of which of many designs, parameters of shapes that broadcast, intervals do not tell that the force is finite.
+
+    By as many of them as are tried at first: `check_defined` tells of each of these whether it is.
+    """
+    reach = np.asarray(mechanism.reach_at(*parameters), dtype=float)
+    ends = [np.asarray(end, dtype=float) for end in mechanism.breakpoints(*parameters)]
+    shape = np.broadcast_shapes(reach.shape, *(np.shape(one) for one in (*parameters, *ends)))
+    found = np.zeros(math.prod(shape), dtype=bool)
+    if mechanism.enclosed is None or not mechanism.odd:
+        return found.reshape(shape)
+    given, bounds, (most,) = (
+        [np.broadcast_to(np.asarray(one, dtype=float), shape).reshape(-1, 1) for one in some]
+        for some in (parameters, ends, (reach,))
+    )
+    shares = np.linspace(0.0, 1.0, PARTS + 1)
+    with np.errstate(all="ignore"):
+        for first in range(0, found.size, TOGETHER):
+            part = slice(first, first + TOGETHER)
+            last = most[part]
+            edges = [np.zeros_like(last), *(np.minimum(end[part], last) for end in bounds), last]
+            of = [Elementary(np.tile(np.repeat(one[part], PARTS), (2, 1))) for one in given]
+            one = Elementary.point(1.0)
+            for number, (begin, end) in enumerate(pairwise(edges)):
+                at = (end - begin) * shares
+                beyond = Elementary(np.array([at[:, :-1].ravel(), at[:, 1:].ravel()]))
+                force = mechanism.enclosed.terms[number](Elementary.point, one, beyond, one, *of)[0]
+                known = np.isfinite(interval_like(force, beyond).ends).all(axis=0).reshape(-1, PARTS)
+                found[part] |= (~known & (end > begin)).any(axis=1) & np.isfinite(last[:, 0])
+    return found.reshape(shape)
 
 
 def _own(model: Model) -> tuple[str, ...]:
