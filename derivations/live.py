@@ -162,10 +162,24 @@ def stated(
         instead=() if closed else tuple(symbols.values()),
         reach=furthest,
         reach_reason=reach_reason,
+        mirrored=_mirrored(pieces[0][0]),
     )
     if not closed:
         check(quadrature(mechanism), name)
     return mechanism
+
+
+def _mirrored(force: Any) -> str:
+    """A first piece as it is written, where for u < 0 it is real and not its mirror image; a constant is a preload."""
+    force = sp.sympify(force)
+    right = sp.Dummy("right", positive=True)
+    at = {symbol: right for symbol in force.free_symbols if symbol.name == "u"}
+    left = force.subs({symbol: -right for symbol in at})
+    roots = (power for power in left.atoms(sp.Pow) if power.has(right) and not power.exp.is_integer)
+    if not at or left.has(sp.I) or any(not power.base.is_positive for power in roots):
+        return ""
+    even = sp.expand(force.subs(at) + left)
+    return str(force) if sp.simplify(even).has(right) else ""
 
 
 def designed(parameters: Mapping[str, Mapping[str, Any]]) -> tuple[Parameter, ...]:

@@ -8,9 +8,10 @@ import warnings
 
 import numpy as np
 import pytest
+import sympy as sp
 from scipy.integrate import solve_ivp
 
-from slowflow import Duffing, Isolator, Oscillator, backend
+from slowflow import Duffing, Isolator, Oscillator, backend, derive
 from slowflow.averaged import proofs
 from slowflow.certificate import DOUBLES
 from slowflow.exact import shooting
@@ -380,3 +381,21 @@ def test_where_a_response_is_cut_is_said_in_codes_by_the_batch_too():
             assert int(single.remarks) == int(batch.remarks)
             assert (Remark.CUT in single.remarks) == ("cut at A = " in single.message)
         assert (Remark.CUT in single.remarks) == cut
+
+
+def test_a_force_that_was_not_written_odd_says_at_each_answer_what_stands_for_it():
+    """A preload, |u| and powers that are none for u < 0 can be meant in one way only."""
+    u, a, p = sp.symbols("u a p")
+    given = {"a": {"above": 0}}
+    even = derive.mechanism("written_even", [(u + a * u**2 + u**3, None)], given)
+    one, words = even(a=0.5, mu=0.01, zeta=0.03), "a*u**2 + u**3 + u is not odd: for u < 0 the force is that of |u|"
+    for found in (one.saddle_nodes(0.1), one.amplitudes(Omega=0.9, F_0=0.1), one.saddle_node_onset(), one.peak(0.1)):
+        assert Remark.MIRRORED in found.remarks and words in found.message
+    batch = even.many(a=[0.5, 0.6], mu=0.01, zeta=0.03).saddle_nodes(0.1)
+    assert (batch.remarks & Remark.MIRRORED == Remark.MIRRORED).all()
+    assert pickle.loads(pickle.dumps(one)).peak(0.1).message == one.peak(0.1).message
+    for force in (u + a * sp.Abs(u) * u, a + u + u**3, u + a * u ** sp.Rational(5, 2), a * sp.sin(u), a * u + u**3):
+        plain = derive.mechanism("written_odd", [(force, None)], given, reach=3.0)(a=0.5, mu=0.01, zeta=0.03)
+        assert Remark.MIRRORED not in plain.peak(0.1).remarks
+    power = derive.mechanism("a_power", [(u + a * u**p, None)], {**given, "p": {"above": 1}})
+    assert Remark.MIRRORED not in power(a=0.5, p=2.5, mu=0.01, zeta=0.03).peak(0.1).remarks

@@ -96,6 +96,7 @@ class Mechanism:
     instead      -- ratios that the kernels take in place of the breakpoints, which follow from them; () none
     reach        -- largest |u| that the mechanism can take, in the ratios, or `sp.oo`
     reach_reason -- what happens there, in words
+    mirrored     -- the first piece where as it was written it is another one for u < 0 than its mirror image; "" none
     """
 
     name: str
@@ -113,6 +114,7 @@ class Mechanism:
     instead: tuple[sp.Symbol, ...] = ()
     reach: sp.Expr = sp.oo
     reach_reason: str = ""
+    mirrored: str = ""
 
     def __post_init__(self) -> None:
         given = tuple(parameter.symbol for parameter in self.design)

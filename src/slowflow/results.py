@@ -51,6 +51,8 @@ class Remark(IntFlag):
     #: doubles left undecided how many folds or states there are, or where folds are born, and balls of more digits
     #: decided it
     BY_BALLS = 1024
+    #: the force was written so that for u < 0 it is another one than its mirror image, which was taken
+    MIRRORED = 2048
 
 
 class State(NamedTuple):

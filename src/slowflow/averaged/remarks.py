@@ -42,6 +42,8 @@ WORDS = {
     Remark.BEYOND_WELL: "there are states beyond the well, which turn where the spring pushes on instead of back: "
     "none is stable, as exact motions do not come back from there",
     Remark.BY_BALLS: "balls of more digits decided how many there are, or which is lowest, where doubles do not tell",
+    Remark.MIRRORED: "{mirrored} is not odd: for u < 0 the force is that of |u| with the other sign; odd=False takes "
+    "it as it is written",
     Remark.OF_TRUNCATION: "at the corner at u_cr, where the truncated force (6) jumps: the untruncated one has none",
 }
 
@@ -130,6 +132,7 @@ def of_designs(
         Remark.LEAVES_CENTRE: (there & ~kept).any(axis=-1),
         Remark.BEYOND_WELL: (there & beyond).any(axis=-1),
         Remark.OF_TRUNCATION: on_jump,
+        Remark.MIRRORED: np.full(A.shape[:-1], bool(mechanism.mirrored)),
         Remark.HELD_AT_REST: (force <= held[..., np.newaxis]).any(axis=-1),
     }
     return np.asarray(sum(int(remark) * holds for remark, holds in codes.items()), dtype=np.uint16)
@@ -144,6 +147,8 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = None, *, 
     many = isinstance(A, np.ndarray)
     highest = A if not many else A.max() if A.size else math.nan
     said = []  # few have any, and to add up flags takes longer than to look for them
+    if model.mechanism.mirrored:
+        said.append(Remark.MIRRORED)
     if model.negative_stiffness:
         said.append(Remark.NEGATIVE_STIFFNESS)
     if not math.isnan(F_0):
@@ -227,5 +232,6 @@ def in_words(remarks: Remark, model: Model, F_0: float) -> list[str]:
     else:
         near = [NEAR_STICKING_BELOW] if model.inertial else [validity.near_sticking(model, F_0)]
     known = {"reach": model.reach, "reason": model.mechanism.reach_reason, "held": model.held}
+    known["mirrored"] = model.mechanism.mirrored
     known["holds"] = "preload and friction hold" if model.preload > 0 else "friction holds"
     return [text.format(**known) for remark, text in WORDS.items() if remark in remarks] + near
