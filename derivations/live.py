@@ -32,6 +32,7 @@ from .emit.catalogue.mechanism import mechanism_module, with_proofs
 from .emit.catalogue.quadrature import quadrature_module
 from .emit.catalogue.sided import sided_module
 from .emit.form import Module
+from .emit.measured import LIVE
 from .emit.provenance import tools, versions
 from .emit.targets import c, interval, numpy, pair
 from .emit.views import programs
@@ -230,7 +231,7 @@ def sources(mechanism: Mechanism | Sided) -> Sources:
     derived = of_mechanism(replace(mechanism, name=name), enclosed=True)
     # not composed with the slow flow and without resultants: solvers ask neither
     module = mechanism_module({name: derived}, name, None)
-    module = replace(module, inputs=("live.py",), native=False, record=replace(module.record, scales=()))
+    module = replace(module, inputs=(LIVE,), native=False, record=replace(module.record, scales=()))
     return Sources(with_bends(module, derived) if not_shown(derived.oscillator) else module, derived)
 
 

@@ -260,8 +260,8 @@ class Model:
 
     @cached_property
     def preload(self) -> float:
-        """-h as A tends to 0: 4/pi times what the force jumps to at u = 0, which all but a few forces do not."""
-        return -float(self._rest[0])
+        """-h as A tends to 0: 4/pi times what an odd force jumps to at u = 0, which all but a few forces do not."""
+        return -float(self._rest[0]) if self.mechanism.odd else 0.0
 
     @cached_property
     def _rest(self) -> tuple[Floats, Floats, Floats, Floats]:

@@ -401,7 +401,7 @@ class Designs(Unchanging):
         with np.errstate(all="ignore"):  # a number outside its domain has a status already
             parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
             doubtful = np.broadcast_to(may_be_undefined(self.mechanism, parameters), values[0].shape)
-        for index in zip(*np.nonzero(doubtful & (outputs[-1] != Status.INVALID)), strict=True):
+        for index in map(tuple, np.argwhere(doubtful & (outputs[-1] != Status.INVALID))):
             numbers = [float(value[index]) for value in values]
             size = len(numbers) - beside
             try:

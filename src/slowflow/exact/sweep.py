@@ -86,7 +86,7 @@ def sweep(
     Raises ValueError for parameters out of range, or where the mass would never move, ArithmeticError where the motion
     escapes or chatters.
     """
-    frequencies = np.asarray(Omega, dtype=float)
+    frequencies = np.array(Omega, dtype=float, order="C")
     if frequencies.ndim != 1 or frequencies.size == 0:
         raise ValueError(f"Omega must be a non-empty list of frequencies, not an array of shape {frequencies.shape}")
     for frequency in frequencies:

@@ -158,7 +158,7 @@ class Complete:
 
     def _at(self, Omega: Floats, F_0: float) -> Solutions:
         """All states at some frequencies, by A and B."""
-        with np.errstate(divide="ignore"):
+        with np.errstate(divide="ignore", over="ignore"):
             force = self._flow.force(F_0, Omega)
             # I is not more than the force
             bounds = self._flow.bound(Omega, force) * (1 + 2.0**-40)

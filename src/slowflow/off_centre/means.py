@@ -494,7 +494,7 @@ def _hull_of_inverse(root: Interval) -> Floats:
 
 def _fill(A: Floats, a: Floats, L: Floats, M: Floats, highest: int, *, whole: bool) -> None:
     """L_j and M_j of a step, j from -ORDERS up, into rows of L and M; all of the motion is above it if `whole`."""
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
         passes = np.zeros(A.shape, dtype=bool) if whole else np.abs(a) < A
         if passes.any():
             at, of = a[passes], A[passes]

@@ -104,7 +104,8 @@ def _by_design(model: Model, steps: Steps) -> tuple[Floats, Floats]:
     if not model.design:
         return np.zeros((0, steps.places.size, steps.highest + 1)), np.zeros((0, steps.places.size))
     assert mechanism.by_design is not None
-    slopes = np.array(mechanism.by_design(*model.design), dtype=float).reshape(-1, len(model.design))
+    with np.errstate(divide="ignore", invalid="ignore"):  # at the end of a domain a slope may have no bound
+        slopes = np.array(mechanism.by_design(*model.design), dtype=float).reshape(-1, len(model.design))
     of_parameters, of_ends = slopes[: len(parameters)], slopes[len(parameters) :]
     ends = steps.breakpoints
     # (parameters, pieces, orders): derivatives of each piece by a parameter and then by u, at u = 0
