@@ -278,7 +278,7 @@ static inline void inertia_fold_slopes(double Omega, double A, double m, double 
 /* The F_0 of a force at a fold, by the one of `fold_slopes` that is not its own.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 10 structured, 10 common subexpressions, 10 power chains
-   Measured, error / u (1 + kappa): 0.58
+   Measured, error / u (1 + kappa): 0.82
  */
 static inline double inertia_fold_force(double Omega, double A, double m, double zeta, double other)
 {
