@@ -515,6 +515,7 @@ def _integrals(end: Corner, way: str, steep: bool, nodes: int) -> tuple[_Detache
 
 def detached(a: sp.Expr, b: sp.Expr, corner_: Corner, way: str, nodes: int = NODES) -> Regime:
     """A > u_cr, where u (a + b (1/Delta - 1/c)) is averaged over 0 < t < theta, a u beyond."""
+    # more nodes are for a breakpoint whose double says too little of A^2 - u_cr^2 next to it
     steep = way != "by_gauss" or nodes > NODES
     quarter, (W, V3, V5, V7) = _integrals(corner_, way, steep, nodes)
     end, root, c = quarter.b, quarter.root, quarter.c

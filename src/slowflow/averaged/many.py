@@ -209,7 +209,7 @@ class Designs(Unchanging):
     def _leave_out_what_drifts(self, Omega: Floats, A: Floats, stable: Codes) -> None:
         """States, along one more axis, are stable only if they stay about u = 0, and within its well, as well."""
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
-            parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
+            parameters = self._parameters
             kept, beyond = remarks.look_at(self.mechanism, parameters, Omega, A)
             stable &= kept & ~beyond
 
@@ -300,7 +300,7 @@ class Designs(Unchanging):
         if self.excitation != "force":
             return np.zeros(self.shape, dtype=bool)
         with np.errstate(all="ignore"):  # a number outside its domain has a status
-            parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
+            parameters = self._parameters
             may = ~remarks.stay_centred(self.mechanism, parameters)
             return np.asarray(may & remarks.gives_way(self.mechanism, parameters) if may.any() else may)
 
@@ -308,7 +308,7 @@ class Designs(Unchanging):
         """What to bear in mind with states of each design, along one more axis; see `remarks.of_designs`."""
         mu = np.asarray(self.values["mu"], dtype=float)
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
-            parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
+            parameters = self._parameters
             force = np.asarray(F_0)[..., np.newaxis]
             rubs = self.rubs
             if self.excitation != "force":
@@ -374,10 +374,9 @@ class Designs(Unchanging):
 
             places_of = np.broadcast_to(np.uint8(0), shape)
             share(part, blocks(shape, question.at_once), threads, lambda one: places_of[one].size, places_of.size)
-            if question.one is not None:
-                self._refuse_undefined(
-                    question.one, list(np.broadcast_arrays(*values.values())), len(at), places, outputs
-                )
+            if question.one is not None and self.mechanism.enclosed is not None:
+                each = list(np.broadcast_arrays(*values.values()))
+                self._refuse_undefined(question.one, each, len(at), places, outputs)
         elif question.one is None:
             for output, value in zip(told, NO_PROOF, strict=True):
                 output[...] = value
@@ -386,20 +385,23 @@ class Designs(Unchanging):
         return outputs
 
     @property
+    def _parameters(self) -> tuple[npt.NDArray[Any], ...]:
+        """What the force takes, of all designs; a number outside its domain, which has a status, may warn."""
+        return tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
+
+    @property
     def _have_preload(self) -> bool:
         """Whether a force jumps at u = 0, of which the compiled solvers have no answer under inertia."""
         with np.errstate(all="ignore"):  # a number outside its domain has a status
-            parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
+            parameters = self._parameters
             return bool(np.any(np.nan_to_num(self.mechanism.averaged(0.0, *parameters)[0]) != 0))
 
     def _refuse_undefined(
         self, one: One, values: list[npt.NDArray[Any]], beside: int, places: int, outputs: list[Any]
     ) -> None:
         """A status for designs whose force is infinite within its reach, of which the compiled solvers do not know."""
-        if self.mechanism.enclosed is None:
-            return
         with np.errstate(all="ignore"):  # a number outside its domain has a status already
-            parameters = tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
+            parameters = self._parameters
             doubtful = np.broadcast_to(may_be_undefined(self.mechanism, parameters), values[0].shape)
         for index in map(tuple, np.argwhere(doubtful & (outputs[-1] != Status.INVALID))):
             numbers = [float(value[index]) for value in values]
