@@ -70,7 +70,7 @@ def _bounded(model: Model, F_0: float, lowest: float) -> tuple[float, str]:
         if closed is not None:
             return closed, ""
         if not (cut := inertia.cut(along, rungs)) < np.inf:
-            raise OverflowError(words.unbounded(model, F_0))
+            raise OverflowError(words.beyond_range(model, F_0))
         return words.does_not_close(cut)
     by_damping = np.inf
     if model.laws.any:
