@@ -142,8 +142,8 @@ def beyond_range(model: Model, F_0: float) -> str:
     """That forces at the amplitudes of states are too large to be squared."""
     laws = f" with {model.laws.told()}" if model.laws.any else ""
     return (
-        f"the response is unresolved at F_0 = {F_0:.17g}{laws}: squares of the forces at its amplitudes leave the range "
-        "of doubles"
+        f"the response is unresolved at F_0 = {F_0:.17g}{laws}: squares of the forces at its amplitudes leave "
+        "the range of doubles"
     )
 
 
