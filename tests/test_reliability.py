@@ -1,9 +1,7 @@
-"""Nothing breaks it: threads, forks, interrupts, memory, the interpreter's switches, and what must hold by symmetry."""
+"""Nothing breaks it: threads, forks, interrupts, memory, the interpreter's switches, hard places."""
 
 from __future__ import annotations
 
-import itertools
-import math
 import multiprocessing
 import os
 import re
@@ -14,10 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import mpmath
-import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from slowflow import Duffing, Isolator, backend
 from slowflow.averaged import parts
@@ -240,80 +235,6 @@ def test_nothing_is_written_into_the_package(tmp_path):
     environment["PYTHONPATH"] = os.pathsep.join(str(Path(path).resolve()) for path in sys.path)
     subprocess.run([sys.executable, "-c", EVERYTHING], check=True, capture_output=True, cwd=tmp_path, env=environment)
     assert files() == before and list(tmp_path.iterdir()) == []
-
-
-# --- what must hold by symmetry --------------------------------------------------------------------------------------
-
-duffings = st.builds(
-    dict,
-    alpha=st.floats(0.1, 3.0),
-    beta=st.floats(0.05, 5.0) | st.floats(-5.0, -0.05),
-    mu=st.just(0.0) | st.floats(1e-4, 0.1),
-    zeta=st.floats(1e-3, 0.5),
-)
-
-
-def close(a, b):
-    return a == b or math.isclose(a, b, rel_tol=1e-11)
-
-
-def scaled_alike(one, other, length, frequency, F_0, Omega):
-    """Both oscillators say the same, the second in units in which lengths and frequencies are so many times larger."""
-    force = length * frequency**2
-    a, b = one.saddle_node_onset(), other.saddle_node_onset()
-    assert (a.F_SN is None) == (b.F_SN is None)
-    if a.F_SN is not None:
-        assert close(a.F_SN * force, b.F_SN) and close(a.A * length, b.A) and close(a.Omega * frequency, b.Omega)
-    one_s, other_s = one.saddle_nodes(F_0), other.saddle_nodes(F_0 * force)
-    assert [fold.kind for fold in one_s] == [fold.kind for fold in other_s]
-    # near a cusp a fold moves by the root of a rounding
-    np.testing.assert_allclose(one_s.Omega * frequency, other_s.Omega, rtol=1e-7)
-    states = one.amplitudes(Omega=Omega, F_0=F_0)
-    others = other.amplitudes(Omega=Omega * frequency, F_0=F_0 * force)
-    assert states.stable.tolist() == others.stable.tolist()
-    np.testing.assert_allclose(states.A * length, others.A, rtol=1e-7)
-
-
-@pytest.mark.both_backends
-@settings(max_examples=40, deadline=None, derandomize=True)
-@given(duffings, st.floats(0.01, 1.0), st.floats(0.2, 2.5), st.integers(-20, 20), st.integers(-10, 10))
-def test_units_of_length_and_time_are_free(numbers, F_0, Omega, p, q):
-    """u -> s u and tau -> tau/c, by powers of two so that no number is rounded."""
-    s, c = 2.0**p, 2.0**q
-    other = Duffing(
-        alpha=numbers["alpha"] * c**2,
-        beta=numbers["beta"] * c**2 / s**2,
-        mu=numbers["mu"] * s * c**2,
-        zeta=numbers["zeta"] * c,
-    )
-    scaled_alike(Duffing(**numbers), other, s, c, F_0, Omega)
-
-
-@pytest.mark.both_backends
-@settings(max_examples=40, deadline=None, derandomize=True)
-@given(duffings, st.floats(0.02, 1.0))
-def test_the_number_of_states_changes_by_two_at_each_fold(numbers, F_0):
-    oscillator = Duffing(**numbers)
-    folds = oscillator.saddle_nodes(F_0)
-    ends = [0.0, *folds.Omega.tolist(), 2 * max(folds.Omega, default=1.0)]
-    if min(np.diff(ends)) < 1e-6:  # no room between two of them
-        return
-    between = [0.5 * (a + b) for a, b in itertools.pairwise(ends)]
-    counts = [len(oscillator.amplitudes(Omega=Omega, F_0=F_0)) for Omega in between]
-    assert all(abs(a - b) == 2 for a, b in itertools.pairwise(counts))
-
-
-@pytest.mark.both_backends
-@settings(max_examples=20, deadline=None, derandomize=True)
-@given(st.floats(1.0, 5.0), st.floats(0.5, 3.0), st.floats(0.1, 0.9), st.floats(0.002, 0.05), st.floats(0.01, 0.1))
-def test_nothing_jumps_at_the_detachment_of_the_untruncated_force(lam, r, share, mu, zeta):
-    """The lowest forcing, its frequency and the backbone on either side of u_cr: a float apart, a rounding apart."""
-    oscillator = Isolator(lam=lam, r=r, delta_h=min(share / (lam * r), 0.9), mu=mu, zeta=zeta, force="untruncated")
-    end = oscillator.detachment().u_cr
-    below, above = oscillator.backbone([np.nextafter(end, 0), np.nextafter(end, 2)])
-    assert close(below, above)
-    F_cr = oscillator.detachment().F_cr
-    assert math.isclose(oscillator.peak(F_cr * (1 - 1e-9)).A, oscillator.peak(F_cr * (1 + 1e-9)).A, rel_tol=1e-6)
 
 
 # --- the equation of motion at its hard places -----------------------------------------------------------------------

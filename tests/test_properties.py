@@ -1,0 +1,222 @@
+"""Properties of oscillators that hypothesis draws: scaling, counts, continuity, and one answer by every way to it."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import warnings
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from flint import arb, ctx
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from slowflow import Duffing, Isolator, backend
+from slowflow.averaged import compiled, words
+from slowflow.averaged.reference import folds, onset, response
+from slowflow_kernels import duffing, duffing_balls, rod_spring, rod_spring_balls
+from slowflow_kernels import rod_spring_untruncated as untruncated
+from slowflow_kernels import rod_spring_untruncated_balls as untruncated_balls
+from tests.batch_questions import AVERAGED, ask
+from tests.test_many_as_each import assert_is_that_of_each
+
+native_only = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
+#: averages of an oscillator by its force, and the same in balls
+AVERAGES = {
+    "": (duffing, duffing_balls),
+    "truncated": (rod_spring, rod_spring_balls),
+    "untruncated": (untruncated, untruncated_balls),
+}
+drawn = settings(max_examples=40, deadline=None, derandomize=True)
+
+duffings = st.builds(
+    dict,
+    alpha=st.floats(0.1, 3.0),
+    beta=st.floats(0.05, 5.0) | st.floats(-5.0, -0.05),
+    mu=st.just(0.0) | st.floats(1e-4, 0.1),
+    zeta=st.floats(1e-3, 0.5),
+)
+
+
+def close(a, b):
+    return a == b or math.isclose(a, b, rel_tol=1e-11)
+
+
+def scaled_alike(one, other, length, frequency, F_0, Omega):
+    """Both oscillators say the same, the second in units in which lengths and frequencies are so many times larger."""
+    force = length * frequency**2
+    a, b = one.saddle_node_onset(), other.saddle_node_onset()
+    assert (a.F_SN is None) == (b.F_SN is None)
+    if a.F_SN is not None:
+        assert close(a.F_SN * force, b.F_SN) and close(a.A * length, b.A) and close(a.Omega * frequency, b.Omega)
+    one_s, other_s = one.saddle_nodes(F_0), other.saddle_nodes(F_0 * force)
+    assert [fold.kind for fold in one_s] == [fold.kind for fold in other_s]
+    # near a cusp a fold moves by the root of a rounding
+    np.testing.assert_allclose(one_s.Omega * frequency, other_s.Omega, rtol=1e-7)
+    states = one.amplitudes(Omega=Omega, F_0=F_0)
+    others = other.amplitudes(Omega=Omega * frequency, F_0=F_0 * force)
+    assert states.stable.tolist() == others.stable.tolist()
+    np.testing.assert_allclose(states.A * length, others.A, rtol=1e-7)
+
+
+@pytest.mark.both_backends
+@drawn
+@given(duffings, st.floats(0.01, 1.0), st.floats(0.2, 2.5), st.integers(-20, 20), st.integers(-10, 10))
+def test_units_of_length_and_time_are_free(numbers, F_0, Omega, p, q):
+    """u -> s u and tau -> tau/c, by powers of two so that no number is rounded."""
+    s, c = 2.0**p, 2.0**q
+    other = Duffing(
+        alpha=numbers["alpha"] * c**2,
+        beta=numbers["beta"] * c**2 / s**2,
+        mu=numbers["mu"] * s * c**2,
+        zeta=numbers["zeta"] * c,
+    )
+    scaled_alike(Duffing(**numbers), other, s, c, F_0, Omega)
+
+
+@pytest.mark.both_backends
+@drawn
+@given(duffings, st.floats(0.02, 1.0))
+def test_the_number_of_states_changes_by_two_at_each_fold(numbers, F_0):
+    oscillator = Duffing(**numbers)
+    folds = oscillator.saddle_nodes(F_0)
+    ends = [0.0, *folds.Omega.tolist(), 2 * max(folds.Omega, default=1.0)]
+    if min(np.diff(ends)) < 1e-6:  # no room between two of them
+        return
+    between = [0.5 * (a + b) for a, b in itertools.pairwise(ends)]
+    counts = [len(oscillator.amplitudes(Omega=Omega, F_0=F_0)) for Omega in between]
+    assert all(abs(a - b) == 2 for a, b in itertools.pairwise(counts))
+
+
+@pytest.mark.both_backends
+@settings(drawn, max_examples=20)
+@given(st.floats(1.0, 5.0), st.floats(0.5, 3.0), st.floats(0.1, 0.9), st.floats(0.002, 0.05), st.floats(0.01, 0.1))
+def test_nothing_jumps_at_the_detachment_of_the_untruncated_force(lam, r, share, mu, zeta):
+    """The lowest forcing, its frequency and the backbone on either side of u_cr: a float apart, a rounding apart."""
+    oscillator = Isolator(lam=lam, r=r, delta_h=min(share / (lam * r), 0.9), mu=mu, zeta=zeta, force="untruncated")
+    end = oscillator.detachment().u_cr
+    below, above = oscillator.backbone([np.nextafter(end, 0), np.nextafter(end, 2)])
+    assert close(below, above)
+    F_cr = oscillator.detachment().F_cr
+    assert math.isclose(oscillator.peak(F_cr * (1 - 1e-9)).A, oscillator.peak(F_cr * (1 + 1e-9)).A, rel_tol=1e-6)
+
+
+# --- one answer by every way to it -----------------------------------------------------------------------------------
+
+isolators = st.builds(
+    dict,
+    lam=st.floats(1.0, 5.0),
+    r=st.floats(0.3, 3.0),
+    delta_h=st.floats(0.02, 0.6),
+    mu=st.just(0.0) | st.floats(1e-4, 0.05),
+    zeta=st.floats(3e-3, 0.5),
+    force=st.sampled_from(["truncated", "untruncated"]),
+)
+
+
+class Numbers(NamedTuple):
+    """Some of an answer's states."""
+
+    A: np.ndarray
+    stable: np.ndarray
+
+
+def made(numbers):
+    """The oscillator of drawn numbers, its negative stiffness without a word."""
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message=".*negative stiffness at rest")
+        return Duffing(**numbers) if "alpha" in numbers else Isolator(**numbers)
+
+
+def assert_alike(one, other, fields):
+    """As many, at the same places: near a cusp a fold moves by the root of a rounding."""
+    for field in fields:
+        a, b = getattr(one, field), getattr(other, field)
+        assert (a is None) == (b is None), (one, other)
+        if a is not None:
+            np.testing.assert_allclose(a, b, rtol=1e-7, atol=1e-9, err_msg=f"{one} {other}")
+
+
+@pytest.mark.slow
+@native_only
+@settings(drawn, max_examples=25)
+@given(duffings | isolators, st.floats(1e-3, 1.0), st.floats(0.2, 2.5))
+def test_compiled_answers_are_those_of_numpy(numbers, above, Omega):
+    model = made(numbers).model
+    F_0 = model.m + above
+    assert_alike(compiled.onset(model), onset.onset(model), ("F_SN", "Omega", "A"))
+    assert_alike(compiled.detachment(model), onset.detachment(model), ("F_cr", "Omega_cr"))
+    assert_alike(compiled.saddle_nodes(model, F_0), folds.saddle_nodes(model, F_0), ("Omega", "A"))
+    assert_alike(compiled.peak(model, F_0), onset.peak(model, F_0), ("Omega", "A"))
+    at = np.array([Omega])
+    assert_alike(compiled.amplitudes(model, at, F_0), response.amplitudes(model, at, F_0), ("Omega", "A", "stable"))
+
+
+@native_only
+@drawn
+@given(duffings | isolators, st.floats(1e-3, 1.0), st.sampled_from(AVERAGED))
+def test_a_batch_of_one_is_the_single_answer(numbers, F_0, question):
+    of = Duffing if "alpha" in numbers else Isolator
+    named = {name: value for name, value in numbers.items() if isinstance(value, str)}
+    lists = {name: np.array([value]) for name, value in numbers.items() if name not in named}
+    try:
+        single = ask(made(numbers), question, F_0)
+    except ArithmeticError as refusal:
+        single = refusal
+    assert_is_that_of_each(ask(of.many(**lists, **named), question, np.array([F_0])), [single], question)
+
+
+@pytest.mark.both_backends
+@drawn
+@given(duffings | isolators, st.floats(1e-3, 1.0), st.floats(0.2, 2.5), st.sampled_from(["mu", "zeta"]))
+def test_a_scene_without_a_damper_is_the_general_one_with_next_to_none(numbers, above, Omega, without):
+    """Kernels of their own serve each such scene; so little friction or damping changes far less than a rounding."""
+    scene, general = (made({**numbers, without: value}) for value in (0.0, 1e-20))
+    F_0 = general.model.m + above
+    flows = [one.explain("amplitudes", F_0).model.flow for one in (scene, general)]
+    assert flows[0] is not flows[1]
+    states = [one.amplitudes(Omega=Omega, F_0=F_0) for one in (scene, general)]
+    # without viscous damping, which alone bounds motions at resonance, an answer is cut, and says where
+    A_max = words.cut(scene.model, F_0)[0] if without == "zeta" else math.inf
+    assert_alike(*(Numbers(one.A[one.A < A_max], one.stable[one.A < A_max]) for one in states), ("A", "stable"))
+
+
+def in_balls(balls, A, beyond, parameters, passed):
+    """h to h_AAA, on the side of the breakpoint that is told."""
+    if balls is duffing_balls:
+        return balls.known(A, *parameters)[:4]
+    jump = []
+    if balls is rod_spring_balls:
+        alpha, beta, gamma, u_cr = parameters
+        jump = [(alpha - 1) * u_cr + beta * u_cr**3 + gamma * u_cr**5]
+    return balls.known(passed, A, beyond, *parameters, *jump)[:4]
+
+
+@settings(drawn, max_examples=150)
+@given(duffings | isolators, st.floats(1e-3, 1.5))
+def test_derivatives_of_an_average_are_those_of_its_ball(numbers, A):
+    """Against differences of h alone in balls of 1,500 bits, a few times what rounding each argument moves them by."""
+    one = made(numbers)
+    plain, balls = AVERAGES[numbers.get("force", "")]
+    (end,) = [*plain.breakpoints(*one.model.parameters), math.inf][:1]
+    # what is widened by a rounding has a side, and a slope there that is finite
+    assume(abs(A - end) > 1e-9 * A)
+    found, passed, step = plain.averaged(A, *one.model.parameters), int(A > end), arb(2) ** -300
+    with ctx.workprec(1500):
+        p = [arb(float(number)) for number in one.model.parameters]
+        u_cr = [*(balls.breakpoints(*p) if hasattr(balls, "breakpoints") else ()), arb(0)][0]
+        h = {k: in_balls(balls, A + k * step, A + k * step - u_cr, p, passed)[0] for k in range(-2, 3)}
+        exact = (
+            h[0],
+            (h[1] - h[-1]) / (2 * step),
+            (h[1] - 2 * h[0] + h[-1]) / step**2,
+            (h[2] - 2 * h[1] + 2 * h[-1] - h[-2]) / (2 * step**3),
+        )
+        moved = [number * arb(1, 2.0**-53) for number in (A, *p)]
+        u_cr = [*(balls.breakpoints(*moved[1:]) if hasattr(balls, "breakpoints") else ()), arb(0)][0]
+        near = in_balls(balls, moved[0], moved[0] - u_cr, moved[1:], passed)
+        for k, (value, derivative, ball) in enumerate(zip(found, exact, near, strict=True)):
+            assert ball.rad().is_finite(), k
+            assert abs(arb(float(value)) - derivative) <= 4 * (ball.rad() + abs(derivative) * arb(2) ** -53), (k, value)
