@@ -143,17 +143,21 @@ static void counted_many_in_pairs(ptrdiff_t n, ptrdiff_t apart, const double *de
     }
 COUNT_LANES(sf_judge_states, sf_lane_cells, cells_in_lanes)
 COUNT_LANES(sf_judge_peaks, sf_lane_cells, cells_in_lanes)
+COUNT_LANES(sf_judge_folds, sf_lane_cells, cells_in_lanes)
 COUNT_LANES(sf_judge_cusps, sf_cusp_cells, cells_in_lanes)
 COUNT_LANES(sf_ask_cusps, sf_cusp_probes, amplitudes_in_lanes)
 COUNT_LANES(sf_approach_states, sf_lane_zeros, amplitudes_in_lanes)
 COUNT_LANES(sf_approach_peaks, sf_lane_zeros, amplitudes_in_lanes)
+COUNT_LANES(sf_approach_folds, sf_lane_zeros, amplitudes_in_lanes)
 COUNT_LANES(sf_approach_cusps, sf_cusp_zeros, amplitudes_in_lanes)
 #define sf_judge_states counted_sf_judge_states
 #define sf_judge_peaks counted_sf_judge_peaks
+#define sf_judge_folds counted_sf_judge_folds
 #define sf_judge_cusps counted_sf_judge_cusps
 #define sf_ask_cusps counted_sf_ask_cusps
 #define sf_approach_states counted_sf_approach_states
 #define sf_approach_peaks counted_sf_approach_peaks
+#define sf_approach_folds counted_sf_approach_folds
 #define sf_approach_cusps counted_sf_approach_cusps
 
 #define COUNT_BALANCES(loop) \
@@ -282,18 +286,15 @@ static double seconds_of_writing(int asked, char **args, const ptrdiff_t *dimens
     static const double A[1] = {1};
     static const unsigned char stable[1] = {1};
     static const sf_onset onset;
-    static const sf_fold fold;
+    static const sf_folds two = {.n = 2};
     double best = HUGE_VAL;
     for (int round = 0; round < ROUNDS; round++) {
         const double start = now();
         for (ptrdiff_t k = 0; k < dimensions[0]; k++) {
             if (asked == 0)
                 sf_write_states(args, dimensions, steps, out, k, 1, A, stable, 0, SF_OK);
-            if (asked == 1) {
-                for (ptrdiff_t i = 0; i < dimensions[1]; i++)
-                    sf_write_fold(args, steps, steps + out + 6, out, k, i, i < 2 ? &fold : NULL);
-                sf_write_count(args, steps, out + 3, k, 2, 0, dimensions[1], SF_OK);
-            }
+            if (asked == 1)
+                sf_write_folds(args, dimensions, steps, out, k, &two, SF_OK);
             if (asked == 2)
                 sf_write_peak(args, steps, out, k, 1, 1, SF_OK);
             if (asked == 3)

@@ -42,7 +42,7 @@ DESIGNS = 2**15
 ROUNDS = 5
 FLAGS = ("-std=gnu11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-fno-tree-slp-vectorize")
 FOLDERS = ("src/slowflow/native", "generated/c", "generated/native")
-LANES = ("cusp", "peak", "root", "second", "state")
+LANES = ("cusp", "fold", "peak", "root", "second", "state")
 SOURCES = {
     "counted": ("benchmarks/counted.c", *(f"src/slowflow/native/solver/{name}_lanes.c" for name in LANES)),
     "counted_motion": ("benchmarks/counted_motion.c",),

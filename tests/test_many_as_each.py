@@ -119,3 +119,24 @@ def test_many_are_answered_as_each_alone(question, kind):
         assert all(isinstance(one, ValueError) for one in asked_alone(make, given, same, F_0, question)), refusal
         return
     assert_is_that_of_each(found, asked_alone(make, given, same, F_0, question), question)
+
+
+@pytest.mark.parametrize("make", [Isolator, Duffing])
+def test_folds_of_many_have_every_bit_of_single_ones(make):
+    """Also next to where damping is so weak, or F_0 so small, that a block leaves them to the search of one design."""
+    draw, n = np.random.default_rng(31), 1500
+    given = isolators(draw, n) if make is Isolator else duffings(draw, n)
+    given["zeta"] = 10.0 ** draw.uniform(-5, 0, n)
+    F_0 = 4 / np.pi * given["mu"] * (1 + 10.0 ** draw.uniform(-4, 1, n)) + 10.0 ** draw.uniform(-5, 0, n)
+    found = make.many(**given).saddle_nodes(F_0)
+    for k in range(n):
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", message=".*negative stiffness at rest")
+            one = make(**{name: float(value[k]) for name, value in given.items()}).saddle_nodes(float(F_0[k]))
+        told = zip(one.kind, one.corner, strict=True)
+        kinds = [FoldKind[kind.upper().replace("-", "_") + "_AT_CORNER" * int(at)] for kind, at in told]
+        assert found.count[k] == len(one), k
+        np.testing.assert_array_equal(found.Omega[k, : len(one)], one.Omega)
+        np.testing.assert_array_equal(found.A[k, : len(one)], one.A)
+        assert found.kind[k, : len(one)].tolist() == kinds
+    assert np.all(np.bincount(found.count)[[0, 2]] > 100)

@@ -99,3 +99,21 @@ def test_the_terms_by_which_lanes_bound_a_cusp_are_the_derived_ones(h, h_AA):
         factors = (rho * (kappa + t) + 3 * t) * (kappa + 2 * t + (m * zeta / (a * w) + 4 * zeta**2) / (a * h_AA))
         assert slope == pytest.approx(-(a**3) * h_AA**3 * factors / (2 * root), rel=1e-12)
     assert seen > 0
+
+
+@pytest.mark.parametrize("m", [0.0, 0.015625])
+@pytest.mark.parametrize("k", [-0.25, 0.25])
+def test_the_terms_by_which_lanes_bound_a_fold_are_the_derived_ones(m, k):
+    """The forms that solver/fold_lanes.c states of the function whose zeros are folds and of its slope; k at a fold."""
+    a, F_0, zeta, h, h_A, k_A = 0.625, 0.1875, 0.0625, -0.3, -0.9, 1.3
+    value, slope, Omega = slow_flow.fold(a, F_0, m, zeta, h, h_A, k, k_A)
+    excess = F_0**2 - m**2
+    share = (1 - excess / k**2) ** 0.5
+    J, of_zeta = excess / (F_0 + m * share), 1 / zeta**2
+    lag = J * share
+    inert, rate, force = of_zeta * lag**2 / (4 * a), of_zeta * J / (2 * k * a), (F_0 + m / share) / excess
+    assert value == pytest.approx(h - F_0 * J / k + inert, rel=1e-12)
+    assert slope == pytest.approx(h_A - inert / a + F_0 * (J / k) ** 2 * (rate + force) * k_A, rel=1e-12)
+    found = 2 * zeta * a * Omega
+    by_Omega = F_0 * found / (excess - m * found)
+    assert excess**0.5 / (1 - by_Omega**2) ** 0.5 == pytest.approx(abs(k), rel=1e-12)

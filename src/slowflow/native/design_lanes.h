@@ -5,7 +5,8 @@
  * (cells.h). For states F's first and second derivative along A follow from these: F has no zero where R is too large
  * or too small on all of the cell, or where F has one sign at both ends and is monotone, or curved so that it cannot
  * come to 0 between; and one where the signs differ and F is monotone or of one curvature. For a peak it is F at its
- * critical points in Omega, and for a cusp F_A at the zeros of F_AA, as in along.h.
+ * critical points in Omega, for a fold what F = F_A = 0 leave of R, and for a cusp F_A at the zeros of F_AA, as in
+ * along.h.
  * Bounds are computed in doubles and widened by more than rounding may make of them. Where a number of doubles is near
  * to deciding, or a design needs more cells than there are places, it is left to states.h.
  */
@@ -19,11 +20,11 @@
 
 enum { SF_LANE_CELLS = 264, SF_LANE_VECTOR = 8 };
 
-/* What is known of an amplitude, as rows: A, h, h_A, h_AA, h_AAA */
-enum { SF_PROBE_ROWS = 5 };
+/* What is known of an amplitude, as rows: A, h, h_A, h_AA, h_AAA, and for folds k = h - A h_A */
+enum { SF_PROBE_ROWS = 6 };
 
-/* What a design is to these loops, as rows: Omega, of which peaks have none, zeta, m, F_0 */
-enum { SF_ASKED_ROWS = 4 };
+/* What a design is to these loops, as rows: Omega, of which peaks and folds have none, zeta, m, F_0 */
+enum { SF_ASKED_ROWS = 4, SF_LAST_ROWS = 3 };
 
 typedef enum { SF_HAS_NONE, SF_HAS_ONE, SF_IS_OPEN, SF_IS_DOUBTFUL } sf_verdict;
 
@@ -37,18 +38,20 @@ typedef struct {
 } sf_lane_cells;
 
 /* Brackets with what is known of an amplitude inside. next: where F vanishes as far as that tells; moved: how far that
- * is from there */
+ * is from there; base: where the piece of the force begins; last: of folds x, x^2 = A^2 - base^2, the function and its
+ * slope along x where it was asked before */
 typedef struct {
     int n, of[SF_LANE_CELLS];
     double at[SF_PROBE_ROWS][SF_LANE_CELLS], asked[SF_ASKED_ROWS][SF_LANE_CELLS];
     double lo[SF_LANE_CELLS], hi[SF_LANE_CELLS], rises[SF_LANE_CELLS], next[SF_LANE_CELLS], moved[SF_LANE_CELLS];
-    double Omega[SF_LANE_CELLS]; /* of peaks */
+    double Omega[SF_LANE_CELLS]; /* of peaks and folds */
+    double base[SF_LANE_CELLS], last[SF_LAST_ROWS][SF_LANE_CELLS];
 } sf_lane_zeros;
 
-/* What is known of an amplitude where cusps are looked for, as rows: what is known of any, k = h - A h_A, then the
+/* What is known of an amplitude where cusps are looked for, as rows: what is known of any, then the
  * function of each channel (along.h) and its slope, NaN where it is not defined. Asked are m, zeta, and of cells the
  * forcing above which cusps may be left out */
-enum { SF_CUSP_PROBE_ROWS = 6, SF_CUSP_ROWS = SF_CUSP_PROBE_ROWS + 4, SF_CUSP_ASKED_ROWS = 3 };
+enum { SF_CUSP_PROBE_ROWS = SF_PROBE_ROWS, SF_CUSP_ROWS = SF_CUSP_PROBE_ROWS + 4, SF_CUSP_ASKED_ROWS = 3 };
 typedef struct {
     int n;
     double at[SF_CUSP_ROWS][SF_LANE_CELLS], asked[2][SF_LANE_CELLS];
@@ -86,9 +89,12 @@ void sf_approach_cusps(sf_cusp_zeros *zeros);
 void sf_judge_states(sf_lane_cells *cells);
 /* The same of the highest peak, SF_HAS_ONE only of one at which F rises with A. */
 void sf_judge_peaks(sf_lane_cells *cells);
+/* The same of folds, zeta > 0. */
+void sf_judge_folds(sf_lane_cells *cells);
 /* The next amplitudes of all brackets. */
 void sf_approach_states(sf_lane_zeros *zeros);
 void sf_approach_peaks(sf_lane_zeros *zeros);
+void sf_approach_folds(sf_lane_zeros *zeros);
 
 #define SF_LESSER(a, b) ((a) < (b) ? (a) : (b))
 #define SF_GREATER(a, b) ((a) > (b) ? (a) : (b))
@@ -119,7 +125,10 @@ static inline void sf_fill_zeros(sf_lane_zeros *zeros) {
         sf_fill(zeros->at[k], zeros->n);
     for (k = 0; k < SF_ASKED_ROWS; k++)
         sf_fill(zeros->asked[k], zeros->n);
+    for (k = 0; k < SF_LAST_ROWS; k++)
+        sf_fill(zeros->last[k], zeros->n);
     sf_fill(zeros->lo, zeros->n), sf_fill(zeros->hi, zeros->n), sf_fill(zeros->rises, zeros->n);
+    sf_fill(zeros->base, zeros->n);
 }
 
 /* Halley's step from A to where a function vanishes that has this value, slope and bend there, kept in bracket i.
@@ -215,21 +224,34 @@ static inline double sf_lane_amid(double base, double a, double b) {
     return b > 4 * a ? (a > 0 ? sqrt(a) * sqrt(b) : 0.5 * b) : amid;
 }
 
+/* Where a function vanishes that has these values and slopes at two amplitudes, as far as they tell: by the cubic that
+ * gives A */
+static inline double sf_zero_beside(double a, double y_a, double slope_a, double b, double y_b, double slope_b) {
+    const double over = 1 / (y_b - y_a), chord = (b - a) * over, flat_a = 1 / slope_a, flat_b = 1 / slope_b;
+    const double bend = (chord - flat_a) * over, third = ((flat_b - chord) * over - bend) * over;
+    return a - y_a * flat_a + y_a * y_a * (bend - y_b * third);
+}
+
 /* Where a function with values on either side of zero is likely to vanish: by both values and slopes the cubic that
  * gives A, else the parabola from the end whose slope is known, else `inside`. */
 static inline double sf_lane_zero(double a, double y_a, double slope_a, double b, double y_b, double slope_b,
                                   double inside)
 {
-    const double width = b - a, over = 1 / (y_b - y_a), chord = width * over, flat_a = 1 / slope_a,
-                 flat_b = 1 / slope_b;
-    const double bend = (chord - flat_a) * over, third = ((flat_b - chord) * over - bend) * over;
-    const double by_cubic = a - y_a * flat_a + y_a * y_a * (bend - y_b * third);
+    const double width = b - a, by_cubic = sf_zero_beside(a, y_a, slope_a, b, y_b, slope_b);
     const double rise = -slope_b * width, curve = y_a - y_b - rise;
     const double root = sqrt(SF_GREATER(rise * rise - 4 * curve * y_b, 0.0));
     const double by_parabola = b + 2 * y_b * width / (rise + (y_b > 0 ? -root : root));
     return (by_cubic > a) & (by_cubic < b) & (fabs(slope_a) < HUGE_VAL) ? by_cubic
            : (by_parabola > a) & (by_parabola < b)                      ? by_parabola
                                                                        : inside;
+}
+
+/* Into the bracket by `sf_zero_beside`, else by Newton's step from the first, else in the middle */
+static inline double sf_next_from(double a, double y_a, double slope_a, double b, double y_b, double slope_b, double lo,
+                                  double hi) {
+    const double beside = sf_zero_beside(a, y_a, slope_a, b, y_b, slope_b), step = a - y_a / slope_a;
+    const int is_near = (fabs(y_a) < 0.5 * fabs(y_b)) | ((y_a < 0) != (y_b < 0));
+    return is_near & (beside > lo) & (beside < hi) ? beside : (step > lo) & (step < hi) ? step : 0.5 * (lo + hi);
 }
 
 #endif

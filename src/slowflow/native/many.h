@@ -10,6 +10,7 @@
 #include <fenv.h>
 
 #include "many_detachment.h"
+#include "many_folds.h"
 #include "many_onsets.h"
 #include "many_peaks.h"
 #include "many_states.h"
@@ -343,11 +344,12 @@ static void sf_loop_peaks(char **args, const ptrdiff_t *dimensions, const ptrdif
     for (first = 0; first < dimensions[0]; first += SF_LANE_BLOCK) {
         const ptrdiff_t end = first + SF_LANE_BLOCK < dimensions[0] ? first + SF_LANE_BLOCK : dimensions[0];
         if (block != NULL) {
+            block->question = &sf_peaks_in_lanes;
             block->cells[0].n = 0;
             for (k = first; k < end; k++)
                 block->at[k - first].ok = sf_enter_peak(mechanism, args, steps, k, block, (int)(k - first));
             sf_search_peaks(block);
-            sf_approach_block(block, sf_approach_peaks);
+            sf_approach_block(block);
             sf_make_exact_block(mechanism, args, steps, first, end, &exact);
         }
         for (k = first; k < end; k++) {
@@ -362,39 +364,94 @@ static void sf_loop_peaks(char **args, const ptrdiff_t *dimensions, const ptrdif
     free(work);
 }
 
+/* The folds of design k into their places. */
+static void sf_write_folds(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, int out, ptrdiff_t k,
+                           const sf_folds *found, sf_status status)
+{
+    const ptrdiff_t places = dimensions[1], *inner = steps + out + 6;
+    ptrdiff_t i;
+    for (i = 0; i < places; i++)
+        sf_write_fold(args, steps, inner, out, k, i, i < found->n ? &found->at[i] : NULL);
+    sf_write_count(args, steps, out + 3, k, found->n, found->undecided, places, status);
+}
+
+/* The folds of one design, by itself. exact: its block in pairs, of which it is member d; NULL where there are none */
+static void sf_answer_folds(const sf_mechanism *mechanism, char **args, const ptrdiff_t *dimensions,
+                            const ptrdiff_t *steps, ptrdiff_t k, const sf_exact_block *exact, ptrdiff_t d,
+                            sf_room *room)
+{
+    const int out = mechanism->design_size + mechanism->damping_size + 1;
+    const double F_0 = sf_input(args, steps, out - 1, k);
+    sf_model model;
+    sf_given given;
+    sf_folds found;
+    sf_status status = room == NULL ? SF_NO_MEMORY : SF_INVALID;
+    found.n = found.undecided = 0;
+    if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, 1, &model)) {
+        /* the numbers that follow from a design on intervals take time, and few designs need them */
+        if (exact != NULL)
+            sf_exactly_of(mechanism, args, steps, k, exact, d, &given.exactly);
+        if (!(exact != NULL && sf_told_folds(&model, &given.exactly, F_0, room, &found, &status))) {
+            const int is_given = sf_given_at(mechanism, args, steps, k, &given);
+            status = sf_settled_folds(&model, is_given ? &given : NULL, F_0, room, &found);
+        }
+        status = sf_of_search(status);
+    }
+    sf_write_folds(args, dimensions, steps, out, k, &found, status);
+}
+
+/* Whether design k begins the search of a block as its member d. */
+static int sf_enter_folds(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
+                          sf_lane_block *block, int d)
+{
+    sf_lane_design *of = &block->at[d];
+    of->F_0 = sf_input(args, steps, mechanism->design_size + mechanism->damping_size, k), of->Omega = 0;
+    return mechanism->is_forcing(of->F_0) && sf_design_at(mechanism, args, steps, k, 1, &of->model) &&
+           sf_begin_folds(block, d);
+}
+
+/* Whether the folds of member d, which is design k, settle, and are written. */
+static int sf_leave_folds(const sf_mechanism *mechanism, char **args, const ptrdiff_t *dimensions,
+                          const ptrdiff_t *steps, ptrdiff_t k, const sf_exact_block *exact, ptrdiff_t d,
+                          const sf_lane_design *of, sf_room *room)
+{
+    sf_exactly exactly;
+    sf_folds found;
+    if (!of->ok)
+        return 0;
+    sf_exactly_of(mechanism, args, steps, k, exact, d, &exactly);
+    if (!sf_settle_block_folds(of, &exactly, &room->work, &found))
+        return 0;
+    sf_write_folds(args, dimensions, steps, mechanism->design_size + mechanism->damping_size + 1, k, &found, SF_OK);
+    return 1;
+}
+
 /* design, damping, F_0 -> Omega (places), A (places), kind (places), count, undecided, status */
 static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     const sf_mechanism *mechanism = data;
-    const int out = mechanism->design_size + mechanism->damping_size + 1;
-    const ptrdiff_t places = dimensions[1], *inner = steps + out + 6;
     sf_room *room = malloc(sizeof *room);
+    sf_lane_block *block = room != NULL && sf_goes_in_lanes(mechanism) ? malloc(sizeof *block) : NULL;
     const int has_pairs = sf_has_pairs(mechanism);
     sf_exact_block exact;
-    ptrdiff_t k, i;
-    for (k = 0; k < dimensions[0]; k++) {
-        const ptrdiff_t d = k % SF_LANE_BLOCK, rest = dimensions[0] - k;
-        const double F_0 = sf_input(args, steps, out - 1, k);
-        sf_model model;
-        sf_given given;
-        sf_folds found;
-        sf_status status = room == NULL ? SF_NO_MEMORY : SF_INVALID;
-        if (has_pairs && d == 0)
-            sf_make_exact_block(mechanism, args, steps, k, k + (rest < SF_LANE_BLOCK ? rest : SF_LANE_BLOCK), &exact);
-        found.n = found.undecided = 0;
-        if (room != NULL && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, 1, &model)) {
-            /* the numbers that follow from a design on intervals take time, and few designs need them */
-            if (has_pairs)
-                sf_exactly_of(mechanism, args, steps, k, &exact, d, &given.exactly);
-            if (!(has_pairs && sf_told_folds(&model, &given.exactly, F_0, room, &found, &status))) {
-                const int is_given = sf_given_at(mechanism, args, steps, k, &given);
-                status = sf_settled_folds(&model, is_given ? &given : NULL, F_0, room, &found);
-            }
-            status = sf_of_search(status);
+    ptrdiff_t first, k;
+    for (first = 0; first < dimensions[0]; first += SF_FOLD_BLOCK) {
+        const ptrdiff_t end = first + SF_FOLD_BLOCK < dimensions[0] ? first + SF_FOLD_BLOCK : dimensions[0];
+        if (has_pairs)
+            sf_make_exact_block(mechanism, args, steps, first, end, &exact);
+        if (block != NULL) {
+            block->question = &sf_folds_in_lanes;
+            block->cells[0].n = 0;
+            for (k = first; k < end; k++)
+                block->at[k - first].ok = sf_enter_folds(mechanism, args, steps, k, block, (int)(k - first));
+            sf_search_block(block);
+            sf_approach_block(block);
         }
-        for (i = 0; i < places; i++)
-            sf_write_fold(args, steps, inner, out, k, i, i < found.n ? &found.at[i] : NULL);
-        sf_write_count(args, steps, out + 3, k, found.n, found.undecided, places, status);
+        for (k = first; k < end; k++)
+            if (block == NULL || !sf_leave_folds(mechanism, args, dimensions, steps, k, &exact, k - first,
+                                                 &block->at[k - first], room))
+                sf_answer_folds(mechanism, args, dimensions, steps, k, has_pairs ? &exact : NULL, k - first, room);
     }
+    free(block);
     free(room);
 }
 
@@ -479,11 +536,12 @@ static void sf_loop_states(char **args, const ptrdiff_t *dimensions, const ptrdi
     for (first = 0; first < dimensions[0]; first += SF_LANE_BLOCK) {
         const ptrdiff_t end = first + SF_LANE_BLOCK < dimensions[0] ? first + SF_LANE_BLOCK : dimensions[0];
         if (block != NULL) {
+            block->question = &sf_states_in_lanes;
             block->cells[0].n = 0;
             for (k = first; k < end; k++)
                 block->at[k - first].ok = sf_enter_states(mechanism, args, steps, k, block, (int)(k - first));
             sf_search_block(block);
-            sf_approach_block(block, sf_approach_states);
+            sf_approach_block(block);
             sf_make_exact_block(mechanism, args, steps, first, end, &exact);
         }
         for (k = first; k < end; k++) {

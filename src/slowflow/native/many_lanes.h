@@ -1,7 +1,7 @@
-/* Designs that go through a search together: what the questions of many_states.h and many_peaks.h share.
+/* Designs that go through a search together: what many_states.h, many_peaks.h and many_folds.h share.
  *
- * Cells of all designs of a block are judged at once, and all zeros are approached at once (design_lanes.h). A design
- * that is doubtful anywhere is left to the solvers of one.
+ * Cells of all designs of a block are judged at once, and all zeros are approached at once (design_lanes.h). Cells that
+ * stay open are cut, those of all designs at once. A design that is doubtful anywhere is left to the solvers of one.
  */
 #ifndef SF_MANY_LANES_H
 #define SF_MANY_LANES_H
@@ -11,37 +11,49 @@
 
 enum {
     SF_LANE_BLOCK = 128, /* designs that go together */
+    SF_LANE_ROUNDS = 12, /* of cuts */
     SF_LANE_APPROACHES = 8,
     SF_LANE_ZEROS = 8 /* of one design */
 };
 
-/* no step to a zero needs a further one before it is settled if it is smaller, relatively: errors fall by cubes */
-#define SF_LAST_APPROACH 0x1p-17
+/* the last step of a question whose errors fall by cubes */
+#define SF_LAST_BY_CUBES 0x1p-17
 
 /* A design's numbers, and its damping. */
 typedef struct {
     double design[SF_MOST_DESIGN], damping[SF_MOST_DAMPING];
 } sf_numbers;
 
-/* A member of a block. asked: its rows (design_lanes.h); ok: whether it is not left to the solvers of one; what was
- * found, by rising A: A, the bracket, whether F rises there, and what is known near by */
+/* A member of a block. A_max: of folds; asked: its rows (design_lanes.h); ok: whether it is not left to the solvers of
+ * one; what was found, by rising A: A, the bracket, whether F rises there, and what is known near by */
 typedef struct {
-    double F_0, Omega, asked[SF_ASKED_ROWS];
+    double F_0, Omega, A_max, asked[SF_ASKED_ROWS];
     sf_model model;
     int ok, n, rises[SF_LANE_ZEROS];
     double A[SF_LANE_ZEROS], w[SF_LANE_ZEROS], lo[SF_LANE_ZEROS], hi[SF_LANE_ZEROS];
     sf_sample near[SF_LANE_ZEROS];
 } sf_lane_design;
 
+/* What a question is to a block. sample: what is known at an amplitude; no step to a zero needs a further one before it
+ * is settled if it is smaller than `last_step`, relatively */
 typedef struct {
+    void (*judge)(sf_lane_cells *), (*approach)(sf_lane_zeros *);
+    void (*sample)(const sf_model *, double, sf_sample *);
+    double last_step;
+} sf_lane_question;
+
+typedef struct {
+    const sf_lane_question *question;
     sf_lane_design at[SF_LANE_BLOCK];
     sf_lane_cells cells[2];
     sf_lane_zeros zeros[2];
 } sf_lane_block;
 
-static inline void sf_probe_row(double (*rows)[SF_LANE_CELLS], int i, double A, const double *averages) {
-    rows[0][i] = A, rows[1][i] = averages[0], rows[2][i] = averages[1], rows[3][i] = averages[2],
-    rows[4][i] = averages[3];
+static inline void sf_probe_row(double (*rows)[SF_LANE_CELLS], int i, const sf_sample *at) {
+    int k;
+    rows[0][i] = at->A;
+    for (k = 1; k < SF_PROBE_ROWS; k++)
+        rows[k][i] = at->averages[k - 1];
 }
 
 /* Rows of the places `which` into those from k on. */
@@ -58,23 +70,23 @@ static inline void sf_add_cell(sf_lane_block *block, int d, double base, const s
     sf_lane_cells *cells = &block->cells[0];
     const int i = cells->n++;
     int row;
-    sf_probe_row(cells->low, i, low->A, low->averages);
-    sf_probe_row(cells->high, i, high->A, high->averages);
+    sf_probe_row(cells->low, i, low);
+    sf_probe_row(cells->high, i, high);
     for (row = 0; row < SF_ASKED_ROWS; row++)
         cells->asked[row][i] = block->at[d].asked[row];
     cells->base[i] = base, cells->of[i] = d;
 }
 
-static inline void sf_average_at(const sf_model *model, double A, sf_sample *at) {
-    at->A = A;
+/* For a question without k. */
+static void sf_average_at(const sf_model *model, double A, sf_sample *at) {
+    at->A = A, at->k = 0;
     model->mechanism->averaged(1, &at->A, model->p, at->averages);
 }
 
-static inline void sf_average_row(const sf_lane_block *block, int d, double A, double (*rows)[SF_LANE_CELLS], int k) {
-    const sf_model *model = &block->at[d].model;
-    double averages[4];
-    model->mechanism->averaged(1, &A, model->p, averages);
-    sf_probe_row(rows, k, A, averages);
+static inline void sf_sample_row(const sf_lane_block *block, int d, double A, double (*rows)[SF_LANE_CELLS], int k) {
+    sf_sample at;
+    block->question->sample(&block->at[d].model, A, &at);
+    sf_probe_row(rows, k, &at);
 }
 
 /* Cells with a zero as brackets. */
@@ -86,7 +98,9 @@ static void sf_add_brackets(sf_lane_block *block, const sf_lane_cells *cells, co
         const int i = which[j], k = zeros->n + j;
         zeros->of[k] = cells->of[i];
         zeros->lo[k] = cells->low[0][i], zeros->hi[k] = cells->high[0][i], zeros->rises[k] = cells->rises[i];
-        sf_average_row(block, cells->of[i], cells->cut[i], zeros->at, k);
+        zeros->base[k] = cells->base[i];
+        zeros->last[0][k] = zeros->last[1][k] = zeros->last[2][k] = NAN;
+        sf_sample_row(block, cells->of[i], cells->cut[i], zeros->at, k);
     }
     zeros->n += n;
 }
@@ -101,7 +115,7 @@ static inline void sf_leave(sf_lane_block *block, const int *of, const int *whic
 /* A zero into its place among those of its design, by rising A. */
 static void sf_add_lane_zero(sf_lane_design *of, const sf_lane_zeros *zeros, int k) {
     const double A = zeros->next[k];
-    int i;
+    int i, row;
     if (of->n == SF_LANE_ZEROS) {
         of->ok = 0;
         return;
@@ -111,18 +125,68 @@ static void sf_add_lane_zero(sf_lane_design *of, const sf_lane_zeros *zeros, int
         of->rises[i] = of->rises[i - 1], of->near[i] = of->near[i - 1];
     of->A[i] = A, of->w[i] = zeros->Omega[k], of->lo[i] = zeros->lo[k], of->hi[i] = zeros->hi[k],
     of->rises[i] = zeros->rises[k] != 0;
-    of->near[i].h_AA = zeros->at[3][k], of->near[i].h_AAA = zeros->at[4][k];
+    of->near[i].A = zeros->at[0][k];
+    for (row = 1; row < SF_PROBE_ROWS; row++)
+        of->near[i].averages[row - 1] = zeros->at[row][k];
+}
+
+/* The cells that stay open as two each of the next round, the lower ones first. */
+static void sf_cut_cells(sf_lane_block *block, const sf_lane_cells *cells, const int *which, int n, sf_lane_cells *next)
+{
+    int j, row, end;
+    next->n = 2 * n;
+    sf_take_rows(cells->low, SF_PROBE_ROWS, which, n, next->low, 0);
+    sf_take_rows(cells->high, SF_PROBE_ROWS, which, n, next->high, n);
+    for (j = 0; j < n; j++) {
+        const int i = which[j];
+        sf_sample_row(block, cells->of[i], cells->cut[i], next->high, j);
+        block->at[cells->of[i]].ok &= cells->cut[i] > cells->low[0][i] && cells->cut[i] < cells->high[0][i];
+    }
+    for (row = 0; row < SF_PROBE_ROWS; row++)
+        memcpy(&next->low[row][n], next->high[row], (size_t)n * sizeof(double));
+    for (end = 0; end < 2 * n; end += n) {
+        sf_take_rows(cells->asked, SF_ASKED_ROWS, which, n, next->asked, end);
+        for (j = 0; j < n; j++)
+            next->base[end + j] = cells->base[which[j]], next->of[end + j] = cells->of[which[j]];
+    }
+}
+
+/* All cells of a block, until none is open. */
+static void sf_search_block(sf_lane_block *block) {
+    int open[SF_LANE_CELLS], with_one[SF_LANE_CELLS], doubtful[SF_LANE_CELLS], round, i;
+    block->zeros[0].n = 0;
+    for (round = 0; block->cells[round % 2].n > 0; round++) {
+        sf_lane_cells *cells = &block->cells[round % 2], *next = &block->cells[1 - round % 2];
+        int n_open = 0, n_one = 0, n_doubtful = 0;
+        block->question->judge(cells);
+        for (i = 0; i < cells->n; i++) { /* without a branch that nothing foretells */
+            const int verdict = (int)cells->verdict[i];
+            open[n_open] = with_one[n_one] = doubtful[n_doubtful] = i;
+            n_open += verdict == SF_IS_OPEN, n_one += verdict == SF_HAS_ONE, n_doubtful += verdict == SF_IS_DOUBTFUL;
+        }
+        sf_leave(block, cells->of, doubtful, n_doubtful);
+        if (round == SF_LANE_ROUNDS || 2 * n_open > SF_LANE_CELLS) {
+            sf_leave(block, cells->of, open, n_open);
+            n_open = 0;
+        }
+        if (block->zeros[0].n + n_one > SF_LANE_CELLS) {
+            sf_leave(block, cells->of, with_one, n_one);
+            n_one = 0;
+        }
+        sf_add_brackets(block, cells, with_one, n_one);
+        sf_cut_cells(block, cells, open, n_open, next);
+    }
 }
 
 /* All brackets of a block, until all are next to their zeros. */
-static void sf_approach_block(sf_lane_block *block, void (*approach)(sf_lane_zeros *)) {
+static void sf_approach_block(sf_lane_block *block) {
     int far[SF_LANE_CELLS], near[SF_LANE_CELLS], round, i, j;
     for (round = 0; block->zeros[round % 2].n > 0; round++) {
         sf_lane_zeros *zeros = &block->zeros[round % 2], *next = &block->zeros[1 - round % 2];
         int n_far = 0, n_near = 0;
-        approach(zeros);
+        block->question->approach(zeros);
         for (i = 0; i < zeros->n; i++) {
-            const int is_near = zeros->moved[i] <= SF_LAST_APPROACH * zeros->next[i];
+            const int is_near = zeros->moved[i] <= block->question->last_step * zeros->next[i];
             far[n_far] = near[n_near] = i;
             n_far += !is_near, n_near += is_near;
         }
@@ -134,11 +198,12 @@ static void sf_approach_block(sf_lane_block *block, void (*approach)(sf_lane_zer
         }
         next->n = n_far;
         sf_take_rows(zeros->asked, SF_ASKED_ROWS, far, n_far, next->asked, 0);
+        sf_take_rows(zeros->last, SF_LAST_ROWS, far, n_far, next->last, 0);
         for (j = 0; j < n_far; j++) {
             i = far[j];
             next->of[j] = zeros->of[i], next->lo[j] = zeros->lo[i], next->hi[j] = zeros->hi[i],
-            next->rises[j] = zeros->rises[i];
-            sf_average_row(block, zeros->of[i], zeros->next[i], next->at, j);
+            next->rises[j] = zeros->rises[i], next->base[j] = zeros->base[i];
+            sf_sample_row(block, zeros->of[i], zeros->next[i], next->at, j);
         }
     }
 }

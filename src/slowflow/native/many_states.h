@@ -1,8 +1,7 @@
 /* States of batches of designs: in go designs, out come their states, by blocks that go through the search together.
  *
- * Cells that stay open are cut, those of all designs at once. Each state is settled to its last digit as a single one
- * is, so that it is the same double. A design that is doubtful anywhere, or not settled by so many rounds, is left to
- * states.h.
+ * Each state is settled to its last digit as a single one is, so that it is the same double. A design that is doubtful
+ * anywhere, or not settled by so many rounds, is left to states.h.
  */
 #ifndef SF_MANY_STATES_H
 #define SF_MANY_STATES_H
@@ -10,8 +9,8 @@
 #include "many_lanes.h"
 #include "states.h"
 
-/* of cuts */
-enum { SF_STATE_ROUNDS = 12 };
+static const sf_lane_question sf_states_in_lanes = {sf_judge_states, sf_approach_states, sf_average_at,
+                                                    SF_LAST_BY_CUBES};
 
 /* The cells with which the search for the states of design d begins, one for each piece of the force; 0 where it is
  * left to states.h, see sf_clear_states. given: its design and damping */
@@ -46,54 +45,6 @@ static int sf_begin_states(sf_lane_block *block, int d, const sf_numbers *given)
         }
     }
     return 1;
-}
-
-/* The cells that stay open as two each of the next round, the lower ones first. */
-static void sf_cut_cells(sf_lane_block *block, const sf_lane_cells *cells, const int *which, int n, sf_lane_cells *next)
-{
-    int j, row, end;
-    next->n = 2 * n;
-    sf_take_rows(cells->low, SF_PROBE_ROWS, which, n, next->low, 0);
-    sf_take_rows(cells->high, SF_PROBE_ROWS, which, n, next->high, n);
-    for (j = 0; j < n; j++) {
-        const int i = which[j];
-        sf_average_row(block, cells->of[i], cells->cut[i], next->high, j);
-        block->at[cells->of[i]].ok &= cells->cut[i] > cells->low[0][i] && cells->cut[i] < cells->high[0][i];
-    }
-    for (row = 0; row < SF_PROBE_ROWS; row++)
-        memcpy(&next->low[row][n], next->high[row], (size_t)n * sizeof(double));
-    for (end = 0; end < 2 * n; end += n) {
-        sf_take_rows(cells->asked, SF_ASKED_ROWS, which, n, next->asked, end);
-        for (j = 0; j < n; j++)
-            next->base[end + j] = cells->base[which[j]], next->of[end + j] = cells->of[which[j]];
-    }
-}
-
-/* All cells of a block, until none is open. */
-static void sf_search_block(sf_lane_block *block) {
-    int open[SF_LANE_CELLS], with_one[SF_LANE_CELLS], doubtful[SF_LANE_CELLS], round, i;
-    block->zeros[0].n = 0;
-    for (round = 0; block->cells[round % 2].n > 0; round++) {
-        sf_lane_cells *cells = &block->cells[round % 2], *next = &block->cells[1 - round % 2];
-        int n_open = 0, n_one = 0, n_doubtful = 0;
-        sf_judge_states(cells);
-        for (i = 0; i < cells->n; i++) { /* without a branch that nothing foretells */
-            const int verdict = (int)cells->verdict[i];
-            open[n_open] = with_one[n_one] = doubtful[n_doubtful] = i;
-            n_open += verdict == SF_IS_OPEN, n_one += verdict == SF_HAS_ONE, n_doubtful += verdict == SF_IS_DOUBTFUL;
-        }
-        sf_leave(block, cells->of, doubtful, n_doubtful);
-        if (round == SF_STATE_ROUNDS || 2 * n_open > SF_LANE_CELLS) {
-            sf_leave(block, cells->of, open, n_open);
-            n_open = 0;
-        }
-        if (block->zeros[0].n + n_one > SF_LANE_CELLS) {
-            sf_leave(block, cells->of, with_one, n_one);
-            n_one = 0;
-        }
-        sf_add_brackets(block, cells, with_one, n_one);
-        sf_cut_cells(block, cells, open, n_open, next);
-    }
 }
 
 /* The states of a design that the block has found, each to its last digit; 0 where one does not settle. */

@@ -191,24 +191,6 @@ SF_WIDE static void judge(ptrdiff_t n, sf_cusp_cells *cells)
     }
 }
 
-/* Where a function vanishes that has these values and slopes at two amplitudes, as far as they tell: by the cubic that
- * gives A */
-static inline double zero_beside(double a, double y_a, double slope_a, double b, double y_b, double slope_b)
-{
-    const double over = 1 / (y_b - y_a), chord = (b - a) * over, flat_a = 1 / slope_a, flat_b = 1 / slope_b;
-    const double bend = (chord - flat_a) * over, third = ((flat_b - chord) * over - bend) * over;
-    return a - y_a * flat_a + y_a * y_a * (bend - y_b * third);
-}
-
-/* Into the bracket by that, else by Newton's step from the first, else in the middle */
-static inline double next_from(double a, double y_a, double slope_a, double b, double y_b, double slope_b, double lo,
-                               double hi)
-{
-    const double beside = zero_beside(a, y_a, slope_a, b, y_b, slope_b), step = a - y_a / slope_a;
-    const int is_near = (fabs(y_a) < 0.5 * fabs(y_b)) | ((y_a < 0) != (y_b < 0));
-    return is_near & (beside > lo) & (beside < hi) ? beside : (step > lo) & (step < hi) ? step : 0.5 * (lo + hi);
-}
-
 SF_WIDE static void start(ptrdiff_t n, sf_cusp_zeros *zeros)
 {
     n &= ~(ptrdiff_t)(SF_LANE_VECTOR - 1);
@@ -217,8 +199,8 @@ SF_WIDE static void start(ptrdiff_t n, sf_cusp_zeros *zeros)
         const double a = zeros->lo[0][i], y_a = zeros->lo[1][i], slope_a = zeros->lo[2][i];
         const double b = zeros->hi[0][i], y_b = zeros->hi[1][i], slope_b = zeros->hi[2][i];
         const int is_low = fabs(y_a) < fabs(y_b);
-        zeros->next[i] = is_low ? next_from(a, y_a, slope_a, b, y_b, slope_b, a, b)
-                                : next_from(b, y_b, slope_b, a, y_a, slope_a, a, b);
+        zeros->next[i] = is_low ? sf_next_from(a, y_a, slope_a, b, y_b, slope_b, a, b)
+                                : sf_next_from(b, y_b, slope_b, a, y_a, slope_a, a, b);
         zeros->last[0][i] = is_low ? a : b, zeros->last[1][i] = is_low ? y_a : y_b,
         zeros->last[2][i] = is_low ? slope_a : slope_b;
     }
@@ -235,7 +217,7 @@ SF_WIDE static void approach(ptrdiff_t n, sf_cusp_zeros *zeros)
         const int is_low = (at.y < 0) == (zeros->lo[1][i] < 0);
         const double lo = is_low ? A : zeros->lo[0][i], hi = is_low ? zeros->hi[0][i] : A;
         zeros->lo[0][i] = lo, zeros->hi[0][i] = hi;
-        zeros->next[i] = next_from(A, at.y, at.dy, zeros->last[0][i], zeros->last[1][i], zeros->last[2][i], lo, hi);
+        zeros->next[i] = sf_next_from(A, at.y, at.dy, zeros->last[0][i], zeros->last[1][i], zeros->last[2][i], lo, hi);
         zeros->last[0][i] = A, zeros->last[1][i] = at.y, zeros->last[2][i] = at.dy;
         zeros->left[i] = at.least > 0 ? fabs(at.y) / (fabs(at.dy) * A) : HUGE_VAL;
         zeros->Omega[i] = at.Omega, zeros->level[i] = at.level;

@@ -1,0 +1,119 @@
+/* Folds of batches of designs: in go designs, out come their folds, by blocks that go through the search together.
+ *
+ * Each fold is settled to its last digit as a single one is, so that it is the same double. A design at which rounding
+ * may decide anything, or that is not settled by so many rounds, is left to decide.h.
+ */
+#ifndef SF_MANY_FOLDS_H
+#define SF_MANY_FOLDS_H
+
+#include "decide.h"
+#include "many_lanes.h"
+
+/* designs that go together: they begin with more cells than states do */
+enum { SF_FOLD_BLOCK = 64 };
+
+/* of folds: Omega is off by squares of the last step */
+#define SF_LAST_BY_SQUARES 0x1p-26
+/* which way a sweep leaves a fold is told where F_AA is no less than this share of its terms */
+#define SF_TELLS_WAY 0x1p-16
+
+/* A Omega^2 over F_0 at folds that blocks settle: beyond, as next to a breakpoint, the slopes by which a fold is
+ * settled, which are doubles, have lost too many digits for the last of them to be the same from wherever it begins */
+#define SF_LEAST_INERTIA 0x1p-8
+#define SF_MOST_INERTIA 0x1p10
+
+static const sf_lane_question sf_folds_in_lanes = {sf_judge_folds, sf_approach_folds, sf_sample_at, SF_LAST_BY_SQUARES};
+
+/* The cells of a first piece: what lies below where folds begin, nearly a cube of A, next to that, and the rest. */
+static void sf_begin_first_piece(sf_lane_block *block, int d, const sf_sample *rest, const sf_sample *end) {
+    const sf_lane_design *of = &block->at[d];
+    const double least = slow_flow_least_restoring(of->F_0, of->model.m);
+    sf_sample low = *rest, high;
+    double A = SF_BELOW_FOLDS * end->A * cbrt(least / fabs(end->k));
+    int i;
+    for (i = 0; i < 2 && A < end->A; i++, A *= SF_FIRST_FOLDS) {
+        sf_sample_at(&of->model, A, &high);
+        sf_add_cell(block, d, 0, &low, &high);
+        low = high;
+    }
+    sf_add_cell(block, d, 0, &low, end);
+}
+
+/* The cells with which the search for the folds of design d begins; 0 where it is left to decide.h. */
+static int sf_begin_folds(sf_lane_block *block, int d) {
+    sf_lane_design *of = &block->at[d];
+    const sf_model *model = &of->model;
+    sf_sample low, high;
+    int i, pieces = 0;
+    of->n = 0;
+    for (i = 0; i < model->breaks; i++)
+        if (model->jump[i] == 0)
+            return 0;
+    if (model->breaks < model->mechanism->breakpoints || !(model->zeta > 0) || sf_nearly_sticks(model, of->F_0) ||
+        sf_is_linear(model) || sf_amplitude_bound(model, of->F_0, &of->A_max) != SF_OK)
+        return 0;
+    while (pieces < model->breaks && model->b[pieces] < of->A_max)
+        pieces++;
+    of->asked[0] = 0, of->asked[1] = model->zeta, of->asked[2] = model->m, of->asked[3] = of->F_0;
+    sf_sample_at(model, 0, &low);
+    if (block->cells[0].n + pieces + 3 > SF_LANE_CELLS || low.h != 0)
+        return 0;
+    for (i = 0; i <= pieces; i++) {
+        sf_sample_at(model, i < pieces ? model->b[i] : of->A_max, &high);
+        if (i == 0)
+            sf_begin_first_piece(block, d, &low, &high);
+        else
+            sf_add_cell(block, d, model->b[i - 1], &low, &high);
+        if (i < pieces) {
+            low = high;
+            sf_tend_from_above(model, i, &low);
+        }
+    }
+    return 1;
+}
+
+/* Whether the last digits of a fold are the same from wherever it begins. */
+static int sf_is_plain_fold(const sf_lane_design *of, double Omega, double A) {
+    const int piece = sf_piece_of(&of->model, A);
+    const double inertia = A * Omega * Omega;
+    return inertia >= SF_LEAST_INERTIA * of->F_0 && inertia <= SF_MOST_INERTIA * of->F_0 &&
+           (piece == 0 || A - of->model.b[piece - 1] > SF_PAIRS_NEXT * A);
+}
+
+/* A fold that the block has found, to its last digit; 0 where it does not settle. */
+static int sf_settle_block_fold(const sf_lane_design *of, int i, const sf_exactly *exactly, sf_folds *folds) {
+    const sf_model *model = &of->model;
+    const sf_sample *near = &of->near[i];
+    sf_settling at = {sfp_point(of->w[i]), sfp_point(of->A[i]), sfp_point(of->F_0)};
+    const double bend = sf_half_F_AA(model, near, of->w[i]);
+    sf_sample straight = *near;
+    straight.h_AA = 0;
+    if (!sf_is_plain_fold(of, of->w[i], of->A[i]) ||
+        !(fabs(bend) >= SF_TELLS_WAY * sf_half_F_AA(model, &straight, of->w[i])) ||
+        !sf_settle_near(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, near, &at) ||
+        !(at.A.high >= of->lo[i] * (1 - SF_CLOSE) && at.A.high <= of->hi[i] * (1 + SF_CLOSE)))
+        return 0;
+    sf_add_fold(folds, at.Omega.high, at.A.high, bend < 0, 0);
+    return 1;
+}
+
+/* All folds of a member of a block, each to its last digit; 0 where that is left to decide.h. */
+static int sf_settle_block_folds(const sf_lane_design *of, const sf_exactly *exactly, sf_work *work, sf_folds *folds) {
+    const sf_model *model = &of->model;
+    int i;
+    folds->n = folds->undecided = folds->close = 0, folds->status = SF_OK;
+    work->A_max = of->A_max;
+    sf_corner_folds(model, of->F_0, work, folds);
+    if (sf_are_corners_close(model, NULL, of->F_0, work))
+        return 0;
+    sf_settle_folds(exactly, model, of->F_0, folds);
+    for (i = 0; i < of->n; i++)
+        if (!sf_settle_block_fold(of, i, exactly, folds))
+            return 0;
+    for (i = 1; i < folds->n; i++)
+        if (folds->at[i].Omega == folds->at[i - 1].Omega)
+            return 0;
+    return folds->status == SF_OK && !sf_is_sharp(folds, of->F_0);
+}
+
+#endif
