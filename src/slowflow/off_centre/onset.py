@@ -159,7 +159,9 @@ class Search:
 
                 ends = vanishes(-width), vanishes(width)
                 if not kind and ends[0] * ends[1] < 0:
-                    root = at(float(brentq(vanishes, -width, width, xtol=1e-300, rtol=1e-15)))
+                    # as near as the point itself is known: it may be the root
+                    near = 2.0**-54 * (A + abs(B))
+                    root = at(float(brentq(vanishes, -width, width, xtol=near, rtol=1e-15)))
                     if self._level(*root) <= self._level(A, B) * (1 + 1e-9):
                         (A, B), kind = root, name
             if kind:
