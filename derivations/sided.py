@@ -76,7 +76,7 @@ class Sided:
     @property
     def curved(self) -> Curved:
         """What its means are summed from, where it is no polynomial in pieces."""
-        return curved(self.pieces, self.ends)
+        return curved(self.pieces, self.ends, self.parameters)
 
     @property
     def _met(self) -> Sequence[tuple[tuple[sp.Expr, sp.Expr], sp.Expr]]:

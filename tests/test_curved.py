@@ -14,7 +14,6 @@ import sympy as sp
 from slowflow import backend, derive
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.off_centre.means import Steps
-from slowflow.validate import NotAvailable
 from tests.off_centre_cases import check_folds_and_states, check_onset
 
 u, k, g, q, d, p, z = sp.symbols("u k g q d p z")
@@ -195,9 +194,172 @@ def test_what_is_not_smooth_is_refused_with_where_it_is():
         derive.mechanism("gamma", [(sp.gamma(u), None)], {}, odd=False)
 
 
-def test_of_its_answers_no_gradient_is_known(cushion):
-    with pytest.raises(NotAvailable, match="piecewise polynomials"):
-        cushion(q=0.2, d=0.1, g=0.1, **DAMPED).detachment().gradient()
+@pytest.fixture(scope="module")
+def jumping():
+    """What differs in all at an end that moves, and jumps there."""
+    pieces = [(sp.sinh(u / q) * q, g), (u + p * sp.tanh(u / q) + p, None)]
+    return derive.mechanism("jumping_curves", pieces, {"p": {}, "q": ABOVE, "g": {}}, odd=False)
+
+
+@pytest.fixture(scope="module")
+def mirrored():
+    """Odd, with an end that moves, at which the slope jumps."""
+    pieces = [(u + k * sp.sinh(u), g), (u + k * sp.sinh(u) + q * (u - g) * sp.exp(u - g), None)]
+    return derive.mechanism("mirrored_curves", pieces, {"k": ABOVE, "q": ABOVE, "g": ABOVE})
+
+
+#: the same forces once more: pieces and their slopes for u > 0, or for all u, where one ends, and whether it is odd
+BY_HAND = {
+    "jumping": (
+        lambda p, q, g: (
+            (lambda x: mpmath.sinh(x / q) * q, lambda x: mpmath.cosh(x / q)),
+            (lambda x: x + p * mpmath.tanh(x / q) + p, lambda x: 1 + p / q / mpmath.cosh(x / q) ** 2),
+        ),
+        lambda p, q, g: g,
+        False,
+    ),
+    "mirrored": (
+        lambda k, q, g: (
+            (lambda x: x + k * mpmath.sinh(x), lambda x: 1 + k * mpmath.cosh(x)),
+            (
+                lambda x: x + k * mpmath.sinh(x) + q * (x - g) * mpmath.exp(x - g),
+                lambda x: 1 + k * mpmath.cosh(x) + q * (1 + x - g) * mpmath.exp(x - g),
+            ),
+        ),
+        lambda k, q, g: g,
+        True,
+    ),
+    "cushion": (
+        lambda q, d, g: (
+            (lambda x: x, lambda x: mpmath.mpf(1)),
+            (lambda x: x + q * (mpmath.exp((x - g) / d) - 1), lambda x: 1 + q / d * mpmath.exp((x - g) / d)),
+        ),
+        lambda q, d, g: g,
+        False,
+    ),
+}
+
+
+def means_by_hand(name, numbers, A, B):
+    """c_0, s_0 of the force and c_1, s_1 of its slope, without what jumps add to these, by integrals."""
+    pieces, end, odd = BY_HAND[name]
+    (inner, outer), at = pieces(*numbers), end(*numbers)
+    ends = [at, -at] if odd else [at]
+
+    def law(x, order):
+        size, sign = (abs(x), mpmath.sign(x)) if odd else (x, mpmath.mpf(1))
+        return (inner if size <= at else outer)[order](size) * (1 if order else sign)
+
+    cuts = sorted(mpmath.acos((one - B) / A) for one in ends if abs(one - B) < A)
+    edges = [mpmath.mpf(0), *cuts, mpmath.pi]
+    return [
+        mpmath.quad(lambda y, o=order, w=weight: law(B + A * mpmath.cos(y), o) * mpmath.cos(y) ** w, edges) / mpmath.pi
+        for order in (0, 1)
+        for weight in (0, 1)
+    ]
+
+
+def conditions_by_hand(name, question, x, given):
+    """What vanishes at an answer at Omega, A, B, and forcing where that is found, of numbers by name."""
+    Omega, A, B, F_0 = x if question == "detachment" else (*x, given["F_0"])
+    numbers = [given[one] for one in GIVEN[name] if one in "pqdgk"]
+    c_0, s_0, c_1, s_1 = means_by_hand(name, numbers, A, B)
+    m, R = 4 * given["mu"] / mpmath.pi, A * Omega**2 - 2 * s_0
+    I = m + 2 * given["zeta"] * A * Omega
+    balanced = [c_0 - given["load"], R**2 + I**2 - F_0**2]
+    if question == "amplitudes":
+        return [*balanced, Omega - given["Omega"]]
+    if question == "isolation":
+        return [*balanced, 4 * s_0**2 + I**2 - F_0**2]
+    if question == "detachment":
+        least = R * 2 * A * Omega + I * 2 * given["zeta"] * A
+        return [*balanced, least, B + A - given["g"]]
+    # <f cos> by A along the balance is <f' cos^2> - <f' cos>^2/<f'>
+    pieces, end, odd = BY_HAND[name]
+    (inner, outer), at = pieces(*numbers), end(*numbers)
+    assert not odd and abs(at - B) < A
+    edges = [mpmath.mpf(0), mpmath.acos((at - B) / A), mpmath.pi]
+
+    def squared(y):
+        u = B + A * mpmath.cos(y)
+        return (inner if u <= at else outer)[1](u) * mpmath.cos(y) ** 2
+
+    along = mpmath.quad(squared, edges) / mpmath.pi - s_1**2 / c_1
+    return [*balanced, R * (Omega**2 - 2 * along) + I * 2 * given["zeta"] * Omega]
+
+
+GIVEN = {
+    "jumping": {"p": 0.1, "q": 0.7, "g": 0.25, "mu": 0.005, "zeta": 0.05},
+    "mirrored": {"k": 0.5, "q": 2.0, "g": 0.2, "mu": 0.005, "zeta": 0.05, "load": 0.1},
+    "cushion": {"q": 0.5, "d": 0.3, "g": 0.2, "mu": 0.005, "zeta": 0.05},
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "question"),
+    [
+        ("jumping", "amplitudes"),
+        ("mirrored", "amplitudes"),
+        ("mirrored", "isolation"),
+        ("cushion", "saddle_nodes"),
+        ("cushion", "detachment"),
+        ("cushion", "isolation"),
+    ],
+)
+def test_gradients_are_those_of_integrals_at_forty_digits(request, name, question):
+    """Of what vanishes at an answer, by differences of mpmath's integrals, solved for the moves."""
+    one = request.getfixturevalue(name)(**GIVEN[name])
+    at = {"amplitudes": {"Omega": 1.3, "F_0": 0.1}, "detachment": {}}.get(question, {"F_0": 0.1})
+    found = getattr(one, question)(**at)
+    gradient = found.gradient()
+    assert not gradient.message
+    names = ("Omega_cr", "A", "B", "F_cr") if question == "detachment" else ("Omega", "A", "B")
+    point = [np.atleast_1d(getattr(found, of))[-1] for of in names]
+    with mpmath.workdps(40):
+        given = {by: mpmath.mpf(value) for by, value in {"load": 0.0, **GIVEN[name], **at}.items()}
+        x, step = list(map(mpmath.mpf, point)), mpmath.mpf(10) ** -12
+
+        def vanish(place=None, by=None, by_how_much=0):
+            moved = [one + by_how_much * (k == place) for k, one in enumerate(x)]
+            values = conditions_by_hand(name, question, moved, {**given, by: given.get(by, 0) + by_how_much})
+            return mpmath.matrix(values)
+
+        def slope(**of):
+            return (vanish(**of, by_how_much=step) - vanish(**of, by_how_much=-step)) / (2 * step)
+
+        assert max(map(abs, vanish())) < 1e-13
+        system = mpmath.matrix([list(row) for row in zip(*(slope(place=k) for k in range(len(x))), strict=True)])
+        for by in gradient.by:
+            moves = dict(zip(names, mpmath.lu_solve(system, -slope(by=by)), strict=True))
+            for of in gradient.of:
+                if of in moves:
+                    value = np.atleast_1d(gradient[of, by])[-1]
+                    assert value == pytest.approx(float(moves[of]), rel=1e-10, abs=1e-11), (of, by)
+
+
+@pytest.mark.parametrize("name", ["jumping", "mirrored", "cushion"])
+def test_places_of_rest_move_as_the_force_and_its_slope_do(request, name):
+    """Where f(u) = load, by differences at 40 digits."""
+    given = {**GIVEN[name], "load": 0.6}
+    rest = request.getfixturevalue(name)(**given).rest()
+    gradient = rest.gradient()
+    assert not gradient.message and len(rest) == 1
+    pieces, end, _ = BY_HAND[name]
+
+    def at_rest(numbers):
+        ordered = [numbers[one] for one in numbers if one in "pqdgk"]
+        force, slope = pieces(*ordered)[int(rest.u[0] > float(end(*ordered)))]
+        u = mpmath.findroot(lambda x: force(x) - numbers["load"], mpmath.mpf(rest.u[0]), tol=1e-90)
+        return u, slope(u)
+
+    with mpmath.workdps(60):
+        exact, step = {by: mpmath.mpf(given[by]) for by in (*GIVEN[name], "load")}, mpmath.mpf(10) ** -20
+        for by in gradient.by:
+            ends = [at_rest({**exact, by: exact[by] + sign * step}) for sign in (1, -1)]
+            for of, high, low in zip(("u", "stiffness"), *ends, strict=True):
+                slope = float((high - low) / (2 * step))
+                assert gradient[of, by][0] == pytest.approx(slope, rel=1e-13, abs=1e-14), (of, by)
 
 
 @pytest.mark.slow

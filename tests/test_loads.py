@@ -128,6 +128,16 @@ def test_a_linear_mount_isolates_from_sqrt_2_times_its_natural_frequency_on(zeta
     assert found.Omega == pytest.approx(2.0, rel=1e-14) and not found.at_fold
 
 
+def test_a_small_amplitude_where_isolation_begins_has_all_its_digits():
+    """It is that of the state there, which falls with the fourth power of its frequency."""
+    of = Duffing(1.0, 7.0, 1e-5, 0.004)
+    for F_0 in (5e-4, 7e-4, 8e-4, 9e-4):
+        found = of.isolation(F_0)
+        states = of.amplitudes(Omega=found.Omega, F_0=F_0)
+        assert found.A < 2e-3 and len(states) == 1
+        assert states.A[0] == pytest.approx(found.A, rel=1e-14)
+
+
 def test_beyond_the_frequency_of_isolation_every_stable_motion_transmits_less_than_the_force():
     for iso, F_0 in some_isolators(60):
         found = iso.isolation(F_0)

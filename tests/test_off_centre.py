@@ -568,8 +568,8 @@ def test_what_has_no_answer_off_the_centre_is_refused_in_words(loaded):
     (told,) = [part for part in page.split("\n\n") if part.startswith("What a load has no answer to yet")]
     refused = {*questions, *pairs, "second_approximation", "fit"}
     assert set(re.findall(r"`(\w+)`", told)) == refused
-    with pytest.raises(ValueError, match="where a mass rests has no gradient"):
-        loaded.rest().gradient()
+    with pytest.raises(ValueError, match="put together from others"):
+        loaded.margins(0.04).gradient()
     with pytest.raises(ValueError, match="no polynomial"):
         loaded.replace(force="untruncated")
     with pytest.raises(ValueError, match="load = nan"):
@@ -888,6 +888,14 @@ def test_where_there_is_no_gradient_off_the_centre_the_reason_is_said(loaded):
     )
     on_folds = dataclasses.replace(states, _model=bent.off_centre._model).gradient()
     assert "2 of 2: it meets another answer there" in on_folds.message and np.isnan(on_folds.slopes).all()
+
+
+def test_an_onset_whose_search_begins_at_it_is_answered():
+    """Beside it by as much as the slope by zeta says, but for the square of the step."""
+    onset = Duffing(1.0, 0.5, 0.01, 0.03, load=0.3).saddle_node_onset()
+    beside = Duffing(1.0, 0.5, 0.01, 0.03 - 1e-5, load=0.3).saddle_node_onset()
+    expected = onset.F_SN - 1e-5 * onset.gradient()["F_SN", "zeta"]
+    assert beside.F_SN == pytest.approx(expected, rel=(1e-5 / 0.03) ** 2)
 
 
 def test_a_motion_under_a_load_that_averaging_does_not_know_is_found_from_its_amplitude():

@@ -290,12 +290,22 @@ class Enclosed:
 class OffCentreTerms:
     """What the means of a force that is no polynomial are summed from, where motions are off the centre.
 
-    numbers -- the kernel of its gains, then of each piece with its derivatives
-    held    -- the same of each piece on intervals
+    gained -- the kernel of its gains
+    pieces -- of each piece with its derivatives
+    held   -- the same of each piece on intervals
+    gained_by, moved -- of what each parameter does to the gains, and to each piece
     """
 
-    numbers: tuple[Kernel, ...]
+    gained: Kernel
+    pieces: tuple[Kernel, ...]
     held: tuple[Kernel, ...]
+    gained_by: Kernel
+    moved: tuple[tuple[Kernel, ...], ...]
+
+    @property
+    def kernels(self) -> tuple[Kernel, ...]:
+        """All that are of numbers."""
+        return self.gained, *self.pieces, self.gained_by, *(one for piece in self.moved for one in piece)
 
 
 @dataclass(frozen=True)

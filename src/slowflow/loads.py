@@ -8,24 +8,27 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import pairwise
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import validate
+from slowflow import moves, validate
 from slowflow.answer import Single, Table, Words, joined
 from slowflow.averaged import remarks, words
 from slowflow.averaged.questions import Averaged
+from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats, Law, Mechanism
-from slowflow.model import THROUGHOUT
-from slowflow.results import Remark
+from slowflow.model import THROUGHOUT, Model
+from slowflow.results import Remark, of_model
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA
 
 Flags = npt.NDArray[np.bool_]
 Ints = npt.NDArray[np.intp]
+Begins = TypeVar("Begins")
 
 ISOLA = "at F_SN an isolated curve is born: a sweep from rest does not meet it, and does not jump there"
 APART = (
@@ -34,6 +37,10 @@ APART = (
 )
 ISOLATES = "every motion transmits less than the force"
 NEVER = "a motion that transmits more than the force has no end towards high frequencies"
+COMPOSED = (
+    "an answer that is put together from others has no gradient: those of saddle_node_onset, detachment, saddle_nodes, "
+    "peak, amplitudes and isolation have"
+)
 NONE_STABLE = "no motion is stable at Omega = {:g}, F_0 = {:g}"
 #: frequencies looked at, over the highest one at which anything can be transmitted in full
 BEYOND = 1.1
@@ -50,8 +57,16 @@ HALVES, AT_ONCE = 2, 16
 SHARED, ROUNDED = 32, 1e-13
 
 
+class Composed:
+    """What answers share that are put together from others."""
+
+    def gradient(self) -> Gradient:
+        """Raises NotAvailable: what it is put together from has gradients."""
+        raise validate.NotAvailable(COMPOSED)
+
+
 @dataclass(frozen=True, eq=False)
-class AtRest(Single):
+class AtRest(Composed, Single):
     """What there is to say of an oscillator that nothing excites.
 
     Omega_0, k_0 -- natural frequency and stiffness of small motions about the centre; no frequency where k_0 < 0
@@ -71,7 +86,7 @@ class AtRest(Single):
 
 
 @dataclass(frozen=True, eq=False)
-class Margins(Single):
+class Margins(Composed, Single):
     """How far a forcing is from what it should not reach; None where there is no such forcing.
 
     F_SN, F_cr  -- the lowest forcing that has a fold, and that lifts the springs; of an excitation by inertia F_cr may
@@ -111,7 +126,7 @@ class Band(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Hysteresis(Table):
+class Hysteresis(Composed, Table):
     """Bands of frequencies in which more than one motion is stable: which of them is seen depends on what was before.
 
     Omega_low, Omega_high -- ends of the band: folds, 0, or inf where a motion has no end, as without viscous damping
@@ -145,6 +160,14 @@ class Isolation(Single):
     F_0: float
     message: str
     remarks: Remark
+    _model: Model | None = field(default=None, kw_only=True, repr=False)
+
+    def gradient(self) -> Gradient:
+        """How Omega and A move with the parameters and F_0, exactly: those of the state, or of the fold, at this end.
+
+        Where isolation begins at no frequency that moves there is none, and `.status` and `.message` say so.
+        """
+        return moves.of_isolation(of_model(self._model), self.Omega, self.A, self.F_0, self.at_fold)
 
 
 class Load(NamedTuple):
@@ -161,7 +184,7 @@ class Load(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Spectrum(Table):
+class Spectrum(Composed, Table):
     """A load spectrum, one tone at a time, row by row in its order.
 
     A        -- the largest stable amplitude, off the centre about the mean; 0 where the mass sticks, nan where no
@@ -317,39 +340,49 @@ def isolation(oscillator: Averaged, F_0: float) -> Isolation:
     """
     F_0 = validate.number("F_0", F_0, above=0.0)
     if oscillator.model.inertial and not oscillator.closes(F_0):
-        return Isolation(None, None, False, F_0, NEVER, Remark(0))
+        return Isolation(None, None, False, F_0, NEVER, Remark(0), _model=oscillator.model)
     curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _highest(oscillator, F_0)))
+    made = partial(Isolation, _model=oscillator.model)
     if not len(curve):
-        return Isolation(None, None, False, F_0, curve.message, curve.remarks)
+        return made(None, None, False, F_0, curve.message, curve.remarks)
     transmits = curve.Omega <= _of_full(oscillator, curve.A)
 
     def passes(one: int, other: int) -> tuple[float, float]:
         A = _between(oscillator, F_0, float(curve.A[one]), float(curve.A[other]))
         return float(_of_full(oscillator, np.array([A]))[0]), A
 
-    return begins(curve, transmits, passes, F_0)
+    return begins(made, curve, transmits, passes, F_0)
 
 
-def begins(curve: Any, transmits: Flags, passes: Callable[[int, int], tuple[float, float]], F_0: float) -> Isolation:
+def begins(
+    made: Callable[..., Begins],
+    curve: Any,
+    transmits: Flags,
+    passes: Callable[[int, int], tuple[float, ...]],
+    F_0: float,
+    at: tuple[str, ...] = ("Omega", "A"),
+) -> Begins:
     """Where isolation begins along a response curve.
 
+    made      -- makes the answer, of the numbers `at` first
     transmits -- at which of its points as much as F_0 is transmitted
-    passes    -- Omega and A between two neighbours of which the first does so and the other does not
+    passes    -- these numbers between two neighbours of which the first does so and the other does not
     """
+    nowhere = (None,) * len(at)
     full = curve.stable & transmits
     if not full.any():
-        return Isolation(0.0, None, False, F_0, joined(curve.message, ISOLATES), curve.remarks)
+        return made(0.0, *nowhere[1:], False, F_0, joined(curve.message, ISOLATES), curve.remarks)
     last = int(np.flatnonzero(full)[np.argmax(curve.Omega[full])])
     around = [k for k in (last - 1, last + 1) if 0 <= k < len(curve) and curve.branch[k] == curve.branch[last]]
     for k in around:
         if curve.Omega[k] > curve.Omega[last]:
             if not transmits[k]:
-                return Isolation(*passes(last, k), False, F_0, curve.message, curve.remarks)
+                return made(*passes(last, k), False, F_0, curve.message, curve.remarks)
             last = k  # a fold, which rounding may leave on either side of stability
     loose = len(around) < 2 and not curve.isola[curve.branch[last]]
     if loose and all(curve.stable[k] for k in around):
-        return Isolation(None, None, False, F_0, joined(curve.message, NEVER), curve.remarks)
-    return Isolation(float(curve.Omega[last]), float(curve.A[last]), True, F_0, curve.message, curve.remarks)
+        return made(*nowhere, False, F_0, joined(curve.message, NEVER), curve.remarks)
+    return made(*(float(getattr(curve, name)[last]) for name in at), True, F_0, curve.message, curve.remarks)
 
 
 def _of_full(oscillator: Averaged, A: Floats) -> Floats:
@@ -371,7 +404,8 @@ def _between(oscillator: Averaged, F_0: float, A: float, other: float) -> float:
         return A
     from scipy.optimize import brentq  # here, not above: other questions do without SciPy
 
-    return float(brentq(excess, A, other, rtol=4 * np.finfo(float).eps))
+    # to its last digits, however small it is
+    return float(brentq(excess, A, other, xtol=4 * np.finfo(float).tiny, rtol=4 * np.finfo(float).eps))
 
 
 def _highest(oscillator: Averaged, F_0: float) -> float:

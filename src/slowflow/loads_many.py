@@ -21,8 +21,10 @@ from slowflow.averaged.batches import Batch, Codes, Detachments, Told, first_end
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
 from slowflow.averaged.remarks import stay_centred
+from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats
 from slowflow.model import THROUGHOUT, held
+from slowflow.moves import of_isolation
 from slowflow.results import Remark
 from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import Status
@@ -48,7 +50,7 @@ FAILED = (Status.NO_BOUND, Status.UNRESOLVED, Status.NO_MEMORY)
 
 
 @dataclass(frozen=True, eq=False)
-class ManyAtRest(Batch):
+class ManyAtRest(loads.Composed, Batch):
     """`slowflow.loads.AtRest` of each design: NaN where there is no frequency or no stroke; rests_within may be inf."""
 
     Omega_0: Floats
@@ -61,7 +63,7 @@ class ManyAtRest(Batch):
 
 
 @dataclass(frozen=True, eq=False)
-class ManyMargins(Told):
+class ManyMargins(loads.Composed, Told):
     """`slowflow.loads.Margins` of each design.
 
     F_SN, F_cr, of_SN, of_cr -- inf where there is no such forcing, and F_SN NaN where none is the lowest, or which is
@@ -91,7 +93,7 @@ class ManyMargins(Told):
 
 
 @dataclass(frozen=True, eq=False)
-class ManyBands(Told):
+class ManyBands(loads.Composed, Told):
     """`slowflow.loads.Hysteresis` of each design; what is a band's has one more axis, with `places` places.
 
     Omega_low, Omega_high, motions -- by rising frequency, then NaN and 0
@@ -127,9 +129,13 @@ class ManyIsolations(Told):
     at_fold: Codes
     status: Codes
 
+    def gradient(self) -> Gradient:
+        """As of a single `Isolation`, of each design; `.slopes` of shape (..., 2, parameters)."""
+        return of_isolation(self._given(), self.Omega, self.A, np.asarray(self._F_0, dtype=float), self.at_fold == 1)
+
 
 @dataclass(frozen=True, eq=False)
-class ManySpectra(Told):
+class ManySpectra(loads.Composed, Told):
     """`slowflow.loads.Spectrum` of each design; the last axis, of all columns, is that of the rows.
 
     A, transmissibility_dB, motions, crosses, detaches, sticks -- as there, flags as 0 and 1
@@ -321,7 +327,8 @@ def isolation(designs: Designs, F_0: Any, workers: int = 1) -> ManyIsolations:
             Omega[at], at_fold[at] = one.Omega, one.at_fold
             A[at] = np.nan if one.A is None else one.A
     said = np.where(np.isin(status, (Status.OK, Status.NONE)), said, np.uint16(0))
-    return ManyIsolations(Omega=Omega, A=A, at_fold=at_fold, status=status, _designs=designs, _F_0=F_0, _said=said)
+    beside: dict[str, Any] = {"_designs": designs, "_F_0": F_0, "_said": said, "_averaged": True}
+    return ManyIsolations(Omega=Omega, A=A, at_fold=at_fold, status=status, **beside)
 
 
 def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> ManySpectra:

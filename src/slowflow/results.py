@@ -202,7 +202,7 @@ NOT_ASKED = "this answer was not asked of an oscillator: no equation of motion i
 NOT_AVERAGED = "gradients are known of averaged answers, asked of an oscillator with a design: this is none"
 
 
-def _given(model: Model | None) -> moves.Given:
+def of_model(model: Model | None) -> moves.Given:
     """Whose answer it is. Raises ValueError where nothing says it."""
     if model is None or not model.has_design:
         raise ValueError(NOT_AVERAGED)
@@ -299,7 +299,7 @@ class SteadyStates(InDecibels, Table):
         Where a state is a fold, or lies on a breakpoint at which the force jumps, it has no gradient, and `.status` and
         `.message` say so.
         """
-        given = _given(self._model)
+        given = of_model(self._model)
         return moves.of_states(given, self.Omega, self.A, self.F_0, self.phi, self.transmissibility)
 
     def measure(self, force: str | None = None) -> Measured:
@@ -376,7 +376,7 @@ class SaddleNodes(Table):
         Where a fold meets another, at a cusp or an isola point, or comes to a breakpoint or leaves it, it has no
         gradient, and `.status` and `.message` say so.
         """
-        return moves.of_folds(_given(self._model), self.Omega, self.A, self.F_0, self.corner)
+        return moves.of_folds(of_model(self._model), self.Omega, self.A, self.F_0, self.corner)
 
     def measure(self, force: str | None = None) -> MeasuredFolds:
         """How far each fold is from one of the equation of motion (3): measured here and now, some ms for each.
@@ -425,7 +425,7 @@ class SaddleNodeOnset(Single):
         onsets at one forcing, which it does not look for, it is that of the one which is given.
         """
         kind = OnsetKind[self.kind.upper() or "NO"]
-        return moves.of_onset(_given(self._model), self.F_SN, self.Omega, self.A, kind)
+        return moves.of_onset(of_model(self._model), self.F_SN, self.Omega, self.A, kind)
 
 
 @dataclass(frozen=True, eq=False)
@@ -473,7 +473,7 @@ class Cusps(Table):
 
     def gradient(self) -> Gradient:
         """How F_0, Omega and A of each cusp move with the parameters, exactly."""
-        return moves.of_cusps(_given(self._model), self.F_0, self.Omega, self.A)
+        return moves.of_cusps(of_model(self._model), self.F_0, self.Omega, self.A)
 
 
 @dataclass(frozen=True, eq=False)
@@ -495,7 +495,7 @@ class IsolaPoints(Table):
 
     def gradient(self) -> Gradient:
         """How F_0, Omega and A of each isola point move with the parameters, exactly."""
-        return moves.of_isola_points(_given(self._model), self.F_0, self.Omega, self.A)
+        return moves.of_isola_points(of_model(self._model), self.F_0, self.Omega, self.A)
 
 
 @dataclass(frozen=True, eq=False)
@@ -517,7 +517,7 @@ class Peak(Single):
         Where the peak is an isola point, or lies on a breakpoint at which the force jumps, it has no gradient, and
         `.status` and `.message` say so. Of two peaks of one height it is that of the one which is given.
         """
-        return moves.of_peak(_given(self._model), self.A, self.Omega, self.F_0)
+        return moves.of_peak(of_model(self._model), self.A, self.Omega, self.F_0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -533,4 +533,4 @@ class Detachment(Single):
 
     def gradient(self) -> Gradient:
         """How F_cr, Omega_cr and u_cr move with the parameters, exactly."""
-        return moves.of_detachment(_given(self._model), self.F_cr, self.Omega_cr, self.u_cr)
+        return moves.of_detachment(of_model(self._model), self.F_cr, self.Omega_cr, self.u_cr)

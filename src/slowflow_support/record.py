@@ -105,11 +105,16 @@ class Curved(NamedTuple):
     gained -- of the parameters: what f, f', f'' gain at each breakpoint
     pieces -- of each piece at (u, *parameters): f and its first three derivatives
     held   -- the same at (around, u, *parameters), on intervals
+    gained_by -- of the parameters, which are the design: what each does to the gains of f and f', breakpoint by
+              breakpoint
+    moved  -- of each piece, by each parameter, at (u, *parameters): the derivative of f, and that one's first two by u
     """
 
     gained: Function
     pieces: tuple[Function, ...]
     held: tuple[Function, ...]
+    gained_by: Function
+    moved: tuple[tuple[Function, ...], ...]
 
 
 @dataclass(frozen=True, eq=False)

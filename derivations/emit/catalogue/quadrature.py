@@ -40,7 +40,7 @@ def quadrature_module(name: str, mechanism: Mechanism, average: Quadrature) -> M
     mechanism, average = renamed(mechanism, average)
     pieces, laws = piece_kernels(mechanism, average, name)
     averages = (*average_sums(mechanism, average), parameter_sums(mechanism, average))
-    beside = of_odd(average)
+    beside = of_odd(average, mechanism.parameters)
     terms = None if beside is None else curved_kernels(beside, mechanism.parameters)
     return Module(
         name=name,
@@ -50,7 +50,7 @@ def quadrature_module(name: str, mechanism: Mechanism, average: Quadrature) -> M
             *data_kernels(mechanism, average),
             *step_kernels(mechanism, average),
             *pieces,
-            *(terms.numbers if terms else ()),
+            *(terms.kernels if terms else ()),
             *(kernel for one in averages for kernel in (*one.terms, one.closing)),
         ),
         record=Record(stated, stated.design, laws, sp.oo, False, "", (), stepped=is_stepped(average)),

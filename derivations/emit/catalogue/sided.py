@@ -31,7 +31,7 @@ def sided_module(name: str, force: Sided) -> Module:
         name=name,
         title=stated.title[0].upper() + stated.title[1:],
         inputs=("live.py", "sided.py", *(["curved.py"] if terms else [])),
-        kernels=(*data_kernels(force), *pieces, *(terms.numbers if terms else ())),
+        kernels=(*data_kernels(force), *pieces, *(terms.kernels if terms else ())),
         record=Record(stated, stated.design, laws, sp.oo, False, "", (), stepped=force.is_polynomial, odd=False),
         native=False,
         off_centre=terms,
@@ -39,37 +39,41 @@ def sided_module(name: str, force: Sided) -> Module:
 
 
 def curved_kernels(curved: Curved, parameters: tuple[sp.Symbol, ...]) -> OffCentreTerms:
-    """Each piece with its derivatives, at numbers and on intervals."""
+    """Each piece with its derivatives, at numbers and on intervals; and what each parameter does to it."""
     given = (v, *parameters)
+
+    def kernel(name: str, values: tuple[sp.Expr, ...], doc: str) -> Kernel:
+        return plain(
+            name, given, values, doc, "(3)", "where it holds", parameters=len(parameters), generic=True, in_c=False
+        )
 
     def kernels(name: str, pieces: Sequence[tuple[sp.Expr, ...]]) -> tuple[Kernel, ...]:
         return tuple(
-            plain(
-                f"{name}_{k}",
-                given,
-                values,
-                f"Piece {k} of the force at u, and {ORDERS} derivatives.",
-                "(3)",
-                "where it holds",
-                parameters=len(parameters),
-                generic=True,
-                in_c=False,
-            )
+            kernel(f"{name}_{k}", values, f"Piece {k} of the force at u, and {ORDERS} derivatives.")
             for k, values in enumerate(pieces, start=1)
         )
 
     held = [tuple(map(nested, values)) for values in curved.pieces]
-    gained = plain(
-        "gained",
+    gained = _at_ends("gained", curved.gains, parameters, "What the force and two derivatives gain at each breakpoint.")
+    gained_by = _at_ends(
+        "gained_by",
+        [gains for end in curved.gained_by for gains in end],
         parameters,
-        tuple(value for row in curved.gains for value in row),
-        "What the force and two derivatives gain at each breakpoint.",
-        "(3)",
-        ANY,
-        parameters=len(parameters),
-        in_c=False,
+        "At each breakpoint, by each parameter in turn: what the force and its slope gain more.",
     )
-    return OffCentreTerms((gained, *kernels("curved", curved.pieces)), kernels("held", held))
+    moved = tuple(
+        tuple(
+            kernel(f"moved_{k}_{j}", values, f"Piece {k} by parameter {j} at u, and two derivatives.")
+            for j, values in enumerate(by_parameter, start=1)
+        )
+        for k, by_parameter in enumerate(curved.moved, start=1)
+    )
+    return OffCentreTerms(gained, kernels("curved", curved.pieces), kernels("held", held), gained_by, moved)
+
+
+def _at_ends(name: str, rows: Sequence[tuple[sp.Expr, ...]], parameters: tuple[sp.Symbol, ...], doc: str) -> Kernel:
+    values = tuple(value for row in rows for value in row)
+    return plain(name, parameters, values, doc, "(3)", ANY, parameters=len(parameters), in_c=False)
 
 
 def renamed(force: Sided) -> Sided:

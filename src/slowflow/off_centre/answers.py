@@ -9,7 +9,7 @@ from typing import Any, ClassVar, NamedTuple, NoReturn
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import validate
+from slowflow import loads, validate
 from slowflow.answer import Single, Table, frozen
 from slowflow.gradient import Gradient
 from slowflow.measured.validity import Validity, off_centre
@@ -21,7 +21,6 @@ from slowflow.results import DRAWN, NOT_ASKED, InDecibels, Measured, MeasuredFol
 from slowflow_kernels.conventions import Pinned
 
 NOT_MEASURED = "off the centre states and folds are measured, as amplitudes(...).measure(): this answer is neither"
-NO_GRADIENT = "where a mass rests has no gradient: those of its motions have the mean's"
 WITHIN = "no gradient is derived where the mean turns back at the peak"
 
 
@@ -107,10 +106,15 @@ class RestPositions(Balanced, Table):
     load: float
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
+    _model: Model | None = field(default=None, kw_only=True, repr=False)
 
-    def gradient(self) -> NoReturn:
-        """Raises NotAvailable: motions about these places have gradients, these have none."""
-        raise validate.NotAvailable(NO_GRADIENT)
+    def gradient(self) -> Gradient:
+        """How u and the stiffness of each place move with the parameters and the load, exactly.
+
+        Where two places meet, and where one is a breakpoint of the force, there is none, and `.status` and `.message`
+        say so. Raises as `OffCentreStates.gradient`.
+        """
+        return moves.of_rest(Given.of(self._model, self.load), self.u)
 
 
 @dataclass(frozen=True, eq=False)
@@ -355,3 +359,26 @@ class OffCentreOnset(Balanced, AveragedOff, Single):
         of = {"F_SN": "F_0", "Omega": "Omega", "A": "A", "B": "B"}
         point = self.A, self.B, self.Omega, self.F_SN
         return moves.gradient(Given.of(self._model, self.load), kinds.get(self.kind, Pinned.CORNER_END), point, of)
+
+
+@dataclass(frozen=True, eq=False)
+class OffCentreIsolation(loads.Isolation):
+    """From where on every stable motion transmits less than the force, as `slowflow.loads.Isolation`.
+
+    B    -- the mean displacement there, None as A is
+    load -- the static load over k_v L
+    """
+
+    B: float | None = field(kw_only=True)
+    load: float = field(kw_only=True)
+
+    def gradient(self) -> Gradient:
+        """How Omega, A and B move with the parameters, the load and F_0, exactly; see `slowflow.loads.Isolation`.
+
+        Raises as `OffCentreStates.gradient`.
+        """
+        given, point = Given.of(self._model, self.load), (self.A, self.B, self.Omega, self.F_0)
+        if self.at_fold:
+            of = {name: name for name in ("Omega", "A", "B")}
+            return moves.gradient(given, Pinned.FOLD, point, of, ("F_0",))
+        return moves.of_isolation(given, point)

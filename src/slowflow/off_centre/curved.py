@@ -138,6 +138,10 @@ class Curved:
         self._cuts = np.unique(np.append(ends, 0.0))
         self._of_cut = np.searchsorted(ends, np.append(self._cuts, np.inf), side="left")
 
+    def first(self) -> Curved:
+        """The piece about u = 0 alone, as if it held everywhere."""
+        return Curved([self.parts[int((self.ends < 0).sum())]], np.empty(0), np.empty(0))
+
     # ==== Numbers =====================================================================================================
 
     def at(self, A: Floats, B: Floats, orders: int) -> tuple[list[Floats], list[Floats]]:

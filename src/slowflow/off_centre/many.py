@@ -37,7 +37,10 @@ from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import MovesStatus, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
-NO_GRADIENT = "off the centre states, folds, onsets, detachments and peaks have gradients: this answer has none"
+NO_GRADIENT = (
+    "off the centre states, folds, onsets, detachments, peaks, isolation and places of rest have gradients: this "
+    "answer has none"
+)
 #: designs that are kept with what is known of them, some 0.2 MB each
 KEPT = 256
 #: one design's answer by column, how it fared, and what to bear in mind with it
@@ -208,6 +211,8 @@ class ManyRests(OffCentreBatch):
     """
 
     inner: ClassVar[Mapping[str, str]] = MappingProxyType(dict.fromkeys(("u", "stiffness"), "place"))
+    asks: ClassVar[str] = "rest"
+    moves: ClassVar[tuple[str, ...]] = ("u", "stiffness")
 
     u: Floats
     stiffness: Floats
@@ -242,7 +247,12 @@ class OffCentreBands(OffCentreBatch, loads_many.ManyBands):
 
 @dataclass(frozen=True, eq=False)
 class OffCentreIsolations(OffCentreBatch, loads_many.ManyIsolations):
-    """`slowflow.loads.Isolation` of each design, as `ManyIsolations`."""
+    """`OffCentreIsolation` of each design, as `ManyIsolations`; B is the mean displacement there."""
+
+    asks: ClassVar[str] = "isolation"
+    moves: ClassVar[tuple[str, ...]] = ("Omega", "A", "B")
+
+    B: Floats = field(kw_only=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -638,8 +648,8 @@ def _isolation(single: OffCentre, F_0: float) -> Found:
     found = single.isolation(F_0)
     if found.Omega is None:
         return {}, Status.NONE, found.remarks
-    A = math.nan if found.A is None else found.A
-    return {"Omega": found.Omega, "A": A, "at_fold": found.at_fold}, Status.OK, found.remarks
+    A, B = (math.nan if one is None else one for one in (found.A, found.B))
+    return {"Omega": found.Omega, "A": A, "B": B, "at_fold": found.at_fold}, Status.OK, found.remarks
 
 
 def _shocked(single: OffCentre) -> tuple[EquationOfMotion, int]:

@@ -75,6 +75,8 @@ class Steps:
     curved: Curved | None = None
     #: of a force that is no polynomial, above and below
     beyond: tuple[Beyond, Beyond] | None = None
+    #: and what each parameter does to it: to what it and its slope gain at its breakpoints, and to all else
+    by_parameter: tuple[tuple[Floats, Curved], ...] = ()
 
     def __init__(self, mechanism: Mechanism, parameters: tuple[float, ...], load: float) -> None:
         ends = np.array([float(end) for end in mechanism.breakpoints(*parameters)])
@@ -101,9 +103,8 @@ class Steps:
         """The first piece alone, as if it held everywhere."""
         other = Steps.__new__(Steps)
         if self.curved is not None:
-            about = self.curved.parts[int((self.curved.ends < 0).sum())]
             other._state_sided(np.empty(0), np.zeros((1, 2)), np.empty((0, 2)), self.load)
-            other.curved = Curved([about], np.empty(0), np.empty(0))
+            other.curved = self.curved.first()
         elif self.odd:
             other._state(np.empty(0), np.stack((self._rows[0], self._rows[0])), self.load)
         else:
@@ -184,10 +185,7 @@ class Steps:
             laws = [*((law, held, True) for law, held, _ in laws[:0:-1]), *laws]
             ends, gains = np.concatenate((-ends[::-1], ends)), np.concatenate((gains[::-1] * (1, -1, 1), gains))
         about = int((ends < 0).sum())
-        lines = np.zeros((ends.size + 1, 2))
-        shares = np.stack((gains[:, 0] - gains[:, 1] * ends, gains[:, 1]), axis=1)
-        lines[about + 1 :] = np.cumsum(shares[about:], axis=0)
-        lines[:about] = -np.cumsum(shares[:about][::-1], axis=0)[::-1]
+        lines = _lines(ends, gains)
         self._state_sided(ends, lines, gains[:, :2], load)
         parts = [Part(*law, (float(a), float(b))) for law, (a, b) in zip(laws, lines, strict=True)]
         self.odd = mechanism.odd
@@ -207,6 +205,15 @@ class Steps:
             outwards(parts[0], -1.0, float(starts[0]), size, load, complain(0)),
         )
         self.curved = Curved(parts, ends, gains[:, 2], (-self.beyond[1].wall, self.beyond[0].wall))
+        gained_by = np.array([float(one) for one in stated.gained_by(*parameters)]).reshape(-1, len(parameters), 2)
+        for number, gains_by in enumerate(np.moveaxis(gained_by, 1, 0)):
+            laws_by = [partial(_law, piece[number], parameters) for piece in stated.moved]
+            if mechanism.odd:
+                laws_by = [*laws_by[:0:-1], *laws_by]
+                gains_by = np.concatenate((gains_by[::-1] * (1, -1), gains_by))
+            lines_by = zip(laws_by, parts, _lines(ends, gains_by), strict=True)
+            parts_by = [Part(law, None, part.mirrored, (float(a), float(b))) for law, part, (a, b) in lines_by]
+            self.by_parameter += ((gains_by, Curved(parts_by, ends, np.zeros(ends.size), self.curved.walls)),)
 
     def _weights(self) -> tuple[Floats, Floats]:
         """What c_n and s_n take of L_j and M_j of each step, j from -ORDERS on: (ORDERS + 1, steps, j)."""
@@ -252,8 +259,10 @@ class Steps:
         others = self.curved.at(A, B, orders)
         return Means(*(tuple(map(np.add, *both)) for both in zip((c, s), others, strict=True)))
 
-    def moved(self, A: Floats, B: Floats, gains: Floats, places: Floats) -> Means:
+    def moved(self, A: Floats, B: Floats, gains: Floats, places: Floats, curved: Curved | None = None) -> Means:
         """What c_n and s_n do as the gains move, u held fixed, and the places of the steps: n below `ORDERS`.
+
+        curved -- what moves beside the steps, of a force that is no polynomial
 
         A step whose place moves adds what it gains there, and nothing else: -D_0 L_(-n-1) and -D_0 M_(-n-1).
         """
@@ -265,7 +274,10 @@ class Steps:
             for n in range(ORDERS):
                 weights[n, :, ORDERS - n - 1] -= self.sides ** (n + power) * places * self.gains[:, 0]
             found.append(tuple(self._summed(weights[n], ladder) for n in range(ORDERS)))
-        return Means(*found)
+        if curved is None:
+            return Means(*found)
+        others = curved.at(A, B, ORDERS - 1)
+        return Means(*(tuple(map(np.add, *both)) for both in zip(found, others, strict=True)))
 
     def _summed(self, weights: Floats, ladder: Floats) -> Floats:
         used = weights != 0
@@ -464,6 +476,16 @@ class Steps:
     def _needs_below_zero(self) -> bool:
         """Whether the force or a derivative that is asked for jumps at a breakpoint."""
         return bool(np.any(self.gains[1:, :ORDERS]))
+
+
+def _lines(ends: Floats, gains: Floats) -> Floats:
+    """What steps that gain so much, and so much slope, at these ends are on each piece by rising u: a + b u."""
+    about = int((ends < 0).sum())
+    lines = np.zeros((ends.size + 1, 2))
+    shares = np.stack((gains[:, 0] - gains[:, 1] * ends, gains[:, 1]), axis=1)
+    lines[about + 1 :] = np.cumsum(shares[about:], axis=0)
+    lines[:about] = -np.cumsum(shares[:about][::-1], axis=0)[::-1]
+    return lines
 
 
 def _law(kernel: Any, parameters: tuple[float, ...], u: Floats) -> Any:

@@ -17,11 +17,12 @@ import numpy.typing as npt
 from slowflow import moves
 from slowflow.gradient import Gradient
 from slowflow.model import Floats, Model
+from slowflow.off_centre.curved import Curved
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.validate import NotAvailable
 from slowflow_kernels import off_centre
-from slowflow_kernels.conventions import MovesStatus, Pinned
+from slowflow_kernels.conventions import MEETING, SAME, MovesStatus, Pinned
 
 #: of a complex step, by which what is analytic has its derivative to the last digit
 STEP = 1e-200
@@ -30,7 +31,6 @@ STEP = 1e-200
 ON_A_JUMP = (Pinned.CORNER_FOLD, Pinned.CORNER_END)
 
 NO_DESIGN = "gradients are known of an oscillator whose record says how its force moves with its design: this is none"
-CURVED = "off the centre gradients are known of piecewise polynomials, which this force is none of"
 NEXT_TO_REST = "a force that may jump at u = 0 and does not has no gradients off the centre"
 
 
@@ -40,28 +40,31 @@ class Given:
 
     gains, places -- what each number of the design does to those of the steps, (numbers, steps, orders) and
                      (numbers, steps)
+    curved        -- what it does beside the steps, None where the force is a piecewise polynomial
     """
 
     model: Model
     steps: Steps
     gains: Floats
     places: Floats
+    curved: tuple[Curved | None, ...]
 
     @classmethod
     def of(cls, model: Model | None, load: float) -> Given:
         """Under a load. Raises NotAvailable where it is not known how the force moves with the design."""
         if model is None or not model.has_design or model.mechanism.by_design is None:
             raise NotAvailable(NO_DESIGN)
-        if model.mechanism.steps is None:
-            raise NotAvailable(CURVED)
         steps = Steps(model.mechanism, model.parameters, load)
-        return cls(model, steps, *_by_design(model, steps))
+        if steps.curved is None:
+            return cls(model, steps, *_by_design(model, steps), (None,) * len(model.design))
+        return cls(model, steps, *_of_curved(model, steps), tuple(curved for _, curved in steps.by_parameter))
 
     def first(self) -> Given:
         """With the first piece alone, as if it held everywhere; its end moves as before."""
         steps, ends = self.steps.first(), self.steps.breakpoints.size
         kept = [0, 1, 2 + ends][: steps.places.size]
-        return Given(self.model, steps, self.gains[:, kept], self.places[:, kept])
+        curved = tuple(None if one is None else one.first() for one in self.curved)
+        return Given(self.model, steps, self.gains[:, kept], self.places[:, kept], curved)
 
     def end(self, A: Floats, B: Floats) -> tuple[Floats, Floats]:
         """On which side of the mean motions come to an end of the first piece, and what the design does to it.
@@ -77,7 +80,7 @@ class Given:
         ]
         if not ends.size:  # none comes to it
             return np.ones_like(A), np.zeros((n, A.size))
-        if self.steps.odd:
+        if model.mechanism.odd:
             return np.where(B > 0, 1.0, -1.0), np.tile(slopes[0][:, np.newaxis], A.size)
         about = int((ends < 0).sum())
         places, still = np.array([-np.inf, *ends, np.inf]), np.zeros((1, n))
@@ -130,6 +133,21 @@ def _by_design(model: Model, steps: Steps) -> tuple[Floats, Floats]:
         places = np.concatenate((of_ends[about:], -of_ends[:about]))
     gains = np.einsum("psk,pd->dsk", np.concatenate((first, both), axis=1), of_parameters)
     return gains, np.concatenate((np.zeros((1, len(model.design))), places)).T
+
+
+def _of_curved(model: Model, steps: Steps) -> tuple[Floats, Floats]:
+    """The same of a force that is no polynomial, whose parameters are the design."""
+    n, ends = len(model.design), steps.curved.ends if steps.curved else np.empty(0)
+    assert model.mechanism.by_design is not None
+    of_ends = np.array(model.mechanism.by_design(*model.design), dtype=float).reshape(-1, n)[n:]
+    if model.mechanism.odd:
+        of_ends = np.concatenate((-of_ends[::-1], of_ends))
+    right, still = ends >= 0, np.zeros((1, n))
+    places = np.concatenate((still, of_ends[right], -of_ends[~right])).T
+    gains = np.zeros((n, steps.places.size, 2))
+    for number, (gained, _) in enumerate(steps.by_parameter):
+        gains[number, 1:] = np.concatenate((gained[right], gained[~right] * (1, -1)))
+    return gains, places
 
 
 def _of_pieces(mechanism: Any, parameters: tuple[float, ...], k: int, steps: Steps) -> Floats:
@@ -203,6 +221,40 @@ def gradient(
     return Gradient(tuple(of), names, *whole, tuple(row.reshape(shape) for row in values), numbers)
 
 
+def of_isolation(given: Given, point: tuple[Any, Any, Any, Any]) -> Gradient:
+    """The gradient of the state at A, B, Omega and a forcing that transmits as much as drives it."""
+    of = {name: name for name in ("A", "B", "transmissibility")}
+    state = gradient(given, Pinned.STATE, point, of, ("F_0", "Omega"))
+    A, B, Omega = (np.asarray(one, dtype=float) for one in point[:3])
+    slopes, meets = moves.along_frequency(state.slopes, Omega, A)
+    status = np.where(meets & (state.status == MovesStatus.OK), np.int8(MovesStatus.MEETS), state.status)
+    slopes[status != MovesStatus.OK] = np.nan
+    return Gradient(("Omega", "A", "B"), state.by[:-1], slopes, status, (Omega, A, B), state._at[:-1])
+
+
+def of_rest(given: Given, u: Floats) -> Gradient:
+    """The gradient of places of rest, f(u) = load, and of the stiffness there."""
+    none, steps = np.zeros(u.shape), given.steps
+    _, slope, curvature = steps.at(none, u, ORDERS - 1).c
+    names, size = given.names, np.abs(slope).max(initial=1.0)
+    f_p, slope_p = np.zeros((2, len(names), u.size))
+    for k in range(len(given.model.design)):
+        moved = steps.moved(none, u, given.gains[k], given.places[k], given.curved[k])
+        f_p[k], slope_p[k] = moved.c[:2]
+    f_p[names.index("load")] -= 1.0
+    with np.errstate(all="ignore"):
+        u_p = -f_p / slope
+        slopes = np.stack((u_p, slope_p + curvature * u_p), axis=-1).transpose(1, 2, 0)
+    ends = steps.places[1:] * steps.sides[1:]
+    comes = np.abs(u[:, np.newaxis] - ends) <= SAME * np.abs(ends)
+    status = np.where(np.abs(slope) > MEETING * size, MovesStatus.OK, MovesStatus.MEETS)
+    status = np.where(comes.any(axis=1), MovesStatus.TURNS, status)
+    status[~np.isfinite(slopes).all(axis=(1, 2)) & (status == MovesStatus.OK)] = MovesStatus.BOUNDLESS
+    slopes[status != MovesStatus.OK] = np.nan
+    numbers = (*given.model.design, *given.damping.values(), steps.load)
+    return Gradient(("u", "stiffness"), names, slopes, status.astype(np.int8), (u, slope), numbers)
+
+
 def _of_kind(
     given: Given, kind: Pinned, names: tuple[str, ...], A: Floats, B: Floats, Omega: Floats, F_0: Floats
 ) -> tuple[Mapping[str, Floats], Mapping[str, Floats], Any]:
@@ -216,7 +268,7 @@ def _of_kind(
     c_p, s_p = (np.zeros((ORDERS, len(names), A.size)) for _ in range(2))
     ends = np.zeros((len(names), A.size))
     for k in range(len(model.design)):
-        moved = steps.moved(A, B, given.gains[k], given.places[k])
+        moved = steps.moved(A, B, given.gains[k], given.places[k], given.curved[k])
         c_p[:, k], s_p[:, k] = moved.c, moved.s
     # mypy takes a starred argument for all that are left
     B_p, *of_h = off_centre.moved(A, *means.c[1:], *means.s[1:], *c_p, *s_p, of_load)  # type: ignore[call-arg]

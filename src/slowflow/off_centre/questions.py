@@ -25,6 +25,7 @@ from slowflow.model import Floats, Model
 from slowflow.off_centre.answers import (
     OffCentreDetachment,
     OffCentreFolds,
+    OffCentreIsolation,
     OffCentreOnset,
     OffCentrePeak,
     OffCentreResponse,
@@ -177,7 +178,7 @@ class OffCentre(Unchanging):
         if found.undecided_of.size:
             words = f"whether there are others is undecided next to u = {_listed(found.undecided[0])}"
             said = _Said(words, Remark.UNDECIDED).beside(said)
-        return RestPositions(u, stiffness, stiffness > 0, self.load, **said._asdict())
+        return RestPositions(u, stiffness, stiffness > 0, self.load, **said._asdict(), _model=self._model)
 
     def detachment(self) -> OffCentreDetachment:
         """The lowest forcing for which the motion reaches the first breakpoint, |B| + A = u_cr, on either side.
@@ -532,7 +533,7 @@ class OffCentre(Unchanging):
         """
         return loads.spectrum(self, Omega, F_0, self._leaves, self._folds_at)
 
-    def isolation(self, F_0: float) -> loads.Isolation:
+    def isolation(self, F_0: float) -> OffCentreIsolation:
         """The frequency from which on every stable motion at F_0 transmits less than F_0, see `Oscillator.isolation`.
 
         It is found on the response, and that no stable motion transmits F_0 beyond it is proved but for 2^-16 of it;
@@ -542,7 +543,7 @@ class OffCentre(Unchanging):
         F_0 = validate.number("F_0", F_0, above=0.0)
         self._damped("isolation")
         if self._flow.sticks(F_0):
-            return loads.Isolation(None, None, False, F_0, STICKS.format(F_0, self._m), Remark(0))
+            return self._isolation(None, None, None, False, F_0, STICKS.format(F_0, self._m), Remark(0))
         if self._flow.inertial and self._is_cut(F_0):
             raise validate.NotAvailable(OPEN.format(self.A_max(F_0)))
         # what is transmitted has the square h^2 + I^2, as much as F_0 where R = -h, at Omega^2 = 2 p with p = -h/A
@@ -558,17 +559,21 @@ class OffCentre(Unchanging):
                 return higher
         return replace(found, message=joined(found.message, UNDECIDED_BEYOND), remarks=found.remarks | Remark.UNDECIDED)
 
-    def _begins(self, F_0: float, low: float, high: float) -> loads.Isolation:
+    def _isolation(self, Omega: float | None, A: float | None, B: float | None, *others: Any) -> OffCentreIsolation:
+        return OffCentreIsolation(Omega, A, *others, B=B, load=self.load, _model=self._model)
+
+    def _begins(self, F_0: float, low: float, high: float) -> OffCentreIsolation:
         """Where isolation begins on points of the response between two frequencies."""
         curve = self._curve(F_0, loads.SAMPLES, low, high)
-        return loads.begins(curve, curve.transmissibility >= 1, partial(self._transmits, curve), F_0)
+        passes, at = partial(self._transmits, curve), ("Omega", "A", "B")
+        return loads.begins(self._isolation, curve, curve.transmissibility >= 1, passes, F_0, at)
 
-    def _transmits_beyond(self, found: loads.Isolation) -> tuple[float, float] | None:
+    def _transmits_beyond(self, found: OffCentreIsolation) -> tuple[float, float] | None:
         """Between which frequencies beyond that one F_0 may be transmitted; None where it is proved that it is not."""
         return self._reach.transmits_beyond(self._complete.sheets, self.A_max(found.F_0), found.F_0, found.Omega or 0.0)
 
-    def _transmits(self, curve: OffCentreResponse, one: int, other: int) -> tuple[float, float]:
-        """Omega and A between two points of a curve, at which the motion transmits F_0."""
+    def _transmits(self, curve: OffCentreResponse, one: int, other: int) -> tuple[float, float, float]:
+        """Omega, A and B between two points of a curve, at which the motion transmits F_0."""
         slow = Slow(self._steps, self._flow, curve.F_0)
         ends = np.array([(curve.Omega[k], curve.A[k], curve.B[k]) for k in (one, other)])
 
@@ -579,9 +584,11 @@ class OffCentre(Unchanging):
             return x, float(np.asarray(self._flow.transmissibility(Omega, x[0], curve.F_0, h))[0]) - 1
 
         if at(ends[0, 0])[1] * at(ends[1, 0])[1] > 0:  # it is at the very point
-            return float(ends[0, 0]), float(ends[0, 1])
-        Omega = float(brentq(lambda Omega: at(Omega)[1], *ends[:, 0], rtol=4 * np.finfo(float).eps))
-        return Omega, float(at(Omega)[0][0, 0])
+            return float(ends[0, 0]), float(ends[0, 1]), float(ends[0, 2])
+        near = {"xtol": 4 * np.finfo(float).tiny, "rtol": 4 * np.finfo(float).eps}
+        Omega = float(brentq(lambda Omega: at(Omega)[1], *ends[:, 0], **near))
+        A, B = at(Omega)[0][:, 0].tolist()
+        return Omega, A, B
 
     def A_max(self, F_0: float) -> float:
         """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as.
