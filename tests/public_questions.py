@@ -212,7 +212,15 @@ OF_CLASS = {
     SecondDesigns: OF_SECOND_BATCHES,
 }
 #: public, and asked by other methods: what makes oscillators, what measures answers, what refuses, what draws maps
-NO_QUESTIONS = {"many", "physical", "measured_states", "measured_folds", "at_centre", "only_for_a_force"}
+NO_QUESTIONS = {
+    "many",
+    "physical",
+    "measured_states",
+    "measured_folds",
+    "measured_point",
+    "at_centre",
+    "only_for_a_force",
+}
 NO_QUESTIONS |= {"only_for_plain_damping", "ask", "model", "remarks", "spanned", "untruncated_onset"}
 
 

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from slowflow import Duffing, Isolator
+from slowflow import Duffing, Isolator, derive
 from slowflow.averaged.questions import Averaged
 from slowflow.backend import EXACT
 from slowflow.exact import steady_state
 from slowflow.exact.integrate import ScipyIntegrator
-from slowflow.exact.measure import AT_REST, NO_MOTION, TAKEN, states
+from slowflow.exact.measure import AT_REST, BORN, NO_MOTION, TAKEN, states
 from slowflow.paper.example import isolator
 from slowflow.results import NOT_ASKED, SteadyStates
 from slowflow_kernels import den_hartog
@@ -56,6 +56,64 @@ def test_folds_are_measured_by_those_of_the_exact_curve():
             assert entry.error_of_A == averaged.A / entry.A - 1.0
 
 
+def test_peaks_are_measured_by_that_of_a_linear_oscillator_and_of_the_exact_curve():
+    """F_0/(2 zeta sqrt(1 - zeta^2)) at sqrt(1 - 2 zeta^2); and within 10^-12 along the curve's top."""
+    zeta, F_0 = 0.05, 0.3
+    linear = Duffing(1.0, 0.0, 0.0, zeta).peak(F_0).measure()
+    assert linear.A == pytest.approx(F_0 / (2 * zeta * np.sqrt(1 - zeta**2)), rel=1e-10)
+    assert linear.Omega == pytest.approx(np.sqrt(1 - 2 * zeta**2), rel=1e-6)
+    iso = isolator()
+    asked = iso.peak(0.04)
+    measured, exact = asked.measure(), iso.exact_response(0.04, Omega=(0.5, 1.5)).peak
+    assert measured.A == pytest.approx(exact.A, rel=1e-10)
+    assert measured.error == asked.A / measured.A - 1.0
+    assert measured.error_of_Omega == asked.Omega / measured.Omega - 1.0
+
+
+@pytest.mark.slow
+def test_a_detachment_is_measured_by_that_of_a_linear_first_piece():
+    """The stop is reached where the linear peak is the gap; one that is not linear by the exact curve's peak."""
+    zeta, gap = 0.03, 0.2
+    stop = derive.library("elastic_stop", compile=True)(kappa=5.0, delta=gap, zeta=zeta)
+    measured = stop.detachment().measure()
+    assert measured.F_0 == pytest.approx(2 * zeta * np.sqrt(1 - zeta**2) * gap, rel=1e-8)
+    assert measured.Omega == pytest.approx(np.sqrt(1 - 2 * zeta**2), rel=1e-6)
+    iso = isolator()
+    asked = iso.detachment()
+    for force in ("truncated", "untruncated"):
+        measured = asked.measure(force)
+        assert measured.error == asked.F_cr / measured.F_0 - 1.0
+        for share, beyond in ((1 - 1e-4, False), (1 + 1e-4, True)):
+            curve = iso.exact_response(share * measured.F_0, Omega=(0.6, 1.2), force=force)
+            assert (curve.peak.A > asked.u_cr) == beyond
+
+
+@pytest.mark.parametrize("oscillator", [isolator(), Duffing(1.0, 0.1, 0.0, 0.025), Duffing(1.0, -0.05, 0.0, 0.05)])
+def test_an_onset_is_measured_by_where_the_exact_curve_begins_to_fold(oscillator):
+    """By finer steps, to 10^-4; and the second approximation is nearer to it than averaging."""
+    asked = oscillator.saddle_node_onset()
+    measured = asked.measure()
+    assert asked.kind == "cusp" and measured.error == asked.F_SN / measured.F_0 - 1.0
+    assert measured.error_of_Omega == asked.Omega / measured.Omega - 1.0
+    window = measured.Omega / 1.5, 1.2 * measured.Omega
+    for share, count in ((1 - 1e-4, 0), (1 + 1e-4, 2)):
+        assert len(oscillator.exact_response(share * measured.F_0, Omega=window, step=0.005).folds) == count
+    second = oscillator.second_approximation.saddle_node_onset().F_SN / measured.F_0 - 1.0
+    assert abs(second) < 0.05 * abs(measured.error)
+
+
+def test_what_has_no_peak_onset_or_detachment_is_not_measured_and_says_so():
+    plain = Duffing(1.0, 0.1, 0.0, 0.025)
+    assert "one piece only" in plain.detachment().measure().message
+    assert "nothing moves" in Duffing(1.0, 0.0, 0.0, 0.8).peak(0.1).measure().message
+    assert "without viscous damping" in Duffing(1.0, 0.1, 0.02, 0.0).peak(0.1).measure().message
+    assert "no saddle node" in Duffing(1.0, 0.0, 0.0, 0.1).saddle_node_onset().measure().message
+    numbers = {"lam": 5, "r": 0.5152307809931513, "delta_h": 0.2813440740415054, "mu": 0.0457149750553505}
+    shaken = Isolator(**numbers, zeta=0.026253034237872036, excitation="base", force="untruncated")
+    born = shaken.saddle_node_onset()
+    assert born.kind == "isola" and born.measure().message == BORN
+
+
 def test_states_without_a_motion_say_so_in_words():
     """Between the exact fold and the averaged one, which lies beyond it; and at rest."""
     iso = isolator()
@@ -89,8 +147,12 @@ def test_what_cannot_be_measured_is_refused_or_empty():
     alone = Averaged(iso.model).amplitudes(Omega=0.9, F_0=0.04)
     with pytest.raises(ValueError, match=NOT_ASKED):
         alone.measure()
+    of = Averaged(iso.model)
+    for asked in (of.saddle_nodes(0.04), of.peak(0.04), of.saddle_node_onset(), of.detachment()):
+        with pytest.raises(ValueError, match=NOT_ASKED):
+            asked.measure()
     with pytest.raises(ValueError, match=NOT_ASKED):
-        Averaged(iso.model).saddle_nodes(0.04).measure()
+        iso.second_approximation.peak(0.04).measure()
     with pytest.raises(ValueError, match="force"):
         iso.amplitudes(Omega=0.9, F_0=0.04).measure("exact")
     with pytest.raises(ValueError, match="without any damping"):

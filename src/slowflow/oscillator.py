@@ -20,7 +20,7 @@ from slowflow.certificate import Certificate
 from slowflow.loaded import Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, followed
 from slowflow.model import THROUGHOUT, Laws, Model
-from slowflow.results import Measured, MeasuredFolds, Remark, SaddleNodeOnset
+from slowflow.results import Detachment, Measured, MeasuredFolds, MeasuredPoint, Remark, SaddleNodeOnset
 from slowflow.unchanging import Unchanging
 from slowflow_kernels.domains import EXCITATIONS
 
@@ -489,6 +489,17 @@ class Oscillator(Unchanging, Averaged):
             return states, states.B
 
         return measure.folds(at_frequency, self.equation_of_motion(force), found, B)
+
+    def measured_point(self, found: Any, force: str | None) -> MeasuredPoint:
+        """See `slowflow.results.Peak.measure` and those of onset and detachment; about the centre."""
+        from slowflow.exact import measure
+
+        system = self.equation_of_motion(force)
+        if isinstance(found, SaddleNodeOnset):
+            return measure.onset(system, found)
+        if isinstance(found, Detachment):
+            return measure.detachment(system, found)
+        return measure.peak(lambda Omega: self.states(Omega=Omega, F_0=found.F_0), system, found)
 
     @cached_property
     def second_approximation(self) -> SecondApproximation:

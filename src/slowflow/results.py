@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from enum import IntFlag
 from functools import cached_property
-from typing import Any, ClassVar, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -180,6 +180,24 @@ class MeasuredFolds(Table):
     message: str
 
 
+@dataclass(frozen=True, eq=False)
+class MeasuredPoint(Single):
+    """The peak, onset or detachment of the equation of motion (3) that an averaged one leads to; None where none is.
+
+    F_0, Omega, A -- forcing, frequency, and largest |u| of the motion
+    error    -- relative error of what was asked for: of a peak the averaged A, of an onset F_SN, of a detachment F_cr
+    error_of_Omega -- relative error of the averaged frequency
+    message  -- why there is none, in words
+    """
+
+    F_0: float | None
+    Omega: float | None
+    A: float | None
+    error: float | None
+    error_of_Omega: float | None
+    message: str
+
+
 class Measures(Protocol):
     """What an answer was asked of, as far as it can be held against the equation of motion."""
 
@@ -191,6 +209,10 @@ class Measures(Protocol):
         """See `SaddleNodes.measure`; likewise."""
         ...
 
+    def measured_point(self, found: Any, force: str | None) -> MeasuredPoint:
+        """See `Peak.measure`, `SaddleNodeOnset.measure` and `Detachment.measure`."""
+        ...
+
 
 #: what may be drawn of a response curve
 DRAWN = ("A", "phi", "transmissibility", "transmissibility_dB")
@@ -200,6 +222,18 @@ NOT_ASKED = "this answer was not asked of an oscillator: no equation of motion i
 
 #: an answer that is not of averaging
 NOT_AVERAGED = "gradients are known of averaged answers, asked of an oscillator with a design: this is none"
+
+
+class MeasuresPoint:
+    """What a peak, an onset and a detachment share: each is held against one of the equation of motion."""
+
+    if TYPE_CHECKING:
+        _asked: Measures | None
+
+    def _measured(self, force: str | None) -> MeasuredPoint:
+        if self._asked is None:
+            raise ValueError(NOT_ASKED)
+        return self._asked.measured_point(self, force)
 
 
 def of_model(model: Model | None) -> moves.Given:
@@ -398,7 +432,7 @@ class SaddleNodes(Table):
 
 
 @dataclass(frozen=True, eq=False)
-class SaddleNodeOnset(Single):
+class SaddleNodeOnset(MeasuresPoint, Single):
     """The lowest forcing that has a fold; None and a message where there is none.
 
     kind -- "cusp" (the response gets a vertical inflection), "isola" (an isolated curve is born), "corner" (at a
@@ -415,8 +449,18 @@ class SaddleNodeOnset(Single):
     untruncated: SaddleNodeOnset | None = field(default=None, kw_only=True)
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
+    _asked: Measures | None = field(default=None, kw_only=True, repr=False)
     #: where there is none, what batches say
     _status: Status = field(default=Status.NONE, kw_only=True, repr=False)
+
+    def measure(self, force: str | None = None) -> MeasuredPoint:
+        """How far it is from that of the equation of motion (3): measured here and now, tenths of a second where compiled.
+
+        That is the forcing at which the exact curve beside it becomes vertical, or gets folds at a corner; where an
+        isolated curve is born there is no such forcing. `force` and what is raised as in `SteadyStates.measure`, and
+        ArithmeticError where that takes too many steps.
+        """
+        return self._measured(force)
 
     def gradient(self) -> Gradient:
         """How F_SN, Omega and A move with the parameters, exactly; on a breakpoint with that.
@@ -499,7 +543,7 @@ class IsolaPoints(Table):
 
 
 @dataclass(frozen=True, eq=False)
-class Peak(Single):
+class Peak(MeasuresPoint, Single):
     """The highest peak of the response at one forcing, isolas included; None and a message where there is none."""
 
     A: float | None
@@ -508,8 +552,17 @@ class Peak(Single):
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
+    _asked: Measures | None = field(default=None, kw_only=True, repr=False)
     #: where there is none, what batches say
     _status: Status = field(default=Status.NONE, kw_only=True, repr=False)
+
+    def measure(self, force: str | None = None) -> MeasuredPoint:
+        """How far it is from that of the equation of motion (3): measured here and now, tenths of a second where compiled.
+
+        The exact curve is followed from motions beside it. `force` and what is raised as in `SteadyStates.measure`, and
+        ArithmeticError where that takes too many steps.
+        """
+        return self._measured(force)
 
     def gradient(self) -> Gradient:
         """How A and Omega move with the parameters and F_0, exactly; a peak at Omega = 0 stays there.
@@ -521,7 +574,7 @@ class Peak(Single):
 
 
 @dataclass(frozen=True, eq=False)
-class Detachment(Single):
+class Detachment(MeasuresPoint, Single):
     """The lowest forcing that reaches u_cr, its frequency, and u_cr; None and a message where there is no u_cr."""
 
     F_cr: float | None
@@ -530,6 +583,15 @@ class Detachment(Single):
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
+    _asked: Measures | None = field(default=None, kw_only=True, repr=False)
+
+    def measure(self, force: str | None = None) -> MeasuredPoint:
+        """How far it is from that of the equation of motion (3): measured here and now, tenths of a second where compiled.
+
+        That is the forcing at which the exact curve of the first piece alone has a peak of u_cr. `force` and what is
+        raised as in `SteadyStates.measure`, and ArithmeticError where that takes too many steps.
+        """
+        return self._measured(force)
 
     def gradient(self) -> Gradient:
         """How F_cr, Omega_cr and u_cr move with the parameters, exactly."""

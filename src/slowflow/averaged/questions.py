@@ -445,8 +445,7 @@ class Averaged:
         # an answer does not change; this one has not been given yet
         if isinstance(found, Single):
             found.__dict__["_model"] = self.model
-        else:
-            found.__dict__["_asked"] = self._equation
+        found.__dict__["_asked"] = self._equation
         if self.model.sticks(F_0):
             return found
         centred = isinstance(found, SteadyStates)  # `_centred` has looked at these

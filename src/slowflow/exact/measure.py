@@ -1,25 +1,28 @@
-"""Averaged answers held against the equation of motion, here and now: in go states or folds, out come their errors.
+"""Averaged answers held against the equation of motion, here and now: in go answers, out come their errors.
 
 In:  an averaged oscillator and the equation of motion, steady states or folds at one forcing; off the centre their mean
-     displacements B, and |B| + A is what the largest |u| of a motion is held against.
-Out: `Measured` or `MeasuredFolds`: the motion or fold that each leads to, and how far from it averaging is; where it
-     leads to none, words.
+     displacements B, and |B| + A is what the largest |u| of a motion is held against. Or a peak, onset or detachment.
+Out: `Measured`, `MeasuredFolds` or `MeasuredPoint`: what each leads to, and how far from it averaging is; where it
+     leads to nothing, words.
 
 A state leads to the motion that Newton's iteration finds from it, a fold to the first one of the exact curve that is
-met from a motion beside it.
+met from a motion beside it, a peak to that of the exact curve through such a motion. An onset and a detachment are
+zeros of functions of the forcing, each value of which takes an exact curve.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from slowflow.exact import response, shooting
 from slowflow.exact.integrate import limited
-from slowflow.mechanism import EquationOfMotion, Floats
-from slowflow.results import Measured, MeasuredFolds
+from slowflow.mechanism import EquationOfMotion, Floats, Force
+from slowflow.results import Measured, MeasuredFolds, MeasuredPoint
 
 #: motions nearer to each other than this, relative in amplitude, are one
 MATCHES = 1e-8
@@ -33,13 +36,23 @@ BESIDE = (0.003, 0.01, 0.03, 0.1)
 #: the exact curve is followed to folds within this factor of the averaged frequency
 AROUND = 1.25
 
+#: and to a peak within this one first, which most lie in
+NEXT_TO = 1.02
+
 #: on one side of a fold there are two states more than on the other, this far from it
 ASIDE = 1e-3
+
+#: how far from the averaged one a critical forcing is looked for, and steps towards it; how nearly it is found
+FARTHEST, WIDENING = 1.7, (0.01, 0.03, 0.06, 0.12, 0.25, 0.7)
+NEARLY = 1e-9
 
 AT_REST = "at Omega = 0 nothing moves"
 NO_MOTION = "Newton's iteration finds no motion near it"
 TAKEN = "it leads to the motion of another state"
 NO_FOLD = f"the exact curve beside it has no fold within a factor of {AROUND:g} of its frequency"
+NO_PEAK = f"the exact curve beside it has no peak within a factor of {AROUND:g} of its frequency"
+NO_FORCING = f"no forcing within a factor of {FARTHEST:g} of it is found at which the exact curve does so"
+BORN = "an isolated curve is born there, which the exact curve through the motions beside it does not show"
 TAKEN_FOLD = "it leads to the fold of another one"
 
 
@@ -164,3 +177,136 @@ def _told(reasons: list[str], what: str) -> str:
         if reason:
             told.append(f"{reasons.count(reason)} of {len(reasons)} {what}: {reason}")
     return "; ".join(told)
+
+
+@limited()
+def peak(at_frequency: Callable[[float], Any], system: EquationOfMotion, found: Any) -> MeasuredPoint:
+    """The peak of the exact curve that passes beside an averaged one. Raises ValueError for F_0 <= mu."""
+    if not found.Omega:
+        return _nothing(found.message if found.Omega is None else AT_REST)
+    for offset in BESIDE:
+        for side in (-1.0, 1.0):
+            at = found.Omega * (1.0 + side * offset)
+            beside = at_frequency(at)
+            if not beside.A.size:
+                continue
+            start = shooting.near(system, at, found.F_0, (float(beside.A[-1]), float(beside.phi[-1])))
+            top = None if start is None else _top(system, found.F_0, found.Omega, start)
+            if top is not None:
+                return _point(found.F_0, top.Omega, top.A, found.A / top.A, found.Omega)
+    return _nothing(NO_PEAK)
+
+
+@limited()
+def detachment(system: EquationOfMotion, found: Any) -> MeasuredPoint:
+    """The forcing at which the peak of the exact curve with the first piece alone is u_cr. Raises as `peak`."""
+    if not found.Omega_cr:
+        return _nothing(found.message if found.Omega_cr is None else AT_REST)
+    attached = replace(system, force=Force(system.force.pieces[:1], ()))
+    u_cr = system.force.breakpoints[0]
+
+    def highest(F_0: float) -> shooting.SteadyState:
+        # where the averaged motion is at resonance; from rest where that leads nowhere
+        start = shooting.near(attached, found.Omega_cr, F_0, (u_cr, -math.pi / 2))
+        top = _top(attached, F_0, found.Omega_cr, start)
+        if top is None:
+            raise ArithmeticError(NO_PEAK)
+        return top
+
+    F_cr = _zero_near(lambda F_0: highest(F_0).A / u_cr - 1.0, found.F_cr)
+    if F_cr is None:
+        return _nothing(NO_FORCING)
+    top = highest(F_cr)
+    return _point(F_cr, top.Omega, top.A, found.F_cr / F_cr, found.Omega_cr)
+
+
+@limited()
+def onset(system: EquationOfMotion, found: Any) -> MeasuredPoint:
+    """The forcing at which the exact curve beside an averaged onset begins to fold. Raises as `peak`."""
+    if found.F_SN is None:
+        return _nothing(found.message)
+    if found.kind == "isola":
+        return _nothing(BORN)
+    window = (found.Omega / AROUND**2, found.Omega * AROUND)
+
+    def steepest(F_0: float) -> tuple[float, Any]:
+        """How steep the curve is at most, over what is vertical; a jump at a corner. And where."""
+        curve = response.exact_response(system, F_0, Omega=window)
+        if not curve.complete:
+            raise ArithmeticError(curve.message)
+        return _steepest(curve)
+
+    F_SN = _zero_near(lambda F_0: steepest(F_0)[0], found.F_SN)
+    if F_SN is None:
+        return _nothing(NO_FORCING)
+    _, point = steepest(F_SN)
+    return _point(F_SN, float(point.z[-1]), point.A, found.F_SN / F_SN, found.Omega)
+
+
+def _steepest(curve: response.Response) -> tuple[float, Any]:
+    """Minus the least component along Omega of the tangent, positive where the curve folds, and the point there.
+
+    By a parabola through it and its neighbours; where it is at a corner, 1 if there are folds and -1 if there are none.
+    """
+    points = [point for point in curve.states if point.role != "fold"]
+    along = np.array([point.tangent[-1] for point in points])
+    i = int(along.argmin())
+    if not 2 <= i < along.size - 2 or any(point.role for point in points[i - 2 : i + 3]):
+        return 1.0 if curve.folds else -1.0, points[i]
+    way = np.array([float(point.z[1]) for point in points[i - 2 : i + 3]]) - float(points[i].z[1])
+    c, b, a = np.polynomial.polynomial.polyfit(way, along[i - 2 : i + 3], 2)
+    return -float(c - b * b / (4 * a)) if a > 0 else -float(along[i]), points[i]
+
+
+def _top(
+    system: EquationOfMotion, F_0: float, Omega: float, start: shooting.SteadyState | None = None
+) -> shooting.SteadyState | None:
+    """The peak of a curve about a frequency; None where it ends before it turns, or cannot be followed."""
+    for factor in (NEXT_TO, AROUND):
+        window = (Omega / factor, Omega * factor)
+        if start is not None and not window[0] <= start.Omega <= window[1]:
+            continue
+        try:
+            curve = response.exact_response(system, F_0, Omega=window, start=start)
+        except ArithmeticError:
+            continue
+        top = curve.peak if curve.complete else None
+        if top is not None and window[0] * (1 + MATCHES) < top.Omega < window[1] * (1 - MATCHES):
+            return top
+    return None
+
+
+def _zero_near(function: Callable[[float], float], at: float) -> float | None:
+    """The zero nearest to a forcing of a function that rises with it, and may jump there; None if none is found."""
+
+    def value(F_0: float) -> float | None:
+        try:
+            return function(F_0)
+        except (ArithmeticError, ValueError):  # no curve there: friction holds the mass, say
+            return None
+
+    from scipy.optimize import brentq  # other questions do without SciPy
+
+    last, before = at, value(at)
+    if before is None:
+        return None
+    for share in WIDENING:
+        there = at / (1.0 + share) if before > 0.0 else at * (1.0 + share)
+        found = value(there)
+        if found is None:
+            continue
+        if before * found <= 0.0:
+            try:
+                return float(brentq(function, last, there, xtol=NEARLY * at, rtol=NEARLY))
+            except ArithmeticError:
+                return None
+        last, before = there, found
+    return None
+
+
+def _point(F_0: float, Omega: float, A: float, share: float, averaged_Omega: float) -> MeasuredPoint:
+    return MeasuredPoint(F_0, Omega, A, share - 1.0, averaged_Omega / Omega - 1.0, "")
+
+
+def _nothing(message: str) -> MeasuredPoint:
+    return MeasuredPoint(None, None, None, None, None, message)
