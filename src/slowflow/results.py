@@ -454,7 +454,7 @@ class SaddleNodeOnset(MeasuresPoint, Single):
     _status: Status = field(default=Status.NONE, kw_only=True, repr=False)
 
     def measure(self, force: str | None = None) -> MeasuredPoint:
-        """How far it is from that of the equation of motion (3): measured here and now, tenths of a second where compiled.
+        """How far it is from that of the equation of motion (3), here and now: tenths of a second where compiled.
 
         That is the forcing at which the exact curve beside it becomes vertical, or gets folds at a corner; where an
         isolated curve is born there is no such forcing. `force` and what is raised as in `SteadyStates.measure`, and
@@ -557,7 +557,7 @@ class Peak(MeasuresPoint, Single):
     _status: Status = field(default=Status.NONE, kw_only=True, repr=False)
 
     def measure(self, force: str | None = None) -> MeasuredPoint:
-        """How far it is from that of the equation of motion (3): measured here and now, tenths of a second where compiled.
+        """How far it is from that of the equation of motion (3), here and now: tenths of a second where compiled.
 
         The exact curve is followed from motions beside it. `force` and what is raised as in `SteadyStates.measure`, and
         ArithmeticError where that takes too many steps.
@@ -586,7 +586,7 @@ class Detachment(MeasuresPoint, Single):
     _asked: Measures | None = field(default=None, kw_only=True, repr=False)
 
     def measure(self, force: str | None = None) -> MeasuredPoint:
-        """How far it is from that of the equation of motion (3): measured here and now, tenths of a second where compiled.
+        """How far it is from that of the equation of motion (3), here and now: tenths of a second where compiled.
 
         That is the forcing at which the exact curve of the first piece alone has a peak of u_cr. `force` and what is
         raised as in `SteadyStates.measure`, and ArithmeticError where that takes too many steps.
