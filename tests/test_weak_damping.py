@@ -297,3 +297,29 @@ def test_the_fold_locus_of_a_force_has_the_digits_of_its_level(zeta, mu):
             assert F_0 == pytest.approx(float(level), rel=1e-13, abs=0)
             checked.add(bool(abs(A * Omega**2 + h) < 1e-3 * A))
     assert checked == {True, False}
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("mu", [0.0, 0.0625])
+@pytest.mark.parametrize("zeta", [1e-16, 1e-17, 1e-18, 1e-20, 1e-25])
+def test_a_softening_fold_next_to_no_damping_has_its_frequency_and_the_curve_all_its_branches(mu, zeta):
+    """Neither I nor R gave the fold's frequency a digit: it was that of another state, and two states were missing.
+
+    What such damping changes of the undamped closed forms is less than a rounding: 1.5 A^3 = k at the fold, where
+    Omega^2 = 2 - 2.25 A^2, and Omega^2 = 2 - .75 A^2 -+ k/A at the states.
+    """
+    oscillator, k = slowflow.Duffing(2.0, -1.0, mu, zeta), 0.25
+    F_0 = float(np.hypot(k, oscillator.sticking_forcing))
+    folds = oscillator.saddle_nodes(F_0)
+
+    A = (k / 1.5) ** (1 / 3)
+    assert folds.A == pytest.approx([A], rel=1e-14)
+    assert folds.Omega == pytest.approx([np.sqrt(2 - 2.25 * A**2)], rel=1e-14)
+    assert list(folds.kind) == ["jump-up"]
+    curve = oscillator.frequency_response(F_0, samples=60)
+    assert len(np.unique(curve.branch)) == 2
+    for Omega, count in ((0.5, 3), (1.3, 1)):
+        states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
+        at = np.array(states.A)
+        assert len(at) == count
+        np.testing.assert_allclose(np.abs((Omega**2 - 2 + 0.75 * at**2) * at), k, rtol=1e-13)

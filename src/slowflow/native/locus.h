@@ -13,6 +13,8 @@
 /* by how much more than I the terms of R may be, as a share of I, or if squares of roundings are to count */
 #define SF_FEW_LOST 4
 #define SF_SQUARE_LOST 0x1p24
+/* F_A at a fold is less, as a share of its terms: far more than rounding leaves, far less than beside a fold */
+#define SF_OF_A_FOLD 0x1p-20
 
 static void sf_ask_all(const sf_model *model, sf_question question, double F_0, const sf_stretch *piece,
                        sf_zeros *found) {
@@ -161,11 +163,25 @@ static int sf_is_next_to_root(const sf_model *model, double F_0, const sf_sample
     return 1;
 }
 
-/* Omega from F = 0, where at a fold it does not depend on A to first order: the root next to the one by I. */
+/* What rounding may leave of R at an amplitude, over a rounding. */
+static double sf_size_of_R(const sf_sample *at, double w) {
+    return fabs(at->h) + at->A * fabs(at->h_A) + at->A * w * w;
+}
+
+/* F_A at a frequency, as a share of what its terms may be: at a fold that is small. */
+static double sf_share_of_F_A(const sf_model *model, const sf_sample *at, double w) {
+    const double R = fabs(slow_flow_R(w, at->A, at->h)), S = fabs(w * w + at->h_A);
+    const double size = 2 * model->zeta * w * slow_flow_I(w, at->A, model->m, model->zeta) +
+                        R * (w * w + fabs(at->h_A)) + S * sf_size_of_R(at, w);
+    return fabs(sf_half_F_A(model, at, w)) / size;
+}
+
+/* Omega from F = 0, where at a fold it does not depend on A to first order: the root next to the one by I or R. Where
+ * damping is next to none neither has digits, and that root may be no fold: then the one at which F_A is. */
 static double sf_settled_Omega(const sf_model *model, double F_0, const sf_sample *at, double Omega) {
-    double w[3], nearest = HUGE_VAL;
+    double w[3], nearest = HUGE_VAL, least = HUGE_VAL;
     int i, n, place = 0;
-    if (sf_is_next_to_root(model, F_0, at, &Omega))
+    if (sf_is_next_to_root(model, F_0, at, &Omega) && sf_share_of_F_A(model, at, Omega) <= SF_OF_A_FOLD)
         return Omega;
     n = sf_frequencies(model, at, F_0, w);
     if (n == 0) /* beyond the tip of the curve by rounding: Omega from F_A = 0 after all */
@@ -173,7 +189,12 @@ static double sf_settled_Omega(const sf_model *model, double F_0, const sf_sampl
     for (i = 0; i < n; i++)
         if (fabs(w[i] - Omega) < nearest)
             nearest = fabs(w[i] - Omega), place = i;
-    return n > 0 ? w[place] : Omega;
+    if (n == 0 || sf_inertial(model) || sf_share_of_F_A(model, at, w[place]) <= SF_OF_A_FOLD)
+        return n > 0 ? w[place] : Omega;
+    for (i = 0; i < n; i++)
+        if (sf_share_of_F_A(model, at, w[i]) < least)
+            least = sf_share_of_F_A(model, at, w[i]), place = i;
+    return w[place];
 }
 
 /* Whether the side below breakpoint b is stable at the state (b, w): F_A > 0. Where the state is, to rounding, the end
@@ -214,11 +235,6 @@ static void sf_corner_folds(const sf_model *model, double F_0, sf_work *work, sf
                 sf_add_fold(folds, w[i], at.A, stable_below, 1);
         }
     }
-}
-
-/* What rounding may leave of R at an amplitude, over a rounding. */
-static double sf_size_of_R(const sf_sample *at, double w) {
-    return fabs(at->h) + at->A * fabs(at->h_A) + at->A * w * w;
 }
 
 /* The level at a point of the fold locus: by k and F_A = 0, as rounding of h and A Omega^2 may leave nothing of R, but

@@ -19,7 +19,7 @@ from slowflow.averaged.reference.along import FoldAt, omega_by_share
 from slowflow.averaged.reference.arcs import Arc, Graph, Roots
 from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.averaged.reference.boxes import points_of
-from slowflow.averaged.reference.cells import samples_at, stretches_up_to
+from slowflow.averaged.reference.cells import Samples, samples_at, stretches_up_to
 from slowflow.averaged.reference.excited import frequencies_at
 from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.locus import Stations, of_locus
@@ -33,6 +33,8 @@ from slowflow_kernels.conventions import CLOSE, NEAR_END
 #: by how much more than I the terms of R may be, as a share of I, or if squares of roundings are to count: as in
 #: native/locus.h
 FEW_LOST, SQUARE_LOST = 4.0, 2.0**24
+#: F_A at a fold is less, as a share of its terms: far more than rounding leaves, far less than beside a fold
+OF_A_FOLD = 2.0**-20
 #: what of an amplitude is left out next to rest, as a share
 NEXT_TO_REST = 2.0**-200
 
@@ -127,16 +129,33 @@ def _sharp(model: Model, F_0: float, A: Floats, Omega: Floats) -> Floats:
 
 
 def _settled(model: Model, F_0: float, A: Floats, Omega: Floats) -> Floats:
-    """Omega from F = 0, where at a fold it does not depend on A to first order: the root next to the one by I."""
-    h, h_A = model.averaged(A)[:2]
-    roots, count = response_roots(A, h, model.m, model.zeta, F_0)
+    """Omega from F = 0, where at a fold it does not depend on A to first order: the root next to the one by I or R.
+
+    Where damping is next to none neither has digits, and that root may be no fold: then the one at which F_A is.
+    """
+    at = samples_at(model, A)
+    roots, count = response_roots(A, at.h, model.m, model.zeta, F_0)
     # beyond the tip of the curve by rounding: Omega from F_A = 0 after all
     beyond = np.flatnonzero(count <= 0)
     if beyond.size:
-        roots[beyond] = fold_roots(A[beyond], h[beyond], h_A[beyond], model.m, model.zeta)[0]
+        roots[beyond] = fold_roots(A[beyond], at.h[beyond], at.h_A[beyond], model.m, model.zeta)[0]
     distance = np.where(np.isnan(roots), np.inf, np.abs(roots - Omega[:, np.newaxis]))
-    nearest = np.take_along_axis(roots, distance.argmin(axis=-1)[:, np.newaxis], axis=-1)[:, 0]
+    share = np.array([_share_of_F_A(model, at, column) for column in roots.T]).T
+    share[np.isnan(share)] = np.inf
+    place = distance.argmin(axis=-1)
+    is_fold = np.take_along_axis(share, place[:, np.newaxis], axis=-1)[:, 0] <= OF_A_FOLD
+    place = np.where(is_fold, place, share.argmin(axis=-1))
+    nearest = np.take_along_axis(roots, place[:, np.newaxis], axis=-1)[:, 0]
     return np.where(np.isfinite(nearest), nearest, Omega)
+
+
+def _share_of_F_A(model: Model, at: Samples, Omega: Floats) -> Floats:
+    """F_A as a share of what its terms may be: at a fold that is small."""
+    R, S = np.abs(slow_flow.R(Omega, at.A, at.h)), np.abs(Omega**2 + at.h_A)
+    lag = 2 * model.zeta * Omega * slow_flow.I(Omega, at.A, model.m, model.zeta)
+    size = lag + R * (Omega**2 + np.abs(at.h_A)) + S * at.size_of_R(Omega)
+    F_A = slow_flow.F_A(Omega, at.A, model.m, model.zeta, at.h, at.h_A)
+    return np.asarray(np.abs(F_A) / (2 * size))
 
 
 def _on_corners(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, Bools]:
