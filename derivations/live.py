@@ -37,7 +37,7 @@ from .emit.provenance import tools, versions
 from .emit.targets import c, interval, numpy, pair
 from .emit.views import programs
 from .emit.write import MANIFEST, write
-from .mechanisms import DAMPING, DISSIPATION, FORCING, Mechanism, Parameter, Piece
+from .mechanisms import DAMPING, DISSIPATION, FORCING, UNIT, Mechanism, Parameter, Piece
 from .monotone import not_shown, smooth_end
 from .oscillator import oscillator, without_poles_that_cancel
 from .quadrature import FUNCTIONS, Quadrature, singular_at, v
@@ -160,7 +160,7 @@ def stated(
         order=max(max(powers) for powers in coefficients) if closed else sp.oo,
         coefficients=coefficients,
         breakpoints=tuple(sp.Symbol(f"u_{number}", real=True) for number in range(1, len(pieces))),
-        instead=() if closed else tuple(symbols.values()),
+        instead=() if closed else tuple(symbols.values()) or (UNIT.symbol,),
         reach=furthest,
         reach_reason=reach_reason,
         mirrored=_mirrored(pieces[0][0]),
@@ -216,7 +216,7 @@ def by_quadrature(mechanism: Mechanism) -> Mechanism | None:
         return None  # it is truncated
     if smooth_end(oscillator(mechanism)) is None:
         return None
-    given = tuple(parameter.symbol for parameter in mechanism.design)
+    given = tuple(parameter.symbol for parameter in mechanism.design) or (UNIT.symbol,)
     return replace(mechanism, order=sp.oo, coefficients=({},) * len(mechanism.pieces), instead=given)
 
 

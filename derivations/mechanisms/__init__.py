@@ -57,6 +57,8 @@ RUBS = {
     "throughout": "dry friction acts at every displacement",
     "attached": "it acts while |u| is below the first breakpoint",
 }
+#: what kernels take of a force by sums that has no parameter, always 1, and do not ask for: in C they take an array
+UNIT = Parameter(sp.Symbol("unit", positive=True), "one, of a force that has no other number", "1")
 #: its excitation (4), and what else the amplitude may be of: `inertia` derives their forces
 FORCING = Parameter(F_0, "forcing amplitude", "k_v L", above=0)
 EXCITATIONS = {

@@ -174,11 +174,6 @@ def mechanism(
         return _sampled(name, pieces, parameters, title, reach, reach_reason, odd, compile)
     stated = _derivation().stated(name, pieces, parameters, title, *furthest, odd=odd)
     _check_names(stated.design)
-    if compile and not stated.design and odd and _derivation().by_quadrature(stated) is not None:
-        raise ValueError(
-            "compile = True is not allowed with parameters = {} for a force that is averaged by sums: "
-            "make one of its numbers a parameter"
-        )
     return _derived(stated, compile, _made_odd(given.expression("piece 1", pieces[0][0])) if odd else "")
 
 

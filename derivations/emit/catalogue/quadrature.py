@@ -16,7 +16,7 @@ import sympy as sp
 
 from ...contact import Contact, y
 from ...curved import of_odd
-from ...mechanisms import Mechanism
+from ...mechanisms import UNIT, Mechanism
 from ...off_centre import steps
 from ...quadrature import BROKEN, DENSE, Quadrature, c, s, sums, v
 from ...restoring import ORDERS
@@ -53,7 +53,7 @@ def quadrature_module(name: str, mechanism: Mechanism, average: Quadrature) -> M
             *(terms.kernels if terms else ()),
             *(kernel for one in averages for kernel in (*one.terms, one.closing)),
         ),
-        record=Record(stated, stated.design, laws, sp.oo, False, "", (), stepped=is_stepped(average)),
+        record=Record(stated, stated.design or (UNIT,), laws, sp.oo, False, "", (), stepped=is_stepped(average)),
         native=False,
         sums=averages,
         enclosed=enclosed(mechanism, average),
@@ -205,16 +205,17 @@ def data_kernels(mechanism: Mechanism, average: Quadrature) -> list[Kernel]:
     parameters = mechanism.parameters
     losses = average.losses
     followed = (*parameters, *average.breakpoints.values())
+    given = tuple(parameter.symbol for parameter in mechanism.design)
     return [
         plain(
             "by_design",
-            parameters,
-            tuple(sp.diff(value, number) for value in followed for number in parameters),
+            given,
+            tuple(sp.diff(value, number) for value in followed for number in given),
             "d/d of each number of the design: of each parameter in turn, then of each breakpoint.",
             "(5)",
             "any design",
         ),
-        plain("coefficients", parameters, parameters, "The parameters are the design.", "(4)", "any design"),
+        plain("coefficients", given, given or (sp.Integer(1),), "The parameters are the design.", "(4)", "any design"),
         *(
             plain(name, parameters, values, doc, equation, ANY, parameters=len(parameters))
             for name, values, doc, equation in (

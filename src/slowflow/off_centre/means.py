@@ -205,15 +205,21 @@ class Steps:
             outwards(parts[0], -1.0, float(starts[0]), size, load, complain(0)),
         )
         self.curved = Curved(parts, ends, gains[:, 2], (-self.beyond[1].wall, self.beyond[0].wall))
-        gained_by = np.array([float(one) for one in stated.gained_by(*parameters)]).reshape(-1, len(parameters), 2)
-        for number, gains_by in enumerate(np.moveaxis(gained_by, 1, 0)):
-            laws_by = [partial(_law, piece[number], parameters) for piece in stated.moved]
+        self._state_moved(mechanism, parameters, parts)
+
+    def _state_moved(self, mechanism: Mechanism, parameters: tuple[float, ...], parts: list[Part]) -> None:
+        """What each parameter does to such a force."""
+        stated, count, known = mechanism.curved, len(parameters), self.curved
+        assert stated is not None and known is not None
+        own = known.ends.size // 2 if mechanism.odd else known.ends.size
+        gained = np.array([float(one) for one in stated.gained_by(*parameters)]).reshape(own, count, 2)
+        for number in range(count):
+            gains, laws = gained[:, number], [partial(_law, piece[number], parameters) for piece in stated.moved]
             if mechanism.odd:
-                laws_by = [*laws_by[:0:-1], *laws_by]
-                gains_by = np.concatenate((gains_by[::-1] * (1, -1), gains_by))
-            lines_by = zip(laws_by, parts, _lines(ends, gains_by), strict=True)
-            parts_by = [Part(law, None, part.mirrored, (float(a), float(b))) for law, part, (a, b) in lines_by]
-            self.by_parameter += ((gains_by, Curved(parts_by, ends, np.zeros(ends.size), self.curved.walls)),)
+                gains, laws = np.concatenate((gains[::-1] * (1, -1), gains)), [*laws[:0:-1], *laws]
+            lines = zip(laws, parts, _lines(known.ends, gains), strict=True)
+            moved = [Part(law, None, part.mirrored, (float(a), float(b))) for law, part, (a, b) in lines]
+            self.by_parameter += ((gains, Curved(moved, known.ends, np.zeros(known.ends.size), known.walls)),)
 
     def _weights(self) -> tuple[Floats, Floats]:
         """What c_n and s_n take of L_j and M_j of each step, j from -ORDERS on: (ORDERS + 1, steps, j)."""

@@ -138,6 +138,8 @@ def _by_design(model: Model, steps: Steps) -> tuple[Floats, Floats]:
 def _of_curved(model: Model, steps: Steps) -> tuple[Floats, Floats]:
     """The same of a force that is no polynomial, whose parameters are the design."""
     n, ends = len(model.design), steps.curved.ends if steps.curved else np.empty(0)
+    if not n:
+        return np.zeros((0, steps.places.size, 2)), np.zeros((0, steps.places.size))
     assert model.mechanism.by_design is not None
     of_ends = np.array(model.mechanism.by_design(*model.design), dtype=float).reshape(-1, n)[n:]
     if model.mechanism.odd:
