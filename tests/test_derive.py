@@ -411,7 +411,6 @@ def test_an_oscillator_is_pickled_into_another_process(stop, folder):
             ({"pieces": [(sp.Symbol(name) * u, None)], "parameters": {name: {}}}, ValueError, "has something else")
             for name in ("mu_s", "model", "peak")
         ),
-        ({"pieces": [(sp.sin(u), None)], "parameters": {}, "compile": True}, ValueError, "one of its numbers a param"),
         ({"parameters": {"k_1": {"over": 0}}}, ValueError, "'over' is not allowed"),
     ],
 )
