@@ -344,12 +344,11 @@ static void sf_loop_peaks(char **args, const ptrdiff_t *dimensions, const ptrdif
     for (first = 0; first < dimensions[0]; first += SF_LANE_BLOCK) {
         const ptrdiff_t end = first + SF_LANE_BLOCK < dimensions[0] ? first + SF_LANE_BLOCK : dimensions[0];
         if (block != NULL) {
-            block->question = &sf_peaks_in_lanes;
             block->cells[0].n = 0;
             for (k = first; k < end; k++)
                 block->at[k - first].ok = sf_enter_peak(mechanism, args, steps, k, block, (int)(k - first));
             sf_search_peaks(block);
-            sf_approach_block(block);
+            sf_approach_block(&sf_peaks_in_lanes, block);
             sf_make_exact_block(mechanism, args, steps, first, end, &exact);
         }
         for (k = first; k < end; k++) {
@@ -439,12 +438,11 @@ static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdif
         if (has_pairs)
             sf_make_exact_block(mechanism, args, steps, first, end, &exact);
         if (block != NULL) {
-            block->question = &sf_folds_in_lanes;
             block->cells[0].n = 0;
             for (k = first; k < end; k++)
                 block->at[k - first].ok = sf_enter_folds(mechanism, args, steps, k, block, (int)(k - first));
-            sf_search_block(block);
-            sf_approach_block(block);
+            sf_search_block(&sf_folds_in_lanes, block);
+            sf_approach_block(&sf_folds_in_lanes, block);
         }
         for (k = first; k < end; k++)
             if (block == NULL || !sf_leave_folds(mechanism, args, dimensions, steps, k, &exact, k - first,
@@ -536,12 +534,11 @@ static void sf_loop_states(char **args, const ptrdiff_t *dimensions, const ptrdi
     for (first = 0; first < dimensions[0]; first += SF_LANE_BLOCK) {
         const ptrdiff_t end = first + SF_LANE_BLOCK < dimensions[0] ? first + SF_LANE_BLOCK : dimensions[0];
         if (block != NULL) {
-            block->question = &sf_states_in_lanes;
             block->cells[0].n = 0;
             for (k = first; k < end; k++)
                 block->at[k - first].ok = sf_enter_states(mechanism, args, steps, k, block, (int)(k - first));
-            sf_search_block(block);
-            sf_approach_block(block);
+            sf_search_block(&sf_states_in_lanes, block);
+            sf_approach_block(&sf_states_in_lanes, block);
             sf_make_exact_block(mechanism, args, steps, first, end, &exact);
         }
         for (k = first; k < end; k++) {

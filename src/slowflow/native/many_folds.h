@@ -22,7 +22,8 @@ enum { SF_FOLD_BLOCK = 64 };
 #define SF_LEAST_INERTIA 0x1p-8
 #define SF_MOST_INERTIA 0x1p10
 
-static const sf_lane_question sf_folds_in_lanes = {sf_judge_folds, sf_approach_folds, sf_sample_at, SF_LAST_BY_SQUARES};
+static const sf_lane_question sf_folds_in_lanes = {sf_judge_folds, sf_approach_folds, sf_sample_at, 1,
+                                                   SF_LAST_BY_SQUARES};
 
 /* The cells of a first piece: what lies below where folds begin, nearly a cube of A, next to that, and the rest. */
 static void sf_begin_first_piece(sf_lane_block *block, int d, const sf_sample *rest, const sf_sample *end) {

@@ -34,16 +34,17 @@ typedef struct {
     sf_sample near[SF_LANE_ZEROS];
 } sf_lane_design;
 
-/* What a question is to a block. sample: what is known at an amplitude; no step to a zero needs a further one before it
- * is settled if it is smaller than `last_step`, relatively */
+/* What a question is to a block. sample: what is known at an amplitude; remembers: whether its zeros are approached by
+ * two amplitudes; no step to a zero needs a further one before it is settled if it is smaller than `last_step`,
+ * relatively */
 typedef struct {
     void (*judge)(sf_lane_cells *), (*approach)(sf_lane_zeros *);
     void (*sample)(const sf_model *, double, sf_sample *);
+    int remembers;
     double last_step;
 } sf_lane_question;
 
 typedef struct {
-    const sf_lane_question *question;
     sf_lane_design at[SF_LANE_BLOCK];
     sf_lane_cells cells[2];
     sf_lane_zeros zeros[2];
@@ -77,20 +78,32 @@ static inline void sf_add_cell(sf_lane_block *block, int d, double base, const s
     cells->base[i] = base, cells->of[i] = d;
 }
 
+#if defined(__GNUC__)
+#define SF_OF_QUESTION static inline __attribute__((always_inline))
+#else
+#define SF_OF_QUESTION static inline
+#endif
+
 /* For a question without k. */
-static void sf_average_at(const sf_model *model, double A, sf_sample *at) {
+static inline void sf_average_at(const sf_model *model, double A, sf_sample *at) {
     at->A = A, at->k = 0;
     model->mechanism->averaged(1, &at->A, model->p, at->averages);
 }
 
-static inline void sf_sample_row(const sf_lane_block *block, int d, double A, double (*rows)[SF_LANE_CELLS], int k) {
+/* These take a question that is known where they are called, so that what it is made of is called without a pointer. */
+
+SF_OF_QUESTION void sf_sample_row(const sf_lane_question *question, const sf_lane_block *block, int d, double A,
+                                  double (*rows)[SF_LANE_CELLS], int k)
+{
     sf_sample at;
-    block->question->sample(&block->at[d].model, A, &at);
+    question->sample(&block->at[d].model, A, &at);
     sf_probe_row(rows, k, &at);
 }
 
 /* Cells with a zero as brackets. */
-static void sf_add_brackets(sf_lane_block *block, const sf_lane_cells *cells, const int *which, int n) {
+SF_OF_QUESTION void sf_add_brackets(const sf_lane_question *question, sf_lane_block *block, const sf_lane_cells *cells,
+                                    const int *which, int n)
+{
     sf_lane_zeros *zeros = &block->zeros[0];
     int j;
     sf_take_rows(cells->asked, SF_ASKED_ROWS, which, n, zeros->asked, zeros->n);
@@ -99,8 +112,9 @@ static void sf_add_brackets(sf_lane_block *block, const sf_lane_cells *cells, co
         zeros->of[k] = cells->of[i];
         zeros->lo[k] = cells->low[0][i], zeros->hi[k] = cells->high[0][i], zeros->rises[k] = cells->rises[i];
         zeros->base[k] = cells->base[i];
-        zeros->last[0][k] = zeros->last[1][k] = zeros->last[2][k] = NAN;
-        sf_sample_row(block, cells->of[i], cells->cut[i], zeros->at, k);
+        if (question->remembers)
+            zeros->last[0][k] = zeros->last[1][k] = zeros->last[2][k] = NAN;
+        sf_sample_row(question, block, cells->of[i], cells->cut[i], zeros->at, k);
     }
     zeros->n += n;
 }
@@ -131,7 +145,8 @@ static void sf_add_lane_zero(sf_lane_design *of, const sf_lane_zeros *zeros, int
 }
 
 /* The cells that stay open as two each of the next round, the lower ones first. */
-static void sf_cut_cells(sf_lane_block *block, const sf_lane_cells *cells, const int *which, int n, sf_lane_cells *next)
+SF_OF_QUESTION void sf_cut_cells(const sf_lane_question *question, sf_lane_block *block, const sf_lane_cells *cells,
+                                 const int *which, int n, sf_lane_cells *next)
 {
     int j, row, end;
     next->n = 2 * n;
@@ -139,7 +154,7 @@ static void sf_cut_cells(sf_lane_block *block, const sf_lane_cells *cells, const
     sf_take_rows(cells->high, SF_PROBE_ROWS, which, n, next->high, n);
     for (j = 0; j < n; j++) {
         const int i = which[j];
-        sf_sample_row(block, cells->of[i], cells->cut[i], next->high, j);
+        sf_sample_row(question, block, cells->of[i], cells->cut[i], next->high, j);
         block->at[cells->of[i]].ok &= cells->cut[i] > cells->low[0][i] && cells->cut[i] < cells->high[0][i];
     }
     for (row = 0; row < SF_PROBE_ROWS; row++)
@@ -152,13 +167,13 @@ static void sf_cut_cells(sf_lane_block *block, const sf_lane_cells *cells, const
 }
 
 /* All cells of a block, until none is open. */
-static void sf_search_block(sf_lane_block *block) {
+SF_OF_QUESTION void sf_search_block(const sf_lane_question *question, sf_lane_block *block) {
     int open[SF_LANE_CELLS], with_one[SF_LANE_CELLS], doubtful[SF_LANE_CELLS], round, i;
     block->zeros[0].n = 0;
     for (round = 0; block->cells[round % 2].n > 0; round++) {
         sf_lane_cells *cells = &block->cells[round % 2], *next = &block->cells[1 - round % 2];
         int n_open = 0, n_one = 0, n_doubtful = 0;
-        block->question->judge(cells);
+        question->judge(cells);
         for (i = 0; i < cells->n; i++) { /* without a branch that nothing foretells */
             const int verdict = (int)cells->verdict[i];
             open[n_open] = with_one[n_one] = doubtful[n_doubtful] = i;
@@ -173,20 +188,20 @@ static void sf_search_block(sf_lane_block *block) {
             sf_leave(block, cells->of, with_one, n_one);
             n_one = 0;
         }
-        sf_add_brackets(block, cells, with_one, n_one);
-        sf_cut_cells(block, cells, open, n_open, next);
+        sf_add_brackets(question, block, cells, with_one, n_one);
+        sf_cut_cells(question, block, cells, open, n_open, next);
     }
 }
 
 /* All brackets of a block, until all are next to their zeros. */
-static void sf_approach_block(sf_lane_block *block) {
+SF_OF_QUESTION void sf_approach_block(const sf_lane_question *question, sf_lane_block *block) {
     int far[SF_LANE_CELLS], near[SF_LANE_CELLS], round, i, j;
     for (round = 0; block->zeros[round % 2].n > 0; round++) {
         sf_lane_zeros *zeros = &block->zeros[round % 2], *next = &block->zeros[1 - round % 2];
         int n_far = 0, n_near = 0;
-        block->question->approach(zeros);
+        question->approach(zeros);
         for (i = 0; i < zeros->n; i++) {
-            const int is_near = zeros->moved[i] <= block->question->last_step * zeros->next[i];
+            const int is_near = zeros->moved[i] <= question->last_step * zeros->next[i];
             far[n_far] = near[n_near] = i;
             n_far += !is_near, n_near += is_near;
         }
@@ -198,12 +213,13 @@ static void sf_approach_block(sf_lane_block *block) {
         }
         next->n = n_far;
         sf_take_rows(zeros->asked, SF_ASKED_ROWS, far, n_far, next->asked, 0);
-        sf_take_rows(zeros->last, SF_LAST_ROWS, far, n_far, next->last, 0);
+        if (question->remembers)
+            sf_take_rows(zeros->last, SF_LAST_ROWS, far, n_far, next->last, 0);
         for (j = 0; j < n_far; j++) {
             i = far[j];
             next->of[j] = zeros->of[i], next->lo[j] = zeros->lo[i], next->hi[j] = zeros->hi[i],
             next->rises[j] = zeros->rises[i], next->base[j] = zeros->base[i];
-            sf_sample_row(block, zeros->of[i], zeros->next[i], next->at, j);
+            sf_sample_row(question, block, zeros->of[i], zeros->next[i], next->at, j);
         }
     }
 }

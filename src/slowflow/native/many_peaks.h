@@ -14,7 +14,8 @@
 enum { SF_PEAK_PARTS = 3 };
 static const double sf_peak_parts[SF_PEAK_PARTS + 1] = {1, 0.5, 0.25, 0.125};
 
-static const sf_lane_question sf_peaks_in_lanes = {sf_judge_peaks, sf_approach_peaks, sf_average_at, SF_LAST_BY_CUBES};
+static const sf_lane_question sf_peaks_in_lanes = {sf_judge_peaks, sf_approach_peaks, sf_average_at, 0,
+                                                   SF_LAST_BY_CUBES};
 
 /* The cell in which the search for the peak of design d begins, from its last breakpoint on; 0 where it is left to
  * sf_settled_peak. */
@@ -65,7 +66,7 @@ static void sf_search_peaks(sf_lane_block *block) {
             n_one += has_one, n_none += has_none, n_others += !has_one && !has_none;
         }
         sf_leave(block, cells->of, others, n_others);
-        sf_add_brackets(block, cells, with_one, n_one);
+        sf_add_brackets(&sf_peaks_in_lanes, block, cells, with_one, n_one);
         for (i = 0; i < n_none; i++)
             without[i] = cells->of[without[i]];
         cells->n = 0;

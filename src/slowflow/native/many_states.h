@@ -10,7 +10,7 @@
 #include "states.h"
 
 static const sf_lane_question sf_states_in_lanes = {sf_judge_states, sf_approach_states, sf_average_at,
-                                                    SF_LAST_BY_CUBES};
+                                                    0, SF_LAST_BY_CUBES};
 
 /* The cells with which the search for the states of design d begins, one for each piece of the force; 0 where it is
  * left to states.h, see sf_clear_states. given: its design and damping */
