@@ -64,11 +64,6 @@ static int sf_exactly_at(const sf_mechanism *mechanism, char **args, const ptrdi
     return sf_make_exact(mechanism, at.design, at.damping[0], at.damping[1], exactly);
 }
 
-/* Designs of a block in pairs, their parameters made at once: in loops that vectorise they take a fraction of the time. */
-typedef struct {
-    double number[SF_MOST_DESIGN * SF_LANE_BLOCK], part[2 * (SF_MOST_PARAMETERS + SF_MOST_BREAKS) * SF_LANE_BLOCK];
-} sf_exact_block;
-
 /* Designs first..end of a mechanism that has pairs. */
 static void sf_make_exact_block(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t first,
                                 ptrdiff_t end, sf_exact_block *block)
@@ -236,10 +231,10 @@ static void sf_answer_onset(const sf_mechanism *mechanism, char **args, const pt
 
 /* Whether design k begins the search of a block as its member d. */
 static int sf_enter_onset(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
-                          sf_onset_block *block, int d)
+                          const sf_exact_block *exact, sf_onset_block *block, int d)
 {
     sf_lane_onset *of = &block->at[d];
-    if (!sf_design_at(mechanism, args, steps, k, 1, &of->model))
+    if (!sf_design_at(mechanism, args, steps, k, 0, &of->model) || !sf_take_jumps(exact, d, &of->model))
         return 0;
     sf_end_pieces(&of->model, &of->ends);
     sf_begin_onset(&of->model, &of->ends, &of->best);
@@ -272,12 +267,13 @@ static void sf_loop_onsets(char **args, const ptrdiff_t *dimensions, const ptrdi
     for (first = 0; first < dimensions[0]; first += SF_ONSET_BLOCK) {
         const ptrdiff_t end = first + SF_ONSET_BLOCK < dimensions[0] ? first + SF_ONSET_BLOCK : dimensions[0];
         if (block != NULL) {
+            sf_make_exact_block(mechanism, args, steps, first, end, &exact);
             block->probes.n = block->zeros[0].n = 0;
             for (k = 0; k < SF_ONSET_BLOCK; k++)
-                block->at[k].ok = first + k < end && sf_enter_onset(mechanism, args, steps, first + k, block, (int)k);
+                block->at[k].ok =
+                    first + k < end && sf_enter_onset(mechanism, args, steps, first + k, &exact, block, (int)k);
             sf_search_cusps(block);
             sf_approach_block_cusps(block);
-            sf_make_exact_block(mechanism, args, steps, first, end, &exact);
         }
         for (k = first; k < end; k++)
             if (block == NULL || !sf_leave_onset(mechanism, args, steps, k, &exact, k - first, &block->at[k - first], work))
@@ -305,18 +301,12 @@ static void sf_answer_peak(const sf_mechanism *mechanism, char **args, const ptr
 
 /* Whether design k begins the search of a block as its member d. */
 static int sf_enter_peak(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
-                         sf_lane_block *block, int d)
+                         const sf_exact_block *exact, sf_lane_block *block, int d)
 {
     sf_lane_design *of = &block->at[d];
-    sf_numbers given;
     of->F_0 = sf_input(args, steps, mechanism->design_size + mechanism->damping_size, k), of->Omega = 0;
-    of->model.mechanism = mechanism;
-    if (!mechanism->is_forcing(of->F_0))
-        return 0;
-    sf_read_numbers_at(mechanism, args, steps, k, &given);
-    return mechanism->parameters_of(given.design, of->model.p) &&
-           mechanism->damping_of(given.damping, of->model.damping) && sf_prepare(mechanism, given.design, &of->model) &&
-           sf_begin_peak(block, d);
+    return mechanism->is_forcing(of->F_0) && sf_design_at(mechanism, args, steps, k, 0, &of->model) &&
+           sf_take_jumps(exact, d, &of->model) && sf_begin_peak(block, d);
 }
 
 /* Whether the peak of member d, which is design k, settles, and is written. */
@@ -344,12 +334,12 @@ static void sf_loop_peaks(char **args, const ptrdiff_t *dimensions, const ptrdif
     for (first = 0; first < dimensions[0]; first += SF_LANE_BLOCK) {
         const ptrdiff_t end = first + SF_LANE_BLOCK < dimensions[0] ? first + SF_LANE_BLOCK : dimensions[0];
         if (block != NULL) {
+            sf_make_exact_block(mechanism, args, steps, first, end, &exact);
             block->cells[0].n = 0;
             for (k = first; k < end; k++)
-                block->at[k - first].ok = sf_enter_peak(mechanism, args, steps, k, block, (int)(k - first));
+                block->at[k - first].ok = sf_enter_peak(mechanism, args, steps, k, &exact, block, (int)(k - first));
             sf_search_peaks(block);
             sf_approach_block(&sf_peaks_in_lanes, block);
-            sf_make_exact_block(mechanism, args, steps, first, end, &exact);
         }
         for (k = first; k < end; k++) {
             if (work == NULL)
@@ -401,12 +391,12 @@ static void sf_answer_folds(const sf_mechanism *mechanism, char **args, const pt
 
 /* Whether design k begins the search of a block as its member d. */
 static int sf_enter_folds(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
-                          sf_lane_block *block, int d)
+                          const sf_exact_block *exact, sf_lane_block *block, int d)
 {
     sf_lane_design *of = &block->at[d];
     of->F_0 = sf_input(args, steps, mechanism->design_size + mechanism->damping_size, k), of->Omega = 0;
-    return mechanism->is_forcing(of->F_0) && sf_design_at(mechanism, args, steps, k, 1, &of->model) &&
-           sf_begin_folds(block, d);
+    return mechanism->is_forcing(of->F_0) && sf_design_at(mechanism, args, steps, k, 0, &of->model) &&
+           sf_take_jumps(exact, d, &of->model) && sf_begin_folds(block, d);
 }
 
 /* Whether the folds of member d, which is design k, settle, and are written. */
@@ -440,7 +430,7 @@ static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdif
         if (block != NULL) {
             block->cells[0].n = 0;
             for (k = first; k < end; k++)
-                block->at[k - first].ok = sf_enter_folds(mechanism, args, steps, k, block, (int)(k - first));
+                block->at[k - first].ok = sf_enter_folds(mechanism, args, steps, k, &exact, block, (int)(k - first));
             sf_search_block(&sf_folds_in_lanes, block);
             sf_approach_block(&sf_folds_in_lanes, block);
         }
@@ -489,7 +479,7 @@ static void sf_answer_states(const sf_mechanism *mechanism, char **args, const p
 
 /* Whether design k begins the search of a block as its member d. */
 static int sf_enter_states(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
-                           sf_lane_block *block, int d)
+                           const sf_exact_block *exact, sf_lane_block *block, int d)
 {
     const int forcing = mechanism->design_size + mechanism->damping_size;
     sf_lane_design *of = &block->at[d];
@@ -500,7 +490,7 @@ static int sf_enter_states(const sf_mechanism *mechanism, char **args, const ptr
         return 0;
     sf_read_numbers_at(mechanism, args, steps, k, &given);
     return mechanism->parameters_of(given.design, of->model.p) &&
-           mechanism->damping_of(given.damping, of->model.damping) && sf_begin_states(block, d, &given);
+           mechanism->damping_of(given.damping, of->model.damping) && sf_begin_states(block, d, exact);
 }
 
 /* Whether the states of member d, which is design k, settle, and are written. */
@@ -534,12 +524,12 @@ static void sf_loop_states(char **args, const ptrdiff_t *dimensions, const ptrdi
     for (first = 0; first < dimensions[0]; first += SF_LANE_BLOCK) {
         const ptrdiff_t end = first + SF_LANE_BLOCK < dimensions[0] ? first + SF_LANE_BLOCK : dimensions[0];
         if (block != NULL) {
+            sf_make_exact_block(mechanism, args, steps, first, end, &exact);
             block->cells[0].n = 0;
             for (k = first; k < end; k++)
-                block->at[k - first].ok = sf_enter_states(mechanism, args, steps, k, block, (int)(k - first));
+                block->at[k - first].ok = sf_enter_states(mechanism, args, steps, k, &exact, block, (int)(k - first));
             sf_search_block(&sf_states_in_lanes, block);
             sf_approach_block(&sf_states_in_lanes, block);
-            sf_make_exact_block(mechanism, args, steps, first, end, &exact);
         }
         for (k = first; k < end; k++) {
             if (room == NULL)

@@ -13,8 +13,8 @@ static const sf_lane_question sf_states_in_lanes = {sf_judge_states, sf_approach
                                                     0, SF_LAST_BY_CUBES};
 
 /* The cells with which the search for the states of design d begins, one for each piece of the force; 0 where it is
- * left to states.h, see sf_clear_states. given: its design and damping */
-static int sf_begin_states(sf_lane_block *block, int d, const sf_numbers *given) {
+ * left to states.h, see sf_clear_states. */
+static int sf_begin_states(sf_lane_block *block, int d, const sf_exact_block *exact) {
     sf_lane_design *of = &block->at[d];
     sf_model *model = &of->model;
     const sf_mechanism *mechanism = model->mechanism;
@@ -30,7 +30,7 @@ static int sf_begin_states(sf_lane_block *block, int d, const sf_numbers *given)
         return 0;
     while (pieces < model->breaks && model->b[pieces] < A_max)
         pieces++;
-    if (pieces > 0 && !sf_prepare(mechanism, given->design, model))
+    if (pieces > 0 && !sf_take_jumps(exact, d, model))
         return 0;
     of->asked[0] = of->Omega, of->asked[1] = model->zeta, of->asked[2] = model->m, of->asked[3] = of->F_0;
     sf_average_at(model, 0, &low);
