@@ -21,6 +21,7 @@ enum { SF_FOLD_BLOCK = 64 };
  * settled, which are doubles, have lost too many digits for the last of them to be the same from wherever it begins */
 #define SF_LEAST_INERTIA 0x1p-8
 #define SF_MOST_INERTIA 0x1p10
+#define SF_ON_BREAK 0x1p-44
 
 static const sf_lane_question sf_folds_in_lanes = {sf_judge_folds, sf_approach_folds, sf_sample_at, 1,
                                                    SF_LAST_BY_SQUARES};
@@ -78,7 +79,7 @@ static int sf_is_plain_fold(const sf_lane_design *of, double Omega, double A) {
     const int piece = sf_piece_of(&of->model, A);
     const double inertia = A * Omega * Omega;
     return inertia >= SF_LEAST_INERTIA * of->F_0 && inertia <= SF_MOST_INERTIA * of->F_0 &&
-           (piece == 0 || A - of->model.b[piece - 1] > SF_PAIRS_NEXT * A);
+           (piece == 0 || A - of->model.b[piece - 1] > SF_ON_BREAK * A);
 }
 
 /* A fold that the block has found, to its last digit; 0 where it does not settle. */
@@ -88,13 +89,18 @@ static int sf_settle_block_fold(const sf_lane_design *of, int i, const sf_exactl
     sf_settling at = {sfp_point(of->w[i]), sfp_point(of->A[i]), sfp_point(of->F_0)};
     const double bend = sf_half_F_AA(model, near, of->w[i]);
     sf_sample straight = *near;
+    double Omega = of->w[i], A = of->A[i];
     straight.h_AA = 0;
     if (!sf_is_plain_fold(of, of->w[i], of->A[i]) ||
-        !(fabs(bend) >= SF_TELLS_WAY * sf_half_F_AA(model, &straight, of->w[i])) ||
-        !sf_settle_near(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, near, &at) ||
-        !(at.A.high >= of->lo[i] * (1 - SF_CLOSE) && at.A.high <= of->hi[i] * (1 + SF_CLOSE)))
+        !(fabs(bend) >= SF_TELLS_WAY * sf_half_F_AA(model, &straight, of->w[i])))
         return 0;
-    sf_add_fold(folds, at.Omega.high, at.A.high, bend < 0, 0);
+    if (sf_settle_near(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, near, &at))
+        Omega = at.Omega.high, A = at.A.high;
+    else if (sf_settle_fold(exactly, model, of->F_0, &Omega, &A) > 0)
+        return 0;
+    if (!(A >= of->lo[i] * (1 - SF_CLOSE) && A <= of->hi[i] * (1 + SF_CLOSE)))
+        return 0;
+    sf_add_fold(folds, Omega, A, bend < 0, 0);
     return 1;
 }
 
