@@ -44,16 +44,22 @@ class OfMechanism:
 
     oscillator        -- dimensionless force, coefficients, breakpoints
     whole             -- h and its derivatives: the average of the whole restoring force u + F_k
-    beside_vertical   -- H and H_A, untruncated with further derivatives: the average of F_k alone
     saddle_node_onset -- (33), with all damping terms; None where h is no polynomial, or where it was not asked for
     saddle_nodes      -- Res_Omega(F, F_A); likewise
     """
 
     oscillator: Dimensionless
     whole: Restoring
-    beside_vertical: Restoring
     saddle_node_onset: Elimination | None
     saddle_nodes: Elimination | None
+
+    @cached_property
+    def beside_vertical(self) -> Restoring:
+        """H and H_A, untruncated with further derivatives: the average of F_k alone; no solver asks for it."""
+        beside, ends = [piece - u for piece in self.oscillator.polynomials], self.oscillator.breakpoints
+        if all(piece.is_polynomial(u) for piece in beside):
+            return restoring(beside, tuple(ends), orders=1)
+        return elliptic.restoring(beside, ends)
 
     @cached_property
     def harmonics(self) -> Harmonics:
@@ -133,15 +139,10 @@ def of_mechanism(mechanism: Mechanism, flow: SlowFlow | None = None, *, enclosed
     pieces, ends = dimensionless.polynomials, dimensionless.breakpoints
     polynomial = all(piece.is_polynomial(u) for piece in pieces)
     eliminated = flow is not None and polynomial
-    beside = [piece - u for piece in pieces]
-    if polynomial:
-        whole, beside_vertical = restoring(pieces, tuple(ends)), restoring(beside, tuple(ends), orders=1)
-    else:
-        whole, beside_vertical = (elliptic.restoring(forces, ends) for forces in (pieces, beside))
+    whole = restoring(pieces, tuple(ends)) if polynomial else elliptic.restoring(pieces, ends)
     return OfMechanism(
         dimensionless,
         whole,
-        beside_vertical,
         resultants.saddle_node_onset(flow, whole) if eliminated else None,
         resultants.saddle_nodes(flow, whole) if eliminated else None,
     )

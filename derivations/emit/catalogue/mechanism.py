@@ -60,7 +60,7 @@ def mechanism_module(mechanisms: Mapping[str, OfMechanism], name: str, flow: Mod
     if not mechanism.reach.is_extended_real or mechanism.reach.free_symbols:
         raise ArithmeticError(f"{name}: the reach has to be a number in the dimensionless displacement")
     pieces, table = piece_kernels(derived, name)
-    averages = together(derived) if is_spelled_out(derived) else one_by_one(derived)
+    averages = together(derived) if is_spelled_out(derived) else one_by_one(derived, alone=flow is None)
     return Module(
         name=name,
         title=mechanism.title[0].upper() + mechanism.title[1:],
@@ -100,7 +100,7 @@ class Averages:
 
     whole: Kernel | Selection
     pair: Kernel | Selection
-    beside: Kernel | Selection
+    beside: Kernel | Selection | None
     intercept: Kernel | Selection
 
     @property
@@ -114,7 +114,7 @@ class Averages:
 
     @property
     def _named(self) -> tuple[Kernel | Selection, ...]:
-        return self.whole, self.pair, self.beside, self.intercept
+        return self.whole, self.pair, *([] if self.beside is None else [self.beside]), self.intercept
 
 
 def is_spelled_out(derived: OfMechanism) -> bool:
@@ -173,18 +173,19 @@ def averaged_kernel(derived: OfMechanism, name: str, outputs: Sequence[str], cas
 OF_H, OF_BESIDE = tuple("h" + name for name in NAMES), ("H", "H_A")
 
 
-def one_by_one(derived: OfMechanism) -> Averages:
-    """A kernel for each: what is not asked for is not computed. H by itself, because h + A loses a small H's digits."""
-    named = (
-        averaged_kernel(derived, name, outputs, regime_branches(restoring, len(outputs)))
-        for name, outputs, restoring in (
-            ("averaged", OF_H, derived.whole),
-            ("averaged_2", OF_H[:2], derived.whole),
-            ("averaged_H", OF_BESIDE, derived.beside_vertical),
-        )
-    )
+def one_by_one(derived: OfMechanism, *, alone: bool = False) -> Averages:
+    """A kernel for each: what is not asked for is not computed. H by itself, because h + A loses a small H's digits.
+
+    alone -- for solvers, which do not ask for H
+    """
+
+    def named(name: str, outputs: tuple[str, ...], restoring: Restoring) -> Kernel:
+        return averaged_kernel(derived, name, outputs, regime_branches(restoring, len(outputs)))
+
+    whole, pair = named("averaged", OF_H, derived.whole), named("averaged_2", OF_H[:2], derived.whole)
+    beside = None if alone else named("averaged_H", OF_BESIDE, derived.beside_vertical)
     intercept = averaged_kernel(derived, "intercept", (), intercept_branches(derived))
-    return Averages(*named, replace(intercept, doc=INTERCEPT, returns="scalar"))
+    return Averages(whole, pair, beside, replace(intercept, doc=INTERCEPT, returns="scalar"))
 
 
 def together(derived: OfMechanism) -> Averages:
@@ -396,6 +397,8 @@ def selections(averages: Averages, *, compiled: bool) -> list[Selection]:
         ("H", 3, "the averaged force H beside the vertical spring"),
     ):
         cheapest = averages.pair if letter == "h" else averages.beside
+        if cheapest is None:
+            continue
         for order in range(count):
             source = cheapest if order < cheapest.width else averages.whole
             text = slope[order] + what + "." if order else what[0].upper() + what[1:] + "."
