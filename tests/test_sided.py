@@ -416,3 +416,26 @@ def test_in_a_play_that_is_not_symmetric_a_mean_is_not_singled_out():
         with pytest.raises(ArithmeticError, match=r"in a play a mean is not singled out: .* on all of -0.2 < u < 0.4"):
             ask()
     assert play.replace(load=0.05).rest().u == pytest.approx([0.45])
+
+
+def test_larger_motions_of_a_play_that_is_not_symmetric_are_refused_too():
+    """Beside them the mass may rest anywhere: there is no mean that a motion belongs to."""
+    pieces = [(u + g, -g), (0 * u, 2 * g), (k * (u - 2 * g), None)]
+    play = derive.mechanism("wide_play", pieces, {"k": ABOVE, "g": ABOVE}, odd=False)(k=1.0, g=0.2, **DAMPED)
+    for ask in (lambda: play.amplitudes(Omega=0.8, F_0=5.0), lambda: play.peak(5.0), play.detachment):
+        with pytest.raises(ArithmeticError, match="in a play a mean is not singled out"):
+            ask()
+    assert "in a play a mean is not singled out" in play.saddle_node_onset().message
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_preload_that_is_not_stated_as_odd_has_the_motions_of_one_that_is():
+    """What it does to a mass at rest, which stands where the force jumps, is undecided in words."""
+    sided = derive.mechanism("sided_preload", [(u - g, 0), (u + g, None)], {"g": ABOVE}, odd=False)
+    odd = derive.mechanism("odd_preload", [(u + g, None)], {"g": ABOVE})
+    one, other = (made(g=0.05, mu=0.005, zeta=0.03) for made in (sided, odd))
+    found, expected = (of.amplitudes(Omega=[0.9, 1.2], F_0=0.1) for of in (one, other))
+    assert found.A == pytest.approx(expected.A, rel=1e-12) and np.abs(found.B).max() < 1e-12
+    assert one.peak(0.1).A == pytest.approx(other.peak(0.1).A, rel=1e-9)
+    assert "undecided" in one.rest().message and "undecided" in one.saddle_nodes(0.1).message
+    assert "undecided" in one.saddle_node_onset().message

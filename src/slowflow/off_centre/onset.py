@@ -106,6 +106,7 @@ class Search:
 
     # ==== Down to the lowest ==========================================================================================
 
+    @np.errstate(all="ignore")  # where the force jumps at the mean a slope has no bound
     def descend(self, A: float, B: float) -> Lowest:
         """From a point of the balance with a fold along it to the least level near by."""
         width = 0.05 * (A + abs(B))
