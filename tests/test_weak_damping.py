@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import slowflow
+from slowflow import backend
 
 
 @pytest.mark.parametrize(
@@ -323,3 +324,35 @@ def test_a_softening_fold_next_to_no_damping_has_its_frequency_and_the_curve_all
         at = np.array(states.A)
         assert len(at) == count
         np.testing.assert_allclose(np.abs((Omega**2 - 2 + 0.75 * at**2) * at), k, rtol=1e-13)
+
+
+@pytest.mark.skipif(backend.SOLVER is None, reason="NumPy has doubles alone")
+@pytest.mark.parametrize("zeta", [1e-14, 1e-12, 1e-10, 1e-8])
+def test_an_isola_point_next_to_no_damping_is_off_by_its_rounding(zeta):
+    """Newton's method in Omega and A divided by a difference of which nothing was left: A was off by 13 u.
+
+    Against the root in A of Omega R = -zeta I with Omega^2 = h_A, which F_A = F_Omega = 0 are, to sixty digits.
+    """
+    rng, u = np.random.default_rng(1), mpmath.mpf(2) ** -53
+    designs = [(rng.uniform(0.1, 3), -(10 ** rng.uniform(-3, 1)), 10 ** rng.uniform(-6, -1)) for _ in range(12)]
+    designs += [(1.4980195101765232, -0.062511901945525, 0.00045200404964629135)]
+    with mpmath.workdps(60):
+        for alpha, beta, mu in designs:
+            found = slowflow.Duffing(alpha, beta, mu, zeta).isola_points(A_max=200.0)
+            m = 4 * mpmath.mpf(mu) / mpmath.pi
+
+            def Omega_at(A, alpha=alpha, beta=beta):
+                return mpmath.sqrt(-alpha - mpmath.mpf(9) / 4 * beta * A**2)
+
+            def missing(A, alpha=alpha, beta=beta, m=m, Omega_at=Omega_at):
+                w = Omega_at(A)
+                R = A * w**2 - alpha * A - mpmath.mpf(3) / 4 * beta * A**3
+                return R + zeta / w * (m + 2 * zeta * w * A)
+
+            (k,) = np.flatnonzero(found.Omega > 1e-3)
+            A = mpmath.findroot(missing, found.A[k])
+            w = Omega_at(A)
+            F_0 = (m + 2 * zeta * w * A) * mpmath.sqrt(1 + (zeta / w) ** 2)
+            assert abs(found.A[k] / A - 1) <= 1.5 * u  # kappa is 1 between alpha and beta
+            assert abs(found.Omega[k] / w - 1) <= 1.5 * u
+            assert abs(found.F_0[k] / F_0 - 1) <= 2 * u
