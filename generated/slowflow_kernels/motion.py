@@ -159,7 +159,7 @@ def out(beyond, pull):
 
     Equation beside (3). Domain: beyond >= 0, pull > 0. Shape: the arguments that it depends on, broadcast.
     Operations: 3 structured, 3 common subexpressions, 3 power chains.
-    Measured, error / u (1 + kappa): 0.63
+    Measured, error / u (1 + kappa): 0.68
     """
     square = 2.0 * beyond / pull
     return np.sqrt(square)
