@@ -20,7 +20,9 @@ from slowflow.exact.compiled import TAYLOR
 from slowflow.exact.integrate import ScipyIntegrator
 from slowflow.exact.motion import Forced, follow
 from slowflow.off_centre.means import ORDERS, Steps
+from slowflow.results import Remark
 from slowflow.validate import NotAvailable
+from slowflow_kernels.conventions import Status
 from tests.off_centre_cases import check_folds_and_states, check_onset, made
 from tests.test_off_centre import mean
 
@@ -438,4 +440,8 @@ def test_a_preload_that_is_not_stated_as_odd_has_the_motions_of_one_that_is():
     assert found.A == pytest.approx(expected.A, rel=1e-12) and np.abs(found.B).max() < 1e-12
     assert one.peak(0.1).A == pytest.approx(other.peak(0.1).A, rel=1e-9)
     assert "undecided" in one.rest().message and "undecided" in one.saddle_nodes(0.1).message
-    assert "undecided" in one.saddle_node_onset().message
+    assert "undecided" in one.saddle_node_onset().message and "undecided" in one.detachment().message
+    with pytest.raises(ValueError, match="undecided"):
+        one.margins(0.1)
+    many = sided.many(g=[0.05], mu=0.005, zeta=0.03).detachment()
+    assert many.status.tolist() == [Status.UNRESOLVED] and many.remarks.tolist() == [Remark.UNDECIDED]

@@ -326,7 +326,10 @@ class OffCentreDesigns(Unchanging):
         return self._answered(ManyRests, _rest, {}, workers, places)
 
     def detachment(self, *, workers: int = 1) -> ManyDetachments:
-        """F_cr of every design with its Omega, A and B; `Status.NONE` where no breakpoint is reached from inside."""
+        """F_cr of every design with its Omega, A and B; `Status.NONE` where no breakpoint is reached from inside.
+
+        `Status.UNRESOLVED` where that is undecided.
+        """
         return self._answered(ManyDetachments, _detachment, {}, workers)
 
     def saddle_node_onset(self, *, workers: int = 1) -> ManyOnsets:
@@ -571,20 +574,20 @@ def _rest(single: OffCentre) -> Found:
 def _detachment(single: OffCentre) -> Found:
     found = single.detachment()
     if found.F_cr is None:
-        return {}, Status.NONE, found.remarks
+        return {}, _none(found), found.remarks
     return _columns(found, "F_cr", "Omega_cr", "A", "B"), Status.OK, found.remarks
 
 
 def _onset(single: OffCentre) -> Found:
     found = single.saddle_node_onset()
     if found.F_SN is None:
-        return {}, _no_onset(found), found.remarks
+        return {}, _none(found), found.remarks
     columns = _columns(found, "F_SN", "Omega", "A", "B")
     return {**columns, "kind": OnsetKind[found.kind.upper()]}, Status.OK, found.remarks
 
 
-def _no_onset(found: Any) -> Status:
-    """Of an onset without a forcing."""
+def _none(found: Any) -> Status:
+    """Of an onset or a detachment without a forcing."""
     return Status.UNRESOLVED if Remark.UNDECIDED in found.remarks else Status.NONE
 
 
@@ -634,7 +637,7 @@ def _margins(single: OffCentre, F_0: float) -> Found:
     columns = {name: known if (known := getattr(found, name)) is not None else one for name, one in missing.items()}
     columns |= _columns(found, "folds", "detaches", "sticks", "Omega_sticks")
     columns["kind"] = OnsetKind[found.kind.upper()] if found.kind else OnsetKind.NO
-    columns["onset"] = Status.OK if onset.F_SN is not None else _no_onset(onset)
+    columns["onset"] = Status.OK if onset.F_SN is not None else _none(onset)
     return columns, Status.OK, found.remarks
 
 

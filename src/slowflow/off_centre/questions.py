@@ -65,6 +65,7 @@ NO_MARGINS = "margins is not available here: {}"
 BEYOND = "at rest the mass stands at the first breakpoint or beyond it already"
 ONE_PIECE = "no detachment: the force has one piece only"
 NOT_REACHED = "no motion comes to the first breakpoint"
+UNKNOWN = "whether motions come to the first breakpoint is undecided, as where the mass rests is"
 TURNS = "the mean turns back where a motion goes farthest: how far is told to 2^-24 of it"
 WITHIN = "motions whose mean stiffness vanishes may lose their stability within a band too"
 NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
@@ -202,6 +203,8 @@ class OffCentre(Unchanging):
         A = found.x[0]
         inside = (A > 0) & (A <= highest)
         A, B = A[inside], equations.offset(A, found.of)[inside]
+        if not A.size and not self.rest().stable.any() and Remark.UNDECIDED in self.rest().remarks:
+            return replace(self._no_detachment(UNKNOWN), remarks=Remark.UNDECIDED)
         if not A.size:
             return self._no_detachment(NOT_REACHED)
         level, Omega = self._flow.least_forcing(A, -2 * equations.steps.at(A, B, 0).s[0])
