@@ -456,7 +456,7 @@ def test_a_linear_oscillator_can_be_physical_too():
 
 def test_every_number_of_an_answer_has_a_unit_or_is_known_to_have_none():
     """A field that is added has to be entered here or among the kinds."""
-    without = {"phi", "error", "error_of_A", "of_SN", "of_cr", "transmissibility_dB"}
+    without = {"phi", "error", "error_of_A", "error_of_Omega", "of_SN", "of_cr", "transmissibility_dB"}
     for module in (results, loads):
         for kind in vars(module).values():
             if dataclasses.is_dataclass(kind) and kind.__module__ == module.__name__:
@@ -572,6 +572,30 @@ def test_gradients_in_si_units_are_the_differences_of_mounts(excitation, damping
             assert found[answer, name] * share == pytest.approx(moved, rel=1e-7), (answer, name)
     moved = np.abs(found["A"][0] * [numbers[name] for name in found.by]).sum()
     assert found.condition("A")[0] == pytest.approx(moved / asked(numbers).A[0], rel=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("ask", "of"),
+    [
+        (lambda mount: mount.rest(), ("x", "stiffness")),
+        (lambda mount: mount.isolation(5.0), ("f", "A", "B")),
+        (lambda mount: mount.peak(5.0), ("A", "f", "x_max")),
+    ],
+    ids=("rest", "isolation", "peak"),
+)
+def test_gradients_of_a_loaded_mount_are_the_differences_of_mounts(ask, of):
+    sheet = {**MOUNT, "load": 1.01 * MOUNT["m"]}
+    found = ask(Isolator.physical(**sheet)).gradient()
+    assert set(of) <= set(found.of)
+    for answer in of:
+
+        def asked(given, answer=answer):
+            return np.atleast_1d(getattr(ask(Isolator.physical(**given)), answer))
+
+        for name in ("m", "k_v", "k_h", "L", "preload", "load"):
+            moved = differences(asked, sheet, name)
+            size = np.abs(asked(sheet) / sheet[name]).max()
+            assert np.atleast_1d(found[answer, name]) == pytest.approx(moved, rel=1e-6, abs=1e-8 * size)
 
 
 def test_what_has_no_gradient_in_si_units_says_why(mount):

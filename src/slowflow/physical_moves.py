@@ -26,6 +26,8 @@ BASE = ("k_v", "L", "m")
 g = 9.80665
 #: of a number that is none
 PURE = Scale("", 1.0, (0.0, 0.0, 0.0))
+#: of a force over a displacement
+STIFFNESS = Scale("k", 1.0, (1.0, 0.0, 0.0))
 WITHOUT_PRELOAD = "without preload the springs never touch the push-rod: no number of theirs moves an answer"
 
 
@@ -97,5 +99,5 @@ def _word(name: str, scale: Scale, scales: Scales) -> str:
 def _scale(kind: str) -> Scale:
     """What numbers of a kind are measured in, but for the turn of a frequency."""
     known: dict[str, Scale] = {"length": SCALES["u"], "frequency": SCALES["Omega"], "angle": PURE, "": PURE}
-    known |= {"force": SCALES["F_0"], "unbalance": AMPLITUDES["unbalance"]}
+    known |= {"force": SCALES["F_0"], "unbalance": AMPLITUDES["unbalance"], "stiffness": STIFFNESS}
     return known[kind]
