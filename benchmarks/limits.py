@@ -79,7 +79,7 @@ for _ in range(count):
 #: by kind: what is done, in words and code, and how many answers it gives
 WORK = {
     "curve": ("one response curve with folds", "iso.frequency_response(0.04), iso.saddle_nodes(0.04)", 1),
-    "locus": ("one fold locus with cusps", "iso.fold_locus(1000), iso.cusps()", 1),
+    "locus": ("one fold locus with cusps", "iso.fold_locus(samples=1000), iso.cusps()", 1),
     "detachment": ("one F_cr", "many.detachment()", 200),
     "saddle_node_onset": ("one F_SN", "many.saddle_node_onset()", 200),
     "saddle_nodes": ("all folds of one design", "many.saddle_nodes(0.07)", 200),

@@ -11,7 +11,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from benchmarks import bench_exact, certified, counted, document, remote, targets, work_precision
+from benchmarks import bench_exact, certified, counted, document, limits, remote, targets, work_precision
 from benchmarks.peers import problem
 from benchmarks.peers.__main__ import with_earlier
 from benchmarks.remote import Remote, in_turn
@@ -147,3 +147,10 @@ def test_what_stops_cost_is_measured_from_motions_that_stop() -> None:
     """Few repeats: each number of stops that the curve has, once."""
     stops = [row["stops"] for row in bench_exact.by_stops(1)]
     assert len(stops) > 3 and stops == sorted(set(stops))
+
+
+@pytest.mark.parametrize("kind", limits.WORK)
+def test_work_whose_instructions_are_counted_where_a_target_is_missed_can_be_done(kind, monkeypatch):
+    """One asked by arguments that a question no longer takes, and `make bench` ended there."""
+    monkeypatch.setattr(sys, "argv", ["", "1"])
+    exec(limits.COUNTED.format(limits.WORK[kind][1]), {})
