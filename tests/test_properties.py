@@ -21,6 +21,7 @@ from slowflow_kernels import rod_spring_untruncated as untruncated
 from slowflow_kernels import rod_spring_untruncated_balls as untruncated_balls
 from tests.batch_questions import AVERAGED, ask
 from tests.test_many_as_each import assert_is_that_of_each
+from tests.test_solver_paths import assert_alike
 
 native_only = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
 #: averages of an oscillator by its force, and the same in balls
@@ -29,6 +30,8 @@ AVERAGES = {
     "truncated": (rod_spring, rod_spring_balls),
     "untruncated": (untruncated, untruncated_balls),
 }
+#: near a cusp a fold moves by the root of a rounding
+NEARLY = 1e-7
 drawn = settings(max_examples=40, deadline=None, derandomize=True)
 
 duffings = st.builds(
@@ -130,15 +133,6 @@ def made(numbers):
         return Duffing(**numbers) if "alpha" in numbers else Isolator(**numbers)
 
 
-def assert_alike(one, other, fields):
-    """As many, at the same places: near a cusp a fold moves by the root of a rounding."""
-    for field in fields:
-        a, b = getattr(one, field), getattr(other, field)
-        assert (a is None) == (b is None), (one, other)
-        if a is not None:
-            np.testing.assert_allclose(a, b, rtol=1e-7, atol=1e-9, err_msg=f"{one} {other}")
-
-
 @pytest.mark.slow
 @native_only
 @settings(drawn, max_examples=25)
@@ -146,12 +140,14 @@ def assert_alike(one, other, fields):
 def test_compiled_answers_are_those_of_numpy(numbers, above, Omega):
     model = made(numbers).model
     F_0 = model.m + above
-    assert_alike(compiled.onset(model), onset.onset(model), ("F_SN", "Omega", "A"))
-    assert_alike(compiled.detachment(model), onset.detachment(model), ("F_cr", "Omega_cr"))
-    assert_alike(compiled.saddle_nodes(model, F_0), folds.saddle_nodes(model, F_0), ("Omega", "A"))
-    assert_alike(compiled.peak(model, F_0), onset.peak(model, F_0), ("Omega", "A"))
+    assert_alike(compiled.onset(model), onset.onset(model), ("F_SN", "Omega", "A"), NEARLY)
+    assert_alike(compiled.detachment(model), onset.detachment(model), ("F_cr", "Omega_cr"), NEARLY)
+    assert_alike(compiled.saddle_nodes(model, F_0), folds.saddle_nodes(model, F_0), ("Omega", "A"), NEARLY)
+    assert_alike(compiled.peak(model, F_0), onset.peak(model, F_0), ("Omega", "A"), NEARLY)
     at = np.array([Omega])
-    assert_alike(compiled.amplitudes(model, at, F_0), response.amplitudes(model, at, F_0), ("Omega", "A", "stable"))
+    assert_alike(
+        compiled.amplitudes(model, at, F_0), response.amplitudes(model, at, F_0), ("Omega", "A", "stable"), NEARLY
+    )
 
 
 @native_only
@@ -180,7 +176,7 @@ def test_a_scene_without_a_damper_is_the_general_one_with_next_to_none(numbers, 
     states = [one.amplitudes(Omega=Omega, F_0=F_0) for one in (scene, general)]
     # without viscous damping, which alone bounds motions at resonance, an answer is cut, and says where
     A_max = words.cut(scene.model, F_0)[0] if without == "zeta" else math.inf
-    assert_alike(*(Numbers(one.A[one.A < A_max], one.stable[one.A < A_max]) for one in states), ("A", "stable"))
+    assert_alike(*(Numbers(one.A[one.A < A_max], one.stable[one.A < A_max]) for one in states), ("A", "stable"), NEARLY)
 
 
 def in_balls(balls, A, beyond, parameters, passed):

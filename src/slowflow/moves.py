@@ -355,9 +355,7 @@ def of_isolation(given: Given, Omega: Any, A: Any, F_0: Any, at_fold: Any) -> Gr
     folds = of_folds(given, Omega, np.where(on_fold, A, np.nan), F_0, np.zeros(shape, bool))
     by = (*folds.by, "Omega")
     slopes, status = _moves(given, float(Pinned.STATE), (np.where(on_fold, np.nan, A), Omega, F_0), OF_STATES, len(by))
-    kept, meets = along_frequency(slopes[..., 0:3:2, :], Omega, A)
-    status = np.where(meets & (status == MovesStatus.OK), np.int8(MovesStatus.MEETS), status)
-    kept[status != MovesStatus.OK] = np.nan
+    kept, status = along_frequency(slopes[..., 0:3:2, :], status, Omega, A)
     slopes = np.where(on_fold[..., np.newaxis, np.newaxis], folds.slopes, kept)
     status = np.where(on_fold, folds.status, status).astype(np.int8)
     return Gradient(("Omega", "A"), folds.by, slopes, status, (Omega, A), (*given.numbers, F_0))
@@ -367,12 +365,12 @@ def _known(value: Any) -> Any:
     return np.nan if value is None else value
 
 
-def along_frequency(slopes: Floats, Omega: Floats, A: Floats) -> tuple[Floats, Any]:
-    """How states move that keep what they transmit, as their frequency moves; and where none of them does.
+def along_frequency(slopes: Floats, status: Any, Omega: Floats, A: Floats) -> tuple[Floats, Any]:
+    """How states move that keep what they transmit, as their frequency moves; `MovesStatus.MEETS` where none does.
 
     slopes -- of A first, of what is transmitted last, by all numbers, Omega the last: (..., rows, columns)
 
-    Out come those of Omega, then of the rows but the last, by all numbers but Omega.
+    Out come those of Omega, then of the rows but the last, by all numbers but Omega; and the status.
     """
     fixed, by_Omega = slopes[..., :-1], slopes[..., -1]
     with np.errstate(all="ignore"):
@@ -381,7 +379,9 @@ def along_frequency(slopes: Floats, Omega: Floats, A: Floats) -> tuple[Floats, A
         meets = _vanishes(by_Omega[..., -1], size, MEETING)
         Omega_p = -fixed[..., -1:, :] / by_Omega[..., -1:, np.newaxis]
         moved = np.concatenate((Omega_p, fixed[..., :-1, :] + by_Omega[..., :-1, np.newaxis] * Omega_p), axis=-2)
-    return moved, meets
+    status = np.where(meets & (status == MovesStatus.OK), np.int8(MovesStatus.MEETS), status)
+    moved[status != MovesStatus.OK] = np.nan
+    return moved, status
 
 
 def of_onset(given: Given, F_SN: Any, Omega: Any, A: Any, kind: Any) -> Gradient:

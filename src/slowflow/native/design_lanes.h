@@ -131,6 +131,19 @@ static inline void sf_fill_zeros(sf_lane_zeros *zeros) {
     sf_fill(zeros->base, zeros->n);
 }
 
+/* What a question of cells and brackets is to others, of the loops `judge` and `approach` of its file. */
+#define SF_DEFINE_QUESTION(JUDGE, APPROACH) \
+    void JUDGE(sf_lane_cells *cells) \
+    { \
+        sf_fill_cells(cells); \
+        judge(sf_filled(cells->n), cells); \
+    } \
+    void APPROACH(sf_lane_zeros *zeros) \
+    { \
+        sf_fill_zeros(zeros); \
+        approach(sf_filled(zeros->n), zeros); \
+    }
+
 /* Halley's step from A to where a function vanishes that has this value, slope and bend there, kept in bracket i.
  * is_low: whether it is not there yet. Returns the step. */
 static inline double sf_halley(sf_lane_zeros *zeros, ptrdiff_t i, double A, int is_low, double f, double slope,

@@ -191,9 +191,11 @@ static double sf_settled_Omega(const sf_model *model, double F_0, const sf_sampl
             nearest = fabs(w[i] - Omega), place = i;
     if (n == 0 || sf_inertial(model) || sf_share_of_F_A(model, at, w[place]) <= SF_OF_A_FOLD)
         return n > 0 ? w[place] : Omega;
-    for (i = 0; i < n; i++)
-        if (sf_share_of_F_A(model, at, w[i]) < least)
-            least = sf_share_of_F_A(model, at, w[i]), place = i;
+    for (i = 0; i < n; i++) {
+        const double share = sf_share_of_F_A(model, at, w[i]);
+        if (share < least)
+            least = share, place = i;
+    }
     return w[place];
 }
 
@@ -376,14 +378,12 @@ static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *wor
 
 /* The forcing at an isola point by F_Omega = 0, Omega R = -zeta I: of R from h rounding leaves nothing where damping is
  * weak. */
-static double sf_isola_level(const sf_model *model, double Omega, double A) {
-    return slow_flow_I(Omega, A, model->m, model->zeta) * hypot(1, model->zeta / Omega);
-}
+static double sf_isola_level(double Omega, double zeta, double I) { return I * hypot(1, zeta / Omega); }
 
 /* The forcing at an extremum, in the forms that lose no digits where damping is small. */
 static double sf_extremum_level(const sf_model *model, const sf_zero *zero, const sf_sample *at) {
     if (zero->question == SF_ISOLA && !sf_inertial(model))
-        return sf_isola_level(model, zero->Omega, zero->A);
+        return sf_isola_level(zero->Omega, model->zeta, slow_flow_I(zero->Omega, zero->A, model->m, model->zeta));
     if (zero->question != SF_CUSP)
         return sf_level(model, at, zero->Omega);
     if (sf_inertial(model))

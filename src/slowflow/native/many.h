@@ -299,14 +299,15 @@ static void sf_answer_peak(const sf_mechanism *mechanism, char **args, const ptr
     sf_write_peak(args, steps, out, k, A, Omega, status);
 }
 
-/* Whether design k begins the search of a block as its member d. */
-static int sf_enter_peak(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
-                         const sf_exact_block *exact, sf_lane_block *block, int d)
+/* Whether design k begins the search of a block for peaks or folds as its member d. begin: with its first cells */
+static int sf_enter_at_forcing(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
+                               const sf_exact_block *exact, sf_lane_block *block, int d,
+                               int (*begin)(sf_lane_block *, int))
 {
     sf_lane_design *of = &block->at[d];
     of->F_0 = sf_input(args, steps, mechanism->design_size + mechanism->damping_size, k), of->Omega = 0;
     return mechanism->is_forcing(of->F_0) && sf_design_at(mechanism, args, steps, k, 0, &of->model) &&
-           sf_take_jumps(exact, d, &of->model) && sf_begin_peak(block, d);
+           sf_take_jumps(exact, d, &of->model) && begin(block, d);
 }
 
 /* Whether the peak of member d, which is design k, settles, and is written. */
@@ -337,7 +338,8 @@ static void sf_loop_peaks(char **args, const ptrdiff_t *dimensions, const ptrdif
             sf_make_exact_block(mechanism, args, steps, first, end, &exact);
             block->cells[0].n = 0;
             for (k = first; k < end; k++)
-                block->at[k - first].ok = sf_enter_peak(mechanism, args, steps, k, &exact, block, (int)(k - first));
+                block->at[k - first].ok = sf_enter_at_forcing(mechanism, args, steps, k, &exact, block,
+                                                              (int)(k - first), sf_begin_peak);
             sf_search_peaks(block);
             sf_approach_block(&sf_peaks_in_lanes, block);
         }
@@ -389,16 +391,6 @@ static void sf_answer_folds(const sf_mechanism *mechanism, char **args, const pt
     sf_write_folds(args, dimensions, steps, out, k, &found, status);
 }
 
-/* Whether design k begins the search of a block as its member d. */
-static int sf_enter_folds(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k,
-                          const sf_exact_block *exact, sf_lane_block *block, int d)
-{
-    sf_lane_design *of = &block->at[d];
-    of->F_0 = sf_input(args, steps, mechanism->design_size + mechanism->damping_size, k), of->Omega = 0;
-    return mechanism->is_forcing(of->F_0) && sf_design_at(mechanism, args, steps, k, 0, &of->model) &&
-           sf_take_jumps(exact, d, &of->model) && sf_begin_folds(block, d);
-}
-
 /* Whether the folds of member d, which is design k, settle, and are written. */
 static int sf_leave_folds(const sf_mechanism *mechanism, char **args, const ptrdiff_t *dimensions,
                           const ptrdiff_t *steps, ptrdiff_t k, const sf_exact_block *exact, ptrdiff_t d,
@@ -430,7 +422,8 @@ static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdif
         if (block != NULL) {
             block->cells[0].n = 0;
             for (k = first; k < end; k++)
-                block->at[k - first].ok = sf_enter_folds(mechanism, args, steps, k, &exact, block, (int)(k - first));
+                block->at[k - first].ok = sf_enter_at_forcing(mechanism, args, steps, k, &exact, block,
+                                                              (int)(k - first), sf_begin_folds);
             sf_search_block(&sf_folds_in_lanes, block);
             sf_approach_block(&sf_folds_in_lanes, block);
         }

@@ -98,12 +98,6 @@ static inline void sf_add_cell(sf_lane_block *block, int d, double base, const s
     cells->base[i] = base, cells->of[i] = d;
 }
 
-#if defined(__GNUC__)
-#define SF_OF_QUESTION static inline __attribute__((always_inline))
-#else
-#define SF_OF_QUESTION static inline
-#endif
-
 /* For a question without k. */
 static inline void sf_average_at(const sf_model *model, double A, sf_sample *at) {
     at->A = A, at->k = 0;
@@ -112,7 +106,7 @@ static inline void sf_average_at(const sf_model *model, double A, sf_sample *at)
 
 /* These take a question that is known where they are called, so that what it is made of is called without a pointer. */
 
-SF_OF_QUESTION void sf_sample_row(const sf_lane_question *question, const sf_lane_block *block, int d, double A,
+SF_ALWAYS void sf_sample_row(const sf_lane_question *question, const sf_lane_block *block, int d, double A,
                                   double (*rows)[SF_LANE_CELLS], int k)
 {
     sf_sample at;
@@ -121,7 +115,7 @@ SF_OF_QUESTION void sf_sample_row(const sf_lane_question *question, const sf_lan
 }
 
 /* Cells with a zero as brackets. */
-SF_OF_QUESTION void sf_add_brackets(const sf_lane_question *question, sf_lane_block *block, const sf_lane_cells *cells,
+SF_ALWAYS void sf_add_brackets(const sf_lane_question *question, sf_lane_block *block, const sf_lane_cells *cells,
                                     const int *which, int n)
 {
     sf_lane_zeros *zeros = &block->zeros[0];
@@ -165,7 +159,7 @@ static void sf_add_lane_zero(sf_lane_design *of, const sf_lane_zeros *zeros, int
 }
 
 /* The cells that stay open as two each of the next round, the lower ones first. */
-SF_OF_QUESTION void sf_cut_cells(const sf_lane_question *question, sf_lane_block *block, const sf_lane_cells *cells,
+SF_ALWAYS void sf_cut_cells(const sf_lane_question *question, sf_lane_block *block, const sf_lane_cells *cells,
                                  const int *which, int n, sf_lane_cells *next)
 {
     int j, row, end;
@@ -187,7 +181,7 @@ SF_OF_QUESTION void sf_cut_cells(const sf_lane_question *question, sf_lane_block
 }
 
 /* All cells of a block, until none is open. */
-SF_OF_QUESTION void sf_search_block(const sf_lane_question *question, sf_lane_block *block) {
+SF_ALWAYS void sf_search_block(const sf_lane_question *question, sf_lane_block *block) {
     int open[SF_LANE_CELLS], with_one[SF_LANE_CELLS], doubtful[SF_LANE_CELLS], round, i;
     block->zeros[0].n = 0;
     for (round = 0; block->cells[round % 2].n > 0; round++) {
@@ -214,7 +208,7 @@ SF_OF_QUESTION void sf_search_block(const sf_lane_question *question, sf_lane_bl
 }
 
 /* All brackets of a block, until all are next to their zeros. */
-SF_OF_QUESTION void sf_approach_block(const sf_lane_question *question, sf_lane_block *block) {
+SF_ALWAYS void sf_approach_block(const sf_lane_question *question, sf_lane_block *block) {
     int far[SF_LANE_CELLS], near[SF_LANE_CELLS], round, i, j;
     for (round = 0; block->zeros[round % 2].n > 0; round++) {
         sf_lane_zeros *zeros = &block->zeros[round % 2], *next = &block->zeros[1 - round % 2];

@@ -456,7 +456,7 @@ static inline int sf_settle_weak_isola(const sf_model *model, const sf_exactly *
         sf_change_by(&at_A, step);
     }
     *A = at_A.high, *Omega = w;
-    *F_0 = sfp_add(exactly->m, sfp_point(slow_flow_I(w, *A, 0, model->zeta))).high * hypot(1, model->zeta / w);
+    *F_0 = sf_isola_level(w, model->zeta, sfp_add(exactly->m, sfp_point(slow_flow_I(w, *A, 0, model->zeta))).high);
     return 1;
 }
 
@@ -468,7 +468,7 @@ static int sf_settle_isola(const sf_model *model, const sf_exactly *exactly, dou
     if (!sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, Omega, A, F_0))
         return 0;
     if (*A * *Omega * *Omega > SF_SHARP * *F_0)
-        *F_0 = sf_isola_level(model, *Omega, *A);
+        *F_0 = sf_isola_level(*Omega, model->zeta, slow_flow_I(*Omega, *A, model->m, model->zeta));
     return 1;
 }
 

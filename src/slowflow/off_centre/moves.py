@@ -228,9 +228,7 @@ def of_isolation(given: Given, point: tuple[Any, Any, Any, Any]) -> Gradient:
     of = {name: name for name in ("A", "B", "transmissibility")}
     state = gradient(given, Pinned.STATE, point, of, ("F_0", "Omega"))
     A, B, Omega = (np.asarray(one, dtype=float) for one in point[:3])
-    slopes, meets = moves.along_frequency(state.slopes, Omega, A)
-    status = np.where(meets & (state.status == MovesStatus.OK), np.int8(MovesStatus.MEETS), state.status)
-    slopes[status != MovesStatus.OK] = np.nan
+    slopes, status = moves.along_frequency(state.slopes, state.status, Omega, A)
     return Gradient(("Omega", "A", "B"), state.by[:-1], slopes, status, (Omega, A, B), state._at[:-1])
 
 

@@ -164,6 +164,9 @@ class OffCentre(Unchanging):
 
     def rest(self) -> RestPositions:
         """Every place of rest, f(u) = load. Raises ArithmeticError in a play, where each is one."""
+        return self._once(("rest",), self._rest)
+
+    def _rest(self) -> RestPositions:
         # a bound of 0, as of a linear force without a load, leaves u = 0: it is looked for in a box around it
         bound = self._complete.offset_bound(0.0) or 1.0
         self._steps.check_balanced()

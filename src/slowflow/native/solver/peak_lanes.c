@@ -123,14 +123,4 @@ SF_WIDE static void approach(ptrdiff_t n, sf_lane_zeros *zeros)
     }
 }
 
-void sf_judge_peaks(sf_lane_cells *cells)
-{
-    sf_fill_cells(cells);
-    judge(sf_filled(cells->n), cells);
-}
-
-void sf_approach_peaks(sf_lane_zeros *zeros)
-{
-    sf_fill_zeros(zeros);
-    approach(sf_filled(zeros->n), zeros);
-}
+SF_DEFINE_QUESTION(sf_judge_peaks, sf_approach_peaks)
