@@ -21,6 +21,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import sympy as sp
+from sympy.codegen.cfunctions import hypot
 
 from .slow_flow import I, R, SlowFlow, m, slope
 from .symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
@@ -58,6 +59,9 @@ class Damped:
                  h/A and, where these cancel, by h/A - h_A. Friction only adds to F_A
     fold_moves -- by how much F and F_A change with that, at the amplitude and the Omega of `fold`
     isola_Omega -- Omega where F_A = F_Omega = 0
+    isola_turns -- what vanishes there with it: F_A over 2 R with I from F_Omega = 0
+    isola_excess -- and F with R from F_Omega = 0
+    isola_level -- the forcing by that: of R from h rounding leaves nothing where damping is weak
     isola     -- F_Omega/(4 A) there and its slope; for m = 0 without the factor Omega, which then is common
     cusps     -- F_AA/2 as T^2 + 2 a T + b and as X^2 + 2 c X + d: a, b, c, d, and the discriminant a^2 - b of both
     cusp_R    -- R where F_AA = 0, by its tangent and from F_AA = 0 itself, where nothing cancels if h_AA has its sign
@@ -77,6 +81,10 @@ class Damped:
     fold_square: sp.Expr
     fold_least: tuple[sp.Expr, ...]
     isola_Omega: sp.Expr
+    isola_turns: sp.Expr
+    isola_excess: sp.Expr
+    isola_level_lets: tuple[Let, ...]
+    isola_level: sp.Expr
     isola_lets: tuple[Let, ...]
     isola: tuple[sp.Expr, ...]
     cusps_lets: tuple[Let, ...]
@@ -202,6 +210,8 @@ def _state_R(flow: SlowFlow) -> tuple[sp.Expr, ...]:
 
 def _damped(flow: SlowFlow) -> Damped:
     fold_lets, fold, fold_moves = _fold(flow)
+    isola_turns, isola_Omega = _isola_Omega(flow)
+    isola_excess, isola_level = _isola_level(flow)
     isola_lets, isola = _isola(flow)
     cusps_lets, cusps, cusp_R, cusp_lets, cusp = _cusps(flow)
     cusp_balance_lets, cusp_balance = _cusp_balance(flow, cusp_lets, cusp)
@@ -214,7 +224,11 @@ def _damped(flow: SlowFlow) -> Damped:
         fold_square=_fold_square(flow),
         fold_least=_fold_least(flow),
         fold_moves=fold_moves,
-        isola_Omega=_isola_Omega(flow),
+        isola_Omega=isola_Omega,
+        isola_turns=isola_turns,
+        isola_excess=isola_excess,
+        isola_level_lets=((I, flow.I),),
+        isola_level=isola_level,
         isola_lets=isola_lets,
         isola=isola,
         cusps_lets=cusps_lets,
@@ -305,18 +319,26 @@ def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[s
     return lets, (value, along, w), moves
 
 
-def _isola_Omega(flow: SlowFlow) -> sp.Expr:
+def _isola_Omega(flow: SlowFlow) -> tuple[sp.Expr, sp.Expr]:
     """With I from F_Omega = 0, F_A has the factors R and h_A - Omega^2; R = 0 would need I = 0: there is damping."""
     eliminated = sp.expand(flow.F_A.subs(I, sp.solve(flow.F_Omega, I)[0]))
     factor, remainder = sp.div(eliminated, 2 * R, R)
     if remainder != 0 or factor.has(R):
         raise ArithmeticError(f"F_A without I is not R times a function of Omega and h_A: {eliminated}")
-    return sp.sqrt(sp.solve(factor.subs(Omega, sp.sqrt(_X)), _X)[0])
+    return factor, sp.sqrt(sp.solve(factor.subs(Omega, sp.sqrt(_X)), _X)[0])
+
+
+def _isola_level(flow: SlowFlow) -> tuple[sp.Expr, sp.Expr]:
+    """F with R from F_Omega = 0, and the F_0 for which it vanishes."""
+    R_value = sp.solve(flow.F_Omega, R)[0]
+    excess = flow.F.subs(R, R_value)
+    _vanishes(excess.subs(F_0, sp.sqrt(I**2 + R_value**2)), "F at the forcing of an isola point")
+    return excess, hypot(I, R_value)
 
 
 def _isola(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
     """F_Omega/(4 A) = Omega (A Omega^2 + p) + q at Omega = w."""
-    w = _isola_Omega(flow)
+    _, w = _isola_Omega(flow)
     q_value, p_value, _, leading = flow.peak_cubic
     bracket = sp.collect(sp.expand(leading * w**2 + p_value), A)
     lets = ((_bracket, bracket), (_bracket_A, slope(bracket)))

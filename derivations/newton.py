@@ -1,6 +1,6 @@
 """Steps 4 and on: Newton's method on the equations that define an answer, one step in closed form.
 
-In:  `SlowFlow`; the mechanism stays an open h(A).
+In:  `SlowFlow`, and the isola points of `Damped`; the mechanism stays an open h(A).
 Out: `steps`, by the kind of answer what its unknowns change by, in R, I and the derivatives of h: J step = -f, where f
      is what should vanish and J its Jacobian. Beside it `turn`, the share by which the slope of one of the equations
      changes along the step: where that is no small number the step is not the last.
@@ -9,7 +9,8 @@ Out: `steps`, by the kind of answer what its unknowns change by, in R, I and the
     fold         F = F_A = 0         Omega and A at F_0
     peak         F = F_Omega = 0     Omega and A at F_0
     cusp         F_A = F_AA = 0      Omega and A, and F_0 from F = 0
-    isola        F_A = F_Omega = 0   Omega and A, and F_0 from F = 0
+    isola        F_A = F_Omega = 0   Omega and A, and F_0 from F = 0; F_A without I, which then is 2 R times `turns`, and
+                                     F without R, or what rounding leaves of R decides where damping is next to none
     corner       F = 0               Omega at F_0, A being a breakpoint
     ridge        F_Omega = 0         Omega at an amplitude
     level        F = 0               F_0 at Omega and A: Omega need be right to first order only where F_Omega = 0
@@ -24,7 +25,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .slow_flow import SlowFlow
+from .along import Damped
+from .slow_flow import I, R, SlowFlow, slope
 from .symbols import F_0, A, Omega
 
 
@@ -32,7 +34,7 @@ from .symbols import F_0, A, Omega
 class Step:
     """In the derivatives of F.
 
-    lets    -- these derivatives, in R, I, h and the derivatives of h
+    lets    -- these derivatives, and those of what stands for them, in R, I, h and the derivatives of h
     values  -- those of them that should vanish
     changes -- of the unknowns, in the order of `EQUATIONS`
     turn    -- as above; 0 where the slope is no equation of any answer
@@ -44,16 +46,16 @@ class Step:
     turn: sp.Expr
 
 
-#: by the answer: what vanishes, in which unknowns, and which of it turns first
+#: by the answer: what vanishes, that from which F_0 is had last; in which unknowns; which of it turns first
 EQUATIONS = {
     "state": (("F",), (A,), "F"),
     "fold": (("F", "F_A"), (Omega, A), "F_A"),
     "peak": (("F", "F_Omega"), (Omega, A), "F"),
-    "cusp": (("F_A", "F_AA"), (Omega, A, F_0), "F_AA"),
-    "isola": (("F_A", "F_Omega"), (Omega, A, F_0), "F_A"),
+    "cusp": (("F_A", "F_AA", "F"), (Omega, A, F_0), "F_AA"),
+    "isola": (("turns", "F_Omega", "excess"), (Omega, A, F_0), "F_Omega"),
     "corner": (("F",), (Omega,), "F"),
     "ridge": (("F_Omega",), (Omega,), "F_Omega"),
-    "level": ((), (F_0,), ""),
+    "level": (("F",), (F_0,), ""),
 }
 #: derivatives of these along A and along Omega
 ALONG = {
@@ -61,18 +63,39 @@ ALONG = {
     "F_A": ("F_AA", "F_AOmega"),
     "F_AA": ("F_AAA", "F_AAOmega"),
     "F_Omega": ("F_AOmega", "F_OmegaOmega"),
+    "F_AOmega": ("F_AAOmega", "F_AOmegaOmega"),
+    "turns": ("turns_A", "turns_Omega"),
+    "excess": ("excess_A", "excess_Omega"),
 }
 
 
-def steps(flow: SlowFlow) -> dict[str, Step]:
+def steps(flow: SlowFlow, damped: Damped) -> dict[str, Step]:
     """By the kind of answer."""
-    return {kind: _step(flow, *stated) for kind, stated in EQUATIONS.items()}
+    known = _known(flow, damped)
+    return {kind: _step(known, *stated) for kind, stated in EQUATIONS.items()}
 
 
-def _step(flow: SlowFlow, equations: tuple[str, ...], unknowns: tuple[sp.Symbol, ...], turning: str) -> Step:
-    """By Cramer's rule, the derivatives of F being names; F_0, which is in F alone, from the others."""
+def _known(flow: SlowFlow, damped: Damped) -> dict[str, sp.Expr]:
+    """F, what stands for it and for F_A at an isola point, and their derivatives, by name."""
 
-    def slope(equation: str, unknown: sp.Symbol) -> str:
+    def along(expression: sp.Expr, unknown: sp.Symbol) -> sp.Expr:
+        if unknown == A:
+            return slope(expression, {I: sp.diff(flow.I, A), R: slope(flow.R)})
+        by = {Omega: sp.Integer(1), I: sp.diff(flow.I, Omega), R: sp.diff(flow.R, Omega)}
+        return sum(sp.diff(expression, symbol) * value for symbol, value in by.items())
+
+    known = {"turns": damped.isola_turns, "excess": damped.isola_excess, "F_AOmega": flow.F_AOmega}
+    for name, expression in list(known.items()):
+        for unknown, slope_of_it in zip((A, Omega), ALONG[name], strict=True):
+            known[slope_of_it] = sp.factor_terms(along(expression, unknown))
+    named = {name for pair in ALONG.items() for name in (pair[0], *pair[1])}
+    return {name: getattr(flow, name) if hasattr(flow, name) else known[name] for name in named}
+
+
+def _step(known: dict[str, sp.Expr], equations: tuple[str, ...], unknowns: tuple[sp.Symbol, ...], turning: str) -> Step:
+    """By Cramer's rule, the derivatives being names; F_0, which is in one equation alone, from the others."""
+
+    def slope_of(equation: str, unknown: sp.Symbol) -> str:
         return ALONG[equation][unknown == Omega]
 
     names: dict[str, sp.Symbol] = {}
@@ -81,8 +104,8 @@ def _step(flow: SlowFlow, equations: tuple[str, ...], unknowns: tuple[sp.Symbol,
         return names.setdefault(name, sp.Symbol(name, real=True))
 
     moved = [unknown for unknown in unknowns if unknown != F_0]
-    values = sp.Matrix([named(name) for name in equations])
-    jacobian = sp.Matrix([[named(slope(name, unknown)) for unknown in moved] for name in equations])
+    values = sp.Matrix([named(name) for name in equations[: len(moved)]])
+    jacobian = sp.Matrix([[named(slope_of(name, unknown)) for unknown in moved] for name in equations[: len(moved)]])
     determinant = jacobian.det()
     changes = []
     for column in range(len(moved)):
@@ -91,13 +114,14 @@ def _step(flow: SlowFlow, equations: tuple[str, ...], unknowns: tuple[sp.Symbol,
         changes.append(replaced.det() / determinant)
     vanish = [*values]
     if F_0 in unknowns:
-        vanish.append(named("F"))
-        left = vanish[-1] + sum(named(slope("F", x)) * change for x, change in zip(moved, changes, strict=True))
-        changes.append(-left / sp.diff(flow.F, F_0))
-    first = slope(turning, moved[-1]) if turning else ""
+        last = equations[-1]
+        vanish.append(named(last))
+        left = vanish[-1] + sum(named(slope_of(last, x)) * change for x, change in zip(moved, changes, strict=True))
+        changes.append(-left / sp.diff(known[last], F_0))
+    first = slope_of(turning, moved[-1]) if turning else ""
     turn = sp.Integer(0)
     if first in ALONG:
-        turned = sum(named(slope(first, x)) * change for x, change in zip(moved, changes, strict=False))
+        turned = sum(named(slope_of(first, x)) * change for x, change in zip(moved, changes, strict=False))
         turn = turned / named(first)
-    lets = tuple((symbol, getattr(flow, name)) for name, symbol in names.items())
+    lets = tuple((symbol, known[name]) for name, symbol in names.items())
     return Step(lets, tuple(vanish), tuple(changes), turn)

@@ -155,6 +155,9 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
     flows = {scene: slow_flow(equations, scene) for scene in SCENES}
     by_inertia, curve = inertia(flows[""]), Curve.of(flows[""])
     by_laws = dissipation(equations, flows[""])
+    of_scenes = {scene: along(flow) for scene, flow in flows.items()}
+    damped = of_scenes[""].damped
+    assert damped is not None
     return Results(
         sharp,
         smoothed(sharp),
@@ -164,7 +167,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         frequencies(flows[""]),
         by_inertia,
         by_laws,
-        {scene: along(flow) for scene, flow in flows.items()},
+        of_scenes,
         slopes(flows[""]),
         bounds(flows[""]),
         gradients(curve),
@@ -174,7 +177,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         off_centre(equations, flows[""], by_laws),
         climb(),
         sampled(),
-        steps(flows[""]),
+        steps(flows[""], damped),
         {scene: resultants.detachment(flow) for scene, flow in flows.items()},
         second_approximation(equations, flows[""]),
         wave(),

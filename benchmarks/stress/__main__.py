@@ -61,7 +61,7 @@ def jobs(size: float) -> dict[str, list[Job]]:
 
     return {
         "answers": [
-            (answers.stress, (mechanism, part, many(18 if mechanism != "rod_spring_untruncated" else 6), 2, many(60)))
+            (answers.stress, (mechanism, part, many(15 if mechanism != "rod_spring_untruncated" else 5), 2, many(40)))
             for mechanism in answers.NAMES
             for part in range(SHARES)
         ],

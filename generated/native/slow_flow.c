@@ -174,6 +174,11 @@ SF_LOOP(slow_flow_isola_Omega_loop, 1,
     values[0] = slow_flow_isola_Omega(h_A);
 )
 
+SF_LOOP(slow_flow_isola_level_loop, 1,
+    const double Omega = in[0][i], A = in[1][i], m = in[2][i], zeta = in[3][i];
+    values[0] = slow_flow_isola_level(Omega, A, m, zeta);
+)
+
 SF_LOOP(slow_flow_isola_loop, 2,
     const double A = in[0][i], m = in[1][i], zeta = in[2][i], h = in[3][i], h_A = in[4][i], h_AA = in[5][i];
     slow_flow_isola(A, m, zeta, h, h_A, h_AA, values);
@@ -287,6 +292,7 @@ static const sf_kernel kernels[] = {
     {"fold_square", 3, 1, 1, NULL, SF_ONE(slow_flow_fold_square_loop)},
     {"fold_moves", 3, 2, 1, NULL, SF_ONE(slow_flow_fold_moves_loop)},
     {"isola_Omega", 1, 1, 1, NULL, SF_ONE(slow_flow_isola_Omega_loop)},
+    {"isola_level", 4, 1, 1, NULL, SF_ONE(slow_flow_isola_level_loop)},
     {"isola", 6, 2, 1, NULL, SF_ONE(slow_flow_isola_loop)},
     {"cusps", 6, 5, 1, NULL, SF_ONE(slow_flow_cusps_loop)},
     {"cusp_R", 6, 2, 1, NULL, SF_ONE(slow_flow_cusp_R_loop)},

@@ -128,33 +128,41 @@ static inline void slow_flow_pairs_cusp_step(sf_pair Omega, sf_pair A, sf_pair F
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_pairs_isola_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    const sf_pair t0 = sfp_square(Omega);
-    const sf_pair t1 = sfp_mul(A, t0);
-    const sf_pair R = sfp_add(h, t1);
-    const sf_pair t2 = sfp_mul(A, Omega);
-    const sf_pair I_ = sfp_add(m, sfp_times(2.0, sfp_mul(t2, zeta)));
+    (void)(h_AAA);
+    const sf_pair Omega2 = sfp_square(Omega);
+    const sf_pair t0 = sfp_mul(A, Omega2);
+    const sf_pair R = sfp_add(h, t0);
+    const sf_pair t1 = sfp_times(2.0, Omega);
+    const sf_pair t2 = sfp_mul(A, t1);
+    const sf_pair I_ = sfp_add(m, sfp_mul(t2, zeta));
+    const sf_pair turns = sfp_add(sfp_neg(Omega2), h_A);
     const sf_pair t3 = sfp_mul(I_, zeta);
-    const sf_pair t4 = sfp_add(h_A, t0);
-    const sf_pair F_A = sfp_times(2.0, sfp_add(sfp_times(2.0, sfp_mul(Omega, t3)), sfp_mul(R, t4)));
-    const sf_pair t5 = sfp_add(sfp_mul(Omega, R), t3);
-    const sf_pair t6 = sfp_times(4.0, A);
-    const sf_pair F_Omega = sfp_mul(t5, t6);
-    const double t7 = zeta.high * zeta.high;
-    const double t8 = 2.0 * t7;
-    const double F_AOmega = 4.0 * (t2.high * t4.high + t2.high * t8 + t5.high);
-    const double t9 = 4.0 * t7;
-    const double F_AA = 2.0 * (R.high * h_AA.high + t0.high * t9 + t4.high * t4.high);
-    const double F_OmegaOmega = t6.high * (A.high * t8 + R.high + 2.0 * t1.high);
-    const sf_pair F = sfp_add(sfp_square(R), sfp_mul(sfp_add(sfp_neg(F_0), I_), sfp_add(F_0, I_)));
-    const double F_AAOmega = 4.0 * Omega.high * (A.high * h_AA.high + 2.0 * h_A.high + 2.0 * t0.high + t9);
-    const double F_AAA = 2.0 * (R.high * h_AAA.high + 3.0 * h_AA.high * t4.high);
-    const double t10 = 1.0 / (-F_AA * F_OmegaOmega + F_AOmega * F_AOmega);
-    const double t11 = t10 * (-F_A.high * F_AOmega + F_AA * F_Omega.high);
-    const double t12 = t10 * (F_A.high * F_OmegaOmega - F_AOmega * F_Omega.high);
-    out[0] = t11;
-    out[1] = t12;
-    out[2] = -0.5 * (-F.high - F_A.high * t12 - F_Omega.high * t11) / F_0.high;
-    out[3] = (F_AAA * t12 + F_AAOmega * t11) / F_AA;
+    const sf_pair t4 = sfp_add(sfp_mul(Omega, R), t3);
+    const sf_pair t5 = sfp_times(4.0, A);
+    const sf_pair F_Omega = sfp_mul(t4, t5);
+    const double turns_Omega = -t1.high;
+    const sf_pair t6 = sfp_square(zeta);
+    const double t7 = 2.0 * A.high;
+    const double F_OmegaOmega = t5.high * (R.high + 2.0 * t0.high + t6.high * t7);
+    const double t8 = A.high * (Omega2.high + h_A.high);
+    const double F_AOmega = 4.0 * (Omega.high * t8 + t2.high * t6.high + t4.high);
+    const sf_pair t9 = sfp_div(t6, Omega2);
+    const sf_pair excess = sfp_add(sfp_mul(sfp_square(I_), t9), sfp_mul(sfp_add(sfp_neg(F_0), I_), sfp_add(F_0, I_)));
+    const double t10 = t9.high + 1.0;
+    const double Omega3 = Omega.high * Omega2.high;
+    const double excess_Omega = 2.0 * t3.high * (t10 * t7 - t3.high / Omega3);
+    const double t11 = 4.0 * Omega.high;
+    const double excess_A = t10 * t11 * t3.high;
+    const double t12 = 4.0 * t6.high;
+    const double F_AOmegaOmega = 4.0 * (A.high * t12 + R.high + 4.0 * t0.high + t8);
+    const double F_AAOmega = t11 * (A.high * h_AA.high + 2.0 * Omega2.high + 2.0 * h_A.high + t12);
+    const double t13 = 1.0 / (F_AOmega * turns_Omega - F_OmegaOmega * h_AA.high);
+    const double t14 = t13 * (-F_AOmega * turns.high + F_Omega.high * h_AA.high);
+    const double t15 = t13 * (-F_Omega.high * turns_Omega + F_OmegaOmega * turns.high);
+    out[0] = t14;
+    out[1] = t15;
+    out[2] = -0.5 * (-excess.high - excess_A * t15 - excess_Omega * t14) / F_0.high;
+    out[3] = (F_AAOmega * t15 + F_AOmegaOmega * t14) / F_AOmega;
 }
 
 /* By what Omega change at a corner, and how far that is from linear.

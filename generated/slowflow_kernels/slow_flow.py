@@ -29,7 +29,7 @@ __all__ = [
     "F_A", "F_AA", "MOVES", "SCENE", "F", "F_AOmega", "F_Omega", "F_OmegaOmega", "I", "Omega_A", "R", "backbone",
     "beside", "cusp", "cusp_R", "cusp_balance", "cusp_bend", "cusps", "detachment", "equivalent_damping", "fold",
     "fold_moves", "fold_quartic", "fold_square", "friction", "held", "intercept", "isola", "isola_Omega",
-    "isola_bend", "isola_hessian", "isolation", "jacobian", "least_restoring", "level", "level_rise",
+    "isola_bend", "isola_hessian", "isola_level", "isolation", "jacobian", "least_restoring", "level", "level_rise",
     "limit_envelope", "mean_stiffness", "most_restoring", "moves_of_corner_backbone", "moves_of_corner_end",
     "moves_of_corner_fold", "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp", "moves_of_fold",
     "moves_of_isola", "moves_of_peak", "moves_of_phase", "moves_of_state", "offset_stiffness", "peak",
@@ -508,6 +508,18 @@ def isola_Omega(h_A):
     """
     (h_A,) = floats(h_A)
     return np.sqrt(h_A)
+
+
+def isola_level(Omega, A, m, zeta):
+    """The forcing at an isola point: of R from h rounding leaves nothing where damping is weak.
+
+    Equation from (24), (30). Domain: Omega > 0. Shape: as the arguments broadcast.
+    Operations: 7 structured, 7 common subexpressions, 7 power chains.
+    Measured, error / u (1 + kappa): 0.94
+    """
+    Omega, A, m, zeta = floats(Omega, A, m, zeta)
+    I = 2.0 * A * Omega * zeta + m
+    return np.hypot(I, -I * zeta / Omega)
 
 
 def isola(A, m, zeta, h, h_A, h_AA):
@@ -1204,14 +1216,14 @@ if NATIVE is not None:
         friction, R, I, F, F_A, F_AA, F_Omega, F_AOmega, phase, backbone, limit_envelope, equivalent_damping,
         transmissibility, jacobian, mean_stiffness, offset_stiffness, stability, response_quartic, fold_quartic,
         peak_cubic, detachment, F_OmegaOmega, level, rest, intercept, fold, fold_square, fold_moves, isola_Omega,
-        isola, cusps, cusp_R, cusp, cusp_balance, turn, peak, peak_Omega_A, Omega_A, level_rise, cusp_bend,
-        isola_bend, isola_hessian, tail, most_restoring, least_restoring,
+        isola_level, isola, cusps, cusp_R, cusp, cusp_balance, turn, peak, peak_Omega_A, Omega_A, level_rise,
+        cusp_bend, isola_bend, isola_hessian, tail, most_restoring, least_restoring,
     ) = compiled(
         (friction, R, I, F, F_A, F_AA, F_Omega, F_AOmega, phase, backbone, limit_envelope, equivalent_damping,
          transmissibility, jacobian, mean_stiffness, offset_stiffness, stability, response_quartic, fold_quartic,
          peak_cubic, detachment, F_OmegaOmega, level, rest, intercept, fold, fold_square, fold_moves, isola_Omega,
-         isola, cusps, cusp_R, cusp, cusp_balance, turn, peak, peak_Omega_A, Omega_A, level_rise, cusp_bend,
-         isola_bend, isola_hessian, tail, most_restoring, least_restoring,),
+         isola_level, isola, cusps, cusp_R, cusp, cusp_balance, turn, peak, peak_Omega_A, Omega_A, level_rise,
+         cusp_bend, isola_bend, isola_hessian, tail, most_restoring, least_restoring,),
         NATIVE.slow_flow(),
     )
     detachment = coefficients_of(detachment)

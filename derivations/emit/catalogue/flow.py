@@ -555,6 +555,15 @@ def damped_kernels(along: Damped) -> list[Kernel]:
         ),
         plain("isola_Omega", (h_A,), along.isola_Omega, "Omega at an isola point.", "from (30), (34)", "h_A >= 0"),
         plain(
+            "isola_level",
+            (Omega, A, m, zeta),
+            along.isola_level,
+            "The forcing at an isola point: of R from h rounding leaves nothing where damping is weak.",
+            "from (24), (30)",
+            "Omega > 0",
+            lets=along.isola_level_lets,
+        ),
+        plain(
             "isola",
             (A, m, zeta, h, h_A, h_AA),
             along.isola,

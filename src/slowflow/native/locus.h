@@ -376,14 +376,10 @@ static sf_status sf_saddle_nodes(const sf_model *model, double F_0, sf_work *wor
 
 /* ==== The locus itself ============================================================================================ */
 
-/* The forcing at an isola point by F_Omega = 0, Omega R = -zeta I: of R from h rounding leaves nothing where damping is
- * weak. */
-static double sf_isola_level(double Omega, double zeta, double I) { return I * hypot(1, zeta / Omega); }
-
 /* The forcing at an extremum, in the forms that lose no digits where damping is small. */
 static double sf_extremum_level(const sf_model *model, const sf_zero *zero, const sf_sample *at) {
     if (zero->question == SF_ISOLA && !sf_inertial(model))
-        return sf_isola_level(zero->Omega, model->zeta, slow_flow_I(zero->Omega, zero->A, model->m, model->zeta));
+        return slow_flow_isola_level(zero->Omega, zero->A, model->m, model->zeta);
     if (zero->question != SF_CUSP)
         return sf_level(model, at, zero->Omega);
     if (sf_inertial(model))

@@ -27,8 +27,6 @@ enum { SF_MOST_DOUBLINGS = 32 };
 #define SF_LEVEL_STEP 0x1p-30
 /* a square of this times a rounding is some rounding */
 #define SF_SHARP 0x1p25
-/* this times a rounding is a thousandth, as slopes of Newton's method need no more digits */
-#define SF_CANCELS 0x1p43
 enum { SF_MOST_SETTLING = 8, SF_MOST_ABOVE = 24 };
 
 typedef void (*sf_step)(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A,
@@ -431,54 +429,14 @@ static double sf_settle_folds(const sf_exactly *exactly, const sf_model *model, 
     return off;
 }
 
-/* An isola point where damping is next to none, and all that Newton's method in Omega and A divides by is what rounding
- * leaves of terms that cancel: in A alone, by Omega R = -zeta I with Omega^2 = h_A. Its level by these, as rounding of
- * A Omega^2 leaves nothing of R. */
-static inline int sf_settle_weak_isola(const sf_model *model, const sf_exactly *exactly, double *Omega, double *A,
-                                       double *F_0)
-{
-    const int piece = sf_piece_of(model, *A);
-    sf_pair at_A = sfp_point(*A);
-    double w = *Omega, size = HUGE_VAL;
-    sf_exact_sample at;
-    int i;
-    for (i = 0; i < SF_MOST_SETTLING && size > SF_LEFT_TO_DO; i++) {
-        double R, step;
-        if (!sf_exact_at(exactly, model, piece, at_A, 2, NULL, &at) || !(at.h[1].high > 0))
-            return 0;
-        w = slow_flow_isola_Omega(at.h[1].high);
-        R = sfp_add(sfp_mul(at_A, at.h[1]), at.h[0]).high;
-        step = -(R + model->zeta / w * slow_flow_I(w, at_A.high, model->m, model->zeta)) /
-               (2 * at.h[1].high + at_A.high * at.h[2].high);
-        if (!(fabs(step) <= fmin(SF_LARGEST_STEP, size) * at_A.high))
-            return 0;
-        size = fabs(step) / at_A.high;
-        sf_change_by(&at_A, step);
-    }
-    *A = at_A.high, *Omega = w;
-    *F_0 = sf_isola_level(w, model->zeta, sfp_add(exactly->m, sfp_point(slow_flow_I(w, *A, 0, model->zeta))).high);
-    return 1;
-}
-
-/* The level of an isola point has its own form where damping is so weak that the square of R, which rounding of
- * A Omega^2 leaves, is no small share of it. */
-static int sf_settle_isola(const sf_model *model, const sf_exactly *exactly, double *Omega, double *A, double *F_0) {
-    if (exactly != NULL && *A * *Omega * *Omega * *Omega > SF_CANCELS * (model->zeta * *F_0))
-        return sf_settle_weak_isola(model, exactly, Omega, A, F_0);
-    if (!sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, Omega, A, F_0))
-        return 0;
-    if (*A * *Omega * *Omega > SF_SHARP * *F_0)
-        *F_0 = sf_isola_level(*Omega, model->zeta, slow_flow_I(*Omega, *A, model->m, model->zeta));
-    return 1;
-}
-
 /* Returns whether an onset settled, or is on a breakpoint, where it is what it is. */
 static int sf_settle_onset(const sf_model *model, const sf_exactly *exactly, sf_onset *out) {
     if (out->kind == SF_CUSP_KIND)
         return sf_settle_numbers(slow_flow_pairs_cusp_step, SF_MOVES_ALL, 4, exactly, model, &out->Omega, &out->A,
                                  &out->F_SN);
     if (out->kind == SF_ISOLA_KIND)
-        return sf_settle_isola(model, exactly, &out->Omega, &out->A, &out->F_SN);
+        return sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, &out->Omega, &out->A,
+                                 &out->F_SN);
     return 1;
 }
 
@@ -502,7 +460,7 @@ static sf_extremum sf_settled_extremum(const sf_model *model, const sf_exactly *
     if (zero->question == SF_CUSP)
         sf_settle_numbers(slow_flow_pairs_cusp_step, SF_MOVES_ALL, 4, exactly, model, &out.Omega, &out.A, &out.F_0);
     else if (zero->question == SF_ISOLA)
-        sf_settle_isola(model, exactly, &out.Omega, &out.A, &out.F_0);
+        sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, &out.Omega, &out.A, &out.F_0);
     return out;
 }
 

@@ -30,6 +30,16 @@ def isola_frequency(h_A):
     return mp.findroot(both, (1.01 * mp.sqrt(h_A), -1.01 * h_A))[0]
 
 
+def isola_level(Omega, A, m, zeta):
+    """At the h, which F_Omega is linear in, that makes it vanish; at no forcing F is the square of that."""
+
+    def F_Omega(h):
+        return mp.diff(lambda v: response(v, A, 0, m, zeta, h), Omega)
+
+    at_0, at_1 = F_Omega(mpf(0)), F_Omega(mpf(1))
+    return mp.sqrt(response(Omega, A, 0, m, zeta, at_0 / (at_0 - at_1)))
+
+
 def isola(A, m, zeta, *values):
     """F_Omega/(4 A) where Omega^2 = h_A, and its slope; without the common factor Omega if there is no friction."""
     h, h_A = near(A, values), near(A, values[1:])
@@ -300,6 +310,7 @@ LOCI: dict[str, tuple[str, Function, int]] = {
 }
 DAMPED: dict[str, tuple[str, Function, int]] = {
     "isola_Omega": ("h_A", lambda h_A: [isola_frequency(h_A)], 1),
+    "isola_level": ("Omega A m zeta", lambda *x: [isola_level(*x)], 0),
     "isola": ("A m zeta h h_A h_AA", isola, 1),
     "fold": ("A F_0 m zeta h h_A intercept k_A", fold, 0),
     "cusps": ("A zeta h h_A h_AA intercept", cusps, 0),

@@ -147,14 +147,8 @@ def of_cusps(model: Model, cusps: Zeros) -> Floats:
 
 
 def of_isolas(model: Model, Omega: Floats, A: Floats) -> Floats:
-    """The level at isola points.
-
-    F_Omega = 0 says that Omega R = -zeta I: of R from h rounding leaves nothing where damping is weak.
-    """
-    if model.inertial:
-        return model.level(Omega, A)
-    I = slow_flow.I(Omega, A, model.m, model.zeta)
-    return np.asarray(I * np.hypot(1.0, model.zeta / Omega))
+    """The level at isola points."""
+    return model.level(Omega, A) if model.inertial else slow_flow.isola_level(Omega, A, model.m, model.zeta)
 
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
