@@ -9,7 +9,7 @@ Out: `steps`, by the kind of answer what its unknowns change by, in R, I and the
     fold         F = F_A = 0         Omega and A at F_0
     peak         F = F_Omega = 0     Omega and A at F_0
     cusp         F_A = F_AA = 0      Omega and A, and F_0 from F = 0
-    isola        F_A = F_Omega = 0   Omega and A, and F_0 from F = 0; F_A without I, which then is 2 R times `turns`, and
+    isola        F_A = F_Omega = 0   Omega and A, and F_0 from F = 0: by F_A without I, which is 2 R times `turns`, and by
                                      F without R, or what rounding leaves of R decides where damping is next to none
     corner       F = 0               Omega at F_0, A being a breakpoint
     ridge        F_Omega = 0         Omega at an amplitude
@@ -26,7 +26,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from .along import Damped
-from .slow_flow import I, R, SlowFlow, slope
+from .slow_flow import I, SlowFlow, slope
 from .symbols import F_0, A, Omega
 
 
@@ -52,7 +52,7 @@ EQUATIONS = {
     "fold": (("F", "F_A"), (Omega, A), "F_A"),
     "peak": (("F", "F_Omega"), (Omega, A), "F"),
     "cusp": (("F_A", "F_AA", "F"), (Omega, A, F_0), "F_AA"),
-    "isola": (("turns", "F_Omega", "excess"), (Omega, A, F_0), "F_Omega"),
+    "isola": (("turns", "F_Omega", "excess"), (Omega, A, F_0), "F_A"),
     "corner": (("F",), (Omega,), "F"),
     "ridge": (("F_Omega",), (Omega,), "F_Omega"),
     "level": (("F",), (F_0,), ""),
@@ -63,7 +63,6 @@ ALONG = {
     "F_A": ("F_AA", "F_AOmega"),
     "F_AA": ("F_AAA", "F_AAOmega"),
     "F_Omega": ("F_AOmega", "F_OmegaOmega"),
-    "F_AOmega": ("F_AAOmega", "F_AOmegaOmega"),
     "turns": ("turns_A", "turns_Omega"),
     "excess": ("excess_A", "excess_Omega"),
 }
@@ -76,15 +75,14 @@ def steps(flow: SlowFlow, damped: Damped) -> dict[str, Step]:
 
 
 def _known(flow: SlowFlow, damped: Damped) -> dict[str, sp.Expr]:
-    """F, what stands for it and for F_A at an isola point, and their derivatives, by name."""
+    """F, what stands for it and for F_A at an isola point, which are free of R, and their derivatives, by name."""
 
     def along(expression: sp.Expr, unknown: sp.Symbol) -> sp.Expr:
         if unknown == A:
-            return slope(expression, {I: sp.diff(flow.I, A), R: slope(flow.R)})
-        by = {Omega: sp.Integer(1), I: sp.diff(flow.I, Omega), R: sp.diff(flow.R, Omega)}
-        return sum(sp.diff(expression, symbol) * value for symbol, value in by.items())
+            return slope(expression, {I: sp.diff(flow.I, A)})
+        return sp.diff(expression, Omega) + sp.diff(expression, I) * sp.diff(flow.I, Omega)
 
-    known = {"turns": damped.isola_turns, "excess": damped.isola_excess, "F_AOmega": flow.F_AOmega}
+    known = {"turns": damped.isola_turns, "excess": damped.isola_excess}
     for name, expression in list(known.items()):
         for unknown, slope_of_it in zip((A, Omega), ALONG[name], strict=True):
             known[slope_of_it] = sp.factor_terms(along(expression, unknown))

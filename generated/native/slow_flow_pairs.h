@@ -128,7 +128,6 @@ static inline void slow_flow_pairs_cusp_step(sf_pair Omega, sf_pair A, sf_pair F
    Equation from (24). Domain: Omega > 0, A > 0. */
 static inline void slow_flow_pairs_isola_step(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A, sf_pair h_AA, sf_pair h_AAA, double *out)
 {
-    (void)(h_AAA);
     const sf_pair Omega2 = sfp_square(Omega);
     const sf_pair t0 = sfp_mul(A, Omega2);
     const sf_pair R = sfp_add(h, t0);
@@ -144,8 +143,8 @@ static inline void slow_flow_pairs_isola_step(sf_pair Omega, sf_pair A, sf_pair 
     const sf_pair t6 = sfp_square(zeta);
     const double t7 = 2.0 * A.high;
     const double F_OmegaOmega = t5.high * (R.high + 2.0 * t0.high + t6.high * t7);
-    const double t8 = A.high * (Omega2.high + h_A.high);
-    const double F_AOmega = 4.0 * (Omega.high * t8 + t2.high * t6.high + t4.high);
+    const double t8 = Omega2.high + h_A.high;
+    const double F_AOmega = 4.0 * (A.high * Omega.high * t8 + t2.high * t6.high + t4.high);
     const sf_pair t9 = sfp_div(t6, Omega2);
     const sf_pair excess = sfp_add(sfp_mul(sfp_square(I_), t9), sfp_mul(sfp_add(sfp_neg(F_0), I_), sfp_add(F_0, I_)));
     const double t10 = t9.high + 1.0;
@@ -154,15 +153,16 @@ static inline void slow_flow_pairs_isola_step(sf_pair Omega, sf_pair A, sf_pair 
     const double t11 = 4.0 * Omega.high;
     const double excess_A = t10 * t11 * t3.high;
     const double t12 = 4.0 * t6.high;
-    const double F_AOmegaOmega = 4.0 * (A.high * t12 + R.high + 4.0 * t0.high + t8);
     const double F_AAOmega = t11 * (A.high * h_AA.high + 2.0 * Omega2.high + 2.0 * h_A.high + t12);
+    const double F_AAA = 2.0 * (R.high * h_AAA.high + 3.0 * h_AA.high * t8);
+    const double F_AA = 2.0 * (Omega2.high * t12 + R.high * h_AA.high + t8 * t8);
     const double t13 = 1.0 / (F_AOmega * turns_Omega - F_OmegaOmega * h_AA.high);
     const double t14 = t13 * (-F_AOmega * turns.high + F_Omega.high * h_AA.high);
     const double t15 = t13 * (-F_Omega.high * turns_Omega + F_OmegaOmega * turns.high);
     out[0] = t14;
     out[1] = t15;
     out[2] = -0.5 * (-excess.high - excess_A * t15 - excess_Omega * t14) / F_0.high;
-    out[3] = (F_AAOmega * t15 + F_AOmegaOmega * t14) / F_AOmega;
+    out[3] = (F_AAA * t15 + F_AAOmega * t14) / F_AA;
 }
 
 /* By what Omega change at a corner, and how far that is from linear.
