@@ -9,8 +9,8 @@ Out: `steps`, by the kind of answer what its unknowns change by, in R, I and the
     fold         F = F_A = 0         Omega and A at F_0
     peak         F = F_Omega = 0     Omega and A at F_0
     cusp         F_A = F_AA = 0      Omega and A, and F_0 from F = 0
-    isola        F_A = F_Omega = 0   Omega and A, and F_0 from F = 0: by F_A without I, which is 2 R times `turns`, and by
-                                     F without R, or what rounding leaves of R decides where damping is next to none
+    isola        F_A = F_Omega = 0   Omega and A, and F_0 from F = 0: by F_A without I, which is 2 R times `turns`, and
+                                     by F without R, or what rounding leaves of R decides where damping is next to none
     corner       F = 0               Omega at F_0, A being a breakpoint
     ridge        F_Omega = 0         Omega at an amplitude
     level        F = 0               F_0 at Omega and A: Omega need be right to first order only where F_Omega = 0
