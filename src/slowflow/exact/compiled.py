@@ -49,7 +49,7 @@ def compiles(system: EquationOfMotion) -> bool:
     return all(recurrences(piece.law) is not None for piece in system.force.pieces)
 
 
-@functools.lru_cache(maxsize=4096)
+@functools.lru_cache(maxsize=64)
 def of_system(system: EquationOfMotion) -> Any:
     """The oscillator for C."""
     force = system.force
@@ -67,7 +67,7 @@ def by_rising_u(force: Force) -> tuple[tuple[Piece, ...], tuple[float, ...]]:
     return force.pieces[:0:-1] + force.pieces, (*(-end for end in reversed(force.breakpoints)), *force.breakpoints)
 
 
-@functools.lru_cache(maxsize=4096)
+@functools.lru_cache(maxsize=64)
 def of_piece(piece: Piece) -> Any:
     """An oscillator of that piece alone."""
     side = piece.side if isinstance(piece, OneSided) else 0
