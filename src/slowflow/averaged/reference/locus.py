@@ -47,7 +47,8 @@ class Stations:
     @property
     def undecided(self) -> bool:
         """Whether rounding may hide some at which the level turns."""
-        return self.cusps.undecided or (self.isolas is not None and self.isolas.undecided)
+        asked = [self.cusps] if self.isolas is None else [self.cusps, self.isolas]
+        return any(zeros.undecided.any() for zeros in asked)
 
     @classmethod
     def of(cls, model: Model, A_max: float) -> Stations:

@@ -209,7 +209,7 @@ def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
     for i, b in enumerate((*model.breakpoints, ENDLESS)):
         last = samples_at(model, b)
         if any(one[0] != 0 for end in (first, last) for one in (end.h_AA, end.h_AAA)):
-            piece = Stretch(first, last, float(first.A[0]))
+            piece = Stretch(first, last, first.A)
             from_0 = at.k[0] == 0 and _moves_from(piece, at.h_A[0]) and not (i > 0 and model.jumps[i - 1] != 0)
             if from_0 or _tends_to_friction(model, piece, best):
                 return no_lowest
@@ -285,7 +285,7 @@ def _lowest(model: Model, base: float) -> _Best:
         else:
             _consider_breakpoint(model, at, jump, float(above.h_AA[0]), best)
         # where there is no force, as in a dead zone, there is no fold
-        stretch = Stretch(first, at, float(first.A[0]))
+        stretch = Stretch(first, at, first.A)
         if stretch.has_force:
             bounded.append(stretch)
         first = above
@@ -304,12 +304,12 @@ def _consider_pieces(model: Model, pieces: list[Stretch], best: _Best) -> None:
         isolas, cusps = find_zeros(model, [InertiaIsola(model), Cusp(model)], pieces)
     else:
         ends, isolas, cusps = find_zeros(model, [Stiffness(model), Isola(model), Cusp(model, best.F_SN)], pieces)
-        best.undecided |= ends.undecided
+        best.undecided |= bool(ends.undecided.any())
         turns = ends.A[ends.channel == 1]
         best.consider_ends(model, turns, model.level(0.0, turns))
         if (ends.channel == 0).any():  # h = 0 there, and so R: F_Omega does not fall
             best.rest = min(best.rest, model.m)
-    best.undecided |= isolas.undecided or cusps.undecided
+    best.undecided |= bool(isolas.undecided.any() or cusps.undecided.any())
     least = isola_is_minimum(model, isolas.Omega, isolas.A)
     level = of_isolas(model, isolas.Omega, isolas.A)
     best.consider(level[least], isolas.Omega[least], isolas.A[least], "isola")
@@ -365,7 +365,7 @@ def _beyond_play(model: Model, piece: Stretch) -> Stretch:
         raise ArithmeticError(words.BALANCED)
     if not (piece.base > 0 and first.h[0] == 0 and first.h_A[0] == 0):
         return piece
-    base = piece.base
+    base = float(piece.base[0])
     least = dissipation.fold_quartic(base, model.m, 0.0, model.zeta, model.d, 0.0, 0.0)[2]
     if not (least > 0 and _ends_play(first) and model.laws.rubs == THROUGHOUT):
         raise ArithmeticError(words.SLIDES_FREE.format(base))
@@ -376,7 +376,7 @@ def _beyond_play(model: Model, piece: Stretch) -> Stretch:
     known = falls & (np.maximum(A * -at.h_A, -at.h) <= least / 2)
     if not known.any():
         raise ArithmeticError(words.unresolved_onset(model))
-    return Stretch(samples_at(model, float(A[np.argmax(known)])), piece.last, base)
+    return Stretch(samples_at(model, float(A[np.argmax(known)])), piece.last, piece.base)
 
 
 def _consider_corner(model: Model, i: int, best: _Best) -> None:
@@ -438,7 +438,7 @@ def _consider_last(model: Model, first: Samples, best: _Best) -> None:
 
     It is looked through as far as a state at the best forcing can lie, or at forcings raised until there is one.
     """
-    base = float(first.A[0])
+    base = first.A
     F_0 = best.F_SN if best.kind else RAISE * max(model.m, FIRST_F_0)
     for _ in range(RAISES):
         A_max, cut = amplitude_bound(model, F_0)

@@ -141,7 +141,8 @@ def _events(model: Model, F_0: float, A_max: float) -> tuple[list[Event], bool]:
         found += sorted(inside, key=lambda event: event.A)
         if number + 1 < len(pieces):
             found.append(Event(float(piece.last.A[0]), 0.0, Kind.THROUGH))
-    undecided = peaks.undecided or static.undecided or _are_close(peaks.A) or _are_close(static.A)
+    close = _are_close(peaks.A) or _are_close(static.A)
+    undecided = bool(peaks.undecided.any() or static.undecided.any() or close)
     return merged([*found, Event(A_max, 0.0, Kind.CUT)]), undecided
 
 
@@ -167,7 +168,7 @@ def _events_of_inertia(model: Model, F_0: float, A_max: float) -> tuple[list[Eve
     inside += [Event(float(piece.last.A[0]), 0.0, Kind.THROUGH) for piece in pieces[:-1]]
     inside.sort(key=lambda event: event.A)
     start = inertia.Roots(model, F_0).start()
-    return [Event(0.0, start, Kind.CUT), *inside, Event(A_max, 0.0, Kind.CUT)], peaks.undecided
+    return [Event(0.0, start, Kind.CUT), *inside, Event(A_max, 0.0, Kind.CUT)], bool(peaks.undecided.any())
 
 
 @np.errstate(all="ignore")
