@@ -135,6 +135,8 @@ class Question:
                one by one
     at_once -- designs that take no more than some tenths of a second: until then Ctrl-C is not heard
     by_inertia -- whether the compiled solvers answer it of an excitation by inertia too
+    abreast -- from what answers designs that go abreast on NumPy the answer to this question, from these designs, F_0
+               and Omega as arrays, and places; None where each is asked by itself
     """
 
     one: One | None
@@ -142,6 +144,7 @@ class Question:
     batch: Callable[[ModuleType], Callable[[Any], Callable[..., Any]]] | None
     at_once: int
     by_inertia: bool = True
+    abreast: Callable[[ModuleType], Callable[..., tuple[Any, ...]]] | None = None
 
 
 DETACHMENT = Question(
@@ -161,6 +164,7 @@ SADDLE_NODES = Question(
     lambda k: [*[((k,), float)] * 2, ((k,), np.int8), *[((), np.int8)] * 3],
     lambda native: native.many_saddle_nodes,
     2**12,
+    abreast=lambda columns: columns.saddle_nodes,
 )
 AMPLITUDES = Question(
     _amplitudes,

@@ -104,7 +104,7 @@ def sample_above(model: Model, i: int, of: Any = 0) -> Samples:
     b, jump = taken(model.breakpoints[i], of), taken(model.jumps[i], of)
     slope, curvature = model.kinks[i]
     at = samples_at(model, b, of)
-    jumps = np.any(jump)
+    jumps = np.any(model.jumps[i])
     if not jumps:
         beyond = samples_at(model, np.nextafter(b, np.inf), of).rows
     if not jumps and not np.any(slope):

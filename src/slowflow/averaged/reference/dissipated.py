@@ -273,7 +273,7 @@ def is_stable_above(model: Model, i: int, Omega: Floats, of: Any = 0) -> Bools:
     of -- of which of the designs abreast
     """
     b, jump = taken(model.breakpoints[i], of), taken(model.jumps[i], of)
-    if np.any(jump):
+    if np.any(model.jumps[i]):  # then each of the designs jumps
         return np.asarray(slow_flow.R(Omega, b, model.take(of).averaged(b)[0]) * jump > 0)
     return np.asarray(model.F_A(Omega, b, beyond=True) > 0)
 
