@@ -177,6 +177,7 @@ PEAK = Question(
     lambda _: [*[((), float)] * 2, ((), np.int8)],
     lambda native: native.many_peak,
     2**13,
+    abreast=lambda columns: columns.peak,
 )
 PROVED_FOLDS = Question(
     None,

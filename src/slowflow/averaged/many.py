@@ -47,9 +47,8 @@ from slowflow_kernels import inertia
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.domains import DISSIPATION
 
-
-#: on NumPy, designs that are sorted by their kinds at once, and those of a kind that go abreast: so few that arrays stay
-#: in the cache
+#: on NumPy, designs that are sorted by their kinds at once, and of a kind those that go abreast: so few that arrays
+#: take some tens of megabytes
 AT_ONCE, ABREAST = 1024, 256
 
 
@@ -458,7 +457,7 @@ class Designs(Unchanging):
                 tally.add(len(some))
 
     def _one(self, question: Question, given: list[float], asked: list[float], places: int) -> Any:
-        """One design's answer, with the status of its failure in place of an exception; or it, where it may go abreast."""
+        """One design's answer, with a status in place of an exception; or the design, where it may go abreast."""
         from slowflow.averaged.reference import abreast
 
         assert question.one is not None

@@ -8,6 +8,7 @@ What a word says of a design, as its scene, or how its force jumps, is the same 
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -28,7 +29,7 @@ def may_go(model: Model) -> bool:
 def kind(model: Model) -> Hashable:
     """What designs have in common that go together."""
     jumps = [(jump != 0, slope != 0, bend != 0) for jump, (slope, bend) in zip(model.jumps, model.kinks, strict=True)]
-    return model.mechanism, model.flow, *jumps, model.preload != 0, model._begins_beyond
+    return model.mechanism, model.flow, *jumps, model._begins_beyond
 
 
 class Abreast(Model):
@@ -45,9 +46,14 @@ class Abreast(Model):
 
         self.__dict__.update({name: getattr(models[0], name) for name in _SAME}, abreast=len(models), native=None)
         self.__dict__["each"] = tuple(models)
-        self.__dict__.update({name: numbers(name) for name in ("m", "zeta", "preload")})
+        self.__dict__.update({name: numbers(name) for name in ("m", "zeta")})
         self.__dict__.update({name: tuple(numbers(name).T) for name in ("parameters", "breakpoints", "jumps")})
         self.__dict__["kinks"] = tuple(map(tuple, numbers("kinks").transpose(1, 2, 0))) if self.jumps else ()
+
+    @cached_property
+    def preload(self) -> Any:
+        """Of each."""
+        return -self.averaged(np.zeros(self.abreast))[0]
 
     def take(self, of: Any) -> Abreast:
         """What kernels take at samples that are of these designs, and no more."""

@@ -399,7 +399,9 @@ def _critical_of(cells: Cells, p: Interval, q: Floats) -> tuple[Any, Interval]:
     origin = A.lo == 0
     inner = np.where(origin, A.hi, A.lo)
     steepest = np.where(origin, np.minimum(p.lo, 0.0) * (1 + DOUBT) * A.hi, p.lo)
-    exist, first, second = critical_points(np.concatenate((inner, A.hi)), np.concatenate((steepest, p.hi)), np.tile(q, 2))
+    exist, first, second = critical_points(
+        np.concatenate((inner, A.hi)), np.concatenate((steepest, p.hi)), np.tile(q, 2)
+    )
     low, high = exist[:n], exist[n:]
     where = np.where(low, np.where(high, THROUGHOUT, PARTLY), NOWHERE)
     # where only the lower corner has them they meet in between, or at 0

@@ -149,7 +149,9 @@ def stretches_up_to(model: Model, A_max: Any) -> list[Stretch]:
     beyond = [np.flatnonzero(b < A_max) for b in ends]
     of = [everyone, everyone, *beyond]
     at = samples_at(model, np.concatenate((0.0 * everyone, A_max, *map(np.take, ends, beyond))), np.concatenate(of))
-    start, highest, *at_ends = (Samples(rows) for rows in np.split(at.rows, np.cumsum([len(one) for one in of])[:-1], 1))
+    start, highest, *at_ends = (
+        Samples(rows) for rows in np.split(at.rows, np.cumsum([len(one) for one in of])[:-1], 1)
+    )
     firsts = [start, *(sample_above(model, i, those) for i, those in enumerate(beyond) if those.size)]
     found = []
     for i, first in enumerate(firsts):

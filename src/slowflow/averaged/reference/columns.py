@@ -12,6 +12,8 @@ import numpy as np
 from slowflow.averaged.reference.abreast import Abreast
 from slowflow.averaged.reference.bounds import amplitude_bounds
 from slowflow.averaged.reference.folds import folds_abreast
+from slowflow.averaged.reference.intervals import Bools
+from slowflow.averaged.reference.onset import peaks_abreast
 from slowflow.model import Floats
 from slowflow_kernels.conventions import FoldKind, Status
 
@@ -20,22 +22,42 @@ Columns = tuple[Any, ...]
 
 def saddle_nodes(model: Abreast, F_0: Floats, places: int) -> Columns:
     """Every fold at F_0 > m of each."""
-    A_max = amplitude_bounds(model, F_0)
-    bounded = np.isfinite(A_max)
-    # a design that nothing bounds is looked at to where it may be, and its answer is none
-    found = folds_abreast(model, F_0, np.where(bounded, A_max, F_0))
+    A_max, bounded = _bounds(model, F_0)
+    found = folds_abreast(model, F_0, A_max)
     number = np.bincount(found.of, minlength=model.abreast)
-    place = np.arange(found.of.size) - (np.cumsum(number) - number)[found.of]
-    status = np.where(number > places, Status.TOO_MANY, Status.OK)
-    status = np.where(found.given_up, Status.UNRESOLVED, status)
-    status = np.where(bounded, status, Status.NO_BOUND)
+    status = _status(bounded, found.given_up, number > places, Status.TOO_MANY)
     answered = (status == Status.OK) | (status == Status.TOO_MANY)
+    place = np.arange(found.of.size) - (np.cumsum(number) - number)[found.of]
     kept = (place < places) & answered[found.of]
+    at = found.of[kept], place[kept]
     Omega, A = np.full((2, model.abreast, places), np.nan)
     kind = np.zeros((model.abreast, places), np.int8)
-    at = found.of[kept], place[kept]
     Omega[at], A[at] = found.Omega[kept], found.A[kept]
-    up, on_corner = (FoldKind.JUMP_UP, FoldKind.JUMP_DOWN), (FoldKind.JUMP_UP_AT_CORNER, FoldKind.JUMP_DOWN_AT_CORNER)
-    kinds = np.where(found.corner, np.where(found.up, *on_corner), np.where(found.up, *up))
-    kind[at] = kinds[kept]
+    inside = np.where(found.up, FoldKind.JUMP_UP, FoldKind.JUMP_DOWN)
+    on_corner = np.where(found.up, FoldKind.JUMP_UP_AT_CORNER, FoldKind.JUMP_DOWN_AT_CORNER)
+    kind[at] = np.where(found.corner, on_corner, inside)[kept]
     return Omega, A, kind, np.where(answered, number, 0), found.undecided & answered, status
+
+
+def peak(model: Abreast, F_0: Floats, _: int) -> Columns:
+    """The highest peak at F_0 > m of each."""
+    none = np.full(model.abreast, np.nan)
+    if model.undamped:
+        return none, none, np.full(model.abreast, Status.UNBOUNDED)
+    A_max, bounded = _bounds(model, F_0)
+    A, Omega, given_up = peaks_abreast(model, F_0, A_max)
+    status = _status(bounded, given_up, np.isnan(A), Status.UNRESOLVED)
+    return *(np.where(status == Status.OK, value, np.nan) for value in (A, Omega)), status
+
+
+def _bounds(model: Abreast, F_0: Floats) -> tuple[Floats, Bools]:
+    """How far each is looked at, and whether that bounds its states: where it does not the answer is none."""
+    A_max = amplitude_bounds(model, F_0)
+    bounded = A_max < np.inf
+    return np.where(bounded, A_max, F_0), bounded
+
+
+def _status(bounded: Bools, given_up: Bools, other: Bools, otherwise: Status) -> Any:
+    """Of each, why it has no answer."""
+    status = np.where(given_up, Status.UNRESOLVED, np.where(other, otherwise, Status.OK))
+    return np.where(bounded, status, Status.NO_BOUND)

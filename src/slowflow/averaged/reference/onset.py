@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from typing import Any
 
 import numpy as np
 
@@ -28,10 +29,11 @@ from slowflow.averaged.reference.boxes import points_of
 from slowflow.averaged.reference.cells import Samples, Stretch, sample_above, samples_at, stretches_up_to
 from slowflow.averaged.reference.excited import stationary_at
 from slowflow.averaged.reference.folds import saddle_nodes
+from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.locus import of_cusps, of_isolas
 from slowflow.averaged.reference.minima import cusp_is_minimum, isola_is_minimum
 from slowflow.averaged.reference.roots import fold_roots, peak_roots
-from slowflow.averaged.reference.search import find_zeros
+from slowflow.averaged.reference.search import GIVEN_UP, find_zeros, find_zeros_abreast
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound
@@ -498,13 +500,29 @@ def peak(model: Model, F_0: float) -> PeakFound:
         if not len(tops):
             return PeakFound(None, None, F_0, words.NO_TOP.format(F_0))
         return PeakFound(float(tops.A[-1]), float(tops.Omega[-1]), F_0, "")
-    peaks, static = find_zeros(model, [Peak(model, F_0), Rest(model, F_0)], stretches_up_to(model, A_max))
+    A, Omega, given_up = peaks_abreast(model, F_0, A_max)
+    if given_up.any():
+        raise ArithmeticError(GIVEN_UP)
+    if np.isnan(A[0]):
+        raise ArithmeticError(f"the response is unresolved at F_0 = {F_0:.17g}: no state lies on the amplitudes")
+    return PeakFound(float(A[0]), float(Omega[0]), F_0, "")
+
+
+@np.errstate(all="ignore")
+def peaks_abreast(model: Model, F_0: Any, A_max: Any) -> tuple[Floats, Floats, Bools]:
+    """A and Omega of the highest peak of each of designs abreast, by a force, with viscous damping; and see `Folds`.
+
+    NaN where no state lies on the amplitudes.
+    """
+    asked = [Peak(model, F_0), Rest(model, F_0)]
+    (peaks, static), given_up = find_zeros_abreast(model, asked, stretches_up_to(model, A_max))
     # the second channel is the minimum of F over Omega, the first its maximum: F rises or falls through a peak of A
     tops = peaks.take(peaks.rising == (peaks.channel == 1))
-    found = tops if len(tops) else static
-    if not len(found):
-        raise ArithmeticError(f"the response is unresolved at F_0 = {F_0:.17g}: no state lies on the amplitudes")
-    return PeakFound(float(found.A[-1]), float(found.Omega[-1]), F_0, "")
+    A, Omega = np.full((2, model.abreast), np.nan)
+    for found in (static, tops):
+        last = np.flatnonzero(np.append(found.of[1:] != found.of[:-1], True)[: len(found)])
+        A[found.of[last]], Omega[found.of[last]] = found.A[last], found.Omega[last]
+    return A, Omega, given_up
 
 
 def _peak_in_boxes(model: Model, F_0: float, A_max: float) -> PeakFound:

@@ -4,8 +4,8 @@ None is missed: an interval of A is left only when it is proved to hold no zero 
 one sign on all of it, or exactly one, because it is monotone and its ends lie on both sides of zero. Otherwise it is
 cut. What bounds a function and its slope on the interval is said in cells and along. Where that goes on until no
 amplitude lies between the ends (a double zero to rounding), the signs at the ends decide, and that it was undecided is
-said. As in native/scan.h; here all intervals of all pieces and questions are looked at together, and of all designs that
-go abreast. How an interval is cut does not depend on what other designs have.
+said. As in native/scan.h; here all intervals of all pieces and questions are looked at together, and those of all
+designs that go abreast. How an interval is cut does not depend on those of other designs.
 """
 
 from __future__ import annotations
