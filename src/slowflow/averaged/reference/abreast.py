@@ -58,6 +58,7 @@ class Abreast(Model):
     def take(self, of: Any) -> Abreast:
         """What kernels take at samples that are of these designs, and no more."""
         part = object.__new__(Abreast)
-        part.__dict__.update({name: self.__dict__[name] for name in _SAME}, m=self.m[of], zeta=self.zeta[of])
+        part.__dict__.update({name: self.__dict__[name] for name in _SAME})
+        part.__dict__.update(m=taken(self.m, of), zeta=taken(self.zeta, of))
         part.__dict__["parameters"] = tuple(taken(one, of) for one in self.parameters)
         return part

@@ -208,7 +208,7 @@ class FoldAt(Asked):
     def is_close(self, at: Samples, answers: Channels) -> Bools:
         """Where the function is next to 0."""
         model, F_0, least = self.model.take(at.of), taken(self.F_0, at.of), taken(self.least, at.of)
-        return answers.exists[0] & is_fold_close(model, F_0, least, at, answers.y[0], answers.Omega[0])
+        return np.asarray(answers.exists[0] & is_fold_close(model, F_0, least, at, answers.y[0], answers.Omega[0]))
 
     def _Omega(self, model: Model, at: Samples, Omega: Floats, y: Floats) -> Floats:
         """Where a fold may be, from I or from R, y being what the two lack of agreeing: what rounding moves less.

@@ -64,7 +64,7 @@ class Samples:
 
     @property
     def of(self) -> Ints:
-        return self.rows[6].astype(np.intp)
+        return np.asarray(self.rows[6], dtype=np.intp)
 
     def size_of_R(self, Omega: Floats) -> Floats:
         """What rounding may leave of R at frequencies, over a rounding."""

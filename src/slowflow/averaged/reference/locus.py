@@ -77,7 +77,8 @@ class Stations:
                         low = own.channel[i] == 0
                         kind, gain = (Kind.PAIR_LOW if low else Kind.PAIR_HIGH), 2 if own.rising[i] == low else -2
                     inside.append(Event(float(own.A[i]), float(own.Omega[i]), kind, gain))
-            first = piece.base if piece.base == 0 else float(np.nextafter(piece.base, np.inf))
+            base = float(piece.base[0])
+            first = base if base == 0 else float(np.nextafter(base, np.inf))
             ends = (Event(A, 0.0, Kind.CUT) for A in (first, float(piece.last.A[0])))
             found += [next(ends), *sorted(inside, key=lambda event: event.A), next(ends)]
         return merged(found)

@@ -223,9 +223,9 @@ def _cut(
         inside.append(nodes[1:-1].ravel())
         cut.append(np.tile(own, parts - 1))
         # where each node stands among the ends of all intervals and what is inside of them
-        inner = begin + np.arange((parts - 1) * own.size).reshape(parts - 1, own.size)
-        begin += inner.size
-        place = np.concatenate((own[np.newaxis], inner, left.size + own[np.newaxis]))
+        within = begin + np.arange((parts - 1) * own.size).reshape(parts - 1, own.size)
+        begin += within.size
+        place = np.concatenate((own[np.newaxis], within, left.size + own[np.newaxis]))
         # a part that begins where its interval does has the same first sample, which may be the limit above a
         # breakpoint
         lows.append(np.where(nodes[:-1] == nodes[0], own, place[:-1]).ravel())
@@ -243,7 +243,7 @@ def _cut(
         rows = np.zeros((*answers.rows.shape[:2], len(ends)))
         rows[..., : 2 * left.size] = answers.rows[..., np.concatenate((left, n + left))]
         # a question is asked on the intervals that are open for it
-        asked = np.flatnonzero(part[:, left].any(axis=0)[of_inner])
+        asked = np.flatnonzero(part[:, left[of_inner]].any(axis=0))
         if asked.size:
             at = inner if asked.size == len(inner) else inner.take(asked)
             found = question.ask(at)
