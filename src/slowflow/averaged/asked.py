@@ -158,6 +158,7 @@ ONSET = Question(
     lambda _: [*[((), float)] * 3, *[((), np.int8)] * 3],
     lambda native: native.many_onset,
     2**14,
+    abreast=lambda columns: columns.onset,
 )
 SADDLE_NODES = Question(
     _saddle_nodes,

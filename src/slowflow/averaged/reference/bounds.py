@@ -132,11 +132,11 @@ def _exceeds_from(model: Model, A: Floats, most: Floats, of: Ints) -> Bools:
 
 
 @np.errstate(all="ignore")
-def amplitude_bounds(model: Abreast, F_0: Floats) -> Floats:
+def amplitude_bounds(model: Abreast, F_0: Floats) -> list[tuple[float, str]]:
     """`amplitude_bound` of each of designs abreast; inf where none is found."""
     if model.undamped:
-        return np.array([words.cut(one, F)[0] for one, F in zip(model.each, F_0.tolist(), strict=True)])
-    return first_bounds(model, F_0)
+        return [words.cut(one, F) for one, F in zip(model.each, F_0.tolist(), strict=True)]
+    return [(A_max, "") for A_max in first_bounds(model, F_0).tolist()]
 
 
 def _bound_of_free(model: Model, F_0: float, lowest: float) -> tuple[float, str]:

@@ -9,11 +9,13 @@ from typing import Any
 
 import numpy as np
 
+from slowflow.averaged.asked import onset_in_columns
+from slowflow.averaged.reference import steps
 from slowflow.averaged.reference.abreast import Abreast
 from slowflow.averaged.reference.bounds import amplitude_bounds
 from slowflow.averaged.reference.folds import folds_abreast
 from slowflow.averaged.reference.intervals import Bools
-from slowflow.averaged.reference.onset import peaks_abreast
+from slowflow.averaged.reference.onset import onset_in_steps, peaks_abreast
 from slowflow.model import Floats
 from slowflow_kernels.conventions import FoldKind, Status
 
@@ -39,6 +41,18 @@ def saddle_nodes(model: Abreast, F_0: Floats, places: int) -> Columns:
     return Omega, A, kind, np.where(answered, number, 0), found.undecided & answered, status
 
 
+def onset(model: Abreast, _: int) -> Columns:
+    """F_SN of each."""
+    found = steps.together(model, [onset_in_steps(one) for one in model.each])
+    blank = onset_in_columns(None)[:-1]
+    rows = ((*blank, _failed(one)) if isinstance(one, ArithmeticError) else onset_in_columns(one) for one in found)
+    return tuple(zip(*rows, strict=True))
+
+
+def _failed(failure: ArithmeticError) -> Status:
+    return Status.NO_BOUND if isinstance(failure, OverflowError) else Status.UNRESOLVED
+
+
 def peak(model: Abreast, F_0: Floats, _: int) -> Columns:
     """The highest peak at F_0 > m of each."""
     none = np.full(model.abreast, np.nan)
@@ -52,7 +66,7 @@ def peak(model: Abreast, F_0: Floats, _: int) -> Columns:
 
 def _bounds(model: Abreast, F_0: Floats) -> tuple[Floats, Bools]:
     """How far each is looked at, and whether that bounds its states: where it does not the answer is none."""
-    A_max = amplitude_bounds(model, F_0)
+    A_max = np.array([A_max for A_max, _ in amplitude_bounds(model, F_0)])
     bounded = A_max < np.inf
     return np.where(bounded, A_max, F_0), bounded
 

@@ -13,8 +13,9 @@ from typing import Any
 import numpy as np
 
 from slowflow.averaged import words
-from slowflow.averaged.reference import dissipated, dissipated_points
+from slowflow.averaged.reference import dissipated, dissipated_points, steps
 from slowflow.averaged.reference.along import (
+    Asked,
     Cusp,
     InertiaIsola,
     InertiaPeak,
@@ -34,6 +35,7 @@ from slowflow.averaged.reference.locus import of_cusps, of_isolas
 from slowflow.averaged.reference.minima import cusp_is_minimum, isola_is_minimum
 from slowflow.averaged.reference.roots import fold_roots, peak_roots
 from slowflow.averaged.reference.search import GIVEN_UP, find_zeros, find_zeros_abreast
+from slowflow.averaged.reference.steps import Above, At, Bound, Search, Steps
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound
@@ -97,17 +99,21 @@ class _Best:
 
 def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
-    with np.errstate(all="ignore"):
-        if model.zeta == 0 and not model.laws.any:
-            return _onset_without_viscous_damping(model)
-        come_down, base = next_to_rest(model)
-        # of a preload they have R next to 0 and A Omega^2 next to it, as Omega tends to inf
-        if come_down or (model.inertial and model.preload > 0):
-            message = words.OPEN if model.inertial else words.STIFF_AT_REST.format(model.m)
-            return SaddleNodeOnset(None, None, None, "", message, _status=Status.UNBOUNDED)
-        if _comes_down_to_play(model):
-            return SaddleNodeOnset(None, None, None, "", words.NO_LOWEST.format(model.m), _status=Status.UNBOUNDED)
-        best = _lowest(model, base)
+    return steps.alone(model, onset_in_steps(model))
+
+
+def onset_in_steps(model: Model) -> Steps[SaddleNodeOnset]:
+    """The same, see `steps`."""
+    if model.zeta == 0 and not model.laws.any:
+        return (yield from _onset_without_viscous_damping(model))
+    come_down, base = next_to_rest(model)
+    # of a preload they have R next to 0 and A Omega^2 next to it, as Omega tends to inf
+    if come_down or (model.inertial and model.preload > 0):
+        message = words.OPEN if model.inertial else words.STIFF_AT_REST.format(model.m)
+        return SaddleNodeOnset(None, None, None, "", message, _status=Status.UNBOUNDED)
+    if _comes_down_to_play(model):
+        return SaddleNodeOnset(None, None, None, "", words.NO_LOWEST.format(model.m), _status=Status.UNBOUNDED)
+    best = yield from _lowest(model, base)
     if _hardly_jumps(model) or (best.undecided and _is_beside_breakpoint(model, best)):
         raise ArithmeticError(words.unresolved_onset(model))
     if best.open or (model.inertial and _falls_at_breakpoint(model, best)):
@@ -188,7 +194,7 @@ def _is_beside_breakpoint(model: Model, best: _Best) -> bool:
     return not best.kind or (best.kind != "corner" and any(near))
 
 
-def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
+def _onset_without_viscous_damping(model: Model) -> Steps[SaddleNodeOnset]:
     """zeta = 0: folds lie at Omega^2 = -h_A and their level is that of R = k.
 
     Where k tends to 0 on the way, as to A = 0 with a stiffness that is not negative next to it, or as A grows where
@@ -206,17 +212,17 @@ def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
         raise ArithmeticError(words.unresolved_onset(model))
     if model.inertial:
         return no_lowest if saddle_nodes(model, 2 * model.m + 1.0).A.size else none
-    best, at = _Best(), samples_at(model, 0.0)
+    best, at = _Best(), (yield At(0.0))
     first = at
     for i, b in enumerate((*model.breakpoints, ENDLESS)):
-        last = samples_at(model, b)
+        last = yield At(b)
         if any(one[0] != 0 for end in (first, last) for one in (end.h_AA, end.h_AAA)):
             piece = Stretch(first, last, first.A)
             from_0 = at.k[0] == 0 and _moves_from(piece, at.h_A[0]) and not (i > 0 and model.jumps[i - 1] != 0)
-            if from_0 or _tends_to_friction(model, piece, best):
+            if from_0 or (yield from _tends_to_friction(model, piece, best)):
                 return no_lowest
         if i < len(model.breakpoints):
-            at, first = last, sample_above(model, i)
+            at, first = last, (yield Above(i))
             if _tends_to_friction_on(model, at, first, model.jumps[i], best):
                 return no_lowest
     beyond = samples_at(model, BEYOND)
@@ -235,9 +241,13 @@ def _moves_from(piece: Stretch, h_A: float) -> bool:
     return bool(h_A < 0 or (h_A == 0 and next((bend for bend in bends if bend != 0), 0.0) < 0))
 
 
-def _tends_to_friction(model: Model, piece: Stretch, best: _Best) -> bool:
+def _of_undamped(model: Model) -> list[Asked]:
+    return [Stiffness(model), Undamped(model)]
+
+
+def _tends_to_friction(model: Model, piece: Stretch, best: _Best) -> Steps[bool]:
     """Whether k vanishes inside of a piece; if not, the least levels there."""
-    ends, turns = find_zeros(model, [Stiffness(model), Undamped(model)], [piece])
+    ends, turns = yield Search(_of_undamped, (), [piece])
     if (turns.channel == 1).any():
         return True
     at = samples_at(model, turns.A)
@@ -272,16 +282,16 @@ def _tends_to_friction_on(model: Model, at: Samples, above: Samples, jump: float
     return False
 
 
-def _lowest(model: Model, base: float) -> _Best:
+def _lowest(model: Model, base: float) -> Steps[_Best]:
     """Of all pieces and breakpoints, from an amplitude on; first what leaves less to search."""
-    best, first = _Best(), samples_at(model, base)
+    best, first = _Best(), (yield At(base))
     if (
         model.preload > 0
     ):  # R, -preload next to A = 0, vanishes at frequencies that tend to inf there, and F_0 tends to m
         best.rest = model.m
     bounded = []
     for i, (b, jump) in enumerate(zip(model.breakpoints, model.jumps, strict=True)):
-        at, above = samples_at(model, b), sample_above(model, i)
+        at, above = (yield At(b)), (yield Above(i))
         if model.laws.any:
             _consider_corner(model, i, best)
         else:
@@ -292,31 +302,42 @@ def _lowest(model: Model, base: float) -> _Best:
             bounded.append(stretch)
         first = above
     if bounded:
-        _consider_pieces(model, bounded, best)
-    _consider_last(model, first, best)
+        yield from _consider_pieces(model, bounded, best)
+    yield from _consider_last(model, first, best)
     return best
 
 
-def _consider_pieces(model: Model, pieces: list[Stretch], best: _Best) -> None:
+def _of_force(model: Model, F_SN: Any) -> list[Asked]:
+    return [Stiffness(model), Isola(model), Cusp(model, F_SN)]
+
+
+def _of_inertia(model: Model) -> list[Asked]:
+    return [InertiaIsola(model), Cusp(model)]
+
+
+def _consider_pieces(model: Model, pieces: list[Stretch], best: _Best) -> Steps[None]:
     """Where the level may be least inside of pieces: cusps, isola points, ends."""
     if model.laws.any:
         _consider_boxes(model, pieces, best)
         return
     if model.inertial:  # at Omega = 0 the level is infinite
-        isolas, cusps = find_zeros(model, [InertiaIsola(model), Cusp(model)], pieces)
+        isolas, cusps = yield Search(_of_inertia, (), pieces)
     else:
-        ends, isolas, cusps = find_zeros(model, [Stiffness(model), Isola(model), Cusp(model, best.F_SN)], pieces)
+        ends, isolas, cusps = yield Search(_of_force, (best.F_SN,), pieces)
         best.undecided |= bool(ends.undecided.any())
         turns = ends.A[ends.channel == 1]
-        best.consider_ends(model, turns, model.level(0.0, turns))
+        if turns.size:
+            best.consider_ends(model, turns, model.level(0.0, turns))
         if (ends.channel == 0).any():  # h = 0 there, and so R: F_Omega does not fall
             best.rest = min(best.rest, model.m)
     best.undecided |= bool(isolas.undecided.any() or cusps.undecided.any())
-    least = isola_is_minimum(model, isolas.Omega, isolas.A)
-    level = of_isolas(model, isolas.Omega, isolas.A)
-    best.consider(level[least], isolas.Omega[least], isolas.A[least], "isola")
-    least = cusp_is_minimum(model, cusps.Omega, cusps.A)
-    best.consider(of_cusps(model, cusps)[least], cusps.Omega[least], cusps.A[least], "cusp")
+    if len(isolas):
+        least = isola_is_minimum(model, isolas.Omega, isolas.A)
+        level = of_isolas(model, isolas.Omega, isolas.A)
+        best.consider(level[least], isolas.Omega[least], isolas.A[least], "isola")
+    if len(cusps):
+        least = cusp_is_minimum(model, cusps.Omega, cusps.A)
+        best.consider(of_cusps(model, cusps)[least], cusps.Omega[least], cusps.A[least], "cusp")
 
 
 def _consider_boxes(model: Model, pieces: list[Stretch], best: _Best) -> None:
@@ -435,7 +456,7 @@ def _consider_breakpoint(model: Model, at: Samples, jump: float, h_AA_above: flo
         best.consider_ends(model, at.A, slow_flow.level(0.0, at.A, m, zeta, at.h))
 
 
-def _consider_last(model: Model, first: Samples, best: _Best) -> None:
+def _consider_last(model: Model, first: Samples, best: _Best) -> Steps[None]:
     """The piece without an end.
 
     It is looked through as far as a state at the best forcing can lie, or at forcings raised until there is one.
@@ -443,15 +464,15 @@ def _consider_last(model: Model, first: Samples, best: _Best) -> None:
     base = first.A
     F_0 = best.F_SN if best.kind else RAISE * max(model.m, FIRST_F_0)
     for _ in range(RAISES):
-        A_max, cut = amplitude_bound(model, F_0)
+        A_max, cut = yield Bound(F_0)
         if A_max > first.A[0]:  # what lies below has been looked through
-            last = samples_at(model, A_max)
+            last = yield At(A_max)
             if first.A[0] == first.h[0] == 0 and last.h_AA[0] == last.h_AAA[0] == first.h_AAA[0] == 0:
                 return  # linear
-            _consider_pieces(model, [Stretch(first, last, base)], best)
+            yield from _consider_pieces(model, [Stretch(first, last, base)], best)
             first = last
         if cut:  # where the response does not close folds of any amplitude may be lower
-            best.open = not best.kind or bool(amplitude_bound(model, best.F_SN)[1])
+            best.open = not best.kind or bool((yield Bound(best.F_SN))[1])
             return
         if best.F_SN <= F_0:
             return
