@@ -172,6 +172,7 @@ AMPLITUDES = Question(
     lambda k: [((k,), float), ((k,), np.int8), *[((), np.int8)] * 3],
     lambda native: native.many_amplitudes,
     2**11,
+    abreast=lambda columns: columns.amplitudes,
 )
 PEAK = Question(
     _peak,

@@ -9,12 +9,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.averaged.reference.roots import Quartics
+from slowflow.averaged.reference.roots import Quartics, taken
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow_zeta0
 from slowflow_kernels.conventions import COINCIDE, HARDLY, NO_WIDTH
@@ -75,6 +75,10 @@ class Along(Protocol):
     @property
     def F_0(self) -> float: ...
 
+    def take(self, of: Ints) -> Along:
+        """Of designs abreast, those of these; of one design, its own."""
+        ...
+
     def count(self, A: Floats) -> Ints:
         """How many there are at each amplitude."""
         ...
@@ -93,7 +97,11 @@ class Roots:
     """The frequencies along the amplitude: of the response at F_0, or for F_0 < 0 of the fold locus."""
 
     model: Model
-    F_0: float
+    F_0: Any
+
+    def take(self, of: Ints) -> Roots:
+        """See `Along`."""
+        return Roots(self.model.take(of), taken(self.F_0, of))
 
     def _quartics(self, A: Floats) -> Quartics:
         h, h_A, _, _ = (value + np.zeros_like(A) for value in self.model.averaged(A))
@@ -102,7 +110,11 @@ class Roots:
     @property
     def _is_backbone(self) -> bool:
         """Whether there is one branch in closed form: R = 0, the other factor, is the backbone, at the level m."""
-        return self.F_0 < 0 and self.model.zeta == 0
+        return self._of_folds and self.model.undamped
+
+    @property
+    def _of_folds(self) -> bool:
+        return bool(np.any(self.F_0 < 0))
 
     def count(self, A: Floats) -> Ints:
         """How many there are at each amplitude."""
@@ -115,7 +127,7 @@ class Roots:
         if self._is_backbone:
             return self._undamped(A)
         Omega = self._quartics(A).roots(count, index)
-        if self.F_0 > 0 or A.all():
+        if not self._of_folds or A.all():
             return Omega
         # at A = 0, where the quartic is none, what damping is too weak to hide begins at the stiffness there
         at_rest = self._undamped(A)

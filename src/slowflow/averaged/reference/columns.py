@@ -9,13 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.averaged.asked import onset_in_columns
+from slowflow.averaged import remarks
+from slowflow.averaged.asked import onset_in_columns, states_in_places
 from slowflow.averaged.reference import steps
 from slowflow.averaged.reference.abreast import Abreast
 from slowflow.averaged.reference.bounds import amplitude_bounds
 from slowflow.averaged.reference.folds import folds_abreast
 from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.onset import onset_in_steps, peaks_abreast
+from slowflow.averaged.reference.response import amplitudes_in_steps
 from slowflow.model import Floats
 from slowflow_kernels.conventions import FoldKind, Status
 
@@ -47,6 +49,19 @@ def onset(model: Abreast, _: int) -> Columns:
     blank = onset_in_columns(None)[:-1]
     rows = ((*blank, _failed(one)) if isinstance(one, ArithmeticError) else onset_in_columns(one) for one in found)
     return tuple(zip(*rows, strict=True))
+
+
+def amplitudes(model: Abreast, F_0: Floats, Omega: Floats, places: int) -> Columns:
+    """Every steady state at (Omega, F_0), F_0 > m, of each."""
+    asked = zip(model.each, Omega[:, np.newaxis], F_0.tolist(), strict=True)
+    found = steps.together(model, [amplitudes_in_steps(*one) for one in asked])
+    blank = states_in_places(None, places)[:-1]
+    rows = [
+        (*blank, _failed(one)) if isinstance(one, ArithmeticError) else states_in_places(one, places) for one in found
+    ]
+    A, stable, *rest = (np.array(column) for column in zip(*rows, strict=True))
+    kept, beyond = remarks.look_at(model.mechanism, model.parameters, Omega[:, np.newaxis], A)
+    return A, stable & kept & ~beyond, *rest
 
 
 def _failed(failure: ArithmeticError) -> Status:

@@ -39,6 +39,10 @@ class Roots:
     model: Model
     F_0: float
 
+    def take(self, of: Ints) -> Roots:
+        """These: of one design."""
+        return self
+
     def count(self, A: Floats) -> Ints:
         """How many there are at each amplitude."""
         return np.asarray(Quartics(self.model, self.F_0, A).shown.sum(axis=0), dtype=np.intp)

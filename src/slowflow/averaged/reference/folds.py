@@ -8,14 +8,16 @@ amplitude above, without passing zero.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from scipy.optimize import brentq
 
 from slowflow.averaged import words
 from slowflow.averaged.reference import dissipated, doubt
+from slowflow.averaged.reference.abreast import Abreast
 from slowflow.averaged.reference.along import FoldAt, omega_by_share
 from slowflow.averaged.reference.arcs import Arc, Graph, Roots
 from slowflow.averaged.reference.bounds import amplitude_bound
@@ -26,6 +28,7 @@ from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.locus import Stations, of_locus
 from slowflow.averaged.reference.roots import Ints, fold_roots, response_roots, taken
 from slowflow.averaged.reference.search import GIVEN_UP, Zeros, find_zeros_abreast
+from slowflow.averaged.reference.steps import Wanted
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import SaddleNodes
 from slowflow_kernels import slow_flow
@@ -42,14 +45,37 @@ NEXT_TO_REST = 2.0**-200
 
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega, of one Omega by rising A, of one A the corner first."""
-    return folds_up_to(model, F_0, *amplitude_bound(model, F_0))
+    return FoldsUpTo(F_0, *amplitude_bound(model, F_0)).alone(model)
 
 
-def folds_up_to(model: Model, F_0: float, A_max: float, remark: str) -> SaddleNodes:
+@dataclass(frozen=True)
+class FoldsUpTo(Wanted):
     """The same, up to the amplitude that `amplitude_bound` gives, with its remark."""
-    found = folds_abreast(model, F_0, A_max)
-    if found.given_up.any():
-        raise ArithmeticError(GIVEN_UP)
+
+    F_0: float
+    A_max: float
+    remark: str
+
+    def alone(self, model: Model) -> SaddleNodes:
+        found = folds_abreast(model, self.F_0, self.A_max)
+        if found.given_up.any():
+            raise ArithmeticError(GIVEN_UP)
+        return _told(model, self.F_0, found, self.remark)
+
+    def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
+        F_0, A_max = (np.array([getattr(one, name) for one in all_of_them]) for name in ("F_0", "A_max"))
+        found = folds_abreast(model, F_0, A_max)
+        begins = np.searchsorted(found.of, np.arange(model.abreast + 1)).tolist()
+        return [
+            ArithmeticError(GIVEN_UP)
+            if found.given_up[k]
+            else _told(one, wanted.F_0, found.take(slice(*begins[k : k + 2]), slice(k, k + 1)), wanted.remark)
+            for k, (one, wanted) in enumerate(zip(model.each, all_of_them, strict=True))
+        ]
+
+
+def _told(model: Model, F_0: float, found: Folds, remark: str) -> SaddleNodes:
+    """The answer of one design."""
     undecided = bool(found.undecided.any())
     message, cut = words.of_folds(model, F_0, found.A.size > 0 or undecided, remark)
     kind = np.where(found.up, "jump-up", "jump-down")
@@ -74,6 +100,12 @@ class Folds:
     corner: Bools
     undecided: Bools
     given_up: Bools
+
+    def take(self, which: Any, designs: Any) -> Folds:
+        """Some folds, of some designs."""
+        of, Omega, A = self.of[which], self.Omega[which], self.A[which]
+        up, corner = self.up[which], self.corner[which]
+        return Folds(of, Omega, A, up, corner, self.undecided[designs], self.given_up[designs])
 
 
 @np.errstate(all="ignore")

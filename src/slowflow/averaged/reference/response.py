@@ -7,24 +7,26 @@ is monotone too. So a segment holds at most one state at any frequency, and has 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
 from slowflow.answer import joined
 from slowflow.averaged import words
-from slowflow.averaged.reference import dissipated, dissipated_points, doubt, inertia
-from slowflow.averaged.reference.along import InertiaPeak, Peak, Rest
+from slowflow.averaged.reference import dissipated, dissipated_points, doubt, inertia, steps
+from slowflow.averaged.reference.abreast import Abreast
+from slowflow.averaged.reference.along import Asked, InertiaPeak, Peak, Rest
 from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.averaged.reference.cells import amid, stretches_up_to
-from slowflow.averaged.reference.folds import folds_up_to
-from slowflow.averaged.reference.roots import Quartics
+from slowflow.averaged.reference.folds import FoldsUpTo
+from slowflow.averaged.reference.roots import Ints, Quartics
 from slowflow.averaged.reference.search import find_zeros
+from slowflow.averaged.reference.steps import Bound, Pieces, Search, Steps, Wanted
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates
 from slowflow_kernels import dissipation, frequencies, slow_flow
@@ -86,11 +88,16 @@ def skeleton(model: Model, F_0: float, lowest: float = 0.0) -> Skeleton:
 
     lowest -- as in `amplitude_bound`
     """
-    A_max, remark = amplitude_bound(model, F_0, lowest)
-    roots, events_up_to = _along(model, F_0)
-    folds = folds_up_to(model, F_0, A_max, remark)
+    return steps.alone(model, _skeleton(model, F_0, lowest))
+
+
+def _skeleton(model: Model, F_0: float, lowest: float) -> Steps[Skeleton]:
+    """The same, see `steps`."""
+    A_max, remark = yield Bound(F_0, lowest)
+    roots = _along(model, F_0)
+    folds = yield FoldsUpTo(F_0, A_max, remark)
     try:
-        events, undecided = events_up_to(model, F_0, A_max)
+        events, undecided = yield from _events(model, F_0, A_max)
         graph = Graph(roots, events)
     except ArithmeticError as failure:
         raise ArithmeticError(words.unresolved(model, F_0)) from failure
@@ -109,19 +116,28 @@ def skeleton(model: Model, F_0: float, lowest: float = 0.0) -> Skeleton:
     return Skeleton(roots, folds, _with_stability(roots, F_0, curves), closed, undecided, remark)
 
 
-def _along(model: Model, F_0: float) -> tuple[Along, Callable[[Model, float, float], tuple[list[Event], bool]]]:
-    """The frequencies along the amplitude, and what gives the events up to one, and whether doubles leave some open."""
+def _along(model: Model, F_0: float) -> Along:
+    """The frequencies along the amplitude."""
     if model.laws.any:
-        return dissipated.Roots(model, F_0), dissipated_points.response_events
+        return dissipated.Roots(model, F_0)
+    return inertia.Roots(model, F_0) if model.inertial else Roots(model, F_0)
+
+
+def _peaks_and_rest(model: Model, F_0: Any) -> list[Asked]:
+    return [Peak(model, F_0), Rest(model, F_0)]
+
+
+def _events(model: Model, F_0: float, A_max: float) -> Steps[tuple[list[Event], bool]]:
+    """Where the number of roots may change, by rising A: peaks, static states, breakpoints.
+
+    And whether doubles leave some open.
+    """
+    if model.laws.any:
+        return dissipated_points.response_events(model, F_0, A_max)
     if model.inertial:
-        return inertia.Roots(model, F_0), _events_of_inertia
-    return Roots(model, F_0), _events
-
-
-def _events(model: Model, F_0: float, A_max: float) -> tuple[list[Event], bool]:
-    """Where the number of roots may change, by rising A: peaks, static states, breakpoints."""
-    pieces = stretches_up_to(model, A_max)
-    peaks, static = find_zeros(model, [Peak(model, F_0), Rest(model, F_0)], pieces)
+        return _events_of_inertia(model, F_0, A_max)
+    pieces = yield Pieces(A_max)
+    peaks, static = yield Search(_peaks_and_rest, (F_0,), pieces)
     # where F is biquadratic in Omega with a minimum inside, it is a second root that comes from Omega = 0
     with np.errstate(all="ignore"):
         (w1, _), _ = (at_rest := Quartics(static.A, *model.averaged(static.A)[:2], model.m, model.zeta, F_0)).critical
@@ -175,7 +191,7 @@ def _events_of_inertia(model: Model, F_0: float, A_max: float) -> tuple[list[Eve
 def are_events_undecided(model: Model, F_0: float) -> bool:
     """Whether doubles leave open which peaks and static states a response curve has; of a force."""
     try:
-        return _events(model, F_0, amplitude_bound(model, F_0)[0])[1]
+        return steps.alone(model, _events(model, F_0, amplitude_bound(model, F_0)[0]))[1]
     except ArithmeticError:
         return True
 
@@ -242,14 +258,14 @@ def _end(step: tuple[Segment, bool], first: bool) -> tuple[float, float]:
     return segment.low if upward == first else segment.high
 
 
-def states_at(found: Skeleton, Omega: Floats) -> tuple[Floats, Floats, np.ndarray]:
+def states_at(found: Skeleton, Omega: Floats) -> Steps[tuple[Floats, Floats, np.ndarray]]:
     """Every state at each of the given frequencies: Omega, A, stable; by the order of `Omega`, then by rising A."""
     hits: list[tuple[int, Segment]] = []
     for segment in found.segments:
         low, high = segment.range
         hits += [(int(q), segment) for q in np.flatnonzero((low <= Omega) & (Omega <= high))]
     which = np.array([q for q, _ in hits], dtype=np.intp)
-    A = solve_segments(found.roots, [segment for _, segment in hits], Omega[which])
+    A = yield Amplitudes(found.roots, [segment for _, segment in hits], Omega[which])
     stable = np.array([segment.stable for _, segment in hits], dtype=bool)
     is_end = np.array([Omega[q] in segment.range for q, segment in hits], dtype=bool)
     order = np.lexsort((A, which))
@@ -278,19 +294,41 @@ def _order_same(which: Any, A: Floats, stable: Any) -> None:
         stable[i + 1] = not stable[i]
 
 
+@dataclass(frozen=True, eq=False)
+class Amplitudes(Wanted):
+    """`solve_segments`."""
+
+    roots: Along
+    segments: list[Segment]
+    Omega: Floats
+
+    def alone(self, model: Model) -> Floats:
+        return solve_segments(self.roots, self.segments, self.Omega)
+
+    def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
+        number = [len(one.segments) for one in all_of_them]
+        roots = Roots(model, np.array([one.roots.F_0 for one in all_of_them]))
+        segments = [segment for one in all_of_them for segment in one.segments]
+        Omega, of = np.concatenate([one.Omega for one in all_of_them]), np.repeat(np.arange(len(number)), number)
+        return np.split(solve_segments(roots, segments, Omega, of), np.cumsum(number)[:-1])
+
+
 @np.errstate(all="ignore")
-def solve_segments(roots: Along, segments: list[Segment], Omega: Floats) -> Floats:
-    """The amplitude at which each segment has the given Omega, which must lie in its range: Newton, bracketed."""
+def solve_segments(roots: Along, segments: list[Segment], Omega: Floats, of: Ints | None = None) -> Floats:
+    """The amplitude at which each segment has the given Omega, which must lie in its range: Newton, bracketed.
+
+    of -- of which of the designs abreast they are, if there are several
+    """
     if not segments:
         return np.empty(0)
-    model = roots.model
+    of = np.zeros(len(segments), np.intp) if of is None else of
     count, index = _numbers(segments)
     (low, at_low), (high, at_high) = (
         np.array([getattr(segment, side) for segment in segments]).T for side in ("low", "high")
     )
     falls, tail = at_low > at_high, (low == 0) & np.isinf(at_low)
     lo, hi = low.copy(), high.copy()
-    lo[tail] = _tail_amplitudes(roots, high[tail], count[tail], index[tail], Omega[tail])
+    lo[tail] = _tail_amplitudes(roots.take(of[tail]), high[tail], count[tail], index[tail], Omega[tail])
     A = np.where(tail, lo, lo + (hi - lo) * ((Omega - at_low) / (at_high - at_low)))
     last, x = hi - lo, A.copy()
     active = np.flatnonzero((Omega != at_low) & (Omega != at_high))
@@ -299,10 +337,11 @@ def solve_segments(roots: Along, segments: list[Segment], Omega: Floats) -> Floa
         inside = (at > below) & (at < above)
         if not inside.all():
             at = np.where(inside, at, amid(np.zeros(1), below, above))
-        w = roots.at(at, count[active], index[active])
+        own = roots.take(of[active])
+        w = own.at(at, count[active], index[active])
         left = (w > Omega[active]) == falls[active]
         below, above = np.where(left, at, below), np.where(left, above, at)
-        following = at - (w - Omega[active]) / model.Omega_A(w, at)
+        following = at - (w - Omega[active]) / own.model.Omega_A(w, at)
         moved = np.abs(following - at)
         x[active], lo[active], hi[active] = at, below, above
         done = (moved <= AT_ROOT * at) | ~(below < above)
@@ -314,7 +353,7 @@ def solve_segments(roots: Along, segments: list[Segment], Omega: Floats) -> Floa
         active = active[~done]
         if not active.size:
             break
-    x = np.clip(_polished(roots, Omega, x), low, high)
+    x = np.clip(_polished(roots.take(of), Omega, x), low, high)
     # an end is known better than it can be solved for: A is a square root of Omega there
     return np.where(at_low == Omega, low, np.where(at_high == Omega, high, x))
 
@@ -485,7 +524,17 @@ def _weights(segments: list[Segment]) -> Floats:
 def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
     found = skeleton(model, F_0, float(Omega.min(initial=np.inf)) if model.free else 0.0)
-    at, A, stable = states_at(found, Omega)
+    return steps.alone(model, _states(model, Omega, F_0, found))
+
+
+def amplitudes_in_steps(model: Model, Omega: Floats, F_0: float) -> Steps[SteadyStates]:
+    """The same of a mass that a spring holds, see `steps`."""
+    found = yield from _skeleton(model, F_0, 0.0)
+    return (yield from _states(model, Omega, F_0, found))
+
+
+def _states(model: Model, Omega: Floats, F_0: float, found: Skeleton) -> Steps[SteadyStates]:
+    at, A, stable = yield from states_at(found, Omega)
     with np.errstate(all="ignore"):
         in_doubt = doubt.is_at_fold(model, F_0, Omega, found.folds.Omega, found.folds.A)
     undecided = Omega if found.undecided else Omega[in_doubt]

@@ -505,8 +505,9 @@ class Quartics:
     shows one that has met already, the known number decides, and the place where the pair meets stands for the root.
     """
 
-    def __init__(self, A: Floats, h: Floats, h_A: Floats, m: float, zeta: float, F_0: float) -> None:
-        self._isolated = _Isolated.of(_Fold.of(A, h, h_A, m, zeta) if F_0 < 0 else _Response.of(A, h, m, zeta, F_0))
+    def __init__(self, A: Floats, h: Floats, h_A: Floats, m: float, zeta: float, F_0: Any) -> None:
+        of_folds = np.any(np.less(F_0, 0))
+        self._isolated = _Isolated.of(_Fold.of(A, h, h_A, m, zeta) if of_folds else _Response.of(A, h, m, zeta, F_0))
 
     @property
     def exist(self) -> Bools:

@@ -18,7 +18,7 @@ from slowflow.averaged import words
 from slowflow.averaged.reference.abreast import Abreast
 from slowflow.averaged.reference.along import Asked
 from slowflow.averaged.reference.bounds import amplitude_bound, amplitude_bounds
-from slowflow.averaged.reference.cells import Samples, Stretch, sample_above, samples_at
+from slowflow.averaged.reference.cells import Samples, Stretch, sample_above, samples_at, stretches_up_to
 from slowflow.averaged.reference.search import GIVEN_UP, Zeros, find_zeros, find_zeros_abreast
 from slowflow.model import Model
 
@@ -47,12 +47,13 @@ Steps = Generator[Wanted, Any, Answer]
 
 @dataclass(frozen=True)
 class Bound(Wanted):
-    """`amplitude_bound` at a forcing."""
+    """`amplitude_bound` at a forcing; of designs abreast, which springs hold, `lowest` has no part in it."""
 
     F_0: float
+    lowest: float = 0.0
 
     def alone(self, model: Model) -> tuple[float, str]:
-        return amplitude_bound(model, self.F_0)
+        return amplitude_bound(model, self.F_0, self.lowest)
 
     def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
         bounds = amplitude_bounds(model, np.array([wanted.F_0 for wanted in all_of_them]))
@@ -90,6 +91,24 @@ class Above(Wanted):
 
     def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
         return _each(sample_above(model, self.i, np.arange(model.abreast)))
+
+
+@dataclass(frozen=True)
+class Pieces(Wanted):
+    """`stretches_up_to` an amplitude."""
+
+    A_max: float
+
+    def alone(self, model: Model) -> list[Stretch]:
+        return stretches_up_to(model, self.A_max)
+
+    def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
+        found: list[list[Stretch]] = [[] for _ in all_of_them]
+        for piece in stretches_up_to(model, np.array([one.A_max for one in all_of_them])):
+            of = piece.first.of.tolist()
+            for k, first, last in zip(of, _each(piece.first), _each(piece.last), strict=True):
+                found[k].append(Stretch(first, last, first.A))
+        return found
 
 
 def _each(samples: Samples) -> list[Samples]:
