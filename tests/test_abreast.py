@@ -12,7 +12,10 @@ from slowflow import Oscillator, derive
 from slowflow.averaged import many
 from slowflow.averaged.asked import AMPLITUDES, ONSET, PEAK, SADDLE_NODES
 from slowflow.averaged.many import Designs
+from slowflow.averaged.proofs import Allowance
+from slowflow.averaged.questions import Averaged
 from slowflow.averaged.reference import search
+from slowflow.results import Remark
 from slowflow_kernels import duffing, rod_spring, rod_spring_untruncated
 from slowflow_kernels.conventions import Status
 from tests.oracles import draws
@@ -114,6 +117,19 @@ def test_folds_beyond_the_places_are_counted():
     designs, F_0 = drawn("isolators")
     *_, count, _, status = assert_as_each_alone(designs, SADDLE_NODES, {"F_0": F_0, "places": 1})
     assert ((status == Status.TOO_MANY) == (count > 1)).all() and (count > 1).any()
+
+
+def test_more_folds_than_a_batch_counts_are_no_answer():
+    """Next to F_SN, where the force softens: rounding makes 140 of them, which the single answer says."""
+    r, delta_h, mu, zeta = 0.032690746817792105, 0.8618186751864456, 1.2876267050203011e-05, 0.0017769850062564225
+    given = {"lam": [4.0, 3.0], "r": [r, 1.0], "delta_h": [delta_h, 0.1], "mu": [mu, 0.0], "zeta": [zeta, 0.02]}
+    designs, F_0 = Designs(on_numpy(rod_spring_untruncated.MECHANISM), given), np.array([0.0022647785409106095, 0.05])
+    alone = Averaged(designs.model({name: value[0] for name, value in given.items()})).folds(
+        F_0[0], allowance=Allowance(0)
+    )
+    assert len(alone) > 127 and Remark.UNDECIDED in alone.remarks
+    *_, count, _, status = assert_as_each_alone(designs, SADDLE_NODES, {"F_0": F_0, "places": 3})
+    assert (status[0], count[0]) == (Status.UNRESOLVED, 0) and status[1] == Status.OK
 
 
 @pytest.mark.parametrize("question", ["folds", "states", "peaks"])

@@ -54,11 +54,15 @@ def _saddle_nodes(oscillator: Any, F_0: float, places: int) -> tuple[Any, ...]:
     return in_places(found, places, found is not None and Remark.UNDECIDED in found.remarks)
 
 
+#: what a batch counts to; where rounding makes more of a curve's folds or states these are no answer
+MOST_COUNTED = int(np.iinfo(np.int8).max)
+
+
 def in_places(found: Any, places: int, undecided: bool) -> tuple[Any, ...]:
     """A single answer's folds, None for a blank one, in the places of a batch."""
     Omega, A, kind = np.full(places, np.nan), np.full(places, np.nan), np.zeros(places, np.int8)
-    if found is None:
-        return Omega, A, kind, 0, False, Status.NONE
+    if found is None or len(found) > MOST_COUNTED:
+        return Omega, A, kind, 0, False, Status.NONE if found is None else Status.UNRESOLVED
     n = min(places, len(found))
     Omega[:n], A[:n] = found.Omega[:n], found.A[:n]
     kind[:n] = [FOLD_KINDS[fold.kind, fold.corner] for fold in found][:n]
@@ -72,8 +76,8 @@ def _amplitudes(oscillator: Any, F_0: float, Omega: float, places: int) -> tuple
 def states_in_places(found: Any, places: int) -> tuple[Any, ...]:
     """A single answer's states at one frequency, None for a blank one, in the places of a batch."""
     A, stable = np.full(places, np.nan), np.zeros(places, np.int8)
-    if found is None:
-        return A, stable, 0, False, Status.NONE
+    if found is None or len(found.A) > MOST_COUNTED:
+        return A, stable, 0, False, Status.NONE if found is None else Status.UNRESOLVED
     n = min(places, len(found.A))
     A[:n], stable[:n] = found.A[:n], found.stable[:n]
     fits = n == len(found.A)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from slowflow.averaged import remarks
-from slowflow.averaged.asked import onset_in_columns, states_in_places
+from slowflow.averaged.asked import MOST_COUNTED, onset_in_columns, states_in_places
 from slowflow.averaged.reference import steps
 from slowflow.averaged.reference.abreast import Abreast
 from slowflow.averaged.reference.bounds import amplitude_bounds
@@ -29,7 +29,7 @@ def saddle_nodes(model: Abreast, F_0: Floats, places: int) -> Columns:
     A_max, bounded = _bounds(model, F_0)
     found = folds_abreast(model, F_0, A_max)
     number = np.bincount(found.of, minlength=model.abreast)
-    status = _status(bounded, found.given_up, number > places, Status.TOO_MANY)
+    status = _status(bounded, found.given_up | (number > MOST_COUNTED), number > places, Status.TOO_MANY)
     answered = (status == Status.OK) | (status == Status.TOO_MANY)
     place = np.arange(found.of.size) - (np.cumsum(number) - number)[found.of]
     kept = (place < places) & answered[found.of]
