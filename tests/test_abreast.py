@@ -124,9 +124,8 @@ def test_more_folds_than_a_batch_counts_are_no_answer():
     r, delta_h, mu, zeta = 0.032690746817792105, 0.8618186751864456, 1.2876267050203011e-05, 0.0017769850062564225
     given = {"lam": [4.0, 3.0], "r": [r, 1.0], "delta_h": [delta_h, 0.1], "mu": [mu, 0.0], "zeta": [zeta, 0.02]}
     designs, F_0 = Designs(on_numpy(rod_spring_untruncated.MECHANISM), given), np.array([0.0022647785409106095, 0.05])
-    alone = Averaged(designs.model({name: value[0] for name, value in given.items()})).folds(
-        F_0[0], allowance=Allowance(0)
-    )
+    first = Averaged(designs.model({name: value[0] for name, value in given.items()} | {"zeta": zeta}))
+    alone = first.folds(F_0[0], allowance=Allowance(0))
     assert len(alone) > 127 and Remark.UNDECIDED in alone.remarks
     *_, count, _, status = assert_as_each_alone(designs, SADDLE_NODES, {"F_0": F_0, "places": 3})
     assert (status[0], count[0]) == (Status.UNRESOLVED, 0) and status[1] == Status.OK
