@@ -160,7 +160,7 @@ def _crossings(model: Model, F_0: float, A_max: float) -> Inside:
     def level_at(Omega: float, A: float) -> float:
         return float(of_locus(model, np.array([Omega]), np.array([A]))[0])
 
-    for arc in Graph(locus, stations.events()).arcs:
+    for arc in Graph.of(locus, stations.events()).arcs:
         low, high = arc.A
         if low == 0 and model.preload > 0:  # with A the level tends to 0 as Omega tends to inf, and Omega is not known
             low = high * NEXT_TO_REST

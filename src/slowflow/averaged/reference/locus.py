@@ -88,7 +88,7 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max, in order along each branch."""
     roots: Along = dissipated.Roots(model, -1.0) if model.laws.any else Roots(model, -1.0)
     stations = (dissipated_points.Stations if model.laws.any else Stations).of(model, A_max)
-    graph = Graph(roots, stations.events())
+    graph = Graph.of(roots, stations.events())
     arcs = graph.arcs
     if not arcs:
         none = np.empty(0)

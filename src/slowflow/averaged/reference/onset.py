@@ -35,7 +35,8 @@ from slowflow.averaged.reference.locus import of_cusps, of_isolas
 from slowflow.averaged.reference.minima import cusp_is_minimum, isola_is_minimum
 from slowflow.averaged.reference.roots import fold_roots, peak_roots
 from slowflow.averaged.reference.search import GIVEN_UP, find_zeros, find_zeros_abreast
-from slowflow.averaged.reference.steps import Above, At, Bound, Search, Steps
+from slowflow.averaged.reference.steps import Steps
+from slowflow.averaged.reference.wanted import Above, At, Bound, Search
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound

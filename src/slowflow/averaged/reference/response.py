@@ -20,13 +20,15 @@ from slowflow.averaged import words
 from slowflow.averaged.reference import dissipated, dissipated_points, doubt, inertia, steps
 from slowflow.averaged.reference.abreast import Abreast
 from slowflow.averaged.reference.along import Asked, InertiaPeak, Peak, Rest
-from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, Roots, merged
+from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, OmegaAt, Roots, merged, of_all
 from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.averaged.reference.cells import amid, stretches_up_to
 from slowflow.averaged.reference.folds import FoldsUpTo
+from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.roots import Ints, Quartics
 from slowflow.averaged.reference.search import find_zeros
-from slowflow.averaged.reference.steps import Bound, Pieces, Search, Steps, Wanted
+from slowflow.averaged.reference.steps import Steps, Wanted
+from slowflow.averaged.reference.wanted import Bound, Pieces, Search
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates
 from slowflow_kernels import dissipation, frequencies, slow_flow
@@ -98,10 +100,10 @@ def _skeleton(model: Model, F_0: float, lowest: float) -> Steps[Skeleton]:
     folds = yield FoldsUpTo(F_0, A_max, remark)
     try:
         events, undecided = yield from _events(model, F_0, A_max)
-        graph = Graph(roots, events)
+        graph = yield from Graph.in_steps(roots, events)
     except ArithmeticError as failure:
         raise ArithmeticError(words.unresolved(model, F_0)) from failure
-    on_arc = _arcs_of_folds(roots, graph, folds)
+    on_arc = yield from _arcs_of_folds(roots, graph, folds)
     curves = []
     for tour in graph.tours:
         curve: list[tuple[Segment, bool]] = []
@@ -113,7 +115,7 @@ def _skeleton(model: Model, F_0: float, lowest: float) -> Steps[Skeleton]:
         curves.append(curve)
     undecided |= Remark.UNDECIDED in folds.remarks
     closed = [tour.closed for tour in graph.tours]
-    return Skeleton(roots, folds, _with_stability(roots, F_0, curves), closed, undecided, remark)
+    return Skeleton(roots, folds, (yield from _with_stability(roots, curves)), closed, undecided, remark)
 
 
 def _along(model: Model, F_0: float) -> Along:
@@ -196,7 +198,7 @@ def are_events_undecided(model: Model, F_0: float) -> bool:
         return True
 
 
-def _arcs_of_folds(roots: Along, graph: Graph, folds: SaddleNodes) -> dict[int, list[tuple[float, float]]]:
+def _arcs_of_folds(roots: Along, graph: Graph, folds: SaddleNodes) -> Steps[dict[int, list[tuple[float, float]]]]:
     """The folds (A, Omega) on each arc: of those that reach a fold's amplitude the one that is nearest."""
     pairs = [
         (f, number)
@@ -208,8 +210,7 @@ def _arcs_of_folds(roots: Along, graph: Graph, folds: SaddleNodes) -> dict[int, 
         return {}
     of, numbers = (np.array(column, dtype=np.intp) for column in zip(*pairs, strict=True))
     count, index = (np.array([getattr(graph.arcs[n], name) for n in numbers]) for name in ("count", "index"))
-    with np.errstate(all="ignore"):
-        off = np.abs(roots.at(folds.A[of], count, index) - folds.Omega[of])
+    off = np.abs((yield OmegaAt(roots, folds.A[of], count, index)) - folds.Omega[of])
     found: dict[int, list[tuple[float, float]]] = {}
     for f in np.unique(of):
         own = np.flatnonzero(of == f)
@@ -217,31 +218,50 @@ def _arcs_of_folds(roots: Along, graph: Graph, folds: SaddleNodes) -> dict[int, 
     return found
 
 
-def _with_stability(
-    roots: Along, F_0: float, curves: list[list[tuple[Segment, bool]]]
-) -> list[list[tuple[Segment, bool]]]:
+def _with_stability(roots: Along, curves: list[list[tuple[Segment, bool]]]) -> Steps[list[list[tuple[Segment, bool]]]]:
     """The same with each segment's stability: a state is stable where F_A is positive (30)."""
     segments = [segment for curve in curves for segment, _ in curve]
     if not segments:
         return curves
-    model = roots.model
-    A = np.array([0.5 * (segment.low[0] + segment.high[0]) for segment in segments])
-    with np.errstate(all="ignore"):
-        Omega = roots.at(A, *_numbers(segments))
-        rises = np.asarray(model.F_A(Omega, A))
-        if not (model.inertial or model.laws.any):
-            sharp = A * Omega**2 > SHARP * F_0
-            count, index = (one[sharp] for one in _numbers(segments))
-            rises[sharp] = _rise_where_sharp(model, F_0, A[sharp], Omega[sharp], count, index)
-        stable = iter((rises > 0).tolist())
+    stable = iter((yield Stability(roots, segments)).tolist())
     return [[(replace(segment, stable=next(stable)), upward) for segment, upward in curve] for curve in curves]
 
 
-def _rise_where_sharp(model: Model, F_0: float, A: Floats, Omega: Floats, count: Any, index: Any) -> Floats:
+@dataclass(frozen=True, eq=False)
+class Stability(Wanted):
+    """Which segments are stable."""
+
+    roots: Along
+    segments: list[Segment]
+
+    def alone(self, model: Model) -> Bools:
+        return _are_stable(self.roots, self.segments, np.zeros(len(self.segments), np.intp))
+
+    def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
+        sizes = [len(one.segments) for one in all_of_them]
+        roots, of = of_all(model, [one.roots for one in all_of_them], sizes)
+        found = _are_stable(roots, [segment for one in all_of_them for segment in one.segments], of)
+        return np.split(found, np.cumsum(sizes)[:-1])
+
+
+def _are_stable(roots: Along, segments: list[Segment], of: Ints) -> Bools:
+    """The same; `of`: of which of the designs abreast they are."""
+    own, (count, index) = roots.take(of), _numbers(segments)
+    A = np.array([0.5 * (segment.low[0] + segment.high[0]) for segment in segments])
+    Omega = own.at(A, count, index)
+    rises = np.asarray(own.model.F_A(Omega, A))
+    if not (own.model.inertial or own.model.laws.any):
+        sharp = np.flatnonzero(A * Omega**2 > SHARP * own.F_0)
+        rises[sharp] = _rise_where_sharp(own.take(sharp), A[sharp], Omega[sharp], count[sharp], index[sharp])
+    return rises > 0
+
+
+def _rise_where_sharp(roots: Along, A: Floats, Omega: Floats, count: Any, index: Any) -> Floats:
     """F_A/2 where rounding of A Omega^2 leaves nothing of R.
 
     F has R up to its sign, which is that of F_Omega there: F rises at the last root.
     """
+    model, F_0 = roots.model, roots.F_0
     I = slow_flow.I(Omega, A, model.m, model.zeta)
     R = np.sqrt(np.maximum(0.0, (F_0 - I) * (F_0 + I))) * np.where((count - index) % 2 == 1, 1.0, -1.0)
     R_A, I_A = model.averaged(A)[1] + Omega**2, dissipation.I_A(Omega, A, 0.0, model.zeta, 0.0)
@@ -306,11 +326,11 @@ class Amplitudes(Wanted):
         return solve_segments(self.roots, self.segments, self.Omega)
 
     def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
-        number = [len(one.segments) for one in all_of_them]
-        roots = Roots(model, np.array([one.roots.F_0 for one in all_of_them]))
+        sizes = [len(one.segments) for one in all_of_them]
+        roots, of = of_all(model, [one.roots for one in all_of_them], sizes)
         segments = [segment for one in all_of_them for segment in one.segments]
-        Omega, of = np.concatenate([one.Omega for one in all_of_them]), np.repeat(np.arange(len(number)), number)
-        return np.split(solve_segments(roots, segments, Omega, of), np.cumsum(number)[:-1])
+        found = solve_segments(roots, segments, np.concatenate([one.Omega for one in all_of_them]), of)
+        return np.split(found, np.cumsum(sizes)[:-1])
 
 
 @np.errstate(all="ignore")
