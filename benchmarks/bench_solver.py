@@ -70,7 +70,7 @@ def single() -> dict[str, tuple[Callable[[], Any], float | None]]:
 def batches(count: int, seed: int) -> dict[str, tuple[Callable[[], Any], int, float | None]]:
     """Questions to many isolators, their number, and the target in designs a second."""
     jobs: dict[str, tuple[Callable[[], Any], int, float | None]] = {}
-    drawn = min(count, 2000)  # some 25 kB each
+    drawn = min(count, 20 if backend.SOLVER is None else 2000)  # some 25 kB each
     few = random_designs(drawn, seed)
     jobs["curves, 1000 points, random"] = (lambda: few.frequency_response(F_0), drawn, 15e3)
     for name, designs in (("Table 1", table_1_designs(count)), ("random", random_designs(count, seed))):
@@ -86,7 +86,7 @@ def batches(count: int, seed: int) -> dict[str, tuple[Callable[[], Any], int, fl
 def rows(count: int = 100_000, repeats: int = 7, seed: int = 5) -> list[dict[str, Any]]:
     """One dictionary for each job: its median time, the spread, the rate and the target; on NumPy a smaller batch."""
     if backend.SOLVER is None:
-        count = min(count, 20)
+        count = min(count, 512)
     jobs: dict[str, tuple[Callable[[], Any], int, float | None]] = {}
     for name, (job, seconds) in single().items():
         jobs[name] = (job, 1, None if seconds is None else 1 / seconds)

@@ -4,7 +4,7 @@ Out: benchmarks/results/stability.json, docs/stability.md and its pictures, test
 say of kernels, derivations/emit/measured.json. Under twenty minutes on two cores. `--only answers counts` measures
 these anew and keeps the rest of the last results, `--draw` keeps all; `--size 0.1` takes a tenth of the points. Counts
 against proofs are ten million, a million isolators among them. What was measured is kept as soon as a part is through.
-`--only "folds on NumPy" --size 340` is a million of these, in hours, and is kept beside smaller ones.
+`--only "folds on NumPy" --size 34` is a million of these, and is kept beside smaller ones.
 """
 
 from __future__ import annotations
@@ -42,10 +42,10 @@ STATES = {
     "rod_spring": 250, "rod_spring, zeta = 0": 50, "rod_spring, alpha = 0": 50,
     "rod_spring_untruncated": 50, "duffing": 5_000, "duffing, zeta = 0": 250, "duffing, alpha = 0": 250,
 }  # fmt: skip
-#: the same without compiled code, of each of fewer shares: each takes some 20 ms, and a process some seconds to start
+#: the same without compiled code, of each of fewer shares: each takes some 2 ms, and a process some seconds to start
 ON_NUMPY = {
-    "rod_spring": 600, "rod_spring, zeta = 0": 100, "rod_spring, alpha = 0": 100,
-    "rod_spring_untruncated": 100, "duffing": 400, "duffing, zeta = 0": 100, "duffing, alpha = 0": 100,
+    "rod_spring": 6_000, "rod_spring, zeta = 0": 1_000, "rod_spring, alpha = 0": 1_000,
+    "rod_spring_untruncated": 1_000, "duffing": 4_000, "duffing, zeta = 0": 1_000, "duffing, alpha = 0": 1_000,
 }  # fmt: skip
 SHARES_ON_NUMPY = 2
 #: points shown of each kernel and kind in a picture
@@ -132,7 +132,7 @@ def joined(what: str, found: list[Any]) -> list[Any]:
 
 
 def most_on_numpy(before: dict[str, Any] | None, found: list[Any]) -> dict[str, Any]:
-    """The largest run yet of what takes hours."""
+    """The largest run yet of what takes long."""
     asked = [sum(t["asked"] for t in run) for run in (before["found"] if before else [], found)]
     return before if before and asked[0] > asked[1] else {"when": f"{time.strftime('%Y-%m-%d')}", "found": found}
 

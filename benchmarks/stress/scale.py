@@ -24,7 +24,6 @@ import numpy.typing as npt
 from slowflow import Duffing, Isolator
 from slowflow.averaged.asked import PROVED_FOLDS, PROVED_STATES, SADDLE_NODES
 from slowflow.averaged.proofs import Allowance
-from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 from tests.oracles import draws
 
@@ -103,7 +102,7 @@ KINDS = {
 
 def folds(kind: str, part: int, number: int) -> Tally:
     """What is counted, of folds at one forcing of each of so many oscillators."""
-    return _folds(kind, "folds", [SEED, part, len(kind), 0], number, compiled)
+    return _folds(kind, "folds", [SEED, part, len(kind), 0], number, in_use)
 
 
 def folds_on_numpy(kind: str, part: int, number: int) -> Tally:
@@ -111,8 +110,8 @@ def folds_on_numpy(kind: str, part: int, number: int) -> Tally:
     return _folds(kind, "folds on NumPy", [SEED, part, len(kind), 2], number, without_compiled)
 
 
-def compiled(kind: str, numbers: Numbers, F_0: draws.Floats) -> list[npt.NDArray[Any]]:
-    """Number of folds, whether it is said to be undecided, status."""
+def in_use(kind: str, numbers: Numbers, F_0: draws.Floats) -> list[npt.NDArray[Any]]:
+    """Number of folds, whether it is said to be undecided, status: by the solvers that are in use."""
     *_, given, undecided, status = KINDS[kind].batch(numbers).ask(SADDLE_NODES, 1, F_0, 12)
     return [given, undecided, status]
 
@@ -129,18 +128,8 @@ def without_compiled(kind: str, numbers: Numbers, F_0: draws.Floats) -> list[npt
 
 def answer() -> None:
     """What that process does: numbers in by stdin, answers out by stdout."""
-    kind, (*numbers, forcings) = KINDS[sys.argv[1]], np.load(io.BytesIO(sys.stdin.buffer.read()))
-    found = []
-    for F_0, *own in zip(forcings.tolist(), *(column.tolist() for column in numbers), strict=True):
-        iso = kind.one(own)
-        try:
-            answered = iso.folds(F_0, allowance=Allowance(0))
-        except ArithmeticError:
-            found.append((0, False, Status.UNRESOLVED))
-        else:
-            status = Status.STICKS if iso.model.sticks(F_0) else Status.OK
-            found.append((len(answered), Remark.UNDECIDED in answered.remarks, status))
-    np.save(sys.stdout.buffer, np.array(found, int).reshape(-1, 3).T)
+    *numbers, F_0 = np.load(io.BytesIO(sys.stdin.buffer.read()))
+    np.save(sys.stdout.buffer, np.array(in_use(sys.argv[1], tuple(numbers), F_0), int))
 
 
 def _folds(kind: str, what: str, seed: list[int], number: int, answers: Callable[..., list[npt.NDArray[Any]]]) -> Tally:

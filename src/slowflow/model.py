@@ -297,6 +297,20 @@ class Model:
         pairs = zip(ends, zip(flat[::2], flat[1::2], strict=True), strict=True)
         return tuple(pair for end, pair in pairs if end > 0)
 
+    @cached_property
+    def abreast(self) -> int:
+        """How many designs it is of, see `averaged.reference.abreast`."""
+        return 1
+
+    def take(self, of: Any) -> Model:
+        """What kernels take at samples that are of these designs: of one design they take its own."""
+        return self
+
+    @cached_property
+    def undamped(self) -> bool:
+        """Whether there is no viscous damping."""
+        return self.zeta == 0
+
     @property
     def inertial(self) -> bool:
         """Whether the force is the amplitude of the excitation times Omega^2."""

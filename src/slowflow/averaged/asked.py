@@ -54,11 +54,15 @@ def _saddle_nodes(oscillator: Any, F_0: float, places: int) -> tuple[Any, ...]:
     return in_places(found, places, found is not None and Remark.UNDECIDED in found.remarks)
 
 
+#: what a batch counts to; where rounding makes more of a curve's folds or states these are no answer
+MOST_COUNTED = int(np.iinfo(np.int8).max)
+
+
 def in_places(found: Any, places: int, undecided: bool) -> tuple[Any, ...]:
     """A single answer's folds, None for a blank one, in the places of a batch."""
     Omega, A, kind = np.full(places, np.nan), np.full(places, np.nan), np.zeros(places, np.int8)
-    if found is None:
-        return Omega, A, kind, 0, False, Status.NONE
+    if found is None or len(found) > MOST_COUNTED:
+        return Omega, A, kind, 0, False, Status.NONE if found is None else Status.UNRESOLVED
     n = min(places, len(found))
     Omega[:n], A[:n] = found.Omega[:n], found.A[:n]
     kind[:n] = [FOLD_KINDS[fold.kind, fold.corner] for fold in found][:n]
@@ -72,8 +76,8 @@ def _amplitudes(oscillator: Any, F_0: float, Omega: float, places: int) -> tuple
 def states_in_places(found: Any, places: int) -> tuple[Any, ...]:
     """A single answer's states at one frequency, None for a blank one, in the places of a batch."""
     A, stable = np.full(places, np.nan), np.zeros(places, np.int8)
-    if found is None:
-        return A, stable, 0, False, Status.NONE
+    if found is None or len(found.A) > MOST_COUNTED:
+        return A, stable, 0, False, Status.NONE if found is None else Status.UNRESOLVED
     n = min(places, len(found.A))
     A[:n], stable[:n] = found.A[:n], found.stable[:n]
     fits = n == len(found.A)
@@ -135,6 +139,8 @@ class Question:
                one by one
     at_once -- designs that take no more than some tenths of a second: until then Ctrl-C is not heard
     by_inertia -- whether the compiled solvers answer it of an excitation by inertia too
+    abreast -- from what answers designs that go abreast on NumPy the answer to this question, from these designs, F_0
+               and Omega as arrays, and places; None where each is asked by itself
     """
 
     one: One | None
@@ -142,6 +148,7 @@ class Question:
     batch: Callable[[ModuleType], Callable[[Any], Callable[..., Any]]] | None
     at_once: int
     by_inertia: bool = True
+    abreast: Callable[[ModuleType], Callable[..., tuple[Any, ...]]] | None = None
 
 
 DETACHMENT = Question(
@@ -155,24 +162,28 @@ ONSET = Question(
     lambda _: [*[((), float)] * 3, *[((), np.int8)] * 3],
     lambda native: native.many_onset,
     2**14,
+    abreast=lambda columns: columns.onset,
 )
 SADDLE_NODES = Question(
     _saddle_nodes,
     lambda k: [*[((k,), float)] * 2, ((k,), np.int8), *[((), np.int8)] * 3],
     lambda native: native.many_saddle_nodes,
     2**12,
+    abreast=lambda columns: columns.saddle_nodes,
 )
 AMPLITUDES = Question(
     _amplitudes,
     lambda k: [((k,), float), ((k,), np.int8), *[((), np.int8)] * 3],
     lambda native: native.many_amplitudes,
     2**11,
+    abreast=lambda columns: columns.amplitudes,
 )
 PEAK = Question(
     _peak,
     lambda _: [*[((), float)] * 2, ((), np.int8)],
     lambda native: native.many_peak,
     2**13,
+    abreast=lambda columns: columns.peak,
 )
 PROVED_FOLDS = Question(
     None,

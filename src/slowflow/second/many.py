@@ -267,9 +267,15 @@ DETACHMENT = replace(
     batch=lambda native: native.many_second_detachment,
     at_once=2**13,
     by_inertia=False,
+    abreast=None,
 )
 ONSET = replace(
-    asked.ONSET, one=_second(_onset), batch=lambda native: native.many_second_onset, at_once=2**13, by_inertia=False
+    asked.ONSET,
+    one=_second(_onset),
+    batch=lambda native: native.many_second_onset,
+    at_once=2**13,
+    by_inertia=False,
+    abreast=None,
 )
 SADDLE_NODES = replace(
     asked.SADDLE_NODES,
@@ -277,7 +283,13 @@ SADDLE_NODES = replace(
     batch=lambda native: native.many_second_saddle_nodes,
     at_once=2**9,
     by_inertia=False,
+    abreast=None,
 )
 PEAK = replace(
-    asked.PEAK, one=_second(_peak), batch=lambda native: native.many_second_peak, at_once=2**9, by_inertia=False
+    asked.PEAK,
+    one=_second(_peak),
+    batch=lambda native: native.many_second_peak,
+    at_once=2**9,
+    by_inertia=False,
+    abreast=None,
 )

@@ -15,7 +15,7 @@ Inertia    peaks and isolas    of an excitation by inertia: where an amplitude's
 =========  ==================  ======================================================================================
 
 As in native/along.h and native/ranges.h. The functions are generated, for numbers and for intervals
-(derivations/along.py).
+(derivations/along.py). Designs may go abreast: samples and cells say which of them they are of.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ import numpy as np
 from slowflow.averaged.reference.cells import Cells, Samples, doubtful
 from slowflow.averaged.reference.doubt import is_fold_close
 from slowflow.averaged.reference.intervals import Bools, Interval
-from slowflow.averaged.reference.roots import Quartics, critical_points, fold_roots, peak_roots
+from slowflow.averaged.reference.roots import Quartics, critical_points, fold_roots, peak_roots, taken
 from slowflow.model import Floats, Model
 from slowflow_kernels import (
     inertia,
@@ -148,7 +148,11 @@ class Asked:
 
     def __init__(self, model: Model) -> None:
         self.model = model
-        self.m, self.zeta = Interval.point(model.m), Interval.point(model.zeta)
+
+    def damping(self, cells: Cells) -> tuple[Interval, Interval]:
+        """m and zeta on cells."""
+        own = self.model.take(cells.of)
+        return Interval.point(own.m), Interval.point(own.zeta)
 
     def ask(self, at: Samples) -> Channels:
         """At samples."""
@@ -158,9 +162,9 @@ class Asked:
         """On cells."""
         raise NotImplementedError
 
-    def is_close(self, at: Samples, answers: Channels) -> bool:
-        """Whether a number of zeros may be decided by rounding, as far as these samples tell."""
-        return False
+    def is_close(self, at: Samples, answers: Channels) -> Bools:
+        """At which samples rounding may decide a number of zeros, as far as these tell."""
+        return np.zeros(len(at), dtype=bool)
 
 
 class Stiffness(Asked):
@@ -184,43 +188,44 @@ class FoldAt(Asked):
 
     channels = 1
 
-    def __init__(self, model: Model, F_0: float) -> None:
+    def __init__(self, model: Model, F_0: Any) -> None:
         super().__init__(model)
         self.F_0 = F_0
-        self.least = float(slow_flow.least_restoring(F_0, model.m))
+        self.least = slow_flow.least_restoring(F_0, model.m)
 
     def ask(self, at: Samples) -> Channels:
-        model, flow, F_0 = self.model, self.model.flow, self.F_0
+        model, F_0 = self.model.take(at.of), taken(self.F_0, at.of)
         _, k_A = slow_flow.intercept(at.A, at.h, at.h_A, at.h_AA)
-        if model.zeta == 0:
-            y, dy = flow.fold(F_0, model.m, at.k, k_A)
-            return _channels(1, at, at.h_A < 0, y, dy, flow.undamped_Omega(np.minimum(at.h_A, 0.0)))
-        y, dy, Omega = flow.fold(at.A, F_0, model.m, model.zeta, at.h, at.h_A, at.k, k_A)
+        if model.undamped:
+            y, dy = model.flow.fold(F_0, model.m, at.k, k_A)
+            return _channels(1, at, at.h_A < 0, y, dy, model.flow.undamped_Omega(np.minimum(at.h_A, 0.0)))
+        y, dy, Omega = model.flow.fold(at.A, F_0, model.m, model.zeta, at.h, at.h_A, at.k, k_A)
         # |k| may be the least but for the rounding of that: then y is NaN
-        exists = (np.abs(at.k) >= self.least) & ~np.isnan(y)
+        exists = (np.abs(at.k) >= taken(self.least, at.of)) & ~np.isnan(y)
         # F_A has the sign of h_A where the channel ends
-        return _channels(1, at, exists, y, dy, self._Omega(at, Omega, y), 0.0, 0.0, np.sign(at.h_A))
+        return _channels(1, at, exists, y, dy, self._Omega(model, at, Omega, y), 0.0, 0.0, np.sign(at.h_A))
 
-    def is_close(self, at: Samples, answers: Channels) -> bool:
-        """Whether the function is next to 0 at one of them."""
-        close = is_fold_close(self.model, self.F_0, self.least, at, answers.y[0], answers.Omega[0])
-        return bool((answers.exists[0] & close).any())
+    def is_close(self, at: Samples, answers: Channels) -> Bools:
+        """Where the function is next to 0."""
+        model, F_0, least = self.model.take(at.of), taken(self.F_0, at.of), taken(self.least, at.of)
+        return np.asarray(answers.exists[0] & is_fold_close(model, F_0, least, at, answers.y[0], answers.Omega[0]))
 
-    def _Omega(self, at: Samples, Omega: Floats, y: Floats) -> Floats:
+    def _Omega(self, model: Model, at: Samples, Omega: Floats, y: Floats) -> Floats:
         """Where a fold may be, from I or from R, y being what the two lack of agreeing: what rounding moves less.
 
         I exceeds m by little if damping is weak, and |k| the least if Omega is low.
         """
-        lag, square = slow_flow.I(Omega, at.A, 0.0, self.model.zeta), slow_flow.fold_square(Omega, at.A, y)
-        least = self.least / at.k
-        of_I = (lag + self.model.m) / (lag * (1 - least) * (1 + least))
+        lag, square = slow_flow.I(Omega, at.A, 0.0, model.zeta), slow_flow.fold_square(Omega, at.A, y)
+        least = taken(self.least, at.of) / at.k
+        of_I = (lag + model.m) / (lag * (1 - least) * (1 + least))
         of_R = (2 * np.abs(at.h) + at.A * square) / (at.A * square)
         return np.where((square > 0) & ~(of_R >= of_I), np.sqrt(np.maximum(square, 0.0)), Omega)
 
     def range(self, cells: Cells) -> Ranges:
-        model, least, k, F_0 = self.model, self.least, cells.k, Interval.point(self.F_0)
-        if model.zeta == 0:
-            y, dy = slow_flow_zeta0_intervals.fold(F_0, self.m, k, cells.k_A)
+        k, force, least = cells.k, taken(self.F_0, cells.of), taken(self.least, cells.of)
+        F_0, (m, zeta) = Interval.point(force), self.damping(cells)
+        if self.model.undamped:
+            y, dy = slow_flow_zeta0_intervals.fold(F_0, m, k, cells.k_A)
             return _ranges(1, cells, _where_positive(-cells.h_A), y, dy)
         nowhere = (k.hi < least) & (k.lo > -least)
         both_sides = ~((k.hi < least) | (k.lo > -least))
@@ -232,10 +237,10 @@ class FoldAt(Asked):
         # F_A has the sign of h_A where the channel ends
         known = ~whole & ~both_sides & cells.k_A.has_sign & cells.h_A.has_sign
         edge = np.where(known, np.where(cells.h_A.lo > 0, 1, -1), 0)
-        y, dy, _ = slow_flow_intervals.fold(cells.A, F_0, self.m, self.zeta, cells.h, cells.h_A, k, cells.k_A)
+        y, dy, _ = slow_flow_intervals.fold(cells.A, F_0, m, zeta, cells.h, cells.h_A, k, cells.k_A)
         # if that turns on the cell a fold may lie so near to the end that rounding of the least decides
         turns, h, h_A = (where == PARTLY) & ~cells.h_A.has_sign, _largest(cells.h), _largest(cells.h_A)
-        rounding = np.where(turns, CLOSE * (self.F_0 + h + cells.A.hi * (1 + h_A)), 0.0)
+        rounding = np.where(turns, CLOSE * (force + h + cells.A.hi * (1 + h_A)), 0.0)
         y = y + Interval.of(-rounding, rounding)
         unknown = _unknown(cells)
         return _ranges(1, cells, where, unknown.where(both_sides, y), unknown.where(both_sides, dy), edge)
@@ -247,28 +252,52 @@ class Isola(Asked):
     channels = 1
 
     def ask(self, at: Samples) -> Channels:
-        model = self.model
+        model = self.model.take(at.of)
         rises = np.maximum(at.h_A, 0.0)
         y, dy = model.flow.isola(at.A, model.m, model.zeta, at.h, rises, at.h_AA)
         # where the channel ends, at Omega = 0, F_Omega/(4 A) is m zeta
-        edge = float(model.m > 0 and model.zeta > 0)
-        return _channels(1, at, at.h_A > 0, y, dy, self._Omega(at, rises), 0.0, 0.0, edge)
+        edge = np.where((model.m > 0) & (model.zeta > 0), 1.0, 0.0)
+        return _channels(1, at, at.h_A > 0, y, dy, self._Omega(model, at, rises), 0.0, 0.0, edge)
 
-    def _Omega(self, at: Samples, rises: Floats) -> Floats:
+    def _Omega(self, model: Model, at: Samples, rises: Floats) -> Floats:
         """Omega^2 = h_A, or, where h_A is small beside its terms, the root of F_Omega, without h_A, next to that.
 
         Where h_A is as small as its rounding that is all that is left of Omega.
         """
         rounding = CLOSE * (np.abs(at.h) / at.A + np.abs(at.h_A))
-        roots, count = peak_roots(np.where(at.A > 0, at.A, 1.0), at.h, self.model.m, self.model.zeta)
+        roots, count = peak_roots(np.where(at.A > 0, at.A, 1.0), at.h, model.m, model.zeta)
         lost = (rises * at.A < SOFT * np.abs(at.h)) & (count == 2)
         lost &= np.abs(roots[:, 0] ** 2 - rises) < 2 * BESIDE * rises + rounding
         return np.where(lost, roots[:, 0], slow_flow.isola_Omega(rises))
 
     def range(self, cells: Cells) -> Ranges:
-        intervals = slow_flow_mu0_intervals if self.model.m == 0 else slow_flow_intervals
-        y, dy = intervals.isola(cells.A, self.m, self.zeta, cells.h, cells.h_A, cells.h_AA)
+        intervals = slow_flow_intervals if np.any(self.model.m) else slow_flow_mu0_intervals
+        y, dy = intervals.isola(cells.A, *self.damping(cells), cells.h, cells.h_A, cells.h_AA)
         return _ranges(1, cells, _where_positive(cells.h_A), y, dy)
+
+
+def _folds_next_to(model: Model, at: Samples, some: Bools, w: Floats, level: Floats) -> None:
+    """Puts into Omega and level (2, n), some of them, those of the fold at A whose Omega is the nearest.
+
+    Next to Omega = 0 a rounding of A moves the root X = Omega^2 of F_AA by more than X, but hardly that fold, whose
+    Omega is a root of F_A.
+    """
+    channel, those = some.nonzero()
+    if not those.size:
+        return
+    thrice = np.repeat(those, 3)
+    A, h, h_A, m, zeta = (taken(column, thrice) for column in (at.A, at.h, at.h_A, model.m, model.zeta))
+    index = np.tile(np.arange(3), those.size)
+    folds = Quartics(A, h, h_A, m, zeta, -1.0)
+    count = folds.count().astype(np.intp)
+    roots = np.where(index < count, folds.roots(count, index), np.nan).reshape(-1, 3)
+    off = np.where(np.isnan(roots), np.inf, np.abs(roots - w[channel, those][:, np.newaxis]))
+    found = np.isfinite(off).any(axis=1)
+    channel, those = channel[found], those[found]
+    nearest = np.take_along_axis(roots, off.argmin(axis=1)[:, np.newaxis], axis=1)[found, 0]
+    w[channel, those] = nearest
+    m, zeta = taken(model.m, those), taken(model.zeta, those)
+    level[channel, those] = slow_flow.level(nearest, at.A[those], m, zeta, at.h[those])
 
 
 def _quadratic_roots(a: Floats, b: Floats, root: Floats) -> Floats:
@@ -287,12 +316,12 @@ def _quadratic_root_ranges(a: Interval, b: Interval, root: Interval) -> Interval
 class Cusp(Asked):
     """For zeta > 0; those at a forcing above F_0 may be left out. The first channel is the larger root Omega^2."""
 
-    def __init__(self, model: Model, F_0: float = np.inf) -> None:
+    def __init__(self, model: Model, F_0: Any = np.inf) -> None:
         super().__init__(model)
         self.F_0 = F_0
 
     def ask(self, at: Samples) -> Channels:
-        model = self.model
+        model = self.model.take(at.of)
         a, b, c, d, square = slow_flow.cusps(at.A, model.zeta, at.h, at.h_A, at.h_AA, at.k)
         root = np.sqrt(np.maximum(square, 0.0))
         X, T = _quadratic_roots(c, d, root), _quadratic_roots(a, b, root)
@@ -311,29 +340,8 @@ class Cusp(Asked):
         small = np.abs(slow_flow.R(np.sqrt(nearly), at.A, at.h)) < SOFT * np.abs(at.h)
         lost &= small & (right > 0) & (forcing > 0)
         w, level = np.where(lost, np.sqrt(right), w), np.where(lost, np.sqrt(forcing), level)
-        self._folds_next_to(at, X < SOFT * np.abs(c), w, level)
+        _folds_next_to(model, at, X < SOFT * np.abs(c), w, level)
         return _channels(2, at, exists, y, dy, w, 0.0, level, edge)
-
-    def _folds_next_to(self, at: Samples, some: Bools, w: Floats, level: Floats) -> None:
-        """Puts into Omega and level (2, n), some of them, those of the fold at A whose Omega is the nearest.
-
-        Next to Omega = 0 a rounding of A moves the root X = Omega^2 of F_AA by more than X, but hardly that fold, whose
-        Omega is a root of F_A.
-        """
-        model, (channel, those) = self.model, some.nonzero()
-        if not those.size:
-            return
-        A, h, h_A = (np.repeat(column[those], 3) for column in (at.A, at.h, at.h_A))
-        index = np.tile(np.arange(3), those.size)
-        folds = Quartics(A, h, h_A, model.m, model.zeta, -1.0)
-        count = folds.count().astype(np.intp)
-        roots = np.where(index < count, folds.roots(count, index), np.nan).reshape(-1, 3)
-        off = np.where(np.isnan(roots), np.inf, np.abs(roots - w[channel, those][:, np.newaxis]))
-        found = np.isfinite(off).any(axis=1)
-        channel, those = channel[found], those[found]
-        nearest = np.take_along_axis(roots, off.argmin(axis=1)[:, np.newaxis], axis=1)[found, 0]
-        w[channel, those] = nearest
-        level[channel, those] = slow_flow.level(nearest, at.A[those], model.m, model.zeta, at.h[those])
 
     def range(self, cells: Cells) -> Ranges:
         """On the fold locus R has the sign of k.
@@ -341,20 +349,21 @@ class Cusp(Asked):
         There F_AA/2 = (dR/dA)^2 + h_AA R + 4 zeta^2 Omega^2 vanishes only if h_AA has the other sign.
         """
         alike = ((cells.h_AA.lo >= 0) & (cells.k.lo >= 0)) | ((cells.h_AA.hi <= 0) & (cells.k.hi <= 0))
-        free = self._is_free_of_folds(cells)
-        a, b, c, d, square = slow_flow_intervals.cusps(cells.A, self.zeta, cells.h, cells.h_A, cells.h_AA, cells.k)
+        free, twice = self._is_free_of_folds(cells), cells.twice()
+        _, zeta = self.damping(cells)
+        a, b, c, d, square = slow_flow_intervals.cusps(cells.A, zeta, cells.h, cells.h_A, cells.h_AA, cells.k)
         root, n = square.sqrt(), len(cells)
         # X and T, by their larger and by their smaller roots
         both = _quadratic_root_ranges(_beside(c, a), _beside(d, b), _beside(root, root)).ends.reshape(2, 2, 2, n)
         X, T = (Interval(both[:, :, k].reshape(2, 2 * n)) for k in (0, 1))
         where = _where_positive(X).reshape(2, n)
         where = np.where(square.lo > 0, where, np.minimum(where, PARTLY))
-        X, signed, twice = Interval.of(np.maximum(X.lo, 0.0), X.hi), _beside(root, -root), cells.twice()
-        by_tangent, by_F_AA = slow_flow_intervals.cusp_R(twice.A, self.zeta, twice.h_AA, twice.k, X, T)
+        X, signed, (m, zeta) = Interval.of(np.maximum(X.lo, 0.0), X.hi), _beside(root, -root), self.damping(twice)
+        by_tangent, by_F_AA = slow_flow_intervals.cusp_R(twice.A, zeta, twice.h_AA, twice.k, X, T)
         y, less, dy, level = slow_flow_intervals.cusp(
-            twice.A, self.m, self.zeta, twice.h_AA, twice.h_AAA, twice.k, X, T, by_tangent.both(by_F_AA), signed
+            twice.A, m, zeta, twice.h_AA, twice.h_AAA, twice.k, X, T, by_tangent.both(by_F_AA), signed
         )
-        above = level.lo.reshape(2, n) > self.F_0
+        above = level.lo.reshape(2, n) > taken(self.F_0, cells.of)
         where = np.where(alike | free | (square.hi < 0) | above, NOWHERE, where)
         return _ranges(2, cells, where, y.both(less), dy)
 
@@ -367,9 +376,9 @@ class Cusp(Asked):
         slope, origin = cells.h_A, cells.A.lo == 0
         over_A = slope.where(origin, cells.h / cells.A)
         apart = (slope - slope).where(origin, cells.k / cells.A)
-        b, discriminant = slow_flow_intervals.fold_least(self.zeta, slope, over_A, apart)
+        b, discriminant = slow_flow_intervals.fold_least(self.damping(cells)[1], slope, over_A, apart)
         alike = ((slope.lo >= 0) & (over_A.lo >= 0)) | ((slope.hi <= 0) & (over_A.hi <= 0))
-        known = ~origin if self.model.preload != 0 else np.ones_like(origin)
+        known = ~origin | (taken(self.model.preload, cells.of) == 0)
         return np.asarray(known & ((alike & (b.lo > 0)) | (discriminant.hi < 0)))
 
 
@@ -379,21 +388,24 @@ def _over_A(cells: Cells) -> tuple[Interval, Interval]:
     return Interval.point(1.0).where(origin, cells.A), cells.h_A.where(origin, cells.h)
 
 
-def _critical_of(cells: Cells, p: Interval, q: float) -> tuple[Any, Interval]:
+def _critical_of(cells: Cells, p: Interval, q: Floats) -> tuple[Any, Interval]:
     """Positive roots w1 < w2 of A w^3 + p w + q: where they exist, and what holds them, (2, 2 n).
 
     As A and p rise w1 rises and w2 falls, so the corners of the box (A, p) hold them. Next to A = 0, where p vanishes
     too, p is asked over A; with friction there is no root for small A.
     """
     A, n = cells.A, cells.A.lo.size
+    q = np.broadcast_to(q, n)
     origin = A.lo == 0
     inner = np.where(origin, A.hi, A.lo)
     steepest = np.where(origin, np.minimum(p.lo, 0.0) * (1 + DOUBT) * A.hi, p.lo)
-    exist, first, second = critical_points(np.concatenate((inner, A.hi)), np.concatenate((steepest, p.hi)), q)
+    exist, first, second = critical_points(
+        np.concatenate((inner, A.hi)), np.concatenate((steepest, p.hi)), np.tile(q, 2)
+    )
     low, high = exist[:n], exist[n:]
     where = np.where(low, np.where(high, THROUGHOUT, PARTLY), NOWHERE)
     # where only the lower corner has them they meet in between, or at 0
-    w1 = Interval.of(first[:n] * (1 - DOUBT), np.where(high, first[n:], second[:n] if q > 0 else 0.0) * (1 + DOUBT))
+    w1 = Interval.of(first[:n] * (1 - DOUBT), np.where(high, first[n:], np.where(q > 0, second[:n], 0.0)) * (1 + DOUBT))
     w2 = Interval.of(np.where(high, second[n:], first[:n]) * (1 - DOUBT), second[:n] * (1 + DOUBT))
     where = np.where(origin, np.where((p.lo < 0) & low, PARTLY, NOWHERE), where)
     most = np.sqrt(np.maximum(-p.lo, 0.0)) * (1 + DOUBT)
@@ -407,7 +419,7 @@ class Turn(Asked):
     """For zeta > 0; without friction the first channel lies at Omega = 0 and belongs to other questions."""
 
     def ask(self, at: Samples) -> Channels:
-        model, flow = self.model, slow_flow
+        model, flow = self.model.take(at.of), slow_flow
         inside = at.A > 0
         A = np.where(inside, at.A, 1.0)
         quartics = Quartics(A, at.h, at.h_A, model.m, model.zeta, -1.0)
@@ -418,20 +430,20 @@ class Turn(Asked):
         return _channels(2, at, inside & quartics.exist & (w > 0), y, dy, w)
 
     def range(self, cells: Cells) -> Ranges:
-        model = self.model
         A, h = _over_A(cells)
-        _, q, p, _ = slow_flow_intervals.fold_quartic(A, self.m, self.zeta, h, cells.h_A)
-        where, w = _critical_of(cells, 0.5 * p, 0.25 * float(q.lo[0]))
+        m, zeta = self.damping(cells)
+        _, q, p, _ = slow_flow_intervals.fold_quartic(A, m, zeta, h, cells.h_A)
+        where, w = _critical_of(cells, 0.5 * p, 0.25 * q.lo)
         origin = cells.A.lo == 0
-        m = (self.m / cells.A).where(origin, self.m)
+        m = (m / cells.A).where(origin, m)
         k = cells.k_A.where(origin, cells.k)  # next to A = 0 k/A is a slope of k
         n = len(cells)
         w1, w2 = Interval(w.ends[:, :n]), Interval(w.ends[:, n:])
-        lower = 0.5 * slow_flow_intervals.F_A(w1, A, m, self.zeta, h, cells.h_A)
-        lower_A = 0.5 * slow_flow_intervals.F_AA(w1, A, m, self.zeta, h, cells.h_A, cells.h_AA)
-        upper, upper_A = slow_flow_intervals.turn(w2, A, m, self.zeta, cells.h_AA, k)
+        lower = 0.5 * slow_flow_intervals.F_A(w1, A, m, zeta, h, cells.h_A)
+        lower_A = 0.5 * slow_flow_intervals.F_AA(w1, A, m, zeta, h, cells.h_A, cells.h_AA)
+        upper, upper_A = slow_flow_intervals.turn(w2, A, m, zeta, cells.h_AA, k)
         dy = _unknown(cells.twice()).where(np.tile(origin, 2), _beside(lower_A, upper_A))
-        there = [where if model.m > 0 else np.full_like(where, NOWHERE), where]
+        there = [np.where(taken(self.model.m, cells.of) > 0, where, NOWHERE), where]
         return _ranges(2, cells, there, _beside(lower, upper), dy)
 
 
@@ -456,31 +468,34 @@ class Undamped(Asked):
 class Peak(Asked):
     """At a forcing, for zeta > 0. The second channel is the minimum over Omega; without friction it is the only one."""
 
-    def __init__(self, model: Model, F_0: float) -> None:
+    def __init__(self, model: Model, F_0: Any) -> None:
         super().__init__(model)
         self.F_0 = F_0
 
     def ask(self, at: Samples) -> Channels:
-        m, zeta = self.model.m, self.model.zeta
+        own, F_0 = self.model.take(at.of), taken(self.F_0, at.of)
+        m, zeta = own.m, own.zeta
         inside = at.A > 0
         A = np.where(inside, at.A, 1.0)
         w, n = peak_roots(A, at.h, m, zeta)
         channel = np.array([[0], [1]])
         exists = inside & (n > 1 - channel) & (zeta > 0)
         Omega = np.where(exists, w[np.arange(len(at)), np.clip(channel + n - 2, 0, 1)], np.nan)
-        y, dy = slow_flow.peak(Omega, A, self.F_0, m, zeta, at.h_A)
+        y, dy = slow_flow.peak(Omega, A, F_0, m, zeta, at.h_A)
         return _channels(2, at, exists, y, dy, Omega, slow_flow.peak_Omega_A(Omega, A, m, zeta, at.h_A))
 
     def range(self, cells: Cells) -> Ranges:
-        model, twice = self.model, cells.twice()
-        if model.zeta == 0:
+        twice = cells.twice()
+        if self.model.undamped:
             return _ranges(2, cells, NOWHERE, _unknown(twice), _unknown(twice))
         A, h = _over_A(cells)
-        q, p, _ = slow_flow_intervals.peak_cubic(A, self.m, self.zeta, h)
-        where, w = _critical_of(cells, p, float(q.lo[0]))
-        y, dy = slow_flow_intervals.peak(w, twice.A, Interval.point(self.F_0), self.m, self.zeta, twice.h_A)
+        q, p, _ = slow_flow_intervals.peak_cubic(A, *self.damping(cells), h)
+        where, w = _critical_of(cells, p, q.lo)
+        F_0 = Interval.point(taken(self.F_0, twice.of))
+        y, dy = slow_flow_intervals.peak(w, twice.A, F_0, *self.damping(twice), twice.h_A)
         y = Interval.of(np.where(y.lo > -np.inf, y.lo, -np.inf), np.fmin(y.hi, np.tile(self._most(cells), 2)))
-        return _ranges(2, cells, [where if model.m > 0 else np.full_like(where, NOWHERE), where], y, dy)
+        there = [np.where(taken(self.model.m, cells.of) > 0, where, NOWHERE), where]
+        return _ranges(2, cells, there, y, dy)
 
     def _most(self, cells: Cells) -> Floats:
         """What F does not exceed at an extremum over Omega.
@@ -490,26 +505,31 @@ class Peak(Asked):
         """
         size = np.maximum(np.abs(cells.h.lo), np.abs(cells.h.hi))
         # A Omega = sqrt(A size) at most
-        lag = slow_flow.I(np.sqrt(cells.A.hi * size), 1.0, self.model.m, self.model.zeta)
+        own, F_0 = self.model.take(cells.of), np.asarray(taken(self.F_0, cells.of))
+        lag = slow_flow.I(np.sqrt(cells.A.hi * size), 1.0, own.m, own.zeta)
         with np.errstate(over="ignore", invalid="ignore"):  # beyond the range of doubles it tells nothing
-            return np.asarray((size**2 + lag**2) * (1 + DOUBT) - np.float64(self.F_0) ** 2 * (1 - DOUBT))
+            return np.asarray((size**2 + lag**2) * (1 + DOUBT) - F_0 * F_0 * (1 - DOUBT))
 
 
 class Rest(Asked):
     """At a forcing: h^2 + m^2 = F_0^2 has two smooth halves."""
 
-    def __init__(self, model: Model, F_0: float) -> None:
+    def __init__(self, model: Model, F_0: Any) -> None:
         super().__init__(model)
         self.F_0 = F_0
 
     def ask(self, at: Samples) -> Channels:
-        lower, upper, slope = slow_flow.rest(self.F_0, self.model.m, at.h, at.h_A)
+        lower, upper, slope = slow_flow.rest(taken(self.F_0, at.of), self.model.take(at.of).m, at.h, at.h_A)
         return _channels(2, at, True, np.array((lower, upper)), slope)
 
     def range(self, cells: Cells) -> Ranges:
         # F at A = 0: -c and c
-        halves = slow_flow.rest(self.F_0, self.model.m, 0.0, 0.0)[:2]
-        around = (Interval(np.array([[half - DOUBT * abs(half)], [half + DOUBT * abs(half)]])) for half in halves)
+        halves = slow_flow.rest(taken(self.F_0, cells.of), self.model.take(cells.of).m, 0.0, 0.0)[:2]
+        doubts = (DOUBT * np.abs(half) for half in halves)
+        around = (
+            Interval(np.array((half - doubt, half + doubt)).reshape(2, -1))
+            for half, doubt in zip(halves, doubts, strict=True)
+        )
         y = _beside(*(cells.h + half for half in around))
         return _ranges(2, cells, THROUGHOUT, y, _beside(cells.h_A, cells.h_A))
 
@@ -562,7 +582,7 @@ class _Inertia(Asked):
 
     def _where(self, cells: Cells) -> tuple[np.ndarray[Any, np.dtype[np.int_]], Interval]:
         """x rises with fall and falls with the others, so the corners hold it."""
-        fall, linear, rest = inertia_intervals.terms(cells.A, self.m, self.zeta, cells.h)
+        fall, linear, rest = inertia_intervals.terms(cells.A, *self.damping(cells), cells.h)
         where = np.where(cells.A.lo > 0, _where_positive(fall), NOWHERE)
         lo = np.where(fall.lo > 0, inertia.least(fall.lo, linear.hi, rest.hi), 0.0)
         return where, Interval.of(lo * (1 - DOUBT), inertia.least(fall.hi, linear.lo, rest.lo) * (1 + DOUBT))
@@ -588,7 +608,7 @@ class InertiaPeak(_Inertia):
     def range(self, cells: Cells) -> Ranges:
         where, x = self._where(cells)
         F_0 = Interval.point(self.F_0)
-        y, dy = inertia_intervals.peak(x, cells.A, F_0, self.m, self.zeta, cells.h, cells.h_A)
+        y, dy = inertia_intervals.peak(x, cells.A, F_0, *self.damping(cells), cells.h, cells.h_A)
         return _ranges(1, cells, where, y, dy)
 
 
@@ -620,12 +640,12 @@ class InertiaIsola(_Inertia):
 
     def range(self, cells: Cells) -> Ranges:
         where, x = self._where(cells)
-        y, dy = inertia_intervals.isola(x, cells.A, self.m, self.zeta, cells.h, cells.h_A, cells.h_AA)
+        y, dy = inertia_intervals.isola(x, cells.A, *self.damping(cells), cells.h, cells.h_A, cells.h_AA)
         cubic = self._cubic(cells)
         # where there is a least level
         most = np.minimum(cells.h.hi, -2 * self.model.zeta**2 * cells.A.lo * (1 - DOUBT))
         h = Interval.of(cells.h.lo, most)
-        y = y.both(inertia_intervals.isola_apart(x, cells.A, self.m, self.zeta, h, cells.k, cubic))
+        y = y.both(inertia_intervals.isola_apart(x, cells.A, *self.damping(cells), h, cells.k, cubic))
         # A F_A is 0 beside a zero of h, which doubles may not tell from it, where zeta A^2 + m A x = cubic zeta A x^2 +
         # k m x^3, which one x is; and as h rises to where the least level ends, x falls to 0
         once = cells.h_A.has_sign & (-h.lo <= BESIDE * np.minimum(cells.k.lo, cubic.lo))

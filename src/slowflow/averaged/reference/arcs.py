@@ -6,15 +6,18 @@ a pair of arcs may meet and end, or the lowest may end at Omega = 0; all others 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
-from typing import Protocol
+from typing import Any, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.averaged.reference.roots import Quartics
+from slowflow.averaged.reference.abreast import Abreast
+from slowflow.averaged.reference.roots import Quartics, taken
+from slowflow.averaged.reference.steps import Steps, Wanted, alone
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow_zeta0
 from slowflow_kernels.conventions import COINCIDE, HARDLY, NO_WIDTH
@@ -75,6 +78,10 @@ class Along(Protocol):
     @property
     def F_0(self) -> float: ...
 
+    def take(self, of: Ints) -> Along:
+        """Of designs abreast, those of these; of one design, its own."""
+        ...
+
     def count(self, A: Floats) -> Ints:
         """How many there are at each amplitude."""
         ...
@@ -93,7 +100,11 @@ class Roots:
     """The frequencies along the amplitude: of the response at F_0, or for F_0 < 0 of the fold locus."""
 
     model: Model
-    F_0: float
+    F_0: Any
+
+    def take(self, of: Ints) -> Roots:
+        """See `Along`."""
+        return Roots(self.model.take(of), taken(self.F_0, of))
 
     def _quartics(self, A: Floats) -> Quartics:
         h, h_A, _, _ = (value + np.zeros_like(A) for value in self.model.averaged(A))
@@ -102,7 +113,11 @@ class Roots:
     @property
     def _is_backbone(self) -> bool:
         """Whether there is one branch in closed form: R = 0, the other factor, is the backbone, at the level m."""
-        return self.F_0 < 0 and self.model.zeta == 0
+        return self._of_folds and self.model.undamped
+
+    @property
+    def _of_folds(self) -> bool:
+        return bool(np.any(self.F_0 < 0))
 
     def count(self, A: Floats) -> Ints:
         """How many there are at each amplitude."""
@@ -115,7 +130,7 @@ class Roots:
         if self._is_backbone:
             return self._undamped(A)
         Omega = self._quartics(A).roots(count, index)
-        if self.F_0 > 0 or A.all():
+        if not self._of_folds or A.all():
             return Omega
         # at A = 0, where the quartic is none, what damping is too weak to hide begins at the stiffness there
         at_rest = self._undamped(A)
@@ -135,6 +150,47 @@ class Roots:
         (w1, f1), (w2, f2) = self._quartics(np.array([event.A])).critical
         lower = bool(w1[0] > 0 and abs(f1[0]) < abs(f2[0]))
         return lower, float(w1[0] if lower else w2[0])
+
+
+def of_all(model: Abreast, roots: Sequence[Along], sizes: Sequence[int]) -> tuple[Roots, Ints]:
+    """The frequencies of designs abreast, and of which of them so many of each are."""
+    return Roots(model, np.array([one.F_0 for one in roots])), np.repeat(np.arange(len(sizes)), sizes)
+
+
+@dataclass(frozen=True, eq=False)
+class Count(Wanted):
+    """`Along.count`."""
+
+    roots: Along
+    A: Floats
+
+    def alone(self, model: Model) -> Ints:
+        return self.roots.count(self.A)
+
+    def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
+        sizes = [one.A.size for one in all_of_them]
+        roots, of = of_all(model, [one.roots for one in all_of_them], sizes)
+        found = roots.take(of).count(np.concatenate([one.A for one in all_of_them]))
+        return np.split(found, np.cumsum(sizes)[:-1])
+
+
+@dataclass(frozen=True, eq=False)
+class OmegaAt(Wanted):
+    """`Along.at`."""
+
+    roots: Along
+    A: Floats
+    count: Ints
+    index: Ints
+
+    def alone(self, model: Model) -> Floats:
+        return self.roots.at(self.A, self.count, self.index)
+
+    def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
+        sizes = [one.A.size for one in all_of_them]
+        roots, of = of_all(model, [one.roots for one in all_of_them], sizes)
+        asked = (np.concatenate([getattr(one, name) for one in all_of_them]) for name in ("A", "count", "index"))
+        return np.split(roots.take(of).at(*asked), np.cumsum(sizes)[:-1])
 
 
 def merged(events: list[Event]) -> list[Event]:
@@ -159,31 +215,50 @@ class Graph:
     Raises ArithmeticError where the numbers of roots contradict each other.
     """
 
-    def __init__(self, roots: Along, events: list[Event]) -> None:
-        self.roots, self.events = roots, events
-        with np.errstate(all="ignore"):
-            self.counts = self._counted()
-            self.arcs = [Arc(k, n, i) for k, n in enumerate(self.counts) for i in range(n)]
-            self._first = np.concatenate(([0], np.cumsum(self.counts))).astype(int).tolist()
-            self._ends = self._at_events()
-            for k in range(1, len(events) - 1):
-                self._link(k)
-            if events[0].A > 0 or roots.F_0 < 0:
-                self._end_all(0, 0, 0)
-            else:  # the response comes from A = 0, at one frequency
-                for i in range(self.counts[0]):
-                    self._end(i, 0, 0.0, events[0].Omega)
-            self._end_all(len(events) - 1, len(events) - 2, 1)
+    roots: Along
+    events: list[Event]
+    counts: list[int]
+    arcs: list[Arc]
+    #: the number of each interval's first arc, and what `_at_events` has
+    _first: list[int]
+    _ends: dict[tuple[int, int], list[float]]
 
-    def _counted(self) -> list[int]:
+    @classmethod
+    def of(cls, roots: Along, events: list[Event]) -> Graph:
+        """Of the frequencies along the amplitude, and the events there."""
+        return alone(roots.model, cls.in_steps(roots, events))
+
+    @classmethod
+    def in_steps(cls, roots: Along, events: list[Event]) -> Steps[Graph]:
+        """The same, see `steps`."""
+        graph = cls()
+        graph.roots, graph.events = roots, events
+        graph.counts = yield from graph._counted()
+        graph.arcs = [Arc(k, n, i) for k, n in enumerate(graph.counts) for i in range(n)]
+        graph._first = np.concatenate(([0], np.cumsum(graph.counts))).astype(int).tolist()
+        graph._ends = yield from graph._at_events()
+        graph._link_all()
+        return graph
+
+    def _link_all(self) -> None:
+        for k in range(1, len(self.events) - 1):
+            self._link(k)
+        if self.events[0].A > 0 or self.roots.F_0 < 0:
+            self._end_all(0, 0, 0)
+        else:  # the response comes from A = 0, at one frequency
+            for i in range(self.counts[0]):
+                self._end(i, 0, 0.0, self.events[0].Omega)
+        self._end_all(len(self.events) - 1, len(self.events) - 2, 1)
+
+    def _counted(self) -> Steps[list[int]]:
         """Numbers of roots; where an interval is too narrow to hold an amplitude, the event's gain tells."""
         A = np.array([event.A for event in self.events])
         low, high = A[:-1], A[1:]
         middle = 0.5 * (low + high)
         wide = (middle > low + NO_WIDTH * low) & (middle < high)
-        shown = self.roots.count(np.where(wide | (low == 0), middle, low)).tolist()
+        shown = yield Count(self.roots, np.where(wide | (low == 0), middle, low))
         counts: list[int] = []
-        for k, count in enumerate(shown):
+        for k, count in enumerate(shown.tolist()):
             if wide[k]:
                 counts.append(count)
             elif k > 0 and self.events[k].kind != Kind.CUT:
@@ -206,7 +281,7 @@ class Graph:
         apart = min(event.A - self.events[k - 1].A, self.events[k + 1].A - event.A) > HARDLY * event.A
         return apart and counts[-1] - counts[-2] != event.gain
 
-    def _at_events(self) -> dict[tuple[int, int], list[float]]:
+    def _at_events(self) -> Steps[dict[tuple[int, int], list[float]]]:
         """At each event the roots that go through it or end there: by its number and by how many they are."""
         last = len(self.events) - 1
         asked: list[tuple[int, int]] = []
@@ -221,7 +296,8 @@ class Graph:
         )
         if not asked:
             return {}
-        Omega = iter(self.roots.at(A.astype(float), count.astype(np.intp), index.astype(np.intp)).tolist())
+        found = yield OmegaAt(self.roots, A.astype(float), count.astype(np.intp), index.astype(np.intp))
+        Omega = iter(found.tolist())
         return {(k, n): [next(Omega) for _ in range(n)] for k, n in asked}
 
     def _end(self, arc: int, end: int, A: float, Omega: float) -> None:

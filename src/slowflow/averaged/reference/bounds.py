@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from slowflow.averaged import words
 from slowflow.averaged.reference import dissipated, inertia
+from slowflow.averaged.reference.abreast import Abreast
 from slowflow.averaged.reference.cells import cells_of, samples_at
 from slowflow.averaged.reference.enclosed import enclosed
-from slowflow.averaged.reference.roots import peak_roots, response_roots
+from slowflow.averaged.reference.intervals import Bools
+from slowflow.averaged.reference.roots import Ints, peak_roots, response_roots, taken
 from slowflow.model import Floats, Model
 from slowflow_kernels import dissipation, slow_flow
 from slowflow_kernels.conventions import COARSEST, ENDLESS, FINE_RUNGS, RUNGS
@@ -72,6 +76,11 @@ def _bounded(model: Model, F_0: float, lowest: float) -> tuple[float, str]:
         if not (cut := inertia.cut(along, rungs)) < np.inf:
             raise OverflowError(words.beyond_range(model, F_0))
         return words.does_not_close(cut)
+    if model.mechanism.enclosed is None and not model.laws.any:
+        (found,) = first_bounds(model, F_0).tolist()
+        if not found < np.inf:
+            raise OverflowError(words.unbounded(model, F_0))
+        return found, ""
     by_damping = np.inf
     if model.laws.any:
         most, by_damping = dissipated.most_restoring(model, F_0, rungs)
@@ -83,16 +92,51 @@ def _bounded(model: Model, F_0: float, lowest: float) -> tuple[float, str]:
         if np.isfinite(model.reach) and not bounded:
             return words.cut_at_reach(model) if _has_state(model, model.reach, F_0) else (model.reach, "")
     else:
-        both = samples_at(model, np.concatenate((rungs, ENDLESS * np.maximum(rungs, 1.0))))
-        at, far = both.take(slice(0, rungs.size)), both.take(slice(rungs.size, None))
-        slope = cells_of(model, at, far, at).h_A
-        rises = np.where(at.h > 0, slope.lo >= 0, slope.hi <= 0)
-        bounds = rises & (np.abs(at.h) > most)
+        bounds = _exceeds_from(model, rungs, most, np.zeros(rungs.size, np.intp))
     bounds &= np.isfinite(rungs)
     found = min(float(rungs[np.argmax(bounds)]) if bounds.any() else np.inf, by_damping)
     if not found < np.inf:
         raise OverflowError(words.unbounded(model, F_0))
     return found, ""
+
+
+def first_bounds(model: Model, F_0: Any) -> Floats:
+    """Of each of designs abreast the first of the rungs above which no state lies, by a force; inf where none is known.
+
+    For viscous damping, and averages in closed form.
+    """
+    found, left = np.full(model.abreast, np.inf), np.arange(model.abreast)
+    least = np.max(np.broadcast_arrays(F_0, *(2 * b for b in model.breakpoints)), axis=0)
+    least = np.broadcast_to(least, left.shape)
+    # most are among the first
+    for rungs in np.split(_RUNGS, [FINE_RUNGS]):
+        A, of = np.outer(least[left], rungs), np.repeat(left, rungs.size)
+        own = model.take(of)
+        most = slow_flow.most_restoring(A.ravel(), taken(F_0, of), own.m, own.zeta)
+        bounds = _exceeds_from(model, A.ravel(), most, of).reshape(A.shape) & np.isfinite(A)
+        known = bounds.any(axis=1)
+        found[left[known]] = A[known, bounds[known].argmax(axis=1)]
+        left = left[~known]
+        if not left.size:
+            break
+    return found
+
+
+def _exceeds_from(model: Model, A: Floats, most: Floats, of: Ints) -> Bools:
+    """Whether |h| exceeds so much at amplitudes, and rises from there on; `of`: of which of the designs abreast."""
+    both = samples_at(model, np.concatenate((A, ENDLESS * np.maximum(A, 1.0))), np.tile(of, 2))
+    at, far = both.take(slice(0, A.size)), both.take(slice(A.size, None))
+    slope = cells_of(model, at, far, at).h_A
+    rises = np.where(at.h > 0, slope.lo >= 0, slope.hi <= 0)
+    return np.asarray(rises & (np.abs(at.h) > most))
+
+
+@np.errstate(all="ignore")
+def amplitude_bounds(model: Abreast, F_0: Floats) -> list[tuple[float, str]]:
+    """`amplitude_bound` of each of designs abreast; inf where none is found."""
+    if model.undamped:
+        return [words.cut(one, F) for one, F in zip(model.each, F_0.tolist(), strict=True)]
+    return [(A_max, "") for A_max in first_bounds(model, F_0).tolist()]
 
 
 def _bound_of_free(model: Model, F_0: float, lowest: float) -> tuple[float, str]:

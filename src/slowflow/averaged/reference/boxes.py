@@ -135,7 +135,7 @@ class Searched:
 
     def __init__(self, model: Model, system: str, F_0: float, pieces: Sequence[Stretch], most: float) -> None:
         self.model, self.system, self.F_0, self.most = model, system, F_0, most
-        self.beyond = np.array([piece.base > 0 for piece in pieces])
+        self.beyond = np.concatenate([piece.base > 0 for piece in pieces])
         self.at_points, self.on_boxes = SYSTEMS[system]
         self.names = tuple(inspect.signature(self.on_boxes).parameters)
         self.zeta, self.d = Interval.point(model.zeta), Interval.point(model.d)
@@ -345,7 +345,7 @@ def points_of(model: Model, system: str, pieces: Sequence[Stretch], F_0: float =
     Raises ArithmeticError where too many boxes stay undecided.
     """
     searched = Searched(model, system, F_0, pieces, most)
-    base = np.array([piece.base for piece in pieces])
+    base = np.concatenate([piece.base for piece in pieces])
     boxes = _first_boxes(searched, pieces, F_0 if system in FORCED else most)
     found, undecided, looked_at = [], [np.empty(0)], 0
     while len(boxes):

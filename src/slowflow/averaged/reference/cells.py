@@ -16,6 +16,7 @@ import numpy as np
 
 from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.averaged.reference.intervals import Interval
+from slowflow.averaged.reference.roots import Ints, taken
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow, slow_flow_intervals
 from slowflow_kernels.conventions import CANCELLED, DOUBT, FAR_ABOVE
@@ -25,7 +26,7 @@ from slowflow_kernels.conventions import CANCELLED, DOUBT, FAR_ABOVE
 class Samples:
     """The averaged force at amplitudes.
 
-    rows -- array (6, n): A, h, h_A, h_AA, h_AAA, k
+    rows -- array (7, n): A, h, h_A, h_AA, h_AAA, k, and which of the designs abreast it is of
     """
 
     rows: Floats
@@ -61,6 +62,10 @@ class Samples:
     def k(self) -> Floats:
         return np.asarray(self.rows[5])
 
+    @property
+    def of(self) -> Ints:
+        return np.asarray(self.rows[6], dtype=np.intp)
+
     def size_of_R(self, Omega: Floats) -> Floats:
         """What rounding may leave of R at frequencies, over a rounding."""
         return np.asarray(np.abs(self.h) + self.A * np.abs(self.h_A) + self.A * Omega**2)
@@ -71,66 +76,90 @@ def joined(*parts: Samples) -> Samples:
     return Samples(np.concatenate([part.rows for part in parts], axis=1))
 
 
-def samples_at(model: Model, A: Any) -> Samples:
-    """At amplitudes of any number; k without what cancels in it, where it has lost digits as a difference."""
+def samples_at(model: Model, A: Any, of: Any = 0) -> Samples:
+    """At amplitudes of any number; k without what cancels in it, where it has lost digits as a difference.
+
+    of -- which of the designs abreast each is of
+    """
     A = np.array(A, dtype=float, ndmin=1)
-    rows = np.empty((6, A.size))
-    rows[0] = A
-    for row, value in zip(rows[1:5], model.averaged(A), strict=True):
+    rows = np.empty((7, A.size))
+    rows[0], rows[6] = A, of
+    own = model.take(of)
+    for row, value in zip(rows[1:5], own.averaged(A), strict=True):
         row[...] = value
-    _, h, h_A, h_AA, _, k = rows
+    _, h, h_A, h_AA, _, k, _ = rows
     # at A = 0 a slope that is infinite there takes nothing off h
     k[...] = np.where(A > 0, slow_flow.intercept(A, h, h_A, h_AA)[0], h)
     lost = (np.abs(k) < CANCELLED * np.abs(h)).nonzero()
     if lost[0].size:
-        k[lost] = model.mechanism.intercept(A[lost], *model.parameters)
+        k[lost] = model.mechanism.intercept(A[lost], *(taken(one, lost) for one in own.parameters))
     return Samples(rows)
 
 
-def sample_above(model: Model, i: int) -> Samples:
-    """The limit from above at breakpoint i: the force's jump makes h_A infinite there, a jump of its slope h_AA."""
-    b, jump = model.breakpoints[i], model.jumps[i]
-    A, h, h_A, h_AA, h_AAA, k = samples_at(model, b).rows[:, 0]
+def sample_above(model: Model, i: int, of: Any = 0) -> Samples:
+    """The limit from above at breakpoint i: the force's jump makes h_A infinite there, a jump of its slope h_AA.
+
+    of -- of which of the designs abreast: each has the same jumps
+    """
+    b, jump = taken(model.breakpoints[i], of), taken(model.jumps[i], of)
     slope, curvature = model.kinks[i]
-    if jump == slope == 0:
-        beyond = samples_at(model, np.nextafter(b, np.inf)).rows
+    at = samples_at(model, b, of)
+    jumps = np.any(model.jumps[i])
+    if not jumps:
+        beyond = samples_at(model, np.nextafter(b, np.inf), of).rows
+    if not jumps and not np.any(slope):
         beyond[0] = b
-        if curvature != 0:
-            beyond[4] = np.copysign(np.inf, beyond[4] - h_AAA)
+        if np.any(curvature):
+            beyond[4] = np.copysign(np.inf, beyond[4] - at.h_AAA)
         return Samples(beyond)
-    if jump != 0:
-        h_A = h_AAA = np.copysign(np.inf, jump)
-        h_AA = k = -h_A
+    rows = at.rows.copy()
+    if jumps:
+        rows[2] = rows[4] = np.copysign(np.inf, jump)
+        rows[3] = rows[5] = -rows[2]
     else:
-        h_AA = np.copysign(np.inf, samples_at(model, np.nextafter(b, np.inf)).h_AA[0] - h_AA)
-        h_AAA = -h_AA
-    return Samples(np.array([[A], [h], [h_A], [h_AA], [h_AAA], [k]]))
+        rows[3] = np.copysign(np.inf, beyond[3] - at.h_AA)
+        rows[4] = -rows[3]
+    return Samples(rows)
 
 
 @dataclass(frozen=True, eq=False)
 class Stretch:
     """A piece of the force, from its first amplitude (0 or a breakpoint, as its own side has it) to its last.
 
+    Of designs abreast, that of each which comes to it.
+
     base -- where the piece begins, which may be below its first amplitude
     """
 
     first: Samples
     last: Samples
-    base: float
+    base: Floats
 
     @property
     def has_force(self) -> bool:
         """Whether there is any on it."""
-        return bool(self.first.rows[1:].any() or self.last.rows[1:].any())
+        return bool(self.first.rows[1:6].any() or self.last.rows[1:6].any())
 
 
-def stretches_up_to(model: Model, A_max: float) -> list[Stretch]:
-    """All pieces up to an amplitude."""
-    inner = [b for b in model.breakpoints if b < A_max]
-    at = samples_at(model, [0.0, *inner, A_max])
-    ends = [at.take([i]) for i in range(len(at))]
-    firsts = [ends[0], *(sample_above(model, i) for i in range(len(inner)))]
-    return [Stretch(first, last, float(first.A[0])) for first, last in zip(firsts, ends[1:], strict=True)]
+def stretches_up_to(model: Model, A_max: Any) -> list[Stretch]:
+    """All pieces up to an amplitude; of designs abreast each has its own."""
+    everyone = np.arange(model.abreast)
+    A_max = np.broadcast_to(A_max, everyone.shape)
+    ends = [np.broadcast_to(b, everyone.shape) for b in model.breakpoints]
+    beyond = [np.flatnonzero(b < A_max) for b in ends]
+    of = [everyone, everyone, *beyond]
+    at = samples_at(model, np.concatenate((0.0 * everyone, A_max, *map(np.take, ends, beyond))), np.concatenate(of))
+    start, highest, *at_ends = (
+        Samples(rows) for rows in np.split(at.rows, np.cumsum([len(one) for one in of])[:-1], 1)
+    )
+    firsts = [start, *(sample_above(model, i, those) for i, those in enumerate(beyond) if those.size)]
+    found = []
+    for i, first in enumerate(firsts):
+        last = highest.take(first.of)
+        if i + 1 < len(firsts):
+            last.rows[:, np.isin(first.of, beyond[i])] = at_ends[i].rows
+        found.append(Stretch(first, last, first.A))
+    return found
 
 
 def between(f_a: Floats, f_b: Floats, slope: Interval, width: Floats) -> Interval:
@@ -172,6 +201,11 @@ class Cells:
 
     rows: Floats
     first: Samples
+
+    @property
+    def of(self) -> Ints:
+        """Which of the designs abreast each is of."""
+        return self.first.of
 
     def take(self, which: Any) -> Cells:
         """Some of them."""

@@ -21,6 +21,7 @@ from slowflow.averaged.reference.arcs import Event, Ints, Kind
 from slowflow.averaged.reference.cells import cells_of, samples_at
 from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.averaged.reference.inertia import intervals_beyond
+from slowflow.averaged.reference.roots import taken
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow_kernels import dissipation, slow_flow
 from slowflow_kernels.conventions import ENDLESS
@@ -37,6 +38,10 @@ class Roots:
 
     model: Model
     F_0: float
+
+    def take(self, of: Ints) -> Roots:
+        """These: of one design."""
+        return self
 
     def count(self, A: Floats) -> Ints:
         """How many there are at each amplitude."""
@@ -266,11 +271,14 @@ def frequencies_at(model: Model, A: float, F_0: float, beyond: bool | None = Non
     return many.roots(np.full(n, n), np.arange(n))
 
 
-def is_stable_above(model: Model, i: int, Omega: Floats) -> Bools:
-    """Whether the side above breakpoint i is stable at states on it: by the force's jump, or by what rubs no more."""
-    b, jump = model.breakpoints[i], model.jumps[i]
-    if jump != 0:
-        return np.asarray(slow_flow.R(Omega, b, model.averaged(b)[0]) * jump > 0)
+def is_stable_above(model: Model, i: int, Omega: Floats, of: Any = 0) -> Bools:
+    """Whether the side above breakpoint i is stable at states on it: by the force's jump, or by what rubs no more.
+
+    of -- of which of the designs abreast
+    """
+    b, jump = taken(model.breakpoints[i], of), taken(model.jumps[i], of)
+    if np.any(model.jumps[i]):  # then each of the designs jumps
+        return np.asarray(slow_flow.R(Omega, b, model.take(of).averaged(b)[0]) * jump > 0)
     return np.asarray(model.F_A(Omega, b, beyond=True) > 0)
 
 

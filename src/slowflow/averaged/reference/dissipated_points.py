@@ -149,7 +149,8 @@ class Stations:
             for i in np.flatnonzero(turns.piece == number):
                 kind, gain = (Kind.PAIR_LOW if low[i] else Kind.PAIR_HIGH), 2 if rising[i] == low[i] else -2
                 inside.append(Event(float(turns.A[i]), float(turns.Omega[i]), kind, gain))
-            first = piece.base if number == 0 else float(np.nextafter(piece.base, np.inf))
+            base = float(piece.base[0])
+            first = base if number == 0 else float(np.nextafter(base, np.inf))
             ends = (Event(A, 0.0, Kind.CUT) for A in (first, float(piece.last.A[0])))
             found += [next(ends), *sorted(inside, key=lambda event: event.A), next(ends)]
         return cls(merged(found))

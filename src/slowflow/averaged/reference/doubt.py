@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 
 from slowflow.averaged.reference.cells import Samples
-from slowflow.averaged.reference.excited import frequencies_at, stationary_at
+from slowflow.averaged.reference.excited import frequencies_abreast, stationary_abreast
 from slowflow.averaged.reference.intervals import Bools
+from slowflow.averaged.reference.roots import Ints, taken
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import CLOSE, STEEP, TOLD_APART
@@ -20,18 +21,18 @@ from slowflow_kernels.conventions import CLOSE, STEEP, TOLD_APART
 FEW_DIGITS = 2.0**-30
 
 
-def size_at(at: Samples, F_0: float) -> Floats:
+def size_at(at: Samples, F_0: Any) -> Floats:
     """What a force, or its average, may be as large as; a stiffness of 1 is that of the vertical spring."""
     return np.asarray(F_0 + np.abs(at.h) + at.A * (1 + np.abs(at.h_A)))
 
 
-def is_fold_close(model: Model, F_0: float, least: float, at: Samples, y: Floats, Omega: Floats) -> Bools:
+def is_fold_close(model: Model, F_0: Any, least: Any, at: Samples, y: Floats, Omega: Floats) -> Bools:
     """Whether the function whose zeros are folds is as near to 0 as rounding may bring it.
 
     Two of its zeros that are about to meet, or have met, lead the search there.
     """
     size = size_at(at, F_0)
-    if model.zeta == 0:
+    if model.undamped:
         size = size**2
     else:
         share = least / at.k
@@ -47,11 +48,11 @@ def is_F_close(model: Model, F_0: Any, Omega: Floats, A: Floats) -> Bools:
     m, zeta = model.alike(Omega, A)
     R, sine = slow_flow.R(Omega, A, h), slow_flow.I(Omega, A, m, zeta)
     of_R = CLOSE * (np.abs(h) + A * (1 + np.abs(h_A)) + A * Omega**2)
-    doubt = of_R * (2 * np.abs(R) + of_R) + CLOSE * (sine**2 + F_0**2)
+    doubt = of_R * (2 * np.abs(R) + of_R) + CLOSE * (sine**2 + F_0 * F_0)
     return np.asarray(np.abs(slow_flow.F(Omega, A, F_0, m, zeta, h)) <= doubt)
 
 
-def have_few_digits(model: Model, F_0: float, Omega: Floats, A: Floats) -> Bools:
+def have_few_digits(model: Model, F_0: Any, Omega: Floats, A: Floats) -> Bools:
     """Which folds of a force move by more than 2^-30 where F does not vanish by itself, or by 4 roundings of its terms.
 
     F_A is 0 there: Omega moves by F/F_Omega, and A by what F_A changes with that, over F_AA. As next to Omega = 0, and
@@ -61,7 +62,7 @@ def have_few_digits(model: Model, F_0: float, Omega: Floats, A: Floats) -> Bools
     h, h_A, h_AA, _ = model.averaged(A)
     R, sine = slow_flow.R(Omega, A, h), slow_flow.I(Omega, A, m, zeta)
     of_R = 4 * np.finfo(float).eps * (np.abs(h) + A * (1 + np.abs(h_A)) + A * Omega**2)
-    lost = of_R * (2 * np.abs(R) + of_R) + 4 * np.finfo(float).eps * (sine**2 + F_0**2)
+    lost = of_R * (2 * np.abs(R) + of_R) + 4 * np.finfo(float).eps * (sine**2 + F_0 * F_0)
     lost += np.abs(slow_flow.F(Omega, A, F_0, m, zeta, h))
     moved = np.abs(lost / slow_flow.F_Omega(Omega, A, m, zeta, h))
     turned = np.abs(slow_flow.F_AOmega(Omega, A, m, zeta, h, h_A) * moved)
@@ -69,35 +70,40 @@ def have_few_digits(model: Model, F_0: float, Omega: Floats, A: Floats) -> Bools
     return np.asarray((moved > FEW_DIGITS * Omega) | (turned > FEW_DIGITS * A))
 
 
-def are_corners_close(model: Model, F_0: float, A_max: float) -> bool:
-    """Whether rounding may decide which folds there are on a breakpoint, or between it and the next double."""
-    return any(
-        _is_corner_close(model, F_0, b, jump)
-        for b, jump in zip(model.breakpoints, model.jumps, strict=True)
+def are_corners_close(model: Model, F_0: Any, A_max: Any) -> Bools:
+    """Of which of designs abreast rounding may decide the folds on a breakpoint, or between it and the next double."""
+    close = np.zeros(model.abreast, dtype=bool)
+    for i, (b, jump) in enumerate(zip(model.breakpoints, model.jumps, strict=True)):
         # a jump that is 0 by rounding is none only if the force has none
-        if b < A_max and (jump != 0 or model.mechanism.truncated)
-    )
+        if np.any(jump) or model.mechanism.truncated:
+            of = np.flatnonzero(np.broadcast_to(b < A_max, close.shape))
+            close[_close_corners(model, F_0, i, of)] = True
+    return close
 
 
-def _is_corner_close(model: Model, F_0: Any, b: float, jump: float) -> bool:
-    A = np.array([b])
-    h, h_A = model.averaged(A)[:2]
-    if abs(jump) <= CLOSE * b * (1 + abs(h_A[0])):
-        return True
-    at = np.append(stationary_at(model, b), 0.0)
-    if is_F_close(model, F_0, at, np.full(at.size, b)).any():
-        return True
-    Omega = frequencies_at(model, b, F_0)
-    Omega = Omega[np.isfinite(Omega)]
-    F_0 = model.force(F_0, Omega)
-    R, slope = np.abs(slow_flow.R(Omega, b, h)), b * np.abs(model.F_A(Omega, b)) / 2
-    size = F_0 + abs(h) + b * (1 + abs(h_A))
-    return bool(((R <= CLOSE * size) | (slope <= CLOSE * size**2) | (R * abs(jump) * STEEP <= slope)).any())
+def _close_corners(model: Model, F_0: Any, i: int, of: Ints) -> Ints:
+    """Which of some designs abreast have such folds on breakpoint i."""
+    if not of.size:
+        return of
+    A, jump = np.broadcast_to(taken(model.breakpoints[i], of), of.shape), taken(model.jumps[i], of)
+    found = of[np.abs(jump) <= CLOSE * A * (1 + np.abs(model.take(of).averaged(A)[1]))]
+    still, at = stationary_abreast(model, A, of)
+    still, at = np.concatenate((still, of)), np.append(at, 0.0 * of)
+    b = taken(model.breakpoints[i], still)
+    touch = still[is_F_close(model.take(still), taken(F_0, still), at, np.broadcast_to(b, at.shape))]
+    which, Omega = frequencies_abreast(model, A, F_0, of)
+    which, Omega = which[np.isfinite(Omega)], Omega[np.isfinite(Omega)]
+    own, b, jump = model.take(which), taken(model.breakpoints[i], which), taken(model.jumps[i], which)
+    h, h_A = own.averaged(b)[:2]
+    R, slope = np.abs(slow_flow.R(Omega, b, h)), b * np.abs(own.F_A(Omega, b)) / 2
+    size = own.force(taken(F_0, which), Omega) + np.abs(h) + b * (1 + np.abs(h_A))
+    close = (R <= CLOSE * size) | (slope <= CLOSE * (size * size)) | (R * np.abs(jump) * STEEP <= slope)
+    return np.concatenate((found, touch, which[close]))
 
 
-def nearly_sticks(model: Model, F_0: float) -> bool:
+def nearly_sticks(model: Model, F_0: Any) -> Bools:
     """Whether rounding may decide if F_0 exceeds the forcing that leaves the mass at rest."""
-    return not model.inertial and abs(F_0 - model.m) <= CLOSE * model.m
+    return np.asarray((np.abs(F_0 - model.m) <= CLOSE * model.m) & (not model.inertial))
 
 
 def is_at_fold(model: Model, F_0: float, Omega: Floats, at: Floats, A: Floats) -> Bools:

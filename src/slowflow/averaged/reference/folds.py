@@ -8,23 +8,27 @@ amplitude above, without passing zero.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Self
 
 import numpy as np
 from scipy.optimize import brentq
 
 from slowflow.averaged import words
 from slowflow.averaged.reference import dissipated, doubt
+from slowflow.averaged.reference.abreast import Abreast
 from slowflow.averaged.reference.along import FoldAt, omega_by_share
 from slowflow.averaged.reference.arcs import Arc, Graph, Roots
 from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.averaged.reference.boxes import points_of
 from slowflow.averaged.reference.cells import Samples, samples_at, stretches_up_to
-from slowflow.averaged.reference.excited import frequencies_at
+from slowflow.averaged.reference.excited import frequencies_abreast, frequencies_at
 from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.locus import Stations, of_locus
-from slowflow.averaged.reference.roots import fold_roots, response_roots
-from slowflow.averaged.reference.search import find_zeros
+from slowflow.averaged.reference.roots import Ints, fold_roots, response_roots, taken
+from slowflow.averaged.reference.search import GIVEN_UP, Zeros, find_zeros_abreast
+from slowflow.averaged.reference.steps import Wanted
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import SaddleNodes
 from slowflow_kernels import slow_flow
@@ -41,45 +45,111 @@ NEXT_TO_REST = 2.0**-200
 
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega, of one Omega by rising A, of one A the corner first."""
-    return folds_up_to(model, F_0, *amplitude_bound(model, F_0))
+    return FoldsUpTo(F_0, *amplitude_bound(model, F_0)).alone(model)
 
 
-def folds_up_to(model: Model, F_0: float, A_max: float, remark: str) -> SaddleNodes:
+@dataclass(frozen=True)
+class FoldsUpTo(Wanted):
     """The same, up to the amplitude that `amplitude_bound` gives, with its remark."""
-    found_by = _points if model.laws.any else _crossings if model.inertial else _zeros
-    with np.errstate(all="ignore"):
-        A, Omega, near = found_by(model, F_0, A_max)
-        # Leaving a fold, a sweep goes the way of the saddle: up where the stable branch lies below it in amplitude.
-        up = model.F_AA(Omega, A) < 0
-        corner_Omega, corner_A, corner_up = _on_corners(model, F_0, A_max)
-        if not (model.laws.any or model.inertial):
-            near = near or bool(doubt.have_few_digits(model, F_0, Omega, A).any())
-        undecided = near or doubt.nearly_sticks(model, F_0) or doubt.are_corners_close(model, F_0, A_max)
-    Omega, A = np.concatenate((Omega, corner_Omega)), np.concatenate((A, corner_A))
-    up = np.concatenate((up, corner_up))
-    corner = np.arange(A.size) >= A.size - corner_A.size
-    order = np.lexsort((~corner, A, Omega))
-    message, cut = words.of_folds(model, F_0, A.size > 0 or undecided, remark)
-    kind = np.where(up, "jump-up", "jump-down")[order]
+
+    F_0: float
+    A_max: float
+    remark: str
+
+    def alone(self, model: Model) -> SaddleNodes:
+        found = folds_abreast(model, self.F_0, self.A_max)
+        if found.given_up.any():
+            raise ArithmeticError(GIVEN_UP)
+        return _told(model, self.F_0, found, self.remark)
+
+    def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
+        F_0, A_max = (np.array([getattr(one, name) for one in all_of_them]) for name in ("F_0", "A_max"))
+        found = folds_abreast(model, F_0, A_max)
+        begins = np.searchsorted(found.of, np.arange(model.abreast + 1)).tolist()
+        return [
+            ArithmeticError(GIVEN_UP)
+            if found.given_up[k]
+            else _told(one, wanted.F_0, found.take(slice(*begins[k : k + 2]), slice(k, k + 1)), wanted.remark)
+            for k, (one, wanted) in enumerate(zip(model.each, all_of_them, strict=True))
+        ]
+
+
+def _told(model: Model, F_0: float, found: Folds, remark: str) -> SaddleNodes:
+    """The answer of one design."""
+    undecided = bool(found.undecided.any())
+    message, cut = words.of_folds(model, F_0, found.A.size > 0 or undecided, remark)
+    kind = np.where(found.up, "jump-up", "jump-down")
     codes = words.beside(undecided, cut)
-    return SaddleNodes(Omega[order], A[order], kind, corner[order], F_0, message, model, remarks=codes)
+    return SaddleNodes(found.Omega, found.A, kind, found.corner, F_0, message, model, remarks=codes)
 
 
-def _points(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, bool]:
-    """A and Omega of the folds inside of pieces, and whether there may be others; for other laws of damping."""
+@dataclass(frozen=True, eq=False)
+class Folds:
+    """Folds of designs abreast, of each by rising Omega, of one Omega by rising A, of one A the corner first.
+
+    of        -- of which of the designs
+    up        -- whether a sweep that leaves it goes up
+    undecided -- of each design, whether doubles tell how many there are, and where
+    given_up  -- of each, whether the search was given up, and what is found is no answer
+    """
+
+    of: Ints
+    Omega: Floats
+    A: Floats
+    up: Bools
+    corner: Bools
+    undecided: Bools
+    given_up: Bools
+
+    def take(self, which: Any, designs: Any) -> Folds:
+        """Some folds, of some designs."""
+        of, Omega, A = self.of[which], self.Omega[which], self.A[which]
+        up, corner = self.up[which], self.corner[which]
+        return Folds(of, Omega, A, up, corner, self.undecided[designs], self.given_up[designs])
+
+
+@np.errstate(all="ignore")
+def folds_abreast(model: Model, F_0: Any, A_max: Any) -> Folds:
+    """Every fold at F_0 up to A_max, numbers or arrays of each of designs abreast."""
+    found_by = _points if model.laws.any else _crossings if model.inertial else _zeros
+    of, A, Omega, undecided, given_up = found_by(model, F_0, A_max)
+    own = model.take(of)
+    # Leaving a fold, a sweep goes the way of the saddle: up where the stable branch lies below it in amplitude.
+    up = own.F_AA(Omega, A) < 0
+    if not (model.laws.any or model.inertial):
+        undecided[of[doubt.have_few_digits(own, taken(F_0, of), Omega, A)]] = True
+    undecided |= doubt.nearly_sticks(model, F_0) | doubt.are_corners_close(model, F_0, A_max)
+    corners = _on_corners(model, F_0, A_max)
+    of, Omega, A, up = (np.concatenate(both) for both in zip((of, Omega, A, up), corners, strict=True))
+    corner = np.arange(A.size) >= A.size - corners[0].size
+    order = np.lexsort((~corner, A, Omega, of))
+    return Folds(of[order], Omega[order], A[order], up[order], corner[order], undecided, given_up)
+
+
+#: of the folds inside of pieces: of which design each is, A and Omega; of each design whether there may be others, and
+#: whether the search was given up
+Inside = tuple[Ints, Floats, Floats, Bools, Bools]
+
+
+def _of_one(A: Floats, Omega: Floats, undecided: bool) -> Inside:
+    return np.zeros(A.size, np.intp), A, Omega, np.array([undecided]), np.array([False])
+
+
+def _points(model: Model, F_0: float, A_max: float) -> Inside:
+    """For other laws of damping."""
     system = "folds_by_inertia" if model.inertial else "folds"
     found = points_of(model, system, stretches_up_to(model, A_max), F_0)
-    return found.A, found.Omega, found.undecided
+    return _of_one(found.A, found.Omega, found.undecided)
 
 
-def _zeros(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, bool]:
-    """A and Omega of the folds inside of pieces, and whether there may be others; for a force."""
-    (found,) = find_zeros(model, [FoldAt(model, F_0)], stretches_up_to(model, A_max))
-    return found.A, _settled(model, F_0, found.A, found.Omega), found.undecided
+def _zeros(model: Model, F_0: Any, A_max: Any) -> Inside:
+    """For a force."""
+    (found,), given_up = find_zeros_abreast(model, [FoldAt(model, F_0)], stretches_up_to(model, A_max))
+    return found.of, found.A, _settled(model, F_0, found), found.undecided, given_up
 
 
-def _crossings(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, bool]:
-    """The same for an excitation by inertia: where the level along the arcs of the fold locus, monotone, passes F_0."""
+def _crossings(model: Model, F_0: float, A_max: float) -> Inside:
+    """For an excitation by inertia: where the level along the arcs of the fold locus, monotone, passes F_0."""
     locus, stations = Roots(model, -1.0), Stations.of(model, A_max)
     found, near = [], stations.undecided
 
@@ -90,7 +160,7 @@ def _crossings(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, 
     def level_at(Omega: float, A: float) -> float:
         return float(of_locus(model, np.array([Omega]), np.array([A]))[0])
 
-    for arc in Graph(locus, stations.events()).arcs:
+    for arc in Graph.of(locus, stations.events()).arcs:
         low, high = arc.A
         if low == 0 and model.preload > 0:  # with A the level tends to 0 as Omega tends to inf, and Omega is not known
             low = high * NEXT_TO_REST
@@ -111,7 +181,7 @@ def _crossings(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, 
         of_response = frequencies_at(model, root, F_0)
         found.append((root, min(of_response, key=lambda one: abs(one - Omega), default=Omega)))
     As, Omegas = np.array(found).reshape(-1, 2).T
-    return As, _sharp(model, F_0, As, Omegas) if model.zeta > 0 else Omegas, near
+    return _of_one(As, _sharp(model, F_0, As, Omegas) if model.zeta > 0 else Omegas, near)
 
 
 def _sharp(model: Model, F_0: float, A: Floats, Omega: Floats) -> Floats:
@@ -128,19 +198,20 @@ def _sharp(model: Model, F_0: float, A: Floats, Omega: Floats) -> Floats:
     return np.where(sharp, w, Omega)
 
 
-def _settled(model: Model, F_0: float, A: Floats, Omega: Floats) -> Floats:
+def _settled(model: Model, F_0: Any, found: Zeros) -> Floats:
     """Omega from F = 0, where at a fold it does not depend on A to first order: the root next to the one by I or R.
 
     Where damping is next to none neither has digits, and that root may be no fold: then the one at which F_A is.
     """
-    at = samples_at(model, A)
-    roots, count = response_roots(A, at.h, model.m, model.zeta, F_0)
+    A, Omega, own, at = found.A, found.Omega, model.take(found.of), samples_at(model, found.A, found.of)
+    roots, count = response_roots(A, at.h, own.m, own.zeta, taken(F_0, found.of))
     # beyond the tip of the curve by rounding: Omega from F_A = 0 after all
     beyond = np.flatnonzero(count <= 0)
     if beyond.size:
-        roots[beyond] = fold_roots(A[beyond], at.h[beyond], at.h_A[beyond], model.m, model.zeta)[0]
+        damping = taken(own.m, beyond), taken(own.zeta, beyond)
+        roots[beyond] = fold_roots(A[beyond], at.h[beyond], at.h_A[beyond], *damping)[0]
     distance = np.where(np.isnan(roots), np.inf, np.abs(roots - Omega[:, np.newaxis]))
-    share = np.array([_share_of_F_A(model, at, column) for column in roots.T]).T
+    share = np.array([_share_of_F_A(own, at, column) for column in roots.T]).T
     share[np.isnan(share)] = np.inf
     place = distance.argmin(axis=-1)
     is_fold = np.take_along_axis(share, place[:, np.newaxis], axis=-1)[:, 0] <= OF_A_FOLD
@@ -149,50 +220,53 @@ def _settled(model: Model, F_0: float, A: Floats, Omega: Floats) -> Floats:
     return np.where(np.isfinite(nearest), nearest, Omega)
 
 
-def _share_of_F_A(model: Model, at: Samples, Omega: Floats) -> Floats:
+def _share_of_F_A(own: Model, at: Samples, Omega: Floats) -> Floats:
     """F_A as a share of what its terms may be: at a fold that is small."""
     R, S = np.abs(slow_flow.R(Omega, at.A, at.h)), np.abs(Omega**2 + at.h_A)
-    lag = 2 * model.zeta * Omega * slow_flow.I(Omega, at.A, model.m, model.zeta)
+    lag = 2 * own.zeta * Omega * slow_flow.I(Omega, at.A, own.m, own.zeta)
     size = lag + R * (Omega**2 + np.abs(at.h_A)) + S * at.size_of_R(Omega)
-    F_A = slow_flow.F_A(Omega, at.A, model.m, model.zeta, at.h, at.h_A)
+    F_A = slow_flow.F_A(Omega, at.A, own.m, own.zeta, at.h, at.h_A)
     return np.asarray(np.abs(F_A) / (2 * size))
 
 
-def _on_corners(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, Bools]:
+def _on_corners(model: Model, F_0: Any, A_max: Any) -> tuple[Ints, Floats, Floats, Bools]:
     """Folds on a breakpoint where the force jumps by J: next to it F_A = 2 R h_A + ... has the sign of R J.
 
-    Omega, A, and whether the stable side lies below.
+    Of which of the designs abreast, Omega, A, and whether the stable side lies below.
     """
-    Omegas, As, ups = [np.empty(0)], [np.empty(0)], [np.empty(0, dtype=bool)]
+    found: list[tuple[Ints, Floats, Floats, Bools]] = []
     for i, (b, jump) in enumerate(zip(model.breakpoints, model.jumps, strict=True)):
         leaves = i == 0 and model.laws.rubs != THROUGHOUT
-        if (jump == 0 and not leaves) or not b < A_max:
+        of = np.flatnonzero(np.broadcast_to(b < A_max, (model.abreast,)))
+        if (not np.any(jump) and not leaves) or not of.size:
             continue
-        Omega = frequencies_at(model, b, F_0)
-        Omega = Omega[np.isfinite(Omega)]
-        below = _is_stable_below(model, F_0, b, Omega)
-        above = dissipated.is_stable_above(model, i, Omega)
-        changes = below != above
-        Omegas.append(Omega[changes])
-        As.append(np.full(int(changes.sum()), b))
-        ups.append(below[changes])
-    return np.concatenate(Omegas), np.concatenate(As), np.concatenate(ups)
+        of, Omega = frequencies_abreast(model, np.broadcast_to(taken(b, of), of.shape), F_0, of)
+        of, Omega = of[np.isfinite(Omega)], Omega[np.isfinite(Omega)]
+        below = _is_stable_below(model, F_0, i, Omega, of)
+        changes = below != dissipated.is_stable_above(model, i, Omega, of)
+        A = np.broadcast_to(taken(b, of), of.shape)
+        found.append((of[changes], Omega[changes], A[changes], below[changes]))
+    if not found:
+        return np.empty(0, np.intp), np.empty(0), np.empty(0), np.empty(0, dtype=bool)
+    of, Omega, A, up = (np.concatenate(column) for column in zip(*found, strict=True))
+    return of, Omega, A, up
 
 
-def _is_stable_below(model: Model, F_0: float, b: float, Omega: Floats) -> Bools:
-    """Whether the side below breakpoint b is stable at the states (b, Omega): F_A > 0.
+def _is_stable_below(model: Model, F_0: Any, i: int, Omega: Floats, of: Ints) -> Bools:
+    """Whether the side below breakpoint i is stable at states on it, of which of the designs abreast: F_A > 0.
 
     Where the state is, to rounding, the end of the fold locus below, the sign of `Fold` there decides, which decided
     whether that has a zero next to b. To first order F and F_A are multiples of it, and F_A at the state is less
     by F_AOmega F/F_Omega; without viscous damping it is F, and F_A is 0.
     """
-    m, zeta, at = model.m, model.zeta, samples_at(model, b)
+    own, b = model.take(of), np.broadcast_to(taken(model.breakpoints[i], of), of.shape)
     if model.inertial or model.laws.any:
-        return model.F_A(Omega, b) > 0
-    fold = FoldAt(model, F_0).ask(at).take(0)
-    (h,), (h_A,), (k,) = at.h, at.h_A, at.k
-    R = slow_flow.R(Omega, b, h)
-    F, F_A = slow_flow.fold_moves(b, k, R) if zeta > 0 else (np.ones_like(R), np.zeros_like(R))
-    turn = slow_flow.F_AOmega(Omega, b, m, zeta, h, h_A) / slow_flow.F_Omega(Omega, b, m, zeta, h)
-    ends = fold.exists & (np.abs(fold.Omega - Omega) < NEAR_END * Omega)
-    return np.asarray(np.where(ends, fold.y * (F_A - turn * F), slow_flow.F_A(Omega, b, m, zeta, h, h_A)) > 0)
+        return own.F_A(Omega, b) > 0
+    m, zeta, at = own.m, own.zeta, samples_at(model, b, of)
+    fold = FoldAt(model, F_0).ask(at)
+    R = slow_flow.R(Omega, b, at.h)
+    F, F_A = (np.ones_like(R), np.zeros_like(R)) if model.undamped else slow_flow.fold_moves(b, at.k, R)
+    turn = slow_flow.F_AOmega(Omega, b, m, zeta, at.h, at.h_A) / slow_flow.F_Omega(Omega, b, m, zeta, at.h)
+    ends = fold.exists[0] & (np.abs(fold.Omega[0] - Omega) < NEAR_END * Omega)
+    stable = np.where(ends, fold.y[0] * (F_A - turn * F), slow_flow.F_A(Omega, b, m, zeta, at.h, at.h_A))
+    return np.asarray(stable > 0)

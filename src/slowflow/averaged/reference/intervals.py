@@ -66,9 +66,9 @@ class Interval:
         return cls(np.array((np.minimum(a, b), np.maximum(a, b))))
 
     @classmethod
-    def point(cls, x: float) -> Interval:
-        """A number, for any number of elements."""
-        return cls(np.full((2, 1), x))
+    def point(cls, x: Any) -> Interval:
+        """A number, for any number of elements; or an array of them, one for each."""
+        return cls(np.array((x, x), dtype=float).reshape(2, -1))
 
     @property
     def lo(self) -> Floats:

@@ -47,7 +47,8 @@ class Stations:
     @property
     def undecided(self) -> bool:
         """Whether rounding may hide some at which the level turns."""
-        return self.cusps.undecided or (self.isolas is not None and self.isolas.undecided)
+        asked = [self.cusps] if self.isolas is None else [self.cusps, self.isolas]
+        return any(zeros.undecided.any() for zeros in asked)
 
     @classmethod
     def of(cls, model: Model, A_max: float) -> Stations:
@@ -76,7 +77,8 @@ class Stations:
                         low = own.channel[i] == 0
                         kind, gain = (Kind.PAIR_LOW if low else Kind.PAIR_HIGH), 2 if own.rising[i] == low else -2
                     inside.append(Event(float(own.A[i]), float(own.Omega[i]), kind, gain))
-            first = piece.base if piece.base == 0 else float(np.nextafter(piece.base, np.inf))
+            base = float(piece.base[0])
+            first = base if base == 0 else float(np.nextafter(base, np.inf))
             ends = (Event(A, 0.0, Kind.CUT) for A in (first, float(piece.last.A[0])))
             found += [next(ends), *sorted(inside, key=lambda event: event.A), next(ends)]
         return merged(found)
@@ -86,7 +88,7 @@ def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max, in order along each branch."""
     roots: Along = dissipated.Roots(model, -1.0) if model.laws.any else Roots(model, -1.0)
     stations = (dissipated_points.Stations if model.laws.any else Stations).of(model, A_max)
-    graph = Graph(roots, stations.events())
+    graph = Graph.of(roots, stations.events())
     arcs = graph.arcs
     if not arcs:
         none = np.empty(0)

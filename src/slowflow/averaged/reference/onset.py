@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import dataclasses
 import math
+from typing import Any
 
 import numpy as np
 
 from slowflow.averaged import words
-from slowflow.averaged.reference import dissipated, dissipated_points
+from slowflow.averaged.reference import dissipated, dissipated_points, steps
 from slowflow.averaged.reference.along import (
+    Asked,
     Cusp,
     InertiaIsola,
     InertiaPeak,
@@ -28,10 +30,13 @@ from slowflow.averaged.reference.boxes import points_of
 from slowflow.averaged.reference.cells import Samples, Stretch, sample_above, samples_at, stretches_up_to
 from slowflow.averaged.reference.excited import stationary_at
 from slowflow.averaged.reference.folds import saddle_nodes
+from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.locus import of_cusps, of_isolas
 from slowflow.averaged.reference.minima import cusp_is_minimum, isola_is_minimum
 from slowflow.averaged.reference.roots import fold_roots, peak_roots
-from slowflow.averaged.reference.search import find_zeros
+from slowflow.averaged.reference.search import GIVEN_UP, find_zeros, find_zeros_abreast
+from slowflow.averaged.reference.steps import Steps
+from slowflow.averaged.reference.wanted import Above, At, Bound, Search
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound
@@ -95,17 +100,21 @@ class _Best:
 
 def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
-    with np.errstate(all="ignore"):
-        if model.zeta == 0 and not model.laws.any:
-            return _onset_without_viscous_damping(model)
-        come_down, base = next_to_rest(model)
-        # of a preload they have R next to 0 and A Omega^2 next to it, as Omega tends to inf
-        if come_down or (model.inertial and model.preload > 0):
-            message = words.OPEN if model.inertial else words.STIFF_AT_REST.format(model.m)
-            return SaddleNodeOnset(None, None, None, "", message, _status=Status.UNBOUNDED)
-        if _comes_down_to_play(model):
-            return SaddleNodeOnset(None, None, None, "", words.NO_LOWEST.format(model.m), _status=Status.UNBOUNDED)
-        best = _lowest(model, base)
+    return steps.alone(model, onset_in_steps(model))
+
+
+def onset_in_steps(model: Model) -> Steps[SaddleNodeOnset]:
+    """The same, see `steps`."""
+    if model.zeta == 0 and not model.laws.any:
+        return (yield from _onset_without_viscous_damping(model))
+    come_down, base = next_to_rest(model)
+    # of a preload they have R next to 0 and A Omega^2 next to it, as Omega tends to inf
+    if come_down or (model.inertial and model.preload > 0):
+        message = words.OPEN if model.inertial else words.STIFF_AT_REST.format(model.m)
+        return SaddleNodeOnset(None, None, None, "", message, _status=Status.UNBOUNDED)
+    if _comes_down_to_play(model):
+        return SaddleNodeOnset(None, None, None, "", words.NO_LOWEST.format(model.m), _status=Status.UNBOUNDED)
+    best = yield from _lowest(model, base)
     if _hardly_jumps(model) or (best.undecided and _is_beside_breakpoint(model, best)):
         raise ArithmeticError(words.unresolved_onset(model))
     if best.open or (model.inertial and _falls_at_breakpoint(model, best)):
@@ -186,7 +195,7 @@ def _is_beside_breakpoint(model: Model, best: _Best) -> bool:
     return not best.kind or (best.kind != "corner" and any(near))
 
 
-def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
+def _onset_without_viscous_damping(model: Model) -> Steps[SaddleNodeOnset]:
     """zeta = 0: folds lie at Omega^2 = -h_A and their level is that of R = k.
 
     Where k tends to 0 on the way, as to A = 0 with a stiffness that is not negative next to it, or as A grows where
@@ -204,17 +213,17 @@ def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
         raise ArithmeticError(words.unresolved_onset(model))
     if model.inertial:
         return no_lowest if saddle_nodes(model, 2 * model.m + 1.0).A.size else none
-    best, at = _Best(), samples_at(model, 0.0)
+    best, at = _Best(), (yield At(0.0))
     first = at
     for i, b in enumerate((*model.breakpoints, ENDLESS)):
-        last = samples_at(model, b)
+        last = yield At(b)
         if any(one[0] != 0 for end in (first, last) for one in (end.h_AA, end.h_AAA)):
-            piece = Stretch(first, last, float(first.A[0]))
+            piece = Stretch(first, last, first.A)
             from_0 = at.k[0] == 0 and _moves_from(piece, at.h_A[0]) and not (i > 0 and model.jumps[i - 1] != 0)
-            if from_0 or _tends_to_friction(model, piece, best):
+            if from_0 or (yield from _tends_to_friction(model, piece, best)):
                 return no_lowest
         if i < len(model.breakpoints):
-            at, first = last, sample_above(model, i)
+            at, first = last, (yield Above(i))
             if _tends_to_friction_on(model, at, first, model.jumps[i], best):
                 return no_lowest
     beyond = samples_at(model, BEYOND)
@@ -233,9 +242,13 @@ def _moves_from(piece: Stretch, h_A: float) -> bool:
     return bool(h_A < 0 or (h_A == 0 and next((bend for bend in bends if bend != 0), 0.0) < 0))
 
 
-def _tends_to_friction(model: Model, piece: Stretch, best: _Best) -> bool:
+def _of_undamped(model: Model) -> list[Asked]:
+    return [Stiffness(model), Undamped(model)]
+
+
+def _tends_to_friction(model: Model, piece: Stretch, best: _Best) -> Steps[bool]:
     """Whether k vanishes inside of a piece; if not, the least levels there."""
-    ends, turns = find_zeros(model, [Stiffness(model), Undamped(model)], [piece])
+    ends, turns = yield Search(_of_undamped, (), [piece])
     if (turns.channel == 1).any():
         return True
     at = samples_at(model, turns.A)
@@ -270,51 +283,62 @@ def _tends_to_friction_on(model: Model, at: Samples, above: Samples, jump: float
     return False
 
 
-def _lowest(model: Model, base: float) -> _Best:
+def _lowest(model: Model, base: float) -> Steps[_Best]:
     """Of all pieces and breakpoints, from an amplitude on; first what leaves less to search."""
-    best, first = _Best(), samples_at(model, base)
+    best, first = _Best(), (yield At(base))
     if (
         model.preload > 0
     ):  # R, -preload next to A = 0, vanishes at frequencies that tend to inf there, and F_0 tends to m
         best.rest = model.m
     bounded = []
     for i, (b, jump) in enumerate(zip(model.breakpoints, model.jumps, strict=True)):
-        at, above = samples_at(model, b), sample_above(model, i)
+        at, above = (yield At(b)), (yield Above(i))
         if model.laws.any:
             _consider_corner(model, i, best)
         else:
             _consider_breakpoint(model, at, jump, float(above.h_AA[0]), best)
         # where there is no force, as in a dead zone, there is no fold
-        stretch = Stretch(first, at, float(first.A[0]))
+        stretch = Stretch(first, at, first.A)
         if stretch.has_force:
             bounded.append(stretch)
         first = above
     if bounded:
-        _consider_pieces(model, bounded, best)
-    _consider_last(model, first, best)
+        yield from _consider_pieces(model, bounded, best)
+    yield from _consider_last(model, first, best)
     return best
 
 
-def _consider_pieces(model: Model, pieces: list[Stretch], best: _Best) -> None:
+def _of_force(model: Model, F_SN: Any) -> list[Asked]:
+    return [Stiffness(model), Isola(model), Cusp(model, F_SN)]
+
+
+def _of_inertia(model: Model) -> list[Asked]:
+    return [InertiaIsola(model), Cusp(model)]
+
+
+def _consider_pieces(model: Model, pieces: list[Stretch], best: _Best) -> Steps[None]:
     """Where the level may be least inside of pieces: cusps, isola points, ends."""
     if model.laws.any:
         _consider_boxes(model, pieces, best)
         return
     if model.inertial:  # at Omega = 0 the level is infinite
-        isolas, cusps = find_zeros(model, [InertiaIsola(model), Cusp(model)], pieces)
+        isolas, cusps = yield Search(_of_inertia, (), pieces)
     else:
-        ends, isolas, cusps = find_zeros(model, [Stiffness(model), Isola(model), Cusp(model, best.F_SN)], pieces)
-        best.undecided |= ends.undecided
+        ends, isolas, cusps = yield Search(_of_force, (best.F_SN,), pieces)
+        best.undecided |= bool(ends.undecided.any())
         turns = ends.A[ends.channel == 1]
-        best.consider_ends(model, turns, model.level(0.0, turns))
+        if turns.size:
+            best.consider_ends(model, turns, model.level(0.0, turns))
         if (ends.channel == 0).any():  # h = 0 there, and so R: F_Omega does not fall
             best.rest = min(best.rest, model.m)
-    best.undecided |= isolas.undecided or cusps.undecided
-    least = isola_is_minimum(model, isolas.Omega, isolas.A)
-    level = of_isolas(model, isolas.Omega, isolas.A)
-    best.consider(level[least], isolas.Omega[least], isolas.A[least], "isola")
-    least = cusp_is_minimum(model, cusps.Omega, cusps.A)
-    best.consider(of_cusps(model, cusps)[least], cusps.Omega[least], cusps.A[least], "cusp")
+    best.undecided |= bool(isolas.undecided.any() or cusps.undecided.any())
+    if len(isolas):
+        least = isola_is_minimum(model, isolas.Omega, isolas.A)
+        level = of_isolas(model, isolas.Omega, isolas.A)
+        best.consider(level[least], isolas.Omega[least], isolas.A[least], "isola")
+    if len(cusps):
+        least = cusp_is_minimum(model, cusps.Omega, cusps.A)
+        best.consider(of_cusps(model, cusps)[least], cusps.Omega[least], cusps.A[least], "cusp")
 
 
 def _consider_boxes(model: Model, pieces: list[Stretch], best: _Best) -> None:
@@ -365,7 +389,7 @@ def _beyond_play(model: Model, piece: Stretch) -> Stretch:
         raise ArithmeticError(words.BALANCED)
     if not (piece.base > 0 and first.h[0] == 0 and first.h_A[0] == 0):
         return piece
-    base = piece.base
+    base = float(piece.base[0])
     least = dissipation.fold_quartic(base, model.m, 0.0, model.zeta, model.d, 0.0, 0.0)[2]
     if not (least > 0 and _ends_play(first) and model.laws.rubs == THROUGHOUT):
         raise ArithmeticError(words.SLIDES_FREE.format(base))
@@ -376,7 +400,7 @@ def _beyond_play(model: Model, piece: Stretch) -> Stretch:
     known = falls & (np.maximum(A * -at.h_A, -at.h) <= least / 2)
     if not known.any():
         raise ArithmeticError(words.unresolved_onset(model))
-    return Stretch(samples_at(model, float(A[np.argmax(known)])), piece.last, base)
+    return Stretch(samples_at(model, float(A[np.argmax(known)])), piece.last, piece.base)
 
 
 def _consider_corner(model: Model, i: int, best: _Best) -> None:
@@ -433,23 +457,23 @@ def _consider_breakpoint(model: Model, at: Samples, jump: float, h_AA_above: flo
         best.consider_ends(model, at.A, slow_flow.level(0.0, at.A, m, zeta, at.h))
 
 
-def _consider_last(model: Model, first: Samples, best: _Best) -> None:
+def _consider_last(model: Model, first: Samples, best: _Best) -> Steps[None]:
     """The piece without an end.
 
     It is looked through as far as a state at the best forcing can lie, or at forcings raised until there is one.
     """
-    base = float(first.A[0])
+    base = first.A
     F_0 = best.F_SN if best.kind else RAISE * max(model.m, FIRST_F_0)
     for _ in range(RAISES):
-        A_max, cut = amplitude_bound(model, F_0)
+        A_max, cut = yield Bound(F_0)
         if A_max > first.A[0]:  # what lies below has been looked through
-            last = samples_at(model, A_max)
+            last = yield At(A_max)
             if first.A[0] == first.h[0] == 0 and last.h_AA[0] == last.h_AAA[0] == first.h_AAA[0] == 0:
                 return  # linear
-            _consider_pieces(model, [Stretch(first, last, base)], best)
+            yield from _consider_pieces(model, [Stretch(first, last, base)], best)
             first = last
         if cut:  # where the response does not close folds of any amplitude may be lower
-            best.open = not best.kind or bool(amplitude_bound(model, best.F_SN)[1])
+            best.open = not best.kind or bool((yield Bound(best.F_SN))[1])
             return
         if best.F_SN <= F_0:
             return
@@ -498,13 +522,29 @@ def peak(model: Model, F_0: float) -> PeakFound:
         if not len(tops):
             return PeakFound(None, None, F_0, words.NO_TOP.format(F_0))
         return PeakFound(float(tops.A[-1]), float(tops.Omega[-1]), F_0, "")
-    peaks, static = find_zeros(model, [Peak(model, F_0), Rest(model, F_0)], stretches_up_to(model, A_max))
+    A, Omega, given_up = peaks_abreast(model, F_0, A_max)
+    if given_up.any():
+        raise ArithmeticError(GIVEN_UP)
+    if np.isnan(A[0]):
+        raise ArithmeticError(f"the response is unresolved at F_0 = {F_0:.17g}: no state lies on the amplitudes")
+    return PeakFound(float(A[0]), float(Omega[0]), F_0, "")
+
+
+@np.errstate(all="ignore")
+def peaks_abreast(model: Model, F_0: Any, A_max: Any) -> tuple[Floats, Floats, Bools]:
+    """A and Omega of the highest peak of each of designs abreast, by a force, with viscous damping; and see `Folds`.
+
+    NaN where no state lies on the amplitudes.
+    """
+    asked = [Peak(model, F_0), Rest(model, F_0)]
+    (peaks, static), given_up = find_zeros_abreast(model, asked, stretches_up_to(model, A_max))
     # the second channel is the minimum of F over Omega, the first its maximum: F rises or falls through a peak of A
     tops = peaks.take(peaks.rising == (peaks.channel == 1))
-    found = tops if len(tops) else static
-    if not len(found):
-        raise ArithmeticError(f"the response is unresolved at F_0 = {F_0:.17g}: no state lies on the amplitudes")
-    return PeakFound(float(found.A[-1]), float(found.Omega[-1]), F_0, "")
+    A, Omega = np.full((2, model.abreast), np.nan)
+    for found in (static, tops):
+        last = np.flatnonzero(np.append(found.of[1:] != found.of[:-1], True)[: len(found)])
+        A[found.of[last]], Omega[found.of[last]] = found.A[last], found.Omega[last]
+    return A, Omega, given_up
 
 
 def _peak_in_boxes(model: Model, F_0: float, A_max: float) -> PeakFound:

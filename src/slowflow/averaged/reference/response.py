@@ -7,24 +7,28 @@ is monotone too. So a segment holds at most one state at any frequency, and has 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
 from slowflow.answer import joined
 from slowflow.averaged import words
-from slowflow.averaged.reference import dissipated, dissipated_points, doubt, inertia
-from slowflow.averaged.reference.along import InertiaPeak, Peak, Rest
-from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, Roots, merged
+from slowflow.averaged.reference import dissipated, dissipated_points, doubt, inertia, steps
+from slowflow.averaged.reference.abreast import Abreast
+from slowflow.averaged.reference.along import Asked, InertiaPeak, Peak, Rest
+from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, OmegaAt, Roots, merged, of_all
 from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.averaged.reference.cells import amid, stretches_up_to
-from slowflow.averaged.reference.folds import folds_up_to
-from slowflow.averaged.reference.roots import Quartics
+from slowflow.averaged.reference.folds import FoldsUpTo
+from slowflow.averaged.reference.intervals import Bools
+from slowflow.averaged.reference.roots import Ints, Quartics
 from slowflow.averaged.reference.search import find_zeros
+from slowflow.averaged.reference.steps import Steps, Wanted
+from slowflow.averaged.reference.wanted import Bound, Pieces, Search
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates
 from slowflow_kernels import dissipation, frequencies, slow_flow
@@ -86,15 +90,20 @@ def skeleton(model: Model, F_0: float, lowest: float = 0.0) -> Skeleton:
 
     lowest -- as in `amplitude_bound`
     """
-    A_max, remark = amplitude_bound(model, F_0, lowest)
-    roots, events_up_to = _along(model, F_0)
-    folds = folds_up_to(model, F_0, A_max, remark)
+    return steps.alone(model, _skeleton(model, F_0, lowest))
+
+
+def _skeleton(model: Model, F_0: float, lowest: float) -> Steps[Skeleton]:
+    """The same, see `steps`."""
+    A_max, remark = yield Bound(F_0, lowest)
+    roots = _along(model, F_0)
+    folds = yield FoldsUpTo(F_0, A_max, remark)
     try:
-        events, undecided = events_up_to(model, F_0, A_max)
-        graph = Graph(roots, events)
+        events, undecided = yield from _events(model, F_0, A_max)
+        graph = yield from Graph.in_steps(roots, events)
     except ArithmeticError as failure:
         raise ArithmeticError(words.unresolved(model, F_0)) from failure
-    on_arc = _arcs_of_folds(roots, graph, folds)
+    on_arc = yield from _arcs_of_folds(roots, graph, folds)
     curves = []
     for tour in graph.tours:
         curve: list[tuple[Segment, bool]] = []
@@ -106,22 +115,31 @@ def skeleton(model: Model, F_0: float, lowest: float = 0.0) -> Skeleton:
         curves.append(curve)
     undecided |= Remark.UNDECIDED in folds.remarks
     closed = [tour.closed for tour in graph.tours]
-    return Skeleton(roots, folds, _with_stability(roots, F_0, curves), closed, undecided, remark)
+    return Skeleton(roots, folds, (yield from _with_stability(roots, curves)), closed, undecided, remark)
 
 
-def _along(model: Model, F_0: float) -> tuple[Along, Callable[[Model, float, float], tuple[list[Event], bool]]]:
-    """The frequencies along the amplitude, and what gives the events up to one, and whether doubles leave some open."""
+def _along(model: Model, F_0: float) -> Along:
+    """The frequencies along the amplitude."""
     if model.laws.any:
-        return dissipated.Roots(model, F_0), dissipated_points.response_events
+        return dissipated.Roots(model, F_0)
+    return inertia.Roots(model, F_0) if model.inertial else Roots(model, F_0)
+
+
+def _peaks_and_rest(model: Model, F_0: Any) -> list[Asked]:
+    return [Peak(model, F_0), Rest(model, F_0)]
+
+
+def _events(model: Model, F_0: float, A_max: float) -> Steps[tuple[list[Event], bool]]:
+    """Where the number of roots may change, by rising A: peaks, static states, breakpoints.
+
+    And whether doubles leave some open.
+    """
+    if model.laws.any:
+        return dissipated_points.response_events(model, F_0, A_max)
     if model.inertial:
-        return inertia.Roots(model, F_0), _events_of_inertia
-    return Roots(model, F_0), _events
-
-
-def _events(model: Model, F_0: float, A_max: float) -> tuple[list[Event], bool]:
-    """Where the number of roots may change, by rising A: peaks, static states, breakpoints."""
-    pieces = stretches_up_to(model, A_max)
-    peaks, static = find_zeros(model, [Peak(model, F_0), Rest(model, F_0)], pieces)
+        return _events_of_inertia(model, F_0, A_max)
+    pieces = yield Pieces(A_max)
+    peaks, static = yield Search(_peaks_and_rest, (F_0,), pieces)
     # where F is biquadratic in Omega with a minimum inside, it is a second root that comes from Omega = 0
     with np.errstate(all="ignore"):
         (w1, _), _ = (at_rest := Quartics(static.A, *model.averaged(static.A)[:2], model.m, model.zeta, F_0)).critical
@@ -141,7 +159,8 @@ def _events(model: Model, F_0: float, A_max: float) -> tuple[list[Event], bool]:
         found += sorted(inside, key=lambda event: event.A)
         if number + 1 < len(pieces):
             found.append(Event(float(piece.last.A[0]), 0.0, Kind.THROUGH))
-    undecided = peaks.undecided or static.undecided or _are_close(peaks.A) or _are_close(static.A)
+    close = _are_close(peaks.A) or _are_close(static.A)
+    undecided = bool(peaks.undecided.any() or static.undecided.any() or close)
     return merged([*found, Event(A_max, 0.0, Kind.CUT)]), undecided
 
 
@@ -167,19 +186,19 @@ def _events_of_inertia(model: Model, F_0: float, A_max: float) -> tuple[list[Eve
     inside += [Event(float(piece.last.A[0]), 0.0, Kind.THROUGH) for piece in pieces[:-1]]
     inside.sort(key=lambda event: event.A)
     start = inertia.Roots(model, F_0).start()
-    return [Event(0.0, start, Kind.CUT), *inside, Event(A_max, 0.0, Kind.CUT)], peaks.undecided
+    return [Event(0.0, start, Kind.CUT), *inside, Event(A_max, 0.0, Kind.CUT)], bool(peaks.undecided.any())
 
 
 @np.errstate(all="ignore")
 def are_events_undecided(model: Model, F_0: float) -> bool:
     """Whether doubles leave open which peaks and static states a response curve has; of a force."""
     try:
-        return _events(model, F_0, amplitude_bound(model, F_0)[0])[1]
+        return steps.alone(model, _events(model, F_0, amplitude_bound(model, F_0)[0]))[1]
     except ArithmeticError:
         return True
 
 
-def _arcs_of_folds(roots: Along, graph: Graph, folds: SaddleNodes) -> dict[int, list[tuple[float, float]]]:
+def _arcs_of_folds(roots: Along, graph: Graph, folds: SaddleNodes) -> Steps[dict[int, list[tuple[float, float]]]]:
     """The folds (A, Omega) on each arc: of those that reach a fold's amplitude the one that is nearest."""
     pairs = [
         (f, number)
@@ -191,8 +210,7 @@ def _arcs_of_folds(roots: Along, graph: Graph, folds: SaddleNodes) -> dict[int, 
         return {}
     of, numbers = (np.array(column, dtype=np.intp) for column in zip(*pairs, strict=True))
     count, index = (np.array([getattr(graph.arcs[n], name) for n in numbers]) for name in ("count", "index"))
-    with np.errstate(all="ignore"):
-        off = np.abs(roots.at(folds.A[of], count, index) - folds.Omega[of])
+    off = np.abs((yield OmegaAt(roots, folds.A[of], count, index)) - folds.Omega[of])
     found: dict[int, list[tuple[float, float]]] = {}
     for f in np.unique(of):
         own = np.flatnonzero(of == f)
@@ -200,31 +218,50 @@ def _arcs_of_folds(roots: Along, graph: Graph, folds: SaddleNodes) -> dict[int, 
     return found
 
 
-def _with_stability(
-    roots: Along, F_0: float, curves: list[list[tuple[Segment, bool]]]
-) -> list[list[tuple[Segment, bool]]]:
+def _with_stability(roots: Along, curves: list[list[tuple[Segment, bool]]]) -> Steps[list[list[tuple[Segment, bool]]]]:
     """The same with each segment's stability: a state is stable where F_A is positive (30)."""
     segments = [segment for curve in curves for segment, _ in curve]
     if not segments:
         return curves
-    model = roots.model
-    A = np.array([0.5 * (segment.low[0] + segment.high[0]) for segment in segments])
-    with np.errstate(all="ignore"):
-        Omega = roots.at(A, *_numbers(segments))
-        rises = np.asarray(model.F_A(Omega, A))
-        if not (model.inertial or model.laws.any):
-            sharp = A * Omega**2 > SHARP * F_0
-            count, index = (one[sharp] for one in _numbers(segments))
-            rises[sharp] = _rise_where_sharp(model, F_0, A[sharp], Omega[sharp], count, index)
-        stable = iter((rises > 0).tolist())
+    stable = iter((yield Stability(roots, segments)).tolist())
     return [[(replace(segment, stable=next(stable)), upward) for segment, upward in curve] for curve in curves]
 
 
-def _rise_where_sharp(model: Model, F_0: float, A: Floats, Omega: Floats, count: Any, index: Any) -> Floats:
+@dataclass(frozen=True, eq=False)
+class Stability(Wanted):
+    """Which segments are stable."""
+
+    roots: Along
+    segments: list[Segment]
+
+    def alone(self, model: Model) -> Bools:
+        return _are_stable(self.roots, self.segments, np.zeros(len(self.segments), np.intp))
+
+    def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
+        sizes = [len(one.segments) for one in all_of_them]
+        roots, of = of_all(model, [one.roots for one in all_of_them], sizes)
+        found = _are_stable(roots, [segment for one in all_of_them for segment in one.segments], of)
+        return np.split(found, np.cumsum(sizes)[:-1])
+
+
+def _are_stable(roots: Along, segments: list[Segment], of: Ints) -> Bools:
+    """The same; `of`: of which of the designs abreast they are."""
+    own, (count, index) = roots.take(of), _numbers(segments)
+    A = np.array([0.5 * (segment.low[0] + segment.high[0]) for segment in segments])
+    Omega = own.at(A, count, index)
+    rises = np.asarray(own.model.F_A(Omega, A))
+    if not (own.model.inertial or own.model.laws.any):
+        sharp = np.flatnonzero(A * Omega**2 > SHARP * own.F_0)
+        rises[sharp] = _rise_where_sharp(own.take(sharp), A[sharp], Omega[sharp], count[sharp], index[sharp])
+    return rises > 0
+
+
+def _rise_where_sharp(roots: Along, A: Floats, Omega: Floats, count: Any, index: Any) -> Floats:
     """F_A/2 where rounding of A Omega^2 leaves nothing of R.
 
     F has R up to its sign, which is that of F_Omega there: F rises at the last root.
     """
+    model, F_0 = roots.model, roots.F_0
     I = slow_flow.I(Omega, A, model.m, model.zeta)
     R = np.sqrt(np.maximum(0.0, (F_0 - I) * (F_0 + I))) * np.where((count - index) % 2 == 1, 1.0, -1.0)
     R_A, I_A = model.averaged(A)[1] + Omega**2, dissipation.I_A(Omega, A, 0.0, model.zeta, 0.0)
@@ -241,14 +278,14 @@ def _end(step: tuple[Segment, bool], first: bool) -> tuple[float, float]:
     return segment.low if upward == first else segment.high
 
 
-def states_at(found: Skeleton, Omega: Floats) -> tuple[Floats, Floats, np.ndarray]:
+def states_at(found: Skeleton, Omega: Floats) -> Steps[tuple[Floats, Floats, np.ndarray]]:
     """Every state at each of the given frequencies: Omega, A, stable; by the order of `Omega`, then by rising A."""
     hits: list[tuple[int, Segment]] = []
     for segment in found.segments:
         low, high = segment.range
         hits += [(int(q), segment) for q in np.flatnonzero((low <= Omega) & (Omega <= high))]
     which = np.array([q for q, _ in hits], dtype=np.intp)
-    A = solve_segments(found.roots, [segment for _, segment in hits], Omega[which])
+    A = yield Amplitudes(found.roots, [segment for _, segment in hits], Omega[which])
     stable = np.array([segment.stable for _, segment in hits], dtype=bool)
     is_end = np.array([Omega[q] in segment.range for q, segment in hits], dtype=bool)
     order = np.lexsort((A, which))
@@ -277,19 +314,41 @@ def _order_same(which: Any, A: Floats, stable: Any) -> None:
         stable[i + 1] = not stable[i]
 
 
+@dataclass(frozen=True, eq=False)
+class Amplitudes(Wanted):
+    """`solve_segments`."""
+
+    roots: Along
+    segments: list[Segment]
+    Omega: Floats
+
+    def alone(self, model: Model) -> Floats:
+        return solve_segments(self.roots, self.segments, self.Omega)
+
+    def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
+        sizes = [len(one.segments) for one in all_of_them]
+        roots, of = of_all(model, [one.roots for one in all_of_them], sizes)
+        segments = [segment for one in all_of_them for segment in one.segments]
+        found = solve_segments(roots, segments, np.concatenate([one.Omega for one in all_of_them]), of)
+        return np.split(found, np.cumsum(sizes)[:-1])
+
+
 @np.errstate(all="ignore")
-def solve_segments(roots: Along, segments: list[Segment], Omega: Floats) -> Floats:
-    """The amplitude at which each segment has the given Omega, which must lie in its range: Newton, bracketed."""
+def solve_segments(roots: Along, segments: list[Segment], Omega: Floats, of: Ints | None = None) -> Floats:
+    """The amplitude at which each segment has the given Omega, which must lie in its range: Newton, bracketed.
+
+    of -- of which of the designs abreast they are, if there are several
+    """
     if not segments:
         return np.empty(0)
-    model = roots.model
+    of = np.zeros(len(segments), np.intp) if of is None else of
     count, index = _numbers(segments)
     (low, at_low), (high, at_high) = (
         np.array([getattr(segment, side) for segment in segments]).T for side in ("low", "high")
     )
     falls, tail = at_low > at_high, (low == 0) & np.isinf(at_low)
     lo, hi = low.copy(), high.copy()
-    lo[tail] = _tail_amplitudes(roots, high[tail], count[tail], index[tail], Omega[tail])
+    lo[tail] = _tail_amplitudes(roots.take(of[tail]), high[tail], count[tail], index[tail], Omega[tail])
     A = np.where(tail, lo, lo + (hi - lo) * ((Omega - at_low) / (at_high - at_low)))
     last, x = hi - lo, A.copy()
     active = np.flatnonzero((Omega != at_low) & (Omega != at_high))
@@ -298,10 +357,11 @@ def solve_segments(roots: Along, segments: list[Segment], Omega: Floats) -> Floa
         inside = (at > below) & (at < above)
         if not inside.all():
             at = np.where(inside, at, amid(np.zeros(1), below, above))
-        w = roots.at(at, count[active], index[active])
+        own = roots.take(of[active])
+        w = own.at(at, count[active], index[active])
         left = (w > Omega[active]) == falls[active]
         below, above = np.where(left, at, below), np.where(left, above, at)
-        following = at - (w - Omega[active]) / model.Omega_A(w, at)
+        following = at - (w - Omega[active]) / own.model.Omega_A(w, at)
         moved = np.abs(following - at)
         x[active], lo[active], hi[active] = at, below, above
         done = (moved <= AT_ROOT * at) | ~(below < above)
@@ -313,7 +373,7 @@ def solve_segments(roots: Along, segments: list[Segment], Omega: Floats) -> Floa
         active = active[~done]
         if not active.size:
             break
-    x = np.clip(_polished(roots, Omega, x), low, high)
+    x = np.clip(_polished(roots.take(of), Omega, x), low, high)
     # an end is known better than it can be solved for: A is a square root of Omega there
     return np.where(at_low == Omega, low, np.where(at_high == Omega, high, x))
 
@@ -484,7 +544,17 @@ def _weights(segments: list[Segment]) -> Floats:
 def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
     found = skeleton(model, F_0, float(Omega.min(initial=np.inf)) if model.free else 0.0)
-    at, A, stable = states_at(found, Omega)
+    return steps.alone(model, _states(model, Omega, F_0, found))
+
+
+def amplitudes_in_steps(model: Model, Omega: Floats, F_0: float) -> Steps[SteadyStates]:
+    """The same of a mass that a spring holds, see `steps`."""
+    found = yield from _skeleton(model, F_0, 0.0)
+    return (yield from _states(model, Omega, F_0, found))
+
+
+def _states(model: Model, Omega: Floats, F_0: float, found: Skeleton) -> Steps[SteadyStates]:
+    at, A, stable = yield from states_at(found, Omega)
     with np.errstate(all="ignore"):
         in_doubt = doubt.is_at_fold(model, F_0, Omega, found.folds.Omega, found.folds.A)
     undecided = Omega if found.undecided else Omega[in_doubt]

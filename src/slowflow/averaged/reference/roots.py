@@ -61,6 +61,7 @@ from slowflow_support.broadcast import common_shape, floats
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Counts = NDArray[np.int32]
+Ints = NDArray[np.intp]
 
 ROUGH: float = frequencies.ROUGH  # a value below this part of its terms has no certain sign in double
 FINE: float = frequencies.FINE  # the same in double-double
@@ -71,7 +72,7 @@ CHUNK = 8192  # elements solved together: the work arrays stay in the cache, and
 # these. ==============================================================================================================
 
 
-def _taken(value: Any, which: Any) -> Any:
+def taken(value: Any, which: Any) -> Any:
     """Some elements of an array; a number is the same for all of them."""
     return value[which] if isinstance(value, np.ndarray) else value
 
@@ -90,8 +91,8 @@ class _Quartic:
         self.A, self.h, self.m, self.zeta, self.other = A, h, m, zeta, other
         self.k, self.p, self.p_low, self.q, self.q_low = k, p, p_low, q, q_low
 
-    def take(self, which: NDArray[np.intp] | Bools) -> Self:
-        return type(self)(*[_taken(value, which) for value in vars(self).values()])
+    def take(self, which: Ints | Bools) -> Self:
+        return type(self)(*[taken(value, which) for value in vars(self).values()])
 
     def value(self, w: Floats) -> tuple[Floats, Floats]:
         """The quartic in double, and a size; the error is below ROUGH * size."""
@@ -356,7 +357,7 @@ class _Isolated:
         return cls(s, exist, w1, w2, f0, f1, f2)
 
     @cached_property
-    def places(self) -> tuple[NDArray[np.intp], Counts]:
+    def places(self) -> tuple[Ints, Counts]:
         """The places (4, n) of the roots that the signs show, by rising w, `NO_PLACE` behind the last; and how many.
 
         A pair that touches is not counted.
@@ -365,7 +366,7 @@ class _Isolated:
         case = np.where(self.exist, signs, 8 + signs)
         return _PLACES[:, case], _SHOWN[case]
 
-    def roots(self, which: NDArray[np.intp], place: NDArray[np.intp]) -> Floats:
+    def roots(self, which: Ints, place: Ints) -> Floats:
         """The roots of the given elements at the given places: each by a first guess, refined between its bounds."""
         start, lo, hi = np.empty((3, which.size))
         for one, guess in enumerate((self._below, self._between, self._above, self._rising)):
@@ -379,26 +380,26 @@ class _Isolated:
     # d (v ± d/2) = ±S is exact for q = 0, and a close first guess otherwise. Where the quartic is biquadratic, w1 = 0,
     # the guess is the root but for rounding.
 
-    def _below(self, which: NDArray[np.intp]) -> tuple[Any, Any, Any]:
+    def _below(self, which: Ints) -> tuple[Any, Any, Any]:
         s, w1 = self.s.take(which), self.w1[which]
         drop = _drop(s, w1, self.f1[which])
         return np.maximum(-self.f0[which] / (s.k * s.q), w1 - drop), 0.0, w1
 
-    def _between(self, which: NDArray[np.intp]) -> tuple[Any, Any, Any]:
+    def _between(self, which: Ints) -> tuple[Any, Any, Any]:
         s, w1, w2, f1, f2 = self.s.take(which), self.w1[which], self.w2[which], self.f1[which], self.f2[which]
         vv, twice_S = _parabola(s, w2, f2)
         down = w2 - twice_S / (np.sqrt(vv) + np.sqrt(np.maximum(vv - twice_S, 0.0)))
         single = np.sqrt(4 * self.f0[which] / (s.k * s.A * (w2 * w2 + twice_S)))
         return np.where(w1 == 0, single, np.where(f1 < -f2, w1 + _drop(s, w1, f1), down)), w1, w2
 
-    def _above(self, which: NDArray[np.intp]) -> tuple[Any, Any, Any]:
+    def _above(self, which: Ints) -> tuple[Any, Any, Any]:
         w2 = self.w2[which]
         vv, twice_S = _parabola(self.s.take(which), w2, self.f2[which])
         above = w2 + twice_S / (np.sqrt(vv) + np.sqrt(vv + twice_S))
         start = np.where(self.w1[which] == 0, np.sqrt(w2 * w2 + twice_S), above)
         return start, w2, 2 * start
 
-    def _rising(self, which: NDArray[np.intp]) -> tuple[Any, Any, Any]:
+    def _rising(self, which: Ints) -> tuple[Any, Any, Any]:
         """One root, below the biquadratic's and, for p >= 0, below the line's."""
         s = self.s.take(which)
         A, p, E = s.A, s.p, -self.f0[which] / s.k
@@ -460,7 +461,7 @@ def _response(A: Floats, h: Any, m: Any, zeta: Any, F_0: Any) -> tuple[Floats, C
     found, count = np.full((A.size, 3), np.nan), np.zeros(A.size, np.int32)
     moves = np.flatnonzero(np.full(A.size, F_0 >= m))  # otherwise I >= m > F_0: the mass sticks
     if moves.size:
-        of = (_taken(value, moves) for value in (A, h, m, zeta, F_0))
+        of = (taken(value, moves) for value in (A, h, m, zeta, F_0))
         found[moves], count[moves] = _quartic_roots(_Response.of(*of))
     return found, count
 
@@ -474,7 +475,7 @@ def _fold(A: Floats, h: Floats, h_A: Floats, m: Any, zeta: Any) -> tuple[Floats,
         found[i, 1] = slow_flow_zeta0.undamped_Omega(np.where(h_A[i] < 0, h_A[i], np.nan))
     i = np.flatnonzero(~two_factors)
     if i.size:
-        A, h, h_A, m, zeta = (_taken(value, i) for value in (A, h, h_A, m, zeta))
+        A, h, h_A, m, zeta = (taken(value, i) for value in (A, h, h_A, m, zeta))
         # beside a corner h_A is huge: measure w there in units of sqrt|h_A|, lest w^4 overflow
         huge = np.abs(h_A) > 2.0**100
         if huge.any():
@@ -504,8 +505,9 @@ class Quartics:
     shows one that has met already, the known number decides, and the place where the pair meets stands for the root.
     """
 
-    def __init__(self, A: Floats, h: Floats, h_A: Floats, m: float, zeta: float, F_0: float) -> None:
-        self._isolated = _Isolated.of(_Fold.of(A, h, h_A, m, zeta) if F_0 < 0 else _Response.of(A, h, m, zeta, F_0))
+    def __init__(self, A: Floats, h: Floats, h_A: Floats, m: float, zeta: float, F_0: Any) -> None:
+        of_folds = np.any(np.less(F_0, 0))
+        self._isolated = _Isolated.of(_Fold.of(A, h, h_A, m, zeta) if of_folds else _Response.of(A, h, m, zeta, F_0))
 
     @property
     def exist(self) -> Bools:
@@ -522,7 +524,7 @@ class Quartics:
         """How many roots the signs show; a pair that touches is not counted."""
         return self._isolated.places[1]
 
-    def roots(self, count: NDArray[np.intp], index: NDArray[np.intp]) -> Floats:
+    def roots(self, count: Ints, index: Ints) -> Floats:
         """Root number `index` of `count`, also where the signs count otherwise."""
         q = self._isolated
         place = self._place(count, index)
@@ -534,7 +536,7 @@ class Quartics:
             Omega[proper] = q.roots(proper, place[proper])
         return Omega
 
-    def _place(self, count: NDArray[np.intp], index: NDArray[np.intp]) -> NDArray[np.intp]:
+    def _place(self, count: Ints, index: Ints) -> Ints:
         places, shown = self._isolated.places
         place = np.where(index < count, _picked(places, index), AT_W2)
         others = np.flatnonzero(shown != count)
@@ -542,7 +544,7 @@ class Quartics:
             place[others] = self._place_by_count(others, count[others], index[others])
         return place
 
-    def _place_by_count(self, which: NDArray[np.intp], count: Any, index: Any) -> NDArray[np.intp]:
+    def _place_by_count(self, which: Ints, count: Any, index: Any) -> Ints:
         """The places where the signs of these elements count otherwise."""
         q = self._isolated
         places, shown = q.places[0][:, which], q.places[1][which]
@@ -557,7 +559,7 @@ class Quartics:
         hidden = np.where(exist, np.where(f1 > 0, upper, lower), np.where(f0 < 0, RISING, AT_0))
         # of two too many the pair that is nearest to nothing does not count
         surplus = at(np.where(np.abs(f1) < np.abs(f2), index + 2, index))
-        chosen: NDArray[np.intp] = np.select(
+        chosen: Ints = np.select(
             [shown == count - 1, shown == count + 1, shown == count - 2, shown == count + 2],
             [
                 np.where(index == 0, AT_0, at(index - 1)),  # the lowest has gone to 0
@@ -570,13 +572,13 @@ class Quartics:
         return chosen
 
 
-def _picked(places: NDArray[np.intp], number: Any) -> NDArray[np.intp]:
+def _picked(places: Ints, number: Any) -> Ints:
     """Of each element the place with its number."""
-    picked: NDArray[np.intp] = places[np.clip(number, 0, 3), np.arange(places.shape[1])]
+    picked: Ints = places[np.clip(number, 0, 3), np.arange(places.shape[1])]
     return picked
 
 
-def critical_points(A: Floats, p: Floats, q: float) -> tuple[Bools, Floats, Floats]:
+def critical_points(A: Floats, p: Floats, q: Any) -> tuple[Bools, Floats, Floats]:
     """Where A w^3 + p w + q, q >= 0, vanishes on w >= 0, and the two points; A and p of one length."""
     return _critical_points(_Quartic(A, 0.0, 0.0, 0.0, 0.0, 0.0, p, np.zeros_like(p), q, 0.0))
 
@@ -604,7 +606,7 @@ def _broadcast(
     with np.errstate(all="ignore"):
         for first in range(0, left.size, CHUNK):
             i = left[first : first + CHUNK]
-            found[i], count[i] = solve(*(_taken(array, i) for array in flat))
+            found[i], count[i] = solve(*(taken(array, i) for array in flat))
     return found.reshape(*shape, places), count.reshape(shape)
 
 

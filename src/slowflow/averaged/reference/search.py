@@ -4,7 +4,8 @@ None is missed: an interval of A is left only when it is proved to hold no zero 
 one sign on all of it, or exactly one, because it is monotone and its ends lie on both sides of zero. Otherwise it is
 cut. What bounds a function and its slope on the interval is said in cells and along. Where that goes on until no
 amplitude lies between the ends (a double zero to rounding), the signs at the ends decide, and that it was undecided is
-said. As in native/scan.h; here all intervals of all pieces and questions are looked at together.
+said. As in native/scan.h; here all intervals of all pieces and questions are looked at together, and those of all
+designs that go abreast. How an interval is cut does not depend on those of other designs.
 """
 
 from __future__ import annotations
@@ -14,40 +15,45 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slowflow.averaged.reference.along import NOWHERE, THROUGHOUT, Asked, Channels, Ranges
 from slowflow.averaged.reference.cells import Samples, Stretch, amid, between, cells_of, joined, samples_at
 from slowflow.averaged.reference.intervals import Bools
+from slowflow.averaged.reference.roots import Ints
 from slowflow.model import Floats, Model
 from slowflow_kernels.conventions import AT_ROOT, FIRST, MOST_CELLS, NARROW, SLOW
-
-Ints = NDArray[np.intp]
 
 #: NumPy looks at many intervals in the time that one takes: into how many orders a piece from A = 0 on is divided
 #: before the first look, how often all is halved before it; and about how many intervals are made of what is left
 ORDERS, HALVED_FIRST, TOGETHER = 6, 3, 256
+GIVEN_UP = (
+    "the response is unresolved: too many intervals of the amplitude stay undecided, as where numbers leave the range "
+    "of doubles"
+)
 
 
 @dataclass(frozen=True, eq=False)
 class Zeros:
     """Zeros of one question, by rising A.
 
+    of        -- of which of the designs abreast
     piece     -- on which of the pieces
     channel   -- of which of its functions
     A, Omega  -- where
     level     -- of cusps: the forcing
     rising    -- whether the function goes from below zero to above it with rising A
-    undecided -- whether some interval holds a number of zeros that doubles do not tell, or rounding may decide it
+    undecided -- of each design, whether some interval holds a number of zeros that doubles do not tell, or rounding may
+                 decide it
     """
 
+    of: Ints
     piece: Ints
     channel: Ints
     A: Floats
     Omega: Floats
     level: Floats
     rising: Bools
-    undecided: bool = False
+    undecided: Bools
 
     def take(self, which: Any) -> Zeros:
         """Some of them."""
@@ -78,27 +84,30 @@ def find_zeros(model: Model, questions: Sequence[Asked], pieces: Sequence[Stretc
 
     Raises ArithmeticError where too many intervals stay undecided: numbers overflow.
     """
-    with np.errstate(all="ignore"):
-        return _find_zeros(model, questions, pieces)
+    found, given_up = find_zeros_abreast(model, questions, pieces)
+    if given_up.any():
+        raise ArithmeticError(GIVEN_UP)
+    return found
 
 
-def _find_zeros(model: Model, questions: Sequence[Asked], pieces: Sequence[Stretch]) -> list[Zeros]:
-    piece, a, b = _first_intervals(model, pieces)
-    base = np.array([one.base for one in pieces])
-    starts = joined(*(one.first for one in pieces))
-    values = [question.ask(joined(a, b)) for question in questions]
+@np.errstate(all="ignore")
+def find_zeros_abreast(
+    model: Model, questions: Sequence[Asked], pieces: Sequence[Stretch]
+) -> tuple[list[Zeros], Bools]:
+    """The same, of designs abreast; and of which of them the search was given up, whose zeros are none."""
+    starts, base = joined(*(one.first for one in pieces)), np.concatenate([one.base for one in pieces])
+    piece, a, b = _first_intervals(model, starts, joined(*(one.last for one in pieces)), base)
+    ends = joined(a, b)
+    values = [question.ask(ends) for question in questions]
     is_open = [_opened(answers, a) for answers in values]
     brackets: list[_Brackets] = []
-    undecided = [question.is_close(joined(a, b), answers) for question, answers in zip(questions, values, strict=True)]
-    looked_at = 0
+    undecided = np.zeros((len(questions), model.abreast), dtype=bool)
+    for number, (question, answers) in enumerate(zip(questions, values, strict=True)):
+        undecided[number, ends.of[question.is_close(ends, answers)]] = True
+    looked_at = np.zeros(model.abreast, dtype=np.intp)
     while len(a):
-        looked_at += len(a)
-        if looked_at > MOST_CELLS:
-            raise ArithmeticError(
-                "the response is unresolved: too many intervals of the amplitude stay undecided, as where numbers "
-                "leave the range of doubles"
-            )
-        n, middle = len(a), amid(base[piece], a.A, b.A)
+        n, of, middle = len(a), a.of, amid(base[piece], a.A, b.A)
+        looked_at += np.bincount(of, minlength=looked_at.size)
         last = ~((middle > a.A) & (middle < b.A)) | (b.A - a.A <= NARROW * b.A)
         cells = cells_of(model, a, b, starts.take(piece))
         for number, question in enumerate(questions):
@@ -109,39 +118,44 @@ def _find_zeros(model: Model, questions: Sequence[Asked], pieces: Sequence[Stret
             at_a, at_b = values[number].take(some), values[number].take(n + some)
             settled, holds, edge, unknown = _settle(at_a, at_b, question.range(part), part.A.ends, last[some])
             wanted = is_open[number][:, some]
-            undecided[number] |= bool((unknown & wanted).any())
+            undecided[number, of[some[(unknown & wanted).any(axis=0)]]] = True
             channel, place = (holds & wanted).nonzero()
             if channel.size:
                 rows = np.array((at_a.rows[:, channel, place], at_b.rows[:, channel, place]))
-                of = np.full(channel.size, number), channel, piece[some[place]]
-                brackets.append(_Brackets(*of, part.A.ends[:, place], rows, edge[channel, place]))
+                whose = np.full(channel.size, number), channel, piece[some[place]]
+                brackets.append(_Brackets(*whose, part.A.ends[:, place], rows, edge[channel, place]))
             is_open[number][:, some] = wanted & ~settled
-        piece, a, b, values, is_open, close = _cut(model, questions, base, piece, a, b, values, is_open)
-        undecided = [one or other for one, other in zip(undecided, close, strict=True)]
-    return _solved(model, questions, base, brackets, undecided)
+        for opened in is_open:
+            opened[:, (looked_at > MOST_CELLS)[of]] = False
+        piece, a, b, values, is_open = _cut(model, questions, base, piece, a, b, values, is_open, undecided)
+    return _solved(model, questions, starts, base, brackets, undecided), looked_at > MOST_CELLS
 
 
-def _first_intervals(model: Model, pieces: Sequence[Stretch]) -> tuple[Ints, Samples, Samples]:
+def _first_intervals(model: Model, starts: Samples, ends: Samples, base: Floats) -> tuple[Ints, Samples, Samples]:
     """Numbers of pieces, and samples at both ends of each of the intervals that are looked at first."""
-    numbers, lows, highs, inner = [], [], [], []
-    for number, piece in enumerate(pieces):
-        base, first, last = piece.base, piece.first.A[0], piece.last.A[0]
-        nodes = np.array([first, last])
-        if first == 0:
-            nodes = np.concatenate(([0.0, FIRST], nodes[1] * 0.125 ** np.arange(ORDERS, -1, -1)))
-        for _ in range(HALVED_FIRST):
-            nodes = np.unique(np.concatenate((nodes, amid(np.asarray(base), nodes[:-1], nodes[1:]))))
-            nodes = nodes[(nodes == first) | ((nodes >= FIRST) & (nodes < last)) | (nodes == last)]
-        inner.append(nodes[1:-1])
-        numbers.append(np.full(nodes.size - 1, number))
-    at = samples_at(model, np.concatenate(inner))
-    place = 0
-    for piece, nodes in zip(pieces, inner, strict=True):
-        own = at.take(slice(place, place + nodes.size))
-        place += nodes.size
-        lows.append(joined(piece.first, own))
-        highs.append(joined(own, piece.last))
-    return np.concatenate(numbers), joined(*lows), joined(*highs)
+    first, last = starts.A, ends.A
+    from_0 = np.flatnonzero(first == 0)
+    orders = 0.125 ** np.arange(ORDERS, 0, -1)
+    nodes = np.concatenate((first, last, np.full(from_0.size, FIRST), np.outer(last[from_0], orders).ravel()))
+    every = np.arange(first.size)
+    piece = np.concatenate((every, every, from_0, np.repeat(from_0, ORDERS)))
+    for halving in range(HALVED_FIRST + 1):
+        order = np.lexsort((nodes, piece))
+        nodes, piece = nodes[order], piece[order]
+        kept = (nodes == first[piece]) | ((nodes >= FIRST) & (nodes < last[piece])) | (nodes == last[piece])
+        kept[1:] &= (nodes[1:] != nodes[:-1]) | (piece[1:] != piece[:-1])
+        nodes, piece = nodes[kept], piece[kept]
+        low = np.flatnonzero(piece[1:] == piece[:-1])
+        if halving < HALVED_FIRST:
+            nodes = np.concatenate((nodes, amid(base[piece[low]], nodes[low], nodes[low + 1])))
+            piece = np.concatenate((piece, piece[low]))
+    at_first, at_last = (np.append(True, piece[1:] != piece[:-1]), np.append(piece[1:] != piece[:-1], True))
+    inner = ~(at_first | at_last)
+    at = np.empty((starts.rows.shape[0], nodes.size))
+    at[:, inner] = samples_at(model, nodes[inner], starts.of[piece[inner]]).rows
+    at[:, at_last] = ends.rows[:, piece[at_last]]
+    at[:, at_first] = starts.rows[:, piece[at_first]]
+    return piece[low], Samples(at[:, low]), Samples(at[:, low + 1])
 
 
 def _opened(answers: Channels, a: Samples) -> Bools:
@@ -183,62 +197,76 @@ def _cut(
     b: Samples,
     values: list[Channels],
     is_open: list[Bools],
-) -> tuple[Ints, Samples, Samples, list[Channels], list[Bools], list[bool]]:
-    """The intervals that are open for some channel, cut in two or more; and whether a question is close."""
+    undecided: Bools,
+) -> tuple[Ints, Samples, Samples, list[Channels], list[Bools]]:
+    """The intervals that are open for some channel, cut in two or more; what is close there is put into `undecided`."""
     n = len(a)
     left = np.flatnonzero(np.any([opened.any(axis=0) for opened in is_open], axis=0))
-    if not left.size:
-        return piece[left], a.take(left), b.take(left), values, is_open, [False for _ in questions]
     piece, a, b = piece[left], a.take(left), b.take(left)
-    nodes = np.stack((a.A, b.A))
-    for _ in range(int(np.clip(np.log2(TOGETHER / left.size), 1, 5))):
-        both = np.empty((2 * nodes.shape[0] - 1, left.size))
-        # next to a breakpoint rounding may put it outside
-        both[::2], both[1::2] = nodes, np.clip(amid(base[piece], nodes[:-1], nodes[1:]), nodes[:-1], nodes[1:])
-        nodes = both
-    parts = nodes.shape[0] - 1
-    inner = samples_at(model, nodes[1:-1].ravel())
-    ends = joined(a, inner, b)
-    # where the ends of each part stand among `ends`; a part that begins where its interval does has the same first
-    # sample, which may be the limit above a breakpoint; one without width is none
-    row, of = np.divmod(np.arange(parts * left.size), left.size)
-    low, high = np.where(nodes[row, of] == a.A[of], of, row * left.size + of), (row + 1) * left.size + of
+    if not left.size:
+        return piece, a, b, values, is_open
+    # of one design as many as are looked at in the time that one takes, whoever goes with it
+    crowd = np.bincount(a.of)[a.of]
+    halvings = np.clip(np.log2(TOGETHER / crowd), 1, 5).astype(np.intp)
+    inside, cut, lows, highs, parents = [], [], [], [], []
+    begin = 2 * left.size
+    for count in np.unique(halvings):
+        own = np.flatnonzero(halvings == count)
+        nodes = np.stack((a.A[own], b.A[own]))
+        for _ in range(count):
+            both = np.empty((2 * nodes.shape[0] - 1, own.size))
+            middle = amid(base[piece[own]], nodes[:-1], nodes[1:])
+            # next to a breakpoint rounding may put it outside
+            both[::2], both[1::2] = nodes, np.clip(middle, nodes[:-1], nodes[1:])
+            nodes = both
+        parts = nodes.shape[0] - 1
+        inside.append(nodes[1:-1].ravel())
+        cut.append(np.tile(own, parts - 1))
+        # where each node stands among the ends of all intervals and what is inside of them
+        within = begin + np.arange((parts - 1) * own.size).reshape(parts - 1, own.size)
+        begin += within.size
+        place = np.concatenate((own[np.newaxis], within, left.size + own[np.newaxis]))
+        # a part that begins where its interval does has the same first sample, which may be the limit above a
+        # breakpoint
+        lows.append(np.where(nodes[:-1] == nodes[0], own, place[:-1]).ravel())
+        highs.append(place[1:].ravel())
+        parents.append(np.tile(own, parts))
+    of_inner = np.concatenate(cut)
+    inner = samples_at(model, np.concatenate(inside), a.of[of_inner])
+    ends = joined(a, b, inner)
+    low, high, of = (np.concatenate(one) for one in (lows, highs, parents))
+    # one without width is none
     kept = np.flatnonzero(ends.A[low] < ends.A[high])
     low, high, of = low[kept], high[kept], of[kept]
-    fresh, opened, close = [], [], []
-    for question, answers, part in zip(questions, values, is_open, strict=True):
+    fresh, opened = [], []
+    for number, (question, answers, part) in enumerate(zip(questions, values, is_open, strict=True)):
+        rows = np.zeros((*answers.rows.shape[:2], len(ends)))
+        rows[..., : 2 * left.size] = answers.rows[..., np.concatenate((left, n + left))]
         # a question is asked on the intervals that are open for it
-        own = np.flatnonzero(part[:, left].any(axis=0))
-        rows = np.zeros((*answers.rows.shape[:2], parts + 1, left.size))
-        close.append(False)
-        if own.size:
-            asked = (
-                inner
-                if own.size == left.size
-                else inner.take(np.add.outer(left.size * np.arange(parts - 1), own).ravel())
-            )
-            found = question.ask(asked)
-            close[-1] = question.is_close(asked, found)
-            rows[..., 1:-1, own] = found.rows.reshape(*rows.shape[:2], parts - 1, own.size)
-            rows[..., 0, :], rows[..., -1, :] = answers.rows[..., left], answers.rows[..., n + left]
-        fresh.append(Channels(rows.reshape(*rows.shape[:2], -1)[..., np.concatenate((low, high))]))
+        asked = np.flatnonzero(part[:, left[of_inner]].any(axis=0))
+        if asked.size:
+            at = inner if asked.size == len(inner) else inner.take(asked)
+            found = question.ask(at)
+            undecided[number, at.of[question.is_close(at, found)]] = True
+            rows[..., 2 * left.size + asked] = found.rows
+        fresh.append(Channels(rows[..., np.concatenate((low, high))]))
         opened.append(part[:, left[of]])
-    return piece[of], ends.take(low), ends.take(high), fresh, opened, close
+    return piece[of], ends.take(low), ends.take(high), fresh, opened
 
 
 def _solved(
-    model: Model, questions: Sequence[Asked], base: Floats, found: list[_Brackets], undecided: list[bool]
+    model: Model, questions: Sequence[Asked], starts: Samples, base: Floats, found: list[_Brackets], undecided: Bools
 ) -> list[Zeros]:
     """The zeros in the brackets, of each question by rising A."""
     if not found:
         none, numbers = np.empty(0), np.empty(0, dtype=np.intp)
-        nothing = Zeros(numbers, numbers, none, none, none, np.empty(0, dtype=bool))
-        return [replace(nothing, undecided=unknown) for unknown in undecided]
+        nothing = (numbers, numbers, numbers, none, none, none, np.empty(0, dtype=bool))
+        return [Zeros(*nothing, unknown) for unknown in undecided]
     brackets = _Brackets(
         *(np.concatenate([getattr(one, name) for one in found], axis=-1) for name in _Brackets.__dataclass_fields__)
     )
-    zeros = _solve(model, questions, base[brackets.piece], brackets)
-    order = np.lexsort((zeros.A, zeros.piece))
+    zeros = _solve(model, questions, starts.of[brackets.piece], base[brackets.piece], brackets)
+    order = np.lexsort((zeros.A, zeros.piece, zeros.of))
     return [
         replace(zeros.take(order[brackets.question[order] == number]), undecided=unknown)
         for number, unknown in enumerate(undecided)
@@ -255,7 +283,7 @@ def _asked(questions: Sequence[Asked], of: Ints, channel: Ints, at: Samples) -> 
     return rows
 
 
-def _solve(model: Model, questions: Sequence[Asked], base: Floats, brackets: _Brackets) -> Zeros:
+def _solve(model: Model, questions: Sequence[Asked], of: Ints, base: Floats, brackets: _Brackets) -> Zeros:
     """Newton's steps, kept in the brackets."""
     question, channel, edge = brackets.question, brackets.channel, brackets.edge
     ends_A, ends = brackets.A.copy(), brackets.rows.copy()
@@ -279,7 +307,7 @@ def _solve(model: Model, questions: Sequence[Asked], base: Floats, brackets: _Br
         if not active.size:
             break
         last[active] = np.abs(following - A[active])
-        answer = _asked(questions, question[active], channel[active], samples_at(model, following))
+        answer = _asked(questions, question[active], channel[active], samples_at(model, following, of[active]))
         A[active], state[:, active] = following, answer
         negative = np.where(answer[0] != 0, answer[1] < 0, edge[active] < 0)
         # the end that it takes the place of: the lower one has the sign that the channel rises from
@@ -295,4 +323,4 @@ def _solve(model: Model, questions: Sequence[Asked], base: Floats, brackets: _Br
     beyond = at.y / at.dy
     moves = (at.Omega_A != 0) & np.isfinite(at.Omega_A) & (np.abs(beyond) <= AT_ROOT * A)
     Omega = np.where(moves, at.Omega - at.Omega_A * np.where(moves, beyond, 0.0), at.Omega)
-    return Zeros(brackets.piece, channel, A, Omega, at.level, rising)
+    return Zeros(of, brackets.piece, channel, A, Omega, at.level, rising, np.empty(0, dtype=bool))
