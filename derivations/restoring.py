@@ -36,7 +36,6 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .averaging import cycle_integral, psi
 from .symbols import A, u
 
 # h_A ... h_AAA: what a fold, a cusp and a condition number need
@@ -114,15 +113,17 @@ def moment_parts(power: int) -> tuple[sp.Rational, sp.Poly]:
     x = sin theta and y = cos theta. By symmetry int_0^psi cos^power t dt = a psi + x y P(x) with x = cos psi and
     y = sin psi: for psi = pi/2 - theta the same x, y and P serve both ends. All coefficients of P are positive, so
     neither end cancels within the second form.
+
+    By parts: n int sin^n t dt = (n - 1) int sin^(n-2) t dt - sin^(n-1) theta cos theta.
     """
     if power % 2:
         raise ArithmeticError(f"only even powers of the sine have this form, not {power}")
-    theta, x, y = sp.symbols("theta x y", positive=True)
-    integral = sp.expand(sp.expand_trig(cycle_integral(sp.sin(psi) ** power, 0, theta)))
-    secular = integral.coeff(theta)
-    rest = sp.expand((secular * theta - integral).subs({sp.sin(theta): x, sp.cos(theta): y}) / (x * y))
-    polynomial = sp.rem(sp.Poly(rest, y), sp.Poly(y**2 + x**2 - 1, y))
-    return secular, sp.Poly(polynomial.as_expr(), x)
+    x = sp.Symbol("x", positive=True)
+    if power == 0:
+        return sp.Integer(1), sp.Poly(0, x)
+    secular, polynomial = moment_parts(power - 2)
+    share = sp.Rational(power - 1, power)
+    return share * secular, share * polynomial + sp.Poly(x ** (power - 2), x) * sp.Rational(1, power)
 
 
 @functools.cache
@@ -137,6 +138,7 @@ def odd_moment(power: int) -> sp.Poly:
     return (sp.Poly(x ** (power - 1), x) + (power - 1) * odd_moment(power - 2)) * sp.Rational(1, power)
 
 
+@functools.cache
 def quarter_moment(power: int) -> sp.Expr:
     """int_0^(pi/2) sin^power t dt"""
     return odd_moment(power).eval(0) if power % 2 else moment_parts(power)[0] * sp.pi / 2
@@ -183,12 +185,14 @@ def _term(power: int, k: int) -> sp.Expr:
     return 2**power * (-1) ** k * sp.binomial(exponent, k) / (exponent + k + 1)
 
 
+@functools.cache
 def at_breakpoint(force: sp.Expr, breakpoint_: sp.Expr) -> sp.Expr:
     """A polynomial at a breakpoint, in Horner form; 0 where it vanishes."""
     value = sp.horner(force, u).subs(u, breakpoint_)
     return sp.Integer(0) if sp.expand(value) == 0 else value
 
 
+@functools.cache
 def slope(expression: sp.Expr, root: sp.Symbol) -> sp.Expr:
     """d/dA of an expression in A and root = sqrt(A^2 - b^2)."""
     return sp.diff(expression, A) + sp.diff(expression, root) * A / root

@@ -11,7 +11,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from scipy.optimize import brentq
 
 from slowflow.averaged import words
 from slowflow.averaged.reference import dissipated, doubt
@@ -80,6 +79,8 @@ def _zeros(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, bool
 
 def _crossings(model: Model, F_0: float, A_max: float) -> tuple[Floats, Floats, bool]:
     """The same for an excitation by inertia: where the level along the arcs of the fold locus, monotone, passes F_0."""
+    from scipy.optimize import brentq  # here, not above: folds at a force do without SciPy
+
     locus, stations = Roots(model, -1.0), Stations.of(model, A_max)
     found, near = [], stations.undecided
 
