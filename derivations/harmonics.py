@@ -28,7 +28,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 from flint import arb, ctx, fmpq
@@ -76,12 +76,14 @@ def chebyshev(n: int, s: sp.Expr) -> sp.Expr:
     return sp.chebyshevt(n, s)
 
 
+@functools.cache
 def powers_of(n: int, degree: int) -> list[tuple[int, sp.Integer]]:
     """s^degree T_n(s) as powers of s and their coefficients."""
     s = sp.Symbol("s")
     return [(power, coefficient) for (power,), coefficient in sp.Poly(s**degree * chebyshev(n, s), s).terms()]
 
 
+@functools.cache
 def weighted(n: int, degree: int) -> tuple[sp.Rational, sp.Poly]:
     """The rational a and the even polynomial P with int_0^theta s^degree T_n(s) dt = a theta - x y P(x), degree odd."""
     secular, polynomial = sp.Integer(0), sp.Poly(0, sp.Symbol("x", positive=True))
@@ -92,6 +94,7 @@ def weighted(n: int, degree: int) -> tuple[sp.Rational, sp.Poly]:
     return secular, polynomial
 
 
+@functools.cache
 def _degrees(piece: sp.Expr) -> list[tuple[int, sp.Expr]]:
     return [(degree, coefficient) for (degree,), coefficient in sp.Poly(piece, u).terms() if coefficient != 0]
 
@@ -134,16 +137,25 @@ def polynomial_regime(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol
         even = range(2, max(degrees) + max(HARMONICS) + 1, 2) if end.far else ()
         odd = {power for degree in degrees if degree % 2 == 0 for n in HARMONICS for power, _ in powers_of(n, degree)}
         lets += end.lets([*even, *sorted(odd)])
-    derivatives: list[sp.Expr] = []
     for n in HARMONICS:
         for end, beyond in zip(ends, outward, strict=True):
             value = _moment_beyond if beyond else _moment_value
             lets += [(_moment(end, n, degree), value(end, n, degree)) for degree in degrees]
+    near = tuple(replace(end, far=False) for end in ends)
+    derivatives = _in_moments(pieces[whole_cycle], tuple(jumps), tuple(outward), near)
+    return Regime(tuple(breakpoints[:count]), tuple(breakpoints[:far]), tuple(lets), derivatives)
+
+
+@functools.cache
+def _in_moments(
+    whole_cycle: sp.Expr, jumps: tuple[sp.Expr, ...], outward: tuple[bool, ...], ends: tuple[End, ...]
+) -> tuple[sp.Expr, ...]:
+    """The derivatives of a `polynomial_regime`, in moments: these alone depend on which ends are exceeded by far."""
+    derivatives: list[sp.Expr] = []
+    for n in HARMONICS:
 
         def under(order: int, n: int = n) -> sp.Expr:
-            whole = sum(
-                c * sp.ff(d, order) * A ** (d - order) * _quarter(n, d) for d, c in _degrees(pieces[whole_cycle])
-            )
+            whole = sum(c * sp.ff(d, order) * A ** (d - order) * _quarter(n, d) for d, c in _degrees(whole_cycle))
             passed = sum(
                 (-c if beyond else c) * sp.ff(d, order) * A ** (d - order) * _moment(end, n, d)
                 for end, jump, beyond in zip(ends, jumps, outward, strict=True)
@@ -159,8 +171,8 @@ def polynomial_regime(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol
             for end, jump in zip(ends, jumps, strict=True)
         ]
         found = derivatives_of([under(order) for order in range(ORDERS + 1)], boundaries)
-        derivatives += [sp.factor_terms(value) if count else sp.horner(sp.expand(value), A) for value in found]
-    return Regime(tuple(breakpoints[:count]), tuple(breakpoints[:far]), tuple(lets), tuple(derivatives))
+        derivatives += [sp.factor_terms(value) if ends else sp.horner(sp.expand(value), A) for value in found]
+    return tuple(derivatives)
 
 
 def _moment(end: End, n: int, degree: int) -> sp.Symbol:
@@ -168,6 +180,7 @@ def _moment(end: End, n: int, degree: int) -> sp.Symbol:
     return end.symbol(f"W{n}_{degree}")
 
 
+@functools.cache
 def _quarter(n: int, degree: int) -> sp.Expr:
     """int_0^(pi/2) s^degree T_n(s) dt"""
     return sp.Add(*(coefficient * quarter_moment(power) for power, coefficient in powers_of(n, degree)))

@@ -32,7 +32,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -152,9 +152,10 @@ def moment_series(power: int) -> sp.Poly:
     binomial series, which ends for odd powers: for these P holds everywhere.
     """
     q = sp.Symbol("q", positive=True)
-    largest = _largest_q()
-    coefficients: list[sp.Expr] = []
-    while not coefficients or abs(coefficients[-1] / coefficients[0]) * largest ** (len(coefficients) - 1) > NEGLIGIBLE:
+    # where to end is a choice, by floats; what is left out `series_remainder` bounds
+    largest, negligible = float(_largest_q()), float(NEGLIGIBLE)
+    coefficients = [_term(power, 0)]
+    while abs(float(coefficients[-1] / coefficients[0])) * largest ** (len(coefficients) - 1) > negligible:
         coefficients.append(_term(power, len(coefficients)))
     return sp.Poly(coefficients[::-1], q)
 
@@ -277,9 +278,14 @@ class End:
         x, y = self.symbol("x"), self.symbol("y")
         return secular * self.symbol("psi_0") + x * y * _horner(polynomial, x)
 
-    @functools.cache  # noqa: B019  ends are few, and equal ones are the same
     def changes(self, n: int, orders: int) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
-        """A^n int_0^theta sin^(n+1) t dt over A^n, its j-th derivative over A^(n-j); and the value less A its slope.
+        """A^n int_0^theta sin^(n+1) t dt over A^n, its j-th derivative over A^(n-j); and the value less A its slope."""
+        slopes, intercept = _of_any_end(n)
+        own = {_ANY.symbol(name): self.symbol(name) for name in ("x", "y", "z", f"M{n + 1}", f"M{n + 3}")}
+        return tuple(value.xreplace(own) for value in slopes[: orders + 1]), intercept.xreplace(own)
+
+    def changes_anew(self, n: int) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
+        """All of `changes`.
 
         Beyond linear terms by (n + 2) int sin^(n+1) t dt = (n + 3) int sin^(n+3) t dt + sin^(n+2) theta cos theta.
         """
@@ -287,7 +293,7 @@ class End:
         power = n + 1 if n < 2 else n + 3
         moment = self.from_zero(power)
         values = [A**n * (moment if n < 2 else ((n + 3) * moment + x ** (n + 2) * y) / (n + 2))]
-        for _ in range(orders):
+        for _ in range(ORDERS):
             value = values[-1]
             of_angle = sp.diff(value, x) * y - sp.diff(value, y) * x + sp.diff(value, moment) * x**power
             values.append(sp.expand(sp.diff(value, A) - of_angle * x / (A * y)))
@@ -307,6 +313,17 @@ class End:
         return of_moment + x ** (n + 2) / y * sp.horner(polynomial, z)
 
 
+#: an end like any other
+_ANY = End(sp.Symbol("b", positive=True), "", far=True)
+
+
+@functools.cache
+def _of_any_end(n: int) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
+    """`End.changes_anew`, once for all ends."""
+    return _ANY.changes_anew(n)
+
+
+@functools.cache
 def _halved(polynomial: sp.Poly, at: sp.Expr) -> sp.Expr:
     """A long polynomial at a point as two nested ones of its square: half as many operations wait for one another."""
     coefficients = polynomial.all_coeffs()[::-1]
@@ -315,6 +332,7 @@ def _halved(polynomial: sp.Poly, at: sp.Expr) -> sp.Expr:
     return _horner(even, at**2) + at * _horner(odd, at**2)
 
 
+@functools.cache
 def _horner(polynomial: sp.Poly, at: sp.Expr) -> sp.Expr:
     """A polynomial at a point, nested."""
     return sp.horner(polynomial.as_expr()).subs(polynomial.gen, at)
@@ -355,6 +373,58 @@ def _nested(terms: Sequence[tuple[int, sp.Expr]], order: int) -> sp.Expr:
     return A ** (above - order) * total
 
 
+@functools.cache
+def _terms(piece: sp.Expr, order: int = 0) -> tuple[tuple[int, sp.Expr], ...]:
+    """Powers of u in a derivative of a polynomial with their coefficients, the highest first; none in 0."""
+    return tuple((power, value) for (power,), value in sp.Poly(sp.diff(piece, u, order), u).terms() if value != 0)
+
+
+@functools.cache
+def _in_moments(
+    pieces: tuple[sp.Expr, ...], ends: tuple[End, ...], jumps: tuple[sp.Symbol, ...], orders: int
+) -> tuple[tuple[sp.Expr, ...], sp.Expr, dict[sp.Symbol, tuple[int, int]]]:
+    """Of `average`: its derivatives and intercept, and the moments in them with the interval and the power of each.
+
+    They do not depend on which ends are exceeded by far, as long as one is not: then the moments do.
+    """
+    moments: dict[sp.Symbol, tuple[int, int]] = {}
+
+    def under_the_integral(order: int, forces: Sequence[sp.Expr] = pieces) -> sp.Expr:
+        """int f^(order)(A sin t) sin^(order + 1) t dt over the quarter cycle, piece by piece."""
+        total = sp.Integer(0)
+        for k, piece in enumerate(forces):
+            for degree, coefficient in _terms(piece, order):
+                power = degree + order + 1
+                symbol = sp.Symbol(f"S{k + 1}_{power}", real=True)
+                moments[symbol] = (k, power)
+                total += coefficient * A**degree * (symbol if ends else quarter_moment(power))
+        return total
+
+    def boundary(order: int, end: End, k: int) -> sp.Expr:
+        """jump of f^(order) at b, times sin^(order + 1) theta dtheta/dA, where dtheta/dA = -b/(A root)"""
+        jump = sp.diff(pieces[k] - pieces[k + 1], u, order)
+        lost = jumps[k] if jumps and order == 0 else at_breakpoint(jump, end.b)
+        return -lost * end.b ** (order + 2) / (A ** (order + 2) * end.root)
+
+    def times_factor(total: sp.Expr) -> sp.Expr:
+        return sp.factor_terms(-4 * total / sp.pi) if ends else sp.horner(sp.expand(-4 * total / sp.pi), A)
+
+    derivatives = []
+    for order in range(orders + 1):
+        total = under_the_integral(order)
+        for k, end in enumerate(ends):
+            for lower in range(order):
+                term = boundary(lower, end, k)
+                for _ in range(order - 1 - lower):
+                    term = slope(term, end.root)
+                total += term
+        derivatives.append(times_factor(total))
+    # f(A s) - A s f'(A s), s = sin t, under the integral: what is linear is gone before it is integrated
+    bent = [sp.expand(piece - u * sp.diff(piece, u)) for piece in pieces]
+    intercept = under_the_integral(0, bent) - A * sum(boundary(0, end, k) for k, end in enumerate(ends))
+    return tuple(derivatives), times_factor(intercept), moments
+
+
 def average(
     pieces: Sequence[sp.Expr],
     breakpoints: Sequence[sp.Symbol],
@@ -371,47 +441,14 @@ def average(
     """
     ends = [End(b, f"_{k + 1}" if count > 1 else "", k < far) for k, b in enumerate(breakpoints[:count])]
     moments: dict[sp.Symbol, sp.Expr] = {}
-
-    def under_the_integral(order: int, forces: Sequence[sp.Expr] = pieces) -> sp.Expr:
-        """int f^(order)(A sin t) sin^(order + 1) t dt over the quarter cycle, piece by piece."""
-        total = sp.Integer(0)
-        for k, piece in enumerate(forces[: count + 1]):
-            for (degree,), coefficient in sp.Poly(sp.diff(piece, u, order), u).terms():
-                if coefficient != 0:
-                    power = degree + order + 1
-                    symbol = sp.Symbol(f"S{k + 1}_{power}", real=True)
-                    moments[symbol] = _moment(ends, k, power)
-                    total += coefficient * A**degree * (symbol if count else moments[symbol])
-        return total
-
-    def boundary(order: int, end: End, k: int) -> sp.Expr:
-        """jump of f^(order) at b, times sin^(order + 1) theta dtheta/dA, where dtheta/dA = -b/(A root)"""
-        jump = sp.diff(pieces[k] - pieces[k + 1], u, order)
-        lost = jumps[k] if jumps and order == 0 else at_breakpoint(jump, end.b)
-        return -lost * end.b ** (order + 2) / (A ** (order + 2) * end.root)
-
-    def times_factor(total: sp.Expr) -> sp.Expr:
-        return sp.factor_terms(-4 * total / sp.pi) if count else sp.horner(sp.expand(-4 * total / sp.pi), A)
-
     if count and far == count and not jumps:
         *derivatives, intercept = _beyond_all(pieces, ends, orders)
     else:
-        derivatives = []
-        for order in range(orders + 1):
-            total = under_the_integral(order)
-            for k, end in enumerate(ends):
-                for lower in range(order):
-                    term = boundary(lower, end, k)
-                    for _ in range(order - 1 - lower):
-                        term = slope(term, end.root)
-                    total += term
-            derivatives.append(times_factor(total))
-        # f(A s) - A s f'(A s), s = sin t, under the integral: what is linear is gone before it is integrated
-        bent = [sp.expand(piece - u * sp.diff(piece, u)) for piece in pieces]
-        intercept = under_the_integral(0, bent) - A * sum(boundary(0, end, k) for k, end in enumerate(ends))
-        intercept = times_factor(intercept)
+        near = tuple(replace(end, far=False) for end in ends)
+        derivatives, intercept, named = _in_moments(tuple(pieces[: count + 1]), near, tuple(jumps), orders)
+        moments = {symbol: _moment(ends, *which) for symbol, which in named.items()}
     used = set().union(*(value.free_symbols for value in (*moments.values(), *derivatives, intercept)))
-    powers = range(1, max((sp.degree(piece, u) for piece in pieces), default=0) + 4)
+    powers = range(1, max((power for piece in pieces for power, _ in _terms(piece)), default=0) + 4)
     of_ends = [(end, [power for power in powers if end.from_zero(power) in used]) for end in ends]
     lets = [let for end, wanted in of_ends for let in end.lets(wanted)]
     remainders = tuple(remainder for end, wanted in of_ends for remainder in end.remainders(wanted))
