@@ -14,10 +14,10 @@ import sympy as sp
 from ... import elliptic
 from ...elliptic import evaluable, parts
 from ...mechanisms import Mechanism, Parameter
+from ...of_mechanism import OfMechanism
 from ...off_centre import steps
 from ...oscillator import Dimensionless
 from ...restoring import Case, Restoring, average, forms
-from ...results import OfMechanism
 from ...scaling import of_design
 from ...second_approximation import OF_HARMONIC
 from ...slow_flow import m
