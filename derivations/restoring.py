@@ -335,7 +335,7 @@ def _halved(polynomial: sp.Poly, at: sp.Expr) -> sp.Expr:
 @functools.cache
 def _horner(polynomial: sp.Poly, at: sp.Expr) -> sp.Expr:
     """A polynomial at a point, nested."""
-    return sp.horner(polynomial.as_expr()).subs(polynomial.gen, at)
+    return functools.reduce(lambda nested, coefficient: nested * at + coefficient, polynomial.all_coeffs())
 
 
 def _moment(ends: Sequence[End], k: int, power: int) -> sp.Expr:
