@@ -196,16 +196,7 @@ def at_breakpoint(force: sp.Expr, breakpoint_: sp.Expr) -> sp.Expr:
 @functools.cache
 def slope(expression: sp.Expr, root: sp.Symbol) -> sp.Expr:
     """d/dA of an expression in A and root = sqrt(A^2 - b^2)."""
-    if expression.is_Add:
-        return sp.Add(*(slope(term, root) for term in expression.args))
-    factors = sp.sift(sp.Mul.make_args(expression), lambda factor: factor.has(A, root))
-    return sp.Add(*(sp.Mul(*factors[False], term) for term in sp.Add.make_args(_slope(sp.Mul(*factors[True]), root))))
-
-
-@functools.cache
-def _slope(product: sp.Expr, root: sp.Symbol) -> sp.Expr:
-    """The same of what has nothing else as a factor, of which there are few."""
-    return sp.diff(product, A) + sp.diff(product, root) * A / root
+    return sp.diff(expression, A) + sp.diff(expression, root) * A / root
 
 
 def forms(breakpoints: Sequence[sp.Symbol]) -> Iterator[tuple[str, tuple[tuple[sp.Expr, sp.Expr], ...], int, int]]:
