@@ -19,7 +19,7 @@ from collections.abc import Iterable, Mapping, Sequence
 import sympy as sp
 
 from .elliptic import corner, parts
-from .restoring import Case, End, Regime, Restoring, at_breakpoint, average, forms, slope
+from .restoring import END, GAINED, ROOT, Case, End, Regime, Restoring, at_breakpoint, at_end, average, forms
 from .symbols import A, h, h_A, h_AA, u
 
 #: h and its slopes whose change is given
@@ -82,10 +82,8 @@ def _of_end(whole: Restoring, k: int, passed: int) -> tuple[sp.Expr, ...]:
     """What a moving breakpoint does to the average and its slopes, where A exceeds it."""
     end = End(whole.breakpoints[k], f"_{k + 1}" if passed > 1 else "", far=False)
     lost = at_breakpoint(whole.pieces[k] - whole.pieces[k + 1], end.b)
-    values = [-4 / sp.pi * lost * end.b / (A * end.root)]
-    for _ in range(2):
-        values.append(slope(values[-1], end.root))
-    return tuple(sp.factor(value) for value in values)
+    of_any_end = 4 / sp.pi * GAINED * END / (A * ROOT)
+    return tuple(sp.factor(at_end(of_any_end, times, -lost, end.b, end.root)) for times in range(3))
 
 
 def _of_untruncated(

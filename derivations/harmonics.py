@@ -36,16 +36,19 @@ from flint import arb, ctx, fmpq
 from .elliptic import DIGITS, MODERATE, Corner, Let, corner, digits, gauss, parts
 from .repeated import Repeated
 from .restoring import (
+    END,
+    GAINED,
     ORDERS,
+    ROOT,
     Case,
     End,
     Regime,
     at_breakpoint,
+    at_end,
     forms,
     moment_parts,
     odd_moment,
     quarter_moment,
-    slope,
 )
 from .symbols import A, u
 
@@ -99,24 +102,25 @@ def _degrees(piece: sp.Expr) -> list[tuple[int, sp.Expr]]:
     return [(degree, coefficient) for (degree,), coefficient in sp.Poly(piece, u).terms() if coefficient != 0]
 
 
-def boundary(jump: sp.Expr, n: int, order: int, b: sp.Symbol, root: sp.Symbol) -> sp.Expr:
-    """What an order-th derivative gets from the end of the interval: g^(order)(b) (b/A)^order T_n(b/A) dtheta/dA."""
-    return -jump * (b / A) ** order * chebyshev(n, b / A) * b / (A * root)
+def boundary(n: int, order: int, times: int, lost: sp.Expr, b: sp.Expr, root: sp.Symbol) -> sp.Expr:
+    """What an order-th derivative gets from the end of the interval: g^(order)(b) (b/A)^order T_n(b/A) dtheta/dA.
+
+    times -- how often that is derived by A
+    """
+    of_any_end = GAINED * (END / A) ** order * chebyshev(n, END / A) * END / (A * ROOT)
+    return at_end(of_any_end, times, -lost, b, root)
 
 
 def derivatives_of(
-    under: Sequence[sp.Expr], boundaries: Sequence[tuple[sp.Symbol, Sequence[sp.Expr]]]
+    n: int, under: Sequence[sp.Expr], ends: Sequence[tuple[sp.Expr, sp.Symbol, Sequence[sp.Expr]]]
 ) -> tuple[sp.Expr, ...]:
-    """h_n and its derivatives from the integrals by order, and from each end's root and boundary terms by order."""
+    """h_n and its derivatives from the integrals, and from each end, its root and what is lost there, by order."""
     result = []
     for order, integral in enumerate(under):
         total = integral
-        for root, terms in boundaries:
+        for b, root, losses in ends:
             for lower in range(order):
-                term = terms[lower]
-                for _ in range(order - 1 - lower):
-                    term = slope(term, root)
-                total += term
+                total += boundary(n, lower, order - 1 - lower, losses[lower], b, root)
         result.append(-4 * total / sp.pi)
     return tuple(result)
 
@@ -152,6 +156,10 @@ def _in_moments(
 ) -> tuple[sp.Expr, ...]:
     """The derivatives of a `polynomial_regime`, in moments: these alone depend on which ends are exceeded by far."""
     derivatives: list[sp.Expr] = []
+    of_ends = [
+        (end.b, end.root, [at_breakpoint(sp.diff(jump, u, k), end.b) for k in range(ORDERS)])
+        for end, jump in zip(ends, jumps, strict=True)
+    ]
     for n in HARMONICS:
 
         def under(order: int, n: int = n) -> sp.Expr:
@@ -163,14 +171,7 @@ def _in_moments(
             )
             return whole + passed
 
-        boundaries = [
-            (
-                end.root,
-                [boundary(at_breakpoint(sp.diff(jump, u, k), end.b), n, k, end.b, end.root) for k in range(ORDERS)],
-            )
-            for end, jump in zip(ends, jumps, strict=True)
-        ]
-        found = derivatives_of([under(order) for order in range(ORDERS + 1)], boundaries)
+        found = derivatives_of(n, [under(order) for order in range(ORDERS + 1)], of_ends)
         derivatives += [sp.factor_terms(value) if ends else sp.horner(sp.expand(value), A) for value in found]
     return tuple(derivatives)
 
@@ -365,8 +366,7 @@ def untruncated_detached(b: sp.Expr, corner_: Corner) -> Regime:
         # of the force, of its slope 1/c^3 - 1/c = u_cr^2/c^3, and of its second derivative
         curvature, q = _rational(2)
         jumps = [sp.Integer(0), end**2 / c**3, curvature.subs(u, end) / c**q]
-        boundaries = [boundary(jump, n, k, end, root) for k, jump in enumerate(jumps)]
-        derivatives += [b * value for value in derivatives_of(names, [(root, boundaries)])]
+        derivatives += [b * value for value in derivatives_of(n, names, [(end, root, jumps)])]
     return Regime((end,), (), tuple(lets), tuple(derivatives))
 
 

@@ -199,6 +199,21 @@ def slope(expression: sp.Expr, root: sp.Symbol) -> sp.Expr:
     return sp.diff(expression, A) + sp.diff(expression, root) * A / root
 
 
+#: what a force, or a derivative of it, gains at any end; its |u|, and its root
+GAINED, END, ROOT = sp.Dummy("gained", real=True), sp.Dummy("b", positive=True), sp.Dummy("root", nonnegative=True)
+
+
+@functools.cache
+def _sloped(of_any_end: sp.Expr, times: int) -> sp.Expr:
+    return slope(_sloped(of_any_end, times - 1), ROOT) if times else of_any_end
+
+
+def at_end(of_any_end: sp.Expr, times: int, gained: sp.Expr, b: sp.Expr, root: sp.Symbol) -> sp.Expr:
+    """So many derivatives by A of a product with `GAINED`, in `END` and `ROOT`, at one end: taken once for all ends."""
+    known = {GAINED: gained, END: b, ROOT: root}
+    return sp.Integer(0) if gained == 0 else _sloped(of_any_end, times).xreplace(known)
+
+
 def forms(breakpoints: Sequence[sp.Symbol]) -> Iterator[tuple[str, tuple[tuple[sp.Expr, sp.Expr], ...], int, int]]:
     """The forms to evaluate, in order: name, guards, numbers of breakpoints passed and passed by far."""
     for count in range(len(breakpoints) + 1):
@@ -400,11 +415,11 @@ def _in_moments(
                 total += coefficient * A**degree * (symbol if ends else quarter_moment(power))
         return total
 
-    def boundary(order: int, end: End, k: int) -> sp.Expr:
-        """jump of f^(order) at b, times sin^(order + 1) theta dtheta/dA, where dtheta/dA = -b/(A root)"""
+    def boundary(order: int, end: End, k: int, times: int = 0) -> sp.Expr:
+        """jump of f^(order) at b, times sin^(order + 1) theta dtheta/dA, where dtheta/dA = -b/(A root); derived."""
         jump = sp.diff(pieces[k] - pieces[k + 1], u, order)
         lost = jumps[k] if jumps and order == 0 else at_breakpoint(jump, end.b)
-        return -lost * end.b ** (order + 2) / (A ** (order + 2) * end.root)
+        return at_end(GAINED * END ** (order + 2) / (A ** (order + 2) * ROOT), times, -lost, end.b, end.root)
 
     def times_factor(total: sp.Expr) -> sp.Expr:
         return sp.factor_terms(-4 * total / sp.pi) if ends else sp.horner(sp.expand(-4 * total / sp.pi), A)
@@ -414,10 +429,7 @@ def _in_moments(
         total = under_the_integral(order)
         for k, end in enumerate(ends):
             for lower in range(order):
-                term = boundary(lower, end, k)
-                for _ in range(order - 1 - lower):
-                    term = slope(term, end.root)
-                total += term
+                total += boundary(lower, end, k, order - 1 - lower)
         derivatives.append(times_factor(total))
     # f(A s) - A s f'(A s), s = sin t, under the integral: what is linear is gone before it is integrated
     bent = [sp.expand(piece - u * sp.diff(piece, u)) for piece in pieces]
