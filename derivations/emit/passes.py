@@ -169,8 +169,9 @@ def _power_chains(lets: Sequence[Let], outputs: Sequence[sp.Expr]) -> tuple[list
     # another name for an argument first: put in afterwards it would make one power of two
     own = {symbol for symbol, _ in lets}
     known = {symbol: value for symbol, value in lets if value.is_Symbol and value not in own}
-    lets = [(symbol, value.xreplace(known)) for symbol, value in lets if symbol not in known]
-    outputs = [output.xreplace(known) for output in outputs]
+    if known:
+        lets = [(symbol, value.xreplace(known)) for symbol, value in lets if symbol not in known]
+        outputs = [output.xreplace(known) for output in outputs]
     uses = Counter(
         (node.base, abs(int(node.exp)))
         for expression in (*(value for _, value in lets), *outputs)
@@ -217,8 +218,10 @@ def _power_chains(lets: Sequence[Let], outputs: Sequence[sp.Expr]) -> tuple[list
     for symbol, value in result:
         if value.is_Symbol:
             aliases[symbol] = aliases.get(value, value)
-    result = [(symbol, value.xreplace(aliases)) for symbol, value in result if symbol not in aliases]
-    return result, [output.xreplace(aliases) for output in outputs]
+    if aliases:
+        result = [(symbol, value.xreplace(aliases)) for symbol, value in result if symbol not in aliases]
+        outputs = [output.xreplace(aliases) for output in outputs]
+    return result, outputs
 
 
 def _numbered(lets: Sequence[Let], outputs: Sequence[sp.Expr], named: set[str]) -> tuple[list[Let], list[sp.Expr]]:
