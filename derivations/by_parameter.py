@@ -39,7 +39,7 @@ def by_parameter(
     share = _Shares(marks.values())
     cases = []
     for name, guards, passed, far in forms(whole.breakpoints):
-        regime = average(changes, whole.breakpoints, passed, far, orders=len(OF) - 1)
+        regime = average(changes, whole.breakpoints, passed, far, orders=len(OF) - 1, bent=False)
         values = []
         shares = [share(value) for value in regime.derivatives]
         for p, mark in marks.items():
@@ -118,7 +118,7 @@ def _of_untruncated(
             if inner == 0:
                 values += changed(p, rest)
                 continue
-            regime = average([b * _inner * u, sp.Integer(0)], (name,), 1, far, orders=len(OF) - 1)
+            regime = average([b * _inner * u, sp.Integer(0)], (name,), 1, far, orders=len(OF) - 1, bent=False)
             lets = ((name, value), (_inner, -inner), *regime.lets)
             values += [one + other for one, other in zip(changed(p, rest), regime.derivatives, strict=True)]
         cases.append(Case(label, own_guards, Regime((name,), (), lets, tuple(values))))

@@ -233,7 +233,7 @@ def sources(mechanism: Mechanism | Sided) -> Sources:
     derived = of_mechanism(replace(mechanism, name=name), enclosed=True)
     # not composed with the slow flow and without resultants: solvers ask neither
     module = mechanism_module({name: derived}, name, None)
-    module = replace(module, inputs=(LIVE,), native=False, record=replace(module.record, scales=()))
+    module = replace(module, inputs=(LIVE,), native=False)
     return Sources(with_bends(module, derived) if not_shown(derived.oscillator) else module, derived)
 
 

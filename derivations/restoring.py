@@ -58,7 +58,8 @@ class Regime:
     far    -- those among them that it exceeds `FAR` times; if there are any the form is a truncated series
     lets   -- intermediate quantities (symbol, expression) in order of evaluation
     derivatives -- the average and its derivatives with respect to A, in A, the parameters and the lets
-    intercept -- the average less A times its slope, from which linear terms are gone; None where no form is known
+    intercept -- the average less A times its slope, from which linear terms are gone; None where no form is known, or
+                 none was asked for
     remainders -- lets that stand for a series cut short, each with a bound of its relative error
     """
 
@@ -364,11 +365,13 @@ def _moment(ends: Sequence[End], k: int, power: int) -> sp.Expr:
     return ends[k].from_zero(power) - ends[k - 1].from_zero(power)
 
 
-def _beyond_all(pieces: Sequence[sp.Expr], ends: Sequence[End], orders: int) -> list[sp.Expr]:
-    """The average, its derivatives, and the average less A times its slope, where A exceeds each breakpoint by far."""
+def _beyond_all(pieces: Sequence[sp.Expr], ends: Sequence[End], orders: int, bent: bool) -> tuple[sp.Expr, ...]:
+    """The average and its derivatives, then its intercept if wanted, where A exceeds each breakpoint by far."""
     passed, last = pieces[: len(ends)], pieces[len(ends)]
     whole = -4 / sp.pi * sum(c * A**n * quarter_moment(n + 1) for (n,), c in sp.Poly(last, u).terms())
-    totals = [sp.diff(whole, A, j) for j in range(orders + 1)] + [whole - A * sp.diff(whole, A)]
+    totals = [sp.diff(whole, A, j) for j in range(orders + 1)]
+    if bent:
+        totals.append(whole - A * sp.diff(whole, A))
     totals = [sp.horner(sp.expand(total), A) for total in totals]
     for end, piece, following in zip(ends, passed, (*passed[1:], last), strict=True):
         # what makes two pieces continuous is their difference at the end: two products would be rounded apart
@@ -376,8 +379,9 @@ def _beyond_all(pieces: Sequence[sp.Expr], ends: Sequence[End], orders: int) -> 
         changes = [(n, c, end.changes(n, orders)) for n, c in terms]
         for j in range(orders + 1):
             totals[j] += -4 / sp.pi * _nested([(n, c * slopes[j]) for n, c, (slopes, _) in changes], j)
-        totals[-1] += -4 / sp.pi * _nested([(n, c * intercept) for n, c, (_, intercept) in changes], 0)
-    return totals
+        if bent:
+            totals[-1] += -4 / sp.pi * _nested([(n, c * intercept) for n, c, (_, intercept) in changes], 0)
+    return tuple(totals)
 
 
 def _nested(terms: Sequence[tuple[int, sp.Expr]], order: int) -> sp.Expr:
@@ -396,9 +400,9 @@ def _terms(piece: sp.Expr, order: int = 0) -> tuple[tuple[int, sp.Expr], ...]:
 
 @functools.cache
 def _in_moments(
-    pieces: tuple[sp.Expr, ...], ends: tuple[End, ...], jumps: tuple[sp.Symbol, ...], orders: int
-) -> tuple[tuple[sp.Expr, ...], sp.Expr, dict[sp.Symbol, tuple[int, int]]]:
-    """Of `average`: its derivatives and intercept, and the moments in them with the interval and the power of each.
+    pieces: tuple[sp.Expr, ...], ends: tuple[End, ...], jumps: tuple[sp.Symbol, ...], orders: int, bent: bool
+) -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, tuple[int, int]]]:
+    """Of `average`: its derivatives, then the intercept if wanted; the moments in them, with interval and power of each.
 
     They do not depend on which ends are exceeded by far, as long as one is not: then the moments do.
     """
@@ -431,10 +435,12 @@ def _in_moments(
             for lower in range(order):
                 total += boundary(lower, end, k, order - 1 - lower)
         derivatives.append(times_factor(total))
-    # f(A s) - A s f'(A s), s = sin t, under the integral: what is linear is gone before it is integrated
-    bent = [sp.expand(piece - u * sp.diff(piece, u)) for piece in pieces]
-    intercept = under_the_integral(0, bent) - A * sum(boundary(0, end, k) for k, end in enumerate(ends))
-    return tuple(derivatives), times_factor(intercept), moments
+    if bent:
+        # f(A s) - A s f'(A s), s = sin t, under the integral: what is linear is gone before it is integrated
+        without = [sp.expand(piece - u * sp.diff(piece, u)) for piece in pieces]
+        intercept = under_the_integral(0, without) - A * sum(boundary(0, end, k) for k, end in enumerate(ends))
+        derivatives.append(times_factor(intercept))
+    return tuple(derivatives), moments
 
 
 def average(
@@ -444,22 +450,23 @@ def average(
     far: int = 0,
     jumps: Sequence[sp.Symbol] = (),
     orders: int = ORDERS,
+    bent: bool = True,
 ) -> Regime:
     """(20)-(22), (31): the average of a piecewise force where A exceeds `count` breakpoints, and its derivatives.
 
     The first `far` of these it exceeds `FAR` times: there the moments are the series'. `jumps` are names for what the
     force loses at the breakpoints, where these stand for numbers of their own; `orders` is how many derivatives are
-    wanted.
+    wanted, `bent` whether the intercept is.
     """
     ends = [End(b, f"_{k + 1}" if count > 1 else "", k < far) for k, b in enumerate(breakpoints[:count])]
     moments: dict[sp.Symbol, sp.Expr] = {}
     if count and far == count and not jumps:
-        *derivatives, intercept = _beyond_all(pieces, ends, orders)
+        found = _beyond_all(pieces, ends, orders, bent)
     else:
         near = tuple(replace(end, far=False) for end in ends)
-        derivatives, intercept, named = _in_moments(tuple(pieces[: count + 1]), near, tuple(jumps), orders)
+        found, named = _in_moments(tuple(pieces[: count + 1]), near, tuple(jumps), orders, bent)
         moments = {symbol: _moment(ends, *which) for symbol, which in named.items()}
-    used = set().union(*(value.free_symbols for value in (*moments.values(), *derivatives, intercept)))
+    used = set().union(*(value.free_symbols for value in (*moments.values(), *found)))
     powers = range(1, max((power for piece in pieces for power, _ in _terms(piece)), default=0) + 4)
     of_ends = [(end, [power for power in powers if end.from_zero(power) in used]) for end in ends]
     lets = [let for end, wanted in of_ends for let in end.lets(wanted)]
@@ -467,7 +474,8 @@ def average(
     if count:
         lets += moments.items()
     passed, passed_far = tuple(breakpoints[:count]), tuple(breakpoints[:far])
-    return Regime(passed, passed_far, tuple(lets), tuple(derivatives), intercept, remainders)
+    derivatives, (intercept,) = found[: orders + 1], found[orders + 1 :] or (None,)
+    return Regime(passed, passed_far, tuple(lets), derivatives, intercept, remainders)
 
 
 def restoring(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], orders: int = ORDERS) -> Restoring:
