@@ -402,7 +402,7 @@ def _terms(piece: sp.Expr, order: int = 0) -> tuple[tuple[int, sp.Expr], ...]:
 def _in_moments(
     pieces: tuple[sp.Expr, ...], ends: tuple[End, ...], jumps: tuple[sp.Symbol, ...], orders: int, bent: bool
 ) -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, tuple[int, int]]]:
-    """Of `average`: its derivatives, then the intercept if wanted; the moments in them, with interval and power of each.
+    """Of `average`: its derivatives, then the intercept if wanted; moments in them, with interval and power of each.
 
     They do not depend on which ends are exceeded by far, as long as one is not: then the moments do.
     """
