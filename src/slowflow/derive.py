@@ -140,7 +140,7 @@ def mechanism(
     odd: bool = True,
     compile: bool = False,
 ) -> Stated:
-    """Derive a mechanism from its force f(u), dimensionless; about a second, once for the same content.
+    """Derive a mechanism from its force f(u), dimensionless; a second or two, once for the same content.
 
     name       -- of a module
     pieces     -- by rising |u|: the whole restoring force for u > 0, an expression in the SymPy symbol u and the
