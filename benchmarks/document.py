@@ -194,7 +194,8 @@ def write(results: Path = RESULTS, docs: Path = DOCS) -> None:
         lines += [*environment_lines(exact["environment"]), ""]
         lines += [*exact_table(exact["rows"]), ""]
     if derive:
-        about = [f"{derive['earlier'].capitalize()}."] if "earlier" in derive else []
+        about = ["Modules and templates have bytecode, which an earlier process left."] if "bytecode" in derive else []
+        about += [f"{derive['earlier'].capitalize()}."] if "earlier" in derive else []
         lines += ["## A force of one's own", "", *DERIVE_WORDS, *about, ""]
         lines += [*environment_lines(derive["environment"]), "", *derive_table(derive["rows"]), ""]
     if grid:

@@ -14,12 +14,12 @@ in a and b, so that h itself says what they do, and its end acts by a linear for
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
 from .elliptic import corner, parts
-from .restoring import Case, End, Regime, Restoring, at_breakpoint, average, forms, slope
+from .restoring import END, GAINED, ROOT, Case, End, Regime, Restoring, at_breakpoint, at_end, average, forms
 from .symbols import A, h, h_A, h_AA, u
 
 #: h and its slopes whose change is given
@@ -36,27 +36,54 @@ def by_parameter(
         return _of_untruncated(whole, breakpoints, parameters)
     marks = {p: sp.Symbol(f"mark_{p.name}", real=True) for p in parameters}
     changes = [sp.Add(*(mark * sp.diff(piece, p) for p, mark in marks.items())) for piece in whole.pieces]
+    share = _Shares(marks.values())
     cases = []
     for name, guards, passed, far in forms(whole.breakpoints):
-        regime = average(changes, whole.breakpoints, passed, far, orders=len(OF) - 1)
+        regime = average(changes, whole.breakpoints, passed, far, orders=len(OF) - 1, bent=False)
         values = []
+        shares = [share(value) for value in regime.derivatives]
         for p, mark in marks.items():
             moving = whole.breakpoints.index(p) if p in whole.breakpoints[:passed] else None
             of_end = (0, 0, 0) if moving is None else _of_end(whole, moving, passed)
-            values += [sp.diff(value, mark) + own for value, own in zip(regime.derivatives, of_end, strict=True)]
+            values += [of_mark.get(mark, sp.Integer(0)) + own for of_mark, own in zip(shares, of_end, strict=True)]
         lets = [(symbol, value) for symbol, value in regime.lets if not value.has(*marks.values())]
         cases.append(Case(name, guards, Regime(regime.passed, regime.far, tuple(lets), tuple(values))))
     return tuple(cases)
+
+
+class _Shares:
+    """Of expressions that are linear in marks: what each mark is multiplied by, all in one pass and each part once."""
+
+    def __init__(self, marks: Iterable[sp.Symbol]) -> None:
+        self._known: dict[sp.Expr, dict[sp.Symbol, sp.Expr]] = {mark: {mark: sp.Integer(1)} for mark in marks}
+
+    def __call__(self, expression: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
+        """By mark, those that it has."""
+        if expression not in self._known:
+            self._known[expression] = self._of(expression)
+        return self._known[expression]
+
+    def _of(self, expression: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
+        shares = [self(part) for part in expression.args]
+        marked = [k for k, of_part in enumerate(shares) if of_part]
+        if not marked:
+            return {}
+        if expression.is_Add:
+            marks = dict.fromkeys(mark for of_part in shares for mark in of_part)
+            return {mark: sp.Add(*(one[mark] for one in shares if mark in one)) for mark in marks}
+        if not expression.is_Mul or len(marked) > 1:
+            raise ArithmeticError(f"{expression} is not linear in {', '.join(map(str, expression.free_symbols))}")
+        (k,) = marked
+        before, after = expression.args[:k], expression.args[k + 1 :]
+        return {mark: sp.Mul(*before, value, *after) for mark, value in shares[k].items()}
 
 
 def _of_end(whole: Restoring, k: int, passed: int) -> tuple[sp.Expr, ...]:
     """What a moving breakpoint does to the average and its slopes, where A exceeds it."""
     end = End(whole.breakpoints[k], f"_{k + 1}" if passed > 1 else "", far=False)
     lost = at_breakpoint(whole.pieces[k] - whole.pieces[k + 1], end.b)
-    values = [-4 / sp.pi * lost * end.b / (A * end.root)]
-    for _ in range(2):
-        values.append(slope(values[-1], end.root))
-    return tuple(sp.factor(value) for value in values)
+    of_any_end = 4 / sp.pi * GAINED * END / (A * ROOT)
+    return tuple(sp.factor(at_end(of_any_end, times, -lost, end.b, end.root)) for times in range(3))
 
 
 def _of_untruncated(
@@ -91,7 +118,7 @@ def _of_untruncated(
             if inner == 0:
                 values += changed(p, rest)
                 continue
-            regime = average([b * _inner * u, sp.Integer(0)], (name,), 1, far, orders=len(OF) - 1)
+            regime = average([b * _inner * u, sp.Integer(0)], (name,), 1, far, orders=len(OF) - 1, bent=False)
             lets = ((name, value), (_inner, -inner), *regime.lets)
             values += [one + other for one, other in zip(changed(p, rest), regime.derivatives, strict=True)]
         cases.append(Case(label, own_guards, Regime((name,), (), lets, tuple(values))))

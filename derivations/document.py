@@ -15,10 +15,10 @@ import sympy as sp
 from . import resultants
 from .averaging import Averaged
 from .mechanisms import DAMPING, FORCING, Mechanism, Parameter
+from .of_mechanism import OfMechanism
 from .quadrature import Quadrature, sums
 from .restoring import ORDERS, Regime
 from .resultants import Elimination
-from .results import OfMechanism
 from .sided import Sided
 from .slow_flow import SlowFlow
 from .slow_flow import m as friction

@@ -28,7 +28,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 from flint import arb, ctx, fmpq
@@ -36,16 +36,19 @@ from flint import arb, ctx, fmpq
 from .elliptic import DIGITS, MODERATE, Corner, Let, corner, digits, gauss, parts
 from .repeated import Repeated
 from .restoring import (
+    END,
+    GAINED,
     ORDERS,
+    ROOT,
     Case,
     End,
     Regime,
     at_breakpoint,
+    at_end,
     forms,
     moment_parts,
     odd_moment,
     quarter_moment,
-    slope,
 )
 from .symbols import A, u
 
@@ -76,12 +79,14 @@ def chebyshev(n: int, s: sp.Expr) -> sp.Expr:
     return sp.chebyshevt(n, s)
 
 
+@functools.cache
 def powers_of(n: int, degree: int) -> list[tuple[int, sp.Integer]]:
     """s^degree T_n(s) as powers of s and their coefficients."""
     s = sp.Symbol("s")
     return [(power, coefficient) for (power,), coefficient in sp.Poly(s**degree * chebyshev(n, s), s).terms()]
 
 
+@functools.cache
 def weighted(n: int, degree: int) -> tuple[sp.Rational, sp.Poly]:
     """The rational a and the even polynomial P with int_0^theta s^degree T_n(s) dt = a theta - x y P(x), degree odd."""
     secular, polynomial = sp.Integer(0), sp.Poly(0, sp.Symbol("x", positive=True))
@@ -92,28 +97,30 @@ def weighted(n: int, degree: int) -> tuple[sp.Rational, sp.Poly]:
     return secular, polynomial
 
 
+@functools.cache
 def _degrees(piece: sp.Expr) -> list[tuple[int, sp.Expr]]:
     return [(degree, coefficient) for (degree,), coefficient in sp.Poly(piece, u).terms() if coefficient != 0]
 
 
-def boundary(jump: sp.Expr, n: int, order: int, b: sp.Symbol, root: sp.Symbol) -> sp.Expr:
-    """What an order-th derivative gets from the end of the interval: g^(order)(b) (b/A)^order T_n(b/A) dtheta/dA."""
-    return -jump * (b / A) ** order * chebyshev(n, b / A) * b / (A * root)
+def boundary(n: int, order: int, times: int, lost: sp.Expr, b: sp.Expr, root: sp.Symbol) -> sp.Expr:
+    """What an order-th derivative gets from the end of the interval: g^(order)(b) (b/A)^order T_n(b/A) dtheta/dA.
+
+    times -- how often that is derived by A
+    """
+    of_any_end = GAINED * (END / A) ** order * chebyshev(n, END / A) * END / (A * ROOT)
+    return at_end(of_any_end, times, -lost, b, root)
 
 
 def derivatives_of(
-    under: Sequence[sp.Expr], boundaries: Sequence[tuple[sp.Symbol, Sequence[sp.Expr]]]
+    n: int, under: Sequence[sp.Expr], ends: Sequence[tuple[sp.Expr, sp.Symbol, Sequence[sp.Expr]]]
 ) -> tuple[sp.Expr, ...]:
-    """h_n and its derivatives from the integrals by order, and from each end's root and boundary terms by order."""
+    """h_n and its derivatives from the integrals, and from each end, its root and what is lost there, by order."""
     result = []
     for order, integral in enumerate(under):
         total = integral
-        for root, terms in boundaries:
+        for b, root, losses in ends:
             for lower in range(order):
-                term = terms[lower]
-                for _ in range(order - 1 - lower):
-                    term = slope(term, root)
-                total += term
+                total += boundary(n, lower, order - 1 - lower, losses[lower], b, root)
         result.append(-4 * total / sp.pi)
     return tuple(result)
 
@@ -134,16 +141,29 @@ def polynomial_regime(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol
         even = range(2, max(degrees) + max(HARMONICS) + 1, 2) if end.far else ()
         odd = {power for degree in degrees if degree % 2 == 0 for n in HARMONICS for power, _ in powers_of(n, degree)}
         lets += end.lets([*even, *sorted(odd)])
-    derivatives: list[sp.Expr] = []
     for n in HARMONICS:
         for end, beyond in zip(ends, outward, strict=True):
             value = _moment_beyond if beyond else _moment_value
             lets += [(_moment(end, n, degree), value(end, n, degree)) for degree in degrees]
+    near = tuple(replace(end, far=False) for end in ends)
+    derivatives = _in_moments(pieces[whole_cycle], tuple(jumps), tuple(outward), near)
+    return Regime(tuple(breakpoints[:count]), tuple(breakpoints[:far]), tuple(lets), derivatives)
+
+
+@functools.cache
+def _in_moments(
+    whole_cycle: sp.Expr, jumps: tuple[sp.Expr, ...], outward: tuple[bool, ...], ends: tuple[End, ...]
+) -> tuple[sp.Expr, ...]:
+    """The derivatives of a `polynomial_regime`, in moments: these alone depend on which ends are exceeded by far."""
+    derivatives: list[sp.Expr] = []
+    of_ends = [
+        (end.b, end.root, [at_breakpoint(sp.diff(jump, u, k), end.b) for k in range(ORDERS)])
+        for end, jump in zip(ends, jumps, strict=True)
+    ]
+    for n in HARMONICS:
 
         def under(order: int, n: int = n) -> sp.Expr:
-            whole = sum(
-                c * sp.ff(d, order) * A ** (d - order) * _quarter(n, d) for d, c in _degrees(pieces[whole_cycle])
-            )
+            whole = sum(c * sp.ff(d, order) * A ** (d - order) * _quarter(n, d) for d, c in _degrees(whole_cycle))
             passed = sum(
                 (-c if beyond else c) * sp.ff(d, order) * A ** (d - order) * _moment(end, n, d)
                 for end, jump, beyond in zip(ends, jumps, outward, strict=True)
@@ -151,16 +171,9 @@ def polynomial_regime(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol
             )
             return whole + passed
 
-        boundaries = [
-            (
-                end.root,
-                [boundary(at_breakpoint(sp.diff(jump, u, k), end.b), n, k, end.b, end.root) for k in range(ORDERS)],
-            )
-            for end, jump in zip(ends, jumps, strict=True)
-        ]
-        found = derivatives_of([under(order) for order in range(ORDERS + 1)], boundaries)
-        derivatives += [sp.factor_terms(value) if count else sp.horner(sp.expand(value), A) for value in found]
-    return Regime(tuple(breakpoints[:count]), tuple(breakpoints[:far]), tuple(lets), tuple(derivatives))
+        found = derivatives_of(n, [under(order) for order in range(ORDERS + 1)], of_ends)
+        derivatives += [sp.factor_terms(value) if ends else sp.horner(sp.expand(value), A) for value in found]
+    return tuple(derivatives)
 
 
 def _moment(end: End, n: int, degree: int) -> sp.Symbol:
@@ -168,6 +181,7 @@ def _moment(end: End, n: int, degree: int) -> sp.Symbol:
     return end.symbol(f"W{n}_{degree}")
 
 
+@functools.cache
 def _quarter(n: int, degree: int) -> sp.Expr:
     """int_0^(pi/2) s^degree T_n(s) dt"""
     return sp.Add(*(coefficient * quarter_moment(power) for power, coefficient in powers_of(n, degree)))
@@ -352,8 +366,7 @@ def untruncated_detached(b: sp.Expr, corner_: Corner) -> Regime:
         # of the force, of its slope 1/c^3 - 1/c = u_cr^2/c^3, and of its second derivative
         curvature, q = _rational(2)
         jumps = [sp.Integer(0), end**2 / c**3, curvature.subs(u, end) / c**q]
-        boundaries = [boundary(jump, n, k, end, root) for k, jump in enumerate(jumps)]
-        derivatives += [b * value for value in derivatives_of(names, [(root, boundaries)])]
+        derivatives += [b * value for value in derivatives_of(n, names, [(end, root, jumps)])]
     return Regime((end,), (), tuple(lets), tuple(derivatives))
 
 

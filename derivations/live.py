@@ -26,7 +26,6 @@ import sympy as sp
 
 from . import given as given_by
 from .averaging import averaged
-from .document import document, document_of_quadrature, document_of_sided
 from .emit.catalogue.bent import with_bends
 from .emit.catalogue.mechanism import mechanism_module, with_proofs
 from .emit.catalogue.quadrature import quadrature_module
@@ -34,18 +33,19 @@ from .emit.catalogue.sided import sided_module
 from .emit.form import Module
 from .emit.measured import LIVE
 from .emit.provenance import tools, versions
-from .emit.targets import c, interval, numpy, pair
+from .emit.targets import numpy
 from .emit.views import programs
 from .emit.write import MANIFEST, write
 from .mechanisms import DAMPING, DISSIPATION, FORCING, UNIT, Mechanism, Parameter, Piece
 from .monotone import not_shown, smooth_end
+from .of_mechanism import OfMechanism, of_mechanism
 from .oscillator import oscillator, without_poles_that_cancel
 from .quadrature import FUNCTIONS, Quadrature, singular_at, v
-from .results import OfMechanism, of_mechanism
 from .sided import Sided
 from .sided import check as check_sided
 from .slow_flow import slow_flow
 from .symbols import u
+from .vanishing import reduced, vanishes
 
 #: a user's parameter may have their names
 _x = sp.Dummy("x", real=True)
@@ -87,6 +87,8 @@ class Sources:
 
         One source defines `slowflow_record`, the last `slowflow_laws`, the pieces of the force as Taylor recurrences.
         """
+        from .emit.targets import c, interval, pair  # here, not above: NumPy answers without
+
         motion = {f"{self.module.name}_motion.c": c.motion(self.module)}
         if not self.odd:
             return motion
@@ -180,7 +182,7 @@ def _mirrored(force: Any) -> str:
     if not at or left.has(sp.I) or any(not power.base.is_positive for power in roots):
         return ""
     even = sp.expand(force.subs(at) + left)
-    return str(force) if sp.simplify(even).has(right) else ""
+    return str(force) if reduced(even).has(right) else ""
 
 
 def designed(parameters: Mapping[str, Mapping[str, Any]]) -> tuple[Parameter, ...]:
@@ -231,12 +233,15 @@ def sources(mechanism: Mechanism | Sided) -> Sources:
     derived = of_mechanism(replace(mechanism, name=name), enclosed=True)
     # not composed with the slow flow and without resultants: solvers ask neither
     module = mechanism_module({name: derived}, name, None)
-    module = replace(module, inputs=(LIVE,), native=False, record=replace(module.record, scales=()))
+    module = replace(module, inputs=(LIVE,), native=False)
     return Sources(with_bends(module, derived) if not_shown(derived.oscillator) else module, derived)
 
 
 def told(mechanism: Mechanism | Sided) -> str:
     """Its derivation as Markdown with LaTeX."""
+    # here, not above: who asks for a mechanism need not ask for its document
+    from .document import document, document_of_quadrature, document_of_sided
+
     equations = averaged()
     flow = slow_flow(equations)
     if isinstance(mechanism, Sided):
@@ -354,7 +359,7 @@ def _in_ours(
 
 def _is_continuous(forces: Sequence[sp.Expr], ends: Sequence[sp.Expr], number: int) -> bool:
     below, above = forces[number - 2 : number]
-    return sp.simplify((below - above).subs(u, ends[number - 2])) == 0
+    return vanishes((below - above).subs(u, ends[number - 2]))
 
 
 def _digest(mechanism: Mechanism | Sided) -> str:

@@ -28,6 +28,7 @@ import sympy as sp
 from .mechanisms import Parameter
 from .oscillator import Dimensionless
 from .symbols import u
+from .vanishing import reduced, vanishes
 
 _w, _v = sp.symbols("w v", positive=True)
 _y = sp.Symbol("y", nonnegative=True)
@@ -70,7 +71,7 @@ def smooth_end(oscillator: Dimensionless) -> sp.Symbol | None:
     values = _on_positive_numbers(oscillator)
     pieces = itertools.pairwise(oscillator.polynomials)
     for (below, above), b in zip(pieces, oscillator.mechanism.breakpoints, strict=True):
-        if all(sp.simplify(sp.diff(below - above, u, order).subs(u, b).subs(values)) == 0 for order in (0, 1)):
+        if all(vanishes(sp.diff(below - above, u, order).subs(u, b).subs(values)) for order in (0, 1)):
             return b
     return None
 
@@ -78,7 +79,7 @@ def smooth_end(oscillator: Dimensionless) -> sp.Symbol | None:
 def _on_positive_numbers(oscillator: Dimensionless) -> dict[sp.Symbol, sp.Expr]:
     """Coefficients and breakpoints in numbers that take all positive values, where the design's domains allow that."""
     domain = {parameter.symbol: _by_positive(parameter) for parameter in oscillator.mechanism.design}
-    defined = {name: sp.simplify(sp.sympify(value).subs(domain)) for name, value in oscillator.definitions.items()}
+    defined = {name: reduced(sp.sympify(value).subs(domain)) for name, value in oscillator.definitions.items()}
     return defined | {name: value for name, value in domain.items() if name in defined}
 
 
@@ -117,13 +118,13 @@ def _bernstein(expression: sp.Expr, end: sp.Symbol | None, values: dict[sp.Symbo
         start = sp.Integer(1)
     value = sum(coefficient * _v**power for power, coefficient in terms.items())
     if top is None:  # on all v from the start on: by powers of what exceeds it
-        yield from (sp.simplify(c.subs(values)) for c in sp.Poly(sp.expand(value.subs(_v, start + _y)), _y).coeffs())
+        yield from (reduced(c.subs(values)) for c in sp.Poly(sp.expand(value.subs(_v, start + _y)), _y).coeffs())
         return
-    top = sp.simplify(top.subs(values))
+    top = reduced(top.subs(values))
     on_unit = sp.Poly(sp.expand(value.subs(values).subs(_v, start + (top - start) * _y)), _y)
     degree = on_unit.degree()
     for i in range(degree + 1):
-        yield sp.simplify(
+        yield reduced(
             sum(sp.binomial(i, k) / sp.binomial(degree, k) * on_unit.coeff_monomial(_y**k) for k in range(i + 1))
         )
 

@@ -14,6 +14,7 @@ import sympy as sp
 
 from .mechanisms import Mechanism
 from .symbols import F_0, Omega, mu, u, zeta
+from .vanishing import vanishes
 
 # the letters of (1), dimensional
 m, c, F_c, F, omega, t, omega_n = sp.symbols("m c F_c F omega t omega_n", positive=True)
@@ -91,10 +92,9 @@ def dimensionless_force(mechanism: Mechanism, dimensional: sp.Expr) -> sp.Expr:
 def _without_length(expression: sp.Expr, mechanism: Mechanism) -> sp.Expr:
     """The expression at length = k_v = 1, after a check that it depends on neither (it is dimensionless)."""
     scales = {mechanism.length: 1, mechanism.k_v: 1}
-    for scale in scales:
+    for scale in scales if sp.expand(expression).has(*scales) else ():
         changes = sp.diff(expression, scale)
-        # most are sums of products, of which nothing is left without simplifying, which takes long
-        if sp.expand(changes) != 0 and sp.simplify(changes) != 0:
+        if not vanishes(changes):
             raise ArithmeticError(f"{mechanism.name}: {expression} still depends on {scale}: it is not dimensionless")
     return expression.subs(scales)
 
@@ -102,8 +102,7 @@ def _without_length(expression: sp.Expr, mechanism: Mechanism) -> sp.Expr:
 def piece_end(mechanism: Mechanism, until: sp.Expr) -> sp.Expr:
     """(5): the u > 0 at which a piece ends, in the ratios."""
     condition = until.subs(mechanism.x, mechanism.length * u).subs(mechanism.dimensional) / mechanism.length
-    # check=False: SymPy would have to know delta_h < 1 to confirm the root, and drops it otherwise
-    roots = sp.solve(_without_length(condition, mechanism), u, check=False)
+    roots = _roots(_without_length(condition, mechanism))
     positive = roots if len(roots) == 1 else [root for root in roots if not root.could_extract_minus_sign()]
     if len(positive) != 1:
         raise ArithmeticError(f"{mechanism.name}: a piece must end at one |u|; {condition} vanishes at {roots}")
@@ -111,6 +110,15 @@ def piece_end(mechanism: Mechanism, until: sp.Expr) -> sp.Expr:
     # parameters keeps its sign, which tells whether the piece is there
     rooted = sp.sqrt(sp.factor(sp.expand(positive[0] ** 2)))
     return positive[0] if rooted.has(sp.Abs) else rooted
+
+
+def _roots(condition: sp.Expr) -> list[sp.Expr]:
+    """The u at which it vanishes."""
+    if condition.is_polynomial(u) and sp.degree(condition, u) == 1:
+        slope, constant = sp.Poly(condition, u).all_coeffs()
+        return [sp.cancel(-constant / slope)]
+    # check=False: SymPy would have to know delta_h < 1 to confirm the root, and drops it otherwise
+    return list(sp.solve(condition, u, check=False))
 
 
 def without_cancellation(force: sp.Expr) -> sp.Expr:
@@ -167,7 +175,7 @@ def by_continuity(mechanism: Mechanism, number: int, exact: tuple[sp.Expr, ...],
     below, above = exact[number - 1 : number + 1]
     if not all(force.is_polynomial(u) and sp.degree(force, u) <= mechanism.order for force in (below, above)):
         raise ArithmeticError(f"{mechanism.name}: the constant in piece {number + 1} of a truncated force needs a name")
-    if sp.simplify((below - above).subs(u, ends[number - 1])) != 0:
+    if not vanishes((below - above).subs(u, ends[number - 1])):
         raise ArithmeticError(
             f"{mechanism.name}: the force jumps where piece {number} ends; power 0 of the next piece needs a name"
         )

@@ -167,8 +167,7 @@ class Quadrature:
 
         def around(n: int, first: int, of_contacts: int, wide: int) -> tuple[sp.Expr, ...]:
             """h_n and its derivatives; sums are numbered from `first` on, of contacts from another on, so many each."""
-            terms = [(root, [boundary(losses[k], n, k, b, root) for k in range(ORDERS)]) for b, root, losses in ends]
-            total = derivatives_of(sums(orders, first), terms)
+            total = derivatives_of(n, sums(orders, first), ends)
             for number, (contact, b) in enumerate(contacts):
                 own = contact.average(sums(orders, of_contacts + number * wide), b)
                 total = tuple(value - 4 / sp.pi * more for value, more in zip(total, own, strict=True))
@@ -214,7 +213,7 @@ class Quadrature:
         for k, (b, end) in enumerate(list(self.breakpoints.items())[:count]):
             root = sp.Symbol(f"root_{k + 1}", nonnegative=True)
             change = sp.diff(self.smooth[k] - self.smooth[k + 1], parameter)
-            terms.append((root, [boundary(lost_at(change, end, order), 1, order, b, root) for order in range(2)]))
+            terms.append((b, root, [lost_at(change, end, order) for order in range(2)]))
             moving = -4 / sp.pi * self.losses[k][0] * sp.diff(end, parameter) * b / (A * root)
             for order in range(3):
                 moved[order] += moving
@@ -226,7 +225,7 @@ class Quadrature:
                 moved = [
                     one - 4 / sp.pi * more for one, more in zip(moved, change.average(sums(3, own), b), strict=True)
                 ]
-        return tuple(one + other for one, other in zip(derivatives_of(sums(3, first), terms), moved, strict=True))
+        return tuple(one + other for one, other in zip(derivatives_of(1, sums(3, first), terms), moved, strict=True))
 
     # --- between two amplitudes ---
 
@@ -386,8 +385,6 @@ def _root(b: sp.Symbol) -> sp.Expr:
 
 def _shape(order: int, b: sp.Symbol, root: sp.Symbol) -> sp.Expr:
     """What stands beside a loss of that order in h_AAAA, times root^(2 (ORDERS - order) + 1): a polynomial over A^n."""
-    term = boundary(sp.Integer(1), 1, order, b, root)
-    for _ in range(ORDERS - order):
-        term = slope(term, root)
+    term = boundary(1, order, ORDERS - order, sp.Integer(1), b, root)
     value = sp.expand(sp.cancel(sp.expand(term * root ** (2 * (ORDERS - order) + 1))))
     return sp.factor(value)

@@ -32,11 +32,10 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from .averaging import cycle_integral, psi
 from .symbols import A, u
 
 # h_A ... h_AAA: what a fold, a cusp and a condition number need
@@ -59,7 +58,8 @@ class Regime:
     far    -- those among them that it exceeds `FAR` times; if there are any the form is a truncated series
     lets   -- intermediate quantities (symbol, expression) in order of evaluation
     derivatives -- the average and its derivatives with respect to A, in A, the parameters and the lets
-    intercept -- the average less A times its slope, from which linear terms are gone; None where no form is known
+    intercept -- the average less A times its slope, from which linear terms are gone; None where no form is known, or
+                 none was asked for
     remainders -- lets that stand for a series cut short, each with a bound of its relative error
     """
 
@@ -114,15 +114,17 @@ def moment_parts(power: int) -> tuple[sp.Rational, sp.Poly]:
     x = sin theta and y = cos theta. By symmetry int_0^psi cos^power t dt = a psi + x y P(x) with x = cos psi and
     y = sin psi: for psi = pi/2 - theta the same x, y and P serve both ends. All coefficients of P are positive, so
     neither end cancels within the second form.
+
+    By parts: n int sin^n t dt = (n - 1) int sin^(n-2) t dt - sin^(n-1) theta cos theta.
     """
     if power % 2:
         raise ArithmeticError(f"only even powers of the sine have this form, not {power}")
-    theta, x, y = sp.symbols("theta x y", positive=True)
-    integral = sp.expand(sp.expand_trig(cycle_integral(sp.sin(psi) ** power, 0, theta)))
-    secular = integral.coeff(theta)
-    rest = sp.expand((secular * theta - integral).subs({sp.sin(theta): x, sp.cos(theta): y}) / (x * y))
-    polynomial = sp.rem(sp.Poly(rest, y), sp.Poly(y**2 + x**2 - 1, y))
-    return secular, sp.Poly(polynomial.as_expr(), x)
+    x = sp.Symbol("x", positive=True)
+    if power == 0:
+        return sp.Integer(1), sp.Poly(0, x)
+    secular, polynomial = moment_parts(power - 2)
+    share = sp.Rational(power - 1, power)
+    return share * secular, share * polynomial + sp.Poly(x ** (power - 2), x) * sp.Rational(1, power)
 
 
 @functools.cache
@@ -137,6 +139,7 @@ def odd_moment(power: int) -> sp.Poly:
     return (sp.Poly(x ** (power - 1), x) + (power - 1) * odd_moment(power - 2)) * sp.Rational(1, power)
 
 
+@functools.cache
 def quarter_moment(power: int) -> sp.Expr:
     """int_0^(pi/2) sin^power t dt"""
     return odd_moment(power).eval(0) if power % 2 else moment_parts(power)[0] * sp.pi / 2
@@ -150,9 +153,10 @@ def moment_series(power: int) -> sp.Poly:
     binomial series, which ends for odd powers: for these P holds everywhere.
     """
     q = sp.Symbol("q", positive=True)
-    largest = _largest_q()
-    coefficients: list[sp.Expr] = []
-    while not coefficients or abs(coefficients[-1] / coefficients[0]) * largest ** (len(coefficients) - 1) > NEGLIGIBLE:
+    # where to end is a choice, by floats; what is left out `series_remainder` bounds
+    largest, negligible = float(_largest_q()), float(NEGLIGIBLE)
+    coefficients = [_term(power, 0)]
+    while abs(float(coefficients[-1] / coefficients[0])) * largest ** (len(coefficients) - 1) > negligible:
         coefficients.append(_term(power, len(coefficients)))
     return sp.Poly(coefficients[::-1], q)
 
@@ -183,15 +187,32 @@ def _term(power: int, k: int) -> sp.Expr:
     return 2**power * (-1) ** k * sp.binomial(exponent, k) / (exponent + k + 1)
 
 
+@functools.cache
 def at_breakpoint(force: sp.Expr, breakpoint_: sp.Expr) -> sp.Expr:
     """A polynomial at a breakpoint, in Horner form; 0 where it vanishes."""
     value = sp.horner(force, u).subs(u, breakpoint_)
     return sp.Integer(0) if sp.expand(value) == 0 else value
 
 
+@functools.cache
 def slope(expression: sp.Expr, root: sp.Symbol) -> sp.Expr:
     """d/dA of an expression in A and root = sqrt(A^2 - b^2)."""
     return sp.diff(expression, A) + sp.diff(expression, root) * A / root
+
+
+#: what a force, or a derivative of it, gains at any end; its |u|, and its root
+GAINED, END, ROOT = sp.Dummy("gained", real=True), sp.Dummy("b", positive=True), sp.Dummy("root", nonnegative=True)
+
+
+@functools.cache
+def _sloped(of_any_end: sp.Expr, times: int) -> sp.Expr:
+    return slope(_sloped(of_any_end, times - 1), ROOT) if times else of_any_end
+
+
+def at_end(of_any_end: sp.Expr, times: int, gained: sp.Expr, b: sp.Expr, root: sp.Symbol) -> sp.Expr:
+    """So many derivatives by A of a product with `GAINED`, in `END` and `ROOT`, at one end: taken once for all ends."""
+    known = {GAINED: gained, END: b, ROOT: root}
+    return sp.Integer(0) if gained == 0 else _sloped(of_any_end, times).xreplace(known)
 
 
 def forms(breakpoints: Sequence[sp.Symbol]) -> Iterator[tuple[str, tuple[tuple[sp.Expr, sp.Expr], ...], int, int]]:
@@ -273,9 +294,14 @@ class End:
         x, y = self.symbol("x"), self.symbol("y")
         return secular * self.symbol("psi_0") + x * y * _horner(polynomial, x)
 
-    @functools.cache  # noqa: B019  ends are few, and equal ones are the same
     def changes(self, n: int, orders: int) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
-        """A^n int_0^theta sin^(n+1) t dt over A^n, its j-th derivative over A^(n-j); and the value less A its slope.
+        """A^n int_0^theta sin^(n+1) t dt over A^n, its j-th derivative over A^(n-j); and the value less A its slope."""
+        slopes, intercept = _of_any_end(n)
+        own = {_ANY.symbol(name): self.symbol(name) for name in ("x", "y", "z", f"M{n + 1}", f"M{n + 3}")}
+        return tuple(value.xreplace(own) for value in slopes[: orders + 1]), intercept.xreplace(own)
+
+    def changes_anew(self, n: int) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
+        """All of `changes`.
 
         Beyond linear terms by (n + 2) int sin^(n+1) t dt = (n + 3) int sin^(n+3) t dt + sin^(n+2) theta cos theta.
         """
@@ -283,7 +309,7 @@ class End:
         power = n + 1 if n < 2 else n + 3
         moment = self.from_zero(power)
         values = [A**n * (moment if n < 2 else ((n + 3) * moment + x ** (n + 2) * y) / (n + 2))]
-        for _ in range(orders):
+        for _ in range(ORDERS):
             value = values[-1]
             of_angle = sp.diff(value, x) * y - sp.diff(value, y) * x + sp.diff(value, moment) * x**power
             values.append(sp.expand(sp.diff(value, A) - of_angle * x / (A * y)))
@@ -303,6 +329,17 @@ class End:
         return of_moment + x ** (n + 2) / y * sp.horner(polynomial, z)
 
 
+#: an end like any other
+_ANY = End(sp.Symbol("b", positive=True), "", far=True)
+
+
+@functools.cache
+def _of_any_end(n: int) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
+    """`End.changes_anew`, once for all ends."""
+    return _ANY.changes_anew(n)
+
+
+@functools.cache
 def _halved(polynomial: sp.Poly, at: sp.Expr) -> sp.Expr:
     """A long polynomial at a point as two nested ones of its square: half as many operations wait for one another."""
     coefficients = polynomial.all_coeffs()[::-1]
@@ -311,9 +348,10 @@ def _halved(polynomial: sp.Poly, at: sp.Expr) -> sp.Expr:
     return _horner(even, at**2) + at * _horner(odd, at**2)
 
 
+@functools.cache
 def _horner(polynomial: sp.Poly, at: sp.Expr) -> sp.Expr:
     """A polynomial at a point, nested."""
-    return sp.horner(polynomial.as_expr()).subs(polynomial.gen, at)
+    return functools.reduce(lambda nested, coefficient: nested * at + coefficient, polynomial.all_coeffs())
 
 
 def _moment(ends: Sequence[End], k: int, power: int) -> sp.Expr:
@@ -327,11 +365,13 @@ def _moment(ends: Sequence[End], k: int, power: int) -> sp.Expr:
     return ends[k].from_zero(power) - ends[k - 1].from_zero(power)
 
 
-def _beyond_all(pieces: Sequence[sp.Expr], ends: Sequence[End], orders: int) -> list[sp.Expr]:
-    """The average, its derivatives, and the average less A times its slope, where A exceeds each breakpoint by far."""
+def _beyond_all(pieces: Sequence[sp.Expr], ends: Sequence[End], orders: int, bent: bool) -> tuple[sp.Expr, ...]:
+    """The average and its derivatives, then its intercept if wanted, where A exceeds each breakpoint by far."""
     passed, last = pieces[: len(ends)], pieces[len(ends)]
     whole = -4 / sp.pi * sum(c * A**n * quarter_moment(n + 1) for (n,), c in sp.Poly(last, u).terms())
-    totals = [sp.diff(whole, A, j) for j in range(orders + 1)] + [whole - A * sp.diff(whole, A)]
+    totals = [sp.diff(whole, A, j) for j in range(orders + 1)]
+    if bent:
+        totals.append(whole - A * sp.diff(whole, A))
     totals = [sp.horner(sp.expand(total), A) for total in totals]
     for end, piece, following in zip(ends, passed, (*passed[1:], last), strict=True):
         # what makes two pieces continuous is their difference at the end: two products would be rounded apart
@@ -339,8 +379,9 @@ def _beyond_all(pieces: Sequence[sp.Expr], ends: Sequence[End], orders: int) -> 
         changes = [(n, c, end.changes(n, orders)) for n, c in terms]
         for j in range(orders + 1):
             totals[j] += -4 / sp.pi * _nested([(n, c * slopes[j]) for n, c, (slopes, _) in changes], j)
-        totals[-1] += -4 / sp.pi * _nested([(n, c * intercept) for n, c, (_, intercept) in changes], 0)
-    return totals
+        if bent:
+            totals[-1] += -4 / sp.pi * _nested([(n, c * intercept) for n, c, (_, intercept) in changes], 0)
+    return tuple(totals)
 
 
 def _nested(terms: Sequence[tuple[int, sp.Expr]], order: int) -> sp.Expr:
@@ -351,6 +392,57 @@ def _nested(terms: Sequence[tuple[int, sp.Expr]], order: int) -> sp.Expr:
     return A ** (above - order) * total
 
 
+@functools.cache
+def _terms(piece: sp.Expr, order: int = 0) -> tuple[tuple[int, sp.Expr], ...]:
+    """Powers of u in a derivative of a polynomial with their coefficients, the highest first; none in 0."""
+    return tuple((power, value) for (power,), value in sp.Poly(sp.diff(piece, u, order), u).terms() if value != 0)
+
+
+@functools.cache
+def _in_moments(
+    pieces: tuple[sp.Expr, ...], ends: tuple[End, ...], jumps: tuple[sp.Symbol, ...], orders: int, bent: bool
+) -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, tuple[int, int]]]:
+    """Of `average`: its derivatives, then the intercept if wanted; moments in them, with interval and power of each.
+
+    They do not depend on which ends are exceeded by far, as long as one is not: then the moments do.
+    """
+    moments: dict[sp.Symbol, tuple[int, int]] = {}
+
+    def under_the_integral(order: int, forces: Sequence[sp.Expr] = pieces) -> sp.Expr:
+        """int f^(order)(A sin t) sin^(order + 1) t dt over the quarter cycle, piece by piece."""
+        total = sp.Integer(0)
+        for k, piece in enumerate(forces):
+            for degree, coefficient in _terms(piece, order):
+                power = degree + order + 1
+                symbol = sp.Symbol(f"S{k + 1}_{power}", real=True)
+                moments[symbol] = (k, power)
+                total += coefficient * A**degree * (symbol if ends else quarter_moment(power))
+        return total
+
+    def boundary(order: int, end: End, k: int, times: int = 0) -> sp.Expr:
+        """jump of f^(order) at b, times sin^(order + 1) theta dtheta/dA, where dtheta/dA = -b/(A root); derived."""
+        jump = sp.diff(pieces[k] - pieces[k + 1], u, order)
+        lost = jumps[k] if jumps and order == 0 else at_breakpoint(jump, end.b)
+        return at_end(GAINED * END ** (order + 2) / (A ** (order + 2) * ROOT), times, -lost, end.b, end.root)
+
+    def times_factor(total: sp.Expr) -> sp.Expr:
+        return sp.factor_terms(-4 * total / sp.pi) if ends else sp.horner(sp.expand(-4 * total / sp.pi), A)
+
+    derivatives = []
+    for order in range(orders + 1):
+        total = under_the_integral(order)
+        for k, end in enumerate(ends):
+            for lower in range(order):
+                total += boundary(lower, end, k, order - 1 - lower)
+        derivatives.append(times_factor(total))
+    if bent:
+        # f(A s) - A s f'(A s), s = sin t, under the integral: what is linear is gone before it is integrated
+        without = [sp.expand(piece - u * sp.diff(piece, u)) for piece in pieces]
+        intercept = under_the_integral(0, without) - A * sum(boundary(0, end, k) for k, end in enumerate(ends))
+        derivatives.append(times_factor(intercept))
+    return tuple(derivatives), moments
+
+
 def average(
     pieces: Sequence[sp.Expr],
     breakpoints: Sequence[sp.Symbol],
@@ -358,63 +450,32 @@ def average(
     far: int = 0,
     jumps: Sequence[sp.Symbol] = (),
     orders: int = ORDERS,
+    bent: bool = True,
 ) -> Regime:
     """(20)-(22), (31): the average of a piecewise force where A exceeds `count` breakpoints, and its derivatives.
 
     The first `far` of these it exceeds `FAR` times: there the moments are the series'. `jumps` are names for what the
     force loses at the breakpoints, where these stand for numbers of their own; `orders` is how many derivatives are
-    wanted.
+    wanted, `bent` whether the intercept is.
     """
     ends = [End(b, f"_{k + 1}" if count > 1 else "", k < far) for k, b in enumerate(breakpoints[:count])]
     moments: dict[sp.Symbol, sp.Expr] = {}
-
-    def under_the_integral(order: int, forces: Sequence[sp.Expr] = pieces) -> sp.Expr:
-        """int f^(order)(A sin t) sin^(order + 1) t dt over the quarter cycle, piece by piece."""
-        total = sp.Integer(0)
-        for k, piece in enumerate(forces[: count + 1]):
-            for (degree,), coefficient in sp.Poly(sp.diff(piece, u, order), u).terms():
-                if coefficient != 0:
-                    power = degree + order + 1
-                    symbol = sp.Symbol(f"S{k + 1}_{power}", real=True)
-                    moments[symbol] = _moment(ends, k, power)
-                    total += coefficient * A**degree * (symbol if count else moments[symbol])
-        return total
-
-    def boundary(order: int, end: End, k: int) -> sp.Expr:
-        """jump of f^(order) at b, times sin^(order + 1) theta dtheta/dA, where dtheta/dA = -b/(A root)"""
-        jump = sp.diff(pieces[k] - pieces[k + 1], u, order)
-        lost = jumps[k] if jumps and order == 0 else at_breakpoint(jump, end.b)
-        return -lost * end.b ** (order + 2) / (A ** (order + 2) * end.root)
-
-    def times_factor(total: sp.Expr) -> sp.Expr:
-        return sp.factor_terms(-4 * total / sp.pi) if count else sp.horner(sp.expand(-4 * total / sp.pi), A)
-
     if count and far == count and not jumps:
-        *derivatives, intercept = _beyond_all(pieces, ends, orders)
+        found = _beyond_all(pieces, ends, orders, bent)
     else:
-        derivatives = []
-        for order in range(orders + 1):
-            total = under_the_integral(order)
-            for k, end in enumerate(ends):
-                for lower in range(order):
-                    term = boundary(lower, end, k)
-                    for _ in range(order - 1 - lower):
-                        term = slope(term, end.root)
-                    total += term
-            derivatives.append(times_factor(total))
-        # f(A s) - A s f'(A s), s = sin t, under the integral: what is linear is gone before it is integrated
-        bent = [sp.expand(piece - u * sp.diff(piece, u)) for piece in pieces]
-        intercept = under_the_integral(0, bent) - A * sum(boundary(0, end, k) for k, end in enumerate(ends))
-        intercept = times_factor(intercept)
-    used = set().union(*(value.free_symbols for value in (*moments.values(), *derivatives, intercept)))
-    powers = range(1, max((sp.degree(piece, u) for piece in pieces), default=0) + 4)
+        near = tuple(replace(end, far=False) for end in ends)
+        found, named = _in_moments(tuple(pieces[: count + 1]), near, tuple(jumps), orders, bent)
+        moments = {symbol: _moment(ends, *which) for symbol, which in named.items()}
+    used = set().union(*(value.free_symbols for value in (*moments.values(), *found)))
+    powers = range(1, max((power for piece in pieces for power, _ in _terms(piece)), default=0) + 4)
     of_ends = [(end, [power for power in powers if end.from_zero(power) in used]) for end in ends]
     lets = [let for end, wanted in of_ends for let in end.lets(wanted)]
     remainders = tuple(remainder for end, wanted in of_ends for remainder in end.remainders(wanted))
     if count:
         lets += moments.items()
     passed, passed_far = tuple(breakpoints[:count]), tuple(breakpoints[:far])
-    return Regime(passed, passed_far, tuple(lets), tuple(derivatives), intercept, remainders)
+    derivatives, (intercept,) = found[: orders + 1], found[orders + 1 :] or (None,)
+    return Regime(passed, passed_far, tuple(lets), derivatives, intercept, remainders)
 
 
 def restoring(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], orders: int = ORDERS) -> Restoring:

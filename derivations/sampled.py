@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .harmonics import HARMONICS, boundary, chebyshev, derivatives_of
+from .harmonics import HARMONICS, chebyshev, derivatives_of
 from .quadrature import bent_at, c, s, untilted_at
 from .restoring import ORDERS
 from .symbols import A
@@ -60,8 +60,7 @@ def sampled() -> Sampled:
         return tuple(_FACTOR * f[order] * s**order * chebyshev(n, s) for order in range(ORDERS + 1))
 
     def end(n: int) -> tuple[sp.Expr, ...]:
-        terms = [boundary(lost[order], n, order, b, root) for order in range(ORDERS)]
-        _, *found = derivatives_of([sp.Integer(0)] * (ORDERS + 1), [(root, terms)])
+        _, *found = derivatives_of(n, [sp.Integer(0)] * (ORDERS + 1), [(b, root, lost)])
         return tuple(sp.collect(sp.expand(value), lost, sp.factor) for value in found)
 
     return Sampled(

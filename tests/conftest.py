@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from filelock import FileLock
 
-from derivations.emit.catalogue import all_modules
+from derivations.emit.catalogue.every_module import all_modules
 from derivations.emit.form import Module
 from derivations.emit.views import Code, programs
 from derivations.results import Results, derive

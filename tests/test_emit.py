@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import math
 import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from mpmath import mp, mpf
 from sympy.codegen.cfunctions import hypot
 
 from derivations.averaging import averaged
+from derivations.emit.bytecode import kept_beside
 from derivations.emit.passes import operations, straight_line
 from derivations.emit.targets.c import LANGUAGE
 from derivations.emit.targets.c.printer import CPrinter
@@ -323,3 +325,14 @@ def test_what_is_repeated_is_refused_where_a_language_could_not_print_it():
         printed(straight_line(beside().at((x, y), (a, b)), [a], (x, y)).lets, LANGUAGE)
     with pytest.raises(ArithmeticError, match="one name"):
         Repeated("twice", "", (x,), ((x, x + 1),), ((y, x),))
+
+
+def test_bytecode_of_templates_is_kept_where_python_keeps_its_own(tmp_path, monkeypatch):
+    monkeypatch.setattr(sys, "pycache_prefix", None)
+    monkeypatch.setattr(sys, "dont_write_bytecode", False)
+    assert kept_beside(tmp_path) is not None
+    assert [path.name for path in tmp_path.iterdir()] == ["__pycache__"]
+    (tmp_path / "file").touch()
+    assert kept_beside(tmp_path / "file") is None
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)
+    assert kept_beside(tmp_path) is None

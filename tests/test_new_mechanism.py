@@ -15,10 +15,10 @@ import sympy as sp
 from derivations.averaging import averaged
 from derivations.library import bilinear
 from derivations.mechanisms import Piece
+from derivations.of_mechanism import of_mechanism
 from derivations.oscillator import oscillator
 from derivations.restoring import restoring
 from derivations.resultants import saddle_node_onset
-from derivations.results import of_mechanism
 from derivations.slow_flow import SCENES, slow_flow
 from slowflow import backend
 

@@ -11,15 +11,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from ..mechanisms import Mechanism, Parameter
-from ..resultants import Elimination
-from ..scaling import Scale
-from ..sided import Sided
 from ..slow_flow import SCENES, m
 from ..symbols import h, h_A, h_AA, h_AAA
+
+if TYPE_CHECKING:
+    from ..mechanisms import Mechanism, Parameter
+    from ..resultants import Elimination
+    from ..scaling import Scale
+    from ..sided import Sided
 
 Let = tuple[sp.Symbol, sp.Expr]
 

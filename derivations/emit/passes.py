@@ -63,7 +63,9 @@ def operations(expression: sp.Expr, within_product: bool = False) -> int:
 @functools.cache
 def is_constant(expression: sp.Basic) -> bool:
     """A number, such as 5/8 or 4/pi: printed as one literal."""
-    return isinstance(expression, sp.Expr) and not expression.free_symbols
+    if not expression.args:
+        return isinstance(expression, sp.Expr) and not expression.is_Symbol
+    return isinstance(expression, sp.Expr) and all(is_constant(part) for part in expression.args)
 
 
 def straight_line(
@@ -73,14 +75,19 @@ def straight_line(
 
     named -- whether the lets are known to name all that is shared
     """
-    lets, outputs = [(symbol, _held(value)) for symbol, value in lets], [_held(output) for output in outputs]
-    names = {symbol.name for symbol in reserved} | {symbol.name for symbol, _ in lets}
-    needed = _needed(lets, outputs)
-    counts = {"structured": _counted(needed, outputs, "structured")}
+    held = tuple(_held(output) for output in outputs)
+    needed = _needed([(symbol, _held(value)) for symbol, value in lets], held)
+    return _passed(tuple(needed), held, tuple(symbol.name for symbol in reserved), named)
 
-    lets = needed
-    if not (named or is_spelled_out(needed)):
-        lets, outputs = _common_subexpressions(needed, outputs)
+
+@functools.cache
+def _passed(lets: tuple[Let, ...], outputs: tuple[sp.Expr, ...], reserved: tuple[str, ...], named: bool) -> Program:
+    """`straight_line` of what is needed: regimes that differ in what is not are the same code."""
+    names = {*reserved, *(symbol.name for symbol, _ in lets)}
+    counts = {"structured": _counted(lets, outputs, "structured")}
+
+    if not (named or is_spelled_out(lets)):
+        lets, outputs = _common_subexpressions(lets, outputs)
     counts["common subexpressions"] = _counted(lets, outputs, "common subexpressions")
 
     lets, outputs = _power_chains(lets, outputs)
@@ -162,8 +169,9 @@ def _power_chains(lets: Sequence[Let], outputs: Sequence[sp.Expr]) -> tuple[list
     # another name for an argument first: put in afterwards it would make one power of two
     own = {symbol for symbol, _ in lets}
     known = {symbol: value for symbol, value in lets if value.is_Symbol and value not in own}
-    lets = [(symbol, value.xreplace(known)) for symbol, value in lets if symbol not in known]
-    outputs = [output.xreplace(known) for output in outputs]
+    if known:
+        lets = [(symbol, value.xreplace(known)) for symbol, value in lets if symbol not in known]
+        outputs = [output.xreplace(known) for output in outputs]
     uses = Counter(
         (node.base, abs(int(node.exp)))
         for expression in (*(value for _, value in lets), *outputs)
@@ -210,8 +218,10 @@ def _power_chains(lets: Sequence[Let], outputs: Sequence[sp.Expr]) -> tuple[list
     for symbol, value in result:
         if value.is_Symbol:
             aliases[symbol] = aliases.get(value, value)
-    result = [(symbol, value.xreplace(aliases)) for symbol, value in result if symbol not in aliases]
-    return result, [output.xreplace(aliases) for output in outputs]
+    if aliases:
+        result = [(symbol, value.xreplace(aliases)) for symbol, value in result if symbol not in aliases]
+        outputs = [output.xreplace(aliases) for output in outputs]
+    return result, outputs
 
 
 def _numbered(lets: Sequence[Let], outputs: Sequence[sp.Expr], named: set[str]) -> tuple[list[Let], list[sp.Expr]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import importlib.metadata
 from pathlib import Path
@@ -9,6 +10,7 @@ from pathlib import Path
 TOOLS = ("sympy", "python-flint", "jinja2")
 
 
+@functools.cache
 def versions() -> dict[str, str]:
     """Of the tools that shape the output."""
     return {tool: importlib.metadata.version(tool) for tool in TOOLS}

@@ -31,7 +31,7 @@ from ..results import derive
 from ..slow_flow import m
 from ..symbols import F_0, A, Omega, mu, zeta
 from . import proved
-from .catalogue import all_modules
+from .catalogue.every_module import all_modules
 from .form import Module
 from .passes import Program, is_constant, is_spelled_out
 from .views import programs

@@ -20,6 +20,7 @@ import sympy as sp
 from ..repeated import Output
 from ..restoring import FAR
 from ..slow_flow import m
+from .bytecode import kept_beside
 from .compensated import Exact, twofold
 from .form import AVERAGED, Branch, Composition, Kernel, Module, Selection, TwofoldKernel
 from .passes import Let, Program, program_of, straight_line
@@ -157,6 +158,7 @@ def templates(folder: Path) -> jinja2.Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
         autoescape=False,
+        bytecode_cache=kept_beside(folder / "templates"),
     )
     environment.filters["fill"] = fill
     environment.filters["tuple"] = lambda names: f"({', '.join(names)}{',' if len(names) == 1 else ''})"

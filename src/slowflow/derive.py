@@ -23,7 +23,8 @@ import shlex
 import subprocess
 import sys
 import sysconfig
-from collections.abc import Mapping, Sequence
+import tempfile
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -40,7 +41,7 @@ from slowflow_support.quadrature import COMPILED
 
 NEEDED = "deriving needs SymPy, python-flint, Jinja2 and platformdirs: pip install 'slowflow[derive]'"
 #: IEEE arithmetic, as the package itself is compiled; -O3 takes a third longer, and answers are no sooner there
-FLAGS = ("-std=c11", "-O2", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-shared", "-fPIC")
+FLAGS = ("-std=c11", "-O2", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-fPIC")
 #: the source that is written after the others, and is there where they are
 LAST_OF_C = "_motion.c"
 
@@ -139,7 +140,7 @@ def mechanism(
     odd: bool = True,
     compile: bool = False,
 ) -> Stated:
-    """Derive a mechanism from its force f(u), dimensionless; about a second, once for the same content.
+    """Derive a mechanism from its force f(u), dimensionless; a second or two, once for the same content.
 
     name       -- of a module
     pieces     -- by rising |u|: the whole restoring force for u > 0, an expression in the SymPy symbol u and the
@@ -322,20 +323,31 @@ def _compiled(folder: Path, module: str) -> Path:
         return library
     compiler = shlex.split(os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc")
     headers = [f"-I{place}" for place in (folder, *include())]
-    sources = [str(path) for name in (f"{module}.c", f"{module}{LAST_OF_C}") if (path := folder / name).exists()]
-    made = library.with_suffix(f".{os.getpid()}")
-    try:
-        done = subprocess.run(
-            [*compiler, *FLAGS, *headers, *sources, "-o", str(made), "-lm"],
-            capture_output=True,
-            text=True,
+    sources = [path for name in (f"{module}.c", f"{module}{LAST_OF_C}") if (path := folder / name).exists()]
+    with tempfile.TemporaryDirectory(dir=folder) as place:
+        objects = [f"{place}/{source.stem}.o" for source in sources]
+        _side_by_side(
+            [*compiler, *FLAGS, *headers, "-c", str(source), "-o", made]
+            for source, made in zip(sources, objects, strict=True)
         )
-    except OSError as error:
-        raise RuntimeError(f"compile=True: the C compiler {compiler[0]!r} does not run: {error}") from error
-    if done.returncode:
-        raise RuntimeError(f"compile=True: {compiler[0]} failed:\n{done.stderr}")
-    os.replace(made, library)
+        _side_by_side([[*compiler, "-shared", *objects, "-o", f"{place}/{library.name}", "-lm"]])
+        os.replace(f"{place}/{library.name}", library)
     return library
+
+
+def _side_by_side(commands: Iterable[list[str]]) -> None:
+    """Calls of the compiler, each a process of its own. Raises RuntimeError where one fails, with its words."""
+    running = {}
+    for command in commands:
+        try:
+            process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        except OSError as error:
+            raise RuntimeError(f"compile=True: the C compiler {command[0]!r} does not run: {error}") from error
+        running[process] = command[0]
+    told = {process: process.communicate()[1] for process in running}
+    for process, words in told.items():
+        if process.returncode:
+            raise RuntimeError(f"compile=True: {running[process]} failed:\n{words}")
 
 
 def _is_summed(record: Mechanism) -> bool:

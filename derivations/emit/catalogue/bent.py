@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from ...of_mechanism import OfMechanism
 from ...quadrature import Quadrature
-from ...results import OfMechanism
 from ..form import Module
 from .quadrature import enclosed, kink_kernel
 

@@ -8,17 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from ... import elliptic
 from ...elliptic import evaluable, parts
 from ...mechanisms import Mechanism, Parameter
+from ...of_mechanism import OfMechanism
 from ...off_centre import steps
 from ...oscillator import Dimensionless
 from ...restoring import Case, Restoring, average, forms
-from ...results import OfMechanism
-from ...scaling import of_design
 from ...second_approximation import OF_HARMONIC
 from ...slow_flow import m
 from ...symbols import F_0, A, mu, u, zeta
@@ -37,6 +37,9 @@ from ..form import (
     by_even_power,
     plain,
 )
+
+if TYPE_CHECKING:
+    from ...scaling import Scale
 
 #: What is emitted for each mechanism, and for whom.
 #:
@@ -79,7 +82,7 @@ def mechanism_module(mechanisms: Mapping[str, OfMechanism], name: str, flow: Mod
         if flow
         else (),
         flow=flow.name if flow else "",
-        record=record(mechanisms, derived, table),
+        record=record(mechanisms, derived, table, alone=flow is None),
     )
 
 
@@ -624,8 +627,17 @@ def described(dimensionless: Dimensionless) -> tuple[Parameter, ...]:
     return (*result, *ends, *(given[ratio] for ratio in mechanism.instead))
 
 
-def record(mechanisms: Mapping[str, OfMechanism], derived: OfMechanism, pieces: tuple[Law, ...]) -> Record:
-    """What the record says that no kernel does."""
+def scales(mechanism: Mechanism) -> tuple[Scale, ...]:
+    """What the design's numbers are measured in."""
+    from ...scaling import of_design  # here, not above: who derives a mechanism alone has no numbers in SI units
+
+    return of_design(mechanism)
+
+
+def record(
+    mechanisms: Mapping[str, OfMechanism], derived: OfMechanism, pieces: tuple[Law, ...], *, alone: bool
+) -> Record:
+    """What the record says that no kernel does; alone for solvers, which do not ask for scales."""
     mechanism = derived.oscillator.mechanism
     truncated = is_truncated(derived)
     twins = [
@@ -642,7 +654,7 @@ def record(mechanisms: Mapping[str, OfMechanism], derived: OfMechanism, pieces: 
         derived.harmonics.most,
         truncated,
         twins[0] if twins else "",
-        of_design(mechanism),
+        () if alone else scales(mechanism),
         is_stepped(derived),
     )
 

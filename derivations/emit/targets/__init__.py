@@ -1,21 +1,5 @@
-"""The target languages, one folder each: a printer, templates, and `files`, which fills them.
+"""The target languages, one folder each: a printer, templates, and `files`, which fills them; `render` asks all.
 
 In:  `Module`s.
 Out: a dict from file name (below `generated/`) to text.
 """
-
-from __future__ import annotations
-
-from collections.abc import Sequence
-
-from ..form import Module
-from ..views import programs
-from . import ball, c, held, interval, numpy, pair, ufunc
-
-
-def render(modules: Sequence[Module]) -> dict[str, str]:
-    """All files but the manifest and the ledger."""
-    code = {module.name: programs(module) for module in modules}
-    languages = (numpy, c, interval, pair, held, ball)
-    files = {name: text for language in languages for name, text in language.files(modules, code).items()}
-    return files | ufunc.files(modules)

@@ -22,7 +22,7 @@ import sympy as sp
 from ...averaging import Averaged, averaged
 from ...library import stated
 from ...mechanisms import duffing
-from ...results import OfMechanism, of_mechanism
+from ...of_mechanism import OfMechanism, of_mechanism
 from ...slow_flow import SlowFlow, slow_flow
 from ..formulas import DIFFERENCE, Reading, Subject
 from ..judging import judge

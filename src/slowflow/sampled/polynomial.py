@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
-from scipy.fft import dct
 
 Floats = NDArray[np.float64]
 
@@ -76,7 +75,7 @@ class Smooth:
         found, count = None, FEWEST
         while count <= MOST:
             # by rising v: the polynomials' signs alternate
-            coefficients = dct(values(self._places(count)), type=2) / count
+            coefficients = _cosines(values(self._places(count)))
             coefficients[0] *= 0.5
             coefficients *= (-1.0) ** np.arange(count)
             tail, size = np.abs(coefficients[-(count // 8) :]).max(), np.abs(coefficients).max()
@@ -143,6 +142,14 @@ class Smooth:
 _LEFT = "what is not smooth at some |u| ends a piece there, and a power that is no whole number is stated as a formula"
 
 
+def _cosines(values: Floats) -> Floats:
+    """Coefficients of Chebyshev's polynomials by falling v, the first one twice, from values along the last axis."""
+    from scipy.fft import dct  # here, not above: a force that is no Python function does without SciPy
+
+    found: Floats = dct(values, type=2, axis=-1) / values.shape[-1]
+    return found
+
+
 class _Ranges:
     """What a polynomial is on intervals, by what it is on parts, dense where the piece begins."""
 
@@ -153,7 +160,7 @@ class _Ranges:
         count = piece.of[0].size + piece.power
         places = 0.5 * (1 - np.cos(np.pi * (np.arange(count) + 0.5) / count))
         (values,) = piece.at(edges[:-1, np.newaxis] + np.diff(edges)[:, np.newaxis] * places, (order,))
-        coefficients = dct(np.broadcast_to(values, (CELLS, count)), type=2, axis=1) / count
+        coefficients = _cosines(np.broadcast_to(values, (CELLS, count)))
         middle, beside = 0.5 * coefficients[:, 0], np.abs(coefficients[:, 1:]).sum(axis=1)
         beside += 4 * count * 2.0**-52 * piece.size(order)
         # of 2^k parts from each on

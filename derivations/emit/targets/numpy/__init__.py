@@ -8,15 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import jinja2
 import sympy as sp
 
-from ....conventions import CONVENTIONS
 from ....gradients import KINDS
 from ....mechanisms import DAMPING, DISSIPATION, EXCITATIONS, RUBS, Parameter
 from ....quadrature import rule
-from ....scaling import Scale, of_every_excitation, of_every_law, of_every_oscillator
 from ....slow_flow import SCENES
 from ... import measured
 from ...form import AVERAGED, GENERAL, Composition, Kernel, Module, Selection, TwofoldKernel, suffix
@@ -39,6 +38,9 @@ from ..interval.printer import EnclosurePrinter
 from ..printing import literal, stated
 from .printer import NumpyPrinter
 
+if TYPE_CHECKING:
+    from ....scaling import Scale
+
 LANGUAGE = Language(NumpyPrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
 ENCLOSED = Language(EnclosurePrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
 CALLS = Calls("flow.friction(mu)", "flow.{}".format, tuple("average" + symbol.name[1:] for symbol in AVERAGED))
@@ -46,6 +48,10 @@ CALLS = Calls("flow.friction(mu)", "flow.{}".format, tuple("average" + symbol.na
 
 def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file of this language."""
+    # here, not above: one module does without
+    from ....conventions import CONVENTIONS
+    from ....scaling import of_every_excitation, of_every_law, of_every_oscillator
+
     environment = _environment()
     result = {f"slowflow_kernels/{module.name}.py": text(module, code[module.name]) for module in modules}
     result |= {f"slowflow_kernels/{module.name}.pyi": signatures(module) for module in modules}

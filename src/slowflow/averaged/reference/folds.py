@@ -13,7 +13,6 @@ from dataclasses import dataclass, replace
 from typing import Any, Self
 
 import numpy as np
-from scipy.optimize import brentq
 
 from slowflow.averaged import words
 from slowflow.averaged.reference import dissipated, doubt
@@ -150,6 +149,8 @@ def _zeros(model: Model, F_0: Any, A_max: Any) -> Inside:
 
 def _crossings(model: Model, F_0: float, A_max: float) -> Inside:
     """For an excitation by inertia: where the level along the arcs of the fold locus, monotone, passes F_0."""
+    from scipy.optimize import brentq  # here, not above: folds at a force do without SciPy
+
     locus, stations = Roots(model, -1.0), Stations.of(model, A_max)
     found, near = [], stations.undecided
 
