@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import hashlib
 import json
 import math
@@ -365,6 +366,21 @@ def test_a_first_answer_on_numpy_imports_nothing_that_it_does_not_need(tmp_path)
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, env=env)
     assert done.returncode == 0, done.stderr
     assert done.stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize("collects", [True, False])
+def test_the_collector_is_left_as_it_was(folder, collects):
+    """By what is derived, and by what is refused on the way."""
+    was = gc.isenabled()
+    try:
+        (gc.enable if collects else gc.disable)()
+        derive.mechanism(f"collected_{collects}", [(u + k_1 * u**3, None)], {"k_1": ABOVE_0})
+        assert gc.isenabled() is collects
+        with pytest.raises(ArithmeticError), derive._uncollected():
+            raise ArithmeticError
+        assert gc.isenabled() is collects
+    finally:
+        (gc.enable if was else gc.disable)()
 
 
 @pytest.mark.slow

@@ -13,8 +13,10 @@ The door to the derivation, which comes with slowflow as `slowflow_derivation` a
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import functools
+import gc
 import hashlib
 import importlib
 import inspect
@@ -24,7 +26,7 @@ import subprocess
 import sys
 import sysconfig
 import tempfile
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -277,17 +279,30 @@ def _derived(stated: Any, compile: bool, beside: str = "") -> Derived:
     module = live.name_of(stated)
     in_c, in_python = (not (folder / f"{module}{last}").exists() for last in (LAST_OF_C, ".py"))
     if in_python or (compile and in_c):
-        sources = live.sources(stated)
-        if compile and in_c:
-            _write(folder, sources.compiled)
-        if in_python:
-            _write(folder, sources.python)
+        with _uncollected():
+            sources = live.sources(stated)
+            if compile and in_c:
+                _write(folder, sources.compiled)
+            if in_python:
+                _write(folder, sources.python)
     importlib.invalidate_caches()
     printed = importlib.import_module(f"slowflow_derived.{module}")
     record: Mechanism = printed.MECHANISM
     if compile and not _is_attached(record):
         _attach(printed, _compiled(folder, module))
     return Derived(record, folder, stated, beside)
+
+
+@contextlib.contextmanager
+def _uncollected() -> Iterator[None]:
+    """Without Python's search for cycles, which expressions are not in: it goes through all of them again and again."""
+    was = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was:
+            gc.enable()
 
 
 def _derivation(module: str = "slowflow_derivation.live") -> ModuleType:
