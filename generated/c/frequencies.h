@@ -251,7 +251,7 @@ TWOFOLD_INLINE double frequencies_response_exactly_at_0(double F_0, double m, do
 /* F_A/2 in double-double, and what its error is below FINE times of.
    Equation (30). Domain: Omega >= 0, A > 0.
    Exact: 7 products and 4 sums.
-   Measured, error / u (1 + kappa): 1.4
+   Measured, error / u (1 + kappa): 1.5
  */
 TWOFOLD_INLINE void frequencies_fold_fine(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
 {

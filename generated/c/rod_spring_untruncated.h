@@ -1915,7 +1915,7 @@ static inline void rod_spring_untruncated_averaged_2(double A, const double *p, 
 
 /* H, H_A together.
    Equation (20)-(22), (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 2.9
+   Measured, error / u (1 + kappa): 3
  */
 static inline void rod_spring_untruncated_averaged_H(double A, const double *p, double *out)
 {
@@ -1939,7 +1939,7 @@ static inline double rod_spring_untruncated_intercept(double A, double alpha, do
 
 /* The averaged restoring force h = H - A.
    Equation (20)-(22). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 0.85
+   Measured, error / u (1 + kappa): 1.3
  */
 static inline double rod_spring_untruncated_h(double A, double alpha, double beta, double delta_h)
 {
@@ -2034,7 +2034,7 @@ static inline double rod_spring_untruncated_F(double Omega, double A, double F_0
 
 /* dF/dA; positive where stable.
    Equation (24), (30). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 4.1
+   Measured, error / u (1 + kappa): 4.2
  */
 static inline double rod_spring_untruncated_F_A(double Omega, double A, double mu, double zeta, const double *p)
 {
@@ -2056,7 +2056,7 @@ static inline double rod_spring_untruncated_level(double Omega, double A, double
 
 /* Phase phi of a steady state, from -pi to 0.
    Equation (25). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.2
+   Measured, error / u (1 + kappa): 1.4
  */
 static inline double rod_spring_untruncated_phase(double Omega, double A, double mu, double zeta, const double *p)
 {
@@ -2067,7 +2067,7 @@ static inline double rod_spring_untruncated_phase(double Omega, double A, double
 
 /* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
    Equation (28). Domain: Omega > 0, A > 0.
-   Measured, error / u (1 + kappa): 1.7
+   Measured, error / u (1 + kappa): 1.8
  */
 static inline void rod_spring_untruncated_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
 {
@@ -2089,7 +2089,7 @@ static inline double rod_spring_untruncated_stability(double Omega, double A, do
 
 /* Fundamental harmonic of the force on the base over F_0, at a steady state.
    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
-   Measured, error / u (1 + kappa): 1.3
+   Measured, error / u (1 + kappa): 1.4
  */
 static inline double rod_spring_untruncated_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
@@ -2100,7 +2100,7 @@ static inline double rod_spring_untruncated_transmissibility(double Omega, doubl
 
 /* Frequency on the backbone.
    Equation (26). Domain: A > 0, h <= 0.
-   Measured, error / u (1 + kappa): 1.5
+   Measured, error / u (1 + kappa): 1.6
  */
 static inline double rod_spring_untruncated_backbone(double A, const double *p)
 {

@@ -518,7 +518,7 @@ def response_quartic(A, F_0, mu, zeta, alpha, beta):
     """F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
 
     Equation (24). Domain: A > 0. Shape: 4 results, each as the arguments broadcast.
-    Measured, error / u (1 + kappa): 1.5
+    Measured, error / u (1 + kappa): 1.7
     """
     average, _ = averaged_2(A, alpha, beta)
     return flow.response_quartic(A, F_0, flow.friction(mu), zeta, average)

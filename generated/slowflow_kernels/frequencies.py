@@ -243,7 +243,7 @@ def fold_fine(Omega, A, m, zeta, h, h_A):
 
     Equation (30). Domain: Omega >= 0, A > 0.
     Exact: 7 products and 4 sums.
-    Measured, error / u (1 + kappa): 1.4
+    Measured, error / u (1 + kappa): 1.5
     """
     d0, d0_low = two_product(A, Omega)
     d1, d1_low = two_product(d0, Omega)
