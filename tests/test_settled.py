@@ -263,6 +263,17 @@ def test_states_at_the_frequency_of_a_peak_lie_between_the_doubles_beside_them()
                 *(0.13181385782111177, 0.14097741884074902, 0.7527268167473721),
             ),
         ),
+        *(  # a cusp within ulps of u_cr, where a step may be larger than the one before
+            (
+                "rod_spring_untruncated",
+                f"cusp, {name}",
+                (
+                    *(5.214939489472209, 0.03383588421113481, 0.9999999961516327, 0.025088049861885026),
+                    *(0.003906554236340997, 0.03194473765104555, 0.4767365584314752),
+                ),
+            )
+            for name in ("F_0", "Omega", "A")
+        ),
     ],
 )
 def test_answers_that_erred_most_are_right_to_their_condition(mechanism, kind, at):

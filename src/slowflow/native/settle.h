@@ -27,6 +27,10 @@ enum { SF_MOST_DOUBLINGS = 32 };
 #define SF_LEVEL_STEP 0x1p-30
 /* a square of this times a rounding is some rounding */
 #define SF_SHARP 0x1p25
+/* by how much the next step may be larger; and where a few last places change slopes by their size, as next to an end of
+ * the force where it is singular: there the others still are near */
+#define SF_LARGER 2
+#define SF_LARGER_NEARBY 64
 enum { SF_MOST_SETTLING = 8, SF_MOST_ABOVE = 24 };
 
 typedef void (*sf_step)(sf_pair Omega, sf_pair A, sf_pair F_0, sf_pair m, sf_pair zeta, sf_pair h, sf_pair h_A,
@@ -54,8 +58,9 @@ static inline void sf_change_by(sf_pair *x, double change) { *x = sfp_add(*x, sf
  * peak is as sharp as rounding. */
 static inline int sf_is_step(double size, double turn, double before, int *last) {
     const double share = before < HUGE_VAL ? size / before : size <= SF_FEW_ROUNDINGS ? fmax(fabs(turn), size) : 1;
+    const double larger = before < SF_FEW_DIGITS ? SF_LARGER_NEARBY : SF_LARGER;
     *last = size * share <= SF_LEFT_TO_DO;
-    return size <= fmin(SF_LARGEST_STEP, 2 * before) && fabs(turn) <= SF_LARGEST_TURN;
+    return size <= fmin(SF_LARGEST_STEP, larger * before) && fabs(turn) <= SF_LARGEST_TURN;
 }
 
 /* The piece of the force that an amplitude reaches, by its number. */
