@@ -46,7 +46,16 @@ def pieces(tmp_path_factory):
     text = taylor.text([fake_module(name, force) for name, force in FORCES.items()], environment)
     (folder / "laws.c").write_text(f"{text}\nconst sf_law *const slowflow_laws = sf_laws;\n")
     places = [f"-I{place}" for place in include()]
-    command = [headers.COMPILER, *derive.FLAGS, *places, str(folder / "laws.c"), "-o", str(folder / "laws.so"), "-lm"]
+    command = [
+        headers.COMPILER,
+        *derive.FLAGS,
+        "-shared",
+        *places,
+        str(folder / "laws.c"),
+        "-o",
+        str(folder / "laws.so"),
+        "-lm",
+    ]
     subprocess.run(command, check=True)
     table = derive._capsule(ctypes.CDLL(str(folder / "laws.so")), "slowflow_laws", derive.LAWS)
     with pytest.MonkeyPatch.context() as patched:
