@@ -6,6 +6,7 @@ a pair of arcs may meet and end, or the lowest may end at Omega = 0; all others 
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
@@ -152,45 +153,42 @@ class Roots:
         return lower, float(w1[0] if lower else w2[0])
 
 
-def of_all(model: Abreast, roots: Sequence[Along], sizes: Sequence[int]) -> tuple[Roots, Ints]:
-    """The frequencies of designs abreast, and of which of them so many of each are."""
-    return Roots(model, np.array([one.F_0 for one in roots])), np.repeat(np.arange(len(sizes)), sizes)
+class OfRoots(Wanted):
+    """A function of the frequencies along the amplitude at places, which are columns of one length."""
 
+    def __init__(self, roots: Along, *columns: Any) -> None:
+        self.roots, self.columns = roots, columns
 
-@dataclass(frozen=True, eq=False)
-class Count(Wanted):
-    """`Along.count`."""
+    @staticmethod
+    @abstractmethod
+    def found(roots: Along, of: Ints, *columns: Any) -> Any:
+        """Its values, an array; `of`: of which of the designs abreast the places are."""
 
-    roots: Along
-    A: Floats
-
-    def alone(self, model: Model) -> Ints:
-        return self.roots.count(self.A)
+    def alone(self, model: Model) -> Any:
+        return self.found(self.roots, np.zeros(len(self.columns[0]), np.intp), *self.columns)
 
     def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
-        sizes = [one.A.size for one in all_of_them]
-        roots, of = of_all(model, [one.roots for one in all_of_them], sizes)
-        found = roots.take(of).count(np.concatenate([one.A for one in all_of_them]))
+        sizes = [len(one.columns[0]) for one in all_of_them]
+        roots = Roots(model, np.array([one.roots.F_0 for one in all_of_them]))
+        of = np.repeat(np.arange(len(sizes)), sizes)
+        found = self.found(roots, of, *map(np.concatenate, zip(*(one.columns for one in all_of_them), strict=True)))
         return np.split(found, np.cumsum(sizes)[:-1])
 
 
-@dataclass(frozen=True, eq=False)
-class OmegaAt(Wanted):
-    """`Along.at`."""
+class Count(OfRoots):
+    """`Along.count`, at A."""
 
-    roots: Along
-    A: Floats
-    count: Ints
-    index: Ints
+    @staticmethod
+    def found(roots: Along, of: Ints, *columns: Any) -> Any:
+        return roots.take(of).count(*columns)
 
-    def alone(self, model: Model) -> Floats:
-        return self.roots.at(self.A, self.count, self.index)
 
-    def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
-        sizes = [one.A.size for one in all_of_them]
-        roots, of = of_all(model, [one.roots for one in all_of_them], sizes)
-        asked = (np.concatenate([getattr(one, name) for one in all_of_them]) for name in ("A", "count", "index"))
-        return np.split(roots.take(of).at(*asked), np.cumsum(sizes)[:-1])
+class OmegaAt(OfRoots):
+    """`Along.at`, at A, of so many, by number."""
+
+    @staticmethod
+    def found(roots: Along, of: Ints, *columns: Any) -> Any:
+        return roots.take(of).at(*columns)
 
 
 def merged(events: list[Event]) -> list[Event]:

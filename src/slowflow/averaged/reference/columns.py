@@ -5,6 +5,7 @@ Each entry is what `slowflow.averaged.asked` makes of a single answer by doubles
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -45,27 +46,28 @@ def saddle_nodes(model: Abreast, F_0: Floats, places: int) -> Columns:
 
 def onset(model: Abreast, _: int) -> Columns:
     """F_SN of each."""
-    found = steps.together(model, [onset_in_steps(one) for one in model.each])
-    blank = onset_in_columns(None)[:-1]
-    rows = ((*blank, _failed(one)) if isinstance(one, ArithmeticError) else onset_in_columns(one) for one in found)
-    return tuple(zip(*rows, strict=True))
+    return _columns(steps.together(model, [onset_in_steps(one) for one in model.each]), onset_in_columns)
 
 
 def amplitudes(model: Abreast, F_0: Floats, Omega: Floats, places: int) -> Columns:
     """Every steady state at (Omega, F_0), F_0 > m, of each."""
     asked = zip(model.each, Omega[:, np.newaxis], F_0.tolist(), strict=True)
     found = steps.together(model, [amplitudes_in_steps(*one) for one in asked])
-    blank = states_in_places(None, places)[:-1]
-    rows = [
-        (*blank, _failed(one)) if isinstance(one, ArithmeticError) else states_in_places(one, places) for one in found
-    ]
-    A, stable, *rest = (np.array(column) for column in zip(*rows, strict=True))
+    A, stable, *rest = map(np.array, _columns(found, lambda one: states_in_places(one, places)))
     kept, beyond = remarks.look_at(model.mechanism, model.parameters, Omega[:, np.newaxis], A)
     return A, stable & kept & ~beyond, *rest
 
 
-def _failed(failure: ArithmeticError) -> Status:
-    return Status.NO_BOUND if isinstance(failure, OverflowError) else Status.UNRESOLVED
+def _columns(found: Sequence[Any], told: Callable[[Any], Columns]) -> Columns:
+    """What is told of each answer; of one that is not found, what is of None, and why."""
+    blank = told(None)[:-1]
+
+    def row(one: Any) -> Columns:
+        if not isinstance(one, ArithmeticError):
+            return told(one)
+        return *blank, Status.NO_BOUND if isinstance(one, OverflowError) else Status.UNRESOLVED
+
+    return tuple(zip(*map(row, found), strict=True))
 
 
 def peak(model: Abreast, F_0: Floats, _: int) -> Columns:

@@ -11,23 +11,22 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 
 from slowflow.answer import joined
 from slowflow.averaged import words
 from slowflow.averaged.reference import dissipated, dissipated_points, doubt, inertia, steps
-from slowflow.averaged.reference.abreast import Abreast
 from slowflow.averaged.reference.along import Asked, InertiaPeak, Peak, Rest
-from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, OmegaAt, Roots, merged, of_all
+from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, OfRoots, OmegaAt, Roots, merged
 from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.averaged.reference.cells import amid, stretches_up_to
 from slowflow.averaged.reference.folds import FoldsUpTo
 from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.roots import Ints, Quartics
 from slowflow.averaged.reference.search import find_zeros
-from slowflow.averaged.reference.steps import Steps, Wanted
+from slowflow.averaged.reference.steps import Steps
 from slowflow.averaged.reference.wanted import Bound, Pieces, Search
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates
@@ -227,26 +226,17 @@ def _with_stability(roots: Along, curves: list[list[tuple[Segment, bool]]]) -> S
     return [[(replace(segment, stable=next(stable)), upward) for segment, upward in curve] for curve in curves]
 
 
-@dataclass(frozen=True, eq=False)
-class Stability(Wanted):
+class Stability(OfRoots):
     """Which segments are stable."""
 
-    roots: Along
-    segments: list[Segment]
-
-    def alone(self, model: Model) -> Bools:
-        return _are_stable(self.roots, self.segments, np.zeros(len(self.segments), np.intp))
-
-    def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
-        sizes = [len(one.segments) for one in all_of_them]
-        roots, of = of_all(model, [one.roots for one in all_of_them], sizes)
-        found = _are_stable(roots, [segment for one in all_of_them for segment in one.segments], of)
-        return np.split(found, np.cumsum(sizes)[:-1])
+    @staticmethod
+    def found(roots: Along, of: Ints, *columns: Any) -> Any:
+        return _are_stable(roots.take(of), *columns)
 
 
-def _are_stable(roots: Along, segments: list[Segment], of: Ints) -> Bools:
-    """The same; `of`: of which of the designs abreast they are."""
-    own, (count, index) = roots.take(of), _numbers(segments)
+def _are_stable(own: Along, segments: Sequence[Segment]) -> Bools:
+    """The same; each of its own design, where some are abreast."""
+    count, index = _numbers(segments)
     A = np.array([0.5 * (segment.low[0] + segment.high[0]) for segment in segments])
     Omega = own.at(A, count, index)
     rises = np.asarray(own.model.F_A(Omega, A))
@@ -268,7 +258,7 @@ def _rise_where_sharp(roots: Along, A: Floats, Omega: Floats, count: Any, index:
     return np.asarray(dissipation.F_A_halved(R, R_A, I, I_A))
 
 
-def _numbers(segments: list[Segment]) -> tuple[Any, Any]:
+def _numbers(segments: Sequence[Segment]) -> tuple[Any, Any]:
     """Of how many roots each segment has which."""
     return np.array([segment.count for segment in segments]), np.array([segment.index for segment in segments])
 
@@ -314,32 +304,22 @@ def _order_same(which: Any, A: Floats, stable: Any) -> None:
         stable[i + 1] = not stable[i]
 
 
-@dataclass(frozen=True, eq=False)
-class Amplitudes(Wanted):
-    """`solve_segments`."""
+class Amplitudes(OfRoots):
+    """`solve_segments`, of segments at Omega."""
 
-    roots: Along
-    segments: list[Segment]
-    Omega: Floats
-
-    def alone(self, model: Model) -> Floats:
-        return solve_segments(self.roots, self.segments, self.Omega)
-
-    def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
-        sizes = [len(one.segments) for one in all_of_them]
-        roots, of = of_all(model, [one.roots for one in all_of_them], sizes)
-        segments = [segment for one in all_of_them for segment in one.segments]
-        found = solve_segments(roots, segments, np.concatenate([one.Omega for one in all_of_them]), of)
-        return np.split(found, np.cumsum(sizes)[:-1])
+    @staticmethod
+    def found(roots: Along, of: Ints, *columns: Any) -> Any:
+        segments, Omega = columns
+        return solve_segments(roots, segments, Omega, of)
 
 
 @np.errstate(all="ignore")
-def solve_segments(roots: Along, segments: list[Segment], Omega: Floats, of: Ints | None = None) -> Floats:
+def solve_segments(roots: Along, segments: Sequence[Segment], Omega: Floats, of: Ints | None = None) -> Floats:
     """The amplitude at which each segment has the given Omega, which must lie in its range: Newton, bracketed.
 
     of -- of which of the designs abreast they are, if there are several
     """
-    if not segments:
+    if not len(segments):
         return np.empty(0)
     of = np.zeros(len(segments), np.intp) if of is None else of
     count, index = _numbers(segments)
