@@ -261,35 +261,21 @@ AMPLITUDES = asked.Question(
     at_once=1,
     by_inertia=False,
 )
-DETACHMENT = replace(
-    asked.DETACHMENT,
-    one=_second(_detachment),
-    batch=lambda native: native.many_second_detachment,
-    at_once=2**13,
-    by_inertia=False,
-    abreast=None,
-)
-ONSET = replace(
-    asked.ONSET,
-    one=_second(_onset),
-    batch=lambda native: native.many_second_onset,
-    at_once=2**13,
-    by_inertia=False,
-    abreast=None,
-)
-SADDLE_NODES = replace(
-    asked.SADDLE_NODES,
-    one=_second(_saddle_nodes),
-    batch=lambda native: native.many_second_saddle_nodes,
-    at_once=2**9,
-    by_inertia=False,
-    abreast=None,
-)
-PEAK = replace(
-    asked.PEAK,
-    one=_second(_peak),
-    batch=lambda native: native.many_second_peak,
-    at_once=2**9,
-    by_inertia=False,
-    abreast=None,
-)
+
+
+def _in_lanes(question: asked.Question, one: asked.One, name: str, at_once: int) -> asked.Question:
+    """The same question of the second approximation: by itself on NumPy, by that function of the compiled solvers."""
+    return replace(
+        question,
+        one=_second(one),
+        batch=lambda native: getattr(native, name),
+        at_once=at_once,
+        by_inertia=False,
+        abreast=None,
+    )
+
+
+DETACHMENT = _in_lanes(asked.DETACHMENT, _detachment, "many_second_detachment", 2**13)
+ONSET = _in_lanes(asked.ONSET, _onset, "many_second_onset", 2**13)
+SADDLE_NODES = _in_lanes(asked.SADDLE_NODES, _saddle_nodes, "many_second_saddle_nodes", 2**9)
+PEAK = _in_lanes(asked.PEAK, _peak, "many_second_peak", 2**9)
