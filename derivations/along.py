@@ -212,7 +212,7 @@ def _damped(flow: SlowFlow) -> Damped:
     fold_lets, fold, fold_moves = _fold(flow)
     isola_turns, isola_Omega = _isola_Omega(flow)
     isola_excess, isola_level = _isola_level(flow)
-    isola_lets, isola = _isola(flow)
+    isola_lets, isola = _isola(flow, isola_Omega)
     cusps_lets, cusps, cusp_R, cusp_lets, cusp = _cusps(flow)
     cusp_balance_lets, cusp_balance = _cusp_balance(flow, cusp_lets, cusp)
     cusps_scaled_lets, cusps_scaled, cusp_X, cusp_scaled_lets, cusp_scaled = _scaled(flow, cusps_lets, cusps, cusp)
@@ -336,9 +336,8 @@ def _isola_level(flow: SlowFlow) -> tuple[sp.Expr, sp.Expr]:
     return excess, hypot(I, R_value)
 
 
-def _isola(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
+def _isola(flow: SlowFlow, w: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
     """F_Omega/(4 A) = Omega (A Omega^2 + p) + q at Omega = w."""
-    _, w = _isola_Omega(flow)
     q_value, p_value, _, leading = flow.peak_cubic
     bracket = sp.collect(sp.expand(leading * w**2 + p_value), A)
     lets = ((_bracket, bracket), (_bracket_A, slope(bracket)))

@@ -86,8 +86,7 @@ def _known(flow: SlowFlow, damped: Damped) -> dict[str, sp.Expr]:
     for name, expression in list(known.items()):
         for unknown, slope_of_it in zip((A, Omega), ALONG[name], strict=True):
             known[slope_of_it] = sp.factor_terms(along(expression, unknown))
-    named = {name for pair in ALONG.items() for name in (pair[0], *pair[1])}
-    return {name: getattr(flow, name) if hasattr(flow, name) else known[name] for name in named}
+    return {**vars(flow), **known}
 
 
 def _step(known: dict[str, sp.Expr], equations: tuple[str, ...], unknowns: tuple[sp.Symbol, ...], turning: str) -> Step:
