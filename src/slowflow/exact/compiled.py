@@ -36,6 +36,7 @@ EXACT: Any = backend.EXACT
 PHASE = struct.Struct("@iiddddddi?0d")  # a phase as C has it, in the order of `motion.Phase`
 # friction and damping of a piece by itself: a drive has its own
 ALONE = (0.0, 0.0, False, 0.0, 0.0, False, 0.0, 0.0, 0.0)
+KEPT = 64  # oscillators in C, of which a curve asks one again and again
 TRACED = 50  # points of a curve at a time: some milliseconds, after which Ctrl-C is heard
 
 
@@ -49,7 +50,7 @@ def compiles(system: EquationOfMotion) -> bool:
     return all(recurrences(piece.law) is not None for piece in system.force.pieces)
 
 
-@functools.lru_cache(maxsize=64)
+@functools.lru_cache(maxsize=KEPT)
 def of_system(system: EquationOfMotion) -> Any:
     """The oscillator for C."""
     force = system.force
@@ -67,7 +68,7 @@ def by_rising_u(force: Force) -> tuple[tuple[Piece, ...], tuple[float, ...]]:
     return force.pieces[:0:-1] + force.pieces, (*(-end for end in reversed(force.breakpoints)), *force.breakpoints)
 
 
-@functools.lru_cache(maxsize=64)
+@functools.lru_cache(maxsize=KEPT)
 def of_piece(piece: Piece) -> Any:
     """An oscillator of that piece alone."""
     side = piece.side if isinstance(piece, OneSided) else 0
