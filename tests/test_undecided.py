@@ -19,6 +19,7 @@ from slowflow.results import Remark
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import Status
 from tests.oracles import averaged, counts
+from tests.oracles.answers import Nearby
 from tests.oracles.draws import batch, drawn_isolators, drawn_springs, forcings, oscillator
 
 compiled = pytest.mark.skipif(backend.SOLVER is None, reason="only the compiled solvers prove")
@@ -293,6 +294,31 @@ def test_folds_of_which_doubles_have_few_digits_have_those_of_balls(at, monkeypa
         assert several[: len(found)].tolist() == ours
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
     assert Remark.UNDECIDED in iso.saddle_nodes(F_0).remarks and batch(Duffing, numbers).saddle_nodes(F_0).undecided
+
+
+#: lam, r, delta_h, mu, zeta of the untruncated force: a cusp between u_cr and the last double below it, which doubles
+#: had by 1e-8 to 1e-4 without a word
+CUSPS_NEXT_TO_U_CR = (
+    (2.928289223287754, 0.013332282665816398, 0.999999999974466, 1.66e-4, 3.3e-3),
+    (2.0, 0.11, 1 - 9 * 2.0**-53, 0.004, 0.001),
+)
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("design", CUSPS_NEXT_TO_U_CR)
+def test_cusps_next_to_u_cr_are_those_of_balls_or_are_said_to_have_few_digits(design, monkeypatch):
+    pytest.importorskip("flint")
+    given = dict(zip(("lam", "r", "delta_h", "mu", "zeta"), design, strict=True))
+    iso, nearby = Isolator(**given, force="untruncated"), Nearby("rod_spring_untruncated", **given)
+    found = iso.cusps()
+    assert found.remarks == Remark.BY_BALLS and "balls" in found.message and len(found) > 0
+    for cusp in found:
+        point, _ = nearby.two("cusp", cusp.Omega, cusp.A, cusp.F_0)
+        for name in ("F_0", "Omega", "A"):
+            assert getattr(cusp, name) == pytest.approx(float(getattr(point, name).mid()), rel=2e-16, abs=0)
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
+    alone = iso.cusps()
+    assert alone.remarks == Remark.UNDECIDED and "few digits of those at A = 1" in alone.message
 
 
 #: lam, r, delta_h, mu, zeta next to quasi-zero stiffness: doubles have 2 to 7 digits of alpha = 1 - lam r delta_h

@@ -145,7 +145,7 @@ def stress(module: str, kernel: str, size: float, backend: str = "native") -> di
     names = named()[module, kernel]
     rng = np.random.default_rng([7, zlib.crc32(f"{module}.{kernel}".encode())])
     slow = kernel in SLOW or module == "second_approximation"
-    count, restarts, steps = (30, 2, 15) if slow else (120, 3, 40)
+    count, restarts, steps = (20, 2, 10) if slow else (60, 2, 30)
 
     def measure(at: Sequence[float]) -> tuple[float, float] | None:
         if not domains.inside(module, names, at):

@@ -504,6 +504,7 @@ class Cusps(Table):
     """Cusps of the fold locus, F = F_A = F_AA = 0, by rising amplitude: arrays of one length.
 
     minimum -- True where two folds come into being as the forcing rises; False where two meet and vanish
+    remarks -- `Remark.UNDECIDED` where doubles have few digits of one, `Remark.BY_BALLS` where balls told them
     """
 
     entry: ClassVar[Any] = Cusp
@@ -513,6 +514,7 @@ class Cusps(Table):
     A: Floats
     minimum: npt.NDArray[np.bool_]
     message: str
+    remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
 
     def gradient(self) -> Gradient:
@@ -526,6 +528,7 @@ class IsolaPoints(Table):
 
     kind -- what happens there as the forcing rises: an isolated curve's "birth", its "death", or a "merger" of two
             parts of the response curve (or their separation)
+    remarks -- `Remark.UNDECIDED` where doubles have few digits of one
     """
 
     entry: ClassVar[Any] = IsolaPoint
@@ -535,6 +538,7 @@ class IsolaPoints(Table):
     A: Floats
     kind: npt.NDArray[np.str_]
     message: str
+    remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
 
     def gradient(self) -> Gradient:

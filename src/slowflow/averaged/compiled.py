@@ -119,13 +119,13 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The cusps and the isola points up to A_max."""
     status, _, _, _, _, found = backend.solver().fold_locus(model.native, A_max, 0)
     check(status, model)
-    table = np.array(found, dtype=float).reshape(-1, 6)
+    table = np.array(found, dtype=float).reshape(-1, 7)
     isola = table[:, 3] == 1
-    F_0, Omega, A, _, minimum, saddle = table[~isola].T
-    cusps = Cusps(F_0, Omega, A, minimum == 1, "" if A.size else words.NO_CUSP.format(A_max))
-    F_0, Omega, A, _, minimum, saddle = table[isola].T
+    F_0, Omega, A, _, minimum, _, few = table[~isola].T
+    cusps = Cusps(F_0, Omega, A, minimum == 1, **words.of_points(A, few == 1, words.NO_CUSP.format(A_max)))
+    F_0, Omega, A, _, minimum, saddle, few = table[isola].T
     kind = np.where(saddle == 1, "merger", np.where(minimum == 1, "birth", "death"))
-    return cusps, IsolaPoints(F_0, Omega, A, kind, "" if A.size else words.NO_ISOLA.format(A_max))
+    return cusps, IsolaPoints(F_0, Omega, A, kind, **words.of_points(A, few == 1, words.NO_ISOLA.format(A_max)))
 
 
 def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:

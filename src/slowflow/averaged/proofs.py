@@ -22,7 +22,7 @@ from slowflow.averaged import solvers, words
 from slowflow.certificate import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
-from slowflow.results import FrequencyResponse, Remark, SaddleNodeOnset, SaddleNodes, SteadyStates
+from slowflow.results import Cusps, FrequencyResponse, Remark, SaddleNodeOnset, SaddleNodes, SteadyStates
 from slowflow_kernels.conventions import SAME, OnsetKind, Status
 
 Answer = TypeVar("Answer", bound=Proved)
@@ -233,6 +233,19 @@ def decided_onset(model: Model, allowance: Allowance) -> SaddleNodeOnset | None:
     found = SaddleNodeOnset(F_SN, Omega, A, proof.kind, "")
     found = words.with_folds_at_rest(model, found, 0.5 * (low + high))
     return dataclasses.replace(found, remarks=found.remarks | Remark.BY_BALLS)
+
+
+def decided_cusps(found: Cusps, model: Model, A_max: float) -> Cusps:
+    """Cusps of which doubles have few digits, as balls prove them; as they are where these do not decide either."""
+    balls = in_balls() if Remark.UNDECIDED in found.remarks and is_plain(model) and model.zeta > 0 else None
+    proof = None if balls is None else balls.cusps(model, A_max)
+    if proof is None or not proof.proved:
+        return found
+    F_0, Omega, A = (_middle(enclosed, None) for enclosed in (proof.F_0, proof.Omega, proof.A))
+    if np.isnan((F_0, Omega, A)).any():
+        return found
+    message = words.CUSPS_BY_BALLS if A.size else words.NO_CUSP.format(A_max)
+    return Cusps(F_0, Omega, A, proof.minimum, message, remarks=Remark.BY_BALLS)
 
 
 def nothing_decided(model: Model, asked: Floats, F_0: float) -> SteadyStates:

@@ -293,7 +293,11 @@ class Averaged:
         return solvers.fold_locus(self.model, self._up_to(A_max), samples)
 
     def cusps(self, *, A_max: float | None = None) -> Cusps:
-        """Where two folds come into being or meet, F = F_A = F_AA = 0; A_max as in `fold_locus`."""
+        """Where two folds come into being or meet, F = F_A = F_AA = 0; A_max as in `fold_locus`.
+
+        Next to where the force is singular, within a unit in the last place, doubles have few digits of them: balls of
+        more find them, with python-flint, in up to a second; `Remark.UNDECIDED` says where these do not either.
+        """
         return self._extrema(A_max)[0]
 
     def isola_points(self, *, A_max: float | None = None) -> IsolaPoints:
@@ -301,7 +305,9 @@ class Averaged:
         return self._extrema(A_max)[1]
 
     def _extrema(self, A_max: float | None) -> tuple[Cusps, IsolaPoints]:
-        cusps, isolas = solvers.extrema(self.model, self._up_to(A_max))
+        limit = self._up_to(A_max)
+        cusps, isolas = solvers.extrema(self.model, limit)
+        cusps = proofs.decided_cusps(cusps, self.model, limit)
         return dataclasses.replace(cusps, _model=self.model), dataclasses.replace(isolas, _model=self.model)
 
     @np.errstate(all="ignore")

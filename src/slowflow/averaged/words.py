@@ -9,8 +9,10 @@ import dataclasses
 import math
 import sys
 from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from slowflow.answer import joined
 from slowflow.model import Floats, Model
@@ -28,6 +30,8 @@ NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
 NO_LOCUS = "no saddle node with an amplitude up to {:g}, whatever the forcing"
 AT_JUMP = ", unless it lies within rounding of A = {:g}, where the force jumps"
 NO_CUSP = "no cusp of the fold locus with an amplitude up to {:g}"
+FEW_DIGITS = "next to where the force is singular: doubles have few digits of those at A = {}"
+CUSPS_BY_BALLS = "next to where the force is singular, where doubles have few digits of them: found by balls of more"
 NO_ISOLA = "no isola is born or merges with an amplitude up to {:g}"
 NO_LOWEST = "no lowest forcing: without viscous damping there are folds as near above 4 mu/pi = {:g} as one asks"
 STIFF_AT_REST = (
@@ -109,6 +113,14 @@ def of_states(model: Model, F_0: float, cut: str, Omega: Floats, found: Floats, 
 def beside(undecided: bool, cut: str) -> Remark:
     """What is said in codes of an answer whose number rounding may decide; `cut` in words, empty where it is not."""
     return Remark(int(Remark.UNDECIDED) * bool(undecided) + int(Remark.CUT) * bool(cut))
+
+
+def of_points(A: Floats, few: npt.NDArray[np.bool_], none: str) -> dict[str, Any]:
+    """What is said of cusps or isola points at A: which of them have few digits; `none` where there are none."""
+    if few.any():
+        where = ", ".join(f"{a:g}" for a in A[few])
+        return {"message": FEW_DIGITS.format(where), "remarks": Remark.UNDECIDED}
+    return {"message": "" if A.size else none}
 
 
 def of_folds(model: Model, F_0: float, told: bool, cut: str) -> tuple[str, str]:

@@ -399,6 +399,7 @@ static sf_extremum sf_extremum_at(const sf_model *model, const sf_zero *zero) {
     out.minimum = sf_is_minimum(model, zero->question, &at, out.Omega);
     out.saddle = zero->question == SF_ISOLA && sf_is_saddle(model, &at, out.Omega);
     out.isola = zero->question == SF_ISOLA;
+    out.few_digits = 0;
     return out;
 }
 

@@ -71,6 +71,29 @@ static inline int sf_piece_of(const sf_model *model, double A) {
     return piece;
 }
 
+/* Of a step, relatively */
+static inline double sf_size_of_step(const double out[4], sf_moves moves, const sf_settling *of) {
+    double size = fabs(out[moves > SF_MOVES_A]) / of->A.high;
+    if (moves > SF_MOVES_A)
+        size = fmax(size, fabs(out[0]) / of->Omega.high);
+    if (moves == SF_MOVES_ALL)
+        size = fmax(size, fabs(out[2]) / of->F_0.high);
+    return size;
+}
+
+/* How far, relatively, Newton's method would move what does not settle; 0 where pairs do not tell. */
+static inline double sf_is_off_by(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly,
+                                  const sf_model *model, const sf_settling *of)
+{
+    sf_exact_sample at;
+    double out[4], off;
+    if (!sf_exact_at(exactly, model, sf_piece_of(model, of->A.high), of->A, wanted, NULL, &at))
+        return 0;
+    sf_take_step(step, exactly, &at, of, out);
+    off = sf_size_of_step(out, moves, of);
+    return isnan(off) ? HUGE_VAL : off;
+}
+
 /* Returns whether an answer settled. wanted, near: as of sf_exact_at */
 static inline int sf_settle_near(sf_step step, sf_moves moves, int wanted, const sf_exactly *exactly,
                                  const sf_model *model, const sf_sample *near, sf_settling *of)
@@ -86,11 +109,7 @@ static inline int sf_settle_near(sf_step step, sf_moves moves, int wanted, const
         if (!sf_exact_at(exactly, model, piece, of->A, wanted, near, &at))
             return 0;
         sf_take_step(step, exactly, &at, of, out);
-        size = fabs(out[moves > SF_MOVES_A]) / of->A.high;
-        if (moves > SF_MOVES_A)
-            size = fmax(size, fabs(out[0]) / of->Omega.high);
-        if (moves == SF_MOVES_ALL)
-            size = fmax(size, fabs(out[2]) / of->F_0.high);
+        size = sf_size_of_step(out, moves, of);
         if (!sf_is_step(size, out[moves], before, &last))
             return 0;
         sf_change_by(&of->A, out[moves > SF_MOVES_A]);
@@ -371,17 +390,6 @@ static inline int sf_breakpoint_at(const sf_model *model, double A) {
     return i;
 }
 
-/* How far, relatively, Newton's method would move a fold that does not settle; 0 where pairs do not tell. */
-static inline double sf_fold_is_off_by(const sf_exactly *exactly, const sf_model *model, const sf_settling *of) {
-    sf_exact_sample at;
-    double out[4], off;
-    if (!sf_exact_at(exactly, model, sf_piece_of(model, of->A.high), of->A, 2, NULL, &at))
-        return 0;
-    sf_take_step(slow_flow_pairs_fold_step, exactly, &at, of, out);
-    off = fmax(fabs(out[0]) / of->Omega.high, fabs(out[1]) / of->A.high);
-    return isnan(off) ? HUGE_VAL : off;
-}
-
 /* Returns how far off the fold is left, relatively; 0 where it settled. */
 static inline double sf_settle_fold(const sf_exactly *exactly, const sf_model *model, double F_0, double *Omega,
                                     double *A)
@@ -398,7 +406,7 @@ static inline double sf_settle_fold(const sf_exactly *exactly, const sf_model *m
                              piece, &above))
         *Omega = above.Omega.high, *A = fmax(above.A.high, nextafter(model->b[piece - 1], HUGE_VAL));
     else
-        return sf_fold_is_off_by(exactly, model, &begin);
+        return sf_is_off_by(slow_flow_pairs_fold_step, SF_MOVES_BOTH, 2, exactly, model, &begin);
     return 0;
 }
 
@@ -462,10 +470,13 @@ static sf_status sf_settled_detachment(const sf_model *model, const sf_exactly *
 
 static sf_extremum sf_settled_extremum(const sf_model *model, const sf_exactly *exactly, const sf_zero *zero) {
     sf_extremum out = sf_extremum_at(model, zero);
-    if (zero->question == SF_CUSP)
-        sf_settle_numbers(slow_flow_pairs_cusp_step, SF_MOVES_ALL, 4, exactly, model, &out.Omega, &out.A, &out.F_0);
-    else if (zero->question == SF_ISOLA)
-        sf_settle_numbers(slow_flow_pairs_isola_step, SF_MOVES_ALL, 2, exactly, model, &out.Omega, &out.A, &out.F_0);
+    const int is_isola = zero->question == SF_ISOLA, wanted = is_isola ? 2 : 4;
+    const sf_step step = is_isola ? slow_flow_pairs_isola_step : slow_flow_pairs_cusp_step;
+    const sf_settling begin = {sfp_point(out.Omega), sfp_point(out.A), sfp_point(out.F_0)};
+    if (exactly == NULL || zero->question == SF_UNDAMPED)
+        return out;
+    if (!sf_settle_numbers(step, SF_MOVES_ALL, wanted, exactly, model, &out.Omega, &out.A, &out.F_0))
+        out.few_digits = sf_is_off_by(step, SF_MOVES_ALL, wanted, exactly, model, &begin) > SF_FEW_ROUNDINGS;
     return out;
 }
 

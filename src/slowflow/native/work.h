@@ -39,10 +39,10 @@ static inline int sf_is_rest_below(const sf_onset *found) {
 }
 
 /* isola: an isola point, else a cusp; minimum: of the level along the fold locus; saddle: F has a saddle in (A,
- * Omega) */
+ * Omega); few_digits: it does not settle, and is off by more than roundings, or nothing tells by how much */
 typedef struct {
     double F_0, Omega, A;
-    int isola, minimum, saddle;
+    int isola, minimum, saddle, few_digits;
 } sf_extremum;
 
 /* A stretch of curve monotone in A and in Omega, with one stability. Ends 0 and 1 by rising A; upward: whether A rises

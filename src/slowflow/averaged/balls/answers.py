@@ -10,9 +10,11 @@ from __future__ import annotations
 import math
 import threading
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import TypeVar
 
 import numpy as np
+import numpy.typing as npt
 from flint import arb, ctx
 
 from slowflow.averaged import solvers, words
@@ -22,6 +24,7 @@ from slowflow.averaged.balls.questions import (
     ABOVE_ONSET,
     Asked,
     Candidate,
+    Candidates,
     Found,
     is_bounded,
     lowest_at_rest,
@@ -100,7 +103,7 @@ def _pair(x: Enclosure) -> list[float]:
     return [_double(x.lo, -math.inf), _double(x.hi, math.inf)]
 
 
-def _pairs(enclosures: list[Enclosure]) -> Floats:
+def _pairs(enclosures: Sequence[Enclosure]) -> Floats:
     """Enclosures by doubles, shape (n, 2)."""
     return np.array([_pair(one) for one in enclosures], dtype=float).reshape(-1, 2)
 
@@ -196,6 +199,35 @@ def onset(model: Model) -> ProvedForcing | None:
         return _forcing(proved, "" if proved else words.BALLS_IN_DOUBT.format(ctx.prec, ""), best)
 
     return _decided(model, at, _is_forcing_sharp)
+
+
+@dataclass(frozen=True, eq=False)
+class ProvedCusps(Proved):
+    """All cusps of the fold locus up to an amplitude, by rising A; each three intervals hold one, no two the same.
+
+    F_0, Omega, A -- lowest and highest of each, shape (n, 2)
+    minimum -- as in `Cusps`, shape (n,)
+    """
+
+    F_0: Floats
+    Omega: Floats
+    A: Floats
+    minimum: npt.NDArray[np.bool_]
+
+
+def cusps(model: Model, A_max: float) -> ProvedCusps | None:
+    """Every cusp up to A_max, with what is proved of it."""
+
+    def at(given: Given) -> ProvedCusps:
+        candidates = Candidates(Asked(given, math.inf))
+        found = sorted(candidates.cusps_up_to(A_max), key=lambda one: float(one[2].middle))
+        proved = not candidates.full and all(sign for *_, sign in found)
+        said = "" if proved else words.BALLS_IN_DOUBT.format(ctx.prec, "")
+        levels, frequencies, amplitudes, signs = zip(*found, strict=True) if found else ((), (), (), ())
+        minimum = np.array([sign > 0 for sign in signs], dtype=bool)
+        return ProvedCusps(proved, said, ctx.prec, _pairs(levels), _pairs(frequencies), _pairs(amplitudes), minimum)
+
+    return _decided(model, at, lambda found: _are_sharp(found.F_0, found.Omega, found.A))
 
 
 def at_rest(model: Model, F_SN: float) -> ProvedForcing | None:

@@ -6,7 +6,7 @@ They are of its folds or states at a forcing, of F_SN and of F_cr.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from typing import NamedTuple
@@ -351,6 +351,22 @@ class Candidates:
         y, same, dy, level = flow.cusp(cell.A, self.asked.m, zeta, cell.h_AA, cell.h_AAA, cell.k, X, T, R, signed)
         return _Cusp(where, y.both(same), dy, level, X, T)
 
+    def _start(self) -> float:
+        """Without friction both functions vanish at 0: amplitudes of 1e-60 and less are left out."""
+        return 0.0 if self.asked.m.hi > 0 else FIRST
+
+    def cusps_up_to(self, A_max: float) -> Iterator[tuple[Enclosure, Enclosure, Enclosure, int]]:
+        """Of each cusp the level, Omega and A, and 1 where the level is least along the fold locus, -1 where most."""
+        asked = self.asked
+        search = Search(asked.given, self.cusps_on).up_to(A_max, self._start())
+        self.full |= bool(search.doubts)
+        for zero in search.zeros:
+            on, found = zero.on, self.cusp(zero.on, zero.channel == 0)
+            assert found is not None, "a cusp that was found has an Omega"
+            Omega = found.X.sqrt()
+            bend = flow.cusp_bend(Omega, on.A, asked.zeta, on.h_AA, on.h_AAA, found.T)
+            yield found.level.both(asked.level(Omega, on)), Omega, on.A, bend.sign
+
     def all_up_to(self, A_max: float) -> None:
         """Minima of the level along the fold locus.
 
@@ -358,23 +374,14 @@ class Candidates:
         born.
         """
         asked, given = self.asked, self.asked.given
-        # without friction both functions vanish at 0: amplitudes of 1e-60 and less are left out
-        start = 0.0 if asked.m.hi > 0 else FIRST
-        for question, is_isola in ((self.isola_on, True), (self.cusps_on, False)):
-            search = Search(given, question).up_to(A_max, start)
-            self.full |= bool(search.doubts)
-            for zero in search.zeros:
-                on = zero.on
-                if is_isola:
-                    Omega = flow.isola_Omega(on.h_A)
-                    bend = flow.isola_bend(Omega, on.A, asked.m, asked.zeta, on.h_AA)
-                    self.enter(asked.level(Omega, on), Omega, on.A, OnsetKind.ISOLA, bend.sign)
-                    continue
-                found = self.cusp(on, zero.channel == 0)
-                assert found is not None, "a cusp that was found has an Omega"
-                Omega = found.X.sqrt()
-                bend = flow.cusp_bend(Omega, on.A, asked.zeta, on.h_AA, on.h_AAA, found.T)
-                self.enter(found.level.both(asked.level(Omega, on)), Omega, on.A, OnsetKind.CUSP, bend.sign)
+        isolas = Search(given, self.isola_on).up_to(A_max, self._start())
+        self.full |= bool(isolas.doubts)
+        for zero in isolas.zeros:
+            on, Omega = zero.on, flow.isola_Omega(zero.on.h_A)
+            bend = flow.isola_bend(Omega, on.A, asked.m, asked.zeta, on.h_AA)
+            self.enter(asked.level(Omega, on), Omega, on.A, OnsetKind.ISOLA, bend.sign)
+        for level, Omega, A, sign in self.cusps_up_to(A_max):
+            self.enter(level, Omega, A, OnsetKind.CUSP, sign)
         for i, jump in enumerate(given.jumps):
             self._corners(i, is_jump=not jump.lo == jump.hi == 0)
 

@@ -12,6 +12,7 @@ import numpy as np
 from slowflow.averaged.reference.cells import Samples
 from slowflow.averaged.reference.excited import frequencies_abreast, stationary_abreast
 from slowflow.averaged.reference.intervals import Bools
+from slowflow.averaged.reference.minima import cusp_bend
 from slowflow.averaged.reference.roots import Ints, taken
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow
@@ -68,6 +69,20 @@ def have_few_digits(model: Model, F_0: Any, Omega: Floats, A: Floats) -> Bools:
     turned = np.abs(slow_flow.F_AOmega(Omega, A, m, zeta, h, h_A) * moved)
     turned /= np.abs(slow_flow.F_AA(Omega, A, m, zeta, h, h_A, h_AA))
     return np.asarray((moved > FEW_DIGITS * Omega) | (turned > FEW_DIGITS * A))
+
+
+def have_cusps_few_digits(model: Model, Omega: Floats, A: Floats) -> Bools:
+    """Which cusps move in Omega by more than 2^-30 when A moves by a unit in its last place, as next to a singularity.
+
+    Along the fold locus Omega turns there: it moves by half F_AAA/F_AOmega times the square of that. Not told of an
+    excitation by inertia, and without viscous damping.
+    """
+    if model.inertial or model.undamped:
+        return np.zeros(A.shape, dtype=bool)
+    h, h_A = model.averaged(A)[:2]
+    slopes = slow_flow.F_AOmega(Omega, A, model.m, model.zeta, h, h_A)
+    F_AAA = cusp_bend(model, Omega, A) * A / (slopes * slow_flow.F_Omega(Omega, A, model.m, model.zeta, h))
+    return np.asarray(np.abs(F_AAA / slopes) * np.spacing(A) ** 2 > 2 * FEW_DIGITS * Omega)
 
 
 def are_corners_close(model: Model, F_0: Any, A_max: Any) -> Bools:

@@ -16,6 +16,7 @@ from slowflow.averaged.reference.along import Asked, Cusp, InertiaIsola, Isola, 
 from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.boxes import points_of
 from slowflow.averaged.reference.cells import Stretch, samples_at, stretches_up_to
+from slowflow.averaged.reference.doubt import have_cusps_few_digits
 from slowflow.averaged.reference.minima import cusp_is_minimum, is_saddle, isola_is_minimum
 from slowflow.averaged.reference.search import Zeros, find_zeros
 from slowflow.model import Floats, Model
@@ -163,7 +164,8 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     with np.errstate(all="ignore"):
         Omega, A = at.Omega, at.A
         F_0 = of_cusps(model, at) if model.zeta > 0 else model.level(Omega, A)
-        cusps = Cusps(F_0, Omega, A, cusp_is_minimum(model, Omega, A), "" if A.size else words.NO_CUSP.format(A_max))
+        said = words.of_points(A, have_cusps_few_digits(model, Omega, A), words.NO_CUSP.format(A_max))
+        cusps = Cusps(F_0, Omega, A, cusp_is_minimum(model, Omega, A), **said)
         Omega, A = (isolas[0].Omega, isolas[0].A) if isolas else (np.empty(0),) * 2
         F_0 = of_isolas(model, Omega, A)
         birth = np.where(isola_is_minimum(model, Omega, A), "birth", "death")

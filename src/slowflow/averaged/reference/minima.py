@@ -16,8 +16,14 @@ def cusp_is_minimum(model: Model, Omega: Floats, A: Floats) -> Flags:
     h, h_A, h_AA, h_AAA = model.averaged(A)
     if model.inertial:
         return np.asarray(inertia.cusp_bend(Omega, A, model.m, model.zeta, h, h_A, h_AA, h_AAA) > 0)
+    return np.asarray(cusp_bend(model, Omega, A) > 0)
+
+
+def cusp_bend(model: Model, Omega: Floats, A: Floats) -> Floats:
+    """-F_AAA F_AOmega F_Omega/A at cusps of a force's amplitude."""
+    _, _, h_AA, h_AAA = model.averaged(A)
     T = _cusp_tangent(model, Omega, A, h_AA)
-    return np.asarray(slow_flow.cusp_bend(Omega, A, model.zeta, h_AA, h_AAA, T) > 0)
+    return np.asarray(slow_flow.cusp_bend(Omega, A, model.zeta, h_AA, h_AAA, T))
 
 
 def _cusp_tangent(model: Model, Omega: Floats, A: Floats, h_AA: Floats) -> Floats:

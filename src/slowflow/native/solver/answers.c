@@ -170,8 +170,8 @@ static PyObject *extrema_list(const sf_model *model, const sf_exactly *exactly, 
         if (zero->question == SF_UNDAMPED && zero->channel == 1)
             continue; /* there the locus only touches the backbone */
         const sf_extremum found = sf_here()->extremum(model, exactly, zero);
-        PyObject *item = Py_BuildValue("dddiii", found.F_0, found.Omega, found.A, found.isola, found.minimum,
-                                       found.saddle);
+        PyObject *item = Py_BuildValue("dddiiii", found.F_0, found.Omega, found.A, found.isola, found.minimum,
+                                       found.saddle, found.few_digits);
         if (item == NULL || PyList_Append(list, item) < 0)
             Py_CLEAR(list);
         Py_XDECREF(item);
@@ -179,8 +179,8 @@ static PyObject *extrema_list(const sf_model *model, const sf_exactly *exactly, 
     return list;
 }
 
-/* (model, A_max, samples) -> status, Omega, A, F_0, branch, [(F_0, Omega, A, isola, minimum, saddle)]; for no samples
- * the last alone */
+/* (model, A_max, samples) -> status, Omega, A, F_0, branch, [(F_0, Omega, A, isola, minimum, saddle, few_digits)];
+ * for no samples the last alone */
 static PyObject *fold_locus(PyObject *self, PyObject *args)
 {
     PyObject *given;
