@@ -212,6 +212,20 @@ def test_every_question_in_physical_units_is_the_dimensionless_one(mount):
     assert mount.stiffness([0.01]) == iso.stiffness([0.01 / L]) * mount.scales.k_v
 
 
+def test_what_is_measured_is_in_physical_units(mount):
+    f, L, F = (mount.scales.sizes[kind] for kind in ("frequency", "length", "force"))
+    for twin in (mount.amplitudes(f=2.2, F=5), mount.saddle_nodes(5), mount.peak(5), mount.detachment()):
+        exact, found = twin.answer.measure(), twin.measure()
+        assert found.answer == exact
+        assert np.array_equal(found.f, exact.Omega * f) and np.array_equal(found.A, exact.A * L)
+        assert np.array_equal(found.error, exact.error)
+    assert found.F == exact.F_0 * F and found.units["F"] == "N"
+    with pytest.raises(ValueError, match="measured against the equation of motion: this is none"):
+        mount.sweep(f=[2.1], F=5).measure()
+    with pytest.raises(ValueError, match="friction = 0"):
+        mount.replace(friction=0.0, zeta=0.0).amplitudes(f=1.5, F=5).measure()
+
+
 def test_exact_answers_are_physical_too(mount):
     f, L = mount.scales.sizes["frequency"], mount.scales.sizes["length"]
     curve = mount.exact_response(5, f=(2.1, 2.3))

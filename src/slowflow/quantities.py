@@ -154,7 +154,7 @@ LETTERS = (
 )
 NUMBER = r"-?(?:\d+(?:\.\d+)?(?:e[+-]?\d+)?|inf)"
 #: what only the dimensionless answer has
-OF_THE_ANSWER = ("validity", "measure")
+OF_THE_ANSWER = ("validity",)
 #: what can be drawn of a response curve
 DRAWN = ("A", "phi", "transmissibility_dB")
 
@@ -165,7 +165,7 @@ class Quantities(Answer):
 
     values -- numbers, words and arrays by name
     units  -- the unit of each that has one
-    answer -- the same, dimensionless: its `.validity`, `.measure()` and so on
+    answer -- the same, dimensionless: its `.validity` and so on
     entry  -- names of what makes up one entry; an answer with several has a length, and an index or a loop gives one
     scales -- what the numbers of the answer are measured in, None where they are no such answer's
     chosen -- whether the units are those of `in_units`, and shown; others are shown in N, mm, Hz, ms
@@ -291,6 +291,17 @@ class Quantities(Answer):
         if self.scales is None or not hasattr(self.answer, "gradient"):
             raise ValueError("gradients are known of averaged answers: this is none")
         return physical_moves.in_units(self.answer.gradient(), self.scales)
+
+    def measure(self, force: str | None = None) -> Quantities:
+        """How far averaged states, folds, a peak, an onset or a detachment are from the equation of motion, in SI units.
+
+        As `measure` of the dimensionless answer, which says what is raised too. Raises ValueError for what is no
+        averaged answer.
+        """
+        if self.scales is None or not hasattr(self.answer, "measure"):
+            raise ValueError("averaged answers are measured against the equation of motion: this is none")
+        with self.scales.in_these_terms():
+            return self.scales.quantities(self.answer.measure(force))
 
     def __str__(self) -> str:
         return "\n".join(in_text(self if self.chosen else self.in_units()))
