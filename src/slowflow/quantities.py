@@ -293,7 +293,7 @@ class Quantities(Answer):
         return physical_moves.in_units(self.answer.gradient(), self.scales)
 
     def measure(self, force: str | None = None) -> Quantities:
-        """How far averaged states, folds, a peak, an onset or a detachment are from the equation of motion, in SI units.
+        """How far averaged states, folds, a peak, an onset, a detachment are from the equation of motion, in SI units.
 
         As `measure` of the dimensionless answer, which says what is raised too. Raises ValueError for what is no
         averaged answer.
