@@ -185,6 +185,39 @@ def traffic(count: int = 10**6) -> list[str]:
     ]
 
 
+CALLED = """
+import cProfile, pstats, time
+import numpy as np
+from slowflow.paper import example
+def added(count, times=20_000):
+    x, start = np.linspace(0.1, 0.3, count), time.perf_counter()
+    for _ in range(times):
+        x + x
+    return (time.perf_counter() - start) / times
+operation = added(64)
+numbers = 64 * (added(2048) - operation) / (2048 - 64)
+example.isolator().frequency_response(0.04)
+profile, iso = cProfile.Profile(), example.isolator()
+start = time.perf_counter()
+iso.frequency_response(0.04)
+taken, iso = time.perf_counter() - start, example.isolator()
+profile.runcall(iso.frequency_response, 0.04)
+print(operation, numbers, pstats.Stats(profile).total_calls, taken)
+"""
+
+
+def on_numpy() -> list[str]:
+    """What a curve without compiled code consists of."""
+    env = {**os.environ, "SLOWFLOW_BACKEND": "numpy", "PYTHONPATH": str(ROOT)}
+    done = subprocess.run([sys.executable, "-c", CALLED], capture_output=True, text=True, check=True, env=env)
+    operation, numbers, calls, taken = map(float, done.stdout.split())
+    return [
+        f"one response curve without compiled code takes {quantity(taken, 's')}, asked 9.5 ms: {calls:,.0f} calls of "
+        f"Python, and operations on short arrays: a sum of 64 doubles takes {quantity(operation, 's')}, its numbers "
+        f"{quantity(numbers, 's')} of it; batches share the rest, a single design has it to itself"
+    ]
+
+
 def of(kinds: set[str]) -> list[str]:
     """Sentences about the limits of these kinds of target."""
     out = machine()
@@ -192,6 +225,8 @@ def of(kinds: set[str]) -> list[str]:
         out += imports()
     if "kernel" in kinds:
         out += traffic()
+    if "NumPy" in kinds:
+        out += on_numpy()
     if kinds & {"quartic", "kernel", *WORK}:
         out += libm()
     return [*out, *counted.of(kinds), *instructions(kinds & WORK.keys())]

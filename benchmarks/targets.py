@@ -44,6 +44,8 @@ EARLIER = "measured earlier, on"
 UNSOLVED = 5
 #: designs whose curves are drawn at once, 30 kB each
 CURVES = 1000
+#: designs of a batch without compiled code, one of the powers of ten of `benchmarks.jobs`
+ON_NUMPY = 1000
 SMALL = Size(200, 20000, 2, 1, 10**4, 10**3, 3, 10**6)
 
 
@@ -230,13 +232,19 @@ def curves(size: Size) -> list[Target]:
             f"points {max(on_locus):.2g} u(1+κ), cusp {max(cusp):.1e} relative",
             "locus",
         ),
+        Target(
+            "the response curve without compiled code",
+            *(9.5e-3, curve["NumPy"]["seconds"], "s", True, "", "", "NumPy"),
+        ),
     ]
 
 
 def batches(size: Size) -> list[Target]:
     """Critical forcings of many designs on one core."""
     count = {"detachment": size.detachments, "saddle_node_onset": size.onsets}
-    names: list[tuple[str, str | None]] = [(f"random {name} {n}", f"random {name} 10") for name, n in count.items()]
+    names: list[tuple[str, str | None]] = [
+        (f"random {name} {n}", f"random {name} {ON_NUMPY}") for name, n in count.items()
+    ]
     names += [(f"Table 1 {name} {n}", None) for name, n in count.items()]
     answers = both([*names, ("certified detachment", None), ("certified onset", None)], min(size.rounds, 3))
     known = certified.designs()
@@ -250,7 +258,7 @@ def batches(size: Size) -> list[Target]:
         strict=True,
     ):
         answer, near = answers[f"random {name} {n}"], answers[f"Table 1 {name} {n}"]
-        rate, slower = n / answer["here"]["seconds"], 10 / answer["NumPy"]["seconds"]
+        rate, slower = n / answer["here"]["seconds"], ON_NUMPY / answer["NumPy"]["seconds"]
         errors = [
             max(certified.relative_error(value, digits) for value, digits in zip(found, row, strict=True))
             for found, row in zip(answers[key]["here"]["found"], exact, strict=True)
@@ -265,6 +273,13 @@ def batches(size: Size) -> list[Target]:
                 *(name, answer["here"]["status"] < UNSOLVED),
             )
         )
+    alone = f"random saddle_node_onset {count['saddle_node_onset']}"
+    out.append(
+        Target(
+            f"F_SN without compiled code, a design, of {ON_NUMPY}",
+            *(4.8e-3, answers[alone]["NumPy"]["seconds"] / ON_NUMPY, "s", True, "", "", "NumPy"),
+        )
+    )
     return out
 
 
@@ -297,7 +312,9 @@ def rates(size: Size) -> list[Target]:
         "peak": ("highest peak at F_0", 1e6),
         "amplitudes": ("states at (Ω, F_0)", 2e6),
     }
-    names: list[tuple[str, str | None]] = [(f"random {name} {size.onsets}", f"random {name} 10") for name in wanted]
+    names: list[tuple[str, str | None]] = [
+        (f"random {name} {size.onsets}", f"random {name} {ON_NUMPY}") for name in wanted
+    ]
     drawn = min(size.onsets, CURVES)
     drawing = f"random frequency_response {drawn}"
     answers = both([*names, (drawing, None), ("curve", None)], min(size.rounds, 3))
@@ -308,7 +325,7 @@ def rates(size: Size) -> list[Target]:
             Target(
                 f"{title}, {size.onsets} random designs, one core",
                 *(least, size.onsets / answer["here"]["seconds"], "a second", False),
-                f"NumPy path {quantity(10 / answer['NumPy']['seconds'], 'a second')}",
+                f"NumPy path {quantity(ON_NUMPY / answer['NumPy']['seconds'], 'a second')}",
                 *("", name, answer["here"]["status"] < UNSOLVED),
             )
         )
