@@ -20,12 +20,15 @@ from tests.oracles.certified_roots import precision
 from tests.oracles.definitions import (
     along,
     averaged_force,
+    damping,
     den_hartog,
     frequencies,
     inertia,
     motion,
     moves,
+    off_centre,
     resultants,
+    sampled,
     slow_flow,
 )
 from tests.oracles.definitions.forces import rod_coefficients, untruncated_coefficients
@@ -55,9 +58,13 @@ BY_QUADRATURE = {
 }
 #: in place of a search for roots
 SLOPE = {"Omega_A": ("Omega A m zeta h h_A", lambda *x: [_slope_of_frequency(*x)])}
-#: modules whose definitions name their arguments and take numbers of moderate size, those of `RANGES`
+#: modules whose definitions name their arguments
 BY_NAMES: dict[str, Any] = {
     "inertia": inertia.INERTIA,
+    "off_centre": off_centre.OFF_CENTRE,
+    "sampled": sampled.SAMPLED,
+    "dissipation": damping.DISSIPATION,
+    "dissipation_by_inertia": damping.SHAKEN_LAWS,
 }
 Definition = Callable[..., list[Any]]
 
@@ -119,11 +126,7 @@ def is_of_gradients(kernel: str) -> bool:
 
 
 def knows(module: str) -> bool:
-    """Whether the kernels of a module are defined here: those of mechanisms that are typed, and of none.
-
-    Those off the centre, of other laws of damping and of a sampled force have exact values at the points of
-    `make_kernel_oracle` alone: their definitions search for roots and integrate, and hold next to these points only.
-    """
+    """Whether the kernels of a module are defined here: those of mechanisms that are typed, and of none."""
     base, _ = scene_of(module)
     known = (*averaged_force.TYPED, "slow_flow", "frequencies", "motion", "den_hartog", "second_approximation")
     return base in (*known, *BY_NAMES)
