@@ -110,31 +110,30 @@ def harmonics_terms(sine, f, f_u, f_uu, f_uuu):
     """Under the integrals of h_3 and three derivatives, then of h_5.
 
     Equation beyond (20). Domain: any. Shape: 8 results, each the arguments that it depends on, broadcast.
-    Operations: 92 structured, 31 common subexpressions, 28 power chains.
+    Operations: 37 structured, 24 common subexpressions, 23 power chains.
     Measured, error / u (1 + kappa): 4.1
     """
     sine2 = sine * sine
+    T_2 = 2.0 * sine2 - 1.0
+    t0 = 2.0 * T_2
+    T_3 = sine * (t0 - 1.0)
+    T_5 = T_3 * t0 - sine
+    t1 = 1.2732395447351628 * f
+    t2 = 1.2732395447351628 * T_3
+    t3 = f_u * sine
+    t4 = f_uu * sine2
     sine3 = sine * sine2
-    t0 = 4.0 * sine3
-    t1 = 0.31830988618379069 * (-3.0 * sine + t0)
-    t2 = 4.0 * f
-    t3 = 4.0 * t1
-    t4 = f_u * sine
-    t5 = f_uu * sine2
-    t6 = f_uuu * t0
-    sine4 = sine2 * sine2
-    sine5 = sine * sine4
-    t7 = 0.31830988618379069 * (5.0 * sine - 20.0 * sine3 + 16.0 * sine5)
-    t8 = 4.0 * t7
+    t5 = f_uuu * sine3
+    t6 = 1.2732395447351628 * T_5
     return (
-        -t1 * t2,
-        -t3 * t4,
-        -t3 * t5,
-        -t1 * t6,
-        -t2 * t7,
-        -t4 * t8,
-        -t5 * t8,
-        -t6 * t7,
+        -T_3 * t1,
+        -t2 * t3,
+        -t2 * t4,
+        -t2 * t5,
+        -T_5 * t1,
+        -t3 * t6,
+        -t4 * t6,
+        -t5 * t6,
     )
 
 

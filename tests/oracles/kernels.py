@@ -90,7 +90,8 @@ def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
         m = 0.0 if "mu0" in scene else given["m"]
         if given["k"] ** 2 < (given["F_0"] - m) * (given["F_0"] + m):
             raise ValueError("no fold at such an intercept")
-    if kernel in ("limit_envelope", "saddle_nodes", "fold") and "F_0" in given and "mu0" not in scene:
+    with_rest = kernel in ("limit_envelope", "saddle_nodes", "fold") and base != "off_centre"
+    if with_rest and "F_0" in given and "mu0" not in scene:
         friction = given["m"] if "m" in given else 4 * given["mu"] / math.pi
         if given["F_0"] <= friction * (1 + RELATIVE):
             raise ValueError("at rest, or a rounding from it")
@@ -123,13 +124,6 @@ def _slope_of_frequency(*x: Any) -> Any:
 def is_of_gradients(kernel: str) -> bool:
     """Whether a kernel is one of the gradients', which differences of answers judge (`tests/test_gradients.py`)."""
     return kernel in ("beside", "by_parameter", "by_design", "fold_moves") or kernel.startswith("moves_of_")
-
-
-def knows(module: str) -> bool:
-    """Whether the kernels of a module are defined here: those of mechanisms that are typed, and of none."""
-    base, _ = scene_of(module)
-    known = (*averaged_force.TYPED, "slow_flow", "frequencies", "motion", "den_hartog", "second_approximation")
-    return base in (*known, *BY_NAMES)
 
 
 def _of_mechanism(name: str, kernel: str, names: Sequence[str], at: Sequence[float]) -> tuple[Definition, bool]:

@@ -188,7 +188,10 @@ def stationary_R(x, A, I_0, zeta, d):
         return mp.diff(lambda v: level_of_laws(v, A, I_0, zeta, d, h), w)
 
     below, at, above = (slope(mpf(h)) for h in (-1, 0, 1))
-    lower, higher = sorted(A + h * x**2 for h in mp.polyroots([(below + above) / 2 - at, (above - below) / 2, at]))
+    middle, constant = (below - above) / 4 / ((below + above) / 2 - at), at / ((below + above) / 2 - at)
+    if middle**2 < constant:
+        raise ValueError("no stationary level at such a frequency")
+    lower, higher = (A + (middle + sign * mp.sqrt(middle**2 - constant)) * x**2 for sign in (-1, 1))
     return [(higher - lower) ** 2, lower, higher]
 
 
