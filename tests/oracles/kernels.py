@@ -90,6 +90,8 @@ def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
         m = 0.0 if "mu0" in scene else given["m"]
         if given["k"] ** 2 < (given["F_0"] - m) * (given["F_0"] + m):
             raise ValueError("no fold at such an intercept")
+    if kernel == "R_of_fold" and abs(given["Omega"] ** 2 + given["h_A"]) <= RELATIVE * given["Omega"] ** 2:
+        raise ValueError("a pole, to rounding")
     with_rest = kernel in ("limit_envelope", "saddle_nodes", "fold") and base != "off_centre"
     if with_rest and "F_0" in given and "mu0" not in scene:
         friction = given["m"] if "m" in given else 4 * given["mu"] / math.pi
