@@ -21,6 +21,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import sympy as sp
 
@@ -28,7 +29,7 @@ from .along import k
 from .averaging import VELOCITY, Averaged, cycle_integral
 from .averaging import H as averaged_force
 from .gradients import Curve, I_0AAp, I_0Ap, I_0p, d_p, h_AAp, h_Ap, h_p, zeta_p
-from .slopes import DERIVATIVES
+from .slopes import DERIVATIVES, Let, hessian
 from .slow_flow import I, R, SlowFlow, m, slope
 from .symbols import F_0, A, Omega, c_2, eta, h, h_A, h_AA, mu, phi, psi, sigma, zeta
 
@@ -58,6 +59,14 @@ class System:
 
     values: tuple[sp.Expr, ...]
     slopes: tuple[sp.Expr, ...]
+
+
+class _SecondDerivatives(NamedTuple):
+    """Of F, in R and I."""
+
+    F_AA: sp.Expr
+    F_AOmega: sp.Expr
+    F_OmegaOmega: sp.Expr
 
 
 @dataclass(frozen=True)
@@ -90,6 +99,7 @@ class Dissipation:
                  second, which is not negative, grows with Omega
     R_where_stationary -- R/Omega^2 where the level of such an excitation is stationary, in x: a square that is not
                  negative there, and the lower and the higher value
+    hessian  -- as `Slopes.determinant`, in its lets
     cusp_bend_by_inertia -- `Slopes.cusp` of such an excitation, less positive factors, in R, I and derivatives of F
     Omega_A_by_inertia -- slope of such a response
     F_OmegaOmega_by_inertia -- F_OmegaOmega of such an excitation where the level is stationary
@@ -136,6 +146,8 @@ class Dissipation:
     least_by_inertia: sp.Expr
     far_by_inertia: tuple[sp.Expr, ...]
     R_where_stationary: tuple[sp.Expr, ...]
+    hessian_lets: tuple[Let, ...]
+    hessian: sp.Expr
     cusp_bend_by_inertia: sp.Expr
     Omega_A_by_inertia: sp.Expr
     F_OmegaOmega_by_inertia: sp.Expr
@@ -204,6 +216,8 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
     F = flow.F
     F_A, F_Omega = sp.factor_terms(by_amplitude(F)), by_Omega(F)
     F_AA, F_AOmega = sp.factor_terms(by_amplitude(F_A)), by_Omega(F_A)
+    of_second = _SecondDerivatives(F_AA, F_AOmega, by_Omega(F_Omega))
+    hessian_lets, determinant = hessian(of_second, flow.R, value, by_A)
     peak = R + zeta * I_0 / Omega + A * (2 * zeta**2 + d * I_0 + d * A * Omega * (3 * zeta + d * A * Omega))
     _vanishes((4 * A * Omega * peak - F_Omega).subs(whole), "F_Omega over 4 A Omega")
     linear = sp.Symbol("linear", real=True)
@@ -223,7 +237,9 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
     _vanishes((peak - R + R_of_peak).subs(whole), "R where F_Omega vanishes")
     least_F_A = _least_F_A(halved)
     trace = _trace(averaged, flow, value)
+    # a product by parts would cancel where the forcing is small
     by_inertia = F.subs(F_0, F_0 * Omega**2)
+    apart = {by_inertia: sp.expand(by_inertia)}
     least = h * R + I * (I_0 + zeta * A * Omega)
     _vanishes(
         (4 * least + Omega**5 * sp.diff((F + F_0**2).subs(whole) / Omega**4, Omega)).subs(whole),
@@ -272,6 +288,8 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
         least_by_inertia=least,
         far_by_inertia=_far_by_inertia(flow.R, value, by_inertia.subs(whole), least.subs(whole)),
         R_where_stationary=_R_where_stationary(flow.R, value, least),
+        hessian_lets=hessian_lets,
+        hessian=determinant,
         # dlevel^2/dOmega takes the place of a force's F_Omega
         cusp_bend_by_inertia=least * DERIVATIVES[3, 0] * DERIVATIVES[1, 1],
         # on F = 0: dF/dOmega is Omega^4 times the slope of the squared level
@@ -282,7 +300,10 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
         quadratic_bound=_quadratic_bound(value),
         systems={
             # squares as squares: on intervals these are not negative
-            name: System(values, tuple(sp.factor_terms(by(one)) for one in values for by in (by_amplitude, by_Omega)))
+            name: System(
+                values,
+                tuple(sp.factor_terms(by(apart.get(one, one))) for one in values for by in (by_amplitude, by_Omega)),
+            )
             for name, values in (
                 ("folds", (F, F_A)),
                 ("peaks", (F, peak)),

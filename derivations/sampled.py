@@ -27,6 +27,10 @@ lost = sp.symbols(f"lost_0:{ORDERS + 1}", real=True)
 root = sp.Symbol("root", nonnegative=True)
 lets = ((root, sp.sqrt((A - b) * (A + b))),)
 _FACTOR = -4 / sp.pi
+#: cos(n psi) in s, by lower ones: the terms of the fifth as a polynomial cancel
+_T_2 = sp.Symbol("T_2", real=True)
+_T = {n: sp.Symbol(f"T_{n}", real=True) for n in HARMONICS}
+terms_lets = ((_T_2, 2 * s**2 - 1), (_T[3], s * (2 * _T_2 - 1)), (_T[5], 2 * _T_2 * _T[3] - s))
 
 
 @dataclass(frozen=True)
@@ -37,7 +41,7 @@ class Sampled:
     averaged   -- under the integrals of h, h_A, h_AA, h_AAA
     averaged_end -- what a breakpoint adds to h_A, h_AA, h_AAA
     intercept, intercept_end -- the same of h - A h_A, to which what is at rest adds itself
-    harmonics, harmonics_end -- of h_3 and its derivatives, then of h_5
+    harmonics, harmonics_end -- of h_3 and its derivatives, then of h_5; under the integrals in `terms_lets`
     bent       -- under the integrals of h and h_AAAA
     bent_end   -- what a breakpoint adds to h_AAAA, by the lowest order of what is lost there
     """
@@ -56,20 +60,23 @@ class Sampled:
 def sampled() -> Sampled:
     """All of it."""
 
-    def under(n: int) -> tuple[sp.Expr, ...]:
-        return tuple(_FACTOR * f[order] * s**order * chebyshev(n, s) for order in range(ORDERS + 1))
+    def under(of_psi: sp.Expr) -> tuple[sp.Expr, ...]:
+        return tuple(_FACTOR * f[order] * s**order * of_psi for order in range(ORDERS + 1))
 
     def end(n: int) -> tuple[sp.Expr, ...]:
         _, *found = derivatives_of(n, [sp.Integer(0)] * (ORDERS + 1), [(b, root, lost)])
         return tuple(sp.collect(sp.expand(value), lost, sp.factor) for value in found)
 
+    for n, one in _T.items():
+        if sp.expand(sp.expand(one.subs(terms_lets[::-1])) - chebyshev(n, s)) != 0:
+            raise ArithmeticError(f"cos({n} psi)")
     return Sampled(
         _FACTOR * f[0],
-        under(1),
+        under(s),
         end(1),
         -_FACTOR * A**2 * f[2] * s * c**2,
         -_FACTOR * untilted_at(lost, b, root),
-        tuple(value for n in HARMONICS for value in under(n)),
+        tuple(value for n in HARMONICS for value in under(_T[n])),
         tuple(value for n in HARMONICS for value in end(n)),
         (_FACTOR * f[0] * s, _FACTOR * f[ORDERS + 1] * s ** (ORDERS + 2)),
         tuple(_FACTOR * bent_at(lost, lowest, b, root) for lowest in range(ORDERS + 1)),

@@ -13,7 +13,9 @@ By implicit differentiation of an open F(A, Omega), with the level L^2 = F + F_0
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Protocol
 
 import sympy as sp
 
@@ -34,6 +36,19 @@ def _named(a: int, w: int) -> sp.Symbol:
 
 #: the derivatives of F up to the third by their orders in A and in Omega
 DERIVATIVES = {(a, w): _named(a, w) for a in range(4) for w in range(4 - a)}
+
+
+class SecondDerivatives(Protocol):
+    """Of F, in R and I."""
+
+    @property
+    def F_AA(self) -> sp.Expr: ...
+
+    @property
+    def F_AOmega(self) -> sp.Expr: ...
+
+    @property
+    def F_OmegaOmega(self) -> sp.Expr: ...
 
 
 @dataclass(frozen=True)
@@ -76,7 +91,7 @@ def slopes(flow: SlowFlow) -> Slopes:
         return sp.diff(expression, A) + sp.diff(expression, Omega) * on_locus
 
     rise, bend = (_in_symbols(value).subs(F_A, 0) for value in (along_locus(_F), along_locus(along_locus(_F))))
-    hessian_lets, of_flow = hessian(flow)
+    hessian_lets, of_flow = hessian(flow, flow.R, flow.I)
     determinant = _in_symbols(sp.hessian(_F, (A, Omega)).det())
     at_isola = _at_isola(flow)
     of_flow = sp.factor(of_flow.subs(hessian_lets).subs(at_isola).subs(I, flow.I))
@@ -125,24 +140,26 @@ def _at_cusp(flow: SlowFlow) -> dict[sp.Symbol, sp.Expr]:
     return {R: of_R, I: of_I, h_A: of_T}
 
 
-def hessian(flow: SlowFlow) -> tuple[tuple[Let, ...], sp.Expr]:
+def hessian(
+    flow: SecondDerivatives, of_R: sp.Expr, of_I: sp.Expr, by_A: Callable[[sp.Expr], sp.Expr] = slope
+) -> tuple[tuple[Let, ...], sp.Expr]:
     """Without the squares that cancel where R is small.
 
     F/2 has the second derivatives G + S: G of the slopes of R and I alone, whose determinant is the square of theirs,
     and S of R and I themselves.
     """
-    ways = (slope, lambda value: sp.diff(value, Omega))
-    gradients = [[way(value) for way in ways] for value in (flow.R, flow.I)]
+    ways = (by_A, lambda value: sp.diff(value, Omega))
+    gradients = [[way(value) for way in ways] for value in (of_R, of_I)]
     jacobian = sp.factor(sp.Matrix(gradients).det())
     pairs = ((0, 0), (0, 1), (1, 1))
     G = [sum(row[i] * row[j] for row in gradients) for i, j in pairs]
-    S = [sum(name * ways[i](ways[j](value)) for name, value in ((R, flow.R), (I, flow.I))) for i, j in pairs]
+    S = [sum(name * ways[i](ways[j](value)) for name, value in ((R, of_R), (I, of_I))) for i, j in pairs]
     names = sp.symbols("G_AA G_AOmega G_OmegaOmega S_AA S_AOmega S_OmegaOmega", real=True)
     G_AA, G_AO, G_OO, S_AA, S_AO, S_OO = names
     determinant = 4 * (jacobian**2 + (G_AA * S_OO - 2 * G_AO * S_AO + G_OO * S_AA) + (S_AA * S_OO - S_AO**2))
     lets = tuple(zip(names, (*G, *S), strict=True))
     error = determinant.subs(lets) - (flow.F_AA * flow.F_OmegaOmega - flow.F_AOmega**2)
-    if sp.expand(error.subs({R: flow.R, I: flow.I})) != 0:
+    if sp.expand(error.subs({R: of_R, I: of_I})) != 0:
         raise ArithmeticError("the determinant of F's second derivatives")
     return lets, determinant
 

@@ -12,14 +12,14 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 import numpy as np
 
 from derivations.restoring import FAR
-from tests.oracles import kernels as exact
 from tests.oracles.definitions.points import RANGES
 
 Point = dict[str, float]
 Draw = Callable[[np.random.Generator], float]
 
 #: smallest and largest size, whether negative numbers and whether zero belong to it
-BOX: dict[str, tuple[float, float, bool, bool]] = {
+Limits = tuple[float, float, bool, bool]
+BOX: dict[str, Limits] = {
     "Omega": (1e-3, 1e3, False, False),
     "A": (1e-9, 1e3, False, False),
     "F_0": (1e-9, 1e3, False, False),
@@ -50,8 +50,40 @@ BOX: dict[str, tuple[float, float, bool, bool]] = {
     "T": (1e-9, 1e6, True, True),
     "R": (1e-9, 1e6, True, True),
 }
+SIGNED, POSITIVE = (1e-9, 1e3, True, True), (1e-9, 1e3, False, False)
+#: of other laws of damping, and what a parameter does to them
+OF_LAWS: dict[str, Limits] = {
+    **{"x": (1e-3, 1e3, False, False), "I": (1e-12, 1e3, False, True), "I_0": (1e-12, 1.0, False, True)},
+    **{"eta": (1e-12, 1.0, False, True), "d": (1e-12, 1e3, False, True), "c_2": (1e-12, 1e3, False, True)},
+    **{"I_0A": BOX["h_A"], "I_0AA": BOX["h_AA"], "I_0AAA": BOX["h_AAA"], "I_A": BOX["h_A"], "R_A": BOX["h_A"]},
+    **dict.fromkeys(("I_0_over_A", "I_over_A"), (1e-12, 1e6, False, True)),
+    **{"h_over_A": BOX["h_A"], "beside": BOX["h_A"], "steepest": (1e-9, 1e6, False, True)},
+    **dict.fromkeys(("h_p", "h_Ap", "h_AAp", "I_0p", "I_0Ap", "I_0AAp", "zeta_p", "d_p"), SIGNED),
+    **dict.fromkeys(("end_p", "forcing_p", "frequency_p", "A_p", "Omega_p", "F_0_p"), SIGNED),
+}
+#: of motions off the centre, and of forces known by values
+OFF_CENTRE: dict[str, Limits] = {
+    **dict.fromkeys((f"{name}_{order}" for name in ("c", "s") for order in range(4)), SIGNED),
+    **dict.fromkeys((f"{name}_{order}_p" for name in ("c", "s") for order in range(3)), SIGNED),
+    **dict.fromkeys(("c_x", "c_y", "c_xx", "c_yy", "X_x", "Y_y", "I_A", "load", "load_p", "end_p", "a"), SIGNED),
+    **dict.fromkeys((f"{name}_{order}" for name in ("L", "M") for order in (1, 2, "k")), SIGNED),
+    **dict.fromkeys(("X", "Y", "B", "force", "root", "intercept", "least"), POSITIVE),
+    **dict.fromkeys(("C_1", "S_1", "D_0", "resists"), SIGNED),
+    **{"t": (1e-9, 1.0, True, True), "edge": (1e-9, 1.0, True, True), "side": (1.0, 1.0, True, False)},
+    **{"I": (1e-12, 1e3, False, True), "eta": (1e-12, 1.0, False, True), "d": (1e-12, 1e3, False, True)},
+    **{"F_2": (1e-9, 1e3, False, True), "angle": (1e-9, math.pi, False, False), "k": (1.0, 1e3, True, True)},
+}
+SAMPLED: dict[str, Limits] = {
+    **dict.fromkeys(("sine", "cosine"), (1e-9, 1.0, False, False)),
+    "b": POSITIVE,
+    **dict.fromkeys(("f", "f_u", "f_uu", "f_uuu", "f_uuuu"), SIGNED),
+    **dict.fromkeys((f"lost_{order}" for order in range(4)), SIGNED),
+}
+#: of modules whose arguments are others, or have other signs
+APART = ((("dissipation", "dissipation_by_inertia"), OF_LAWS), (("off_centre",), OFF_CENTRE), (("sampled",), SAMPLED))
+OF_MODULE = {module: box for modules, box in APART for module in modules}
 #: modules whose numbers have no scale to vary over: the ranges of the kernels' oracle serve
-PLAIN = ("motion", "den_hartog", "second_approximation", *exact.BY_NAMES)
+PLAIN = ("motion", "den_hartog", "second_approximation", "inertia")
 #: what a double lacks of its number
 LACKED = ("tail", "p_low", "q_low")
 #: sizes of the extreme arguments
@@ -60,14 +92,14 @@ DESIGN = ("lam", "r", "delta_h")
 TINY = (0.0, 1e-12, 1e-6)
 
 
-def limits(module: str, name: str) -> tuple[float, float, bool, bool]:
+def limits(module: str, name: str) -> Limits:
     """The box of an argument."""
     if name == "tau":
         return 1e-9, 30.0, False, False
     if module.startswith(PLAIN):
         low, high = RANGES[{"friction": "mu"}.get(name, name)]
         return min(abs(low), abs(high)) if low * high > 0 else 0.0, max(abs(low), abs(high)), low < 0, low <= 0 <= high
-    return (0.0, 1e-10, True, True) if name in LACKED else BOX[name]
+    return (0.0, 1e-10, True, True) if name in LACKED else OF_MODULE.get(module, BOX).get(name) or BOX[name]
 
 
 def in_words(module: str, names: Iterable[str]) -> str:
@@ -94,9 +126,22 @@ def inside(module: str, names: Sequence[str], at: Sequence[float]) -> bool:
     x = dict(zip(names, at, strict=True))
     if "h_3" in x and not -0.5 < -x["h"] / (x["A"] * x["Omega"] ** 2) < 8:
         return False
+    if module in OF_MODULE and not _defined(x):
+        return False
     if "T" in x and "R" not in x and x.get("h_AA", x["T"]) == 0:  # one form of R divides by it
         return False
     return "tau" not in x or x["tau"] <= math.pi / (2 * x["Omega"])
+
+
+def _defined(x: Point) -> bool:
+    """Whether what is attached has left, the force has bent within the motion, and what counts does so."""
+    if x.keys() == {"k"} and not (x["k"] >= 0 and x["k"].is_integer()):
+        return False
+    if "L_2" in x and not (x["k"] >= 1 and x["k"].is_integer()):
+        return False
+    if "L_k" in x and x["k"] not in (0, -1):
+        return False
+    return x.get("u_cr", 0) <= x.get("A", math.inf) and ("b" not in x or x["b"] < x["A"])
 
 
 def drawn(module: str, name: str, rng: np.random.Generator) -> float:
@@ -147,6 +192,12 @@ def point(module: str, names: Sequence[str], coefficients: Mapping[str, Callable
     for name in ("p", "q"):
         if f"{name}_low" in x:
             x[f"{name}_low"] = x[name] * 2.0**-54 * rng.uniform(-1, 1)
+    if "b" in x:  # within the motion
+        x["b"] = min(x["b"], x["A"] * float(rng.random()))
+    if "u_cr" in x and module in OF_MODULE:  # beyond it
+        x["A"] = max(x["A"], x["u_cr"])
+    if "k" in x and module == "off_centre":
+        x["k"] = float(rng.integers(-1, 1) if "L_k" in x else rng.integers(0 if len(x) == 1 else 1, 40))
     known = {*x, "u_cr"} - {"delta_h"} if "alpha" in x and "delta_h" in x else x.keys()
     fitting = [place for place, (needed, _) in PLACES.items() if needed <= known]
     if module.startswith(PLAIN) or not fitting or rng.random() < 0.25:
@@ -290,6 +341,44 @@ def _intercept(x: Point, rng: np.random.Generator) -> None:
     x["F_0"] = x["m"] + abs(x["k"]) * float(rng.choice([rng.random(), 10 ** rng.uniform(-9, 0)]))
 
 
+def _response_of_laws(x: Point, rng: np.random.Generator) -> None:
+    R, I = x["A"] * x["Omega"] ** 2 + x["h"], x["I_0"] + 2 * x["zeta"] * x["A"] * x["Omega"]
+    x["F_0"] = ulps(math.hypot(R, I + x["d"] * (x["A"] * x["Omega"]) ** 2), few(rng))
+
+
+def _balanced(x: Point, rng: np.random.Generator) -> None:
+    x["F_0"] = ulps(math.hypot(x["R"], x["I"]), few(rng))
+
+
+def _all_taken(x: Point, rng: np.random.Generator) -> None:
+    x["I"] = ulps(x["F_0"], -int(rng.integers(0, 3)))
+
+
+def _bends_at_end(x: Point, rng: np.random.Generator) -> None:
+    share = ulps(1.0, -int(rng.integers(1, 4))) if rng.random() < 0.5 else 1 - float(10 ** rng.uniform(-15, -1))
+    x["b"] = x["A"] * share
+
+
+def _bends_at_rest(x: Point, rng: np.random.Generator) -> None:
+    x["b"] = x["A"] * float(10 ** rng.uniform(-9, -1))
+
+
+def _meet(x: Point, rng: np.random.Generator) -> None:
+    x["s_1"] = float(rng.choice([-1, 1])) * ulps(x["c_1"], few(rng))
+
+
+def _least_intercept(x: Point, rng: np.random.Generator) -> None:
+    x["intercept"] = ulps(x["least"], int(rng.integers(0, 4)))
+
+
+def _quarter(x: Point, rng: np.random.Generator) -> None:
+    x["t"] = float(rng.choice([-1, 1])) * (1 - float(10 ** rng.uniform(-16, -1)))
+
+
+def _backbone_of_mean(x: Point, rng: np.random.Generator) -> None:
+    x["s_0"] = ulps(x["A"] * x["Omega"] ** 2 / 2, few(rng))
+
+
 PLACES: dict[str, tuple[set[str], Callable[[Point, np.random.Generator], None]]] = {
     "A an ulp from u_cr": ({"A", "u_cr"}, _above_corner),
     "A near u_cr": ({"A", "u_cr"}, _near_corner),
@@ -313,6 +402,15 @@ PLACES: dict[str, tuple[set[str], Callable[[Point, np.random.Generator], None]]]
     "mu to 0": ({"mu"}, _frictionless),
     "cusp": ({"Omega", "A", "zeta", "h", "h_A", "h_AA"}, _triple),
     "double root": ({"A", "p", "q"}, _double_cubic),
+    "on the response, other laws": ({"Omega", "A", "F_0", "I_0", "zeta", "d", "h"}, _response_of_laws),
+    "on the response, R and I": ({"F_0", "R", "I"}, _balanced),
+    "I an ulp below F_0": ({"F_0", "I"}, _all_taken),
+    "b at A": ({"A", "b"}, _bends_at_end),
+    "b to 0": ({"A", "b"}, _bends_at_rest),
+    "s_1 at c_1": ({"c_1", "s_1"}, _meet),
+    "the least intercept": ({"intercept", "least"}, _least_intercept),
+    "t at 1": ({"t"}, _quarter),
+    "on the backbone, off the centre": ({"Omega", "A", "s_0"}, _backbone_of_mean),
     "delta_h to 0 or 1": ({"delta_h"}, _softest),
     "quasi-zero stiffness": ({"lam", "r", "delta_h"}, _quasi_zero),
 }

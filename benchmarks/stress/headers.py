@@ -19,7 +19,7 @@ def shown(error: float) -> str:
 
 
 def searched() -> dict[str, Measured]:
-    """Of the kernels that the search looks at, by either backend at the worst points of the last one."""
+    """By either backend at the worst points of the last search."""
     worst: dict[str, dict[str, float]] = {}
     for row in json.loads(baseline.OUT.read_text(encoding="utf-8"))["kernels"]:
         of_module = worst.setdefault(row["module"], {})
@@ -33,20 +33,9 @@ def searched() -> dict[str, Measured]:
     return found
 
 
-def stored() -> dict[str, Measured]:
-    """Of the others, at the points that they have exact values at."""
-    return {
-        module: Measured(
-            "at the points of tests/data/kernel_oracle.json",
-            {kernel: shown(kernels.at_stored_points(module, kernel)) for kernel in sorted(names)},
-        )
-        for module, names in kernels.unsearched().items()
-    }
-
-
 def write() -> None:
     """All of them."""
-    measured.write(searched() | stored())
+    measured.write(searched())
 
 
 if __name__ == "__main__":

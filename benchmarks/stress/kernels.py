@@ -15,7 +15,6 @@ import sys
 import warnings
 import zlib
 from collections.abc import Callable, Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -28,10 +27,10 @@ from tests.oracles import kernels as exact
 from tests.oracles.definitions.points import shown
 
 U = 2.0**-53
-#: exact values at points of every kernel
-STORED = Path(__file__).resolve().parents[2] / "tests" / "data" / "kernel_oracle.json"
 LARGEST, SMALLEST = sys.float_info.max, sys.float_info.min
 TARGET = 4.0
+#: the exact value's own digits
+ROUNDED = 1e-20
 #: points kept of each kernel
 KEPT = 2
 #: definitions that leave tiny entries out
@@ -48,41 +47,17 @@ def loaded() -> dict[str, dict[str, Any]]:
 
 @functools.cache
 def named() -> dict[tuple[str, str], tuple[str, ...]]:
-    """Every kernel by module and name, with its arguments' names; those of gradients are judged elsewhere."""
+    """Every kernel by module and name, with its arguments' names; those of most gradients are judged elsewhere."""
     found = {}
     for module, functions in loaded()["numpy"].items():
-        for name in functions.__all__ if exact.knows(module) else ():
+        for name in functions.__all__:
             function = getattr(functions, name)
             # what a scene has from another module is that one's
             own = getattr(function, "__module__", "").endswith(f".{module}")
-            if own and hasattr(function, "__code__") and not exact.is_of_gradients(name):
+            elsewhere = exact.is_of_gradients(name) and module not in domains.OF_MODULE
+            if own and hasattr(function, "__code__") and not elsewhere:
                 found[module, name] = tuple(inspect.signature(function).parameters)
     return found
-
-
-def unsearched() -> dict[str, list[str]]:
-    """The kernels of each module that have exact values at stored points alone."""
-    found = {}
-    for module, functions in loaded()["numpy"].items():
-        if not exact.knows(module):
-            own = ((name, getattr(functions, name)) for name in functions.__all__)
-            found[module] = [name for name, f in own if getattr(f, "__module__", "").endswith(f".{module}")]
-    return {module: names for module, names in found.items() if names}
-
-
-def at_stored_points(module: str, kernel: str) -> float:
-    """The largest error there, of each backend."""
-    rows = json.loads(STORED.read_text(encoding="utf-8"))[module][kernel]
-    errors = [0.0]
-    for functions in loaded().values():
-        for row in rows:
-            values = np.ravel(np.array(getattr(functions[module], kernel)(*row["at"]), dtype=float))
-            found = [
-                measured(float(value), mpf(true), mpf(scale))
-                for value, true, scale in zip(values, row["is"], row["scale"], strict=True)
-            ]
-            errors += [one for one in found if one is not None]
-    return max(errors)
 
 
 @functools.cache
@@ -116,7 +91,8 @@ def measured(value: float, true: Any, scale: Any) -> float | None:
         return None
     if not math.isfinite(value):
         return math.inf
-    return float(abs(mpf(value) - true) / (U * scale))
+    found = float(abs(mpf(value) - true) / (U * scale))
+    return found if found > ROUNDED else 0.0
 
 
 def error(
@@ -140,12 +116,20 @@ def error(
     return max(errors, default=None)
 
 
+def effort(module: str, kernel: str) -> tuple[int, int, int]:
+    """Points drawn, how many of them the search begins at, and its steps from each, by what a definition takes."""
+    if exact.is_of_gradients(kernel) and module != "off_centre":
+        return 12, 1, 6
+    # differentiated, and for each argument anew
+    many = module in domains.OF_MODULE and (len(named()[module, kernel]) > 7 or "_end" in kernel)
+    return (20, 2, 10) if many or kernel in SLOW or module == "second_approximation" else (60, 2, 30)
+
+
 def stress(module: str, kernel: str, size: float, backend: str = "native") -> dict[str, Any]:
     """One kernel: drawn points, the search from the worst of them, and the extremes apart."""
     names = named()[module, kernel]
     rng = np.random.default_rng([7, zlib.crc32(f"{module}.{kernel}".encode())])
-    slow = kernel in SLOW or module == "second_approximation"
-    count, restarts, steps = (20, 2, 10) if slow else (60, 2, 30)
+    count, restarts, steps = effort(module, kernel)
 
     def measure(at: Sequence[float]) -> tuple[float, float] | None:
         if not domains.inside(module, names, at):
@@ -188,7 +172,7 @@ def row(module: str, kernel: str, names: Sequence[str], at: Point) -> dict[str, 
 
 def extremes(module: str, kernel: str, count: int) -> dict[str, Any] | None:
     """At 1e±150 and subnormals: how many points are within the target, and one that is not. None where not tried."""
-    if kernel in SLOW | CHOPPED or module.startswith(domains.PLAIN) or module == "frequencies":
+    if kernel in SLOW | CHOPPED or module.startswith(domains.PLAIN) or module in ("frequencies", *domains.OF_MODULE):
         return None
     names = named()[module, kernel]
     rng = np.random.default_rng([8, zlib.crc32(f"{module}.{kernel}".encode())])

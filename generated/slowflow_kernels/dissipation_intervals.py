@@ -418,28 +418,25 @@ def folds_by_inertia(Omega, A, F_0, I_0A, I_0AA, zeta, d, h_A, h_AA, R, I):
 
     Equation from (24), (30). Domain: Omega > 0, A > 0.
     """
-    t0 = Omega.square()
-    t1 = F_0 * t0
-    t2 = I + t1
-    t3 = I - t1
-    t4 = h_A + t0
-    t5 = 2.0 * Omega
-    t6 = 2.0 * A
-    t7 = d * t0
-    t8 = I_0A + t5 * zeta + t6 * t7
-    t9 = 2.0 * (I * t8 + R * t4)
-    t10 = Omega * R
-    t11 = A * Omega
-    t12 = A * (d * t11 + zeta)
-    t13 = 2.0 * I
-    t14 = F_0 * Omega
+    Omega2 = Omega.square()
+    t0 = F_0 * Omega2
+    t1 = Omega2 + h_A
+    t2 = 2.0 * Omega
+    t3 = A * d
+    t4 = 2.0 * Omega2
+    t5 = I_0A + t2 * zeta + t3 * t4
+    t6 = 2.0 * (I * t5 + R * t1)
+    t7 = Omega * R
+    t8 = A * Omega
+    t9 = A * (d * t8 + zeta)
+    Omega3 = Omega * Omega2
     return (
-        R.square() + t2 * t3,
-        t9,
-        t9,
-        2.0 * (t10 * t6 + t12 * t13 - t14 * t2 + t14 * t3),
-        2.0 * (I * I_0AA + R * h_AA + t13 * t7 + t4.square() + t8.square()),
-        4.0 * (I * (A * d * t5 + zeta) + t10 + t11 * t4 + t12 * t8),
+        R.square() + (I - t0) * (I + t0),
+        t6,
+        t6,
+        4.0 * (A * t7 - F_0.square() * Omega3 + I * t9),
+        2.0 * (I * I_0AA + I * d * t4 + R * h_AA + t1.square() + t5.square()),
+        4.0 * (I * (t2 * t3 + zeta) + t1 * t8 + t5 * t9 + t7),
     )
 
 
@@ -448,26 +445,23 @@ def peaks_by_inertia(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A, R, I):
 
     Equation from (24). Domain: Omega > 0, A > 0.
     """
-    t0 = Omega.square()
-    t1 = F_0 * t0
-    t2 = I + t1
-    t3 = I - t1
-    t4 = Omega * zeta
-    t5 = A * t4 + I_0
-    t6 = h_A + t0
-    t7 = A * d
-    t8 = I_0A + 2.0 * t0 * t7 + 2.0 * t4
-    t9 = 2.0 * Omega
-    t10 = 2.0 * Omega * t7 + 2.0 * zeta
-    t11 = F_0 * Omega
-    t12 = I * zeta
+    Omega2 = Omega.square()
+    t0 = F_0 * Omega2
+    t1 = Omega * zeta
+    t2 = A * t1 + I_0
+    t3 = Omega2 + h_A
+    t4 = 2.0 * A * Omega2 * d + I_0A + 2.0 * t1
+    t5 = A * Omega
+    t6 = d * t5 + zeta
+    t7 = I * zeta
+    Omega3 = Omega * Omega2
     return (
-        R.square() + t2 * t3,
-        I * t5 + R * h,
-        2.0 * (I * t8 + R * t6),
-        2.0 * (A * I * t10 + A * R * t9 - t11 * t2 + t11 * t3),
-        I * I_0A + Omega * t12 + R * h_A + h * t6 + t5 * t8,
-        A * (h * t9 + t10 * t5 + t12),
+        R.square() + (I - t0) * (I + t0),
+        I * t2 + R * h,
+        2.0 * (I * t4 + R * t3),
+        4.0 * (A * I * t6 - F_0.square() * Omega3 + R * t5),
+        I * I_0A + Omega * t7 + R * h_A + h * t3 + t2 * t4,
+        A * (2.0 * Omega * h + 2.0 * t2 * t6 + t7),
     )
 
 

@@ -7,7 +7,24 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
 symbols. Each docstring gives equation number, domain and the operations after each pass.
 Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
-ones are the worst of all outputs that was found, at the points of tests/data/kernel_oracle.json.
+ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, B 1e-09 to 1000, C_1
+1e-09 to 1000 of either sign or 0, D_0 1e-09 to 1000 of either sign or 0, F_0 1e-09 to 1000, F_2 1e-09 to 1000 or 0,
+I 1e-12 to 1000 or 0, I_A 1e-09 to 1000 of either sign or 0, L_1 1e-09 to 1000 of either sign or 0, L_2 1e-09 to
+1000 of either sign or 0, L_k 1e-09 to 1000 of either sign or 0, M_1 1e-09 to 1000 of either sign or 0, M_2 1e-09 to
+1000 of either sign or 0, M_k 1e-09 to 1000 of either sign or 0, Omega 0.001 to 1000, R 1e-09 to 1e+06 of either
+sign or 0, S_1 1e-09 to 1000 of either sign or 0, X 1e-09 to 1000, X_x 1e-09 to 1000 of either sign or 0, Y 1e-09 to
+1000, Y_y 1e-09 to 1000 of either sign or 0, a 1e-09 to 1000 of either sign or 0, angle 1e-09 to 3.142, c_0 1e-09 to
+1000 of either sign or 0, c_0_p 1e-09 to 1000 of either sign or 0, c_1 1e-09 to 1000 of either sign or 0, c_1_p
+1e-09 to 1000 of either sign or 0, c_2 1e-09 to 1000 of either sign or 0, c_2_p 1e-09 to 1000 of either sign or 0,
+c_3 1e-09 to 1000 of either sign or 0, c_x 1e-09 to 1000 of either sign or 0, c_xx 1e-09 to 1000 of either sign or
+0, c_y 1e-09 to 1000 of either sign or 0, c_yy 1e-09 to 1000 of either sign or 0, d 1e-12 to 1000 or 0, edge 1e-09
+to 1 of either sign or 0, end_p 1e-09 to 1000 of either sign or 0, eta 1e-12 to 1 or 0, force 1e-09 to 1000, h 1e-12
+to 1000 of either sign or 0, intercept 1e-09 to 1000, k 1 to 1000 of either sign or 0, least 1e-09 to 1000, load
+1e-09 to 1000 of either sign or 0, load_p 1e-09 to 1000 of either sign or 0, m 1e-12 to 1 or 0, resists 1e-09 to
+1000 of either sign or 0, root 1e-09 to 1000, s_0 1e-09 to 1000 of either sign or 0, s_0_p 1e-09 to 1000 of either
+sign or 0, s_1 1e-09 to 1000 of either sign or 0, s_1_p 1e-09 to 1000 of either sign or 0, s_2 1e-09 to 1000 of
+either sign or 0, s_2_p 1e-09 to 1000 of either sign or 0, s_3 1e-09 to 1000 of either sign or 0, side 1 to 1 of
+either sign, t 1e-09 to 1 of either sign or 0, zeta 1e-12 to 1 or 0.
 """
 
 # a formatter would spread each polynomial over a page
@@ -30,7 +47,7 @@ def averaged(A, c_1, c_2, c_3, s_0, s_1, s_2, s_3):
     broadcast.
     Operations: 124 structured, 107 common subexpressions, 105 power chains.
     Proved, error / u (1 + kappa): 0.0, 2.01, 28.01, -
-    Measured, error / u (1 + kappa): 0.66
+    Measured, error / u (1 + kappa): 0.78
     """
     t0 = 1.0 / c_1
     B_A = -s_1 * t0
@@ -68,7 +85,7 @@ def state(Omega, A, force, I, I_A, load, c_0, c_1, s_0, s_1):
     broadcast.
     Operations: 23 structured, 21 common subexpressions, 21 power chains.
     Proved, error / u (1 + kappa): 1.01, -, 0.0, 0.0, -, 1.51
-    Measured, error / u (1 + kappa): 0.42
+    Measured, error / u (1 + kappa): 0.86
     """
     t0 = 2.0 * s_0
     t1 = Omega * Omega
@@ -89,7 +106,7 @@ def fold(R, A, F_0, F_2, m, eta, zeta, d, load, c_0, c_1, c_2, s_0, s_1, s_2):
     Equation (24), (30) and the mean of (3). Domain: A > 0, R + 2 s_0 > 0. Shape: 12 results, each the arguments
     that it depends on, broadcast.
     Operations: 227 structured, 125 common subexpressions, 125 power chains.
-    Measured, error / u (1 + kappa): 0.7
+    Measured, error / u (1 + kappa): 1.4
     """
     t0 = 1.0 / A
     t1 = R + 2.0 * s_0
@@ -149,7 +166,7 @@ def fold_by_t(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
     depends on, broadcast.
     Operations: 233 structured, 137 common subexpressions, 134 power chains.
     Proved, error / u (1 + kappa): 1.01, 11.51, -, 0.0, 0.0, 0.0, -, 13.01, 4.01, 6.34, 1.01, 45.68
-    Measured, error / u (1 + kappa): 0.54
+    Measured, error / u (1 + kappa): 1.1
     """
     t0 = c_1 * c_1
     t1 = 4.0 * t
@@ -207,7 +224,7 @@ def ended_state(Omega, A, force, I, I_A, load, c_0, s_0, c_x, c_y, X, Y):
     broadcast.
     Operations: 38 structured, 30 common subexpressions, 30 power chains.
     Proved, error / u (1 + kappa): 1.01, -, 0.0, 0.0, -, -
-    Measured, error / u (1 + kappa): 0.4
+    Measured, error / u (1 + kappa): 1.2
     """
     t0 = 2.0 * s_0
     t1 = Omega * Omega
@@ -246,7 +263,7 @@ def ended_fold(R, A, F_0, F_2, m, eta, zeta, d, load, c_0, s_0, c_x, c_y, c_xx, 
     Equation (24), (30) and the mean of (3). Domain: A > 0, R + 2 s_0 > 0. Shape: 12 results, each the arguments
     that it depends on, broadcast.
     Operations: 365 structured, 155 common subexpressions, 155 power chains.
-    Measured, error / u (1 + kappa): 0.56
+    Measured, error / u (1 + kappa): 1.4
     """
     t0 = 1.0 / A
     t1 = R + 2.0 * s_0
@@ -325,7 +342,7 @@ def balance_by_phase(t, F_0):
 
     Equation (23). Domain: |t| <= 1. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 12 structured, 9 common subexpressions, 9 power chains.
-    Measured, error / u (1 + kappa): 0.63
+    Measured, error / u (1 + kappa): 1.2
     """
     t0 = F_0 / (t * t + 1.0)
     return (
@@ -339,7 +356,7 @@ def fold_phase(F_0, m, intercept, least):
 
     Equation (30). Domain: F_0 >= m, intercept >= least. Shape: the arguments that it depends on, broadcast.
     Operations: 7 structured, 7 common subexpressions, 7 power chains.
-    Measured, error / u (1 + kappa): 0.42
+    Measured, error / u (1 + kappa): 1.1
     """
     return (F_0 - m) / (intercept + np.sqrt((intercept - least) * (intercept + least)))
 
@@ -363,7 +380,7 @@ def versine(k):
 
     Equation the mean of (3). Domain: k >= 0. Shape: the arguments that it depends on, broadcast.
     Operations: 4 structured, 4 common subexpressions, 4 power chains.
-    Measured, error / u (1 + kappa): 0.46
+    Measured, error / u (1 + kappa): 0.48
     """
     return (2.0 * k + 1.0) / (k + 1.0)
 
@@ -374,7 +391,7 @@ def past(A, root, edge, D_0, C_1, S_1):
     Equation the mean of (3). Domain: A > 0, 0 <= root <= A, D_0 + pi root C_1 other than 0. Shape: the arguments
     that it depends on, broadcast.
     Operations: 20 structured, 19 common subexpressions, 19 power chains.
-    Measured, error / u (1 + kappa): 0.68
+    Measured, error / u (1 + kappa): 1.6
     """
     t0 = 3.1415926535897931 * root
     return (
@@ -400,7 +417,7 @@ def moved(A, c_1, c_2, c_3, s_1, s_2, s_3, c_0_p, c_1_p, c_2_p, s_0_p, s_1_p, s_
     broadcast.
     Operations: 146 structured, 119 common subexpressions, 119 power chains.
     Proved, error / u (1 + kappa): 3.01, 5.01, -, -
-    Measured, error / u (1 + kappa): 0.42
+    Measured, error / u (1 + kappa): 1.3
     """
     t0 = 1.0 / c_1
     B_A = -s_1 * t0
@@ -443,7 +460,7 @@ def moved_at_end(side, c_1, s_1, c_0_p, load_p, end_p):
     Equation the mean of (3). Domain: side c_1 other than s_1. Shape: a tuple of one, the arguments that it depends
     on, broadcast.
     Operations: 7 structured, 6 common subexpressions, 6 power chains.
-    Measured, error / u (1 + kappa): 0.64
+    Measured, error / u (1 + kappa): 0.8
     """
     t0 = c_1 * side
     return (
@@ -457,7 +474,7 @@ def begin(A, a, root, angle):
     Equation the mean of (3). Domain: root = sqrt(A^2 - a^2). Shape: 4 results, each the arguments that it depends
     on, broadcast.
     Operations: 7 structured, 7 common subexpressions, 7 power chains.
-    Measured, error / u (1 + kappa): 0.59
+    Measured, error / u (1 + kappa): 0.99
     """
     t0 = 0.31830988618379069 / root
     t1 = 1.0 / A
@@ -474,7 +491,7 @@ def up(k, A, a, L_2, L_1, M_2, M_1):
 
     Equation the mean of (3). Domain: k >= 1. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 26 structured, 23 common subexpressions, 23 power chains.
-    Measured, error / u (1 + kappa): 0.29
+    Measured, error / u (1 + kappa): 0.67
     """
     t0 = 2.0 * k
     t1 = A + a
@@ -492,7 +509,7 @@ def down(k, A, a, root, L_1, L_k, M_1, M_k):
     Equation the mean of (3). Domain: root > 0. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 22 structured, 21 common subexpressions, 21 power chains.
     Proved, error / u (1 + kappa): 14.01, -
-    Measured, error / u (1 + kappa): 0.33
+    Measured, error / u (1 + kappa): 0.72
     """
     t0 = 1.0 / (root * root)
     t1 = 2.0 * k

@@ -20,12 +20,15 @@ from tests.oracles.certified_roots import precision
 from tests.oracles.definitions import (
     along,
     averaged_force,
+    damping,
     den_hartog,
     frequencies,
     inertia,
     motion,
     moves,
+    off_centre,
     resultants,
+    sampled,
     slow_flow,
 )
 from tests.oracles.definitions.forces import rod_coefficients, untruncated_coefficients
@@ -55,9 +58,13 @@ BY_QUADRATURE = {
 }
 #: in place of a search for roots
 SLOPE = {"Omega_A": ("Omega A m zeta h h_A", lambda *x: [_slope_of_frequency(*x)])}
-#: modules whose definitions name their arguments and take numbers of moderate size, those of `RANGES`
+#: modules whose definitions name their arguments
 BY_NAMES: dict[str, Any] = {
     "inertia": inertia.INERTIA,
+    "off_centre": off_centre.OFF_CENTRE,
+    "sampled": sampled.SAMPLED,
+    "dissipation": damping.DISSIPATION,
+    "dissipation_by_inertia": damping.SHAKEN_LAWS,
 }
 Definition = Callable[..., list[Any]]
 
@@ -83,7 +90,10 @@ def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
         m = 0.0 if "mu0" in scene else given["m"]
         if given["k"] ** 2 < (given["F_0"] - m) * (given["F_0"] + m):
             raise ValueError("no fold at such an intercept")
-    if kernel in ("limit_envelope", "saddle_nodes", "fold") and "F_0" in given and "mu0" not in scene:
+    if kernel == "R_of_fold" and abs(given["Omega"] ** 2 + given["h_A"]) <= RELATIVE * given["Omega"] ** 2:
+        raise ValueError("a pole, to rounding")
+    with_rest = kernel in ("limit_envelope", "saddle_nodes", "fold") and base != "off_centre"
+    if with_rest and "F_0" in given and "mu0" not in scene:
         friction = given["m"] if "m" in given else 4 * given["mu"] / math.pi
         if given["F_0"] <= friction * (1 + RELATIVE):
             raise ValueError("at rest, or a rounding from it")
@@ -116,17 +126,6 @@ def _slope_of_frequency(*x: Any) -> Any:
 def is_of_gradients(kernel: str) -> bool:
     """Whether a kernel is one of the gradients', which differences of answers judge (`tests/test_gradients.py`)."""
     return kernel in ("beside", "by_parameter", "by_design", "fold_moves") or kernel.startswith("moves_of_")
-
-
-def knows(module: str) -> bool:
-    """Whether the kernels of a module are defined here: those of mechanisms that are typed, and of none.
-
-    Those off the centre, of other laws of damping and of a sampled force have exact values at the points of
-    `make_kernel_oracle` alone: their definitions search for roots and integrate, and hold next to these points only.
-    """
-    base, _ = scene_of(module)
-    known = (*averaged_force.TYPED, "slow_flow", "frequencies", "motion", "den_hartog", "second_approximation")
-    return base in (*known, *BY_NAMES)
 
 
 def _of_mechanism(name: str, kernel: str, names: Sequence[str], at: Sequence[float]) -> tuple[Definition, bool]:

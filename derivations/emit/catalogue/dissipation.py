@@ -162,11 +162,7 @@ def dissipation_module(results: Results) -> Module:
                 (slopes.cusp,),
                 "Positive at a cusp where the level has a minimum along the fold locus, negative at a maximum.",
             ),
-            in_derivatives(
-                "isola_bend",
-                (slopes.determinant, slopes.isola_by_it),
-                "At an isola point: negative at a saddle of F; and as `cusp_bend`.",
-            ),
+            isola_bend(of, flow.R, slopes),
             at_point("stability", of.stability, "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.", "(30)"),
             plain(
                 "response_quartic",
@@ -224,6 +220,21 @@ def shaken_module(results: Results) -> Module:
         inputs=("averaging.py", "slow_flow.py", "dissipation.py", "inertia.py", "gradients.py"),
         in_c=False,
         kernels=tuple(gradients_by_laws(results.laws_inertia_gradients)),
+    )
+
+
+def isola_bend(of: Dissipation, of_R: sp.Expr, slopes: Slopes) -> Kernel:
+    """Second derivatives of F, whose squares cancel in the determinant."""
+    F_AA = DERIVATIVES[2, 0]
+    lets = [(R, of_R), (I, of.I), (F_AA, of.F_AA), *of.hessian_lets]
+    by_it = sp.cancel(slopes.isola_by_it / slopes.determinant)
+    return plain(
+        "isola_bend",
+        needed([whole for _, whole in lets]),
+        (of.hessian, by_it * of.hessian),
+        "At an isola point: negative at a saddle of F; and as `cusp_bend`.",
+        "from (24), (30)",
+        lets=lets,
     )
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from ...quadrature import c, s
 from ...restoring import ORDERS
 from ...results import Results
-from ...sampled import b, f, lets, lost
+from ...sampled import b, f, lets, lost, terms_lets
 from ...symbols import A
 from ..form import Module, plain
 
@@ -86,6 +86,7 @@ def sampled_module(results: Results) -> Module:
                 "Under the integrals of h_3 and three derivatives, then of h_5.",
                 "beyond (20)",
                 "any",
+                lets=terms_lets,
                 **generic,
             ),
             plain(

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
 import random
 
 from mpmath import mp, mpf
 
 from tests.oracles.definitions.inertia import SHAKEN_ANSWERS, shaken, solved_moves
 from tests.oracles.definitions.points import Function, entry, points
+from tests.oracles.definitions.series import stated, variables
 from tests.oracles.definitions.slow_flow import balances, near
 
 
@@ -21,137 +23,119 @@ def quadratic_work(Omega, A, c_2):
     return 2 * mp.quad(lambda u: c_2 * Omega**2 * (A**2 - u**2), [-A, A])
 
 
-def rest_share(passed):
+#: what rounding leaves of a zero
+TINY = mpf(10) ** -45
+
+
+def rest_of(A, m, eta, u_cr=None):
     """I_0 from the work of friction, on all of the way or on what lies within u_cr, and of structural damping."""
-
-    def share(A, m, eta, u_cr=None):
-        way = 4 * (u_cr if passed else A)
-        # m = 4 mu/pi; the ellipse of eta u'/Omega over u
-        return by_work(m * mp.pi / 4 * way + mp.pi * eta * A**2, A)
-
-    return lambda A, *x: [mp.chop(mp.diff(lambda a: share(a, *x), A, order), mpf(10) ** -45) for order in range(4)]
+    way = 4 * (A if u_cr is None else u_cr)
+    # m = 4 mu/pi; the ellipse of eta u'/Omega over u
+    return by_work(m * mp.pi / 4 * way + mp.pi * eta * A**2, A)
 
 
-def by_laws(names, by_inertia=False):
-    """F and I of a kernel's arguments, as functions of A and Omega next to these; and R, I where they are given.
+def rest_share(A, *others):
+    """I_0 and three derivatives."""
+    (a,) = variables((A,), 3)
+    share = rest_of(a, *others)
+    return [mp.chop(share.derivative(order), TINY) for order in range(4)]
+
+
+class Laws:
+    """R, I and what follows from them, as series in A and Omega about a kernel's arguments.
 
     Where R and I are arguments they stand for the values at (Omega, A), and their slopes are those of A Omega^2 + h
     and of I_0 + 2 zeta A Omega + d (A Omega)^2.
     """
-    known = names.split()
 
-    def made(*x):
-        at = dict(zip(known, x, strict=True))
-        Omega, A, zeta, d = (at.get(name, mpf(0)) for name in ("Omega", "A", "zeta", "d"))
-        h = near(A, [at.get(f"h{order}", mpf(0)) for order in ("", "_A", "_AA", "_AAA")])
-        rest = near(A, [at.get(f"I_0{order}", mpf(0)) for order in ("", "A", "AA", "AAA")])
+    def __init__(self, names, x, order, by_inertia=False):
+        at = dict(zip(names.split(), x, strict=True))
+        self.zeta, self.d = at.get("zeta", 0), at.get("d", 0)
+        self.A, self.Omega = variables((at["A"], at["Omega"]), order)
+        self.h, self.rest = (
+            near(at["A"], [at.get(name, 0) for name in names])(self.A)
+            for names in (("h", "h_A", "h_AA", "h_AAA"), ("I_0", "I_0A", "I_0AA", "I_0AAA"))
+        )
+        self.own = law_balances(self.Omega, self.A, self.rest, self.zeta, self.d, self.h)
+        self.R, self.I = (
+            one + (at[name] - one.value) if name in at else one for name, one in zip("RI", self.own, strict=True)
+        )
+        self.force = at.get("F_0", 0) * (self.Omega**2 if by_inertia else 1)
 
-        def R(a, w):
-            return a * w**2 + h(a)
+    def F(self):
+        return self.R**2 + self.I**2 - self.force**2
 
-        def I(a, w):  # noqa: E743
-            return balances(w, a, rest(a), zeta, 0)[1] + d * (a * w) ** 2
+    def F_A(self):
+        return self.F().by(0)
 
-        off_R, off_I = (at[name] - f(A, Omega) if name in at else 0 for name, f in (("R", R), ("I", I)))
+    def F_AA(self):
+        return self.F_A().by(0)
 
-        def F(a, w):
-            return (
-                (R(a, w) + off_R) ** 2 + (I(a, w) + off_I) ** 2 - (at.get("F_0", 0) * (w**2 if by_inertia else 1)) ** 2
-            )
+    def peak(self):
+        """F_Omega/(4 A Omega), in which the I of I_0 counts; with the slopes of R and I themselves."""
+        return self.R + self.own[1] * (self.zeta / self.Omega + self.d * self.A)
 
-        def peak(a, w):
-            """F_Omega/(4 a w), in which the I of I_0 counts; with the slopes of R and I themselves."""
-            return R(a, w) + off_R + I(a, w) * (zeta / w + d * a)
+    def bend(self):
+        """F_AOmega/(2 Omega) of the R and I that h and I_0 give."""
+        return sum(one**2 for one in self.own).by(0).by(1) / (2 * self.Omega)
 
-        def bend(a, w):
-            """F_AOmega/(2 w) of the R and I that h and I_0 give."""
-            return mp.diff(lambda b, v: R(b, v) ** 2 + I(b, v) ** 2, (a, w), (1, 1)) / (2 * w)
+    def least(self):
+        """-Omega^5/4 times the slope of the level by Omega, in which h and I_0 count; with the slopes of R and I."""
+        return self.R * self.h + self.I * (self.rest + self.zeta * self.A * self.Omega)
 
-        def least(a, w):
-            """-w^5/4 times the slope of (R^2 + I^2)/w^4 by w, in which h and I_0 count; with the slopes of R and I."""
-            return (R(a, w) + off_R) * h(a) + (I(a, w) + off_I) * (rest(a) + zeta * a * w)
+    def level(self):
+        """Of an excitation by inertia, squared."""
+        return sum(one**2 for one in self.own) / self.Omega**4
 
-        return A, Omega, F, I, peak, bend, least
 
-    return made
+#: derivatives by A and Omega in these
+WITHIN = {"F_A": 1, "F_AA": 2, "bend": 2}
 
 
 def dissipated_balance(names, order=0):
     """I, or a derivative of it by A."""
-    made = by_laws(names)
-
-    def balance(*x):
-        A, Omega, _, I, *_ = made(*x)
-        return [mp.diff(lambda a: I(a, Omega), A, order)]
-
-    return balance
+    return lambda *x: [Laws(names, x, max(order, 1)).I.derivative(order, 0)]
 
 
 def dissipated_slope(order, names, halved=False):
     """One derivative of F, over 2 A if it is halved."""
-    made = by_laws(names)
 
     def slope(*x):
-        A, Omega, F, *_ = made(*x)
-        return [mp.diff(F, (A, Omega), order) / (2 * A if halved else 1)]
+        laws = Laws(names, x, sum(order))
+        return [laws.F().derivative(*order) / (2 * laws.A.value if halved else 1)]
 
     return slope
 
 
 def dissipated_system(first, second, names):
     """Two functions, or one, and their slopes."""
-    made = by_laws(names, by_inertia="least" in (first, second) or "inertia" in first)
-    first = first.removesuffix(" by inertia")
+    by_inertia = "least" in (first, second) or "inertia" in first
+    both = [name for name in (first.removesuffix(" by inertia"), second) if name]
+    order = 1 + max(WITHIN.get(name, 0) for name in both)
 
     def system(*x):
-        A, Omega, F, _, peak, bend, least = made(*x)
-        of = {
-            "F": F,
-            "F_A": lambda a, w: mp.diff(lambda b: F(b, w), a),
-            "F_AA": lambda a, w: mp.diff(lambda b: F(b, w), a, 2),
-            "peak": peak,
-            "bend": bend,
-            "least": least,
-        }
-        both = [name for name in (first, second) if name]
-        values = [of[name](A, Omega) for name in both]
-        by = ((1, 0), (0, 1))
-        orders = {"F": (0, 0), "F_A": (1, 0), "F_AA": (2, 0)}
-
-        def slope(name, step):
-            if name in orders:
-                return mp.diff(F, (A, Omega), tuple(a + b for a, b in zip(orders[name], step, strict=True)))
-            return mp.diff(of[name], (A, Omega), step)
-
-        return [*values, *(slope(name, step) for name in both for step in by)]
+        laws = Laws(names, x, order, by_inertia)
+        return stated(*(getattr(laws, name)() for name in both))
 
     return system
 
 
 def quartic_of(half, names):
-    """Coefficients of F, or of F_A/2, from their values at five frequencies."""
-    made = by_laws("Omega " + names)
+    """Coefficients of F, or of F_A/2, of which these are all."""
 
     def coefficients(*x):
-        def value(w):
-            A, _, F, *_ = made(w, *x)
-            return mp.diff(lambda a: F(a, w), A) / 2 if half else F(A, w)
-
-        matrix = mp.matrix([[mpf(node) ** k for k in range(5)] for node in range(1, 6)])
-        with mp.extradps(20):
-            return list(mp.lu_solve(matrix, mp.matrix([value(mpf(node)) for node in range(1, 6)])))
+        F = Laws(f"Omega {names}", (mpf(0), *x), 5).F()
+        return [(F.by(0) / 2 if half else F).derivative(0, power) / mp.factorial(power) for power in range(5)]
 
     return coefficients
 
 
-def dissipated_frequency(names):
-    """dOmega/dA of the states at one forcing, found as roots."""
-    made = by_laws(names)
+def slope_where_stays(name, names):
+    """dOmega/dA of the states where F or a level stays."""
 
     def slope(*x):
-        A, Omega, F, *_ = made(*x)
-        here = F(A, Omega)
-        return [mp.diff(lambda a: mp.findroot(lambda w: F(a, w) - here, Omega, tol=mpf(10) ** -110), A)]
+        by_A, by_Omega = getattr(Laws(names, x, 1), name)().slopes()
+        return [-by_A / by_Omega]
 
     return slope
 
@@ -161,53 +145,32 @@ def level_of_laws(w, a, rest, zeta, d, h):
     return sum(part**2 for part in law_balances(w, a, rest, zeta, d, h)) / w**4
 
 
-def level_along(names):
-    """The squared level as a function of A and Omega, and where a kernel asks for it."""
-    known = names.split()
-
-    def made(*x):
-        at = dict(zip(known, x, strict=True))
-        A, zeta, d = (at[name] for name in ("A", "zeta", "d"))
-        h = near(A, [at.get(f"h{order}", mpf(0)) for order in ("", "_A", "_AA", "_AAA")])
-        rest = near(A, [at.get(f"I_0{order}", mpf(0)) for order in ("", "A", "AA", "AAA")])
-        return A, at["Omega"], lambda a, w: level_of_laws(w, a, rest(a), zeta, d, h(a))
-
-    return made
-
-
 def cusp_by_inertia(names):
     """d^2 level^2/dA^2 along F_A = 0 with F_AA = 0, times Omega^5 F_AOmega^2/4."""
-    parts = [dissipated_slope(order, names) for order in ((3, 0), (1, 1))]
 
-    def of(*x):
-        A, Omega, level = level_along(names)(*x)
-        return [-(Omega**5) / 4 * mp.diff(level, (A, Omega), (0, 1)) * mp.fprod(part(*x)[0] for part in parts)]
+    def bend(Omega, *x):
+        laws = Laws(names, (Omega, *x), 3)
+        F = laws.F()
+        return [-(Omega**5) / 4 * laws.level().derivative(0, 1) * F.derivative(3, 0) * F.derivative(1, 1)]
 
-    return of
+    return bend
 
 
 def isola_by_inertia(names):
     """As `law_isola`, of what the level's slope leaves where it vanishes."""
-    parts = [dissipated_slope(order, names) for order in ((2, 0), (1, 1))]
 
-    def of(*x):
-        A, Omega, level = level_along(names)(*x)
-        F_AA, F_AOmega = (part(*x)[0] for part in parts)
-        bend = mp.diff(lambda w: w**5 * mp.diff(lambda v: level(A, v), w), Omega) / Omega
-        determinant = mp.det(mp.matrix([[F_AA, F_AOmega], [F_AOmega, bend]]))
-        return [determinant, F_AA * determinant]
+    def bend(Omega, *x):
+        laws = Laws(names, (Omega, *x), 2)
+        by_Omega = (laws.Omega**5 * laws.level().by(1)).derivative(0, 1) / Omega
+        return stationary_share(*(laws.F().derivative(*order) for order in ((2, 0), (1, 1))), by_Omega)
 
-    return of
+    return bend
 
 
-def frequency_by_inertia(names):
-    """dOmega/dA of the states at one level."""
-
-    def of(*x):
-        A, Omega, level = level_along(names)(*x)
-        return [-mp.diff(level, (A, Omega), (1, 0)) / mp.diff(level, (A, Omega), (0, 1))]
-
-    return of
+def stationary_share(F_AA, F_AOmega, F_OmegaOmega):
+    """The determinant of second derivatives, and F_AA times it."""
+    determinant = mp.det(mp.matrix([[F_AA, F_AOmega], [F_AOmega, F_OmegaOmega]]))
+    return [determinant, F_AA * determinant]
 
 
 def far_by_inertia(x, A, F_0, I_0, zeta, d, h):
@@ -225,7 +188,10 @@ def stationary_R(x, A, I_0, zeta, d):
         return mp.diff(lambda v: level_of_laws(v, A, I_0, zeta, d, h), w)
 
     below, at, above = (slope(mpf(h)) for h in (-1, 0, 1))
-    lower, higher = sorted(A + h * x**2 for h in mp.polyroots([(below + above) / 2 - at, (above - below) / 2, at]))
+    middle, constant = (below - above) / 4 / ((below + above) / 2 - at), at / ((below + above) / 2 - at)
+    if middle**2 < constant:
+        raise ValueError("no stationary level at such a frequency")
+    lower, higher = (A + (middle + sign * mp.sqrt(middle**2 - constant)) * x**2 for sign in (-1, 1))
     return [(higher - lower) ** 2, lower, higher]
 
 
@@ -279,19 +245,13 @@ def law_moves(kind, force):
 def law_sizes(Omega, A, rest, zeta, d, h, force=lambda w: mpf(0)):
     """As `shaken_sizes`: with h and I_0 without their signs no term of F's derivatives is negative but the force's."""
 
-    def by(order):
-        def derivative(sign, of_force):
-            local, lag = (near(A, [sign(value) for value in values]) for values in (h, rest))
+    def F(order, sign, of_force):
+        a, w = variables((A, Omega), sum(order))
+        local, lag = (near(A, [sign(value) for value in values])(a) for values in (h, rest))
+        F = sum(part**2 for part in law_balances(w, a, lag, zeta, d, local)) + of_force * force(w) ** 2
+        return F.derivative(*order)
 
-            def both(a, w):
-                squares = (part**2 for part in law_balances(w, a, lag(a), zeta, d, local(a)))
-                return sum(squares) + of_force * force(w) ** 2
-
-            return mp.diff(both, (A, Omega), order)
-
-        return derivative(mpf, -1), derivative(abs, 1)
-
-    return by
+    return lambda order: (F(order, mpf, -1), F(order, abs, 1))
 
 
 def law_beside(force):
@@ -326,20 +286,12 @@ def law_moves_of_phase(force):
     return of
 
 
-def rest_moves(passed):
+def rest_moves(A, m=1, *ends):
     """What m, eta, and where friction ends u_cr do to I_0 and its first derivatives, from the work of each."""
-    share = rest_share(passed)
-
-    def of(A, m=1, u_cr=None):
-        at = (mpf(m), mpf(1), *([] if u_cr is None else [u_cr]))
-        slopes = []
-        with mp.workdps(150):
-            for k in range(len(at)):
-                order = tuple(int(k == j) for j in range(len(at)))
-                slopes += [mp.diff(lambda *x, i=i: share(A, *x)[i], at, order) for i in range(3)]
-        return [mp.chop(value, tol=mpf(10) ** -45) for value in slopes]
-
-    return of
+    a, *at = variables((A, m, 1, *ends), 3)
+    share = rest_of(a, *at)
+    by_each = itertools.product(range(len(at)), range(3))
+    return [mp.chop(share.derivative(order, *(int(k == j) for j in range(len(at)))), TINY) for k, order in by_each]
 
 
 def law_response(Omega, A, F_0, *others):
@@ -348,20 +300,21 @@ def law_response(Omega, A, F_0, *others):
 
 def law_bend(names):
     """d^2 F_0^2/dA^2 along F_A = 0 with F_AA = 0, times F_AOmega^2 over A."""
-    parts = [dissipated_slope(order, names) for order in ((0, 1), (3, 0), (1, 1))]
-    at = names.split().index("A")
-    return lambda *x: [-mp.fprod(part(*x)[0] for part in parts) / x[at]]
+
+    def bend(*x):
+        laws = Laws(names, x, 3)
+        F = laws.F()
+        return [-mp.fprod(F.derivative(*order) for order in ((0, 1), (3, 0), (1, 1))) / laws.A.value]
+
+    return bend
 
 
 def law_isola(names):
-    parts = [dissipated_slope(order, names) for order in ((2, 0), (1, 1), (0, 2))]
+    def bend(*x):
+        F = Laws(names, x, 2).F()
+        return stationary_share(*(F.derivative(*order) for order in ((2, 0), (1, 1), (0, 2))))
 
-    def of(*x):
-        F_AA, F_AOmega, F_OmegaOmega = (part(*x)[0] for part in parts)
-        determinant = mp.det(mp.matrix([[F_AA, F_AOmega], [F_AOmega, F_OmegaOmega]]))
-        return [determinant, F_AA * determinant]
-
-    return of
+    return bend
 
 
 def slope_of_sum(pairs):
@@ -423,8 +376,8 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
     "quadratic": ("c_2", lambda c_2: [by_work(quadratic_work(1, 1, c_2), 1)]),
     # |h| is largest where R = -F_0 at the frequency at which quadratic damping takes all of the forcing
     "restoring": ("A F_0 d", lambda A, F_0, d: [F_0 + A * mp.findroot(lambda X: d * A**2 * X - F_0, F_0 / d / A**2)]),
-    "at_rest": ("A m eta", rest_share(passed=False)),
-    "released": ("A m eta u_cr", rest_share(passed=True)),
+    "at_rest": ("A m eta", rest_share),
+    "released": ("A m eta u_cr", rest_share),
     "I": ("Omega A I_0 zeta d", dissipated_balance("Omega A I_0 zeta d")),
     **{
         f"F_{''.join(letters)}": (names, dissipated_slope((letters.count("A"), letters.count("Omega")), names))
@@ -437,7 +390,7 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
             (("A", "Omega", "Omega"), "Omega A I_0 I_0A zeta d h h_A"),
         )
     },
-    "Omega_A": (names := "Omega A I_0 I_0A zeta d h h_A", dissipated_frequency(names)),
+    "Omega_A": (names := "Omega A I_0 I_0A zeta d h h_A", slope_where_stays("F", names)),
     "stability": (names, dissipated_slope((1, 0), names, halved=True)),
     "response_quartic": (names := "A I_0 zeta d h", quartic_of(False, names)),
     "fold_quartic": (names := "A I_0 I_0A zeta d h h_A", quartic_of(True, names)),
@@ -455,8 +408,8 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
             ("stiffness", "F_A", "", "Omega A I_0A I_0AA zeta d h_A h_AA R I"),
         )
     },
-    "rest_moves": ("A", rest_moves(passed=False)),
-    "released_moves": ("A m u_cr", rest_moves(passed=True)),
+    "rest_moves": ("A", rest_moves),
+    "released_moves": ("A m u_cr", rest_moves),
     **law_gradients(lambda w, f: f),
     "I_A": ("Omega A I_0A zeta d", dissipated_balance("Omega A I_0A zeta d", 1)),
     "far": ("x A I_0 I_0A zeta d h h_A", far_balances),
@@ -472,7 +425,7 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
     "I_scaled": ("Omega A I_0_over_A zeta d", lambda w, A, r, *laws: [law_balances(w, A, r * A, *laws, 0)[1] / A]),
     "F_A_scaled": ("Omega h_over_A h_A I_over_A I_A", scaled_slope),
     "least_scaled": ("Omega zeta eta d h_AA", least_from_rest),
-    "Omega_A_by_inertia": (names := "Omega A I_0 I_0A zeta d h h_A", frequency_by_inertia(names)),
+    "Omega_A_by_inertia": (names := "Omega A I_0 I_0A zeta d h h_A", slope_where_stays("level", names)),
     "far_by_inertia": ("x A F_0 I_0 zeta d h", far_by_inertia),
     "R_where_stationary": ("x A I_0 zeta d", stationary_R),
     "cusp_bend_by_inertia": (

@@ -8,6 +8,7 @@ from mpmath import mp, mpf
 
 from tests.oracles.definitions.along import partials
 from tests.oracles.definitions.points import Function, entry, points
+from tests.oracles.definitions.series import variables
 from tests.oracles.definitions.slow_flow import balances, near, phase, response, slope_of_response, transmissibility
 
 
@@ -228,16 +229,11 @@ def shaken_sizes(Omega, A, F_0, m, zeta, *values):
     F less the forcing's square has no negative term but those of h: the sum is that of |h|, with the square added.
     """
 
-    def by(order):
-        def derivative(sign, values):
-            h = near(A, values)
-            return mp.diff(
-                lambda a, w: response(w, a, 0, m, zeta, h(a)) + sign * shaken(w, F_0) ** 2, (A, Omega), order
-            )
+    def F(order, sign, values):
+        a, w = variables((A, Omega), sum(order))
+        return (response(w, a, 0, m, zeta, near(A, values)(a)) + sign * shaken(w, F_0) ** 2).derivative(*order)
 
-        return derivative(-1, values), derivative(1, [abs(value) for value in values])
-
-    return by
+    return lambda order: (F(order, -1, values), F(order, 1, [abs(value) for value in values]))
 
 
 def shaken_moves(kind):
@@ -266,36 +262,24 @@ def solved_moves(kind, at, balanced, force, size, end_p, forcing_p, frequency_p)
     size     -- what gives F's derivative of an order, and the sum of its terms without their signs
     """
     conditions, pivots = SHAKEN_ANSWERS[kind]
-    A, Omega, _, zero = at
-    off = balanced(A, Omega, zero)[0] if "R" in conditions else 0
-
-    def both(a, w, p):
-        R, I = balanced(a, w, p)
-        return R - off, I
-
-    def whole(a, w, f, p):
-        R, I = both(a, w, p)
-        return R**2 + I**2 - force(w, f) ** 2
-
-    gone = {by: mp.diff(whole, at, (*by, 0, 0)) for name, by in DERIVATIVES.items() if name in conditions}
-
-    def F(a, w, f, p):
-        taken = sum(
-            value * (a - A) ** i * (w - Omega) ** k / (mp.factorial(i) * mp.factorial(k))
-            for (i, k), value in gone.items()
-        )
-        return whole(a, w, f, p) - taken
-
+    a, w, f, p = variables(at, 1 + max(sum(DERIVATIVES.get(name, ())) for name in conditions))
+    R, I = balanced(a, w, p)
+    if "R" in conditions:
+        R = R - R.value
+    F = R**2 + I**2 - force(w, f) ** 2
+    for i, k in (DERIVATIVES[name] for name in conditions if name in DERIVATIVES):
+        gone = F.derivative(i, k, 0, 0) / (mp.factorial(i) * mp.factorial(k))
+        F = F - gone * (a - a.value) ** i * (w - w.value) ** k
     known = {
-        "R": lambda a, w, f, p: both(a, w, p)[0],
-        "forcing": lambda a, w, f, p: f - forcing_p * p,
-        "frequency": lambda a, w, f, p: w - frequency_p * p,
-        "breakpoint": lambda a, w, f, p: a - end_p * p,
+        "R": R,
+        "forcing": f - forcing_p * p,
+        "frequency": w - frequency_p * p,
+        "breakpoint": a - end_p * p,
     }
     rows = []
     for name in ("F", *conditions):
-        order, f = (*DERIVATIVES.get(name, (0, 0)), 0, 0), known.get(name, F)
-        rows.append([mp.diff(f, at, [n + (k == j) for j, n in enumerate(order)]) for k in range(4)])
+        order = (*DERIVATIVES.get(name, (0, 0)), 0, 0)
+        rows.append([known.get(name, F).derivative(*(n + (k == j) for j, n in enumerate(order))) for k in range(4)])
     system = mp.matrix([row[:3] for row in rows])
     with mp.extradps(20):
         moved = list(mp.lu_solve(system, mp.matrix([-row[3] for row in rows])))

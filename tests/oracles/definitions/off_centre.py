@@ -1,90 +1,120 @@
-"""Motions off the centre: means by quadrature over a period, folds by their phase."""
+"""Motions off the centre: means over a period of a polynomial that has the given ones, folds by their phase."""
 
 from __future__ import annotations
 
+import functools
 import itertools
+import math
+import operator
 import random
 
 from mpmath import mp, mpf
 
 from tests.oracles.definitions.points import Function, entry, points
+from tests.oracles.definitions.series import stated, variables
 from tests.oracles.definitions.slow_flow import balances
 
-#: exponents of a force that is a sum of exponentials in u, whose means are Bessel functions
-EXPONENTS = tuple(mpf(k) / 3 for k in (-4, -3, -2, -1, 1, 2, 3, 4))
+
+def mean_of_power(n):
+    """Of cos(psi)^n over a cycle."""
+    return mpf(0) if n % 2 else mpf(math.comb(n, n // 2)) / 2**n
+
+
+@functools.cache
+def shares(n, precision):
+    """The 2 n terms of a polynomial in u/A by its means at (A, 0), those of its derivatives times as many A."""
+    rows = [
+        [math.perm(j, k) * mean_of_power(j - k + first) if j >= k else mpf(0) for j in range(2 * n)]
+        for first in (0, 1)
+        for k in range(n)
+    ]
+    with mp.workprec(precision + 40):
+        return (mp.matrix(rows) ** -1).tolist()
+
+
+def powers(x, count):
+    """x^0 and those after it."""
+    return [x**0, *itertools.accumulate([x] * (count - 1), operator.mul)]
 
 
 def force_with(A, c, s):
     """Means over a cycle c(A, B), s(A, B) of a force that has these at (A, 0): c_n = <f^(n)>, s_n = <f^(n) cos psi>."""
     n = len(c)
-    known = EXPONENTS[4 - n : 4 + n]
-    rows = [[of(kappa * A) * kappa**k for kappa in known] for of in (bessel_0, bessel_1) for k in range(n)]
-    share = mp.lu_solve(mp.matrix(rows), mp.matrix([*c, *s]))
+    given = [value * A**k for values in (c, s) for k, value in enumerate(values)]
+    terms = [mp.fdot(row, given) for row in shares(n, mp.prec)]
 
-    def means(at, B):
-        parts = [(part * mp.exp(kappa * B), kappa * at) for part, kappa in zip(share, known, strict=True)]
-        return sum(p * bessel_0(x) for p, x in parts), sum(p * bessel_1(x) for p, x in parts)
+    def means(at):
+        """By powers of B, each (B + at cos psi)^j by the binomial theorem."""
+        sizes = powers(at / A, 2 * n)
+
+        def of(first, k):
+            return sum(
+                sizes[j - k] * (term * math.comb(j, k) * mean_of_power(j - k + first) / A**k)
+                for j, term in enumerate(terms)
+                if j >= k and (j - k + first) % 2 == 0
+            )
+
+        return tuple([of(first, k) for k in range(2 * n)] for first in (0, 1))
 
     return means
 
 
-def bessel_0(x):
-    return mp.besseli(0, x)
+def at_mean(by_powers, B):
+    """A mean at B."""
+    return functools.reduce(lambda found, one: found * B + one, reversed(by_powers))
 
 
-def bessel_1(x):
-    return mp.besseli(1, x)
+def means_with(A, c, s, at, B):
+    """c and s at (at, B)."""
+    return tuple(at_mean(one, B) for one in force_with(A, c, s)(at))
+
+
+def balanced(excess, slope, like, order):
+    """The number near 0, as a series, at which what has about that slope there vanishes: an order more each time."""
+    found = like * 0
+    for _ in range(order + 1):
+        found = found - excess(found) / slope
+    return found
 
 
 def off_averaged(A, *means):
     """h along the balance of the mean, which is solved for B at each amplitude; c_0 itself does not matter."""
-    of = force_with(A, (mpf(0), *means[:3]), means[3:])
-
-    def h(at):
-        B = mp.findroot(lambda B: of(at, B)[0], mpf(0), tol=mpf(10) ** -100)
-        return -2 * of(at, B)[1]
-
-    with mp.workdps(80):
-        return [mp.diff(h, A, order) for order in range(4)]
+    (at,) = variables((A,), 3)
+    mean, first = force_with(A, (mpf(0), *means[:3]), means[3:])(at)
+    h = -2 * at_mean(first, balanced(lambda B: at_mean(mean, B), means[0], at, 3))
+    return [h.derivative(order) for order in range(4)]
 
 
 def off_moved(A, c_1, c_2, c_3, s_1, s_2, s_3, *moves):
     """B and h along the balance at each amplitude and each number of the parameter; c_0 and s_0 do not matter."""
-    of = force_with(A, (mpf(0), c_1, c_2, c_3), (mpf(0), s_1, s_2, s_3))
-    more, load_p = force_with(A, moves[:3], moves[3:6]), moves[6]
-
-    def B(at, p):
-        return mp.findroot(lambda B: of(at, B)[0] + p * (more(at, B)[0] - load_p), mpf(0), tol=mpf(10) ** -100)
-
-    def h(at, p):
-        return -2 * (of(at, B(at, p))[1] + p * more(at, B(at, p))[1])
-
-    with mp.workdps(80):
-        return [mp.diff(B, (A, 0), (0, 1)), *(mp.diff(h, (A, 0), (order, 1)) for order in range(3))]
+    at, p = variables((A, 0), 3)
+    both = zip(
+        force_with(A, (mpf(0), c_1, c_2, c_3), (mpf(0), s_1, s_2, s_3))(at),
+        [[*more, 0, 0] for more in force_with(A, moves[:3], moves[3:6])(at)],
+        strict=True,
+    )
+    mean, first = ([one + p * more for one, more in zip(*pair, strict=True)] for pair in both)
+    mean[0] -= p * moves[6]
+    B = balanced(lambda B: at_mean(mean, B), c_1, at, 3)
+    h = -2 * at_mean(first, B)
+    return [B.derivative(0, 1), *(h.derivative(order, 1) for order in range(3))]
 
 
 def off_moved_at_end(side, c_1, s_1, c_0_p, load_p, end_p):
     """The amplitude at which a motion of amplitude 1 about 0 comes to the end of a piece, as that and the mean move."""
-    of = force_with(mpf(1), (mpf(0), c_1), (mpf(0), s_1))
+    (p,) = variables((0,), 1)
 
-    def A(p):
-        return mp.findroot(
-            lambda at: of(at, side * (1 + p * end_p - at))[0] + p * (c_0_p - load_p), mpf(1), tol=mpf(10) ** -100
-        )
+    def excess(beyond):
+        place = 1 + beyond, side * (p * end_p - beyond)
+        return means_with(mpf(1), (mpf(0), c_1), (mpf(0), s_1), *place)[0] + p * (c_0_p - load_p)
 
-    with mp.workdps(80):
-        return [mp.diff(A, 0)]
+    return [balanced(excess, s_1 - side * c_1, p, 1).derivative(1)]
 
 
 def off_state(Omega, A, force, I, I_A, load, c_0, c_1, s_0, s_1):
-    of, place = force_with(A, (c_0, c_1), (s_0, s_1)), A
-
-    def both(A, B):
-        mean, first = of(A, B)
-        return mean - load, (A * Omega**2 - 2 * first) ** 2 + (I + I_A * (A - place)) ** 2 - force**2
-
-    slopes = [mp.diff(lambda *x, k=k: both(*x)[k], (A, 0), order) for k in (0, 1) for order in ((1, 0), (0, 1))]
-    return [*both(A, mpf(0)), *slopes]
+    at, B = variables((A, 0), 1)
+    mean, first = means_with(A, (c_0, c_1), (s_0, s_1), at, B)
+    return stated(mean - load, (at * Omega**2 - 2 * first) ** 2 + (I + I_A * (at - A)) ** 2 - force**2)
 
 
 def lag(A, Omega, m, eta, zeta, d):
@@ -94,45 +124,26 @@ def lag(A, Omega, m, eta, zeta, d):
 
 def off_fold(R, A, F_0, F_2, m, eta, zeta, d, load, c_0, c_1, c_2, s_0, s_1, s_2):
     """The slope of R^2 + I^2 along the balance at the Omega of R, by c_1 A/2; less by c_1 what F is there."""
-    of = force_with(A, (c_0, c_1, c_2), (s_0, s_1, s_2))
-
-    def three(A, B, R):
-        mean, first = of(A, B)
-        by = [[mp.diff(lambda *x, k=k: of(*x)[k], (A, B), order) for order in ((1, 0), (0, 1))] for k in (0, 1)]
-        Omega = mp.sqrt((R + 2 * first) / A)
-        I, I_A = lag(A, Omega, m, eta, zeta, d)
-        F = R**2 + I**2 - (F_0 + F_2 * Omega**2) ** 2
-        half_F_A = R * (Omega**2 - 2 * by[1][0]) + I * I_A
-        turns = by[0][1] * half_F_A - by[0][0] * R * -2 * by[1][1]
-        return mean - load, A * turns - by[0][1] * F, F
-
-    place = A, mpf(0), R
-    with mp.workdps(90):
-        return [*three(*place), *itertools.chain(*by_each(three, *place))]
+    at, B, R = variables((A, 0, R), 2)
+    mean, first = means_with(A, (c_0, c_1, c_2), (s_0, s_1, s_2), at, B)
+    Omega = ((R + 2 * first) / at).sqrt()
+    I, I_A = lag(at, Omega, m, eta, zeta, d)
+    F = R**2 + I**2 - (F_0 + F_2 * Omega**2) ** 2
+    half_F_A = R * (Omega**2 - 2 * first.by(0)) + I * I_A
+    turns = mean.by(1) * half_F_A - mean.by(0) * R * -2 * first.by(1)
+    return stated(mean - load, at * turns - mean.by(1) * F, F)
 
 
 def off_fold_by_t(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
     """R and I by t, A Omega^2 and 2 zeta A Omega from these apart: F_A along the balance, then that they agree."""
-    of = force_with(A, (c_0, c_1, c_2), (s_0, s_1, s_2))
-
-    def three(A, B, t):
-        mean, first = of(A, B)
-        by = [[mp.diff(lambda *x, k=k: of(*x)[k], (A, B), order) for order in ((1, 0), (0, 1))] for k in (0, 1)]
-        R, I = 2 * t * F_0 / (1 + t**2), (1 - t**2) * F_0 / (1 + t**2)
-        inertia, damping = R + 2 * first, I - m
-        half_F_A = R * (inertia / A - 2 * by[1][0]) + I * damping / A
-        turns = by[0][1] * half_F_A - by[0][0] * R * -2 * by[1][1]
-        agrees = damping**2 - 4 * zeta**2 * A * inertia
-        return mean - load, A * turns * (1 + t**2) / F_0, agrees * (1 + t**2) ** 2
-
-    place = A, mpf(0), t
-    with mp.workdps(90):
-        slopes = [
-            mp.diff(lambda *x, k=k: three(*x)[k], place, tuple(int(i == j) for j in range(3)))
-            for k in range(3)
-            for i in range(3)
-        ]
-    return [*three(*place), *slopes]
+    at, B, t = variables((A, 0, t), 2)
+    mean, first = means_with(A, (c_0, c_1, c_2), (s_0, s_1, s_2), at, B)
+    R, I = 2 * t * F_0 / (1 + t**2), (1 - t**2) * F_0 / (1 + t**2)
+    inertia, damping = R + 2 * first, I - m
+    half_F_A = R * (inertia / at - 2 * first.by(0)) + I * damping / at
+    turns = mean.by(1) * half_F_A - mean.by(0) * R * -2 * first.by(1)
+    agrees = damping**2 - 4 * zeta**2 * at * inertia
+    return stated(mean - load, at * turns * (1 + t**2) / F_0, agrees * (1 + t**2) ** 2)
 
 
 def off_past(A, root, edge, D_0, C, S):
@@ -150,60 +161,38 @@ def by_ends(A, c_0, s_0, c_x, c_y, X, Y, c_xx=0, c_yy=0, X_x=0, Y_y=0):
     together, apart = c_x / X, c_y / Y
     further, nearer = (c_xx - X_x * together) / X**2, (c_yy - Y_y * apart) / Y**2
     c_1, s_1 = (together - apart) / 2, (together + apart) / 2
-    of = force_with(A, (c_0, c_1, (further + nearer + 2 * s_1 / A) / 4), (s_0, s_1, (further - nearer) / 4))
+    of = (c_0, c_1, (further + nearer + 2 * s_1 / A) / 4), (s_0, s_1, (further - nearer) / 4)
 
     def at(x, y):
         up, down = X * x + X_x * x**2 / 2, Y * y + Y_y * y**2 / 2
-        return A + up + down, *of(A + up + down, up - down)
+        return A + up + down, *means_with(A, *of, A + up + down, up - down)
 
     return at
 
 
-def by_each(f, *place):
-    """Slopes of each of what f gives, by each of its arguments in turn."""
-    orders = [tuple(int(i == k) for i in range(len(place))) for k in range(len(place))]
-    return [[mp.diff(lambda *z, k=k: f(*z)[k], place, order) for order in orders] for k in range(len(f(*place)))]
-
-
 def ended_state(Omega, A, force, I, I_A, load, *ends):
-    of = by_ends(A, *ends)
-
-    def both(x, y):
-        at, mean, first = of(x, y)
-        return mean - load, (at * Omega**2 - 2 * first) ** 2 + (I + I_A * (at - A)) ** 2 - force**2
-
-    return [*both(mpf(0), mpf(0)), *itertools.chain(*by_each(both, mpf(0), mpf(0)))]
+    at, mean, first = by_ends(A, *ends)(*variables((0, 0), 1))
+    return stated(mean - load, (at * Omega**2 - 2 * first) ** 2 + (I + I_A * (at - A)) ** 2 - force**2)
 
 
 def ended_along(A, s_0, c_x, c_y, X, Y):
     """A and h/A along (-c_y, c_x), the latter times A^2/4: what F_A has beside A's own share goes as this times R."""
-    of = by_ends(A, mpf(0), s_0, c_x, c_y, X, Y)
-
-    def along(s):
-        at, _, first = of(-c_y * s, c_x * s)
-        return at, -2 * first / at
-
-    (slope,), (share,) = by_each(along, mpf(0))
-    return [slope, A**2 / 4 * share]
+    (s,) = variables((0,), 1)
+    at, _, first = by_ends(A, mpf(0), s_0, c_x, c_y, X, Y)(-c_y * s, c_x * s)
+    return [at.derivative(1), A**2 / 4 * (-2 * first / at).derivative(1)]
 
 
 def ended_fold(R, A, F_0, F_2, m, eta, zeta, d, load, *rest):
     """As `off_fold`, along the balance by the ends."""
     c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y = rest
-    of = by_ends(A, c_0, s_0, c_x, c_y, X, Y, c_xx, c_yy, X_x, Y_y)
-
-    def three(x, y, R):
-        at, mean, first = of(x, y)
-        by_A, by_mean, by_first = by_each(of, x, y)
-        Omega = mp.sqrt((R + 2 * first) / at)
-        I, I_A = lag(at, Omega, m, eta, zeta, d)
-        F = R**2 + I**2 - (F_0 + F_2 * Omega**2) ** 2
-        half = [R * (Omega**2 * a - 2 * s) + I * I_A * a for a, s in zip(by_A, by_first, strict=True)]
-        along = [by_mean[0] * one[1] - by_mean[1] * one[0] for one in (half, by_A)]
-        return mean - load, at * along[0] - along[1] * F, F
-
-    with mp.workdps(90):
-        return [*three(mpf(0), mpf(0), R), *itertools.chain(*by_each(three, mpf(0), mpf(0), R))]
+    x, y, R = variables((0, 0, R), 2)
+    at, mean, first = by_ends(A, c_0, s_0, c_x, c_y, X, Y, c_xx, c_yy, X_x, Y_y)(x, y)
+    Omega = ((R + 2 * first) / at).sqrt()
+    I, I_A = lag(at, Omega, m, eta, zeta, d)
+    F = R**2 + I**2 - (F_0 + F_2 * Omega**2) ** 2
+    half = [R * (Omega**2 * at.by(k) - 2 * first.by(k)) + I * I_A * at.by(k) for k in (0, 1)]
+    along = [mean.by(0) * one[1] - mean.by(1) * one[0] for one in (half, [at.by(0), at.by(1)])]
+    return stated(mean - load, at * along[0] - along[1] * F, F)
 
 
 OFF_CENTRE: dict[str, tuple[str, Function]] = {

@@ -1,8 +1,7 @@
-"""A force that is known by its values: nodes of the quadrature and what is summed over them."""
+"""A force that is known by its values: what is summed over nodes, and what is beside that where the force bends."""
 
 from __future__ import annotations
 
-import functools
 import random
 
 from mpmath import mp, mpf
@@ -17,22 +16,29 @@ def cut_off(lost, b, order=0):
     )
 
 
-@functools.cache
-def nodes(precision):
-    """Gauss's rule for what is a sum of a few sines."""
-    return [*zip(*mp.gauss_quadrature(40, "legendre"), strict=True)]
+def sine_integrals(end, count):
+    """Of sin(t)^k over 0 < t < end, by parts from the two below."""
+    with mp.extraprec(40 + count * max(0, -mp.mag(end))):
+        s, c = mp.sin(end), mp.cos(end)
+        found = [+end, 2 * mp.sin(end / 2) ** 2]
+        for k in range(2, count):
+            found.append(((k - 1) * found[k - 2] - s ** (k - 1) * c) / k)
+        return found
+
+
+#: cos(n psi) by powers of sin(t), where that is cos(psi)
+ON_SINE = {1: {1: 1}, 3: {1: -3, 3: 4}, 5: {1: 5, 3: -20, 5: 16}}
 
 
 def below_end(A, b, lost, n, order):
     """An integral of a derivative of that over 0 < u < b: sine^order and cos(n psi) stand beside it."""
-
-    end = mp.asin(b / A)
     total = mpf(0)
-    for x, weight in nodes(mp.prec):
-        t = end * (1 + x) / 2
-        s = mp.sin(t)
-        total += weight * cut_off(lost, b, order)(A * s) * s**order * (-1) ** ((n - 1) // 2) * mp.sin(n * t)
-    return -2 / mp.pi * end * total
+    integrals = sine_integrals(mp.asin(b / A), len(lost) + 6 + order)
+    for k, one in enumerate(lost):
+        for j in range(k - order + 1):  # (A sine - b)^(k - order)
+            power = A**j * (-b) ** (k - order - j) / (mp.factorial(j) * mp.factorial(k - order - j))
+            total += one * power * sum(share * integrals[j + order + m] for m, share in ON_SINE[n].items())
+    return -4 / mp.pi * total
 
 
 def by_end(n, first, last):
@@ -58,17 +64,21 @@ def on_sine(n, orders=4):
     return lambda s, *f: [-4 / mp.pi * f[k] * s**k * mp.cos(n * mp.acos(s)) for k in range(orders)]
 
 
-SAMPLED: dict[str, Function] = {
-    "at_rest": lambda f: [-4 / mp.pi * mp.quad(lambda t: f * mp.sin(t), [0, mp.pi / 2])],
-    "averaged_terms": on_sine(1),
-    "averaged_end": by_end(1, 1, 3),
-    "intercept_terms": lambda A, s, c, f_uu: [4 / mp.pi * A**2 * f_uu * s * c**2],
-    "intercept_end": intercept_by_end,
-    "harmonics_terms": lambda *x: on_sine(3)(*x) + on_sine(5)(*x),
-    "harmonics_end": lambda *x: by_end(3, 1, 3)(*x) + by_end(5, 1, 3)(*x),
-    "bent_terms": lambda s, f, f_uuuu: [-4 / mp.pi * f * s, -4 / mp.pi * f_uuuu * s**5],
+LOST, TERMS = "A b lost_0 lost_1 lost_2", "sine f f_u f_uu f_uuu"
+SAMPLED: dict[str, tuple[str, Function]] = {
+    "at_rest": ("f", lambda f: [-4 / mp.pi * f * sine_integrals(mp.pi / 2, 2)[1]]),
+    "averaged_terms": (TERMS, on_sine(1)),
+    "averaged_end": (LOST, by_end(1, 1, 3)),
+    "intercept_terms": ("A sine cosine f_uu", lambda A, s, c, f_uu: [4 / mp.pi * A**2 * f_uu * s * c**2]),
+    "intercept_end": ("A b lost_0 lost_1", intercept_by_end),
+    "harmonics_terms": (TERMS, lambda *x: on_sine(3)(*x) + on_sine(5)(*x)),
+    "harmonics_end": (LOST, lambda *x: by_end(3, 1, 3)(*x) + by_end(5, 1, 3)(*x)),
+    "bent_terms": ("sine f f_uuuu", lambda s, f, f_uuuu: [-4 / mp.pi * f * s, -4 / mp.pi * f_uuuu * s**5]),
     **{
-        f"bent_end_{lowest}": lambda A, b, *lost, lowest=lowest: by_end(1, 4, 4)(A, b, *(0,) * lowest, *lost)
+        f"bent_end_{lowest}": (
+            " ".join(("A b", *(f"lost_{order}" for order in range(lowest, 4)))),
+            lambda A, b, *lost, lowest=lowest: by_end(1, 4, 4)(A, b, *(0,) * lowest, *lost),
+        )
         for lowest in range(4)
     },
 }
@@ -77,10 +87,8 @@ SAMPLED: dict[str, Function] = {
 def sampled_table(rng: random.Random) -> dict:
     """Ends beside amplitudes and far below them; forces and losses of any sign."""
     table = {}
-    for kernel, f in SAMPLED.items():
-        count = {"at_rest": 1, "intercept_terms": 1, "intercept_end": 2, "bent_terms": 2}.get(kernel, 4)
-        count = 3 if kernel in ("averaged_end", "harmonics_end") else count
-        count = 4 - int(kernel[-1]) if kernel.startswith("bent_end") else count
+    for kernel, (names, f) in SAMPLED.items():
+        count = sum(name.startswith(("f", "lost")) for name in names.split())
         rows = []
         for share in (0.05, 0.4, 0.8, 0.99, 0.9999):
             numbers = [rng.uniform(-1, 1) for _ in range(count)]
