@@ -131,6 +131,7 @@ def test_laws_of_damping_are_those_of_the_mount(mount):
     assert shaken.peak(0.002).A == pytest.approx(shaken.oscillator.peak(0.002 / 0.08).A * 0.08, rel=1e-14)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("excitation", "amplitude"), [("base", 0.015), ("unbalance", 0.18)])
 def test_a_shaking_base_and_an_unbalance_move_the_mass_as_in_si_units(excitation, amplitude):
     """Absolute motion over a floor that moves; a mass that turns at a radius, by the force that it takes: by SciPy."""
@@ -574,6 +575,7 @@ def test_gradients_in_si_units_are_the_differences_of_mounts(excitation, damping
     assert found.condition("A")[0] == pytest.approx(moved / asked(numbers).A[0], rel=1e-13)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("ask", "of"),
     [

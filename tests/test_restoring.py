@@ -102,6 +102,7 @@ def test_closed_form(pieces, average, count, amplitude):
 FAR_POINTS = [(1, 1, "0.376"), (2, 1, "0.55"), (2, 2, "0.626"), (2, 2, "40")]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("count", "far", "amplitude"), FAR_POINTS)
 def test_far_form_to_working_precision(pieces, average, count, far, amplitude):
     exact = by_quadrature(pieces, mpf(amplitude), count)

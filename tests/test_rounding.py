@@ -104,6 +104,7 @@ def test_what_is_measured_at_stored_points_is_what_headers_say():
             assert float(error) <= max(float(measured.stored()[module].kernels[kernel]), 0.5), (module, kernel)
 
 
+@pytest.mark.slow
 def test_every_kernel_has_a_bound_that_is_proved_or_measured(modules, of_kernels):
     for module in modules:
         named = (*module.kernels, *module.twofolds, *module.selections, *module.compositions)
@@ -114,6 +115,7 @@ def test_every_kernel_has_a_bound_that_is_proved_or_measured(modules, of_kernels
         assert all(exact.is_of_gradients(kernel) for kernel in lacking), lacking
 
 
+@pytest.mark.slow
 def test_an_oscillator_that_is_derived_live_has_no_measured_bounds(modules):
     (module,) = (module for module in modules if module.name == "duffing")
     assert measured.of(module).kernels
