@@ -861,8 +861,7 @@ def test_gradients_of_a_mount_under_a_load_are_its_answers_differences():
         m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02, load=12.36
     )
 
-    def at(ask, numbers, of):
-        answer = ask(mount.replace(**numbers))
+    def last(answer, of):
         return np.array([np.atleast_1d(getattr(answer, name))[-1] for name in of])
 
     for ask, every in (
@@ -871,13 +870,14 @@ def test_gradients_of_a_mount_under_a_load_are_its_answers_differences():
         (lambda of: of.saddle_nodes(3.0), ("preload",)),
         (lambda of: of.peak(3.0), ("L",)),
     ):
-        gradient = ask(mount).gradient()
+        answer = ask(mount)
+        gradient = answer.gradient()
         slopes = gradient.slopes if gradient.slopes.ndim == 2 else gradient.slopes[-1]
         for name in every:
             value, step = mount.given[name], 1e-5 * mount.given[name]
-            ends = [at(ask, {name: value + sign * step}, gradient.of) for sign in (1, -1)]
+            ends = [last(ask(mount.replace(**{name: value + sign * step})), gradient.of) for sign in (1, -1)]
             expected = (ends[0] - ends[1]) / (2 * step)
-            size = np.abs(at(ask, {}, gradient.of) / value)
+            size = np.abs(last(answer, gradient.of) / value)
             assert np.abs(slopes[:, gradient.by.index(name)] - expected) == pytest.approx(0, abs=2e-7 * size.max())
 
 
