@@ -92,6 +92,7 @@ def assert_as_each_alone(designs, question, asked):
     return together
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("question", QUESTIONS)
 @pytest.mark.parametrize("kind", KINDS)
 def test_designs_abreast_are_answered_as_each_alone(kind, question):
@@ -102,6 +103,7 @@ def test_designs_abreast_are_answered_as_each_alone(kind, question):
     assert (status == Status.OK).mean() > 0.3 and status[7] == Status.INVALID
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("question", QUESTIONS)
 def test_how_many_go_together_changes_no_digit(question, monkeypatch):
     designs, F_0 = drawn("isolators")
@@ -113,6 +115,7 @@ def test_how_many_go_together_changes_no_digit(question, monkeypatch):
         assert one.tobytes() == other.tobytes()
 
 
+@pytest.mark.slow
 def test_folds_beyond_the_places_are_counted():
     designs, F_0 = drawn("isolators")
     *_, count, _, status = assert_as_each_alone(designs, SADDLE_NODES, {"F_0": F_0, "places": 1})
@@ -146,6 +149,7 @@ def test_a_design_that_nothing_bounds_spoils_no_other(question):
     assert status.tolist() == [Status.OK, Status.NO_BOUND, Status.OK, Status.OK]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("question", QUESTIONS)
 def test_a_design_whose_search_is_given_up_spoils_no_other(question, monkeypatch):
     """Where few intervals may be looked at of each."""
@@ -175,6 +179,7 @@ def test_the_second_approximation_does_not_answer_as_averaging(question):
             np.testing.assert_array_equal(column[: alone.size], alone)
 
 
+@pytest.mark.slow
 def test_memory_does_not_grow_with_the_number_of_designs():
     def peak_of(count):
         designs, F_0 = drawn("Duffing's", count)

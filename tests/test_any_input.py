@@ -129,6 +129,7 @@ oscillators = st.tuples(st.just(Isolator), st.fixed_dictionaries(ISOLATORS))
 oscillators |= st.tuples(st.just(Duffing), st.fixed_dictionaries(DUFFINGS))
 
 
+@pytest.mark.slow
 @pytest.mark.both_backends
 @often
 @given(oscillators, st.lists(any_of(AVERAGED), min_size=1, max_size=3))
@@ -137,6 +138,7 @@ def test_an_answer_or_a_refusal_in_words(made, asked):
     asked_all(lambda: kind(**parameters), asked)
 
 
+@pytest.mark.slow
 @settings(often, max_examples=150)
 @given(oscillators, st.lists(any_of(SECOND), min_size=1, max_size=2))
 def test_the_second_approximation_answers_or_refuses_in_words(made, asked):
@@ -170,6 +172,7 @@ def test_a_picture_and_a_measured_error_are_answered_or_refused_in_words(made, a
     pyplot.close("all")
 
 
+@pytest.mark.slow
 @pytest.mark.both_backends
 @settings(often, max_examples=150)
 @given(st.fixed_dictionaries(BATCHES), st.lists(any_of(OF_BATCHES), min_size=1, max_size=2))
@@ -177,6 +180,7 @@ def test_a_batch_has_numbers_or_a_status(given_numbers, asked):
     asked_all(lambda: Isolator.many(**given_numbers), asked)
 
 
+@pytest.mark.slow
 @settings(often, max_examples=100)
 @given(st.fixed_dictionaries(BATCHES), st.lists(any_of(OF_SECOND_BATCHES), min_size=1, max_size=2))
 def test_a_batch_of_the_second_approximation_has_numbers_or_a_status(given_numbers, asked):
@@ -218,6 +222,7 @@ def test_a_scene_with_any_value_is_answered_or_refused_in_words(place, value):
         assert code == 0 or words.getvalue().strip()
 
 
+@pytest.mark.slow
 @settings(often, max_examples=100)
 @example(1.7e308, 1.0, 1.0, "mu")
 @example(0.0, 1.0, 1e-160, "mu")

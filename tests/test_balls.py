@@ -219,6 +219,7 @@ def test_one_ulp_from_friction_it_is_decided_whether_the_mass_moves():
             assert proof.message.startswith("sticks") is not (mpmath.mpf(F_0) > m)
 
 
+@pytest.mark.slow
 def test_a_double_state_that_is_exact_stays_undecided_in_words():
     """Where two states meet at numbers that are doubles no digits tell them apart."""
     iso = Duffing(2.5, -4.0, mu=0.0, zeta=0.0)
@@ -273,6 +274,7 @@ def test_without_viscous_damping_what_is_born_is_proved_for_any_stiffness_at_res
     assert found.message == said[True]
 
 
+@pytest.mark.slow
 @pytest.mark.both_backends
 @pytest.mark.parametrize("delta_h", [1e-10, 1e-20, 1e-67])
 @pytest.mark.parametrize("mu", [0.0, 0.01])

@@ -118,6 +118,7 @@ def level_ulps(F_SN):
         yield F_0, Fraction(F_0) > Fraction(F_SN)
 
 
+@pytest.mark.slow
 @compiled
 def test_beside_a_double_fold_what_is_proved_is_true():
     """At F_SN two folds meet: a few ulps above there are two, below none."""
@@ -243,6 +244,7 @@ def test_bad_input_is_refused(bad):
         example.isolator().certify(**bad)
 
 
+@pytest.mark.slow
 @compiled
 @pytest.mark.parametrize(
     ("lam", "r", "delta_h", "mu", "zeta", "F_0"),

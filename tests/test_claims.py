@@ -60,6 +60,7 @@ def test_the_averaged_side_is_the_runtimes(row):
         assert (mine["Omega"], mine["A"]) == pytest.approx((theirs["Omega"], theirs["A"]), rel=1e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("ratio", "part"),
     [(ratio, part) for ratio in (0.2, 0.5, 0.7) for part in ("moving", "stopping", "averaged") if LINEAR[ratio][part]],
@@ -114,6 +115,7 @@ def test_exact_jumps_where_averaging_has_none():
     close(exact_response(system, F_0, Omega=window, step=claims.STEP, integrator=SCIPY).folds, row["exact"]["folds"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("forcing", ["F_SN", "0.025", "F_cr", "0.040", "0.050"])
 def test_the_worst_points_of_figure_7a(forcing):
     row = TABLE_2[forcing]
@@ -146,6 +148,7 @@ def test_the_exact_onset_of_figure_7a():
     assert rates[0] > 0 > rates[1]
 
 
+@pytest.mark.slow
 def test_the_recipe_at_one_frequency():
     """As published but for the number of periods: forty are enough at this friction."""
     spot = next(s for s in NUMBERS["figure_2a"]["published way"] if (s["ratio"], s["Omega"]) == (0.6, 1.4))

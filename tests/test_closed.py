@@ -67,6 +67,7 @@ def test_there_are_cases_of_each_force_and_all_have_folds():
         assert len(cases) == EACH and all(len(case["folds"]) >= 2 for case in cases)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compiled", COMPILED)
 @pytest.mark.parametrize("name", [*LIBRARY, *STATED])
 def test_folds_and_states_are_the_certified_ones_and_no_others(name, compiled):
@@ -90,7 +91,9 @@ def test_folds_and_states_are_the_certified_ones_and_no_others(name, compiled):
 
 
 @pytest.mark.parametrize("compiled", COMPILED)
-@pytest.mark.parametrize("name", [*LIBRARY, "even"])
+@pytest.mark.parametrize(
+    "name", ["bilinear", *(pytest.param(one, marks=pytest.mark.slow) for one in ("stop", "play", "even"))]
+)
 def test_onsets_are_the_certified_ones(name, compiled):
     for one, _, case in oscillators(name, compiled):
         found, sure = one.saddle_node_onset(), case["onset"]

@@ -149,6 +149,7 @@ def named_by_33(isolator):
     return F_A < 0, corner
 
 
+@pytest.mark.slow
 def test_the_onset_is_that_of_33_under_the_two_conditions_of_the_ledger_and_no_other():
     rng, seen = np.random.default_rng(33), set()
     for _ in range(MANY):
@@ -346,6 +347,7 @@ def undamped():
             yield Isolator(**design, delta_h=delta_h, mu=mu, zeta=0.0, force=force)
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore:.*negative stiffness")
 def test_without_viscous_damping_folds_begin_where_the_onset_says():
     """Next to 4 mu/pi, if only at ever larger amplitudes, at F_SN, or where they end at Omega = 0; below is none."""

@@ -81,6 +81,7 @@ def test_means_are_those_of_exact_integrals(patched, A, B):
                 assert held[n].lo[0] <= family[n][0] <= held[n].hi[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [1e-6, 1e-3, 0.05, 0.5])
 def test_boxes_hold_all_that_motions_within_them_have(patched, size):
     """Means and their slopes by the ends of the motion, at random motions in random boxes of each chart."""
@@ -338,6 +339,7 @@ def test_gradients_are_those_of_integrals_at_forty_digits(request, name, questio
                     assert value == pytest.approx(float(moves[of]), rel=1e-10, abs=1e-11), (of, by)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["jumping", "mirrored", "cushion"])
 def test_places_of_rest_move_as_the_force_and_its_slope_do(request, name):
     """Where f(u) = load, by differences at 40 digits."""

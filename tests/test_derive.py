@@ -177,6 +177,7 @@ def test_a_cubic_spring_is_the_packages_own(folder):
     np.testing.assert_allclose(one.saddle_nodes(0.1).Omega, other.saddle_nodes(0.1).Omega, rtol=4e-15)
 
 
+@pytest.mark.slow
 def test_its_derivation_reads_as_a_document(stop):
     text = stop.document()
     sections = [line[3:] for line in text.splitlines() if line.startswith("## ")]
@@ -195,6 +196,7 @@ def test_its_derivation_reads_as_a_document(stop):
         assert not [later for later in names[k:-2] if len(later) > 1 and later in value]
 
 
+@pytest.mark.slow
 def test_resultants_are_told_where_the_average_is_a_polynomial(folder):
     """Folds of a Duffing oscillator are roots of theirs, and its onset is one of the other's."""
     hardening = derive.mechanism("hardening", [(u + beta * u**3, None)], {"beta": ABOVE_0})
@@ -217,6 +219,7 @@ def test_resultants_are_told_where_the_average_is_a_polynomial(folder):
             assert abs(sum(sizes)) < 1e-11 * sum(map(abs, sizes))
 
 
+@pytest.mark.slow
 def test_a_gap_in_powers_of_a_piece_is_printed(folder):
     """A cubic spring that a linear one takes over from, with a jump: k gap^3 was no chain of multiplications."""
     pieces = [(u + beta * u**3, gap), (u + k_2 * (u - gap), None)]
@@ -330,6 +333,7 @@ def test_what_is_derived_once_is_not_derived_again(stop, monkeypatch):
         derive.mechanism(**{**STOP, "pieces": [(k_1 * u, 2 * gap), (k_1 * u + k_2 * (u - 2 * gap), None)]})
 
 
+@pytest.mark.slow
 @COMPILED
 def test_c_is_printed_where_it_is_compiled(folder):
     """NumPy needs none; what is compiled later is derived again, and is the same mechanism."""
@@ -359,6 +363,7 @@ print([name for name in sys.modules if name.partition(".")[0] == "scipy" or name
 UNASKED = ("sympy.physics", "slowflow_derivation.document", "slowflow_derivation.emit.targets.c")
 
 
+@pytest.mark.slow
 def test_a_first_answer_on_numpy_imports_nothing_that_it_does_not_need(tmp_path):
     """SciPy, SymPy's units, which `simplify` brings in, documents and C would take longer than deriving."""
     program = f"UNASKED = {UNASKED}\n{FIRST_ANSWER}"

@@ -217,6 +217,7 @@ def settled(osc, Omega, F_0, turns):
     return largest
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("osc", "Omega", "F_0", "within"),
     [
@@ -267,6 +268,7 @@ def test_each_point_of_a_curve_with_structural_damping_has_the_motion_of_its_own
         assert (same.Omega, same.A) == pytest.approx((fold.Omega, fold.A), rel=1e-7)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("osc", STRUCTURAL, ids=repr)
 def test_sweeps_and_measurements_with_structural_damping_are_those_of_single_motions(osc):
     F_0, up = 0.06, [1.0, 1.2, 1.4]
@@ -648,6 +650,7 @@ def test_a_curve_with_static_friction_goes_through_the_motions_and_a_shock_rests
     assert held.A < free.A and held.rests and 0.02 < abs(osc.force(held.u_end)) <= 0.06
 
 
+@pytest.mark.slow
 def test_onsets_that_boxes_cannot_tell_are_refused_with_the_reason():
     """Folds that come down to rest, a level that does not change with Omega; with a law that decides they are there."""
     play = derive.library("dead_zone")
@@ -663,6 +666,7 @@ def test_onsets_that_boxes_cannot_tell_are_refused_with_the_reason():
     assert wells.replace(eta=0.02).saddle_node_onset().kind == "isola"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("damping", [{"zeta": 0.02}, {"mu": 0.01}, {"mu": 0.005, "zeta": 0.02}])
 @pytest.mark.parametrize("c_2", [0.1, 5.0])
 def test_the_onset_of_a_play_with_quadratic_damping(damping, c_2):
@@ -830,6 +834,7 @@ def test_a_play_on_a_shaking_base_has_all_folds_under_quadratic_damping(c_2, Y):
     assert len(folds) in (0, 2) and counts == ([1, 1, 3, 3, 1, 1] if len(folds) else [1, 1])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("excitation", ["base", "unbalance"])
 def test_an_isola_point_far_above_does_not_hide_the_onset_by_inertia(excitation):
     """Doubles do not isolate the one at A = 10.7; the cusp below is that of a force, at F_0 Omega^2."""
@@ -906,6 +911,7 @@ def test_a_linear_spring_has_one_motion_at_each_frequency(excitation, damping, a
             assert np.hypot(R, I) == pytest.approx(force, rel=1e-13)
 
 
+@pytest.mark.slow
 def test_a_peak_within_rounding_of_where_the_force_jumps_is_undecided_and_what_is_not_there_is_answered():
     """By structural damping alone A is F_0/eta at a peak: 0.6, where the cams leave, but for a rounding."""
     cam = derive.library("cam_roller")(r=0.8, rho=0.8, c=0.1, eta=0.05)

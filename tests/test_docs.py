@@ -211,6 +211,7 @@ def test_on_the_page_of_an_index_the_readme_has_no_path(monkeypatch: pytest.Monk
 DOCUMENTED = {"slowflow.derive": "sympy", "slowflow.progress": "", "slowflow.scenes": ""}
 
 
+@pytest.mark.slow
 def test_the_modules_with_code_in_their_docstrings_are_these() -> None:
     found = set()
     for path in (ROOT / "src" / "slowflow").rglob("*.py"):

@@ -97,6 +97,7 @@ def test_a_periodic_motion_and_its_variations_against_thirty_digits(pieces, name
     assert np.max(np.abs(there - here)) <= 1e-12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("power", [1.1, 1.5, 2.0, 2.5, 3.3])
 def test_a_free_contact_swings_as_long_as_its_closed_form(pieces, power):
     """u'' = -a |u|^p sign(u), which has no series at u = 0, comes to rest at the other side after a Beta function.
@@ -136,6 +137,7 @@ def test_a_curve_asks_nothing_of_scipy(pieces, monkeypatch):
     assert np.max(np.abs(other.multipliers - state.multipliers)) <= 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(EXACT is None, reason="the compiled integrator is not in use")
 def test_motions_through_a_contact_behind_a_gap_are_seen_to_the_ends_of_their_phases():
     """What they pass on, and shocks, against SciPy: at the gap itself there is no series, and nothing was answered."""

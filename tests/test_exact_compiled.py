@@ -53,6 +53,7 @@ PIECES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("end", [pytest.param(2.9, marks=pytest.mark.slow), -0.6])
 @pytest.mark.parametrize("name", PIECES)
 def test_states_and_derivatives_against_twenty_five_digits(name, end):
@@ -372,6 +373,7 @@ def swept(oscillator, Omega, F_0, integrator):
     return found.A, found.stops, found.turns, found.settled, found.jumps
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "oscillator, F_0",
     [

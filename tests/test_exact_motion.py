@@ -184,6 +184,7 @@ def test_den_hartog_sticks_below_the_bound():
         assert (steady_state(system, Omega=Omega, F_0=1.0).stops == 0) == continuous, Omega
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("Omega", "mu"), [(0.75, 0.85), (0.45, 0.7), (0.21, 0.3), (0.12, 0.2), (0.06, 0.2), (0.06, 0.25)]
 )

@@ -65,6 +65,7 @@ def multipliers_at(Omega, F_0, here, step=1e-5):
     return np.sort_complex(np.linalg.eigvals(np.column_stack(moved) / (2 * step)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("Omega", [0.8, 1.3])
 def test_a_motion_and_its_multipliers_are_those_of_integration_from_event_to_event(spring, Omega):
     F_0 = 0.15
@@ -97,6 +98,7 @@ def test_a_curve_passes_from_motions_with_stops_to_such_without(spring):
         assert spring.steady_state(Omega=Omega, F_0=0.15).A == pytest.approx(A, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_a_mass_that_comes_to_rest_where_the_force_jumps_is_followed_and_that_is_said(spring):
     """It moves off where F_0 cos(theta) = mu + c, and how far it gets is known from there on."""
     Omega, F_0 = 0.2, 0.065
@@ -108,6 +110,7 @@ def test_a_mass_that_comes_to_rest_where_the_force_jumps_is_followed_and_that_is
         spring.steady_state(Omega=Omega, F_0=F_0)
 
 
+@pytest.mark.slow
 def test_a_force_that_does_not_exceed_friction_and_preload_leaves_a_mass_at_rest(spring):
     with pytest.raises(ValueError, match=r"does not exceed mu and what the force jumps to at u = 0, together = 0\.06"):
         spring.steady_state(Omega=0.6, F_0=0.0599)

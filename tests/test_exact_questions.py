@@ -315,6 +315,7 @@ def test_ctrl_c_interrupts():
     assert interrupted(program) == ENDING
 
 
+@pytest.mark.slow
 @compiled
 @pytest.mark.parametrize("threads", [2, 16])
 def test_threads_answer_as_one_thread_does(threads):

@@ -168,6 +168,7 @@ def test_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(oscill
         assert np.all(bend[0] <= slopes + slack) and np.all(slopes - slack <= bend[1])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FORCES)
 def test_no_state_is_missed_or_made_up(oscillator, name):
     """Against the signs of the balance on a fine grid of amplitudes."""
@@ -193,6 +194,7 @@ def stiff_at_rest(compile):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compile", STIFF)
 @pytest.mark.parametrize(("power", "mu"), [(0.5, 0.0), (0.8, 0.0), (0.2, 0.01)])
 def test_under_a_power_below_1_folds_come_down_to_rest(power, mu, compile):
@@ -206,6 +208,7 @@ def test_under_a_power_below_1_folds_come_down_to_rest(power, mu, compile):
     assert several.status.tolist() == [Status.UNBOUNDED] * 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compile", STIFF)
 @pytest.mark.parametrize(
     ("slope", "power", "mu"), [(0.0, 0.5, 0.01), (1.0, 0.5, 0.2), (0.0, 0.8, 0.01), (1.0, 0.8, 0.001)]
@@ -232,6 +235,7 @@ def test_with_friction_there_is_an_onset_under_a_power_above_a_third(slope, powe
     assert several.F_SN == pytest.approx(onset.F_SN, rel=1e-14)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compile", STIFF)
 @pytest.mark.parametrize("zeta", [0.03, 0.1])
 def test_a_preload_alone_before_a_spring_has_the_onset_of_ever_softer_springs_before_it(zeta, compile):
@@ -249,6 +253,7 @@ def test_a_preload_alone_before_a_spring_has_the_onset_of_ever_softer_springs_be
     assert again == pytest.approx(onset.F_SN, rel=1e-14)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compile", STIFF)
 def test_a_peak_does_not_ask_for_an_average_that_does_not_settle_far_out(compile):
     """A rod behind a gap, whose root is u but for what is lost in u^2 from |u| = 1e9 on."""
@@ -266,6 +271,7 @@ def test_a_peak_does_not_ask_for_an_average_that_does_not_settle_far_out(compile
     assert found.A[0] == pytest.approx(peak.A, rel=1e-14)
 
 
+@pytest.mark.slow
 def test_quotients_that_cancel_at_rest_keep_their_digits():
     """Two magnets, as one would type them; and a quotient that is not odd, whose |u| is u."""
     pieces = {
@@ -324,6 +330,7 @@ def test_answers_at_all_depths_agree(oscillator):
     assert "not measured" in str(one.amplitudes(Omega=0.9, F_0=0.1).validity)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "numbers"), [("soft_stop", None), ("power", None), ("hertz", None), ("letting_go", {"k": 1.5, "gap": 0.5})]
 )
@@ -468,6 +475,7 @@ def preloaded():
     return derive.mechanism("preloaded", [(c + k * u, None)], {"c": ABOVE_0, "k": ABOVE_0})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("share", [0.3, 0.8, 0.99])
 @pytest.mark.parametrize("mu", [0.0, 0.01])
 def test_a_preload_on_a_linear_spring_has_the_fold_of_its_closed_form(preloaded, mu, share):
@@ -521,6 +529,7 @@ def test_a_mass_that_a_preload_holds_at_rest_is_said_beside_the_motions(preloade
     assert one.transmissibility_floor(0.2) == pytest.approx(held / 0.2, rel=1e-15)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compiled", [False, pytest.param(True, marks=pytest.mark.slow)])
 def test_small_motions_with_a_preload_are_not_missed(compiled):
     """Where h is not 0 at rest h/A has no bound: without friction the peak is a root of (k - zeta^2) A^2 + 4c/pi A =
@@ -667,6 +676,7 @@ def test_a_force_whose_terms_cancel_at_rest_keeps_its_digits_there(force, value)
     assert len(one.amplitudes(Omega=0.9, F_0=0.05)) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compile", [False, pytest.param(True, marks=COMPILED)])
 def test_a_logarithmic_spring_holds_motions_of_any_size(compile):
     """c u + k log(1 + u): far out the logarithm lost its digits, or was infinite, and no amplitude was a bound."""
@@ -693,6 +703,7 @@ def test_a_force_that_does_not_hold_motions_of_any_size_asks_for_its_reach(force
     assert derive.mechanism(*stated, reach=1.5)(k=1.0, zeta=0.05).saddle_node_onset().kind == "cusp"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("force", "fits", "reaches", "place"),
     [

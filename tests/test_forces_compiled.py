@@ -127,6 +127,7 @@ def test_many_designs_are_single_ones_and_have_their_gradients(derived):
         np.testing.assert_allclose(other["Omega", by], moves["Omega", by], rtol=1e-10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", slow_beside(FORCES, FEW))
 def test_in_C_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(derived, name):
     """Between any two amplitudes of a piece; h_AAAA by differences of h_AAA."""

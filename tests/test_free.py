@@ -44,6 +44,7 @@ def test_states_are_the_roots(law):
     assert [float(free.amplitudes(Omega=one, F_0=F_0).A[0]) for one in OMEGA] == pytest.approx(found.A, rel=4 * U)
 
 
+@pytest.mark.slow
 @pytest.mark.both_backends
 @pytest.mark.parametrize("law", LAWS)
 def test_the_curve_begins_where_the_window_does_or_says_where_it_is_cut(law):

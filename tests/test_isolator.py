@@ -226,6 +226,7 @@ parameters = st.builds(
 )
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None, phases=[Phase.generate])
 @given(parameters, st.floats(1.05, 8), st.floats(0.2, 1.9))
 def test_states_alternate_in_stability_and_their_number_is_odd(values, multiple, Omega):

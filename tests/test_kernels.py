@@ -116,6 +116,7 @@ def test_what_c_never_calls_is_not_printed_in_c():
     assert left <= {f"{module}_{kernel}" for module, kernel in KERNELS if module in MECHANISMS}
 
 
+@pytest.mark.slow
 def test_what_python_never_calls_is_listed():
     """Whether a name is called is told by its being an attribute, an import or a word of another generated function."""
     page = (HERE.parent / "docs" / "kernels.md").read_text()

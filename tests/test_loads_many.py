@@ -99,6 +99,7 @@ def test_at_rest_many_have_a_stroke_that_no_base_motion_reaches(force):
     assert many.at_rest().u_cr == Isolator(**given, force=force).u_cr == pytest.approx(math.sqrt(1 - 0.001**2))
 
 
+@pytest.mark.slow
 def test_a_rod_that_rubs_does_not_hold_a_mass_on_a_shaking_base_at_every_frequency():
     """Many designs were said to stick, as under a force; with so much acceleration each base moves the mass."""
     given = {"lam": 1.0, "r": 1.0, "delta_h": 0.1, "mu": 0.07, "zeta": 0.3, "excitation": "base", "rubs": "attached"}

@@ -121,6 +121,7 @@ def test_many_are_answered_as_each_alone(question, kind):
     assert_is_that_of_each(found, asked_alone(make, given, same, F_0, question), question)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("make", [Isolator, Duffing])
 def test_folds_of_many_have_every_bit_of_single_ones(make):
     """Also next to where damping is so weak, or F_0 so small, that a block leaves them to the search of one design."""

@@ -176,6 +176,7 @@ OFF_CENTRE = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("osc", "F_0"), OFF_CENTRE, ids=repr)
 def test_states_under_a_load_are_measured_by_the_motion_that_an_integration_settles_to(osc, F_0):
     asked = osc.amplitudes(Omega=[0.8, 1.5, 1.8], F_0=F_0)

@@ -122,6 +122,7 @@ def of_bilinear():
     return restoring(oscillator(bilinear.MECHANISM).polynomials, bilinear.MECHANISM.breakpoints)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scene", SCENES)
 def test_a_linear_first_piece_has_no_candidate_for_an_onset(scene):
     """F_A and F_AA vanish together nowhere, or, without friction, where one vanishes: no amplitude stands out."""

@@ -63,6 +63,7 @@ def test_a_cubic_spring_is_balanced_as_it_is_by_hand(alpha, beta, load):
     assert found.phi == pytest.approx(np.arctan2(-2 * zeta * A * Omega, -R), rel=1e-12)
 
 
+@pytest.mark.slow
 def test_states_detachments_and_onsets_are_all_those_that_are_certified():
     """24 cubic springs, 12 truncated isolators, the onsets of 8 cubic springs, to 40 digits."""
     assert len(CERTIFIED) >= 40
@@ -215,6 +216,7 @@ def test_by_the_ends_of_the_motion_boxes_hold_the_means_of_every_point_and_their
                     assert ((ends[0] <= value + doubt) & (value - doubt <= ends[1]))[told].all(), (number, name)
 
 
+@pytest.mark.slow
 def test_off_the_centre_validity_says_that_nothing_was_measured(loaded):
     none = loaded.replace(load=0.45).detachment()
     answers = (loaded.amplitudes(Omega=0.9, F_0=0.04), loaded.saddle_nodes(0.04), loaded.detachment(), none)
@@ -367,6 +369,7 @@ def by_hand(alpha, beta, zeta, load, F_0, window):
     return points[:, inside].T, at_edges
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("alpha", "beta", "load", "F_0"), [(1.0, 0.5, 0.3, 0.2), (-0.5, 1.0, 0.02, 0.05), (-0.5, 1.0, 0.02, 0.2)]
 )
@@ -443,6 +446,7 @@ def test_a_response_turns_at_the_corner_that_a_jump_makes_as_the_balance_does():
     assert np.array_equal(found.Omega[1:-1][rises[1:] != rises[:-1]], folds.Omega[::-1] if rises[0] else folds.Omega)
 
 
+@pytest.mark.slow
 def test_two_wells_have_their_responses_beside_that_about_the_centre():
     well = Duffing(-0.5, 1.0, 0.0, 0.05)
     found, centred = (of.frequency_response(0.05, Omega=(0.1, 1.8)) for of in (well.off_centre, well))
@@ -484,6 +488,7 @@ def test_detachment_under_a_load_comes_sooner_and_at_the_edge(loaded):
     assert loaded.replace(load=1e-12).detachment().F_cr == pytest.approx(centred.F_cr, rel=1e-10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "oscillator",
     [pytest.param(Isolator(**TABLE_1, load=0.03), marks=pytest.mark.slow), Duffing(1.0, 0.5, 0.01, 0.05, load=0.3)],
@@ -856,8 +861,7 @@ def test_gradients_of_a_mount_under_a_load_are_its_answers_differences():
         m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02, load=12.36
     )
 
-    def at(ask, numbers, of):
-        answer = ask(mount.replace(**numbers))
+    def last(answer, of):
         return np.array([np.atleast_1d(getattr(answer, name))[-1] for name in of])
 
     for ask, every in (
@@ -866,13 +870,14 @@ def test_gradients_of_a_mount_under_a_load_are_its_answers_differences():
         (lambda of: of.saddle_nodes(3.0), ("preload",)),
         (lambda of: of.peak(3.0), ("L",)),
     ):
-        gradient = ask(mount).gradient()
+        answer = ask(mount)
+        gradient = answer.gradient()
         slopes = gradient.slopes if gradient.slopes.ndim == 2 else gradient.slopes[-1]
         for name in every:
             value, step = mount.given[name], 1e-5 * mount.given[name]
-            ends = [at(ask, {name: value + sign * step}, gradient.of) for sign in (1, -1)]
+            ends = [last(ask(mount.replace(**{name: value + sign * step})), gradient.of) for sign in (1, -1)]
             expected = (ends[0] - ends[1]) / (2 * step)
-            size = np.abs(at(ask, {}, gradient.of) / value)
+            size = np.abs(last(answer, gradient.of) / value)
             assert np.abs(slopes[:, gradient.by.index(name)] - expected) == pytest.approx(0, abs=2e-7 * size.max())
 
 
@@ -908,6 +913,7 @@ def test_a_motion_under_a_load_that_averaging_does_not_know_is_found_from_its_am
     assert min(abs(loaded.amplitudes(**at).u_max - seen)) > 0.05
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mu", [0.0, 0.01])
 @pytest.mark.parametrize(("softer", "harder"), [(1.0, 1.5), (0.3, 4.0)])
 def test_springs_that_differ_on_both_sides_isolate_from_where_twice_their_backbone_is(mu, softer, harder):
@@ -943,6 +949,7 @@ def test_how_far_folds_are_looked_for_is_not_said_where_nothing_damps():
         isolator().off_centre.A_max(-1.0)
 
 
+@pytest.mark.slow
 def test_a_load_of_any_size_is_answered_or_refused_without_a_warning():
     """Bounds on the mean are products that leave the range of doubles: they did with a warning."""
     for load in (1e60, 1e150, 1.7e308):

@@ -39,7 +39,7 @@ def test_there_are_certified_cases_of_each_excitation_with_folds():
     assert sum(len(case["folds"]) for case in CASES) == 56
 
 
-@pytest.mark.parametrize("force", ["even", "stop", pytest.param("springs", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("force", ["even", *(pytest.param(one, marks=pytest.mark.slow) for one in ("stop", "springs"))])
 def test_folds_and_states_are_the_certified_ones_and_no_others(force):
     of = made(force)
     for case in (case for case in CASES if case["force"] == force):
@@ -47,6 +47,7 @@ def test_folds_and_states_are_the_certified_ones_and_no_others(force):
         check_folds_and_states(of(**given, excitation=case["excitation"]), case)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("zeta", "eta"), [(0.06, 0.0), (0.06, 0.07), (0.0, 0.07)])
 def test_a_linear_mount_on_a_shaking_base_is_the_closed_form_about_its_rest(zeta, eta):
     Y, load = 0.03, 0.4
@@ -98,6 +99,7 @@ def test_the_isolator_under_a_vanishing_load_on_a_base_detaches_and_jumps_as_abo
     assert loaded.margins(0.05).detaches and loaded.margins(0.05).Omega_sticks == centred.margins(0.05).Omega_sticks
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("law", LAWS)
 def test_states_of_a_loaded_isolator_are_those_of_averages_by_sums(law):
     """The mean is solved for at each amplitude, and F on a grid of them: all its zeros are the states."""
@@ -179,6 +181,7 @@ def test_friction_holds_a_mount_on_a_base_up_to_a_frequency():
     assert not len(mount.amplitudes(Omega=0.5 * begin, F_0=0.05))
 
 
+@pytest.mark.slow
 def test_small_forcings_have_small_motions():
     """Boxes beyond A = 0 are left, and do not pile up."""
     for law in ({}, *LAWS):
@@ -187,6 +190,7 @@ def test_small_forcings_have_small_motions():
         assert other.A == pytest.approx(1e-3 * one.A, rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("law", [{"eta": 0.04}, {"c_2": 0.05}, {"excitation": "base", "c_2": 0.05}])
 def test_damping_without_a_viscous_part_is_the_limit_of_it_falling_to_none(law):
     """Answers are analytic in zeta: extrapolated from two small ones to 0, they are off by its square."""
@@ -208,6 +212,7 @@ def test_without_damping_that_grows_the_reason_is_said():
         Duffing(1.0, 1.0, mu=0.01, load=0.1).peak(0.1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("zeta", [0.0, 1e-9])
 def test_an_onset_that_only_falls_as_motions_grow_is_none(zeta):
     """A hardening spring on a base, with structural damping: levels of the backbone go as eta/A."""
@@ -215,6 +220,7 @@ def test_an_onset_that_only_falls_as_motions_grow_is_none(zeta):
     assert onset.F_SN is None and "undecided" in onset.message
 
 
+@pytest.mark.slow
 def test_what_a_base_does_without_an_end_is_said():
     hard = Duffing(1.0, 1.0, zeta=0.03, load=0.2, excitation="base")
     assert "may not close" in hard.peak(0.1).message and hard.peak(0.1).A is None
@@ -255,20 +261,25 @@ def test_gradients_are_differences_of_answers(law, ask):
     made = Duffing if plain else Isolator
 
     def found(**changes):
-        answer = ASKED[ask](made(**{**given, **changes}))
+        return of_answer(ASKED[ask](made(**{**given, **changes})))
+
+    def of_answer(answer):
         return np.array([np.atleast_1d(getattr(answer, name))[-1] for name in gradient.of])
 
-    gradient = ASKED[ask](made(**given)).gradient()
+    answer = ASKED[ask](made(**given))
+    gradient = answer.gradient()
+    here = of_answer(answer)
     slopes = gradient.slopes.reshape(-1, *gradient.slopes.shape[-2:])[-1]
     moving = [name for name in gradient.by if isinstance(given.get(name), float)]
     assert {*given} - {"excitation"} == {*moving}
     for name in moving:
         ends = [found(**{name: given[name] * (1 + sign * STEP)}) for sign in (1, -1)]
         expected = (ends[0] - ends[1]) / (2 * STEP * given[name])
-        size = np.abs((found() / given[name], expected)).max()
+        size = np.abs((here / given[name], expected)).max()
         np.testing.assert_allclose(slopes[:, gradient.by.index(name)], expected, rtol=0, atol=1e-8 * size)
 
 
+@pytest.mark.slow
 def test_gradients_by_a_law_that_is_not_there_tend_to_those_with_it():
     """eta and c_2 at 0, one of which is there: one-sided differences."""
     with_eta = Duffing(1.0, 1.0, zeta=0.05, eta=0.02, load=0.1)

@@ -15,6 +15,7 @@ def alone(load):
     return Isolator(**TABLE_1, load=float(load))
 
 
+@pytest.mark.slow
 def test_gradients_of_margins_are_refused_in_words():
     found = Isolator.many(**TABLE_1, load=[0.01, 0.03])
     with pytest.raises(ValueError, match="this answer has none"):
@@ -121,6 +122,7 @@ def test_what_an_engineer_asks_of_many_designs_has_the_digits_of_single_answers(
     assert not any(answer.status.any() for answer in (*found.values(), rests))
 
 
+@pytest.mark.slow
 def test_curves_of_many_designs_have_the_points_of_single_ones():
     """The last has no points, as it sticks; the forcing broadcasts."""
     designs = Duffing.many([1.0, 1.2, 1.0], 0.5, 0.01, 0.05, load=[0.3, 0.2, 0.3])

@@ -83,6 +83,7 @@ ISOLATOR = {"lam": 2.5, "r": 1.75, "delta_h": 0.17, "mu": 0.01, "zeta": 0.03}
 DUFFING = {"alpha": 0.75, "beta": -1.3, "mu": 0.01, "zeta": 0.03}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ratio", ["0.3", "0.999", "1.0000001", "1.01", "1.7", "20"])
 def test_h_and_its_derivatives_are_those_of_the_force(ratio: str) -> None:
     with mp.workdps(60), precision(BITS):
@@ -169,6 +170,7 @@ def some_folds() -> list[tuple]:
     return rows
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "index", "forcing"), some_folds())
 def test_recorded_folds_satisfy_the_system_by_quadrature(name: str, index: int, forcing: int) -> None:
     """F and F_A with h from quadrature of the force, F_A by differences of F: what is left is rounding at 40 digits."""
@@ -351,6 +353,7 @@ def test_onset_and_recorded_folds_agree(name: str) -> None:
                 assert record["folds"] == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("index", [8, 17])
 def test_one_case_again(index: int) -> None:
     """The committed file is what the generator writes."""

@@ -71,6 +71,7 @@ def forcings(one):
     return one.model.m + 0.6 * (one.model.held - one.model.m), 1.5 * one.model.held
 
 
+@pytest.mark.slow
 def test_no_state_is_missed_or_made_up(oscillator):
     A, frequencies = np.geomspace(1e-7, 20, 20001), [0.5, 0.9, 1.05, 1.3, 2.5]
     for F_0 in forcings(oscillator):
@@ -85,6 +86,7 @@ def test_no_state_is_missed_or_made_up(oscillator):
             assert found.stable[here].tolist() == (F[change + 1] > 0).tolist()
 
 
+@pytest.mark.slow
 def test_folds_are_where_the_number_of_states_changes(oscillator):
     A, grid = np.geomspace(1e-6, 20, 4001), np.linspace(0.3, 4.0, 371)
     for F_0 in forcings(oscillator):
@@ -102,6 +104,7 @@ def test_folds_are_where_the_number_of_states_changes(oscillator):
         assert all(((grid[i] <= within) & (within <= grid[i + 1])).any() for i in turns)
 
 
+@pytest.mark.slow
 def test_the_onset_is_where_two_folds_come_or_there_are_folds_down_to_rest(oscillator):
     onset = oscillator.saddle_node_onset()
     if oscillator.model.inertial:
@@ -177,6 +180,7 @@ def test_a_preload_that_pushes_outwards_is_refused():
             outward(c=0.02, k=1.0, mu=0.01, zeta=0.03, **laws)
 
 
+@pytest.mark.slow
 def test_at_low_frequencies_an_excitation_by_inertia_leaves_the_mass_at_rest(springs):
     one = springs["cubic"](c=0.03, k=1.2, **LAWS["base"])
     begin = math.sqrt(one.model.held / 0.08)
@@ -187,6 +191,7 @@ def test_at_low_frequencies_an_excitation_by_inertia_leaves_the_mass_at_rest(spr
     assert curve.Omega[np.argmin(curve.A)] == pytest.approx(begin, rel=1e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "compile", [False, pytest.param(True, marks=pytest.mark.skipif(backend.SOLVER is None, reason="not compiled"))]
 )

@@ -64,6 +64,7 @@ def scaled_alike(one, other, length, frequency, F_0, Omega):
     np.testing.assert_allclose(states.A * length, others.A, rtol=1e-7)
 
 
+@pytest.mark.slow
 @pytest.mark.both_backends
 @drawn
 @given(duffings, st.floats(0.01, 1.0), st.floats(0.2, 2.5), st.integers(-20, 20), st.integers(-10, 10))

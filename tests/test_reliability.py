@@ -269,6 +269,7 @@ def test_a_motion_within_its_residual_or_a_refusal(place):
             assert time.process_time() - start < 60
 
 
+@pytest.mark.slow
 @pytest.mark.both_backends
 @pytest.mark.parametrize(
     ("force", "delta_h"),

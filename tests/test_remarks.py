@@ -341,6 +341,7 @@ def test_the_force_and_its_stiffness_at_any_displacement():
         isolator.force(np.nan)
 
 
+@pytest.mark.slow
 @pytest.mark.both_backends
 @pytest.mark.parametrize("above", [1e-7, 1e-8, 1e-12])
 def test_an_onset_is_not_refused_for_the_other_force_whose_onset_is_unresolved(above):
@@ -383,6 +384,7 @@ def test_where_a_response_is_cut_is_said_in_codes_by_the_batch_too():
         assert (Remark.CUT in single.remarks) == cut
 
 
+@pytest.mark.slow
 def test_a_force_that_was_not_written_odd_says_at_each_answer_what_stands_for_it():
     """A preload, |u| and powers that are none for u < 0 can be meant in one way only."""
     u, a, p = sp.symbols("u a p")

@@ -66,6 +66,7 @@ def page(text):
     return Page(text)
 
 
+@pytest.mark.slow
 def test_the_page_is_well_formed_and_needs_no_network(page, text):
     assert not page.open and text.startswith("<!DOCTYPE html>")
     for _, attributes in page.tags:
@@ -74,6 +75,7 @@ def test_the_page_is_well_formed_and_needs_no_network(page, text):
     assert not re.search(r"@import|url\((?!#)|<script|<link", text)
 
 
+@pytest.mark.slow
 def test_headings_pictures_and_tables_can_be_read_aloud(page):
     levels = [int(tag[1]) for tag, _ in page.tags if re.fullmatch("h[1-6]", tag)]
     assert levels[0] == 1 and levels.count(1) == 1 and set(levels) == {1, 2}
@@ -141,6 +143,7 @@ def test_paper_is_white_whatever_the_screen_is():
     assert re.search(r"@media print \{ :root \{ color-scheme: light; \}", pieces.STYLE)
 
 
+@pytest.mark.slow
 def test_data_on_the_page_is_what_run_writes(page, tmp_path):
     links = {one["download"]: one["href"] for one in page.every("a") if "download" in one}
     assert cli.main(["run", str(MOUNT), "-o", str(tmp_path), "--quiet"]) == 0
@@ -211,6 +214,7 @@ def test_what_is_undecided_of_isolation_is_said_in_short_too(monkeypatch):
     assert " ".join(report._in_short(mount, 5.0)) == said != plain
 
 
+@pytest.mark.slow
 def test_under_a_load_the_report_leaves_out_what_is_about_the_centre_and_says_so(tmp_path):
     path = tmp_path / "scene.toml"
     text = (ROOT / "scenes" / "off_centre.toml").read_text().replace("[3.0, 5.0]", "[3.0]").replace("[2.2, 5.0]", "2.2")
@@ -291,6 +295,7 @@ def test_the_report_of_a_machine_has_no_raw_letters_units_or_powers_of_ten():
     assert lines[lines.index("2.5163") + 2] == "below 0.001 %"
 
 
+@pytest.mark.slow
 def test_a_page_is_named_in_words(tmp_path):
     path = tmp_path / "a_mount.toml"
     files.write(path, (ROOT / "scenes" / "shock.toml").read_text())

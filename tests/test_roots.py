@@ -184,6 +184,7 @@ def test_numpy_agrees_with_the_certified_roots(case):
     assert (np.diff(Omega[:count]) >= 0).all()
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None, derandomize=True)
 @given(ANY, st.integers(-8, 8), st.integers(-8, 8))
 def test_units_of_frequency_and_of_force_do_not_matter(case, i, j):

@@ -96,6 +96,7 @@ def test_no_error_that_was_found_exceeds_what_a_header_says():
         assert all(error is None or float(error) <= stated for error in row["errors"].values()), row
 
 
+@pytest.mark.slow
 def test_every_kernel_has_a_bound_that_is_proved_or_measured(modules, of_kernels):
     for module in modules:
         named = (*module.kernels, *module.twofolds, *module.selections, *module.compositions)
@@ -106,6 +107,7 @@ def test_every_kernel_has_a_bound_that_is_proved_or_measured(modules, of_kernels
         assert all(exact.is_of_gradients(kernel) for kernel in lacking), lacking
 
 
+@pytest.mark.slow
 def test_an_oscillator_that_is_derived_live_has_no_measured_bounds(modules):
     (module,) = (module for module in modules if module.name == "duffing")
     assert measured.of(module).kernels

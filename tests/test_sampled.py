@@ -181,6 +181,7 @@ def test_second_approximation_and_exact_motion_are_those_of_the_same_force():
     assert np.abs(done.y[0][last]).max() == pytest.approx(state.A, rel=1e-4)
 
 
+@pytest.mark.slow
 def test_batches_and_other_excitations_are_answered():
     made = mechanism("soft_stop")
     numbers = {"c": [1.0, 3.0], "k": 2.0, "gap": 0.2}

@@ -179,6 +179,7 @@ def test_states_at_the_frequency_of_a_peak_lie_between_the_doubles_beside_them()
 
 
 #: answers that erred by more than u (1 + kappa) before averages of both forces were settled wherever they lie, F_cr too
+@pytest.mark.slow
 @compiled
 @pytest.mark.parametrize(
     ("mechanism", "kind", "at"),

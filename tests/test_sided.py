@@ -109,6 +109,7 @@ def snap():
     return derive.mechanism("snap", pieces, {"k": ABOVE})
 
 
+@pytest.mark.slow
 def test_an_odd_polynomial_that_is_searched_by_enclosures_has_answers_under_a_load(snap):
     """As where all five of its pieces are stated."""
     low = 0.3 - 0.4 * k
@@ -231,6 +232,7 @@ def test_gradients_of_a_force_that_is_not_odd_are_differences_of_its_answers(nam
     assert ("folds" in moving) == (name != "within")
 
 
+@pytest.mark.slow
 def test_a_linear_or_bilinear_force_without_a_load_rests_at_the_centre():
     """Whose bound of a place of rest is 0 itself."""
     two = derive.mechanism("two_springs", [(k * u, 0), (u, None)], {"k": ABOVE}, odd=False)(k=3.0, **DAMPED)
@@ -252,6 +254,7 @@ def test_a_stop_is_reached_by_the_linear_motion_that_just_does(stop):
     assert "at rest the mass stands" in stop(k=8.0, g=0.1, load=0.3, **DAMPED).detachment().message
 
 
+@pytest.mark.slow
 def test_folds_and_the_onset_against_a_stop_are_where_states_become_three(stop):
     oscillator = stop(k=8.0, g=0.2, **DAMPED)
     onset = oscillator.saddle_node_onset()
@@ -430,6 +433,7 @@ def test_larger_motions_of_a_play_that_is_not_symmetric_are_refused_too():
     assert "in a play a mean is not singled out" in play.saddle_node_onset().message
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("error")
 def test_a_preload_that_is_not_stated_as_odd_has_the_motions_of_one_that_is():
     """What it does to a mass at rest, which stands where the force jumps, is undecided in words."""

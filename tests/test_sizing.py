@@ -400,6 +400,7 @@ def test_what_is_met_is_printed_in_millimetres_and_so_is_what_binds():
 # ---- trade-offs -----------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_no_design_is_better_than_one_of_the_front_in_both_answers():
     """Against designs drawn at random between the same ends."""
     free = {"k_h": (500.0, 2500.0), "preload": (0.002, 0.02)}
@@ -471,6 +472,7 @@ def test_a_front_that_no_design_allows_names_the_binding_requirement():
     assert len(found) == 0 and "the binding requirement is F_cr >= 80 N" in found.message
 
 
+@pytest.mark.slow
 def test_where_nothing_is_traded_off_one_design_is_the_front_and_it_says_so():
     """Damping and friction raise F_SN and lower the peak: the most of both is the best in both."""
     free = {"zeta": (0.01, 0.1), "friction": (0.1, 1.0)}
@@ -479,6 +481,7 @@ def test_where_nothing_is_traded_off_one_design_is_the_front_and_it_says_so():
     assert [value[0] for value in found.numbers.values()] == pytest.approx([0.1, 1.0], rel=1e-6)
 
 
+@pytest.mark.slow
 def test_a_number_that_one_answer_does_not_know_is_the_best_for_the_other_along_a_front():
     """f_rest does not know the damping, which the peak is the lower for."""
     found = front(MOUNT, {"zeta": (0.01, 0.1), "k_h": (500, 2500)}, low=["A_peak", "f_rest"], F=5, points=5)

@@ -328,6 +328,7 @@ def neighbours(value):
     return [np.nextafter(value, 0), value, np.nextafter(value, np.inf)]
 
 
+@pytest.mark.slow
 @pytest.mark.both_backends
 @pytest.mark.parametrize("zeta", [1e-9, 1e-4, 0.02, 1.5])
 @pytest.mark.parametrize("mu", [0.0, 0.012])

@@ -86,6 +86,7 @@ def test_no_answer_is_worse_at_its_worst_points(mechanism, kind):
         assert found[0] <= max(float(row["error"]) * ROUNDED, 1.0), row["at"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("mechanism", "kind", "by"), COUNTS)
 def test_no_stored_count_beside_a_level_is_wrong(mechanism, kind, by):
     """Within some u (1 + kappa) of a level: what doubles had right they have, or say that they do not decide."""
@@ -150,6 +151,7 @@ def test_the_oracle_of_kernels_agrees_with_the_quadratures():
                 assert math.isclose(scale, exact.mpf(size), rel_tol=1e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", stress.PARTS)
 def test_each_part_of_the_search_runs(what):
     """At few points: what the search finds stands above."""

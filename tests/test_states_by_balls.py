@@ -84,6 +84,7 @@ def beside_folds(one, F_0):
     return [*at[::-1], 1.4, at[0], 1.4]
 
 
+@pytest.mark.slow
 @flint
 @pytest.mark.parametrize("name", BESIDE)
 def test_states_next_to_a_fold_are_as_many_as_the_oracle_proves_in_the_order_asked_for(name):

@@ -154,6 +154,7 @@ def test_a_preload_jumps_where_the_mass_passes_its_place():
     assert (peak, rms) == pytest.approx((0.03 / 0.2, math.hypot(0.02, 0.01) / 0.2), rel=5e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("laws", [{}, {"eta": 0.02}, {"c_2": 0.1}])
 @pytest.mark.parametrize("excitation", EXCITATIONS)
 def test_curves_of_many_designs_have_what_single_ones_pass_on(excitation, laws):

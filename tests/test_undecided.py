@@ -236,6 +236,7 @@ EXTREME = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.both_backends
 @pytest.mark.parametrize("name", EXTREME)
 def test_a_number_of_folds_that_doubles_do_not_tell_is_the_one_that_balls_prove(name):
@@ -617,6 +618,7 @@ def test_folds_that_end_at_rest_are_there_whatever_was_asked_before(zeta):
     assert fresh.saddle_nodes(F_0).A == pytest.approx(math.sqrt(-numbers["alpha"] / (0.75 * numbers["beta"])), rel=1e-6)
 
 
+@pytest.mark.slow
 @compiled
 @pytest.mark.parametrize(
     ("lam", "r", "delta_h", "mu", "zeta", "F_0"),

@@ -273,6 +273,7 @@ def test_a_peak_by_inertia_that_is_below_F_0_by_rounding_leaves_the_states(desig
     assert states.A == pytest.approx([A], rel=1e-14)
 
 
+@pytest.mark.slow
 @pytest.mark.both_backends
 @pytest.mark.parametrize("mu", [0.0, 1e-9])
 @pytest.mark.parametrize("zeta", [1e-6, 1e-12, 1e-20, 1e-30, 1e-50])

@@ -49,6 +49,7 @@ def test_answers_are_those_of_the_force_with_parameters(name, compile):
     assert repr(one).endswith("mu=0.01, zeta=0.03)") and one.replace(zeta=0.03) == one
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "compile"),
     [*((name, False) for name in FORCES), *(pytest.param(name, True, marks=COMPILED) for name in FORCES)],
