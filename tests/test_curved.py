@@ -102,6 +102,7 @@ def test_boxes_hold_all_that_motions_within_them_have(patched, size):
             assert (one.lo <= value + doubt).all() and (value - doubt <= one.hi).all()
 
 
+@pytest.mark.slow
 def test_what_boxes_add_goes_with_the_square_of_their_size(patched):
     oscillator = patched(p=0.1, q=0.7, **DAMPED)
     steps = Steps(oscillator.model.mechanism, oscillator.model.parameters, 0.0)

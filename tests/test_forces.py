@@ -153,7 +153,7 @@ def test_h_less_its_tangent_at_rest_is_the_difference_that_it_stands_for(oscilla
     np.testing.assert_allclose(found, h - A * h_A, rtol=1e-12, atol=1e-14)
 
 
-@pytest.mark.parametrize("name", FORCES)
+@pytest.mark.parametrize("name", slow_beside(FORCES, FEW))
 def test_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(oscillator, name):
     """Between any two amplitudes of a piece; h_AAAA by differences of h_AAA."""
     model = oscillator(name).model

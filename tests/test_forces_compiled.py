@@ -147,6 +147,7 @@ def test_in_C_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(d
             assert np.isfinite([found[1].lo, found[1].hi]).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", slow_beside(sorted(FORCES), FEW))
 def test_exact_motions_are_those_of_another_integrator(derived, name):
     """At a frequency below resonance and above: switches, amplitude, multipliers."""
@@ -210,6 +211,7 @@ def test_what_is_written_for_other_programs_compiles_alone(derived, tmp_path):
     assert json.loads((tmp_path / "MANIFEST.json").read_text())["files"].keys() >= {header}
 
 
+@pytest.mark.slow
 def test_batches_refuse_a_pole_within_the_reach_as_single_designs_do():
     """Magnets that are nearer than the reach: compiled batches summed over the pole, and said OK."""
     pieces = [(u + k * (1 / (c - u) ** 2 - 1 / (c + u) ** 2), None)]

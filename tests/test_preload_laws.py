@@ -43,7 +43,11 @@ NUMBERS = {"cubic": {"c": 0.03, "k": 1.2}, "stop": {"c": 0.02, "k": 1.5, "gap": 
 CASES = [(spring, law) for spring in NUMBERS for law in LAWS if spring == "stop" or law != "rubs"]
 
 
-@pytest.fixture(params=CASES, ids=lambda case: " ".join(case))
+#: fast tests have one law of each spring
+BRIEF = [pytest.param(case, marks=[pytest.mark.slow] * (case[1] != "quadratic")) for case in CASES]
+
+
+@pytest.fixture(params=BRIEF, ids=lambda case: " ".join(case))
 def oscillator(springs, request):
     spring, law = request.param
     return springs[spring](**NUMBERS[spring], **LAWS[law])

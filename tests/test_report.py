@@ -113,6 +113,7 @@ def test_text_has_enough_contrast_on_both_grounds():
         assert contrast(words, ground) > 7 and contrast(words, head) > 7 and contrast(line, ground) > 3
 
 
+@pytest.mark.slow
 def test_numbers_are_those_of_the_questions(page):
     mount = scenes.read(MOUNT).oscillator
     cells = page.cells
