@@ -41,7 +41,7 @@ FOLDS = {
 }  # fmt: skip
 STATES = {
     "rod_spring": 250, "rod_spring, zeta = 0": 50, "rod_spring, alpha = 0": 50,
-    "rod_spring_untruncated": 50, "duffing": 4_500, "duffing, zeta = 0": 250, "duffing, alpha = 0": 250,
+    "rod_spring_untruncated": 50, "duffing": 3_500, "duffing, zeta = 0": 250, "duffing, alpha = 0": 250,
 }  # fmt: skip
 #: the same without compiled code, of each of fewer shares: each takes some 2 ms, and a process some seconds to start
 ON_NUMPY = {
@@ -62,12 +62,12 @@ def jobs(size: float) -> dict[str, list[Job]]:
 
     return {
         "answers": [
-            (answers.stress, (mechanism, part, many(10 if mechanism != "rod_spring_untruncated" else 4), 2, many(30)))
+            (answers.stress, (mechanism, part, many(8 if mechanism != "rod_spring_untruncated" else 3), 2, many(30)))
             for mechanism in answers.NAMES
             for part in range(SHARES)
         ],
         "counts": [
-            (counts.stress, (mechanism, part, many(8 if mechanism == "rod_spring" else 24)))
+            (counts.stress, (mechanism, part, many(6 if mechanism == "rod_spring" else 16)))
             for mechanism in counts.ORACLES
             for part in range(SHARES)
         ],
@@ -91,7 +91,7 @@ def jobs(size: float) -> dict[str, list[Job]]:
         "instead": [(instead.quartics, (many(2000, 50), roots.SEED))],
         "kernels": [(kernels.stress, (module, kernel, size)) for module, kernel in kernels.named()],
         "extremes": [
-            (extremes, (module, kernel, many(5, 4))) for module, kernel in kernels.named() if scene_of(module)[1] == ""
+            (extremes, (module, kernel, many(4, 4))) for module, kernel in kernels.named() if scene_of(module)[1] == ""
         ],
     }
 

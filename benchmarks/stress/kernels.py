@@ -122,7 +122,7 @@ def effort(module: str, kernel: str) -> tuple[int, int, int]:
         return 12, 1, 6
     # differentiated, and for each argument anew
     many = module in domains.OF_MODULE and (len(named()[module, kernel]) > 7 or "_end" in kernel)
-    return (20, 2, 10) if many or kernel in SLOW or module == "second_approximation" else (60, 2, 30)
+    return (16, 2, 8) if many or kernel in SLOW or module == "second_approximation" else (40, 2, 25)
 
 
 def stress(module: str, kernel: str, size: float, backend: str = "native") -> dict[str, Any]:

@@ -30,7 +30,7 @@ from tests.oracles import draws
 SEED = 41
 AT_ONCE = 20_000
 #: frequencies beside each fold, and anywhere
-BESIDE, ANYWHERE = 30, 160
+BESIDE, ANYWHERE = 25, 210
 COUNTED = ("asked", "differ", "undecided", "unproved", "refused")
 #: cases named of each kind that differ or that nothing proves
 NAMED = 3
