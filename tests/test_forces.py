@@ -100,7 +100,7 @@ def closed(name, A, n=1):
 
 
 #: what fast tests ask of: a smooth force, one with a breakpoint, one in numbers
-FEW = {"pendulum", "hertz", "numbers", "let_go"}
+FEW = {"pendulum", "let_go"}
 
 
 def slow_beside(names, few):

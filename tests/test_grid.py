@@ -328,7 +328,7 @@ def test_a_store_that_was_stopped_before_it_was_prepared_is_prepared_anew(tmp_pa
     assert set(found.coords) == {"lam", "r", "delta_h", "mu", "zeta", "share"}
 
 
-@pytest.mark.parametrize("written", [1, 4, 6, 13])
+@pytest.mark.parametrize("written", [1, *(pytest.param(k, marks=pytest.mark.slow) for k in (4, 6, 13))])
 def test_a_block_that_was_stopped_while_it_was_written_is_written_again(written, tmp_path, monkeypatch):
     """Of the six arrays of a block some are written: it is not ticked off."""
     over({"r": 3}).store(tmp_path / "whole.zarr", "detachment")

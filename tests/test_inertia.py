@@ -54,8 +54,8 @@ def test_folds_are_the_certified_ones_and_no_others():
 @pytest.mark.parametrize(
     ("name", "numbers"),
     [
-        ("elastic_stop", {"delta": 0.2, "kappa": 5.0}),
-        ("bilinear", {"delta": 0.2, "kappa": 0.4}),
+        pytest.param("elastic_stop", {"delta": 0.2, "kappa": 5.0}, marks=pytest.mark.slow),
+        pytest.param("bilinear", {"delta": 0.2, "kappa": 0.4}, marks=pytest.mark.slow),
         ("dead_zone", {"delta": 0.2}),
     ],
 )

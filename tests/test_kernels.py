@@ -173,6 +173,7 @@ def test_kernel_on_arrays(package, module, kernel):
     assert max(errors) <= BOUNDS.get(kernel, BOUND)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("module", "kernel"), IN_C)
 def test_kernel_in_c(c_kernels, module, kernel):
     rows = ORACLE[module][kernel]

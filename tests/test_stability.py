@@ -77,6 +77,7 @@ def test_no_root_is_worse_at_its_worst_points(kind):
         assert error <= row["error"] * ROUNDED, row["at"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("mechanism", "kind"), ANSWERS)
 def test_no_answer_is_worse_at_its_worst_points(mechanism, kind):
     for row in ANSWERS[mechanism, kind]:

@@ -19,6 +19,12 @@ FORCES = {
 DAMPING = {"mu": 0.01, "zeta": 0.03}
 F_0 = 0.06
 COMPILED = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
+#: name and whether it is compiled; each is derived twice
+ASKED = [
+    ("cubic", False),
+    *(pytest.param(name, False, marks=pytest.mark.slow) for name in ("stop", "pendulum")),
+    *(pytest.param(name, True, marks=[COMPILED, pytest.mark.slow]) for name in FORCES),
+]
 
 
 def pair(name, compile=False):
@@ -30,7 +36,7 @@ def pair(name, compile=False):
 
 @pytest.mark.parametrize(
     ("name", "compile"),
-    [*((name, False) for name in FORCES), *(pytest.param(name, True, marks=COMPILED) for name in FORCES)],
+    ASKED,
 )
 def test_answers_are_those_of_the_force_with_parameters(name, compile):
     made, other, given = pair(name, compile)
@@ -52,7 +58,7 @@ def test_answers_are_those_of_the_force_with_parameters(name, compile):
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "compile"),
-    [*((name, False) for name in FORCES), *(pytest.param(name, True, marks=COMPILED) for name in FORCES)],
+    ASKED,
 )
 def test_gradients_are_by_damping_and_the_forcing_alone(name, compile):
     made, other, given = pair(name, compile)
