@@ -8,8 +8,8 @@
 #                 of its own under .venv-peers; one that does not install keeps what was last measured of it
 # make validity   averaging against the equation of motion: maps, table, the ledger's verdicts on figures, and
 #                 docs/validity.md, some ten minutes
-# make stress     numerical stability: worst errors searched for, counts proved; docs/stability.md and its baseline, twenty
-#                 minutes, half an hour on a slow machine; then make derive, as headers say the worst errors that were found
+# make stress     numerical stability: worst errors searched for, counts proved; docs/stability.md and its baseline, less
+#                 than twenty minutes; then make derive, as headers say the worst errors that were found
 # make explorer   docs/explorer.html, the compiled solvers in a browser; same bytes whenever it is made
 # make dist       sdist and wheel, output/dist; the wheel twice, which has to be the same bytes
 # make docs       the site, output/docs: warnings are errors

@@ -30,7 +30,7 @@ from tests.oracles import draws
 SEED = 41
 AT_ONCE = 20_000
 #: frequencies beside each fold, and anywhere
-BESIDE, ANYWHERE = 25, 210
+BESIDE, ANYWHERE = 15, 225
 COUNTED = ("asked", "differ", "undecided", "unproved", "refused")
 #: cases named of each kind that differ or that nothing proves
 NAMED = 3
@@ -148,7 +148,7 @@ def _folds(kind: str, what: str, seed: list[int], number: int, answers: Callable
 
 
 def states(kind: str, part: int, number: int) -> Tally:
-    """The same of states at frequencies, many of them beside folds, of so many oscillators."""
+    """The same of states at frequencies, some of them beside folds, of so many oscillators."""
     rng, made = np.random.default_rng([SEED, part, len(kind), 1]), KINDS[kind]
     numbers, tally = made.draw(rng, number), empty(kind, "states")
     with warnings.catch_warnings():
