@@ -469,7 +469,7 @@ static inline double rod_spring_intercept(double A, double alpha, double beta, d
    Proved where passed_0, error / u (1 + kappa): 4.11, 3.51, 2.34, 1.51, 0.72, 0.84, 0.81, 0.76
    Operations where passed_1: 975 structured, 291 common subexpressions, 278 power chains
    Operations where passed_1_far_1: 1104 structured, 363 common subexpressions, 331 power chains
-   Measured, error / u (1 + kappa): 3.4
+   Measured, error / u (1 + kappa): 3.8
  */
 static inline void rod_spring_harmonics_passed_0(double A, const double *p, double *out)
 {
@@ -1081,7 +1081,7 @@ static inline double rod_spring_force(double u, double alpha, double beta, doubl
    Equation (33). Domain: roots with 0 < A <= u_cr.
    Operations: 546 structured, 276 common subexpressions, 238 power chains
    Proved, error / u (1 + kappa): 0.82, 0.91, 6.01, 4.01, 8.17, -, -, -, -, -, -, -, -, -, -, 4.8, 5.04, 0.89, 0.89
-   Measured, error / u (1 + kappa): 3.9
+   Measured, error / u (1 + kappa): 4.2
  */
 #define ROD_SPRING_SADDLE_NODE_ONSET_COUNT 19
 static inline void rod_spring_saddle_node_onset(double m, double zeta, const double *p, double *out)
@@ -1316,7 +1316,7 @@ static inline double rod_spring_h_AAA(double A, double alpha, double beta, doubl
 
 /* The averaged force H beside the vertical spring.
    Equation (20)-(22). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 1.6
+   Measured, error / u (1 + kappa): 1.7
  */
 static inline double rod_spring_H(double A, double alpha, double beta, double gamma, double u_cr)
 {
@@ -1469,7 +1469,7 @@ static inline void rod_spring_response_quartic(double A, double F_0, double mu, 
 
 /* F_A/2 as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24), (30). Domain: A > 0.
-   Measured, error / u (1 + kappa): 8.7
+   Measured, error / u (1 + kappa): 8.8
  */
 static inline void rod_spring_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
 {

@@ -1939,7 +1939,7 @@ static inline double rod_spring_untruncated_intercept(double A, double alpha, do
 
 /* The averaged restoring force h = H - A.
    Equation (20)-(22). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 1.3
+   Measured, error / u (1 + kappa): 1.4
  */
 static inline double rod_spring_untruncated_h(double A, double alpha, double beta, double delta_h)
 {
@@ -1999,7 +1999,7 @@ static inline double rod_spring_untruncated_H(double A, double alpha, double bet
 
 /* d/dA of the averaged force H beside the vertical spring.
    Equation (31). Domain: A >= 0.
-   Measured, error / u (1 + kappa): 1.8
+   Measured, error / u (1 + kappa): 2
  */
 static inline double rod_spring_untruncated_H_A(double A, double alpha, double beta, double delta_h)
 {
@@ -2045,7 +2045,7 @@ static inline double rod_spring_untruncated_F_A(double Omega, double A, double m
 
 /* The forcing F_0 for which (Omega, A) is a steady state.
    Equation (24). Domain: Omega >= 0, A > 0.
-   Measured, error / u (1 + kappa): 1.4
+   Measured, error / u (1 + kappa): 1.5
  */
 static inline double rod_spring_untruncated_level(double Omega, double A, double mu, double zeta, const double *p)
 {

@@ -85,7 +85,7 @@ def state(Omega, A, force, I, I_A, load, c_0, c_1, s_0, s_1):
     broadcast.
     Operations: 23 structured, 21 common subexpressions, 21 power chains.
     Proved, error / u (1 + kappa): 1.01, -, 0.0, 0.0, -, 1.51
-    Measured, error / u (1 + kappa): 0.86
+    Measured, error / u (1 + kappa): 1.1
     """
     t0 = 2.0 * s_0
     t1 = Omega * Omega
@@ -166,7 +166,7 @@ def fold_by_t(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
     depends on, broadcast.
     Operations: 233 structured, 137 common subexpressions, 134 power chains.
     Proved, error / u (1 + kappa): 1.01, 11.51, -, 0.0, 0.0, 0.0, -, 13.01, 4.01, 6.34, 1.01, 45.68
-    Measured, error / u (1 + kappa): 1.1
+    Measured, error / u (1 + kappa): 1.3
     """
     t0 = c_1 * c_1
     t1 = 4.0 * t
@@ -342,7 +342,7 @@ def balance_by_phase(t, F_0):
 
     Equation (23). Domain: |t| <= 1. Shape: 2 results, each the arguments that it depends on, broadcast.
     Operations: 12 structured, 9 common subexpressions, 9 power chains.
-    Measured, error / u (1 + kappa): 1.2
+    Measured, error / u (1 + kappa): 1.3
     """
     t0 = F_0 / (t * t + 1.0)
     return (
@@ -391,7 +391,7 @@ def past(A, root, edge, D_0, C_1, S_1):
     Equation the mean of (3). Domain: A > 0, 0 <= root <= A, D_0 + pi root C_1 other than 0. Shape: the arguments
     that it depends on, broadcast.
     Operations: 20 structured, 19 common subexpressions, 19 power chains.
-    Measured, error / u (1 + kappa): 1.6
+    Measured, error / u (1 + kappa): 1.7
     """
     t0 = 3.1415926535897931 * root
     return (

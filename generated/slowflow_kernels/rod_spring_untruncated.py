@@ -1941,7 +1941,7 @@ def h(A, alpha, beta, delta_h):
     """The averaged restoring force h = H - A.
 
     Equation (20)-(22). Domain: A >= 0. Shape: as the arguments broadcast.
-    Measured, error / u (1 + kappa): 1.3
+    Measured, error / u (1 + kappa): 1.4
     """
     return averaged_2(A, alpha, beta, delta_h)[0]
 
@@ -1986,7 +1986,7 @@ def H_A(A, alpha, beta, delta_h):
     """d/dA of the averaged force H beside the vertical spring.
 
     Equation (31). Domain: A >= 0. Shape: as the arguments broadcast.
-    Measured, error / u (1 + kappa): 1.8
+    Measured, error / u (1 + kappa): 2
     """
     return averaged_H(A, alpha, beta, delta_h)[1]
 
@@ -2024,7 +2024,7 @@ def level(Omega, A, mu, zeta, alpha, beta, delta_h):
     """The forcing F_0 for which (Omega, A) is a steady state.
 
     Equation (24). Domain: Omega >= 0, A > 0. Shape: as the arguments broadcast.
-    Measured, error / u (1 + kappa): 1.4
+    Measured, error / u (1 + kappa): 1.5
     """
     average, _ = averaged_2(A, alpha, beta, delta_h)
     return flow.level(Omega, A, flow.friction(mu), zeta, average)
