@@ -341,9 +341,7 @@ MANY |= {"zeta": [0.04, 0.03, 0.0], "eta": [0.01, 0.0, -1.0], "c_2": [0.1, 0.0, 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "more", [{}, pytest.param({"rubs": "attached", "force": "untruncated"}, marks=pytest.mark.slow)], ids=repr
-)
+@pytest.mark.parametrize("more", [{}, {"rubs": "attached", "force": "untruncated"}], ids=repr)
 def test_a_batch_has_the_digits_of_single_answers_and_their_remarks(more):
     designs, F_0 = Isolator.many(**MANY, **more), 0.0502
     batch = {
@@ -434,15 +432,11 @@ LOOSE = Isolator(lam=3.0, r=0.5, delta_h=0.02, mu=0.03, zeta=0.03, rubs="attache
     [
         (LOOSE.replace(eta=0.001, c_2=0.02), ("detachment",)),
         # folds on the corner that friction makes, where it ends; an isola's birth
-        pytest.param(LOOSE.replace(eta=0.0005, c_2=0.001), ("folds", "onset"), marks=pytest.mark.slow),
-        pytest.param(RUBBING.replace(force="truncated", mu=0.02), ("folds", "states"), marks=pytest.mark.slow),
-        pytest.param(
-            Duffing(1.0, 2.0, 0.003, 0.01, eta=0.01, c_2=0.05),
-            ("states", "peak"),
-            marks=pytest.mark.slow,
-        ),
-        pytest.param(LOOSE.replace(eta=0.0005, c_2=0.001, excitation="base"), ("onset", "detachment")),
-        pytest.param(Duffing(1.0, 2.0, 0.0, 0.01, eta=0.01, c_2=0.05, excitation="unbalance"), ("states", "peak")),
+        (LOOSE.replace(eta=0.0005, c_2=0.001), ("folds", "onset")),
+        (RUBBING.replace(force="truncated", mu=0.02), ("folds", "states")),
+        (Duffing(1.0, 2.0, 0.003, 0.01, eta=0.01, c_2=0.05), ("states", "peak")),
+        (LOOSE.replace(eta=0.0005, c_2=0.001, excitation="base"), ("onset", "detachment")),
+        (Duffing(1.0, 2.0, 0.0, 0.01, eta=0.01, c_2=0.05, excitation="unbalance"), ("states", "peak")),
     ],
     ids=str,
 )

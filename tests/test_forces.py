@@ -530,7 +530,7 @@ def test_a_mass_that_a_preload_holds_at_rest_is_said_beside_the_motions(preloade
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("compiled", [False, pytest.param(True, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("compiled", [False, True])
 def test_small_motions_with_a_preload_are_not_missed(compiled):
     """Where h is not 0 at rest h/A has no bound: without friction the peak is a root of (k - zeta^2) A^2 + 4c/pi A =
     (F_0/(2 zeta))^2; a preload that pushes outwards balances the spring at A = -4c/(pi k), from where folds begin.

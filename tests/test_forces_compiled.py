@@ -16,14 +16,11 @@ from slowflow import backend, derive, exact, include
 from slowflow_kernels.conventions import Status
 from tests.native.headers import COMPILER
 from tests.native.records import Interval, doubles, opened
-from tests.test_forces import ABOVE_0, CASES, DAMPING, FORCES, MORE, c, k, slow_beside, u
+from tests.test_forces import ABOVE_0, CASES, DAMPING, FORCES, MORE, c, k, u
 
 pytestmark = [
     pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use"),
 ]
-
-#: compiled in the fast run too
-FEW = ("soft_stop",)
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +42,7 @@ def derived():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", slow_beside(sorted({case["force"] for case in CASES}), FEW))
+@pytest.mark.parametrize("name", sorted({case["force"] for case in CASES}))
 def test_a_compiled_average_and_its_slopes_are_right_to_rounding(derived, name, monkeypatch):
     """Error over u (1 + kappa), as on NumPy, which is not asked."""
     monkeypatch.setattr("slowflow_support.quadrature._sums", None)
@@ -79,7 +76,7 @@ def same(one, other):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", slow_beside(FORCES, FEW))
+@pytest.mark.parametrize("name", FORCES)
 def test_compiled_solvers_give_the_answers_of_those_on_numpy(derived, name):
     one, other = (derived(name, compile)(**FORCES[name][1], **DAMPING) for compile in (False, True))
     assert one.model.native is None
@@ -128,7 +125,7 @@ def test_many_designs_are_single_ones_and_have_their_gradients(derived):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", slow_beside(FORCES, FEW))
+@pytest.mark.parametrize("name", FORCES)
 def test_in_C_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(derived, name):
     """Between any two amplitudes of a piece; h_AAAA by differences of h_AAA."""
     one = derived(name)(**FORCES[name][1], **DAMPING)
@@ -148,7 +145,7 @@ def test_in_C_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(d
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", slow_beside(sorted(FORCES), FEW))
+@pytest.mark.parametrize("name", sorted(FORCES))
 def test_exact_motions_are_those_of_another_integrator(derived, name):
     """At a frequency below resonance and above: switches, amplitude, multipliers."""
     numbers = FORCES[name][1]

@@ -489,10 +489,7 @@ def test_detachment_under_a_load_comes_sooner_and_at_the_edge(loaded):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "oscillator",
-    [pytest.param(Isolator(**TABLE_1, load=0.03), marks=pytest.mark.slow), Duffing(1.0, 0.5, 0.01, 0.05, load=0.3)],
-)
+@pytest.mark.parametrize("oscillator", [Isolator(**TABLE_1, load=0.03), Duffing(1.0, 0.5, 0.01, 0.05, load=0.3)])
 def test_two_folds_are_born_at_the_onset_and_none_is_below(oscillator):
     onset = oscillator.saddle_node_onset()
     m = oscillator.model.m

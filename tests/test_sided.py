@@ -402,8 +402,8 @@ def test_there_are_certified_cases_of_each_force_with_folds_and_onsets():
     assert sum(len(case["folds"]) for case in CASES) == 58 and sum(case["onset"] is not None for case in CASES) == 31
 
 
-@pytest.mark.parametrize("name", ["even", *(pytest.param(one, marks=pytest.mark.slow) for one in ("stop", "springs"))])
 @pytest.mark.slow
+@pytest.mark.parametrize("name", ["even", "stop", "springs"])
 def test_folds_states_and_onsets_are_the_certified_ones_and_no_others(name):
     """All folds and states that there are, with their mean; and the lowest forcing that has a fold."""
     of = made(name)

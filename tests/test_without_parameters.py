@@ -34,10 +34,7 @@ def pair(name, compile=False):
     return whole, derive.mechanism(f"named_{name}", named, {one: {"above": 0} for one in given}, **reach), given
 
 
-@pytest.mark.parametrize(
-    ("name", "compile"),
-    ASKED,
-)
+@pytest.mark.parametrize(("name", "compile"), ASKED)
 def test_answers_are_those_of_the_force_with_parameters(name, compile):
     made, other, given = pair(name, compile)
     one, same = made(**DAMPING), other(**given, **DAMPING)
@@ -56,10 +53,7 @@ def test_answers_are_those_of_the_force_with_parameters(name, compile):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("name", "compile"),
-    ASKED,
-)
+@pytest.mark.parametrize(("name", "compile"), ASKED)
 def test_gradients_are_by_damping_and_the_forcing_alone(name, compile):
     made, other, given = pair(name, compile)
     one, same = made(**DAMPING), other(**given, **DAMPING)
