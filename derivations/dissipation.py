@@ -21,7 +21,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import sympy as sp
 
@@ -59,14 +58,6 @@ class System:
 
     values: tuple[sp.Expr, ...]
     slopes: tuple[sp.Expr, ...]
-
-
-class _SecondDerivatives(NamedTuple):
-    """Of F, in R and I."""
-
-    F_AA: sp.Expr
-    F_AOmega: sp.Expr
-    F_OmegaOmega: sp.Expr
 
 
 @dataclass(frozen=True)
@@ -216,8 +207,7 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
     F = flow.F
     F_A, F_Omega = sp.factor_terms(by_amplitude(F)), by_Omega(F)
     F_AA, F_AOmega = sp.factor_terms(by_amplitude(F_A)), by_Omega(F_A)
-    of_second = _SecondDerivatives(F_AA, F_AOmega, by_Omega(F_Omega))
-    hessian_lets, determinant = hessian(of_second, flow.R, value, by_A)
+    hessian_lets, determinant = hessian(F_AA * by_Omega(F_Omega) - F_AOmega**2, flow.R, value, by_A)
     peak = R + zeta * I_0 / Omega + A * (2 * zeta**2 + d * I_0 + d * A * Omega * (3 * zeta + d * A * Omega))
     _vanishes((4 * A * Omega * peak - F_Omega).subs(whole), "F_Omega over 4 A Omega")
     linear = sp.Symbol("linear", real=True)

@@ -175,7 +175,7 @@ def inertia(flow: SlowFlow) -> Inertia:
     F_AOmega, F_AA = flow.F_AOmega, flow.F_AA
     # bend/Omega is a force's F_OmegaOmega less 3 F_Omega/Omega; in the determinant of a force no squares cancel
     bound, share_lets, share_of_h = _bound(G)
-    hessian_lets, of_force = hessian(flow, flow.R, flow.I)
+    hessian_lets, of_force = hessian(F_AA * flow.F_OmegaOmega - F_AOmega**2, flow.R, flow.I)
     determinant = of_force - 3 * flow.F_Omega * F_AA / Omega
     _vanishes((determinant.subs(hessian_lets) - (bend / Omega * F_AA - F_AOmega**2)).subs(whole), "the determinant")
     return Inertia(

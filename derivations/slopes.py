@@ -15,7 +15,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
 
 import sympy as sp
 
@@ -36,19 +35,6 @@ def _named(a: int, w: int) -> sp.Symbol:
 
 #: the derivatives of F up to the third by their orders in A and in Omega
 DERIVATIVES = {(a, w): _named(a, w) for a in range(4) for w in range(4 - a)}
-
-
-class SecondDerivatives(Protocol):
-    """Of F, in R and I."""
-
-    @property
-    def F_AA(self) -> sp.Expr: ...
-
-    @property
-    def F_AOmega(self) -> sp.Expr: ...
-
-    @property
-    def F_OmegaOmega(self) -> sp.Expr: ...
 
 
 @dataclass(frozen=True)
@@ -91,7 +77,7 @@ def slopes(flow: SlowFlow) -> Slopes:
         return sp.diff(expression, A) + sp.diff(expression, Omega) * on_locus
 
     rise, bend = (_in_symbols(value).subs(F_A, 0) for value in (along_locus(_F), along_locus(along_locus(_F))))
-    hessian_lets, of_flow = hessian(flow, flow.R, flow.I)
+    hessian_lets, of_flow = hessian(flow.F_AA * flow.F_OmegaOmega - flow.F_AOmega**2, flow.R, flow.I)
     determinant = _in_symbols(sp.hessian(_F, (A, Omega)).det())
     at_isola = _at_isola(flow)
     of_flow = sp.factor(of_flow.subs(hessian_lets).subs(at_isola).subs(I, flow.I))
@@ -141,9 +127,9 @@ def _at_cusp(flow: SlowFlow) -> dict[sp.Symbol, sp.Expr]:
 
 
 def hessian(
-    flow: SecondDerivatives, of_R: sp.Expr, of_I: sp.Expr, by_A: Callable[[sp.Expr], sp.Expr] = slope
+    whole: sp.Expr, of_R: sp.Expr, of_I: sp.Expr, by_A: Callable[[sp.Expr], sp.Expr] = slope
 ) -> tuple[tuple[Let, ...], sp.Expr]:
-    """Without the squares that cancel where R is small.
+    """The determinant `whole` of F's second derivatives without the squares that cancel where R is small.
 
     F/2 has the second derivatives G + S: G of the slopes of R and I alone, whose determinant is the square of theirs,
     and S of R and I themselves.
@@ -158,7 +144,7 @@ def hessian(
     G_AA, G_AO, G_OO, S_AA, S_AO, S_OO = names
     determinant = 4 * (jacobian**2 + (G_AA * S_OO - 2 * G_AO * S_AO + G_OO * S_AA) + (S_AA * S_OO - S_AO**2))
     lets = tuple(zip(names, (*G, *S), strict=True))
-    error = determinant.subs(lets) - (flow.F_AA * flow.F_OmegaOmega - flow.F_AOmega**2)
+    error = determinant.subs(lets) - whole
     if sp.expand(error.subs({R: of_R, I: of_I})) != 0:
         raise ArithmeticError("the determinant of F's second derivatives")
     return lets, determinant

@@ -1,10 +1,10 @@
 """`make stress`: search for the worst errors, count what is missed, write docs/stability.md and the baseline.
 
 Out: benchmarks/results/stability.json, docs/stability.md and its pictures, tests/data/stability.json, and what headers
-say of kernels, derivations/emit/measured.json. On two slow cores less than twenty minutes. `--only
-answers counts` measures these anew and keeps the rest of the last results, `--draw` keeps all; `--size 0.1` takes a
-tenth of the points. Counts against proofs are ten million, a million isolators among them. What was measured is kept as
-soon as a part is through.
+say of kernels, derivations/emit/measured.json. Less than twenty minutes on two slow cores. `--only answers counts`
+measures these anew and keeps the rest of the last results, `--draw` keeps all; `--size 0.1` takes a tenth of the
+points. Counts against proofs are ten million, a million isolators among them. What was measured is kept as soon as a
+part is through.
 `--only "folds on NumPy" --size 34` is a million of these, and is kept beside smaller ones.
 """
 
@@ -43,7 +43,7 @@ STATES = {
     "rod_spring": 250, "rod_spring, zeta = 0": 50, "rod_spring, alpha = 0": 50,
     "rod_spring_untruncated": 50, "duffing": 3_200, "duffing, zeta = 0": 250, "duffing, alpha = 0": 250,
 }  # fmt: skip
-#: the same without compiled code, of each of fewer shares: each takes some 2 ms, and a process some seconds to start
+#: the same without compiled code, of fewer shares each: one takes one to two ms, and a process some seconds to start
 ON_NUMPY = {
     "rod_spring": 6_000, "rod_spring, zeta = 0": 1_000, "rod_spring, alpha = 0": 1_000,
     "rod_spring_untruncated": 1_000, "duffing": 4_000, "duffing, zeta = 0": 1_000, "duffing, alpha = 0": 1_000,

@@ -154,7 +154,7 @@ LETTERS = (
 )
 NUMBER = r"-?(?:\d+(?:\.\d+)?(?:e[+-]?\d+)?|inf)"
 #: what only the dimensionless answer has
-OF_THE_ANSWER = ("validity",)
+OF_THE_ANSWER = "validity"
 #: what can be drawn of a response curve
 DRAWN = ("A", "phi", "transmissibility_dB")
 
@@ -191,7 +191,7 @@ class Quantities(Answer):
     def __getattr__(self, name: str) -> Any:
         values = self.__dict__.get("values", {})  # not there yet while it is made
         if name not in values:
-            if name in OF_THE_ANSWER and isinstance(answer := self.__dict__.get("answer"), Answer):
+            if name == OF_THE_ANSWER and isinstance(answer := self.__dict__.get("answer"), Answer):
                 getattr(answer, name)  # which may say why it has none
                 raise AttributeError(f"{name!r} is no part of an answer in units: .answer.{name} is dimensionless")
             raise AttributeError(f"{name!r} is no part of this answer: it has {', '.join(values)}")

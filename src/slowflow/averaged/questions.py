@@ -298,17 +298,13 @@ class Averaged:
         Next to where the force is singular, within a unit in the last place, doubles have few digits of them: balls of
         more find them, with python-flint, in up to a second; `Remark.UNDECIDED` says where these do not either.
         """
-        return self._extrema(A_max)[0]
+        limit = self._up_to(A_max)
+        found = proofs.decided_cusps(solvers.extrema(self.model, limit)[0], self.model, limit)
+        return dataclasses.replace(found, _model=self.model)
 
     def isola_points(self, *, A_max: float | None = None) -> IsolaPoints:
         """Where isolated curves are born or merge, F = F_A = F_Omega = 0; A_max as in `fold_locus`."""
-        return self._extrema(A_max)[1]
-
-    def _extrema(self, A_max: float | None) -> tuple[Cusps, IsolaPoints]:
-        limit = self._up_to(A_max)
-        cusps, isolas = solvers.extrema(self.model, limit)
-        cusps = proofs.decided_cusps(cusps, self.model, limit)
-        return dataclasses.replace(cusps, _model=self.model), dataclasses.replace(isolas, _model=self.model)
+        return dataclasses.replace(solvers.extrema(self.model, self._up_to(A_max))[1], _model=self.model)
 
     @np.errstate(all="ignore")
     def backbone(self, A: Any) -> Floats:
