@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,6 +12,7 @@ import numpy.typing as npt
 from slowflow.answer import Answer
 from slowflow.mechanism import Floats
 from slowflow_kernels.conventions import MovesStatus
+from slowflow_support.frozen import dataclass
 
 #: why an answer has no gradient
 WITHOUT_GRADIENT = {

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
@@ -19,6 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow_kernels import duffing, inertia, motion, slow_flow
+from slowflow_support.frozen import dataclass
 from slowflow_support.record import Function, Law, Mechanism, Parameter
 
 __all__ = [

@@ -9,7 +9,6 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -19,6 +18,7 @@ from slowflow.averaged.plan import Plan
 from slowflow.mechanism import Floats
 from slowflow.physical_moves import g
 from slowflow.quantities import DRAWN, EXCITED, UNITS, Quantities, Scales, si, turns
+from slowflow_support.frozen import dataclass
 
 #: what A is of a motion that is not about the centre
 LARGEST = "A is the largest |x|, the mean displacement included: x_max of an averaged motion"

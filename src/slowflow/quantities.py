@@ -13,7 +13,6 @@ import math
 import operator
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property, partial
 from types import MappingProxyType, SimpleNamespace
 from typing import Any
@@ -25,6 +24,7 @@ from slowflow.answer import PLAIN, Answer, Table, in_text, plain
 from slowflow.gradient import Gradient
 from slowflow_kernels.scaling import AMPLITUDES as AMPLITUDE_SCALES
 from slowflow_kernels.scaling import SCALES
+from slowflow_support.frozen import dataclass
 from slowflow_support.record import Parameter, Scale
 
 #: what units there are of each kind, by their size in SI units; the first is SI's, and a turn is what Hz counts

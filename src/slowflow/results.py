@@ -6,7 +6,7 @@ length, and an index or a loop gives one entry as a named tuple: `for fold in is
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import IntFlag
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
@@ -22,6 +22,7 @@ from slowflow.measured.validity import Validity, of_states
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import OnsetKind, Status
+from slowflow_support.frozen import dataclass
 
 
 class Remark(IntFlag):

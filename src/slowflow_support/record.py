@@ -10,7 +10,7 @@ import functools
 import importlib
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from functools import cached_property
 from itertools import pairwise
 from math import inf, isfinite
@@ -18,6 +18,8 @@ from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
+
+from slowflow_support.frozen import dataclass
 
 #: where generated modules are, those that come with the package and those that were derived on this machine
 GENERATED = ("slowflow_kernels", "slowflow_derived")

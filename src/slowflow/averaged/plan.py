@@ -7,13 +7,13 @@ plan skips. `str(plan)` tells it, step by step, with the reasons.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from types import MappingProxyType
 
 from slowflow.averaged import proofs, words
 from slowflow.model import Model
 from slowflow.results import Remark, SaddleNodeOnset
 from slowflow_kernels.conventions import CLOSE
+from slowflow_support.frozen import dataclass
 
 #: questions at one forcing
 QUESTIONS = ("frequency_response", "amplitudes", "saddle_nodes", "peak")

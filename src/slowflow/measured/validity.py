@@ -7,7 +7,6 @@ the mechanisms that they hold for. Of any other mechanism this says that nothing
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,6 +15,7 @@ from slowflow.answer import Answer
 from slowflow.measured import table as measured
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow_kernels import motion
+from slowflow_support.frozen import dataclass
 
 #: from this size on an error is worth a remark
 WORTH = 0.02

@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 import threading
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import TypeVar
 
 import numpy as np
@@ -38,6 +37,7 @@ from slowflow.certificate import Proved, ProvedFolds, ProvedForcing, ProvedState
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
 from slowflow_kernels.conventions import ENDLESS, OnsetKind
+from slowflow_support.frozen import dataclass
 
 #: how many bits are tried, in turn
 BITS = (128, 512)
