@@ -7,6 +7,7 @@ import importlib.util
 import json
 import pickle
 import sys
+from collections.abc import Mapping
 from concurrent.futures import ProcessPoolExecutor
 
 import numpy as np
@@ -20,77 +21,28 @@ from slowflow.sizing import fit, front, meet, tolerances
 from slowflow_kernels import rod_spring
 
 
-def ask():
-    """Every kind of object that a user gets, by name."""
-    iso = isolator()
-    second, states, folds = iso.second_approximation, iso.amplitudes(Omega=0.9, F_0=0.04), iso.saddle_nodes(0.04)
-    many = Isolator.many(lam=3, r=[[2.0], [3.0]], delta_h=[0.08, 0.1, 0.12], mu=0.012, zeta=0.02)
-    loaded = Duffing(1.0, 0.5, 0.01, 0.05, load=0.3)
-    several = Duffing.many(1.0, 0.5, 0.01, 0.05, load=[0.2, 0.3])
-    mount = Isolator.physical(m=12, k_v=2500, k_h=1700, L=0.080, preload=0.009, friction=0.4, zeta=0.02)
-    return {
-        "isolator": iso,
-        "duffing": Duffing(1.0, 0.1, 0.01, 0.02),
-        "oscillator": Oscillator(rod_spring.MECHANISM, lam=3, r=2, delta_h=0.1),
-        "frequency_response": iso.frequency_response(0.04, samples=50),
-        "saddle_nodes": folds,
-        "certified": iso.saddle_nodes(0.04, certify=True),
-        "peak": iso.peak(0.04),
-        "no peak": iso.peak(0.01),
-        "amplitudes": states,
-        "measured": states.measure(),
-        "measured folds": folds.measure(),
-        "validity": states.validity,
-        "saddle_node_onset": iso.saddle_node_onset(),
-        "detachment": iso.detachment(),
-        "fold_locus": iso.fold_locus(samples=50),
-        "cusps": iso.cusps(),
-        "isola_points": iso.isola_points(),
-        "certificate": iso.certify(0.04, Omega=0.9),
-        "second": second,
-        "second response": second.frequency_response(0.04, samples=50),
-        "second folds": second.saddle_nodes(0.04),
-        "second states": second.amplitudes(Omega=0.9, F_0=0.04),
-        "steady_state": iso.steady_state(Omega=0.9, F_0=0.04),
-        "exact_response": iso.exact_response(0.04, Omega=(0.88, 0.92)),
-        "sweep": iso.sweep(Omega=[0.8, 0.9], F_0=0.04),
-        "transient": iso.transient(acceleration=0.4, duration=2.0),
-        "shock_spectrum": iso.shock_spectrum(acceleration=0.4, duration=[1.0, 2.0]),
-        "margins": iso.margins(0.04),
-        "hysteresis": iso.hysteresis(0.04),
-        "isolation": iso.isolation(0.04),
-        "plan": iso.explain("peak", 0.04),
-        "restoring_force": iso.restoring_force(),
-        "equation_of_motion": iso.equation_of_motion(),
-        "designs": many,
-        "detachments": many.detachment(),
-        "onsets": many.saddle_node_onset(),
-        "folds": many.saddle_nodes(0.04),
-        "curves": many.frequency_response(0.04, samples=20),
-        "peaks": many.peak([0.03, 0.04, 0.05]),
-        "many margins": many.margins(0.04),
-        "many bands": many.hysteresis(0.04),
-        "many isolations": many.isolation(0.04),
-        "many spectra": many.spectrum(Omega=[0.9, 1.4], F_0=[0.03, 0.05]),
-        "many transients": many.transient(acceleration=0.4, duration=2.0),
-        "many shocks": many.shock_spectrum(acceleration=0.4, duration=2.0),
-        "front": front(iso, {"zeta": (0.01, 0.1)}, high=["F_SN"], low=["A_peak"], F_0=0.04, points=2),
-        "fit": fit(iso, A=[0.1, 0.2, 0.1], F_0=0.02, Omega=[0.7, 0.8, 0.9], free=["zeta"]),
-        "states": many.amplitudes(Omega=0.9, F_0=0.04),
-        "at_rest": iso.at_rest(),
-        "spectrum": iso.spectrum(Omega=[0.9, 1.4], F_0=0.04),
-        "many at rest": many.at_rest(),
-        "tolerances": tolerances(iso, {"zeta": 0.1}, F_0=0.04, samples=20),
-        "slopes of folds": iso.saddle_nodes(0.04).gradient(),
-        "met": meet(iso, {"zeta": (0.01, 0.1)}, at_least={"F_SN": 0.03}),
-        "off centre": loaded.off_centre,
-        "designs under a load": several,
-        "shocks under a load": several.shock_spectrum(acceleration=0.4, duration=2.0),
-        "mount": mount,
-        "mount's answer": mount.margins(5),
-        "mount at rest": mount.at_rest(),
-        **maps(),
-    }
+class Objects(Mapping):
+    """What a user gets, by name: each is asked for once, when a test first needs it."""
+
+    def __init__(self, names, made=None):
+        self.names, self.made = dict.fromkeys(names), {} if made is None else made
+
+    def __getitem__(self, name):
+        if name not in self.names:
+            raise KeyError(name)
+        if name not in self.made:
+            self.made[name] = ASKED[name]()
+        return self.made[name]
+
+    def __iter__(self):
+        return iter(self.names)
+
+    def __len__(self):
+        return len(self.names)
+
+    def only(self, kept):
+        """Those with such a name."""
+        return Objects(filter(kept, self.names), self.made)
 
 
 def maps():
@@ -99,13 +51,134 @@ def maps():
         return {}
     from xarray import DataArray
 
-    return {"map": Isolator.many(lam=3, r=DataArray([1.0, 2.0], dims="r"), delta_h=0.1, mu=0.012, zeta=0.02)}
+    return {
+        "map": lambda: Isolator.many(lam=3, r=DataArray([1.0, 2.0], dims="r"), delta_h=0.1, mu=0.012, zeta=0.02),
+    }
 
 
-OBJECTS = ask()
-ANSWERS = {name: value for name, value in OBJECTS.items() if isinstance(value, answer.Answer)}
-BATCHES = {name: value for name, value in ANSWERS.items() if isinstance(value, Batch)}
-TABLES = {name: value for name, value in ANSWERS.items() if isinstance(value, answer.Table)}
+ASKED = {
+    "isolator": lambda: isolator(),
+    "duffing": lambda: Duffing(1.0, 0.1, 0.01, 0.02),
+    "oscillator": lambda: Oscillator(rod_spring.MECHANISM, lam=3, r=2, delta_h=0.1),
+    "frequency_response": lambda: OBJECTS["isolator"].frequency_response(0.04, samples=50),
+    "saddle_nodes": lambda: OBJECTS["isolator"].saddle_nodes(0.04),
+    "certified": lambda: OBJECTS["isolator"].saddle_nodes(0.04, certify=True),
+    "peak": lambda: OBJECTS["isolator"].peak(0.04),
+    "no peak": lambda: OBJECTS["isolator"].peak(0.01),
+    "amplitudes": lambda: OBJECTS["isolator"].amplitudes(Omega=0.9, F_0=0.04),
+    "measured": lambda: OBJECTS["amplitudes"].measure(),
+    "measured folds": lambda: OBJECTS["saddle_nodes"].measure(),
+    "validity": lambda: OBJECTS["amplitudes"].validity,
+    "saddle_node_onset": lambda: OBJECTS["isolator"].saddle_node_onset(),
+    "detachment": lambda: OBJECTS["isolator"].detachment(),
+    "fold_locus": lambda: OBJECTS["isolator"].fold_locus(samples=50),
+    "cusps": lambda: OBJECTS["isolator"].cusps(),
+    "isola_points": lambda: OBJECTS["isolator"].isola_points(),
+    "certificate": lambda: OBJECTS["isolator"].certify(0.04, Omega=0.9),
+    "second": lambda: OBJECTS["isolator"].second_approximation,
+    "second response": lambda: OBJECTS["second"].frequency_response(0.04, samples=50),
+    "second folds": lambda: OBJECTS["second"].saddle_nodes(0.04),
+    "second states": lambda: OBJECTS["second"].amplitudes(Omega=0.9, F_0=0.04),
+    "steady_state": lambda: OBJECTS["isolator"].steady_state(Omega=0.9, F_0=0.04),
+    "exact_response": lambda: OBJECTS["isolator"].exact_response(0.04, Omega=(0.88, 0.92)),
+    "sweep": lambda: OBJECTS["isolator"].sweep(Omega=[0.8, 0.9], F_0=0.04),
+    "transient": lambda: OBJECTS["isolator"].transient(acceleration=0.4, duration=2.0),
+    "shock_spectrum": lambda: OBJECTS["isolator"].shock_spectrum(acceleration=0.4, duration=[1.0, 2.0]),
+    "margins": lambda: OBJECTS["isolator"].margins(0.04),
+    "hysteresis": lambda: OBJECTS["isolator"].hysteresis(0.04),
+    "isolation": lambda: OBJECTS["isolator"].isolation(0.04),
+    "plan": lambda: OBJECTS["isolator"].explain("peak", 0.04),
+    "restoring_force": lambda: OBJECTS["isolator"].restoring_force(),
+    "equation_of_motion": lambda: OBJECTS["isolator"].equation_of_motion(),
+    "designs": lambda: Isolator.many(lam=3, r=[[2.0], [3.0]], delta_h=[0.08, 0.1, 0.12], mu=0.012, zeta=0.02),
+    "detachments": lambda: OBJECTS["designs"].detachment(),
+    "onsets": lambda: OBJECTS["designs"].saddle_node_onset(),
+    "folds": lambda: OBJECTS["designs"].saddle_nodes(0.04),
+    "curves": lambda: OBJECTS["designs"].frequency_response(0.04, samples=20),
+    "peaks": lambda: OBJECTS["designs"].peak([0.03, 0.04, 0.05]),
+    "many margins": lambda: OBJECTS["designs"].margins(0.04),
+    "many bands": lambda: OBJECTS["designs"].hysteresis(0.04),
+    "many isolations": lambda: OBJECTS["designs"].isolation(0.04),
+    "many spectra": lambda: OBJECTS["designs"].spectrum(Omega=[0.9, 1.4], F_0=[0.03, 0.05]),
+    "many transients": lambda: OBJECTS["designs"].transient(acceleration=0.4, duration=2.0),
+    "many shocks": lambda: OBJECTS["designs"].shock_spectrum(acceleration=0.4, duration=2.0),
+    "front": lambda: front(
+        OBJECTS["isolator"], {"zeta": (0.01, 0.1)}, high=["F_SN"], low=["A_peak"], F_0=0.04, points=2
+    ),
+    "fit": lambda: fit(OBJECTS["isolator"], A=[0.1, 0.2, 0.1], F_0=0.02, Omega=[0.7, 0.8, 0.9], free=["zeta"]),
+    "states": lambda: OBJECTS["designs"].amplitudes(Omega=0.9, F_0=0.04),
+    "at_rest": lambda: OBJECTS["isolator"].at_rest(),
+    "spectrum": lambda: OBJECTS["isolator"].spectrum(Omega=[0.9, 1.4], F_0=0.04),
+    "many at rest": lambda: OBJECTS["designs"].at_rest(),
+    "tolerances": lambda: tolerances(OBJECTS["isolator"], {"zeta": 0.1}, F_0=0.04, samples=20),
+    "slopes of folds": lambda: OBJECTS["isolator"].saddle_nodes(0.04).gradient(),
+    "met": lambda: meet(OBJECTS["isolator"], {"zeta": (0.01, 0.1)}, at_least={"F_SN": 0.03}),
+    "off centre": lambda: Duffing(1.0, 0.5, 0.01, 0.05, load=0.3).off_centre,
+    "designs under a load": lambda: Duffing.many(1.0, 0.5, 0.01, 0.05, load=[0.2, 0.3]),
+    "shocks under a load": lambda: OBJECTS["designs under a load"].shock_spectrum(acceleration=0.4, duration=2.0),
+    "mount": lambda: Isolator.physical(m=12, k_v=2500, k_h=1700, L=0.080, preload=0.009, friction=0.4, zeta=0.02),
+    "mount's answer": lambda: OBJECTS["mount"].margins(5),
+    "mount at rest": lambda: OBJECTS["mount"].at_rest(),
+    **maps(),
+}
+#: what is asked, not an answer
+ASKS = {
+    "designs",
+    "designs under a load",
+    "duffing",
+    "equation_of_motion",
+    "isolator",
+    "map",
+    "mount",
+    "off centre",
+    "oscillator",
+    "plan",
+    "restoring_force",
+    "second",
+}
+#: names of the answers of many designs, and of those with several entries
+MANY = {
+    "curves",
+    "detachments",
+    "folds",
+    "many at rest",
+    "many bands",
+    "many isolations",
+    "many margins",
+    "many shocks",
+    "many spectra",
+    "many transients",
+    "onsets",
+    "peaks",
+    "shocks under a load",
+    "states",
+}
+ENTRIES = {
+    "amplitudes",
+    "certified",
+    "cusps",
+    "exact_response",
+    "fit",
+    "fold_locus",
+    "frequency_response",
+    "front",
+    "hysteresis",
+    "isola_points",
+    "measured",
+    "measured folds",
+    "saddle_nodes",
+    "second folds",
+    "second response",
+    "second states",
+    "shock_spectrum",
+    "spectrum",
+    "sweep",
+    "tolerances",
+}
+
+OBJECTS = Objects(ASKED)
+ANSWERS = OBJECTS.only(lambda name: name not in ASKS)
+BATCHES, TABLES = ANSWERS.only(MANY.__contains__), ANSWERS.only(ENTRIES.__contains__)
 COPIES = {"copy": copy.copy, "deepcopy": copy.deepcopy, "pickle": lambda one: pickle.loads(pickle.dumps(one))}
 
 
@@ -116,6 +189,13 @@ def arrays(one):
             yield value
         else:
             yield from arrays(value)
+
+
+@pytest.mark.parametrize("name", OBJECTS)
+def test_each_is_counted_as_what_it_is(name):
+    one = OBJECTS[name]
+    kinds = isinstance(one, answer.Answer), isinstance(one, Batch), isinstance(one, answer.Table)
+    assert kinds == (name in ANSWERS, name in BATCHES, name in TABLES)
 
 
 @pytest.mark.parametrize("how", COPIES)
