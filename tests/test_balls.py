@@ -82,6 +82,7 @@ def test_what_doubles_leave_undecided_beside_a_double_fold_is_decided_and_right(
     assert by_balls > 10
 
 
+@pytest.mark.slow
 def test_balls_hold_the_certified_folds_states_onsets_and_detachments():
     """Of the truncated force and of Duffing's, from doubles' own reference: not to fill gaps but throughout."""
     for _, _, case in CASES[::25]:

@@ -216,6 +216,7 @@ def test_numbers_are_not_multiplied_out():
     assert not any(operations(output) > 2 for output in held.outputs)
 
 
+@pytest.mark.slow
 def test_structured_forms_stay():
     """F keeps its product (I - F_0)(I + F_0), and F_A its R (Omega^2 + h_A)."""
     flow = slow_flow(averaged())

@@ -51,15 +51,16 @@ def test_folds_are_the_certified_ones_and_no_others():
             assert fold.corner or error(fold.A, sure["A"], of["A"]) < FOLD
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "numbers"),
     [
-        pytest.param("elastic_stop", {"delta": 0.2, "kappa": 5.0}, marks=pytest.mark.slow),
-        pytest.param("bilinear", {"delta": 0.2, "kappa": 0.4}, marks=pytest.mark.slow),
+        ("elastic_stop", {"delta": 0.2, "kappa": 5.0}),
+        ("bilinear", {"delta": 0.2, "kappa": 0.4}),
         ("dead_zone", {"delta": 0.2}),
     ],
 )
-@pytest.mark.parametrize("compile", [False, pytest.param(True, marks=[COMPILED, pytest.mark.slow])])
+@pytest.mark.parametrize("compile", [False, pytest.param(True, marks=COMPILED)])
 def test_beside_a_kink_the_number_of_folds_is_known(name, numbers, compile):
     """There h_AA is infinite, but F_A > 0 at all frequencies: a cusp within a double of the kink was not ruled out."""
     made = derive.library(name, compile=compile)

@@ -129,6 +129,7 @@ def test_numbers_are_those_of_the_questions(page):
     assert cells[cells.index("Apeak") + 2] == f"{1e3 * mount.peak(3).A:.4g}"
 
 
+@pytest.mark.slow
 def test_names_and_equations_are_set_and_none_is_shown_as_it_is_typed(text, page):
     """Letters with what stands below them, in words and in MathML; nothing has an underscore, or a power of Python."""
     read = re.sub(r"<(style|svg|title|a)\b.*?</\1>|<[^>]+>", " ", text, flags=re.DOTALL)
