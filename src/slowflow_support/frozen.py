@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
@@ -36,7 +37,8 @@ else:
             done = dataclasses.dataclass(eq=False, repr=False, kw_only=kw_only)(cls)
             fields = dataclasses.fields(done)
             done._set_by_init = frozenset(one.name for one in fields)
-            done._compared = tuple(one.name for one in fields if one.compare)
+            if eq:
+                done._compared = attrgetter(*(one.name for one in fields if one.compare))
             return done
 
         return made
@@ -62,10 +64,8 @@ def _repr(self: Any) -> str:
 
 
 def _eq(self: Any, other: Any) -> Any:
-    if type(other) is not type(self):
-        return NotImplemented
-    return all(getattr(self, name) == getattr(other, name) for name in self._compared)
+    return self._compared(self) == other._compared(other) if type(other) is type(self) else NotImplemented
 
 
 def _hash(self: Any) -> int:
-    return hash(tuple(getattr(self, name) for name in self._compared))
+    return hash(self._compared(self))

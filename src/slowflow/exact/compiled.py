@@ -40,6 +40,10 @@ KEPT = 64  # oscillators in C, of which a curve asks one again and again
 TRACED = 50  # points of a curve at a time: some milliseconds, after which Ctrl-C is heard
 
 
+#: the oscillator that was asked for last, and what it is for C; set as a whole, so that threads may share it
+_last: tuple[EquationOfMotion | None, Any] = None, None
+
+
 def recurrences(law: Law) -> Any:
     """A law's recurrences in C; None for one that was not generated or compiled, or without the extension."""
     return None if EXACT is None else EXACT.LAWS.get(law.name)
@@ -50,9 +54,18 @@ def compiles(system: EquationOfMotion) -> bool:
     return all(recurrences(piece.law) is not None for piece in system.force.pieces)
 
 
-@functools.lru_cache(maxsize=KEPT)
 def of_system(system: EquationOfMotion) -> Any:
-    """The oscillator for C."""
+    """The oscillator for C: of the one that was asked for last at once, as its hash takes longer than a step."""
+    global _last
+    known, compiled = _last
+    if known is not system:
+        compiled = _compiled(system)
+        _last = system, compiled
+    return compiled
+
+
+@functools.lru_cache(maxsize=KEPT)
+def _compiled(system: EquationOfMotion) -> Any:
     force = system.force
     pieces, edges = by_rising_u(force)
     about = -force.region_of(-math.inf)
