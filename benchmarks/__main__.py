@@ -26,9 +26,8 @@ def main() -> None:
 
     kept = {name: document.earlier(options.results / f"{name}.json") for name in ("bench", "work_precision")}
     rows = targets.with_earlier(targets.measure(size), kept["bench"])
-    missed = {row["limit"] for row in rows if not row["reached"]}
     about = environment.describe()
-    explained = limits.of(missed)
+    explained = limits.of(rows)
     document.save(options.results / "bench.json", {"environment": about, "rows": rows, "limits": explained})
 
     print("work-precision ...", file=sys.stderr, flush=True)

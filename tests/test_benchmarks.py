@@ -149,6 +149,30 @@ def test_what_stops_cost_is_measured_from_motions_that_stop() -> None:
     assert len(stops) > 3 and stops == sorted(set(stops))
 
 
+def test_what_is_missed_by_less_than_the_machine_is_slower_says_so_and_what_is_not_explained_too() -> None:
+    """Boost.Math takes twice as long here as where the targets were set."""
+
+    def row(job, target, measured, unit, at_most, limit=""):
+        return targets.Target(job, target, measured, unit, at_most, "", "", limit)
+
+    known = [2 * one for one in limits.BOOST]
+    found = [
+        targets.replace(row("quartics", 4.0, 3.0, "s", True), known=known),
+        row("a time", 1.0, 1.9, "s", True),
+        row("a rate", 10.0, 5.5, "a second", False),
+        row("a slow time", 1.0, 2.1, "s", True),
+        row("a slow rate", 10.0, 4.0, "a second", False, "peak"),
+        row("a ratio", 2.0, 2.1, "×", True),
+        row("kept", 1.0, 0.5, "s", True),
+    ]
+    rows = [{**targets.asdict(one), "reached": one.reached} for one in found]
+    by_less, silent = limits.pace(rows)
+    assert by_less.endswith(" 2 times as long; missed by less than that: a time (by 1.9), a rate (by 1.8)")
+    assert silent == "missed, and not known why: a slow time, a ratio"
+    unknown, silent = limits.pace([{**one, "known": []} for one in rows])
+    assert "was not measured" in unknown and silent.endswith("why: a time, a rate, a slow time, a ratio")
+
+
 @pytest.mark.parametrize("kind", limits.WORK)
 def test_work_whose_instructions_are_counted_where_a_target_is_missed_can_be_done(kind, monkeypatch):
     """One asked by arguments that a question no longer takes, and `make bench` ended there."""
