@@ -194,6 +194,17 @@ CONVENTIONS = (
             Number("STATIC_MULTIPLE", sp.Integer(100), "an undamped response without a reach is cut at this times F_0"),
             Number("RAISE", sp.Integer(4), "the forcing is raised by this factor until the onset lies below it"),
             Number("RAISES", 30, "how often, at most"),
+            Number(
+                "FAR_RAISE",
+                sp.Integer(2**20),
+                "by this factor from there on, where the force is still nearly its slope at rest",
+            ),
+            Number("FAR_RAISES", 15, "how often, at most: fourth powers of it are in the range of doubles"),
+            Number(
+                "NEAR_BOUND",
+                sp.Rational(1, 2**16),
+                "how nearly the forcing is known beyond which motions go ever farther",
+            ),
             Number("FINE_RUNGS", 12, "bounds that are tried on an amplitude, each twice the last"),
             Number("RUNGS", 100, "and in all, in steps that double too"),
             Number("COARSEST", sp.Integer(10**4), "until they exceed this"),

@@ -5,8 +5,9 @@ from __future__ import annotations
 import mpmath as mp
 import numpy as np
 import pytest
+import sympy as sp
 
-from slowflow import Duffing
+from slowflow import Duffing, derive
 from slowflow.results import Remark
 
 U = 2.0**-53
@@ -98,3 +99,77 @@ def test_play_with_structural_damping_alone_has_a_static_state_within_the_play()
     within = Duffing(0, 0, eta=0.05).amplitudes(Omega=[0.5, 1.0], F_0=F_0)
     np.testing.assert_allclose(found.A, within.A, rtol=1e-14)
     assert play.peak(F_0).A == pytest.approx(F_0 / 0.05, rel=1e-14)
+
+
+# ---- a spring whose force levels off: it does not hold the mass as Omega tends to 0 beyond some forcing -------------
+
+K, G = 1.0, 0.1
+DAMPED = {"zeta": 0.05}
+
+
+@pytest.fixture(scope="module")
+def yielding():
+    """f = k u up to |u| = g, and k g beyond."""
+    u, k, g = sp.symbols("u k g")
+    return derive.mechanism("yielding", [(k * u, g), (k * g, None)], {"k": {"above": 0}, "g": {"above": 0}})
+
+
+def restoring(A):
+    """-h of it, in closed form."""
+    share = np.minimum(G / np.asarray(A), 1.0)
+    return 2 * K / np.pi * A * (np.arcsin(share) + share * np.sqrt(1 - share**2))
+
+
+def off_balance(Omega, A, F, mu, zeta=0.05):
+    """F of (24) over F_0^2."""
+    return ((A * Omega**2 - restoring(A)) ** 2 + (4 * mu / np.pi + 2 * zeta * A * Omega) ** 2) / F**2 - 1
+
+
+def states_at(Omega, F, mu):
+    """Every amplitude at a frequency, between neighbours of a grid."""
+    A = np.geomspace(1e-6, 1e6, 60_001)
+    signs = off_balance(Omega, A, F, mu) > 0
+    return A[:-1][signs[1:] != signs[:-1]]
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("mu", [0.0, 0.02, 0.03, 0.05])
+def test_the_onset_is_found_below_the_forcing_that_the_spring_does_not_hold(yielding, mu):
+    """F = F_A = F_AA = 0 there, by 40 digits; a hundredth lower there is one state at each frequency, higher three."""
+    mount = yielding(k=K, g=G, mu=mu, **DAMPED)
+    found = mount.saddle_node_onset()
+
+    def F(Omega, A, level):
+        share = mp.mpf(G) / A
+        h = 2 * mp.mpf(K) / mp.pi * A * (mp.asin(share) + share * mp.sqrt(1 - share**2))
+        I = 4 * mp.mpf(mu) / mp.pi + 2 * mp.mpf(0.05) * A * Omega
+        return (A * Omega**2 - h) ** 2 + I**2 - level**2
+
+    with mp.workdps(40):
+        conditions = [
+            lambda Omega, A, level, n=n: mp.diff(lambda a: F(Omega, a, level), A, n) if n else F(Omega, A, level)
+            for n in range(3)
+        ]
+        Omega, A, level = mp.findroot(conditions, (found.Omega, found.A, found.F_SN), tol=1e-24)
+    assert [found.F_SN, found.Omega, found.A] == pytest.approx([float(level), float(Omega), float(A)], rel=1e-12)
+    window = found.Omega * np.linspace(0.97, 1.03, 61)
+    assert {
+        len(states_at(one, 0.99 * found.F_SN, mu)) for one in np.concatenate((window, np.geomspace(0.02, 3, 60)))
+    } == {1}
+    assert 3 in {len(states_at(one, 1.01 * found.F_SN, mu)) for one in window}
+    assert yielding.many(k=K, g=G, mu=[mu], **DAMPED).saddle_node_onset().F_SN[0] == found.F_SN
+
+
+@pytest.mark.both_backends
+def test_beyond_it_curves_are_drawn_in_a_window_and_the_rest_says_where_it_is_cut(yielding):
+    mount = yielding(k=K, g=G, mu=0.0, **DAMPED)
+    curve = mount.frequency_response(0.2, Omega=(0.3, 1.5), samples=100)
+    assert not curve.message and curve.Omega.min() == 0.3 and curve.Omega.max() == 1.5
+    assert np.abs(off_balance(curve.Omega, curve.A, 0.2, 0.0)).max() < 1e-12
+    states = mount.amplitudes(Omega=[0.01, 0.5, 1.0], F_0=0.2)
+    assert np.abs(off_balance(states.Omega, states.A, 0.2, 0.0)).max() < 1e-12 and len(states) == 3
+    for answer in (mount.peak(0.2), mount.saddle_nodes(0.2), mount.frequency_response(0.2)):
+        assert "which levels off, does not hold the mass: cut at A = 20" in answer.message
+    assert Remark.CUT in mount.saddle_nodes(0.2).remarks
+    with pytest.raises(OverflowError, match="no amplitude bounds the response"):
+        yielding(k=K, g=G, mu=0.09, **DAMPED).saddle_node_onset()

@@ -970,3 +970,24 @@ def test_a_farthest_motion_whose_frequency_doubles_do_not_tell_is_refused():
             assert "doubles do not tell the frequency" in str(refusal)
         else:
             assert found.message if found.Omega is None else found.Omega > 0
+
+
+@pytest.mark.parametrize("octaves", [-150, -100, -45, -20, 60, 150])
+def test_off_the_centre_answers_go_with_the_unit_of_length_or_it_is_too_small(octaves):
+    """On a base lengths of 1e-30 gave a peak at Omega = 1e32 without a word."""
+
+    def mount(s):
+        return Duffing(1.0, 1.0405215808494257 / s / s, 0.01 * s, 0.0283, load=0.1 * s, excitation="base")
+
+    s, F_0 = 2.0**octaves, 0.19427233724301723
+    if octaves < -40:
+        for ask in ("saddle_nodes", "peak"):
+            with pytest.raises(OverflowError, match="are too small beside 1; in smaller units of length"):
+                getattr(mount(s), ask)(F_0 * s)
+        return
+    one, other = (mount(unit).amplitudes(Omega=1.5756199434710894, F_0=F_0 * unit) for unit in (1.0, s))
+    for name in ("A", "B"):
+        assert getattr(other, name) / s == pytest.approx(getattr(one, name), rel=1e-9)
+    one, other = (mount(unit).saddle_node_onset() for unit in (1.0, s))
+    assert [other.F_SN / s, other.Omega] == pytest.approx([one.F_SN, one.Omega], rel=1e-9)
+    assert "no peak up to A" in mount(s).peak(F_0 * s).message

@@ -217,3 +217,28 @@ def test_derivatives_of_an_average_are_those_of_its_ball(numbers, A):
         for k, (value, derivative, ball) in enumerate(zip(found, exact, near, strict=True)):
             assert ball.rad().is_finite(), k
             assert abs(arb(float(value)) - derivative) <= 4 * (ball.rad() + abs(derivative) * arb(2) ** -53), (k, value)
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("law", [{}, {"eta": 0.05}])
+@pytest.mark.parametrize("octaves", [-150, 50, 70, 150])
+def test_an_onset_goes_with_the_unit_of_length(law, octaves):
+    """By a power of two nothing is rounded otherwise: a stiffening spring has folds, however large it is."""
+    s = 2.0**octaves
+    one = Duffing(0.5, 2.25, 0.0, 0.0954, **law).saddle_node_onset()
+    other = Duffing(0.5, 2.25 / s / s, 0.0, 0.0954, **law).saddle_node_onset()
+    assert [other.F_SN / s, other.Omega, other.A / s] == pytest.approx([one.F_SN, one.Omega, one.A], rel=1e-12)
+
+
+@pytest.mark.both_backends
+def test_what_is_too_small_or_too_large_for_doubles_is_refused():
+    for s in (2.0**-400, 2.0**420):
+        for law in ({}, {"eta": 0.05}):
+            tiny = Duffing(0.5, 2.25 / s / s, 0.0, 0.0954, **law)
+            with pytest.raises(ArithmeticError, match="unresolved"):
+                tiny.saddle_node_onset()
+    tiny = Duffing(0.5, 2.25 * 2.0**800, 0.0, 0.0954, eta=0.05)
+    F_0 = 0.2 * 2.0**-400
+    for question in (lambda: tiny.saddle_nodes(F_0), lambda: tiny.amplitudes(Omega=1.0, F_0=F_0)):
+        with pytest.raises(ArithmeticError, match="unresolved"):
+            question()

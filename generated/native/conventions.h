@@ -69,6 +69,12 @@ typedef enum {
 #define SF_RAISE 4.0
 /* how often, at most */
 #define SF_RAISES 30
+/* by this factor from there on, where the force is still nearly its slope at rest */
+#define SF_FAR_RAISE 1048576.0
+/* how often, at most: fourth powers of it are in the range of doubles */
+#define SF_FAR_RAISES 15
+/* how nearly the forcing is known beyond which motions go ever farther */
+#define SF_NEAR_BOUND 1.52587890625e-05
 /* bounds that are tried on an amplitude, each twice the last */
 #define SF_FINE_RUNGS 12
 /* and in all, in steps that double too */

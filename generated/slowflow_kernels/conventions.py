@@ -118,6 +118,12 @@ STATIC_MULTIPLE = 100.0
 RAISE = 4.0
 # how often, at most
 RAISES = 30
+# by this factor from there on, where the force is still nearly its slope at rest
+FAR_RAISE = 1048576.0
+# how often, at most: fourth powers of it are in the range of doubles
+FAR_RAISES = 15
+# how nearly the forcing is known beyond which motions go ever farther
+NEAR_BOUND = 1.52587890625e-05
 # bounds that are tried on an amplitude, each twice the last
 FINE_RUNGS = 12
 # and in all, in steps that double too

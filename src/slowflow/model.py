@@ -20,7 +20,7 @@ from slowflow import backend, validate
 from slowflow.mechanism import Floats, Mechanism, Parameter, check_at_rest
 from slowflow_kernels import dissipation, inertia
 from slowflow_kernels import slow_flow as general_flow
-from slowflow_kernels.conventions import LARGEST
+from slowflow_kernels.conventions import ENDLESS, LARGEST
 from slowflow_kernels.domains import DAMPING, DISSIPATION, RUBS
 from slowflow_kernels.scenes import flow_of
 from slowflow_support.frozen import dataclass
@@ -51,6 +51,8 @@ def check_names(mechanism: Mechanism, values: Mapping[str, Any], beside: tuple[P
 
 #: where dry friction acts unless it is said
 THROUGHOUT = next(iter(RUBS))
+#: multiple of the last breakpoint from which on a force that levels off does not rise any more
+NEAR_ENDLESS = 2.0**20
 
 
 @dataclass(frozen=True)
@@ -258,6 +260,18 @@ class Model:
     def free(self) -> bool:
         """Whether no spring holds the mass at any amplitude."""
         return self.linear and bool(self.averaged(0.0)[1] == 0)
+
+    @cached_property
+    def lets_go(self) -> bool:
+        """Whether the spring's force is bounded: some force at Omega = 0 moves the mass as far as one likes.
+
+        Of averages in closed form; others are not known far away.
+        """
+        if self.free or self.mechanism.enclosed is not None or np.isfinite(self.mechanism.reach):
+            return self.free
+        with np.errstate(all="ignore"):
+            near, far = np.abs(self.averaged(max((1.0, *self.breakpoints)) * np.array([NEAR_ENDLESS, ENDLESS]))[0])
+        return bool(far <= near * (1 + 1 / NEAR_ENDLESS))
 
     @cached_property
     def preload(self) -> float:

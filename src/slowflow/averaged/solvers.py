@@ -27,7 +27,7 @@ def _either(on_compiled: Question, on_numpy: Callable[[], Question]) -> Question
             try:
                 return on_compiled(model, *arguments)
             except OverflowError:
-                if not model.free:
+                if not model.lets_go:
                     raise
         # a solver tries values that it then discards: the warnings that these raise are no fault of the arguments
         with np.errstate(all="ignore"):

@@ -129,7 +129,8 @@ def of_folds(model: Model, F_0: float, told: bool, cut: str) -> tuple[str, str]:
     told -- whether there are folds, or may be. Where there are none, cutting an undamped response leaves none out: it
         ends where what is beyond has no fold
     """
-    kept = cut if told or model.inertial else ""
+    leaves_out = model.inertial or (model.zeta > 0 and model.lets_go and not model.free)
+    kept = cut if told or leaves_out else ""
     return kept if told or kept else NO_FOLD.format(F_0), kept
 
 
@@ -166,7 +167,7 @@ def _or_not_known(model: Model) -> str:
 
 def unbounded(model: Model, F_0: float | None) -> str:
     """That no amplitude was found that bounds the response, and what helps a force that is not known far away."""
-    said = "no amplitude bounds the response" + ("" if F_0 is None else f" at F_0 = {F_0:.17g}")
+    said = "no amplitude bounds the response" + ("" if F_0 is None else f" at F_0 = {F_0:g}")
     if model.mechanism.enclosed is None or math.isfinite(model.reach):
         return said
     return (
@@ -227,10 +228,11 @@ def cut(model: Model, F_0: float) -> tuple[float, str]:
     return A_max, f"{words}{A_max:g}"
 
 
-def cut_towards_rest(F_0: float) -> tuple[float, str]:
-    """Where the response is cut of a mass that no spring holds, and a remark."""
-    A_max = float(STATIC_MULTIPLE * F_0)
-    return A_max, f"unbounded as Omega tends to 0, where no spring holds the mass: cut at A = {A_max:g}"
+def cut_towards_rest(model: Model, F_0: float) -> tuple[float, str]:
+    """Where the response is cut of a mass that no spring holds, or one whose force levels off, and a remark."""
+    A_max = float(STATIC_MULTIPLE * max(F_0, *model.breakpoints, 0.0))
+    why = "no spring holds the mass" if model.free else "the spring's force, which levels off, does not hold the mass"
+    return A_max, f"unbounded as Omega tends to 0, where {why}: cut at A = {A_max:g}"
 
 
 def everywhere(A: float) -> str:

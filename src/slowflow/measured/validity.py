@@ -27,7 +27,7 @@ NOT_MEASURED = (
 )
 NOT_MEASURED_LAWS = (
     "not measured: how far averaging is off is known of viscous damping and dry friction only (docs/validity.md); "
-    "steady_state() has the motion itself"
+    ".measure() measures it here and now"
 )
 NOT_MEASURED_OFF_CENTRE = (
     "not measured: how far averaging is off is known of motions about the centre only (docs/validity.md); "

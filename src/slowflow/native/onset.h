@@ -145,18 +145,29 @@ static void sf_consider_bend(const sf_model *model, const sf_sample *at, const s
     }
 }
 
+/* Whether the force is as it is far away; not where it is still nearly its slope at rest, and bends farther on. */
+static int sf_has_settled(const sf_model *model, const sf_sample *at) {
+    sf_sample far;
+    sf_sample_at(model, SF_ENDLESS * at->A, &far);
+    return !(fabs(far.k) * fabs(at->h) > 2 * fabs(at->k) * fabs(far.h));
+}
+
 /* The last piece, which has no end: as far as a state at the best forcing can lie, or at forcings raised until there is
- * one. */
+ * one; where the force levels off, up to the forcing beyond which no amplitude bounds the response. */
 static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first, sf_work *work, sf_onset *best) {
-    double F_0 = best->F_SN, A_max;
+    double F_0 = best->F_SN, A_max, looked_through = model->m, unbounded = HUGE_VAL;
     sf_status bounded = SF_OK;
     sf_stretch piece;
     int i;
     piece.last = *first;
     if (!(F_0 < HUGE_VAL))
         F_0 = SF_RAISE * fmax(model->m, SF_FIRST_F_0);
-    for (i = 0; i < SF_RAISES; i++) {
+    for (i = 0; i < SF_RAISES + SF_FAR_RAISES; i++) {
         bounded = sf_amplitude_bound(model, F_0, &A_max);
+        if (bounded == SF_NO_BOUND && i < SF_RAISES && F_0 - looked_through > SF_NEAR_BOUND * looked_through) {
+            unbounded = F_0, F_0 = 0.5 * (looked_through + F_0);
+            continue;
+        }
         if (bounded != SF_OK && bounded != SF_UNBOUNDED)
             return bounded;
         if (A_max > piece.last.A) { /* what lies below has been looked through */
@@ -169,16 +180,19 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
             if (work->zeros.status != SF_OK)
                 return work->zeros.status;
         }
-        if (best->F_SN <= F_0 || bounded == SF_UNBOUNDED)
-            break;
-        F_0 = best->F_SN < HUGE_VAL ? best->F_SN : SF_RAISE * F_0;
+        if (bounded == SF_UNBOUNDED) /* where the response does not close folds of any amplitude may be lower */
+            return best->F_SN < HUGE_VAL ? sf_amplitude_bound(model, best->F_SN, &A_max) : bounded;
+        if (best->F_SN <= F_0)
+            return SF_OK;
+        looked_through = F_0;
+        if (i >= SF_RAISES - 1 && !(best->F_SN < HUGE_VAL) &&
+            (A_max >= model->reach || sf_has_settled(model, &piece.last)))
+            return SF_NONE;
+        F_0 = best->F_SN < HUGE_VAL ? best->F_SN : (i < SF_RAISES ? SF_RAISE : SF_FAR_RAISE) * F_0;
+        if (F_0 >= unbounded)
+            F_0 = 0.5 * (looked_through + unbounded);
     }
-    /* where the response does not close folds of any amplitude may be lower */
-    if (bounded == SF_UNBOUNDED && best->F_SN < HUGE_VAL)
-        return sf_amplitude_bound(model, best->F_SN, &A_max);
-    if (bounded == SF_UNBOUNDED)
-        return bounded;
-    return best->F_SN <= F_0 ? SF_OK : SF_NONE;
+    return unbounded < HUGE_VAL ? SF_NO_BOUND : SF_UNRESOLVED;
 }
 
 /* For zeta = 0, the sign of the level's slope along the folds, or, where that is 0, of the slope's own. */

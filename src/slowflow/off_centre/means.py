@@ -15,7 +15,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from itertools import pairwise
+from itertools import combinations, pairwise
 from operator import add
 from typing import Any
 
@@ -89,6 +89,22 @@ class Steps:
         else:
             rows = values.reshape(2 * ends.size + 1, -1)
             self._state_sided(ends, rows[: ends.size + 1], rows[ends.size + 1 :], load)
+
+    @property
+    def length(self) -> float:
+        """The longest length that a piecewise polynomial has: a breakpoint, or where two of its powers are as large.
+
+        Infinite where it has none, as a linear force, and of a force that is no polynomial.
+        """
+        if self.curved is not None:
+            return math.inf
+        found = [abs(float(end)) for end in self.breakpoints]
+        for row in np.abs(self.pieces):
+            known = [k for k in range(1, row.size) if row[k] > 0]
+            size = [float(row[k]) / math.factorial(k) for k in known]
+            for i, j in combinations(range(len(known)), 2):
+                found.append((size[i] / size[j]) ** (1 / (known[j] - known[i])))
+        return max(found, default=math.inf)
 
     def check_balanced(self) -> None:
         """Raises ArithmeticError where the force is the load on a whole interval of u, as in a play."""

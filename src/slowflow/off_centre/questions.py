@@ -46,6 +46,12 @@ from slowflow_kernels import dissipation, off_centre
 
 #: octaves of an amplitude beside the size of the problem, where what is beyond is not bounded by a polynomial
 OCTAVES = 40
+#: a force that has shorter lengths is small beside what is rounded, as the size of a problem is taken to be 1 at least
+SHORTEST = 2.0**-40
+TOO_SMALL = (
+    "motions off the centre are unresolved: lengths of the force, {:.3g} at most, are too small beside 1; in smaller "
+    "units of length they may be resolved"
+)
 #: answers that are kept of one oscillator
 KEPT = 64
 #: how nearly the highest frequency is known that is looked at for isolation
@@ -688,6 +694,8 @@ class OffCentre(Unchanging):
         )
 
     def _damped(self, question: str) -> None:
+        if self._steps.length < SHORTEST and not self._keeps_centre:
+            raise OverflowError(TOO_SMALL.format(self._steps.length))
         if not self._flow.damps:
             raise ValueError(UNDAMPED.format(question))
         if self._complete.has_centre and not self._flow.plain and not self._keeps_centre:

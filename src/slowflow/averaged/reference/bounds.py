@@ -78,9 +78,7 @@ def _bounded(model: Model, F_0: float, lowest: float) -> tuple[float, str]:
         return words.does_not_close(cut)
     if model.mechanism.enclosed is None and not model.laws.any:
         (found,) = first_bounds(model, F_0).tolist()
-        if not found < np.inf:
-            raise OverflowError(words.unbounded(model, F_0))
-        return found, ""
+        return (found, "") if found < np.inf else _beyond_rungs(model, F_0, lowest)
     by_damping = np.inf
     if model.laws.any:
         most, by_damping = dissipated.most_restoring(model, F_0, rungs)
@@ -95,9 +93,14 @@ def _bounded(model: Model, F_0: float, lowest: float) -> tuple[float, str]:
         bounds = _exceeds_from(model, rungs, most, np.zeros(rungs.size, np.intp))
     bounds &= np.isfinite(rungs)
     found = min(float(rungs[np.argmax(bounds)]) if bounds.any() else np.inf, by_damping)
-    if not found < np.inf:
+    return (found, "") if found < np.inf else _beyond_rungs(model, F_0, lowest)
+
+
+def _beyond_rungs(model: Model, F_0: float, lowest: float) -> tuple[float, str]:
+    """The same where the spring does not bound the response: where its force levels off damping does, at Omega > 0."""
+    if not model.lets_go or model.laws.eta > 0:
         raise OverflowError(words.unbounded(model, F_0))
-    return found, ""
+    return _bound_of_free(model, F_0, lowest)
 
 
 def first_bounds(model: Model, F_0: Any) -> Floats:
@@ -140,10 +143,11 @@ def amplitude_bounds(model: Abreast, F_0: Floats) -> list[tuple[float, str]]:
 
 
 def _bound_of_free(model: Model, F_0: float, lowest: float) -> tuple[float, str]:
-    """The same of a mass that no spring holds, whose motions at Omega damping alone limits, (27): none does at 0."""
+    """The same of a mass that the spring does not hold, whose motions at Omega damping limits, (27): none does at 0."""
     if lowest == 0:
-        return words.cut_towards_rest(F_0)
-    return 2 * float(dissipation.limit_envelope(lowest, F_0, model.m, model.zeta, 0.0, model.d)), ""
+        return words.cut_towards_rest(model, F_0)
+    by_damping = 2 * float(dissipation.limit_envelope(lowest, F_0, model.m, model.zeta, 0.0, model.d))
+    return max(by_damping, *(2 * b for b in model.breakpoints), 0.0), ""
 
 
 def _has_state(model: Model, A: float, F_0: float) -> bool:

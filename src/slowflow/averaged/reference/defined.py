@@ -51,7 +51,7 @@ def check_defined(model: Model) -> None:
         if place is not None:
             told = ", ".join(f"{name} = {value!r}" for name, value in model.given().items() if name in _own(model))
             raise ValueError(
-                f"{told}: not allowed for {model.mechanism.name}, whose force is infinite or no number at "
+                f"{told or 'reach'}: not allowed for {model.mechanism.name}, whose force is infinite or no number at "
                 f"|u| = {place:.6g}, within its reach {reach:g}"
             )
 

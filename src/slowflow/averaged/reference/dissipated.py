@@ -30,6 +30,8 @@ Bools = NDArray[np.bool_]
 
 #: of Newton's and bisecting steps
 STEPS = 200
+#: below it F_0^4 and what is its rounding are not told apart from 0
+LEAST_F_0 = 2.0**-240
 
 
 @dataclass(frozen=True)
@@ -201,9 +203,10 @@ def _critical(c: list[Floats]) -> tuple[Floats, Floats]:
 
 
 def is_in_range(model: Model, F_0: float, A_max: float) -> bool:
-    """Whether doubles hold squares of coefficients of the quartics up to an amplitude, and (d F_0)^2."""
+    """Whether doubles hold squares of coefficients of the quartics up to an amplitude, and (d F_0)^2; and F_0^4."""
     one = Quartics(model, F_0, np.array([A_max]))
-    return bool(np.isfinite([*(c * c for c in one.c), [np.square(model.d * F_0)]]).all())
+    held = np.isfinite([*(c * c for c in one.c), [np.square(model.d * F_0)]]).all()
+    return bool(held and F_0 >= LEAST_F_0)
 
 
 def most_restoring(model: Model, F_0: float, rungs: Floats) -> tuple[Floats, float]:

@@ -47,7 +47,10 @@ from slowflow_kernels.conventions import (
     FALL,
     FALLS,
     FAR_OUT,
+    FAR_RAISE,
+    FAR_RAISES,
     FIRST_F_0,
+    NEAR_BOUND,
     RAISE,
     RAISES,
     TENDS,
@@ -460,12 +463,22 @@ def _consider_breakpoint(model: Model, at: Samples, jump: float, h_AA_above: flo
 def _consider_last(model: Model, first: Samples, best: _Best) -> Steps[None]:
     """The piece without an end.
 
-    It is looked through as far as a state at the best forcing can lie, or at forcings raised until there is one.
+    It is looked through as far as a state at the best forcing can lie, or at forcings raised until there is one; where
+    the force levels off, up to the forcing beyond which no amplitude bounds the response.
     """
-    base = first.A
+    base, looked_through, unbounded = first.A, model.m, math.inf
+    levels_off = model.lets_go and not (model.free or model.inertial)
     F_0 = best.F_SN if best.kind else RAISE * max(model.m, FIRST_F_0)
-    for _ in range(RAISES):
-        A_max, cut = yield Bound(F_0)
+    for number in range(RAISES + FAR_RAISES):
+        try:
+            A_max, cut = yield Bound(F_0)
+            if cut and levels_off:
+                raise OverflowError(words.unbounded(model, None))
+        except OverflowError:
+            if number >= RAISES or F_0 - looked_through <= NEAR_BOUND * looked_through:
+                raise
+            unbounded, F_0 = F_0, 0.5 * (looked_through + F_0)
+            continue
         if A_max > first.A[0]:  # what lies below has been looked through
             last = yield At(A_max)
             if first.A[0] == first.h[0] == 0 and last.h_AA[0] == last.h_AAA[0] == first.h_AAA[0] == 0:
@@ -477,7 +490,22 @@ def _consider_last(model: Model, first: Samples, best: _Best) -> Steps[None]:
             return
         if best.F_SN <= F_0:
             return
-        F_0 = best.F_SN if best.kind else RAISE * F_0
+        looked_through = F_0
+        if number >= RAISES - 1 and not best.kind:
+            if A_max >= model.reach or _has_settled(first, (yield At(ENDLESS * first.A[0]))):
+                return
+        F_0 = best.F_SN if best.kind else (RAISE if number < RAISES else FAR_RAISE) * F_0
+        if F_0 >= unbounded:
+            F_0 = 0.5 * (looked_through + unbounded)
+    if math.isfinite(unbounded):
+        raise OverflowError(words.unbounded(model, None))
+    raise ArithmeticError(words.unresolved_onset(model))
+
+
+def _has_settled(at: Samples, far: Samples) -> bool:
+    """Whether the force is as it is far away; not where it is still nearly its slope at rest, and bends farther on."""
+    (h, k), (far_h, far_k) = (np.abs((one.h[0], one.k[0])) for one in (at, far))
+    return not far_k * h > 2 * k * far_h
 
 
 def detachment(model: Model) -> Detachment:

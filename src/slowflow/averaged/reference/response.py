@@ -425,7 +425,7 @@ def _clipped(found: Skeleton, window: tuple[float, float]) -> list[tuple[list[tu
 
 def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
     """About `samples` points along every branch in the window; ends, folds, peaks, corners are among them exactly."""
-    found = skeleton(model, F_0, window[0] if model.free else 0.0)
+    found = skeleton(model, F_0, window[0] if model.lets_go else 0.0)
     curves = _clipped(found, window)
     steps = [(number, segment, upward) for number, (curve, _) in enumerate(curves) for segment, upward in curve]
     weights = _weights([segment for _, segment, _ in steps])
@@ -523,7 +523,7 @@ def _weights(segments: list[Segment]) -> Floats:
 
 def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
-    found = skeleton(model, F_0, float(Omega.min(initial=np.inf)) if model.free else 0.0)
+    found = skeleton(model, F_0, float(Omega.min(initial=np.inf)) if model.lets_go else 0.0)
     return steps.alone(model, _states(model, Omega, F_0, found))
 
 
