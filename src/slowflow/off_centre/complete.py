@@ -87,7 +87,7 @@ class Complete:
     def lowest(self) -> Lowest | None:
         """The fold at the onset, or None where none is. Raises ArithmeticError where that is not decided."""
         search = Search(self._steps, self._flow)
-        size = max(1.0, abs(self._steps.load), *map(abs, self._breakpoints))
+        size = max(self._steps.size, abs(self._steps.load), *map(abs, self._breakpoints))
         known = [search.descend(*at) for at in search.begin(size, self.offset_bound)]
         known += search.corners(self.sheets.corners(self.A_max(self._flow.m))[0])
         while True:
@@ -114,7 +114,7 @@ class Complete:
             damped = F_0 / flow.zeta if F_0 > 0 else 0.0
         else:
             damped = 2 * float(replace(flow, m=0.0).bound(1.0, F_0))
-        sizes = (1.0, F_0, damped, abs(self._steps.load), *map(abs, self._breakpoints))
+        sizes = (self._steps.size, F_0, damped, abs(self._steps.load), *map(abs, self._breakpoints))
         return min(2.0**ABOVE * max(sizes), self._grown)
 
     @property

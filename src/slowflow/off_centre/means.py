@@ -41,6 +41,8 @@ DOUBT = 2.0**-48
 ALL = np.array([[-np.inf], [np.inf]])
 #: places at which a piece is looked at to bound it
 GRID = 64
+#: by how much a problem is taken to be larger than the longest length of its force
+SMALL = 4.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,7 +94,7 @@ class Steps:
 
     @property
     def length(self) -> float:
-        """The longest length that a piecewise polynomial has: a breakpoint, or where two of its powers are as large.
+        """The longest length of a piecewise polynomial: an end, or where two powers, or one and the load, are equal.
 
         Infinite where it has none, as a linear force, and of a force that is no polynomial.
         """
@@ -104,7 +106,14 @@ class Steps:
             size = [float(row[k]) / math.factorial(k) for k in known]
             for i, j in combinations(range(len(known)), 2):
                 found.append((size[i] / size[j]) ** (1 / (known[j] - known[i])))
+            if known[-1:] > [1]:
+                found += [(abs(self.load) / one) ** (1 / k) for one, k in zip(size, known, strict=True) if self.load]
         return max(found, default=math.inf)
+
+    @property
+    def size(self) -> float:
+        """A length that those of the force are not larger than by far: 1, or less where they all are."""
+        return min(1.0, SMALL * self.length)
 
     def check_balanced(self) -> None:
         """Raises ArithmeticError where the force is the load on a whole interval of u, as in a play."""
