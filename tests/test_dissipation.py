@@ -887,6 +887,51 @@ def test_every_state_by_inertia_is_there_by_laws_other_than_viscous_damping(exci
 @pytest.mark.slow
 @pytest.mark.parametrize("excitation", ["force", "base", "unbalance"])
 @pytest.mark.parametrize(
+    ("beta", "zeta", "c_2", "F_0"), [(1.0, 0.05, 0.1, 0.3), (0.3, 0.015, 0.02, 0.9), (6.0, 0.02, 0.9, 0.15)]
+)
+def test_a_mount_without_stiffness_at_rest_has_all_answers_under_quadratic_damping(excitation, beta, zeta, c_2, F_0):
+    """Next to rest no box told which term is the largest. Against roots of polynomials in A, or in Omega, as typed."""
+    one, k, d = Duffing(0.0, beta, zeta=zeta, c_2=c_2, excitation=excitation), 0.75 * beta, 8 * c_2 / (3 * np.pi)
+    power = 0 if excitation == "force" else 2
+
+    def positive(polynomial):
+        roots = polynomial.roots
+        return np.sort(roots[(abs(roots.imag) < 1e-9 * abs(roots)) & (roots.real > 0)].real)
+
+    def states(Omega):
+        R, I = np.poly1d([-k, 0, Omega**2, 0]), np.poly1d([d * Omega**2, 2 * zeta * Omega, 0])
+        return positive(R * R + I * I - (F_0 * Omega**power) ** 2)
+
+    def least_level(A):
+        """Of folds at an amplitude."""
+        R, R_A = np.poly1d([A, 0, -k * A**3]), np.poly1d([1, 0, -3 * k * A**2])
+        I, I_A = np.poly1d([d * A**2, 2 * zeta * A, 0]), np.poly1d([2 * d * A, 2 * zeta, 0])
+        Omega = positive(R * R_A + I * I_A)
+        return min(np.hypot(R(Omega), I(Omega)) / Omega**power, default=np.inf)
+
+    folds = one.saddle_nodes(F_0)
+    assert not folds.remarks
+    for Omega in np.geomspace(1e-3, 30, 200):
+        # folds open a pair upwards or downwards
+        opened = np.where(folds.kind == "jump-up", -1, 1) @ (folds.Omega > Omega)
+        assert states(Omega).size == 1 + 2 * opened
+    asked = np.geomspace(0.05, 5, 20)
+    found = one.amplitudes(Omega=asked, F_0=F_0)
+    assert not found.Omega_undecided.size
+    assert found.A == pytest.approx(np.concatenate([states(Omega) for Omega in asked]), rel=1e-12)
+    curve, force = one.frequency_response(F_0), F_0 * one.frequency_response(F_0).Omega ** power
+    assert np.hypot(*balances(one, curve.Omega, curve.A)) == pytest.approx(force, rel=1e-11)
+    assert one.isolation(F_0).Omega > 0
+    grid = np.geomspace(1e-4, 30 / np.sqrt(k), 500)
+    near = int(np.argmin([least_level(A) for A in grid]))
+    bounds = grid[near - 1], grid[near + 1]
+    least = minimize_scalar(least_level, bounds=bounds, method="bounded", options={"xatol": 1e-9})
+    assert one.saddle_node_onset().F_SN == pytest.approx(least.fun, rel=1e-9)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("excitation", ["force", "base", "unbalance"])
+@pytest.mark.parametrize(
     "damping", [{"c_2": 0.05}, {"c_2": 0.05, "zeta": 0.05}, {"eta": 0.02}, {"eta": 0.02, "c_2": 0.3, "mu": 1e-5}]
 )
 @pytest.mark.parametrize("alpha", [1.0, -0.5])
