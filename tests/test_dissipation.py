@@ -695,6 +695,22 @@ def test_a_play_with_quadratic_damping_alone_has_folds_at_any_forcing():
         assert [fold.kind for fold in mount.saddle_nodes(F_0)] == ["jump-up", "jump-down"]
 
 
+@pytest.mark.parametrize("excitation", ["force", "base", "unbalance"])
+def test_a_mount_without_stiffness_at_rest_has_folds_at_any_forcing_by_quadratic_damping_alone(excitation):
+    """On the locus (Omega^2 - k A^2) (Omega^2 - 3 k A^2) + 2 (d A Omega^2)^2 = 0, which comes down to rest."""
+    mount, k, d = Duffing(0.0, 2.0, c_2=0.1, excitation=excitation), 1.5, 0.8 / (3 * math.pi)
+    onset = mount.saddle_node_onset()
+    assert onset.kind == "" and "no lowest forcing" in onset.message
+    for F_0 in (0.1, 1e-2, 1e-4):
+        folds = mount.saddle_nodes(F_0)
+        assert sorted(folds.kind) == ["jump-down", "jump-up"] and not folds.remarks
+        of_A, of_X = k * folds.A**2, folds.Omega**2
+        terms = (of_X - of_A) * (of_X - 3 * of_A), 2 * (d * folds.A * of_X) ** 2
+        assert terms[0] + terms[1] == pytest.approx(0.0, abs=1e-9 * max(terms[1]))
+        force = F_0 if excitation == "force" else F_0 * of_X
+        assert np.hypot(*balances(mount, folds.Omega, folds.A)) == pytest.approx(force, rel=1e-9)
+
+
 def test_what_has_no_answer_is_refused_in_words():
     damped, rubbing = Duffing(1.0, 0.5, eta=0.02), RUBBING
     for ask in (
