@@ -184,6 +184,8 @@ class Searched:
         """Which boxes are known to hold no point, where R and I are what they can be at one."""
         if self.system in STATIC:
             Omega = Interval(np.zeros_like(Omega.ends))
+        elif self.system in FOLDED:
+            Omega = self._not_behind(cells, piece, Omega)
         known = self._known(cells, piece, Omega)
         A, zeta, d, R, lag = (known[name] for name in ("A", "zeta", "d", "R", "I"))
         I_A = dissipation_intervals.I_A(Omega, A, known["I_0A"], zeta, d)
@@ -200,7 +202,7 @@ class Searched:
             beside = Omega.square() * self._turn_share(1.0 / Omega, known)
             known["h_A"] = known["h_A"].both(dissipation_intervals.h_A_of_turn(Omega, A, R, beside))
         first, second, *_ = self._values({**known, "R": R, "I": lag})
-        found = (R.lo > R.hi) | (lag.lo > lag.hi) | first.has_sign | second.has_sign
+        found = (R.lo > R.hi) | (lag.lo > lag.hi) | (Omega.lo > Omega.hi) | first.has_sign | second.has_sign
         if self.most < np.inf:
             found |= (R.square() + lag.square()).lo > self._force(self.most, Omega).hi ** 2 * (1 + 2.0**-40)
         if self.system in FOLDED:
@@ -212,6 +214,19 @@ class Searched:
         if self.system == "peaks_by_inertia":
             found |= self._far_from_peaks(cells, Omega)
         return np.asarray(found)
+
+    def _not_behind(self, cells: Cells, piece: Ints, Omega: Interval) -> Interval:
+        """The frequencies at which F_A/2 = R R_A + I I_A may vanish: below these R and R_A are negative, I_A is not.
+
+        Where no stiffness holds at rest all terms vanish with A and Omega, by powers of their own: on a box down to
+        Omega = 0 none is known to be the largest.
+        """
+        I_0A = self.rest(cells.A, piece)[1]
+        behind = (cells.h.hi < 0) & (cells.h_A.hi < 0) & (I_0A.lo >= 0)
+        # R_A vanishes where R of an amplitude of 1 does
+        least = np.minimum(*(slow_flow.backbone(A, h.hi) for A, h in ((cells.A.hi, cells.h), (1.0, cells.h_A))))
+        least = np.where(behind, least * (1 - 2.0**-40), 0.0)
+        return Interval.of(np.maximum(Omega.lo, least), Omega.hi)
 
     def _slides(self, cells: Cells, known: dict[str, Interval], I_A: Interval) -> Bools:
         """Whether nothing pulls back, as in a play: F_A/2 = R R_A + I I_A > 0, and h R + I (I_0 + zeta A Omega) > 0.

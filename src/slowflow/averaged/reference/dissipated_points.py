@@ -12,13 +12,13 @@ import numpy as np
 from slowflow.averaged.reference.along import Rest
 from slowflow.averaged.reference.arcs import Event, Kind, merged
 from slowflow.averaged.reference.boxes import Points, points_of, slopes_at
-from slowflow.averaged.reference.cells import Stretch, stretches_up_to
+from slowflow.averaged.reference.cells import Stretch, doubtful, samples_at, stretches_up_to
 from slowflow.averaged.reference.dissipated import Quartics
 from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.search import find_zeros
-from slowflow.model import Floats, Model
-from slowflow_kernels import dissipation, inertia
-from slowflow_kernels.conventions import HARDLY
+from slowflow.model import THROUGHOUT, Floats, Model
+from slowflow_kernels import dissipation, inertia, slow_flow
+from slowflow_kernels.conventions import DOUBT, HARDLY
 
 
 def response_events(model: Model, F_0: float, A_max: float) -> tuple[list[Event], bool]:
@@ -32,7 +32,7 @@ def response_events(model: Model, F_0: float, A_max: float) -> tuple[list[Event]
     peaks, static = peaks_of(model, pieces, F_0), points_of(model, "rest", pieces, F_0)
     found = [Event(0.0, np.inf, Kind.CUT)]
     with np.errstate(all="ignore"):
-        rises, bends = model.F_A(peaks.Omega, peaks.A) > 0, _bends(model, peaks, F_0)
+        rises, bends = _rises(model, peaks), _bends(model, peaks, F_0)
         at_rest = model.F_A(0.0, static.A) > 0
         coefficients = Quartics(model, F_0, static.A).c
         # where F falls from Omega = 0 on, it is a second root that comes from there
@@ -58,8 +58,31 @@ def peaks_of(model: Model, pieces: list[Stretch], F_0: float) -> Points:
     held = np.flatnonzero([piece.has_force for piece in pieces])
     if not held.size:
         return Points(held, np.empty(0), np.empty(0), np.empty(0))
+    if model.zeta == model.d == 0 and model.laws.rubs == THROUGHOUT:
+        return _peak_by_structure(model, pieces, F_0)
     found = points_of(model, "peaks", [pieces[number] for number in held], F_0)
     return replace(found, piece=held[found.piece])
+
+
+def _peak_by_structure(model: Model, pieces: list[Stretch], F_0: float) -> Points:
+    """The peak where I knows no frequency: F_Omega = 0 leaves R = 0, and F = 0 then I = F_0, each of one variable.
+
+    Where damping is weak F bends so much beside it that boxes are small before they tell, as small as what rounding
+    leaves of R: on the edge of two neither did.
+    """
+    A = float(dissipation.limit_envelope(1.0, F_0, model.m, 0.0, model.laws.eta, 0.0))
+    low, high = A * (1 - DOUBT), A * (1 + DOUBT)
+    ends = [(float(piece.first.A[0]), float(piece.last.A[0])) for piece in pieces]
+    number = np.flatnonzero(
+        [a < low and high < b and piece.has_force for (a, b), piece in zip(ends, pieces, strict=True)]
+    )
+    at = samples_at(model, A)
+    h = doubtful(at.h, at.A, at.h_A)
+    # next to a breakpoint it is not known on which of the pieces, nor where h vanishes, whether Omega^2 > 0
+    undecided = any(low <= end <= high for both in ends for end in both) or (number.size > 0 and not h.has_sign[0])
+    number = number[:0] if undecided or h.hi[0] > 0 else number
+    of_it = np.ones(number.size)
+    return Points(number, A * of_it, slow_flow.backbone(A, at.h) * of_it, np.full(int(undecided), A))
 
 
 def _events_of_inertia(model: Model, F_0: float, A_max: float) -> tuple[list[Event], bool]:
@@ -68,7 +91,7 @@ def _events_of_inertia(model: Model, F_0: float, A_max: float) -> tuple[list[Eve
     peaks = points_of(model, "peaks_by_inertia", pieces, F_0)
     full = float(dissipation.full_by_inertia(F_0, model.d))
     with np.errstate(all="ignore"):
-        rises, bends = model.F_A(peaks.Omega, peaks.A) > 0, _bends(model, peaks, F_0)
+        rises, bends = _rises(model, peaks), _bends(model, peaks, F_0)
     falls = _falls_from_infinity(model, F_0, full, peaks.Omega[bends])
     inside = [Event(full, np.inf, Kind.TO_INFINITY, 1 if falls else -1)]
     for A, Omega, up, low in zip(peaks.A.tolist(), peaks.Omega.tolist(), rises.tolist(), bends.tolist(), strict=True):
@@ -111,6 +134,18 @@ def _falls_from_infinity(model: Model, F_0: float, full: float, meet: Floats) ->
     _, c_1, c_2, *_ = (float(one[0]) for one in Quartics(model, F_0, np.array([full])).c)
     hardly_lower = c_2 < 0 and c_1**2 <= HARDLY * -c_2 * F_0**2
     return hardly_lower and not (c_1 * meet > -c_2).any()
+
+
+def _rises(model: Model, peaks: Points) -> Bools:
+    """Whether F rises with A at these peaks: of a force by the R that F_Omega = 0 leaves, in which nothing cancels."""
+    Omega, A = peaks.Omega, peaks.A
+    if model.inertial:
+        return np.asarray(model.F_A(Omega, A) > 0)
+    I_0, I_0A, *_ = model.at_rest(A)
+    lag = dissipation.I(Omega, A, I_0, model.zeta, model.d)
+    R = dissipation.R_of_peak(Omega, A, model.zeta, model.d, lag)
+    slopes = Omega**2 + model.averaged(A)[1], dissipation.I_A(Omega, A, I_0A, model.zeta, model.d)
+    return np.asarray(dissipation.F_A_halved(R, slopes[0], lag, slopes[1]) > 0)
 
 
 def _bends(model: Model, peaks: Points, F_0: float) -> Bools:
@@ -163,7 +198,7 @@ class Stations:
 def is_top(model: Model, peaks: Points, F_0: float) -> Bools:
     """Whether two frequencies that are there below these peaks meet in them."""
     with np.errstate(all="ignore"):
-        return np.asarray((model.F_A(peaks.Omega, peaks.A) > 0) != _bends(model, peaks, F_0))
+        return np.asarray(_rises(model, peaks) != _bends(model, peaks, F_0))
 
 
 def isolas_of(model: Model) -> str:

@@ -115,7 +115,7 @@ def onset_in_steps(model: Model) -> Steps[SaddleNodeOnset]:
     if come_down or (model.inertial and model.preload > 0):
         message = words.OPEN if model.inertial else words.STIFF_AT_REST.format(model.m)
         return SaddleNodeOnset(None, None, None, "", message, _status=Status.UNBOUNDED)
-    if _comes_down_to_play(model):
+    if _comes_down_to_play(model) or _comes_down_to_rest(model):
         return SaddleNodeOnset(None, None, None, "", words.NO_LOWEST.format(model.m), _status=Status.UNBOUNDED)
     best = yield from _lowest(model, base)
     if _hardly_jumps(model) or (best.undecided and _is_beside_breakpoint(model, best)):
@@ -169,6 +169,20 @@ def _comes_down_to_play(model: Model) -> bool:
     if model.inertial or not model.d > 0 or model.zeta + model.m + model.laws.eta > 0:
         return False
     return any(_ends_play(sample_above(model, i)) for i in range(len(model.breakpoints)))
+
+
+def _comes_down_to_rest(model: Model) -> bool:
+    """The same where no stiffness holds the mass at rest, by any excitation.
+
+    Next to A = 0 either h_AA < 0, or |h_A| is convex: |h|/(A |h_A|) is at most a half, or tends to it. So R R_A is
+    -a (1 - (1 + a)/2) A Omega^4 or less where Omega^2 = |h_A|/(1 + a), and beside it I I_A vanishes with A^2. The level
+    is less than (A + d A^2) Omega^2.
+    """
+    if not model.d > 0 or model.zeta + model.m + model.laws.eta > 0 or model.mechanism.enclosed is not None:
+        return False
+    piece = stretches_up_to(model, 1.0)[0]
+    first = piece.first
+    return bool(first.h[0] == first.h_A[0] == 0 and np.isfinite(first.h_AA[0]) and _moves_from(piece, 0.0))
 
 
 def _hardly_jumps(model: Model) -> bool:
