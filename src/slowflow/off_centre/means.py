@@ -100,7 +100,7 @@ class Steps:
         """
         if self.curved is not None:
             return math.inf
-        found = [abs(float(end)) for end in self.breakpoints]
+        found = [abs(float(end)) for end in self.breakpoints if end]
         for row in np.abs(self.pieces):
             known = [k for k in range(1, row.size) if row[k] > 0]
             size = [float(row[k]) / math.factorial(k) for k in known]
