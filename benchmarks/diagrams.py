@@ -46,8 +46,9 @@ ON_TOP = ("bracketing",)
 #: the same for the pictures of cost against size, if not to the right of the last point
 SIDES = {
     "bracketing": ((-8, 8), "right", "center"),
-    "F_SN: slowflow, native": ((5, 15), "left", "center"),
-    "F_SN: slowflow, NumPy path": ((7, 10), "left", "center"),
+    "numpy.roots": ((0, 8), "center", "bottom"),
+    "F_SN: slowflow, native": ((-8, 2), "right", "bottom"),
+    "F_SN: slowflow, NumPy path": ((0, 8), "center", "bottom"),
     "F_cr: slowflow, NumPy path": ((7, -12), "left", "center"),
 }
 STYLE = {"svg.hashsalt": "slowflow", "font.size": 9, "axes.spines.top": False, "axes.spines.right": False}
