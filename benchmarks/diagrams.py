@@ -45,8 +45,8 @@ PLACES = {
 ON_TOP = ("bracketing",)
 #: the same for the pictures of cost against size, if not to the right of the last point
 SIDES = {
-    "bracketing": ((-8, 8), "right", "center"),
-    "numpy.roots": ((0, 8), "center", "bottom"),
+    "bracketing": ((-8, 3), "right", "center"),
+    "numpy.roots": ((4, 18), "center", "bottom"),
     "F_SN: slowflow, native": ((-8, 2), "right", "bottom"),
     "F_SN: slowflow, NumPy path": ((0, 8), "center", "bottom"),
     "F_cr: slowflow, NumPy path": ((7, -12), "left", "center"),
