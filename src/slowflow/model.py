@@ -261,14 +261,16 @@ class Model:
         """Whether no spring holds the mass at any amplitude."""
         return self.linear and bool(self.averaged(0.0)[1] == 0)
 
-    @cached_property
+    @property
     def lets_go(self) -> bool:
-        """Whether the spring's force is bounded: some force at Omega = 0 moves the mass as far as one likes.
+        """Whether the spring's force is known to be bounded: some at Omega = 0 moves the mass as far as one likes."""
+        return self.free or self.levels_off
 
-        Of averages in closed form; others are not known far away.
-        """
+    @cached_property
+    def levels_off(self) -> bool:
+        """Whether a spring is there whose force does not grow far away, of which averages in closed form know."""
         if self.free or self.mechanism.enclosed is not None or np.isfinite(self.mechanism.reach):
-            return self.free
+            return False
         with np.errstate(all="ignore"):
             near, far = np.abs(self.averaged(max((1.0, *self.breakpoints)) * np.array([NEAR_ENDLESS, ENDLESS]))[0])
         return bool(far <= near * (1 + 1 / NEAR_ENDLESS))

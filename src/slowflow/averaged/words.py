@@ -129,7 +129,7 @@ def of_folds(model: Model, F_0: float, told: bool, cut: str) -> tuple[str, str]:
     told -- whether there are folds, or may be. Where there are none, cutting an undamped response leaves none out: it
         ends where what is beyond has no fold
     """
-    leaves_out = model.inertial or (model.zeta > 0 and model.lets_go and not model.free)
+    leaves_out = model.inertial or (model.zeta > 0 and model.levels_off)
     kept = cut if told or leaves_out else ""
     return kept if told or kept else NO_FOLD.format(F_0), kept
 

@@ -87,8 +87,7 @@ class Complete:
     def lowest(self) -> Lowest | None:
         """The fold at the onset, or None where none is. Raises ArithmeticError where that is not decided."""
         search = Search(self._steps, self._flow)
-        size = max(self._steps.size, abs(self._steps.load), *map(abs, self._breakpoints))
-        known = [search.descend(*at) for at in search.begin(size, self.offset_bound)]
+        known = [search.descend(*at) for at in search.begin(self._steps.size, self.offset_bound)]
         known += search.corners(self.sheets.corners(self.A_max(self._flow.m))[0])
         while True:
             best = min(known, key=lambda fold: fold.F_0, default=None)
@@ -114,8 +113,7 @@ class Complete:
             damped = F_0 / flow.zeta if F_0 > 0 else 0.0
         else:
             damped = 2 * float(replace(flow, m=0.0).bound(1.0, F_0))
-        sizes = (self._steps.size, F_0, damped, abs(self._steps.load), *map(abs, self._breakpoints))
-        return min(2.0**ABOVE * max(sizes), self._grown)
+        return min(2.0**ABOVE * max(self._steps.size, F_0, damped), self._grown)
 
     @property
     def _grown(self) -> float:

@@ -112,8 +112,9 @@ class Steps:
 
     @property
     def size(self) -> float:
-        """A length that those of the force are not larger than by far: 1, or less where they all are."""
-        return min(1.0, SMALL * self.length)
+        """What the problem is as large as: 1, or less where the force's lengths all are, its load and its ends."""
+        ends: list[float] = np.abs(self.breakpoints).tolist()
+        return max(min(1.0, SMALL * self.length), abs(self.load), *ends)
 
     def check_balanced(self) -> None:
         """Raises ArithmeticError where the force is the load on a whole interval of u, as in a play."""

@@ -250,7 +250,7 @@ class OffCentre(Unchanging):
 
     def _highest_by_octaves(self, of: int) -> float:
         """The same of a piece that is no polynomial: beyond it the mean of the force is never the load."""
-        edges = max(1.0, abs(self.load), *map(abs, self.breakpoints)) * 2.0 ** np.arange(0, OCTAVES + 0.25, 0.5)
+        edges = self._steps.size * 2.0 ** np.arange(0, OCTAVES + 0.25, 0.5)
         low, high = edges[:-1], edges[1:]
         middle, half = 0.5 * (low + high)[np.newaxis], 0.5 * (high - low)[np.newaxis]
         with np.errstate(all="ignore"):
@@ -277,7 +277,7 @@ class OffCentre(Unchanging):
             return OffCentreStates(**found.columns, F_0=found.F_0, _flow=self._flow, **self._whose, **told)
         at = validate.frequencies("Omega", Omega).ravel()
         F_0 = validate.number("F_0", F_0, above=0.0)
-        self._damped("amplitudes")
+        self._check_answered("amplitudes")
         if self._flow.sticks(F_0) or not at.size:
             said = _Said(STICKS.format(F_0, self._m)) if self._flow.sticks(F_0) else _Said()
             return self._states(at, np.empty(0), np.empty(0), F_0, said, np.empty(0), np.empty(0, int))
@@ -326,7 +326,7 @@ class OffCentre(Unchanging):
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
         samples, (low, high) = validate.curve(samples, Omega)
-        self._damped("frequency_response")
+        self._check_answered("frequency_response")
         return self._once(("frequency_response", F_0, samples, low, high), lambda: self._curve(F_0, samples, low, high))
 
     def _curve(self, F_0: float, samples: int, low: float, high: float) -> OffCentreResponse:
@@ -363,7 +363,7 @@ class OffCentre(Unchanging):
         Raises ValueError for F_0 <= 0 and without damping that grows with the amplitude.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
-        self._damped("saddle_nodes")
+        self._check_answered("saddle_nodes")
         return self._once(("saddle_nodes", F_0), lambda: self._saddle_nodes(F_0))
 
     def _saddle_nodes(self, F_0: float) -> OffCentreFolds:
@@ -378,7 +378,7 @@ class OffCentre(Unchanging):
         """`saddle_nodes` at several forcings together."""
         several = [one for one in F_0 if not self._flow.sticks(one) and ("saddle_nodes", one) not in self._known]
         if len(several) > 1 and not self._complete.has_centre:
-            self._damped("saddle_nodes")
+            self._check_answered("saddle_nodes")
             found = self._complete.folds(np.array(several))
             for i, one in enumerate(several):
                 here, open_ = found.of == i, found.undecided_of == i
@@ -419,7 +419,7 @@ class OffCentre(Unchanging):
         That no fold is below it is proved up to 2^-16 of F_SN; nearer to it, it is the least of its surroundings.
         Raises ValueError without damping that grows with the amplitude.
         """
-        self._damped("saddle_node_onset")
+        self._check_answered("saddle_node_onset")
         return self._once(("saddle_node_onset",), self._onset)
 
     def _onset(self) -> OffCentreOnset:
@@ -452,7 +452,7 @@ class OffCentre(Unchanging):
         boxes stay undecided.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
-        self._damped("peak")
+        self._check_answered("peak")
         return self._once(("peak", F_0), lambda: self._peak(F_0))
 
     def _peak(self, F_0: float) -> OffCentrePeak:
@@ -553,7 +553,7 @@ class OffCentre(Unchanging):
         NotAvailable where motions go beyond `A_max`, as on a base that shakes too much for a hardening spring.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
-        self._damped("isolation")
+        self._check_answered("isolation")
         if self._flow.sticks(F_0):
             return self._isolation(None, None, None, False, F_0, STICKS.format(F_0, self._m), Remark(0))
         if self._flow.inertial and self._is_cut(F_0):
@@ -607,7 +607,7 @@ class OffCentre(Unchanging):
 
         Raises ValueError for F_0 <= 0, and where nothing is looked for, as `saddle_nodes`.
         """
-        self._damped("A_max")
+        self._check_answered("A_max")
         return self._complete.A_max(validate.number("F_0", F_0, above=0.0))
 
     def _folds(self, x: Floats, on_corner: Any, F_0: float, said: _Said) -> OffCentreFolds:
@@ -693,7 +693,8 @@ class OffCentre(Unchanging):
             **self._whose,
         )
 
-    def _damped(self, question: str) -> None:
+    def _check_answered(self, question: str) -> None:
+        """Raises where a question has no answer: what is too small, without damping, or leaves the centre by itself."""
         if self._steps.length < SHORTEST and not self._keeps_centre:
             raise OverflowError(TOO_SMALL.format(self._steps.length))
         if not self._flow.damps:

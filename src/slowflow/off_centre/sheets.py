@@ -83,7 +83,7 @@ class Sheets:
 
     def __init__(self, steps: Steps, offset_bound: Callable[[float], float]) -> None:
         self.steps, self.charts, self._offset_bound = steps, Charts(steps), offset_bound
-        self._size = max(steps.size, abs(steps.load), *map(abs, steps.breakpoints))
+        self._size = steps.size
         self._known: dict[int, Cells] = {}
         self._corners: dict[int, tuple[list[Corner], Floats]] = {}
 

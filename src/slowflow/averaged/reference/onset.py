@@ -481,12 +481,11 @@ def _consider_last(model: Model, first: Samples, best: _Best) -> Steps[None]:
     the force levels off, up to the forcing beyond which no amplitude bounds the response.
     """
     base, looked_through, unbounded = first.A, model.m, math.inf
-    levels_off = model.lets_go and not (model.free or model.inertial)
     F_0 = best.F_SN if best.kind else RAISE * max(model.m, FIRST_F_0)
     for number in range(RAISES + FAR_RAISES):
         try:
             A_max, cut = yield Bound(F_0)
-            if cut and levels_off:
+            if cut and not model.inertial and model.levels_off:
                 raise OverflowError(words.unbounded(model, None))
         except OverflowError:
             if number >= RAISES or F_0 - looked_through <= NEAR_BOUND * looked_through:
