@@ -26,6 +26,8 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy.codegen.cfunctions import log1p
 
+from slowflow_support.errors import NotSettled
+
 from .restoring import ORDERS
 from .symbols import A, u
 
@@ -174,12 +176,12 @@ def parted(piece: sp.Expr, begins: int, begin: sp.Expr) -> tuple[sp.Expr, list[C
             else:
                 factor *= part
         if not _is_smooth(factor):
-            raise ArithmeticError(f"{term.subs(v, u - begin)}, which is no power of u - {begin} times what is smooth")
+            raise NotSettled(f"{term.subs(v, u - begin)}, which is no power of u - {begin} times what is smooth")
         if power.is_Integer:
             smooth += term
             continue
         if power <= LEAST:
-            raise ArithmeticError(f"{term.subs(v, u - begin)}, whose power is not above 1/2: h has no slope there")
+            raise NotSettled(f"{term.subs(v, u - begin)}, whose power is not above 1/2: h has no slope there")
         lowest = next((known for known in factors if (power - known).is_Integer), power)
         if power < lowest:
             factors[power] = v ** (lowest - power) * factors.pop(lowest)

@@ -14,6 +14,8 @@ from typing import Any
 
 import sympy as sp
 
+from slowflow_support.errors import Refused, WrongType
+
 #: what is said of a parameter, and which of that are bounds
 WORDS, BOUNDS = ("doc", "unit"), ("above", "least", "below", "most")
 
@@ -21,30 +23,30 @@ WORDS, BOUNDS = ("doc", "unit"), ("above", "least", "below", "most")
 def text(what: str, value: Any) -> str:
     """A string."""
     if not isinstance(value, str):
-        raise TypeError(f"{what} = {value!r} is not allowed: it must be a string")
+        raise WrongType(f"{what} = {value!r} is not allowed: it must be a string")
     return value
 
 
 def flag(what: str, value: Any) -> bool:
     """True or False."""
     if not isinstance(value, bool):
-        raise TypeError(f"{what} = {value!r} is not allowed: it must be True or False")
+        raise WrongType(f"{what} = {value!r} is not allowed: it must be True or False")
     return value
 
 
 def module_name(value: Any) -> str:
     """The name of a module."""
     if not text("name", value).isidentifier() or keyword.iskeyword(value):
-        raise ValueError(f"name = {value!r} is not allowed: it must be the name of a module")
+        raise Refused(f"name = {value!r} is not allowed: it must be the name of a module")
     return str(value)
 
 
 def exact(what: str, value: Any) -> sp.Expr:
     """A finite real number, as it is written: a decimal fraction for a float."""
     if isinstance(value, bool) or not isinstance(value, (Real, sp.Number)):
-        raise TypeError(f"{what} = {value!r} is not allowed: it must be a number")
+        raise WrongType(f"{what} = {value!r} is not allowed: it must be a number")
     if not math.isfinite(value):
-        raise ValueError(f"{what} = {value!r} is not allowed: it must be finite")
+        raise Refused(f"{what} = {value!r} is not allowed: it must be finite")
     return sp.Rational(str(value))
 
 
@@ -54,7 +56,7 @@ def reach(value: Any) -> sp.Expr:
         return value
     found = exact("reach", value)
     if not found > 0:
-        raise ValueError(f"reach = {value!r} is not allowed: it must be > 0")
+        raise Refused(f"reach = {value!r} is not allowed: it must be > 0")
     return found
 
 
@@ -62,15 +64,15 @@ def parameters(value: Any) -> Mapping[str, Mapping[str, Any]]:
     """Names with what is said of each, the bounds as exact numbers."""
     allowed = f"names with what is said of each, some of {', '.join((*WORDS, *BOUNDS))}"
     if not isinstance(value, Mapping):
-        raise TypeError(f"parameters = {value!r} is not allowed: it must be a mapping of {allowed}")
+        raise WrongType(f"parameters = {value!r} is not allowed: it must be a mapping of {allowed}")
     found = {}
     for name, about in value.items():
         text("a parameter's name", name)
         if not isinstance(about, Mapping):
-            raise TypeError(f"parameter {name} = {about!r} is not allowed: it must be a mapping of {allowed}")
+            raise WrongType(f"parameter {name} = {about!r} is not allowed: it must be a mapping of {allowed}")
         for key in about:
             if key not in (*WORDS, *BOUNDS):
-                raise ValueError(
+                raise Refused(
                     f"parameter {name}: {key!r} is not allowed: it must be one of {', '.join((*WORDS, *BOUNDS))}"
                 )
         words = {key: text(f"parameter {name}: {key}", about[key]) for key in WORDS if key in about}
@@ -88,7 +90,7 @@ def _leaves_some(name: str, bounds: Mapping[str, sp.Expr]) -> None:
                 continue
             touch = (low, high) == ("least", "most")
             if not (bounds[low] < bounds[high] or (touch and bounds[low] == bounds[high])):
-                raise ValueError(
+                raise Refused(
                     f"parameter {name}: {low} = {bounds[low]} and {high} = {bounds[high]} leave no number between them"
                 )
 
@@ -97,12 +99,12 @@ def pieces(value: Any) -> Sequence[tuple[Any, Any]]:
     """Pairs of a force and where it ends."""
     allowed = "a list of pairs (force, where it ends), None for the end of the last"
     if not isinstance(value, (list, tuple)):
-        raise TypeError(f"pieces = {value!r} is not allowed: it must be {allowed}")
+        raise WrongType(f"pieces = {value!r} is not allowed: it must be {allowed}")
     if not value:
-        raise ValueError("pieces is empty: at least one is needed")
+        raise Refused("pieces is empty: at least one is needed")
     for number, piece in enumerate(value, start=1):
         if not isinstance(piece, (list, tuple)) or len(piece) != 2:
-            raise TypeError(f"piece {number} = {piece!r} is not allowed: pieces must be {allowed}")
+            raise WrongType(f"piece {number} = {piece!r} is not allowed: pieces must be {allowed}")
     return [(force, end) for force, end in value]
 
 
@@ -111,7 +113,7 @@ def expression(what: str, value: Any) -> sp.Expr:
     if isinstance(value, Real) and not isinstance(value, bool):
         return exact(what, value)
     if not isinstance(value, sp.Expr):
-        raise TypeError(f"{what} = {value!r} is not allowed: it must be a SymPy expression; strings are never read")
+        raise WrongType(f"{what} = {value!r} is not allowed: it must be a SymPy expression; strings are never read")
     if value.has(sp.nan, sp.zoo, sp.oo, -sp.oo, sp.I):
-        raise ValueError(f"{what} = {value} is not allowed: it must be real and finite")
+        raise Refused(f"{what} = {value} is not allowed: it must be real and finite")
     return value

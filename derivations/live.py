@@ -24,6 +24,8 @@ from typing import Any
 
 import sympy as sp
 
+from slowflow_support.errors import NotSettled, Refused
+
 from . import given as given_by
 from .averaging import averaged
 from .emit.catalogue.bent import with_bends
@@ -127,7 +129,7 @@ def stated(
     for number, (force, end) in enumerate(pieces, start=1):
         last = number == len(pieces)
         if (end is None) != last:
-            raise ValueError(f"piece {number} must {'have no end, it is the last' if last else 'say where it ends'}")
+            raise Refused(f"piece {number} must {'have no end, it is the last' if last else 'say where it ends'}")
         forces.append(without_poles_that_cancel(_in_ours(f"piece {number}", force, symbols, {"u": u}, odd=odd)))
         if end is not None:
             ends.append(_in_ours(f"the end of piece {number}", end, symbols, {}))
@@ -190,9 +192,9 @@ def designed(parameters: Mapping[str, Mapping[str, Any]]) -> tuple[Parameter, ..
     found = []
     for given, about in parameters.items():
         if not given.isidentifier() or keyword.iskeyword(given) or given in TAKEN:
-            raise ValueError(f"parameter {given!r} is not allowed: it must be a name that is none of {sorted(TAKEN)}")
+            raise Refused(f"parameter {given!r} is not allowed: it must be a name that is none of {sorted(TAKEN)}")
         if given in WORDS_OF_C:
-            raise ValueError(f"parameter {given!r} is not allowed: it is a word of C")
+            raise Refused(f"parameter {given!r} is not allowed: it is a word of C")
         found.append(_parameter(_symbol(given, about), about))
     return tuple(found)
 
@@ -289,7 +291,7 @@ def _check_ends(name: str, ends: Sequence[sp.Expr]) -> None:
     for number, (low, high) in enumerate(zip([sp.Integer(0), *ends], ends, strict=False), start=1):
         if (high - low).is_negative or high.is_real is False:
             where = f"{low}, where piece {number - 1} does" if number > 1 else "0"
-            raise ArithmeticError(f"{name}: piece {number} ends at |u| = {high}, which is not above {where}")
+            raise NotSettled(f"{name}: piece {number} ends at |u| = {high}, which is not above {where}")
 
 
 def check(average: Quadrature, name: str) -> None:
@@ -302,7 +304,7 @@ def check(average: Quadrature, name: str) -> None:
     for number, piece in enumerate(average.pieces, start=1):
         for part in sp.preorder_traversal(piece):
             if not isinstance(part, known):
-                raise ArithmeticError(
+                raise NotSettled(
                     f"{name}: piece {number} has {part.func.__name__}, which no average is known for; forces are made "
                     f"of {', '.join(function.__name__ for function in FUNCTIONS)}, powers and |u|, and what else "
                     "changes at some |u| is a piece of its own"
@@ -310,21 +312,21 @@ def check(average: Quadrature, name: str) -> None:
         for end in ends[number : number + 1]:
             singular = singular_at(piece, end)
             if singular:
-                raise ArithmeticError(
+                raise NotSettled(
                     f"{name}: piece {number} has {singular[0]}, which is singular at |u| = {end}, where it ends"
                 )
         for end in ends[number - 1 : number + 1]:
             value = sp.simplify(piece.subs(u, end)) if end != 0 or number > 1 else average.at_rest
             if value.is_infinite or value is sp.nan or value.has(sp.zoo, sp.oo):
-                raise ArithmeticError(f"{name}: piece {number} is infinite at |u| = {end}")
+                raise NotSettled(f"{name}: piece {number} is infinite at |u| = {end}")
     try:
         contacts = average.contacts
     except ArithmeticError as error:
-        raise ArithmeticError(f"{name}: where a piece begins it has {error}") from None
+        raise NotSettled(f"{name}: where a piece begins it has {error}") from None
     for contact in contacts:
         # beyond its piece it is taken off the next one, which nothing but a polynomial is known to allow
         if contact.begins < len(average.pieces) - 1 and not contact.factor.is_polynomial(v):
-            raise ArithmeticError(
+            raise NotSettled(
                 f"{name}: piece {contact.begins + 1} has a power {contact.power} of what u exceeds its begin by, times "
                 "what is no polynomial: only the last piece may"
             )
@@ -351,7 +353,7 @@ def _in_ours(
     known = {**symbols, **others}
     unknown = sorted({symbol.name for symbol in given.free_symbols} - set(known))
     if unknown:
-        raise ValueError(f"{what} has {', '.join(unknown)}, which {'is' if len(unknown) == 1 else 'are'} no parameter")
+        raise Refused(f"{what} has {', '.join(unknown)}, which {'is' if len(unknown) == 1 else 'are'} no parameter")
     ours = sp.nsimplify(given.subs({symbol: known[symbol.name] for symbol in given.free_symbols}), rational=True)
     # a force is stated for u > 0: |u| is u there
     return ours.subs(u, _above).subs(_above, u) if odd and ours.has(sp.Abs, sp.sign) else ours

@@ -25,6 +25,8 @@ from collections.abc import Iterator
 
 import sympy as sp
 
+from slowflow_support.errors import NotSettled
+
 from .mechanisms import Parameter
 from .oscillator import Dimensionless
 from .symbols import u
@@ -38,7 +40,7 @@ def prove_monotone(oscillator: Dimensionless) -> None:
     """That h_AAA is monotone on each piece for every design, and h_A or h_AA infinite above each breakpoint."""
     reason = not_shown(oscillator)
     if reason:
-        raise ArithmeticError(f"{oscillator.mechanism.name}: {reason}")
+        raise NotSettled(f"{oscillator.mechanism.name}: {reason}")
 
 
 def not_shown(oscillator: Dimensionless) -> str:

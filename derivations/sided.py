@@ -17,6 +17,8 @@ from itertools import pairwise
 
 import sympy as sp
 
+from slowflow_support.errors import NotSettled
+
 from .curved import Curved, curved
 from .mechanisms import Parameter
 from .quadrature import FUNCTIONS, lost_at, singular_at
@@ -87,22 +89,20 @@ def check(force: Sided) -> None:
     """That the means of a force are known: raises ArithmeticError with the reason where they are not."""
     for number, piece in enumerate(force.pieces, start=1):
         if piece.has(sp.Abs, sp.sign):
-            raise ArithmeticError(
-                f"{force.name}: piece {number} has |u|: with odd=False each side is a piece of its own"
-            )
+            raise NotSettled(f"{force.name}: piece {number} has |u|: with odd=False each side is a piece of its own")
         strange = [part for part in sp.preorder_traversal(piece) if not isinstance(part, KNOWN)]
         if strange:
             names = ", ".join(function.__name__ for function in FUNCTIONS)
-            raise ArithmeticError(
+            raise NotSettled(
                 f"{force.name}: piece {number} has {strange[0].func.__name__}, which no average is known for; forces "
                 f"are made of {names}, powers, and what else changes at some u is a piece of its own"
             )
         for end in force.ends[max(number - 2, 0) : number]:
             value, singular = sp.simplify(piece.subs(u, end)), singular_at(piece, end)
             if value.is_infinite or value is sp.nan or value.has(sp.zoo, sp.oo):
-                raise ArithmeticError(f"{force.name}: piece {number} is infinite at u = {end}")
+                raise NotSettled(f"{force.name}: piece {number} is infinite at u = {end}")
             if singular:
-                raise ArithmeticError(f"{force.name}: piece {number} has {singular[0]}, which is singular at u = {end}")
+                raise NotSettled(f"{force.name}: piece {number} has {singular[0]}, which is singular at u = {end}")
     for number, (low, high) in enumerate(pairwise(force.ends), start=2):
         if (high - low).is_nonpositive or high.is_real is False:
-            raise ArithmeticError(f"{force.name}: piece {number} ends at u = {high}, which is not above {low}")
+            raise NotSettled(f"{force.name}: piece {number} ends at u = {high}, which is not above {low}")

@@ -276,7 +276,7 @@ def test_the_command_line_writes_what_a_program_derives(tmp_path, capsys):
     [
         ("x = 1", "keeps no mechanism"),
         (PROGRAM.replace("(k_1 * u, gap)", "(k_1 * u * j, gap)"), "mine.py, line 8: NameError: name 'j'"),
-        (PROGRAM.replace('"stop",', '"no name",'), "line 7: ValueError: name = 'no name' is not allowed"),
+        (PROGRAM.replace('"stop",', '"no name",'), "line 7: Refused: name = 'no name' is not allowed"),
         (None, "no such file"),
     ],
 )

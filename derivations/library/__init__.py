@@ -11,6 +11,8 @@ from __future__ import annotations
 import importlib
 import pkgutil
 
+from slowflow_support.errors import Refused
+
 from ..mechanisms import Mechanism
 from ..sided import Sided
 
@@ -23,6 +25,6 @@ def names() -> list[str]:
 def stated(name: str) -> Mechanism | Sided:
     """The mechanism of that name; ValueError if there is none, with the names that there are."""
     if name not in names():
-        raise ValueError(f"{name!r} is not in the library: it has {', '.join(names())}")
+        raise Refused(f"{name!r} is not in the library: it has {', '.join(names())}")
     mechanism: Mechanism | Sided = importlib.import_module(f"{__name__}.{name}").MECHANISM
     return mechanism

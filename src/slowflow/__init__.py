@@ -23,8 +23,10 @@ from slowflow.results import (
     SteadyStates,
 )
 from slowflow.version import __version__, include
+from slowflow_support.errors import BuildFailed, NotSettled, OutOfRange, Refused, SceneError, SlowflowError, WrongType
 
 __all__ = [
+    "BuildFailed",
     "Certificate",
     "Cusps",
     "Detachment",
@@ -34,14 +36,20 @@ __all__ = [
     "Gradient",
     "IsolaPoints",
     "Isolator",
+    "NotSettled",
     "Oscillator",
+    "OutOfRange",
     "Peak",
     "Physical",
     "Quantities",
+    "Refused",
     "Remark",
     "SaddleNodeOnset",
     "SaddleNodes",
+    "SceneError",
+    "SlowflowError",
     "SteadyStates",
+    "WrongType",
     "__version__",
     "include",
 ]

@@ -19,8 +19,9 @@ import slowflow
 from slowflow import backend, files, progress
 from slowflow.answer import Answer, in_text
 from slowflow.isolator import ROD_SPRING
-from slowflow.scenes import STARTER, Asked, Scene, SceneError, read
+from slowflow.scenes import STARTER, Asked, Scene, read
 from slowflow_kernels.domains import DAMPING
+from slowflow_support.errors import SceneError
 
 
 def info() -> dict[str, str]:

@@ -39,6 +39,7 @@ from slowflow.mechanism import Mechanism, Parameter
 from slowflow.model import THROUGHOUT
 from slowflow.oscillator import Oscillator
 from slowflow.version import include
+from slowflow_support.errors import BuildFailed, Refused, WrongType
 from slowflow_support.quadrature import COMPILED
 
 NEEDED = "deriving needs SymPy, python-flint, Jinja2 and platformdirs: pip install 'slowflow[derive]'"
@@ -163,7 +164,7 @@ def mechanism(
                   the compiled solvers and the compiled integrator answer; of a force that is not odd this one
 
     Raises ValueError and TypeError for what is not allowed, with what is; ArithmeticError for a force that cannot be
-    derived, with the reason; ImportError without the extra; RuntimeError where the compiler fails, with its words, or
+    derived, with the reason; ImportError without the extra; BuildFailed where the compiler fails, with its words, or
     where slowflow itself is not compiled. Exact motions are SciPy's where it is not compiled, and take long.
     """
     furthest = () if reach is None else (reach, reach_reason)
@@ -171,7 +172,7 @@ def mechanism(
     functions = [_is_function(force) for force, _ in given.pieces(pieces)]
     if any(functions):
         if not all(functions):
-            raise TypeError(
+            raise WrongType(
                 f"piece {functions.index(False) + 1} is no Python function, as others are: all are, or none is"
             )
         return _sampled(name, pieces, parameters, title, reach, reach_reason, odd, compile)
@@ -201,7 +202,7 @@ def _check_names(design: Sequence[Any]) -> None:
     """Raises ValueError for a parameter that would hide something else of an oscillator."""
     for parameter in design:
         if parameter.symbol.name in _taken():
-            raise ValueError(
+            raise Refused(
                 f"parameter {parameter.symbol.name!r} is not allowed: an oscillator has something else by that name"
             )
 
@@ -226,13 +227,11 @@ def _sampled(
     name, title = given.module_name(name), given.text("title", title)
     reach_reason = given.text("reach_reason", reach_reason)
     if given.flag("compile", compile):
-        raise ValueError("compile = True is not allowed: a Python function cannot be compiled, a SymPy expression can")
+        raise Refused("compile = True is not allowed: a Python function cannot be compiled, a SymPy expression can")
     if not given.flag("odd", odd):
-        raise ValueError("odd = False is not allowed: a force that is not odd is stated as polynomials")
+        raise Refused("odd = False is not allowed: a force that is not odd is stated as polynomials")
     if reach is None:
-        raise ValueError(
-            "reach = None is not allowed: a Python function is asked for its values up to there, say how far"
-        )
+        raise Refused("reach = None is not allowed: a Python function is asked for its values up to there, say how far")
     design = live.designed(given.parameters(parameters))
     _check_names(design)
     names = [parameter.symbol.name for parameter in design]
@@ -240,7 +239,7 @@ def _sampled(
     for number, (force, end) in enumerate(pieces, start=1):
         if (end is None) != (number == len(pieces)):
             said = "have no end, it is the last" if end is not None else "say where it ends"
-            raise ValueError(f"piece {number} must {said}")
+            raise Refused(f"piece {number} must {said}")
         sampled.check_signature(f"piece {number}", force, names, 1)
         functions.append(force)
         if _is_function(end):
@@ -273,7 +272,7 @@ def _made_odd(force: Any) -> str:
 def _derived(stated: Any, compile: bool, beside: str = "") -> Derived:
     """Derived and printed, if it was not, and compiled if that is wanted."""
     if not isinstance(compile, bool):
-        raise TypeError(f"compile = {compile!r} is not allowed: it must be True or False")
+        raise WrongType(f"compile = {compile!r} is not allowed: it must be True or False")
     live = _derivation()
     folder = _folder()
     module = live.name_of(stated)
@@ -330,7 +329,7 @@ def _write(folder: Path, sources: Mapping[str, str]) -> None:
 def _compiled(folder: Path, module: str) -> Path:
     """The shared library of a mechanism, compiled if it is not there."""
     if backend.SOLVER is None or backend.EXACT is None:
-        raise RuntimeError("compile=True: slowflow itself is not compiled here, there are no solvers for it")
+        raise BuildFailed("compile=True: slowflow itself is not compiled here, there are no solvers for it")
     # one for each state of the headers: the record's form may change
     told = b"".join(path.read_bytes() for place in include() for path in sorted(place.rglob("*.h")))
     library = folder / f"{module}-{hashlib.sha256(told).hexdigest()[:12]}.so"
@@ -351,18 +350,18 @@ def _compiled(folder: Path, module: str) -> Path:
 
 
 def _side_by_side(commands: Iterable[list[str]]) -> None:
-    """Calls of the compiler, each a process of its own. Raises RuntimeError where one fails, with its words."""
+    """Calls of the compiler, each a process of its own. Raises BuildFailed where one fails, with its words."""
     running = {}
     for command in commands:
         try:
             process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         except OSError as error:
-            raise RuntimeError(f"compile=True: the C compiler {command[0]!r} does not run: {error}") from error
+            raise BuildFailed(f"compile=True: the C compiler {command[0]!r} does not run: {error}") from error
         running[process] = command[0]
     told = {process: process.communicate()[1] for process in running}
     for process, words in told.items():
         if process.returncode:
-            raise RuntimeError(f"compile=True: {running[process]} failed:\n{words}")
+            raise BuildFailed(f"compile=True: {running[process]} failed:\n{words}")
 
 
 def _is_summed(record: Mechanism) -> bool:

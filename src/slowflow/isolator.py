@@ -19,6 +19,7 @@ from slowflow.quantities import PINT, SHEET, Scales, si
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.domains import DAMPING, DISSIPATION, EXCITATIONS
 from slowflow_kernels.scaling import SCALES
+from slowflow_support.errors import Refused
 
 ROD_SPRING: Mechanism = rod_spring.MECHANISM
 DUFFING: Mechanism = duffing.MECHANISM
@@ -175,7 +176,7 @@ class Isolator(Oscillator):
             static = validate.number("static_friction", si("static_friction", static_friction, "newton"), least=least)
             mu_s = max(mu, static / scales.of(SCALES["mu"]))
         if c is not None and zeta is not None:
-            raise ValueError("c and zeta say the same: give one of them")
+            raise Refused("c and zeta say the same: give one of them")
         if c is not None:
             zeta = scales.over("c", si("c", c, "newton*second/meter"), of_zeta, SCALES["zeta"])
         zeta = 0.0 if zeta is None else si("zeta", zeta, "dimensionless")
@@ -187,7 +188,7 @@ class Isolator(Oscillator):
         try:
             isolator = cls(force=force, excitation=excitation, rubs=laws.rubs, **numbers)
         except ValueError as error:  # of the dimensionless numbers
-            raise ValueError(scales.worded(str(error))) from None
+            raise Refused(scales.worded(str(error))) from None
         sheet = {"k_v": scales.k_v, "L": scales.L, **{name: float(known[name]) for name in ("k_h", "n", "preload")}}
         beside = {"m": max(scales.m, scales.m - beyond), "friction": mu * scales.sizes["force"], "zeta": isolator.zeta}
         plausible.warn(plausible.of_mount(**sheet, **beside, g=g), stacklevel=3)

@@ -18,6 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow_kernels import duffing, inertia, motion, slow_flow
+from slowflow_support.errors import Refused
 from slowflow_support.frozen import dataclass
 from slowflow_support.record import Function, Law, Mechanism, Parameter
 
@@ -94,9 +95,9 @@ class Force:
 
     def __post_init__(self) -> None:
         if len(self.pieces) != len(self.breakpoints) + 1:
-            raise ValueError(f"{len(self.pieces)} pieces need {len(self.pieces) - 1} breakpoints")
+            raise Refused(f"{len(self.pieces)} pieces need {len(self.pieces) - 1} breakpoints")
         if any(not b > a for a, b in zip((0.0, *self.breakpoints), self.breakpoints, strict=False)):
-            raise ValueError(f"breakpoints = {self.breakpoints} must be positive and rise")
+            raise Refused(f"breakpoints = {self.breakpoints} must be positive and rise")
 
     @staticmethod
     def of(mechanism: Mechanism, parameters: tuple[float, ...]) -> Force:
@@ -217,7 +218,7 @@ class SidedForce(Force):
 
     def __post_init__(self) -> None:
         if any(not b > a for a, b in pairwise(self.breakpoints)):
-            raise ValueError(f"the pieces of the force end at u = {self.breakpoints}: these must rise")
+            raise Refused(f"the pieces of the force end at u = {self.breakpoints}: these must rise")
 
     @property
     def odd(self) -> bool:
@@ -272,7 +273,7 @@ class EquationOfMotion:
         for name in ("mu", "zeta", "c_2", "mu_s", "eta"):
             value = getattr(self, name)
             if not (np.isfinite(value) and value >= 0):
-                raise ValueError(f"{name} = {value} must be finite and not negative")
+                raise Refused(f"{name} = {value} must be finite and not negative")
 
     @property
     def centred(self) -> bool:
@@ -319,7 +320,7 @@ def followed(force: Force, name: str) -> Force:
     with np.errstate(all="ignore"):
         stiffness = force.pieces[force.innermost].slope(0.0) if force.odd else 0.0
     if not math.isfinite(stiffness):
-        raise ValueError(f"motions of {name} are not followed: its stiffness is infinite at u = 0")
+        raise Refused(f"motions of {name} are not followed: its stiffness is infinite at u = 0")
     return force
 
 
@@ -346,7 +347,7 @@ def check_at_rest(mechanism: Mechanism, parameters: tuple[float, ...]) -> None:
     near = LOST_AT_REST * max(map(abs, (*parameters, *expected, 1.0)))
     for name, value, wanted in zip(("h", "h_A"), found, expected, strict=True):
         if math.isfinite(wanted) and not abs(value - wanted) <= near:
-            raise ValueError(
+            raise Refused(
                 f"the record of {mechanism.name} does not hold at A = 0: averaged gives {name} = {value:g} there, "
                 f"while its force has f(0) = {f:g} and df/du = {slope:g}, so that {name} is {wanted:g}"
             )

@@ -23,6 +23,7 @@ from slowflow_kernels import slow_flow as general_flow
 from slowflow_kernels.conventions import ENDLESS, LARGEST
 from slowflow_kernels.domains import DAMPING, DISSIPATION, RUBS
 from slowflow_kernels.scenes import flow_of
+from slowflow_support.errors import Refused, WrongType
 from slowflow_support.frozen import dataclass
 
 __all__ = ["Floats", "Laws", "Model", "check_names"]
@@ -45,7 +46,7 @@ def check_names(mechanism: Mechanism, values: Mapping[str, Any], beside: tuple[P
     if values.keys() != set(names):
         wrong = next(name for name in (*values, *names) if name not in values or name not in names)
         what = "is missing for" if wrong in names else "is no number of"
-        raise TypeError(f"{wrong} {what} {mechanism.name}: it takes {', '.join(names)}")
+        raise WrongType(f"{wrong} {what} {mechanism.name}: it takes {', '.join(names)}")
     return names
 
 
@@ -171,14 +172,14 @@ class Model:
     def _check_inertia(self) -> None:
         """Raises ValueError for an excitation by inertia that has no answer here."""
         if self.zeta == self.laws.eta == self.laws.c_2 == 0:
-            raise ValueError(f"excitation = {self.excitation!r} is not allowed with zeta = 0: {WITHOUT_DAMPING}")
+            raise Refused(f"excitation = {self.excitation!r} is not allowed with zeta = 0: {WITHOUT_DAMPING}")
         self._check_preload(f"excitation = {self.excitation!r}")
 
     def _check_preload(self, told: str) -> None:
         """Raises ValueError for a preload that pushes outwards, beside what has no answer with it."""
         # a force that is not odd has no motions about u = 0
         if self.mechanism.odd and self.preload < 0:
-            raise ValueError(
+            raise Refused(
                 f"{told} is not allowed for {self.mechanism.name}: its force jumps at u = 0, and pushes outwards"
             )
 
@@ -188,15 +189,13 @@ class Model:
         told, odd = self.laws.told(), self.mechanism.odd
         self._check_preload(told)
         if odd and not math.isfinite(self.mechanism.pieces[0].slope(0.0, *self.parameters)):
-            raise ValueError(f"{told} is not allowed for {self.mechanism.name}: its stiffness is infinite at u = 0")
+            raise Refused(f"{told} is not allowed for {self.mechanism.name}: its stiffness is infinite at u = 0")
         if self.laws.rubs == THROUGHOUT:
             return
         if not self.breakpoints:
-            raise ValueError(
-                f"{told} is not allowed for {self.mechanism.name}: its force has one piece, nothing leaves"
-            )
+            raise Refused(f"{told} is not allowed for {self.mechanism.name}: its force has one piece, nothing leaves")
         if self.zeta == self.laws.eta == self.laws.c_2 == 0:
-            raise ValueError(f"{told} is not allowed without zeta, eta or c_2: nothing would dissipate beyond")
+            raise Refused(f"{told} is not allowed without zeta, eta or c_2: nothing would dissipate beyond")
 
     @np.errstate(all="ignore")
     def _prepared(self) -> tuple[float, tuple[float, ...], tuple[float, ...]]:
@@ -212,7 +211,7 @@ class Model:
             if not abs(value) <= LARGEST and not (math.isnan(value) and any(map(math.isnan, ends))):
                 of_damping = {"mu": self.mu, "zeta": self.zeta}
                 given = ", ".join(f"{name} = {value!r}" for name, value in (self._numbers() | of_damping).items())
-                raise ValueError(f"{given}: not allowed together, {name} would be beyond {LARGEST:g}")
+                raise Refused(f"{given}: not allowed together, {name} would be beyond {LARGEST:g}")
         jumps = map(float, self.mechanism.jumps(*self.parameters))
         # A piece of no width (u_cr = 0 for a null preload) is no piece.
         odd = self.mechanism.odd
@@ -223,12 +222,10 @@ class Model:
             if not all(math.isfinite(end) for end in ends):
                 lost = 1 + next(i for i, end in enumerate(ends) if not math.isfinite(end))
                 where = f"there is no real u at which piece {lost} of the force ends"
-                raise ValueError(f"{given}: not allowed together, {where}")
+                raise Refused(f"{given}: not allowed together, {where}")
             where = f"{'|u|' if odd else 'u'} = {', '.join(f'{end:g}' for end in ends)}"
             above = " from 0" if odd and min(ends) < 0 else ""
-            raise ValueError(
-                f"{given}: not allowed together, the force's pieces end at {where}, which must rise{above}"
-            )
+            raise Refused(f"{given}: not allowed together, the force's pieces end at {where}, which must rise{above}")
         return m, tuple(end for end, _ in kept), tuple(jump for _, jump in kept)
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -23,6 +23,7 @@ from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.results import Detachment, Measured, MeasuredFolds, MeasuredPoint, Remark, SaddleNodeOnset
 from slowflow.unchanging import Unchanging
 from slowflow_kernels.domains import EXCITATIONS
+from slowflow_support.errors import Refused
 
 if TYPE_CHECKING:
     from slowflow import exact, loads
@@ -104,7 +105,7 @@ class Oscillator(Unchanging, Averaged):
         self.__dict__.update(own, design=model.design, given={**given, **laws.said})
         if isinstance(mu_s, np.ndarray) or mu_s != 0:
             if not (static := validate.number("mu_s", mu_s, least=0.0)) >= self.mu:
-                raise ValueError(f"mu_s = {static!r} is not allowed: static friction is not less than mu = {self.mu!r}")
+                raise Refused(f"mu_s = {static!r} is not allowed: static friction is not less than mu = {self.mu!r}")
             self.given["mu_s"] = static
         if isinstance(load, np.ndarray) or load != 0 or not mechanism.odd:
             self._put(load)
@@ -293,9 +294,7 @@ class Oscillator(Unchanging, Averaged):
         if wanted == own:
             return Force.of(mechanism, self.model.parameters)
         if mechanism.load_untruncated is None:
-            raise ValueError(
-                f"force = {which!r} is not allowed: the force of {mechanism.name} is {own}, it has no other"
-            )
+            raise Refused(f"force = {which!r} is not allowed: the force of {mechanism.name} is {own}, it has no other")
         other = mechanism.load_untruncated()
         return Force.of(other, tuple(float(value) for value in other.coefficients(*self.design)))
 

@@ -18,6 +18,7 @@ from slowflow.averaged.plan import Plan
 from slowflow.mechanism import Floats
 from slowflow.physical_moves import g
 from slowflow.quantities import DRAWN, EXCITED, UNITS, Quantities, Scales, si, turns
+from slowflow_support.errors import Refused
 from slowflow_support.frozen import dataclass
 
 #: what A is of a motion that is not about the centre
@@ -248,7 +249,7 @@ class Physical:
         start -- what `steady_state` gave
         """
         if not (start is None or isinstance(start, Quantities)):
-            raise ValueError(f"start = {start!r} is not allowed: start must be what steady_state gave")
+            raise Refused(f"start = {start!r} is not allowed: start must be what steady_state gave")
         begun = None if start is None else start.answer
         found = self._ask(self.oscillator.exact_response, self._amplitude(F), start=begun, step=step, **self._window(f))
         entry = ("Omega", "A", "stable", "stops")
@@ -367,7 +368,7 @@ class Physical:
         try:
             low, high = f
         except (TypeError, ValueError):
-            raise ValueError(f"f = {f!r} is not allowed: f must be a pair of frequencies (low, high)") from None
+            raise Refused(f"f = {f!r} is not allowed: f must be a pair of frequencies (low, high)") from None
         ends = validate.window("f", (turns("f[0]", low), turns("f[1]", high)))
         return {"Omega": tuple(end / self.scales.sizes["frequency"] for end in ends)}
 

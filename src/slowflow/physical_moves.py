@@ -16,6 +16,7 @@ from slowflow.mechanism import Floats
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_kernels.rod_spring import MECHANISM as ROD_SPRING
 from slowflow_kernels.scaling import AMPLITUDES, SCALES
+from slowflow_support.errors import Refused
 from slowflow_support.record import Scale
 
 #: a mount's words for the letters of the scales of its design and its damping
@@ -49,7 +50,7 @@ def in_units(found: Gradient, scales: Scales) -> Gradient:
     design = {one.name: scale for one, scale in zip(ROD_SPRING.design, ROD_SPRING.scales, strict=True)}
     damping = {one.name: SCALES[one.name] for one in (*DAMPING, *DISSIPATION)}
     if found.by[: len(design)] != tuple(design):
-        raise ValueError(WITHOUT_PRELOAD)
+        raise Refused(WITHOUT_PRELOAD)
     if scales.damping == "zeta":
         damping["zeta"] = PURE
     asked = {"F_0": AMPLITUDES[scales.excitation], "Omega": SCALES["Omega"], "load": SCALES["F_0"]}

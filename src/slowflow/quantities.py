@@ -24,6 +24,7 @@ from slowflow.answer import PLAIN, Answer, Table, in_text, plain
 from slowflow.gradient import Gradient
 from slowflow_kernels.scaling import AMPLITUDES as AMPLITUDE_SCALES
 from slowflow_kernels.scaling import SCALES
+from slowflow_support.errors import Refused, WrongType
 from slowflow_support.frozen import dataclass
 from slowflow_support.record import Parameter, Scale
 
@@ -210,7 +211,7 @@ class Quantities(Answer):
 
     def _entries(self) -> tuple[str, ...]:
         if not self.entry:
-            raise TypeError("this answer has no entries: it is a single one")
+            raise WrongType("this answer has no entries: it is a single one")
         return self.entry
 
     def columns(self) -> dict[str, Any]:
@@ -289,7 +290,7 @@ class Quantities(Answer):
         Raises ValueError for what is no averaged answer, and for a mount without preload, whose springs never touch.
         """
         if self.scales is None or not hasattr(self.answer, "gradient"):
-            raise ValueError("gradients are known of averaged answers: this is none")
+            raise Refused("gradients are known of averaged answers: this is none")
         return physical_moves.in_units(self.answer.gradient(), self.scales)
 
     def measure(self, force: str | None = None) -> Quantities:
@@ -299,7 +300,7 @@ class Quantities(Answer):
         averaged answer.
         """
         if self.scales is None or not hasattr(self.answer, "measure"):
-            raise ValueError("averaged answers are measured against the equation of motion: this is none")
+            raise Refused("averaged answers are measured against the equation of motion: this is none")
         with self.scales.in_these_terms():
             return self.scales.quantities(self.answer.measure(force))
 
@@ -316,7 +317,7 @@ class Quantities(Answer):
         """
         picture = getattr(self.answer, "picture", None)
         if picture is None:
-            raise ValueError(f"there is no picture of this answer: it has {', '.join(self.values)}")
+            raise Refused(f"there is no picture of this answer: it has {', '.join(self.values)}")
         from slowflow import pictures
 
         shown = self if self.chosen else self.in_units()
@@ -351,7 +352,7 @@ def si(name: str, value: Any, unit: str) -> Any:
         return value.to(unit).magnitude
     except TypeError:  # what pint raises for another dimension
         measured = "a plain number" if unit == PINT[""] else f"measured in {unit}"
-        raise ValueError(f"{name} = {value} is not allowed: {name} must be {measured}") from None
+        raise Refused(f"{name} = {value} is not allowed: {name} must be {measured}") from None
 
 
 def in_shown(unit: str) -> tuple[str, float]:
@@ -372,7 +373,7 @@ def turns(name: str, value: Any) -> Any:
     if "hertz" in str(value.units):
         return si(name, value, "hertz")
     if "radian" not in str(value.to_base_units().units):
-        raise ValueError(f"{name} = {value} is not allowed: {name} must be in Hz, rpm, or rad/s")
+        raise Refused(f"{name} = {value} is not allowed: {name} must be in Hz, rpm, or rad/s")
     return si(name, value, "radian/second") / math.tau
 
 
@@ -421,9 +422,7 @@ class Scales:
         for name, unit in (("m", "kilogram"), ("k_v", "newton/meter"), ("L", "meter")):
             self.__dict__[name] = validate.number(name, si(name, getattr(self, name), unit), above=0.0)
         if not all(0 < value < math.inf for value in self.sizes.values()):
-            raise ValueError(
-                f"m = {self.m:g}, k_v = {self.k_v:g}, L = {self.L:g}: not allowed together, beyond doubles"
-            )
+            raise Refused(f"m = {self.m:g}, k_v = {self.k_v:g}, L = {self.L:g}: not allowed together, beyond doubles")
 
     @cached_property
     def sizes(self) -> dict[str, float]:

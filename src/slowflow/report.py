@@ -25,6 +25,7 @@ from slowflow.results import Remark
 from slowflow.scenes import FORCINGS, Asked, Scene
 from slowflow.sizing.subject import Load, Subject
 from slowflow.validate import NotAvailable
+from slowflow_support.errors import Refused
 
 #: equations of the paper that the answers rest on
 EQUATIONS = ("(3)", "(4)", "(5)", "(6)", "(7)", "(21)", "(22)", "(24)", "(25)", "(27)", "(30)", "(33)", "(34)")
@@ -95,10 +96,10 @@ def html(scene: Scene) -> str:
     forcings = scene.forcings()
     shocks = any(one.question in SHOCKS for one in scene.asked)
     if not forcings and not shocks:
-        raise ValueError(f"{scene.path}: a report needs forcings in [ask], or a shock")
+        raise Refused(f"{scene.path}: a report needs forcings in [ask], or a shock")
     of = scene.oscillator
     if not isinstance(_plain(of), Isolator):
-        raise ValueError(f"{scene.path}: a report is of an isolator: the scene must hold [mount] or [isolator]")
+        raise Refused(f"{scene.path}: a report is of an isolator: the scene must hold [mount] or [isolator]")
     title = f"Vibration isolator: {scene.path.stem.replace('_', ' ')}"
     sections = {
         "In short": _summary(of, forcings, scene),

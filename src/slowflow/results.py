@@ -22,6 +22,7 @@ from slowflow.measured.validity import Validity, of_states
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import OnsetKind, Status
+from slowflow_support.errors import Refused
 from slowflow_support.frozen import dataclass
 
 
@@ -233,14 +234,14 @@ class MeasuresPoint:
 
     def _measured(self, force: str | None) -> MeasuredPoint:
         if self._asked is None:
-            raise ValueError(NOT_ASKED)
+            raise Refused(NOT_ASKED)
         return self._asked.measured_point(self, force)
 
 
 def of_model(model: Model | None) -> moves.Given:
     """Whose answer it is. Raises ValueError where nothing says it."""
     if model is None or not model.has_design:
-        raise ValueError(NOT_AVERAGED)
+        raise Refused(NOT_AVERAGED)
     laws, numbers = model.laws, (*model.design, model.mu, model.zeta)
     if not laws.any:
         return moves.Given(model.mechanism, numbers, model.excitation)
@@ -346,7 +347,7 @@ class SteadyStates(InDecibels, Table):
         where neither friction nor viscous damping lets a motion settle.
         """
         if self._asked is None:
-            raise ValueError(NOT_ASKED)
+            raise Refused(NOT_ASKED)
         return self._asked.measured_states(self, force)
 
 
@@ -420,7 +421,7 @@ class SaddleNodes(Table):
         is raised as in `SteadyStates.measure`.
         """
         if self._asked is None:
-            raise ValueError(NOT_ASKED)
+            raise Refused(NOT_ASKED)
         return self._asked.measured_folds(self, force)
 
     picture: ClassVar[str] = "folds"

@@ -52,6 +52,7 @@ from slowflow.isolator import DUFFING, ROD_SPRING, Duffing, Isolator
 from slowflow.physical import Physical
 from slowflow.quantities import EXCITED, SHOWN, UNITS
 from slowflow_kernels.domains import DAMPING, DISSIPATION
+from slowflow_support.errors import SceneError
 
 #: a scene to begin with
 STARTER = """\
@@ -86,10 +87,6 @@ questions = [
     "frequency_response",   # every branch
 ]
 """
-
-
-class SceneError(ValueError):
-    """A scene that cannot be run: which file, line, key and value, and what is allowed."""
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from slowflow import validate
+from slowflow_support.errors import Refused
 
 #: what may be asked for: the force that is passed on; the displacement, from the base and in space
 OF = ("force", "relative", "absolute")
@@ -39,5 +40,5 @@ def asked(of: str, *, inertial: bool) -> str:
     """`of`, one of `OF`. Raises ValueError for another one, and where the base stands still for "absolute"."""
     validate.choice("of", of, OF)
     if of == "absolute" and not inertial:
-        raise ValueError(STANDS)
+        raise Refused(STANDS)
     return of

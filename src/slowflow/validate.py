@@ -19,6 +19,7 @@ import numpy.typing as npt
 
 from slowflow.mechanism import Floats, Parameter
 from slowflow_kernels.conventions import HIGHEST_OMEGA
+from slowflow_support.errors import Refused, WrongType
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -28,7 +29,7 @@ WINDOW = (0.0, 2.0)
 MOST_SAMPLES = 10**6
 
 
-class NotAvailable(ValueError):
+class NotAvailable(Refused):
     """A question that an oscillator has no answer to yet, though another might: said in words."""
 
 
@@ -38,7 +39,7 @@ class NoAttribute(NotAvailable, AttributeError):
 
 def _refuse(name: str, value: Any, allowed: str) -> ValueError:
     value = value.item() if isinstance(value, np.generic) else value  # as it is written, without its type
-    return ValueError(f"{name} = {value!r} is not allowed: {name} must be {allowed}")
+    return Refused(f"{name} = {value!r} is not allowed: {name} must be {allowed}")
 
 
 def number(
@@ -80,7 +81,7 @@ def _is_not_masked(name: str, value: Any) -> None:
     """What a mask hides was marked as wrong: it is no number to compute with."""
     # an array first: numpy.ma is imported when it is asked for
     if isinstance(value, np.ndarray) and isinstance(value, np.ma.MaskedArray) and np.ma.getmaskarray(value).any():
-        raise ValueError(f"{name} is not allowed: {int(np.ma.getmaskarray(value).sum())} of its numbers are masked")
+        raise Refused(f"{name} is not allowed: {int(np.ma.getmaskarray(value).sum())} of its numbers are masked")
 
 
 def _range(above: float, least: float, below: float, most: float) -> str:
@@ -117,7 +118,7 @@ def count(name: str, value: Any, *, least: int, most: int | None = None) -> int:
 def workers(value: Any) -> int:
     """How many threads: an integer >= 1, or -1 for one for each processor; no map-like callable, as SciPy has it."""
     if callable(value):
-        raise ValueError(
+        raise Refused(
             f"workers = {value!r} is not allowed: threads write into arrays that they share, which a map of other "
             "processes cannot; workers must be an integer >= 1 or -1, and a map by blocks, .store(...), is for clusters"
         )
@@ -171,7 +172,7 @@ def asked_by_name(function: Callable[P, R]) -> Callable[P, R]:
         for name in named:
             if name not in known:
                 allowed, called = f"{', '.join(known)}{meant(name, known)}", function.__qualname__
-                raise TypeError(
+                raise WrongType(
                     f"{called.removesuffix('.__init__')} has no argument {name!r}: it must be one of {allowed}"
                 )
         return function(*given, **named)
@@ -229,7 +230,7 @@ def common_shape(arrays: Mapping[str, npt.NDArray[Any]]) -> tuple[int, ...]:
         return np.broadcast_shapes(*(array.shape for array in arrays.values()))
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
-        raise ValueError(f"shapes do not broadcast: {shapes}") from None
+        raise Refused(f"shapes do not broadcast: {shapes}") from None
 
 
 def mapping(name: str, value: Any, meant: str) -> Mapping[str, Any]:

@@ -3,5 +3,6 @@
 backend    compiled kernels where they are built, NumPy's otherwise
 broadcast  arguments as floats, one shape for all outputs, regimes by mask
 twofold    sums and products with their rounding errors
+errors     the errors raised on purpose
 record     what a mechanism says of itself: `Mechanism`, `Parameter`
 """

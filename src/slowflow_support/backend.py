@@ -18,6 +18,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from slowflow_support.errors import Refused, WrongType
+
 #: the compiled kernels: an extension module, which imports nothing but NumPy
 EXTENSION = "slowflow_kernels._native"
 
@@ -30,7 +32,7 @@ def _choose() -> ModuleType | None:
     """The extension module, or None."""
     wanted = os.environ.get("SLOWFLOW_BACKEND", "")
     if wanted not in ("", "native", "numpy"):
-        raise ValueError(f"SLOWFLOW_BACKEND is {wanted!r}; it may be 'native' or 'numpy'")
+        raise Refused(f"SLOWFLOW_BACKEND is {wanted!r}; it may be 'native' or 'numpy'")
     if wanted == "numpy":
         return None
     try:
@@ -100,8 +102,8 @@ def _in_order(kernel: str, names: Sequence[str], given: Mapping[str, Any]) -> It
     """The arguments given by name, in the order of the names that are left; TypeError as a function raises it."""
     for name in given:
         if name not in names:
-            raise TypeError(f"{kernel}() got multiple values for argument {name!r}")
+            raise WrongType(f"{kernel}() got multiple values for argument {name!r}")
     for name in names:
         if name not in given:
-            raise TypeError(f"{kernel}() missing 1 required positional argument: {name!r}")
+            raise WrongType(f"{kernel}() missing 1 required positional argument: {name!r}")
         yield given[name]

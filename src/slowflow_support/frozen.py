@@ -11,6 +11,8 @@ from collections.abc import Callable
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from slowflow_support.errors import WrongType
+
 if TYPE_CHECKING:
     from dataclasses import dataclass as dataclass  # what type checkers know of those holds of these
 else:
@@ -23,7 +25,7 @@ else:
         Methods that the class has itself stay. Raises TypeError for frozen=False.
         """
         if not frozen:
-            raise TypeError("frozen=False: these dataclasses are frozen, dataclasses.dataclass makes others")
+            raise WrongType("frozen=False: these dataclasses are frozen, dataclasses.dataclass makes others")
 
         def made(cls: type[Made]) -> type[Made]:
             given = {"__setattr__": _set_once, "__delattr__": _delete}

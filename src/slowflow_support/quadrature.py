@@ -24,6 +24,7 @@ from slowflow_kernels.quadrature_conventions import (
     SHORT_PART,
 )
 from slowflow_support.broadcast import Floats
+from slowflow_support.errors import NotSettled
 
 #: numbers that are held at a time
 TOGETHER = 1 << 20
@@ -151,7 +152,7 @@ class _Piece:
         left, before, panels = np.arange(span.size), None, 1
         while left.size:
             if panels > MOST_PANELS:
-                raise ArithmeticError(
+                raise NotSettled(
                     f"the average at A = {numbers[0][left[0]]:.17g} does not settle: "
                     "the force is all but singular there, or a difference in which its digits are lost; what lies "
                     "beyond a `reach` that is stated with it is not asked for"

@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from slowflow_support.errors import Refused
 from slowflow_support.frozen import dataclass
 
 #: where generated modules are, those that come with the package and those that were derived on this machine
@@ -275,4 +276,4 @@ def nothing(*parameters: Any) -> tuple[()]:
 
 def unknown(*numbers: Any) -> Any:
     """What is about the centre, of a force that is not odd: raises ValueError."""
-    raise ValueError("the force is not odd: no motion is about the centre, and nothing is averaged about it")
+    raise Refused("the force is not odd: no motion is about the centre, and nothing is averaged about it")

@@ -27,6 +27,7 @@ from slowflow.results import NOT_AVERAGED, InDecibels, Remark
 from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
+from slowflow_support.errors import Refused
 
 Codes = npt.NDArray[np.int8]
 
@@ -95,7 +96,7 @@ class Batch(Answer):
     def _given(self) -> Given:
         """The same for gradients. Raises ValueError for answers of another approximation."""
         if not self._averaged:
-            raise ValueError(NOT_AVERAGED)
+            raise Refused(NOT_AVERAGED)
         return self._whose()
 
     def _asked_at(self) -> dict[str, Any]:

@@ -23,6 +23,7 @@ from slowflow.results import (
     SteadyStates,
 )
 from slowflow_kernels.conventions import OnsetKind, Status
+from slowflow_support.errors import NotSettled, OutOfRange
 
 #: the words for its kinds
 ONSET_KINDS = {kind.value: kind.name.lower() for kind in OnsetKind}
@@ -35,9 +36,9 @@ def check(status: int, model: Model, F_0: float | None = None) -> None:
     if status == Status.NO_MEMORY:
         raise MemoryError
     if status == Status.NO_BOUND:
-        raise OverflowError(words.unbounded(model, F_0))
+        raise OutOfRange(words.unbounded(model, F_0))
     if status in (Status.TOO_MANY, Status.UNRESOLVED):
-        raise ArithmeticError("the response is unresolved" if F_0 is None else words.unresolved(model, F_0))
+        raise NotSettled("the response is unresolved" if F_0 is None else words.unresolved(model, F_0))
 
 
 def remark_of(model: Model, F_0: float) -> str:
@@ -71,7 +72,7 @@ def onset(model: Model) -> SaddleNodeOnset:
     if status == Status.OK:
         return words.with_folds_at_rest(model, SaddleNodeOnset(F_SN, Omega, A, ONSET_KINDS[kind], ""), at_rest)
     if status == Status.UNRESOLVED:
-        raise ArithmeticError(words.unresolved_onset(model))
+        raise NotSettled(words.unresolved_onset(model))
     check(status, model)
     if status == Status.UNBOUNDED:
         said = words.OPEN if model.zeta > 0 else words.NO_LOWEST.format(model.m)
@@ -89,7 +90,7 @@ def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
     status, F_cr, Omega_cr, u_cr = backend.solver().detachment(model.native)
     if status == Status.NO_BOUND:
-        raise OverflowError(words.BEYOND_RANGE.format(model.breakpoints[0]))
+        raise OutOfRange(words.BEYOND_RANGE.format(model.breakpoints[0]))
     if status == Status.NONE:
         said = words.NOT_REACHED.format(model.breakpoints[0]) if model.breakpoints else words.NO_DETACHMENT
         return Detachment(None, None, None, said)

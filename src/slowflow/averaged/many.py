@@ -46,6 +46,7 @@ from slowflow.unchanging import Unchanging
 from slowflow_kernels import inertia
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.domains import DISSIPATION
+from slowflow_support.errors import Refused
 
 #: on NumPy, designs that are sorted by their kinds at once, and of a kind those that go abreast: so few that arrays
 #: take some tens of megabytes
@@ -326,7 +327,7 @@ class Designs(Unchanging):
         """Two parameters that span the designs and values over these, each with its name, for a map."""
         given = {**self.values, **beside}
         if values.ndim != 2 or x == y:
-            raise ValueError(f"{of} over {x!r} and {y!r} is no map: a batch of two axes spanned by them is wanted")
+            raise Refused(f"{of} over {x!r} and {y!r} is no map: a batch of two axes spanned by them is wanted")
         spread = {name: np.broadcast_to(np.asarray(value, dtype=float), values.shape) for name, value in given.items()}
         lines = {}
         for name in (x, y):
@@ -334,13 +335,13 @@ class Designs(Unchanging):
             axis = 1 if np.array_equal(along, np.broadcast_to(along[:1], values.shape), equal_nan=True) else 0
             line = along[0] if axis == 1 else along[:, 0]
             if not np.array_equal(along, np.broadcast_to(line if axis else line[:, np.newaxis], values.shape)):
-                raise ValueError(f"{name} is no axis of the map: it varies along both axes of the batch")
+                raise Refused(f"{name} is no axis of the map: it varies along both axes of the batch")
             lines[name] = axis, np.asarray(line)
         if lines[x][0] == lines[y][0]:
-            raise ValueError(f"{x} and {y} vary along the same axis of the batch, or one of them does not vary")
+            raise Refused(f"{x} and {y} vary along the same axis of the batch, or one of them does not vary")
         for name, value in spread.items():
             if name not in lines and not np.all((value == value.flat[0]) | np.isnan(value)):
-                raise ValueError(f"{name} varies too: a map is over two parameters")
+                raise Refused(f"{name} varies too: a map is over two parameters")
         return (x, lines[x][1]), (y, lines[y][1]), (of, values if lines[x][0] == 1 else values.T)
 
     def ask(
@@ -351,7 +352,7 @@ class Designs(Unchanging):
         at = {name: value for name, value in (("F_0", F_0), ("Omega", Omega)) if value is not None}
         for name, value in at.items():
             if validate.is_labelled(value):
-                raise ValueError(
+                raise Refused(
                     f"{name} has named axes, or is cut into blocks: at least one number of the designs must too"
                 )
         values = {**self.values, **{name: validate.real_array(name, value) for name, value in at.items()}}

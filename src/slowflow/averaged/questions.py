@@ -37,6 +37,7 @@ from slowflow.results import (
     SteadyStates,
 )
 from slowflow_kernels import dissipation, slow_flow
+from slowflow_support.errors import OutOfRange, Refused
 
 State = TypeVar("State", FrequencyResponse, SteadyStates)
 Answer = TypeVar("Answer", FrequencyResponse, SteadyStates, SaddleNodes, SaddleNodeOnset, Detachment, Peak)
@@ -384,13 +385,13 @@ class Averaged:
         """
         if question not in (known := (*plan.QUESTIONS, *plan.OF_ALL, *plan.COMPOSED)):
             allowed = f"{', '.join(known)}{validate.meant(question, known)}"
-            raise ValueError(f"question = {question!r} is not allowed: it must be one of {allowed}")
+            raise Refused(f"question = {question!r} is not allowed: it must be one of {allowed}")
         if question in ("certify", "rest"):
             self.only_for_a_force(question)
             self.only_for_plain_damping(question)
         if question not in (*plan.QUESTIONS, *plan.AT_ONE):
             if F_0 is not None:
-                raise ValueError(f"F_0 = {F_0!r} is not allowed: {question} is about all forcings")
+                raise Refused(f"F_0 = {F_0!r} is not allowed: {question} is about all forcings")
             of_all = plan.plan_of_all if question in plan.OF_ALL else functools.partial(plan.plan_composed, F_0=None)
             return of_all(question, whole=self.model)
         F_0 = validate.number("F_0", F_0, above=0.0)
@@ -463,7 +464,7 @@ def _in_range(what: str, values: Any) -> Floats:
     """The values, infinite ones included; OverflowError where one is the difference of two such."""
     found = np.asarray(values)
     if np.isnan(found).any():
-        raise OverflowError(f"{what} cannot be evaluated there: what it is made of is beyond the range of doubles")
+        raise OutOfRange(f"{what} cannot be evaluated there: what it is made of is beyond the range of doubles")
     return found
 
 

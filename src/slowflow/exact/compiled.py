@@ -31,6 +31,7 @@ from slowflow.exact.integrate import (
     steps_left,
 )
 from slowflow.mechanism import EquationOfMotion, Force, Law, OneSided, Piece
+from slowflow_support.errors import NotSettled
 
 EXACT: Any = backend.EXACT
 PHASE = struct.Struct("@iiddddddi?0d")  # a phase as C has it, in the order of `motion.Phase`
@@ -101,7 +102,7 @@ class TaylorIntegrator:
         outcome, steps, u, v = EXACT.advance(of_piece(piece), drive, theta, u, v, end, steps_left(), flow)
         spend(steps)
         if outcome:
-            raise ArithmeticError(f"the integration from theta = {theta} to {end} failed")
+            raise NotSettled(f"the integration from theta = {theta} to {end} failed")
         return u, v, flow
 
     def until(
@@ -113,7 +114,7 @@ class TaylorIntegrator:
         )
         spend(steps)
         if outcome:
-            raise ArithmeticError(f"the integration from theta = {theta} failed at theta = {at}")
+            raise NotSettled(f"the integration from theta = {theta} failed at theta = {at}")
         return at, u, v, event
 
     def sample(self, piece: Piece, drive: Drive, theta: float, u: float, v: float, grid: Array) -> Array:
@@ -124,7 +125,7 @@ class TaylorIntegrator:
         )
         spend(steps)
         if outcome:
-            raise ArithmeticError(f"the integration from theta = {theta} to {grid[-1]} failed")
+            raise NotSettled(f"the integration from theta = {theta} to {grid[-1]} failed")
         return states
 
     def follow(

@@ -23,6 +23,7 @@ from slowflow.exact.cycle import Array, AtBorder, Cycle, Equations, Row, closed_
 from slowflow.exact.motion import Forced, follow
 from slowflow.exact.shooting import SteadyState
 from slowflow_kernels.exact_conventions import ALONG
+from slowflow_support.errors import NotSettled
 
 STEP = 0.02  # largest step: relative in u_0, radians in theta_0, half of it in Omega
 SMALLEST_STEP = 1e-9
@@ -39,7 +40,7 @@ MOST_POINTS = 20_000
 FOLDS = ("fold", "corner")  # roles of points
 
 
-class LostCurve(ArithmeticError):
+class LostCurve(NotSettled):
     """The curve cannot be followed beyond the last point that was found."""
 
 
@@ -132,7 +133,7 @@ class Path:
                 yield new
                 if new.A > LARGEST:
                     unbounded = new.cycle.system.zeta == new.cycle.system.eta == 0
-                    raise ArithmeticError(
+                    raise NotSettled(
                         f"the response curve at F_0 = {self.F_0} passes A = {LARGEST:g} at Omega = {new.z[-1]:.9g}: "
                         + ("without viscous damping resonance is unbounded (27); " if unbounded else "")
                         + "choose a range on one side of it"

@@ -40,6 +40,7 @@ from slowflow_kernels.exact_conventions import (
     WHOLE,
     ExtraKind,
 )
+from slowflow_support.errors import NotSettled
 
 Array = NDArray[np.float64]
 
@@ -132,7 +133,7 @@ class Cycle:
         if isinstance(integrator, TaylorIntegrator):
             found = self._compiled(z.copy(), F_0, None, 0, 0.0)
             if found is None:
-                raise ArithmeticError(f"the cycle at Omega = {z[-1]} cannot be integrated")
+                raise NotSettled(f"the cycle at Omega = {z[-1]} cannot be integrated")
             return found
         spend(PHASE_WORK * k)
         Omega = float(z[-1])

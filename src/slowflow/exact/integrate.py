@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from slowflow.mechanism import Piece
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import Event
+from slowflow_support.errors import NotSettled
 
 Array = NDArray[np.float64]
 
@@ -53,7 +54,7 @@ def limited(most: int = MOST_WORK) -> Iterator[None]:
     try:
         yield
     except OutOfWork as used_up:
-        raise ArithmeticError(str(used_up)) from None
+        raise NotSettled(str(used_up)) from None
     finally:
         _left.reset(token)
 
@@ -210,12 +211,12 @@ class ScipyIntegrator:
             spend(CALL_WORK)
             left -= 1
             if left < 0:
-                raise ArithmeticError(f"the integration from theta = {span[0]} stalls at theta = {theta}, u = {y[0]}")
+                raise NotSettled(f"the integration from theta = {span[0]} stalls at theta = {theta}, u = {y[0]}")
             return field(theta, y)
 
         # a step tried may leave the range where the force is defined; it is then refused
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
             solution = solve_ivp(counted, span, start, **self._tolerances, **options)
         if solution.status < 0:
-            raise ArithmeticError(f"the integration from theta = {span[0]} to {span[1]} failed: {solution.message}")
+            raise NotSettled(f"the integration from theta = {span[0]} to {span[1]} failed: {solution.message}")
         return solution

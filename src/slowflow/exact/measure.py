@@ -23,6 +23,7 @@ from slowflow.exact import response, shooting
 from slowflow.exact.integrate import limited
 from slowflow.mechanism import EquationOfMotion, Floats, Force
 from slowflow.results import Measured, MeasuredFolds, MeasuredPoint
+from slowflow_support.errors import NotSettled
 
 #: motions nearer to each other than this, relative in amplitude, are one
 MATCHES = 1e-8
@@ -210,7 +211,7 @@ def detachment(system: EquationOfMotion, found: Any) -> MeasuredPoint:
         start = shooting.near(attached, found.Omega_cr, F_0, (u_cr, -math.pi / 2))
         top = _top(attached, F_0, found.Omega_cr, start)
         if top is None:
-            raise ArithmeticError(NO_PEAK)
+            raise NotSettled(NO_PEAK)
         return top
 
     F_cr = _zero_near(lambda F_0: highest(F_0).A / u_cr - 1.0, found.F_cr)
@@ -233,7 +234,7 @@ def onset(system: EquationOfMotion, found: Any) -> MeasuredPoint:
         """How steep the curve is at most, over what is vertical; a jump at a corner. And where."""
         curve = response.exact_response(system, F_0, Omega=window)
         if not curve.complete:
-            raise ArithmeticError(curve.message)
+            raise NotSettled(curve.message)
         return _steepest(curve)
 
     F_SN = _zero_near(lambda F_0: steepest(F_0)[0], found.F_SN)

@@ -19,6 +19,7 @@ from slowflow.exact.integrate import PHASE_WORK, Drive, Integrator, spend
 from slowflow.mechanism import EquationOfMotion, Piece
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import FAR, GRAZING, MOST_PHASES, OF_TURN, Event, Outcome
+from slowflow_support.errors import NotSettled
 
 TURN = 2.0 * math.pi
 NUDGES = (1e-3, 1e-4, 1e-5, 1e-6)  # angles over which a start at rest moves off before stops are looked for
@@ -154,7 +155,7 @@ def follow(
     most = MOST_PHASES * (1 + math.ceil((end - theta) / TURN))
     while theta < end:
         if len(phases) >= most:
-            raise ArithmeticError(CHATTERS.format(most=MOST_PHASES, Omega=forced.Omega, u=u))
+            raise NotSettled(CHATTERS.format(most=MOST_PHASES, Omega=forced.Omega, u=u))
         if slip == 0:
             at, slip = break_away(forced, region, theta, u)
             theta = _rest(phases, region, theta, u, min(at, end), end)
@@ -200,20 +201,20 @@ def follow(
 
 def _escapes(forced: Forced) -> ArithmeticError:
     where = f" at Omega = {forced.Omega}, F_0 = {forced.F_0}" if forced.F_0 else ""
-    return ArithmeticError(ESCAPES.format(where=where, far=FAR))
+    return NotSettled(ESCAPES.format(where=where, far=FAR))
 
 
 def _refuse(outcome: int, forced: Forced, last: Phase | None) -> None:
     """Says in words why C gave up."""
     if outcome == Outcome.CHATTERS and last is not None:
-        raise ArithmeticError(CHATTERS.format(most=MOST_PHASES, Omega=forced.Omega, u=last.u_end))
+        raise NotSettled(CHATTERS.format(most=MOST_PHASES, Omega=forced.Omega, u=last.u_end))
     if outcome == Outcome.ESCAPES:
         raise _escapes(forced)
     if outcome == Outcome.NO_MEMORY:
         raise MemoryError("no memory for the phases of the motion")
     if outcome:
         theta, u = (0.0, 0.0) if last is None else (last.end, last.u_end)
-        raise ArithmeticError(STALLS.format(theta=theta, u=u))
+        raise NotSettled(STALLS.format(theta=theta, u=u))
 
 
 def _rest(phases: list[Phase], region: int, theta: float, u: float, until: float, end: float) -> float:

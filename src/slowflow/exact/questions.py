@@ -25,6 +25,7 @@ from slowflow.loaded import Loaded
 from slowflow.mechanism import EquationOfMotion
 from slowflow.results import Remark
 from slowflow_kernels import inertia
+from slowflow_support.errors import NotSettled, Refused
 
 if TYPE_CHECKING:
     from slowflow.averaged.questions import Averaged
@@ -101,7 +102,7 @@ def _off_centre(
         start = (nearest.A + max(nearest.B, 0.0), nearest.phi)
         return shooting.steady_state(system, start, Omega=Omega, F_0=F_0)
     if not found:
-        raise ArithmeticError(f"no state at Omega = {Omega:g} leads to a periodic motion of the equation of motion")
+        raise NotSettled(f"no state at Omega = {Omega:g} leads to a periodic motion of the equation of motion")
     return min(found, key=lambda motion: abs(motion.A - A))
 
 
@@ -127,7 +128,7 @@ def exact_response(
     if start is None:
         start = _from_rest(averaged, system, low, F_0)
     elif not (isinstance(start, shooting.SteadyState) and low <= start.Omega <= high and start.F_0 == F_0):
-        raise ValueError(
+        raise Refused(
             f"start = {start!r} is not allowed: start must be a steady state at F_0 = {F_0:g}, Omega in {Omega}"
         )
     found = response.exact_response(system, F_0, Omega=(low, high), start=start, step=step)
@@ -177,7 +178,7 @@ def transient(
 ) -> Transient:
     """See `slowflow.oscillator.Oscillator.transient`; of an `Averaged`, or of an `OffCentre`."""
     if (duration is None) == (tau is None):
-        raise ValueError(NO_PULSE)
+        raise Refused(NO_PULSE)
     begin = 0.0
     if duration is not None:
         peak = validate.number("acceleration", acceleration)
@@ -186,7 +187,7 @@ def transient(
         times, samples = validate.finite_array("tau", tau), validate.finite_array("acceleration", acceleration)
         if times.ndim != 1 or times.shape != samples.shape or times.size < 2 or not (np.diff(times) > SHORTEST).all():
             shapes = f"{times.shape} and {samples.shape}"
-            raise ValueError(f"tau and acceleration must be two rows of as many numbers, tau rising: not of {shapes}")
+            raise Refused(f"tau and acceleration must be two rows of as many numbers, tau rising: not of {shapes}")
         arcs, begin = record(times, samples), float(times[0])
     last = AFTER if after is None else validate.number("after", after, least=0.0)
     at, said = _at_rest(averaged, system)
@@ -204,7 +205,7 @@ def _at_rest(averaged: Any, system: EquationOfMotion) -> tuple[float, str]:
     found, force = averaged.rest(), system.force
     places = found.u[found.stable]
     if not places.size:
-        raise ArithmeticError(NOWHERE)
+        raise NotSettled(NOWHERE)
     from scipy.optimize import root_scalar  # a motion about the centre does without SciPy
 
     # of the force that is followed, which may be another one than is averaged
@@ -215,7 +216,7 @@ def _at_rest(averaged: Any, system: EquationOfMotion) -> tuple[float, str]:
         method="newton",
     )
     if not at.converged:
-        raise ArithmeticError(NOWHERE)
+        raise NotSettled(NOWHERE)
     return float(at.root), SEVERAL if places.size > 1 else ""
 
 
@@ -245,7 +246,7 @@ def _from_rest(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: 
     """What a mass at rest comes to, followed; where that takes too many turns, the only one that averaging knows of."""
     try:
         return shooting.steady_state(system, Omega=Omega, F_0=F_0)
-    except shooting.NotSettled:
+    except shooting.NotPeriodic:
         states: Any = averaged.states(Omega=Omega, F_0=F_0) if system.centred else _states(averaged, Omega, F_0)
         if states.A.size == 1:
             B = 0.0 if system.centred else float(states.B[0])

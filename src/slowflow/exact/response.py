@@ -23,6 +23,7 @@ from slowflow.exact.integrate import Integrator, OutOfWork, limited
 from slowflow.exact.shooting import SteadyState, check_forcing, describe, steady_state
 from slowflow.mechanism import EquationOfMotion
 from slowflow.transmitted import Transmitted
+from slowflow_support.errors import NotSettled, Refused
 
 NEAR_TOP = 0.9  # share of the highest point's amplitude from which on a stretch of the curve may hold its peak
 PARTLY = "a part of the curve only: {}"
@@ -138,15 +139,15 @@ def exact_response(
     """
     low, high = (float(end) for end in Omega)
     if not (0 < low < high < math.inf):
-        raise ValueError(f"Omega = {Omega} must rise and be positive")
+        raise Refused(f"Omega = {Omega} must rise and be positive")
     if not 0 < step <= 0.5:
-        raise ValueError(f"step = {step} must lie in (0, 0.5]")
+        raise Refused(f"step = {step} must lie in (0, 0.5]")
     check_forcing(system, low, F_0)
     integrator = integrator or default_integrator(system)
     if start is None:
         start = steady_state(system, Omega=low, F_0=F_0, integrator=integrator)
     if not low <= start.Omega <= high:
-        raise ValueError(f"start.Omega = {start.Omega} lies outside Omega = {Omega}")
+        raise Refused(f"start.Omega = {start.Omega} lies outside Omega = {Omega}")
     path = Path(F_0, low, high, step, least_scale(start.cycle, start.A))
     forward, lost = _reached(path, path.begin(start, 1.0))
     closed = path.closed
@@ -170,7 +171,7 @@ def _reached(path: Path, first: Point) -> tuple[list[Point], ArithmeticError | N
     except LostCurve as lost:
         return points, lost
     except OutOfWork as used_up:
-        return points, ArithmeticError(f"{used_up}, at Omega = {points[-1].z[-1]:.9g}, A = {points[-1].A:.9g}")
+        return points, NotSettled(f"{used_up}, at Omega = {points[-1].z[-1]:.9g}, A = {points[-1].A:.9g}")
     return points, None
 
 

@@ -22,6 +22,7 @@ from slowflow.model import THROUGHOUT
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.exact_conventions import Outcome
+from slowflow_support.errors import Refused
 
 #: arcs that take no more than some tenths of a second, as many as a shock takes beside those of its pulse
 AT_ONCE, ALONE = 2**14, 16
@@ -94,7 +95,7 @@ def transients(
     """See `slowflow.designs.Designs.transient`."""
     last = AFTER if after is None else validate.number("after", after, least=0.0)
     if (duration is None) == (tau is None):
-        raise ValueError(NO_PULSE)
+        raise Refused(NO_PULSE)
     if tau is None:
         pulse = numbers(acceleration=acceleration, duration=duration)
         peak, span = pulse.values()
@@ -112,7 +113,7 @@ def numbers(**values: Any) -> dict[str, Floats]:
     """Numbers of pulses, in doubles. Raises ValueError for what is no plain array."""
     for name, value in values.items():
         if validate.is_labelled(value):
-            raise ValueError(f"{name} has named axes, or is cut into blocks: shocks take plain arrays")
+            raise Refused(f"{name} has named axes, or is cut into blocks: shocks take plain arrays")
     return {name: validate.real_array(name, value).astype(float) for name, value in values.items()}
 
 
@@ -120,7 +121,7 @@ def samples(tau: Any, acceleration: Any) -> tuple[Floats, Floats]:
     """Records in doubles, samples along the last axis. Raises ValueError for other arrays than of as many samples."""
     times, values = numbers(tau=tau, acceleration=acceleration).values()
     if not (times.ndim and values.ndim and times.shape[-1] == values.shape[-1] >= 2):
-        raise ValueError(f"tau and acceleration must have as many samples, not {times.shape} and {values.shape}")
+        raise Refused(f"tau and acceleration must have as many samples, not {times.shape} and {values.shape}")
     return times, values
 
 

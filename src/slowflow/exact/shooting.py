@@ -25,6 +25,7 @@ from slowflow.mechanism import EquationOfMotion
 from slowflow.transmitted import Transmitted, asked
 from slowflow_kernels.exact_conventions import ARRIVED, ASKED_AGAIN, COMES_BACK, NEARER, UNLIKE
 from slowflow_kernels.motion import acceleration
+from slowflow_support.errors import NotSettled, Refused
 
 Array = NDArray[np.float64]
 
@@ -81,7 +82,7 @@ COMES_TO_REST = (
 )
 
 
-class NotSettled(ArithmeticError):
+class NotPeriodic(NotSettled):
     """The motion was followed for `MOST_TURNS` turns and not seen to approach a periodic one."""
 
 
@@ -351,7 +352,7 @@ def _start(guess: tuple[float, float]) -> tuple[float, float]:
     """theta and u of the highest point of u = A cos(Omega tau + phi)."""
     A, phi = guess
     if not (math.isfinite(A) and A > 0 and math.isfinite(phi)):
-        raise ValueError(f"guess = (A, phi) = {guess} must be finite, A positive")
+        raise Refused(f"guess = (A, phi) = {guess} must be finite, A positive")
     return (-phi) % TURN, float(A)
 
 
@@ -398,11 +399,11 @@ def check_forcing(system: EquationOfMotion, Omega: float, F_0: float, *, from_re
     force = system.forcing(Omega=Omega, F_0=F_0)
     told = f"F_0 Omega^2 = {F_0} {Omega}^2" if system.inertial else f"F_0 = {F_0}"
     if force <= system.mu and not system.released:
-        raise ValueError(f"{told} does not exceed mu = {system.mu}: friction holds the mass for ever, it never moves")
+        raise Refused(f"{told} does not exceed mu = {system.mu}: friction holds the mass for ever, it never moves")
     if from_rest and stays_at_rest(system, Omega, F_0):
         name = "mu_s" if system.mu_s > system.mu else "mu"
         name += " and what the force jumps to at u = 0, together" if system.force.jump else ""
-        raise ValueError(
+        raise Refused(
             f"{told} does not exceed {name} = {system.holds(0)}: friction holds a mass at rest for ever; of motions "
             "beside that, if there are any, steady_state has the one next to A="
         )
@@ -412,9 +413,9 @@ def check_numbers(system: EquationOfMotion, Omega: float, F_0: float) -> None:
     """Raises ValueError unless Omega > 0 and F_0 > 0 are finite, and there is damping."""
     for name, value in (("Omega", Omega), ("F_0", F_0)):
         if not (math.isfinite(value) and value > 0):
-            raise ValueError(f"{name} = {value} must be positive and finite")
+            raise Refused(f"{name} = {value} must be positive and finite")
     if not system.is_damped:
-        raise ValueError("mu = 0 and zeta = 0: without any damping the forced motion has no attracting steady state")
+        raise Refused("mu = 0 and zeta = 0: without any damping the forced motion has no attracting steady state")
 
 
 def describe(cycle: Cycle, z: Array, F_0: float, monodromy: Array, phases: list[Phase] | None = None) -> SteadyState:
@@ -565,18 +566,18 @@ def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, 
     if settled.adrift is not None:
         ends = forced.system.force.breakpoints
         where = f"within |u| = {ends[0]:g}, where" if ends else "where"
-        raise ArithmeticError(ADRIFT.format(Omega=forced.Omega, F_0=forced.F_0, A=settled.adrift.A, where=where))
+        raise NotSettled(ADRIFT.format(Omega=forced.Omega, F_0=forced.F_0, A=settled.adrift.A, where=where))
     if settled.repeats:
-        raise NotSettled(RESTS_AT_JUMP.format(Omega=forced.Omega, F_0=forced.F_0, A=_largest(settled.phases)))
+        raise NotPeriodic(RESTS_AT_JUMP.format(Omega=forced.Omega, F_0=forced.F_0, A=_largest(settled.phases)))
     if at_rest(settled.phases):
-        raise NotSettled(COMES_TO_REST.format(Omega=forced.Omega, F_0=forced.F_0, u=u))
+        raise NotPeriodic(COMES_TO_REST.format(Omega=forced.Omega, F_0=forced.F_0, u=u))
     if parted >= PARTED:
         rate = parted ** (1.0 / PARTING_TURNS)
-        raise NotSettled(
+        raise NotPeriodic(
             CHAOTIC.format(Omega=forced.Omega, F_0=forced.F_0, turns=settled.turns + PARTING_TURNS, rate=rate)
         )
     drifts = settled.change < 1e-3 * _largest(settled.phases)
-    raise NotSettled(
+    raise NotPeriodic(
         f"no steady state found at Omega = {forced.Omega}, F_0 = {forced.F_0}: after {settled.turns} turns of the "
         f"forcing the motion comes back only to within {settled.change:.1e}; "
         + (

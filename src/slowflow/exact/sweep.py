@@ -20,6 +20,7 @@ from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import Forced, stops
 from slowflow.exact.shooting import at_rest, calmed, check_forcing, check_numbers, lengths, settle
 from slowflow.mechanism import EquationOfMotion
+from slowflow_support.errors import Refused
 
 Array = NDArray[np.float64]
 
@@ -88,7 +89,7 @@ def sweep(
     """
     frequencies = np.array(Omega, dtype=float, order="C")
     if frequencies.ndim != 1 or frequencies.size == 0:
-        raise ValueError(f"Omega must be a non-empty list of frequencies, not an array of shape {frequencies.shape}")
+        raise Refused(f"Omega must be a non-empty list of frequencies, not an array of shape {frequencies.shape}")
     for frequency in frequencies:
         check_numbers(system, float(frequency), F_0)
     check_forcing(system, float(frequencies.max()), F_0, from_rest=True)

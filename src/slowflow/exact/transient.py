@@ -22,6 +22,7 @@ from slowflow.exact.motion import TURN, Forced, Phase, follow
 from slowflow.mechanism import EquationOfMotion
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import CREEPS, MOST_TURNS, NEAR, POINTS, ROUNDS, SAME, Event
+from slowflow_support.errors import NotSettled
 
 Array = NDArray[np.float64]
 
@@ -161,7 +162,7 @@ def transient(
     peak, off_by = float(arcs[:, 2].max()), BACK * max(abs(at), abs(system.load))
     held = peak + off_by <= system.holds(system.force.region_of(at))
     if 0 < peak < off_by / WEAK and not held:
-        raise ArithmeticError(TOO_WEAK.format(peak, at, off_by / peak))
+        raise NotSettled(TOO_WEAK.format(peak, at, off_by / peak))
     forced = replace(system, inertial=False)  # an acceleration is a force, whatever else the oscillator is excited by
     stretches = list(_followed(forced, arcs, begin, after, at, integrator or default_integrator(system)))
     phases = [(stretch, phase) for stretch in stretches for phase in stretch.phases]
@@ -203,7 +204,7 @@ def _followed(
         creeps = abs(v) <= abs(u - at) * CREEPS or max(abs(u - at), abs(v)) <= A * CREEPS + BACK * abs(at)
         if tau >= over and (turned >= 2 or stretch.phases[-1].slip == 0 or creeps):
             return
-    raise ArithmeticError(f"within {MOST_TURNS} turns after the pulse the mass does not turn twice, and does not rest")
+    raise NotSettled(f"within {MOST_TURNS} turns after the pulse the mass does not turn twice, and does not rest")
 
 
 def _under(forced: Forced, tau: float, arc: Arc, u: float, v: float) -> Stretch:

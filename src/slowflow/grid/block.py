@@ -24,6 +24,7 @@ from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.second.many import UNANSWERED as OF_BATCHES
 from slowflow.second.many import SecondDesigns
 from slowflow.version import __version__
+from slowflow_support.errors import Refused
 
 
 class Question(NamedTuple):
@@ -168,7 +169,7 @@ class Ask:
         designs = self._designs(given)
         by = asked.beyond if isinstance(designs, SecondDesigns) else asked.by
         if by is None:
-            raise ValueError(f"{self.question}: {UNANSWERED[self.question]}")
+            raise Refused(f"{self.question}: {UNANSWERED[self.question]}")
         answer = by(designs, **beside, **dict(self.options), workers=self.workers)
         return tuple(getattr(answer, name) for name in self.columns())
 

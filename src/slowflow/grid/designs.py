@@ -24,6 +24,7 @@ from slowflow.model import THROUGHOUT, check_names
 from slowflow.off_centre.many import check_polynomial
 from slowflow.unchanging import Unchanging
 from slowflow_kernels.domains import DISSIPATION
+from slowflow_support.errors import Refused, WrongType
 
 __all__ = ["Grid"]
 
@@ -197,7 +198,7 @@ class Grid(Unchanging):
         must_travel(self.mechanism)
         nested = {dim for value in values.values() for dim, index in value.indexes.items() if index.nlevels > 1}
         if nested:
-            raise ValueError(
+            raise Refused(
                 f"the coordinate {nested.pop()} has several levels, which Zarr does not hold: .reset_index it"
             )
         along = sizes(values)
@@ -217,10 +218,10 @@ class Grid(Unchanging):
         given = {name: value for name, value in given.items() if value is not None}
         for name in asked.takes:
             if name not in given:
-                raise TypeError(f"{name} is missing for {question}")
+                raise WrongType(f"{name} is missing for {question}")
         for name in given:
             if name not in (*asked.takes, *asked.may, *asked.options):
-                raise TypeError(f"{name} is nothing for {question}")
+                raise WrongType(f"{name} is nothing for {question}")
         options = {name: given.pop(name, default) for name, default in asked.options.items()}
         self._check(question, options, given, workers)
         values, tables = self._with(asked, given)
@@ -244,7 +245,7 @@ class Grid(Unchanging):
         axes = {dim for name, value in values.items() for dim in value.dims if dim != asked.along.get(name)}
         taken = {*INNER, "done", *found.columns()} & {*axes, *values}
         if taken:
-            raise ValueError(
+            raise Refused(
                 f"an axis or a parameter cannot be named {taken.pop()}: the answer has something of that name"
             )
         return found, values
@@ -259,12 +260,12 @@ class Grid(Unchanging):
         if options.get("after") is not None:
             validate.number("after", options["after"], least=0.0)
         if question == "transient" and ("duration" in given) == ("tau" in given):
-            raise ValueError(NO_PULSE)
+            raise Refused(NO_PULSE)
         if question == "certify":
             validate.is_force(question, self.excitation)
             validate.is_plain(question, self._laws)
         if self._depth != DEPTHS[0] and QUESTIONS[question].beyond is None:
-            raise ValueError(f"{question}: {UNANSWERED[question]}")
+            raise Refused(f"{question}: {UNANSWERED[question]}")
 
     def _with(self, asked: Question, given: Mapping[str, Any]) -> tuple[dict[str, Any], tuple[str, ...]]:
         """All numbers of a question, and the names of those that are tables or records."""
@@ -313,13 +314,13 @@ def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
     for name, value in values.items():
         array = value if validate.is_labelled(value) else validate.real_array(name, value)
         if not all(length == length for length in array.shape):  # dask counts what it has not counted as NaN
-            raise ValueError(f"{name} has blocks of unknown length: {name}.compute_chunk_sizes() counts them")
+            raise Refused(f"{name} has blocks of unknown length: {name}.compute_chunk_sizes() counts them")
         if array.dtype.kind not in "fiu":
-            raise ValueError(f"{name} holds {array.dtype}: it must hold real numbers")
+            raise Refused(f"{name} holds {array.dtype}: it must hold real numbers")
         if isinstance(array, (xarray.DataArray, xarray.Variable)):
             found[name] = xarray.DataArray(array).reset_coords(drop=True)
         elif named and array.ndim:
-            raise ValueError(
+            raise Refused(
                 f"{name} has axes without names beside others that have them: xarray.DataArray({name}, dims=...)"
             )
         else:
@@ -327,12 +328,12 @@ def labelled(values: Mapping[str, Any]) -> dict[str, Any]:
     if not named:
         found = _by_position(xarray, found)
     if not all(isinstance(dim, str) for value in found.values() for dim in value.dims):
-        raise ValueError("the names of axes must be strings")
+        raise Refused("the names of axes must be strings")
     aligned = xarray.align(*found.values(), join="exact", copy=False)
     found = {name: _parameter(name, value) for name, value in zip(found, aligned, strict=True)}
     own = [name for name in found if name in sizes(found) and found[name].dims != (name,)]
     if own:
-        raise ValueError(
+        raise Refused(
             f"an axis is named {own[0]}, which {own[0]} itself does not lie along alone: give it another name"
         )
     return found
@@ -343,13 +344,13 @@ def tabled(name: str, value: Any, axis: str) -> Any:
     xarray = optional("xarray", "a grid", "grid")
     array = value if validate.is_labelled(value) else validate.real_array(name, value)
     if array.dtype.kind not in "fiu":
-        raise ValueError(f"{name} holds {array.dtype}: it must hold real numbers")
+        raise Refused(f"{name} holds {array.dtype}: it must hold real numbers")
     if isinstance(array, (xarray.DataArray, xarray.Variable)):
         found = xarray.DataArray(array).reset_coords(drop=True)
     elif array.ndim < 2:
         found = xarray.DataArray(array, dims=[axis][: array.ndim])
     else:
-        raise ValueError(f"{name} has several axes without names: xarray.DataArray({name}, dims=[..., {axis!r}])")
+        raise Refused(f"{name} has several axes without names: xarray.DataArray({name}, dims=[..., {axis!r}])")
     return found.astype(float).drop_vars(axis, errors="ignore")
 
 
@@ -369,7 +370,7 @@ def _parameter(name: str, value: Any) -> Any:
     """One parameter, in doubles; where it lies along an axis of its own name it must be that axis' coordinate."""
     value = value if value.dtype == float else value.astype(float)
     if name in value.coords and not np.array_equal(value.coords[name], value, equal_nan=True):
-        raise ValueError(f"the coordinate {name} is not the numbers of {name}: give the axis another name")
+        raise Refused(f"the coordinate {name} is not the numbers of {name}: give the axis another name")
     return value
 
 
@@ -405,4 +406,4 @@ def must_travel(mechanism: Mechanism) -> None:
     try:
         pickle.loads(pickle.dumps(mechanism))
     except Exception as error:
-        raise ValueError(f"{mechanism.name} cannot be sent to other processes: {error}") from error
+        raise Refused(f"{mechanism.name} cannot be sent to other processes: {error}") from error

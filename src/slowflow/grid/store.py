@@ -26,6 +26,7 @@ from slowflow import progress
 from slowflow.grid import meaning
 from slowflow.grid.block import INNER, Ask
 from slowflow.model import THROUGHOUT
+from slowflow_support.errors import Refused
 
 #: which blocks are written; it is made last, so that a store which has it is prepared
 DONE = "done"
@@ -169,7 +170,7 @@ def _begun(path: Any, asked: dict[str, Any], about: dict[str, Any]) -> Any:
     other = sorted(name for name in begun | asked if begun.get(name) != asked.get(name))
     if other:
         told = "; ".join(f"{name}: {begun.get(name, 'none')} there, {asked.get(name, 'none')} here" for name in other)
-        raise ValueError(f"{path} was begun with others, and is left as it is: {told}")
+        raise Refused(f"{path} was begun with others, and is left as it is: {told}")
     return group
 
 

@@ -19,6 +19,7 @@ from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.moves import Given
 from slowflow.results import DRAWN, NOT_ASKED, InDecibels, Measured, MeasuredFolds, Measures, Remark
 from slowflow_kernels.conventions import Pinned
+from slowflow_support.errors import Refused
 
 NOT_MEASURED = "off the centre states and folds are measured, as amplitudes(...).measure(): this answer is neither"
 WITHIN = "no gradient is derived where the mean turns back at the peak"
@@ -169,7 +170,7 @@ class OffCentreStates(AveragedOff, InDecibels, Table):
         `.A` of the answer is the largest |u| of the motion, and `.error` that of `u_max`.
         """
         if self._asked is None:
-            raise ValueError(NOT_ASKED)
+            raise Refused(NOT_ASKED)
         return self._asked.measured_states(self, force, self.B)
 
     def gradient(self) -> Gradient:
@@ -248,7 +249,7 @@ class OffCentreFolds(AveragedOff, Table):
         `.A` of the answer is the largest |u| at the fold, and `.error_of_A` that of |B| + A.
         """
         if self._asked is None:
-            raise ValueError(NOT_ASKED)
+            raise Refused(NOT_ASKED)
         return self._asked.measured_folds(self, force, self.B)
 
     def gradient(self) -> Gradient:

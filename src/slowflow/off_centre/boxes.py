@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.model import Floats
+from slowflow_support.errors import NotSettled
 
 Ints = NDArray[np.intp]
 
@@ -80,7 +81,7 @@ def _solve(equations: Equations, low: Floats, high: Floats, of: Ints) -> Solutio
     while of.size:
         looked_at += of.size
         if looked_at > most:
-            raise ArithmeticError(TOO_MANY)
+            raise NotSettled(TOO_MANY)
         x, r = 0.5 * (low + high), 0.5 * (high - low)
         least, most_ = equations.limits(of)
         around = AROUND * r + doubt

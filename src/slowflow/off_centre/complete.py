@@ -22,6 +22,7 @@ from slowflow.off_centre.means import Steps
 from slowflow.off_centre.onset import Lowest, Search
 from slowflow.off_centre.sheets import FARTHEST, TOO_FAR, Corner, Sheets
 from slowflow_kernels import off_centre, slow_flow
+from slowflow_support.errors import NotSettled, OutOfRange, Refused
 
 #: octaves of the amplitude that are looked at apart from the first, below and above the size of the problem
 BELOW, ABOVE = 4, 8
@@ -92,16 +93,16 @@ class Complete:
         while True:
             best = min(known, key=lambda fold: fold.F_0, default=None)
             if best is not None and not best.kind:
-                raise ArithmeticError("folds of ever lower forcing go on to Omega = 0, or to where the mean turns back")
+                raise NotSettled("folds of ever lower forcing go on to Omega = 0, or to where the mean turns back")
             if best is not None and best.A > self.A_max(best.F_0):
-                raise ArithmeticError("folds of ever lower forcing go on to ever larger amplitudes")
+                raise NotSettled("folds of ever lower forcing go on to ever larger amplitudes")
             F_0 = math.inf if best is None else best.F_0
             lower = search.lower(self.sheets, self.A_max(self._flow.m if best is None else F_0), F_0)
             if lower is None:
                 return best
             known.append(search.descend(*lower))
             if best is not None and known[-1].F_0 >= best.F_0:
-                raise ArithmeticError("a lower fold is known of, but not reached")
+                raise NotSettled("a lower fold is known of, but not reached")
 
     def A_max(self, F_0: float) -> float:
         """Up to which amplitude folds at F_0 are looked for: 2^8 times what the problem is as large as.
@@ -128,20 +129,20 @@ class Complete:
         if self._steps.beyond is not None:
             settled = max(one.settled for one in self._steps.beyond)
             if not math.isfinite(settled):
-                raise ValueError(UNBOUNDED)
+                raise Refused(UNBOUNDED)
             return (A + settled) * (1 + 2.0**-40)
         try:
             bound = max(self._outer_bound(np.trim_zeros(last, "b").tolist(), A) for last in self._steps.outer)
         except OverflowError:  # of a power of A, in Python's words
             bound = math.inf
         if not bound < FARTHEST:
-            raise OverflowError(TOO_FAR.format(max(A, bound)))
+            raise OutOfRange(TOO_FAR.format(max(A, bound)))
         return bound
 
     def _outer_bound(self, last: list[float], A: float) -> float:
         n = len(last) - 1
         if n < 1:
-            raise ValueError(UNBOUNDED)
+            raise Refused(UNBOUNDED)
         # coefficients of B^k in <f(B + A cos psi)>, |.| at most
         size = [
             sum(abs(last[j]) / (math.factorial(k) * math.factorial(j - k)) * A ** (j - k) for j in range(k, n + 1))

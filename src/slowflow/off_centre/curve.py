@@ -21,6 +21,7 @@ from slowflow.off_centre.boxes import Ints
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps
 from slowflow_kernels import off_centre
+from slowflow_support.errors import NotSettled
 
 #: frequencies of a cell that are asked for at first, and how often a stretch is cut where its arcs are not told apart
 FIRST, CUTS = 6, 12
@@ -153,7 +154,7 @@ class _Skeleton:
         for part in parts:
             a, b = self.Omega[part.a], self.Omega[part.b]
             if part.cuts > CUTS:
-                raise ArithmeticError(UNRESOLVED.format(a, b))
+                raise NotSettled(UNRESOLVED.format(a, b))
             if part.folds:
                 fold = float(self.folds[0, list(part.folds)].mean())
                 # where another fold is near on one side, as near on the other

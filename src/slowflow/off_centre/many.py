@@ -36,6 +36,7 @@ from slowflow.unchanging import Unchanging
 from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import MovesStatus, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
+from slowflow_support.errors import Refused
 
 NO_GRADIENT = (
     "off the centre states, folds, onsets, detachments, peaks, isolation and places of rest have gradients: this "
@@ -433,7 +434,7 @@ class OffCentreDesigns(Unchanging):
         """
         self._of_no_frequency("transient")
         if (duration is None) == (tau is None):
-            raise ValueError(NO_PULSE)
+            raise Refused(NO_PULSE)
         if after is not None:
             after = validate.number("after", after, least=0.0)
         if tau is None:

@@ -28,6 +28,7 @@ from slowflow.model import Floats
 from slowflow.off_centre.curved import Curved, Part
 from slowflow.off_centre.smooth import SINGULAR, Beyond, check, outwards
 from slowflow_kernels import off_centre, off_centre_intervals
+from slowflow_support.errors import NotSettled
 
 NO_MEANS = "motions off the centre are not derived for a force {}"
 JUMPS = "that jumps at u = 0, as a preload does"
@@ -123,7 +124,7 @@ class Steps:
         edges = [-math.inf, *self.breakpoints.tolist(), math.inf]
         for row, low, high in zip(self.pieces, edges, edges[1:], strict=False):
             if row[0] == self.load and not row[1:].any():
-                raise ArithmeticError(IN_PLAY.format(load=self.load, low=low, high=high))
+                raise NotSettled(IN_PLAY.format(load=self.load, low=low, high=high))
 
     def first(self) -> Steps:
         """The first piece alone, as if it held everywhere."""

@@ -27,6 +27,7 @@ from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.sheets import Cells, Corner, Sheets
 from slowflow_kernels import off_centre
+from slowflow_support.errors import NotSettled
 
 #: relative distance below F_SN within which no fold is proved to be absent
 GAP = 2.0**-16
@@ -190,7 +191,7 @@ class Search:
         while cells.chart.size:
             looked_at += cells.chart.size
             if looked_at > MOST_BOXES:
-                raise ArithmeticError("too many boxes of A and B may hold a lower fold")
+                raise NotSettled("too many boxes of A and B may hold a lower fold")
             with np.errstate(all="ignore"):
                 cells = cells.take(self._may_be_lower(cells, known * (1 - GAP)))
             if 0 < cells.chart.size <= FEW:

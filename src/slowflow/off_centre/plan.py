@@ -9,6 +9,7 @@ from slowflow import validate
 from slowflow.averaged import words
 from slowflow.averaged.plan import AT_ONE, COMPOSED, QUESTIONS, Plan, Step
 from slowflow.model import Model
+from slowflow_support.errors import Refused
 
 _PLANE = "the plane of amplitude A and mean B is cut until each box is proved to hold"
 _BOXES = f"{_PLANE} one or none"
@@ -59,7 +60,7 @@ def plan(question: str, F_0: float | None, model: Model) -> Plan:
     """The plan for one of `STEPS`. Raises ValueError for a forcing that is missing, or not needed."""
     at_one = question in (*QUESTIONS, *AT_ONE)
     if not at_one and F_0 is not None:
-        raise ValueError(f"F_0 = {F_0!r} is not allowed: {question} is about all forcings")
+        raise Refused(f"F_0 = {F_0!r} is not allowed: {question} is about all forcings")
     if not at_one:
         return Plan(question, None, model, False, STEPS[question])
     forcing = validate.number("F_0", F_0, above=0.0)

@@ -43,6 +43,7 @@ from slowflow.off_centre.reach import BEYOND as BEYOND_IT
 from slowflow.results import Measures, Remark, SaddleNodes
 from slowflow.unchanging import Unchanging
 from slowflow_kernels import dissipation, off_centre
+from slowflow_support.errors import NotSettled, OutOfRange, Refused
 
 #: octaves of an amplitude beside the size of the problem, where what is beyond is not bounded by a polynomial
 OCTAVES = 40
@@ -243,7 +244,7 @@ class OffCentre(Unchanging):
         means = np.cumprod(np.append(1.0, off_centre.versine(n[:-1])))
         coefficients = np.trim_zeros(np.array(at_end) * means / factorials * (-1.0 if of == 0 else 1.0) ** n, "b")
         if coefficients.size < 2:
-            raise ValueError(UNBOUNDED)
+            raise Refused(UNBOUNDED)
         size = np.abs(coefficients)
         size[0] += abs(self.load)
         return float(1.0 + size[:-1].max() / size[-1])
@@ -257,7 +258,7 @@ class OffCentre(Unchanging):
             found, _ = Detaching(self._steps).on(middle, half, np.full(low.size, of))
         may = ~((found[0, 0] > 0) | (found[1, 0] < 0))
         if may[-1]:
-            raise ValueError(UNBOUNDED)
+            raise Refused(UNBOUNDED)
         return float(high[may].max(initial=edges[0]))
 
     def _no_detachment(self, message: str) -> OffCentreDetachment:
@@ -353,7 +354,7 @@ class OffCentre(Unchanging):
         """Every state at some frequencies, without a load those off the centre, and the number of its frequency."""
         x, of, undecided = self._complete.states(Omega, F_0)
         if undecided.size:
-            raise ArithmeticError("the response is unresolved: at a frequency next to a fold doubles do not decide")
+            raise NotSettled("the response is unresolved: at a frequency next to a fold doubles do not decide")
         off = np.abs(x[1]) > AT_CENTRE if self._complete.has_centre else np.ones(of.size, dtype=bool)
         return x[:, off], of[off]
 
@@ -466,7 +467,7 @@ class OffCentre(Unchanging):
             return self._no_peak(F_0, why)
         highest, widest = (self._farthest(F_0, measure) for measure in (AMPLITUDE, LARGEST))
         if highest is None or widest is None:
-            raise ArithmeticError("the farthest motion is unresolved: none is found")
+            raise NotSettled("the farthest motion is unresolved: none is found")
         said = _Said(TURNS) if highest.turns or widest.turns else _Said()
         said = said.beside(self._beyond_reach(highest.A, widest.value - highest.A))
         columns = highest.A, highest.B, highest.Omega, widest.value, widest.Omega
@@ -696,9 +697,9 @@ class OffCentre(Unchanging):
     def _check_answered(self, question: str) -> None:
         """Raises where a question has no answer: what is too small, without damping, or leaves the centre by itself."""
         if self._steps.length < SHORTEST and not self._keeps_centre:
-            raise OverflowError(TOO_SMALL.format(self._steps.length))
+            raise OutOfRange(TOO_SMALL.format(self._steps.length))
         if not self._flow.damps:
-            raise ValueError(UNDAMPED.format(question))
+            raise Refused(UNDAMPED.format(question))
         if self._complete.has_centre and not self._flow.plain and not self._keeps_centre:
             beside = [f"excitation = {self._model.excitation!r}"] * self._model.inertial
             told = ", ".join([*beside, *([self._model.laws.told()] if self._model.laws.any else [])])

@@ -30,6 +30,7 @@ from slowflow.off_centre.flow import ROUNDED, Flow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.sheets import Cells, Sheets
 from slowflow_kernels import off_centre
+from slowflow_support.errors import NotSettled
 
 #: share of the farthest beyond which it is proved that no motion goes
 GAP = 2.0**-24
@@ -106,7 +107,7 @@ class Reach:
         while cells.chart.size:
             looked_at, rounds = looked_at + cells.chart.size, rounds + 1
             if looked_at > MOST_BOXES:
-                raise ArithmeticError("the farthest motion is unresolved: too many boxes stay undecided")
+                raise NotSettled("the farthest motion is unresolved: too many boxes stay undecided")
             with np.errstate(all="ignore"):
                 most = measure.most(cells.A, cells.B, cells.p)
                 left = ~((cells.rising.hi <= 0) | (self.flow.needed(cells.A, cells.p) * (1 - ROUNDED) > F_0))
@@ -213,5 +214,5 @@ class Reach:
         """The highest frequency of a state. Raises ArithmeticError where rounding leaves none."""
         found = self.flow.frequencies(A, h, F_0)
         if np.isnan(found).all():
-            raise ArithmeticError(NO_FREQUENCY.format(float(A[0])))
+            raise NotSettled(NO_FREQUENCY.format(float(A[0])))
         return float(np.nanmax(found))

@@ -22,6 +22,7 @@ from slowflow.off_centre.by_ends import EndedEdge, resists
 from slowflow.off_centre.ends import Charts, above_diagonal
 from slowflow.off_centre.flow import ROUNDED, Flow
 from slowflow.off_centre.means import ALL, Steps
+from slowflow_support.errors import NotSettled, OutOfRange
 
 #: octaves of the ends' distance from a chart's edge that are cut apart at first, and parts of a chart between two edges
 BELOW, PARTS = 5, 4
@@ -117,7 +118,7 @@ class Sheets:
         Raises OverflowError for an amplitude that is not known to be below `FARTHEST`.
         """
         if not A_max < FARTHEST:
-            raise OverflowError(TOO_FAR.format(A_max))
+            raise OutOfRange(TOO_FAR.format(A_max))
         needed = math.ceil(math.log2(A_max))
         return min((octave for octave in self._known if octave >= needed), default=needed)
 
@@ -204,7 +205,7 @@ class Sheets:
         done: list[Cells] = []
         for number in range(ROUNDS):
             if chart.size > MOST_BOXES:
-                raise ArithmeticError(TOO_MANY)
+                raise NotSettled(TOO_MANY)
             empty, cells = self.looked_at(low, high, chart)
             empty |= cells.A.lo > A_max
             cells = cells.take(~empty)
@@ -228,7 +229,7 @@ class Sheets:
         """Boxes of all charts: motions up to an amplitude."""
         charts, bound = self.charts, A_max + self._offset_bound(A_max)
         if not bound < FARTHEST:
-            raise OverflowError(TOO_FAR.format(bound))
+            raise OutOfRange(TOO_FAR.format(bound))
         octaves = self._size * 0.5 ** np.arange(BELOW, -math.ceil(math.log2(bound / self._size)) - 1, -1)
         boxes, number = [], []
         for chart in range(charts.passes.size):
@@ -246,7 +247,7 @@ class Sheets:
                     inside = both[(both > low) & (both < high)]
                     edges.append(np.unique(np.concatenate(([max(low, both[0])], inside, [min(high, both[-1])]))))
             if len(edges[0]) * len(edges[1]) > MOST_BOXES:  # an amplitude of hundreds of octaves
-                raise ArithmeticError(TOO_MANY)
+                raise NotSettled(TOO_MANY)
             for a, b in zip(edges[0], edges[0][1:], strict=False):
                 for c, d in zip(edges[1], edges[1][1:], strict=False):
                     if charts.passes[chart] or b + d > 0:
@@ -281,7 +282,7 @@ class Sheets:
                 return
             with np.errstate(all="ignore"):
                 cells = self.cut(open_)
-        raise ArithmeticError(UNKNOWN)
+        raise NotSettled(UNKNOWN)
 
     def states(self, A_max: float, Omega: Floats, F_0: float, flow: Flow) -> tuple[Floats, Floats, Ints]:
         """Boxes of x and y in which states may be, and of which system each is."""

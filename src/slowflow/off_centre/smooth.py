@@ -14,6 +14,7 @@ import numpy as np
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.model import Floats
 from slowflow.off_centre.curved import Part
+from slowflow_support.errors import Refused
 
 #: parts of an octave, octaves from the least to the most that is looked at, beside the size of the problem
 PARTS, LEAST, MOST = 8, -20, 40
@@ -71,7 +72,7 @@ def outwards(
                 held = part.force(Interval(np.full((2, 1), side * near)))[0]
             if near > max(start, 0.0) and (held if side > 0 else -held).lo[0] > AT_WALL * max(1.0, abs(load)):
                 return Beyond(near, settled, min(grown, near))
-            raise ValueError(complain(side * low))
+            raise Refused(complain(side * low))
         if not push > 0:
             if high - low > 2.0**-6 * high and high > size * 2.0**LEAST * 2:
                 pending += cells(np.array((low, 0.5 * (low + high), high)))
@@ -93,6 +94,6 @@ def check(part: Part, low: float, high: float, complain: Callable[[float], str])
         if all(np.isfinite(one.ends).all() for one in values):
             continue
         if b - a < NARROW * max(abs(a), abs(b), high - low):
-            raise ValueError(complain(a))
+            raise Refused(complain(a))
         middle = 0.5 * (a + b)
         pending += [(a, middle), (middle, b)]

@@ -16,6 +16,7 @@ from typing import Any
 from slowflow.isolator import Isolator
 from slowflow.paper import example
 from slowflow.results import SaddleNodes
+from slowflow_support.errors import NotSettled
 
 #: the ledger prints 12 significant digits
 LEDGER_DIGITS = 12
@@ -64,7 +65,7 @@ def _fold(folds: SaddleNodes, kind: str) -> tuple[float, float]:
 def _row(what: str, value: float | None, judged: dict[str, str]) -> Row:
     certified = float(judged["derived"])
     if value is None or not math.isclose(value, certified, rel_tol=10.0 ** (1 - LEDGER_DIGITS)):
-        raise ArithmeticError(f"{what}: the runtime has {value!r}, the ledger {judged['derived']}")
+        raise NotSettled(f"{what}: the runtime has {value!r}, the ledger {judged['derived']}")
     return Row(what, judged["published"], value, judged["verdict"])
 
 

@@ -20,6 +20,7 @@ from scipy.special import expit
 from slowflow.exact.shooting import check_forcing
 from slowflow.mechanism import EquationOfMotion
 from slowflow_kernels import motion
+from slowflow_support.errors import NotSettled, Refused
 
 Array = NDArray[np.float64]
 
@@ -58,9 +59,9 @@ def direct_integration(
     """
     check_forcing(system, Omega, F_0)
     if not 0 < kept <= turns:
-        raise ValueError(f"kept = {kept} must lie between 1 and turns = {turns}")
+        raise Refused(f"kept = {kept} must lie between 1 and turns = {turns}")
     if not nu > 0:
-        raise ValueError(f"nu = {nu} must be positive")
+        raise Refused(f"nu = {nu} must be positive")
     field, jacobian = _smoothed(system, Omega, F_0, nu)
     turn = 2.0 * math.pi / Omega
 
@@ -74,7 +75,7 @@ def direct_integration(
     grid[-1] = turns * turn
     run = solve_ivp(field, (start, turns * turn), before.y[:, -1], t_eval=grid, events=at_rest, **options)
     if not (before.success and run.success):
-        raise ArithmeticError(f"the stiff solver failed at Omega = {Omega}, F_0 = {F_0}: {run.message}")
+        raise NotSettled(f"the stiff solver failed at Omega = {Omega}, F_0 = {F_0}: {run.message}")
     turning = np.abs(run.y_events[0][:, 0])
     number = np.floor((run.t_events[0] - start) / turn).astype(int)
     peaks = [float(np.max(turning[number == n])) for n in range(kept) if np.any(number == n)]
@@ -85,7 +86,7 @@ def _smoothed(system: EquationOfMotion, Omega: float, F_0: float, nu: float):  #
     """The right-hand side of (A1) as a first-order system in tau, and its Jacobian."""
     pieces, breakpoints = system.force.pieces, system.force.breakpoints
     if len(breakpoints) > 1:
-        raise ValueError(f"the smoothing (A2) knows one breakpoint, not {len(breakpoints)}")
+        raise Refused(f"the smoothing (A2) knows one breakpoint, not {len(breakpoints)}")
     u_cr = breakpoints[0] if breakpoints else 0.0
     inner, outer = pieces[0], pieces[-1]
 

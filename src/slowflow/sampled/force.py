@@ -21,6 +21,7 @@ from numpy.polynomial.legendre import leggauss
 from slowflow.sampled.polynomial import ORDERS, Floats, Smooth
 from slowflow_kernels import sampled
 from slowflow_kernels.quadrature_conventions import DENSE, NODES
+from slowflow_support.errors import Refused, WrongType
 from slowflow_support.quadrature import over_quarter
 
 #: a function stated for u > 0 and u < 0 is odd within this share of itself
@@ -47,7 +48,7 @@ class Force:
         given = stated.given(numbers)
         if any(not end >= begin for begin, end in pairwise((0.0, *self.ends))):
             where = ", ".join(f"{end:g}" for end in self.ends)
-            raise ValueError(f"{given}pieces of {stated.name} end at |u| = {where}: these must rise up to the reach")
+            raise Refused(f"{given}pieces of {stated.name} end at |u| = {where}: these must rise up to the reach")
         self.smooth: list[Smooth | None] = []
         for number, (begin, end) in enumerate(zip(begins, self.ends, strict=True)):
             if not end > begin:
@@ -63,7 +64,7 @@ class Force:
             from_zero = begin == 0 or self._ends_with_zero()
             self.smooth.append(Smooth(values, end - begin, from_zero, told))
         if self.smooth[-1] is None:
-            raise ValueError(f"{given}the last piece of {stated.name} begins at its reach, {stated.reach:g}")
+            raise Refused(f"{given}the last piece of {stated.name} begins at its reach, {stated.reach:g}")
         self._join()
 
     def _ends_with_zero(self) -> bool:
@@ -234,7 +235,7 @@ class Stated:
         try:
             pickle.dumps((self.functions, self.ends))
         except Exception as error:
-            raise TypeError(
+            raise WrongType(
                 f"{self.name} cannot be pickled, as its functions cannot: {error}. Those that a module defines can"
             ) from error
         return Stated, (self.name, self.functions, self.ends, self.names, self.reach)
@@ -271,7 +272,7 @@ class Stated:
             return function(*at, **self.by_name(numbers))
         except Exception as error:
             where = f" at u = {at[0]!r}" if at else ""
-            raise ValueError(
+            raise Refused(
                 f"{self.given(numbers)}{what} of {self.name} raises {type(error).__name__}{where}: {error}"
             ) from error
 
@@ -289,7 +290,7 @@ class Stated:
         bad = ~np.isfinite(together)
         if bad.any():
             where = int(np.argmax(bad))
-            raise ValueError(
+            raise Refused(
                 f"{self.given(numbers)}{what} of {self.name} is {together[where]} at u = {u[where]:.17g}: "
                 f"it must be finite up to its end, and up to the reach, {self.reach:g}"
             )
@@ -310,7 +311,7 @@ class Stated:
             except Exception:
                 return
             if not math.isnan(left) and not abs(left + value) <= ODD * np.abs(right).max():
-                raise ValueError(
+                raise Refused(
                     f"{self.given(numbers)}piece {number + 1} of {self.name} is {value:.6g} at u = {one:g} "
                     f"and {left:.6g} at u = {-one:g}: it is not odd. In a function a preload is copysign(c, u), "
                     "an even power u abs(u)"
@@ -324,9 +325,9 @@ def _real(what: str, value: Any, finite: bool = True) -> float:
             raise TypeError
         found = float(value)
     except (TypeError, ValueError):
-        raise ValueError(f"{what} is {value!r}: it must be a real number") from None
+        raise Refused(f"{what} is {value!r}: it must be a real number") from None
     if finite and not math.isfinite(found):
-        raise ValueError(f"{what} is {found!r}: it must be finite")
+        raise Refused(f"{what} is {found!r}: it must be finite")
     return found
 
 
@@ -340,4 +341,4 @@ def check_signature(what: str, function: Callable[..., Any], names: Sequence[str
         signature.bind(*(0.0,) * before, **dict.fromkeys(names, 0.0))
     except TypeError as error:
         called = ", ".join([*("u",) * before, *(f"{name}=..." for name in names)])
-        raise TypeError(f"{what} cannot be called as f({called}): {error}") from None
+        raise WrongType(f"{what} cannot be called as f({called}): {error}") from None

@@ -14,6 +14,8 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
+from slowflow_support.errors import Refused
+
 Floats = NDArray[np.float64]
 
 #: points of the first look, and of the last
@@ -65,7 +67,7 @@ class Smooth:
         size = float(np.abs(given).max(initial=0.0))
         self.error = float(np.abs(given - self.at(v, (0,))[0]).max()) / size if size > 0 else 0.0
         if self.error > math.sqrt(RESOLVED):
-            raise ValueError(f"{told} is not the polynomial through {self.points} of its values: {_LEFT}")
+            raise Refused(f"{told} is not the polynomial through {self.points} of its values: {_LEFT}")
 
     def _places(self, count: int) -> Floats:
         return np.asarray(0.5 * self.length * (1 - np.cos(np.pi * (np.arange(count) + 0.5) / count)))
@@ -86,7 +88,7 @@ class Smooth:
                 break
             count *= 2
         if found is None:
-            raise ValueError(f"{told}: {MOST} of its values leave {tail / size:.1g} of it open: {_LEFT}")
+            raise Refused(f"{told}: {MOST} of its values leave {tail / size:.1g} of it open: {_LEFT}")
         coefficients, tail, self.points = found
         self.noise = float(max(tail, 2.0**-53 * np.abs(coefficients).max()))
         kept = np.flatnonzero(np.abs(coefficients) > self.noise)

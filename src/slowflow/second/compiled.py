@@ -11,6 +11,7 @@ from slowflow.second.balance import Balance
 from slowflow.second.found import Curve, Fold, Folds, State, told, told_of_folds
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.second_conventions import Wanted
+from slowflow_support.errors import NotSettled
 
 
 def serves(balance: Balance) -> bool:
@@ -47,7 +48,7 @@ def folds(balance: Balance, curve: Curve, F_0: float) -> Folds:
     """Every fold between points of the curve."""
     status, found, lost, tried = backend.solver().second_folds(balance.model.native, F_0, curve.native)
     if status != Status.OK:
-        raise ArithmeticError(words.unresolved(balance.model, F_0))
+        raise NotSettled(words.unresolved(balance.model, F_0))
     return told_of_folds([Fold(*fold) for fold in found], lost, tried, curve.message, F_0)
 
 

@@ -29,6 +29,7 @@ from slowflow.second.answers import SecondFolds, SecondResponse, SecondStates
 from slowflow.second.balance import Balance
 from slowflow.second.found import Curve, Folds
 from slowflow_kernels.second_conventions import BEYOND, SAMPLES, Wanted
+from slowflow_support.errors import Refused
 
 if TYPE_CHECKING:
     from slowflow.averaged.questions import Averaged
@@ -96,7 +97,7 @@ class SecondApproximation:
         mechanism = self.first.model.mechanism
         for u_cr in self.first.breakpoints:
             if u_cr > mechanism.harmonics_up_to:
-                raise ValueError(
+                raise Refused(
                     f"u_cr = {u_cr:g} is not allowed here: the harmonics of this force are derived for "
                     f"u_cr <= {mechanism.harmonics_up_to:g}"
                 )
@@ -118,7 +119,7 @@ class SecondApproximation:
         if question not in SECOND:
             why = f"; {question}: {UNANSWERED[question]}" if question in UNANSWERED else ""
             allowed = f"{', '.join(SECOND)}{why or validate.meant(question, SECOND)}"
-            raise ValueError(f"question = {question!r} is not allowed: it must be one of {allowed}")
+            raise Refused(f"question = {question!r} is not allowed: it must be one of {allowed}")
         first = self.first.explain(question, F_0)
         skipped = first.sticks or (question == "saddle_nodes" and not first.folds)
         after = Step("harmonics", not skipped, "nothing to begin with" if skipped else SECOND[question])

@@ -24,6 +24,7 @@ from slowflow.physical import Physical
 from slowflow.plausible import Implausible
 from slowflow.quantities import EXCITED, SHEET, UNITS, in_shown, si, turns
 from slowflow.sizing.subject import Subject, first_jump
+from slowflow_support.errors import NotSettled, Refused
 
 #: share of all fits whose interval holds the number, if the noise is normal and the equations are right
 CONFIDENCE = 0.95
@@ -128,7 +129,7 @@ def fit(
     with contextlib.nullcontext() if subject.mount is None else subject.mount.scales.in_these_terms():
         (of if subject.mount is None else of.oscillator).at_centre("fit")
     if (A is None) == (jump_up is None and jump_down is None):
-        raise ValueError("a fit needs either measured amplitudes A, or jump_up or jump_down")
+        raise Refused("a fit needs either measured amplitudes A, or jump_up or jump_down")
     if subject.mount:
         F, f, A = si("F", F, EXCITED[subject.excitation][2]), turns("f", f), si("A", A, "meter")
         jump_up, jump_down = turns("jump_up", jump_up), turns("jump_down", jump_down)
@@ -158,9 +159,9 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
     """The numbers that leave the least squares."""
     size = measured.values.size
     if not names:
-        raise ValueError("free = [] is not allowed: name at least one number to find")
+        raise Refused("free = [] is not allowed: name at least one number to find")
     if size <= len(names):
-        raise ValueError(f"{size} points are too few for {len(names)} numbers")
+        raise Refused(f"{size} points are too few for {len(names)} numbers")
     start = np.array([subject.nominal[name] or FROM_NOTHING for name in names])
 
     def residuals(x: Floats) -> Floats:
@@ -179,7 +180,7 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
     try:
         covariance = np.linalg.inv(found.jac.T @ found.jac) * deviation**2
     except np.linalg.LinAlgError:
-        raise ArithmeticError(f"the points do not determine {', '.join(names)}") from None
+        raise NotSettled(f"the points do not determine {', '.join(names)}") from None
     error = np.sqrt(np.diag(covariance))
     value, error, correlation = found.x * start, error * start, covariance / np.outer(error, error)
     half = float(student.ppf(0.5 * (1 + CONFIDENCE), left)) * error
@@ -201,7 +202,7 @@ def _fitted(subject: Subject, measured: _Measured, names: list[str]) -> Fit:
 def _amplitudes(subject: Subject, given: Mapping[str, Any], A: Any) -> _Measured:
     """Amplitudes at frequencies and forcings."""
     if any(value is None for value in given.values()):
-        raise ValueError(f"{' and '.join(given)} are needed: where the amplitudes were measured")
+        raise Refused(f"{' and '.join(given)} are needed: where the amplitudes were measured")
     points = {name: validate.positive_array(name, value) for name, value in {**given, "A": A}.items()}
     shape = validate.common_shape(points)
     at, forcing, measured = (np.broadcast_to(values, shape).ravel() for values in points.values())
@@ -213,13 +214,13 @@ def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
     """Frequencies of jumps at forcings."""
     force, frequency = ("F", "f/Hz") if subject.mount else ("F_0", "Omega")
     if forcing is None:
-        raise ValueError(f"{force} is needed: at which it jumped")
+        raise Refused(f"{force} is needed: at which it jumped")
     forces = validate.positive_array(force, forcing).ravel()
     seen = []
     for name, value in (("jump_up", up), ("jump_down", down)):
         row = np.full(forces.size, np.nan) if value is None else validate.real_array(name, value).astype(float)
         if row.shape != forces.shape or (row <= 0).any() or np.isinf(row).any():
-            raise ValueError(f"{name} is not allowed: it must have a frequency > 0, or NaN, for each {force}")
+            raise Refused(f"{name} is not allowed: it must have a frequency > 0, or NaN, for each {force}")
         seen.append(row)
     measured = np.array(seen)
     there = ~np.isnan(measured)

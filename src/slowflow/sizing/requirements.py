@@ -23,6 +23,7 @@ from slowflow.physical import Physical
 from slowflow.quantities import SHEET, in_shown
 from slowflow.sizing.slopes import slopes
 from slowflow.sizing.subject import Load, Subject
+from slowflow_support.errors import Refused
 
 #: what is missing of an answer that a design does not have: more than any two doubles differ, as the log of their ratio
 ABSENT = 2e3
@@ -371,7 +372,7 @@ def meet(
     subject = Subject(of, validate.mapping("free", free, "pairs (lowest, highest)"))
     search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, f, Omega, shock, spectrum), seed)
     if not search.wanted or not free:
-        raise ValueError("meet needs at least one requirement and one free number")
+        raise Refused("meet needs at least one requirement and one free number")
     # ranges as narrow as rounding, requirements as large as numbers are
     with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
         x = search.nearest()
@@ -415,7 +416,7 @@ def front(
     search = _Search(subject, free, at_least, at_most, subject.load(F, F_0, f, Omega, shock, spectrum), seed)
     pair = [(name, 1.0) for name in high] + [(name, -1.0) for name in low]
     if len({name for name, _ in pair}) != 2 or len(pair) != 2 or not free:
-        raise ValueError("front needs two answers, in high or in low, and at least one free number")
+        raise Refused("front needs two answers, in high or in low, and at least one free number")
     names = one, other = (pair[0][0], pair[1][0])
     subject.answered(names, search.load)
     points = validate.count("points", points, least=2)

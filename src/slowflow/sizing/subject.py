@@ -28,6 +28,7 @@ from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_kernels.scaling import SCALES
+from slowflow_support.errors import Refused
 
 #: what can be asked of designs, by kind; a frequency is called with an f of a mount, with an Omega of an isolator, and
 #: an amplitude of the excitation is what `EXCITED` says
@@ -103,7 +104,7 @@ class Subject:
         self.mount = of if isinstance(of, Physical) else None
         isolator = of.oscillator if isinstance(of, Physical) else of
         if not isinstance(isolator, Isolator):
-            raise ValueError(f"{of!r} is not allowed: it must be an Isolator, or one made by Isolator.physical")
+            raise Refused(f"{of!r} is not allowed: it must be an Isolator, or one made by Isolator.physical")
         self.mechanism, self.excitation = isolator.model.mechanism, isolator.excitation
         self.loaded, self.rubs = isolator.load != 0, isolator.rubs
         self.nominal = self._numbers(isolator)
@@ -188,7 +189,7 @@ class Subject:
         (forcing, frequency), others = ((F, f), (F_0, Omega)) if self.mount else ((F_0, Omega), (F, f))
         for what, name, other in zip(("forcing", "frequency"), names, others, strict=True):
             if other is not None:
-                raise ValueError(f"the {what} of {of} is {name}")
+                raise Refused(f"the {what} of {of} is {name}")
         forcing, frequency = (
             None if value is None else validate.number(name, value, above=0.0)
             for name, value in zip(names, (forcing, frequency), strict=True)
@@ -209,7 +210,7 @@ class Subject:
             rows = validate.common_shape(given)
             table = tuple(np.broadcast_to(values, rows).ravel() for values in given.values())
             if not table[0].size:
-                raise ValueError("spectrum has no row")
+                raise Refused("spectrum has no row")
         return Load(forcing, frequency, pulse, table)
 
     def answered(self, names: Iterable[str] | None, load: Load) -> list[str]:
@@ -230,11 +231,11 @@ class Subject:
                 raise validate.NotAvailable(AT_NO_FREQUENCY.format(name))
             if name not in self.answers:
                 allowed = f"{', '.join(self.answers)}{validate.meant(name, self.answers)}"
-                raise ValueError(f"{name!r} is no answer: it must be one of {allowed}")
+                raise Refused(f"{name!r} is no answer: it must be one of {allowed}")
             if needed := missing.get(self.answers[name]):
                 known = {"shock": "a shock of the base", "spectrum": "a load spectrum", frequency: "a frequency"}
                 what = known.get(needed, "a forcing")
-                raise ValueError(f"{name} needs {what}: give {needed}")
+                raise Refused(f"{name} needs {what}: give {needed}")
         return list(names)
 
     def _check_varied(self, names: Iterable[str]) -> None:
@@ -242,7 +243,7 @@ class Subject:
         for name in names:
             if name not in self.nominal:
                 known = f"{', '.join(self.nominal)}{validate.meant(name, self.nominal)}"
-                raise ValueError(f"{name!r} cannot be varied: it must be one of {known}")
+                raise Refused(f"{name!r} cannot be varied: it must be one of {known}")
 
     def ask(self, values: Mapping[str, Any], names: Iterable[str], load: Load) -> dict[str, Floats]:
         """These answers of designs whose numbers are as given, arrays of one shape, and else nominal.
@@ -418,7 +419,7 @@ def _pair(name: str, value: Any, what: str) -> Any:
     try:
         one, other = parts
     except (TypeError, ValueError):
-        raise ValueError(f"{name} = {value!r} is not allowed: it must be a pair {what}") from None
+        raise Refused(f"{name} = {value!r} is not allowed: it must be a pair {what}") from None
     return one, other
 
 

@@ -19,6 +19,7 @@ from slowflow.answer import Table, frozen, in_text, optional
 from slowflow.mechanism import Floats
 from slowflow.quantities import PINT, in_shown, si
 from slowflow.sizing.subject import Load, Subject
+from slowflow_support.errors import Refused
 
 #: ends of a band: 95 of 100 samples lie within
 LOW, HIGH = 0.025, 0.975
@@ -120,9 +121,7 @@ def _drawn(subject: Subject, within: Mapping[str, Any], shares: Floats) -> dict[
             share_of = f"within[{name!r}]"
             part = validate.number(share_of, si(share_of, off, PINT[""]), least=0.0, below=1.0)
             if part and not subject.nominal[name]:
-                raise ValueError(
-                    f"within[{name!r}] = {part:g} is a share of 0: give a distribution of the value itself"
-                )
+                raise Refused(f"within[{name!r}] = {part:g} is a share of 0: give a distribution of the value itself")
             found[name] = subject.nominal[name] * (1 + part * (2 * share - 1))
     return found
 
@@ -131,7 +130,7 @@ def _within(given: Any) -> Mapping[str, Any]:
     """How far which numbers may be off, as it was given. Raises ValueError for what is not allowed."""
     within = validate.mapping("within", given, "how far each number may be off")
     if not within:
-        raise ValueError("within = {} is not allowed: name at least one number and how far it may be off")
+        raise Refused("within = {} is not allowed: name at least one number and how far it may be off")
     return within
 
 
@@ -226,7 +225,7 @@ def sobol(
     samples = validate.count("samples", samples, least=2, most=MOST_SAMPLES)
     seed = validate.count("seed", seed, least=0)
     if samples & (samples - 1):
-        raise ValueError(f"samples = {samples} is not allowed: samples must be a power of two")
+        raise Refused(f"samples = {samples} is not allowed: samples must be a power of two")
     sample, analyse = (optional(f"SALib.{part}.sobol", "sobol", "sizing") for part in ("sample", "analyze"))
     problem = {"num_vars": len(within), "names": list(within), "bounds": [[0.0, 1.0]] * len(within)}
     shares = sample.sample(problem, samples, calc_second_order=False, seed=seed)

@@ -22,6 +22,7 @@ from slowflow.averaged.reference.steps import Steps, Wanted, alone
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow_zeta0
 from slowflow_kernels.conventions import COINCIDE, HARDLY, NO_WIDTH
+from slowflow_support.errors import NotSettled
 
 Ints = NDArray[np.intp]
 
@@ -264,7 +265,7 @@ class Graph:
             else:  # next to a breakpoint, or between its two sides
                 counts.append(0 if self.events[k + 1].kind == Kind.CUT else count)
             if not 0 <= counts[-1] <= 3 or self._contradict(counts):
-                raise ArithmeticError("the response is unresolved: branches coincide within rounding")
+                raise NotSettled("the response is unresolved: branches coincide within rounding")
         return counts
 
     def _contradict(self, counts: list[int]) -> bool:

@@ -16,6 +16,7 @@ from slowflow.averaged.reference.roots import Ints, peak_roots, response_roots, 
 from slowflow.model import Floats, Model
 from slowflow_kernels import dissipation, slow_flow
 from slowflow_kernels.conventions import COARSEST, ENDLESS, FINE_RUNGS, RUNGS
+from slowflow_support.errors import NotSettled, OutOfRange
 
 
 def _rungs() -> Floats:
@@ -51,7 +52,7 @@ def amplitude_bound(model: Model, F_0: float, lowest: float = 0.0) -> tuple[floa
     """
     found = _bounded(model, F_0, lowest)
     if model.laws.any and not dissipated.is_in_range(model, F_0, found[0]):
-        raise OverflowError(words.beyond_range(model, F_0))
+        raise OutOfRange(words.beyond_range(model, F_0))
     return found
 
 
@@ -63,7 +64,7 @@ def _bounded(model: Model, F_0: float, lowest: float) -> tuple[float, str]:
         if not model.inertial:
             return _bound_of_free(model, F_0, lowest)
         if model.zeta == model.m == 0:
-            raise ArithmeticError(words.everywhere(float(dissipation.full_by_inertia(F_0, model.d))))
+            raise NotSettled(words.everywhere(float(dissipation.full_by_inertia(F_0, model.d))))
     rungs = max(2 * max(model.breakpoints, default=0.0), F_0) * _RUNGS
     if model.inertial:
         known = [inertia.bound(model, F_0, rungs) if model.zeta > 0 else None]
@@ -74,7 +75,7 @@ def _bounded(model: Model, F_0: float, lowest: float) -> tuple[float, str]:
         if closed is not None:
             return closed, ""
         if not (cut := inertia.cut(along, rungs)) < np.inf:
-            raise OverflowError(words.beyond_range(model, F_0))
+            raise OutOfRange(words.beyond_range(model, F_0))
         return words.does_not_close(cut)
     if model.mechanism.enclosed is None and not model.laws.any:
         (found,) = first_bounds(model, F_0).tolist()
@@ -99,7 +100,7 @@ def _bounded(model: Model, F_0: float, lowest: float) -> tuple[float, str]:
 def _beyond_rungs(model: Model, F_0: float, lowest: float) -> tuple[float, str]:
     """The same where the spring does not bound the response: where its force levels off damping does, at Omega > 0."""
     if not model.lets_go or model.laws.eta > 0:
-        raise OverflowError(words.unbounded(model, F_0))
+        raise OutOfRange(words.unbounded(model, F_0))
     return _bound_of_free(model, F_0, lowest)
 
 

@@ -31,6 +31,7 @@ from slowflow.averaged.reference.intervals import Bools, Interval
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow_kernels import dissipation, dissipation_intervals, slow_flow, slow_flow_intervals
 from slowflow_kernels.conventions import CLOSE, FIRST, NARROW
+from slowflow_support.errors import NotSettled
 
 Ints = NDArray[np.intp]
 
@@ -366,9 +367,7 @@ def points_of(model: Model, system: str, pieces: Sequence[Stretch], F_0: float =
     while len(boxes):
         looked_at += len(boxes)
         if looked_at > MOST:
-            raise ArithmeticError(
-                "the response is unresolved: too many boxes of amplitude and frequency stay undecided"
-            )
+            raise NotSettled("the response is unresolved: too many boxes of amplitude and frequency stay undecided")
         Omega = Interval.of(boxes.low, boxes.high)
         cells = cells_of(model, boxes.a, boxes.b, boxes.a)
         left = np.flatnonzero(~searched.empty(cells, boxes.piece, Omega))

@@ -17,6 +17,7 @@ from slowflow.averaged.reference.enclosed import interval_like
 from slowflow.averaged.reference.intervals import Bools, Elementary
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
+from slowflow_support.errors import Refused
 
 #: into how many parts a piece is divided first; how short one is, over the reach, that is not cut again
 PARTS, NARROW = 64, 2.0**-40
@@ -50,7 +51,7 @@ def check_defined(model: Model) -> None:
             place = _infinite_at(are_known, at, begin, end, reach)
         if place is not None:
             told = ", ".join(f"{name} = {value!r}" for name, value in model.given().items() if name in _own(model))
-            raise ValueError(
+            raise Refused(
                 f"{told or 'reach'}: not allowed for {model.mechanism.name}, whose force is infinite or no number at "
                 f"|u| = {place:.6g}, within its reach {reach:g}"
             )

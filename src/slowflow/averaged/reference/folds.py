@@ -32,6 +32,7 @@ from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import SaddleNodes
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import CLOSE, NEAR_END
+from slowflow_support.errors import NotSettled
 
 #: by how much more than I the terms of R may be, as a share of I, or if squares of roundings are to count: as in
 #: native/locus.h
@@ -58,7 +59,7 @@ class FoldsUpTo(Wanted):
     def alone(self, model: Model) -> SaddleNodes:
         found = folds_abreast(model, self.F_0, self.A_max)
         if found.given_up.any():
-            raise ArithmeticError(GIVEN_UP)
+            raise NotSettled(GIVEN_UP)
         return _told(model, self.F_0, found, self.remark)
 
     def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
@@ -66,7 +67,7 @@ class FoldsUpTo(Wanted):
         found = folds_abreast(model, F_0, A_max)
         begins = np.searchsorted(found.of, np.arange(model.abreast + 1)).tolist()
         return [
-            ArithmeticError(GIVEN_UP)
+            NotSettled(GIVEN_UP)
             if found.given_up[k]
             else _told(one, wanted.F_0, found.take(slice(*begins[k : k + 2]), slice(k, k + 1)), wanted.remark)
             for k, (one, wanted) in enumerate(zip(model.each, all_of_them, strict=True))

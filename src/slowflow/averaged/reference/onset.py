@@ -56,6 +56,7 @@ from slowflow_kernels.conventions import (
     TENDS,
     Status,
 )
+from slowflow_support.errors import NotSettled, OutOfRange
 
 #: of a force's size: what rounding its parameters may make of its jump
 OF_ROUNDING = 2.0**-48
@@ -119,7 +120,7 @@ def onset_in_steps(model: Model) -> Steps[SaddleNodeOnset]:
         return SaddleNodeOnset(None, None, None, "", words.NO_LOWEST.format(model.m), _status=Status.UNBOUNDED)
     best = yield from _lowest(model, base)
     if _hardly_jumps(model) or (best.undecided and _is_beside_breakpoint(model, best)):
-        raise ArithmeticError(words.unresolved_onset(model))
+        raise NotSettled(words.unresolved_onset(model))
     if best.open or (model.inertial and _falls_at_breakpoint(model, best)):
         return SaddleNodeOnset(None, None, None, "", words.OPEN, _status=Status.UNBOUNDED)
     if not best.kind:
@@ -227,7 +228,7 @@ def _onset_without_viscous_damping(model: Model) -> Steps[SaddleNodeOnset]:
         h, h_A, h_AA, _ = model.averaged(A)
         if len(np.unique(slow_flow.intercept(A, h, h_A, h_AA)[0] < 0)) > 1:
             return no_lowest
-        raise ArithmeticError(words.unresolved_onset(model))
+        raise NotSettled(words.unresolved_onset(model))
     if model.inertial:
         return no_lowest if saddle_nodes(model, 2 * model.m + 1.0).A.size else none
     best, at = _Best(), (yield At(0.0))
@@ -248,7 +249,7 @@ def _onset_without_viscous_damping(model: Model) -> Steps[SaddleNodeOnset]:
     if beyond.h_A[1] < 0 and far < near:
         if far < TENDS * near:
             return no_lowest
-        raise ArithmeticError(words.unresolved_onset(model))
+        raise NotSettled(words.unresolved_onset(model))
     found = SaddleNodeOnset(best.F_SN, best.Omega, best.A, best.kind, "") if best.kind else none
     return words.with_folds_at_rest(model, found, best.rest)
 
@@ -403,20 +404,20 @@ def _beyond_play(model: Model, piece: Stretch) -> Stretch:
     if model.d == 0 or model.laws.eta > 0 or (model.inertial and model.zeta + model.m > 0):
         return piece
     if model.inertial and (first.h[0] > 0 or (piece.base == 0 and first.h_A[0] > 0)):
-        raise ArithmeticError(words.BALANCED)
+        raise NotSettled(words.BALANCED)
     if not (piece.base > 0 and first.h[0] == 0 and first.h_A[0] == 0):
         return piece
     base = float(piece.base[0])
     least = dissipation.fold_quartic(base, model.m, 0.0, model.zeta, model.d, 0.0, 0.0)[2]
     if not (least > 0 and _ends_play(first) and model.laws.rubs == THROUGHOUT):
-        raise ArithmeticError(words.SLIDES_FREE.format(base))
+        raise NotSettled(words.SLIDES_FREE.format(base))
     A = base + (piece.last.A[0] - base) * FALL ** np.arange(FALLS)
     at = samples_at(model, A)
     # h_AAA is monotone, of one sign at both ends: h_AA is negative between as there, and h_A and h fall from 0
     falls = (at.h_AA < 0) & (np.sign(at.h_AAA) == np.sign(first.h_AAA))
     known = falls & (np.maximum(A * -at.h_A, -at.h) <= least / 2)
     if not known.any():
-        raise ArithmeticError(words.unresolved_onset(model))
+        raise NotSettled(words.unresolved_onset(model))
     return Stretch(samples_at(model, float(A[np.argmax(known)])), piece.last, piece.base)
 
 
@@ -486,7 +487,7 @@ def _consider_last(model: Model, first: Samples, best: _Best) -> Steps[None]:
         try:
             A_max, cut = yield Bound(F_0)
             if cut and not model.inertial and model.levels_off:
-                raise OverflowError(words.unbounded(model, None))
+                raise OutOfRange(words.unbounded(model, None))
         except OverflowError:
             if number >= RAISES or F_0 - looked_through <= NEAR_BOUND * looked_through:
                 raise
@@ -511,8 +512,8 @@ def _consider_last(model: Model, first: Samples, best: _Best) -> Steps[None]:
         if F_0 >= unbounded:
             F_0 = 0.5 * (looked_through + unbounded)
     if math.isfinite(unbounded):
-        raise OverflowError(words.unbounded(model, None))
-    raise ArithmeticError(words.unresolved_onset(model))
+        raise OutOfRange(words.unbounded(model, None))
+    raise NotSettled(words.unresolved_onset(model))
 
 
 def _has_settled(at: Samples, far: Samples) -> bool:
@@ -541,7 +542,7 @@ def detachment(model: Model) -> Detachment:
         return Detachment(float(levels[least]), float(at[least]), u_cr, "")
     level, Omega = least_forcing(model, np.array([model.breakpoints[0]]))
     if not level[0] < np.inf:
-        raise OverflowError(words.BEYOND_RANGE.format(model.breakpoints[0]))
+        raise OutOfRange(words.BEYOND_RANGE.format(model.breakpoints[0]))
     return Detachment(float(level[0]), float(Omega[0]), model.breakpoints[0], "")
 
 
@@ -565,9 +566,9 @@ def peak(model: Model, F_0: float) -> PeakFound:
         return PeakFound(float(tops.A[-1]), float(tops.Omega[-1]), F_0, "")
     A, Omega, given_up = peaks_abreast(model, F_0, A_max)
     if given_up.any():
-        raise ArithmeticError(GIVEN_UP)
+        raise NotSettled(GIVEN_UP)
     if np.isnan(A[0]):
-        raise ArithmeticError(f"the response is unresolved at F_0 = {F_0:.17g}: no state lies on the amplitudes")
+        raise NotSettled(f"the response is unresolved at F_0 = {F_0:.17g}: no state lies on the amplitudes")
     return PeakFound(float(A[0]), float(Omega[0]), F_0, "")
 
 
@@ -602,10 +603,10 @@ def _peak_in_boxes(model: Model, F_0: float, A_max: float) -> PeakFound:
     tops = peaks.take(dissipated_points.is_top(model, peaks, F_0))
     A, Omega = (tops.A, tops.Omega) if len(tops) else (static.A, np.zeros(len(static)))
     if peaks.A_undecided.max(initial=0.0) > A.max(initial=0.0):
-        raise ArithmeticError(words.peak_at_doubles(F_0, float(peaks.A_undecided.max())))
+        raise NotSettled(words.peak_at_doubles(F_0, float(peaks.A_undecided.max())))
     if not A.size and F_0 <= model.m:
         return PeakFound(None, None, F_0, words.sticks(model, F_0), _status=Status.STICKS)
     if not A.size:
-        raise ArithmeticError(f"the response is unresolved at F_0 = {F_0:.17g}: no state lies on the amplitudes")
+        raise NotSettled(f"the response is unresolved at F_0 = {F_0:.17g}: no state lies on the amplitudes")
     highest = int(np.argmax(A))
     return PeakFound(float(A[highest]), float(Omega[highest]), F_0, "")

@@ -32,6 +32,7 @@ from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates
 from slowflow_kernels import dissipation, frequencies, slow_flow
 from slowflow_kernels.conventions import AT_ROOT, COINCIDE, HARDLY, LAST_STEP, SAME, SLOW, SPREAD
+from slowflow_support.errors import NotSettled
 
 #: A Omega^2 beside F_0 from which on rounding leaves nothing of R, as SF_SHARP in native/settle.h
 SHARP = 2.0**25
@@ -101,7 +102,7 @@ def _skeleton(model: Model, F_0: float, lowest: float) -> Steps[Skeleton]:
         events, undecided = yield from _events(model, F_0, A_max)
         graph = yield from Graph.in_steps(roots, events)
     except ArithmeticError as failure:
-        raise ArithmeticError(words.unresolved(model, F_0)) from failure
+        raise NotSettled(words.unresolved(model, F_0)) from failure
     on_arc = yield from _arcs_of_folds(roots, graph, folds)
     curves = []
     for tour in graph.tours:

@@ -22,6 +22,7 @@ from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.roots import Ints
 from slowflow.model import Floats, Model
 from slowflow_kernels.conventions import AT_ROOT, FIRST, MOST_CELLS, NARROW, SLOW
+from slowflow_support.errors import NotSettled
 
 #: NumPy looks at many intervals in the time that one takes: into how many orders a piece from A = 0 on is divided
 #: before the first look, how often all is halved before it; and about how many intervals are made of what is left
@@ -86,7 +87,7 @@ def find_zeros(model: Model, questions: Sequence[Asked], pieces: Sequence[Stretc
     """
     found, given_up = find_zeros_abreast(model, questions, pieces)
     if given_up.any():
-        raise ArithmeticError(GIVEN_UP)
+        raise NotSettled(GIVEN_UP)
     return found
 
 

@@ -16,6 +16,7 @@ from slowflow.averaged.reference.cells import Samples, Stretch, sample_above, sa
 from slowflow.averaged.reference.search import GIVEN_UP, Zeros, find_zeros, find_zeros_abreast
 from slowflow.averaged.reference.steps import Wanted
 from slowflow.model import Model
+from slowflow_support.errors import NotSettled, OutOfRange
 
 
 @dataclass(frozen=True)
@@ -31,7 +32,7 @@ class Bound(Wanted):
     def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
         bounds = amplitude_bounds(model, np.array([wanted.F_0 for wanted in all_of_them]))
         return [
-            bound if bound[0] < np.inf else OverflowError(words.unbounded(one, wanted.F_0))
+            bound if bound[0] < np.inf else OutOfRange(words.unbounded(one, wanted.F_0))
             for bound, one, wanted in zip(bounds, model.each, all_of_them, strict=True)
         ]
 
@@ -121,7 +122,7 @@ class Search(Wanted):
         answers: list[Any] = []
         for k, begin in enumerate(begins.tolist()):
             if given_up[k]:
-                answers.append(ArithmeticError(GIVEN_UP))
+                answers.append(NotSettled(GIVEN_UP))
                 continue
             own = [zeros.take(slice(*at[k : k + 2])) for zeros, at in zip(found, cut, strict=True)]
             answers.append(
