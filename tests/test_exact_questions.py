@@ -38,6 +38,73 @@ def test_each_averaged_state_leads_to_a_motion_beside_it():
     assert from_rest.stable and abs(from_rest.A / averaged.A[0] - 1) < 0.1
 
 
+def from_place(force, *, load, zeta, Omega, F_0, u, periods=200):
+    """Largest |u| that u'' + 2 zeta u' + f(u) = load + F_0 cos(Omega tau) comes to from rest at u, by SciPy."""
+
+    def rates(tau, y):
+        return y[1], load + F_0 * np.cos(Omega * tau) - 2 * zeta * y[1] - force(y[0])
+
+    turn = 2 * np.pi / Omega
+    settled = solve_ivp(rates, (0, periods * turn), (u, 0.0), "DOP853", rtol=1e-10, atol=1e-12)
+    times = np.linspace(0, 4 * turn, 4001)
+    last = solve_ivp(rates, (0, 4 * turn), settled.y[:, -1], "DOP853", rtol=1e-10, atol=1e-12, t_eval=times)
+    return np.abs(last.y[0]).max()
+
+
+def test_a_mass_at_rest_begins_where_load_and_spring_balance():
+    """Under a load, on a force that is not odd, and between two wells; by SciPy from the place that is a root of f."""
+    cubic = {"load": 0.3, "zeta": 0.05, "Omega": 0.9, "F_0": 0.25}
+    stands = root(lambda u: u + u**3 - 0.3, 0.3).x[0]
+    loaded = Duffing(1.0, 1.0, zeta=0.05, load=0.3)
+    expected = from_place(lambda u: u + u**3, u=stands, **cubic)
+    assert loaded.steady_state(Omega=0.9, F_0=0.25).A == pytest.approx(expected, rel=1e-5)
+    well = {"load": 0.0, "zeta": 0.1, "Omega": 1.2, "F_0": 0.1}
+    double = Duffing(-1.0, 1.0, zeta=0.1)
+    right = from_place(lambda u: u**3 - u, u=1.0, **well)
+    left = from_place(lambda u: u**3 - u, u=-1.0, **well)
+    found = double.steady_state(Omega=1.2, F_0=0.1)
+    assert found.A == pytest.approx(right, rel=1e-5) and found.harmonics(0)[0].real > 0
+    assert "at u = -1, 1: the mass begins at u = 1" in found.message
+    other = double.steady_state(Omega=1.2, F_0=0.1, u_0=-1.0)
+    assert other.A == pytest.approx(left, rel=1e-5) and other.harmonics(0)[0].real < 0 and other.message == ""
+    swept = double.sweep(Omega=[1.2], F_0=0.1), double.sweep(Omega=[1.2], F_0=0.1, u_0=-1.0)
+    assert [one.A[0] for one in swept] == pytest.approx([right, left], rel=1e-5)
+    assert swept[0].message == found.message and swept[1].message == ""
+    with pytest.raises(ValueError, match="A says which motion it is, u_0 and v_0 from where one comes"):
+        double.steady_state(Omega=1.2, F_0=0.1, A=1.0, u_0=-1.0)
+
+
+@compiled
+def test_a_loaded_isolator_comes_to_the_motion_that_integration_from_its_place_of_rest_comes_to():
+    """From u = 0, where it does not rest, it comes to one of A = 0.2485."""
+    iso = Isolator(lam=3, r=2.03, delta_h=0.082, mu=0.0, zeta=0.02, load=0.0455)
+    force = iso.restoring_force()
+    stands = root(lambda u: force.value(float(u[0])) - 0.0455, 0.09).x[0]
+
+    def f(u):
+        return np.copysign(force.value(abs(u)), u)
+
+    expected = from_place(f, load=0.0455, zeta=0.02, Omega=0.9261, F_0=0.0434, u=stands)
+    assert expected == pytest.approx(0.5409, abs=1e-4)
+    assert iso.steady_state(Omega=0.9261, F_0=0.0434).A == pytest.approx(expected, rel=1e-5)
+    assert iso.sweep(Omega=[0.9261], F_0=0.0434).A[0] == pytest.approx(expected, rel=1e-5)
+    assert iso.exact_response(0.0434, Omega=(0.9261, 0.94)).A[0] == pytest.approx(expected, rel=1e-5)
+    assert iso.steady_state(Omega=0.9261, F_0=0.0434, u_0=0.0).A == pytest.approx(0.2485, abs=1e-4)
+
+
+@compiled
+def test_a_curve_begins_in_the_well_that_is_chosen():
+    """With a load the two wells differ: their motions do, and the curve says which of them it is."""
+    oscillator = Duffing(-1.0, 1.0, zeta=0.1, load=0.1)
+    wells = sorted(np.roots([1, 0, -1, -0.1]).real)[::2]
+    curves = [oscillator.exact_response(0.05, Omega=(1.0, 1.2), u_0=u) for u in (None, *wells)]
+    assert "the mass begins at u = -0.94" in curves[0].message
+    for curve, u in zip(curves[1:], wells, strict=True):
+        expected = from_place(lambda u: u**3 - u, load=0.1, zeta=0.1, Omega=1.0, F_0=0.05, u=u)
+        assert curve.A[0] == pytest.approx(expected, rel=1e-5)
+    assert curves[0].A[0] == pytest.approx(curves[1].A[0], rel=1e-12) != curves[2].A[0]
+
+
 def test_a_mass_at_rest_comes_to_a_stable_motion():
     """Negative stiffness at rest: the averaged state about u = 0 leads to a motion, but an unstable one."""
     with pytest.warns(UserWarning, match="negative stiffness"):

@@ -6,10 +6,11 @@ import math
 
 import numpy as np
 import pytest
+import sympy as sp
 from scipy.integrate import cumulative_trapezoid, solve_ivp
 from scipy.optimize import brentq
 
-from slowflow import Duffing, Isolator, exact
+from slowflow import Duffing, Isolator, derive, exact
 from slowflow.exact import EquationOfMotion, half_sine, linear, record, transient
 from slowflow.exact.compiled import SCIPY
 from slowflow.paper.example import isolator
@@ -299,6 +300,66 @@ def test_a_shock_under_a_load_begins_where_the_mass_rests():
     assert Duffing(1.0, 0.0, zeta=2.0, load=0.3).transient(acceleration=0.1, duration=2.0).tau_A == 0.0
     with pytest.raises(ArithmeticError, match="no stable place of rest"):
         Duffing(1.0, -1.0, zeta=0.05, load=0.5).transient(acceleration=0.1, duration=1.0)
+
+
+def test_a_block_released_against_friction_turns_where_the_energy_balance_has_it_turn():
+    """SDND100 of code_aster: each turn is nearer by 2 mu/k; 1 kg on 10^4 N/m, friction 1 N, released at 0.85 mm."""
+    block = Isolator.physical(m=1.0, k_v=1e4, k_h=1.0, L=1.0, preload=0.0, friction=1.0, zeta=0.0)
+    found = block.transient(x_0=0.85e-3)
+    assert stops(found.answer) == pytest.approx([-0.65e-3, 0.45e-3, -0.25e-3, 0.05e-3], abs=1e-15)
+    assert found.rests and found.x_end == pytest.approx(0.05e-3, rel=1e-11) and found.A == 0.85e-3
+    # the first half of a turn lasts pi sqrt(m/k)
+    first = found.answer.stretches[0].phases[0]
+    assert (first.end - first.theta) / 100 == pytest.approx(math.pi / 100, rel=1e-12)
+    still = block.transient(x_0=0.05e-3)
+    assert still.rests and still.A == still.x_end == pytest.approx(0.05e-3, rel=1e-15)
+
+
+def test_a_mass_thrown_against_a_stop_turns_where_its_energy_is_in_both_springs():
+    """SDND101 of code_aster: 100 kg on 10^4 N/m at 1 m/s against a stop of 10^6 N/m, v_0 sqrt(m/(k + K)) = 9.95 mm."""
+    u = sp.Symbol("u")
+    mechanism = derive.mechanism("stop_at_rest", [(u, 0), (101 * u, None)], {}, odd=False)
+    length, rate = 0.1, 10.0
+    found = mechanism(mu=0.0, zeta=0.0).transient(v_0=1.0 / (length * rate), after=1.0)
+    assert stops(found)[0] * length == pytest.approx(math.sqrt(100 / 1.01e6), rel=1e-12)
+    # and then back as far as all of its energy takes the one spring: half a turn on both, a quarter on that
+    assert found.A * length == pytest.approx(0.1, rel=1e-12)
+    assert found.tau_A / rate == pytest.approx(math.pi * math.sqrt(100 / 1.01e6) + 0.5 * math.pi / rate, rel=1e-12)
+
+
+def test_a_released_mass_swings_about_its_place_of_rest_as_the_closed_form_says():
+    """Under a load, with damping, from a displacement and a velocity; and a pulse beside them."""
+    zeta, load, u_0, v_0 = 0.1, 0.3, -0.4, 0.7
+    found = Duffing(1.0, 0.0, zeta=zeta, load=load).transient(u_0=u_0, v_0=v_0, after=20.0)
+    tau, u, v, *_ = found.series(200)
+    fast = math.sqrt(1 - zeta**2)
+    a, b = u_0 - load, (v_0 + zeta * (u_0 - load)) / fast
+    expected = load + np.exp(-zeta * tau) * (a * np.cos(fast * tau) + b * np.sin(fast * tau))
+    np.testing.assert_allclose(u, expected, rtol=0, atol=1e-13)
+    assert (u[0], v[0]) == (u_0, v_0)
+    linear = Duffing(1.0, 0.0, zeta=zeta)
+    pulse = {"acceleration": 0.2, "duration": 1.5, "after": 10.0}
+    both, shock = linear.transient(**pulse, u_0=u_0, v_0=v_0), linear.transient(**pulse)
+    free = linear.transient(u_0=u_0, v_0=v_0, after=11.5)
+    np.testing.assert_allclose(both.series(50).u, shock.series(50).u + free.series(50).u, rtol=0, atol=1e-12)
+
+
+def test_a_shock_between_two_wells_begins_in_one_and_is_the_same_in_a_batch():
+    """By SciPy, from the well with u > 0."""
+    pulse = {"acceleration": 0.3, "duration": 2.0}
+    found = Duffing(-1.0, 1.0, zeta=0.1).transient(**pulse)
+    assert "at u = -1, 1: the mass begins at u = 1" in found.message
+
+    def rates(tau, y):
+        base = 0.3 * math.sin(math.pi * tau / 2.0) if tau < 2.0 else 0.0
+        return y[1], -base - 0.2 * y[1] - (y[0] ** 3 - y[0])
+
+    by_scipy = solve_ivp(rates, (0, 20), (1.0, 0.0), "DOP853", rtol=1e-10, atol=1e-12, max_step=0.01)
+    assert found.A == pytest.approx(np.abs(by_scipy.y[0]).max(), rel=1e-5)
+    many = Duffing.many([-1.0, 1.0], 1.0, zeta=0.1).transient(**pulse)
+    assert many.A[0] == found.A and many.u_end[0] == found.u_end
+    spectrum = Duffing.many([-1.0, 1.0], 1.0, zeta=0.1).shock_spectrum(**pulse)
+    assert spectrum.A[0] == Duffing(-1.0, 1.0, zeta=0.1).shock_spectrum(**pulse).A[0]
 
 
 def test_what_is_no_shock_is_refused():

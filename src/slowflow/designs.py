@@ -82,8 +82,9 @@ class Designs(many.Designs):
         thousand designs in a second; `workers` as of all batches. Raises ValueError as `shock_spectrum`.
         """
         from slowflow.exact import shocks_many
+        from slowflow.off_centre.questions import OffCentre
 
-        return shocks_many.transients(self, acceleration, duration, tau, after, workers)
+        return shocks_many.transients(self, acceleration, duration, tau, after, workers, off_centre=OffCentre)
 
     def shock_spectrum(self, *, acceleration: Any, duration: Any, workers: int = 1) -> Shocks:
         """What a half sine of the base does to each design: .A .a_max .ratio .detaches; both broadcast with these.
@@ -92,8 +93,9 @@ class Designs(many.Designs):
         structural damping. Designs with other laws of damping are followed one by one, in milliseconds each.
         """
         from slowflow.exact import shocks_many
+        from slowflow.off_centre.questions import OffCentre
 
-        return shocks_many.of_designs(self, acceleration, duration, workers)
+        return shocks_many.of_designs(self, acceleration, duration, workers, off_centre=OffCentre)
 
 
 def designs_of(

@@ -143,16 +143,21 @@ class Oscillator(Unchanging, Averaged):
         return found
 
     @cached_property
+    def _off_centre(self) -> OffCentre:
+        """`off_centre` of places of rest, which friction has no part in, whatever law it has."""
+        from slowflow.off_centre.questions import OffCentre
+
+        return OffCentre(self.model.unloaded if isinstance(self.model, Loaded) else self.model, self.load, self)
+
+    @property
     def off_centre(self) -> OffCentre:
         """Questions about motions off the centre: all places of rest, and all states and folds with their mean B.
 
         Without a load too: a mass between two wells, or on a spring that softens, leaves the centre by itself.
         Raises ValueError for a force of which nothing is derived there, and for friction that ends at u_cr.
         """
-        from slowflow.off_centre.questions import OffCentre
-
         self._check_rubs("off_centre", self.model.laws)
-        return OffCentre(self.model.unloaded if isinstance(self.model, Loaded) else self.model, self.load, self)
+        return self._off_centre
 
     def at_centre(self, question: str) -> None:
         """Raises ValueError where the question is asked of an oscillator under a load, for which it has no answer."""
@@ -161,7 +166,7 @@ class Oscillator(Unchanging, Averaged):
 
     def rest(self) -> RestPositions:
         """Every place at which the mass rests under its load without friction; see `OffCentre.rest`."""
-        return self.off_centre.rest()
+        return self._off_centre.rest()
 
     def amplitudes(self, *, Omega: Any, F_0: Any) -> Any:
         """Every steady state, see `Averaged.amplitudes`; under a load `OffCentre.amplitudes`, with its mean B."""
@@ -317,7 +322,14 @@ class Oscillator(Unchanging, Averaged):
         return self.equation_of_motion(which)
 
     def steady_state(
-        self, *, Omega: float, F_0: float, A: float | None = None, force: str | None = None
+        self,
+        *,
+        Omega: float,
+        F_0: float,
+        A: float | None = None,
+        force: str | None = None,
+        u_0: float | None = None,
+        v_0: float = 0.0,
     ) -> exact.SteadyState:
         """A periodic motion of the equation of motion (3) itself: series, harmonics, stops, multipliers, residual.
 
@@ -327,13 +339,17 @@ class Oscillator(Unchanging, Averaged):
                  of a mass at rest is one of them. Next to a fold the nearest may well be the unstable one: `.stable`
                  tells. Without it the motion that a mass at rest comes to
         force -- "truncated" for (6), "untruncated" for (5); by default the one that is averaged
+        u_0, v_0 -- displacement and velocity at tau = 0, where the forcing is largest, in place of A: the motion that
+                 this one comes to. By default the mass is at rest where spring and load balance: at u = 0 if it is
+                 stable, else at the stable place of `rest` nearest to it, of two as near at that with u > 0. Where
+                 there are several, `.message` says which
 
         `.force` of the answer is that on the mass: F_0 Omega^2 for an excitation by inertia.
         Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError if nothing periodic is found.
         """
         from slowflow.exact import questions
 
-        return questions.steady_state(self, self.equation_of_motion(force), Omega, F_0, A)
+        return questions.steady_state(self, self.equation_of_motion(force), Omega, F_0, A, u_0, v_0)
 
     def exact_response(
         self,
@@ -343,10 +359,13 @@ class Oscillator(Unchanging, Averaged):
         start: exact.SteadyState | None = None,
         step: float = 0.02,
         force: str | None = None,
+        u_0: float | None = None,
+        v_0: float = 0.0,
     ) -> exact.Response:
         """The response curve of the equation of motion (3) in the window `Omega`: points, stability, stops, folds.
 
-        It is the curve through the motion that a mass at rest comes to at the lowest frequency, or through `start`: an
+        It is the curve through the motion that a mass at rest comes to at the lowest frequency, or one that begins with
+        u_0 and v_0, as in `steady_state`, or through `start`: an
         isolated curve needs its own, `start=steady_state(Omega=..., F_0=..., A=...)`, and where averaging knows of one
         that this is not, `.message` gives these numbers. `step` is the largest distance of neighbouring points, `force`
         as in `steady_state`. `.A` is the largest |u|, off the centre too, `.peak` the highest motion of the curve.
@@ -359,32 +378,38 @@ class Oscillator(Unchanging, Averaged):
         """
         from slowflow.exact import questions
 
-        return questions.exact_response(self, self.equation_of_motion(force), F_0, Omega, start, step)
+        system = self.equation_of_motion(force)
+        return questions.exact_response(self, system, F_0, Omega, start, step, u_0, v_0)
 
-    def sweep(self, *, Omega: Any, F_0: float, force: str | None = None) -> exact.Sweep:
+    def sweep(
+        self, *, Omega: Any, F_0: float, force: str | None = None, u_0: float | None = None, v_0: float = 0.0
+    ) -> exact.Sweep:
         """What an experiment sees that steps through the frequencies `Omega` in their order: amplitudes and jumps.
 
         The motion is followed at each frequency until it is shown to tend to a stable periodic one, whose amplitude is
         given, and goes on from there; where it does not within 2000 turns of the forcing, `.settled` says so. `force`
-        as in `steady_state`. Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError
-        where the motion escapes a softening spring.
+        as in `steady_state`, and so are u_0 and v_0, with which it begins at the first frequency.
+        Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError where the motion escapes a
+        softening spring.
         """
         from slowflow.exact import questions
 
-        return questions.sweep(self.equation_of_motion(force), Omega, F_0)
+        return questions.sweep(self, self.equation_of_motion(force), Omega, F_0, u_0, v_0)
 
     def transient(
         self,
         *,
-        acceleration: Any,
+        acceleration: Any = None,
         duration: float | None = None,
         tau: Any = None,
         after: float | None = None,
         force: str | None = None,
+        u_0: float | None = None,
+        v_0: float = 0.0,
     ) -> exact.Transient:
         """A shock: what the mass does that was at rest, by the equation of motion (3), when its base is accelerated.
 
-        It rests at the centre, off it at the stable place of `rest` nearest to that.
+        Or a release: with u_0 or v_0 and no acceleration it moves freely from there.
 
         acceleration -- of the base, over k_v L/m: the peak of a half sine, or the samples of a record, shape (n,)
         duration     -- of the half sine, in tau
@@ -392,6 +417,8 @@ class Oscillator(Unchanging, Averaged):
         after        -- for how long the free motion is followed that comes then, by default ten natural periods; longer
                         where the mass has not turned twice by then
         force        -- as in `steady_state`
+        u_0, v_0     -- displacement and velocity at the beginning, seen from the base; by default it rests where
+                        `steady_state` has it rest
 
         Gives the largest deflection .A and acceleration .a_max, whether the springs leave, .detaches, where the mass
         rests, and by `.series()` its way, seen from the base. Raises ValueError for what is not allowed,
@@ -399,7 +426,7 @@ class Oscillator(Unchanging, Averaged):
         """
         from slowflow.exact import questions
 
-        return questions.transient(self, self._in_time(force), acceleration, duration, tau, after)
+        return questions.transient(self, self._in_time(force), acceleration, duration, tau, after, u_0, v_0)
 
     def shock_spectrum(self, *, acceleration: Any, duration: Any, force: str | None = None) -> exact.ShockSpectrum:
         """What half sines of the base do to the mass: deflection and acceleration over peak and duration of the pulse.

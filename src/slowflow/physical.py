@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from slowflow import plausible, validate
+from slowflow.answer import joined
 from slowflow.averaged.plan import Plan
 from slowflow.mechanism import Floats
 from slowflow.physical_moves import g
@@ -228,30 +229,43 @@ class Physical:
         with self.scales.in_these_terms():
             return Physical(self.oscillator.second_approximation, self.scales, self.given)
 
-    def steady_state(self, *, f: Any, F: Any, A: Any = None, samples: int = 400) -> Quantities:
+    def steady_state(
+        self, *, f: Any, F: Any, A: Any = None, samples: int = 400, x_0: Any = None, v_0: Any = 0.0
+    ) -> Quantities:
         """One periodic motion of the equation of motion: .A .stops .stable .period, and .t .x .v over one period.
+
+        x_0, v_0 -- displacement in m and velocity in m/s at the beginning, in place of A
 
         .A is the largest |x|; under a load that is what `amplitudes` calls .x_max, and .message says so. See
         `Oscillator.steady_state`, which `.answer` is from.
         """
-        at = {"Omega": self._frequency(f), "F_0": self._amplitude(F), "A": self._most(A)}
+        at = {"Omega": self._frequency(f), "F_0": self._amplitude(F), "A": self._most(A), **self._begins(x_0, v_0)}
         found = self._ask(self.oscillator.steady_state, **at)
         tau, u, v = found.series(samples)
         said = {name: getattr(found, name) for name in ("Omega", "A", "stops", "stable", "period")}
-        said |= {"F_0": at["F_0"], "message": "" if self.oscillator.load == 0 else LARGEST}
+        said |= {"F_0": at["F_0"], "message": joined("" if self.oscillator.load == 0 else LARGEST, found.message)}
         return self.scales.named({**said, "tau": tau, "u": u, "v": v}, found)
 
     def exact_response(
-        self, F: Any, *, f: Any = None, start: Quantities | None = None, step: float = 0.02
+        self,
+        F: Any,
+        *,
+        f: Any = None,
+        start: Quantities | None = None,
+        step: float = 0.02,
+        x_0: Any = None,
+        v_0: Any = 0.0,
     ) -> Quantities:
         """The curve of the equation of motion: .f .A .stable .stops, and .folds; see `Oscillator.exact_response`.
 
-        start -- what `steady_state` gave
+        start    -- what `steady_state` gave
+        x_0, v_0 -- as in `steady_state`, in place of it
         """
         if not (start is None or isinstance(start, Quantities)):
             raise Refused(f"start = {start!r} is not allowed: start must be what steady_state gave")
         begun = None if start is None else start.answer
-        found = self._ask(self.oscillator.exact_response, self._amplitude(F), start=begun, step=step, **self._window(f))
+        at = {**self._window(f), **self._begins(x_0, v_0)}
+        found = self._ask(self.oscillator.exact_response, self._amplitude(F), start=begun, step=step, **at)
         entry = ("Omega", "A", "stable", "stops")
         columns = ("Omega", "A", "kind", "corner")
         folds = {name: np.array([getattr(fold, name) for fold in found.folds]) for name in columns}
@@ -260,31 +274,45 @@ class Physical:
         values = {**curve.values, "folds": self.scales.named(folds, found.folds, columns)}
         return Quantities(values, curve.units, found, curve.entry, self.scales)
 
-    def sweep(self, *, f: Any, F: Any) -> Quantities:
+    def sweep(self, *, f: Any, F: Any, x_0: Any = None, v_0: Any = 0.0) -> Quantities:
         """What an experiment sees that steps through frequencies: .f .A .stops .settled, and .jumps in Hz.
+
+        x_0, v_0 -- as in `steady_state`
 
         See `Oscillator.sweep`.
         """
-        found = self._ask(self.oscillator.sweep, Omega=self._frequencies(f), F_0=self._amplitude(F))
+        at = {"Omega": self._frequencies(f), "F_0": self._amplitude(F), **self._begins(x_0, v_0)}
+        found = self._ask(self.oscillator.sweep, **at)
         entry = ("Omega", "A", "stops", "settled")
-        said = {name: getattr(found, name) for name in (*entry, "F_0")}
+        said = {name: getattr(found, name) for name in (*entry, "F_0", "message")}
         jumps = np.array(found.jumps).reshape(-1, 2)
         return self.scales.named({**said, "jumps": jumps}, found, entry)
 
     def transient(
-        self, *, acceleration: Any, duration: Any = None, t: Any = None, after: Any = None, samples: int = 400
+        self,
+        *,
+        acceleration: Any = None,
+        duration: Any = None,
+        t: Any = None,
+        after: Any = None,
+        samples: int = 400,
+        x_0: Any = None,
+        v_0: Any = 0.0,
     ) -> Quantities:
-        """A shock of the base: .A .a_max .detaches .rests, and .t .x .v .a .base over time.
+        """A shock of the base, or a release: .A .a_max .detaches .rests, and .t .x .v .a .base over time.
 
         acceleration -- of the base, in m/s^2: the peak of a half sine, or the samples of a record
         duration     -- of the half sine, in s
         t            -- the times of the samples instead, in s
         after        -- for how long the free motion is followed that comes then, in s
         samples      -- points over time
+        x_0, v_0     -- displacement in m and velocity in m/s at the beginning, seen from the base
 
         See `Oscillator.transient`, which `.answer` is from.
         """
-        pulse = {"acceleration": self._acceleration(acceleration)}
+        pulse = self._begins(x_0, v_0)
+        if acceleration is not None:
+            pulse["acceleration"] = self._acceleration(acceleration)
         times = {"duration": duration, "tau": t, "after": after}
         pulse |= {name: self._time(name, value) for name, value in times.items() if value is not None}
         found = self._ask(self.oscillator.transient, **pulse)
@@ -335,6 +363,11 @@ class Physical:
 
     def _length(self, name: str, value: Any) -> Any:
         return self._over(name, si(name, value, "meter"), "length")
+
+    def _begins(self, x_0: Any, v_0: Any) -> dict[str, Any]:
+        """Displacement and velocity at the beginning, as the oscillator takes them."""
+        v = self._over("v_0", si("v_0", v_0, "meter/second"), "speed")
+        return {"u_0": None if x_0 is None else self._length("x_0", x_0), "v_0": v}
 
     def _acceleration(self, value: Any) -> Any:
         return self._over("acceleration", si("acceleration", value, "meter/second**2"), "acceleration")

@@ -135,6 +135,11 @@ PHRASES = (
     (r"\bc_2 = ", "c_2 = ", "quadratic damping"),
     (r"\bfor Omega in \[", "for f in [", "frequency"),
     (r"\bA = ", "A = ", "length"),
+    (r"\bplaces of rest, at u = ", "places of rest, at x = ", "length"),
+    (r"\bthe mass begins at u = ", "the mass begins at x = ", "length"),
+    (r"\ba motion from u = ", "a motion from x = ", "length"),
+    (r"\bthe spring at u = ", "the spring at x = ", "length"),
+    (r"\bthe push ", "the push ", "force"),
     (r"\bamplitude up to ", "amplitude up to ", "length"),
     (r"\bamplitudes above ", "amplitudes above ", "length"),
 )
@@ -151,6 +156,7 @@ LETTERS = (
     (r"\btau\b", "t"),
     (r"\bOmega\b", "f"),
     (r"\bu_cr\b", "x_cr"),
+    (r"\bu_0\b", "x_0"),
     (r"\bu = 0\b", "x = 0"),
 )
 NUMBER = r"-?(?:\d+(?:\.\d+)?(?:e[+-]?\d+)?|inf)"

@@ -19,7 +19,7 @@ from slowflow.exact import response, shooting
 from slowflow.exact.shocks import ShockSpectrum, shock_spectrum
 from slowflow.exact.sweep import Sweep
 from slowflow.exact.sweep import sweep as stepped
-from slowflow.exact.transient import AFTER, NO_PULSE, Transient, half_sine, record
+from slowflow.exact.transient import AFTER, NO_PULSE, Arc, Transient, half_sine, record
 from slowflow.exact.transient import transient as followed
 from slowflow.loaded import Loaded
 from slowflow.mechanism import EquationOfMotion
@@ -47,20 +47,34 @@ OTHER = (
 )
 #: a pulse, or a step of a record, whose frequency is beyond the range of doubles
 SHORTEST = math.pi / sys.float_info.max
-NOWHERE = "no shock: there is no stable place of rest that the mass could begin at"
-SEVERAL = "there are several stable places of rest: the mass begins at that nearest to the centre"
+NOWHERE = "no motion from rest: there is no stable place of rest that the mass could begin at; u_0= says where it does"
+SEVERAL = (
+    "there are several stable places of rest, at u = {places}: the mass begins at u = {at:.6g}, the nearest to the "
+    "centre; u_0= has it begin elsewhere"
+)
+#: displacement at which it is asked where a force pushes that has no stiffness at u = 0
+NEXT = 2.0**-20
+BOTH = "{} says which motion it is, u_0 and v_0 from where one comes: not both"
 UNKNOWN = "whether there are other curves is not known, averaging does not say: {}"
 
 
 def steady_state(
-    averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float, A: float | None
+    averaged: Averaged,
+    system: EquationOfMotion,
+    Omega: float,
+    F_0: float,
+    A: float | None,
+    u_0: float | None,
+    v_0: float,
 ) -> shooting.SteadyState:
     """See `slowflow.oscillator.Oscillator.steady_state`."""
     Omega = validate.number("Omega", Omega, above=0.0)
     F_0 = validate.number("F_0", F_0, above=0.0)
     wanted = None if A is None else validate.number("A", A, above=0.0)
     if wanted is None:
-        return _from_rest(averaged, system, Omega, F_0)
+        return _from_rest(averaged, system, Omega, F_0, u_0, v_0)
+    if u_0 is not None or v_0 != 0:
+        raise Refused(BOTH.format("A"))
     shooting.check_forcing(system, Omega, F_0)
     if not system.centred:
         return _off_centre(averaged, system, Omega, F_0, wanted)
@@ -74,9 +88,12 @@ def steady_state(
 
 def _held(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float) -> list[shooting.SteadyState]:
     """Of static friction, which averaging knows nothing of: what a mass at rest comes to, if it moves and settles."""
-    if not system.mu_s > system.mu or shooting.stays_at_rest(system, Omega, F_0):
+    if not system.mu_s > system.mu:
         return []
     try:
+        at, _ = at_rest(averaged, system)
+        if shooting.stays_at_rest(system, Omega, F_0, at):
+            return []
         return [_from_rest(averaged, system, Omega, F_0)]
     except ArithmeticError:
         return []
@@ -113,6 +130,8 @@ def exact_response(
     Omega: tuple[float, float],
     start: shooting.SteadyState | None,
     step: float,
+    u_0: float | None,
+    v_0: float,
 ) -> response.Response:
     """See `slowflow.oscillator.Oscillator.exact_response`."""
     F_0 = validate.number("F_0", F_0, above=0.0)
@@ -126,7 +145,9 @@ def exact_response(
         rests = RESTS.format(alone, low)
     shooting.check_forcing(system, low, F_0)
     if start is None:
-        start = _from_rest(averaged, system, low, F_0)
+        start = _from_rest(averaged, system, low, F_0, u_0, v_0)
+    elif u_0 is not None or v_0 != 0:
+        raise Refused(BOTH.format("start"))
     elif not (isinstance(start, shooting.SteadyState) and low <= start.Omega <= high and start.F_0 == F_0):
         raise Refused(
             f"start = {start!r} is not allowed: start must be a steady state at F_0 = {F_0:g}, Omega in {Omega}"
@@ -134,7 +155,7 @@ def exact_response(
     found = response.exact_response(system, F_0, Omega=(low, high), start=start, step=step)
     # what else there is cannot be told from a part
     said = _others(averaged, found, (low, high)) if found.complete else found.message
-    return dataclasses.replace(found, message=joined(rests, said))
+    return dataclasses.replace(found, message=joined(rests, start.message, said))
 
 
 def _others(averaged: Averaged, found: response.Response, window: tuple[float, float]) -> str:
@@ -166,21 +187,32 @@ def _averaged(averaged: Any, F_0: float, window: tuple[float, float]) -> tuple[A
     return curve, curve.A
 
 
-def sweep(system: EquationOfMotion, Omega: Any, F_0: float) -> Sweep:
+def sweep(averaged: Any, system: EquationOfMotion, Omega: Any, F_0: float, u_0: float | None, v_0: float) -> Sweep:
     """See `slowflow.oscillator.Oscillator.sweep`."""
     F_0 = validate.number("F_0", F_0, above=0.0)
     frequencies = validate.positive_array("Omega", Omega)
-    return stepped(system, Omega=frequencies, F_0=F_0)
+    u, v, said = _beginning(averaged, system, u_0, v_0)
+    return dataclasses.replace(stepped(system, Omega=frequencies, F_0=F_0, u_0=u, v_0=v), message=said)
 
 
 def transient(
-    averaged: Any, system: EquationOfMotion, acceleration: Any, duration: Any, tau: Any, after: Any
+    averaged: Any,
+    system: EquationOfMotion,
+    acceleration: Any,
+    duration: Any,
+    tau: Any,
+    after: Any,
+    u_0: float | None = None,
+    v_0: float = 0.0,
 ) -> Transient:
     """See `slowflow.oscillator.Oscillator.transient`; of an `Averaged`, or of an `OffCentre`."""
-    if (duration is None) == (tau is None):
+    released = acceleration is None and duration is None and tau is None and (u_0 is not None or v_0 != 0)
+    if not released and (duration is None) == (tau is None):
         raise Refused(NO_PULSE)
     begin = 0.0
-    if duration is not None:
+    if released:
+        arcs = np.empty((0, len(Arc._fields)))
+    elif duration is not None:
         peak = validate.number("acceleration", acceleration)
         arcs = half_sine(peak, validate.number("duration", duration, above=SHORTEST))
     else:
@@ -190,34 +222,66 @@ def transient(
             raise Refused(f"tau and acceleration must be two rows of as many numbers, tau rising: not of {shapes}")
         arcs, begin = record(times, samples), float(times[0])
     last = AFTER if after is None else validate.number("after", after, least=0.0)
-    at, said = _at_rest(averaged, system)
-    found = followed(system, arcs, begin=begin, after=last, at=at)
+    at, v, said = _beginning(averaged, system, u_0, v_0)
+    rest = at if u_0 is None else at_rest(averaged, system)[0]
+    found = followed(system, arcs, begin=begin, after=last, at=at, v=v, rest=rest)
     return dataclasses.replace(found, message=joined(said, _beyond_reach(averaged, found.A)))
 
 
-def _at_rest(averaged: Any, system: EquationOfMotion) -> tuple[float, str]:
-    """Where the mass rests that a shock meets, f(u) = load, and what there is to say: of the stable places the nearest.
+def _beginning(averaged: Any, system: EquationOfMotion, u_0: Any, v_0: Any) -> tuple[float, float, str]:
+    """Displacement and velocity that a motion begins with, and what there is to say: by default at rest."""
+    v = validate.number("v_0", v_0)
+    if u_0 is not None:
+        return validate.number("u_0", u_0), v, ""
+    at, said = at_rest(averaged, system)
+    return at, v, said
 
+
+def rests_at_centre(system: EquationOfMotion) -> bool:
+    """Whether u = 0 is a place of rest that the force does not push the mass away from, on either side."""
+    force = system.force
+    if force.jump != 0:
+        return force.jump > 0
+    if force.value(0.0) != system.load:
+        return False
+    for side in (1.0, -1.0):
+        stiffness = force.piece(force.region_of(side * NEXT)).slope(0.0)
+        if not (stiffness > 0 or (stiffness == 0 and side * (force.value(side * NEXT) - system.load) >= 0)):
+            return False
+    return True
+
+
+def at_rest(averaged: Any, system: EquationOfMotion) -> tuple[float, str]:
+    """Where the mass rests, f(u) = load, and what there is to say: of the stable places the nearest to the centre.
+
+    Of two that are as near that with u > 0. Friction holds it beside these too, but that is no place of its own.
     Raises ArithmeticError where there is none.
     """
-    if system.centred:
+    stands = rests_at_centre(system)
+    if stands and system.centred:
         return 0.0, ""
     found, force = averaged.rest(), system.force
     places = found.u[found.stable]
+    if not places.size and stands:
+        return 0.0, ""
     if not places.size:
         raise NotSettled(NOWHERE)
+    near = places[places > 0] if system.centred else places
     from scipy.optimize import root_scalar  # a motion about the centre does without SciPy
 
     # of the force that is followed, which may be another one than is averaged
     at = root_scalar(
         lambda u: force.value(u) - system.load,
         fprime=lambda u: force.piece(force.region_of(u)).slope(u),
-        x0=float(places[np.argmin(np.abs(places))]),
+        x0=float(near[np.argmin(np.abs(near))]),
         method="newton",
     )
     if not at.converged:
         raise NotSettled(NOWHERE)
-    return float(at.root), SEVERAL if places.size > 1 else ""
+    u = float(at.root)
+    if places.size == 1:
+        return u, ""
+    return u, SEVERAL.format(places=", ".join(f"{place:.6g}" for place in places), at=u)
 
 
 def _beyond_reach(averaged: Any, A: float) -> str:
@@ -236,23 +300,29 @@ def shocks(averaged: Any, system: EquationOfMotion, acceleration: Any, duration:
     }
     shape = validate.common_shape(pulses)
     validate.number("duration", float(pulses["duration"].min(initial=1.0)), above=SHORTEST)
-    at, said = _at_rest(averaged, system)
+    at, said = at_rest(averaged, system)
     peaks, spans = (np.broadcast_to(values, shape).ravel() for values in pulses.values())
     found = shock_spectrum(system, peaks, spans, at)
     return dataclasses.replace(found, message=joined(said, _beyond_reach(averaged, float(found.A.max(initial=0.0)))))
 
 
-def _from_rest(averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float) -> shooting.SteadyState:
-    """What a mass at rest comes to, followed; where that takes too many turns, the only one that averaging knows of."""
+def _from_rest(
+    averaged: Averaged, system: EquationOfMotion, Omega: float, F_0: float, u_0: float | None = None, v_0: float = 0.0
+) -> shooting.SteadyState:
+    """What a mass at rest comes to, or one that begins with (u_0, v_0), followed.
+
+    Where that takes too many turns, the only one that averaging knows of.
+    """
+    u, v, said = _beginning(averaged, system, u_0, v_0)
     try:
-        return shooting.steady_state(system, Omega=Omega, F_0=F_0)
+        return dataclasses.replace(shooting.steady_state(system, Omega=Omega, F_0=F_0, u_0=u, v_0=v), message=said)
     except shooting.NotPeriodic:
         states: Any = averaged.states(Omega=Omega, F_0=F_0) if system.centred else _states(averaged, Omega, F_0)
         if states.A.size == 1:
             B = 0.0 if system.centred else float(states.B[0])
             found = shooting.near(system, Omega, F_0, (float(states.A[0]), float(states.phi[0])), B=B)
             if found is not None and found.stable:
-                return found
+                return dataclasses.replace(found, message=said)
         raise
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -15,10 +15,11 @@ from slowflow.averaged import remarks
 from slowflow.averaged.batches import Batch, Codes
 from slowflow.averaged.many import Designs
 from slowflow.averaged.parts import share
+from slowflow.exact import questions
 from slowflow.exact.compiled import many_shocks, recurrences
 from slowflow.exact.transient import AFTER, NO_PULSE, half_sine, record, transient
 from slowflow.mechanism import EquationOfMotion, Floats, Force, followed
-from slowflow.model import THROUGHOUT
+from slowflow.model import THROUGHOUT, Model
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.exact_conventions import Outcome
@@ -28,6 +29,8 @@ from slowflow_support.errors import Refused
 AT_ONCE, ALONE = 2**14, 16
 #: columns of `Shocks` that are those of `Transients`
 SPECTRAL = ("A", "a_max", "detaches", "status")
+#: what says of a model under a load where it rests: `slowflow.off_centre.OffCentre`, of a room above this
+OffCentres = Callable[[Model, float], Any]
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,17 +83,27 @@ class Transients(Shocked):
     status: Codes
 
 
-def of_designs(designs: Designs, acceleration: Any, duration: Any, workers: int = 1) -> Shocks:
+def of_designs(
+    designs: Designs, acceleration: Any, duration: Any, workers: int = 1, *, off_centre: OffCentres
+) -> Shocks:
     """See `slowflow.designs.Designs.shock_spectrum`."""
     pulse = numbers(acceleration=acceleration, duration=duration)
     peak, span = pulse.values()
-    found = _followed(designs, *_half_sine(peak, span), (peak > 0) & (span > 0), 0.0, workers)
+    allowed = (peak > 0) & (span > 0)
+    found = _followed(designs, off_centre, *_half_sine(peak, span), allowed, 0.0, workers)
     ratio = found["a_max"] / peak
     return Shocks(**{name: found[name] for name in SPECTRAL}, ratio=ratio, _designs=designs, _pulse=pulse)
 
 
 def transients(
-    designs: Designs, acceleration: Any, duration: Any, tau: Any, after: Any, workers: int = 1
+    designs: Designs,
+    acceleration: Any,
+    duration: Any,
+    tau: Any,
+    after: Any,
+    workers: int = 1,
+    *,
+    off_centre: OffCentres,
 ) -> Transients:
     """See `slowflow.designs.Designs.transient`."""
     last = AFTER if after is None else validate.number("after", after, least=0.0)
@@ -99,13 +112,13 @@ def transients(
     if tau is None:
         pulse = numbers(acceleration=acceleration, duration=duration)
         peak, span = pulse.values()
-        found = _followed(designs, *_half_sine(peak, span), span > 0, last, workers)
+        found = _followed(designs, off_centre, *_half_sine(peak, span), span > 0, last, workers)
         return Transients(**found, _designs=designs, _pulse=pulse)
     times, accelerations = samples(tau, acceleration)
     rises = (np.diff(times) > 0).all(axis=-1)
     with np.errstate(all="ignore"):  # what is no pulse has a status
         arcs = record(times, accelerations)
-    found = _followed(designs, arcs, times[..., 0], rises, last, workers)
+    found = _followed(designs, off_centre, arcs, times[..., 0], rises, last, workers)
     return Transients(**found, _designs=designs, _pulse={})
 
 
@@ -133,7 +146,13 @@ def _half_sine(peak: Floats, span: Floats) -> tuple[Floats, Floats]:
 
 
 def _followed(
-    designs: Designs, arcs: Floats, begin: Floats, allowed: Any, after: float, workers: int
+    designs: Designs,
+    off_centre: OffCentres,
+    arcs: Floats,
+    begin: Floats,
+    allowed: Any,
+    after: float,
+    workers: int,
 ) -> dict[str, Any]:
     """The columns of `Transients` for arcs of shape (..., n, 4), which before that broadcast with the designs."""
     if "eta" in designs.values:
@@ -152,12 +171,13 @@ def _followed(
     laws = tuple(recurrences(law) for law in designs.mechanism.pieces)
     with np.errstate(all="ignore"):
         at_rest = designs.mechanism.at_rest(*designs.mechanism.coefficients(*designs.design))[:2]
-    # a force that jumps at rest is followed one by one; one that has no stiffness there is refused by that
-    smooth = np.broadcast_to((at_rest[0] == 0) & np.isfinite(at_rest[1]), shape).ravel()
+    # a force that jumps at rest, or that may push away from there, is followed one by one; one that has no finite
+    # stiffness there is refused by that
+    smooth = np.broadcast_to((at_rest[0] == 0) & np.isfinite(at_rest[1]) & (at_rest[1] < 0), shape).ravel()
     singly = asked if designs.laws or None in laws else asked[~smooth[asked]]
     for k in progress.each(singly.tolist(), singly.size, "designs followed singly"):
         one = {name: float(value[k]) for name, value in values.items()}
-        status[k], numbers[k] = _alone(designs, one, pulses_of[which[k]], float(begins[k]), after)
+        status[k], numbers[k] = _alone(designs, off_centre, one, pulses_of[which[k]], float(begins[k]), after)
     together = np.setdiff1d(asked, singly, assume_unique=True)
 
     def part(where: Any) -> None:
@@ -184,7 +204,12 @@ def _columns(values: Sequence[Any], count: int) -> Floats:
 
 
 def _alone(
-    designs: Designs, values: dict[str, float], arcs: Floats, begin: float, after: float
+    designs: Designs,
+    off_centre: OffCentres,
+    values: dict[str, float],
+    arcs: Floats,
+    begin: float,
+    after: float,
 ) -> tuple[Status, tuple[float, ...]]:
     """The status and the numbers of one design, by `transient`."""
     none = (np.nan,) * 7
@@ -192,7 +217,9 @@ def _alone(
         model = designs.model(values)
         force = followed(Force.of(designs.mechanism, model.parameters), designs.mechanism.name)
         laws = {"c_2": model.laws.c_2, "released": model.laws.rubs != THROUGHOUT}
-        found = transient(EquationOfMotion(force, model.mu, model.zeta, **laws), arcs, begin=begin, after=after)
+        system = EquationOfMotion(force, model.mu, model.zeta, **laws)
+        at, _ = questions.at_rest(off_centre(model, 0.0), system)
+        found = transient(system, arcs, begin=begin, after=after, at=at)
     except ValueError:
         return Status.INVALID, none
     except ArithmeticError:

@@ -43,6 +43,8 @@ def lengths(system: EquationOfMotion) -> tuple[int, ...]:
     return HALF_TURNS if system.centred else tuple(n for n in HALF_TURNS if n % 2 == 0)
 
 
+#: of the load, the difference from the spring's force that rounding makes where they balance
+BALANCED = 2.0**-40
 AGAIN = 1e-9  # of its amplitude, within which a motion is where it was before
 GAUSS_NODES = 40  # per phase of the motion, for its harmonics
 PEAK_SAMPLES = 65  # per phase, between which the largest force that is passed on is looked for
@@ -77,7 +79,7 @@ RESTS_AT_JUMP = (
     "no multipliers"
 )
 COMES_TO_REST = (
-    "no steady state found at Omega = {Omega:g}, F_0 = {F_0:g}: a motion from A = {u:.6g} on comes to rest, where "
+    "no steady state found at Omega = {Omega:g}, F_0 = {F_0:g}: a motion from u = {u:.6g} on comes to rest, where "
     "friction holds the mass"
 )
 
@@ -99,6 +101,7 @@ class SteadyState(Answer):
     stable       -- both multipliers inside the unit circle
     symmetric    -- whether u(tau + period/2) = -u(tau)
     phases       -- of one cycle, from its highest turning point
+    message      -- what to bear in mind; empty if there is nothing to say
     """
 
     Omega: float
@@ -112,6 +115,7 @@ class SteadyState(Answer):
     cycle: Cycle = field(repr=False)
     unknowns: Array = field(repr=False)
     phases: list[Phase] = field(repr=False)
+    message: str = ""
 
     @property
     def force(self) -> float:
@@ -287,11 +291,14 @@ def steady_state(
     F_0: float,
     half_turns: int | None = None,
     integrator: Integrator | None = None,
+    u_0: float = 0.0,
+    v_0: float = 0.0,
 ) -> SteadyState:
     """The periodic motion at one frequency.
 
     guess      -- a neighbouring `SteadyState`, or (A, phi) of u = A cos(Omega tau + phi); without it the mass is
-                  released at rest at u = 0 and followed until it settles, which finds stable motions only
+                  released at u_0 with the velocity v_0, where the forcing is largest, and followed until it settles,
+                  which finds stable motions only
     half_turns -- 1: look for half-wave symmetric motions u(tau + pi/Omega) = -u(tau); 2: for any with the forcing's
                   period; n: with the state (-1)^n times the same after n pi/Omega. By default 1, then 2, 3, 4 and 6;
                   even ones under a load.
@@ -301,11 +308,11 @@ def steady_state(
     Raises ValueError for parameters out of range or where friction holds the mass for ever, ArithmeticError if nothing
     periodic is found.
     """
-    check_forcing(system, Omega, F_0, from_rest=guess is None)
+    check_forcing(system, Omega, F_0, begins=(u_0, v_0) if guess is None else None)
     integrator = integrator or default_integrator(system)
     forced = Forced(system, float(Omega), float(F_0), integrator)
     tries = lengths(system) if half_turns is None else (half_turns,)
-    theta, u = 0.0, 0.0
+    theta, u, v = 0.0, u_0, v_0
     if isinstance(guess, SteadyState):
         cycle = guess.cycle
         if cycle.system is not system or cycle.integrator is not integrator:
@@ -315,13 +322,13 @@ def steady_state(
         found = _settle_signature(cycle, z, forced, tries)
         if found is not None:
             return _once(found, forced, tries)
-        theta, u = float(z[1]), float(z[0])
+        theta, u, v = float(z[1]), float(z[0]), 0.0
     elif guess is not None:
-        theta, u = _start(guess)
+        (theta, u), v = _start(guess), 0.0
         found = _near(forced, theta, u, tries, u)
         if found is not None:
             return found
-    return _by_time_stepping(forced, theta, u, tries)
+    return _by_time_stepping(forced, theta, (u, v), tries)
 
 
 @limited()
@@ -384,28 +391,40 @@ def _once(found: SteadyState, forced: Forced, tries: tuple[int, ...]) -> SteadyS
     return found
 
 
-def stays_at_rest(system: EquationOfMotion, Omega: float, F_0: float) -> bool:
-    """Whether friction holds a mass at rest for ever, as the forcing does not exceed it."""
-    return system.forcing(Omega=Omega, F_0=F_0) <= system.holds(0)
+def stays_at_rest(system: EquationOfMotion, Omega: float, F_0: float, u: float = 0.0) -> bool:
+    """Whether friction holds a mass at rest at u for ever, as spring, load and forcing together do not exceed it."""
+    region = system.force.region_of(u)
+    return system.forcing(Omega=Omega, F_0=F_0) + _pull(system, u) <= system.holds(region)
 
 
-def check_forcing(system: EquationOfMotion, Omega: float, F_0: float, *, from_rest: bool = False) -> None:
+def _pull(system: EquationOfMotion, u: float) -> float:
+    """What spring and load together push with at u; 0 where they balance but for rounding."""
+    at = system.force.value(u)
+    pull = abs(at - system.load)
+    return 0.0 if pull <= BALANCED * abs(system.load) else pull
+
+
+def check_forcing(
+    system: EquationOfMotion, Omega: float, F_0: float, *, begins: tuple[float, float] | None = None
+) -> None:
     """Raises ValueError unless Omega > 0, F_0 > 0 are finite, damping settles a motion, and the forcing keeps one up.
 
     Kinetic friction that acts throughout takes more than a force that does not exceed it can give. Static friction, and
-    one that ends at a breakpoint, holds a mass at rest (`from_rest`), beside which there may be motions.
+    one that ends at a breakpoint, holds a mass that `begins` with such (u, v), beside which there may be motions.
     """
     check_numbers(system, Omega, F_0)
     force = system.forcing(Omega=Omega, F_0=F_0)
     told = f"F_0 Omega^2 = {F_0} {Omega}^2" if system.inertial else f"F_0 = {F_0}"
     if force <= system.mu and not system.released:
         raise Refused(f"{told} does not exceed mu = {system.mu}: friction holds the mass for ever, it never moves")
-    if from_rest and stays_at_rest(system, Omega, F_0):
+    if begins is not None and begins[1] == 0 and stays_at_rest(system, Omega, F_0, begins[0]):
+        region, pull = system.force.region_of(begins[0]), _pull(system, begins[0])
+        told += f" and the push {pull:g} of the spring at u = {begins[0]:g}, together," if pull else ""
         name = "mu_s" if system.mu_s > system.mu else "mu"
         name += " and what the force jumps to at u = 0, together" if system.force.jump else ""
         raise Refused(
-            f"{told} does not exceed {name} = {system.holds(0)}: friction holds a mass at rest for ever; of motions "
-            "beside that, if there are any, steady_state has the one next to A="
+            f"{told} does not exceed {name} = {system.holds(region)}: friction holds a mass at rest for ever; of "
+            "motions beside that, if there are any, steady_state has the one next to A="
         )
 
 
@@ -554,10 +573,10 @@ def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, .
     return Settled(None, len(history) - 1, u, v, phases, change)
 
 
-def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, ...]) -> SteadyState:
-    """The motion that the one from rest at (theta, u) settles to."""
+def _by_time_stepping(forced: Forced, theta: float, state: tuple[float, float], tries: tuple[int, ...]) -> SteadyState:
+    """The motion that the one from (theta, u, v) settles to."""
     turns = MOST_TURNS if isinstance(forced.integrator, TaylorIntegrator) else SLOW_TURNS
-    settled = settle(forced, theta, u, 0.0, tries, turns)
+    settled = settle(forced, theta, *state, tries, turns)
     parted = _parted(forced, theta, settled)
     if parted < PARTED and turns < MOST_TURNS and _on_its_way(settled):
         settled = settle(forced, theta, settled.u, settled.v, tries, MOST_TURNS - turns)
@@ -570,7 +589,7 @@ def _by_time_stepping(forced: Forced, theta: float, u: float, tries: tuple[int, 
     if settled.repeats:
         raise NotPeriodic(RESTS_AT_JUMP.format(Omega=forced.Omega, F_0=forced.F_0, A=_largest(settled.phases)))
     if at_rest(settled.phases):
-        raise NotPeriodic(COMES_TO_REST.format(Omega=forced.Omega, F_0=forced.F_0, u=u))
+        raise NotPeriodic(COMES_TO_REST.format(Omega=forced.Omega, F_0=forced.F_0, u=state[0]))
     if parted >= PARTED:
         rate = parted ** (1.0 / PARTING_TURNS)
         raise NotPeriodic(

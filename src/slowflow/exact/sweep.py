@@ -50,6 +50,7 @@ class Sweep(Table):
     turns   -- turns of the forcing followed before it was shown that the motion tends there
     settled -- whether it was, within the turns that are followed at most
     jumps   -- pairs (Omega before, Omega after) between which the motion left its branch
+    message -- what to bear in mind; empty if there is nothing to say
     """
 
     entry: ClassVar[Any] = SweepPoint
@@ -61,6 +62,7 @@ class Sweep(Table):
     turns: NDArray[np.int64]
     settled: NDArray[np.bool_]
     jumps: tuple[tuple[float, float], ...]
+    message: str = ""
     picture: ClassVar[str] = "sweep"
 
     def plot(self, ax: Any = None) -> Any:
@@ -77,8 +79,10 @@ def sweep(
     F_0: float,
     most_turns: int = 2000,
     integrator: Integrator | None = None,
+    u_0: float = 0.0,
+    v_0: float = 0.0,
 ) -> Sweep:
-    """Follows the motion from rest through the frequencies, keeping its state and the forcing's phase at each step.
+    """Follows the motion from (u_0, v_0) through the frequencies, keeping state and phase of the forcing at each step.
 
     most_turns -- at one frequency
 
@@ -92,11 +96,11 @@ def sweep(
         raise Refused(f"Omega must be a non-empty list of frequencies, not an array of shape {frequencies.shape}")
     for frequency in frequencies:
         check_numbers(system, float(frequency), F_0)
-    check_forcing(system, float(frequencies.max()), F_0, from_rest=True)
+    check_forcing(system, float(frequencies.max()), F_0, begins=(u_0, v_0))
     integrator, tries = integrator or default_integrator(system), lengths(system)
     A, rests, spent = np.empty(frequencies.size), np.empty(frequencies.size, int), np.empty(frequencies.size, int)
     settled, rested = (np.zeros(frequencies.size, bool) for _ in range(2))
-    u, v, i = 0.0, 0.0, 0
+    u, v, i = u_0, v_0, 0
     while i < frequencies.size:
         if isinstance(integrator, TaylorIntegrator):
             packed = np.array(tries, dtype=np.intc).tobytes()

@@ -75,7 +75,7 @@ class Series(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Transient(Answer):
-    """What a mass at rest does when its base is accelerated. All quantities dimensionless; accelerations in k_v L/m.
+    """What a mass does when its base is accelerated, or when it is let go. All dimensionless; accelerations in k_v L/m.
 
     A, tau_A      -- largest |u|, the deflection of the springs, under a load with that at rest, and when it is reached
     a_max, tau_a  -- largest acceleration of the mass, as seen by who stands still, and when
@@ -151,20 +151,26 @@ def transient(
     begin: float = 0.0,
     after: float = AFTER,
     at: float = 0.0,
+    v: float = 0.0,
+    rest: float | None = None,
     integrator: Integrator | None = None,
 ) -> Transient:
-    """The motion from rest at u = `at` under the arcs, rows of `Arc`, and freely for `after` when they are over.
+    """The motion from u = `at` with the velocity v under the arcs, rows of `Arc`, and freely for `after` after them.
+
+    rest -- where the mass rests without friction; `at` if it is not given
 
     It is followed until the mass has turned twice since, or friction holds it: a free motion only loses energy, so that
     A and a_max are the largest for all time. Raises ArithmeticError where the motion escapes a softening spring,
     chatters where the force jumps, or does not turn, and off the centre where a pulse is lost beside the load.
     """
-    peak, off_by = float(arcs[:, 2].max()), BACK * max(abs(at), abs(system.load))
+    rest = at if rest is None else rest
+    peak, off_by = float(arcs[:, 2].max(initial=0.0)), BACK * max(abs(at), abs(system.load))
     held = peak + off_by <= system.holds(system.force.region_of(at))
-    if 0 < peak < off_by / WEAK and not held:
+    if 0 < peak < off_by / WEAK and not held and at == rest and v == 0.0:
         raise NotSettled(TOO_WEAK.format(peak, at, off_by / peak))
     forced = replace(system, inertial=False)  # an acceleration is a force, whatever else the oscillator is excited by
-    stretches = list(_followed(forced, arcs, begin, after, at, integrator or default_integrator(system)))
+    by = integrator or default_integrator(system)
+    stretches = list(_followed(forced, arcs, begin, after, (at, v), rest, by))
     phases = [(stretch, phase) for stretch in stretches for phase in stretch.phases]
     last = phases[-1][1]
     # between switches u is monotone
@@ -182,14 +188,20 @@ def transient(
 
 
 def _followed(
-    system: EquationOfMotion, arcs: Array, tau: float, after: float, at: float, integrator: Integrator
+    system: EquationOfMotion,
+    arcs: Array,
+    tau: float,
+    after: float,
+    begins: tuple[float, float],
+    rest: float,
+    integrator: Integrator,
 ) -> Iterator[Stretch]:
-    u, v, A = at, 0.0, 0.0
+    (u, v), A = begins, 0.0
     for arc in map(Arc._make, arcs.tolist()):
         stretch = _under(Forced(system, arc.Omega, arc.F, integrator), tau, arc, u, v)
         u, v = stretch.phases[-1].u_end, stretch.phases[-1].v_end
         tau += arc.span
-        A = max(A, *(abs(phase.u_end - at) for phase in stretch.phases))
+        A = max(A, *(abs(phase.u_end - rest) for phase in stretch.phases))
         yield stretch
     over, turned = tau + after, 0
     for _ in range(MOST_TURNS):
@@ -199,9 +211,10 @@ def _followed(
         tau += free.span
         yield stretch
         turned += sum(phase.event == Event.STOP for phase in stretch.phases)
-        A = max(A, *(abs(phase.u_end - at) for phase in stretch.phases))
+        A = max(A, *(abs(phase.u_end - rest) for phase in stretch.phases))
         # a mass that is damped much creeps back, and turns once at most: until it does not move, or has come back
-        creeps = abs(v) <= abs(u - at) * CREEPS or max(abs(u - at), abs(v)) <= A * CREEPS + BACK * abs(at)
+        off = abs(u - rest)
+        creeps = abs(v) <= off * CREEPS or max(off, abs(v)) <= A * CREEPS + BACK * abs(rest)
         if tau >= over and (turned >= 2 or stretch.phases[-1].slip == 0 or creeps):
             return
     raise NotSettled(f"within {MOST_TURNS} turns after the pulse the mass does not turn twice, and does not rest")

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -21,6 +22,7 @@ from slowflow.exact import shocks_many
 from slowflow.mechanism import Mechanism
 from slowflow.off_centre import many as off_centre
 from slowflow.off_centre.many import OffCentreDesigns
+from slowflow.off_centre.questions import OffCentre
 from slowflow.second.many import UNANSWERED as OF_BATCHES
 from slowflow.second.many import SecondDesigns
 from slowflow.version import __version__
@@ -48,7 +50,7 @@ class Question(NamedTuple):
 
 def _transient(designs: Designs, acceleration: Any, workers: int, **pulse: Any) -> shocks_many.Transients:
     given = {"duration": None, "tau": None, **pulse}
-    return shocks_many.transients(designs, acceleration, workers=workers, **given)
+    return shocks_many.transients(designs, acceleration, workers=workers, off_centre=OffCentre, **given)
 
 
 #: why maps have no answer to a question in the second approximation
@@ -85,7 +87,7 @@ QUESTIONS: Mapping[str, Question] = {
         options={"after": None},
         along=RECORD,
     ),
-    "shock_spectrum": Question(shocks_many.Shocks, shocks_many.of_designs, takes=PULSE),
+    "shock_spectrum": Question(shocks_many.Shocks, partial(shocks_many.of_designs, off_centre=OffCentre), takes=PULSE),
 }
 #: the same of designs under a load
 LOADED: Mapping[str, Question] = {

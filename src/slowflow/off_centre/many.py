@@ -660,8 +660,9 @@ def _shocked(single: OffCentre) -> tuple[EquationOfMotion, int]:
     """The equation of motion of a design, and how many stable places of rest it has."""
     model = single.model
     force = followed(Force.of(model.mechanism, model.parameters), model.mechanism.name)
-    stands = 1 if force.odd and single.load == 0 else int(single.rest().stable.sum())
-    return EquationOfMotion(force, model.mu, model.zeta, load=single.load, c_2=model.laws.c_2), stands
+    system = EquationOfMotion(force, model.mu, model.zeta, load=single.load, c_2=model.laws.c_2)
+    begins_at_centre = system.centred and questions.rests_at_centre(system)
+    return system, 1 if begins_at_centre else int(single.rest().stable.sum())
 
 
 def _of_shock(single: OffCentre, found: Any, stands: int, *names: str) -> Found:
