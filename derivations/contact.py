@@ -28,6 +28,7 @@ from sympy.codegen.cfunctions import log1p
 
 from slowflow_support.errors import NotSettled
 
+from .given import in_text
 from .restoring import ORDERS
 from .symbols import A, u
 
@@ -176,12 +177,14 @@ def parted(piece: sp.Expr, begins: int, begin: sp.Expr) -> tuple[sp.Expr, list[C
             else:
                 factor *= part
         if not _is_smooth(factor):
-            raise NotSettled(f"{term.subs(v, u - begin)}, which is no power of u - {begin} times what is smooth")
+            raise NotSettled(
+                f"{in_text(term.subs(v, u - begin))}, which is no power of u - {in_text(begin)} times what is smooth"
+            )
         if power.is_Integer:
             smooth += term
             continue
         if power <= LEAST:
-            raise NotSettled(f"{term.subs(v, u - begin)}, whose power is not above 1/2: h has no slope there")
+            raise NotSettled(f"{in_text(term.subs(v, u - begin))}, whose power is not above 1/2: h has no slope there")
         lowest = next((known for known in factors if (power - known).is_Integer), power)
         if power < lowest:
             factors[power] = v ** (lowest - power) * factors.pop(lowest)

@@ -8,12 +8,14 @@ What stands here is what `emit/` prints for programs, before its passes: the exp
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import sympy as sp
 
 from . import resultants
 from .averaging import Averaged
+from .given import in_decimals, in_text
 from .mechanisms import DAMPING, FORCING, Mechanism, Parameter
 from .of_mechanism import OfMechanism
 from .quadrature import Quadrature, sums
@@ -24,6 +26,9 @@ from .slow_flow import SlowFlow
 from .slow_flow import m as friction
 from .symbols import A, Omega, sigma, u
 
+#: a number with a decimal point, and what is said where there is one
+DECIMAL = re.compile(r"\d\.\d")
+DECIMALS = "\nA decimal number of up to 17 digits is the double that it names, or one rounded to that many.\n"
 #: not more than
 LESS = r"\le"
 
@@ -65,11 +70,11 @@ def motion_of_sided(force: Sided) -> Iterator[str]:
     yield from equation_of_motion()
     yield "The force is not odd:"
     yield ""
-    ends = [*map(sp.latex, force.ends), ""]
+    ends = [*map(latex, force.ends), ""]
     for number, (piece, end) in enumerate(zip(force.pieces, ends, strict=True), start=1):
         low, high = f"{ends[number - 2]} < " if number > 1 else "", rf" {LESS} {end}" if end else ""
         where = rf"\quad {low}u{high}" if low or high else ""
-        yield from display(("f(u)", sp.latex(sp.collect(sp.expand(piece), u)) + where))
+        yield from display(("f(u)", latex(sp.collect(sp.expand(piece), u)) + where))
 
 
 def balance(force: Sided) -> Iterator[str]:
@@ -87,7 +92,7 @@ def balance(force: Sided) -> Iterator[str]:
     gains = force.steps[len(force.pieces) :]
     for end, row in zip(force.ends, gains, strict=True):
         yield from display(
-            *((rf"D_{order}\big|_{{u = {sp.latex(end)}}}", value) for order, value in enumerate(row) if value != 0)
+            *((rf"D_{order}\big|_{{u = {latex(end)}}}", value) for order, value in enumerate(row) if value != 0)
         )
 
 
@@ -115,12 +120,18 @@ def in_sections(
     lines = []
     for number, (title, body) in enumerate(sections):
         lines += [f"{'##' if number else '#'} {title}", "", *body]
-    return "\n".join(lines).rstrip() + "\n"
+    text = "\n".join(lines).rstrip() + "\n"
+    return text + DECIMALS if DECIMAL.search(text) else text
+
+
+def latex(expression: sp.Expr) -> str:
+    """LaTeX of one expression, long fractions as decimals."""
+    return str(sp.latex(in_decimals(expression), full_prec=False))
 
 
 def display(*equations: tuple[str, sp.Expr | str], number: str = "") -> Iterator[str]:
     """Equations, one under the other, each with what stands on its left."""
-    rows = [f"{left} &= {right if isinstance(right, str) else sp.latex(right)}" for left, right in equations]
+    rows = [f"{left} &= {right if isinstance(right, str) else latex(right)}" for left, right in equations]
     tag = f" \\tag{{{number}}}" if number else ""
     yield from ("$$", "\\begin{aligned}", " \\\\\n".join(rows), f"\\end{{aligned}}{tag}", "$$", "")
 
@@ -128,14 +139,14 @@ def display(*equations: tuple[str, sp.Expr | str], number: str = "") -> Iterator
 def motion(pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol]) -> Iterator[str]:
     """(3), and the force piece by piece."""
     yield from equation_of_motion()
-    ends = [*map(sp.latex, breakpoints), ""]
+    ends = [*map(latex, breakpoints), ""]
     yield "The force is odd. For $u > 0$:"
     yield ""
     for number, (piece, end) in enumerate(zip(pieces, ends, strict=True), start=1):
         low, high = f"{ends[number - 2]} < " if number > 1 else "", rf" \le {end}" if end else ""
         where = rf"\quad {low}u{high}" if low or high else ""
         shown = sp.collect(sp.expand(piece), u) if piece.is_polynomial(u) else piece
-        yield from display(("f(u)", sp.latex(shown) + where))
+        yield from display(("f(u)", latex(shown) + where))
 
 
 def equation_of_motion() -> Iterator[str]:
@@ -152,17 +163,24 @@ def parameters(mechanism: Mechanism | Sided, definitions: Mapping[sp.Symbol, sp.
     yield from ("| number | measured in | what it is | allowed |", "|---|---|---|---|")
     for parameter in (*mechanism.design, *DAMPING, FORCING):
         unit = "" if parameter.unit == "1" else parameter.unit
-        yield f"| ${sp.latex(parameter.symbol)}$ | {unit} | {parameter.doc} | {allowed(parameter)} |"
+        yield f"| ${latex(parameter.symbol)}$ | {unit} | {parameter.doc} | {allowed(parameter)} |"
     yield ""
     given = {name: value for name, value in definitions.items() if name != value}
     if given:
-        yield from display(*((sp.latex(name), value) for name, value in given.items()))
+        yield from display(*((latex(name), value) for name, value in given.items()))
 
 
 def allowed(parameter: Parameter) -> str:
     """A domain in words."""
     bounds = ((">", parameter.above), ("≥", parameter.least), ("<", parameter.below), ("≤", parameter.most))
-    return ", ".join(f"{sign} {bound}" for sign, bound in bounds if bound is not None) or "any number"
+    return (
+        ", ".join(
+            f"{sign} {in_text(bound) if isinstance(bound, sp.Expr) else bound}"
+            for sign, bound in bounds
+            if bound is not None
+        )
+        or "any number"
+    )
 
 
 def slow(equations: Averaged, flow: SlowFlow, displacement: str) -> Iterator[str]:
@@ -174,7 +192,7 @@ def slow(equations: Averaged, flow: SlowFlow, displacement: str) -> Iterator[str
     yield "Steady states, with $h = H - A$ the negative average of the whole force:"
     yield ""
     yield from display(
-        (sp.latex(friction), flow.m),
+        (latex(friction), flow.m),
         ("R", flow.R),
         ("I", flow.I),
         ("0", "R^2 + I^2 - F_0^2"),
@@ -190,8 +208,8 @@ def average(integral: str = "") -> Iterator[str]:
 
 def regime_of(breakpoints: Sequence[sp.Symbol], count: int) -> Iterator[str]:
     """Which amplitudes exceed that many breakpoints; nothing where there are none."""
-    passed = [sp.latex(b) for b in breakpoints[:count]]
-    following = [sp.latex(b) for b in breakpoints[count : count + 1]]
+    passed = [latex(b) for b in breakpoints[:count]]
+    following = [latex(b) for b in breakpoints[count : count + 1]]
     if passed or following:
         yield f"For ${' < '.join([*passed[-1:], 'A'])}{''.join(rf' {LESS} {b}' for b in following)}$:"
         yield ""
@@ -215,7 +233,7 @@ def integrals(average_: Quadrature) -> Iterator[str]:
     for count in range(len(average_.pieces)):
         yield from regime_of(breakpoints, count)
         regime = average_.regime(count)
-        roots = [(sp.latex(symbol), value) for symbol, value in regime.lets if symbol not in average_.breakpoints]
+        roots = [(latex(symbol), value) for symbol, value in regime.lets if symbol not in average_.breakpoints]
         closed = zip(("h", "h_A", "h_{AA}", "h_{AAA}"), regime.averaged, strict=True)
         yield from display(*roots, *((name, value.subs(shown)) for name, value in closed))
 
@@ -223,15 +241,15 @@ def integrals(average_: Quadrature) -> Iterator[str]:
 def contact(average_: Quadrature, number: int) -> Iterator[str]:
     """The integrals of what begins as a broken power."""
     one = average_.contacts[number]
-    b = sp.latex(tuple(average_.breakpoints)[one.begins - 1])
-    part, power = sp.latex(one.force), sp.latex(one.exponent)
+    b = latex(tuple(average_.breakpoints)[one.begins - 1])
+    part, power = latex(one.force), latex(one.exponent)
     yield f"There $f$ is without what begins at ${b}$ as a broken power and goes on from there:"
     yield ""
     yield from display((f"f_{{{number + 1}}}(u)", part))
     yield f"That is differentiated at a fixed share $y$ of $A - {b}$, with $u = {b} + (A - {b}) y$:"
     yield ""
     under = (
-        rf"\frac{{f_{{{number + 1}}}(u)}}{{(A - {b})^{{{sp.latex(one.power)}}}}} \frac{{u}}{{A}} "
+        rf"\frac{{f_{{{number + 1}}}(u)}}{{(A - {b})^{{{latex(one.power)}}}}} \frac{{u}}{{A}} "
         rf"\sqrt{{\frac{{A + {b}}}{{A + u}}}}"
     )
     before = rf"\frac{{(A - {b})^{{{power}}}}}{{\sqrt{{A + {b}}}}}"
@@ -258,7 +276,7 @@ def averages(derived: OfMechanism) -> Iterator[str]:
     regimes: Sequence[Regime] = whole.regimes
     for count, regime in enumerate(regimes):
         yield from regime_of(whole.breakpoints, count)
-        lets = [(sp.latex(symbol), value) for symbol, value in regime.lets]
+        lets = [(latex(symbol), value) for symbol, value in regime.lets]
         yield from display(*lets, ("h", regime.derivatives[0]), ("h_A", regime.derivatives[1]))
 
 
@@ -293,14 +311,14 @@ def eliminated(derived: OfMechanism, flow: SlowFlow) -> Iterator[str]:
         yield ""
         yield from polynomial(resultants.saddle_node_onset(flow, whole), "b", number="33")
     if whole.breakpoints:
-        yield f"The lowest forcing that reaches $A = {sp.latex(whole.breakpoints[0])}$, where $F = F_\\Omega = 0$:"
+        yield f"The lowest forcing that reaches $A = {latex(whole.breakpoints[0])}$, where $F = F_\\Omega = 0$:"
         yield ""
         yield from polynomial(resultants.detachment(flow), "d", number="34")
 
 
 def polynomial(found: Elimination, letter: str, number: str = "") -> Iterator[str]:
     """A resultant without its trivial factors, by its coefficients."""
-    unknown = sp.latex(found.unknown)
+    unknown = latex(found.unknown)
     terms = (f"{letter}_{{{power}}}" + (f" {unknown}^{{{power}}}" if power else "") for power in found.reduced)
     values = ((f"{letter}_{{{power}}}", value) for power, value in found.reduced.items())
     yield from display((" + ".join(terms), "0"), *values, number=number)

@@ -18,6 +18,8 @@ from slowflow_support.errors import Refused, WrongType
 
 #: what is said of a parameter, and which of that are bounds
 WORDS, BOUNDS = ("doc", "unit"), ("above", "least", "below", "most")
+#: the largest denominator of a fraction that is shown as one
+LONGEST = 10**9
 
 
 def text(what: str, value: Any) -> str:
@@ -42,12 +44,33 @@ def module_name(value: Any) -> str:
 
 
 def exact(what: str, value: Any) -> sp.Expr:
-    """A finite real number, as it is written: a decimal fraction for a float."""
+    """A finite real number, exactly: of a floating-point number of any precision the rational number that it is."""
     if isinstance(value, bool) or not isinstance(value, (Real, sp.Number)):
         raise WrongType(f"{what} = {value!r} is not allowed: it must be a number")
     if not math.isfinite(value):
         raise Refused(f"{what} = {value!r} is not allowed: it must be finite")
-    return sp.Rational(str(value))
+    return in_rationals(sp.sympify(value))
+
+
+def in_rationals(value: sp.Expr) -> sp.Expr:
+    """An expression with the rational number that each of its floating-point numbers is in their place."""
+    return value.xreplace({number: sp.Rational(number) for number in value.atoms(sp.Float)})
+
+
+def in_decimals(value: sp.Expr) -> sp.Expr:
+    """The same to be read, not computed with: long fractions with 17 digits, a double with those that name it."""
+    long = (number for number in value.atoms(sp.Rational) if number.q > LONGEST)
+    return value.xreplace({number: sp.Float(_named(number), 17) for number in long})
+
+
+def in_text(value: sp.Expr) -> str:
+    """An expression in a message."""
+    return str(sp.sstr(in_decimals(value), full_prec=False))
+
+
+def _named(number: sp.Rational) -> sp.Rational | str:
+    near = float(number)
+    return repr(near) if number == sp.Rational(near) else number
 
 
 def reach(value: Any) -> sp.Expr:
@@ -90,9 +113,8 @@ def _leaves_some(name: str, bounds: Mapping[str, sp.Expr]) -> None:
                 continue
             touch = (low, high) == ("least", "most")
             if not (bounds[low] < bounds[high] or (touch and bounds[low] == bounds[high])):
-                raise Refused(
-                    f"parameter {name}: {low} = {bounds[low]} and {high} = {bounds[high]} leave no number between them"
-                )
+                lowest, highest = in_text(bounds[low]), in_text(bounds[high])
+                raise Refused(f"parameter {name}: {low} = {lowest} and {high} = {highest} leave no number between them")
 
 
 def pieces(value: Any) -> Sequence[tuple[Any, Any]]:
@@ -109,11 +131,11 @@ def pieces(value: Any) -> Sequence[tuple[Any, Any]]:
 
 
 def expression(what: str, value: Any) -> sp.Expr:
-    """A real SymPy expression."""
+    """A real SymPy expression, its numbers exact."""
     if isinstance(value, Real) and not isinstance(value, bool):
         return exact(what, value)
     if not isinstance(value, sp.Expr):
         raise WrongType(f"{what} = {value!r} is not allowed: it must be a SymPy expression; strings are never read")
     if value.has(sp.nan, sp.zoo, sp.oo, -sp.oo, sp.I):
         raise Refused(f"{what} = {value} is not allowed: it must be real and finite")
-    return value
+    return in_rationals(value)

@@ -176,7 +176,7 @@ def stated(
 
 def _mirrored(force: Any) -> str:
     """A first piece as it is written, where for u < 0 it is real and not its mirror image; a constant is a preload."""
-    force = sp.sympify(force)
+    force = given_by.expression("piece 1", force)
     right = sp.Dummy("right", positive=True)
     at = {symbol: right for symbol in force.free_symbols if symbol.name == "u"}
     left = force.subs({symbol: -right for symbol in at})
@@ -184,7 +184,7 @@ def _mirrored(force: Any) -> str:
     if not at or left.has(sp.I) or any(not power.base.is_positive for power in roots):
         return ""
     even = sp.expand(force.subs(at) + left)
-    return str(force) if reduced(even).has(right) else ""
+    return given_by.in_text(force) if reduced(even).has(right) else ""
 
 
 def designed(parameters: Mapping[str, Mapping[str, Any]]) -> tuple[Parameter, ...]:
@@ -290,8 +290,10 @@ def _check_ends(name: str, ends: Sequence[sp.Expr]) -> None:
     """That each piece ends beyond the one below it, where that is known without the numbers."""
     for number, (low, high) in enumerate(zip([sp.Integer(0), *ends], ends, strict=False), start=1):
         if (high - low).is_negative or high.is_real is False:
-            where = f"{low}, where piece {number - 1} does" if number > 1 else "0"
-            raise NotSettled(f"{name}: piece {number} ends at |u| = {high}, which is not above {where}")
+            where = f"{given_by.in_text(low)}, where piece {number - 1} does" if number > 1 else "0"
+            raise NotSettled(
+                f"{name}: piece {number} ends at |u| = {given_by.in_text(high)}, which is not above {where}"
+            )
 
 
 def check(average: Quadrature, name: str) -> None:
@@ -313,12 +315,13 @@ def check(average: Quadrature, name: str) -> None:
             singular = singular_at(piece, end)
             if singular:
                 raise NotSettled(
-                    f"{name}: piece {number} has {singular[0]}, which is singular at |u| = {end}, where it ends"
+                    f"{name}: piece {number} has {given_by.in_text(singular[0])}, which is singular at "
+                    f"|u| = {given_by.in_text(end)}, where it ends"
                 )
         for end in ends[number - 1 : number + 1]:
             value = sp.simplify(piece.subs(u, end)) if end != 0 or number > 1 else average.at_rest
             if value.is_infinite or value is sp.nan or value.has(sp.zoo, sp.oo):
-                raise NotSettled(f"{name}: piece {number} is infinite at |u| = {end}")
+                raise NotSettled(f"{name}: piece {number} is infinite at |u| = {given_by.in_text(end)}")
     try:
         contacts = average.contacts
     except ArithmeticError as error:
@@ -352,9 +355,14 @@ def _in_ours(
     given = given_by.expression(what, given)
     known = {**symbols, **others}
     unknown = sorted({symbol.name for symbol in given.free_symbols} - set(known))
+    if "t" in unknown:
+        raise Refused(
+            f"{what} has t: a restoring force may not depend on time, it is a function of u and parameters; what "
+            "drives the mass in time is the excitation, F_0 at the frequency Omega"
+        )
     if unknown:
         raise Refused(f"{what} has {', '.join(unknown)}, which {'is' if len(unknown) == 1 else 'are'} no parameter")
-    ours = sp.nsimplify(given.subs({symbol: known[symbol.name] for symbol in given.free_symbols}), rational=True)
+    ours = given.subs({symbol: known[symbol.name] for symbol in given.free_symbols})
     # a force is stated for u > 0: |u| is u there
     return ours.subs(u, _above).subs(_above, u) if odd and ours.has(sp.Abs, sp.sign) else ours
 

@@ -20,6 +20,7 @@ import sympy as sp
 from slowflow_support.errors import NotSettled
 
 from .curved import Curved, curved
+from .given import in_text
 from .mechanisms import Parameter
 from .quadrature import FUNCTIONS, lost_at, singular_at
 from .restoring import at_breakpoint
@@ -100,9 +101,13 @@ def check(force: Sided) -> None:
         for end in force.ends[max(number - 2, 0) : number]:
             value, singular = sp.simplify(piece.subs(u, end)), singular_at(piece, end)
             if value.is_infinite or value is sp.nan or value.has(sp.zoo, sp.oo):
-                raise NotSettled(f"{force.name}: piece {number} is infinite at u = {end}")
+                raise NotSettled(f"{force.name}: piece {number} is infinite at u = {in_text(end)}")
             if singular:
-                raise NotSettled(f"{force.name}: piece {number} has {singular[0]}, which is singular at u = {end}")
+                raise NotSettled(
+                    f"{force.name}: piece {number} has {in_text(singular[0])}, which is singular at u = {in_text(end)}"
+                )
     for number, (low, high) in enumerate(pairwise(force.ends), start=2):
         if (high - low).is_nonpositive or high.is_real is False:
-            raise NotSettled(f"{force.name}: piece {number} ends at u = {high}, which is not above {low}")
+            raise NotSettled(
+                f"{force.name}: piece {number} ends at u = {in_text(high)}, which is not above {in_text(low)}"
+            )

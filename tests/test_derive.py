@@ -16,6 +16,7 @@ import subprocess
 import sys
 import sysconfig
 from collections.abc import Iterator
+from fractions import Fraction
 from pathlib import Path
 
 import mpmath as mp
@@ -288,9 +289,57 @@ def test_a_program_that_derives_nothing_is_told_why(tmp_path, capsys, program, w
     assert not (tmp_path / "out").exists()
 
 
-def test_floats_in_a_force_are_the_decimals_that_were_written(folder):
-    half = derive.mechanism("half", [(0.5 * u + beta * u**3, None)], {"beta": ABOVE_0})
-    assert half(beta=1.0, zeta=0.02).force(np.array([0.3])) == pytest.approx(0.5 * 0.3 + 0.3**3, rel=1e-15)
+#: doubles that 15 digits do not name
+HARD = (0.1414213562373095, 0.30000000000000004, 2 / 3)
+
+
+def test_a_double_in_a_force_is_its_exact_value_wherever_it_stands(folder):
+    """Expected from the fraction that the bits are; each is off in its last digits where it goes by text."""
+    from slowflow_derivation import given
+
+    for number in HARD:
+        long = sp.Float(sp.Rational(*number.as_integer_ratio()) / 3, 60)
+        for value in (number, np.float64(number), sp.Float(number), np.float32(number), long):
+            bits = sp.Rational(value) if isinstance(value, sp.Float) else sp.Rational(*float(value).as_integer_ratio())
+            assert given.exact("a number", value) == given.expression("a number", value) == bits
+            assert given.expression("a number", sp.tanh(value * u)) == sp.tanh(bits * u)
+            assert given.reach(value) == given.parameters({"k": {"below": value}})["k"]["below"] == bits
+        assert given.in_text(given.exact("a number", number) * u) == f"{number!r}*u"
+
+
+@pytest.mark.parametrize("end", HARD)
+def test_a_piece_ends_at_the_double_that_was_given(folder, end):
+    for value in (end, sp.Float(end)):
+        record = derive.mechanism("ends", [(k_1 * u, value), (u * sp.Rational(3, 2), None)], {"k_1": {}}).record
+        assert [float(b) for b in record.breakpoints(*record.coefficients(1.2))] == [end]
+    one, other = [(lambda u: u, sp.Float(end)), (lambda u: 2 * u, None)], sp.Float(2 * end)
+    sampled = derive.mechanism("values", one, {}, reach=other).record
+    assert [float(b) for b in sampled.breakpoints()] == [end] and sampled.reach == 2 * end
+
+
+def test_a_coefficient_is_the_double_that_was_given(folder):
+    for number in HARD:
+        cubic = derive.mechanism("cubic", [(u + sp.Float(number) * u**3, None)], {})
+        assert float(cubic.record.coefficients()[1]) == number
+        assert f"{number!r}" in cubic.document()
+
+
+@COMPILED
+@pytest.mark.slow
+@pytest.mark.parametrize("digits", [HARD[0], "0.14142135623730950488016887"], ids=["double", "longer"])
+def test_a_corner_is_proved_where_the_spring_ends(folder, digits):
+    """An interval that is proved to hold the corner holds the number that the piece ends at."""
+    end = sp.Float(digits) if isinstance(digits, float) else sp.Float(digits, 26)
+    kinked = derive.mechanism("kinked", [(k_1 * u, end), (u * sp.Rational(3, 2), None)], {"k_1": {}}, compile=True)
+    proof = kinked(k_1=0.6, mu=0.0, zeta=0.02).certify(0.05)
+    exact = Fraction(*(int(part) for part in sp.Rational(end).as_numer_denom()))
+    for low, high in (proof.detachment.A, proof.saddle_nodes.A[0]):
+        assert Fraction(float(low)) <= exact <= Fraction(float(high))
+
+
+def test_what_depends_on_time_is_refused_with_the_reason(folder):
+    with pytest.raises(ValueError, match=r"piece 1 has t: a restoring force may not depend on time"):
+        derive.mechanism("timed", [(u + sp.Symbol("t") * u, None)], {})
 
 
 @pytest.mark.parametrize(

@@ -212,7 +212,7 @@ def in_values(answer: Answer, values: Mapping[str, Any]) -> Iterator[str]:
     for name, value in answer._parts().items():
         if isinstance(value, np.ndarray) and value.dtype.kind == "f" and value.shape[-1:] == (2,):
             for low, high in value.reshape(-1, 2).tolist():
-                yield f"{head(name, units):{width}}{low:.15g} to {high:.15g}"
+                yield f"{head(name, units):{width}}{low!r} to {high!r}"
         elif isinstance(value, np.ndarray) and value.ndim == 1 and 0 < value.size <= SHOWN:
             beside.setdefault(value.size, {})[name] = value
     for arrays in beside.values():

@@ -265,8 +265,9 @@ def _made_odd(force: Any) -> str:
     preload, mirrored = (force, force) if u is None else (force.subs(u, 0), force.subs(u, -u))
     if (force + mirrored).expand() == 0:
         return ""
-    jumps = f", a preload of {preload}" if preload != 0 else ""
-    return f"; {force} is not odd: for u < 0 the force is that of |u| with the other sign{jumps}"
+    shown = _derivation("slowflow_derivation.given").in_text
+    jumps = f", a preload of {shown(preload)}" if preload != 0 else ""
+    return f"; {shown(force)} is not odd: for u < 0 the force is that of |u| with the other sign{jumps}"
 
 
 def _derived(stated: Any, compile: bool, beside: str = "") -> Derived:
