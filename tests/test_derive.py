@@ -25,7 +25,7 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from slowflow import Duffing, backend, derive, include
+from slowflow import Duffing, SlowflowError, backend, derive, include
 from slowflow.cli import main
 
 u, k_1, k_2, gap, alpha, beta = sp.symbols("u k_1 k_2 gap alpha beta")
@@ -452,6 +452,60 @@ def test_an_oscillator_is_pickled_into_another_process(stop, folder):
 
 
 # ---- what is refused
+
+
+@pytest.mark.skipif(os.name != "posix", reason="owners and modes are looked at on POSIX only")
+@pytest.mark.parametrize("how", ["open", "group", "above", "planted while it was open", "of another user"])
+def test_a_module_that_others_could_have_planted_does_not_run(tmp_path, how):
+    """In a process of its own; beside it the same in a folder that is the user's, which is imported."""
+    import slowflow_derived
+
+    folder = tmp_path / "above" / "derived"
+    folder.mkdir(parents=True)
+    for path in (folder.parent, folder):
+        path.chmod(0o755)
+    planted = folder / "planted_0123456789ab.py"
+    planted.write_text("print('EXECUTED')")
+    planted.chmod(0o644)
+    program = [sys.executable, "-c", "import slowflow_derived.planted_0123456789ab"]
+    env = {**os.environ, "SLOWFLOW_DERIVED": str(folder), "PYTHONPATH": os.pathsep.join(sys.path)}
+    done = subprocess.run(program, env=env, capture_output=True, text=True)
+    assert (done.returncode, done.stdout) == (0, "EXECUTED\n"), done.stderr
+    words = {
+        "open": f"chmod 700 '{folder}'",
+        "group": f"chmod 700 '{folder}'",
+        "above": f"chmod go-w '{folder.parent}'",
+    }
+    if how == "of another user":
+        if os.getuid() != 0:
+            pytest.skip("only the superuser can give a file away")
+        os.chown(planted, 12345, -1)
+    elif how == "group":
+        grp, pwd = pytest.importorskip("grp"), pytest.importorskip("pwd")
+        if grp.getgrgid(folder.stat().st_gid).gr_name == pwd.getpwuid(os.getuid()).pw_name:
+            if os.getuid() != 0:
+                pytest.skip("the user's group is his own")
+            os.chown(folder, -1, 12345)
+        folder.chmod(0o775)
+    else:
+        {"open": folder, "above": folder.parent}.get(how, planted).chmod(0o777)
+    done = subprocess.run(program, env=env, capture_output=True, text=True)
+    assert done.returncode != 0 and "EXECUTED" not in done.stdout
+    assert words.get(how, str(planted)) in done.stderr and "SLOWFLOW_DERIVED" in done.stderr
+    # nor where the folder was good when it was first looked at
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(slowflow_derived, "FOLDER", folder)
+        with pytest.raises(SlowflowError, match="SLOWFLOW_DERIVED"):
+            derive.mechanism(**STOP)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="owners and modes are looked at on POSIX only")
+def test_a_folder_that_is_made_is_for_the_user_alone(tmp_path):
+    import slowflow_derived
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(slowflow_derived, "FOLDER", tmp_path / "made")
+        assert derive._folder().stat().st_mode & 0o777 == 0o700
 
 
 @pytest.mark.parametrize(

@@ -40,6 +40,7 @@ from slowflow.model import THROUGHOUT
 from slowflow.oscillator import Oscillator
 from slowflow.version import include
 from slowflow_support.errors import BuildFailed, Refused, WrongType
+from slowflow_support.ownership import check_own
 from slowflow_support.quadrature import COMPILED
 
 NEEDED = "deriving needs SymPy, python-flint, Jinja2 and platformdirs: pip install 'slowflow[derive]'"
@@ -317,7 +318,8 @@ def _folder() -> Path:
         from slowflow_derived import FOLDER
     except ImportError as error:
         raise ImportError(f"{NEEDED} ({error})") from error
-    FOLDER.mkdir(parents=True, exist_ok=True)
+    check_own(FOLDER)
+    FOLDER.mkdir(mode=0o700, parents=True, exist_ok=True)
     return FOLDER
 
 
