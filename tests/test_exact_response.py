@@ -4,8 +4,10 @@ import math
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar, root
 
+from slowflow import Duffing
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state, sweep
 from slowflow.exact.compiled import default_integrator
 from slowflow.exact.integrate import ScipyIntegrator
@@ -157,6 +159,62 @@ def test_a_peak_does_not_depend_on_the_step(ratio):
     for curve in curves:
         assert curve.peak.A == pytest.approx(finest.A, rel=1e-10)
         assert curve.peak.Omega == pytest.approx(finest.Omega, rel=1e-10)
+
+
+@pytest.mark.parametrize("zeta", [0.001, 0.05, 0.4])
+def test_a_linear_oscillator_never_jumps_however_far_apart_the_frequencies_are(zeta):
+    linear_one = Duffing(1.0, 0.0, zeta=zeta)
+    for Omega in ([0.8, 0.9], [0.5, 0.99, 1.0, 1.01, 2.0], [1.4, 0.999, 0.3]):
+        assert linear_one.sweep(Omega=Omega, F_0=0.1).jumps == ()
+
+
+#: by `settled_by_scipy`: beside a fold at which the amplitude changes by less than 3 %
+BESIDE = {(0.3784, 0.3786): (1.7559427, 1.7266846)}
+
+
+@compiled
+def test_a_jump_is_a_change_of_branch_however_small_it_is_and_a_pitchfork_is_none():
+    """u'' + 0.04 u' + u + u^3 = 3 cos: at 0.325 and 0.499 a motion becomes symmetric, at others it ceases to be."""
+    swept = Duffing(1.0, 1.0, zeta=0.02).sweep(Omega=np.arange(300, 500) / 1000, F_0=3.0)
+    assert swept.jumps == ((0.378, 0.379), (0.477, 0.478))
+    finer = Duffing(1.0, 1.0, zeta=0.02).sweep(Omega=[*np.arange(300, 379) / 1000, 0.3784, 0.3786], F_0=3.0)
+    assert finer.jumps == ((0.3784, 0.3786),)
+    assert finer.A[-2:] == pytest.approx(BESIDE[0.3784, 0.3786], rel=2e-5)
+
+
+@compiled
+def test_in_coarse_steps_a_jump_is_told_where_the_fold_is_and_nowhere_else(curves):
+    """The frequencies of docs/howto/exact_motions.md."""
+    down = curves[False, 0.04].folds[1]
+    assert 0.95 < down.Omega < 1.0
+    assert sweep(table_1(False), Omega=[0.8, 0.9, 0.95, 1.0], F_0=0.04).jumps == ((0.95, 1.0),)
+
+
+@pytest.mark.slow
+def test_the_motion_that_scipy_follows_jumps_there():
+    begun = (0.33, 0.34, 0.35, 0.36, 0.37, 0.375, 0.378, 0.3782)
+    assert settled_by_scipy(3.0, 0.02, (*begun, 0.3784, 0.3786))[-2:] == pytest.approx(BESIDE[0.3784, 0.3786], rel=2e-5)
+    begun = (0.47, 0.475, 0.477, 0.4774, 0.4776, 0.4777)
+    steps = settled_by_scipy(3.0, 0.02, (*begun, 0.47772, 0.47776, 0.4778))
+    # not before, where it hardly moves, but then it does
+    assert abs(steps[-3] - steps[-4]) < 0.004 and steps[-1] - steps[-3] > 0.04
+
+
+def settled_by_scipy(F_0, zeta, frequencies):
+    """Largest |u| of u'' + 2 zeta u' + u + u^3 = F_0 cos(Omega tau), each from where the one before ends."""
+    state, found = np.zeros(2), []
+    for Omega in frequencies:
+
+        def rates(tau, y, Omega=Omega):
+            return y[1], F_0 * np.cos(Omega * tau) - 2 * zeta * y[1] - y[0] - y[0] ** 3
+
+        turn = 2 * np.pi / Omega
+        state = solve_ivp(rates, (0, 60 * turn), state, "DOP853", rtol=1e-9, atol=1e-10).y[:, -1]
+        times = np.linspace(0, turn, 2001)
+        found.append(
+            np.abs(solve_ivp(rates, (0, turn), state, "DOP853", rtol=1e-9, atol=1e-10, t_eval=times).y[0]).max()
+        )
+    return found
 
 
 @compiled

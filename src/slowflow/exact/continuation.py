@@ -91,6 +91,11 @@ def least_scale(cycle: Cycle, A: float) -> float:
     return 0.0 if cycle.system.centred else A
 
 
+def is_same(fold: Point, other: Point) -> bool:
+    """Whether two folds agree within the accuracy of a fold."""
+    return abs(float(fold.z[-1] - other.z[-1])) < COINCIDE and abs(fold.A - other.A) < COINCIDE
+
+
 class Path:
     """Follows a curve of cycles point by point.
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from slowflow.answer import Table
 from slowflow.exact.compiled import default_integrator
-from slowflow.exact.continuation import COINCIDE, FOLDS, STEP, LostCurve, Path, Point, least_scale
+from slowflow.exact.continuation import FOLDS, STEP, LostCurve, Path, Point, is_same, least_scale
 from slowflow.exact.cycle import Array
 from slowflow.exact.integrate import Integrator, OutOfWork, limited
 from slowflow.exact.shooting import SteadyState, check_forcing, describe, steady_state
@@ -187,7 +187,7 @@ def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, flo
             points.append(point)
             if len(points) < 3 or points[-2].role not in FOLDS:
                 continue
-            if point.role in FOLDS and _is_same(points[-2], point):
+            if point.role in FOLDS and is_same(points[-2], point):
                 del points[-2:]  # there and back: none
                 continue
             return _fold_between(*points[-3:])
@@ -215,11 +215,6 @@ def _highest(F_0: float, points: tuple[Point, ...]) -> Point:
     return best
 
 
-def _is_same(fold: Point, other: Point) -> bool:
-    """Whether two folds agree within the accuracy of a fold."""
-    return abs(float(fold.z[-1] - other.z[-1])) < COINCIDE and abs(fold.A - other.A) < COINCIDE
-
-
 def _fold_between(before: Point, point: Point, after: Point) -> Fold:
     """What a sweep does at a fold: it leaves the stable side, for a larger amplitude if that is the lower one."""
     corner = point.role == "corner"
@@ -240,7 +235,7 @@ def _response(F_0: float, points: list[Point], closed: bool) -> Response:
     found: list[Fold] = []
     for i, point in enumerate(points):
         if point.role in FOLDS and 0 < i < len(points) - 1:
-            if folds and _is_same(folds[-1], point):
+            if folds and is_same(folds[-1], point):
                 del folds[-1], found[-1]  # there and back: none
                 continue
             folds.append(point)

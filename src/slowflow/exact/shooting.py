@@ -366,7 +366,7 @@ def _start(guess: tuple[float, float]) -> tuple[float, float]:
 def _near(forced: Forced, theta: float, u: float, tries: tuple[int, ...], A: float) -> SteadyState | None:
     """The motion whose largest |u| is about A that Newton's iteration finds from rest at (theta, u)."""
     for n in tries[:2]:
-        found = _from_start(forced, theta, u, n)
+        found = from_start(forced, theta, u, n)
         if found is not None and abs(found.A - A) <= 0.5 * A:
             return _once(found, forced, tries)
     return None
@@ -385,7 +385,7 @@ def _once(found: SteadyState, forced: Forced, tries: tuple[int, ...]) -> SteadyS
         there = found._state(theta + math.pi * n)
         sign = -1 if n % 2 else 1
         if found.cycle.half_turns % n == 0 and max(abs(there[0] - sign * u), abs(there[1])) <= AGAIN * found.A:
-            shorter = _from_start(forced, theta, u, n)
+            shorter = from_start(forced, theta, u, n)
             if shorter is not None and abs(shorter.A - found.A) <= AGAIN * found.A:
                 return shorter
     return found
@@ -473,7 +473,7 @@ def _largest(phases: list[Phase]) -> float:
     return max(max(abs(phase.u), abs(phase.u_end)) for phase in phases)
 
 
-def _from_start(forced: Forced, theta: float, u: float, half_turns: int, v: float = 0.0) -> SteadyState | None:
+def from_start(forced: Forced, theta: float, u: float, half_turns: int, v: float = 0.0) -> SteadyState | None:
     """Newton's iteration with the order of switches that the motion from (theta, u, v) shows."""
     end = theta + (half_turns + 3) * math.pi
     closed = closed_cycle(forced.system, forced.integrator, half_turns, follow(forced, theta, u, v, end), forced.Omega)
@@ -560,7 +560,7 @@ def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, .
             change = min(change, max(abs(u - before[0]), abs(v - before[1])))
             if change >= scale:
                 continue
-            found = _from_start(forced, theta, u, n, v)
+            found = from_start(forced, theta, u, n, v)
             if found is not None and _is_adrift(found):
                 return Settled(None, len(history) - 1, u, v, phases, change, found)
             if found is not None and (found.stable or _is_neutral(found)):

@@ -6,8 +6,9 @@ Out: `Sweep`: the amplitude that settles at each, and the jumps between branches
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, NamedTuple
 
@@ -16,16 +17,34 @@ from numpy.typing import NDArray
 
 from slowflow.answer import Table
 from slowflow.exact.compiled import TaylorIntegrator, default_integrator
+from slowflow.exact.continuation import FOLDS, Path, Point, is_same, least_scale
 from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import Forced, stops
-from slowflow.exact.shooting import at_rest, calmed, check_forcing, check_numbers, lengths, settle
+from slowflow.exact.shooting import (
+    SteadyState,
+    at_rest,
+    calmed,
+    check_forcing,
+    check_numbers,
+    from_start,
+    lengths,
+    settle,
+)
 from slowflow.mechanism import EquationOfMotion
 from slowflow_support.errors import Refused
 
 Array = NDArray[np.float64]
 
 AT_ONCE = 4096  # frequencies that C is given at a time: as many rows are made
-JUMP = 0.1  # relative change of amplitude between neighbouring frequencies, from which on a jump is looked for
+#: largest step along a branch that is followed from frequency to frequency: it is bent as its tangents say
+STEP = 0.1
+#: of its amplitude, by which a motion that Newton's iteration found twice may differ
+SAME = 1e-6
+#: steps in place of one between whose frequencies the motion may have changed its branch several times, and how often
+#: these are taken in place of one again
+FINER, OFTEN = 8, 3
+#: likewise where two branches meet: next to that one of them grows like the square root of the distance
+MEETS = 1e-4
 
 
 class SweepPoint(NamedTuple):
@@ -87,7 +106,7 @@ def sweep(
     most_turns -- at one frequency
 
     At each frequency the motion is followed until it is shown to tend to a periodic one; from that one it goes on.
-    A jump is a change of amplitude by more than 10 %, and more than three times what either neighbouring step shows.
+    A jump is a change of branch, see `Branches`.
     Raises ValueError for parameters out of range, or where the mass would never move, ArithmeticError where the motion
     escapes or chatters.
     """
@@ -97,10 +116,41 @@ def sweep(
     for frequency in frequencies:
         check_numbers(system, float(frequency), F_0)
     check_forcing(system, float(frequencies.max()), F_0, begins=(u_0, v_0))
-    integrator, tries = integrator or default_integrator(system), lengths(system)
+    by = integrator or default_integrator(system)
+
+    def through(Omega: Array, u: float, v: float) -> Visited:
+        return _visited(system, Omega, F_0, by, most_turns, u, v)
+
+    found = through(frequencies, u_0, v_0)
+    jumps = Branches(frequencies, F_0, found.motions, through).jumps()
+    return Sweep(F_0, frequencies, found.A, found.stops, found.turns, found.settled, jumps)
+
+
+class Visited(NamedTuple):
+    """What a sweep shows at each frequency, as `Sweep` has it, and the periodic motions that it settled to."""
+
+    A: Array
+    stops: NDArray[np.int64]
+    turns: NDArray[np.int64]
+    settled: NDArray[np.bool_]
+    motions: list[SteadyState | None]
+
+
+def _visited(
+    system: EquationOfMotion,
+    frequencies: Array,
+    F_0: float,
+    integrator: Integrator,
+    most_turns: int,
+    u: float,
+    v: float,
+) -> Visited:
+    """The motion from (u, v) through the frequencies."""
+    tries = lengths(system)
     A, rests, spent = np.empty(frequencies.size), np.empty(frequencies.size, int), np.empty(frequencies.size, int)
-    settled, rested = (np.zeros(frequencies.size, bool) for _ in range(2))
-    u, v, i = u_0, v_0, 0
+    settled = np.zeros(frequencies.size, bool)
+    motions: list[SteadyState | None] = [None] * frequencies.size
+    i = 0
     while i < frequencies.size:
         if isinstance(integrator, TaylorIntegrator):
             packed = np.array(tries, dtype=np.intc).tobytes()
@@ -109,6 +159,7 @@ def sweep(
                 passed = slice(i, i + len(rows))
                 A[passed], spent[passed], rests[passed] = rows[:, 2:].T
                 settled[passed] = True
+                motions[passed] = _cycles(system, frequencies[passed], F_0, integrator, rows, tries)
                 u, v = rows[-1, :2].tolist()
                 i += len(rows)
                 continue
@@ -118,25 +169,195 @@ def sweep(
             if end.adrift is not None:
                 end = calmed(forced, 0.0, end, most_turns)
         drifts = end.adrift is not None and end.turns < most_turns
-        rested[i] = at_rest(end.phases)
         u, v, spent[i] = end.u, end.v, end.turns
-        settled[i] = end.found is not None or end.repeats or rested[i] or drifts
+        settled[i] = end.found is not None or end.repeats or at_rest(end.phases) or drifts
         if end.found is None:
             A[i] = max(max(abs(phase.u), abs(phase.u_end)) for phase in end.phases)
             rests[i] = stops(end.phases)
         else:
-            A[i], rests[i] = end.found.A, end.found.stops
+            A[i], rests[i], motions[i] = end.found.A, end.found.stops, end.found
         i += 1
-    return Sweep(F_0, frequencies, A, rests, spent, settled, _jumps(frequencies, np.where(rested, np.nan, A)))
+    return Visited(A, rests, spent, settled, motions)
 
 
-def _jumps(Omega: Array, A: Array) -> tuple[tuple[float, float], ...]:
-    """NaN where the mass rests: to begin to move is no jump."""
-    change = np.abs(np.diff(A))
-    relative = change / np.maximum(A[1:], A[:-1])
-    known = np.nan_to_num(change)
-    beside = np.zeros(change.size)
-    beside[1:] = known[:-1]
-    beside[:-1] = np.maximum(beside[:-1], known[1:])
-    found = np.flatnonzero((relative > JUMP) & (change > 3.0 * beside))
-    return tuple((float(Omega[i]), float(Omega[i + 1])) for i in found if math.isfinite(relative[i]))
+def _cycles(
+    system: EquationOfMotion, Omega: Array, F_0: float, integrator: Integrator, rows: Array, tries: tuple[int, ...]
+) -> list[SteadyState | None]:
+    """The motions of which C gives a state each."""
+    return [
+        from_start(Forced(system, at, F_0, integrator), 0.0, u, tries[0], v)
+        for at, (u, v) in zip(Omega.tolist(), rows[:, :2].tolist(), strict=True)
+    ]
+
+
+class Branches:
+    """Whether the motions of a sweep continue each other along a branch of periodic motions.
+
+    The branch of the motion at one frequency is followed to those that come next, as long as the frequency goes on the
+    same way. The motion jumps where the branch folds before the next frequency, or where it is stable there and the
+    motion is another one all the same. Where it loses its stability without a fold, as by period doubling, or ends on a
+    branch of higher symmetry, the motion jumps unless the branch that it is on then meets this one.
+
+    Between frequencies that are far apart there may be several such changes: where it does not meet this one, the step
+    is made once more in `FINER` ones, and these likewise; there is a jump if there is one in them, or if they lead to
+    another motion. A branch that is stable up to its fold needs no finer steps.
+
+    motions -- what the sweep settled to, None where that is no periodic motion: then nothing is told of its branch
+    through -- follows the motion from a state through other frequencies
+    finer   -- how often steps may be made finer
+    """
+
+    def __init__(
+        self,
+        Omega: Array,
+        F_0: float,
+        motions: Sequence[SteadyState | None],
+        through: Callable[[Array, float, float], Visited],
+        finer: int = OFTEN,
+    ) -> None:
+        self.Omega, self.F_0, self.motions, self.through, self.finer = Omega, F_0, motions, through, finer
+
+    def jumps(self) -> tuple[tuple[float, float], ...]:
+        """Pairs of neighbouring frequencies."""
+        found, i = [], 0
+        while i < self.Omega.size - 1:
+            motion = self.motions[i]
+            if motion is None or self.Omega[i] == self.Omega[i + 1]:
+                i += 1
+                continue
+            try:
+                with limited():
+                    i, jumps, certain = self._followed(i, motion)
+            except ArithmeticError:  # it cannot be followed in reasonable time
+                i, jumps, certain = i + 1, False, True
+            if jumps and (certain or self._jumps_finer(i)):
+                found.append((float(self.Omega[i - 1]), float(self.Omega[i])))
+        return tuple(found)
+
+    def _jumps_finer(self, j: int) -> bool:
+        """Whether there is a jump in finer steps too, from the frequency before number j on to that."""
+        before, after = self.motions[j - 1], self.motions[j]
+        if not self.finer or before is None or after is None:
+            return True
+        Omega = np.linspace(self.Omega[j - 1], self.Omega[j], FINER + 1)
+        try:
+            motions = [before, *self.through(Omega[1:], *before._state(0.0)).motions]
+        except ArithmeticError:
+            return True
+        last = motions[-1]
+        if last is None or abs(last.A - after.A) > SAME * after.A:
+            return True
+        return bool(Branches(Omega, self.F_0, motions, self.through, self.finer - 1).jumps())
+
+    def _followed(self, i: int, motion: SteadyState) -> tuple[int, bool, bool]:
+        """At which frequency the motion is none of the branch any more, whether it jumps there, and if that is certain.
+
+        That at which the frequency turns, or the last, where it is one up to there.
+        """
+        sense = math.copysign(1.0, self.Omega[i + 1] - self.Omega[i])
+        j, end = i + 1, i + 1
+        while end + 1 < self.Omega.size and sense * (self.Omega[end + 1] - self.Omega[end]) > 0:
+            end += 1
+        path, points = self._path(motion, self.Omega[i], self.Omega[end]), list[Point]()
+        try:
+            for point in path.follow(path.begin(motion, sense)):
+                points.append(point)
+                while j <= end and len(points) > 1 and sense * (self.Omega[j] - point.z[-1]) <= 0.0:
+                    there = _between(points[-2], point, self.F_0, float(self.Omega[j]))
+                    if there is None or not self._is_there(j, there):
+                        return j, self._leaves(j, there, points), _is_stable(points[:-1])
+                    j += 1
+                if j > end:
+                    return end, False, True
+                if _has_turned(points):
+                    return j, self._falls(j, points[-2]), _is_stable(points[:-2])
+        except ArithmeticError:
+            pass
+        return j, self._leaves(j, None, points), False
+
+    def _path(self, motion: SteadyState, one: float, other: float) -> Path:
+        low, high = sorted((float(one), float(other)))
+        return Path(self.F_0, low, high, STEP, least_scale(motion.cycle, motion.A))
+
+    def _is_there(self, j: int, point: Point) -> bool:
+        """Whether the motion at a frequency is that of the branch."""
+        motion = self.motions[j]
+        return motion is not None and abs(motion.A - point.A) <= SAME * point.A
+
+    def _leaves(self, j: int, there: Point | None, points: list[Point]) -> bool:
+        """Whether a motion jumps that is not on the branch through the points at number j, which has no fold before.
+
+        there -- the branch at that frequency, None where it does not come so far
+        """
+        if there is not None and bool(np.all(np.abs(there.multipliers) < 1.0)):
+            return True
+        if self.motions[j] is None:  # chaotic, say: where it comes from is not known
+            return False
+        back, turned = self._back_from(j, float(self.Omega[j - 1]))
+        if turned:
+            return not self._meet(points, back[-2])
+        motion, last = self.motions[j - 1], back[-1]
+        comes_back = float(last.z[-1]) == float(self.Omega[j - 1])
+        return comes_back and not (motion is not None and abs(motion.A - last.A) <= SAME * last.A)
+
+    def _falls(self, j: int, turn: Point) -> bool:
+        """Whether the motion at number j is not on a branch through the point where the one before it turns.
+
+        Where it is, that is no fold: a branch without symmetry, or of a longer period, ends there on the other.
+        """
+        if self.motions[j] is None:
+            return True
+        back, turned = self._back_from(j, float(self.Omega[j - 1]))
+        return not self._meet(back[:-1] if turned else back, turn)
+
+    def _back_from(self, j: int, Omega: float) -> tuple[list[Point], bool]:
+        """The branch of the motion at number j back to a frequency; whether it turns before, at the last but one."""
+        motion, back = self.motions[j], list[Point]()
+        assert motion is not None
+        path = self._path(motion, self.Omega[j], Omega)
+        try:
+            for point in path.follow(path.begin(motion, math.copysign(1.0, Omega - self.Omega[j]))):
+                back.append(point)
+                if _has_turned(back):
+                    return back, True
+        except ArithmeticError:
+            pass
+        return back, False
+
+    def _meet(self, points: list[Point], turn: Point) -> bool:
+        """Whether the branch through the points passes the one at which another turns."""
+        Omega = float(turn.z[-1])
+        for one, other in itertools.pairwise(points):
+            if min(one.z[-1], other.z[-1]) <= Omega <= max(one.z[-1], other.z[-1]):
+                there = _between(one, other, self.F_0, Omega)
+                return there is not None and abs(there.A - turn.A) <= MEETS * turn.A
+        return False
+
+
+def _is_stable(points: list[Point]) -> bool:
+    """Whether a branch is stable as far as its points say."""
+    return all(bool(np.all(np.abs(point.multipliers) < 1.0)) for point in points if not point.role)
+
+
+def _between(before: Point, after: Point, F_0: float, Omega: float) -> Point | None:
+    """The point of a branch at a frequency between two others; None where Newton's iteration finds none."""
+    for base, other in ((before, after), (after, before)):
+        z = base.z.copy()
+        if base.cycle.signature == other.cycle.signature:
+            way = float(other.z[-1] - base.z[-1])
+            z += (0.0 if way == 0.0 else (Omega - float(base.z[-1])) / way) * (other.z - base.z)
+        z[-1] = Omega
+        found = base.cycle.newton(z, F_0)
+        if found is not None and base.cycle.holds(found[0], F_0):
+            return Point.of(base.cycle, *found, base.tangent)
+    return None
+
+
+def _has_turned(points: list[Point]) -> bool:
+    """Whether a branch has a fold at the last point but one; one there and back by rounding is none."""
+    if len(points) < 2 or points[-2].role not in FOLDS:
+        return False
+    if points[-1].role in FOLDS and is_same(points[-2], points[-1]):
+        del points[-2:]
+        return False
+    return True
