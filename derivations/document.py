@@ -15,6 +15,7 @@ import sympy as sp
 
 from . import resultants
 from .averaging import Averaged
+from .emit.prose import in_markdown
 from .given import in_decimals, in_text
 from .mechanisms import DAMPING, FORCING, Mechanism, Parameter
 from .of_mechanism import OfMechanism
@@ -109,7 +110,7 @@ def in_sections(
     """The text; resultants where there are any."""
     elimination = tuple(of_resultants)
     sections = (
-        (mechanism.title[0].upper() + mechanism.title[1:], ()),
+        (in_markdown(mechanism.title[0].upper() + mechanism.title[1:]), ()),
         ("Equation of motion", of_motion),
         ("Parameters", of_parameters),
         ("Slow flow", slow(equations, flow, displacement)),
@@ -162,8 +163,8 @@ def parameters(mechanism: Mechanism | Sided, definitions: Mapping[sp.Symbol, sp.
     """The design's numbers with their domains, and what coefficients and breakpoints are in them."""
     yield from ("| number | measured in | what it is | allowed |", "|---|---|---|---|")
     for parameter in (*mechanism.design, *DAMPING, FORCING):
-        unit = "" if parameter.unit == "1" else parameter.unit
-        yield f"| ${latex(parameter.symbol)}$ | {unit} | {parameter.doc} | {allowed(parameter)} |"
+        unit = "" if parameter.unit == "1" else in_markdown(parameter.unit)
+        yield f"| ${latex(parameter.symbol)}$ | {unit} | {in_markdown(parameter.doc)} | {allowed(parameter)} |"
     yield ""
     given = {name: value for name, value in definitions.items() if name != value}
     if given:

@@ -26,6 +26,8 @@ def text(what: str, value: Any) -> str:
     """A string."""
     if not isinstance(value, str):
         raise WrongType(f"{what} = {value!r} is not allowed: it must be a string")
+    if not value.isascii() and value != value.encode(errors="ignore").decode():
+        raise Refused(f"{what} = {value!r} is not allowed: it has half of a surrogate pair, which no file can hold")
     return value
 
 

@@ -148,4 +148,4 @@ def test_a_name_that_the_library_has_not_is_refused_with_those_that_it_has(tmp_p
     with pytest.raises(ValueError, match="'stop' is not in the library: it has bilinear, "):
         derive.library("stop")
     assert main(["derive", "stop", "-o", str(tmp_path / "out")]) == 2
-    assert "no such file; ValueError: 'stop' is not in the library" in capsys.readouterr().err
+    assert "no such file; Refused: 'stop' is not in the library" in capsys.readouterr().err

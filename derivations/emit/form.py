@@ -17,6 +17,7 @@ import sympy as sp
 
 from ..slow_flow import SCENES, m
 from ..symbols import h, h_A, h_AA, h_AAA
+from .prose import Prose
 
 if TYPE_CHECKING:
     from ..mechanisms import Mechanism, Parameter
@@ -352,6 +353,9 @@ class Module:
     sums: tuple[Sums, ...] = ()
     enclosed: Enclosed | None = None
     off_centre: OffCentreTerms | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "title", Prose(self.title))
 
     @property
     def on_intervals(self) -> tuple[Kernel, ...]:

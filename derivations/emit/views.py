@@ -24,6 +24,7 @@ from .bytecode import kept_beside
 from .compensated import Exact, twofold
 from .form import AVERAGED, Branch, Composition, Kernel, Module, Selection, TwofoldKernel
 from .passes import Let, Program, program_of, straight_line
+from .prose import Prose, escaped
 from .proved import in_words
 from .provenance import digest
 
@@ -158,11 +159,24 @@ def templates(folder: Path) -> jinja2.Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
         autoescape=False,
+        finalize=_shown,
         bytecode_cache=kept_beside(folder / "templates"),
     )
-    environment.filters["fill"] = fill
+    environment.filters["fill"] = _filled
     environment.filters["tuple"] = lambda names: f"({', '.join(names)}{',' if len(names) == 1 else ''})"
     return environment
+
+
+@jinja2.pass_context
+def _shown(context: jinja2.runtime.Context, value: object) -> object:
+    """What a template prints of a value: of what people wrote, text in its language."""
+    return escaped(value, str(context.name)) if isinstance(value, Prose) else value
+
+
+@jinja2.pass_context
+def _filled(context: jinja2.runtime.Context, text: str, indent: int, first: int = 0) -> str:
+    """`fill`, of the text as it is printed."""
+    return fill(str(_shown(context, text)), indent, first)
 
 
 def sources(module: Module) -> dict[str, object]:

@@ -19,8 +19,10 @@ from ....quadrature import rule
 from ....slow_flow import SCENES
 from ... import measured
 from ...form import AVERAGED, GENERAL, Composition, Kernel, Module, Selection, TwofoldKernel, suffix
+from ...prose import in_python
 from ...provenance import tools
 from ...views import (
+    WIDTH,
     Calls,
     Code,
     Language,
@@ -210,16 +212,18 @@ def constant(value: object) -> str:
     if isinstance(value, sp.Expr):
         return 'float("inf")' if value == sp.oo else repr(float(value))
     if isinstance(value, tuple):
-        items = ", ".join(f'"{item}"' for item in value)
+        items = ", ".join(map(constant, value))
         return f"({items}{',' if len(value) == 1 else ''})"
-    return f'"{value}"'
+    return f'"{in_python(str(value))}"'
 
 
 def parameter(stated: Parameter) -> str:
     """The arguments of a record's `Parameter`."""
     bounds = {bound: getattr(stated, bound) for bound in ("above", "least", "below", "most")}
-    limits = [f", {bound}={constant(sp.sympify(limit))}" for bound, limit in bounds.items() if limit is not None]
-    return f'"{stated.symbol.name}", "{stated.doc}", "{stated.unit}"' + "".join(limits)
+    texts = [constant(text) for text in (stated.symbol.name, stated.doc, stated.unit)]
+    limits = [f"{bound}={constant(sp.sympify(limit))}" for bound, limit in bounds.items() if limit is not None]
+    line = ", ".join((*texts, *limits))
+    return line if len(line) + len("    Parameter(),") <= WIDTH else ",\n        ".join((*texts, *limits))
 
 
 def scale(derived: Scale) -> str:
