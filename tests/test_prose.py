@@ -12,12 +12,14 @@ import shutil
 import subprocess
 import sysconfig
 
+import jinja2
 import pytest
 import sympy as sp
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from slowflow_derivation import live
 from slowflow_derivation.document import parameters
+from slowflow_derivation.emit.bytecode import kept_beside
 from slowflow_derivation.emit.prose import in_markdown
 from slowflow_derivation.emit.targets import numpy
 from slowflow_derivation.emit.views import programs
@@ -156,3 +158,16 @@ def test_what_a_text_says_is_not_run(tmp_path, monkeypatch, capsys, odd):
 def test_text_that_no_file_can_hold_is_refused():
     with pytest.raises(ValueError, match="surrogate"):
         derive.mechanism("half", [(u, None)], {}, title="\ud800")
+
+
+def test_templates_are_compiled_anew_where_their_environment_has_changed(tmp_path):
+    """Bytecode of an environment that calls its filters otherwise would print their arguments in place of the text."""
+    (tmp_path / "template.jinja").write_text("{{ 'text' | shown(8) }}")
+    for k, shown in enumerate((lambda text, width: text, jinja2.pass_context(lambda context, text, width: text))):
+        place = tmp_path / "environment.py"
+        place.write_text(f"{k}\n")
+        environment = jinja2.Environment(
+            loader=jinja2.FileSystemLoader(tmp_path), bytecode_cache=kept_beside(tmp_path, place)
+        )
+        environment.filters["shown"] = shown
+        assert environment.get_template("template.jinja").render() == "text"

@@ -160,7 +160,7 @@ def templates(folder: Path) -> jinja2.Environment:
         keep_trailing_newline=True,
         autoescape=False,
         finalize=_shown,
-        bytecode_cache=kept_beside(folder / "templates"),
+        bytecode_cache=kept_beside(folder / "templates", Path(__file__)),
     )
     environment.filters["fill"] = _filled
     environment.filters["tuple"] = lambda names: f"({', '.join(names)}{',' if len(names) == 1 else ''})"
