@@ -100,6 +100,14 @@ class Sources:
         headers = {Path(file).name: text for file, text in files.items()}
         return headers | {f"{module.name}.c": c.records.of_one(module)} | motion
 
+    @property
+    def exported(self) -> dict[str, str]:
+        """A source that gives each of its C functions a symbol, and the list of them; none where no header is in C."""
+        from .emit.targets import c  # here, not above: NumPy answers without
+
+        header = f"{self.module.name}.h"
+        return c.exported({header: self.compiled[header]}) if self.odd else {}
+
 
 def stated(
     name: str,
@@ -258,7 +266,7 @@ def written(mechanism: Mechanism | Sided, folder: Path) -> list[str]:
     """All that is printed and told of it as files in a folder, in which an earlier run's are replaced; their names."""
     printed = sources(mechanism)
     name = printed.module.name
-    files = {**printed.compiled, **printed.python, DOCUMENT: told(mechanism)}
+    files = {**printed.compiled, **printed.exported, **printed.python, DOCUMENT: told(mechanism)}
     content = {
         "command": "slowflow derive",
         "mechanism": {"name": name, "title": mechanism.title},

@@ -265,7 +265,7 @@ def test_the_command_line_writes_what_a_program_derives(tmp_path, capsys):
     if shutil.which(compiler[0]):
         headers = [f"-I{place}" for place in (folder, *include())]
         sources = sorted(folder.glob("*.c"))
-        assert [path.stem for path in sources] == [module.stem, f"{module.stem}_motion"]
+        assert [path.stem for path in sources] == ["exported", module.stem, f"{module.stem}_motion"]
         done = subprocess.run(
             [*compiler, "-std=c11", "-fsyntax-only", *headers, *map(str, sources)], capture_output=True
         )

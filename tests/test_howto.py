@@ -34,6 +34,8 @@ NEEDED = {
     "Fortran": (("gfortran",), ()),
     "numba": ((), ("numba",)),
     "cffi": ((), ("cffi",)),
+    "ctypes": ((), ()),
+    "GNU Octave": (("octave-cli", "mkoctfile"), ()),
     "JavaScript": (("node",), ("ziglang",)),
 }
 

@@ -16,12 +16,17 @@
 
 #include <math.h>
 
+/* what exported.c defines otherwise */
+#ifndef SF_KERNEL
+#define SF_KERNEL static inline
+#endif
+
 /* Response function.
    Equation (37). Domain: Omega > 0, Omega != 1.
    Operations: 3 structured, 3 common subexpressions, 3 power chains
    Measured, error / u (1 + kappa): 1.4
  */
-static inline double den_hartog_V(double Omega)
+SF_KERNEL double den_hartog_V(double Omega)
 {
     return -1.0 / ((Omega - 1.0) * (Omega + 1.0));
 }
@@ -31,7 +36,7 @@ static inline double den_hartog_V(double Omega)
    Operations: 5 structured, 6 common subexpressions, 6 power chains
    Measured, error / u (1 + kappa): 1.4
  */
-static inline double den_hartog_U(double Omega)
+SF_KERNEL double den_hartog_U(double Omega)
 {
     const double t0 = 1.0 / Omega;
     return t0 / tan(1.5707963267948966 * t0 * (Omega - 1.0));
@@ -42,7 +47,7 @@ static inline double den_hartog_U(double Omega)
    Operations: 24 structured, 23 common subexpressions, 23 power chains
    Measured, error / u (1 + kappa): 3.9
  */
-static inline double den_hartog_S_ratio(double tau, double Omega)
+SF_KERNEL double den_hartog_S_ratio(double tau, double Omega)
 {
     const double t0 = 1.0 / Omega;
     const double t1 = Omega - 1.0;
@@ -57,7 +62,7 @@ static inline double den_hartog_S_ratio(double tau, double Omega)
    Operations: 16 structured, 14 common subexpressions, 14 power chains
    Measured, error / u (1 + kappa): 1.5
  */
-static inline double den_hartog_amplitude(double Omega, double F_0, double mu)
+SF_KERNEL double den_hartog_amplitude(double Omega, double F_0, double mu)
 {
     const double t0 = Omega - 1.0;
     const double V = -1.0 / (t0 * (Omega + 1.0));
@@ -73,7 +78,7 @@ static inline double den_hartog_amplitude(double Omega, double F_0, double mu)
    Operations: 21 structured, 21 common subexpressions, 20 power chains
    Measured, error / u (1 + kappa): 1.9
  */
-static inline double den_hartog_bound(double Omega, double F_0, double S)
+SF_KERNEL double den_hartog_bound(double Omega, double F_0, double S)
 {
     const double t0 = Omega - 1.0;
     const double V = -1.0 / (t0 * (Omega + 1.0));
@@ -89,7 +94,7 @@ static inline double den_hartog_bound(double Omega, double F_0, double S)
    Operations: 30 structured, 27 common subexpressions, 27 power chains
    Measured, error / u (1 + kappa): 1.7
  */
-static inline double den_hartog_motion(double tau, double Omega, double A, double mu)
+SF_KERNEL double den_hartog_motion(double tau, double Omega, double A, double mu)
 {
     const double t0 = 1.0 / Omega;
     const double t1 = Omega - 1.0;

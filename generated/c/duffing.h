@@ -19,6 +19,11 @@
 
 #include "slow_flow.h"
 
+/* what exported.c defines otherwise */
+#ifndef SF_KERNEL
+#define SF_KERNEL static inline
+#endif
+
 /* alpha, beta */
 #define DUFFING_PARAMETERS 2
 #define DUFFING_BREAKPOINTS 0
@@ -28,7 +33,7 @@
    Operations: 12 structured, 9 common subexpressions, 9 power chains
    Proved, error / u (1 + kappa): 1.84, 1.26, 0.67, 0.51
  */
-static inline void duffing_averaged(double A, const double *p, double *out)
+SF_KERNEL void duffing_averaged(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -45,7 +50,7 @@ static inline void duffing_averaged(double A, const double *p, double *out)
    Operations: 9 structured, 7 common subexpressions, 7 power chains
    Proved, error / u (1 + kappa): 1.84, 1.26
  */
-static inline void duffing_averaged_2(double A, const double *p, double *out)
+SF_KERNEL void duffing_averaged_2(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -59,7 +64,7 @@ static inline void duffing_averaged_2(double A, const double *p, double *out)
    Operations: 11 structured, 8 common subexpressions, 8 power chains
    Proved, error / u (1 + kappa): 6.01, 4.01
  */
-static inline void duffing_averaged_H(double A, const double *p, double *out)
+SF_KERNEL void duffing_averaged_H(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -74,7 +79,7 @@ static inline void duffing_averaged_H(double A, const double *p, double *out)
    Operations: 4 structured, 4 common subexpressions, 4 power chains
    Proved, error / u (1 + kappa): 0.81
  */
-static inline double duffing_intercept(double A, double alpha, double beta)
+SF_KERNEL double duffing_intercept(double A, double alpha, double beta)
 {
     (void)(alpha);
     const double A2 = A * A;
@@ -87,7 +92,7 @@ static inline double duffing_intercept(double A, double alpha, double beta)
    Operations: 10 structured, 9 common subexpressions, 8 power chains
    Proved, error / u (1 + kappa): 0.61, 0.76, 0.67, 0.51, 0.0, 0.0, 0.0, 0.0
  */
-static inline void duffing_harmonics(double A, const double *p, double *out)
+SF_KERNEL void duffing_harmonics(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double t0 = 1.5 * beta;
@@ -108,7 +113,7 @@ static inline void duffing_harmonics(double A, const double *p, double *out)
    Operations: 6 structured, 6 common subexpressions, 5 power chains
    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.76, 0.67, 0.51
  */
-static inline void duffing_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
+SF_KERNEL void duffing_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
     (void)(h);
     (void)(h_A);
@@ -129,7 +134,7 @@ static inline void duffing_by_parameter(double A, double h, double h_A, double h
    Operations: 0 structured, 0 common subexpressions, 0 power chains
    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0
  */
-static inline void duffing_by_design(double alpha, double beta, double *out)
+SF_KERNEL void duffing_by_design(double alpha, double beta, double *out)
 {
     (void)(alpha);
     (void)(beta);
@@ -144,7 +149,7 @@ static inline void duffing_by_design(double alpha, double beta, double *out)
    Operations: 0 structured, 0 common subexpressions, 0 power chains
    Proved, error / u (1 + kappa): 0.0, 0.0
  */
-static inline void duffing_coefficients(double alpha, double beta, double *out)
+SF_KERNEL void duffing_coefficients(double alpha, double beta, double *out)
 {
     out[0] = alpha;
     out[1] = beta;
@@ -154,7 +159,7 @@ static inline void duffing_coefficients(double alpha, double beta, double *out)
    Equation (5). Domain: any parameters.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
  */
-static inline void duffing_breakpoints(const double *p, double *out)
+SF_KERNEL void duffing_breakpoints(const double *p, double *out)
 {
     (void)(out);
     (void)(p);
@@ -165,7 +170,7 @@ static inline void duffing_breakpoints(const double *p, double *out)
    Equation (5). Domain: any parameters.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
  */
-static inline void duffing_jumps(const double *p, double *out)
+SF_KERNEL void duffing_jumps(const double *p, double *out)
 {
     (void)(out);
     (void)(p);
@@ -177,7 +182,7 @@ static inline void duffing_jumps(const double *p, double *out)
    Operations: 0 structured, 0 common subexpressions, 0 power chains
    Proved, error / u (1 + kappa): 0.0
  */
-static inline void duffing_hardening(const double *p, double *out)
+SF_KERNEL void duffing_hardening(const double *p, double *out)
 {
     const double beta = p[1];
     out[0] = beta;
@@ -188,7 +193,7 @@ static inline void duffing_hardening(const double *p, double *out)
    Operations: 2 structured, 1 common subexpressions, 1 power chains
    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.51, 0.0, 0.0, 0.0, 0.51
  */
-static inline void duffing_steps(const double *p, double *out)
+SF_KERNEL void duffing_steps(const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -208,7 +213,7 @@ static inline void duffing_steps(const double *p, double *out)
    Operations: 4 structured, 4 common subexpressions, 4 power chains
    Proved, error / u (1 + kappa): 1.67
  */
-static inline double duffing_force_1(double u, double alpha, double beta)
+SF_KERNEL double duffing_force_1(double u, double alpha, double beta)
 {
     return u * (alpha + beta * u * u);
 }
@@ -218,7 +223,7 @@ static inline double duffing_force_1(double u, double alpha, double beta)
    Operations: 4 structured, 4 common subexpressions, 4 power chains
    Proved, error / u (1 + kappa): 1.26
  */
-static inline double duffing_force_1_u(double u, double alpha, double beta)
+SF_KERNEL double duffing_force_1_u(double u, double alpha, double beta)
 {
     return alpha + 3.0 * beta * u * u;
 }
@@ -228,7 +233,7 @@ static inline double duffing_force_1_u(double u, double alpha, double beta)
    Operations where force_1: 4 structured, 4 common subexpressions, 4 power chains
    Proved where force_1, error / u (1 + kappa): 1.67
  */
-static inline double duffing_force(double u, double alpha, double beta)
+SF_KERNEL double duffing_force(double u, double alpha, double beta)
 {
     return duffing_force_1(u, alpha, beta);
 }
@@ -239,7 +244,7 @@ static inline double duffing_force(double u, double alpha, double beta)
    Proved, error / u (1 + kappa): 0.82, 0.91, 0.91, 0.91, 0.91, 7.67, 3.2, 0.91, 7.34, 0.91, 0.89
  */
 #define DUFFING_SADDLE_NODE_ONSET_COUNT 11
-static inline void duffing_saddle_node_onset(double m, double zeta, const double *p, double *out)
+SF_KERNEL void duffing_saddle_node_onset(double m, double zeta, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -278,7 +283,7 @@ static inline void duffing_saddle_node_onset(double m, double zeta, const double
    Measured, error / u (1 + kappa): 1.2
  */
 #define DUFFING_SADDLE_NODES_COUNT 11
-static inline void duffing_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out)
+SF_KERNEL void duffing_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -325,7 +330,7 @@ static inline void duffing_saddle_nodes(double F_0, double m, double zeta, const
    Equation (20)-(22). Domain: A >= 0.
    Measured, error / u (1 + kappa): 0.69
  */
-static inline double duffing_h(double A, double alpha, double beta)
+SF_KERNEL double duffing_h(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
     double values[2];
@@ -337,7 +342,7 @@ static inline double duffing_h(double A, double alpha, double beta)
    Equation (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 0.83
  */
-static inline double duffing_h_A(double A, double alpha, double beta)
+SF_KERNEL double duffing_h_A(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
     double values[2];
@@ -349,7 +354,7 @@ static inline double duffing_h_A(double A, double alpha, double beta)
    Equation from (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 0.67
  */
-static inline double duffing_h_AA(double A, double alpha, double beta)
+SF_KERNEL double duffing_h_AA(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
     double values[4];
@@ -361,7 +366,7 @@ static inline double duffing_h_AA(double A, double alpha, double beta)
    Equation from (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 0.49
  */
-static inline double duffing_h_AAA(double A, double alpha, double beta)
+SF_KERNEL double duffing_h_AAA(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
     double values[4];
@@ -373,7 +378,7 @@ static inline double duffing_h_AAA(double A, double alpha, double beta)
    Equation (20)-(22). Domain: A >= 0.
    Measured, error / u (1 + kappa): 1.5
  */
-static inline double duffing_H(double A, double alpha, double beta)
+SF_KERNEL double duffing_H(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
     double values[2];
@@ -385,7 +390,7 @@ static inline double duffing_H(double A, double alpha, double beta)
    Equation (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 2
  */
-static inline double duffing_H_A(double A, double alpha, double beta)
+SF_KERNEL double duffing_H_A(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
     double values[2];
@@ -397,7 +402,7 @@ static inline double duffing_H_A(double A, double alpha, double beta)
    Equation from (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 0.64
  */
-static inline double duffing_H_AA(double A, double alpha, double beta)
+SF_KERNEL double duffing_H_AA(double A, double alpha, double beta)
 {
     const double p[] = {alpha, beta};
     double values[4];
@@ -409,7 +414,7 @@ static inline double duffing_H_AA(double A, double alpha, double beta)
    Equation (24). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 1.9
  */
-static inline double duffing_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
+SF_KERNEL double duffing_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
     duffing_averaged_2(A, p, average);
@@ -420,7 +425,7 @@ static inline double duffing_F(double Omega, double A, double F_0, double mu, do
    Equation (24), (30). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 1.4
  */
-static inline double duffing_F_A(double Omega, double A, double mu, double zeta, const double *p)
+SF_KERNEL double duffing_F_A(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
     duffing_averaged_2(A, p, average);
@@ -431,7 +436,7 @@ static inline double duffing_F_A(double Omega, double A, double mu, double zeta,
    Equation (24). Domain: Omega >= 0, A > 0.
    Measured, error / u (1 + kappa): 2.1
  */
-static inline double duffing_level(double Omega, double A, double mu, double zeta, const double *p)
+SF_KERNEL double duffing_level(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
     duffing_averaged_2(A, p, average);
@@ -442,7 +447,7 @@ static inline double duffing_level(double Omega, double A, double mu, double zet
    Equation (25). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 1.1
  */
-static inline double duffing_phase(double Omega, double A, double mu, double zeta, const double *p)
+SF_KERNEL double duffing_phase(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
     duffing_averaged_2(A, p, average);
@@ -453,7 +458,7 @@ static inline double duffing_phase(double Omega, double A, double mu, double zet
    Equation (28). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 1.6
  */
-static inline void duffing_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
+SF_KERNEL void duffing_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
     duffing_averaged_2(A, p, average);
@@ -464,7 +469,7 @@ static inline void duffing_jacobian(double Omega, double A, double mu, double ze
    Equation (30). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 1.7
  */
-static inline double duffing_stability(double Omega, double A, double mu, double zeta, const double *p)
+SF_KERNEL double duffing_stability(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
     duffing_averaged_2(A, p, average);
@@ -475,7 +480,7 @@ static inline double duffing_stability(double Omega, double A, double mu, double
    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
    Measured, error / u (1 + kappa): 0.88
  */
-static inline double duffing_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
+SF_KERNEL double duffing_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
     duffing_averaged_2(A, p, average);
@@ -486,7 +491,7 @@ static inline double duffing_transmissibility(double Omega, double A, double F_0
    Equation (26). Domain: A > 0, h <= 0.
    Measured, error / u (1 + kappa): 0.98
  */
-static inline double duffing_backbone(double A, const double *p)
+SF_KERNEL double duffing_backbone(double A, const double *p)
 {
     double average[2];
     duffing_averaged_2(A, p, average);
@@ -497,7 +502,7 @@ static inline double duffing_backbone(double A, const double *p)
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
    Measured, error / u (1 + kappa): 0.64
  */
-static inline double duffing_limit_envelope(double Omega, double F_0, double mu, double zeta)
+SF_KERNEL double duffing_limit_envelope(double Omega, double F_0, double mu, double zeta)
 {
     return slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
 }
@@ -506,7 +511,7 @@ static inline double duffing_limit_envelope(double Omega, double F_0, double mu,
    Equation (38). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 0.91
  */
-static inline double duffing_equivalent_damping(double Omega, double A, double mu, double zeta)
+SF_KERNEL double duffing_equivalent_damping(double Omega, double A, double mu, double zeta)
 {
     return slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
 }
@@ -515,7 +520,7 @@ static inline double duffing_equivalent_damping(double Omega, double A, double m
    Equation (24). Domain: A > 0.
    Measured, error / u (1 + kappa): 1.7
  */
-static inline void duffing_response_quartic(double A, double F_0, double mu, double zeta, const double *p, double *out)
+SF_KERNEL void duffing_response_quartic(double A, double F_0, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
     duffing_averaged_2(A, p, average);
@@ -526,7 +531,7 @@ static inline void duffing_response_quartic(double A, double F_0, double mu, dou
    Equation (24), (30). Domain: A > 0.
    Measured, error / u (1 + kappa): 0.83
  */
-static inline void duffing_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
+SF_KERNEL void duffing_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
     duffing_averaged_2(A, p, average);
@@ -537,7 +542,7 @@ static inline void duffing_fold_quartic(double A, double mu, double zeta, const 
    Equation (34). Domain: A > 0.
    Measured, error / u (1 + kappa): 0.83
  */
-static inline void duffing_peak_cubic(double A, double mu, double zeta, const double *p, double *out)
+SF_KERNEL void duffing_peak_cubic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
     duffing_averaged_2(A, p, average);
@@ -548,7 +553,7 @@ static inline void duffing_peak_cubic(double A, double mu, double zeta, const do
    Equation (34). Domain: A > 0.
    Measured, error / u (1 + kappa): 1.8
  */
-static inline void duffing_detachment(double A, double mu, double zeta, const double *p, double *out)
+SF_KERNEL void duffing_detachment(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
     duffing_averaged_2(A, p, average);

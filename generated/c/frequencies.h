@@ -21,6 +21,11 @@
 
 #include "twofold.h"
 
+/* what exported.c defines otherwise */
+#ifndef SF_TWOFOLD
+#define SF_TWOFOLD TWOFOLD_INLINE
+#endif
+
 #define FREQUENCIES_ROUGH 8.8817841970012523e-16
 #define FREQUENCIES_FINE 3.1554436208840472e-30
 
@@ -29,7 +34,7 @@
    Operations: 27 structured, 20 common subexpressions, 20 power chains
    Measured, error / u (1 + kappa): 0.98
  */
-TWOFOLD_INLINE void frequencies_response(double Omega, double A, double F_0, double m, double zeta, double h, double *out)
+SF_TWOFOLD void frequencies_response(double Omega, double A, double F_0, double m, double zeta, double h, double *out)
 {
     const double t0 = A * Omega * Omega;
     const double R = h + t0;
@@ -46,7 +51,7 @@ TWOFOLD_INLINE void frequencies_response(double Omega, double A, double F_0, dou
    Proved, error / u (1 + kappa): -, 1.34
    Measured, error / u (1 + kappa): 1.3
  */
-TWOFOLD_INLINE void frequencies_response_at_0(double F_0, double m, double h, double *out)
+SF_TWOFOLD void frequencies_response_at_0(double F_0, double m, double h, double *out)
 {
     const double t0 = h * h;
     const double t1 = F_0 + m;
@@ -59,7 +64,7 @@ TWOFOLD_INLINE void frequencies_response_at_0(double F_0, double m, double h, do
    Operations: 38 structured, 23 common subexpressions, 23 power chains
    Measured, error / u (1 + kappa): 1.1
  */
-TWOFOLD_INLINE void frequencies_fold(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
+SF_TWOFOLD void frequencies_fold(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
 {
     const double t0 = Omega * Omega;
     const double t1 = A * t0;
@@ -78,7 +83,7 @@ TWOFOLD_INLINE void frequencies_fold(double Omega, double A, double m, double ze
    Operations: 1 structured, 1 common subexpressions, 1 power chains
    Proved, error / u (1 + kappa): 0.34
  */
-TWOFOLD_INLINE double frequencies_fold_at_0(double h, double h_A)
+SF_TWOFOLD double frequencies_fold_at_0(double h, double h_A)
 {
     return h * h_A;
 }
@@ -88,7 +93,7 @@ TWOFOLD_INLINE double frequencies_fold_at_0(double h, double h_A)
    Operations: 5 structured, 5 common subexpressions, 5 power chains
    Proved, error / u (1 + kappa): 2.67
  */
-TWOFOLD_INLINE double frequencies_cubic(double Omega, double A, double p, double q)
+SF_TWOFOLD double frequencies_cubic(double Omega, double A, double p, double q)
 {
     return Omega * (A * Omega * Omega + p) + q;
 }
@@ -98,7 +103,7 @@ TWOFOLD_INLINE double frequencies_cubic(double Omega, double A, double p, double
    Operations: 4 structured, 4 common subexpressions, 4 power chains
    Proved, error / u (1 + kappa): 1.26
  */
-TWOFOLD_INLINE double frequencies_cubic_slope(double Omega, double A, double p)
+SF_TWOFOLD double frequencies_cubic_slope(double Omega, double A, double p)
 {
     return 3.0 * A * Omega * Omega + p;
 }
@@ -109,7 +114,7 @@ TWOFOLD_INLINE double frequencies_cubic_slope(double Omega, double A, double p)
    Proved, error / u (1 + kappa): 3.01, -
    Measured, error / u (1 + kappa): 0.55
  */
-TWOFOLD_INLINE void frequencies_rise(double Omega, double A, double p, double k, double *out)
+SF_TWOFOLD void frequencies_rise(double Omega, double A, double p, double k, double *out)
 {
     const double t0 = Omega * Omega;
     const double t1 = 0.75 * A * t0;
@@ -123,7 +128,7 @@ TWOFOLD_INLINE void frequencies_rise(double Omega, double A, double p, double k,
    Exact: 6 products and 4 sums.
    Measured, error / u (1 + kappa): 1.9
  */
-TWOFOLD_INLINE void frequencies_response_fine(double Omega, double A, double F_0, double m, double zeta, double h, double *out)
+SF_TWOFOLD void frequencies_response_fine(double Omega, double A, double F_0, double m, double zeta, double h, double *out)
 {
     double d0_low;
     const double d0 = twofold_two_product(A, Omega, &d0_low);
@@ -164,7 +169,7 @@ TWOFOLD_INLINE void frequencies_response_fine(double Omega, double A, double F_0
    Exact: 7 products and 4 sums.
    Measured, error / u (1 + kappa): 1.7
  */
-TWOFOLD_INLINE void frequencies_response_beside(double Omega, double tail, double A, double F_0, double m, double zeta, double h, double *out)
+SF_TWOFOLD void frequencies_response_beside(double Omega, double tail, double A, double F_0, double m, double zeta, double h, double *out)
 {
     double d0_low;
     const double d0 = twofold_two_product(A, Omega, &d0_low);
@@ -210,7 +215,7 @@ TWOFOLD_INLINE void frequencies_response_beside(double Omega, double tail, doubl
    Exact: 3 products and 2 sums.
    Measured, error / u (1 + kappa): 0.31
  */
-TWOFOLD_INLINE void frequencies_response_derivative(double A, double m, double zeta, double h, double *out)
+SF_TWOFOLD void frequencies_response_derivative(double A, double m, double zeta, double h, double *out)
 {
     double d0_low;
     const double d0 = twofold_two_product(A, zeta, &d0_low);
@@ -236,7 +241,7 @@ TWOFOLD_INLINE void frequencies_response_derivative(double A, double m, double z
    Exact: 3 products.
    Measured, error / u (1 + kappa): 0.34
  */
-TWOFOLD_INLINE double frequencies_response_exactly_at_0(double F_0, double m, double h)
+SF_TWOFOLD double frequencies_response_exactly_at_0(double F_0, double m, double h)
 {
     double d0_low;
     const double d0 = twofold_two_product(h, h, &d0_low);
@@ -253,7 +258,7 @@ TWOFOLD_INLINE double frequencies_response_exactly_at_0(double F_0, double m, do
    Exact: 7 products and 4 sums.
    Measured, error / u (1 + kappa): 1.5
  */
-TWOFOLD_INLINE void frequencies_fold_fine(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
+SF_TWOFOLD void frequencies_fold_fine(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
 {
     double d0_low;
     const double d0 = twofold_two_product(A, Omega, &d0_low);
@@ -299,7 +304,7 @@ TWOFOLD_INLINE void frequencies_fold_fine(double Omega, double A, double m, doub
    Exact: 8 products and 4 sums.
    Measured, error / u (1 + kappa): 1.1
  */
-TWOFOLD_INLINE void frequencies_fold_beside(double Omega, double tail, double A, double m, double zeta, double h, double h_A, double *out)
+SF_TWOFOLD void frequencies_fold_beside(double Omega, double tail, double A, double m, double zeta, double h, double h_A, double *out)
 {
     double d0_low;
     const double d0 = twofold_two_product(A, Omega, &d0_low);
@@ -352,7 +357,7 @@ TWOFOLD_INLINE void frequencies_fold_beside(double Omega, double tail, double A,
    Exact: 4 products and 4 sums.
    Measured, error / u (1 + kappa): 0.76
  */
-TWOFOLD_INLINE void frequencies_fold_derivative(double A, double m, double zeta, double h, double h_A, double *out)
+SF_TWOFOLD void frequencies_fold_derivative(double A, double m, double zeta, double h, double h_A, double *out)
 {
     double d0_low;
     const double d0 = twofold_two_product(A, zeta, &d0_low);
@@ -385,7 +390,7 @@ TWOFOLD_INLINE void frequencies_fold_derivative(double A, double m, double zeta,
    Exact: 3 products and 2 sums.
    Measured, error / u (1 + kappa): 0.5
  */
-TWOFOLD_INLINE double frequencies_cubic_fine(double Omega, double A, double p, double p_low, double q, double q_low)
+SF_TWOFOLD double frequencies_cubic_fine(double Omega, double A, double p, double p_low, double q, double q_low)
 {
     double d0_low;
     const double d0 = twofold_two_product(A, Omega, &d0_low);
@@ -409,7 +414,7 @@ TWOFOLD_INLINE double frequencies_cubic_fine(double Omega, double A, double p, d
    Exact: 5 products and 1 sum.
    Measured, error / u (1 + kappa): 1.6
  */
-TWOFOLD_INLINE void frequencies_discriminant(double A, double p, double p_low, double q, double q_low, double *out)
+SF_TWOFOLD void frequencies_discriminant(double A, double p, double p_low, double q, double q_low, double *out)
 {
     double d0_low;
     const double d0 = twofold_two_product(27.0, A, &d0_low);

@@ -19,12 +19,17 @@
 
 #include <math.h>
 
+/* what exported.c defines otherwise */
+#ifndef SF_KERNEL
+#define SF_KERNEL static inline
+#endif
+
 /* Amplitude of the force on the mass.
    Equation beside (3). Domain: Omega >= 0.
    Operations: 2 structured, 2 common subexpressions, 2 power chains
    Proved, error / u (1 + kappa): 0.51
  */
-static inline double inertia_force(double Omega, double F_0)
+SF_KERNEL double inertia_force(double Omega, double F_0)
 {
     return F_0 * Omega * Omega;
 }
@@ -34,7 +39,7 @@ static inline double inertia_force(double Omega, double F_0)
    Operations: 3 structured, 3 common subexpressions, 3 power chains
    Proved, error / u (1 + kappa): 0.34, 0.34
  */
-static inline void inertia_force_slopes(double Omega, double F_0, double *out)
+SF_KERNEL void inertia_force_slopes(double Omega, double F_0, double *out)
 {
     out[0] = 2.0 * F_0 * Omega;
     out[1] = Omega * Omega;
@@ -45,7 +50,7 @@ static inline void inertia_force_slopes(double Omega, double F_0, double *out)
    Operations: 2 structured, 2 common subexpressions, 2 power chains
    Proved, error / u (1 + kappa): 0.51
  */
-static inline double inertia_amplitude(double Omega, double force)
+SF_KERNEL double inertia_amplitude(double Omega, double force)
 {
     return force / (Omega * Omega);
 }
@@ -55,7 +60,7 @@ static inline double inertia_amplitude(double Omega, double force)
    Operations: 2 structured, 2 common subexpressions, 2 power chains
    Measured, error / u (1 + kappa): 0.61
  */
-static inline double inertia_moves_from(double F_0, double holds)
+SF_KERNEL double inertia_moves_from(double F_0, double holds)
 {
     const double turn = holds / F_0;
     return sqrt(turn);
@@ -66,7 +71,7 @@ static inline double inertia_moves_from(double F_0, double holds)
    Operations: 13 structured, 12 common subexpressions, 12 power chains
    Measured, error / u (1 + kappa): 1.3
  */
-static inline double inertia_level(double Omega, double A, double m, double zeta, double h)
+SF_KERNEL double inertia_level(double Omega, double A, double m, double zeta, double h)
 {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
@@ -79,7 +84,7 @@ static inline double inertia_level(double Omega, double A, double m, double zeta
    Operations: 16 structured, 13 common subexpressions, 13 power chains
    Measured, error / u (1 + kappa): 0.81
  */
-static inline double inertia_F(double Omega, double A, double F_0, double m, double zeta, double h)
+SF_KERNEL double inertia_F(double Omega, double A, double F_0, double m, double zeta, double h)
 {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
@@ -93,7 +98,7 @@ static inline double inertia_F(double Omega, double A, double F_0, double m, dou
    Operations: 15 structured, 13 common subexpressions, 13 power chains
    Proved, error / u (1 + kappa): 5.26
  */
-static inline double inertia_level_slope(double Omega, double A, double m, double zeta, double h)
+SF_KERNEL double inertia_level_slope(double Omega, double A, double m, double zeta, double h)
 {
     const double R = A * Omega * Omega + h;
     const double t0 = A * Omega * zeta;
@@ -106,7 +111,7 @@ static inline double inertia_level_slope(double Omega, double A, double m, doubl
    Operations: 25 structured, 21 common subexpressions, 21 power chains
    Measured, error / u (1 + kappa): 1.1
  */
-static inline double inertia_Omega_A(double Omega, double A, double m, double zeta, double h, double h_A)
+SF_KERNEL double inertia_Omega_A(double Omega, double A, double m, double zeta, double h, double h_A)
 {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
@@ -122,7 +127,7 @@ static inline double inertia_Omega_A(double Omega, double A, double m, double ze
    Operations where rising: 36 structured, 31 common subexpressions, 30 power chains
    Measured, error / u (1 + kappa): 1.1
  */
-static inline void inertia_outer_falling(double A, double F_0, double m, double zeta, double h, double *out)
+SF_KERNEL void inertia_outer_falling(double A, double F_0, double m, double zeta, double h, double *out)
 {
     const double t0 = zeta * zeta;
     const double t1 = A * t0;
@@ -139,7 +144,7 @@ static inline void inertia_outer_falling(double A, double F_0, double m, double 
     out[1] = over / t3;
 }
 
-static inline void inertia_outer_rising(double A, double F_0, double m, double zeta, double h, double *out)
+SF_KERNEL void inertia_outer_rising(double A, double F_0, double m, double zeta, double h, double *out)
 {
     const double t0 = zeta * zeta;
     const double t1 = A * t0;
@@ -156,7 +161,7 @@ static inline void inertia_outer_rising(double A, double F_0, double m, double z
     out[1] = t3 / square;
 }
 
-static inline void inertia_outer(double A, double F_0, double m, double zeta, double h, double *out)
+SF_KERNEL void inertia_outer(double A, double F_0, double m, double zeta, double h, double *out)
 {
     if (2.0 * A * zeta * zeta + h <= 0.0) {
         inertia_outer_falling(A, F_0, m, zeta, h, out);
@@ -170,7 +175,7 @@ static inline void inertia_outer(double A, double F_0, double m, double zeta, do
    Operations: 11 structured, 11 common subexpressions, 11 power chains
    Proved, error / u (1 + kappa): 1.61, 0.76, 0.67
  */
-static inline void inertia_terms(double A, double m, double zeta, double h, double *out)
+SF_KERNEL void inertia_terms(double A, double m, double zeta, double h, double *out)
 {
     out[0] = -A * (2.0 * A * zeta * zeta + h);
     out[1] = 12.0 * A * m * zeta;
@@ -182,7 +187,7 @@ static inline void inertia_terms(double A, double m, double zeta, double h, doub
    Operations: 8 structured, 8 common subexpressions, 8 power chains
    Measured, error / u (1 + kappa): 1.3
  */
-static inline double inertia_least(double fall, double linear, double rest)
+SF_KERNEL double inertia_least(double fall, double linear, double rest)
 {
     return 8.0 * fall / (linear + sqrt(64.0 * fall * rest + linear * linear));
 }
@@ -192,7 +197,7 @@ static inline double inertia_least(double fall, double linear, double rest)
    Operations: 28 structured, 24 common subexpressions, 24 power chains
    Measured, error / u (1 + kappa): 1.7
  */
-static inline double inertia_least_Omega_A(double x, double A, double m, double zeta, double h, double h_A)
+SF_KERNEL double inertia_least_Omega_A(double x, double A, double m, double zeta, double h, double h_A)
 {
     const double t0 = x * x;
     const double t1 = 3.0 * m * zeta;
@@ -206,7 +211,7 @@ static inline double inertia_least_Omega_A(double x, double A, double m, double 
    Operations: 23 structured, 19 common subexpressions, 19 power chains
    Measured, error / u (1 + kappa): 0.87
  */
-static inline void inertia_peak(double x, double A, double F_0, double m, double zeta, double h, double h_A, double *out)
+SF_KERNEL void inertia_peak(double x, double A, double F_0, double m, double zeta, double h, double h_A, double *out)
 {
     const double t0 = A * zeta;
     const double t1 = m * x;
@@ -223,7 +228,7 @@ static inline void inertia_peak(double x, double A, double F_0, double m, double
    Operations: 73 structured, 50 common subexpressions, 50 power chains
    Measured, error / u (1 + kappa): 1.2
  */
-static inline void inertia_isola(double x, double A, double m, double zeta, double h, double h_A, double h_AA, double *out)
+SF_KERNEL void inertia_isola(double x, double A, double m, double zeta, double h, double h_A, double h_AA, double *out)
 {
     const double t0 = A * zeta;
     const double t1 = m * x;
@@ -246,7 +251,7 @@ static inline void inertia_isola(double x, double A, double m, double zeta, doub
    Operations: 21 structured, 18 common subexpressions, 17 power chains
    Measured, error / u (1 + kappa): 1.1
  */
-static inline double inertia_isola_apart(double x, double A, double m, double zeta, double h, double k, double cubic)
+SF_KERNEL double inertia_isola_apart(double x, double A, double m, double zeta, double h, double k, double cubic)
 {
     const double t0 = A * zeta;
     const double t1 = m * x;
@@ -261,7 +266,7 @@ static inline double inertia_isola_apart(double x, double A, double m, double ze
    Operations: 28 structured, 24 common subexpressions, 24 power chains
    Measured, error / u (1 + kappa): 1.1
  */
-static inline void inertia_fold_slopes(double Omega, double A, double m, double zeta, double k, double *out)
+SF_KERNEL void inertia_fold_slopes(double Omega, double A, double m, double zeta, double k, double *out)
 {
     const double t0 = 2.0 * Omega * zeta;
     const double I_ = A * t0 + m;
@@ -280,7 +285,7 @@ static inline void inertia_fold_slopes(double Omega, double A, double m, double 
    Operations: 10 structured, 10 common subexpressions, 10 power chains
    Measured, error / u (1 + kappa): 0.91
  */
-static inline double inertia_fold_force(double Omega, double A, double m, double zeta, double other)
+SF_KERNEL double inertia_fold_force(double Omega, double A, double m, double zeta, double other)
 {
     const double I_ = 2.0 * A * Omega * zeta + m;
     return sqrt(A * A * other * other + I_ * I_);
@@ -291,7 +296,7 @@ static inline double inertia_fold_force(double Omega, double A, double m, double
    Operations: 12 structured, 12 common subexpressions, 12 power chains
    Measured, error / u (1 + kappa): 0.73
  */
-static inline double inertia_fold_level(double Omega, double A, double m, double zeta, double other)
+SF_KERNEL double inertia_fold_level(double Omega, double A, double m, double zeta, double other)
 {
     const double I_ = 2.0 * A * Omega * zeta + m;
     return sqrt(A * A * other * other + I_ * I_) / (Omega * Omega);
@@ -302,7 +307,7 @@ static inline double inertia_fold_level(double Omega, double A, double m, double
    Operations: 29 structured, 24 common subexpressions, 22 power chains
    Measured, error / u (1 + kappa): 1.2
  */
-static inline double inertia_peak_share(double Omega, double A, double m, double zeta)
+SF_KERNEL double inertia_peak_share(double Omega, double A, double m, double zeta)
 {
     const double t0 = A * Omega * zeta;
     const double t1 = 2.0 * t0;
@@ -319,7 +324,7 @@ static inline double inertia_peak_share(double Omega, double A, double m, double
    Operations: 13 structured, 13 common subexpressions, 13 power chains
    Measured, error / u (1 + kappa): 1.2
  */
-static inline double inertia_Omega_of_share(double A, double F_0, double m, double zeta, double share)
+SF_KERNEL double inertia_Omega_of_share(double A, double F_0, double m, double zeta, double share)
 {
     const double of_I = F_0 / sqrt(share * share + 1.0);
     return (A * zeta + sqrt(A * A * zeta * zeta + m * of_I)) / of_I;
@@ -330,7 +335,7 @@ static inline double inertia_Omega_of_share(double A, double F_0, double m, doub
    Operations: 41 structured, 32 common subexpressions, 32 power chains
    Measured, error / u (1 + kappa): 1.3
  */
-static inline double inertia_level_rise(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
+SF_KERNEL double inertia_level_rise(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
 {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
@@ -348,7 +353,7 @@ static inline double inertia_level_rise(double Omega, double A, double m, double
    Operations: 37 structured, 30 common subexpressions, 30 power chains
    Measured, error / u (1 + kappa): 0.87
  */
-static inline double inertia_cusp_bend(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_AAA)
+SF_KERNEL double inertia_cusp_bend(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_AAA)
 {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
@@ -365,7 +370,7 @@ static inline double inertia_cusp_bend(double Omega, double A, double m, double 
    Operations: 83 structured, 55 common subexpressions, 55 power chains
    Measured, error / u (1 + kappa): 1.7
  */
-static inline double inertia_hessian(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
+SF_KERNEL double inertia_hessian(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
 {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
@@ -395,7 +400,7 @@ static inline double inertia_hessian(double Omega, double A, double m, double ze
    Operations: 34 structured, 21 common subexpressions, 20 power chains
    Proved, error / u (1 + kappa): 14.01, 14.01, 12.01, 10.01
  */
-static inline void inertia_bound(double A, double F_0, double zeta, double h, double h_A, double h_AA, double h_AAA, double lost, double *out)
+SF_KERNEL void inertia_bound(double A, double F_0, double zeta, double h, double h_A, double h_AA, double h_AAA, double lost, double *out)
 {
     const double t0 = F_0 * F_0;
     const double t1 = zeta * zeta * (1.0 - lost);
@@ -413,7 +418,7 @@ static inline void inertia_bound(double A, double F_0, double zeta, double h, do
    Operations: 3 structured, 3 common subexpressions, 3 power chains
    Proved, error / u (1 + kappa): 0.61
  */
-static inline double inertia_share(double A, double zeta, double h)
+SF_KERNEL double inertia_share(double A, double zeta, double h)
 {
     const double twice = zeta * zeta;
     return -A * twice / h;
@@ -424,7 +429,7 @@ static inline double inertia_share(double A, double zeta, double h)
    Operations: 61 structured, 49 common subexpressions, 46 power chains
    Proved, error / u (1 + kappa): -, 0.0, 0.0, -, -, 0.0, 0.0
  */
-static inline void inertia_moves_of_state(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void inertia_moves_of_state(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h_AA);
     (void)(h_AAA);
@@ -456,7 +461,7 @@ static inline void inertia_moves_of_state(double Omega, double A, double F_0, do
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 127 structured, 82 common subexpressions, 79 power chains
  */
-static inline void inertia_moves_of_fold(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void inertia_moves_of_fold(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h_AAA);
     (void)(h_AAp);
@@ -501,7 +506,7 @@ static inline void inertia_moves_of_fold(double Omega, double A, double F_0, dou
    Operations: 63 structured, 46 common subexpressions, 43 power chains
    Proved, error / u (1 + kappa): 0.0, -, 0.0, 4.67, -, 0.0, 0.0
  */
-static inline void inertia_moves_of_corner_fold(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void inertia_moves_of_corner_fold(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h_AA);
     (void)(h_AAA);
@@ -535,7 +540,7 @@ static inline void inertia_moves_of_corner_fold(double Omega, double A, double F
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 124 structured, 82 common subexpressions, 79 power chains
  */
-static inline void inertia_moves_of_peak(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void inertia_moves_of_peak(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h_AA);
     (void)(h_AAA);
@@ -580,7 +585,7 @@ static inline void inertia_moves_of_peak(double Omega, double A, double F_0, dou
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 145 structured, 105 common subexpressions, 102 power chains
  */
-static inline void inertia_moves_of_cusp(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void inertia_moves_of_cusp(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(end_p);
     (void)(forcing_p);
@@ -622,7 +627,7 @@ static inline void inertia_moves_of_cusp(double Omega, double A, double F_0, dou
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 181 structured, 113 common subexpressions, 111 power chains
  */
-static inline void inertia_moves_of_isola(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void inertia_moves_of_isola(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h_AAA);
     (void)(h_AAp);
@@ -676,7 +681,7 @@ static inline void inertia_moves_of_isola(double Omega, double A, double F_0, do
    Operations: 98 structured, 69 common subexpressions, 67 power chains
    Proved, error / u (1 + kappa): 0.0, -, -, 3.56, -, 0.0, 0.0
  */
-static inline void inertia_moves_of_corner_top(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void inertia_moves_of_corner_top(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h_AA);
     (void)(h_AAA);
@@ -717,7 +722,7 @@ static inline void inertia_moves_of_corner_top(double Omega, double A, double F_
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 110 structured, 80 common subexpressions, 77 power chains
  */
-static inline void inertia_moves_of_corner_end(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void inertia_moves_of_corner_end(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h_AAA);
     (void)(h_AAp);
@@ -757,7 +762,7 @@ static inline void inertia_moves_of_corner_end(double Omega, double A, double F_
    Operations: 47 structured, 39 common subexpressions, 36 power chains
    Proved, error / u (1 + kappa): 0.0, 4.34, -, 0.34, 0.34, 0.0, 0.0
  */
-static inline void inertia_moves_of_corner_backbone(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void inertia_moves_of_corner_backbone(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h);
     (void)(h_AA);
@@ -792,7 +797,7 @@ static inline void inertia_moves_of_corner_backbone(double Omega, double A, doub
    Operations: 44 structured, 39 common subexpressions, 36 power chains
    Proved, error / u (1 + kappa): 0.0, 0.0, -, 0.0, 0.0, 0.0, 0.0
  */
-static inline void inertia_moves_of_corner_rest(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void inertia_moves_of_corner_rest(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h_AA);
     (void)(h_AAA);
@@ -823,7 +828,7 @@ static inline void inertia_moves_of_corner_rest(double Omega, double A, double F
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 66 structured, 37 common subexpressions, 36 power chains
  */
-static inline void inertia_beside(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double *out)
+SF_KERNEL void inertia_beside(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double *out)
 {
     const double Omega2 = Omega * Omega;
     const double t0 = A * Omega2;
@@ -850,7 +855,7 @@ static inline void inertia_beside(double Omega, double A, double F_0, double m, 
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 56 structured, 46 common subexpressions, 46 power chains
  */
-static inline void inertia_moves_of_phase(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_p, double m_p, double zeta_p, double A_p, double Omega_p, double F_0_p, double *out)
+SF_KERNEL void inertia_moves_of_phase(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_p, double m_p, double zeta_p, double A_p, double Omega_p, double F_0_p, double *out)
 {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;

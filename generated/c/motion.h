@@ -22,12 +22,17 @@
 
 #include <math.h>
 
+/* what exported.c defines otherwise */
+#ifndef SF_KERNEL
+#define SF_KERNEL static inline
+#endif
+
 /* What friction has to hold at rest; cosine of theta = Omega tau.
    Equation (3). Domain: any.
    Operations: 2 structured, 2 common subexpressions, 2 power chains
    Proved, error / u (1 + kappa): 1.01
  */
-static inline double motion_push(double cosine, double F_0, double f)
+SF_KERNEL double motion_push(double cosine, double F_0, double f)
 {
     return F_0 * cosine - f;
 }
@@ -37,7 +42,7 @@ static inline double motion_push(double cosine, double F_0, double f)
    Operations: 1 structured, 1 common subexpressions, 1 power chains
    Proved, error / u (1 + kappa): 0.34, 0.0, 0.0
  */
-static inline void motion_push_slopes(double cosine, double sine, double F_0, double f_u, double *out)
+SF_KERNEL void motion_push_slopes(double cosine, double sine, double F_0, double f_u, double *out)
 {
     out[0] = -F_0 * sine;
     out[1] = -f_u;
@@ -49,7 +54,7 @@ static inline void motion_push_slopes(double cosine, double sine, double F_0, do
    Operations: 2 structured, 2 common subexpressions, 2 power chains
    Proved, error / u (1 + kappa): 3.01
  */
-static inline double motion_breakaway(double F_0, double friction, double f)
+SF_KERNEL double motion_breakaway(double F_0, double friction, double f)
 {
     return (f + friction) / F_0;
 }
@@ -59,7 +64,7 @@ static inline double motion_breakaway(double F_0, double friction, double f)
    Operations: 6 structured, 6 common subexpressions, 6 power chains
    Proved, error / u (1 + kappa): 3.01
  */
-static inline double motion_acceleration(double cosine, double v, double F_0, double zeta, double friction, double f)
+SF_KERNEL double motion_acceleration(double cosine, double v, double F_0, double zeta, double friction, double f)
 {
     return F_0 * cosine - f - friction - 2.0 * v * zeta;
 }
@@ -69,7 +74,7 @@ static inline double motion_acceleration(double cosine, double v, double F_0, do
    Operations: 5 structured, 5 common subexpressions, 5 power chains
    Proved, error / u (1 + kappa): 1.01, 1.01
  */
-static inline void motion_resistance(double v, double zeta, double friction, double quadratic, double *out)
+SF_KERNEL void motion_resistance(double v, double zeta, double friction, double quadratic, double *out)
 {
     out[0] = friction + quadratic * v * v;
     out[1] = quadratic * v + zeta;
@@ -80,7 +85,7 @@ static inline void motion_resistance(double v, double zeta, double friction, dou
    Operations: 5 structured, 4 common subexpressions, 4 power chains
    Proved, error / u (1 + kappa): 0.34, 0.51
  */
-static inline void motion_structural(double Omega, double eta, double *out)
+SF_KERNEL void motion_structural(double Omega, double eta, double *out)
 {
     const double t0 = 0.5 * eta;
     out[0] = t0 / Omega;
@@ -92,7 +97,7 @@ static inline void motion_structural(double Omega, double eta, double *out)
    Operations: 2 structured, 2 common subexpressions, 2 power chains
    Proved, error / u (1 + kappa): 3.01
  */
-static inline double motion_across(double before, double after, double v)
+SF_KERNEL double motion_across(double before, double after, double v)
 {
     return (after - before) / v;
 }
@@ -102,7 +107,7 @@ static inline double motion_across(double before, double after, double v)
    Operations: 1 structured, 1 common subexpressions, 1 power chains
    Proved, error / u (1 + kappa): 0.34
  */
-static inline double motion_turned(double before, double after)
+SF_KERNEL double motion_turned(double before, double after)
 {
     return after / before;
 }
@@ -112,7 +117,7 @@ static inline double motion_turned(double before, double after)
    Operations: 3 structured, 3 common subexpressions, 3 power chains
    Proved, error / u (1 + kappa): 0.61
  */
-static inline double motion_released(double after, double Omega, double by_theta, double by_u)
+SF_KERNEL double motion_released(double after, double Omega, double by_theta, double by_u)
 {
     return after * by_u / (Omega * by_theta);
 }
@@ -122,7 +127,7 @@ static inline double motion_released(double after, double Omega, double by_theta
    Operations: 4 structured, 4 common subexpressions, 4 power chains
    Proved, error / u (1 + kappa): 0.0, 0.51, 0.67, 0.67
  */
-static inline void motion_rates_by_state(double Omega, double zeta, double f_u, double *out)
+SF_KERNEL void motion_rates_by_state(double Omega, double zeta, double f_u, double *out)
 {
     const double t0 = 1.0 / Omega;
     out[0] = 0.0;
@@ -136,7 +141,7 @@ static inline void motion_rates_by_state(double Omega, double zeta, double f_u, 
    Operations: 13 structured, 13 common subexpressions, 13 power chains
    Proved, error / u (1 + kappa): 0.76, 0.0, 0.0, 0.0, 0.0, 6.01, 0.67, 0.67, 0.51, 0.51
  */
-static inline void motion_rates_by_parameter(double cosine, double v, double Omega, double F_0, double zeta, double friction, double f, double *out)
+SF_KERNEL void motion_rates_by_parameter(double cosine, double v, double Omega, double F_0, double zeta, double friction, double f, double *out)
 {
     const double t0 = 1.0 / (Omega * Omega);
     const double t1 = 2.0 * v;

@@ -22,6 +22,11 @@
 #include "angles.h"
 #include "slow_flow.h"
 
+/* what exported.c defines otherwise */
+#ifndef SF_KERNEL
+#define SF_KERNEL static inline
+#endif
+
 /* alpha, beta, gamma, u_cr */
 #define ROD_SPRING_PARAMETERS 4
 #define ROD_SPRING_BREAKPOINTS 1
@@ -34,7 +39,7 @@
    Operations where passed_1_far_1: 313 structured, 182 common subexpressions, 167 power chains
    Measured, error / u (1 + kappa): 2.2
  */
-static inline void rod_spring_averaged_passed_0(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_averaged_passed_0(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -49,7 +54,7 @@ static inline void rod_spring_averaged_passed_0(double A, const double *p, doubl
     out[3] = -37.5 * t2 - t3;
 }
 
-static inline void rod_spring_averaged_passed_1(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_averaged_passed_1(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -102,7 +107,7 @@ static inline void rod_spring_averaged_passed_1(double A, const double *p, doubl
         + 6.0 * t13 * t21 - t14 + t15 * t19 * t9 + t16 * (2.0 * t9 + 3.0 / root2) + 3.0 * t19 * t21);
 }
 
-static inline void rod_spring_averaged_passed_1_far_1(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_averaged_passed_1_far_1(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -157,7 +162,7 @@ static inline void rod_spring_averaged_passed_1_far_1(double A, const double *p,
         (z * (-t11 - 8.0) - 8.0)) / t2;
 }
 
-static inline void rod_spring_averaged(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_averaged(double A, const double *p, double *out)
 {
     const double u_cr = p[3];
     if (A <= u_cr) {
@@ -179,7 +184,7 @@ static inline void rod_spring_averaged(double A, const double *p, double *out)
    Operations where passed_1_far_1: 214 structured, 132 common subexpressions, 117 power chains
    Measured, error / u (1 + kappa): 1.6
  */
-static inline void rod_spring_averaged_2_passed_0(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_averaged_2_passed_0(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -191,7 +196,7 @@ static inline void rod_spring_averaged_2_passed_0(double A, const double *p, dou
     out[1] = t0 + t1 * (-2.25 * beta - 3.125 * t2);
 }
 
-static inline void rod_spring_averaged_2_passed_1(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_averaged_2_passed_1(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -222,7 +227,7 @@ static inline void rod_spring_averaged_2_passed_1(double A, const double *p, dou
         1.0) / (A2 * root));
 }
 
-static inline void rod_spring_averaged_2_passed_1_far_1(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_averaged_2_passed_1_far_1(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -264,7 +269,7 @@ static inline void rod_spring_averaged_2_passed_1_far_1(double A, const double *
         (-0.7142857142857143 * x2 - 0.2857142857142857)))) - 1.0;
 }
 
-static inline void rod_spring_averaged_2(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_averaged_2(double A, const double *p, double *out)
 {
     const double u_cr = p[3];
     if (A <= u_cr) {
@@ -286,7 +291,7 @@ static inline void rod_spring_averaged_2(double A, const double *p, double *out)
    Operations where passed_1_far_1: 212 structured, 130 common subexpressions, 115 power chains
    Measured, error / u (1 + kappa): 3
  */
-static inline void rod_spring_averaged_H_passed_0(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_averaged_H_passed_0(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -298,7 +303,7 @@ static inline void rod_spring_averaged_H_passed_0(double A, const double *p, dou
     out[1] = t0 * (-2.25 * beta - 3.125 * t1) + t2;
 }
 
-static inline void rod_spring_averaged_H_passed_1(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_averaged_H_passed_1(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -327,7 +332,7 @@ static inline void rod_spring_averaged_H_passed_1(double A, const double *p, dou
         * root));
 }
 
-static inline void rod_spring_averaged_H_passed_1_far_1(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_averaged_H_passed_1_far_1(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -369,7 +374,7 @@ static inline void rod_spring_averaged_H_passed_1_far_1(double A, const double *
         (-0.7142857142857143 * x2 - 0.2857142857142857))));
 }
 
-static inline void rod_spring_averaged_H(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_averaged_H(double A, const double *p, double *out)
 {
     const double u_cr = p[3];
     if (A <= u_cr) {
@@ -391,7 +396,7 @@ static inline void rod_spring_averaged_H(double A, const double *p, double *out)
    Operations where passed_1_far_1: 186 structured, 114 common subexpressions, 99 power chains
    Measured, error / u (1 + kappa): 3
  */
-static inline double rod_spring_intercept_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
+SF_KERNEL double rod_spring_intercept_passed_0(double A, double alpha, double beta, double gamma, double u_cr)
 {
     (void)(alpha);
     (void)(u_cr);
@@ -400,7 +405,7 @@ static inline double rod_spring_intercept_passed_0(double A, double alpha, doubl
     return A3 * (2.5 * A2 * gamma + 1.5 * beta);
 }
 
-static inline double rod_spring_intercept_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
+SF_KERNEL double rod_spring_intercept_passed_1(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
@@ -421,7 +426,7 @@ static inline double rod_spring_intercept_passed_1(double A, double alpha, doubl
         (beta + gamma * u_cr2) - 1.0) / root);
 }
 
-static inline double rod_spring_intercept_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
+SF_KERNEL double rod_spring_intercept_passed_1_far_1(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double root = sqrt((A - u_cr) * (A + u_cr));
     const double t0 = 1.0 / A;
@@ -454,7 +459,7 @@ static inline double rod_spring_intercept_passed_1_far_1(double A, double alpha,
         (0.5714285714285714 * x2 + 0.42857142857142855))));
 }
 
-static inline double rod_spring_intercept(double A, double alpha, double beta, double gamma, double u_cr)
+SF_KERNEL double rod_spring_intercept(double A, double alpha, double beta, double gamma, double u_cr)
 {
     if (A <= u_cr)
         return rod_spring_intercept_passed_0(A, alpha, beta, gamma, u_cr);
@@ -471,7 +476,7 @@ static inline double rod_spring_intercept(double A, double alpha, double beta, d
    Operations where passed_1_far_1: 1104 structured, 363 common subexpressions, 331 power chains
    Measured, error / u (1 + kappa): 3.8
  */
-static inline void rod_spring_harmonics_passed_0(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_harmonics_passed_0(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double gamma = p[2];
@@ -491,7 +496,7 @@ static inline void rod_spring_harmonics_passed_0(double A, const double *p, doub
     out[7] = -3.75 * t0;
 }
 
-static inline void rod_spring_harmonics_passed_1(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_harmonics_passed_1(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -589,7 +594,7 @@ static inline void rod_spring_harmonics_passed_1(double A, const double *p, doub
         10.0 * t34 * t47 - t36 * t48 - t44);
 }
 
-static inline void rod_spring_harmonics_passed_1_far_1(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_harmonics_passed_1_far_1(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -704,7 +709,7 @@ static inline void rod_spring_harmonics_passed_1_far_1(double A, const double *p
         10.0 * t34 * t47 - t36 * t48 - t44);
 }
 
-static inline void rod_spring_harmonics(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_harmonics(double A, const double *p, double *out)
 {
     const double u_cr = p[3];
     if (A <= u_cr) {
@@ -725,7 +730,7 @@ static inline void rod_spring_harmonics(double A, const double *p, double *out)
    Operations where passed_1: 207 structured, 131 common subexpressions, 109 power chains
    Operations where passed_1_far_1: 321 structured, 188 common subexpressions, 159 power chains
  */
-static inline void rod_spring_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out)
+SF_KERNEL void rod_spring_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
     (void)(h);
     (void)(h_A);
@@ -749,7 +754,7 @@ static inline void rod_spring_by_parameter_passed_0(double A, double h, double h
     out[11] = 0.0;
 }
 
-static inline void rod_spring_by_parameter_passed_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
+SF_KERNEL void rod_spring_by_parameter_passed_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -802,7 +807,7 @@ static inline void rod_spring_by_parameter_passed_1(double A, double h, double h
     out[11] = -t5 * t8 * (A2 * root2 + 3.0 * A4 + 2.0 * root4) / root5;
 }
 
-static inline void rod_spring_by_parameter_passed_1_far_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
+SF_KERNEL void rod_spring_by_parameter_passed_1_far_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -873,7 +878,7 @@ static inline void rod_spring_by_parameter_passed_1_far_1(double A, double h, do
     out[11] = -t9 * (A2 * root2 + 3.0 * A4 + 2.0 * root4) / (A3 * root5);
 }
 
-static inline void rod_spring_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
+SF_KERNEL void rod_spring_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
     const double u_cr = p[3];
     if (A <= u_cr) {
@@ -891,7 +896,7 @@ static inline void rod_spring_by_parameter(double A, double h, double h_A, doubl
    Equation (5), (7). Domain: any design that has a breakpoint.
    Operations: 31 structured, 17 common subexpressions, 17 power chains
  */
-static inline void rod_spring_by_design(double lam, double r, double delta_h, double *out)
+SF_KERNEL void rod_spring_by_design(double lam, double r, double delta_h, double *out)
 {
     const double t0 = lam * r;
     const double t1 = delta_h - 1.0;
@@ -921,7 +926,7 @@ static inline void rod_spring_by_design(double lam, double r, double delta_h, do
    Proved, error / u (1 + kappa): 1.34, 6.01, 8.01, -
    Measured, error / u (1 + kappa): 2
  */
-static inline void rod_spring_coefficients(double lam, double r, double delta_h, double *out)
+SF_KERNEL void rod_spring_coefficients(double lam, double r, double delta_h, double *out)
 {
     const double t0 = lam * r;
     const double t1 = t0 * (delta_h - 1.0);
@@ -936,7 +941,7 @@ static inline void rod_spring_coefficients(double lam, double r, double delta_h,
    Operations: 0 structured, 0 common subexpressions, 0 power chains
    Proved, error / u (1 + kappa): 0.0
  */
-static inline void rod_spring_breakpoints(const double *p, double *out)
+SF_KERNEL void rod_spring_breakpoints(const double *p, double *out)
 {
     const double u_cr = p[3];
     out[0] = u_cr;
@@ -947,7 +952,7 @@ static inline void rod_spring_breakpoints(const double *p, double *out)
    Operations: 8 structured, 7 common subexpressions, 7 power chains
    Proved, error / u (1 + kappa): 7.67
  */
-static inline void rod_spring_jumps(const double *p, double *out)
+SF_KERNEL void rod_spring_jumps(const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -962,7 +967,7 @@ static inline void rod_spring_jumps(const double *p, double *out)
    Operations: 8 structured, 7 common subexpressions, 7 power chains
    Proved, error / u (1 + kappa): 0.0, 0.0, 7.67
  */
-static inline void rod_spring_hardening(const double *p, double *out)
+SF_KERNEL void rod_spring_hardening(const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -980,7 +985,7 @@ static inline void rod_spring_hardening(const double *p, double *out)
    Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.51, 0.0, 0.51, 7.67, 7.34, 2.34, 1.51, 0.67, 0.51, 0.0, 0.0, 0.0,
    0.0, 0.0, 0.0
  */
-static inline void rod_spring_steps(const double *p, double *out)
+SF_KERNEL void rod_spring_steps(const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -1015,7 +1020,7 @@ static inline void rod_spring_steps(const double *p, double *out)
    Operations: 7 structured, 6 common subexpressions, 6 power chains
    Proved, error / u (1 + kappa): 4.76
  */
-static inline double rod_spring_force_1(double u, double alpha, double beta, double gamma, double u_cr)
+SF_KERNEL double rod_spring_force_1(double u, double alpha, double beta, double gamma, double u_cr)
 {
     (void)(u_cr);
     const double t0 = u * u;
@@ -1027,7 +1032,7 @@ static inline double rod_spring_force_1(double u, double alpha, double beta, dou
    Operations: 8 structured, 7 common subexpressions, 7 power chains
    Proved, error / u (1 + kappa): 4.51
  */
-static inline double rod_spring_force_1_u(double u, double alpha, double beta, double gamma, double u_cr)
+SF_KERNEL double rod_spring_force_1_u(double u, double alpha, double beta, double gamma, double u_cr)
 {
     (void)(u_cr);
     const double t0 = u * u;
@@ -1039,7 +1044,7 @@ static inline double rod_spring_force_1_u(double u, double alpha, double beta, d
    Operations: 0 structured, 0 common subexpressions, 0 power chains
    Proved, error / u (1 + kappa): 0.0
  */
-static inline double rod_spring_force_2(double u, double alpha, double beta, double gamma, double u_cr)
+SF_KERNEL double rod_spring_force_2(double u, double alpha, double beta, double gamma, double u_cr)
 {
     (void)(alpha);
     (void)(beta);
@@ -1053,7 +1058,7 @@ static inline double rod_spring_force_2(double u, double alpha, double beta, dou
    Operations: 0 structured, 0 common subexpressions, 0 power chains
    Proved, error / u (1 + kappa): 0.0
  */
-static inline double rod_spring_force_2_u(double u, double alpha, double beta, double gamma, double u_cr)
+SF_KERNEL double rod_spring_force_2_u(double u, double alpha, double beta, double gamma, double u_cr)
 {
     (void)(u);
     (void)(alpha);
@@ -1070,7 +1075,7 @@ static inline double rod_spring_force_2_u(double u, double alpha, double beta, d
    Operations where force_2: 0 structured, 0 common subexpressions, 0 power chains
    Proved where force_2, error / u (1 + kappa): 0.0
  */
-static inline double rod_spring_force(double u, double alpha, double beta, double gamma, double u_cr)
+SF_KERNEL double rod_spring_force(double u, double alpha, double beta, double gamma, double u_cr)
 {
     if (fabs(u) <= u_cr)
         return rod_spring_force_1(u, alpha, beta, gamma, u_cr);
@@ -1084,7 +1089,7 @@ static inline double rod_spring_force(double u, double alpha, double beta, doubl
    Measured, error / u (1 + kappa): 4.2
  */
 #define ROD_SPRING_SADDLE_NODE_ONSET_COUNT 19
-static inline void rod_spring_saddle_node_onset(double m, double zeta, const double *p, double *out)
+SF_KERNEL void rod_spring_saddle_node_onset(double m, double zeta, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -1163,7 +1168,7 @@ static inline void rod_spring_saddle_node_onset(double m, double zeta, const dou
    Measured, error / u (1 + kappa): 1.9
  */
 #define ROD_SPRING_SADDLE_NODES_COUNT 17
-static inline void rod_spring_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out)
+SF_KERNEL void rod_spring_saddle_nodes(double F_0, double m, double zeta, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -1270,7 +1275,7 @@ static inline void rod_spring_saddle_nodes(double F_0, double m, double zeta, co
    Equation (20)-(22). Domain: A >= 0.
    Measured, error / u (1 + kappa): 0.97
  */
-static inline double rod_spring_h(double A, double alpha, double beta, double gamma, double u_cr)
+SF_KERNEL double rod_spring_h(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
     double values[2];
@@ -1282,7 +1287,7 @@ static inline double rod_spring_h(double A, double alpha, double beta, double ga
    Equation (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 2.8
  */
-static inline double rod_spring_h_A(double A, double alpha, double beta, double gamma, double u_cr)
+SF_KERNEL double rod_spring_h_A(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
     double values[2];
@@ -1294,7 +1299,7 @@ static inline double rod_spring_h_A(double A, double alpha, double beta, double 
    Equation from (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 2.5
  */
-static inline double rod_spring_h_AA(double A, double alpha, double beta, double gamma, double u_cr)
+SF_KERNEL double rod_spring_h_AA(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
     double values[4];
@@ -1306,7 +1311,7 @@ static inline double rod_spring_h_AA(double A, double alpha, double beta, double
    Equation from (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 0.83
  */
-static inline double rod_spring_h_AAA(double A, double alpha, double beta, double gamma, double u_cr)
+SF_KERNEL double rod_spring_h_AAA(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
     double values[4];
@@ -1318,7 +1323,7 @@ static inline double rod_spring_h_AAA(double A, double alpha, double beta, doubl
    Equation (20)-(22). Domain: A >= 0.
    Measured, error / u (1 + kappa): 1.7
  */
-static inline double rod_spring_H(double A, double alpha, double beta, double gamma, double u_cr)
+SF_KERNEL double rod_spring_H(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
     double values[2];
@@ -1330,7 +1335,7 @@ static inline double rod_spring_H(double A, double alpha, double beta, double ga
    Equation (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 2.9
  */
-static inline double rod_spring_H_A(double A, double alpha, double beta, double gamma, double u_cr)
+SF_KERNEL double rod_spring_H_A(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
     double values[2];
@@ -1342,7 +1347,7 @@ static inline double rod_spring_H_A(double A, double alpha, double beta, double 
    Equation from (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 1.8
  */
-static inline double rod_spring_H_AA(double A, double alpha, double beta, double gamma, double u_cr)
+SF_KERNEL double rod_spring_H_AA(double A, double alpha, double beta, double gamma, double u_cr)
 {
     const double p[] = {alpha, beta, gamma, u_cr};
     double values[4];
@@ -1354,7 +1359,7 @@ static inline double rod_spring_H_AA(double A, double alpha, double beta, double
    Equation (24). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 1.7
  */
-static inline double rod_spring_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
+SF_KERNEL double rod_spring_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
     rod_spring_averaged_2(A, p, average);
@@ -1365,7 +1370,7 @@ static inline double rod_spring_F(double Omega, double A, double F_0, double mu,
    Equation (24), (30). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 7.1
  */
-static inline double rod_spring_F_A(double Omega, double A, double mu, double zeta, const double *p)
+SF_KERNEL double rod_spring_F_A(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
     rod_spring_averaged_2(A, p, average);
@@ -1376,7 +1381,7 @@ static inline double rod_spring_F_A(double Omega, double A, double mu, double ze
    Equation (24). Domain: Omega >= 0, A > 0.
    Measured, error / u (1 + kappa): 1.7
  */
-static inline double rod_spring_level(double Omega, double A, double mu, double zeta, const double *p)
+SF_KERNEL double rod_spring_level(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
     rod_spring_averaged_2(A, p, average);
@@ -1387,7 +1392,7 @@ static inline double rod_spring_level(double Omega, double A, double mu, double 
    Equation (25). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 1.5
  */
-static inline double rod_spring_phase(double Omega, double A, double mu, double zeta, const double *p)
+SF_KERNEL double rod_spring_phase(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
     rod_spring_averaged_2(A, p, average);
@@ -1398,7 +1403,7 @@ static inline double rod_spring_phase(double Omega, double A, double mu, double 
    Equation (28). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 1.7
  */
-static inline void rod_spring_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
+SF_KERNEL void rod_spring_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
     rod_spring_averaged_2(A, p, average);
@@ -1409,7 +1414,7 @@ static inline void rod_spring_jacobian(double Omega, double A, double mu, double
    Equation (30). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 3.9
  */
-static inline double rod_spring_stability(double Omega, double A, double mu, double zeta, const double *p)
+SF_KERNEL double rod_spring_stability(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
     rod_spring_averaged_2(A, p, average);
@@ -1420,7 +1425,7 @@ static inline double rod_spring_stability(double Omega, double A, double mu, dou
    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
    Measured, error / u (1 + kappa): 1.1
  */
-static inline double rod_spring_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
+SF_KERNEL double rod_spring_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
     rod_spring_averaged_2(A, p, average);
@@ -1431,7 +1436,7 @@ static inline double rod_spring_transmissibility(double Omega, double A, double 
    Equation (26). Domain: A > 0, h <= 0.
    Measured, error / u (1 + kappa): 1.8
  */
-static inline double rod_spring_backbone(double A, const double *p)
+SF_KERNEL double rod_spring_backbone(double A, const double *p)
 {
     double average[2];
     rod_spring_averaged_2(A, p, average);
@@ -1442,7 +1447,7 @@ static inline double rod_spring_backbone(double A, const double *p)
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
    Measured, error / u (1 + kappa): 0.58
  */
-static inline double rod_spring_limit_envelope(double Omega, double F_0, double mu, double zeta)
+SF_KERNEL double rod_spring_limit_envelope(double Omega, double F_0, double mu, double zeta)
 {
     return slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
 }
@@ -1451,7 +1456,7 @@ static inline double rod_spring_limit_envelope(double Omega, double F_0, double 
    Equation (38). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 0.82
  */
-static inline double rod_spring_equivalent_damping(double Omega, double A, double mu, double zeta)
+SF_KERNEL double rod_spring_equivalent_damping(double Omega, double A, double mu, double zeta)
 {
     return slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
 }
@@ -1460,7 +1465,7 @@ static inline double rod_spring_equivalent_damping(double Omega, double A, doubl
    Equation (24). Domain: A > 0.
    Measured, error / u (1 + kappa): 1.8
  */
-static inline void rod_spring_response_quartic(double A, double F_0, double mu, double zeta, const double *p, double *out)
+SF_KERNEL void rod_spring_response_quartic(double A, double F_0, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
     rod_spring_averaged_2(A, p, average);
@@ -1471,7 +1476,7 @@ static inline void rod_spring_response_quartic(double A, double F_0, double mu, 
    Equation (24), (30). Domain: A > 0.
    Measured, error / u (1 + kappa): 8.8
  */
-static inline void rod_spring_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
+SF_KERNEL void rod_spring_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
     rod_spring_averaged_2(A, p, average);
@@ -1482,7 +1487,7 @@ static inline void rod_spring_fold_quartic(double A, double mu, double zeta, con
    Equation (34). Domain: A > 0.
    Measured, error / u (1 + kappa): 0.98
  */
-static inline void rod_spring_peak_cubic(double A, double mu, double zeta, const double *p, double *out)
+SF_KERNEL void rod_spring_peak_cubic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
     rod_spring_averaged_2(A, p, average);
@@ -1493,7 +1498,7 @@ static inline void rod_spring_peak_cubic(double A, double mu, double zeta, const
    Equation (34). Domain: A > 0.
    Measured, error / u (1 + kappa): 1.7
  */
-static inline void rod_spring_detachment(double A, double mu, double zeta, const double *p, double *out)
+SF_KERNEL void rod_spring_detachment(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
     rod_spring_averaged_2(A, p, average);

@@ -22,12 +22,17 @@
 #include "angles.h"
 #include "slow_flow.h"
 
+/* what exported.c defines otherwise */
+#ifndef SF_KERNEL
+#define SF_KERNEL static inline
+#endif
+
 /* alpha, beta, delta_h */
 #define ROD_SPRING_UNTRUNCATED_PARAMETERS 3
 #define ROD_SPRING_UNTRUNCATED_BREAKPOINTS 1
 
 /* The term of int sin^2 at a node. */
-static inline void rod_spring_untruncated_arc_node(double X2, double K2, double T2, double *W)
+SF_KERNEL void rod_spring_untruncated_arc_node(double X2, double K2, double T2, double *W)
 {
     const double g = 1.0 / (T2 * X2 + 1.0);
     const double g2 = g * g;
@@ -36,7 +41,7 @@ static inline void rod_spring_untruncated_arc_node(double X2, double K2, double 
 }
 
 /* One duplication of the arguments of R_D, and what it takes off over 3, as Taylor series. */
-static inline void rod_spring_untruncated_duplication(double x_0, double x_1, double x_2, double x_3, double y_0,
+SF_KERNEL void rod_spring_untruncated_duplication(double x_0, double x_1, double x_2, double x_3, double y_0,
     double y_1, double y_2, double y_3, double z_0, double z_1, double z_2, double z_3, double *next_X_0,
     double *next_X_1, double *next_X_2, double *next_X_3, double *next_Y_0, double *next_Y_1, double *next_Y_2,
     double *next_Y_3, double *next_Z_0, double *next_Z_1, double *next_Z_2, double *next_Z_3, double *share_0,
@@ -106,8 +111,8 @@ static inline void rod_spring_untruncated_duplication(double x_0, double x_1, do
 }
 
 /* Terms of int sin^2 tan^(2n) (1/c - 1/Delta) at a node, by n. */
-static inline void rod_spring_untruncated_far_node(double x, double X2, double less, double both, double K,
-    double c, double T2, double U2, double *W, double *Wq, double *Wq_2, double *Wq_3)
+SF_KERNEL void rod_spring_untruncated_far_node(double x, double X2, double less, double both, double K, double c,
+    double T2, double U2, double *W, double *Wq, double *Wq_2, double *Wq_3)
 {
     const double g = 1.0 / (T2 * X2 + 1.0);
     const double v2 = X2 * g * g;
@@ -126,7 +131,7 @@ static inline void rod_spring_untruncated_far_node(double x, double X2, double l
 }
 
 /* Terms of int g^(j)(A s) s^j T_n dt at a node, by n, then by j. */
-static inline void rod_spring_untruncated_harmonic_node(double x, double x2, double less, double weight, double T,
+SF_KERNEL void rod_spring_untruncated_harmonic_node(double x, double x2, double less, double weight, double T,
     double T2, double c, double A, double u_cr, double *sum_3_0, double *sum_3_1, double *sum_3_2, double *sum_3_3,
     double *sum_5_0, double *sum_5_1, double *sum_5_2, double *sum_5_3)
 {
@@ -156,7 +161,7 @@ static inline void rod_spring_untruncated_harmonic_node(double x, double x2, dou
 }
 
 /* Terms of int f^(n + j)(A s) s^j cos^(2n) t dt at a point, by n, then by j. */
-static inline void rod_spring_untruncated_midpoint(double s, double cosine, double A, double *moment_3_0,
+SF_KERNEL void rod_spring_untruncated_midpoint(double s, double cosine, double A, double *moment_3_0,
     double *moment_3_1, double *moment_3_2, double *moment_3_3, double *moment_5_0, double *moment_5_1,
     double *moment_5_2, double *moment_5_3)
 {
@@ -198,8 +203,8 @@ static inline void rod_spring_untruncated_midpoint(double s, double cosine, doub
 }
 
 /* Terms of int sin^2 (1/c - 1/Delta), sin^4/Delta^3, sin^4/Delta^5, sin^4 (1 + 4 u^2)/Delta^7 at a node. */
-static inline void rod_spring_untruncated_near_node(double x, double X2, double less, double both, double K,
-    double c, double T2, double U2, double *W, double *V3, double *V5, double *V7)
+SF_KERNEL void rod_spring_untruncated_near_node(double x, double X2, double less, double both, double K, double c,
+    double T2, double U2, double *W, double *V3, double *V5, double *V7)
 {
     const double g = 1.0 / (T2 * X2 + 1.0);
     const double v2 = X2 * g * g;
@@ -214,7 +219,7 @@ static inline void rod_spring_untruncated_near_node(double x, double X2, double 
 }
 
 /* R_D of arguments that are nearly equal, as a Taylor series. */
-static inline void rod_spring_untruncated_remainder(double x_0, double x_1, double x_2, double x_3, double y_0,
+SF_KERNEL void rod_spring_untruncated_remainder(double x_0, double x_1, double x_2, double x_3, double y_0,
     double y_1, double y_2, double y_3, double z_0, double z_1, double z_2, double z_3, double *last_0,
     double *last_1, double *last_2, double *last_3)
 {
@@ -300,7 +305,7 @@ static inline void rod_spring_untruncated_remainder(double x_0, double x_1, doub
 }
 
 /* Terms of int sin^2 tan^(2n) at a node, by n. */
-static inline void rod_spring_untruncated_tangent_node(double X2, double K2, double T2, double *W, double *Wq,
+SF_KERNEL void rod_spring_untruncated_tangent_node(double X2, double K2, double T2, double *W, double *Wq,
     double *Wq_2, double *Wq_3)
 {
     const double g = 1.0 / (T2 * X2 + 1.0);
@@ -331,7 +336,7 @@ static inline void rod_spring_untruncated_tangent_node(double X2, double K2, dou
    Operations where passed_1_steep: 1491 structured, 1491 common subexpressions, 1444 power chains
    Measured, error / u (1 + kappa): 3.8
  */
-static inline void rod_spring_untruncated_averaged_all_passed_0_end(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_end(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -400,7 +405,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_0_end(double A, co
     out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t15);
 }
 
-static inline void rod_spring_untruncated_averaged_all_passed_0(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -447,7 +452,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_0(double A, const 
     out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t11);
 }
 
-static inline void rod_spring_untruncated_averaged_all_passed_0_steep(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_0_steep(double A, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -513,7 +518,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_0_steep(double A, 
     out[6] = 4.0 * A * beta * m * (-0.5 * C + 0.5 * t16);
 }
 
-static inline void rod_spring_untruncated_averaged_all_passed_1_far(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_far(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double delta_h = p[2];
@@ -590,7 +595,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_far(double A, co
     out[6] = 2.5464790894703255 * A * beta * (24.0 * T3 * sum_0 * u_cr2 / c + 8.0 * T3 * sum_1 * u_cr2 / c);
 }
 
-static inline void rod_spring_untruncated_averaged_all_passed_1(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double delta_h = p[2];
@@ -678,7 +683,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_1(double A, const 
     out[6] = 81.487330863050417 * A3 * T5 * beta * sum_1;
 }
 
-static inline void rod_spring_untruncated_averaged_all_passed_1_steeper_far(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper_far(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double delta_h = p[2];
@@ -784,7 +789,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steeper_far(doub
     out[6] = 2.5464790894703255 * A * beta * (24.0 * T3 * sum_0 * u_cr2 / c + 8.0 * T3 * sum_1 * u_cr2 / c);
 }
 
-static inline void rod_spring_untruncated_averaged_all_passed_1_steeper(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steeper(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double delta_h = p[2];
@@ -901,7 +906,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steeper(double A
     out[6] = 81.487330863050417 * A3 * T5 * beta * sum_1;
 }
 
-static inline void rod_spring_untruncated_averaged_all_passed_1_steep_far(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_far(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double delta_h = p[2];
@@ -1052,7 +1057,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep_far(double
     out[6] = 2.5464790894703255 * A * beta * (24.0 * T3 * sum_0 / c + 8.0 * T3 * sum_1 / c - 3.0 * V2 - V4);
 }
 
-static inline void rod_spring_untruncated_averaged_all_passed_1_steep_away(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep_away(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double delta_h = p[2];
@@ -1160,7 +1165,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep_away(doubl
     out[6] = 2.5464790894703255 * A * beta * (-3.0 * V2 - V4 + 3.0 * sum_0 / c + sum_1 / c);
 }
 
-static inline void rod_spring_untruncated_averaged_all_passed_1_steep(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_averaged_all_passed_1_steep(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double delta_h = p[2];
@@ -1299,7 +1304,7 @@ static inline void rod_spring_untruncated_averaged_all_passed_1_steep(double A, 
     out[6] = 2.5464790894703255 * A3 * V4 * beta;
 }
 
-static inline void rod_spring_untruncated_averaged_all(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_averaged_all(double A, const double *p, double *out)
 {
     const double delta_h = p[2];
     if ((A <= sqrt(-delta_h * delta_h + 2.0 * delta_h)) && (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= A)) {
@@ -1347,7 +1352,7 @@ static inline void rod_spring_untruncated_averaged_all(double A, const double *p
    Operations where passed_1: 3265 structured, 3265 common subexpressions, 2537 power chains
    Measured, error / u (1 + kappa): 5.9
  */
-static inline void rod_spring_untruncated_harmonics_passed_0(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_harmonics_passed_0(double A, const double *p, double *out)
 {
     const double beta = p[1];
     double moment_3_0_1, moment_3_1_1, moment_3_2_1, moment_3_3_1, moment_5_0_1, moment_5_1_1, moment_5_2_1,
@@ -1478,7 +1483,7 @@ static inline void rod_spring_untruncated_harmonics_passed_0(double A, const dou
         moment_5_2 + A5 * moment_5_3);
 }
 
-static inline void rod_spring_untruncated_harmonics_passed_1(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_harmonics_passed_1(double A, const double *p, double *out)
 {
     const double beta = p[1];
     const double delta_h = p[2];
@@ -1628,7 +1633,7 @@ static inline void rod_spring_untruncated_harmonics_passed_1(double A, const dou
         * root) - 4.0 * u_cr4 * (16.0 * u_cr5 / A5 - 20.0 * u_cr3 / A3 + 5.0 * u_cr / A) / (A * c3 * root3));
 }
 
-static inline void rod_spring_untruncated_harmonics(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_harmonics(double A, const double *p, double *out)
 {
     const double delta_h = p[2];
     if (A <= sqrt(-delta_h * delta_h + 2.0 * delta_h)) {
@@ -1645,7 +1650,7 @@ static inline void rod_spring_untruncated_harmonics(double A, const double *p, d
    Operations where passed_1: 48 structured, 44 common subexpressions, 44 power chains
    Operations where passed_1_far_1: 190 structured, 104 common subexpressions, 100 power chains
  */
-static inline void rod_spring_untruncated_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_by_parameter_passed_0(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
     const double alpha = p[0];
     const double beta = p[1];
@@ -1661,7 +1666,7 @@ static inline void rod_spring_untruncated_by_parameter_passed_0(double A, double
     out[8] = 0.0;
 }
 
-static inline void rod_spring_untruncated_by_parameter_passed_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_by_parameter_passed_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
     const double beta = p[1];
     const double delta_h = p[2];
@@ -1691,7 +1696,7 @@ static inline void rod_spring_untruncated_by_parameter_passed_1(double A, double
     out[8] = -t1 * t3 * t5 * u_cr3 * (t4 + 1.0 / (root * root));
 }
 
-static inline void rod_spring_untruncated_by_parameter_passed_1_far_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_by_parameter_passed_1_far_1(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
     const double beta = p[1];
     const double delta_h = p[2];
@@ -1733,7 +1738,7 @@ static inline void rod_spring_untruncated_by_parameter_passed_1_far_1(double A, 
     out[8] = -t1 * t3 * t4 * (z + 2.0);
 }
 
-static inline void rod_spring_untruncated_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_by_parameter(double A, double h, double h_A, double h_AA, const double *p, double *out)
 {
     const double delta_h = p[2];
     if (A <= sqrt(-delta_h * delta_h + 2.0 * delta_h)) {
@@ -1752,7 +1757,7 @@ static inline void rod_spring_untruncated_by_parameter(double A, double h, doubl
    Operations: 17 structured, 13 common subexpressions, 13 power chains
    Proved, error / u (1 + kappa): 0.34, 0.34, 0.34, 4.01, 4.01, 0.34, 0.0, 0.0, 0.0, 0.0, 0.0, -
  */
-static inline void rod_spring_untruncated_by_design(double lam, double r, double delta_h, double *out)
+SF_KERNEL void rod_spring_untruncated_by_design(double lam, double r, double delta_h, double *out)
 {
     const double t0 = lam * r;
     const double t1 = delta_h - 1.0;
@@ -1776,7 +1781,7 @@ static inline void rod_spring_untruncated_by_design(double lam, double r, double
    Operations: 7 structured, 6 common subexpressions, 6 power chains
    Proved, error / u (1 + kappa): 1.34, 6.01, 0.0
  */
-static inline void rod_spring_untruncated_coefficients(double lam, double r, double delta_h, double *out)
+SF_KERNEL void rod_spring_untruncated_coefficients(double lam, double r, double delta_h, double *out)
 {
     const double t0 = lam * r;
     out[0] = -delta_h * t0 + 1.0;
@@ -1789,7 +1794,7 @@ static inline void rod_spring_untruncated_coefficients(double lam, double r, dou
    Operations: 4 structured, 4 common subexpressions, 4 power chains
    Measured, error / u (1 + kappa): 0.96
  */
-static inline void rod_spring_untruncated_breakpoints(const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_breakpoints(const double *p, double *out)
 {
     const double delta_h = p[2];
     out[0] = sqrt(-delta_h * delta_h + 2.0 * delta_h);
@@ -1800,7 +1805,7 @@ static inline void rod_spring_untruncated_breakpoints(const double *p, double *o
    Operations: 0 structured, 0 common subexpressions, 0 power chains
    Proved, error / u (1 + kappa): 0.0
  */
-static inline void rod_spring_untruncated_jumps(const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_jumps(const double *p, double *out)
 {
     (void)(p);
     out[0] = 0.0;
@@ -1811,7 +1816,7 @@ static inline void rod_spring_untruncated_jumps(const double *p, double *out)
    Operations: 1 structured, 1 common subexpressions, 1 power chains
    Proved, error / u (1 + kappa): 0.0
  */
-static inline void rod_spring_untruncated_hardening(const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_hardening(const double *p, double *out)
 {
     const double beta = p[1];
     out[0] = 2.0 * beta;
@@ -1822,7 +1827,7 @@ static inline void rod_spring_untruncated_hardening(const double *p, double *out
    Operations: 16 structured, 12 common subexpressions, 12 power chains
    Measured, error / u (1 + kappa): 0.85
  */
-static inline double rod_spring_untruncated_force_1(double u, double alpha, double beta, double delta_h)
+SF_KERNEL double rod_spring_untruncated_force_1(double u, double alpha, double beta, double delta_h)
 {
     (void)(delta_h);
     const double t0 = sqrt((1.0 - u) * (u + 1.0));
@@ -1834,7 +1839,7 @@ static inline double rod_spring_untruncated_force_1(double u, double alpha, doub
    Operations: 30 structured, 23 common subexpressions, 23 power chains
    Measured, error / u (1 + kappa): 1.5
  */
-static inline double rod_spring_untruncated_force_1_u(double u, double alpha, double beta, double delta_h)
+SF_KERNEL double rod_spring_untruncated_force_1_u(double u, double alpha, double beta, double delta_h)
 {
     (void)(delta_h);
     const double root_1 = sqrt((1.0 - u) * (u + 1.0));
@@ -1851,7 +1856,7 @@ static inline double rod_spring_untruncated_force_1_u(double u, double alpha, do
    Operations: 0 structured, 0 common subexpressions, 0 power chains
    Proved, error / u (1 + kappa): 0.0
  */
-static inline double rod_spring_untruncated_force_2(double u, double alpha, double beta, double delta_h)
+SF_KERNEL double rod_spring_untruncated_force_2(double u, double alpha, double beta, double delta_h)
 {
     (void)(alpha);
     (void)(beta);
@@ -1864,7 +1869,7 @@ static inline double rod_spring_untruncated_force_2(double u, double alpha, doub
    Operations: 0 structured, 0 common subexpressions, 0 power chains
    Proved, error / u (1 + kappa): 0.0
  */
-static inline double rod_spring_untruncated_force_2_u(double u, double alpha, double beta, double delta_h)
+SF_KERNEL double rod_spring_untruncated_force_2_u(double u, double alpha, double beta, double delta_h)
 {
     (void)(u);
     (void)(alpha);
@@ -1880,7 +1885,7 @@ static inline double rod_spring_untruncated_force_2_u(double u, double alpha, do
    Operations where force_1: 16 structured, 12 common subexpressions, 12 power chains
    Measured, error / u (1 + kappa): 0.86
  */
-static inline double rod_spring_untruncated_force(double u, double alpha, double beta, double delta_h)
+SF_KERNEL double rod_spring_untruncated_force(double u, double alpha, double beta, double delta_h)
 {
     if (sqrt(-delta_h * delta_h + 2.0 * delta_h) <= fabs(u))
         return rod_spring_untruncated_force_2(u, alpha, beta, delta_h);
@@ -1891,7 +1896,7 @@ static inline double rod_spring_untruncated_force(double u, double alpha, double
    Equation (20)-(22), (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 3.3
  */
-static inline void rod_spring_untruncated_averaged(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_averaged(double A, const double *p, double *out)
 {
     double values[7];
     rod_spring_untruncated_averaged_all(A, p, values);
@@ -1905,7 +1910,7 @@ static inline void rod_spring_untruncated_averaged(double A, const double *p, do
    Equation (20)-(22), (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 1.7
  */
-static inline void rod_spring_untruncated_averaged_2(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_averaged_2(double A, const double *p, double *out)
 {
     double values[7];
     rod_spring_untruncated_averaged_all(A, p, values);
@@ -1917,7 +1922,7 @@ static inline void rod_spring_untruncated_averaged_2(double A, const double *p, 
    Equation (20)-(22), (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 3
  */
-static inline void rod_spring_untruncated_averaged_H(double A, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_averaged_H(double A, const double *p, double *out)
 {
     double values[7];
     rod_spring_untruncated_averaged_all(A, p, values);
@@ -1929,7 +1934,7 @@ static inline void rod_spring_untruncated_averaged_H(double A, const double *p, 
    Equation (20)-(22), (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 2.9
  */
-static inline double rod_spring_untruncated_intercept(double A, double alpha, double beta, double delta_h)
+SF_KERNEL double rod_spring_untruncated_intercept(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
     double values[7];
@@ -1941,7 +1946,7 @@ static inline double rod_spring_untruncated_intercept(double A, double alpha, do
    Equation (20)-(22). Domain: A >= 0.
    Measured, error / u (1 + kappa): 1.4
  */
-static inline double rod_spring_untruncated_h(double A, double alpha, double beta, double delta_h)
+SF_KERNEL double rod_spring_untruncated_h(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
     double values[2];
@@ -1953,7 +1958,7 @@ static inline double rod_spring_untruncated_h(double A, double alpha, double bet
    Equation (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 2.1
  */
-static inline double rod_spring_untruncated_h_A(double A, double alpha, double beta, double delta_h)
+SF_KERNEL double rod_spring_untruncated_h_A(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
     double values[2];
@@ -1965,7 +1970,7 @@ static inline double rod_spring_untruncated_h_A(double A, double alpha, double b
    Equation from (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 1.7
  */
-static inline double rod_spring_untruncated_h_AA(double A, double alpha, double beta, double delta_h)
+SF_KERNEL double rod_spring_untruncated_h_AA(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
     double values[4];
@@ -1977,7 +1982,7 @@ static inline double rod_spring_untruncated_h_AA(double A, double alpha, double 
    Equation from (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 3.6
  */
-static inline double rod_spring_untruncated_h_AAA(double A, double alpha, double beta, double delta_h)
+SF_KERNEL double rod_spring_untruncated_h_AAA(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
     double values[4];
@@ -1989,7 +1994,7 @@ static inline double rod_spring_untruncated_h_AAA(double A, double alpha, double
    Equation (20)-(22). Domain: A >= 0.
    Measured, error / u (1 + kappa): 3.1
  */
-static inline double rod_spring_untruncated_H(double A, double alpha, double beta, double delta_h)
+SF_KERNEL double rod_spring_untruncated_H(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
     double values[2];
@@ -2001,7 +2006,7 @@ static inline double rod_spring_untruncated_H(double A, double alpha, double bet
    Equation (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 2
  */
-static inline double rod_spring_untruncated_H_A(double A, double alpha, double beta, double delta_h)
+SF_KERNEL double rod_spring_untruncated_H_A(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
     double values[2];
@@ -2013,7 +2018,7 @@ static inline double rod_spring_untruncated_H_A(double A, double alpha, double b
    Equation from (31). Domain: A >= 0.
    Measured, error / u (1 + kappa): 2.4
  */
-static inline double rod_spring_untruncated_H_AA(double A, double alpha, double beta, double delta_h)
+SF_KERNEL double rod_spring_untruncated_H_AA(double A, double alpha, double beta, double delta_h)
 {
     const double p[] = {alpha, beta, delta_h};
     double values[4];
@@ -2025,7 +2030,7 @@ static inline double rod_spring_untruncated_H_AA(double A, double alpha, double 
    Equation (24). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 1.5
  */
-static inline double rod_spring_untruncated_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
+SF_KERNEL double rod_spring_untruncated_F(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
     rod_spring_untruncated_averaged_2(A, p, average);
@@ -2036,7 +2041,7 @@ static inline double rod_spring_untruncated_F(double Omega, double A, double F_0
    Equation (24), (30). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 4.2
  */
-static inline double rod_spring_untruncated_F_A(double Omega, double A, double mu, double zeta, const double *p)
+SF_KERNEL double rod_spring_untruncated_F_A(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
     rod_spring_untruncated_averaged_2(A, p, average);
@@ -2047,7 +2052,7 @@ static inline double rod_spring_untruncated_F_A(double Omega, double A, double m
    Equation (24). Domain: Omega >= 0, A > 0.
    Measured, error / u (1 + kappa): 1.5
  */
-static inline double rod_spring_untruncated_level(double Omega, double A, double mu, double zeta, const double *p)
+SF_KERNEL double rod_spring_untruncated_level(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
     rod_spring_untruncated_averaged_2(A, p, average);
@@ -2058,7 +2063,7 @@ static inline double rod_spring_untruncated_level(double Omega, double A, double
    Equation (25). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 1.4
  */
-static inline double rod_spring_untruncated_phase(double Omega, double A, double mu, double zeta, const double *p)
+SF_KERNEL double rod_spring_untruncated_phase(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
     rod_spring_untruncated_averaged_2(A, p, average);
@@ -2069,7 +2074,7 @@ static inline double rod_spring_untruncated_phase(double Omega, double A, double
    Equation (28). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 1.8
  */
-static inline void rod_spring_untruncated_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_jacobian(double Omega, double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
     rod_spring_untruncated_averaged_2(A, p, average);
@@ -2080,7 +2085,7 @@ static inline void rod_spring_untruncated_jacobian(double Omega, double A, doubl
    Equation (30). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 4.4
  */
-static inline double rod_spring_untruncated_stability(double Omega, double A, double mu, double zeta, const double *p)
+SF_KERNEL double rod_spring_untruncated_stability(double Omega, double A, double mu, double zeta, const double *p)
 {
     double average[2];
     rod_spring_untruncated_averaged_2(A, p, average);
@@ -2091,7 +2096,7 @@ static inline double rod_spring_untruncated_stability(double Omega, double A, do
    Equation from (23). Domain: Omega > 0, A > 0, F_0 > 0.
    Measured, error / u (1 + kappa): 1.4
  */
-static inline double rod_spring_untruncated_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
+SF_KERNEL double rod_spring_untruncated_transmissibility(double Omega, double A, double F_0, double mu, double zeta, const double *p)
 {
     double average[2];
     rod_spring_untruncated_averaged_2(A, p, average);
@@ -2102,7 +2107,7 @@ static inline double rod_spring_untruncated_transmissibility(double Omega, doubl
    Equation (26). Domain: A > 0, h <= 0.
    Measured, error / u (1 + kappa): 1.6
  */
-static inline double rod_spring_untruncated_backbone(double A, const double *p)
+SF_KERNEL double rod_spring_untruncated_backbone(double A, const double *p)
 {
     double average[2];
     rod_spring_untruncated_averaged_2(A, p, average);
@@ -2113,7 +2118,7 @@ static inline double rod_spring_untruncated_backbone(double A, const double *p)
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
    Measured, error / u (1 + kappa): 0.66
  */
-static inline double rod_spring_untruncated_limit_envelope(double Omega, double F_0, double mu, double zeta)
+SF_KERNEL double rod_spring_untruncated_limit_envelope(double Omega, double F_0, double mu, double zeta)
 {
     return slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
 }
@@ -2122,7 +2127,7 @@ static inline double rod_spring_untruncated_limit_envelope(double Omega, double 
    Equation (38). Domain: Omega > 0, A > 0.
    Measured, error / u (1 + kappa): 0.65
  */
-static inline double rod_spring_untruncated_equivalent_damping(double Omega, double A, double mu, double zeta)
+SF_KERNEL double rod_spring_untruncated_equivalent_damping(double Omega, double A, double mu, double zeta)
 {
     return slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
 }
@@ -2131,7 +2136,7 @@ static inline double rod_spring_untruncated_equivalent_damping(double Omega, dou
    Equation (24). Domain: A > 0.
    Measured, error / u (1 + kappa): 1.4
  */
-static inline void rod_spring_untruncated_response_quartic(double A, double F_0, double mu, double zeta, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_response_quartic(double A, double F_0, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
     rod_spring_untruncated_averaged_2(A, p, average);
@@ -2142,7 +2147,7 @@ static inline void rod_spring_untruncated_response_quartic(double A, double F_0,
    Equation (24), (30). Domain: A > 0.
    Measured, error / u (1 + kappa): 3.7
  */
-static inline void rod_spring_untruncated_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_fold_quartic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
     rod_spring_untruncated_averaged_2(A, p, average);
@@ -2153,7 +2158,7 @@ static inline void rod_spring_untruncated_fold_quartic(double A, double mu, doub
    Equation (34). Domain: A > 0.
    Measured, error / u (1 + kappa): 2.3
  */
-static inline void rod_spring_untruncated_peak_cubic(double A, double mu, double zeta, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_peak_cubic(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
     rod_spring_untruncated_averaged_2(A, p, average);
@@ -2164,7 +2169,7 @@ static inline void rod_spring_untruncated_peak_cubic(double A, double mu, double
    Equation (34). Domain: A > 0.
    Measured, error / u (1 + kappa): 1.6
  */
-static inline void rod_spring_untruncated_detachment(double A, double mu, double zeta, const double *p, double *out)
+SF_KERNEL void rod_spring_untruncated_detachment(double A, double mu, double zeta, const double *p, double *out)
 {
     double average[2];
     rod_spring_untruncated_averaged_2(A, p, average);

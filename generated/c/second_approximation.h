@@ -23,6 +23,11 @@
 
 #include "angles.h"
 
+/* what exported.c defines otherwise */
+#ifndef SF_KERNEL
+#define SF_KERNEL static inline
+#endif
+
 #define SECOND_APPROXIMATION_RESONANCE 9.0
 
 /* Largest displacement, A_1 and phase, R, F, and dF/dA, dF/dOmega, dR/dA, dR/dOmega.
@@ -30,7 +35,7 @@
    Operations: 359 structured, 255 common subexpressions, 254 power chains
    Measured, error / u (1 + kappa): 1.3
  */
-static inline void second_approximation_response(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
+SF_KERNEL void second_approximation_response(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
 {
     const double t0 = 1.0 / A;
     const double Omega2 = Omega * Omega;
@@ -132,7 +137,7 @@ static inline void second_approximation_response(double Omega, double A, double 
    Operations: 357 structured, 253 common subexpressions, 252 power chains
    Measured, error / u (1 + kappa): 1.6
  */
-static inline void second_approximation_detachment(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
+SF_KERNEL void second_approximation_detachment(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
 {
     const double t0 = 1.0 / A;
     const double Omega2 = Omega * Omega;
@@ -227,7 +232,7 @@ static inline void second_approximation_detachment(double Omega, double A, doubl
    Operations: 390 structured, 288 common subexpressions, 287 power chains
    Measured, error / u (1 + kappa): 1.7
  */
-static inline void second_approximation_detachment_by_inertia(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
+SF_KERNEL void second_approximation_detachment_by_inertia(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA, double h_3, double h_3_A, double h_3_AA, double h_5, double h_5_A, double h_5_AA, double *out)
 {
     const double t0 = 1.0 / A;
     const double Omega2 = Omega * Omega;
@@ -329,7 +334,7 @@ static inline void second_approximation_detachment_by_inertia(double Omega, doub
    Operations: 574 structured, 400 common subexpressions, 396 power chains
    Measured, error / u (1 + kappa): 1.5
  */
-static inline void second_approximation_folds(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_3, double h_3_A, double h_3_AA, double h_3_AAA, double h_5, double h_5_A, double h_5_AA, double h_5_AAA, double *out)
+SF_KERNEL void second_approximation_folds(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_3, double h_3_A, double h_3_AA, double h_3_AAA, double h_5, double h_5_A, double h_5_AA, double h_5_AAA, double *out)
 {
     const double t0 = 1.0 / A;
     const double t1 = Omega * Omega;
@@ -472,7 +477,7 @@ static inline void second_approximation_folds(double Omega, double A, double F_0
    Operations: 66 structured, 62 common subexpressions, 62 power chains
    Measured, error / u (1 + kappa): 1.1
  */
-static inline void second_approximation_components(double Omega, double A, double m, double h, double h_3, double h_5, double *out)
+SF_KERNEL void second_approximation_components(double Omega, double A, double m, double h, double h_3, double h_5, double *out)
 {
     const double t0 = 1.0 / (Omega * Omega);
     const double kappa = -h * t0 / A;
@@ -506,7 +511,7 @@ static inline void second_approximation_components(double Omega, double A, doubl
    Operations: 573 structured, 347 common subexpressions, 343 power chains
    Measured, error / u (1 + kappa): 1.5
  */
-static inline void second_approximation_wave(double turned, double Omega, double m, double A_1, double sine, double cosine, double a_3, double a_5, double kappa, double *out)
+SF_KERNEL void second_approximation_wave(double turned, double Omega, double m, double A_1, double sine, double cosine, double a_3, double a_5, double kappa, double *out)
 {
     const double c_1 = cos(turned);
     const double s_1 = sin(turned);

@@ -22,12 +22,17 @@
 
 #include "angles.h"
 
+/* what exported.c defines otherwise */
+#ifndef SF_KERNEL
+#define SF_KERNEL static inline
+#endif
+
 /* Dry friction's share of I.
    Equation (23). Domain: mu >= 0.
    Operations: 1 structured, 1 common subexpressions, 1 power chains
    Measured, error / u (1 + kappa): 0.76
  */
-static inline double slow_flow_friction(double mu)
+SF_KERNEL double slow_flow_friction(double mu)
 {
     return 1.2732395447351628 * mu;
 }
@@ -37,7 +42,7 @@ static inline double slow_flow_friction(double mu)
    Operations: 3 structured, 3 common subexpressions, 3 power chains
    Proved, error / u (1 + kappa): 1.01
  */
-static inline double slow_flow_R(double Omega, double A, double h)
+SF_KERNEL double slow_flow_R(double Omega, double A, double h)
 {
     return A * Omega * Omega + h;
 }
@@ -47,7 +52,7 @@ static inline double slow_flow_R(double Omega, double A, double h)
    Operations: 4 structured, 4 common subexpressions, 4 power chains
    Proved, error / u (1 + kappa): 0.76
  */
-static inline double slow_flow_I(double Omega, double A, double m, double zeta)
+SF_KERNEL double slow_flow_I(double Omega, double A, double m, double zeta)
 {
     return 2.0 * A * Omega * zeta + m;
 }
@@ -57,7 +62,7 @@ static inline double slow_flow_I(double Omega, double A, double m, double zeta)
    Operations: 12 structured, 12 common subexpressions, 12 power chains
    Measured, error / u (1 + kappa): 1.4
  */
-static inline double slow_flow_F(double Omega, double A, double F_0, double m, double zeta, double h)
+SF_KERNEL double slow_flow_F(double Omega, double A, double F_0, double m, double zeta, double h)
 {
     const double R = A * Omega * Omega + h;
     const double I_ = 2.0 * A * Omega * zeta + m;
@@ -69,7 +74,7 @@ static inline double slow_flow_F(double Omega, double A, double F_0, double m, d
    Operations: 15 structured, 12 common subexpressions, 12 power chains
    Measured, error / u (1 + kappa): 1.1
  */
-static inline double slow_flow_F_A(double Omega, double A, double m, double zeta, double h, double h_A)
+SF_KERNEL double slow_flow_F_A(double Omega, double A, double m, double zeta, double h, double h_A)
 {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
@@ -83,7 +88,7 @@ static inline double slow_flow_F_A(double Omega, double A, double m, double zeta
    Operations: 14 structured, 12 common subexpressions, 12 power chains
    Measured, error / u (1 + kappa): 1.3
  */
-static inline double slow_flow_F_AA(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
+SF_KERNEL double slow_flow_F_AA(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
 {
     (void)(m);
     const double t0 = Omega * Omega;
@@ -97,7 +102,7 @@ static inline double slow_flow_F_AA(double Omega, double A, double m, double zet
    Operations: 12 structured, 12 common subexpressions, 12 power chains
    Proved, error / u (1 + kappa): 3.67
  */
-static inline double slow_flow_F_Omega(double Omega, double A, double m, double zeta, double h)
+SF_KERNEL double slow_flow_F_Omega(double Omega, double A, double m, double zeta, double h)
 {
     const double R = A * Omega * Omega + h;
     const double I_ = 2.0 * A * Omega * zeta + m;
@@ -109,7 +114,7 @@ static inline double slow_flow_F_Omega(double Omega, double A, double m, double 
    Operations: 21 structured, 17 common subexpressions, 17 power chains
    Proved, error / u (1 + kappa): 4.72
  */
-static inline double slow_flow_F_AOmega(double Omega, double A, double m, double zeta, double h, double h_A)
+SF_KERNEL double slow_flow_F_AOmega(double Omega, double A, double m, double zeta, double h, double h_A)
 {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
@@ -124,7 +129,7 @@ static inline double slow_flow_F_AOmega(double Omega, double A, double m, double
    Operations: 8 structured, 8 common subexpressions, 8 power chains
    Measured, error / u (1 + kappa): 0.87
  */
-static inline double slow_flow_phase(double Omega, double A, double m, double zeta, double h)
+SF_KERNEL double slow_flow_phase(double Omega, double A, double m, double zeta, double h)
 {
     const double R = A * Omega * Omega + h;
     const double I_ = 2.0 * A * Omega * zeta + m;
@@ -136,7 +141,7 @@ static inline double slow_flow_phase(double Omega, double A, double m, double ze
    Operations: 2 structured, 2 common subexpressions, 2 power chains
    Measured, error / u (1 + kappa): 0.71
  */
-static inline double slow_flow_backbone(double A, double h)
+SF_KERNEL double slow_flow_backbone(double A, double h)
 {
     const double square = -h / A;
     return sqrt(square);
@@ -147,7 +152,7 @@ static inline double slow_flow_backbone(double A, double h)
    Operations: 4 structured, 4 common subexpressions, 4 power chains
    Proved, error / u (1 + kappa): 4.01
  */
-static inline double slow_flow_limit_envelope(double Omega, double F_0, double m, double zeta)
+SF_KERNEL double slow_flow_limit_envelope(double Omega, double F_0, double m, double zeta)
 {
     return 0.5 * (F_0 - m) / (Omega * zeta);
 }
@@ -157,7 +162,7 @@ static inline double slow_flow_limit_envelope(double Omega, double F_0, double m
    Operations: 4 structured, 4 common subexpressions, 4 power chains
    Proved, error / u (1 + kappa): 0.76
  */
-static inline double slow_flow_equivalent_damping(double Omega, double A, double m, double zeta)
+SF_KERNEL double slow_flow_equivalent_damping(double Omega, double A, double m, double zeta)
 {
     return zeta + 0.5 * m / (A * Omega);
 }
@@ -167,7 +172,7 @@ static inline double slow_flow_equivalent_damping(double Omega, double A, double
    Operations: 6 structured, 6 common subexpressions, 6 power chains
    Measured, error / u (1 + kappa): 0.67
  */
-static inline double slow_flow_transmissibility(double Omega, double A, double F_0, double m, double zeta, double h)
+SF_KERNEL double slow_flow_transmissibility(double Omega, double A, double F_0, double m, double zeta, double h)
 {
     const double I_ = 2.0 * A * Omega * zeta + m;
     return hypot(h, I_) / F_0;
@@ -178,7 +183,7 @@ static inline double slow_flow_transmissibility(double Omega, double A, double F
    Operations: 17 structured, 13 common subexpressions, 13 power chains
    Proved, error / u (1 + kappa): 0.0, 2.01, 3.01, 3.01
  */
-static inline void slow_flow_jacobian(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
+SF_KERNEL void slow_flow_jacobian(double Omega, double A, double m, double zeta, double h, double h_A, double *out)
 {
     const double t0 = Omega * Omega;
     const double t1 = 0.5 / Omega;
@@ -194,7 +199,7 @@ static inline void slow_flow_jacobian(double Omega, double A, double m, double z
    Operations: 4 structured, 4 common subexpressions, 4 power chains
    Proved, error / u (1 + kappa): 1.01
  */
-static inline double slow_flow_mean_stiffness(double A, double h, double h_A)
+SF_KERNEL double slow_flow_mean_stiffness(double A, double h, double h_A)
 {
     return -0.5 * h_A - 0.5 * h / A;
 }
@@ -205,7 +210,7 @@ static inline double slow_flow_mean_stiffness(double A, double h, double h_A)
    Operations where apart: 14 structured, 14 common subexpressions, 14 power chains
    Measured, error / u (1 + kappa): 2
  */
-static inline double slow_flow_offset_stiffness_over(double Omega, double A, double h, double h_A)
+SF_KERNEL double slow_flow_offset_stiffness_over(double Omega, double A, double h, double h_A)
 {
     const double t0 = Omega * Omega;
     const double t1 = 1.0 / A;
@@ -214,7 +219,7 @@ static inline double slow_flow_offset_stiffness_over(double Omega, double A, dou
     return (h_A * (0.5 * h_A - 3.0 * t2 - t3) + t2 * (0.5 * h * t1 - t3)) / (h_A + 8.0 * t0 + t2);
 }
 
-static inline double slow_flow_offset_stiffness_apart(double Omega, double A, double h, double h_A)
+SF_KERNEL double slow_flow_offset_stiffness_apart(double Omega, double A, double h, double h_A)
 {
     const double t0 = 1.0 / A;
     const double t1 = h * t0;
@@ -222,7 +227,7 @@ static inline double slow_flow_offset_stiffness_apart(double Omega, double A, do
     return -0.5 * h_A - 0.5 * t1 + t2 * t2 / (8.0 * Omega * Omega + h_A + t1);
 }
 
-static inline double slow_flow_offset_stiffness(double Omega, double A, double h, double h_A)
+SF_KERNEL double slow_flow_offset_stiffness(double Omega, double A, double h, double h_A)
 {
     if (0.5 * fabs(h_A) + 0.5 * fabs(h) / A <= fabs(8.0 * Omega * Omega + h_A + h / A))
         return slow_flow_offset_stiffness_over(Omega, A, h, h_A);
@@ -234,7 +239,7 @@ static inline double slow_flow_offset_stiffness(double Omega, double A, double h
    Operations: 15 structured, 12 common subexpressions, 12 power chains
    Measured, error / u (1 + kappa): 1.1
  */
-static inline double slow_flow_stability(double Omega, double A, double m, double zeta, double h, double h_A)
+SF_KERNEL double slow_flow_stability(double Omega, double A, double m, double zeta, double h, double h_A)
 {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
@@ -249,7 +254,7 @@ static inline double slow_flow_stability(double Omega, double A, double m, doubl
    Proved, error / u (1 + kappa): -, 0.51, 1.61, 0.34
    Measured, error / u (1 + kappa): 0.98
  */
-static inline void slow_flow_response_quartic(double A, double F_0, double m, double zeta, double h, double *out)
+SF_KERNEL void slow_flow_response_quartic(double A, double F_0, double m, double zeta, double h, double *out)
 {
     const double t0 = A * A;
     out[0] = h * h + (-F_0 + m) * (F_0 + m);
@@ -263,7 +268,7 @@ static inline void slow_flow_response_quartic(double A, double F_0, double m, do
    Operations: 8 structured, 8 common subexpressions, 8 power chains
    Proved, error / u (1 + kappa): 0.34, 0.34, 2.34, 0.0
  */
-static inline void slow_flow_fold_quartic(double A, double m, double zeta, double h, double h_A, double *out)
+SF_KERNEL void slow_flow_fold_quartic(double A, double m, double zeta, double h, double h_A, double *out)
 {
     out[0] = h * h_A;
     out[1] = 2.0 * m * zeta;
@@ -276,7 +281,7 @@ static inline void slow_flow_fold_quartic(double A, double m, double zeta, doubl
    Operations: 5 structured, 5 common subexpressions, 5 power chains
    Proved, error / u (1 + kappa): 0.34, 1.01, 0.0
  */
-static inline void slow_flow_peak_cubic(double A, double m, double zeta, double h, double *out)
+SF_KERNEL void slow_flow_peak_cubic(double A, double m, double zeta, double h, double *out)
 {
     out[0] = m * zeta;
     out[1] = 2.0 * A * zeta * zeta + h;
@@ -290,7 +295,7 @@ static inline void slow_flow_peak_cubic(double A, double m, double zeta, double 
    Measured, error / u (1 + kappa): 1.3
  */
 #define SLOW_FLOW_DETACHMENT_COUNT 4
-static inline void slow_flow_detachment(double A, double m, double zeta, double h, double *out)
+SF_KERNEL void slow_flow_detachment(double A, double m, double zeta, double h, double *out)
 {
     const double m2 = m * m;
     const double zeta2 = zeta * zeta;
@@ -314,7 +319,7 @@ static inline void slow_flow_detachment(double A, double m, double zeta, double 
    Operations: 13 structured, 11 common subexpressions, 11 power chains
    Proved, error / u (1 + kappa): 2.67
  */
-static inline double slow_flow_F_OmegaOmega(double Omega, double A, double zeta, double h)
+SF_KERNEL double slow_flow_F_OmegaOmega(double Omega, double A, double zeta, double h)
 {
     const double t0 = A * Omega * Omega;
     const double R = h + t0;
@@ -326,7 +331,7 @@ static inline double slow_flow_F_OmegaOmega(double Omega, double A, double zeta,
    Operations: 11 structured, 11 common subexpressions, 11 power chains
    Measured, error / u (1 + kappa): 1.4
  */
-static inline double slow_flow_level(double Omega, double A, double m, double zeta, double h)
+SF_KERNEL double slow_flow_level(double Omega, double A, double m, double zeta, double h)
 {
     const double R = A * Omega * Omega + h;
     const double I_ = 2.0 * A * Omega * zeta + m;
@@ -338,7 +343,7 @@ static inline double slow_flow_level(double Omega, double A, double m, double ze
    Operations: 6 structured, 6 common subexpressions, 6 power chains
    Measured, error / u (1 + kappa): 1.2
  */
-static inline void slow_flow_rest(double F_0, double m, double h, double h_A, double *out)
+SF_KERNEL void slow_flow_rest(double F_0, double m, double h, double h_A, double *out)
 {
     const double product = -(-F_0 + m) * (F_0 + m);
     const double c = sqrt(product);
@@ -352,7 +357,7 @@ static inline void slow_flow_rest(double F_0, double m, double h, double h_A, do
    Operations: 3 structured, 3 common subexpressions, 3 power chains
    Proved, error / u (1 + kappa): 1.01, 0.34
  */
-static inline void slow_flow_intercept(double A, double h, double h_A, double h_AA, double *out)
+SF_KERNEL void slow_flow_intercept(double A, double h, double h_A, double h_AA, double *out)
 {
     out[0] = -A * h_A + h;
     out[1] = -A * h_AA;
@@ -363,7 +368,7 @@ static inline void slow_flow_intercept(double A, double h, double h_A, double h_
    Operations: 51 structured, 48 common subexpressions, 48 power chains
    Measured, error / u (1 + kappa): 1.9
  */
-static inline void slow_flow_fold(double A, double F_0, double m, double zeta, double h, double h_A, double k, double k_A, double *out)
+SF_KERNEL void slow_flow_fold(double A, double F_0, double m, double zeta, double h, double h_A, double k, double k_A, double *out)
 {
     const double excess = (F_0 - m) * (F_0 + m);
     const double least = sqrt(excess);
@@ -388,7 +393,7 @@ static inline void slow_flow_fold(double A, double F_0, double m, double zeta, d
    Operations: 3 structured, 3 common subexpressions, 3 power chains
    Proved, error / u (1 + kappa): 1.01
  */
-static inline double slow_flow_fold_square(double Omega, double A, double lacks)
+SF_KERNEL double slow_flow_fold_square(double Omega, double A, double lacks)
 {
     return Omega * Omega - lacks / A;
 }
@@ -398,7 +403,7 @@ static inline double slow_flow_fold_square(double Omega, double A, double lacks)
    Operations: 5 structured, 4 common subexpressions, 4 power chains
    Proved, error / u (1 + kappa): 0.0, 3.01
  */
-static inline void slow_flow_fold_moves(double A, double k, double R, double *out)
+SF_KERNEL void slow_flow_fold_moves(double A, double k, double R, double *out)
 {
     const double t0 = 2.0 * R;
     out[0] = t0;
@@ -410,7 +415,7 @@ static inline void slow_flow_fold_moves(double A, double k, double R, double *ou
    Operations: 1 structured, 1 common subexpressions, 1 power chains
    Measured, error / u (1 + kappa): 0.67
  */
-static inline double slow_flow_isola_Omega(double h_A)
+SF_KERNEL double slow_flow_isola_Omega(double h_A)
 {
     return sqrt(h_A);
 }
@@ -420,7 +425,7 @@ static inline double slow_flow_isola_Omega(double h_A)
    Operations: 7 structured, 7 common subexpressions, 7 power chains
    Measured, error / u (1 + kappa): 0.97
  */
-static inline double slow_flow_isola_level(double Omega, double A, double m, double zeta)
+SF_KERNEL double slow_flow_isola_level(double Omega, double A, double m, double zeta)
 {
     const double I_ = 2.0 * A * Omega * zeta + m;
     return hypot(I_, -I_ * zeta / Omega);
@@ -431,7 +436,7 @@ static inline double slow_flow_isola_level(double Omega, double A, double m, dou
    Operations: 20 structured, 18 common subexpressions, 18 power chains
    Measured, error / u (1 + kappa): 1.7
  */
-static inline void slow_flow_isola(double A, double m, double zeta, double h, double h_A, double h_AA, double *out)
+SF_KERNEL void slow_flow_isola(double A, double m, double zeta, double h, double h_A, double h_AA, double *out)
 {
     const double w = sqrt(h_A);
     const double t0 = 2.0 * zeta * zeta;
@@ -447,7 +452,7 @@ static inline void slow_flow_isola(double A, double m, double zeta, double h, do
    Proved, error / u (1 + kappa): 1.01, 1.01, 1.51, 1.01, -
    Measured, error / u (1 + kappa): 0.89
  */
-static inline void slow_flow_cusps(double A, double zeta, double h, double h_A, double h_AA, double k, double *out)
+SF_KERNEL void slow_flow_cusps(double A, double zeta, double h, double h_A, double h_AA, double k, double *out)
 {
     const double t0 = zeta * zeta;
     const double half_e = 0.5 * A * h_AA + 2.0 * t0;
@@ -464,7 +469,7 @@ static inline void slow_flow_cusps(double A, double zeta, double h, double h_A, 
    Operations: 8 structured, 8 common subexpressions, 8 power chains
    Proved, error / u (1 + kappa): 1.01, 1.81
  */
-static inline void slow_flow_cusp_R(double A, double zeta, double h_AA, double k, double X, double T, double *out)
+SF_KERNEL void slow_flow_cusp_R(double A, double zeta, double h_AA, double k, double X, double T, double *out)
 {
     out[0] = A * T + k;
     out[1] = (-T * T - 4.0 * X * zeta * zeta) / h_AA;
@@ -475,7 +480,7 @@ static inline void slow_flow_cusp_R(double A, double zeta, double h_AA, double k
    Operations: 47 structured, 37 common subexpressions, 37 power chains
    Measured, error / u (1 + kappa): 1.2
  */
-static inline void slow_flow_cusp(double A, double m, double zeta, double h_AA, double h_AAA, double k, double X, double T, double R, double root, double *out)
+SF_KERNEL void slow_flow_cusp(double A, double m, double zeta, double h_AA, double h_AAA, double k, double X, double T, double R, double root, double *out)
 {
     const double w = sqrt(X);
     const double t0 = m * zeta;
@@ -492,7 +497,7 @@ static inline void slow_flow_cusp(double A, double m, double zeta, double h_AA, 
    Operations: 19 structured, 14 common subexpressions, 14 power chains
    Measured, error / u (1 + kappa): 0.98
  */
-static inline void slow_flow_cusp_balance(double A, double m, double zeta, double h, double k, double X, double T, double *out)
+SF_KERNEL void slow_flow_cusp_balance(double A, double m, double zeta, double h, double k, double X, double T, double *out)
 {
     const double w = sqrt(X);
     const double t0 = 2.0 * w * zeta;
@@ -507,7 +512,7 @@ static inline void slow_flow_cusp_balance(double A, double m, double zeta, doubl
    Operations: 35 structured, 28 common subexpressions, 28 power chains
    Measured, error / u (1 + kappa): 1.5
  */
-static inline void slow_flow_turn(double Omega, double A, double m, double zeta, double h_AA, double k, double *out)
+SF_KERNEL void slow_flow_turn(double Omega, double A, double m, double zeta, double h_AA, double k, double *out)
 {
     const double t0 = A * Omega * zeta;
     const double I_ = m + 2.0 * t0;
@@ -525,7 +530,7 @@ static inline void slow_flow_turn(double Omega, double A, double m, double zeta,
    Proved, error / u (1 + kappa): -, 3.67
    Measured, error / u (1 + kappa): 1.1
  */
-static inline void slow_flow_peak(double Omega, double A, double F_0, double m, double zeta, double h_A, double *out)
+SF_KERNEL void slow_flow_peak(double Omega, double A, double F_0, double m, double zeta, double h_A, double *out)
 {
     const double t0 = 2.0 * A;
     const double R = -t0 * zeta * zeta - m * zeta / Omega;
@@ -539,7 +544,7 @@ static inline void slow_flow_peak(double Omega, double A, double F_0, double m, 
    Operations: 14 structured, 13 common subexpressions, 12 power chains
    Measured, error / u (1 + kappa): 1.6
  */
-static inline double slow_flow_peak_Omega_A(double Omega, double A, double m, double zeta, double h_A)
+SF_KERNEL double slow_flow_peak_Omega_A(double Omega, double A, double m, double zeta, double h_A)
 {
     const double Omega2 = Omega * Omega;
     const double Omega3 = Omega * Omega2;
@@ -551,7 +556,7 @@ static inline double slow_flow_peak_Omega_A(double Omega, double A, double m, do
    Operations: 21 structured, 18 common subexpressions, 18 power chains
    Measured, error / u (1 + kappa): 1.9
  */
-static inline double slow_flow_Omega_A(double Omega, double A, double m, double zeta, double h, double h_A)
+SF_KERNEL double slow_flow_Omega_A(double Omega, double A, double m, double zeta, double h, double h_A)
 {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
@@ -568,7 +573,7 @@ static inline double slow_flow_Omega_A(double Omega, double A, double m, double 
    Operations: 39 structured, 28 common subexpressions, 28 power chains
    Measured, error / u (1 + kappa): 1.3
  */
-static inline double slow_flow_level_rise(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
+SF_KERNEL double slow_flow_level_rise(double Omega, double A, double m, double zeta, double h, double h_A, double h_AA)
 {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;
@@ -589,7 +594,7 @@ static inline double slow_flow_level_rise(double Omega, double A, double m, doub
    Operations: 40 structured, 30 common subexpressions, 30 power chains
    Measured, error / u (1 + kappa): 0.97
  */
-static inline double slow_flow_cusp_bend(double Omega, double A, double zeta, double h_AA, double h_AAA, double T)
+SF_KERNEL double slow_flow_cusp_bend(double Omega, double A, double zeta, double h_AA, double h_AAA, double T)
 {
     const double t0 = Omega * Omega;
     const double t1 = 4.0 * t0 * zeta * zeta;
@@ -607,7 +612,7 @@ static inline double slow_flow_cusp_bend(double Omega, double A, double zeta, do
    Operations: 49 structured, 39 common subexpressions, 33 power chains
    Measured, error / u (1 + kappa): 1
  */
-static inline double slow_flow_isola_bend(double Omega, double A, double m, double zeta, double h_AA)
+SF_KERNEL double slow_flow_isola_bend(double Omega, double A, double m, double zeta, double h_AA)
 {
     const double t0 = 2.0 * A;
     const double t1 = Omega * t0 * zeta + m;
@@ -627,7 +632,7 @@ static inline double slow_flow_isola_bend(double Omega, double A, double m, doub
    Operations: 30 structured, 27 common subexpressions, 24 power chains
    Proved, error / u (1 + kappa): 14.01
  */
-static inline double slow_flow_isola_hessian(double Omega, double A, double m, double zeta, double h_AA)
+SF_KERNEL double slow_flow_isola_hessian(double Omega, double A, double m, double zeta, double h_AA)
 {
     const double t0 = 2.0 * A;
     const double Omega2 = Omega * Omega;
@@ -643,7 +648,7 @@ static inline double slow_flow_isola_hessian(double Omega, double A, double m, d
    Operations: 7 structured, 7 common subexpressions, 7 power chains
    Measured, error / u (1 + kappa): 1.7
  */
-static inline double slow_flow_tail(double Omega, double F_0, double m)
+SF_KERNEL double slow_flow_tail(double Omega, double F_0, double m)
 {
     const double square = (F_0 - m) * (F_0 + m);
     return sqrt(square) / (Omega * Omega + 1.0);
@@ -654,7 +659,7 @@ static inline double slow_flow_tail(double Omega, double F_0, double m)
    Operations: 6 structured, 6 common subexpressions, 6 power chains
    Measured, error / u (1 + kappa): 0.85
  */
-static inline double slow_flow_most_restoring(double A, double F_0, double m, double zeta)
+SF_KERNEL double slow_flow_most_restoring(double A, double F_0, double m, double zeta)
 {
     const double c = -0.5 * (-F_0 + m) / zeta;
     const double fastest = c / A;
@@ -666,7 +671,7 @@ static inline double slow_flow_most_restoring(double A, double F_0, double m, do
    Operations: 5 structured, 5 common subexpressions, 5 power chains
    Measured, error / u (1 + kappa): 1.1
  */
-static inline double slow_flow_least_restoring(double F_0, double m)
+SF_KERNEL double slow_flow_least_restoring(double F_0, double m)
 {
     return sqrt(F_0 - m) * sqrt(F_0 + m);
 }
@@ -676,7 +681,7 @@ static inline double slow_flow_least_restoring(double F_0, double m)
    Operations: 51 structured, 39 common subexpressions, 39 power chains
    Proved, error / u (1 + kappa): -, 0.0, 0.0, -, -, 0.0, 0.0
  */
-static inline void slow_flow_moves_of_state(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void slow_flow_moves_of_state(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h_AA);
     (void)(h_AAA);
@@ -706,7 +711,7 @@ static inline void slow_flow_moves_of_state(double Omega, double A, double F_0, 
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 107 structured, 71 common subexpressions, 71 power chains
  */
-static inline void slow_flow_moves_of_fold(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void slow_flow_moves_of_fold(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h_AAA);
     (void)(h_AAp);
@@ -748,7 +753,7 @@ static inline void slow_flow_moves_of_fold(double Omega, double A, double F_0, d
    Operations: 47 structured, 35 common subexpressions, 35 power chains
    Proved, error / u (1 + kappa): 0.0, -, 0.0, 3.67, -, 0.0, 0.0
  */
-static inline void slow_flow_moves_of_corner_fold(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void slow_flow_moves_of_corner_fold(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h_AA);
     (void)(h_AAA);
@@ -779,7 +784,7 @@ static inline void slow_flow_moves_of_corner_fold(double Omega, double A, double
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 99 structured, 67 common subexpressions, 67 power chains
  */
-static inline void slow_flow_moves_of_peak(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void slow_flow_moves_of_peak(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h_AA);
     (void)(h_AAA);
@@ -820,7 +825,7 @@ static inline void slow_flow_moves_of_peak(double Omega, double A, double F_0, d
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 135 structured, 95 common subexpressions, 95 power chains
  */
-static inline void slow_flow_moves_of_cusp(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void slow_flow_moves_of_cusp(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(end_p);
     (void)(forcing_p);
@@ -860,7 +865,7 @@ static inline void slow_flow_moves_of_cusp(double Omega, double A, double F_0, d
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 155 structured, 96 common subexpressions, 96 power chains
  */
-static inline void slow_flow_moves_of_isola(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void slow_flow_moves_of_isola(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h_AAA);
     (void)(h_AAp);
@@ -909,7 +914,7 @@ static inline void slow_flow_moves_of_isola(double Omega, double A, double F_0, 
    Operations: 76 structured, 53 common subexpressions, 53 power chains
    Proved, error / u (1 + kappa): 0.0, -, -, 2.67, -, 0.0, 0.0
  */
-static inline void slow_flow_moves_of_corner_top(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void slow_flow_moves_of_corner_top(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h_AA);
     (void)(h_AAA);
@@ -947,7 +952,7 @@ static inline void slow_flow_moves_of_corner_top(double Omega, double A, double 
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 100 structured, 70 common subexpressions, 70 power chains
  */
-static inline void slow_flow_moves_of_corner_end(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void slow_flow_moves_of_corner_end(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h_AAA);
     (void)(h_AAp);
@@ -985,7 +990,7 @@ static inline void slow_flow_moves_of_corner_end(double Omega, double A, double 
    Operations: 37 structured, 29 common subexpressions, 29 power chains
    Proved, error / u (1 + kappa): 0.0, 4.34, 17.67, 0.34, 0.34, 0.0, 0.0
  */
-static inline void slow_flow_moves_of_corner_backbone(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void slow_flow_moves_of_corner_backbone(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h);
     (void)(h_AA);
@@ -1017,7 +1022,7 @@ static inline void slow_flow_moves_of_corner_backbone(double Omega, double A, do
    Operations: 34 structured, 29 common subexpressions, 29 power chains
    Proved, error / u (1 + kappa): 0.0, 0.0, -, 0.0, 0.0, 0.0, 0.0
  */
-static inline void slow_flow_moves_of_corner_rest(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
+SF_KERNEL void slow_flow_moves_of_corner_rest(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_AA, double h_AAA, double h_p, double h_Ap, double h_AAp, double m_p, double zeta_p, double end_p, double forcing_p, double frequency_p, double *out)
 {
     (void)(h_AA);
     (void)(h_AAA);
@@ -1046,7 +1051,7 @@ static inline void slow_flow_moves_of_corner_rest(double Omega, double A, double
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 54 structured, 30 common subexpressions, 30 power chains
  */
-static inline void slow_flow_beside(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double *out)
+SF_KERNEL void slow_flow_beside(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double *out)
 {
     (void)(F_0);
     const double t0 = Omega * Omega;
@@ -1072,7 +1077,7 @@ static inline void slow_flow_beside(double Omega, double A, double F_0, double m
    Equation from (23)-(34). Domain: Omega > 0, A > 0.
    Operations: 49 structured, 41 common subexpressions, 41 power chains
  */
-static inline void slow_flow_moves_of_phase(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_p, double m_p, double zeta_p, double A_p, double Omega_p, double F_0_p, double *out)
+SF_KERNEL void slow_flow_moves_of_phase(double Omega, double A, double F_0, double m, double zeta, double h, double h_A, double h_p, double m_p, double zeta_p, double A_p, double Omega_p, double F_0_p, double *out)
 {
     const double t0 = Omega * Omega;
     const double R = A * t0 + h;

@@ -18,13 +18,18 @@
 
 #include <math.h>
 
+/* what exported.c defines otherwise */
+#ifndef SF_KERNEL
+#define SF_KERNEL static inline
+#endif
+
 /* F as a polynomial in Omega: coefficients of 1, Omega, Omega^2, Omega^4.
    Equation (24). Domain: A > 0.
    Operations: 11 structured, 10 common subexpressions, 10 power chains
    Proved, error / u (1 + kappa): -, 0.0, 1.61, 0.34
    Measured, error / u (1 + kappa): 0.92
  */
-static inline void slow_flow_mu0_response_quartic(double A, double F_0, double m, double zeta, double h, double *out)
+SF_KERNEL void slow_flow_mu0_response_quartic(double A, double F_0, double m, double zeta, double h, double *out)
 {
     (void)(m);
     const double t0 = A * A;
@@ -40,7 +45,7 @@ static inline void slow_flow_mu0_response_quartic(double A, double F_0, double m
    Proved, error / u (1 + kappa): 4.01, 5.67, 0.0
  */
 #define SLOW_FLOW_MU0_DETACHMENT_COUNT 3
-static inline void slow_flow_mu0_detachment(double A, double m, double zeta, double h, double *out)
+SF_KERNEL void slow_flow_mu0_detachment(double A, double m, double zeta, double h, double *out)
 {
     (void)(m);
     const double t0 = h * h;
@@ -58,7 +63,7 @@ static inline void slow_flow_mu0_detachment(double A, double m, double zeta, dou
    Operations: 44 structured, 39 common subexpressions, 39 power chains
    Measured, error / u (1 + kappa): 1.4
  */
-static inline void slow_flow_mu0_fold(double A, double F_0, double m, double zeta, double h, double h_A, double k, double k_A, double *out)
+SF_KERNEL void slow_flow_mu0_fold(double A, double F_0, double m, double zeta, double h, double h_A, double k, double k_A, double *out)
 {
     (void)(m);
     const double excess = F_0 * F_0;
@@ -83,7 +88,7 @@ static inline void slow_flow_mu0_fold(double A, double F_0, double m, double zet
    Operations: 11 structured, 9 common subexpressions, 9 power chains
    Proved, error / u (1 + kappa): 2.34, 1.67
  */
-static inline void slow_flow_mu0_isola(double A, double m, double zeta, double h, double h_A, double h_AA, double *out)
+SF_KERNEL void slow_flow_mu0_isola(double A, double m, double zeta, double h, double h_A, double h_AA, double *out)
 {
     (void)(m);
     const double t0 = 2.0 * zeta * zeta;

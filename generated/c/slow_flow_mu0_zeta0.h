@@ -16,13 +16,18 @@
 
 #include <math.h>
 
+/* what exported.c defines otherwise */
+#ifndef SF_KERNEL
+#define SF_KERNEL static inline
+#endif
+
 /* Reduced resultant of F and F_Omega: coefficients of F_0^0, F_0^2, ...; its roots are candidates for F_cr.
    Equation (34). Domain: A > 0.
    Operations: 1 structured, 1 common subexpressions, 1 power chains
    Proved, error / u (1 + kappa): 0.34, 0.0
  */
 #define SLOW_FLOW_MU0_ZETA0_DETACHMENT_COUNT 2
-static inline void slow_flow_mu0_zeta0_detachment(double A, double m, double zeta, double h, double *out)
+SF_KERNEL void slow_flow_mu0_zeta0_detachment(double A, double m, double zeta, double h, double *out)
 {
     (void)(A);
     (void)(m);

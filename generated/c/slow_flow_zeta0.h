@@ -18,12 +18,17 @@
 
 #include <math.h>
 
+/* what exported.c defines otherwise */
+#ifndef SF_KERNEL
+#define SF_KERNEL static inline
+#endif
+
 /* Largest amplitude that the forcing can hold at this frequency.
    Equation (27). Domain: Omega > 0, F_0 > m; sticks otherwise.
    Operations: 0 structured, 0 common subexpressions, 0 power chains
    Measured, error / u (1 + kappa): 0
  */
-static inline double slow_flow_zeta0_limit_envelope(double Omega, double F_0, double m, double zeta)
+SF_KERNEL double slow_flow_zeta0_limit_envelope(double Omega, double F_0, double m, double zeta)
 {
     (void)(Omega);
     (void)(F_0);
@@ -38,7 +43,7 @@ static inline double slow_flow_zeta0_limit_envelope(double Omega, double F_0, do
    Proved, error / u (1 + kappa): 0.81, 0.67, 0.0
  */
 #define SLOW_FLOW_ZETA0_DETACHMENT_COUNT 3
-static inline void slow_flow_zeta0_detachment(double A, double m, double zeta, double h, double *out)
+SF_KERNEL void slow_flow_zeta0_detachment(double A, double m, double zeta, double h, double *out)
 {
     (void)(A);
     (void)(zeta);
@@ -54,7 +59,7 @@ static inline void slow_flow_zeta0_detachment(double A, double m, double zeta, d
    Operations: 1 structured, 1 common subexpressions, 1 power chains
    Measured, error / u (1 + kappa): 0.67
  */
-static inline double slow_flow_zeta0_undamped_Omega(double h_A)
+SF_KERNEL double slow_flow_zeta0_undamped_Omega(double h_A)
 {
     return sqrt(-h_A);
 }
@@ -64,7 +69,7 @@ static inline double slow_flow_zeta0_undamped_Omega(double h_A)
    Operations: 9 structured, 9 common subexpressions, 9 power chains
    Measured, error / u (1 + kappa): 0.62
  */
-static inline void slow_flow_zeta0_fold(double F_0, double m, double k, double k_A, double *out)
+SF_KERNEL void slow_flow_zeta0_fold(double F_0, double m, double k, double k_A, double *out)
 {
     const double excess = (F_0 - m) * (F_0 + m);
     const double least = sqrt(excess);
@@ -77,7 +82,7 @@ static inline void slow_flow_zeta0_fold(double F_0, double m, double k, double k
    Operations: 4 structured, 4 common subexpressions, 4 power chains
    Measured, error / u (1 + kappa): 0.99
  */
-static inline double slow_flow_zeta0_undamped_level(double m, double k)
+SF_KERNEL double slow_flow_zeta0_undamped_level(double m, double k)
 {
     return sqrt(k * k + m * m);
 }
@@ -87,7 +92,7 @@ static inline double slow_flow_zeta0_undamped_level(double m, double k)
    Operations: 2 structured, 2 common subexpressions, 2 power chains
    Proved, error / u (1 + kappa): 0.34, 0.34
  */
-static inline void slow_flow_zeta0_undamped_rises(double h_AA, double h_AAA, double k, double *out)
+SF_KERNEL void slow_flow_zeta0_undamped_rises(double h_AA, double h_AAA, double k, double *out)
 {
     out[0] = -h_AA * k;
     out[1] = -h_AAA * k;
@@ -98,7 +103,7 @@ static inline void slow_flow_zeta0_undamped_rises(double h_AA, double h_AAA, dou
    Operations: 3 structured, 3 common subexpressions, 3 power chains
    Proved, error / u (1 + kappa): 0.0, 0.0, 1.01, 0.34
  */
-static inline void slow_flow_zeta0_undamped(double A, double h, double h_A, double h_AA, double h_AAA, double *out)
+SF_KERNEL void slow_flow_zeta0_undamped(double A, double h, double h_A, double h_AA, double h_AAA, double *out)
 {
     out[0] = h_AA;
     out[1] = h_AAA;

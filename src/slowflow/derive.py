@@ -117,8 +117,9 @@ class Derived(Stated):
     def write(self, folder: Path) -> list[str]:
         """Write what `make derive` writes of the package's own mechanisms, and the document; the files' names.
 
-        A Python module of kernels on NumPy, C headers (which include those of `include()`), C sources with the record
-        that the solvers take and with the force as power series, derivation.md, MANIFEST.json with a hash of each.
+        A Python module of kernels on NumPy, C headers (which include those of `include()`), for an odd force
+        `exported.c`, which gives their functions symbols, with the list `exported.def`, C sources with the record that
+        the solvers take and with the force as power series, derivation.md, MANIFEST.json with a hash of each.
         Files of an earlier run are replaced.
         """
         names: list[str] = _derivation().written(self._stated, Path(folder))

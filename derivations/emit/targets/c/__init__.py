@@ -6,7 +6,8 @@ Out: a dict from file name (below `generated/`) to text.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import sympy as sp
@@ -42,7 +43,8 @@ def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
     """Every file of this language."""
     environment = templates(Path(__file__).parent)
     result = {"c/angles.h": environment.get_template("angles.h.jinja").render(tools=tools(), **angles())}
-    result |= headers(modules, code)
+    with_symbols = headers(modules, code)
+    result |= with_symbols | exported(with_symbols)
     for conventions in CONVENTIONS:
         result[f"native/{conventions.name}.h"] = environment.get_template("conventions.h.jinja").render(
             conventions=conventions, show=stated
@@ -74,6 +76,25 @@ def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
             **sources(module),
         )
     return result
+
+
+def exported(printed: Mapping[str, str]) -> dict[str, str]:
+    """A source that gives each function of these headers a symbol, and the list of them, by file name.
+
+    The list is read off the headers' text: what it holds is what a compiler finds there.
+    """
+    environment = templates(Path(__file__).parent)
+    names = [Path(file).stem for file in printed]
+    functions = [
+        (name, " ".join(prototype.split()))
+        for text in printed.values()
+        for prototype, name in re.findall(r"^(?:SF_KERNEL|SF_TWOFOLD) (\w+ (\w+)\([^()]*\))\n{", text, re.MULTILINE)
+    ]
+    folder = Path(next(iter(printed))).parent
+    return {
+        str(folder / "exported.c"): environment.get_template("exported.c.jinja").render(names=names, tools=tools()),
+        str(folder / "exported.def"): environment.get_template("exported.def.jinja").render(functions=functions),
+    }
 
 
 def motion(module: Module) -> str:

@@ -1,0 +1,20 @@
+/* Every function of these headers with a symbol, for what calls a library; exported.def lists them with their arguments.
+
+   Written by `make derive` or `slowflow derive`; never edit.
+   Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
+
+#define SF_KERNEL
+#define SF_TWOFOLD
+
+#include "slow_flow.h"
+#include "slow_flow_mu0.h"
+#include "slow_flow_zeta0.h"
+#include "slow_flow_mu0_zeta0.h"
+#include "frequencies.h"
+#include "inertia.h"
+#include "motion.h"
+#include "second_approximation.h"
+#include "den_hartog.h"
+#include "duffing.h"
+#include "rod_spring.h"
+#include "rod_spring_untruncated.h"
