@@ -200,16 +200,50 @@ def test_the_motion_that_scipy_follows_jumps_there():
     assert abs(steps[-3] - steps[-4]) < 0.004 and steps[-1] - steps[-3] > 0.04
 
 
-def settled_by_scipy(F_0, zeta, frequencies):
+#: folds of the second resonance of u'' + 0.01 u' + u + u^3 = cos, and largest |u| beyond them by `settled_by_scipy`
+SECOND = {0.45478: (1.289, 0.981), 0.49743: (1.535, 1.027)}
+
+
+@compiled
+def test_a_fold_is_of_the_kind_that_a_sweep_sees_there():
+    """At both ends of the second resonance a sweep falls, at the lower one as the frequency falls."""
+    curve = Duffing(1.0, 1.0, zeta=0.005).exact_response(1.0, Omega=(0.3, 1.0))
+    for Omega, (before, after) in SECOND.items():
+        fold = min(curve.folds, key=lambda fold, at=Omega: abs(fold.Omega - at))
+        assert (fold.Omega, fold.A) == pytest.approx((Omega, before), rel=1e-3)
+        assert fold.kind == "jump-down" and after < before
+
+
+@compiled
+def test_a_fold_is_of_that_kind_too_where_the_part_that_is_followed_has_no_motion_beyond_it():
+    """As an isola has none: what the mass comes to is followed in time."""
+    oscillator = Duffing(1.0, 1.0, zeta=0.005)
+    start = oscillator.steady_state(Omega=0.48, F_0=1.0, A=1.45)
+    part = oscillator.exact_response(1.0, Omega=(0.475, 0.52), start=start)
+    assert part.Omega.max() < 0.4975 and [fold.kind for fold in part.folds] == ["jump-down"]
+
+
+@pytest.mark.slow
+def test_the_motion_that_scipy_follows_falls_beyond_both_folds_of_the_second_resonance():
+    curve = Duffing(1.0, 1.0, zeta=0.005).exact_response(1.0, Omega=(0.3, 1.0))
+    for (Omega, (before, after)), side in zip(SECOND.items(), (-1, 1), strict=True):
+        away = np.abs(curve.Omega / Omega - 1) + np.abs(curve.A / before - 1)
+        last = curve.steady_state(int(np.argmin(np.where(curve.stable, away, np.inf))))
+        assert last.A == pytest.approx(before, rel=0.02) and side * (Omega - last.Omega) > 0
+        found = settled_by_scipy(1.0, 0.005, (Omega + side * 2e-4,), last._state(0.0), turns=250)
+        assert found[0] == pytest.approx(after, rel=2e-3)
+
+
+def settled_by_scipy(F_0, zeta, frequencies, state=(0.0, 0.0), turns=60):
     """Largest |u| of u'' + 2 zeta u' + u + u^3 = F_0 cos(Omega tau), each from where the one before ends."""
-    state, found = np.zeros(2), []
+    found = []
     for Omega in frequencies:
 
         def rates(tau, y, Omega=Omega):
             return y[1], F_0 * np.cos(Omega * tau) - 2 * zeta * y[1] - y[0] - y[0] ** 3
 
         turn = 2 * np.pi / Omega
-        state = solve_ivp(rates, (0, 60 * turn), state, "DOP853", rtol=1e-9, atol=1e-10).y[:, -1]
+        state = solve_ivp(rates, (0, turns * turn), state, "DOP853", rtol=1e-9, atol=1e-10).y[:, -1]
         times = np.linspace(0, turn, 2001)
         found.append(
             np.abs(solve_ivp(rates, (0, turn), state, "DOP853", rtol=1e-9, atol=1e-10, t_eval=times).y[0]).max()

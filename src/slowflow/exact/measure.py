@@ -127,7 +127,7 @@ def _one_each(
 @limited()
 def folds(at_frequency: AtFrequency, system: EquationOfMotion, found: Any, B: Floats | None = None) -> MeasuredFolds:
     """The fold of the exact curve that each averaged one leads to. Raises ValueError for F_0 <= mu."""
-    exact: list[response.Fold | None] = []
+    exact: list[response.ResponsePoint | None] = []
     reasons = []
     largest = found.A if B is None else found.A + np.abs(B)
     for Omega, A in zip(found.Omega.tolist(), largest.tolist(), strict=True):
@@ -152,7 +152,7 @@ def folds(at_frequency: AtFrequency, system: EquationOfMotion, found: Any, B: Fl
 
 def _fold(
     at_frequency: AtFrequency, system: EquationOfMotion, F_0: float, Omega: float, A: float
-) -> response.Fold | None:
+) -> response.ResponsePoint | None:
     """The nearest of the folds that the exact curve meets from motions beside the averaged one."""
     more, fewer = (at_frequency(Omega * (1 + side * ASIDE))[0].A.size for side in (1, -1))
     for offset in BESIDE:

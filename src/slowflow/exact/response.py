@@ -9,6 +9,7 @@ from __future__ import annotations
 import functools
 import itertools
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar, NamedTuple
 
@@ -20,13 +21,16 @@ from slowflow.exact.compiled import default_integrator
 from slowflow.exact.continuation import FOLDS, STEP, LostCurve, Path, Point, is_same, least_scale
 from slowflow.exact.cycle import Array
 from slowflow.exact.integrate import Integrator, OutOfWork, limited
-from slowflow.exact.shooting import SteadyState, check_forcing, describe, steady_state
+from slowflow.exact.motion import Forced
+from slowflow.exact.shooting import SteadyState, check_forcing, describe, lengths, settle, steady_state
 from slowflow.mechanism import EquationOfMotion
 from slowflow.transmitted import Transmitted
 from slowflow_support.errors import NotSettled, Refused
 
 NEAR_TOP = 0.9  # share of the highest point's amplitude from which on a stretch of the curve may hold its peak
 PARTLY = "a part of the curve only: {}"
+#: how far beyond a fold it is looked at what a sweep falls to, and turns of the forcing that it is given for that
+PAST, MOST_FALL = 1e-5, 2000
 
 
 @dataclass(frozen=True)
@@ -175,7 +179,7 @@ def _reached(path: Path, first: Point) -> tuple[list[Point], ArithmeticError | N
     return points, None
 
 
-def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, float]) -> Fold | None:
+def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, float]) -> ResponsePoint | None:
     """The first fold of the curve from a steady state on, towards rising (1) or falling (-1) Omega.
 
     None where it leaves the range of Omega before, or cannot be followed.
@@ -190,7 +194,8 @@ def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, flo
             if point.role in FOLDS and is_same(points[-2], point):
                 del points[-2:]  # there and back: none
                 continue
-            return _fold_between(*points[-3:])
+            fold = points[-2]
+            return ResponsePoint(float(fold.z[-1]), fold.A, False, fold.cycle.stops)
     except ArithmeticError:
         pass
     return None
@@ -215,14 +220,44 @@ def _highest(F_0: float, points: tuple[Point, ...]) -> Point:
     return best
 
 
-def _fold_between(before: Point, point: Point, after: Point) -> Fold:
-    """What a sweep does at a fold: it leaves the stable side, for a larger amplitude if that is the lower one."""
-    corner = point.role == "corner"
-    # beside a sharp peak a neighbour may already lie beyond the peak, where the tangent tells better
-    rises = before.A < after.A if corner else point.rise > 0
-    leaves = before.role not in FOLDS and bool(np.all(np.abs(before.multipliers) < 1.0))
-    up = rises if leaves else not rises
-    return Fold(float(point.z[-1]), point.A, "jump-up" if up else "jump-down", corner)
+def _fold_at(F_0: float, i: int, points: list[Point]) -> Fold:
+    """A fold of a curve through points, and whether a sweep goes to a larger amplitude there or to a smaller one.
+
+    Of the stable motions of the curve beyond it, if they are all larger or all smaller; else, as where a sweep leaves
+    this curve for another, what a mass comes to that is let go there in the motion of the fold.
+    """
+    fold = points[i]
+    at, A = float(fold.z[-1]), fold.A
+    # the curve lies on one side of a fold: a neighbour farther off may have turned again
+    ends = max((float(points[k].z[-1]) - at for k in (i - 1, i + 1)), key=abs)
+    beyond = at * (1.0 - math.copysign(PAST, ends))
+    larger = {motion > A for motion in _stable_at(beyond, points)}
+    up = larger.pop() if len(larger) == 1 else _settles_higher(F_0, fold, beyond)
+    return Fold(at, A, "jump-up" if up else "jump-down", fold.role == "corner")
+
+
+def _stable_at(Omega: float, points: list[Point]) -> Iterator[float]:
+    """Amplitudes of the stable motions of a curve at a frequency, between its points."""
+    for one, other in itertools.pairwise(points):
+        here, there = float(one.z[-1]) - Omega, float(other.z[-1]) - Omega
+        if here * there < 0.0 and all(_is_stable(point) for point in (one, other) if point.role not in FOLDS):
+            yield (here * other.A - there * one.A) / (here - there)
+
+
+def _is_stable(point: Point) -> bool:
+    return bool(np.all(np.abs(point.multipliers) < 1.0))
+
+
+def _settles_higher(F_0: float, fold: Point, Omega: float) -> bool:
+    """Whether the motion of a fold, at a frequency just beyond it, comes to a larger one; also if it escapes."""
+    cycle = fold.cycle
+    state = describe(cycle, fold.z, F_0, fold.monodromy)._state(0.0)
+    try:
+        end = settle(Forced(cycle.system, Omega, F_0, cycle.integrator), 0.0, *state, lengths(cycle.system), MOST_FALL)
+    except ArithmeticError:
+        return True
+    A = max(abs(phase.u_end) for phase in end.phases) if end.found is None else end.found.A
+    return A > fold.A
 
 
 def _response(F_0: float, points: list[Point], closed: bool) -> Response:
@@ -239,7 +274,7 @@ def _response(F_0: float, points: list[Point], closed: bool) -> Response:
                 del folds[-1], found[-1]  # there and back: none
                 continue
             folds.append(point)
-            found.append(_fold_between(*points[i - 1 : i + 2]))
+            found.append(_fold_at(F_0, i, points))
     return Response(
         F_0=F_0,
         Omega=np.array([float(point.z[-1]) for point in points]),
