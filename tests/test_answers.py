@@ -380,4 +380,4 @@ def test_arrays_of_an_answer_are_columns_and_intervals_have_two_ends():
     proof = ANSWERS["certified"].proof
     told = str(ANSWERS["certified"])
     for low, high in proof.Omega.tolist():
-        assert f"  Omega         {low:.15g} to {high:.15g}" in told
+        assert f"  Omega         {low!r} to {high!r}" in told

@@ -6,6 +6,7 @@ import importlib.util
 import math
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -331,9 +332,9 @@ def test_what_is_repeated_is_refused_where_a_language_could_not_print_it():
 def test_bytecode_of_templates_is_kept_where_python_keeps_its_own(tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "pycache_prefix", None)
     monkeypatch.setattr(sys, "dont_write_bytecode", False)
-    assert kept_beside(tmp_path) is not None
+    assert kept_beside(tmp_path, Path(__file__)) is not None
     assert [path.name for path in tmp_path.iterdir()] == ["__pycache__"]
     (tmp_path / "file").touch()
-    assert kept_beside(tmp_path / "file") is None
+    assert kept_beside(tmp_path / "file", Path(__file__)) is None
     monkeypatch.setattr(sys, "dont_write_bytecode", True)
-    assert kept_beside(tmp_path) is None
+    assert kept_beside(tmp_path, Path(__file__)) is None

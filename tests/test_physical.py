@@ -242,7 +242,7 @@ def test_a_certificate_holds_its_parts_in_units(mount):
     low, high = found.saddle_nodes.f[0]
     assert low <= mount.saddle_nodes(5).f[0] <= high
     assert found.saddle_nodes.units["f"] == "Hz" and found.amplitudes.units["A"] == "m"
-    assert f"f/Hz          {low:.15g} to {high:.15g}" in str(found)
+    assert f"f/Hz          {float(low)!r} to {float(high)!r}" in str(found)
     assert found.in_units("mm").amplitudes.A[0, 0] == pytest.approx(1e3 * found.amplitudes.A[0, 0])
 
 
