@@ -94,8 +94,9 @@ def test_condition_numbers_on_a_base_that_shakes_are_those_of_every_reference_ca
         for x in moves.of:
             found += zip(moves.condition(x), (fold["condition"][x] for fold in case["folds"]), strict=True)
         for states in case["amplitudes"]:
-            moves = of.amplitudes(Omega=states["Omega"][1], F_0=at).gradient()
-            found += zip(moves.condition("A"), (one["condition"]["A"] for one in states["steady"]), strict=True)
+            here = of.amplitudes(Omega=states["Omega"][1], F_0=at)
+            conditions = here.gradient().condition("A")[here.A > 0]  # a mass at rest has none
+            found += zip(conditions, (one["condition"]["A"] for one in states["steady"]), strict=True)
     np.testing.assert_allclose(*np.array(found).T, rtol=5.01e-3)
     assert len(found) > 75
 

@@ -113,7 +113,10 @@ def test_numpy_numbers_are_numbers():
 def test_sticking_is_said():
     stuck = isolator()
     F_0 = stuck.sticking_forcing
-    for answer in (stuck.frequency_response(F_0), stuck.amplitudes(Omega=0.9, F_0=F_0), stuck.saddle_nodes(F_0)):
+    held = stuck.amplitudes(Omega=0.9, F_0=F_0)
+    assert held.A.tolist() == [0.0] and held.transmissibility.tolist() == [1.0]
+    assert held.message.startswith(stuck.saddle_nodes(F_0).message)
+    for answer in (stuck.frequency_response(F_0), stuck.saddle_nodes(F_0)):
         assert answer.A.size == 0
         assert answer.message == "sticks: F_0 = 0.0152789 does not exceed 4 mu/pi = 0.0152789 by more than rounding"
     assert not stuck.limit_envelope(Omega=0.9, F_0=F_0)

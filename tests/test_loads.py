@@ -89,7 +89,7 @@ def test_up_to_which_frequency_an_unbalance_leaves_the_mass_at_rest():
     iso = Isolator(lam=3, r=2.0, delta_h=0.08, mu=0.012, zeta=0.02, excitation="unbalance")
     Omega = iso.margins(0.03).Omega_sticks
     below, above = iso.amplitudes(Omega=Omega * (1 - 1e-9), F_0=0.03), iso.amplitudes(Omega=Omega * 1.0001, F_0=0.03)
-    assert not len(below) and len(above)
+    assert below.A.tolist() == [0.0] and (above.A > 0).all()
     forced = iso.replace(excitation="force")
     assert forced.margins(0.01).Omega_sticks == math.inf and forced.margins(0.03).Omega_sticks == 0
 
@@ -185,9 +185,9 @@ def test_a_load_spectrum_says_of_each_row_what_its_states_say():
     for row, O, F in zip(found, Omega, F_0, strict=True):
         states = iso.amplitudes(Omega=O, F_0=F)
         stable = states.A[states.stable]
-        assert (row.Omega, row.F_0, row.motions, row.sticks) == (O, F, stable.size, F == 0.012)
+        assert (row.Omega, row.F_0, row.motions, row.sticks) == (O, F, np.count_nonzero(stable), F == 0.012)
         assert row.A == stable.max(initial=0) and row.detaches == (row.A > iso.u_cr)
-    assert found.motions.tolist() == [1, 2, 1, 2, 0] and np.isnan(found.transmissibility_dB[-1])
+    assert found.motions.tolist() == [1, 2, 1, 2, 0] and found.transmissibility_dB[-1] == 0
 
 
 def test_a_row_crosses_a_fold_where_one_lies_between_it_and_the_row_before():

@@ -529,7 +529,7 @@ def test_numbers_in_words_about_a_mount_are_those_that_were_given():
     [
         (lambda mount: mount.saddle_nodes([3, 5]), "F = [3, 5] is not allowed: F must be a finite real number > 0"),
         (lambda mount: mount.certify(5, f=[2.2, 2.3]), "f = [2.2, 2.3] is not allowed"),
-        (lambda mount: mount.steady_state(f=2.2, F=0.3), "F = 0.3 N does not exceed friction = 0.4 N"),
+        (lambda mount: mount.exact_response(F=0.3, f=(1.0, 2.2)), "F = 0.3 N does not exceed friction = 0.4 N"),
         (lambda mount: mount.backbone(-0.1), "A = -100 mm is not allowed"),
         (lambda mount: mount.saddle_nodes(1e300), "no amplitude bounds the response at F = 1e+300 N"),
         (lambda mount: mount.transient(acceleration=20), "or t, the times of a record"),

@@ -356,7 +356,7 @@ def test_a_load_spectrum_is_a_table_of_pairs(scene, tmp_path, capsys):
         ("2.2", "5.0", "2", "false"),
         ("5.0", "0.3", "0", "true"),
     ]
-    assert [row["crosses"] for row in rows[:2]] == ["false", "true"] and rows[2]["transmissibility_dB"] == ""
+    assert [row["crosses"] for row in rows[:2]] == ["false", "true"] and rows[2]["transmissibility_dB"] == "0.0"
     code, _, err = run("run", scene(text.replace("F = [5, 5, 0.3]", "F = [5, 5]")), capsys=capsys)
     assert code == 2 and ":21: F has 2 numbers, and f has 3: they are pairs" in err
 

@@ -23,7 +23,7 @@ from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats, Law, Mechanism
 from slowflow.model import THROUGHOUT, Model
 from slowflow.results import Remark, of_model
-from slowflow_kernels import slow_flow
+from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA
 
 Flags = npt.NDArray[np.bool_]
@@ -189,7 +189,7 @@ class Spectrum(Composed, Table):
 
     A        -- the largest stable amplitude, off the centre about the mean; 0 where the mass sticks, nan where no
                 motion is stable
-    transmissibility_dB -- of that motion; nan where there is none
+    transmissibility_dB -- of that motion; 0 where the mass sticks, nan where no motion is stable
     motions  -- number of stable motions
     crosses  -- whether a fold, at which a stable motion ends, lies on the straight way from the row before
     detaches -- whether a stable motion passes u_cr
@@ -319,12 +319,12 @@ def hysteresis(oscillator: Any, F_0: float) -> Hysteresis:
     folds = oscillator.saddle_nodes(F_0)
     # beyond the last fold the number of motions does not change any more
     ends = [0.0, *np.unique(folds.Omega).tolist(), math.inf]
-    bands, rests = [], oscillator.model.holds(folds.F_0)
+    bands = []
     for low, high in pairwise(ends) if len(folds) else ():
         middle = min(0.5 * (low + high) if high < math.inf else 2 * low, HIGHEST_OMEGA)
         if not low < middle < high:  # there is no frequency between them, or none that is answered
             continue
-        if (stable := int(oscillator.amplitudes(Omega=middle, F_0=F_0).stable.sum()) + rests) > 1:
+        if (stable := int(oscillator.amplitudes(Omega=middle, F_0=F_0).stable.sum())) > 1:
             bands.append((low, high, stable))
     low, high, motions = np.array(bands).reshape(-1, 3).T
     message = joined(folds.message, "" if bands else "at each frequency at most one motion is stable")
@@ -343,6 +343,10 @@ def isolation(oscillator: Averaged, F_0: float) -> Isolation:
         return Isolation(None, None, False, F_0, NEVER, Remark(0), _model=oscillator.model)
     curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _highest(oscillator, F_0)))
     made = partial(Isolation, _model=oscillator.model)
+    # up to there a mass at rest passes on all that drives it
+    moves_from = float(inertia.moves_from(F_0, oscillator.model.held)) if oscillator.model.inertial else 0.0
+    if not len(curve) and 0 < moves_from < math.inf:
+        return made(moves_from, 0.0, False, F_0, "", curve.remarks)
     if not len(curve):
         return made(None, None, False, F_0, curve.message, curve.remarks)
     transmits = curve.Omega <= _of_full(oscillator, curve.A)
@@ -351,7 +355,10 @@ def isolation(oscillator: Averaged, F_0: float) -> Isolation:
         A = _between(oscillator, F_0, float(curve.A[one]), float(curve.A[other]))
         return float(_of_full(oscillator, np.array([A]))[0]), A
 
-    return begins(made, curve, transmits, passes, F_0)
+    found = begins(made, curve, transmits, passes, F_0)
+    if found.Omega is not None and found.Omega < moves_from:
+        return made(moves_from, 0.0, False, F_0, curve.message, curve.remarks)
+    return found
 
 
 def begins(
@@ -538,12 +545,11 @@ def _row(
     """One row, and what is said beside it, in words and as codes."""
     states = oscillator.amplitudes(Omega=Omega, F_0=F_0)
     stable = np.flatnonzero(states.stable)
-    sticks = not stable.size and oscillator.model.force(F_0, Omega) <= oscillator.model.held
     if not stable.size:
-        none = Load(Omega, F_0, 0.0 if sticks else math.nan, math.nan, 0, crosses, False, sticks)
-        said = states.message if sticks else joined(states.message, NONE_STABLE.format(Omega, F_0))
-        return none, said, states.remarks
+        none = Load(Omega, F_0, math.nan, math.nan, 0, crosses, False, False)
+        return none, joined(states.message, NONE_STABLE.format(Omega, F_0)), states.remarks
     top = stable[np.argmax(states.A[stable])]
-    detaches = bool(oscillator.breakpoints) and bool(passes(states)[stable].any())
+    motions = int(np.count_nonzero(states.A[stable]))
+    detaches = motions > 0 and bool(oscillator.breakpoints) and bool(passes(states)[stable].any())
     A, dB = float(states.A[top]), float(states.transmissibility_dB[top])
-    return Load(Omega, F_0, A, dB, stable.size, crosses, detaches, sticks), states.message, states.remarks
+    return Load(Omega, F_0, A, dB, motions, crosses, detaches, motions == 0), states.message, states.remarks

@@ -23,7 +23,7 @@ from slowflow.averaged.questions import Averaged
 from slowflow.averaged.remarks import stay_centred
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats
-from slowflow.model import THROUGHOUT, held
+from slowflow.model import THROUGHOUT
 from slowflow.moves import of_isolation
 from slowflow.results import Remark
 from slowflow_kernels import dissipation, inertia, slow_flow
@@ -347,20 +347,18 @@ def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> ManySp
     amplitudes = np.where(states.stable == 1, states.A, -math.inf)
     top = amplitudes.argmax(axis=-1)[..., np.newaxis]
     A, passes = (np.take_along_axis(one, top, -1)[..., 0] for one in (amplitudes, states.transmissibility))
-    moves = A > 0
+    moves, sticks = A > 0, A == 0
     with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
         parameters = designs.mechanism.coefficients(*rows.design)
-        preload = -np.asarray(designs.mechanism.at_rest(*parameters)[0])
-        kept = held(slow_flow.friction(rows.values["mu"]), preload)
-        force = F if designs.excitation == "force" else inertia.force(at, F)
-        sticks = ~moves & (force <= kept) & np.isin(status, (Status.OK, Status.STICKS, Status.NONE))
         detaches = moves & (first_end(designs.mechanism, parameters) < A)
-        dB = np.where(moves, 20 * np.log10(passes), np.nan)
-    status = np.where(sticks, Status.STICKS, np.where((status == Status.OK) & ~moves, Status.NONE, status))
-    flags = {"motions": np.where(moves, (states.stable == 1).sum(axis=-1), 0), "crosses": crosses}
+        dB = np.where(A >= 0, 20 * np.log10(passes), np.nan)
+    # of a way that is not known a row has the status
+    known = np.isin(status, (Status.OK, Status.STICKS, Status.NONE))
+    status = np.where(sticks & known, Status.STICKS, np.where((status == Status.OK) & ~moves, Status.NONE, status))
+    flags = {"motions": ((states.stable == 1) & (states.A > 0)).sum(axis=-1), "crosses": crosses}
     flags |= {"detaches": detaches, "sticks": sticks, "status": status}
     return ManySpectra(
-        A=np.where(moves, A, np.where(sticks, 0.0, np.nan)),
+        A=np.where(A >= 0, A, np.nan),
         transmissibility_dB=dB,
         **{name: value.astype(np.int8) for name, value in flags.items()},
         _designs=rows,

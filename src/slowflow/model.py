@@ -411,6 +411,13 @@ class Model:
         """The forcing up to which a mass at rest stays there, whatever the frequency: `held`."""
         return float(held(self.m, self.preload))
 
+    def rests(self, F_0: Any, Omega: Any) -> Any:
+        """Whether a mass at rest stays there at an excitation F_0 of frequency Omega; numbers, or arrays.
+
+        Then A = 0 is a steady state: the force on the mass does not exceed what (24) takes as A tends to 0.
+        """
+        return self.force(F_0, Omega) + 0.0 * np.asarray(Omega) <= self.held
+
     def holds(self, F_0: float) -> bool:
         """Whether a mass at rest stays there while there are motions as well.
 

@@ -310,6 +310,9 @@ def of_states(given: Given, Omega: Any, A: Any, F_0: Any, phi: Any, transmissibi
     by = (*_names(given.mechanism, given.rubs is not None), "F_0", "Omega")
     values, at = (A, phi, transmissibility), (*given.numbers, F_0, Omega)
     slopes, status = _of_places(given, (A, Omega, F_0), len(values), len(by))
+    if (rests := np.broadcast_to(np.asarray(A) == 0, status.shape)).any():  # friction holds it there as well nearby
+        slopes, status = np.array(slopes), np.array(status)
+        slopes[rests], status[rests] = 0.0, MovesStatus.OK
     return Gradient(("A", "phi", "transmissibility"), by, slopes, status, values, at)
 
 

@@ -125,6 +125,7 @@ PINT: Mapping[str, str] = MappingProxyType(
 PHRASES = (
     (r"(?<![\w/])F_0 = ", "{} = ", "amplitude"),
     (r"\b4 mu/pi = ", "4 friction/pi = ", "force"),
+    (r"\bthe inertia force ", "the inertia force ", "force"),
     (r"\bmu = ", "friction = ", "force"),
     (r"\bmu_s = ", "static_friction = ", "force"),
     (r"\btau = ", "t = ", "time"),

@@ -20,6 +20,7 @@ from slowflow.certificate import ProvedFolds
 from slowflow.gradient import Gradient
 from slowflow.measured.validity import Validity, of_states
 from slowflow.model import Floats, Model
+from slowflow.transmitted import in_motion
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import OnsetKind, Status
 from slowflow_support.errors import Refused
@@ -271,7 +272,7 @@ class InDecibels:
 class SteadyStates(InDecibels, Table):
     """Steady states, one entry each: flat arrays of one length.
 
-    Omega, A -- frequency and amplitude, dimensionless
+    Omega, A -- frequency and amplitude, dimensionless; A = 0 where friction holds the mass at rest
     stable   -- True where both eigenvalues of the Jacobian (28) have a negative real part
     F_0      -- the forcing, one number; an array with that of each state where several were asked for
     message  -- remarks in words; empty if there is nothing to say
@@ -294,7 +295,10 @@ class SteadyStates(InDecibels, Table):
 
     @cached_property
     def phi(self) -> Floats:
-        """Phase of u = A cos(Omega tau + phi) in radians, in [-pi, 0] (25); computed when first asked for."""
+        """Phase of u = A cos(Omega tau + phi) in radians, in [-pi, 0] (25); computed when first asked for.
+
+        Of a mass at rest it is the one with which it begins to move, -pi/2 without a preload.
+        """
         h = self._model.averaged(self.A)[0]
         phase = self._model.flow.phase(self.Omega, self.A, *self._model.alike(self.Omega, self.A), h)
         return frozen(np.asarray(phase) + 0 * self.A)
@@ -309,11 +313,14 @@ class SteadyStates(InDecibels, Table):
     def transmissibility(self) -> Floats:
         """Fundamental harmonic of what spring, damper and friction pass on, over `.force`, of each state.
 
-        On a base that shakes it is as well the absolute displacement of the mass over that of the base.
+        On a base that shakes it is as well the absolute displacement of the mass over that of the base. A mass at rest
+        passes on all of it: 1.
         """
         h = self._model.averaged(self.A)[0]
         m, zeta = self._model.alike(self.Omega, self.A)
-        return frozen(slow_flow.transmissibility(self.Omega, self.A, self.force, m, zeta, h))
+        with np.errstate(divide="ignore", invalid="ignore"):  # of a mass at rest on a base that hardly shakes
+            passed = slow_flow.transmissibility(self.Omega, self.A, self.force, m, zeta, h)
+        return frozen(in_motion(self.A, passed))
 
     @property
     def relative(self) -> Floats:

@@ -36,6 +36,14 @@ class Transmitted(NamedTuple):
             return Transmitted(*(20.0 * np.log10(ratio) for ratio in self))
 
 
+def in_motion(A: Any, ratio: Any) -> Any:
+    """Transmissibility of states, `ratio` of those that move: a mass at rest, A = 0, passes on all that drives it.
+
+    What is transmitted is the excitation less the inertia of the mass, which has none then.
+    """
+    return np.where(np.asarray(A) == 0, 1.0, ratio)
+
+
 def asked(of: str, *, inertial: bool) -> str:
     """`of`, one of `OF`. Raises ValueError for another one, and where the base stands still for "absolute"."""
     validate.choice("of", of, OF)

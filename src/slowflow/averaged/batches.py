@@ -24,6 +24,7 @@ from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, Floats, at_rest
 from slowflow.moves import Given, of_detachment, of_folds, of_onset, of_peak, of_states
 from slowflow.results import NOT_AVERAGED, InDecibels, Remark
+from slowflow.transmitted import in_motion
 from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
@@ -165,11 +166,16 @@ class Batch(Answer):
         said = {} if self._designs.rubs == THROUGHOUT else {"rubs": self._designs.rubs}
         return {"mechanism": self._designs.mechanism.name, "shape": self.status.shape, **said}
 
+    @property
+    def _has_remarks(self) -> npt.NDArray[np.bool_]:
+        """Of which designs there is anything to say: of a force that does not move the mass there is not."""
+        by_inertia = self._designs.excitation != "force"
+        return np.asarray((self.status != Status.INVALID) & ((self.status != Status.STICKS) | by_inertia))
+
     @cached_property
     def remarks(self) -> remarks.Codes:
         """What to bear in mind with each design's answer, sums of `slowflow.results.Remark`, as a single one has it."""
-        asked = (self.status != Status.INVALID) & (self.status != Status.STICKS)
-        return frozen(np.where(asked, self._designs.remarks(self._F_0, *self._found()), np.uint16(0)))
+        return frozen(np.where(self._has_remarks, self._designs.remarks(self._F_0, *self._found()), np.uint16(0)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -272,8 +278,7 @@ class Counted(Batch):
     def remarks(self) -> remarks.Codes:
         """As of all batches, `Remark.UNDECIDED`, `Remark.BY_BALLS` and `Remark.CUT`."""
         undecided = np.where(self.undecided, np.uint16(Remark.UNDECIDED), np.uint16(0))
-        asked = (self.status != Status.INVALID) & (self.status != Status.STICKS)
-        cut = np.where(asked & self._may_be_cut & self._are_cut, np.uint16(Remark.CUT), np.uint16(0))
+        cut = np.where(self._has_remarks & self._may_be_cut & self._are_cut, np.uint16(Remark.CUT), np.uint16(0))
         by_balls = np.where(self._by_balls, np.uint16(Remark.BY_BALLS), np.uint16(0))
         return frozen(super().remarks | undecided | by_balls | cut)
 
@@ -386,7 +391,8 @@ class Passing(InDecibels):
         """As of single `SteadyStates`; NaN in an empty place, and behind the last point. Computed when asked for."""
         with np.errstate(all="ignore"):
             force = self._force_at(self._frequency)
-            return frozen(slow_flow.transmissibility(self._frequency, self.A, force, *self._of_designs))
+            passed = slow_flow.transmissibility(self._frequency, self.A, force, *self._of_designs)
+            return frozen(in_motion(self.A, passed))
 
     @property
     def relative(self) -> Floats:
@@ -416,7 +422,8 @@ class Passing(InDecibels):
 class States(Passing, AtFrequency):
     """The steady states at one frequency and forcing, for each design; A, stable and phi have one more axis, of places.
 
-    A      -- by rising A, then NaN
+    A      -- by rising A, then NaN; 0 where friction holds the mass at rest, with `Status.STICKS` if nothing else is
+              there
     stable -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
     count  -- how many states there are, also where they are more than places
     undecided -- 1 where neither doubles nor balls tell whether there is another pair
@@ -481,8 +488,7 @@ class Peaks(Batch):
     @cached_property
     def remarks(self) -> remarks.Codes:
         """As of all batches, and `Remark.BEYOND_WELL` where there are states beyond the well."""
-        asked = (self.status != Status.INVALID) & (self.status != Status.STICKS)
-        beyond = np.where(asked & self._designs.give_way, np.uint16(Remark.BEYOND_WELL), np.uint16(0))
+        beyond = np.where(self._has_remarks & self._designs.give_way, np.uint16(Remark.BEYOND_WELL), np.uint16(0))
         return frozen(super().remarks | beyond)
 
     def _found(self) -> tuple[Any, Any, Any]:

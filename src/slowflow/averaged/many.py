@@ -40,10 +40,10 @@ from slowflow.averaged.questions import Averaged
 from slowflow.averaged.reference.defined import check_defined, may_be_undefined
 from slowflow.certificate import DOUBLES
 from slowflow.mechanism import Mechanism
-from slowflow.model import THROUGHOUT, Floats, Laws, Model, check_names
+from slowflow.model import THROUGHOUT, Floats, Laws, Model, check_names, held
 from slowflow.results import Remark
 from slowflow.unchanging import Unchanging
-from slowflow_kernels import inertia
+from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.domains import DISSIPATION
 from slowflow_support.errors import Refused
@@ -208,8 +208,24 @@ class Designs(Unchanging):
         by_balls = self._decide(of_one, columns, _undecided(columns), F_0, Omega)
         A, stable, *rest = columns
         self._leave_out_what_drifts(np.asarray(Omega, dtype=float)[..., np.newaxis], A, stable)
+        self._put_in_what_rests(Omega, F_0, columns)
         given = {"_designs": self, "_F_0": F_0, "_Omega": Omega}
         return States(A, stable, *rest, **given, _averaged=True, _by_balls=by_balls)
+
+    def _put_in_what_rests(self, Omega: Any, F_0: Any, columns: list[npt.NDArray[Any]]) -> None:
+        """States at rest first, of the designs whose mass friction holds, see `Model.rests`."""
+        A, stable, count, _, status = columns
+        with np.errstate(all="ignore"):  # a number outside its domain has a status
+            preload = -np.asarray(self.mechanism.at_rest(*self._parameters)[0]) * self.mechanism.odd
+            force = F_0 if self.excitation == "force" else inertia.force(Omega, F_0)
+            rests = np.asarray(force) + 0.0 * np.asarray(Omega) <= held(slow_flow.friction(self.values["mu"]), preload)
+        rests = rests & np.isin(status, (Status.OK, Status.STICKS, Status.NONE, Status.TOO_MANY))
+        alone, full = rests & (count == 0), rests & (count >= A.shape[-1])
+        for column, value in ((A, 0.0), (stable, 1)):
+            column[rests, 1:] = column[rests, :-1]
+            column[rests, 0] = value
+        count += rests
+        status[alone], status[full] = Status.STICKS, Status.TOO_MANY
 
     def _leave_out_what_drifts(self, Omega: Floats, A: Floats, stable: Codes) -> None:
         """States, along one more axis, are stable only if they stay about u = 0, and within its well, as well."""

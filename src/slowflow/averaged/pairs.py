@@ -5,7 +5,7 @@ It is asked once for each forcing, at all of its frequencies.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -34,6 +34,20 @@ class Pairs(NamedTuple):
     def message(self) -> str:
         """What the parts say."""
         return words.at_several(part.message for part in self.parts)
+
+
+def with_rests(at: Floats, rests: Any, Omega: Floats, columns: Mapping[str, tuple[Any, Any]]) -> dict[str, Any]:
+    """Columns of states with those at rest before the others of their frequency.
+
+    at      -- the frequencies asked for, in their order; rests -- how many states at rest there are at each
+    Omega   -- of each state, in the order of `at`
+    columns -- by name what each state has, and what one at rest has: a number, or an array of one after the other
+    """
+    several, which, times = np.unique(at, return_inverse=True, return_counts=True)
+    low, high = (np.searchsorted(np.sort(Omega), several, side) for side in ("left", "right"))
+    count = ((high - low) // times)[which]
+    before = np.repeat(np.cumsum(count) - count, rests)
+    return {name: np.insert(column, before, value) for name, (column, value) in columns.items()}
 
 
 def at_pairs(ask: Callable[[Floats, float], Any], Omega: Any, F_0: Any, names: Iterable[str]) -> Pairs:

@@ -18,7 +18,7 @@ import numpy as np
 from slowflow import validate
 from slowflow.answer import Single, joined
 from slowflow.averaged import plan, proofs, remarks, solvers, words
-from slowflow.averaged.pairs import at_pairs
+from slowflow.averaged.pairs import at_pairs, with_rests
 from slowflow.averaged.reference.defined import check_defined
 from slowflow.certificate import Certificate, ProvedFolds
 from slowflow.model import THROUGHOUT, Floats, Model
@@ -125,17 +125,18 @@ class Averaged:
 
         F_0 may be an array that broadcasts with Omega: then the points are the pairs. Flat arrays .Omega, .A, .phi,
         .stable, in the order of the points, then by rising A. Raises ValueError for Omega <= 0 or > 1e40, for F_0 <= 0,
-        and for shapes that do not broadcast. F_0 <= 4 mu/pi gives no state and a message.
+        and for shapes that do not broadcast. Where the force does not exceed 4 mu/pi friction holds the mass: A = 0 is
+        a steady state, which transmits all that drives it, and on a base that shakes moves with it.
 
         Where doubles do not tell how many there are balls of more digits do, as for `saddle_nodes`, at 200 points at
         most; `.Omega_undecided` has the frequencies at which neither does.
         """
         if validate.is_single(F_0):
-            return self._remarked(self.states(Omega=Omega, F_0=F_0), F_0)
+            return self._with_rests(self._remarked(self.states(Omega=Omega, F_0=F_0), F_0), Omega)
         allowance = proofs.Allowance()
 
         def ask(at: Floats, one: float) -> SteadyStates:
-            return self._remarked(self.states(Omega=at, F_0=one, allowance=allowance), one)
+            return self._with_rests(self._remarked(self.states(Omega=at, F_0=one, allowance=allowance), one), at)
 
         found = at_pairs(ask, Omega, F_0, ("Omega", "A", "stable"))
         beside = functools.reduce(operator.or_, (part.remarks for part in found.parts), remarks.NOTHING)
@@ -143,8 +144,19 @@ class Averaged:
         told: dict[str, Any] = {"remarks": beside, "Omega_undecided": found.undecided(), "_asked": asked}
         return SteadyStates(**found.columns, F_0=found.F_0, message=found.message(), _model=self.model, **told)
 
+    def _with_rests(self, found: SteadyStates, Omega: Any) -> SteadyStates:
+        """The states with those at which friction holds the mass."""
+        at = validate.frequencies("Omega", Omega).ravel()
+        rests = self.model.rests(found.F_0, at)
+        if not rests.any():
+            return found
+        columns = {"Omega": (found.Omega, at[rests]), "A": (found.A, 0.0), "stable": (found.stable, True)}
+        moves = words.moves_exactly(self.model, self.model.force(found.F_0, at))
+        told: dict[str, Any] = with_rests(at, rests, found.Omega, columns)
+        return dataclasses.replace(found, **told, message=joined(found.message, moves))
+
     def states(self, *, Omega: Any, F_0: float, allowance: proofs.Allowance | None = None) -> SteadyStates:
-        """`amplitudes` without the remarks on averaging: what another approximation starts from."""
+        """`amplitudes` of masses that move, without the remarks on averaging: what other approximations start from."""
         at = validate.frequencies("Omega", Omega).ravel()
         allowance = allowance or proofs.Allowance()
         try:

@@ -60,6 +60,11 @@ OPEN = (
     "no lowest amplitude of the excitation is attained: folds come ever lower as they go to higher amplitudes or Omega"
 )
 
+MOVES_EXACTLY = (
+    "by the equation of motion friction holds the mass up to mu = {:g} only: from there to 4 mu/pi it moves a little, "
+    "with stops"
+)
+
 ASKED_ENOUGH = "balls were asked {} times, and at others not"
 
 #: of proofs
@@ -106,7 +111,8 @@ def of_states(model: Model, F_0: float, cut: str, Omega: Floats, found: Floats, 
     found     -- frequencies of the states
     undecided -- those of the frequencies asked for at which their number is
     """
-    none = without_a_state(np.setdiff1d(Omega, undecided), found)
+    moves = Omega[~model.rests(F_0, Omega)]
+    none = without_a_state(np.setdiff1d(moves, undecided), found)
     return joined(cut, none, sticks_below(model, F_0, Omega), undecided_at(undecided))
 
 
@@ -272,16 +278,23 @@ def without_a_state(Omega: Floats, found: Floats) -> str:
 
 def sticks_below(model: Model, F_0: float, Omega: Floats) -> str:
     """That the force of an excitation by inertia does not move the mass at the lower ones of the frequencies."""
-    if not model.inertial or not np.any(model.force(F_0, Omega) <= model.held):
+    if not model.inertial or not np.any(model.rests(F_0, Omega)):
         return ""
     with np.errstate(over="ignore"):  # beyond any double it is at all
         begin = inertia.moves_from(F_0, model.held)
     if model.preload > 0:
         return (
-            f"a mass at rest stays there up to Omega = {begin:g}: the force F_0 Omega^2 does not exceed "
+            f"a mass at rest stays there up to Omega = {begin:g}: the inertia force does not exceed "
             f"4/pi sqrt(mu^2 + c^2) = {model.held:g} there, c being the preload"
         )
-    return f"sticks up to Omega = {begin:g}: the force F_0 Omega^2 does not exceed 4 mu/pi there"
+    return f"sticks up to Omega = {begin:g}: the inertia force does not exceed 4 mu/pi = {model.m:g} there"
+
+
+def moves_exactly(model: Model, force: Floats) -> str:
+    """That by the equation of motion a mass that averaging has at rest under forces of these amplitudes moves."""
+    if model.preload > 0 or not np.any((force > model.mu) & (force <= model.held)):
+        return ""
+    return MOVES_EXACTLY.format(model.mu)
 
 
 def at_several(messages: Iterable[str]) -> str:

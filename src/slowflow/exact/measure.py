@@ -71,7 +71,9 @@ def states(system: EquationOfMotion, found: Any, B: Floats | None = None) -> Mea
     columns = (column.tolist() for column in (found.Omega, found.A, found.phi, forcing, means))
     for i, (Omega, A, phi, F_0, mean) in enumerate(zip(*columns, strict=True)):
         motion = None
-        for share in TRIALS if Omega > 0.0 else ():
+        if A == 0.0 and Omega > 0.0:
+            motion = shooting.comes_to_rest(system, Omega, F_0, mean, 0.0)
+        for share in TRIALS if Omega > 0.0 and A > 0.0 else ():
             motion = shooting.near(system, Omega, F_0, (share * A, phi), B=mean)
             if motion is not None:
                 break
@@ -82,13 +84,18 @@ def states(system: EquationOfMotion, found: Any, B: Floats | None = None) -> Mea
     return Measured(
         Omega=found.Omega.copy(),
         A=np.array([np.nan if motion is None else motion.A for motion in motions]),
-        error=np.array([np.nan if m is None else A / m.A - 1.0 for m, A in zip(motions, largest, strict=True)]),
+        error=np.array([np.nan if m is None else _error(A, m.A) for m, A in zip(motions, largest, strict=True)]),
         stable=np.array([motion is not None and motion.stable for motion in motions], dtype=bool),
         stops=np.array([0 if motion is None else motion.stops for motion in motions], dtype=np.intp),
         found=np.array([motion is not None for motion in motions], dtype=bool),
         reason=np.array(reasons, dtype=np.str_),
         message=_told(reasons, "states"),
     )
+
+
+def _error(A: float, exact: float) -> float:
+    """Relative error of an amplitude; none where both are 0, of a mass at rest."""
+    return 0.0 if A == exact else A / exact - 1.0
 
 
 def _one_each(

@@ -75,6 +75,8 @@ def steady_state(
         return _from_rest(averaged, system, Omega, F_0, u_0, v_0)
     if u_0 is not None or v_0 != 0:
         raise Refused(BOTH.format("A"))
+    if shooting.only_rests(system, Omega, F_0):
+        return _from_rest(averaged, system, Omega, F_0)
     shooting.check_forcing(system, Omega, F_0)
     if not system.centred:
         return _off_centre(averaged, system, Omega, F_0, wanted)
@@ -107,7 +109,7 @@ def _off_centre(
     So does the amplitude itself about the mean of each, at resonance: averaging does not know all motions.
     Where none leads to one by Newton's iteration, what the nearest of them settles to.
     """
-    found, states = [], list(_states(averaged, Omega, F_0))
+    found, states = [], _states(averaged, Omega, F_0)
     for state in states:
         own = [(A - abs(state.B), -math.pi / 2)] if abs(state.B) < A else []
         for guess in ((state.A, state.phi), *own):
@@ -314,21 +316,23 @@ def _from_rest(
     Where that takes too many turns, the only one that averaging knows of.
     """
     u, v, said = _beginning(averaged, system, u_0, v_0)
+    if (resting := shooting.comes_to_rest(system, Omega, F_0, u, v)) is not None:
+        return dataclasses.replace(resting, message=said)
     try:
         return dataclasses.replace(shooting.steady_state(system, Omega=Omega, F_0=F_0, u_0=u, v_0=v), message=said)
     except shooting.NotPeriodic:
-        states: Any = averaged.states(Omega=Omega, F_0=F_0) if system.centred else _states(averaged, Omega, F_0)
-        if states.A.size == 1:
-            B = 0.0 if system.centred else float(states.B[0])
-            found = shooting.near(system, Omega, F_0, (float(states.A[0]), float(states.phi[0])), B=B)
+        states = list(averaged.states(Omega=Omega, F_0=F_0)) if system.centred else _states(averaged, Omega, F_0)
+        if len(states) == 1:
+            B = 0.0 if system.centred else states[0].B
+            found = shooting.near(system, Omega, F_0, (states[0].A, states[0].phi), B=B)
             if found is not None and found.stable:
                 return dataclasses.replace(found, message=said)
         raise
 
 
-def _states(averaged: Any, Omega: float, F_0: float) -> Any:
-    """States off the centre: `OffCentreStates`."""
-    return averaged.amplitudes(Omega=Omega, F_0=F_0)
+def _states(averaged: Any, Omega: float, F_0: float) -> list[Any]:
+    """States of `OffCentreStates` in which the mass moves."""
+    return [state for state in averaged.amplitudes(Omega=Omega, F_0=F_0) if state.A > 0]
 
 
 def _guesses(averaged: Averaged, Omega: float, F_0: float, A: float) -> list[tuple[float, float]]:

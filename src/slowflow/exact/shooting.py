@@ -397,6 +397,11 @@ def stays_at_rest(system: EquationOfMotion, Omega: float, F_0: float, u: float =
     return system.forcing(Omega=Omega, F_0=F_0) + _pull(system, u) <= system.holds(region)
 
 
+def only_rests(system: EquationOfMotion, Omega: float, F_0: float) -> bool:
+    """Whether every motion comes to rest: kinetic friction on all of the way takes more than such a force gives."""
+    return system.forcing(Omega=Omega, F_0=F_0) <= system.mu and not system.released
+
+
 def _pull(system: EquationOfMotion, u: float) -> float:
     """What spring and load together push with at u; 0 where they balance but for rounding."""
     at = system.force.value(u)
@@ -414,18 +419,52 @@ def check_forcing(
     """
     check_numbers(system, Omega, F_0)
     force = system.forcing(Omega=Omega, F_0=F_0)
-    told = f"F_0 Omega^2 = {F_0} {Omega}^2" if system.inertial else f"F_0 = {F_0}"
-    if force <= system.mu and not system.released:
-        raise Refused(f"{told} does not exceed mu = {system.mu}: friction holds the mass for ever, it never moves")
+    told = f"the inertia force {force:g} at Omega = {Omega:g}" if system.inertial else f"F_0 = {F_0:g}"
+    if only_rests(system, Omega, F_0):
+        raise Refused(f"{told} does not exceed mu = {system.mu:g}: friction holds the mass for ever, it never moves")
     if begins is not None and begins[1] == 0 and stays_at_rest(system, Omega, F_0, begins[0]):
         region, pull = system.force.region_of(begins[0]), _pull(system, begins[0])
         told += f" and the push {pull:g} of the spring at u = {begins[0]:g}, together," if pull else ""
         name = "mu_s" if system.mu_s > system.mu else "mu"
         name += " and what the force jumps to at u = 0, together" if system.force.jump else ""
         raise Refused(
-            f"{told} does not exceed {name} = {system.holds(region)}: friction holds a mass at rest for ever; of "
+            f"{told} does not exceed {name} = {system.holds(region):g}: friction holds a mass at rest for ever; of "
             "motions beside that, if there are any, steady_state has the one next to A="
         )
+
+
+def comes_to_rest(system: EquationOfMotion, Omega: float, F_0: float, u: float, v: float) -> SteadyState | None:
+    """The place at which a motion from (u, v) stays at rest for ever, as a steady state; None where it moves on."""
+    check_numbers(system, Omega, F_0)
+    if v == 0 and stays_at_rest(system, Omega, F_0, u):
+        return held(system, Omega, F_0, u)
+    if not only_rests(system, Omega, F_0):
+        return None
+    end = settle(Forced(system, Omega, F_0, default_integrator(system)), 0.0, u, v, lengths(system), MOST_TURNS)
+    return held(system, Omega, F_0, end.u) if at_rest(end.phases) else None
+
+
+def held(system: EquationOfMotion, Omega: float, F_0: float, u: float) -> SteadyState:
+    """A mass that friction holds at u for ever, as a steady state: about any place nearby it would as well.
+
+    A deviation of u stays, and one of the velocity ends: the multipliers are 1 and 0, and it is stable.
+    """
+    check_numbers(system, Omega, F_0)
+    region, integrator = system.force.region_of(u), default_integrator(system)
+    phase = Phase(0, region, 0.0, u, 0.0, TURN, u, 0.0, 0)
+    return SteadyState(
+        Omega=Omega,
+        F_0=F_0,
+        A=abs(u),
+        stops=1,
+        multipliers=np.array([1.0, 0.0], dtype=np.complex128),
+        half_multipliers=None,
+        stable=True,
+        symmetric=False,
+        cycle=Cycle(system, integrator, ((0, region),), 2),
+        unknowns=np.array([u, 0.0, TURN, Omega]),
+        phases=[phase],
+    )
 
 
 def check_numbers(system: EquationOfMotion, Omega: float, F_0: float) -> None:

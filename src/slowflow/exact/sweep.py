@@ -24,7 +24,6 @@ from slowflow.exact.shooting import (
     SteadyState,
     at_rest,
     calmed,
-    check_forcing,
     check_numbers,
     from_start,
     lengths,
@@ -115,7 +114,6 @@ def sweep(
         raise Refused(f"Omega must be a non-empty list of frequencies, not an array of shape {frequencies.shape}")
     for frequency in frequencies:
         check_numbers(system, float(frequency), F_0)
-    check_forcing(system, float(frequencies.max()), F_0, begins=(u_0, v_0))
     by = integrator or default_integrator(system)
 
     def through(Omega: Array, u: float, v: float) -> Visited:

@@ -18,6 +18,7 @@ from slowflow.off_centre import moves
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.moves import Given
 from slowflow.results import DRAWN, NOT_ASKED, InDecibels, Measured, MeasuredFolds, Measures, Remark
+from slowflow.transmitted import in_motion
 from slowflow_kernels.conventions import Pinned
 from slowflow_support.errors import Refused
 
@@ -122,7 +123,8 @@ class RestPositions(Balanced, Table):
 class OffCentreStates(AveragedOff, InDecibels, Table):
     """Steady states u = B + A cos(Omega tau + phi), one entry each, by the order of the frequencies, then by rising A.
 
-    Omega, A, B -- frequency, amplitude and mean displacement, dimensionless; `u_max` is the largest |u|, |B| + A
+    Omega, A, B -- frequency, amplitude and mean displacement, dimensionless; `u_max` is the largest |u|, |B| + A. Where
+                   friction holds the mass A = 0, and B each stable place of rest, about which it may hold it as well
     stable      -- where F_A (30) along the balance of the mean is positive, and the mean stiffness too
     F_0, load   -- forcing, an array with that of each state where several were asked for, and static load over k_v L
     message     -- remarks in words; empty if there is nothing to say
@@ -162,7 +164,9 @@ class OffCentreStates(AveragedOff, InDecibels, Table):
 
         On a base that shakes it is as well the absolute displacement of the mass over that of the base.
         """
-        return frozen(np.asarray(self._flow.transmissibility(self.Omega, self.A, self.F_0, self._h)) + 0 * self.A)
+        with np.errstate(divide="ignore", invalid="ignore"):  # of a mass at rest on a base that hardly shakes
+            passed = self._flow.transmissibility(self.Omega, self.A, self.F_0, self._h)
+        return frozen(in_motion(self.A, passed))
 
     def measure(self, force: str | None = None) -> Measured:
         """How far each state is from the equation of motion, here and now; see `SteadyStates.measure`.

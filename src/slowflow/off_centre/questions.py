@@ -279,25 +279,43 @@ class OffCentre(Unchanging):
         at = validate.frequencies("Omega", Omega).ravel()
         F_0 = validate.number("F_0", F_0, above=0.0)
         self._check_answered("amplitudes")
+        x, of, undecided = np.empty((2, 0)), np.empty(0, dtype=np.intp), np.empty(0, dtype=np.intp)
+        rests = np.flatnonzero(self._flow.force(F_0, at) <= self._m)
+        places = self._rest_places() if rests.size else of
+        held = np.stack((np.zeros(rests.size * places.size), np.tile(places, rests.size)))
         if self._flow.sticks(F_0) or not at.size:
             said = _Said(STICKS.format(F_0, self._m)) if self._flow.sticks(F_0) else _Said()
-            return self._states(at, np.empty(0), np.empty(0), F_0, said, np.empty(0), np.empty(0, int))
-        x, of, undecided = np.empty((2, 0)), np.empty(0, dtype=np.intp), np.empty(0, dtype=np.intp)
+            said = said.beside(_Said(self._moves_exactly(F_0, at)))
+            return self._states(at, held[0], held[1], F_0, said, np.empty(0), np.repeat(rests, places.size))
         moves = np.flatnonzero(self._flow.force(F_0, at) > self._m)
         if moves.size and not self._keeps_centre:
             x, of, undecided = self._complete.states(at[moves], F_0)
             of, undecided = moves[of], moves[undecided]
         if self._complete.has_centre:
-            centred = Averaged(self._model).amplitudes(Omega=at, F_0=F_0)
+            centred = Averaged(self._model).states(Omega=at, F_0=F_0)
             of_centred = np.concatenate([np.flatnonzero(at == Omega) for Omega in np.unique(centred.Omega)] or [of])
             of_centred = np.repeat(of_centred, [int((centred.Omega == at[i]).sum()) for i in of_centred])
             x, of = self._with_centred(x, of, centred.A, of_centred)
             undecided = np.concatenate((undecided, np.flatnonzero(np.isin(at, centred.Omega_undecided))))
+        x, of = np.concatenate((x, held), axis=1), np.concatenate((of, np.repeat(rests, places.size)))
         order = np.lexsort((x[1], x[0], of))
         missing = np.unique(at[undecided])
         said = _Said(UNDECIDED.format(_listed(missing)), Remark.UNDECIDED) if missing.size else _Said()
         said = said.beside(_Said(words.sticks_below(self._model, F_0, at)))
+        said = said.beside(_Said(self._moves_exactly(F_0, at)))
         return self._states(at, x[0, order], x[1, order], F_0, said, missing, of[order])
+
+    def _rest_places(self) -> Floats:
+        """The stable places of rest; in a play, where each is one, u = 0."""
+        try:
+            at_rest = self.rest()
+        except ArithmeticError:
+            return np.zeros(1)
+        return at_rest.u[at_rest.stable]
+
+    def _moves_exactly(self, F_0: float, at: Floats) -> str:
+        """What is said of a mass at rest in averaging only."""
+        return words.moves_exactly(self._model, self._flow.force(F_0, at))
 
     @property
     def _keeps_centre(self) -> bool:
@@ -674,7 +692,7 @@ class OffCentre(Unchanging):
         with np.errstate(all="ignore"):
             h, h_A, *_ = self._along(A, means)
             turns = np.asarray(self._flow.F_A(Omega, A, h, h_A))
-        return (turns > 0) & (means.c[1] > 0), np.asarray(h)
+        return ((turns > 0) | (A == 0)) & (means.c[1] > 0), np.asarray(h)
 
     def _response(self, found: Curves, F_0: float, said: _Said) -> OffCentreResponse:
         stable, h = self._stability(found.Omega, found.A, found.B)

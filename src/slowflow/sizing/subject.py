@@ -397,8 +397,7 @@ class _Batch:
         if name == "A_spectrum":
             return np.asarray(rows.A.max(axis=-1))
         if name == "transmissibility_spectrum":
-            share = np.where(rows.sticks == 1, 0.0, 10 ** (rows.transmissibility_dB / 20)).max(axis=-1)
-            return np.where(share > 0, share, np.nan)
+            return np.asarray(10 ** (rows.transmissibility_dB.max(axis=-1) / 20))
         counted = np.asarray(getattr(rows, ROWS[name])) > (1 if name == "rows_several" else 0)
         return np.where(known, counted.sum(axis=-1), np.nan)
 
@@ -424,12 +423,11 @@ def _pair(name: str, value: Any, what: str) -> Any:
 
 
 def _of_the_largest(states: States, name: str) -> Floats:
-    """Of the stable motion with the largest amplitude; NaN where there is none, but A = 0 where the mass sticks."""
+    """Of the stable state with the largest amplitude, at rest where the mass sticks; NaN where there is none."""
     A = np.where(states.stable == 1, states.A, -math.inf)
     largest = np.argmax(A, axis=-1)[..., np.newaxis]
     found = np.take_along_axis(np.asarray(getattr(states, name)), largest, -1)[..., 0]
-    found = np.where(A.max(axis=-1) > 0, found, np.nan)
-    return np.where(states.status == Status.STICKS, 0.0, found) if name == "A" else found
+    return np.where(A.max(axis=-1) >= 0, found, np.nan)
 
 
 def first_jump(folds: Folds, up: bool) -> Floats:

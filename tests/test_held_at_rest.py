@@ -1,0 +1,122 @@
+"""A mass that friction holds is a steady state: against an integration of the equation of motion of this file alone."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from slowflow import Duffing, Isolator
+from slowflow_kernels.conventions import Status
+
+MOUNT = Isolator.physical(
+    m=25, k_v=9000, k_h=4000, n=3, L=0.08, preload=0.006, friction=3.6, zeta=0.03, excitation="base"
+)
+
+
+def slips(force: float, Omega: float, mu: float, alpha: float, zeta: float, *, turns: int = 3) -> float:
+    """Largest |u| of u'' + 2 zeta u' + mu sign(u') + alpha u = force cos(Omega tau) from rest at u = 0.
+
+    Explicit midpoint steps; the mass breaks away where the push at u' = 0 exceeds mu, and stops where u' changes sign.
+    """
+    steps = 4000 * turns
+    h = 2 * math.pi * turns / Omega / steps
+    u = v = largest = 0.0
+    for k in range(steps):
+        tau = k * h
+        if v == 0.0:
+            push = force * math.cos(Omega * tau) - alpha * u
+            if abs(push) <= mu:
+                continue
+            side = math.copysign(1.0, push)
+        else:
+            side = math.copysign(1.0, v)
+
+        def slope(at: float, u: float, v: float, side: float = side) -> float:
+            return force * math.cos(Omega * at) - alpha * u - 2 * zeta * v - mu * side
+
+        middle = v + 0.5 * h * slope(tau, u, v)
+        u, new = u + h * middle, v + h * slope(tau + 0.5 * h, u + 0.5 * h * v, middle)
+        v = 0.0 if new * side <= 0 else new
+        largest = max(largest, abs(u))
+    return largest
+
+
+@pytest.mark.parametrize("excitation", ["force", "base", "unbalance"])
+def test_friction_holds_the_mass_up_to_the_force_at_which_it_breaks_away(excitation):
+    mu, zeta, alpha, Omega = 0.01, 0.05, 1.0, 0.8
+    iso = Duffing(alpha, 0.0, mu=mu, zeta=zeta, excitation=excitation)
+    for share in (0.5, 0.999, 1.02, 1.2, 1.5):
+        F_0 = share * mu / (Omega**2 if excitation != "force" else 1.0)
+        moved = slips(share * mu, Omega, mu, alpha, zeta)
+        assert (moved == 0) == (share < 1)
+        found = iso.steady_state(Omega=Omega, F_0=F_0)
+        assert (found.A == 0) == (moved == 0) and found.stable
+        sweep = iso.sweep(Omega=[Omega, Omega * 0.999], F_0=F_0)
+        assert sweep.A[0] == found.A and sweep.settled.all()
+        # averaging has it at rest up to 4 mu/pi, and says so where it is not
+        states = iso.amplitudes(Omega=Omega, F_0=F_0)
+        assert (states.A[0] == 0) == (share < 4 / math.pi)
+        assert ("by the equation of motion" in states.message) == (1 < share < 4 / math.pi)
+        if share < 1:
+            assert states.transmissibility.tolist() == [1.0] and states.stable.all()
+            assert np.array(found.transmitted()[:2]) == pytest.approx([1.0, 1.0], rel=1e-12)
+            assert states.measure().A.tolist() == [0.0] and states.measure().error.tolist() == [0.0]
+
+
+def test_a_mass_that_friction_holds_rides_with_the_floor():
+    """At 1 Hz and 1 mm the floor's acceleration asks for m (2 pi f)^2 Y = 0.99 N of the 3.6 N that friction has."""
+    states = MOUNT.amplitudes(f=[4.0, 1.0], F=0.001)
+    assert states.f.tolist() == [4.0, 1.0] and states.A[1] == 0 and states.stable.all()
+    assert states.transmissibility_dB[1] == 0 and states.transmissibility_dB[0] > 0
+    assert "no steady state" not in states.message
+    assert "the inertia force does not exceed 4 friction/pi = 4.5837 N" in states.message
+    found = MOUNT.steady_state(f=1.0, F=0.001)
+    assert found.A == 0 and found.answer.transmitted("absolute").first == pytest.approx(1.0, rel=1e-12)
+    rows = MOUNT.spectrum(f=[1.0, 4.0], F=[0.001, 0.001])
+    assert rows.transmissibility_dB[0] == 0 and rows.A[0] == 0 and rows.sticks.tolist() == [True, False]
+    slopes = states.gradient().slopes[1]
+    assert not slopes.any()
+    with pytest.raises(ValueError, match=r"the inertia force 0.98696\d* N at f = 1 Hz does not exceed friction"):
+        MOUNT.exact_response(F=0.001, f=(0.5, 1.0))
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("excitation", ["force", "base"])
+def test_a_batch_has_what_single_answers_have_of_masses_that_friction_holds(excitation):
+    Omega, F_0 = np.array([0.4, 0.9, 1.4]), 0.012
+    mu = np.array([0.0, 0.004, 0.03])[:, np.newaxis]
+    many = Duffing.many(1.0, 0.2, mu=mu, zeta=0.05, excitation=excitation)
+    found = many.amplitudes(Omega=Omega, F_0=F_0)
+    rows = many.spectrum(Omega=np.array([[0.4, 0.9, 1.4]]), F_0=F_0)
+    held = 0
+    for i, one in enumerate(mu.ravel()):
+        for j, at in enumerate(Omega):
+            single = Duffing(1.0, 0.2, mu=one, zeta=0.05, excitation=excitation).amplitudes(Omega=at, F_0=F_0)
+            A = found.A[i, j][: found.count[i, j]]
+            assert A == pytest.approx(single.A, rel=1e-12) and found.count[i, j] == len(single) >= 1
+            passed = found.transmissibility[i, j][: A.size]
+            assert passed == pytest.approx(single.transmissibility, rel=1e-12)
+            assert found.status[i, j] == (Status.STICKS if A[0] == 0 else Status.OK)
+            held += A[0] == 0
+    assert held >= 3 and np.array_equal(rows.sticks[..., 0, :].ravel()[:1], [0])
+    assert not np.isnan(rows.transmissibility_dB).any()
+
+
+def test_under_a_load_the_mass_rests_where_the_spring_carries_it():
+    """f(u) = u + 0.3 u^3 = 0.2 at u = 0.1977, by Cardano."""
+    iso = Duffing(1.0, 0.3, mu=0.02, zeta=0.05, load=0.2)
+    half = 0.2 / 0.3 / 2
+    root = math.sqrt(half**2 + (1 / 0.3 / 3) ** 3)
+    u = float(np.cbrt(half + root) + np.cbrt(half - root))
+    states = iso.amplitudes(Omega=[0.7, 0.9], F_0=0.01)
+    assert states.A.tolist() == [0.0, 0.0] and states.B == pytest.approx([u, u], rel=1e-12)
+    assert states.transmissibility.tolist() == [1.0, 1.0] and states.stable.all()
+    found = iso.steady_state(Omega=0.7, F_0=0.01)
+    assert found.A == pytest.approx(u, rel=1e-12) and found.harmonics(1)[1] == pytest.approx(0.0, abs=1e-13)
+
+
+def test_a_softly_thrown_mass_comes_to_rest_elsewhere():
+    found = Duffing(1.0, 0.0, mu=0.05, zeta=0.05).steady_state(Omega=0.8, F_0=0.01, u_0=0.5)
+    assert 0 < found.A <= 0.05 + 0.01 and found.stops == 1
