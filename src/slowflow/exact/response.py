@@ -10,6 +10,7 @@ import functools
 import itertools
 import math
 from collections.abc import Iterator
+from contextvars import Context
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar, NamedTuple
 
@@ -249,7 +250,15 @@ def _is_stable(point: Point) -> bool:
 
 
 def _settles_higher(F_0: float, fold: Point, Omega: float) -> bool:
-    """Whether the motion of a fold, at a frequency just beyond it, comes to a larger one; also if it escapes."""
+    """Whether the motion of a fold, at a frequency just beyond it, comes to a larger one; also if it escapes.
+
+    With steps of its own: a part of a curve has used up those of the question.
+    """
+    return Context().run(_comes_higher, F_0, fold, Omega)
+
+
+@limited()
+def _comes_higher(F_0: float, fold: Point, Omega: float) -> bool:
     cycle = fold.cycle
     state = describe(cycle, fold.z, F_0, fold.monodromy)._state(0.0)
     try:
