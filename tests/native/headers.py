@@ -1,6 +1,6 @@
 """The generated C headers as Python functions: a folder for the shared library in, callables out.
 
-Every `static inline` function of `generated/c` gets a wrapper `void wrap_NAME(const double *in, double *out)`.
+Every function of `generated/c` gets a wrapper `void wrap_NAME(const double *in, double *out)`.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ HEADERS = ROOT / "generated" / "c"
 INCLUDES = [f"-I{HEADERS}", f"-I{ROOT / 'src' / 'slowflow' / 'native'}"]
 WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
 FLAGS = ["-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"]
-PROTOTYPE = re.compile(r"^(?:static inline|TWOFOLD_INLINE) (double|void) (\w+)\(([^)]*)\)", re.MULTILINE)
+PROTOTYPE = re.compile(r"^(?:SF_KERNEL|SF_TWOFOLD) (double|void) (\w+)\(([^)]*)\)", re.MULTILINE)
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 WORD = re.compile(r"\b[A-Za-z_]\w*\b")
 #: names that a macro of the solvers puts together begin so

@@ -94,10 +94,11 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
             ratio, rest, unknown, unknown, truncation, NOT_MEASURED_LAWS if model.laws.any else NOT_MEASURED
         )
     chosen = _bin(measured.RATIOS, ratio), _bin(measured.RESTS, rest)
-    typical, error = (np.array(sizes)[chosen] for sizes in (measured.TYPICAL, measured.ERROR))
+    # a mass that friction holds is not averaged: its state is exact
+    typical, error = (np.where(A > 0, np.array(sizes)[chosen], 0.0) for sizes in (measured.TYPICAL, measured.ERROR))
     truncation = _truncation(model, A)
     remarks = []
-    stopping = rest >= measured.STOPS_FROM
+    stopping = (rest >= measured.STOPS_FROM) & (A > 0)
     if stopping.any():
         remarks.append(
             f"the mass stops within the cycle, or nearly so, in {np.count_nonzero(stopping)} of {A.size} states "
