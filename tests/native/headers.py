@@ -20,7 +20,7 @@ HEADERS = ROOT / "generated" / "c"
 INCLUDES = [f"-I{HEADERS}", f"-I{ROOT / 'src' / 'slowflow' / 'native'}"]
 WARNINGS = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
 FLAGS = ["-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off"]
-PROTOTYPE = re.compile(r"^(?:SF_KERNEL|SF_TWOFOLD) (double|void) (\w+)\(([^)]*)\)", re.MULTILINE)
+PROTOTYPE = re.compile(r"^(?:static inline|SF_KERNEL|SF_TWOFOLD) (double|void) (\w+)\(([^)]*)\)", re.MULTILINE)
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 WORD = re.compile(r"\b[A-Za-z_]\w*\b")
 #: names that a macro of the solvers puts together begin so
