@@ -6,8 +6,10 @@ import math
 import mpmath as mp
 import numpy as np
 import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
 
-from slowflow import Duffing, Isolator
+from slowflow import Duffing, Isolator, derive
 from slowflow.exact import EquationOfMotion, Force, Law, Piece, linear, steady_state, sweep
 from slowflow.exact import compiled as exact_compiled
 from slowflow.exact.compiled import default_integrator
@@ -306,3 +308,99 @@ def test_errors_in_words():
         Force(linear().pieces * 2, (-0.3,))
     with pytest.raises(ValueError, match="guess"):
         steady_state(system, (-0.1, 0.0), Omega=0.9, F_0=0.04)
+
+
+def of_duffing(alpha, beta, zeta, Omega, F_0, turns, state=(0.0, 0.0)):
+    """States of u'' + 2 zeta u' + alpha u + beta u^3 = F_0 cos(Omega tau) at the start of each turn, by SciPy."""
+    period = 2.0 * math.pi / Omega
+
+    def rates(tau, y):
+        return y[1], F_0 * math.cos(Omega * tau) - 2.0 * zeta * y[1] - (alpha + beta * y[0] ** 2) * y[0]
+
+    tau = period * np.arange(turns + 1)
+    return solve_ivp(rates, (0.0, tau[-1]), state, "DOP853", t_eval=tau, rtol=1e-10, atol=1e-11).y.T
+
+
+#: oscillators whose mass at rest comes to a motion of that many turns, though one of the forcing's period is stable
+SUBHARMONICS = [
+    (4, 0.0, 1.0, 0.0165, 2.0728, 8.299),
+    (5, 1.0, 1.0, 0.023445493449886168, 1.8718700791064578, 13.930319776119541),
+    (9, 1.0, 1.0, 0.012621976287343788, 1.2951689005020457, 14.742921937607141),
+    (2, 1.0, 1.0, 0.004654737533130629, 2.2502135050903855, 8.827226224864216),
+]
+
+
+@pytest.mark.parametrize(
+    "turns, alpha, beta, zeta, Omega, F_0",
+    [SUBHARMONICS[0], *(pytest.param(*one, marks=pytest.mark.slow) for one in SUBHARMONICS[1:])],
+)
+def test_the_motion_that_the_mass_comes_to_not_one_that_it_goes_round(turns, alpha, beta, zeta, Omega, F_0):
+    followed = of_duffing(alpha, beta, zeta, Omega, F_0, math.ceil(12.0 * Omega / (2.0 * math.pi * zeta)))
+    found = Duffing(alpha, beta, zeta=zeta).steady_state(Omega=Omega, F_0=F_0)
+    assert found.period * Omega / (2.0 * math.pi) == pytest.approx(turns)
+    assert found.stable and not found.message
+    # of a motion of so many turns it is in one of them
+    _, u, v = found.series(turns)
+    away = np.abs(np.column_stack((u, v)) - followed[-1]).max(axis=1)
+    assert away.min() < 1e-3 * found.A
+    assert np.abs(followed[-1] - followed[-1 - turns]).max() < 1e-3 * found.A
+    shorter = [np.abs(followed[-1] - followed[-1 - fewer]).max() for fewer in range(1, turns)]
+    assert min(shorter) > 0.01 * found.A
+
+
+def test_a_motion_that_is_not_what_the_mass_was_seen_to_come_to_says_so(monkeypatch):
+    monkeypatch.setattr("slowflow.exact.shooting.MOST_TURNS", 12)
+    found = Duffing(1.0, 0.1, zeta=0.001).steady_state(Omega=0.8, F_0=0.1)
+    assert "not one that the mass was seen to come to" in found.message and "after 12 turns" in found.message
+    mount = Isolator.physical(m=25, k_v=9000, k_h=4000, n=3, L=0.08, preload=0.0, zeta=0.001)
+    assert "not one that the mass was seen" in mount.steady_state(f=3.3, F=2.0).message
+
+
+@pytest.mark.parametrize("Omega", [1.5, *(pytest.param(one, marks=pytest.mark.slow) for one in (1.495, 1.52))])
+def test_a_motion_that_turns_downwards_once_in_two_turns_is_closed(Omega):
+    """Two springs of which one leaves at u = 4, under a load: by SciPy, from a mass at rest where it rests."""
+    u, al, b = sp.Symbol("u", real=True), sp.Symbol("al", positive=True), sp.Symbol("b", positive=True)
+    made = derive.mechanism("two_springs", [(al * u, b), (u - (1 - al) * b, None)], {"al": {}, "b": {}})
+    found = made(al=0.25, b=4.0, zeta=0.02, load=1.2).steady_state(Omega=Omega, F_0=1.0)
+    period, tau = 2.0 * math.pi / Omega, found.series(2)[0]
+
+    def rates(tau, y):
+        spring = 0.25 * y[0] if abs(y[0]) <= 4.0 else y[0] - math.copysign(3.0, y[0])
+        return y[1], math.cos(Omega * tau) + 1.2 - 0.04 * y[1] - spring
+
+    last = solve_ivp(rates, (0.0, 160.0 * period), (4.2, 0.0), "DOP853", rtol=1e-9, atol=1e-9, max_step=0.1 * period)
+    (turned,) = solve_ivp(
+        rates,
+        (0.0, 2.0 * period),
+        last.y[:, -1],
+        "DOP853",
+        rtol=1e-9,
+        atol=1e-9,
+        max_step=0.02 * period,
+        events=lambda _, y: y[1],
+    ).y_events
+    assert turned[:, 0].max() == pytest.approx(found.A, rel=1e-5)
+    assert tau[1] == pytest.approx(period)
+    if Omega == 1.5:
+        assert found.A == pytest.approx(6.11521, abs=1e-5)
+        assert np.abs(found.multipliers) == pytest.approx(0.846, abs=1e-3)
+
+
+def test_a_motion_is_stable_where_both_of_its_multipliers_are_small():
+    """Of three motions at one frequency what begins beside the middle one leaves it, by SciPy, and not the others.
+
+    The product of the multipliers is exp(-2 zeta times the period), whatever the motion: one alone is always small.
+    """
+    oscillator, given = Duffing(1.0, 1.0, zeta=0.05), {"Omega": 1.6, "F_0": 0.3}
+    motions = [oscillator.steady_state(**given, A=A) for A in (0.2, 1.2, 1.5)]
+    curve = oscillator.exact_response(0.3, Omega=(1.2, 2.5), step=0.1)
+    for motion in motions:
+        ((_,), (u,), (v,)) = motion.series(1)
+        beside = of_duffing(1.0, 1.0, 0.05, **given, turns=30, state=(u + 1e-4, v))
+        stays = bool(np.hypot(*(beside[-1] - (u, v))) < 1e-4)
+        assert motion.stable == stays
+        assert np.prod(motion.multipliers).real == pytest.approx(math.exp(-0.1 * motion.period))
+    assert [motion.stable for motion in motions] == [True, False, True]
+    first, last = sorted(int(np.argmin(np.hypot(curve.Omega - fold.Omega, curve.A - fold.A))) for fold in curve.folds)
+    assert last > first + 3 and not curve.stable[first : last + 1].any()
+    assert curve.stable[:first].all() and curve.stable[last + 1 :].all()

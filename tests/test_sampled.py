@@ -19,6 +19,7 @@ from slowflow.averaged.reference.cells import samples_at
 from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.averaged.reference.intervals import Elementary
 from slowflow.validate import NotAvailable
+from slowflow_support.errors import NotSettled
 
 CASES = json.loads((Path(__file__).parent / "data" / "stated.json").read_text())
 DAMPING = {"mu": 0.01, "zeta": 0.03}
@@ -268,3 +269,77 @@ def test_what_cannot_be_had_is_refused_when_it_is_stated():
     ):
         with pytest.raises(ValueError, match=told):
             stated((linear, None), **given)
+
+
+@pytest.mark.slow
+def test_motions_beyond_the_reach_are_those_of_the_function():
+    """Own integration with the function itself: A = 3.4150, largest u of a half sine 3.5441."""
+    made = derive.mechanism("arctan", [(lambda u: u + 0.5 * np.arctan(u / 0.1), None)], {}, reach=1.0)
+    oscillator = made(**DAMPING)
+
+    def brute(forcing, turns, period, steps=4000):
+        """Largest |u| over the last turn by fixed steps of Runge and Kutta, friction as it is."""
+
+        def rates(tau, u, v, slip):
+            return v, forcing(tau) - 0.06 * v - 0.01 * slip - u - 0.5 * math.atan(u / 0.1)
+
+        u = v = largest = 0.0
+        h = period / steps
+        for i in range(turns * steps):
+            tau = h * i
+            slip = math.copysign(1.0, v if v != 0.0 else forcing(tau))
+            a = rates(tau, u, v, slip)
+            b = rates(tau + h / 2, u + h / 2 * a[0], v + h / 2 * a[1], slip)
+            c = rates(tau + h / 2, u + h / 2 * b[0], v + h / 2 * b[1], slip)
+            d = rates(tau + h, u + h * c[0], v + h * c[1], slip)
+            u += h / 6 * (a[0] + 2 * b[0] + 2 * c[0] + d[0])
+            v += h / 6 * (a[1] + 2 * b[1] + 2 * c[1] + d[1])
+            if i >= (turns - 1) * steps:
+                largest = max(largest, abs(u))
+        return largest
+
+    right = brute(lambda tau: 0.6 * math.cos(1.2 * tau), 90, 2 * math.pi / 1.2, steps=600)
+    assert right == pytest.approx(3.4150, abs=5e-4)
+    motion = oscillator.steady_state(Omega=1.2, F_0=0.6)
+    assert motion.A == pytest.approx(right, abs=2e-3) and motion.A == pytest.approx(3.4150, abs=1e-4)
+    assert oscillator.sweep(Omega=[1.2], F_0=0.6).A[0] == pytest.approx(motion.A)
+    # a half sine of the base, and the turn after it
+    shock = oscillator.transient(acceleration=3.0, duration=4.0)
+    pulse = brute(lambda tau: -3.0 * math.sin(math.pi * tau / 4.0) if tau < 4.0 else 0.0, 1, 8.0)
+    assert shock.A == pytest.approx(pulse, abs=2e-3)
+    assert "averaging does not ask the function" in shock.message
+    assert oscillator.shock_spectrum(acceleration=3.0, duration=[4.0]).A[0] == pytest.approx(shock.A)
+    several = made.many(**DAMPING)
+    assert several.transient(acceleration=3.0, duration=4.0).A == pytest.approx(shock.A)
+
+
+def test_beyond_the_reach_motions_meet_the_function_itself():
+    """Beyond it force and slope are the function's; a body thrown through it turns where its energy says."""
+
+    def force(u):
+        return u + 0.5 * np.arctan(u / 0.1)
+
+    made = derive.mechanism("arctan_too", [(force, None)], {}, reach=1.0)
+    system = made(**DAMPING).equation_of_motion()
+    for u in (0.5, 1.0, 1.3, 2.0, 3.5444, 40.0, -1.3, -7.0):
+        piece = system.force.piece(system.force.region_of(u))
+        assert piece.value(u) == pytest.approx(force(u), rel=1e-13)
+        assert piece.slope(u) == pytest.approx(1.0 + 5.0 / (1.0 + (u / 0.1) ** 2), rel=1e-10)
+    assert system.force(np.array([0.5, 1.5])) == pytest.approx(force(np.array([0.5, 1.5])), rel=1e-13)
+
+
+def test_motions_end_where_the_function_does():
+    def to_a_pole(u):
+        if abs(u) > 1.0:
+            raise ValueError("beyond the pole")
+        return u / np.sqrt(1.0001 - u * u)
+
+    oscillator = derive.mechanism("pole", [(to_a_pole, None)], {}, reach=0.9)(**DAMPING)
+    assert oscillator.steady_state(Omega=1.2, F_0=0.02).A < 0.9
+    for ask in (
+        lambda: oscillator.steady_state(Omega=1.2, F_0=0.6),
+        lambda: oscillator.sweep(Omega=[1.2], F_0=0.6),
+        lambda: oscillator.transient(acceleration=3.0, duration=4.0),
+    ):
+        with pytest.raises(NotSettled, match=r"at u = -?0\.\d+ failed: .*, or the force ends there"):
+            ask()

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
@@ -314,7 +315,12 @@ class EquationOfMotion:
 
 
 def followed(force: Force, name: str) -> Force:
-    """A force as its motions are followed. Raises ValueError where they are not, of a mechanism by its name."""
+    """A force as its motions are followed, by laws that hold wherever these go.
+
+    Raises ValueError where they are not, of a mechanism by its name.
+    """
+    if any(piece.law.whole for piece in force.pieces):
+        force = replace(force, pieces=tuple(Piece(one.law.whole or one.law, one.constants) for one in force.pieces))
     if force.odd and force.value(0.0) != 0:
         force = JumpingForce.of_sides(force)
     with np.errstate(all="ignore"):

@@ -512,13 +512,22 @@ def rests_at_jump(system: EquationOfMotion, phases: list[Phase]) -> bool:
     return system.force.jump != 0.0 and any(phase.slip == phase.region == 0 for phase in phases)
 
 
+def shown_in(half_turns: int) -> int:
+    """Half turns in which a motion shows a cycle of so many, wherever it begins: a period may hold one downward slip.
+
+    A period is twice the cycle of which the motion is the mirror image.
+    """
+    return (3 if half_turns % 2 else 2) * half_turns + 1
+
+
 def closed_cycle(
     system: EquationOfMotion, integrator: Integrator, half_turns: int, phases: list[Phase], Omega: float
 ) -> tuple[Cycle, Array] | None:
     """The cycle and trial unknowns that a followed motion suggests: from its highest beginning of a downward slip.
 
-    `phases` must span at least half_turns + 2 half turns; None where no downward slip is followed by its image, or the
-    mass comes to rest where the force jumps: it passes that place ever more often before.
+    `phases` must span `shown_in(half_turns)` half turns, or half_turns + 2 from such a slip on; None where no downward
+    slip is followed by its image, or the mass comes to rest where the force jumps: it passes that place ever more often
+    before.
     """
     span = math.pi * half_turns
     sign = -1 if half_turns % 2 else 1

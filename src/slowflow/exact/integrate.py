@@ -218,5 +218,8 @@ class ScipyIntegrator:
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
             solution = solve_ivp(counted, span, start, **self._tolerances, **options)
         if solution.status < 0:
-            raise NotSettled(f"the integration from theta = {span[0]} to {span[1]} failed: {solution.message}")
+            raise NotSettled(
+                f"the integration from theta = {span[0]} at u = {solution.y[0, -1]:.6g} failed: its steps become too "
+                f"small, or the force ends there: {solution.message}"
+            )
         return solution

@@ -55,6 +55,7 @@ SEVERAL = (
 #: displacement at which it is asked where a force pushes that has no stiffness at u = 0
 NEXT = 2.0**-20
 BOTH = "{} says which motion it is, u_0 and v_0 from where one comes: not both"
+ONLY = "this is the only motion that averaging knows of, and not one that the mass was seen to come to: {}"
 UNKNOWN = "whether there are other curves is not known, averaging does not say: {}"
 
 
@@ -313,20 +314,20 @@ def _from_rest(
 ) -> shooting.SteadyState:
     """What a mass at rest comes to, or one that begins with (u_0, v_0), followed.
 
-    Where that takes too many turns, the only one that averaging knows of.
+    Where that is not seen to be periodic, the only one that averaging knows of, with words that it is not that.
     """
     u, v, said = _beginning(averaged, system, u_0, v_0)
     if (resting := shooting.comes_to_rest(system, Omega, F_0, u, v)) is not None:
         return dataclasses.replace(resting, message=said)
     try:
         return dataclasses.replace(shooting.steady_state(system, Omega=Omega, F_0=F_0, u_0=u, v_0=v), message=said)
-    except shooting.NotPeriodic:
+    except shooting.NotPeriodic as unseen:
         states = list(averaged.states(Omega=Omega, F_0=F_0)) if system.centred else _states(averaged, Omega, F_0)
         if len(states) == 1:
             B = 0.0 if system.centred else states[0].B
             found = shooting.near(system, Omega, F_0, (states[0].A, states[0].phi), B=B)
             if found is not None and found.stable:
-                return dataclasses.replace(found, message=said)
+                return dataclasses.replace(found, message=joined(said, ONLY.format(unseen)))
         raise
 
 

@@ -261,8 +261,10 @@ def _settles_higher(F_0: float, fold: Point, Omega: float) -> bool:
 def _comes_higher(F_0: float, fold: Point, Omega: float) -> bool:
     cycle = fold.cycle
     state = describe(cycle, fold.z, F_0, fold.monodromy)._state(0.0)
+    forced = Forced(cycle.system, Omega, F_0, cycle.integrator)
     try:
-        end = settle(Forced(cycle.system, Omega, F_0, cycle.integrator), 0.0, *state, lengths(cycle.system), MOST_FALL)
+        # with steps of its own: a curve that has used up all is given as far as it was reached, its folds named
+        end = Context().run(limited()(settle), forced, 0.0, *state, lengths(cycle.system), MOST_FALL)
     except ArithmeticError:
         return True
     A = max(abs(phase.u_end) for phase in end.phases) if end.found is None else end.found.A

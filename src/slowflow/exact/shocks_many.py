@@ -218,7 +218,9 @@ def _alone(
         force = followed(Force.of(designs.mechanism, model.parameters), designs.mechanism.name)
         laws = {"c_2": model.laws.c_2, "released": model.laws.rubs != THROUGHOUT}
         system = EquationOfMotion(force, model.mu, model.zeta, **laws)
-        at, _ = questions.at_rest(off_centre(model, 0.0), system)
+        # off the centre nothing is averaged of some forces, of which nothing is asked where the mass rests at u = 0
+        centred = system.centred and questions.rests_at_centre(system)
+        at = 0.0 if centred else questions.at_rest(off_centre(model, 0.0), system)[0]
         found = transient(system, arcs, begin=begin, after=after, at=at)
     except ValueError:
         return Status.INVALID, none

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from slowflow.answer import Answer, in_values
 from slowflow.exact.compiled import TaylorIntegrator, default_integrator
-from slowflow.exact.cycle import Cycle, closed_cycle, rests_at_jump
+from slowflow.exact.cycle import Cycle, closed_cycle, rests_at_jump, shown_in
 from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import TURN, Forced, Phase, follow
 from slowflow.mechanism import EquationOfMotion
@@ -35,12 +35,22 @@ SLOW_TURNS = 60
 PARTING_TURNS = 30  # over which motions that begin next to each other are compared
 #: by what they part in these turns at least where it is chaotic; else they do so in proportion to time at most
 PARTED = 1e3
-HALF_TURNS = (1, 2, 3, 4, 6)  # lengths of a cycle that are tried: the forcing's period, then subharmonics
+LONGEST = 16  # turns of the forcing that a motion may take, as subharmonics do
+#: lengths of a cycle that are tried, by turns of the forcing: a motion of an odd number may be its own mirror image
+HALF_TURNS = tuple(n for turns in range(1, LONGEST + 1) for n in ((turns, 2 * turns) if turns % 2 else (2 * turns,)))
+SHORT = 3  # turns of those that are asked for wherever the motion comes back
+#: how much nearer a motion comes back after more turns than after fewer, where it is asked for a longer subharmonic
+NEARER_BACK = 0.1
 
 
 def lengths(system: EquationOfMotion) -> tuple[int, ...]:
     """Of these those that a motion may have: off the centre none is the mirror image of itself half a turn later."""
     return HALF_TURNS if system.centred else tuple(n for n in HALF_TURNS if n % 2 == 0)
+
+
+def _turns(half_turns: int) -> int:
+    """Turns of the forcing after which a motion of a cycle of so many half turns is where it was."""
+    return half_turns if half_turns % 2 else half_turns // 2
 
 
 #: of the load, the difference from the spring's force that rounding makes where they balance
@@ -300,8 +310,8 @@ def steady_state(
                   released at u_0 with the velocity v_0, where the forcing is largest, and followed until it settles,
                   which finds stable motions only
     half_turns -- 1: look for half-wave symmetric motions u(tau + pi/Omega) = -u(tau); 2: for any with the forcing's
-                  period; n: with the state (-1)^n times the same after n pi/Omega. By default 1, then 2, 3, 4 and 6;
-                  even ones under a load.
+                  period; n: with the state (-1)^n times the same after n pi/Omega. By default all of up to 16 turns
+                  of the forcing, the shortest first; under a load none that are their own mirror images.
 
     A guess leads to a motion near it, stable or not; if Newton's iteration finds none, the motion is followed from the
     guess until it settles. The motion returned has been followed through all its switches.
@@ -379,7 +389,7 @@ def _once(found: SteadyState, forced: Forced, tries: tuple[int, ...]) -> SteadyS
     a third of a turn in each, a longer cycle is closed first.
     """
     theta, u = float(found.unknowns[1]), float(found.unknowns[0])
-    for n in tries:
+    for n in sorted(tries):
         if n >= found.cycle.half_turns:
             break
         there = found._state(theta + math.pi * n)
@@ -514,7 +524,7 @@ def _largest(phases: list[Phase]) -> float:
 
 def from_start(forced: Forced, theta: float, u: float, half_turns: int, v: float = 0.0) -> SteadyState | None:
     """Newton's iteration with the order of switches that the motion from (theta, u, v) shows."""
-    end = theta + (half_turns + 3) * math.pi
+    end = theta + shown_in(half_turns) * math.pi
     closed = closed_cycle(forced.system, forced.integrator, half_turns, follow(forced, theta, u, v, end), forced.Omega)
     return None if closed is None else _settle_signature(*closed, forced, (half_turns,))
 
@@ -534,7 +544,7 @@ def _settle_signature(cycle: Cycle, z: Array, forced: Forced, tries: tuple[int, 
         if phases is not None:
             return describe(cycle, z, forced.F_0, equations.monodromy, phases)
         theta, u = float(z[1]), float(z[0])
-        end = theta + (cycle.half_turns + 3) * math.pi
+        end = theta + shown_in(cycle.half_turns) * math.pi
         try:
             motion = follow(forced, theta, u, 0.0, end)
         except ArithmeticError:
@@ -576,6 +586,7 @@ def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, .
     phases: list[Phase] = []
     change = math.inf
     ask = 1
+    known: dict[int, SteadyState] = {}
     while len(history) <= most_turns:
         phases = follow(forced, theta, u, v, theta + TURN)
         u, v = phases[-1].u_end, phases[-1].v_end
@@ -590,25 +601,31 @@ def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, .
             continue
         ask += min(ask, ASKED_AGAIN)
         scale = COMES_BACK * _largest(phases)
-        change = math.inf
+        change = sooner = math.inf  # after any number of turns, and after fewer
+        last = 0
         for n in tries:
-            turns = n if n % 2 else n // 2
+            turns = _turns(n)
             if turns >= len(history):
-                continue
+                break
+            if turns > last:
+                sooner, last = change, turns
             before = history[-1 - turns]
-            change = min(change, max(abs(u - before[0]), abs(v - before[1])))
-            if change >= scale:
+            back = max(abs(u - before[0]), abs(v - before[1]))
+            change = min(change, back)
+            if back >= scale or (turns > SHORT and back > NEARER_BACK * sooner):
                 continue
-            found = from_start(forced, theta, u, n, v)
+            found = known.get(n) or from_start(forced, theta, u, n, v)
             if found is not None and _is_adrift(found):
                 return Settled(None, len(history) - 1, u, v, phases, change, found)
             if found is not None and (found.stable or _is_neutral(found)):
-                found = _once(found, forced, tries)
+                found = known.get(n) or _once(found, forced, tries)
                 there = _passed(found, theta, u, v)
                 if found.stable and _approaches(forced, found, theta, (u, v), there):
                     return Settled(found, len(history) - 1, *there, phases, change)
                 if _drifts_to(forced, found, theta, u, there):
                     return Settled(replace(found, stable=True), len(history) - 1, *there, phases, change)
+                # it is nearer the next time, or this is not the one
+                known = {n: found} if max(abs(u - there[0]), abs(v - there[1])) < scale else {}
     return Settled(None, len(history) - 1, u, v, phases, change)
 
 
@@ -634,14 +651,16 @@ def _by_time_stepping(forced: Forced, theta: float, state: tuple[float, float], 
         raise NotPeriodic(
             CHAOTIC.format(Omega=forced.Omega, F_0=forced.F_0, turns=settled.turns + PARTING_TURNS, rate=rate)
         )
-    drifts = settled.change < 1e-3 * _largest(settled.phases)
+    share, longest = settled.change / _largest(settled.phases), max(map(_turns, tries))
     raise NotPeriodic(
         f"no steady state found at Omega = {forced.Omega}, F_0 = {forced.F_0}: after {settled.turns} turns of the "
         f"forcing the motion comes back only to within {settled.change:.1e}; "
         + (
-            "it still drifts, too slowly to be followed to where it settles"
-            if drifts
-            else f"it may be on its way still, or chaotic, or a subharmonic that half_turns = {tries} do not allow"
+            "it repeats itself, but Newton's iteration does not find it: sweep follows it in time"
+            if share <= AGAIN
+            else "it still drifts, too slowly to be followed to where it settles"
+            if share < 1e-3
+            else f"it may be on its way still, or chaotic, or a subharmonic of more than {longest} turns"
         )
     )
 
@@ -744,12 +763,16 @@ def _approaches(
     """Whether the motion through `state` tends to the stable one found, which passes `there`.
 
     It does where the map over a period is near its linear part, so that the multipliers' rate of approach holds: the
-    way that `state` makes in a period differs from ten times the way of a state ten times as near by less than half.
+    way that `state` makes in a period differs from ten times the way of a state ten times as near by less than half of
+    what the larger multiplier brings it nearer. Of the way itself that may be next to nothing: lightly damped, a motion
+    goes round and round the one found, or round one that it does not come to.
     A motion that merely lingers, or drifts too slowly to be seen, fails this whatever its distance.
     """
     away = state[0] - there[0], state[1] - there[1]
-    if max(map(abs, away)) <= ARRIVED * found.A:
+    distance = max(map(abs, away))
+    if distance <= ARRIVED * found.A:
         return True
+    nears = (1.0 - max(map(abs, found.multipliers.tolist()))) * distance
     end = theta + found.Omega * found.period
     ways = []
     for share in (1.0, NEARER):
@@ -757,5 +780,4 @@ def _approaches(
         last = follow(forced, theta, u, v, end)[-1]
         ways.append(((last.u_end - u) / share, (last.v_end - v) / share))
     (of_u, of_v), (nearer_of_u, nearer_of_v) = ways
-    farther = UNLIKE * max(abs(nearer_of_u), abs(nearer_of_v))
-    return bool(max(abs(of_u - nearer_of_u), abs(of_v - nearer_of_v)) <= farther)
+    return bool(max(abs(of_u - nearer_of_u), abs(of_v - nearer_of_v)) <= UNLIKE * nears)

@@ -1,7 +1,8 @@
 """The force of a design of stated functions: in go functions of u with numbers, out come values, averages and bounds.
 
 All is of the pieces' polynomials: sums over the quarter cycle, what ends of pieces add to them, and the bounds by which
-no fold is missed. From the reach on the force goes on as a straight line, which no answer is about.
+no fold is missed. In averages the force goes on as a straight line from the reach on, which no answer is about. Motions
+go where they go: for these the function is asked beyond the reach too, and has polynomials there.
 """
 
 from __future__ import annotations
@@ -42,7 +43,8 @@ class Force:
     """
 
     def __init__(self, stated: Stated, numbers: tuple[float, ...]) -> None:
-        self.numbers = numbers
+        self.stated, self.numbers = stated, numbers
+        self.doublings: dict[int, Smooth | None] = {}
         self.ends = (*stated.ends_of(numbers), stated.reach)
         begins = (0.0, *self.ends[:-1])
         given = stated.given(numbers)
@@ -198,6 +200,38 @@ class Force:
         further = v - piece.length
         (inside,) = piece.at(np.minimum(v, piece.length), (order,))
         return side * np.where(further > 0, self.beyond(np.maximum(further, 0.0), (order,))[0], inside)
+
+    def value_throughout(self, number: int, u: Any, order: int) -> Any:
+        """The last piece, or its slope, beyond the reach as well; NaN where the function gives nothing smooth there."""
+        found, size, reach = np.array(self.value(number, u, order)), np.abs(u), self.ends[-1]
+        beyond = (size > reach) & np.isfinite(size)
+        if np.any(beyond):
+            side = np.copysign(1.0, u) if order == 0 else np.ones_like(size)
+            doubled = np.frexp(np.where(beyond, size, reach) / reach)[1] - 1
+            for k in np.unique(doubled[beyond]).tolist():
+                here, piece = beyond & (doubled == k), self._doubling(k)
+                v = (size - reach * 2.0**k)[here]
+                found[here] = np.nan if piece is None else side[here] * piece.at(v, (order,))[0]
+        return found[()]
+
+    def _doubling(self, k: int) -> Smooth | None:
+        """The last piece from 2^k to 2^(k + 1) times the reach; None where its function is not smooth there."""
+        if k not in self.doublings:
+            number, begin = len(self.smooth) - 1, self.ends[-1] * 2.0**k
+            below = self.smooth[-1] if k == 0 else self._doubling(k - 1)
+            told = f"{self.stated.given(self.numbers)}piece {number + 1} of {self.stated.name} beyond its reach"
+            try:
+                found = Smooth(lambda v: self.stated.values(number, begin + v, self.numbers), begin, False, told)
+            except Refused:
+                below = None
+            if below is not None:
+                lost = float(below.at(below.length, (0,))[0] - found.at(0.0, (0,))[0])
+                if abs(lost) <= 8 * (below.doubt(0) + found.doubt(0)):
+                    found.raise_by(lost)
+                else:
+                    below = None
+            self.doublings[k] = None if below is None else found
+        return self.doublings[k]
 
     def bounds(self, number: int, v: Any) -> tuple[Any, Any]:
         """A piece and its fourth derivative on intervals; NaN beyond the reach, where nothing is known."""

@@ -24,7 +24,7 @@ BENT_ENDS = (
     sampled_intervals.bent_end_2,
     sampled_intervals.bent_end_3,
 )
-REACHED = "the function is not asked for what lies beyond"
+REACHED = "averaging does not ask the function for what lies beyond"
 
 
 @dataclass(frozen=True)
@@ -111,9 +111,15 @@ class Asked:
     def slope(self, u: Any, *given: Any) -> Any:
         return self._value(u, given, 1)
 
-    def _value(self, u: Any, given: Sequence[Any], order: int) -> Any:
+    def force_throughout(self, u: Any, *given: Any) -> Any:
+        return self._value(u, given, 0, Force.value_throughout)
+
+    def slope_throughout(self, u: Any, *given: Any) -> Any:
+        return self._value(u, given, 1, Force.value_throughout)
+
+    def _value(self, u: Any, given: Sequence[Any], order: int, of: Callable[..., Any] = Force.value) -> Any:
         """The piece, or a derivative of it."""
-        (found,) = self._by_design(given, u, of=lambda force, u: (force.value(self.number, u, order),))
+        (found,) = self._by_design(given, u, of=lambda force, u: (of(force, self.number, u, order),))
         return found
 
     # --- on intervals ---
@@ -139,13 +145,18 @@ class Asked:
 def record(stated: Stated, title: str, design: tuple[Parameter, ...], reach_reason: str) -> Mechanism:
     """The record of a mechanism whose force is stated by functions."""
     count = len(stated.functions)
+    last = count - 1
+    whole = Law(Asked(stated, Asked.force_throughout, last), Asked(stated, Asked.slope_throughout, last))
     return Mechanism(
         name=stated.name,
         title=title,
         design=design,
         parameters=design,
         coefficients=Asked(stated, Asked.coefficients),
-        pieces=tuple(Law(Asked(stated, Asked.force, k), Asked(stated, Asked.slope, k)) for k in range(count)),
+        pieces=tuple(
+            Law(Asked(stated, Asked.force, k), Asked(stated, Asked.slope, k), whole=whole if k == last else None)
+            for k in range(count)
+        ),
         breakpoints=Asked(stated, Asked.breakpoints),
         jumps=Asked(stated, Asked.jumps),
         kinks=Asked(stated, Asked.kinks),

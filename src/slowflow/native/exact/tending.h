@@ -120,15 +120,14 @@ static int sf_is_consistent(const sf_system *system, const sf_cycle *cycle)
     return 1;
 }
 
-/* Whether both multipliers of a cycle lie inside the unit circle. */
-static int sf_is_contracting(const double M[2][2])
+/* The larger multiplier of a cycle, in modulus. */
+static double sf_larger_multiplier(const double M[2][2])
 {
     const double half_trace = 0.5 * (M[0][0] + M[1][1]), determinant = M[0][0] * M[1][1] - M[0][1] * M[1][0];
     const double apart = 0.5 * (M[0][0] - M[1][1]), square = apart * apart + M[0][1] * M[1][0];
     if (square < 0.0) /* a pair, whose product is the determinant */
-        return determinant < 1.0;
-    const double larger = half_trace + (half_trace >= 0.0 ? sqrt(square) : -sqrt(square));
-    return fabs(larger) < 1.0 && fabs(determinant) < fabs(larger);
+        return sqrt(determinant);
+    return fabs(half_trace) + sqrt(square);
 }
 
 /* The state of a cycle at one angle of the forcing; 0 where integration fails. */
@@ -171,14 +170,16 @@ static int sf_nearest_of(sf_forced *forced, const sf_cycle *cycle, const double 
     return least < HUGE_VAL;
 }
 
-/* Whether the motion through (u, v) tends to the stable cycle that passes `there`, of that period in theta: the map over
- * it is near its linear part, as the ways of two states tell of which one is nearer. */
-static int sf_approaches(sf_forced *forced, double theta, double period, double A, double u, double v,
-                         const double there[2], sf_phases *phases)
+/* Whether the motion through (u, v) tends to the stable cycle that passes `there`, of that period in theta, over which
+ * its larger multiplier is given: the map over it is so near its linear part that this brings it nearer, as the ways of
+ * two states tell of which one is nearer. */
+static int sf_approaches(sf_forced *forced, double theta, double period, double multiplier, double A, double u,
+                         double v, const double there[2], sf_phases *phases)
 {
     const double away[2] = {u - there[0], v - there[1]}, shares[2] = {1.0, SF_NEARER};
+    const double distance = fmax(fabs(away[0]), fabs(away[1]));
     double way[2][2];
-    if (fmax(fabs(away[0]), fabs(away[1])) <= SF_ARRIVED * A)
+    if (distance <= SF_ARRIVED * A)
         return 1;
     for (int i = 0; i < 2; i++) {
         const double at_u = there[0] + shares[i] * away[0], at_v = there[1] + shares[i] * away[1];
@@ -188,7 +189,7 @@ static int sf_approaches(sf_forced *forced, double theta, double period, double 
         way[i][0] = (last->u_end - at_u) / shares[i], way[i][1] = (last->v_end - at_v) / shares[i];
     }
     return fmax(fabs(way[0][0] - way[1][0]), fabs(way[0][1] - way[1][1])) <=
-           SF_UNLIKE * fmax(fabs(way[1][0]), fabs(way[1][1]));
+           SF_UNLIKE * (1.0 - multiplier) * distance;
 }
 
 /* Whether the mass stays where the force is 0, as within a play; then any other place is as good. */
@@ -200,35 +201,40 @@ static int sf_may_drift(const sf_system *system, const sf_cycle *cycle, double A
     return sf_slope(sf_piece_of(system, 0), 0.5 * A) == 0.0;
 }
 
-/* Whether the motion at (u, v) tends to a stable cycle of so many half turns, which it shows; what that is. */
-static int sf_tends_to_cycle(sf_forced *forced, double theta, double u, double v, int half_turns, sf_tending *room,
-                             sf_tended *out)
+/* What the motion at (u, v) is to the cycle of so many half turns that it shows: it tends there, and out comes what it
+ * tends to; or the cycle is stable, but it is not near enough; or Python is to tell. */
+typedef enum { SF_TENDS, SF_IS_FAR, SF_IS_UNUSUAL } sf_tendency;
+
+static sf_tendency sf_tends_to_cycle(sf_forced *forced, double theta, double u, double v, int half_turns,
+                                     sf_tending *room, sf_tended *out)
 {
     const sf_system *const system = forced->system;
     const sf_extra none = {SF_NO_MORE, NULL, 0.0, 0};
     const double Omega = forced->Omega;
     sf_cycle cycle;
     double *z, there[2];
-    if (sf_follow(forced, theta, u, v, theta + (half_turns + 3) * SF_HALF_TURN, NULL, &room->shown) != SF_GOOD ||
+    const int shown_in = (half_turns % 2 ? 3 : 2) * half_turns + 1;
+    if (sf_follow(forced, theta, u, v, theta + shown_in * SF_HALF_TURN, NULL, &room->shown) != SF_GOOD ||
         !sf_shown_cycle(room, Omega, half_turns, &cycle, &z))
-        return 0;
+        return SF_IS_UNUSUAL;
     double *const numbers = z + cycle.k + 3, *const work = numbers + sf_numbers(cycle.k);
     sf_equations found = sf_equations_in(numbers, room->border, cycle.k);
     if (sf_newton(forced, &cycle, z, &none, SF_MOST_NEWTON, SF_TOLERANCE, &found, NULL, work) != SF_GOOD ||
-        !sf_is_consistent(system, &cycle) ||
-        !sf_holds(forced, &cycle, cycle.phase[2 * cycle.k - 2] == 0, z, &room->own) ||
-        !sf_is_contracting((const double (*)[2])found.monodromy))
-        return 0;
-    out->A = sf_largest_u(room->own.at, cycle.k);
+        !sf_is_consistent(system, &cycle) || !sf_holds(forced, &cycle, cycle.phase[2 * cycle.k - 2] == 0, z, &room->own))
+        return SF_IS_UNUSUAL;
     const int symmetric = cycle.sign == -1;
+    const double of_cycle = sf_larger_multiplier((const double (*)[2])found.monodromy);
+    const double multiplier = symmetric ? of_cycle * of_cycle : of_cycle;
+    out->A = sf_largest_u(room->own.at, cycle.k);
     const double period = Omega * (half_turns * (symmetric ? 2 : 1) * SF_HALF_TURN / Omega);
-    if (sf_may_drift(system, &cycle, out->A) ||
-        !sf_nearest_of(forced, &cycle, z, room->own.at, theta, u, v, there) ||
-        !sf_approaches(forced, theta, period, out->A, u, v, there, &room->shown))
-        return 0;
+    if (!(multiplier < 1.0) || sf_may_drift(system, &cycle, out->A) ||
+        !sf_nearest_of(forced, &cycle, z, room->own.at, theta, u, v, there))
+        return SF_IS_UNUSUAL;
+    if (!sf_approaches(forced, theta, period, multiplier, out->A, u, v, there, &room->shown))
+        return SF_IS_FAR;
     out->u = there[0], out->v = there[1];
     out->stops = sf_rests(room->own.at, cycle.k) * (symmetric ? 2 : 1);
-    return 1;
+    return SF_TENDS;
 }
 
 /* Follows the motion from (theta, u, v), turn by turn; `tries`: half turns of cycles, of which the first has to be the
@@ -258,7 +264,11 @@ static int sf_tends(sf_forced *forced, double theta, double u, double v, const i
             if (!(fmax(fabs(u - before[0]), fabs(v - before[1])) < scale))
                 continue;
             out->turns = turns;
-            return i == 0 && sf_tends_to_cycle(forced, theta, u, v, tries[i], room, out);
+            const sf_tendency tendency =
+                i == 0 ? sf_tends_to_cycle(forced, theta, u, v, tries[i], room, out) : SF_IS_UNUSUAL;
+            if (tendency != SF_IS_FAR)
+                return tendency == SF_TENDS;
+            break; /* it is asked again when it has gone on */
         }
     }
     return 0;
