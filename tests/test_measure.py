@@ -231,3 +231,26 @@ def test_what_is_no_state_and_no_fold_off_the_centre_is_not_measured():
     for answer in (osc.peak(0.1), osc.rest(), osc.saddle_node_onset()):
         with pytest.raises(ValueError, match="states and folds are measured"):
             answer.measure()
+
+
+def test_a_fold_leads_to_the_exact_one_that_is_nearest():
+    """u + 1.6 u^2 + u^3, about its centre of symmetry: the third fold was said to lead to another one's."""
+    linear, centre = 11 / 75, 8 / 15
+    load = linear * centre + centre**3
+    folds = Duffing(linear, 1.0, zeta=0.05, load=load).saddle_nodes(0.1)
+    measured = folds.measure()
+    assert measured.found.all() and (np.diff(measured.Omega) > 0).all()
+    assert folds.Omega[2] == pytest.approx(0.8965, abs=1e-4) and folds.kind[2] == "jump-up"
+    # SciPy's motion, stepped down in frequency on the lower branch, goes up between the last two
+    state, heights = (centre, 0.0), {}
+    for Omega in (0.95, 0.92, 0.911, 0.908):
+        period = 2 * np.pi / Omega
+
+        def motion(t, y, Omega=Omega):
+            return y[1], load + 0.1 * np.cos(Omega * t) - 0.1 * y[1] - linear * y[0] - y[0] ** 3
+
+        times = np.linspace(99 * period, 100 * period, 200)
+        done = solve_ivp(motion, (0.0, 100 * period), state, "DOP853", t_eval=times, rtol=1e-9, atol=1e-10)
+        state, heights[Omega] = tuple(done.y[:, -1]), np.ptp(done.y[0]) / 2
+    assert 1.3 * heights[0.911] < heights[0.908]
+    assert 0.908 < measured.Omega[2] < 0.911

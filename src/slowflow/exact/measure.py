@@ -6,14 +6,14 @@ Out: `Measured`, `MeasuredFolds` or `MeasuredPoint`: what each leads to, and how
      leads to nothing, words.
 
 A state leads to the motion that Newton's iteration finds from it, a fold to the first one of the exact curve that is
-met from a motion beside it, a peak to that of the exact curve through such a motion. An onset and a detachment are
-zeros of functions of the forcing, each value of which takes an exact curve.
+met from a motion beside it and is not nearer to another averaged fold, a peak to that of the exact curve through such a
+motion. An onset and a detachment are zeros of functions of the forcing, each value of which takes an exact curve.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -54,7 +54,7 @@ NO_FOLD = f"the exact curve beside it has no fold within a factor of {AROUND:g} 
 NO_PEAK = f"the exact curve beside it has no peak within a factor of {AROUND:g} of its frequency"
 NO_FORCING = f"no forcing within a factor of {FARTHEST:g} of it is found at which the exact curve does so"
 BORN = "an isolated curve is born there, which the exact curve through the motions beside it does not show"
-TAKEN_FOLD = "it leads to the fold of another one"
+TAKEN_FOLD = "the folds that the exact curve has beside it are nearer to other ones"
 
 
 #: averaged states at a frequency, with their means
@@ -134,16 +134,9 @@ def _one_each(
 @limited()
 def folds(at_frequency: AtFrequency, system: EquationOfMotion, found: Any, B: Floats | None = None) -> MeasuredFolds:
     """The fold of the exact curve that each averaged one leads to. Raises ValueError for F_0 <= mu."""
-    exact: list[response.ResponsePoint | None] = []
-    reasons = []
     largest = found.A if B is None else found.A + np.abs(B)
-    for Omega, A in zip(found.Omega.tolist(), largest.tolist(), strict=True):
-        fold = _fold(at_frequency, system, found.F_0, Omega, A)
-        taken = fold is not None and any(
-            abs(other.Omega / fold.Omega - 1.0) + abs(other.A / fold.A - 1.0) < MATCHES for other in exact if other
-        )
-        reasons.append(TAKEN_FOLD if taken else "" if fold is not None else NO_FOLD)
-        exact.append(None if taken else fold)
+    averaged = list(zip(found.Omega.tolist(), largest.tolist(), strict=True))
+    exact, reasons = _matched(averaged, [_folds_near(at_frequency, system, found.F_0, *one) for one in averaged])
     pairs = [(np.nan, np.nan) if fold is None else (fold.Omega, fold.A) for fold in exact]
     at, height = np.array(pairs).reshape(-1, 2).T
     return MeasuredFolds(
@@ -157,10 +150,42 @@ def folds(at_frequency: AtFrequency, system: EquationOfMotion, found: Any, B: Fl
     )
 
 
-def _fold(
+def _matched(
+    averaged: list[tuple[float, float]], candidates: list[Iterator[response.ResponsePoint]]
+) -> tuple[list[response.ResponsePoint | None], list[str]]:
+    """An exact fold for each averaged one, as a stable matching: each takes the first of its candidates that no nearer
+    averaged fold has; and why where there is none."""
+    exact: list[response.ResponsePoint | None] = [None] * len(averaged)
+    reasons = [NO_FOLD] * len(averaged)
+
+    def distance(i: int, fold: response.ResponsePoint) -> float:
+        Omega, A = averaged[i]
+        return abs(math.log(Omega / fold.Omega)) + abs(math.log(A / fold.A))
+
+    left = list(range(len(averaged)))
+    while left:
+        i = left.pop(0)
+        for fold in candidates[i]:
+            same = (j for j, other in enumerate(exact) if other is not None and _is_same_fold(fold, other))
+            if (j := next(same, None)) is not None:
+                if distance(i, fold) >= distance(j, fold):
+                    reasons[i] = TAKEN_FOLD
+                    continue
+                exact[j], reasons[j] = None, TAKEN_FOLD
+                left.append(j)
+            exact[i], reasons[i] = fold, ""
+            break
+    return exact, reasons
+
+
+def _is_same_fold(one: response.ResponsePoint, other: response.ResponsePoint) -> bool:
+    return abs(other.Omega / one.Omega - 1.0) + abs(other.A / one.A - 1.0) < MATCHES
+
+
+def _folds_near(
     at_frequency: AtFrequency, system: EquationOfMotion, F_0: float, Omega: float, A: float
-) -> response.ResponsePoint | None:
-    """The nearest of the folds that the exact curve meets from motions beside the averaged one."""
+) -> Iterator[response.ResponsePoint]:
+    """The folds that the exact curve meets from motions beside the averaged one, the nearest motions first."""
     more, fewer = (at_frequency(Omega * (1 + side * ASIDE))[0].A.size for side in (1, -1))
     for offset in BESIDE:
         for side in (1.0, -1.0) if more == fewer else (1.0,) if more > fewer else (-1.0,):
@@ -174,8 +199,7 @@ def _fold(
                     continue
                 fold = response.first_fold(start, -side, (Omega / AROUND, Omega * AROUND))
                 if fold is not None:
-                    return fold
-    return None
+                    yield fold
 
 
 def _told(reasons: list[str], what: str) -> str:
