@@ -90,3 +90,16 @@ def test_a_store_says_how_many_blocks_are_written(always, tmp_path):
 def test_nothing_is_said_within_a_second():
     designs = Isolator.many(lam=3, r=[1.0, 2.0], delta_h=0.1, zeta=0.05)
     assert told(lambda: designs.saddle_nodes(0.04)) == []
+
+
+def test_a_file_gets_a_line_in_ten_seconds_at_most_and_a_terminal_one_a_second(monkeypatch, capsys):
+    now = [0.0]
+    monkeypatch.setattr(progress.time, "monotonic", lambda: now[0])
+    for terminal, lines in ((False, 7), (True, 74)):
+        monkeypatch.setattr(progress.sys.stderr, "isatty", lambda terminal=terminal: terminal)
+        with progress.shown():
+            for _ in progress.each(range(600), 600):
+                now[0] += 0.125  # 75 seconds in all
+        said = capsys.readouterr().err.splitlines()
+        assert len(said) == lines
+        assert_counts(said, 600)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import json
 import math
@@ -178,13 +179,99 @@ def test_only_what_is_asked_for_is_computed(scene, monkeypatch, capsys):
     assert code == 0 and "F_cr          4.071 N" in out
 
 
-def test_explain_tells_what_runs_what_is_skipped_and_its_time(scene, capsys):
+def test_explain_tells_what_runs_what_is_skipped_and_an_estimate_and_solves_nothing(scene, monkeypatch, capsys):
+    asked_of = [name for name in dir(solvers) if callable(getattr(solvers, name)) and not name.startswith("_")]
+    for name in asked_of:
+        monkeypatch.setattr(solvers, name, lambda *_, name=name: pytest.fail(f"{name} was computed"))
+    monkeypatch.setattr(scenes.Scene, "answer", lambda *_: pytest.fail("it was answered"))
     path = scene(MOUNT.replace("F = [3.0, 5.0]", "F = [0.3]"))
     code, out, _ = run("explain", path, capsys=capsys)
-    assert code == 0 and "saddle_nodes at F = 0.3 N\n  force         skipped  sticks" in out and " ms\n" in out
+    assert code == 0 and "saddle_nodes at F = 0.3 N\n  force         skipped  sticks" in out
+    assert out.count("  takes         ") == len(scenes.read(path).asked) and "\ntogether " in out
     left = "rest, margins, hysteresis, isolation, spectrum, tolerances, transient, shock_spectrum, exact_response, "
     left += "fold_locus, cusps, isola_points"
     assert out.endswith(f"not asked for, and not computed: {left}\n")
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+def test_every_question_of_a_shipped_scene_has_an_estimate_on_both_backends(path, monkeypatch):
+    read = scenes.read(path)
+    for solver in (None, solvers):
+        monkeypatch.setattr(scenes.backend, "SOLVER", solver)
+        assert all(read.seconds(asked) > 0 for asked in read.asked)
+
+
+def test_an_estimate_grows_with_what_is_asked(scene):
+    few, many = (
+        scenes.read(scene(MOUNT.partition("f = [5.0]")[0] + f'f = {f}\nquestions = ["amplitudes"]\n'))
+        for f in ([5.0], [1.0, 2.0, 3.0, 4.0, 5.0])
+    )
+    assert many.seconds(many.asked[0]) == 5 * few.seconds(few.asked[0])
+
+
+@pytest.mark.parametrize("more", ["eta = 0.02", 'excitation = "base"', 'excitation = "unbalance"', "load = 12.4"])
+def test_explain_refuses_nothing_that_run_answers(more, scene, capsys):
+    letter = {"base": "Y", "unbalance": "U"}.get(more.partition('"')[2].rstrip('"'), "F")
+    text = MOUNT.partition("[ask]")[0] + f'{more}\n[ask]\n{letter} = [0.005]\nquestions = ["rest"]\n'
+    assert run("run", scene(text), capsys=capsys)[0] == 0
+    code, out, _ = run("explain", scene(text), capsys=capsys)
+    assert code == 0 and "refused" not in out
+
+
+def test_explain_says_what_run_refuses_and_goes_on(scene, capsys):
+    text = MOUNT.partition("[ask]")[0] + 'eta = 0.02\n[ask]\nF = [3.0]\nquestions = ["transient", "detachment"]\n'
+    path = scene(text + "[shock]\nacceleration = 10\nduration = 0.01\n")
+    code, _, err = run("run", path, capsys=capsys)
+    assert code == 1 and "structural damping is stated at one frequency" in err
+    code, out, _ = run("explain", path, capsys=capsys)
+    assert (
+        code == 0
+        and "  refused       eta = 0.02 is not allowed here: structural damping" in out
+        and "detachment\n" in out
+    )
+
+
+def test_a_report_that_cannot_be_made_says_why(scene, capsys):
+    pytest.importorskip("matplotlib")
+    path = scene(
+        (ROOT / "scenes" / "table_1.toml").read_text().replace("F_0 = [0.025, 0.03, 0.04, 0.05]", "F_0 = [1e308]")
+    )
+    code, out, err = run("report", path, "-o", path.with_name("page.html"), capsys=capsys)
+    assert (code, out) == (2, "") and err.endswith("no amplitude bounds the response at F_0 = 1e+308\n")
+
+
+def test_numbers_of_any_size_are_taken_or_refused_in_words(scene):
+    """Powers of Python's numbers raise where NumPy's give infinity."""
+    sizes = (1e-320, 1e-200, 1e-100, 1e100, 1e200, 1e308)
+    for name, right in (("m", "12.0"), ("k_v", "2500.0"), ("L", "0.080"), ("k_h", "1700.0"), ("preload", "0.009")):
+        for size in sizes:
+            with contextlib.suppress(slowflow.SlowflowError):
+                scenes.read(scene(MOUNT.replace(f"{name} = {right}", f"{name} = {size!r}")))
+
+
+def test_answers_of_an_earlier_scene_go_and_files_of_others_are_refused(scene, tmp_path, capsys):
+    out, ask = tmp_path / "out", MOUNT.partition("questions")[0]
+    first, second = '["detachment", "saddle_nodes"]', '["detachment"]'
+    assert run("run", scene(f"{ask}questions = {first}\n"), "-o", out, "--quiet", capsys=capsys)[0] == 0
+    (out / "notes.csv").write_text("mine")
+    assert run("run", scene(f"{ask}questions = {second}\n"), "-o", out, "--quiet", capsys=capsys)[0] == 0
+    assert {path.name for path in out.iterdir()} == {"answers.json", "detachment.csv", "notes.csv"}
+    for name in ("peak.csv", "detachment.csv"):  # one that slowflow did not write, one that was changed since
+        before = (out / name).read_text() if (out / name).exists() else None
+        (out / name).write_text("changed")
+        code, said, err = run("run", scene(f"{ask}questions = {second}\n"), "-o", out, "--quiet", capsys=capsys)
+        assert (code, said) == (2, "") and err.startswith(f"{out / name} is not as slowflow wrote it")
+        assert (out / name).read_text() == "changed"
+        (out / name).unlink() if before is None else (out / name).write_text(before)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="pipes of POSIX")
+def test_a_reader_who_stops_is_no_error():
+    command = [sys.executable, "-m", "slowflow", "run", str(ROOT / "scenes" / "table_1.toml"), "--json"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
+        running.stdout.close()
+        said = running.stderr.read()
+        assert running.wait() == cli.NOBODY_READS == 128 + 13 and said == b""
 
 
 def test_scenes_are_checked_one_after_the_other_and_nothing_is_computed(scene, monkeypatch, capsys):
@@ -255,7 +342,37 @@ WRONG = {
     "a dimensionless forcing of a mount": (
         "F = [3.0, 5.0]",
         "F_0 = [3.0, 5.0]",
-        "14: F_0 is no key of [ask]: it must be one of F, f, window, samples, questions",
+        "14: F_0 is no key of [ask] here: it must be one of F, f, window, samples, questions; the amplitude of the "
+        "excitation = 'force' is F, in N\n",
+    ),
+    "a force where the base moves": (
+        "zeta = 0.02",
+        'zeta = 0.02\nexcitation = "base"',
+        "15: F is no key of [ask] here: it must be one of Y, f, window, samples, questions; the amplitude of the "
+        "excitation = 'base' is Y, in m\n",
+    ),
+    "a dimensionless frequency of a mount": (
+        "f = [5.0]",
+        "Omega = [5.0]",
+        "15: Omega is no key of [ask] here: it must be one of F, f, window, samples, questions; the frequency is f, "
+        "in Hz\n",
+    ),
+    "a word for the excitation that is none, before the keys that depend on it": (
+        "zeta = 0.02\n\n[ask]\nF =",
+        'zeta = 0.02\nexcitation = "floor"\n\n[ask]\nY =',
+        "12: excitation = 'floor' is not allowed: excitation must be 'force' or 'base' or 'unbalance'; 'base' is a "
+        "floor or support that moves, 'unbalance' a rotating mass\n",
+    ),
+    "a law of damping with an index, which is no other law": (
+        "zeta = 0.02",
+        "zeta = 0.02\neta_2 = 0.1",
+        "12: eta_2 is no key of [mount]: it must be one of m, k_v, k_h, L, preload, n, friction, c, zeta, eta, c_2, "
+        "rubs, static_friction, load, force, excitation\n",
+    ),
+    "a length so small that scales leave the doubles": (
+        "L = 0.080",
+        "L = 1e-320",
+        "4: m = 12, k_v = 2500, L = 9.99989e-321: not allowed together, beyond doubles\n",
     ),
     "two oscillators": (
         "[ask]",

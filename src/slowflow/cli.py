@@ -5,10 +5,10 @@ from __future__ import annotations
 import argparse
 import contextlib
 import importlib.metadata
+import os
 import platform
 import runpy
 import sys
-import time
 import traceback
 from collections.abc import Sequence
 from importlib.util import find_spec
@@ -19,9 +19,16 @@ import slowflow
 from slowflow import backend, files, progress
 from slowflow.answer import Answer, in_text
 from slowflow.isolator import ROD_SPRING
-from slowflow.scenes import STARTER, Asked, Scene, read
+from slowflow.measured import costs
+from slowflow.scenes import QUESTIONS, STARTER, Asked, Scene, read
 from slowflow_kernels.domains import DAMPING
-from slowflow_support.errors import SceneError
+from slowflow_support.errors import SlowflowError
+
+#: the exit code of a program that writes to a pipe that nobody reads any more: 128 and the number of that signal
+NOBODY_READS = 141
+
+#: seconds below which no estimate is told
+SHORT = 0.01
 
 
 def info() -> dict[str, str]:
@@ -67,7 +74,7 @@ def certify(given: argparse.Namespace) -> int:
     try:
         isolator = example.isolator(**changes)
         found = isolator.certify(given.F_0, Omega=given.Omega)
-    except ValueError as error:
+    except SlowflowError as error:
         print(error, file=sys.stderr)
         return 2
     print(isolator)
@@ -84,7 +91,9 @@ def add_scenes(commands: Any) -> None:
     run.add_argument("--quiet", action="store_true", help="say nothing of what is being done")
     check = commands.add_parser("check", help="whether a scene is allowed; computes nothing")
     check.add_argument("scene", type=Path, nargs="+")
-    explain = commands.add_parser("explain", help="what runs for a scene, what is skipped, and how long it takes")
+    explain = commands.add_parser(
+        "explain", help="what runs for a scene, what is skipped, and about how long it takes; computes nothing"
+    )
     explain.add_argument("scene", type=Path)
     report = commands.add_parser("report", help="a scene's answers, curves and errors on one HTML page")
     report.add_argument("scene", type=Path)
@@ -99,6 +108,8 @@ def add_scenes(commands: Any) -> None:
 def run_scene(given: argparse.Namespace) -> int:
     """Answers what a scene asks for, and computes nothing else; 1 where a question could not be answered."""
     scene = _read(given.scene)
+    # before anything is computed: it refuses
+    earlier = [] if given.out is None else files.written(given.out, [f"{question}.csv" for question in QUESTIONS])
     answers: list[tuple[Asked, Answer]] = []
     failed = []
     with contextlib.nullcontext() if given.quiet else progress.shown():
@@ -106,7 +117,7 @@ def run_scene(given: argparse.Namespace) -> int:
             try:
                 with progress.named(str(asked)):
                     answers.append((asked, scene.answer(asked)))
-            except (ValueError, ArithmeticError) as error:
+            except SlowflowError as error:
                 failed.append({"question": asked.question, **asked.arguments, "error": str(error)})
                 print(f"{asked}: {error}", file=sys.stderr)
     content = {**provenance(scene), "answers": [told(*one) for one in answers], "failed": failed}
@@ -117,11 +128,18 @@ def run_scene(given: argparse.Namespace) -> int:
             print(f"# {asked}", *in_text(answer), "", sep="\n")
     if given.out is not None:
         given.out.mkdir(parents=True, exist_ok=True)
+        tables = {}
         for question in dict.fromkeys(asked.question for asked, _ in answers):
             alike = [(asked.numbers(), answer) for asked, answer in answers if asked.question == question]
             units = next(asked.units() for asked, _ in answers)
-            files.write(given.out / f"{question}.csv", files.in_csv(alike, units))
-        files.write(given.out / "answers.json", files.in_json(content))
+            tables[f"{question}.csv"] = files.in_csv(alike, units)
+        for path in earlier:
+            if path.name not in tables:
+                path.unlink()
+        for name, text in tables.items():
+            files.write(given.out / name, text)
+        content["files"] = {name: files.digest(text.encode()) for name, text in tables.items()}
+        files.write(given.out / files.RECORD, files.in_json(content))
         if not given.quiet:
             print(f"{len(answers)} answers are written to the folder {given.out}", file=sys.stderr)
     return 1 if failed else 0
@@ -151,7 +169,7 @@ def check_scenes(given: argparse.Namespace) -> int:
     for path in given.scene:
         try:
             scene = _read(path)
-        except (OSError, UnicodeDecodeError, SceneError) as error:
+        except (OSError, SlowflowError) as error:
             print(error, file=sys.stderr)
             wrong = True
         else:
@@ -160,18 +178,31 @@ def check_scenes(given: argparse.Namespace) -> int:
 
 
 def explain_scene(given: argparse.Namespace) -> int:
-    """Print the plan of each question, and how long it took when it was asked once, just now."""
+    """Print the plan of each question, and an estimate of how long it takes, from measured times; computes nothing."""
     scene = _read(given.scene)
     print(scene.oscillator)
+    total = 0.0
     for asked in scene.asked:
-        plan = scene.explain(asked)
-        begun = time.perf_counter()
-        scene.answer(asked)
-        took = 1e3 * (time.perf_counter() - begun)
-        print(asked, *(f"  {step}" for step in (plan.steps if plan else ())), f"  {'took':14}{took:.3g} ms", sep="\n")
+        print(asked)
+        try:
+            plan = scene.explain(asked)
+        except SlowflowError as error:
+            print(f"  {'refused':14}{error}")
+            continue
+        total += (seconds := scene.seconds(asked))
+        print(*(f"  {step}" for step in (plan.steps if plan else ())), f"  {'takes':14}{_some(seconds)}", sep="\n")
+    print(
+        f"together {_some(total)}: estimates, medians of random mounts on {costs.MACHINE}; there nine of ten took at "
+        f"most {costs.SPREAD:g} times as long, or as short"
+    )
     skipped = scene.not_asked()
     print(f"not asked for, and not computed: {', '.join(skipped)}" if skipped else "all questions are asked")
     return 0
+
+
+def _some(seconds: float) -> str:
+    """A time with the one digit that an estimate has."""
+    return f"some {float(f'{seconds:.1g}'):g} s" if seconds >= SHORT else f"below {SHORT:g} s"
 
 
 def derive_mechanisms(given: argparse.Namespace) -> int:
@@ -222,7 +253,7 @@ def write_report(given: argparse.Namespace) -> int:
     try:
         with contextlib.nullcontext() if given.quiet else progress.shown(), progress.named(f"report of {given.scene}"):
             page = report.html(scene)
-    except ValueError as error:
+    except SlowflowError as error:
         print(error, file=sys.stderr)
         return 2
     files.write(given.out, page)
@@ -244,7 +275,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         prog="slowflow",
         description="Slow flow of piecewise-smooth vibration isolators.",
         epilog="Exit codes: 0 done; 1 a question that could not be answered, or a proof that was not found; "
-        "2 arguments or a scene that are not allowed; 130 interrupted.",
+        "2 arguments or a scene that are not allowed; 130 interrupted; 141 whoever read the output stopped.",
     )
     parser.add_argument("--version", action="version", version=f"slowflow {slowflow.__version__}")
     commands = parser.add_subparsers(dest="command", required=True)
@@ -264,15 +295,30 @@ def main(arguments: Sequence[str] | None = None) -> int:
     derive.add_argument("-o", "--out", type=Path, metavar="DIR", default=Path("derived"), help="default: %(default)s")
     given = parser.parse_args(arguments)
     try:
-        return COMMANDS[given.command](given)
+        code = COMMANDS[given.command](given)
+        sys.stdout.flush()
+        return code
+    except BrokenPipeError:
+        _say_no_more()
+        return NOBODY_READS
     except OSError as error:
         print(f"{error.filename}: {error.strerror}" if error.filename and error.strerror else error, file=sys.stderr)
         return 2
-    except (UnicodeDecodeError, SceneError) as error:
+    except SlowflowError as error:
         print(error, file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         return 130
+
+
+def _say_no_more() -> None:
+    """What is still to be written goes nowhere: Python writes it when it ends, and would complain."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (sys.stdout, sys.stderr):
+        with contextlib.suppress(OSError, ValueError):
+            stream.flush()
+        with contextlib.suppress(OSError, ValueError):
+            os.dup2(nowhere, stream.fileno())
 
 
 def print_info(given: argparse.Namespace) -> int:

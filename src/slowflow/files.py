@@ -1,11 +1,14 @@
 """Answers as files: in go answers with what they were asked, out come CSV and JSON, complete or not at all.
 
-A file is written under a temporary name beside its own and renamed when it is whole.
+A file is written under a temporary name beside its own and renamed when it is whole. A folder of answers has a record,
+answers.json, which lists the other files with the hash of each: by it what an earlier scene left is told from what
+somebody else put there.
 """
 
 from __future__ import annotations
 
 import csv
+import hashlib
 import io
 import json
 import math
@@ -18,6 +21,10 @@ from typing import Any
 import numpy as np
 
 from slowflow.answer import Answer, head
+from slowflow_support.errors import Refused
+
+#: the record of a folder
+RECORD = "answers.json"
 
 
 def write(path: Path, text: str) -> None:
@@ -31,6 +38,27 @@ def write(path: Path, text: str) -> None:
     except BaseException:
         os.unlink(name)
         raise
+
+
+def written(folder: Path, names: Sequence[str]) -> list[Path]:
+    """Which of these files slowflow wrote into a folder. Raises Refused for one that is not as its record has it."""
+    try:
+        recorded = json.loads((folder / RECORD).read_text(encoding="utf-8"))["files"]
+    except (OSError, ValueError, LookupError, TypeError):
+        recorded = {}
+    found = [folder / name for name in names if (folder / name).exists()]
+    for path in found:
+        if not isinstance(recorded, dict) or recorded.get(path.name) != digest(path.read_bytes()):
+            raise Refused(
+                f"{path} is not as slowflow wrote it by the record in {folder / RECORD}, and would stand among the "
+                "answers: move it away, or write to another folder"
+            )
+    return found
+
+
+def digest(content: bytes) -> str:
+    """The hash of a file."""
+    return hashlib.sha256(content).hexdigest()
 
 
 def _umask() -> int:

@@ -35,6 +35,8 @@ if TYPE_CHECKING:
 #: frequencies shown of the equation of motion, whose cycle has ever more stops as Omega tends to 0
 EXACT_WINDOW = (0.5, 1.5)
 
+#: questions about motions that have no frequency
+IN_TIME = ("transient", "shock_spectrum")
 #: the force of the equation of motion: (6), or (5)
 FORCES = ("truncated", "untruncated")
 
@@ -205,6 +207,8 @@ class Oscillator(Unchanging, Averaged):
 
     def explain(self, question: str, F_0: float | None = None) -> Plan:
         """What runs for a question, what is skipped, and why, see `Averaged.explain`; under a load of those it has."""
+        if question in IN_TIME:
+            self._in_time(None)  # refuses laws that are stated at a frequency
         if not self._off_centre_by:
             return super().explain(question, F_0)
         from slowflow.off_centre import plan

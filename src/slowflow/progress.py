@@ -1,6 +1,7 @@
 """Progress: in go the parts of a work, out comes every second a word on how far it is, where somebody wants to read it.
 
-Nobody does unless `shown`: a program that asks is not talked into.
+In a file or a pipe, where lines stay, it is one in ten seconds. Nobody reads it unless `shown`: a program that asks is
+not talked into.
 
     from slowflow import Isolator, progress
     from slowflow.sizing import tolerances
@@ -22,8 +23,8 @@ from typing import TypeVar
 
 T = TypeVar("T")
 
-#: seconds after which something is said, and between two words
-EVERY = 1.0
+#: seconds after which something is said, and between two words; and the same where they are no terminal's
+EVERY, EVERY_IN_A_FILE = 1.0, 10.0
 
 _say: ContextVar[Callable[[str], None] | None] = ContextVar("who reads how far a work is", default=None)
 
@@ -32,10 +33,30 @@ def _to_stderr(text: str) -> None:
     print(text, file=sys.stderr, flush=True)
 
 
+def _to_a_file() -> Callable[[str], None]:
+    """Says to stderr what comes at least `EVERY_IN_A_FILE` seconds after it was made, and after the line before."""
+    said, lock = time.monotonic(), threading.Lock()
+
+    def say(text: str) -> None:
+        nonlocal said
+        with lock:
+            if (now := time.monotonic()) - said < EVERY_IN_A_FILE:
+                return
+            said = now
+        _to_stderr(text)
+
+    return say
+
+
 @contextlib.contextmanager
 def shown(say: Callable[[str], None] | None = None) -> Iterator[None]:
-    """Within it what takes longer than a second says how far it is: to stderr, or to `say`, a line at a time."""
-    token = _say.set(_to_stderr if say is None else say)
+    """Within it what takes longer than a second says how far it is: to stderr, or to `say`, a line at a time.
+
+    Where stderr is no terminal, a line comes every ten seconds at most.
+    """
+    if say is None:
+        say = _to_stderr if sys.stderr.isatty() else _to_a_file()
+    token = _say.set(say)
     try:
         yield
     finally:

@@ -428,7 +428,11 @@ class Scales:
     def __post_init__(self) -> None:
         for name, unit in (("m", "kilogram"), ("k_v", "newton/meter"), ("L", "meter")):
             self.__dict__[name] = validate.number(name, si(name, getattr(self, name), unit), above=0.0)
-        if not all(0 < value < math.inf for value in self.sizes.values()):
+        try:
+            doubles = all(0 < value < math.inf for value in self.sizes.values())
+        except OverflowError:  # a power of Python's numbers that NumPy would call infinite
+            doubles = False
+        if not doubles:
             raise Refused(f"m = {self.m:g}, k_v = {self.k_v:g}, L = {self.L:g}: not allowed together, beyond doubles")
 
     @cached_property

@@ -22,7 +22,7 @@ from slowflow.paper.report import read_ledger
 from slowflow.physical import Physical
 from slowflow.quantities import EXCITED, KIND_OF, SHEET, SHOWN, UNITS, Quantities
 from slowflow.results import Remark
-from slowflow.scenes import FORCINGS, Asked, Scene
+from slowflow.scenes import FORCINGS, SHOCKS, Asked, Scene
 from slowflow.sizing.subject import Load, Subject
 from slowflow.validate import NotAvailable
 from slowflow_support.errors import Refused
@@ -47,8 +47,6 @@ ALSO = {
     "cusps": "Where two folds come into being or meet",
     "isola_points": "Where isolated curves are born or merge",
 }
-#: questions about shocks
-SHOCKS = ("transient", "shock_spectrum")
 #: numbers of the map, of a mount and of an isolator without dimensions
 OF_MOUNT, OF_ISOLATOR = ("k_h", "preload"), ("r", "delta_h")
 NUMBERS = {"k_h": "the stiffness of the springs", "preload": "their preload", "r": "the stiffness ratio"}

@@ -44,11 +44,12 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from slowflow import plausible, validate
+from slowflow import backend, plausible, validate
 from slowflow.answer import Answer
 from slowflow.averaged import plan
 from slowflow.averaged.plan import Plan
 from slowflow.isolator import DUFFING, ROD_SPRING, Duffing, Isolator
+from slowflow.measured import costs
 from slowflow.physical import Physical
 from slowflow.quantities import EXCITED, SHOWN, UNITS
 from slowflow_kernels.domains import DAMPING, DISSIPATION
@@ -166,6 +167,10 @@ FORCINGS = (*LETTERS, "F_0")
 #: of which kind the arguments of a mount's questions are
 OF_MOUNT = {letter: kind for letter, kind, _ in EXCITED.values()}
 OF_MOUNT |= {"f": "frequency", "acceleration": "acceleration", "duration": "time", "t": "time"}
+#: names of the frequency
+FREQUENCIES = ("f", "Omega")
+#: questions about shocks
+SHOCKS = ("transient", "shock_spectrum")
 #: what a half sine of the base is given by
 OF_A_PULSE = ("acceleration", "duration")
 #: names of forcing, frequency and time without dimensions
@@ -229,6 +234,23 @@ class Asked:
         names = [part for name in self.arguments for part in pairs.get(name, [name])]
         return {name: next(iter(UNITS[self.kinds[name]])) for name in names if name in self.kinds}
 
+    def count(self) -> int:
+        """How many answers it makes up: one for each frequency, row of a spectrum, pulse of a shock spectrum."""
+        if self.question == "amplitudes":
+            return next(len(given) for name, given in self.arguments.items() if name in FREQUENCIES)
+        if self.question == "shock_spectrum":
+            return len(self.arguments["acceleration"]) * len(self.arguments["duration"])
+        rows = self.arguments.get("spectrum", self.arguments.values() if self.question == "spectrum" else [[None]])
+        return len(next(iter(rows)))
+
+    @property
+    def cost(self) -> str:
+        """Its entry in `measured.costs`: the question, and of tolerances what they are of."""
+        if self.question != "tolerances":
+            return self.question
+        of = {"spectrum": "in a spectrum", "shock": "in a shock", **dict.fromkeys(FREQUENCIES, "at a frequency")}
+        return next((f"tolerances {said}" for name, said in of.items() if name in self.arguments), "tolerances")
+
     def __str__(self) -> str:
         units = self.units()
         said = ", ".join(f"{name} = {value:g} {units.get(name, '')}".rstrip() for name, value in self.numbers().items())
@@ -245,6 +267,8 @@ class Scene:
     content    -- the same as plain Python
     oscillator -- an `Isolator`, `Duffing` or, in physical units, `Physical`
     asked      -- the questions, in order
+    warnings   -- what looks implausible
+    answers    -- those that have been computed, by the place of the question
     """
 
     path: Path
@@ -253,16 +277,22 @@ class Scene:
     oscillator: Isolator | Duffing | Physical
     asked: tuple[Asked, ...]
     warnings: tuple[str, ...] = ()
+    answers: dict[int, Answer] = field(default_factory=dict, compare=False, repr=False)
+
+    @staticmethod
+    def arguments(asked: Asked) -> dict[str, Any]:
+        """Those of the method that answers a question: a mount's call the amplitude F, whatever it is of."""
+        return {"F" if name in LETTERS else name: value for name, value in asked.arguments.items()}
 
     def answer(self, asked: Asked) -> Answer:
-        """The answer to one of its questions, of a mount in N, mm and Hz."""
-        # a mount's questions call the amplitude F, whatever it is of
-        arguments = {"F" if name in LETTERS else name: value for name, value in asked.arguments.items()}
+        """The answer to one of its questions, of a mount in N, mm and Hz; computed when it is first asked for."""
+        if (place := self.asked.index(asked)) in self.answers:
+            return self.answers[place]
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", plausible.Implausible)  # among `warnings` already
-            found: Any = QUESTIONS[asked.question].of(self.oscillator)(**arguments)
-        shown: Answer = found.in_units() if hasattr(found, "in_units") else found
-        return shown
+            found: Any = QUESTIONS[asked.question].of(self.oscillator)(**self.arguments(asked))
+        self.answers[place] = found.in_units() if hasattr(found, "in_units") else found
+        return self.answers[place]
 
     def explain(self, asked: Asked) -> Plan | None:
         """What runs for it and what is skipped; None for what is a formula, or put together from other questions."""
@@ -270,6 +300,14 @@ class Scene:
             return None
         found: Plan = self.oscillator.explain(asked.question, asked.forcing)
         return found
+
+    def seconds(self, asked: Asked) -> float:
+        """About how long it takes, by what such questions took when they were measured."""
+        oscillator: Any = self.oscillator.oscillator if isinstance(self.oscillator, Physical) else self.oscillator
+        plain, laws, load = costs.COSTS["numpy" if backend.SOLVER is None else "native"][asked.cost]
+        each = load if oscillator.load != 0 else laws if oscillator.model.laws.any else plain
+        # what was not measured, as a shock with eta, which is refused, takes at most what the others take
+        return (each or max(plain, laws, load)) * asked.count()
 
     def forcings(self) -> list[float]:
         """The forcings of its questions, each once, in their order."""
@@ -321,12 +359,13 @@ class _Reader:
         if name == "mount" and given.get("excitation") in tuple(EXCITED):
             kind = replace(kind, forcing=EXCITED[given["excitation"]][0])
         self._complete(name, given, kind.needed)
-        ask = self._table("ask")
-        self._known("ask", ask, (kind.forcing, kind.frequency, "window", "samples", "questions"))
-        self._complete("ask", ask, ("questions",))
+        # first: what it refuses, as a word for the excitation, decides which keys [ask] has
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             oscillator = self._tried(name, given, lambda: kind.make(**given))
+        ask = self._table("ask")
+        self._asks("ask", ask, kind, ("window", "samples", "questions"))
+        self._complete("ask", ask, ("questions",))
         if "samples" in ask:
             self._tried(
                 "ask", ask, lambda: validate.count("samples", ask["samples"], least=2, most=validate.MOST_SAMPLES)
@@ -370,7 +409,7 @@ class _Reader:
         """The pairs of a load spectrum."""
         table = self._table("spectrum", question)
         names = (kind.frequency, kind.forcing)
-        self._known("spectrum", table, names)
+        self._asks("spectrum", table, kind)
         self._complete("spectrum", table, names)
         pairs = {name: self._positive(name, "spectrum") for name in names}
         lengths = [len(values) for values in pairs.values()]
@@ -465,6 +504,22 @@ class _Reader:
                 where = (table, key) if table else (key, "")
                 what = f"is no key of [{table}]" if table else "is no table of a scene"
                 raise self._error(*where, f"{what}: it must be one of {', '.join(known)}", key, known)
+
+    def _asks(self, table: str, given: Mapping[str, Any], kind: Kind, more: tuple[str, ...] = ()) -> None:
+        """As `_known`; of a forcing or frequency of another oscillator it is told what stands for it here."""
+        known = (kind.forcing, kind.frequency, *more)
+        mount = kind.forcing in LETTERS
+        for key in given:
+            if key in (*FORCINGS, *FREQUENCIES) and key not in known:
+                right, of = (kind.forcing, kind.forcing) if key in FORCINGS else (kind.frequency, "f")
+                unit = f", in {next(iter(UNITS[OF_MOUNT[of]]))}" if mount else ", dimensionless"
+                what = "the frequency"
+                if key in FORCINGS:
+                    excited = next((name for name, (letter, *_) in EXCITED.items() if letter == right), "")
+                    what = f"the amplitude of the excitation{f' = {excited!r}' if excited else ''}"
+                said = f"is no key of [{table}] here: it must be one of {', '.join(known)}; {what} is {right}{unit}"
+                raise self._error(table, key, said)
+        self._known(table, given, known)
 
     def _complete(self, table: str, given: Mapping[str, Any], needed: tuple[str, ...]) -> None:
         for key in needed:

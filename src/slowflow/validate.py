@@ -149,16 +149,24 @@ def excitation(value: Any, allowed: tuple[str, ...]) -> str:
     if isinstance(value, str) and "acceleration" in value.lower() and value not in allowed:
         of_constant = "a base whose acceleration has a constant amplitude a is a force, F_0 = m a/(k_v L)"
         raise _refuse("excitation", value, f"{' or '.join(map(repr, allowed))}; {of_constant}")
+    if isinstance(value, str) and value not in allowed:  # no nearest word: "floor" is not "force"
+        meaning = "'base' is a floor or support that moves, 'unbalance' a rotating mass"
+        raise _refuse("excitation", value, f"{' or '.join(map(repr, allowed))}; {meaning}")
     return choice("excitation", value, allowed)
 
 
 def meant(word: Any, known: Iterable[str]) -> str:
-    """The known word that is nearest to another one, as the end of a sentence; empty where none is near."""
+    """The known word that is nearest to another one, as the end of a sentence; empty where none is near.
+
+    A known letter with an index that is not known, as eta_2, is another quantity: no word is near to that.
+    """
     if not isinstance(word, str):
         return ""
     import difflib  # for mistakes only: it takes a millisecond to load
 
     folded = {one.lower(): one for one in known}
+    if "_" in word and word.lower() not in folded and word.partition("_")[0].lower() in folded:
+        return ""
     near = [folded[one] for one in difflib.get_close_matches(word.lower(), folded, 1)]
     return f". Did you mean {near[0]!r}?" if near else ""
 

@@ -398,8 +398,10 @@ class Averaged:
         if question not in (known := (*plan.QUESTIONS, *plan.OF_ALL, *plan.COMPOSED)):
             allowed = f"{', '.join(known)}{validate.meant(question, known)}"
             raise Refused(f"question = {question!r} is not allowed: it must be one of {allowed}")
-        if question in ("certify", "rest"):
+        if question == "certify":
             self.only_for_a_force(question)
+            self.only_for_plain_damping(question)
+        if question == "limit_envelope" and self.model.laws.rubs != THROUGHOUT:
             self.only_for_plain_damping(question)
         if question not in (*plan.QUESTIONS, *plan.AT_ONE):
             if F_0 is not None:

@@ -1,0 +1,155 @@
+"""How long each question of a scene takes: times of random designs, which `slowflow explain` estimates from.
+
+    python -m benchmarks.costs    writes src/slowflow/measured/costs.py, of both backends, in some ten minutes
+
+A design is a mount of usual numbers from a fixed seed. Its time is that of the processor, which other programs on the
+machine change least. What a time is counted by, as a frequency or a row of a spectrum, `Asked.count` says.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+import warnings
+from collections.abc import Iterator
+from pathlib import Path
+
+from benchmarks.environment import processor
+from slowflow.scenes import QUESTIONS, SHOCKS, Asked, Scene, read
+from slowflow.sizing import tolerances
+from slowflow.sizing.subject import Subject
+from slowflow.sizing.tolerances import FEW_SAMPLES
+
+#: designs of each kind; seconds after which no further design is asked
+DESIGNS, SEED, PATIENCE = 15, 35, 6.0
+BACKENDS = ("native", "numpy")
+WHERE = Path("src/slowflow/measured/costs.py")
+#: what a mount has besides, by kind
+KINDS = {"plain": "", "laws": "eta = 0.02\nc_2 = 20.0", "load": "load = {load:.4f}"}
+MOUNT = """[mount]
+m = 12.0
+k_v = 2500.0
+k_h = {k_h:.1f}
+L = 0.080
+preload = {preload:.5f}
+friction = {friction:.4f}
+zeta = {zeta:.4f}
+{more}
+[ask]
+F = [{F:.3f}]
+f = [{f:.3f}]
+questions = ["{question}"]
+[tolerances]
+k_h = 0.05
+preload = 0.05
+"""
+SPECTRUM = "[spectrum]\nf = [{f:.3f}, 2.2, 5.0]\nF = [{F:.3f}, {F:.3f}, 2.0]\n"
+SHOCK = "[shock]\nacceleration = [{a:.2f}]\nduration = [{duration:.4f}]\n"
+DOCUMENT = '''"""Seconds that questions take, by backend: of a plain oscillator, with more laws of damping, loaded.
+
+Written by `python -m benchmarks.costs`; never edit. Medians of random mounts; nine of ten answers took between
+1/SPREAD and SPREAD times as long.
+"""
+
+# fmt: off
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+MACHINE = "{processor}"
+SPREAD = {spread}
+COSTS: Mapping[str, Mapping[str, tuple[float, float, float]]] = {{
+{rows}
+}}
+'''
+
+
+def scene(question: str, kind: str, drawn: random.Random) -> Scene:
+    """A scene with one question, about a mount that is drawn."""
+    numbers = {
+        "k_h": drawn.uniform(800, 3000),
+        "preload": drawn.uniform(0.003, 0.012),
+        "friction": drawn.choice((0.0, drawn.uniform(0.1, 0.8))),
+        "zeta": drawn.uniform(0.01, 0.06),
+        "F": drawn.uniform(2.0, 8.0),
+        "f": drawn.uniform(1.5, 6.0),
+        "load": 12.0 + drawn.uniform(-1.0, 1.0),
+        "a": drawn.uniform(5, 40),
+        "duration": drawn.uniform(0.005, 0.1),
+    }
+    more = KINDS[kind].format(**numbers)
+    if question in SHOCKS:
+        more = more.replace("eta = 0.02\n", "")  # which no shock has
+    text = (MOUNT + SPECTRUM + SHOCK).format(more=more, question=question, **numbers)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "scene.toml")
+        path.write_text(text)
+        return read(path)
+
+
+def once(of: Scene, asked: Asked) -> float:
+    """Seconds of one answer over what it is counted by; of tolerances design by design, those of a tenth of them."""
+    begun = time.process_time()
+    few = asked.question == "tolerances" and Subject(of.oscillator, asked.arguments["within"]).one_by_one
+    if few:
+        tolerances(of.oscillator, **of.arguments(asked), samples=FEW_SAMPLES // 10)
+    else:
+        of.answer(asked)
+    return (time.process_time() - begun) * (10 if few else 1) / asked.count()
+
+
+def entries() -> Iterator[tuple[str, str, list[float]]]:
+    """Entry, kind, and the times of designs, on the backend in use."""
+    for question in QUESTIONS:
+        for kind in KINDS:
+            drawn, times, begun = random.Random(SEED), {}, time.monotonic()
+            for _ in range(DESIGNS):
+                of = scene(question, kind, drawn)
+                for asked in of.asked:
+                    try:
+                        took = once(of, asked)
+                    except (ValueError, ArithmeticError):
+                        continue
+                    times.setdefault(asked.cost, []).append(took)
+                if time.monotonic() - begun > PATIENCE:
+                    break
+            for entry, found in times.items():
+                # the first has imports among it
+                yield entry, kind, found[1:] or found
+
+
+def main() -> None:
+    """Print the times of this backend as JSON, or write those of both."""
+    warnings.simplefilter("ignore")
+    if sys.argv[1:] == ["--here"]:
+        print(json.dumps(list(entries())))
+        return
+    spreads, rows = [], []
+    for backend in BACKENDS:
+        environment = {**os.environ, "SLOWFLOW_BACKEND": backend} if backend == "numpy" else dict(os.environ)
+        command = [sys.executable, "-m", "benchmarks.costs", "--here"]
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+        table: dict[str, dict[str, float]] = {}
+        for entry, kind, found in json.loads(done.stdout):
+            middle = statistics.median(found)
+            table.setdefault(entry, {})[kind] = middle
+            spreads += [max(one / middle, middle / one) for one in found]
+        rows.append(f'    "{backend}": {{')
+        for entry, kinds in table.items():
+            # a question that a kind has no answer to costs nothing
+            rows.append(f'        "{entry}": ({", ".join(f"{kinds.get(kind, 0.0):.2g}" for kind in KINDS)}),')
+        rows.append("    },")
+    text = DOCUMENT.format(
+        processor=processor(), spread=f"{statistics.quantiles(spreads, n=10)[-1]:.1f}", rows="\n".join(rows)
+    )
+    WHERE.write_text(text)
+
+
+if __name__ == "__main__":
+    main()
