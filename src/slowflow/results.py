@@ -56,6 +56,8 @@ class Remark(IntFlag):
     BY_BALLS = 1024
     #: the force was written so that for u < 0 it is another one than its mirror image, which was taken
     MIRRORED = 2048
+    #: resonant states next to the top of a well, near which no exact motion loses as little energy as is supplied
+    UNSUSTAINED = 4096
 
 
 class State(NamedTuple):

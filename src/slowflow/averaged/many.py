@@ -38,6 +38,7 @@ from slowflow.averaged.batches import Codes, Curves, Detachments, Folds, Onsets,
 from slowflow.averaged.parts import blocks, share
 from slowflow.averaged.questions import Averaged
 from slowflow.averaged.reference.defined import check_defined, may_be_undefined
+from slowflow.averaged.sustained import Damping
 from slowflow.certificate import DOUBLES
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, Floats, Laws, Model, check_names, held
@@ -327,15 +328,15 @@ class Designs(Unchanging):
 
     def remarks(self, F_0: Any, Omega: Any, A: Any, corner: Any) -> remarks.Codes:
         """What to bear in mind with states of each design, along one more axis; see `remarks.of_designs`."""
-        mu = np.asarray(self.values["mu"], dtype=float)
+        numbers = (np.asarray(self.values.get(name, 0.0), dtype=float) for name in Damping._fields[:4])
+        mu, zeta, eta, c_2 = numbers
+        damping = Damping(mu, zeta, eta, c_2, self.rubs, self.excitation != "force")
         with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
             parameters = self._parameters
             force = np.asarray(F_0)[..., np.newaxis]
-            rubs = self.rubs
             if self.excitation != "force":
                 force = inertia.force(np.where(np.asarray(A) > 0, Omega, np.inf), force)
-                rubs = THROUGHOUT  # what is excited by inertia nothing holds at every frequency, see `Model.holds`
-            return remarks.of_designs(self.mechanism, parameters, mu, force, Omega, A, corner, rubs)
+            return remarks.of_designs(self.mechanism, parameters, damping, force, Omega, A, corner)
 
     def spanned(
         self, x: str, y: str, of: str, values: Floats, beside: dict[str, Any]

@@ -12,8 +12,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from slowflow.averaged import sustained
 from slowflow.measured import validity
-from slowflow.mechanism import Mechanism
+from slowflow.mechanism import Floats, Mechanism
 from slowflow.model import THROUGHOUT, Model
 from slowflow.model import held as held_up_to
 from slowflow.results import Remark
@@ -41,6 +42,8 @@ WORDS = {
     "where",
     Remark.BEYOND_WELL: "there are states beyond the well, which turn where the spring pushes on instead of back: "
     "none is stable, as exact motions do not come back from there",
+    Remark.UNSUSTAINED: "there are states next to the top of the well that the equation of motion need not have: a "
+    "free motion of such an amplitude loses more energy a cycle than the excitation supplies; measure() tells",
     Remark.BY_BALLS: "balls of more digits decided how many there are, or which is lowest, where doubles do not tell",
     Remark.MIRRORED: "{mirrored} is not odd: for u < 0 the force is that of |u| with the other sign; odd=False takes "
     "it as it is written",
@@ -105,15 +108,22 @@ def of_one_gives_way(model: Model) -> bool:
 
 
 def of_designs(
-    mechanism: Mechanism, parameters: tuple[Any, ...], mu: Any, force: Any, Omega: Any, A: Any, corner: Any, rubs: str
+    mechanism: Mechanism,
+    parameters: tuple[Any, ...],
+    damping: sustained.Damping,
+    force: Any,
+    Omega: Any,
+    A: Any,
+    corner: Any,
 ) -> Codes:
     """What `Remark` has for states (Omega, A); NaN is no state.
 
     Omega, A, corner    -- of each design, along one more, last axis; corner: of folds, which are on one, None of others
-    parameters, mu      -- of the designs, shapes that broadcast
+    parameters, damping -- of the designs, shapes that broadcast
     force               -- on each state, of a shape that broadcasts with Omega; NaN where the question has none
-    rubs                -- where dry friction acts
     """
+    # what is excited by inertia nothing holds at every frequency, see `Model.holds`
+    mu, rubs = damping.mu, THROUGHOUT if damping.inertial else damping.rubs
     A = np.asarray(A, dtype=float)
     there = A > 0
     beside = tuple(np.asarray(value, dtype=float)[..., np.newaxis] for value in parameters)
@@ -131,6 +141,7 @@ def of_designs(
         Remark.NEGATIVE_STIFFNESS: (at_rest > 0) | (pull > 0),
         Remark.LEAVES_CENTRE: (there & ~kept).any(axis=-1),
         Remark.BEYOND_WELL: (there & beyond).any(axis=-1),
+        Remark.UNSUSTAINED: _unsustained(mechanism, parameters, damping, Omega, A),
         Remark.OF_TRUNCATION: on_jump,
         Remark.MIRRORED: np.full(A.shape[:-1], bool(mechanism.mirrored)),
         Remark.HELD_AT_REST: (force <= held[..., np.newaxis]).any(axis=-1),
@@ -159,11 +170,15 @@ def of_one(model: Model, F_0: float, Omega: Any, A: Any, corner: Any = None, *, 
             said.append(Remark.NEAR_STICKING)
     if highest > model.reach:
         said.append(Remark.BEYOND_REACH)
-    if highest > 0 and not centred and not model.stays_centred:
-        if not keeps_centre(model.mechanism, model.parameters, Omega, A).all():
-            said.append(Remark.LEAVES_CENTRE)
-        if turns_beyond(model.mechanism, model.parameters, A).any():
-            said.append(Remark.BEYOND_WELL)
+    if highest > 0 and not model.stays_centred:
+        if not centred:
+            if not keeps_centre(model.mechanism, model.parameters, Omega, A).all():
+                said.append(Remark.LEAVES_CENTRE)
+            if turns_beyond(model.mechanism, model.parameters, A).any():
+                said.append(Remark.BEYOND_WELL)
+        states = np.atleast_1d(Omega, A)
+        if _unsustained(model.mechanism, model.parameters, sustained.Damping.of(model), *states):
+            said.append(Remark.UNSUSTAINED)
     if model.mechanism.truncated and corner is not None and highest > 0:
         if (corner.any() if many else corner) or _is_next_to_jump(model, A):
             said.append(Remark.OF_TRUNCATION)
@@ -209,6 +224,22 @@ def look_at(mechanism: Mechanism, parameters: tuple[Any, ...], Omega: Any, A: An
         kept[may] = keeps_centre(mechanism, chosen, at, A[may])
         beyond[may] = turns_beyond(mechanism, chosen, A[may])
     return kept, beyond
+
+
+def _unsustained(
+    mechanism: Mechanism, parameters: tuple[Any, ...], damping: sustained.Damping, Omega: Any, A: Floats
+) -> Flags:
+    """Whether any state of each of many designs is `sustained.unsustained`, looked at where one may be."""
+    found = np.array((A > 0).any(axis=-1) & ~stay_centred(mechanism, parameters))
+    if found.any():
+        chosen = tuple(np.broadcast_to(value, found.shape)[found] for value in parameters)
+        own = damping.each(lambda value: np.broadcast_to(value, found.shape)[found])
+        at = np.broadcast_to(Omega, A.shape)[found]
+        states = sustained.unsustained(mechanism, chosen, own, at, A[found])
+        # of those beyond the top of the well another remark tells
+        columns = tuple(value[..., np.newaxis] for value in chosen)
+        found[found] = (states & ~turns_beyond(mechanism, columns, A[found])).any(axis=-1)
+    return found
 
 
 def stay_centred(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:

@@ -1,0 +1,166 @@
+"""Whether the equation of motion has anything near a resonant averaged state, by the energy of exact free motions.
+
+In:  a mechanism, its parameters, what dissipates, and steady states (Omega, A) of first-order averaging.
+Out: which states are unsustained: no free motion nearby loses as little energy per cycle as the excitation can supply.
+
+Averaging takes a motion for harmonic. Next to the top of a well, where the force vanishes and turns, it is not: the
+free motion of the undamped equation u'' + f(u) = 0 becomes slow and flat there, and beyond it there is none about the
+centre. Of the free motion of amplitude a let omega be the frequency, J the integral of u'^2 over a cycle, A_1 the first
+harmonic. At omega a force of amplitude F supplies at most pi A_1 F per cycle, and viscous damping takes 2 zeta J: that
+of a harmonic motion of amplitude a at the mean frequency J/(pi a^2). So what sustains the motion is F >= (a/A_1) I,
+with I the sine balance (23) at that frequency; away from omega the cosine balance a (Omega^2 - omega^2) is added.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from slowflow.mechanism import Floats, Mechanism
+from slowflow.model import THROUGHOUT, Model, at_rest
+from slowflow_kernels import dissipation, slow_flow
+
+Flags = npt.NDArray[np.bool_]
+
+#: how far from a state, relative in amplitude and in frequency, a motion that is sustained counts as near it; the
+#: averaged folds of wells that are right to this are no artefacts (`tests/test_sustained.py` has what it detects)
+AMPLITUDES, FREQUENCIES = 0.2, 0.05
+
+#: of the excitation, what damping takes at least where a state is resonant; the free motion says nothing of others
+RESONANT = 0.8
+
+#: a force that changes its sign within this factor of an amplitude has free motions there that are far from harmonic
+WITHIN = 2.0
+
+#: places where the force's sign is looked at, amplitudes of free motions, and cells of a quarter of their cycle
+SIGNS, MOTIONS, CELLS = 32, 96, 48
+
+#: designs whose free motions are computed at once, some megabytes
+AT_ONCE = 64
+
+
+class Damping(NamedTuple):
+    """What dissipates, numbers or arrays of designs with one more axis behind; and what F_0 is the amplitude of."""
+
+    mu: Any
+    zeta: Any
+    eta: Any
+    c_2: Any
+    rubs: str = THROUGHOUT
+    inertial: bool = False
+
+    @classmethod
+    def of(cls, model: Model) -> Damping:
+        """Of one oscillator."""
+        return cls(model.mu, model.zeta, model.laws.eta, model.laws.c_2, model.laws.rubs, model.inertial)
+
+    def each(self, function: Callable[[Any], Any]) -> Damping:
+        """The same with a function of each number in its place."""
+        mu, zeta, eta, c_2 = (function(value) for value in (self.mu, self.zeta, self.eta, self.c_2))
+        return Damping(mu, zeta, eta, c_2, self.rubs, self.inertial)
+
+    def of_designs(self, chosen: Any, size: int) -> Damping:
+        """Of some designs, one each on the first axis, of so many."""
+        return self.each(lambda value: of_each(value, size)[chosen])
+
+    def sine(self, mechanism: Mechanism, parameters: tuple[Any, ...], Omega: Any, A: Any) -> Floats:
+        """I, the sine balance (23); shapes that broadcast."""
+        u_cr = None if self.rubs == THROUGHOUT else next(end for end in mechanism.breakpoints(*parameters))
+        I_0 = at_rest(A, slow_flow.friction(self.mu), self.eta, u_cr)[0]
+        return np.asarray(dissipation.I(Omega, A, I_0, self.zeta, dissipation.quadratic(self.c_2)))
+
+
+def force_at(mechanism: Mechanism, parameters: tuple[Any, ...], u: Any) -> Floats:
+    """The force of an odd mechanism at u > 0; shapes that broadcast."""
+    value = np.asarray(mechanism.pieces[0].force(u, *parameters))
+    for end, law in zip(mechanism.breakpoints(*parameters), mechanism.pieces[1:], strict=True):
+        value = np.where(u > end, law.force(u, *parameters), value)
+    return value
+
+
+def of_each(value: Any, size: int) -> Floats:
+    """Numbers of designs whose last axis has length 1 as a column with a row for each of so many; or one number so."""
+    rows = np.reshape(value, (-1, 1))
+    return rows if len(rows) == size else np.broadcast_to(rows, (size, 1))
+
+
+def unsustained(mechanism: Mechanism, parameters: tuple[Any, ...], damping: Damping, Omega: Any, A: Any) -> Flags:
+    """Which states (Omega, A) about u = 0 are resonant in averaging, and have no sustained motion near them.
+
+    Omega, A   -- of each design along the last axis; NaN is no state
+    parameters, damping -- of the designs, with a last axis of length 1; or numbers
+    """
+    shape = np.shape(A)
+    A, Omega = (np.broadcast_to(value, shape).reshape(-1, shape[-1]) for value in (A, Omega))
+    found = np.zeros(A.shape, dtype=bool)
+    if not mechanism.odd or not A.size:
+        return found.reshape(shape)
+    size = len(A)
+    parameters = tuple(of_each(value, size) for value in parameters)
+    with np.errstate(all="ignore"):  # amplitudes of any size, and none
+        places = WITHIN * np.fmax.reduce(A, axis=-1, keepdims=True) * (np.arange(1, SIGNS + 1) / SIGNS)
+        turned = (force_at(mechanism, parameters, places) < 0) & (places <= mechanism.reach_at(*parameters))
+        # a state is looked at from half the amplitude on at which the force has changed its sign
+        first = np.where(turned, places, np.inf).min(axis=-1, keepdims=True) / WITHIN
+        may = np.flatnonzero((A >= first).any(axis=-1))
+        for some in (may[begin : begin + AT_ONCE] for begin in range(0, len(may), AT_ONCE)):
+            own = tuple(value[some] for value in parameters)
+            near = A[some] >= first[some]
+            damps = damping.of_designs(some, size)
+            found[some] = _unsustained(mechanism, own, damps, Omega[some], A[some], near)
+    return found.reshape(shape)
+
+
+def _unsustained(
+    mechanism: Mechanism, parameters: tuple[Any, ...], damping: Damping, Omega: Floats, A: Floats, wanted: Flags
+) -> Flags:
+    """The same of some designs, along the first axis, and of the states that are wanted."""
+    takes = damping.sine(mechanism, parameters, Omega, A)
+    level = slow_flow.level(Omega, A, takes, 0.0, mechanism.averaged(A, *parameters)[0])
+    wanted = wanted & (takes >= RESONANT * level)
+    found = np.zeros(A.shape, dtype=bool)
+    if not wanted.any():
+        return found
+    own = np.where(wanted, A, np.nan)
+    low, high = np.fmin.reduce(own, axis=-1), np.fmax.reduce(own, axis=-1)
+    a = np.geomspace((1 - AMPLITUDES) * low, (1 + AMPLITUDES) * high, MOTIONS, axis=-1)
+    omega, J, A_1 = free_motions(mechanism, parameters, a)
+    row, place = np.nonzero(wanted)
+    A, Omega, level = (values[row, place][:, np.newaxis] for values in (A, Omega, level))
+    a, omega, J, A_1 = (values[row] for values in (a, omega, J, A_1))
+    beside = np.clip(omega, (1 - FREQUENCIES) * Omega, (1 + FREQUENCIES) * Omega)
+    mean = J / (np.pi * a * a) * beside / omega
+    sine = damping.each(lambda value: of_each(value, len(found))[row]).sine(
+        mechanism, tuple(value[row] for value in parameters), mean, a
+    )
+    needed = np.hypot(a * (beside**2 - omega**2), a / A_1 * sine)
+    given = level * (beside / Omega) ** 2 if damping.inertial else level
+    found[row, place] = ~((needed <= given) & (np.abs(a / A - 1) <= AMPLITUDES)).any(axis=-1)
+    return found
+
+
+def free_motions(mechanism: Mechanism, parameters: tuple[Any, ...], a: Floats) -> tuple[Floats, Floats, Floats]:
+    """omega, J and A_1 of the free undamped motions about u = 0 of amplitudes a; NaN where there is none.
+
+    By midpoints over the angle theta of u = a sin theta, which takes the singularity at the turning point away.
+
+    a          -- of any shape; the parameters broadcast with it
+    """
+    edges = np.linspace(0.0, np.pi / 2, CELLS + 1)
+    middles = (edges[1:] + edges[:-1]) / 2
+    a = a[..., np.newaxis]
+    u, ends = a * np.sin(middles), a * np.sin(edges[1:])
+    f = force_at(mechanism, tuple(np.asarray(value)[..., np.newaxis] for value in parameters), u)
+    cells = f * np.diff(a * np.sin(edges), axis=-1)
+    # u'^2/2 is the work of the force from u to a: that of the cells beyond, and of the rest of its own
+    work = np.cumsum(cells[..., ::-1], axis=-1)[..., ::-1] - cells + f * (ends - u)
+    speed = np.sqrt(2 * np.where((work > 0).all(axis=-1, keepdims=True), work, np.nan))
+    time = a * np.cos(middles) / speed * (np.pi / 2 / CELLS)
+    quarter = time.sum(axis=-1, keepdims=True)
+    omega = np.pi / 2 / quarter
+    J = 4 * (speed**2 * time).sum(axis=-1)
+    A_1 = 2 * (u * np.sin(omega * (np.cumsum(time, axis=-1) - time / 2)) * time).sum(axis=-1) / quarter[..., 0]
+    return omega[..., 0], J, A_1
