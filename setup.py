@@ -2,9 +2,9 @@
 
 All else says pyproject.toml.
 
-A checkout installs without a C compiler too (`pip install --editable`), and runs on NumPy. A wheel is compiled, or its
-build fails; SLOWFLOW_PURE=1 asks for one that runs on NumPy, whose name says so. The C is committed: building it needs
-NumPy's headers and nothing that derives or renders.
+What is built is compiled, or the build fails. Only a checkout installs without a C compiler too (`pip install
+--editable`, `build_ext --inplace`), and runs on NumPy. SLOWFLOW_PURE=1 asks for a package that runs on NumPy; a wheel's
+name says so. The C is committed: building it needs NumPy's headers and nothing that derives or renders.
 
 To the solver's extension a further source is added by putting it into src/slowflow/native/solver/.
 """
@@ -13,7 +13,9 @@ import os
 import re
 import shlex
 import subprocess
+import sys
 import sysconfig
+import tempfile
 import tomllib
 from concurrent.futures import ThreadPoolExecutor
 from itertools import chain, repeat
@@ -22,6 +24,7 @@ from pathlib import Path
 import numpy as np
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
+from setuptools.errors import BaseError, CompileError, LinkError
 
 NATIVE = Path("src/slowflow/native")
 GENERATED = Path("generated")
@@ -55,24 +58,45 @@ class Build(build_ext):
         super().finalize_options()
 
     def run(self):
-        # asked before, as setuptools builds a checkout as if it were none
-        self.runs_here = self.inplace or self.editable_mode
-        super().run()
-        if self.runs_here:
-            return
-        missing = [one.name for one in self.extensions if not Path(self.get_ext_fullpath(one.name)).exists()]
-        if missing:
+        # before the base class, which builds in place as if it did not
+        self.in_checkout = self.inplace or self.editable_mode
+        if self.in_checkout:
+            # what an earlier build left would be imported in place of what this one cannot make
+            for path in chain(Path("src").rglob("_*"), GENERATED.rglob("_*")):
+                if path.suffix in (".so", ".pyd"):
+                    path.unlink()
+        try:
+            super().run()
+        except (BaseError, CompileError, LinkError) as error:
             raise SystemExit(
-                f"slowflow: {', '.join(missing)} could not be compiled, see above. This needs a C compiler and the "
-                "headers of Python (on Debian: apt install gcc python3-dev). With SLOWFLOW_PURE=1 in the environment "
-                "the package is built without: the same answers, slower."
-            )
+                f"slowflow: the extension modules could not be compiled ({error}), see above. This needs a C compiler "
+                "and the headers of Python (on Debian: apt install gcc python3-dev). With SLOWFLOW_PURE=1 in the "
+                "environment the package is built without: the same answers, slower."
+            ) from error
+
+    def has_compiler(self):
+        """Whether anything at all compiles: the compiler may be absent, or a placeholder that asks to be installed."""
+        with tempfile.TemporaryDirectory() as folder:
+            source = Path(folder, "empty.c")
+            source.write_text("int slowflow_empty;\n", encoding="utf-8")
+            try:
+                self.compiler.compile([str(source)], output_dir=folder)
+            except (BaseError, CompileError):
+                return False
+        return True
 
     def build_extensions(self):
+        if self.in_checkout and not self.has_compiler():
+            self.extensions = []
+            print(
+                "slowflow: no C compiler works here; this checkout runs on NumPy: the same answers, slower.",
+                file=sys.stderr,
+            )
+            return
         for extension in self.extensions:
             # the user's have the last word
             extension.extra_compile_args = [*FLAGS.get(self.compiler.compiler_type, []), *CFLAGS]
-        if self.runs_here and (target := self.target_here()):
+        if self.in_checkout and (target := self.target_here()):
             for extension in self.extensions:
                 extension.sources = [source for source in extension.sources if not source.endswith("_baseline.c")]
                 extension.define_macros = [
@@ -111,7 +135,7 @@ class Build(build_ext):
 
 
 def extension(name, sources):
-    """An optional extension module over C sources."""
+    """An extension module over C sources."""
     return Extension(
         name,
         sorted(str(path) for path in sources),
@@ -119,7 +143,6 @@ def extension(name, sources):
         depends=HEADERS,
         define_macros=[("Py_LIMITED_API", "0x030B0000")] if STABLE_ABI else [],
         py_limited_api=STABLE_ABI,
-        optional=True,
     )
 
 

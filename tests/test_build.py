@@ -1,0 +1,85 @@
+"""A build in a checkout: what does not compile fails, nothing of an earlier build stays, without a compiler NumPy runs.
+
+On a copy of Makefile and setup.py with three small modules in place of the solvers.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.native.headers import COMPILER
+
+ROOT = Path(__file__).parents[1]
+MODULES = {
+    "src/slowflow/native/kernels.c": "generated/slowflow_kernels/_native",
+    "src/slowflow/native/solver/_native.c": "src/slowflow/_native",
+    "src/slowflow/native/exact/_exact.c": "src/slowflow/_exact",
+}
+STAMP = ".venv/compiled"
+
+pytestmark = pytest.mark.skipif(COMPILER is None or not shutil.which("make"), reason="no C compiler, or no make")
+
+
+@pytest.fixture
+def checkout(tmp_path: Path) -> Path:
+    """A checkout whose extension modules have nothing in them, with those of an earlier build and its stamp."""
+    for name in ("Makefile", "setup.py", "pyproject.toml", "README.md", "LICENSE"):
+        shutil.copy(ROOT / name, tmp_path)
+    for source, module in MODULES.items():
+        for path in (tmp_path / source, tmp_path / module):
+            path.parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / source).write_text("int slowflow_nothing;\n")
+        (tmp_path / f"{module}.abi3.so").write_text("of an earlier build")
+    (tmp_path / ".venv").mkdir()
+    (tmp_path / ".venv" / "pyvenv.cfg").touch()
+    (tmp_path / STAMP).touch()
+    os.utime(tmp_path / STAMP, (0, 0))
+    return tmp_path
+
+
+def make(checkout: Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    """`make .venv/compiled`, with the Python that runs this test."""
+    kept = {name: value for name, value in os.environ.items() if not name.startswith(("SLOWFLOW", "MAKE", "MFLAGS"))}
+    command = ["make", f"BIN={Path(sys.executable).parent}", STAMP]
+    return subprocess.run(command, cwd=checkout, env=kept | environment, capture_output=True, text=True)
+
+
+def built(checkout: Path) -> dict[str, bytes]:
+    """The extension modules that are there to be imported."""
+    return {path.name: path.read_bytes() for path in checkout.rglob("*.so") if "build" not in path.parts}
+
+
+def test_what_compiles_replaces_what_was_there(checkout: Path) -> None:
+    done = make(checkout)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert (checkout / STAMP).exists()
+    assert len(list(checkout.rglob("_exact*.so"))) == 2  # where it is made, and where it is imported
+    assert b"of an earlier build" not in built(checkout).values()
+
+
+@pytest.mark.parametrize("source", MODULES)
+def test_what_does_not_compile_fails_and_leaves_nothing_to_import(checkout: Path, source: str) -> None:
+    (checkout / source).write_text("this is no C\n")
+    done = make(checkout)
+    assert done.returncode != 0
+    assert "could not be compiled" in done.stderr and "SLOWFLOW_PURE=1" in done.stderr
+    assert not built(checkout) and not (checkout / STAMP).exists()
+
+
+def test_without_a_compiler_nothing_is_compiled_and_it_says_so(checkout: Path) -> None:
+    done = make(checkout, CC="no-such-compiler")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "runs on NumPy" in done.stderr
+    assert not built(checkout) and not (checkout / STAMP).exists()
+
+
+def test_a_pure_build_leaves_nothing_to_import(checkout: Path) -> None:
+    done = make(checkout, SLOWFLOW_PURE="1")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert not built(checkout) and not (checkout / STAMP).exists()
