@@ -1,8 +1,13 @@
-"""What several tests share, also across the workers of pytest-xdist: what is made once, and the generated C."""
+"""What several tests share, also across the workers of pytest-xdist: what is made once, and the generated C.
+
+Profiles of Hypothesis: "push" draws the same examples every time; --hypothesis-profile=long (`make test-random`) draws
+others in each run, and prints the seed that --hypothesis-seed repeats it by.
+"""
 
 from __future__ import annotations
 
 import os
+import secrets
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
@@ -11,6 +16,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from filelock import FileLock
+from hypothesis import settings
 
 from derivations.emit.catalogue.every_module import all_modules
 from derivations.emit.form import Module
@@ -28,7 +34,25 @@ pytest.register_assert_rewrite("tests.off_centre_cases")
 # figures are drawn, none is shown
 os.environ.setdefault("MPLBACKEND", "Agg")
 
+settings.register_profile("push", deadline=None, derandomize=True)
+settings.register_profile("long", deadline=None, derandomize=False, print_blob=True)
+settings.load_profile("push")
+
 Once = Callable[[str, Callable[[Path], object]], Path]
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_configure(config: pytest.Config) -> None:
+    """One fresh seed for all workers, before Hypothesis reads the option."""
+    if config.getoption("--hypothesis-profile") == "long" and config.getoption("--hypothesis-seed") is None:
+        config.option.hypothesis_seed = str(secrets.randbits(32))
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
+    """The seed of a long run."""
+    if config.getoption("--hypothesis-profile") == "long":
+        seed = config.getoption("--hypothesis-seed")
+        terminalreporter.write_line(f"again: --hypothesis-profile=long --hypothesis-seed={seed}")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

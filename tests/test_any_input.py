@@ -52,7 +52,7 @@ LONG = ("measure", "plot", "plot_map")
 #: processor time within which a question is promised to end
 AT_MOST = 60.0
 
-often = settings(max_examples=300, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
+often = settings(max_examples=300, suppress_health_check=[HealthCheck.too_slow])
 seldom = settings(often, max_examples=60)
 
 

@@ -32,7 +32,7 @@ AVERAGES = {
 }
 #: near a cusp a fold moves by the root of a rounding
 NEARLY = 1e-7
-drawn = settings(max_examples=40, deadline=None, derandomize=True)
+drawn = settings(max_examples=40)
 
 duffings = st.builds(
     dict,

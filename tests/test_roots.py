@@ -171,7 +171,7 @@ ANY = st.one_of(*(st.tuples(st.just(kind), row) for kind, row in ROWS.items()))
 
 
 @pytest.mark.slow
-@settings(max_examples=400, deadline=None, derandomize=True)
+@settings(max_examples=400)
 @given(ANY)
 @example(("response", (1.0, -3.0, 4.0, 2.0**-60, 5.0)))  # F(0) = 0, and F hardly rises to its maximum
 def test_numpy_agrees_with_the_certified_roots(case):
@@ -185,7 +185,7 @@ def test_numpy_agrees_with_the_certified_roots(case):
 
 
 @pytest.mark.slow
-@settings(max_examples=200, deadline=None, derandomize=True)
+@settings(max_examples=200)
 @given(ANY, st.integers(-8, 8), st.integers(-8, 8))
 def test_units_of_frequency_and_of_force_do_not_matter(case, i, j):
     # w -> w/s with A -> A s^2, zeta -> zeta/s, h_A -> h_A/s^2, and A, h, m, F_0 in a common unit: exact in powers of 2
