@@ -8,6 +8,7 @@ import copy
 import json
 from collections import Counter
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any
@@ -20,7 +21,7 @@ from flint import arb
 from derivations import ledger
 from derivations.ledger import balls, entries, proofs, render, source
 from derivations.ledger.facts import Facts
-from derivations.ledger.findings import key
+from derivations.ledger.findings import Contradiction, check_formulas, key
 from derivations.ledger.formulas import Subject, subjects
 from derivations.ledger.judging import judge
 from derivations.ledger.rows import ALLOWED, AMBIGUOUS, DIFFERS, FALSE, IDENTICAL, VOCABULARY, Row
@@ -159,6 +160,41 @@ def test_a_swapped_formula_is_found(against: dict[str, Subject]) -> None:
     assert judge(PUBLISHED.alpha, against["alpha"]).verdict == IDENTICAL
     assert judge(PUBLISHED.alpha, against["beta"]).verdict == DIFFERS
     assert judge(PUBLISHED.saddle_node_resultant, against["detachment_resultant"]).verdict == DIFFERS
+
+
+# ---- errors of the derivation -------------------------------------------------------------------------------------
+
+
+def mistaken(results: Results, change: Callable[[Any], Any]) -> Results:
+    """The derivation's results with one of the paper's averages changed, that below the breakpoint."""
+    rod = copy.copy(results.mechanisms["rod_spring"])
+    first, *others = rod.beside_vertical.regimes
+    regimes = (replace(first, derivatives=change(first.derivatives)), *others)
+    # kept from its first use on
+    rod.__dict__["beside_vertical"] = replace(rod.beside_vertical, regimes=regimes)
+    return replace(results, mechanisms={**results.mechanisms, "rod_spring": rod})
+
+
+@pytest.mark.parametrize(
+    "change",
+    [lambda found: tuple(-value for value in found), lambda found: found[:0]],
+    ids=["a wrong sign", "nothing derived"],
+)
+def test_an_error_of_the_derivation_is_told_by_its_equation_with_both_sides(
+    results: Results, change: Callable[[Any], Any]
+) -> None:
+    with balls.precision(), pytest.raises(Contradiction) as raised:
+        ledger.all_rows(Facts(mistaken(results, change), PUBLISHED))
+    told = str(raised.value)
+    assert "(21)" in told and "(H_1)" in told
+    for word in ("published", "derived", "difference"):
+        assert word in told
+
+
+def test_a_formula_that_agrees_where_a_finding_says_it_differs_is_told() -> None:
+    row = Row("F_cr_limit_literal", "formula", "4.2", "limit", "x", "x", IDENTICAL)
+    with pytest.raises(Contradiction, match="they agree, where a finding says they differ"):
+        check_formulas([row])
 
 
 # ---- completeness -------------------------------------------------------------------------------------------------

@@ -309,7 +309,6 @@ def test_at_each_fold_two_states_more_or_less_begin_however_near_to_a_jump_of_th
     assert [(states.Omega == Omega).sum() for Omega in grid] == expected.tolist()
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     ("design", "F_0"),
     [

@@ -24,15 +24,20 @@ from __future__ import annotations
 from ..results import Results
 from . import balls, claims, entries, render, source, truncation
 from .facts import Facts
-from .findings import findings
+from .findings import check_formulas, findings
 from .rows import Row
 
 __all__ = ["all_rows", "files"]
 
 
 def all_rows(facts: Facts) -> list[Row]:
-    """Every row, in the paper's order within its kind. Call it at the ledger's precision."""
-    return entries.formula_rows(facts) + entries.number_rows(facts) + claims.claim_rows(facts)
+    """Every row, in the paper's order within its kind. Call it at the ledger's precision.
+
+    Raises `findings.Contradiction` where a formula is not the published one, with both.
+    """
+    formulas = entries.formula_rows(facts)
+    check_formulas(formulas)
+    return formulas + entries.number_rows(facts) + claims.claim_rows(facts)
 
 
 def files(results: Results) -> dict[str, str]:

@@ -14,7 +14,7 @@ from ..mechanisms.rod_spring import delta_h
 from ..symbols import mu, zeta
 from .balls import evaluate, rounded, significant
 from .facts import MESH, Facts
-from .formulas import stiffness, subjects
+from .formulas import Subject, stiffness
 from .proofs import canonical
 from .rows import AMBIGUOUS, DIFFERS, IDENTICAL, INPUT, Row
 
@@ -23,14 +23,13 @@ from .rows import AMBIGUOUS, DIFFERS, IDENTICAL, INPUT, Row
 
 def formula_rows(facts: Facts) -> list[Row]:
     """One row for each entry of FORMULAS, in the paper's order."""
-    against = subjects(facts.results)
     rows = []
     for _, group in groupby(facts.published.FORMULAS, key=lambda f: (f.equation, f.quantity)):
         readings = list(group)
         agreeing = [f for f in readings if facts.judgements[f.function.__name__].verdict != DIFFERS]
         for formula in readings:
             name = formula.function.__name__
-            judgement, subject = facts.judgements[name], against[name]
+            judgement, subject = facts.judgements[name], facts.subjects.get(name, Subject(()))
             by = f"By {judgement.rewriting}" if judgement.rewriting else ""
             verdict, evidence = judgement.verdict, [by, subject.remark]
             if verdict == DIFFERS and agreeing and not subject.literal:

@@ -22,9 +22,10 @@ from ..results import Results
 from ..symbols import F_0, A, Omega, h, mu, psi, tau, u, zeta
 from .balls import evaluate, isolate, polynomial_zeros, rational, rounded, sign
 from .example import ATTACHED, Example, Point, system
-from .formulas import MECHANISM, detached_derivative, shared_symbols, subjects
+from .formulas import GROUPS, MECHANISM, Subject, detached_derivative, shared_symbols
 from .judging import Judgement, judge
 from .proofs import canonical
+from .rows import DIFFERS
 
 #: the mesh of amplitudes that Table 2 turns out to have been read from: 1000 points on [0, 1]
 MESH = 999
@@ -57,17 +58,35 @@ class Facts:
         self.results = results
         self.published = published
         self.rod = results.mechanisms[MECHANISM]
-        self._system = system(results)
-        self.example = self.isolator()
         self._folds: dict[str, list[Point]] = {}
+        self._failed: list[Exception] = []
 
     # ---- formulas -------------------------------------------------------------------------------------------------
 
     @functools.cached_property
     def judgements(self) -> dict[str, Judgement]:
         """The verdict on every published function, by its name."""
-        against = subjects(self.results)
-        return {f.function.__name__: judge(f.function, against[f.function.__name__]) for f in self.published.FORMULAS}
+        return {f.function.__name__: self._judged(f.function) for f in self.published.FORMULAS}
+
+    @functools.cached_property
+    def subjects(self) -> dict[str, Subject]:
+        """What the published functions are held against, by their names; without those that cannot be stated."""
+        found: dict[str, Subject] = {}
+        for group in GROUPS:
+            try:
+                found |= group(self.results)
+            except Exception as error:
+                self._failed.append(error)
+        return found
+
+    def _judged(self, function: Callable[..., Any]) -> Judgement:
+        """The verdict on one. A wrong derivation may raise anything here: that too is a difference, beside others."""
+        try:
+            return judge(function, self.subjects[function.__name__])
+        except Exception as error:
+            errors = self._failed if isinstance(error, KeyError) and self._failed else [error]
+            why = "; ".join(f"{type(one).__name__}: {one}" for one in errors)
+            return Judgement(DIFFERS, str(function.__doc__).strip(), "not comparable", difference=why)
 
     @functools.cached_property
     def integrals_agree(self) -> bool:
@@ -82,6 +101,15 @@ class Facts:
         return canonical(cycle - H_1).is_zero and canonical(parts - detached_derivative(self.results, 0)).is_zero
 
     # ---- the example ----------------------------------------------------------------------------------------------
+
+    @functools.cached_property
+    def example(self) -> Example:
+        """Table 1."""
+        return self.isolator()
+
+    @functools.cached_property
+    def _system(self) -> Any:
+        return system(self.results)
 
     def isolator(self, **changed: Fraction) -> Example:
         """Table 1, with changes."""

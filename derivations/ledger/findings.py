@@ -8,6 +8,18 @@ from .balls import rounded, significant
 from .facts import MESH, Facts
 from .rows import AMBIGUOUS, DIFFERS, FALSE, Row
 
+#: the published formulas that differ from what is derived; each has its finding below
+KNOWN_TO_DIFFER = {
+    "F_cr_limit_literal",
+    "H_i_integrand_minus",
+    "H_i_integrand_plus",
+    "smoothed_equation_of_motion_x",
+}
+
+
+class Contradiction(ArithmeticError):
+    """The derivation and the published formulas part where no finding says so: most likely an error of derivation."""
+
 
 @dataclass(frozen=True)
 class Finding:
@@ -21,6 +33,21 @@ class Finding:
 def key(row: Row) -> str:
     """kind:id. A number and a claim may share an id."""
     return f"{row.kind}:{row.id}"
+
+
+def check_formulas(rows: list[Row]) -> None:
+    """Raise `Contradiction` where rows of formulas differ or agree otherwise than is known.
+
+    Called before any number is computed: from a wrong formula numbers follow that have no folds, or too many.
+    """
+    told = [
+        f"{row.where}, {row.quantity} ({row.id}):\n    published  {row.published}\n    derived    {row.derived}\n"
+        + (f"    difference {row.difference}" if row.difference else "    they agree, where a finding says they differ")
+        for row in rows
+        if (row.verdict == DIFFERS) != (row.id in KNOWN_TO_DIFFER)
+    ]
+    if told:
+        raise Contradiction("\n".join(["the derivation does not give what is published:", *told]))
 
 
 def findings(facts: Facts, rows: list[Row]) -> list[Finding]:

@@ -111,16 +111,7 @@ def fields(
 
 def subjects(results: Results) -> dict[str, Subject]:
     """Every subject, in the paper's order."""
-    return {
-        **_oscillator(results),
-        **_averaging(results),
-        **_restoring(results),
-        **_slow_flow(results),
-        **_critical(results),
-        **_den_hartog(results),
-        **_smoothing(results),
-        **_preloads(results),
-    }
+    return {name: subject for group in GROUPS for name, subject in group(results).items()}
 
 
 def stiffness(results: Results) -> sp.Expr:
@@ -441,3 +432,7 @@ def _preloads(results: Results) -> dict[str, Subject]:
         "delta_h_table_inverse": same(half, remark=choice),
         "delta_h_table_literal": same(half, remark="It would make α = 1 − r²/2 negative."),
     }
+
+
+#: what states subjects, in the paper's order
+GROUPS = (_oscillator, _averaging, _restoring, _slow_flow, _critical, _den_hartog, _smoothing, _preloads)
