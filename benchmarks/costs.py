@@ -25,6 +25,7 @@ from slowflow.scenes import QUESTIONS, SHOCKS, Asked, Scene, read
 from slowflow.sizing import tolerances
 from slowflow.sizing.subject import Subject
 from slowflow.sizing.tolerances import FEW_SAMPLES
+from slowflow_support.errors import SlowflowError
 
 #: designs of each kind; seconds after which no further design is asked
 DESIGNS, SEED, PATIENCE = 15, 35, 6.0
@@ -114,7 +115,7 @@ def entries() -> Iterator[tuple[str, str, list[float]]]:
                 for asked in of.asked:
                     try:
                         took = once(of, asked)
-                    except (ValueError, ArithmeticError):
+                    except SlowflowError:
                         continue
                     times.setdefault(asked.cost, []).append(took)
                 if time.monotonic() - begun > PATIENCE:

@@ -28,6 +28,7 @@ from slowflow.paper import example
 from slowflow.paper.example import TABLE_1
 from slowflow.second import SecondApproximation
 from slowflow_kernels import slow_flow
+from slowflow_support.errors import NotSettled
 
 ROOT = Path(__file__).resolve().parents[1]
 RESULTS = ROOT / "benchmarks/results/validity.json"
@@ -77,7 +78,7 @@ def attempt(job: Callable[[], Any]) -> Any:
     """The answer, or None where a curve cannot be followed; these are counted."""
     try:
         return job()
-    except ArithmeticError:
+    except NotSettled:
         return None
 
 
@@ -281,7 +282,7 @@ def onset(averaged: Isolator, F_SN: float) -> dict[str, float | None]:
             curve = whole(averaged.exact_response(F_0, Omega=window, step=STEP, force=FORCES[force]))
             try:
                 return -steepness(curve)
-            except ArithmeticError:
+            except NotSettled:
                 return 1.0 if curve.folds else -1.0
 
         exact = zero_near(folded, F_SN)

@@ -21,6 +21,7 @@ from slowflow.averaged.batches import Batch
 from slowflow.loads_many import ManyIsolations, ManyMargins
 from slowflow.plausible import Implausible
 from slowflow_kernels.conventions import Status
+from slowflow_support.errors import SlowflowError
 from tests.public_questions import (
     AT,
     AVERAGED,
@@ -45,8 +46,8 @@ from tests.public_questions import (
     numbers,
 )
 
-#: refusals: each has words
-REFUSED = (ValueError, TypeError, ArithmeticError)
+#: refusals: each has words; anything else that is raised is a defect
+REFUSED = SlowflowError
 #: of an answer: what follows motions of the equation itself, and what draws
 LONG = ("measure", "plot", "plot_map")
 #: processor time within which a question is promised to end

@@ -19,6 +19,7 @@ from slowflow.averaged.reference import folds, onset, response
 from slowflow_kernels import duffing, duffing_balls, rod_spring, rod_spring_balls
 from slowflow_kernels import rod_spring_untruncated as untruncated
 from slowflow_kernels import rod_spring_untruncated_balls as untruncated_balls
+from slowflow_support.errors import SlowflowError
 from tests.batch_questions import AVERAGED, ask
 from tests.test_many_as_each import assert_is_that_of_each
 from tests.test_solver_paths import assert_alike
@@ -160,7 +161,7 @@ def test_a_batch_of_one_is_the_single_answer(numbers, F_0, question):
     lists = {name: np.array([value]) for name, value in numbers.items() if name not in named}
     try:
         single = ask(made(numbers), question, F_0)
-    except ArithmeticError as refusal:
+    except SlowflowError as refusal:
         single = refusal
     assert_is_that_of_each(ask(of.many(**lists, **named), question, np.array([F_0])), [single], question)
 

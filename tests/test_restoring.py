@@ -13,6 +13,7 @@ from mpmath import mp, mpf
 from derivations.den_hartog import S, U, V, den_hartog, without_cancellation
 from derivations.harmonics import HARMONICS, of_polynomials
 from derivations.restoring import FAR, moment_parts, moment_series, odd_moment, quarter_moment, restoring
+from derivations.restoring import average as average_of
 from derivations.symbols import F_0, A, Omega, mu, tau, u
 from tests.test_emit import evaluated
 
@@ -86,14 +87,19 @@ def by_quadrature(pieces, amplitude, count, harmonic=1):
     return [c * mp.factorial(k) for k, c in enumerate(mp.taylor(of, amplitude, 3))]
 
 
-def values(regime, amplitude):
-    return evaluated(regime.lets, regime.derivatives, {A: amplitude, **ENDS})
+def values(regime, amplitude, jumps=None):
+    """The average, its derivatives, and its intercept."""
+    return evaluated(regime.lets, (*regime.derivatives, regime.intercept), {A: amplitude, **ENDS, **(jumps or {})})
 
 
-@pytest.mark.slow
+def by_quadrature_with_intercept(pieces, amplitude, count):
+    found = by_quadrature(pieces, amplitude, count)
+    return [*found, found[0] - amplitude * found[1]]
+
+
 @pytest.mark.parametrize(("count", "amplitude"), [(0, "0.2"), (1, "0.31"), (1, "0.49"), (2, "0.501"), (2, "2")])
 def test_closed_form(pieces, average, count, amplitude):
-    exact = by_quadrature(pieces, mpf(amplitude), count)
+    exact = by_quadrature_with_intercept(pieces, mpf(amplitude), count)
     for one, other in zip(values(average.regimes[count], mpf(amplitude)), exact, strict=True):
         assert abs(one - other) <= mpf(10) ** -DIGITS * (1 + abs(other))
 
@@ -101,11 +107,24 @@ def test_closed_form(pieces, average, count, amplitude):
 FAR_POINTS = [(1, 1, "0.376"), (2, 1, "0.55"), (2, 2, "0.626"), (2, 2, "40")]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("count", "far", "amplitude"), FAR_POINTS)
 def test_far_form_to_working_precision(pieces, average, count, far, amplitude):
-    exact = by_quadrature(pieces, mpf(amplitude), count)
+    exact = by_quadrature_with_intercept(pieces, mpf(amplitude), count)
     for one, other in zip(values(average.far_regimes[count, far], mpf(amplitude)), exact, strict=True):
+        assert abs(one - other) <= mpf(2) ** -54 * (1 + abs(other))
+
+
+def test_far_form_with_jumps_that_have_names(pieces):
+    """As of a kernel to which the jumps are given."""
+    names = sp.symbols("jump_1 jump_2", real=True)
+    ends, count = (b_1, b_2), 2
+    jumps = {
+        name: mpf(sp.N((below - above).subs(u, sp.Rational(str(ENDS[b]))), 40))
+        for name, below, above, b in zip(names, pieces, pieces[1:], ends, strict=False)
+    }
+    exact = by_quadrature_with_intercept(pieces, mpf("0.626"), count)
+    found = values(average_of(pieces, ends, count, 2, names), mpf("0.626"), jumps)
+    for one, other in zip(found, exact, strict=True):
         assert abs(one - other) <= mpf(2) ** -54 * (1 + abs(other))
 
 

@@ -250,6 +250,11 @@ def test_harmonics_on_a_curve_are_small():
     assert np.all(np.abs(np.log(curve.A_1 / curve.A)) < 0.5)
 
 
+def test_of_no_state_nothing_is_transmitted():
+    passed = Duffing(1.0, 0.5, 0.01, 0.02).second_approximation.amplitudes(Omega=[], F_0=0.1).transmitted()
+    assert passed.first.size == passed.peak.size == passed.rms.size == 0
+
+
 def test_what_is_not_there_is_told_in_words():
     second = isolator().second_approximation
     stuck = second.frequency_response(0.01)

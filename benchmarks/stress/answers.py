@@ -20,6 +20,7 @@ from benchmarks.stress import search
 from benchmarks.stress.domains import few, ulps
 from benchmarks.stress.search import Found, Point
 from slowflow import Duffing, Isolator
+from slowflow_support.errors import NotSettled, SlowflowError
 from tests.oracles.answers import Nearby
 from tests.oracles.averaged import exact
 from tests.oracles.certified_roots import precision
@@ -86,7 +87,7 @@ def answers(mechanism: str, at: Point, only: str | None = None) -> Iterator[tupl
     def of(find: Callable[[], Any], fields: dict[str, float], kind: str) -> Iterator[tuple[str, Any]]:
         try:
             found = find()
-        except (ArithmeticError, ValueError) as failure:
+        except SlowflowError as failure:
             found = Unjudged(failure)
         for name, value in fields.items():
             if found is None or isinstance(found, Unjudged):
@@ -167,7 +168,7 @@ def points(mechanism: str, rng: np.random.Generator) -> Iterator[tuple[str, Poin
     for at_forcing, F_0 in forcings(iso, rng):
         Omega, where = float(10 ** rng.uniform(-0.5, 0.3)), "anywhere"
         if rng.random() < 0.7:
-            with contextlib.suppress(ArithmeticError):  # a refusal, which the questions themselves meet again
+            with contextlib.suppress(NotSettled):  # a refusal, which the questions themselves meet again
                 folds, peak = iso.saddle_nodes(F_0), iso.peak(F_0)
                 if len(folds) and rng.random() < 0.6:
                     beside = 1 + float(rng.choice([-1, 1])) * 10 ** rng.uniform(-15, -3)
@@ -191,7 +192,7 @@ def measure(mechanism: str, kind: str) -> Callable[[Point], tuple[float, float] 
             return None
         try:
             found = [judged(a) for k, a in answers(mechanism, at, kind) if k == kind and isinstance(a, tuple)]
-        except (ArithmeticError, ValueError):
+        except SlowflowError:
             return None
         return max(found, default=None)
 
@@ -208,7 +209,7 @@ def stress(mechanism: str, part: int, count: int, restarts: int, steps: int) -> 
     for _ in range(count):
         try:
             asked = list(points(mechanism, rng))
-        except ArithmeticError as failure:
+        except NotSettled as failure:
             failed.append((str(failure), ()))
             continue
         for place, at in asked:
@@ -220,7 +221,7 @@ def stress(mechanism: str, part: int, count: int, restarts: int, steps: int) -> 
                         unjudged.setdefault(kind, []).append((answer, at))
                     else:
                         seen.setdefault(kind, []).append(Found(*judged(answer), at, place))
-            except (ArithmeticError, ValueError) as failure:
+            except SlowflowError as failure:
                 failed.append((str(failure), at))
     table = []
     for kind, found in seen.items():

@@ -27,6 +27,7 @@ from benchmarks.stress.domains import ulps
 from benchmarks.stress.search import Point
 from slowflow.averaged.proofs import Allowance
 from slowflow.results import Remark
+from slowflow_support.errors import NotSettled, SlowflowError
 from tests.oracles import counts as proved
 from tests.oracles.averaged import Duffing, RodSpring
 
@@ -112,7 +113,7 @@ def stress(
     for _ in range(oscillators):
         try:
             asked = list(cases(mechanism, rng))
-        except (ArithmeticError, ValueError):
+        except SlowflowError:
             continue
         for kind, iso, own, Omega, make in asked:
             row = table[kind]
@@ -120,7 +121,7 @@ def stress(
                 truth = make()
                 levels = [float(level.mid()) for level in truth.levels]
                 levels = [level for level in levels if level > iso.model.m and math.isfinite(level)]
-            except (ArithmeticError, ValueError, NotImplementedError):
+            except (SlowflowError, NotImplementedError):
                 row["unproved"] += 1
                 continue
             for k, F_0 in enumerate(forcings(round(FORCINGS[kind] * forcings_share), levels, iso.model.m, rng)):
@@ -143,7 +144,7 @@ def _one(row: dict[str, Any], kind: str, iso: Any, at: Point, truth: Any, again:
     F_0, Omega = at[-2:]
     try:
         number = truth.count(F_0)
-    except ArithmeticError:
+    except NotSettled:
         row["unproved"] += 1
         return
     row["cases"] += 1
@@ -152,7 +153,7 @@ def _one(row: dict[str, Any], kind: str, iso: Any, at: Point, truth: Any, again:
     row["beside"] += beside
     try:
         given, said = by_doubles(kind, iso, at)
-    except ArithmeticError as refusal:
+    except NotSettled as refusal:
         row["refused"].append((str(refusal), at))
         return
     row["said"] += said

@@ -19,7 +19,7 @@ from slowflow.averaged.plan import Plan
 from slowflow.mechanism import Floats
 from slowflow.physical_moves import g
 from slowflow.quantities import DRAWN, EXCITED, UNITS, Quantities, Scales, si, turns
-from slowflow_support.errors import Refused
+from slowflow_support.errors import OutOfRange, Refused
 from slowflow_support.frozen import dataclass
 
 #: what A is of a motion that is not about the centre
@@ -409,6 +409,11 @@ class Physical:
         """A number as one, or an array, over what it is measured in."""
         size = self.scales.sizes[kind]
         if validate.is_single(value):
-            return validate.number(name, value, above=above) / size
-        array = validate.finite_array(name, value) if above < 0 else validate.positive_array(name, value)
-        return array / size
+            number: Any = validate.number(name, value, above=above)
+        else:
+            number = validate.finite_array(name, value) if above < 0 else validate.positive_array(name, value)
+        with np.errstate(over="ignore"):
+            found = number / size
+        if not np.isfinite(found).all():
+            raise OutOfRange(f"{name} = {value!r} is too large: over {size:.6g} it leaves the range of doubles")
+        return found

@@ -6,6 +6,7 @@ damper and friction of it, as of exact motions. Over the other half it is the sa
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
@@ -135,7 +136,8 @@ def _largest(value: Callable[[Floats], Floats], turned: Floats, sizes: Floats) -
     sizes  -- values at the nodes
     """
     rows = np.arange(len(turned))
-    part, node = np.unravel_index(sizes.reshape(len(turned), -1).argmax(axis=1), sizes.shape[1:])
+    of_row = sizes.reshape(len(turned), math.prod(sizes.shape[1:]))
+    part, node = np.unravel_index(of_row.argmax(axis=1), sizes.shape[1:])
     top, low, high = sizes[rows, part, node], turned[rows, part, node], turned[rows, part, node + 2]
     for _ in range(GOLDEN_STEPS):
         width = GOLDEN * (high - low)
