@@ -31,7 +31,7 @@ from slowflow_support.errors import NotSettled, Refused
 NEAR_TOP = 0.9  # share of the highest point's amplitude from which on a stretch of the curve may hold its peak
 PARTLY = "a part of the curve only: {}"
 #: how far beyond a fold it is looked at what a sweep falls to, and turns of the forcing that it is given for that
-PAST, MOST_FALL = 1e-5, 2000
+PAST, FALLS, MOST_FALL = 1e-5, 1e-3, 2000
 
 
 @dataclass(frozen=True)
@@ -231,9 +231,9 @@ def _fold_at(F_0: float, i: int, points: list[Point]) -> Fold:
     at, A = float(fold.z[-1]), fold.A
     # the curve lies on one side of a fold: a neighbour farther off may have turned again
     ends = max((float(points[k].z[-1]) - at for k in (i - 1, i + 1)), key=abs)
-    beyond = at * (1.0 - math.copysign(PAST, ends))
-    larger = {motion > A for motion in _stable_at(beyond, points)}
-    up = larger.pop() if len(larger) == 1 else _settles_higher(F_0, fold, beyond)
+    larger = {motion > A for motion in _stable_at(at * (1.0 - math.copysign(PAST, ends)), points)}
+    # nearer to the fold a motion lingers for thousands of turns before it falls
+    up = larger.pop() if len(larger) == 1 else _settles_higher(F_0, fold, at * (1.0 - math.copysign(FALLS, ends)))
     return Fold(at, A, "jump-up" if up else "jump-down", fold.role == "corner")
 
 
