@@ -7,6 +7,7 @@ Out: nothing; `Refused` with what to do where another user could have put code t
 
 from __future__ import annotations
 
+import contextlib
 import os
 import stat
 from pathlib import Path
@@ -36,7 +37,10 @@ def check_own(folder: Path) -> None:
         _check(place, found, f"or say: chmod 700 '{place}'")
         closed = not found.st_mode & (stat.S_IXGRP | stat.S_IXOTH)
         for path in (*place.glob("*"), *place.glob("__pycache__/*")):
-            _check(path, path.lstat(), f"or remove '{place}', what is in it is derived again", closed=closed)
+            with contextlib.suppress(
+                FileNotFoundError
+            ):  # another process has compiled, and removes what it was made of
+                _check(path, path.lstat(), f"or remove '{place}', what is in it is derived again", closed=closed)
 
 
 def _check(path: Path, found: os.stat_result, remedy: str, *, sticky: bool = False, closed: bool = False) -> None:
