@@ -169,8 +169,11 @@ class Batch(Answer):
     @property
     def _has_remarks(self) -> npt.NDArray[np.bool_]:
         """Of which designs there is anything to say: of a force that does not move the mass there is not."""
-        by_inertia = self._designs.excitation != "force"
-        return np.asarray((self.status != Status.INVALID) & ((self.status != Status.STICKS) | by_inertia))
+        designs = self._designs
+        moves = designs.excitation != "force" or getattr(designs, "rubs", THROUGHOUT) != THROUGHOUT
+        # a preload holds a mass up to more than friction does, beside motions of other frequencies
+        held = moves | (np.asarray(self._F_0) > slow_flow.friction(np.asarray(designs.values["mu"])))
+        return np.asarray((self.status != Status.INVALID) & ((self.status != Status.STICKS) | held))
 
     @cached_property
     def remarks(self) -> remarks.Codes:
