@@ -44,8 +44,9 @@ def check_folds_and_states(one: Any, case: Any, *, fold_A: float = FOLD, mean: f
         assert error_of_mean(found, sure) < mean
     for at in case["amplitudes"]:
         states, known = one.amplitudes(Omega=at["Omega"][1], F_0=F_0), at["steady"]
-        assert states.stable.tolist() == [state["stable"] for state in known]
-        for found, sure in zip(states, known, strict=True):
+        moving = [state for state in states if state.A > 0]  # beside a mass that friction holds
+        assert [state.stable for state in moving] == [state["stable"] for state in known]
+        for found, sure in zip(moving, known, strict=True):
             assert error(found.A, sure, "A") < STATE
             assert error_of_mean(found, sure) < mean
             assert found.phi == pytest.approx(float(sure["phi"]), abs=PHASE * U * (1 + _kappa(sure)))

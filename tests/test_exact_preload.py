@@ -112,8 +112,8 @@ def test_a_mass_that_comes_to_rest_where_the_force_jumps_is_followed_and_that_is
 
 @pytest.mark.slow
 def test_a_force_that_does_not_exceed_friction_and_preload_leaves_a_mass_at_rest(spring):
-    with pytest.raises(ValueError, match=r"does not exceed mu and what the force jumps to at u = 0, together = 0\.06"):
-        spring.steady_state(Omega=0.6, F_0=0.0599)
+    held = spring.steady_state(Omega=0.6, F_0=0.0599)  # mu and what the force jumps to at u = 0 are 0.06
+    assert held.A == 0 and held.stable
     assert spring.transient(acceleration=0.0599, duration=3.0).A == 0
     shock = spring.transient(acceleration=0.2, duration=3.0)
     many = Oscillator.many(spring.model.mechanism, c=[C], k=K, mu=MU, zeta=ZETA)

@@ -306,7 +306,7 @@ def test_a_neutral_mean_that_a_falling_force_drives_off_is_not_settled_on():
     try:
         found = oscillator.steady_state(Omega=1.5, F_0=0.05)
     except NotSettled as refusal:
-        assert "drifts" in str(refusal)
+        assert "does not find it" in str(refusal)
     else:
         assert abs(found.harmonics(0)[0]) >= 1e-6
 
@@ -334,7 +334,7 @@ def test_no_trial_runs_off_to_zero_frequency():
     with integrate.limited(200_000):
         part = oscillator.exact_response(F_0, Omega=window, force="truncated")
     last = f"at Omega = {part.Omega[-1]:.9g}, A = {part.A[-1]:.9g}"
-    assert not part.complete and part.message.startswith("a part of the curve only: given up after 200000 integration")
+    assert not part.complete and "a part of the curve only: given up after 200000 integration" in part.message
     assert part.message.endswith(last) and 1 < len(part) < len(curve)
     assert part.Omega == pytest.approx(curve.Omega[: len(part)], rel=1e-9)
 

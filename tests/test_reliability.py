@@ -151,6 +151,7 @@ def test_no_memory_is_kept():
 import numpy as np
 from slowflow import Duffing, Isolator
 from slowflow.paper.example import TABLE_1
+from slowflow_support.errors import Refused
 def resident():
     with open("/proc/self/statm") as file:
         return int(file.read().split()[1])

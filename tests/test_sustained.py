@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import math
+import warnings
+
 import numpy as np
 import pytest
+import sympy as sp
 from scipy.integrate import quad
 
-from slowflow import Duffing
+from slowflow import Duffing, derive
 from slowflow.averaged.sustained import free_motions
 from slowflow.backend import EXACT
 from slowflow.exact import shooting
@@ -59,6 +63,34 @@ def test_sustained_states_far_from_the_top_are_not_told(more):
     one = Duffing(1.0, -0.1, zeta=0.022, **more)
     assert Remark.UNSUSTAINED not in one.amplitudes(Omega=0.95, F_0=0.03).remarks
     assert Remark.UNSUSTAINED not in Duffing(1.0, 0.5, zeta=0.022, **more).amplitudes(Omega=1.1, F_0=0.08).remarks
+
+
+def test_sustained_states_below_a_top_at_the_reach_are_told():
+    """Of sin(u), its reach the top of its well: by quadrature no free motion of that amplitude is sustained."""
+    u = sp.Symbol("u")
+    pendulum = derive.mechanism("pendulum_to_its_top", [(sp.sin(u), None)], {}, reach=math.pi)(zeta=0.0089)
+    states = pendulum.amplitudes(Omega=0.4954, F_0=0.0261)
+    assert states.A.max() == pytest.approx(2.944, abs=1e-3) and Remark.UNSUSTAINED in states.remarks
+    for a in np.linspace(2.36, 3.1, 20):
+        theta = (np.arange(4000) + 0.5) * np.pi / 8000
+        x = a * np.sin(theta)
+        speed = np.sqrt(2 * (np.cos(x) - np.cos(a)))
+        time = a * np.cos(theta) / speed * np.pi / 8000
+        omega = np.pi / 2 / time.sum()
+        A_1 = 2 * np.sum(x * np.sin(omega * (np.cumsum(time) - time / 2)) * time) / time.sum()
+        least = 2 * 0.0089 * 4 * np.sum(speed**2 * time) / (np.pi * A_1)
+        assert np.hypot(a * (np.clip(omega, 0.471, 0.52) ** 2 - omega**2), least) > 0.0261
+
+
+def test_sustained_motions_across_two_wells_have_no_top():
+    """The remark was made of a stable state of two wells, near which Newton finds an exact motion, stable too."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        one = Duffing(-1.0, 1.0, mu=0.0102, zeta=0.1901)
+    states = one.amplitudes(Omega=0.5379, F_0=0.3492)
+    measured = states.measure()
+    assert states.stable[-1] and measured.found[-1] and measured.stable[-1]
+    assert Remark.UNSUSTAINED not in states.remarks
 
 
 @pytest.mark.slow

@@ -94,16 +94,19 @@ def unsustained(mechanism: Mechanism, parameters: tuple[Any, ...], damping: Damp
     parameters, damping -- of the designs, with a last axis of length 1; or numbers
     """
     shape = np.shape(A)
+    if not np.size(A):
+        return np.zeros(shape, dtype=bool)
     A, Omega = (np.broadcast_to(value, shape).reshape(-1, shape[-1]) for value in (A, Omega))
     found = np.zeros(A.shape, dtype=bool)
-    if not mechanism.odd or not A.size:
+    if not mechanism.odd:
         return found.reshape(shape)
     size = len(A)
     parameters = tuple(of_each(value, size) for value in parameters)
     with np.errstate(all="ignore"):  # amplitudes of any size, and none
         places = WITHIN * np.fmax.reduce(A, axis=-1, keepdims=True) * (np.arange(1, SIGNS + 1) / SIGNS)
-        turned = (force_at(mechanism, parameters, places) < 0) & (places <= mechanism.reach_at(*parameters))
-        # a state is looked at from half the amplitude on at which the force has changed its sign
+        # a state is looked at from half the amplitude on at which the force has changed its sign: beyond the reach too,
+        # which may be the very top of the well
+        turned = (force_at(mechanism, parameters, places) < 0) & _pulls_back(mechanism, parameters)
         first = np.where(turned, places, np.inf).min(axis=-1, keepdims=True) / WITHIN
         may = np.flatnonzero((A >= first).any(axis=-1))
         for some in (may[begin : begin + AT_ONCE] for begin in range(0, len(may), AT_ONCE)):
@@ -112,6 +115,12 @@ def unsustained(mechanism: Mechanism, parameters: tuple[Any, ...], damping: Damp
             damps = damping.of_designs(some, size)
             found[some] = _unsustained(mechanism, own, damps, Omega[some], A[some], near)
     return found.reshape(shape)
+
+
+def _pulls_back(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Flags:
+    """Whether u = 0 is the bottom of a well: between two wells damped motions exist that are far from free ones."""
+    h, h_A, *_ = mechanism.at_rest(*parameters)
+    return np.asarray((np.asarray(h) <= 0) & (np.asarray(h_A) < 0))
 
 
 def _unsustained(
