@@ -1,6 +1,7 @@
 # make paper      set up, derive, solve, print Table 2 beside the paper, draw Fig. 7 (first command of the README)
 # make test       everything that CI runs (second command); make test-fast: without the slow tests, under two minutes
 # make test-random  the tests by random examples, with fresh ones in each run; prints the seed that repeats it
+# make corpus     compare some 150,000 answers with their record, a few minutes; `python -m tests.corpus --record` writes it
 # make derive     write generated/ anew and build what is compiled from it
 # make check      compare generated/ with fresh derivations
 # make lint       ruff and mypy
@@ -32,7 +33,7 @@ NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch] gen
 MEANT = $(if $(filter 1,$(SLOWFLOW_PURE)),numpy,$(if $(shell command -v $(CC) || ls $(COMPILED) 2>/dev/null),native,numpy))
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
-.PHONY: paper figures test test-fast test-random derive $(DERIVED) check lint bench validity stress explorer docs links dist clean
+.PHONY: paper figures test test-fast test-random derive $(DERIVED) check lint corpus bench validity stress explorer docs links dist clean
 .DELETE_ON_ERROR:
 # containers often forbid Python to keep bytecode: all that is imported, SymPy too, would be compiled anew in each of the
 # some hundred processes of a test run
@@ -73,6 +74,9 @@ lint: $(DEVELOPED)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+
+corpus: $(DEVELOPED)
+	$(BIN)/python -m tests.corpus
 
 # without the headers their row keeps what was last measured
 bench: $(DEVELOPED)
