@@ -8,6 +8,7 @@ import json
 import math
 import pickle
 import re
+import time
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -533,6 +534,23 @@ def test_motions_of_the_equation_become_three_about_the_onset():
         starts = np.concatenate((heavy.amplitudes(Omega=Omega, F_0=F_0).A, [0.5 * onset.A, 1.5 * onset.A]))
         motions = [heavy.steady_state(Omega=Omega, F_0=F_0, A=A + onset.B) for A in starts]
         assert len({round(motion.A, 6) for motion in motions}) == most
+
+
+def test_boxes_that_get_no_narrower_are_undecided_at_once():
+    """A box of a double's width came back 100,000 times, for eight minutes."""
+    numbers = {"r": 1.685721009768477e-06, "delta_h": 0.011399253844244459, "load": 0.7978934549290119}
+    began = time.process_time()
+    onset = Isolator(lam=1.0, mu=0.8683033939728904, zeta=1.916589441808733, **numbers).saddle_node_onset()
+    assert onset.F_SN is None and "undecided: too many boxes" in onset.message
+    assert time.process_time() - began < 20
+
+
+def test_at_four_mu_over_pi_itself_the_averaged_mass_sticks():
+    """R^2 + I^2 = F_0^2 with I = m + 2 zeta A Omega: at F_0 = m = 4 mu/pi it leaves A = 0, which is held."""
+    loaded = Duffing(1.0, 0.5, 0.01, 0.02, load=0.3)
+    held = loaded.amplitudes(Omega=0.9, F_0=loaded.model.m)
+    (place,) = loaded.rest().u
+    assert held.A.tolist() == [0.0] and held.B == pytest.approx([place], rel=1e-15) and "sticks" in held.message
 
 
 def test_where_no_onset_is_told_the_reason_is():

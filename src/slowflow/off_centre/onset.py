@@ -33,6 +33,8 @@ from slowflow_support.errors import NotSettled
 GAP = 2.0**-16
 #: boxes that are looked at in all, and up to which number the middle of each is asked for a lower fold
 MOST_BOXES, FEW = 100_000, 2000
+#: how often boxes are halved: then both sides are as narrow as doubles allow, and the same box would come back
+MOST_ROUNDS = 200
 #: amplitudes, by octaves, and mean displacements at which folds are looked for to begin with
 OCTAVES, SAMPLES, ACROSS = 20, 121, 96
 
@@ -187,10 +189,10 @@ class Search:
 
         Raises ArithmeticError where too many boxes stay undecided.
         """
-        looked_at, cells = 0, sheets.cells(A_max)
+        rounds, looked_at, cells = 0, 0, sheets.cells(A_max)
         while cells.chart.size:
-            looked_at += cells.chart.size
-            if looked_at > MOST_BOXES:
+            rounds, looked_at = rounds + 1, looked_at + cells.chart.size
+            if looked_at > MOST_BOXES or rounds > MOST_ROUNDS:
                 raise NotSettled("too many boxes of A and B may hold a lower fold")
             with np.errstate(all="ignore"):
                 cells = cells.take(self._may_be_lower(cells, known * (1 - GAP)))
