@@ -123,11 +123,13 @@ def transients(
 
 
 def numbers(**values: Any) -> dict[str, Floats]:
-    """Numbers of pulses, in doubles. Raises ValueError for what is no plain array."""
+    """Numbers of pulses, in doubles. Raises Refused for what is no plain array, and for shapes that do not broadcast."""
     for name, value in values.items():
         if validate.is_labelled(value):
             raise Refused(f"{name} has named axes, or is cut into blocks: shocks take plain arrays")
-    return {name: validate.real_array(name, value).astype(float) for name, value in values.items()}
+    arrays = {name: validate.real_array(name, value).astype(float) for name, value in values.items()}
+    validate.common_shape(arrays)
+    return arrays
 
 
 def samples(tau: Any, acceleration: Any) -> tuple[Floats, Floats]:
