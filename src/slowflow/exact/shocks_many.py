@@ -88,6 +88,7 @@ def of_designs(
 ) -> Shocks:
     """See `slowflow.designs.Designs.shock_spectrum`."""
     pulse = numbers(acceleration=acceleration, duration=duration)
+    validate.common_shape(pulse)
     peak, span = pulse.values()
     allowed = (peak > 0) & (span > 0)
     found = _followed(designs, off_centre, *_half_sine(peak, span), allowed, 0.0, workers)
@@ -111,6 +112,7 @@ def transients(
         raise Refused(NO_PULSE)
     if tau is None:
         pulse = numbers(acceleration=acceleration, duration=duration)
+        validate.common_shape(pulse)
         peak, span = pulse.values()
         found = _followed(designs, off_centre, *_half_sine(peak, span), span > 0, last, workers)
         return Transients(**found, _designs=designs, _pulse=pulse)
@@ -123,13 +125,11 @@ def transients(
 
 
 def numbers(**values: Any) -> dict[str, Floats]:
-    """Numbers of pulses, in doubles. Raises Refused for what is no plain array, and for shapes that do not broadcast."""
+    """Numbers of pulses, in doubles. Raises Refused for what is no plain array."""
     for name, value in values.items():
         if validate.is_labelled(value):
             raise Refused(f"{name} has named axes, or is cut into blocks: shocks take plain arrays")
-    arrays = {name: validate.real_array(name, value).astype(float) for name, value in values.items()}
-    validate.common_shape(arrays)
-    return arrays
+    return {name: validate.real_array(name, value).astype(float) for name, value in values.items()}
 
 
 def samples(tau: Any, acceleration: Any) -> tuple[Floats, Floats]:
@@ -137,6 +137,7 @@ def samples(tau: Any, acceleration: Any) -> tuple[Floats, Floats]:
     times, values = numbers(tau=tau, acceleration=acceleration).values()
     if not (times.ndim and values.ndim and times.shape[-1] == values.shape[-1] >= 2):
         raise Refused(f"tau and acceleration must have as many samples, not {times.shape} and {values.shape}")
+    validate.common_shape({"tau": times, "acceleration": values})
     return times, values
 
 
