@@ -88,8 +88,9 @@ def by_quadrature(pieces, amplitude, count, harmonic=1):
 
 
 def values(regime, amplitude, jumps=None):
-    """The average, its derivatives, and its intercept."""
-    return evaluated(regime.lets, (*regime.derivatives, regime.intercept), {A: amplitude, **ENDS, **(jumps or {})})
+    """The average, its derivatives, and its intercept, which harmonics have not."""
+    outputs = [value for value in (*regime.derivatives, regime.intercept) if value is not None]
+    return evaluated(regime.lets, outputs, {A: amplitude, **ENDS, **(jumps or {})})
 
 
 def by_quadrature_with_intercept(pieces, amplitude, count):

@@ -33,8 +33,9 @@ from slowflow_support.errors import NotSettled
 GAP = 2.0**-16
 #: boxes that are looked at in all, and up to which number the middle of each is asked for a lower fold
 MOST_BOXES, FEW = 100_000, 2000
-#: how often boxes are halved: then both sides are as narrow as doubles allow, and the same box would come back
-MOST_ROUNDS = 200
+#: how often boxes are halved: then both sides are as narrow as doubles allow, and the same box would come back; sides
+#: that end at 0 take a halving for each power of 2 that doubles have
+MOST_ROUNDS = 2200
 #: amplitudes, by octaves, and mean displacements at which folds are looked for to begin with
 OCTAVES, SAMPLES, ACROSS = 20, 121, 96
 
