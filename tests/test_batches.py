@@ -384,3 +384,8 @@ def test_a_design_beyond_doubles_has_that_status_and_the_others_their_answers(qu
     others = kind.many(**{name: value[::2] for name, value in numbers.items()})
     for name, value in batch_questions.columns(batch_questions.ask(others, question, F_0[::2])).items():
         np.testing.assert_array_equal(found[name][::2], value, strict=True)
+
+
+def test_friction_beyond_doubles_has_a_status_and_remarks_without_a_warning():
+    onset = Isolator.many(lam=1.0, r=1.0, delta_h=0.5, mu=[0.01, 1.7e308], zeta=0.02).saddle_node_onset()
+    assert (onset.status[1] != Status.OK) and onset.remarks.shape == (2,)

@@ -253,3 +253,8 @@ def test_what_lies_beyond_the_frequencies_that_are_answered_is_left_out():
         with contextlib.suppress(ArithmeticError):
             getattr(stiff, question)(5.5e62)
         assert getattr(designs, question)(5.5e62).status in (Status.OK, Status.NONE, Status.UNRESOLVED)
+
+
+def test_a_spectrum_without_lines_has_no_rows_off_the_centre_either():
+    for load in (0.0, 0.3):
+        assert len(Duffing(1.0, 0.5, 0.01, 0.02, load=load).spectrum(Omega=[], F_0=0.1).Omega) == 0

@@ -452,10 +452,10 @@ def spectrum(
         found = [on_both_sides(folds[one], np.asarray(at)) for at, one in zip(Omega, F_0.tolist(), strict=True)]
         return np.array(found, dtype=np.intp).reshape(-1, 2).T
 
-    if folds_at is None:
+    if folds_at is None or not at.size:
         ways = crossed(sides, points[:, :-1], points[:, 1:])
     else:
-        shared = np.linspace(F.min(), F.max(), min(STEPS * at.size, SHARED)) if at.size else F
+        shared = np.linspace(F.min(), F.max(), min(STEPS * at.size, SHARED))
 
         def on_shared(which: Ints, Omega: Floats, F_0: Floats) -> Ints:
             """At the forcings that ways share, to their last digit."""

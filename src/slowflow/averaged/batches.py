@@ -172,7 +172,8 @@ class Batch(Answer):
         designs = self._designs
         moves = designs.excitation != "force" or getattr(designs, "rubs", THROUGHOUT) != THROUGHOUT
         # a preload holds a mass up to more than friction does, beside motions of other frequencies
-        held = moves | (np.asarray(self._F_0) > slow_flow.friction(np.asarray(designs.values["mu"])))
+        with np.errstate(over="ignore"):  # infinite friction holds all
+            held = moves | (np.asarray(self._F_0) > slow_flow.friction(np.asarray(designs.values["mu"])))
         return np.asarray((self.status != Status.INVALID) & ((self.status != Status.STICKS) | held))
 
     @cached_property
