@@ -243,3 +243,8 @@ def test_what_is_too_small_or_too_large_for_doubles_is_refused():
     for question in (lambda: tiny.saddle_nodes(F_0), lambda: tiny.amplitudes(Omega=1.0, F_0=F_0)):
         with pytest.raises(ArithmeticError, match="unresolved"):
             question()
+
+
+@pytest.mark.both_backends
+def test_a_forcing_next_to_the_largest_double_is_answered_in_words():
+    assert "unbounded" in Duffing(0.0, 1.0).amplitudes(Omega=1.0, F_0=1.7e308).message

@@ -225,7 +225,7 @@ def cut(model: Model, F_0: float) -> tuple[float, str]:
     A_max = max(STATIC_MULTIPLE * F_0, 2 * max(model.breakpoints, default=0.0))
     for _ in range(0 if model.inertial else RUNGS):
         h, h_A, h_AA, h_AAA = map(float, model.averaged(A_max))
-        with np.errstate(over="ignore"):  # beyond the range of doubles it has passed
+        with np.errstate(over="ignore", invalid="ignore"):  # beyond the range of doubles it has passed, or is not known
             k = slow_flow.intercept(A_max, h, h_A, h_AA)[0]
             passed = slow_flow_zeta0.undamped_level(model.m, k) > F_0 if h_A < 0 else h_AA >= 0
         if passed or h_AA == h_AAA == 0:
