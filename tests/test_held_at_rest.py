@@ -78,8 +78,11 @@ def test_a_mass_that_friction_holds_rides_with_the_floor():
     assert rows.transmissibility_dB[0] == 0 and rows.A[0] == 0 and rows.sticks.tolist() == [True, False]
     slopes = states.gradient().slopes[1]
     assert not slopes.any()
-    with pytest.raises(ValueError, match=r"the inertia force 0.98696\d* N at f = 1 Hz does not exceed friction"):
-        MOUNT.exact_response(F=0.001, f=(0.5, 1.0))
+    curve = MOUNT.exact_response(F=0.001, f=(0.5, 1.0))
+    assert not curve.A.size and "the inertia force 0.98696" in curve.message and "N at f = 1 Hz" in curve.message
+    averaged = MOUNT.frequency_response(F=0.001, f=(0.5, 1.0))
+    assert not averaged.A.size and "sticks up to f = 2.155 Hz" in averaged.message
+    assert "no steady state" not in averaged.message
 
 
 @pytest.mark.both_backends
@@ -120,3 +123,73 @@ def test_under_a_load_the_mass_rests_where_the_spring_carries_it():
 def test_a_softly_thrown_mass_comes_to_rest_elsewhere():
     found = Duffing(1.0, 0.0, mu=0.05, zeta=0.05).steady_state(Omega=0.8, F_0=0.01, u_0=0.5)
     assert 0 < found.A <= 0.05 + 0.01 and found.stops == 1
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize("excitation", ["force", "base"])
+@pytest.mark.parametrize("load", [0.0, 0.1])
+def test_a_curve_of_a_mass_that_is_held_throughout_has_no_point_and_says_why(excitation, load):
+    """Up to Omega = 0.2 a base of 0.1 asks for a force of 0.004, mu being 0.02."""
+    iso = Duffing(1.0, 0.3, mu=0.02, zeta=0.02, load=load, excitation=excitation)
+    F_0 = 0.01 if excitation == "force" else 0.1
+    curves = [iso.frequency_response(F_0, Omega=(0.05, 0.2)), iso.exact_response(F_0, Omega=(0.05, 0.2))]
+    curves += [iso.second_approximation.frequency_response(F_0, Omega=(0.05, 0.2))] if load == 0 else []
+    for curve in curves:
+        assert len(curve) == 0 and "does not exceed" in curve.message and "no steady state" not in curve.message
+    with pytest.raises(ArithmeticError, match=r"no peak, as no motion: .* friction holds the mass"):
+        _ = curves[1].peak
+    assert curves[1].transmitted().first.size == 0
+
+
+def test_a_curve_that_begins_held_by_static_friction_has_no_point_and_says_why():
+    """At 0.03 kinetic friction of 0.02 would let a mass move that static friction of 0.05 holds."""
+    iso = Duffing(1.0, 0.3, mu=0.02, mu_s=0.05, zeta=0.02)
+    held, moving = iso.steady_state(Omega=0.9, F_0=0.03), iso.steady_state(Omega=0.9, F_0=0.03, A=0.3)
+    for start in (None, held):
+        curve = iso.exact_response(0.03, Omega=(0.8, 1.2), start=start)
+        assert len(curve) == 0 and "does not exceed mu_s = 0.05" in curve.message
+    beside = iso.exact_response(0.03, Omega=(0.85, 0.95), start=moving)
+    assert np.interp(0.9, beside.Omega, beside.A) == pytest.approx(moving.A, rel=1e-3)
+
+
+@pytest.mark.both_backends
+@pytest.mark.parametrize(("excitation", "F_0", "low"), [("force", 0.02, 0.79), ("base", 0.03, 0.6)])
+def test_the_second_approximation_has_masses_at_rest_as_averaging_has_them(excitation, F_0, low):
+    """At rest there are no harmonics: what is passed on is what drives the mass."""
+    Omega = np.array([0.9, low, 1.1])
+    mu = np.array([0.01, 0.03])[:, np.newaxis]
+    many = Duffing.many(1.0, 0.3, mu=mu, zeta=0.05, excitation=excitation)
+    batch = many.second_approximation.amplitudes(Omega=Omega, F_0=F_0)
+    rests = 0
+    for i, one in enumerate(mu.ravel()):
+        iso = Duffing(1.0, 0.3, mu=one, zeta=0.05, excitation=excitation)
+        first = iso.amplitudes(Omega=Omega, F_0=F_0)
+        found = iso.second_approximation.amplitudes(Omega=Omega, F_0=F_0)
+        assert found.Omega.tolist() == first.Omega.tolist() and (found.A == 0).tolist() == (first.A == 0).tolist()
+        rest = found.A == 0
+        rests += rest.sum()
+        assert not found.A_1[rest].any() and found.stable[rest].all() and (found.transmissibility[rest] == 1).all()
+        assert np.array_equal(found.phi[rest], first.phi[rest])
+        assert np.array([column[rest] for column in found.transmitted()]).T == pytest.approx(
+            np.tile([1.0, 1.0, math.sqrt(0.5)], (rest.sum(), 1)), rel=1e-15
+        )
+        for j, at in enumerate(Omega):
+            own = found.A[found.Omega == at]
+            assert batch.A[i, j][: batch.count[i, j]] == pytest.approx(own, rel=1e-9) and batch.count[i, j] == own.size
+            assert (batch.status[i, j] == Status.STICKS) == (own == 0).all()
+            if own[0] == 0:
+                assert batch.phi[i, j, 0] == first.phi[first.Omega == at][0] and batch.transmissibility[i, j, 0] == 1
+    assert rests >= 3
+
+
+@pytest.mark.parametrize("excitation", ["force", "base"])
+def test_a_batch_under_loads_has_masses_at_rest_as_single_answers_have_them(excitation):
+    loads = np.array([0.0, 0.1])
+    many = Duffing.many(1.0, 0.3, mu=0.02, zeta=0.05, load=loads, excitation=excitation)
+    found = many.amplitudes(Omega=0.4, F_0=0.01)
+    for k, load in enumerate(loads):
+        single = Duffing(1.0, 0.3, mu=0.02, zeta=0.05, load=load, excitation=excitation).amplitudes(Omega=0.4, F_0=0.01)
+        B = single.B[0] if load else 0.0
+        assert found.A[k, 0] == single.A[0] == 0 and found.B[k, 0] == pytest.approx(B, rel=1e-14)
+        assert (found.count[k], found.status[k]) == (1, Status.STICKS)
+        assert found.stable[k, 0] == 1 and found.transmissibility[k, 0] == 1

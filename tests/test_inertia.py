@@ -360,8 +360,8 @@ def test_an_exact_curve_begins_where_the_base_moves_the_mass():
     assert curve.message.startswith("at this F_0 friction holds the mass up to Omega = 0.4899")
     assert curve.A[0] < 1e-3
     assert (curve.stops[:5] == 2).all()
-    with pytest.raises(ValueError, match="friction holds the mass"):
-        iso.exact_response(0.05, Omega=(0.3, 0.45))
+    held = iso.exact_response(0.05, Omega=(0.3, 0.45))
+    assert len(held) == 0 and "friction holds the mass" in held.message
 
 
 def test_a_shock_does_not_ask_what_else_the_oscillator_is_excited_by():

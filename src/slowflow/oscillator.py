@@ -374,11 +374,12 @@ class Oscillator(Unchanging, Averaged):
         that this is not, `.message` gives these numbers. `step` is the largest distance of neighbouring points, `force`
         as in `steady_state`. `.A` is the largest |u|, off the centre too, `.peak` the highest motion of the curve.
         By inertia the mass is excited so little at low frequencies that friction may hold it: the curve begins next to
-        where it moves then, and `.message` says so.
+        where it moves then, and `.message` says so. Where friction holds the mass throughout, at rest or wherever it is
+        let go, the curve has no point, and `.message` says why.
         What takes more than some ten seconds, or cannot be followed further, is given as far as it was reached:
         `.complete` is False, and `.message` says where and why.
-        Raises ValueError for parameters out of range, as a force <= mu, ArithmeticError where there is no start or
-        resonance is unbounded.
+        Raises ValueError for parameters out of range, ArithmeticError where there is no start or resonance is
+        unbounded.
         """
         from slowflow.exact import questions
 

@@ -138,7 +138,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     if not moves.all():  # where the response to an excitation by inertia begins the mass is at rest
         Omega, A, stable, branch = Omega[moves], A[moves], stable[moves], branch[moves]
     remark = remark_of(model, F_0)
-    message = remark if A.size else joined(remark, words.empty_window(window))
+    message = remark if A.size else joined(remark, words.empty_window(model, F_0, window))
     codes = words.beside(undecided, remark)
     return FrequencyResponse(Omega, A, stable, F_0, message, model, branch, isola, remarks=codes)
 

@@ -8,7 +8,7 @@ raised for it: `status` says why, by the numbers of `slowflow_kernels.convention
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
 from itertools import islice
 from typing import Any
@@ -209,22 +209,26 @@ class Designs(Unchanging):
         by_balls = self._decide(of_one, columns, _undecided(columns), F_0, Omega)
         A, stable, *rest = columns
         self._leave_out_what_drifts(np.asarray(Omega, dtype=float)[..., np.newaxis], A, stable)
-        self._put_in_what_rests(Omega, F_0, columns)
+        self._put_in_what_rests(Omega, F_0, ((A, 0.0), (stable, 1)), columns[2], columns[-1])
         given = {"_designs": self, "_F_0": F_0, "_Omega": Omega}
         return States(A, stable, *rest, **given, _averaged=True, _by_balls=by_balls)
 
-    def _put_in_what_rests(self, Omega: Any, F_0: Any, columns: list[npt.NDArray[Any]]) -> None:
-        """States at rest first, of the designs whose mass friction holds, see `Model.rests`."""
-        A, stable, count, _, status = columns
+    def _put_in_what_rests(
+        self, Omega: Any, F_0: Any, columns: Sequence[tuple[npt.NDArray[Any], Any]], count: Codes, status: Codes
+    ) -> None:
+        """States at rest first, of the designs whose mass friction holds, see `Model.rests`.
+
+        columns -- what states have, with one more axis of places, and what one at rest has: a number, or one a design
+        """
         with np.errstate(all="ignore"):  # a number outside its domain has a status
             preload = -np.asarray(self.mechanism.at_rest(*self._parameters)[0]) * self.mechanism.odd
             force = F_0 if self.excitation == "force" else inertia.force(Omega, F_0)
             rests = np.asarray(force) + 0.0 * np.asarray(Omega) <= held(slow_flow.friction(self.values["mu"]), preload)
         rests = rests & np.isin(status, (Status.OK, Status.STICKS, Status.NONE, Status.TOO_MANY))
-        alone, full = rests & (count == 0), rests & (count >= A.shape[-1])
-        for column, value in ((A, 0.0), (stable, 1)):
+        alone, full = rests & (count == 0), rests & (count >= columns[0][0].shape[-1])
+        for column, value in columns:
             column[rests, 1:] = column[rests, :-1]
-            column[rests, 0] = value
+            column[rests, 0] = np.broadcast_to(value, rests.shape)[rests]
         count += rests
         status[alone], status[full] = Status.STICKS, Status.TOO_MANY
 

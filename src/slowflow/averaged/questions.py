@@ -17,8 +17,7 @@ import numpy as np
 
 from slowflow import validate
 from slowflow.answer import Single, joined
-from slowflow.averaged import plan, proofs, remarks, solvers, words
-from slowflow.averaged.pairs import at_pairs, with_rests
+from slowflow.averaged import pairs, plan, proofs, remarks, solvers, words
 from slowflow.averaged.reference.defined import check_defined
 from slowflow.certificate import Certificate, ProvedFolds
 from slowflow.model import THROUGHOUT, Floats, Model
@@ -138,7 +137,7 @@ class Averaged:
         def ask(at: Floats, one: float) -> SteadyStates:
             return self._with_rests(self._remarked(self.states(Omega=at, F_0=one, allowance=allowance), one), at)
 
-        found = at_pairs(ask, Omega, F_0, ("Omega", "A", "stable"))
+        found = pairs.at_pairs(ask, Omega, F_0, ("Omega", "A", "stable"))
         beside = functools.reduce(operator.or_, (part.remarks for part in found.parts), remarks.NOTHING)
         asked = found.parts[-1]._asked if found.parts else None
         told: dict[str, Any] = {"remarks": beside, "Omega_undecided": found.undecided(), "_asked": asked}
@@ -152,7 +151,7 @@ class Averaged:
             return found
         columns = {"Omega": (found.Omega, at[rests]), "A": (found.A, 0.0), "stable": (found.stable, True)}
         moves = words.moves_exactly(self.model, self.model.force(found.F_0, at))
-        told: dict[str, Any] = with_rests(at, rests, found.Omega, columns)
+        told: dict[str, Any] = pairs.with_rests(at, rests, found.Omega, columns)
         return dataclasses.replace(found, **told, message=joined(found.message, moves))
 
     def states(self, *, Omega: Any, F_0: float, allowance: proofs.Allowance | None = None) -> SteadyStates:

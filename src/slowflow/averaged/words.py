@@ -311,6 +311,8 @@ def undecided_at(Omega: Floats) -> str:
     return f"how many states there are is undecided at Omega = {some}"
 
 
-def empty_window(window: tuple[float, float]) -> str:
-    """That a curve has no point in the window."""
+def empty_window(model: Model, F_0: float, window: tuple[float, float]) -> str:
+    """That a curve has no point in the window, as where friction holds the mass throughout."""
+    if model.inertial and model.rests(F_0, window[1]):
+        return sticks_below(model, F_0, np.array(window[1]))
     return f"no steady state for Omega in [{window[0]:g}, {window[1]:g}]"

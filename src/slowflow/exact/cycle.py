@@ -118,6 +118,11 @@ class Cycle:
         return -1 if self.half_turns % 2 else 1
 
     @property
+    def stays(self) -> bool:
+        """Whether the mass stays at rest all the time."""
+        return len(self.signature) == 1 and self.starts_from_rest
+
+    @property
     def starts_from_rest(self) -> bool:
         """Whether the mass breaks away at the start of the cycle, rather than turns round."""
         return self.signature[-1][0] == 0

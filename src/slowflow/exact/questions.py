@@ -146,7 +146,6 @@ def exact_response(
         alone = float(inertia.moves_from(F_0, system.holds(0)))
         low = min(high, math.sqrt(EXCEEDS) * alone)
         rests = RESTS.format(alone, low)
-    shooting.check_forcing(system, low, F_0)
     if start is None:
         start = _from_rest(averaged, system, low, F_0, u_0, v_0)
     elif u_0 is not None or v_0 != 0:
@@ -155,6 +154,9 @@ def exact_response(
         raise Refused(
             f"start = {start!r} is not allowed: start must be a steady state at F_0 = {F_0:g}, Omega in {Omega}"
         )
+    if start.cycle.stays:
+        said = shooting.why_at_rest(system, start.Omega, F_0, float(start.unknowns[0]))
+        return response.without_a_motion(F_0, joined(start.message, said))
     found = response.exact_response(system, F_0, Omega=(low, high), start=start, step=step)
     # what else there is cannot be told from a part
     said = _others(averaged, found, (low, high)) if found.complete else found.message

@@ -59,7 +59,7 @@ class ResponsePoint(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Response(Table):
-    """Exact response curve at one F_0; arrays run along the curve.
+    """Exact response curve at one F_0; arrays run along the curve, empty where friction holds the mass at rest.
 
     Omega, A     -- frequency, largest |u|
     stable       -- whether both Floquet multipliers lie inside the unit circle
@@ -117,6 +117,8 @@ class Response(Table):
 
         A is stationary there along the curve, or it is at a border or at an end of the range.
         """
+        if not self.states:
+            raise NotSettled(f"no peak, as no motion: {self.message}")
         with limited():
             point = _highest(self.F_0, self.states)
         return describe(point.cycle, point.z, self.F_0, point.monodromy)
@@ -200,6 +202,13 @@ def first_fold(start: SteadyState, towards: float, Omega_range: tuple[float, flo
     except ArithmeticError:
         pass
     return None
+
+
+def without_a_motion(F_0: float, message: str) -> Response:
+    """The curve of a mass that stays at rest: no point, and why."""
+    none = np.empty(0)
+    multipliers, stops = np.empty((0, 2), dtype=np.complex128), np.empty(0, dtype=np.int64)
+    return Response(F_0, none, none, none > 0, multipliers, stops, (), (), False, (), message)
 
 
 def _highest(F_0: float, points: tuple[Point, ...]) -> Point:

@@ -428,19 +428,26 @@ def check_forcing(
     one that ends at a breakpoint, holds a mass that `begins` with such (u, v), beside which there may be motions.
     """
     check_numbers(system, Omega, F_0)
+    if only_rests(system, Omega, F_0) or (
+        begins is not None and begins[1] == 0 and stays_at_rest(system, Omega, F_0, begins[0])
+    ):
+        raise Refused(why_at_rest(system, Omega, F_0, 0.0 if begins is None else begins[0]))
+
+
+def why_at_rest(system: EquationOfMotion, Omega: float, F_0: float, u: float) -> str:
+    """In words that friction holds a mass at rest at u for ever."""
     force = system.forcing(Omega=Omega, F_0=F_0)
     told = f"the inertia force {force:g} at Omega = {Omega:g}" if system.inertial else f"F_0 = {F_0:g}"
     if only_rests(system, Omega, F_0):
-        raise Refused(f"{told} does not exceed mu = {system.mu:g}: friction holds the mass for ever, it never moves")
-    if begins is not None and begins[1] == 0 and stays_at_rest(system, Omega, F_0, begins[0]):
-        region, pull = system.force.region_of(begins[0]), _pull(system, begins[0])
-        told += f" and the push {pull:g} of the spring at u = {begins[0]:g}, together," if pull else ""
-        name = "mu_s" if system.mu_s > system.mu else "mu"
-        name += " and what the force jumps to at u = 0, together" if system.force.jump else ""
-        raise Refused(
-            f"{told} does not exceed {name} = {system.holds(region):g}: friction holds a mass at rest for ever; of "
-            "motions beside that, if there are any, steady_state has the one next to A="
-        )
+        return f"{told} does not exceed mu = {system.mu:g}: friction holds the mass for ever, it never moves"
+    region, pull = system.force.region_of(u), _pull(system, u)
+    told += f" and the push {pull:g} of the spring at u = {u:g}, together," if pull else ""
+    name = "mu_s" if system.mu_s > system.mu else "mu"
+    name += " and what the force jumps to at u = 0, together" if system.force.jump else ""
+    return (
+        f"{told} does not exceed {name} = {system.holds(region):g}: friction holds a mass at rest for ever; of "
+        "motions beside that, if there are any, steady_state has the one next to A="
+    )
 
 
 def comes_to_rest(system: EquationOfMotion, Omega: float, F_0: float, u: float, v: float) -> SteadyState | None:

@@ -517,10 +517,11 @@ class OffCentreDesigns(Unchanging):
                 validate.number("F_0", at["F_0"], above=0.0)
                 if "Omega" in at:
                     validate.frequencies("Omega", at["Omega"])
-                if single.model.sticks(at["F_0"]) and one is not _margins:
-                    return none, Status.STICKS, Remark(0)
             moves = "F_0" in at or one is _onset
-            if moves and not Flow.of(single.model.unloaded).damps:
+            damps = not moves or Flow.of(single.model.unloaded).damps
+            if "F_0" in at and single.model.sticks(at["F_0"]) and one not in ((_margins, _states) if damps else ()):
+                return none, Status.STICKS, Remark(0)
+            if not damps:
                 return none, Status.UNBOUNDED, Remark(0)
             found, status, said = one(single, *at.values())
             return found, Status.TOO_MANY if places and found["count"] > places else status, said
@@ -618,7 +619,7 @@ def _states(single: OffCentre, F_0: float, Omega: float) -> Found:
     found = single.amplitudes(Omega=Omega, F_0=F_0)
     columns = _columns(found, "A", "B", "phi", "transmissibility", "stable")
     columns |= {"count": len(found), "undecided": Remark.UNDECIDED in found.remarks}
-    return columns, Status.OK, found.remarks
+    return columns, Status.OK if found.A.any() or not len(found) else Status.STICKS, found.remarks
 
 
 def _peak(single: OffCentre, F_0: float) -> Found:

@@ -355,8 +355,11 @@ class OffCentre(Unchanging):
         found, said = Curves.none(), _Said()
         if self._flow.inertial:
             # at rest it begins, with no amplitude: there all states meet
-            low = max(low, self._flow.moves_from(F_0) * (1 + BEGINS), high * BEGINS)
-        if not self._keeps_centre and low < high:
+            begin = max(low, self._flow.moves_from(F_0) * (1 + BEGINS), high * BEGINS)
+            if begin >= high:
+                return self._response(found, F_0, _Said(words.empty_window(self._model, F_0, (low, high))))
+            low = begin
+        if not self._keeps_centre:
             folds = self.saddle_nodes(F_0)
             off = np.abs(folds.B) > AT_CENTRE if self._complete.has_centre else np.ones(len(folds), dtype=bool)
             places = np.stack((folds.Omega, folds.A, folds.B))[:, off]

@@ -9,10 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import validate
-from slowflow.answer import Table
+from slowflow.answer import Table, frozen
 from slowflow.model import Floats, Model
 from slowflow.results import DRAWN, InDecibels
-from slowflow.transmitted import Transmitted, asked
+from slowflow.transmitted import Transmitted, asked, in_motion
 from slowflow_kernels import motion
 
 
@@ -68,7 +68,7 @@ class SecondTable(Table):
 class SecondStates(InDecibels, SecondTable):
     """Steady states in the second approximation, one entry each: flat arrays of one length.
 
-    Omega, A -- frequency, and largest displacement
+    Omega, A -- frequency, and largest displacement; A = 0 where friction holds the mass at rest
     A_1, phi -- amplitude of the first harmonic, and its phase in radians, in [-pi, 0]
     stable   -- True where the steady state is stable
     message  -- remarks in words; empty if there is nothing to say
@@ -94,7 +94,9 @@ class SecondStates(InDecibels, SecondTable):
     @property
     def transmissibility(self) -> Floats:
         """Fundamental harmonic of what spring, damper and friction pass on, over `.force`: the force less inertia."""
-        return np.asarray(motion.transmissibility(self.Omega, self.A_1, self.force, self.phi))
+        with np.errstate(divide="ignore", invalid="ignore"):  # of a mass at rest on a base that hardly shakes
+            passed = motion.transmissibility(self.Omega, self.A_1, self.force, self.phi)
+        return frozen(in_motion(self.A, passed))
 
     def transmitted(self, of: str = "force") -> Transmitted:
         """What the whole wave passes on over what drives it: first harmonic, largest value, root mean square.

@@ -29,7 +29,7 @@ def along(
     averaged.check(status, model, F_0)
     Omega, A, u_max, A_1, phi, stable, part, closed, (lost, *left) = columns
     first = averaged.remark_of(model, F_0)
-    message = first if left[0] else joined(first, words.empty_window(window))
+    message = first if left[0] else joined(first, words.empty_window(model, F_0, window))
     isola, message = tuple(closed.tolist()), told(message, lost, *left)
     return Curve(Omega, A, u_max, A_1, phi, stable, part, isola, message, lost > 0, native)
 

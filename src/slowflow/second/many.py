@@ -20,13 +20,13 @@ import numpy.typing as npt
 from slowflow import validate
 from slowflow.answer import frozen
 from slowflow.averaged import asked
-from slowflow.averaged.batches import AlongCurves, AtFrequency, Codes, Detachments, Folds, Onsets, Peaks
+from slowflow.averaged.batches import AlongCurves, AtFrequency, Codes, Detachments, Folds, Onsets, Peaks, States
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
 from slowflow.results import InDecibels, Remark
 from slowflow.second.questions import SecondApproximation
-from slowflow.transmitted import Transmitted
+from slowflow.transmitted import Transmitted, in_motion
 from slowflow.transmitted import asked as asked_of
 from slowflow_kernels import motion
 from slowflow_kernels.conventions import OnsetKind, Status
@@ -45,7 +45,8 @@ UNANSWERED = {
 class ManySecondStates(InDecibels, AtFrequency):
     """The steady states at one frequency and forcing, for each design; A to stable have one more axis, of places.
 
-    A, A_1, phi, stable -- as in `SecondStates`, by the order of a single answer, then NaN and 0
+    A, A_1, phi, stable -- as in `SecondStates`, by the order of a single answer, then NaN and 0; A = 0 where friction
+              holds the mass at rest, with `Status.STICKS` if nothing else is there
     count  -- how many states there are, also where they are more than places
     undecided -- 1 where averaging has more
     """
@@ -107,7 +108,8 @@ class ManySecondCurves(InDecibels, AlongCurves):
 def _transmissibility(found: Any, Omega: Floats) -> Floats:
     """Of states with the first harmonic's amplitude and phase."""
     with np.errstate(all="ignore"):  # empty places
-        return frozen(np.asarray(motion.transmissibility(Omega, found.A_1, found._force_at(Omega), found.phi)))
+        passed = motion.transmissibility(Omega, found.A_1, found._force_at(Omega), found.phi)
+        return frozen(in_motion(found.A, passed))
 
 
 def _transmitted(found: Any, of: str, Omega: Floats) -> Transmitted:
@@ -162,8 +164,14 @@ class SecondDesigns:
     def amplitudes(self, *, Omega: Any, F_0: Any, places: int = 6) -> ManySecondStates:
         """Every steady state at (Omega, F_0), which broadcast with the designs; one by one, as of single ones."""
         places = validate.count("places", places, least=1)
-        found = self.first.ask(AMPLITUDES, 1, F_0, places, Omega=Omega)
-        return ManySecondStates(*found, _designs=self.first, _F_0=F_0, _Omega=Omega)
+        A, A_1, phi, stable, count, undecided, status = self.first.ask(AMPLITUDES, 1, F_0, places, Omega=Omega)
+        given: dict[str, Any] = {"_designs": self.first, "_F_0": F_0, "_Omega": Omega}
+        none = np.zeros((*count.shape, 1))
+        flags: Any = np.zeros(count.shape, np.int8)
+        at_rest = States(none, flags[..., np.newaxis], flags, flags, flags, **given)
+        columns = ((A, 0.0), (A_1, 0.0), (phi, at_rest.phi[..., 0]), (stable, 1))
+        self.first._put_in_what_rests(Omega, F_0, columns, count, status)
+        return ManySecondStates(A, A_1, phi, stable, count, undecided, status, **given)
 
     def frequency_response(
         self, F_0: Any, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
@@ -224,11 +232,13 @@ def _amplitudes(second: SecondApproximation | None, F_0: float, Omega: float, pl
     if second is None:
         return A, A_1, phi, stable, 0, False, Status.NONE
     found = second.amplitudes(Omega=Omega, F_0=F_0)
-    n = min(places, len(found))
+    moves = found.A > 0  # those at rest are put in for all designs together
+    count = int(np.count_nonzero(moves))
+    n = min(places, count)
     for column, of in ((A, found.A), (A_1, found.A_1), (phi, found.phi), (stable, found.stable)):
-        column[:n] = of[:n]
-    fits = Status.OK if n == len(found) else Status.TOO_MANY
-    return A, A_1, phi, stable, len(found), found._lost, fits if len(found) else Status.NONE
+        column[:n] = of[moves][:n]
+    fits = Status.OK if n == count else Status.TOO_MANY
+    return A, A_1, phi, stable, count, found._lost, fits if count else Status.NONE
 
 
 def _curves(samples: int, window: tuple[float, float]) -> asked.Question:

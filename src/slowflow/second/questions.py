@@ -19,15 +19,15 @@ import numpy.typing as npt
 from slowflow import validate
 from slowflow.answer import joined
 from slowflow.averaged import remarks, words
-from slowflow.averaged.pairs import at_pairs
+from slowflow.averaged.pairs import at_pairs, with_rests
 from slowflow.averaged.plan import Plan, Step
 from slowflow.measured import validity
 from slowflow.model import Floats
-from slowflow.results import Detachment, Peak, Remark, SaddleNodeOnset
+from slowflow.results import Detachment, Peak, Remark, SaddleNodeOnset, SteadyStates
 from slowflow.second import solvers
 from slowflow.second.answers import SecondFolds, SecondResponse, SecondStates
 from slowflow.second.balance import Balance
-from slowflow.second.found import Curve, Folds
+from slowflow.second.found import Curve, Folds, State
 from slowflow_kernels.second_conventions import BEYOND, SAMPLES, Wanted
 from slowflow_support.errors import Refused
 
@@ -153,27 +153,43 @@ class SecondApproximation:
     def amplitudes(self, *, Omega: Any, F_0: Any) -> SecondStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies: where the curve crosses.
 
-        F_0 may be an array that broadcasts with Omega, as in `Averaged.amplitudes`.
+        F_0 may be an array that broadcasts with Omega, as in `Averaged.amplitudes`; as there A = 0 is a steady state
+        where friction holds the mass.
         """
         if not validate.is_single(F_0):
             names = ("Omega", "A", "A_1", "phi", "stable", "force")
-            found = at_pairs(lambda at, one: self.amplitudes(Omega=at, F_0=one), Omega, F_0, names)
-            return SecondStates(**found.columns, F_0=found.F_0, message=found.message(), _model=self.first.model)
+            several = at_pairs(lambda at, one: self.amplitudes(Omega=at, F_0=one), Omega, F_0, names)
+            return SecondStates(**several.columns, F_0=several.F_0, message=several.message(), _model=self.first.model)
         first = self.first.states(Omega=Omega, F_0=F_0)
         wanted = np.asarray(Omega, dtype=float).ravel()
-        if not wanted.size or not first.A.size:
-            none = np.empty(0)
-            columns = (none, none, none, none, np.empty(0, bool))
-            return SecondStates(*columns, first.message, F_0=first.F_0, force=none, _model=self.first.model)
-        curve = self._around(F_0, wanted, Wanted.EVERY_POINT)
-        found = self._solvers.states(self._balance, curve, wanted, float(F_0))
+        found: list[State] = []
+        if wanted.size and first.A.size:
+            curve = self._around(F_0, wanted, Wanted.EVERY_POINT)
+            found = self._solvers.states(self._balance, curve, wanted, float(F_0))
         at, u_max, A_1, phi, stable = np.array(found).reshape(-1, 5).T
         fewer = int(np.count_nonzero(_counts(wanted, at) < _counts(wanted, first.Omega)))
         message = joined(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
-        said, force = self._remarked(message, at, u_max), self._force(F_0, at)
         stays = (stable != 0) & self._stay(at, u_max)
-        columns, model = (at, u_max, A_1, phi, stays), self.first.model
-        return SecondStates(*columns, said, F_0=first.F_0, force=force, _model=model, _lost=fewer > 0)
+        columns, message = self._with_rests(first, wanted, (at, u_max, A_1, phi, stays), message)
+        return SecondStates(
+            **columns,
+            message=self._remarked(message, at, u_max) if found else message,
+            F_0=first.F_0,
+            force=self._force(F_0, columns["Omega"]),
+            _model=self.first.model,
+            _lost=fewer > 0,
+        )
+
+    def _with_rests(
+        self, first: SteadyStates, wanted: Floats, moving: tuple[Any, ...], message: str
+    ) -> tuple[dict[str, Any], str]:
+        """Columns and message of the states with those at which friction holds the mass: these have no harmonics."""
+        model, averaged = self.first.model, self.first._with_rests(first, wanted)
+        rest = averaged.A == 0
+        at_rest = (averaged.Omega[rest], 0.0, 0.0, averaged.phi[rest], True)
+        pairs = zip(("Omega", "A", "A_1", "phi", "stable"), zip(moving, at_rest, strict=True), strict=True)
+        columns = with_rests(wanted, model.rests(first.F_0, wanted), moving[0], dict(pairs))
+        return columns, joined(message, words.moves_exactly(model, model.force(first.F_0, wanted)))
 
     def saddle_nodes(self, F_0: float) -> SecondFolds:
         """Every fold of the response curve between two of its points, by rising Omega.

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+import numpy.typing as npt
 
 from slowflow.mechanism import Force
 from slowflow.model import Floats, Model
@@ -46,11 +47,17 @@ class Waves:
 
     def transmitted(self, of: str) -> Transmitted:
         """First harmonic, largest value and root mean square of a wave over what drives it; `of` as in `OF`."""
-        n = self.Omega.size
-        parts = [self._part(slice(k, k + AT_ONCE))._transmitted(of) for k in range(0, max(n, 1), AT_ONCE)]
-        return Transmitted(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+        moves = np.flatnonzero(self.u_max > 0)
+        # a mass at rest passes on all that drives it
+        size = 0.0 if of == "relative" else 1.0
+        found = Transmitted(*(np.full(self.Omega.size, size * share) for share in (1.0, 1.0, math.sqrt(0.5))))
+        for k in range(0, moves.size, AT_ONCE):
+            rows = moves[k : k + AT_ONCE]
+            for column, values in zip(found, self._part(rows)._transmitted(of), strict=True):
+                column[rows] = values
+        return found
 
-    def _part(self, rows: slice) -> Waves:
+    def _part(self, rows: npt.NDArray[np.intp]) -> Waves:
         return Waves(self.model, *(column[rows] for column in (self.Omega, self.u_max, self.phi, self.F_0)))
 
     def _transmitted(self, of: str) -> Transmitted:

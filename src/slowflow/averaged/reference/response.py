@@ -449,7 +449,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
         branch.append(np.full(points, number))
     if not steps:
         empty = np.empty(0)
-        message = joined(found.message, words.empty_window(window))
+        message = joined(found.message, words.empty_window(model, F_0, window))
         none = np.empty(0, np.intp)
         return FrequencyResponse(empty, empty, empty > 0, F_0, message, model, none, (), remarks=found.remarks)
     moves = np.concatenate(A) > 0  # where the response begins the mass is at rest
