@@ -20,7 +20,7 @@ from slowflow import loads, progress, validate
 from slowflow.averaged.batches import Batch, Codes, Detachments, Told, first_end
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
-from slowflow.averaged.remarks import stay_centred
+from slowflow.averaged.remarks import gives_way, stay_centred
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats
 from slowflow.model import THROUGHOUT
@@ -273,6 +273,10 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
     # below two folds and above them there is one motion, so there are three between them, the middle one unstable
     low_end, high_end = folds.Omega[..., 0], folds.Omega[..., 1]
     plain = (folds.count == 2) & (zeta > 0) & ~said & (high_end - low_end > NARROW * high_end)
+    with np.errstate(all="ignore"):  # a number outside its domain has a status
+        parameters = designs.mechanism.coefficients(*designs.design)
+        # of two motions one may be beyond the well, and none then
+        plain &= stay_centred(designs.mechanism, parameters) | ~gives_way(designs.mechanism, parameters)
     if designs.excitation != "force":  # a response that does not close has more
         plain &= designs.peak(F_0, workers=workers).status != Status.UNBOUNDED
     low[plain, 0], high[plain, 0] = low_end[plain], high_end[plain]

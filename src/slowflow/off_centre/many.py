@@ -16,10 +16,11 @@ from typing import Any, ClassVar, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import loads_many, progress, validate
+from slowflow import loads, loads_many, progress, validate
 from slowflow.averaged import batches, many
 from slowflow.averaged.asked import FOLD_KINDS, MORE_POINTS
 from slowflow.averaged.batches import Codes, Told
+from slowflow.averaged.questions import Averaged
 from slowflow.exact import questions, shocks_many
 from slowflow.exact.transient import NO_PULSE
 from slowflow.gradient import Gradient
@@ -331,19 +332,28 @@ class OffCentreDesigns(Unchanging):
 
         `Status.UNRESOLVED` where that is undecided.
         """
-        return self._answered(ManyDetachments, _detachment, {}, workers)
+        return self._answered(ManyDetachments, _detachment, {}, workers, centred=many.Designs.detachment)
 
     def saddle_node_onset(self, *, workers: int = 1) -> ManyOnsets:
         """F_SN of every design, with its Omega, A and B."""
-        return self._answered(ManyOnsets, _onset, {}, workers)
+        return self._answered(ManyOnsets, _onset, {}, workers, centred=many.Designs.saddle_node_onset)
 
     def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> ManyFolds:
         """Every fold at F_0, which broadcasts with the designs; `Status.TOO_MANY` where they exceed `places`."""
-        return self._answered(ManyFolds, _folds, {"F_0": F_0}, workers, places)
+        return self._answered(
+            ManyFolds, _folds, {"F_0": F_0}, workers, places, centred=partial(many.Designs.saddle_nodes, places=places)
+        )
 
     def amplitudes(self, *, Omega: Any, F_0: Any, places: int = 6, workers: int = 1) -> ManyStates:
         """Every steady state at (Omega, F_0), which broadcast with the designs."""
-        return self._answered(ManyStates, _states, {"F_0": F_0, "Omega": Omega}, workers, places)
+        return self._answered(
+            ManyStates,
+            _states,
+            {"F_0": F_0, "Omega": Omega},
+            workers,
+            places,
+            centred=partial(many.Designs.amplitudes, places=places),
+        )
 
     def frequency_response(
         self,
@@ -361,23 +371,26 @@ class OffCentreDesigns(Unchanging):
         samples, window = validate.curve(samples, Omega)
         points = samples + MORE_POINTS
         one = partial(_curve, samples, window, points)
-        return self._answered(OffCentreCurves, one, {"F_0": F_0}, workers, places, points=points)
+        centred = partial(many.Designs.frequency_response, samples=samples, Omega=window, places=places)
+        return self._answered(OffCentreCurves, one, {"F_0": F_0}, workers, places, points=points, centred=centred)
 
     def peak(self, F_0: Any, *, workers: int = 1) -> ManyPeaks:
         """The largest amplitude and the largest |u| at F_0, which broadcasts with the designs."""
-        return self._answered(ManyPeaks, _peak, {"F_0": F_0}, workers)
+        return self._answered(ManyPeaks, _peak, {"F_0": F_0}, workers, centred=many.Designs.peak)
 
     def margins(self, F_0: Any, *, workers: int = 1) -> OffCentreMargins:
         """How far F_0, which broadcasts with the designs, is from F_SN and F_cr of each; see `Oscillator.margins`."""
-        return self._answered(OffCentreMargins, _margins, {"F_0": F_0}, workers)
+        return self._answered(OffCentreMargins, _margins, {"F_0": F_0}, workers, centred=loads_many.margins)
 
     def hysteresis(self, F_0: Any, *, places: int = 3, workers: int = 1) -> OffCentreBands:
         """Bands with several stable motions at F_0, of each design; `Status.TOO_MANY` where they exceed `places`."""
-        return self._answered(OffCentreBands, _bands, {"F_0": F_0}, workers, places)
+        return self._answered(
+            OffCentreBands, _bands, {"F_0": F_0}, workers, places, centred=partial(loads_many.hysteresis, places=places)
+        )
 
     def isolation(self, F_0: Any, *, workers: int = 1) -> OffCentreIsolations:
         """The frequency from which on less than F_0 is transmitted, of each design; see `Oscillator.isolation`."""
-        return self._answered(OffCentreIsolations, _isolation, {"F_0": F_0}, workers)
+        return self._answered(OffCentreIsolations, _isolation, {"F_0": F_0}, workers, centred=loads_many.isolation)
 
     def spectrum(self, *, Omega: Any, F_0: Any, workers: int = 1) -> ManySpectra:
         """A load spectrum, of each design, one tone at a time; see `slowflow.designs.Designs.spectrum`.
@@ -411,6 +424,9 @@ class OffCentreDesigns(Unchanging):
     def _tones(self, numbers: tuple[float, ...], Omega: Floats, F_0: Floats) -> tuple[Spectrum | None, Any]:
         """The rows of one design, and how they fared."""
         try:
+            if self.mechanism.odd and numbers[-1] == 0:
+                found = loads.spectrum(self._about_centre(numbers), Omega, F_0)
+                return found, np.where(found.sticks, Status.STICKS, np.where(found.motions > 0, Status.OK, Status.NONE))
             single = self._single(numbers)
             if not Flow.of(single.model.unloaded).damps:
                 return None, Status.UNBOUNDED
@@ -470,11 +486,14 @@ class OffCentreDesigns(Unchanging):
         places: int | None = None,
         beside: dict[str, Any] | None = None,
         points: int = 0,
+        centred: Callable[..., Any] | None = None,
     ) -> Batched:
         """Columns by the answer's fields, design by design; the solvers off the centre use one thread.
 
         places, points -- lengths of the axes of these
         beside -- what the answer holds of what was asked; by default `at`
+        centred -- the same question to designs about the centre, which those without a load are; None where a load of 0
+                  is answered as any other
         """
         validate.workers(workers)
         several = 0 if places is None else validate.count("places", places, least=1)
@@ -494,7 +513,11 @@ class OffCentreDesigns(Unchanging):
                 column[...] = np.nan
         said = np.zeros(shape, np.uint16)
         given = np.broadcast_arrays(*values.values())
-        for place in progress.each(np.ndindex(shape), math.prod(shape)):
+        at_centre = np.zeros(shape, dtype=bool)
+        if centred is not None and self.mechanism.odd:
+            at_centre = np.broadcast_to(self.values["load"] == 0, shape)
+            self._at_centre(centred, at_centre, dict(zip(values, given, strict=True)), workers, columns, said)
+        for place in progress.each(map(tuple, np.argwhere(~at_centre)), int((~at_centre).sum())):
             numbers = tuple(float(value[place]) for value in given)
             own, there = numbers[: len(self.values)], dict(zip(at, numbers[len(self.values) :], strict=True))
             found, columns["status"][place], said[place] = self._status(one, own, there, several)
@@ -507,6 +530,34 @@ class OffCentreDesigns(Unchanging):
         if beside is None:
             beside = {f"_{name}": value for name, value in at.items()}
         return kind(**columns, **beside, _designs=self, _said=said)
+
+    def _at_centre(
+        self,
+        ask: Callable[..., Any],
+        where: npt.NDArray[np.bool_],
+        given: dict[str, Any],
+        workers: int,
+        columns: dict[str, Any],
+        said: npt.NDArray[np.uint16],
+    ) -> None:
+        """Change the columns of designs without a load to their answers about the centre, of mean 0.
+
+        The single answer of such a design is that: motions that leave the centre by themselves are `.off_centre`'s.
+        """
+        if not where.any():
+            return
+        own = {name: value[where] for name, value in given.items()}
+        asked = {name: own.pop(name) for name in tuple(own) if name not in self.values}
+        del own["load"]
+        answer = ask(many.Designs(self.mechanism, own, self.excitation), **asked, workers=workers)
+        for name, column in columns.items():
+            told = name if hasattr(answer, name) else AS_CENTRED.get(name, "A")
+            if name == "B":  # 0 where there is a motion
+                told = told if hasattr(answer, told) else "u_cr"
+                column[where] = np.where(np.isnan(getattr(answer, told)), np.nan, 0.0)
+            else:
+                column[where] = getattr(answer, told)
+        said[where] = answer.remarks
 
     def _status(self, one: One, numbers: tuple[float, ...], at: dict[str, float], places: int) -> Found:
         """One design's answer by column, how it fared, and what to bear in mind with it."""
@@ -528,6 +579,10 @@ class OffCentreDesigns(Unchanging):
         except (ValueError, ArithmeticError) as error:
             return none, _failed(error), Remark(0)
 
+    def _about_centre(self, numbers: tuple[float, ...]) -> Averaged:
+        """One design without its load, which is 0."""
+        return Averaged(self._unloaded.model(dict(zip(self._unloaded.values, numbers[:-1], strict=True))))
+
     def _single(self, numbers: tuple[float, ...]) -> OffCentre:
         """One design, which keeps for a while what it has been asked already. Raises ValueError for what is none."""
         if (known := self._singles.get(numbers)) is None:
@@ -545,6 +600,8 @@ def check_polynomial(mechanism: Mechanism) -> None:
         raise validate.NotAvailable(f"load is not available for {mechanism.name}: {NO_MEANS.format(NOT_SMOOTH)}")
 
 
+#: what a column is called of answers about the centre, where it has another name
+AS_CENTRED = {"A": "u_cr", "u_max": "A", "Omega_max": "Omega"}
 #: questions about the centre that many designs have
 CENTRED = frozenset(("at_rest", "certify", "second_approximation"))
 
