@@ -192,10 +192,22 @@ int EXPORT(onset)(void)
 /* out[0]: F_cr, Omega_cr, u_cr; returns the status. */
 int EXPORT(detachment)(void) { return sf_settled_detachment(&model, exactly(), out[0], out[0] + 1, out[0] + 2); }
 
-/* out[0]: A, Omega; returns the status. */
+/* out[0]: A, Omega; returns the status. As `slowflow.averaged.questions.Averaged.peak`: of those that do not turn beyond
+ * the well. */
 int EXPORT(peak)(double F_0)
 {
-    return sf_sticks(&model, F_0) ? SF_STICKS : sf_settled_peak(&model, exactly(), F_0, &room.work, out[0], out[0] + 1);
+    double most = HUGE_VAL;
+    while (!sf_sticks(&model, F_0)) {
+        sf_sample at;
+        const sf_status status = sf_settled_peak(&model, exactly(), F_0, most, &room.work, out[0], out[0] + 1);
+        if (status != SF_OK || rises)
+            return status;
+        sf_sample_at(&model, out[0][0], &at);
+        if (!turns_beyond(&at))
+            return status;
+        most = (1 - 0x1p-30) * out[0][0];
+    }
+    return SF_STICKS;
 }
 
 /* out: Omega, A, F_0 along the fold locus. */

@@ -987,12 +987,13 @@ def test_the_peak_by_structural_damping_alone_is_where_the_backbone_meets_its_li
 
 
 def test_a_softening_spring_that_gives_way_below_the_limit_of_structural_damping_has_no_top():
-    """At the limit the average pushes away: no frequency is left. The highest state is then the static one."""
+    """At the limit, A = 0.05/0.02, the average pushes away: no frequency is left. The highest state is the static one
+    of 1.65, beyond the top of the well at sqrt(2), and no peak.
+    """
     one, F_0 = Duffing(1.0, -0.5, eta=0.02), 0.05
     peak = one.peak(F_0)
-    static = np.poly1d([0.375, 0, -1.0, 0]) ** 2 + np.poly1d([0.02, 0]) ** 2 - F_0**2
-    real = static.roots[(abs(static.roots.imag) < 1e-9) & (static.roots.real > 0)].real
-    assert (peak.A, peak.Omega) == pytest.approx((real.max(), 0.0), rel=1e-9)
+    assert (peak.A, peak.Omega) == (None, None) and "no peak within the well" in peak.message
+    assert one.closes(F_0)
 
 
 @pytest.mark.slow

@@ -17,7 +17,7 @@ import numpy.typing as npt
 
 from slowflow import moves, validate
 from slowflow.answer import Single, Table, Words, joined
-from slowflow.averaged import remarks, words
+from slowflow.averaged import remarks, solvers, words
 from slowflow.averaged.questions import Averaged
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats, Law, Mechanism
@@ -299,7 +299,7 @@ def passes_first_end(oscillator: Averaged, F_0: float) -> bool:
     if not oscillator.breakpoints:
         return False
     model = oscillator.model
-    if model.inertial and oscillator.peak(F_0).A is None:
+    if model.inertial and (peak := oscillator.peak(F_0)).A is None and not peak._escapes:
         # it does not close, or only rises, towards F_0
         return not oscillator.closes(F_0) or F_0 > oscillator.breakpoints[0]
     if model.zeta == 0 and not oscillator.closes(F_0) and resonates(model.mechanism, model.parameters):
@@ -417,7 +417,10 @@ def _between(oscillator: Averaged, F_0: float, A: float, other: float) -> float:
 
 def _highest(oscillator: Averaged, F_0: float) -> float:
     """A frequency beyond which every motion transmits less than the force."""
-    peak = oscillator.peak(F_0).A
+    found = oscillator.peak(F_0)
+    peak = (
+        found.A if not found._escapes else solvers.peak(oscillator.model, F_0).A
+    )  # the whole curve, beyond the well as well
     if oscillator.model.inertial:  # without a peak no amplitude exceeds F_0
         peak = F_0 if peak is None else peak
     A_max = peak if peak is not None else oscillator.model.reach

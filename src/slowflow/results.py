@@ -559,7 +559,10 @@ class IsolaPoints(Table):
 
 @dataclass(frozen=True, eq=False)
 class Peak(MeasuresPoint, Single):
-    """The highest peak of the response at one forcing, isolas included; None and a message where there is none."""
+    """The highest peak of the response at one forcing, isolas included; None and a message where there is none.
+
+    It is a top of the curve at which stable motions end, within the well of a spring that gives way.
+    """
 
     A: float | None
     Omega: float | None
@@ -570,6 +573,8 @@ class Peak(MeasuresPoint, Single):
     _asked: Measures | None = field(default=None, kw_only=True, repr=False)
     #: where there is none, what batches say
     _status: Status = field(default=Status.NONE, kw_only=True, repr=False)
+    #: whether that is because the response goes on beyond a well
+    _escapes: bool = field(default=False, kw_only=True, repr=False)
 
     def measure(self, force: str | None = None) -> MeasuredPoint:
         """How far it is from that of the equation of motion (3), here and now: tenths of a second where compiled.

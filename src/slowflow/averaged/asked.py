@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from slowflow.averaged import solvers
 from slowflow.averaged.proofs import Allowance
 from slowflow.results import Remark
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
@@ -85,9 +86,9 @@ def states_in_places(found: Any, places: int) -> tuple[Any, ...]:
 
 
 def _peak(oscillator: Any, F_0: float, _: int) -> tuple[Any, ...]:
-    found = oscillator and oscillator.peak(F_0)
+    found = oscillator and solvers.peak(oscillator.model, F_0)
     if not found or found.A is None:
-        return np.nan, np.nan, found._status if found else Status.NONE
+        return np.nan, np.nan, Status.NONE if not found or found._escapes else found._status
     return found.A, found.Omega, Status.OK
 
 

@@ -270,8 +270,9 @@ class Counted(Batch):
         undamped = np.all(np.broadcast_arrays(*(value == 0 for value in damping)), axis=0)
         if designs.excitation == "force" and designs.mechanism.enclosed is None:
             return undamped
-        # what does not close has no peak
-        return undamped | (designs.peak(self._F_0).status == Status.UNBOUNDED)
+        # what does not close has no peak, as what passes the top of a well has none
+        peaks = designs.peak(self._F_0)
+        return undamped | ((peaks.status == Status.UNBOUNDED) & ~peaks._escapes)
 
     @property
     def _may_be_cut(self) -> Any:
@@ -483,16 +484,22 @@ class Curves(Passing, AlongCurves):
 
 @dataclass(frozen=True, eq=False)
 class Peaks(Batch):
-    """The highest peak at one forcing, for each design, isolas included; Omega = 0 where A only falls with Omega."""
+    """The highest peak at one forcing, for each design, isolas included; Omega = 0 where A only falls with Omega.
+
+    Of a spring that gives way it is that within the well, with `Status.UNBOUNDED` where none is there.
+    """
 
     A: Floats
     Omega: Floats
     status: Codes
+    #: which have none because the response goes on beyond a well
+    _escapes: Any = field(repr=False, kw_only=True, default=False)
 
     @cached_property
     def remarks(self) -> remarks.Codes:
         """As of all batches, and `Remark.BEYOND_WELL` where there are states beyond the well."""
-        beyond = np.where(self._has_remarks & self._designs.give_way, np.uint16(Remark.BEYOND_WELL), np.uint16(0))
+        has_states = (self._has_remarks & self._designs.give_way) | self._escapes
+        beyond = np.where(has_states, np.uint16(Remark.BEYOND_WELL), np.uint16(0))
         return frozen(super().remarks | beyond)
 
     def _found(self) -> tuple[Any, Any, Any]:

@@ -5,6 +5,8 @@ Same names, arguments and answers as in `reference.answers`, which run on NumPy;
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from slowflow import backend
@@ -97,15 +99,15 @@ def detachment(model: Model) -> Detachment:
     return Detachment(F_cr, Omega_cr, u_cr, "")
 
 
-def peak(model: Model, F_0: float) -> Peak:
-    """The highest peak at F_0 > m."""
-    status, A, Omega = backend.solver().peak(model.native, F_0)
+def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
+    """The highest peak at F_0 > m with an amplitude up to `most`."""
+    status, A, Omega = backend.solver().peak(model.native, F_0, most)
     check(status, model, F_0)
     if status == Status.UNBOUNDED:
         said = remark_of(model, F_0) if model.zeta > 0 else words.NO_PEAK
         return Peak(None, None, F_0, said, _status=Status.UNBOUNDED)
     if status == Status.NONE:
-        return Peak(None, None, F_0, words.NO_TOP.format(F_0))
+        return words.no_top(model, F_0, most)
     return Peak(A, Omega, F_0, "")
 
 

@@ -271,8 +271,23 @@ class Designs(Unchanging):
         return Curves(found, A, stable, *rest, _designs=self, _F_0=F_0, _averaged=True, _by_balls=by_balls)
 
     def peak(self, F_0: Any, *, workers: int = 1) -> Peaks:
-        """The highest peak at F_0, which broadcasts with the designs."""
-        return Peaks(*self.ask(PEAK, workers, F_0), _designs=self, _F_0=F_0, _averaged=True)
+        """The highest peak at F_0, which broadcasts with the designs; `Status.UNBOUNDED` where nothing ends a response.
+
+        As of single ones, beyond a well as well.
+        """
+        A, Omega, status = columns = self.ask(PEAK, workers, F_0)
+        escapes = np.array((status == Status.NONE) & (self.excitation == "force"))
+        status[escapes] = Status.UNBOUNDED
+        with np.errstate(all="ignore"):  # a number outside its domain has a status, and no amplitude
+            beyond = remarks.look_at(self.mechanism, self._parameters, Omega[..., np.newaxis], A[..., np.newaxis])[1]
+        for at, numbers, (F,) in self._each(beyond[..., 0], F_0):
+            found = Averaged(self.model(dict(zip(self.values, numbers, strict=True)))).peak(F)
+            escapes[at] = found._escapes
+            none = found.A is None
+            A[at], Omega[at], status[at] = (
+                (np.nan, np.nan, found._status) if none else (found.A, found.Omega, Status.OK)
+            )
+        return Peaks(*columns, _designs=self, _F_0=F_0, _averaged=True, _escapes=escapes)
 
     def certify(self, F_0: Any, *, Omega: Any = None, workers: int = 1) -> Proofs:
         """How many folds at F_0, or states at (Omega, F_0), are proved; both broadcast with the designs.

@@ -39,6 +39,9 @@ from slowflow_kernels import dissipation, slow_flow
 from slowflow_support.errors import OutOfRange, Refused
 
 State = TypeVar("State", FrequencyResponse, SteadyStates)
+#: of a peak: where the next lower one is looked for, by more than roundings below it
+JUST_BELOW = 1 - 2.0**-30
+
 Answer = TypeVar("Answer", FrequencyResponse, SteadyStates, SaddleNodes, SaddleNodeOnset, Detachment, Peak)
 
 
@@ -253,20 +256,28 @@ class Averaged:
     def peak(self, F_0: float) -> Peak:
         """The highest peak of the response at F_0, isolas included: .A .Omega. Raises ValueError for F_0 <= 0.
 
-        A peak is a top of the curve over Omega. Where the force softens until it gives way, averaging has states beyond
-        the top of its well at higher amplitudes, the highest of them towards Omega = 0: these are no peak, none of them
-        is stable, and `Remark.BEYOND_WELL` says that `amplitudes` and `frequency_response` have them.
+        A peak is a top of the curve over Omega at which stable motions end, so that F of (24) rises with A there. Where
+        the curve has none, as its amplitude only falls with Omega, it is the static amplitude, with Omega = 0.
 
-        Where the amplitude only falls with Omega it is the static one, with Omega = 0. There is none, and `.message`
-        says why, without viscous damping, and where an excitation by inertia has a response that does not close, or
-        whose amplitude only rises, towards F_0.
+        Where the spring gives way, as alpha u + beta u^3 with beta < 0 does at |u| = sqrt(-alpha/beta), it is the
+        highest peak within the well: of motions that turn where the spring pulls back. Averaging has states beyond, the
+        highest of them towards Omega = 0; none of these is stable, none is a peak, and `Remark.BEYOND_WELL` says that
+        `amplitudes` and `frequency_response` have them.
+
+        There is none, and `.message` says why, where the response passes the top of the well, so that it ends nowhere
+        in it; without viscous damping; and where an excitation by inertia has a response that does not close, or whose
+        amplitude only rises, towards F_0.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
         planned = self._plan("peak", F_0)
         if planned.model is None:
             return Peak(None, None, F_0, words.sticks(self.model, F_0), _model=self.model)
         found = solvers.peak(planned.model, F_0)
-        if remarks.of_one_gives_way(self.model):
+        while found.A is not None and not self.model.stays_centred:
+            if not remarks.turns_beyond(self.model.mechanism, self.model.parameters, found.A):
+                break
+            found = solvers.peak(planned.model, F_0, JUST_BELOW * found.A)
+        if remarks.of_one_gives_way(self.model) or found._escapes:
             found = dataclasses.replace(found, remarks=Remark.BEYOND_WELL)
         return self._remarked(found, F_0)
 

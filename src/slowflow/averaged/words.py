@@ -16,9 +16,9 @@ import numpy.typing as npt
 
 from slowflow.answer import joined
 from slowflow.model import Floats, Model
-from slowflow.results import Remark, SaddleNodeOnset
-from slowflow_kernels import inertia, slow_flow, slow_flow_zeta0
-from slowflow_kernels.conventions import CLOSE, RUNGS, STATIC_MULTIPLE
+from slowflow.results import Peak, Remark, SaddleNodeOnset
+from slowflow_kernels import dissipation, inertia, slow_flow, slow_flow_zeta0
+from slowflow_kernels.conventions import CLOSE, RUNGS, STATIC_MULTIPLE, Status
 
 #: frequencies that a message names
 MOST_NAMED = 3
@@ -47,6 +47,10 @@ NONE_BUT_AT_REST = "no saddle node is born: there are folds that end at Omega = 
 NO_DETACHMENT = "no detachment: the force has one piece only"
 NO_PEAK = "no peak: without viscous damping the response is unbounded"
 NO_TOP = "no peak: the amplitude tends to F_0 = {:g} from below as Omega tends to inf"
+ESCAPES = (
+    "no peak within the well: at F_0 = {:g} the response goes on beyond its top, where the spring pushes on and "
+    "nothing holds the mass"
+)
 NOT_REACHED = (
     "the amplitude u_cr = {0:g} is tended to as Omega tends to inf, at F_0 = {0:g}, and not reached below that"
 )
@@ -244,6 +248,18 @@ def cut_towards_rest(model: Model, F_0: float) -> tuple[float, str]:
 def everywhere(A: float) -> str:
     """That a mass without a spring follows a shaking base alike at any frequency, by quadratic damping alone."""
     return f"no response curve: A = {A:.17g} at every frequency, as all forces on the mass grow with Omega^2 alike"
+
+
+def no_top(model: Model, F_0: float, most: float) -> Peak:
+    """The answer where nothing ends a response up to an amplitude, or up to any.
+
+    A response to inertia tends to an amplitude then; that to a force is of a spring that gives way.
+    """
+    if not model.inertial or most < math.inf:
+        return Peak(None, None, F_0, ESCAPES.format(F_0), _status=Status.UNBOUNDED, _escapes=True)
+    if model.laws.any:
+        return Peak(None, None, F_0, NO_TOP_BELOW.format(float(dissipation.full_by_inertia(F_0, model.d))))
+    return Peak(None, None, F_0, NO_TOP.format(F_0))
 
 
 def peak_at_doubles(F_0: float, A: float) -> str:

@@ -53,7 +53,8 @@ typedef struct {
 /* A question with what it needs. F_0: of SF_FOLD_AT, SF_PEAK, SF_REST, SF_STATE; Omega: of SF_STATE. most: of SF_CUSP,
  * where only the lowest minimum of the level is wanted, a forcing above which cusps may be left out: each minimum
  * found lowers it; NULL for all cusps. first: where the piece begins that is searched. highest: of SF_PEAK and
- * SF_REST, whether only the highest zero that is a top (zeros.h) is wanted */
+ * SF_REST, whether only the highest zero that is a top (zeros.h) is wanted; pushes: whether the spring pushes off at
+ * rest */
 typedef struct {
     sf_question question;
     const sf_model *model;
@@ -61,14 +62,14 @@ typedef struct {
     double least;
     double *most;
     const sf_sample *first;
-    int highest;
+    int highest, pushes;
     sf_terms terms; /* the same as m, zeta, F_0 and least */
 } sf_asked;
 
 static inline sf_asked sf_asked_of(sf_question question, const sf_model *model, double F_0) {
     sf_asked asked;
     asked.question = question, asked.model = model, asked.F_0 = F_0, asked.Omega = 0, asked.most = NULL,
-    asked.first = NULL, asked.highest = 0;
+    asked.first = NULL, asked.highest = asked.pushes = 0;
     asked.least = question == SF_FOLD_AT ? slow_flow_least_restoring(F_0, model->m) : 0;
     asked.terms.m = sfi_point(model->m), asked.terms.zeta = sfi_point(model->zeta);
     asked.terms.F_0 = sfi_point(F_0), asked.terms.least = sfi_point(asked.least);

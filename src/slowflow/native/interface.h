@@ -18,7 +18,8 @@ typedef struct {
 typedef struct {
     sf_status (*onset)(const sf_model *, const sf_exactly *, sf_work *, sf_onset *);
     sf_status (*detachment)(const sf_model *, const sf_exactly *, double *F_cr, double *Omega_cr, double *u_cr);
-    sf_status (*peak)(const sf_model *, const sf_exactly *, double F_0, sf_work *, double *A, double *Omega);
+    sf_status (*peak)(const sf_model *, const sf_exactly *, double F_0, double most, sf_work *, double *A,
+                      double *Omega);
     sf_status (*saddle_nodes)(const sf_model *, const sf_given *, double F_0, sf_room *, sf_folds *);
     sf_status (*fold_locus)(const sf_model *, double A_max, sf_work *);
     sf_status (*extrema)(const sf_model *, double A_max, sf_work *);

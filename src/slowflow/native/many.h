@@ -295,7 +295,7 @@ static void sf_answer_peak(const sf_mechanism *mechanism, char **args, const ptr
     sf_status status = SF_INVALID;
     if (mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, 1, &model))
         status = sf_settled_peak(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, F_0,
-                                 work, &A, &Omega);
+                                 HUGE_VAL, work, &A, &Omega);
     sf_write_peak(args, steps, out, k, A, Omega, status);
 }
 

@@ -466,19 +466,21 @@ static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *b
 
 /* ==== Peak ======================================================================================================== */
 
-/* The highest top of one question up to A_max, from above. */
+/* The highest top of one question on the pieces, from above. */
 static sf_status sf_highest(const sf_model *model, sf_question question, double F_0, sf_work *work, sf_point *out) {
     sf_asked asked = sf_asked_of(question, model, F_0);
+    const sf_sample *rest = &work->pieces.at[0].first;
     sf_zeros *found = &work->zeros;
     int k;
     asked.highest = 1;
+    asked.pushes = rest->h > 0 || (rest->h == 0 && !(rest->h_A < 0));
     for (k = work->pieces.n - 1; k >= 0; k--) {
         const sf_zero *top;
         sf_clear_zeros(found);
         sf_find_zeros(&asked, &work->pieces.at[k], found);
         if (found->status != SF_OK)
             return found->status;
-        top = sf_top(found);
+        top = sf_top(found, asked.pushes);
         if (top != NULL) {
             out->A = top->A, out->Omega = top->Omega;
             return SF_OK;
@@ -487,9 +489,19 @@ static sf_status sf_highest(const sf_model *model, sf_question question, double 
     return SF_NONE;
 }
 
-/* The highest peak of the response at F_0, isolas included, and its frequency; where A only falls with Omega, the
- * static amplitude at Omega = 0. For zeta > 0. */
-static sf_status sf_peak(const sf_model *model, double F_0, sf_work *work, double *A, double *Omega) {
+/* Whether some frequency has a lower level than rest has: then the static state is no top, the response goes on above
+ * it. */
+static int sf_goes_on_above_rest(const sf_model *model, double F_0, double A) {
+    sf_sample at;
+    sf_sample_without_k_at(model, A, &at);
+    const double w = sf_last_stationary(model, &at);
+    return w > 0 && slow_flow_F(w, A, F_0, model->m, model->zeta, at.h) < -sf_doubt_of_F(model, &at, F_0, w);
+}
+
+/* The highest peak of the response at F_0 up to `most`, isolas included, and its frequency: one at which F
+ * rises with A, so that stable motions end there; where there is none, as A only falls with Omega, the static amplitude
+ * at Omega = 0. SF_NONE under a force where nothing ends the response: its spring gives way. For zeta > 0. */
+static sf_status sf_peak(const sf_model *model, double F_0, double most, sf_work *work, double *A, double *Omega) {
     sf_point found;
     sf_status status;
     *A = *Omega = NAN;
@@ -500,10 +512,14 @@ static sf_status sf_peak(const sf_model *model, double F_0, sf_work *work, doubl
     status = sf_amplitude_bound(model, F_0, &work->A_max);
     if (status != SF_OK)
         return status;
+    work->A_max = fmin(work->A_max, most);
     sf_stretches_up_to(model, work->A_max, &work->pieces);
     status = sf_highest(model, SF_PEAK, F_0, work, &found);
-    if (status == SF_NONE)
+    if (status == SF_NONE) {
         status = sf_highest(model, SF_REST, F_0, work, &found);
+        if (status == SF_OK && sf_goes_on_above_rest(model, F_0, found.A))
+            status = SF_NONE;
+    }
     if (status == SF_OK)
         *A = found.A, *Omega = found.Omega;
     return status;

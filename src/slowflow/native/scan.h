@@ -320,7 +320,7 @@ static void sf_search_between(const sf_search *search, const sf_probe *a, const 
     sf_know(&middle.at, &middle.known);
     if (search->asked.highest) {
         sf_search_between(search, &middle, b, open);
-        if (sf_top(search->found) == NULL)
+        if (sf_top(search->found, search->asked.pushes) == NULL)
             sf_search_between(search, a, &middle, open);
         return;
     }

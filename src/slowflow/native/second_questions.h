@@ -55,11 +55,11 @@ static sf_status sf_second_saddle_nodes(const sf_model *model, const sf_given *g
     const sf_work *work = &room->work;
     double A, Omega, low = HUGE_VAL, high = 0;
     sf_second_curve *curve;
-    sf_status status = sf_settled_peak(model, given == NULL ? NULL : &given->exactly, F_0, &room->work, &A, &Omega);
+    sf_status status = sf_settled_peak(model, given == NULL ? NULL : &given->exactly, F_0, HUGE_VAL, &room->work, &A, &Omega);
     int i;
     memset(&out->left, 0, sizeof out->left);
     out->n = out->lost = out->tried = 0, out->status = SF_OK;
-    if (status != SF_OK && status != SF_UNBOUNDED)
+    if (status != SF_OK && status != SF_UNBOUNDED && status != SF_NONE)
         return status;
     if (status == SF_OK && Omega > 0)
         low = high = Omega;
@@ -86,7 +86,7 @@ static sf_status sf_second_peak(const sf_model *model, const sf_given *given, do
     sf_second_point top;
     sf_second_curve *curve;
     double A, first;
-    sf_status status = sf_settled_peak(model, given == NULL ? NULL : &given->exactly, F_0, &room->work, &A, &first);
+    sf_status status = sf_settled_peak(model, given == NULL ? NULL : &given->exactly, F_0, HUGE_VAL, &room->work, &A, &first);
     if (status == SF_OK && first == 0)
         status = SF_NONE;
     if (status == SF_OK)

@@ -480,9 +480,10 @@ static sf_extremum sf_settled_extremum(const sf_model *model, const sf_exactly *
     return out;
 }
 
-static sf_status sf_settled_peak(const sf_model *model, const sf_exactly *exactly, double F_0, sf_work *work, double *A,
-                                 double *Omega) {
-    const sf_status status = sf_peak(model, F_0, work, A, Omega);
+static sf_status sf_settled_peak(const sf_model *model, const sf_exactly *exactly, double F_0, double most,
+                                 sf_work *work, double *A, double *Omega)
+{
+    const sf_status status = sf_peak(model, F_0, most, work, A, Omega);
     sf_settling of;
     if (status != SF_OK || exactly == NULL)
         return status;

@@ -35,15 +35,23 @@ static inline void sf_add_zero(sf_zeros *found, sf_zero zero) {
     found->at[found->n++] = zero;
 }
 
-/* The highest zero at which A has a maximum along the curve, or, of SF_REST, the highest; NULL where there is none. */
-static inline const sf_zero *sf_top(const sf_zeros *found) {
+/* Whether the least level over Omega rises through the forcing at a zero of SF_PEAK or SF_REST, so that stable motions
+ * end there. A maximum of F over Omega (channel 0 of SF_PEAK) is a top of the curve where F falls, and none of these. Of
+ * the halves of SF_REST the upper one has h = -c: the spring pulls back, and F rises where h falls. In the lower half it
+ * pushes on: that counts where it pulls nowhere, `pushes`. */
+static inline int sf_is_top(const sf_zero *zero, int pushes) {
+    if (zero->question == SF_REST)
+        return zero->channel == 1 ? !zero->rising : pushes && zero->rising;
+    return zero->channel == 1 && zero->rising;
+}
+
+/* The highest of these; NULL where there is none. */
+static inline const sf_zero *sf_top(const sf_zeros *found, int pushes) {
     const sf_zero *top = NULL;
     int i;
-    for (i = 0; i < found->n; i++) {
-        const sf_zero *zero = &found->at[i];
-        if ((zero->question == SF_REST || zero->rising == zero->channel) && (top == NULL || zero->A > top->A))
-            top = zero;
-    }
+    for (i = 0; i < found->n; i++)
+        if (sf_is_top(&found->at[i], pushes) && (top == NULL || found->at[i].A > top->A))
+            top = &found->at[i];
     return top;
 }
 

@@ -71,13 +71,13 @@ def _columns(found: Sequence[Any], told: Callable[[Any], Columns]) -> Columns:
 
 
 def peak(model: Abreast, F_0: Floats, _: int) -> Columns:
-    """The highest peak at F_0 > m of each."""
+    """The highest peak at F_0 > m of each; `Status.NONE` where nothing ends the response, as of the solvers in C."""
     none = np.full(model.abreast, np.nan)
     if model.undamped:
         return none, none, np.full(model.abreast, Status.UNBOUNDED)
     A_max, bounded = _bounds(model, F_0)
     A, Omega, given_up = peaks_abreast(model, F_0, A_max)
-    status = _status(bounded, given_up, np.isnan(A), Status.UNRESOLVED)
+    status = _status(bounded, given_up, np.isnan(A), Status.NONE)
     return *(np.where(status == Status.OK, value, np.nan) for value in (A, Omega)), status
 
 

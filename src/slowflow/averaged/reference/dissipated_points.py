@@ -196,9 +196,9 @@ class Stations:
 
 
 def is_top(model: Model, peaks: Points, F_0: float) -> Bools:
-    """Whether two frequencies that are there below these peaks meet in them."""
+    """Whether two frequencies that are there below these peaks meet in them, and F rises: stable motions end."""
     with np.errstate(all="ignore"):
-        return np.asarray(_rises(model, peaks) != _bends(model, peaks, F_0))
+        return np.asarray(_rises(model, peaks) & ~_bends(model, peaks, F_0))
 
 
 def isolas_of(model: Model) -> str:

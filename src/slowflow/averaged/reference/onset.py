@@ -33,7 +33,7 @@ from slowflow.averaged.reference.folds import saddle_nodes
 from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.locus import of_cusps, of_isolas
 from slowflow.averaged.reference.minima import cusp_is_minimum, isola_is_minimum
-from slowflow.averaged.reference.roots import fold_roots, peak_roots
+from slowflow.averaged.reference.roots import Ints, fold_roots, peak_roots, taken
 from slowflow.averaged.reference.search import GIVEN_UP, find_zeros, find_zeros_abreast
 from slowflow.averaged.reference.steps import Steps
 from slowflow.averaged.reference.wanted import Above, At, Bound, Search
@@ -42,6 +42,7 @@ from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound
 from slowflow_kernels import dissipation, slow_flow, slow_flow_zeta0
 from slowflow_kernels.conventions import (
+    CLOSE,
     COINCIDE,
     ENDLESS,
     FALL,
@@ -546,29 +547,30 @@ def detachment(model: Model) -> Detachment:
     return Detachment(float(level[0]), float(Omega[0]), model.breakpoints[0], "")
 
 
-def peak(model: Model, F_0: float) -> PeakFound:
-    """The highest peak at F_0 > m, isolas included; where A only falls with Omega, the static amplitude at Omega = 0.
+def peak(model: Model, F_0: float, most: float = math.inf) -> PeakFound:
+    """The highest peak at F_0 > m up to `most`, isolas included: where stable motions end, see `_is_top_at_rest`.
 
-    Raises ArithmeticError where there is neither to rounding.
+    Where A only falls with Omega it is the static amplitude at Omega = 0.
     """
     if model.zeta == 0 and not model.laws.any:
         return PeakFound(None, None, F_0, words.NO_PEAK, _status=Status.UNBOUNDED)
     A_max, cut = amplitude_bound(model, F_0)
-    if model.laws.any and not cut:
-        return _peak_in_boxes(model, F_0, A_max)
     if cut:
         return PeakFound(None, None, F_0, cut, _status=Status.UNBOUNDED)
+    A_max = min(A_max, most)
+    if model.laws.any:
+        return _peak_in_boxes(model, F_0, A_max, most)
     if model.inertial:
         (peaks,) = find_zeros(model, [InertiaPeak(model, F_0)], stretches_up_to(model, A_max))
         tops = peaks.take(peaks.rising)
         if not len(tops):
-            return PeakFound(None, None, F_0, words.NO_TOP.format(F_0))
+            return words.no_top(model, F_0, most)
         return PeakFound(float(tops.A[-1]), float(tops.Omega[-1]), F_0, "")
     A, Omega, given_up = peaks_abreast(model, F_0, A_max)
     if given_up.any():
         raise NotSettled(GIVEN_UP)
     if np.isnan(A[0]):
-        raise NotSettled(f"the response is unresolved at F_0 = {F_0:.17g}: no state lies on the amplitudes")
+        return words.no_top(model, F_0, most)
     return PeakFound(float(A[0]), float(Omega[0]), F_0, "")
 
 
@@ -576,37 +578,83 @@ def peak(model: Model, F_0: float) -> PeakFound:
 def peaks_abreast(model: Model, F_0: Any, A_max: Any) -> tuple[Floats, Floats, Bools]:
     """A and Omega of the highest peak of each of designs abreast, by a force, with viscous damping; and see `Folds`.
 
-    NaN where no state lies on the amplitudes.
+    NaN where nothing ends the response.
     """
     asked = [Peak(model, F_0), Rest(model, F_0)]
     (peaks, static), given_up = find_zeros_abreast(model, asked, stretches_up_to(model, A_max))
-    # the second channel is the minimum of F over Omega, the first its maximum: F rises or falls through a peak of A
-    tops = peaks.take(peaks.rising == (peaks.channel == 1))
+    # the second channel is the minimum of F over Omega: stable motions end where it rises with A
+    tops = peaks.take(peaks.rising & (peaks.channel == 1))
+    h_0, h_A0 = (value[static.of] for value in _at_rest_abreast(model))
+    # the second half has h = -c: there the spring pulls
+    static = static.take(np.where(static.channel == 1, ~static.rising, _pushes(h_0, h_A0) & static.rising))
     A, Omega = np.full((2, model.abreast), np.nan)
-    for found in (static, tops):
-        last = np.flatnonzero(np.append(found.of[1:] != found.of[:-1], True)[: len(found)])
-        A[found.of[last]], Omega[found.of[last]] = found.A[last], found.Omega[last]
+    last = _last_of_each(static.of)
+    A[static.of[last]], Omega[static.of[last]] = static.A[last], 0.0
+    goes_on = np.isfinite(A)
+    goes_on[goes_on] = _goes_on_above_rest(model, F_0, A, np.flatnonzero(goes_on))
+    A[goes_on] = Omega[goes_on] = np.nan
+    last = _last_of_each(tops.of)
+    A[tops.of[last]], Omega[tops.of[last]] = tops.A[last], tops.Omega[last]
     return A, Omega, given_up
 
 
-def _peak_in_boxes(model: Model, F_0: float, A_max: float) -> PeakFound:
+def _last_of_each(of: Ints) -> Ints:
+    """The places of the highest of each design, of what is in order."""
+    return np.flatnonzero(np.append(of[1:] != of[:-1], True)[: len(of)])
+
+
+def _pushes(h: Any, h_A: Any) -> Any:
+    """Whether the spring pushes off at rest, by the averages there."""
+    return (h > 0) | ((h == 0) & ~(h_A < 0))
+
+
+def _at_rest_abreast(model: Model) -> tuple[Floats, Floats]:
+    """h and h_A at rest, of each of designs abreast."""
+    of = np.arange(model.abreast)
+    h, h_A, *_ = model.take(of).averaged(np.zeros(of.size))
+    return h, h_A
+
+
+def _goes_on_above_rest(model: Model, F_0: Any, A: Floats, of: Ints) -> Bools:
+    """Whether some frequency has a lower level than rest has, of some of designs abreast: a static state is no top."""
+    own, A = model.take(of), A[of]
+    h, m, forcing = own.averaged(A)[0], own.m, taken(F_0, of)
+    w = peak_roots(A, h, m, own.zeta)[0]
+    w = np.where(np.isnan(w), 0.0, w).max(axis=-1)
+    R, lag = slow_flow.R(w, A, h), slow_flow.I(w, A, m, own.zeta)
+    of_R = CLOSE * (np.abs(h) + A * w**2)
+    doubt = of_R * (2 * np.abs(R) + of_R) + CLOSE * (lag**2 + forcing**2)
+    return np.asarray((w > 0) & (slow_flow.F(w, A, forcing, m, own.zeta, h) < -doubt))
+
+
+def _peak_in_boxes(model: Model, F_0: float, A_max: float, most: float) -> PeakFound:
     """The same by other laws of damping: where a pair of frequencies ends that is there below."""
     pieces = stretches_up_to(model, A_max)
     if model.inertial:
         peaks = points_of(model, "peaks_by_inertia", pieces, F_0)
         tops = peaks.take(dissipated_points.is_top(model, peaks, F_0))
         if not len(tops):
-            full = dissipation.full_by_inertia(F_0, model.d)
-            return PeakFound(None, None, F_0, words.NO_TOP_BELOW.format(float(full)))
+            return words.no_top(model, F_0, most)
         return PeakFound(float(tops.A[-1]), float(tops.Omega[-1]), F_0, "")
     peaks, static = dissipated_points.peaks_of(model, pieces, F_0), points_of(model, "rest", pieces, F_0)
     tops = peaks.take(dissipated_points.is_top(model, peaks, F_0))
-    A, Omega = (tops.A, tops.Omega) if len(tops) else (static.A, np.zeros(len(static)))
+    at_rest = static.A[[_is_top_at_rest(model, F_0, float(A)) for A in static.A]] if len(static) else static.A
+    A, Omega = (tops.A, tops.Omega) if len(tops) else (at_rest, np.zeros(at_rest.size))
     if peaks.A_undecided.max(initial=0.0) > A.max(initial=0.0):
         raise NotSettled(words.peak_at_doubles(F_0, float(peaks.A_undecided.max())))
-    if not A.size and F_0 <= model.m:
+    if not A.size and F_0 <= model.m and most == math.inf:
         return PeakFound(None, None, F_0, words.sticks(model, F_0), _status=Status.STICKS)
     if not A.size:
-        raise NotSettled(f"the response is unresolved at F_0 = {F_0:.17g}: no state lies on the amplitudes")
+        return words.no_top(model, F_0, most)
     highest = int(np.argmax(A))
     return PeakFound(float(A[highest]), float(Omega[highest]), F_0, "")
+
+
+@np.errstate(all="ignore")
+def _is_top_at_rest(model: Model, F_0: float, A: float) -> bool:
+    """Whether stable motions end in a static state: the spring pulls there, F rises, and no frequency goes on above."""
+    h = float(model.averaged(A)[0])
+    if not model.F_A(0.0, A) > 0 or (h > 0 and not _pushes(*map(float, model.averaged(0.0)[:2]))):
+        return False
+    w = stationary_at(model, A)
+    return not bool((model.level(w, np.full(w.size, A)) < F_0 * (1 - CLOSE)).any())

@@ -132,17 +132,17 @@ static PyObject *detachment(PyObject *self, PyObject *args)
 static PyObject *peak(PyObject *self, PyObject *args)
 {
     PyObject *given;
-    double F_0, A, Omega;
+    double F_0, most, A, Omega;
     sf_work *work;
     sf_status status;
     (void)self;
-    if (!PyArg_ParseTuple(args, "Od", &given, &F_0))
+    if (!PyArg_ParseTuple(args, "Odd", &given, &F_0, &most))
         return NULL;
     const sf_model *model = sf_model_in(given);
     if (model == NULL || (work = new_work()) == NULL)
         return NULL;
     Py_BEGIN_ALLOW_THREADS
-    status = sf_here()->peak(model, exactly_in(given), F_0, work, &A, &Omega);
+    status = sf_here()->peak(model, exactly_in(given), F_0, most, work, &A, &Omega);
     Py_END_ALLOW_THREADS
     free(work);
     return Py_BuildValue("idd", (int)status, A, Omega);
@@ -377,7 +377,7 @@ static PyMethodDef functions[] = {
     {"saddle_nodes", saddle_nodes, METH_VARARGS, "(model, F_0) -> status, Omega, A, up, corner, undecided"},
     {"onset", onset, METH_VARARGS, "(model,) -> status, F_SN, Omega, A, kind, lowest level at rest"},
     {"detachment", detachment, METH_VARARGS, "(model,) -> status, F_cr, Omega_cr, u_cr"},
-    {"peak", peak, METH_VARARGS, "(model, F_0) -> status, A, Omega"},
+    {"peak", peak, METH_VARARGS, "(model, F_0, most) -> status, A, Omega"},
     {"amplitude_bound", amplitude_bound, METH_VARARGS, "(model, F_0) -> status, A_max"},
     {"fold_locus", fold_locus, METH_VARARGS, "(model, A_max, samples) -> status, Omega, A, F_0, branch, extrema"},
     {"frequency_response", frequency_response, METH_VARARGS,
