@@ -7,10 +7,12 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar, root
 
-from slowflow import Duffing
-from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state, sweep
+from slowflow import Duffing, Isolator
+from slowflow.exact import EquationOfMotion, exact_response, linear, response, steady_state, sweep
 from slowflow.exact.compiled import default_integrator
+from slowflow.exact.continuation import FOLDS
 from slowflow.exact.integrate import ScipyIntegrator
+from slowflow.exact.sweep import _is_stable as is_stable_branch
 from slowflow.paper.example import TABLE_1
 from tests.oracles.exact_cases import isolator, random_cases, table_1
 from tests.oracles.exact_scipy import half_turn
@@ -76,6 +78,28 @@ def test_points_are_motions_and_stability_is_theirs(curves):
             touching = point.role in ("border", "corner") and not exact
             assert touching or state.residual <= 1e-12
             assert state.A == pytest.approx(curve.A[index], abs=1e-12)
+
+
+@compiled
+def test_of_three_motions_at_a_frequency_the_middle_one_is_not_stable(curves):
+    """As the averaged balance has it; a saddle has one multiplier inside the unit circle, which is not enough."""
+    seen = 0
+    for (exact, F_0), curve in curves.items():
+        low, high = (fold.Omega for fold in curve.folds)
+        Omega = 0.5 * (low + high)
+        averaged = Isolator(**TABLE_1).amplitudes(Omega=Omega, F_0=F_0)
+        if exact or len(averaged) != 3:
+            continue
+        seen += 1
+        points = list(curve.states)
+        (saddle,) = averaged.A[~averaged.stable]
+        below, above = sorted(response._stable_at(Omega, points))
+        assert below < saddle < above
+        up, down = sorted(i for i, point in enumerate(points) if point.role in FOLDS)
+        assert is_stable_branch(points[: up + 1]) and is_stable_branch(points[down:])
+        # stable up to the fold, not beyond it
+        assert not is_stable_branch(points[: up + 3]) and not is_stable_branch(points[up : down + 1])
+    assert seen
 
 
 @pytest.mark.slow
