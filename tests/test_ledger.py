@@ -18,10 +18,10 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from derivations import ledger
+from derivations import ledger, symbols
 from derivations.ledger import balls, entries, proofs, render, source
 from derivations.ledger.facts import Facts
-from derivations.ledger.findings import Contradiction, check_formulas, key
+from derivations.ledger.findings import Contradiction, check_averages, check_formulas, key
 from derivations.ledger.formulas import Subject, subjects
 from derivations.ledger.judging import judge
 from derivations.ledger.rows import ALLOWED, AMBIGUOUS, DIFFERS, FALSE, IDENTICAL, VOCABULARY, Row
@@ -189,6 +189,22 @@ def test_an_error_of_the_derivation_is_told_by_its_equation_with_both_sides(
     assert "(21)" in told and "(H_1)" in told
     for word in ("published", "derived", "difference"):
         assert word in told
+
+
+@pytest.mark.parametrize("regime", [0, 1])
+def test_an_average_that_formulas_do_not_show_is_told_with_both_sides(results: Results, regime: int) -> None:
+    """A sign in the rest of the force, which F_k has nothing of: all published formulas agree."""
+    rod = copy.copy(results.mechanisms["rod_spring"])
+    regimes = list(rod.whole.regimes)
+    value, *slopes = regimes[regime].derivatives
+    regimes[regime] = replace(regimes[regime], derivatives=(value + 2 * symbols.A, *slopes))
+    rod.__dict__["whole"] = replace(rod.whole, regimes=tuple(regimes))
+    facts = Facts(replace(results, mechanisms={**results.mechanisms, "rod_spring": rod}), PUBLISHED)
+    with pytest.raises(Contradiction) as raised:
+        check_averages(facts)
+    told = str(raised.value)
+    assert f"h = H_{regime + 1} - A:" in told and "difference 2*A" in told
+    assert "by H_i" in told and "derived" in told
 
 
 def test_a_formula_that_agrees_where_a_finding_says_it_differs_is_told() -> None:

@@ -24,7 +24,7 @@ from __future__ import annotations
 from ..results import Results
 from . import balls, claims, entries, render, source, truncation
 from .facts import Facts
-from .findings import check_formulas, findings
+from .findings import check_averages, check_formulas, findings
 from .rows import Row
 
 __all__ = ["all_rows", "files"]
@@ -37,6 +37,7 @@ def all_rows(facts: Facts) -> list[Row]:
     """
     formulas = entries.formula_rows(facts)
     check_formulas(formulas)
+    check_averages(facts)
     return formulas + entries.number_rows(facts) + claims.claim_rows(facts)
 
 

@@ -22,7 +22,7 @@ from ..results import Results
 from ..symbols import F_0, A, Omega, h, mu, psi, tau, u, zeta
 from .balls import evaluate, isolate, polynomial_zeros, rational, rounded, sign
 from .example import ATTACHED, Example, Point, system
-from .formulas import GROUPS, MECHANISM, Subject, detached_derivative, shared_symbols
+from .formulas import GROUPS, MECHANISM, Subject, detached_derivative, shared_symbols, whole_averages
 from .judging import Judgement, judge
 from .proofs import canonical
 from .rows import DIFFERS
@@ -87,6 +87,14 @@ class Facts:
             errors = self._failed if isinstance(error, KeyError) and self._failed else [error]
             why = "; ".join(f"{type(one).__name__}: {one}" for one in errors)
             return Judgement(DIFFERS, str(function.__doc__).strip(), "not comparable", difference=why)
+
+    def whole_differs(self) -> list[tuple[str, sp.Expr, sp.Expr, str]]:
+        """Where the averages that numbers are computed by are not those that formulas are held against; the difference.
+
+        A formula of F_k alone tells nothing of the rest of the force.
+        """
+        differences = [(name, one, other, canonical(other - one)) for name, one, other in whole_averages(self.results)]
+        return [(name, one, other, gap.text()) for name, one, other, gap in differences if not gap.is_zero]
 
     @functools.cached_property
     def integrals_agree(self) -> bool:

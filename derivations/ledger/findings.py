@@ -46,6 +46,20 @@ def check_formulas(rows: list[Row]) -> None:
         for row in rows
         if (row.verdict == DIFFERS) != (row.id in KNOWN_TO_DIFFER)
     ]
+    _raise(told)
+
+
+def check_averages(facts: Facts) -> None:
+    """Raise `Contradiction` where numbers would be computed by other averages than formulas were held against."""
+    _raise(
+        [
+            f"{name}:\n    by H_i     {by_formula}\n    derived    {derived}\n    difference {difference}"
+            for name, by_formula, derived, difference in facts.whole_differs()
+        ]
+    )
+
+
+def _raise(told: list[str]) -> None:
     if told:
         raise Contradiction("\n".join(["the derivation does not give what is published:", *told]))
 

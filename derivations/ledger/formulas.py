@@ -20,6 +20,7 @@ from .. import oscillator as osc
 from ..averaging import DISPLACEMENT, VELOCITY, G, H
 from ..den_hartog import S, U, V
 from ..mechanisms.rod_spring import Delta_h, delta_h, k_h, lam, r
+from ..restoring import Restoring
 from ..resultants import Elimination
 from ..results import Results
 from ..slow_flow import I, R, m
@@ -255,9 +256,26 @@ def in_angle(expression: sp.Expr, end: sp.Symbol, angle: sp.Symbol) -> sp.Expr:
 
 def detached_derivative(results: Results, order: int) -> sp.Expr:
     """H_2 (order 0) or its derivative with respect to A, in A, the coefficients and psi_0, where u_cr = A cos psi_0."""
-    averages = results.mechanisms[MECHANISM].beside_vertical
+    return _detached(results.mechanisms[MECHANISM].beside_vertical, order)
+
+
+def _detached(averages: Restoring, order: int) -> sp.Expr:
     (end,) = averages.breakpoints
     return in_angle(averages.regimes[1].closed_form(order), end, shared_symbols()["psi_0"])
+
+
+def whole_averages(results: Results) -> list[tuple[str, sp.Expr, sp.Expr]]:
+    """What must agree: h = H_i - A and its derivative by H_i, which formulas are held against, and as numbers have it.
+
+    The two are derived apart from each other, from F_k and from F_k + u.
+    """
+    rod = results.mechanisms[MECHANISM]
+    found = []
+    for order, (name, linear) in enumerate((("h = H_{} - A", A), ("dh/dA = dH_{}/dA - 1", sp.Integer(1)))):
+        attached, whole = (one.regimes[0].derivatives[order] for one in (rod.beside_vertical, rod.whole))
+        found.append((name.format(1, 1), attached - linear, whole))
+        found.append((name.format(2, 2), _detached(rod.beside_vertical, order) - linear, _detached(rod.whole, order)))
+    return found
 
 
 ANGLE = "u_cr = A cos ψ₀, √(A² − u_cr²) = A sin ψ₀"
