@@ -7,7 +7,6 @@ measurements. Only the designs that the page opens with are chosen.
 from __future__ import annotations
 
 import dataclasses
-import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
@@ -19,6 +18,7 @@ from slowflow.measured import table, validity
 from slowflow.oscillator import Oscillator
 from slowflow.paper.example import TABLE_1
 from slowflow.physical import Physical
+from slowflow.quantities import KINDS, Scales
 from slowflow.validate import WINDOW
 from slowflow.version import __version__
 from slowflow_kernels.conventions import OnsetKind, Status
@@ -53,6 +53,8 @@ MOUNT: Physical = Isolator.physical(
     m=12.0, k_v=2500.0, k_h=1700.0, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02
 )
 MOUNT_FORCE = 5.0
+#: where the mass stops within the cycle, in the letters of dimensionless answers
+STOPS = "friction stops it: mu/(A Omega^2) > 1"
 #: what `Isolator.physical` calls the numbers that have another name without dimensions
 PHYSICAL_NAMES = {"lam": "n", "r": "k_h", "delta_h": "preload", "mu": "friction", "F_0": "F", "Omega": "f"}
 
@@ -100,6 +102,7 @@ def about() -> dict[str, Any]:
         },
         "scales": {name: dict(scale._asdict()) for name, scale in SCALES.items()},
         "physical_names": PHYSICAL_NAMES,
+        "names": {name: KINDS[name][0] for name in ("Omega", "u_cr")},
         "presets": [
             {
                 "title": one.title,
@@ -113,15 +116,7 @@ def about() -> dict[str, Any]:
         "mount": _mount(),
         "status": {status.name: status.value for status in Status},
         "onset_kinds": {kind.value: kind.name.lower() for kind in OnsetKind},
-        "words": {
-            "remarks": {remark.name: text for remark, text in WORDS.items()},
-            **{name: getattr(words, name) for name in ("NO_ONSET", "NO_DETACHMENT", "NO_PEAK", "NO_LOWEST")},
-            "near_sticking": validity.NEAR_STICKING,
-            "near_sticking_below": NEAR_STICKING_BELOW,
-            "off_by": validity.OFF_BY,
-            "off_unknown": validity.OFF_UNKNOWN,
-            "not_measured": validity.NOT_MEASURED,
-        },
+        "words": messages(),
         # of a force that is not odd Python's digits are those of another search
         "references": [
             _reference(one.mechanism, one.oscillator, one.F_0, one.shown)
@@ -131,6 +126,24 @@ def about() -> dict[str, Any]:
         "measured": {name: getattr(table, name) for name in dir(table) if name.isupper()},
         "worth": {"error": validity.WORTH, "truncation": validity.WORTH_TRUNCATION},
     }
+
+
+def messages() -> dict[str, Any]:
+    """The package's words by name, with places for numbers: "plain", and "si" by what excites, in the terms of that."""
+    plain = {
+        **{remark.name: text for remark, text in WORDS.items()},
+        "STICKS": words.STICKS,
+        "STICKS_BELOW": words.STICKS_BELOW,
+        "NEAR_STICKING": validity.NEAR_STICKING,
+        "NEAR_STICKING_BELOW": NEAR_STICKING_BELOW,
+        "OFF_BY": validity.OFF_BY.removesuffix(validity.IN_PYTHON),
+        "OFF_UNKNOWN": validity.OFF_UNKNOWN,
+        "STOPS": STOPS,
+    }
+    # letters are what is changed here: places have no number yet, so any scales do
+    scales = {name: Scales(m=1.0, k_v=1.0, L=1.0, excitation=name) for name in EXCITED_BY}
+    si = {name: {key: of.worded(text) for key, text in plain.items()} for name, of in scales.items()}
+    return {"plain": plain, "si": si}
 
 
 def _mechanism(design: Design) -> dict[str, Any]:
@@ -143,7 +156,6 @@ def _mechanism(design: Design) -> dict[str, Any]:
         "title": record.title,
         "design": [_parameter(one) for one in record.design],
         "scales": [dict(scale._asdict()) for scale in record.scales],
-        "reach": record.reach if math.isfinite(record.reach) else None,
         "reach_reason": record.reach_reason,
         "truncated": record.truncated,
         "constructor": design.constructor,

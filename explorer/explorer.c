@@ -74,6 +74,9 @@ int EXPORT(places)(int i)
 
 double EXPORT(sticking)(void) { return model.m; }
 
+/* Largest amplitude that makes sense, or infinite. */
+double EXPORT(reach)(void) { return model.reach; }
+
 double EXPORT(stiffness_at_rest)(void)
 {
     sf_sample at;
@@ -192,14 +195,16 @@ int EXPORT(onset)(void)
 /* out[0]: F_cr, Omega_cr, u_cr; returns the status. */
 int EXPORT(detachment)(void) { return sf_settled_detachment(&model, exactly(), out[0], out[0] + 1, out[0] + 2); }
 
-/* out[0]: A, Omega; returns the status. As `slowflow.averaged.questions.Averaged.peak`: of those that do not turn beyond
- * the well. */
+/* out[0]: A, Omega, and whether the well of the spring holds no peak; returns the status. As
+ * `slowflow.averaged.questions.Averaged.peak`: of those that do not turn beyond the well. */
 int EXPORT(peak)(double F_0)
 {
     double most = HUGE_VAL;
+    out[0][2] = 0;
     while (!sf_sticks(&model, F_0)) {
         sf_sample at;
         const sf_status status = sf_settled_peak(&model, exactly(), F_0, most, &room.work, out[0], out[0] + 1);
+        out[0][2] = status == SF_UNBOUNDED && !rises && model.zeta > 0;
         if (status != SF_OK || rises)
             return status;
         sf_sample_at(&model, out[0][0], &at);

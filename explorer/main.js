@@ -19,9 +19,10 @@ function ask(solvers, state, shown) {
   const breaks = solvers.choose(state.mechanism, numbersOf(state, plain), state.excitation);
   if (breaks === null) return null;
   const about = DATA.mechanisms[state.mechanism];
-  const answer = { state, plain, breaks, places: solvers.places(), sticking: solvers.sticking(), stiffnessAtRest: solvers.stiffnessAtRest() };
+  const friction = solvers.sticking();
+  const answer = { state, plain, breaks, places: solvers.places(), friction, sticking: friction, reach: solvers.reach(), stiffnessAtRest: solvers.stiffnessAtRest() };
   /* a base or an unbalance moves the mass however small it is, from a frequency on */
-  if (byInertia(state)) Object.assign(answer, { sticking: 0, sticksUpTo: Math.sqrt(answer.sticking / plain.F_0) });
+  if (byInertia(state)) Object.assign(answer, { sticking: 0, sticksUpTo: Math.sqrt(friction / plain.F_0) });
   answer.onset = solvers.onset();
   answer.detachment = solvers.detachment();
   answer.peak = solvers.peak(plain.F_0);
@@ -37,7 +38,7 @@ function ask(solvers, state, shown) {
   if (shown.locus) answer.locus = solvers.locus(top, 400);
   const mean = curve.B.reduce((most, B) => Math.max(most, Math.abs(B)), 0);
   const wide = 1.35 * Math.max(breaks[0] || 0, Math.min(top, 1.5 * seen || top) + mean, about.odd ? 0 : Math.abs(answer.places[0]));
-  answer.force = solvers.force(about.reach === null || !breaks.length ? roundUp(wide) : Math.min(0.999 * about.reach, roundUp(wide)), 241);
+  answer.force = solvers.force(Math.min(0.999 * answer.reach, roundUp(wide)), 241);
   return answer;
 }
 
@@ -137,21 +138,33 @@ function card(title, value, note, kind = "") {
   return `<div class="card ${kind}"><dt>${title}</dt><dd>${value}<small>${note}</small></dd></div>`;
 }
 
+/** The highest peak, its note, and both as part of a sentence; in words where no motion is that large. */
+function peakIn(answer) {
+  const { state, peak, reach } = answer;
+  const at = `at ${nameIn(state, "Omega")} = ${told(state, "Omega", peak.Omega)}`;
+  if (peak.beyond) return { value: "–", note: "none within the well", text: "no peak within the well" };
+  if (peak.status !== DATA.status.OK) return { value: peak.status === DATA.status.UNBOUNDED ? "unbounded" : "–", note: "", text: "no peak" };
+  if (peak.A > reach) return { value: "not reached", note: sentence(beyondReach(answer)), text: `amplitudes above ${told(state, "A", reach)}, which are not reached` };
+  return { value: told(state, "A", peak.A), note: at, text: `peak ${told(state, "A", peak.A)} ${at}` };
+}
+
 function say() {
   const { answer } = app;
-  const { state, onset, detachment, peak, folds, breaks, plain } = answer;
+  const { state, onset, detachment, folds, breaks, plain, reach } = answer;
   const F = nameIn(state, "F_0");
   const frequency = nameIn(state, "Omega");
   const near = (name, value) => told(state, name, value);
-  const letter = state.si ? F : "F";
+  const reached = (value, A) => (A > reach ? "not reached" : value);
+  const peak = peakIn(answer);
   const ok = DATA.status.OK;
+  const u_cr = symbol(nameIn(state, "u_cr"));
   const jumps = folds.status === ok && folds.n > 0;
   /* no amplitude is lower at a higher frequency then, where it tends to F_0 */
   const tends = byInertia(state) && detachment.status !== ok && breaks.length > 0;
   $("answers").innerHTML =
     card(
-      `${symbol(`${letter}_SN`)} <span>it jumps from</span>`,
-      onset.status === ok ? near("F_0", onset.F_SN) : onset.status === DATA.status.UNBOUNDED ? `> ${near("F_0", answer.sticking)}` : "never",
+      `${symbol(criticalIn(state, "SN"))} <span>it jumps from</span>`,
+      onset.status === ok ? reached(near("F_0", onset.F_SN), onset.A) : onset.status === DATA.status.UNBOUNDED ? `> ${near("F_0", answer.sticking)}` : "never",
       [
         onset.status === ok ? `at ${frequency} = ${near("Omega", onset.Omega)}, ${DATA.onset_kinds[onset.kind]}` : "",
         onset.rest < (onset.status === ok ? onset.F_SN : Infinity) ? `folds that end at ${frequency} = 0 from ${near("F_0", onset.rest)}` : "",
@@ -159,24 +172,24 @@ function say() {
       onset.status === ok && plain.F_0 > onset.F_SN ? "passed" : "",
     ) +
     card(
-      `${symbol(`${letter}_cr`)} <span>${DATA.mechanisms[state.mechanism].rod ? "springs leave from" : `it passes ${symbol("u_cr")} from`}</span>`,
+      `${symbol(criticalIn(state, "cr"))} <span>${DATA.mechanisms[state.mechanism].rod ? "springs leave from" : `it passes ${u_cr} from`}</span>`,
       detachment.status === ok ? near("F_0", detachment.F_cr) : tends ? near("F_0", breaks[0]) : "never",
-      tends ? `as ${frequency} tends to ∞` : detachment.status === ok ? `at ${frequency} = ${near("Omega", detachment.Omega)}, ${symbol("u_cr")} = ${near("A", detachment.u_cr)}` : "one piece",
+      tends ? `as ${frequency} tends to ∞` : detachment.status === ok ? `at ${frequency} = ${near("Omega", detachment.Omega)}, ${u_cr} = ${near("A", detachment.u_cr)}` : "one piece",
       detachment.status === ok && plain.F_0 > detachment.F_cr ? "passed" : "",
     ) +
     (byInertia(state)
       ? card(`${frequency} <span>it sticks up to</span>`, near("Omega", answer.sticksUpTo), "inertia pushes less there than friction holds")
-      : card(`4μ/π <span>it sticks up to</span>`, near("F_0", answer.sticking), plain.F_0 <= answer.sticking ? `${F} is below` : "", plain.F_0 <= answer.sticking ? "passed" : "")) +
-    card(`<i>A</i> <span>peak</span>`, peak.status === ok ? near("A", peak.A) : peak.status === DATA.status.UNBOUNDED ? "unbounded" : "–", peak.status === ok ? `at ${frequency} = ${near("Omega", peak.Omega)}` : "") +
+      : card(`4${symbol(nameIn(state, "mu"))}/π <span>it sticks up to</span>`, near("F_0", answer.sticking), plain.F_0 <= answer.sticking ? `${F} is below` : "", plain.F_0 <= answer.sticking ? "passed" : "")) +
+    card(`<i>A</i> <span>peak</span>`, peak.value, peak.note) +
     card(
-      `<span>jumps at this force</span>`,
-      jumps ? Array.from(folds.Omega, (Omega, i) => `${folds.up[i] ? "↑" : "↓"} ${near("Omega", Omega)}`).join("<br>") : "none",
+      `<span>jumps at</span> ${symbol(F)} <span>= ${near("F_0", plain.F_0)}</span>`,
+      jumps ? Array.from(folds.Omega, (Omega, i) => `${folds.up[i] ? "↑" : "↓"} ${reached(near("Omega", Omega), folds.A[i])}`).join("<br>") : "none",
       jumps ? `${frequency} where a sweep jumps` : "one state at each frequency",
     );
   const said = remarksOf(answer);
-  $("remarks").innerHTML = said.map((text) => `<li>${text[0].toUpperCase()}${text.slice(1)}</li>`).join("");
+  $("remarks").innerHTML = said.map((text) => `<li>${sentence(text)}</li>`).join("");
   sayStates();
-  const summary = `Response at ${F} = ${near("F_0", plain.F_0)}: ${jumps ? `${folds.n} folds` : "no fold"}, ${peak.status === ok ? `peak ${near("A", peak.A)} at ${near("Omega", peak.Omega)}` : "no peak"}${breaks.length ? `, ${DATA.mechanisms[state.mechanism].rod ? "springs leave" : "the spring changes"} at ${near("A", breaks[0])}` : ""}.`;
+  const summary = `Response at ${F} = ${near("F_0", plain.F_0)}: ${jumps ? `${folds.n} folds` : "no fold"}, ${peak.text}${breaks.length ? `, ${DATA.mechanisms[state.mechanism].rod ? "springs leave" : "the spring changes"} at ${near("A", breaks[0])}` : ""}.`;
   app.plots.response.title.textContent = summary;
   app.plots.force.title.textContent = "Restoring force over displacement, with the stroke of the present motion.";
   app.plots.transmissibility.title.textContent = "Transmissibility in decibels over frequency.";
@@ -186,16 +199,17 @@ function say() {
 /** The states at the present frequency as a table, and how far the present one may be off. */
 function sayStates() {
   const { answer, states, now } = app;
-  const { state, plain, breaks } = answer;
+  const { state, plain, breaks, reach } = answer;
   const i = states.n ? nearest(states, now.A) : -1;
   const about = DATA.mechanisms[state.mechanism];
   $("about-what").textContent = about.odd ? "about the centre" : "about the mean of the motion";
   const rows = Array.from({ length: states.n }, (_, k) => {
     const errors = errorsOf(state.mechanism, state.excitation, breaks, plain.mu, plain.F_0, states.Omega[k], states.A[k]);
-    return `<tr${k === i ? ' class="here"' : ""}><td>${told(state, "A", states.A[k], 5)}${about.odd ? "" : ` about ${told(state, "A", states.B[k], 3)}`}</td><td>${states.stable[k] ? "stable" : "unstable"}</td><td>${short((states.phi[k] * 180) / Math.PI, 3)}°</td><td>${short(20 * Math.log10(states.T[k]), 3)} dB</td><td>${errors ? `${short(100 * errors.error, 2)} %` : "–"}</td></tr>`;
+    return `<tr${k === i ? ' class="here"' : ""}><td>${told(state, "A", states.A[k], 5)}${about.odd ? "" : ` about ${told(state, "A", states.B[k], 3)}`}</td><td>${states.A[k] > reach ? "not reached" : states.stable[k] ? "stable" : "unstable"}</td><td>${short((states.phi[k] * 180) / Math.PI, 3)}°</td><td>${short(20 * Math.log10(states.T[k]), 3)} dB</td><td>${errors ? `${short(100 * errors.error, 2)} %` : "–"}</td></tr>`;
   });
   $("at").textContent = `${nameIn(state, "Omega")} = ${told(state, "Omega", now.Omega, 5)}`;
-  $("states").innerHTML = rows.join("") || '<tr><td colspan="5">No motion.</td></tr>';
+  const held = byInertia(state) ? now.Omega <= answer.sticksUpTo : plain.F_0 <= answer.sticking;
+  $("states").innerHTML = rows.join("") || `<tr><td colspan="5">${held ? "Held by friction: the amplitude is 0, and it transmits all, 0 dB." : "No state."}</td></tr>`;
   $("error").textContent = i < 0 ? "" : errorInWords(errorsOf(state.mechanism, state.excitation, breaks, plain.mu, plain.F_0, now.Omega, now.A));
   const slider = $("frequency");
   slider.max = 1000;
@@ -263,7 +277,7 @@ function excite(excitation) {
 /** The fields of the mechanism and units that are chosen. */
 function buildFields() {
   const { state } = app;
-  const letter = (name) => (state.si ? symbol({ mu: "F_c" }[name] || (scalesOf(state)[name] || { letter: name }).letter) : symbol(name));
+  const letter = (name) => symbol(nameIn(state, name));
   const of = (list) => list.map((one) => field(one.name, one.doc, letter(one.name), measure(state, one.name).unit)).join("");
   const about = DATA.mechanisms[state.mechanism];
   $("fields").innerHTML =
@@ -271,7 +285,7 @@ function buildFields() {
     `<fieldset><legend>Spring</legend>${of(about.design)}</fieldset>` +
     `<fieldset><legend>Damping</legend>${of(DATA.damping)}</fieldset>` +
     (state.si ? `<fieldset><legend>Mass and scales</legend>${BASE.map((one) => field(one.name, one.doc, symbol(one.name), one.unit)).join("")}</fieldset>` : "") +
-    `<fieldset><legend>Shown</legend>${field("high", "highest frequency shown", state.si ? symbol("f") : symbol("Omega"), measure(state, "Omega").unit)}</fieldset>`;
+    `<fieldset><legend>Shown</legend>${field("high", "highest frequency shown", letter("Omega"), measure(state, "Omega").unit)}</fieldset>`;
   $("excitation").addEventListener("change", (event) => excite(event.target.value));
   const bind = (name, fromRange, read, write) => {
     const [number, range] = [$(`number-${name}`), $(`range-${name}`)];
@@ -318,8 +332,10 @@ function buildFields() {
     changed("high");
     return true;
   });
-  $("leave").textContent = about.rod ? "F_cr: springs leave from" : "F_cr: it passes u_cr from";
-  $("beyond").innerHTML = about.rod ? "springs off their seat" : `beyond ${symbol("u_cr")}`;
+  $("jump").textContent = `${criticalIn(state, "SN")}: it jumps from`;
+  $("leave").textContent = `${criticalIn(state, "cr")}: ${about.rod ? "springs leave from" : `it passes ${nameIn(state, "u_cr")} from`}`;
+  $("beyond").innerHTML = about.rod ? "springs off their seat" : `beyond ${symbol(nameIn(state, "u_cr"))}`;
+  $("stops").innerHTML = inHTML(wordsIn(state).STOPS);
   const axes = [...about.design, ...DATA.damping];
   for (const id of ["map-x", "map-y"])
     $(id).innerHTML = axes.map((one) => `<option value="${one.name}">${nameIn(state, one.name)} – ${words(one.doc)}</option>`).join("");

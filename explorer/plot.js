@@ -142,7 +142,7 @@ function triangle(x, y, up) {
 
 /** What an answer says, as the response plane has it. */
 function drawResponse(plot, answer, shown) {
-  const { state, curve, folds, breaks, plain } = answer;
+  const { state, curve, folds, breaks, plain, reach } = answer;
   const { high, top } = answer.window;
   const omega = measure(state, "Omega");
   const length = measure(state, "A");
@@ -172,7 +172,9 @@ function drawResponse(plot, answer, shown) {
   }
   for (const [i, b] of breaks.entries())
     if (b < top)
-      regions += line("break", `M${left},${plot.y(b).toFixed(1)}h${wide}`) + `<text class="name" x="${left + wide - 4}" y="${(plot.y(b) - 5).toFixed(1)}" text-anchor="end">${lowered(breaks.length > 1 ? `u_cr ${i + 1}` : DATA.mechanisms[state.mechanism].odd ? "u_cr" : "to u_cr")}</text>`;
+      regions += line("break", `M${left},${plot.y(b).toFixed(1)}h${wide}`) + `<text class="name" x="${left + wide - 4}" y="${(plot.y(b) - 5).toFixed(1)}" text-anchor="end">${lowered(`${DATA.mechanisms[state.mechanism].odd ? "" : "to "}${nameIn(state, "u_cr")}${breaks.length > 1 ? ` ${i + 1}` : ""}`)}</text>`;
+  if (reach < top)
+    regions += line("break", `M${left},${plot.y(reach).toFixed(1)}h${wide}`) + `<text class="name" x="${left + wide - 4}" y="${(plot.y(reach) - 5).toFixed(1)}" text-anchor="end">not reached above</text>`;
   plot.set("regions", regions);
   let beside = "";
   const { backbone, envelope, locus } = answer;

@@ -54,6 +54,10 @@ class Solvers {
     return this.native.sticking();
   }
 
+  reach() {
+    return this.native.reach();
+  }
+
   stiffnessAtRest() {
     return this.native.stiffness_at_rest();
   }
@@ -114,8 +118,8 @@ class Solvers {
 
   peak(F_0) {
     const status = this.native.peak(F_0);
-    const [A, Omega] = this.column(0, 2);
-    return { status, A, Omega };
+    const [A, Omega, beyond] = this.column(0, 3);
+    return { status, A, Omega, beyond: beyond !== 0 };
   }
 
   locus(A_max, samples) {

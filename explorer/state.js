@@ -6,8 +6,14 @@ const PHYSICAL = DATA.physical_names;
 function nameIn(state, name) {
   if (!state.si) return plainSymbol(name);
   const own = scalesOf(state)[name];
-  return plainSymbol({ Omega: "f", mu: "F_c" }[name] || (own ? own.letter : name));
+  return plainSymbol(DATA.names[name] || (own ? own.letter : name));
 }
+
+/** A critical amplitude of what excites: "F_SN", of a base in SI units "Y_SN". */
+const criticalIn = (state, below) => `${state.si ? nameIn(state, "F_0") : "F"}_${below}`;
+
+/** The package's words in the units that are shown, by name. */
+const wordsIn = (state) => (state.si ? DATA.words.si[state.excitation] : DATA.words.plain);
 
 /** The domain of each number, by name, in the order in which they are shown. */
 function domains(state) {

@@ -1,7 +1,7 @@
 /* Numbers with and without dimensions: in goes what a user gives, out come numbers for the solvers, and back. */
 
 const DATA = JSON.parse(document.getElementById("data").textContent);
-const GREEK = { lam: "λ", mu: "μ", zeta: "ζ", Omega: "Ω", alpha: "α", beta: "β", gamma: "γ", delta: "δ", Delta: "Δ", kappa: "κ", rho: "ρ", ell: "ℓ" };
+const GREEK = { lam: "λ", mu: "μ", zeta: "ζ", Omega: "Ω", alpha: "α", beta: "β", gamma: "γ", delta: "δ", Delta: "Δ", kappa: "κ", rho: "ρ", ell: "ℓ", pi: "π", omega: "ω" };
 
 /** A name as it is written in a text. */
 function plainSymbol(name) {
@@ -13,6 +13,12 @@ function symbol(name) {
   const [head, ...below] = plainSymbol(name).split("_");
   return `<i>${head}</i>` + (below.length ? `<sub>${below.join(" ")}</sub>` : "");
 }
+
+/** Python's words as HTML. */
+const inHTML = (text) => plainSymbol(text).replace(/(\p{L})_(\w+)/gu, "<i>$1</i><sub>$2</sub>").replaceAll("^2", "²");
+
+/** The same as a sentence; a letter that it begins with stays as it is. */
+const sentence = (text) => inHTML(text).replace(/^[a-z]{2}/, (start) => start[0].toUpperCase() + start[1]);
 
 /** What a number is, in few words: without remarks, as lists have no room for these. */
 function words(doc) {

@@ -38,35 +38,35 @@ function fill(text, ...values) {
 
 const percent = (share) => `${Math.round(100 * share)}%`;
 
+/** Why no amplitude above the reach makes sense. */
+const beyondReach = ({ state, reach }) => fill(wordsIn(state).BEYOND_REACH, { reach: told(state, "A", reach), reason: DATA.mechanisms[state.mechanism].reach_reason });
+
 /** Remarks on a response, a list of sentences. */
 function remarksOf(answer) {
-  const { state, plain, breaks, curve, folds } = answer;
+  const { state, plain, curve, folds } = answer;
   const about = DATA.mechanisms[state.mechanism];
-  const { remarks, near_sticking, near_sticking_below, off_by, off_unknown } = DATA.words;
+  const words = wordsIn(state);
   const said = [];
-  if (curve.status === DATA.status.STICKS)
-    return [`Sticks: ${symbol("F_0")} does not exceed 4μ/π = ${told(state, "F_0", answer.sticking)}. There is no motion.`];
+  if (curve.status === DATA.status.STICKS) return [fill(words.STICKS, told(state, "F_0", plain.F_0), told(state, "force", answer.friction))];
   if (curve.status !== 0) return ["The response is not resolved here: numbers are too large, or branches coincide within rounding."];
   const highest = curve.A.reduce((most, A) => Math.max(most, A), 0);
   if (plain.zeta === 0) said.push("Unbounded without viscous damping: the curve is cut.");
-  if (about.reach !== null && breaks.length && highest > about.reach)
-    said.push(fill(remarks.BEYOND_REACH, { reach: about.reach, reason: about.reach_reason }));
-  if (answer.stiffnessAtRest < 0) said.push(remarks.NEGATIVE_STIFFNESS);
-  if (curve.centred.includes(0)) said.push(remarks.LEAVES_CENTRE);
-  if (curve.beyond.includes(1)) said.push(remarks.BEYOND_WELL);
-  if (curve.undecided || folds.undecided) said.push(remarks.UNDECIDED);
-  if (about.truncated && folds.corner.includes(1)) said.push(remarks.OF_TRUNCATION);
+  if (highest > answer.reach) said.push(beyondReach(answer));
+  if (answer.stiffnessAtRest < 0) said.push(words.NEGATIVE_STIFFNESS);
+  if (curve.centred.includes(0)) said.push(words.LEAVES_CENTRE);
+  if (curve.beyond.includes(1)) said.push(words.BEYOND_WELL);
+  if (curve.undecided || folds.undecided) said.push(words.UNDECIDED);
+  if (about.truncated && folds.corner.includes(1)) said.push(words.OF_TRUNCATION);
   if (byInertia(state)) {
-    if (plain.mu > 0)
-      said.push(`Sticks up to ${nameIn(state, "Omega")} = ${told(state, "Omega", answer.sticksUpTo)}: the force of inertia does not exceed 4μ/π there.`);
-    if (curve.Omega.some((Omega) => plain.mu > DATA.measured.NEAR * plain.F_0 * Omega * Omega)) said.push(near_sticking_below);
+    if (plain.mu > 0) said.push(fill(words.STICKS_BELOW, told(state, "Omega", answer.sticksUpTo), told(state, "force", answer.friction)));
+    if (curve.Omega.some((Omega) => plain.mu > DATA.measured.NEAR * plain.F_0 * Omega * Omega)) said.push(words.NEAR_STICKING_BELOW);
     return said;
   }
   const ratio = plain.mu / plain.F_0;
   if (ratio > DATA.measured.NEAR) {
     const known = DATA.measured.MECHANISMS.includes(state.mechanism);
     const size = DATA.measured.BY_RATIO[binOf(DATA.measured.RATIOS, ratio)];
-    said.push(fill(near_sticking, short(ratio, 3)) + (known ? fill(off_by, percent(size)) : off_unknown));
+    said.push(fill(words.NEAR_STICKING, short(ratio, 3)) + (known ? fill(words.OFF_BY, percent(size)) : words.OFF_UNKNOWN));
   }
   return said;
 }

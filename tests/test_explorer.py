@@ -20,8 +20,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from explorer.__main__ import MOST, PAGE, ROOT, digest
-from explorer.about import LIBRARY, MOUNT, MOUNT_FORCE, PRESETS, designs
+from explorer.__main__ import HERE, MOST, PAGE, ROOT, digest
+from explorer.about import EXCITED_BY, LIBRARY, MOUNT, MOUNT_FORCE, PRESETS, designs, messages
 from slowflow import Duffing, Isolator, Remark, backend, derive
 from slowflow.oscillator import Oscillator
 from slowflow.paper import example
@@ -102,6 +102,38 @@ def test_the_page_was_made_from_these_sources_and_is_small() -> None:
     assert len(text.encode()) < MOST
     # the name of SVG is an address that nobody asks
     assert set(re.findall(r"https?://[^\s\"'<]+", text)) <= {"http://www.w3.org/2000/svg"}
+
+
+#: letters that a mount in SI units does not have: those of (4) that are measured in something, and of displacements
+DIMENSIONLESS = re.compile(
+    r"(?<![A-Za-z_])(?:mu|Omega|F_0|tau|u|u_0|u_cr|u<sub>cr</sub>|lam|delta_h)(?![A-Za-z_])|[μΩ]"
+)
+#: whichever of its words a script shows
+SAID = re.compile(r"(?:words|wordsIn\(state\))\.([A-Z_]+)")
+
+
+def test_words_in_si_units_have_no_dimensionless_letters() -> None:
+    shown = {name for script in HERE.glob("*.js") for name in SAID.findall(script.read_text())}
+    assert {"BEYOND_REACH", "NEAR_STICKING_BELOW", "STICKS", "STOPS"} <= shown
+    said = messages()
+    assert set(said["si"]) == set(EXCITED_BY) and [name for name in shown if DIMENSIONLESS.search(said["plain"][name])]
+    for excitation, letter in {"force": "F", "base": "Y", "unbalance": "U"}.items():
+        words = {name: said["si"][excitation][name] for name in shown}
+        assert {name: text for name, text in words.items() if DIMENSIONLESS.search(text)} == {}
+        assert words["STICKS"].startswith(f"sticks: {letter} = ")
+        # no number is put in yet, of whatever size
+        places = [(re.findall(r"\{.*?\}", said["plain"][name]), re.findall(r"\{.*?\}", words[name])) for name in shown]
+        assert all(plain == si for plain, si in places)
+        # attributes of Python's answers are none of the page's
+        assert not [text for text in words.values() if ".validity" in text]
+
+
+def test_fixed_text_of_the_page_has_no_letters_and_no_force() -> None:
+    """What is excited by a base has no force, and letters are those of the units that are shown."""
+    left_out = r"<(script|style).*?</\1>|<p class=.note.*?</p>|<footer.*?</footer>|<[^>]*>"
+    fixed = re.sub(left_out, " ", (HERE / "page.html").read_text(), flags=re.DOTALL)
+    assert not DIMENSIONLESS.search(fixed)
+    assert re.findall("force", fixed.replace("Force over displacement", ""), re.IGNORECASE) == []
 
 
 @pytest.mark.slow
@@ -204,8 +236,10 @@ def hold(browser: Any, asked: list[tuple[str, Oscillator, float]]) -> None:
             assert found["folds"]["Omega"] == folds.Omega.tolist() and found["folds"]["A"] == folds.A.tolist(), told
             for Omega, states in zip((0.3, 0.7, 0.9, 1.5), found["states"], strict=True):
                 theirs = one.amplitudes(Omega=Omega, F_0=F_0)
-                assert states["A"] == theirs.A.tolist(), told
-                for name, values in {"phi": theirs.phi, "T": theirs.transmissibility}.items():
+                # of a mass that friction holds the page has no state, but words
+                moves = theirs.A > 0
+                assert states["A"] == theirs.A[moves].tolist(), told
+                for name, values in {"phi": theirs.phi[moves], "T": theirs.transmissibility[moves]}.items():
                     np.testing.assert_array_max_ulp(np.array(states[name], float), values, maxulp=2)
             assert found["curve"]["branch"] == curve.branch.tolist(), told
             assert np.array(found["curve"]["stable"], bool).tolist() == curve.stable.tolist(), told
@@ -316,6 +350,74 @@ def same_curve(browser: Any, preset: int) -> dict[str, Any]:
     with opened(browser, address) as page:
         assert page.evaluate("explorer.inCSV(explorer.app.answer)") == table
     return names
+
+
+#: an address of the mount of the README at an amplitude in SI units, by what excites it
+AT = "#mechanism=rod_spring&lam=3&r=1700&delta_h=0.009&mu=0.4&zeta=0.02&m=12&k_v=2500&L=0.08&units=si&shown=2&at=0.999"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("width", [1280, 390])
+@pytest.mark.parametrize(
+    ("excitation", "letter", "within", "beyond"),
+    [("force", "F", 5.0, 40.0), ("base", "Y", 0.002, 0.005), ("unbalance", "U", 0.024, 0.08)],
+)
+def test_in_si_units_it_speaks_of_what_excites_and_of_no_peak_beyond_the_rod(
+    browser: Any, excitation: str, letter: str, within: float, beyond: float, width: int
+) -> None:
+    mount = Isolator.physical(**MOUNT.given | {"excitation": excitation})
+    for amplitude in (within, beyond):
+        address = f"{AT}&F_0={amplitude}&excitation={excitation}"
+        with opened(browser, address, viewport={"width": width, "height": 844}) as page:
+            cards = page.eval_on_selector_all("#answers .card", "all => all.map((one) => one.innerText)")
+            text = [*cards, page.inner_text("#remarks"), page.text_content(".legend"), page.inner_text("#map-quantity")]
+            text += page.eval_on_selector_all("svg text, svg title", "all => all.map((one) => one.textContent)")
+            assert [one for one in text if DIMENSIONLESS.search(one)] == []
+            assert cards[0].startswith(f"{letter}SN") and cards[-1].startswith(f"jumps at {letter} = ")
+            assert f"{letter}_SN" in page.inner_text("#map-quantity")
+            A = mount.peak(amplitude).A
+            assert (A > MOUNT.scales.L) == (amplitude == beyond)
+            title = page.text_content("#response title")
+            if amplitude == within:
+                assert f"{1000 * A:.4g} mm" in cards[3] and f"peak {1000 * A:.4g} mm" in title
+                continue
+            assert "not reached" in cards[3] and f"{1000 * A:.4g}" not in cards[3] + title
+            assert "Amplitudes above 80 mm are not reached" in page.inner_text("#remarks")
+            # at resonance the mass would be beyond the rod as well
+            assert "not reached" in page.inner_text("#states tr.here")
+
+
+@pytest.mark.slow
+def test_a_mass_that_friction_holds_transmits_all(browser: Any) -> None:
+    """On a base it rides with the floor, under a force all of that is passed on: 0 dB."""
+    for part in ("&F_0=0.004&excitation=base&at=0.1", "&F_0=0.5&at=1"):
+        with opened(browser, AT.replace("&at=0.999", part)) as page:
+            assert page.inner_text("#states").startswith("Held by friction")
+            assert "0 dB" in page.inner_text("#states")
+    with opened(browser, f"{AT}&F_0=0.52") as page:
+        assert "Held" not in page.inner_text("#states")
+
+
+def peak_of(page: Any, address: str) -> str:
+    """What the card of the highest peak says of a mechanism and its numbers."""
+    opens = "(address) => explorer.open(explorer.fromAddress(address))"
+    page.evaluate(opens, f"#mechanism={address}&zeta=0.05&shown=3")
+    page.evaluate("explorer.step(16)")
+    return page.locator("#answers .card dd").nth(3).inner_text()
+
+
+@pytest.mark.slow
+def test_a_peak_beyond_the_well_or_the_reach_of_a_force_is_said_in_words(browser: Any) -> None:
+    three = next(i for i, (_, name, *_) in enumerate(LIBRARY) if name == "three_spring")
+    with opened(browser) as page:
+        # softening: the force gives way at A^2 = alpha/|beta| = 2, the average at 4/3 of that
+        told = peak_of(page, "duffing&alpha=1&beta=-0.5&mu=0.01&F_0=0.2").split()[0]
+        assert told in ("beyond", "–") or float(told) <= 2**0.5
+        # hardening: beyond its reach, without a breakpoint
+        assert peak_of(page, "three_spring&alpha=1&ell=1.5&mu=0&F_0=0.3").startswith("not reached")
+        page.select_option("#preset", str(len(PRESETS) + three))
+        page.evaluate("explorer.step(16)")
+        assert "not reached" not in page.locator("#answers .card").nth(3).inner_text()
 
 
 @pytest.mark.slow

@@ -26,6 +26,8 @@ MOST_NAMED = 3
 #: messages of an answer at several forcings
 SAID = 3
 
+STICKS = "sticks: F_0 = {:g} does not exceed 4 mu/pi = {:g}"
+STICKS_BELOW = "sticks up to Omega = {:g}: the inertia force does not exceed 4 mu/pi = {:g} there"
 NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
 NO_LOCUS = "no saddle node with an amplitude up to {:g}, whatever the forcing"
 AT_JUMP = ", unless it lies within rounding of A = {:g}, where the force jumps"
@@ -147,7 +149,7 @@ def of_folds(model: Model, F_0: float, told: bool, cut: str) -> tuple[str, str]:
 def sticks(model: Model, F_0: float) -> str:
     """Why the mass stays at rest (27); where F_0 is the double next to 4 mu/pi, by which it is told."""
     to_rounding = " by more than rounding" if F_0 == model.m else ""
-    return f"sticks: F_0 = {F_0:g} does not exceed 4 mu/pi = {model.m:g}{to_rounding}"
+    return STICKS.format(F_0, model.m) + to_rounding
 
 
 def unresolved(model: Model, F_0: float) -> str:
@@ -303,7 +305,7 @@ def sticks_below(model: Model, F_0: float, Omega: Floats) -> str:
             f"a mass at rest stays there up to Omega = {begin:g}: the inertia force does not exceed "
             f"4/pi sqrt(mu^2 + c^2) = {model.held:g} there, c being the preload"
         )
-    return f"sticks up to Omega = {begin:g}: the inertia force does not exceed 4 mu/pi = {model.m:g} there"
+    return STICKS_BELOW.format(begin, model.m)
 
 
 def moves_exactly(model: Model, force: Floats) -> str:
