@@ -144,7 +144,7 @@ def test_a_record_compiled_elsewhere_is_solved_like_our_own(own, alpha, beta):
     same(NATIVE.fold_locus(mine, 2.0, 50), NATIVE.fold_locus(ours, 2.0, 50))
     for F_0 in (0.02, 0.06, 0.3):
         same(NATIVE.saddle_nodes(mine, F_0), NATIVE.saddle_nodes(ours, F_0))
-        same(NATIVE.peak(mine, F_0), NATIVE.peak(ours, F_0))
+        same(NATIVE.peak(mine, F_0, np.inf), NATIVE.peak(ours, F_0, np.inf))
         same(NATIVE.frequency_response(mine, F_0, 80, 0.0, 2.0), NATIVE.frequency_response(ours, F_0, 80, 0.0, 2.0))
         Omega = np.linspace(0.2, 2, 9)
         same(NATIVE.steady_states(mine, F_0, Omega), NATIVE.steady_states(ours, F_0, Omega))
@@ -175,9 +175,9 @@ def test_the_solvers_ask_the_record_whether_the_mass_sticks(own):
     sticks, m = 2, slow_flow.friction(0.012)
     plain, rough = (NATIVE.model(own(*o), (0.5, 1.0, 0.0), (0.012, 0.02)) for o in ((), ("-DTHRESHOLD=2.0",)))
     for model, threshold in ((plain, m), (rough, 2 * m)):
-        assert NATIVE.saddle_nodes(model, threshold)[0] == NATIVE.peak(model, threshold)[0] == sticks
+        assert NATIVE.saddle_nodes(model, threshold)[0] == NATIVE.peak(model, threshold, np.inf)[0] == sticks
         above = np.nextafter(threshold, 1)
-        assert sticks not in (NATIVE.saddle_nodes(model, above)[0], NATIVE.peak(model, above)[0])
+        assert sticks not in (NATIVE.saddle_nodes(model, above)[0], NATIVE.peak(model, above, np.inf)[0])
 
 
 def test_an_offset_motion_reaches_farther_than_its_amplitude(own):
