@@ -250,6 +250,23 @@ class Subject:
 
         NaN for what there is not, or for what is no design.
         """
+        designs, mu_s, units = self.designs(values)
+        shape = np.broadcast_shapes(*(np.shape(value) for value in values.values()))
+        F_0 = None if load.forcing is None else np.broadcast_to(load.forcing / units[self.amplitude], shape)
+        Omega = None if load.frequency is None else np.broadcast_to(load.frequency / units["frequency"], shape)
+        pulse = load.shock and (load.shock[0] / units["acceleration"], load.shock[1] / units["time"])
+        table = None
+        if load.spectrum is not None:
+            rows = zip(load.spectrum, (units["frequency"], units[self.amplitude]), strict=True)
+            table = tuple(value / np.broadcast_to(unit, shape)[..., np.newaxis] for value, unit in rows)
+        batch = _Batch(designs, mu_s, F_0, Omega, pulse, table)
+        return {name: frozen(batch.answer(self.answers[name]) * units[self.kind(name)]) for name in names}
+
+    def designs(self, values: Mapping[str, Any]) -> tuple[Any, Any, dict[str, Any]]:
+        """Designs whose numbers are as given, arrays that broadcast, and else nominal.
+
+        With mu_s of each, None where friction holds as it rubs, and the size of what an answer of each kind is in.
+        """
         given: dict[str, Any] = {**self.nominal, **values}
         shape = np.broadcast_shapes(*(np.shape(value) for value in given.values()))
         units: dict[str, Any] = dict.fromkeys((*UNITS, *WITHOUT_UNIT), 1.0)
@@ -267,19 +284,10 @@ class Subject:
         if static is not None:  # less of it than of the kinetic one is no design
             arrays["mu"] = np.where(np.less_equal(kinetic, static), arrays["mu"], np.nan)
             mu_s = np.maximum(arrays["mu"], np.broadcast_to(static / units["force"], shape))
-        F_0 = None if load.forcing is None else np.broadcast_to(load.forcing / units[self.amplitude], shape)
-        Omega = None if load.frequency is None else np.broadcast_to(load.frequency / units["frequency"], shape)
-        pulse = load.shock and (load.shock[0] / units["acceleration"], load.shock[1] / units["time"])
         if self.loaded:
-            designs: Any = OffCentreDesigns(self.mechanism, {**arrays, "load": arrays.pop("load")}, self.excitation)
-        else:
-            designs = Designs(self.mechanism, arrays, self.excitation, self.rubs)
-        table = None
-        if load.spectrum is not None:
-            rows = zip(load.spectrum, (units["frequency"], units[self.amplitude]), strict=True)
-            table = tuple(value / np.broadcast_to(unit, shape)[..., np.newaxis] for value, unit in rows)
-        batch = _Batch(designs, mu_s, F_0, Omega, pulse, table)
-        return {name: frozen(batch.answer(self.answers[name]) * units[self.kind(name)]) for name in names}
+            loads = {**arrays, "load": arrays.pop("load")}
+            return OffCentreDesigns(self.mechanism, loads, self.excitation), mu_s, units
+        return Designs(self.mechanism, arrays, self.excitation, self.rubs), mu_s, units
 
 
 class _Batch:

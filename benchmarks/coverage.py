@@ -1,0 +1,67 @@
+"""How often the 95 % intervals of `fit` hold the true numbers, by how many are free, with and without a jump.
+
+    python -m benchmarks.coverage [fits]
+
+Isolators about that of the paper, each number times up to exp(0.3) or over it, measured at 30 frequencies about their
+peak, with normal noise that is the same at all points: 1 % of the largest amplitude below the onset, 2 % above it,
+where the mass follows the upper branch up to its end. A fit begins as far from the truth. By hand: it takes minutes.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+import warnings
+from typing import Any
+
+import numpy as np
+
+from slowflow import Isolator
+from slowflow.sizing import fit
+
+#: n free numbers are the first n of these
+NAMES = ("zeta", "mu", "delta_h", "r")
+PAPER = Isolator(lam=3, r=3747 / 1848, delta_h=1848 / (6 * 3747), mu=0.012, zeta=0.02)
+#: of noise as a share of the largest amplitude, and the forcing as shares of the onset, from and to
+CASES = {"no jump": (0.01, 0.5, 0.9), "a jump": (0.02, 1.05, 1.6)}
+
+
+def measured(random: np.random.Generator, noise: float, low: float, high: float) -> tuple[Isolator, dict[str, Any]]:
+    """An isolator, and a measurement of it as `fit` takes one."""
+    while True:
+        one = PAPER.replace(**{name: PAPER.given[name] * np.exp(random.uniform(-0.3, 0.3)) for name in NAMES})
+        F_SN, F_0 = one.saddle_node_onset().F_SN, random.uniform(low, high)
+        if F_SN is None or not (Omega := one.peak(F_0 * F_SN).Omega):
+            continue
+        at = np.linspace(0.6, 1.5, 30) * Omega
+        states = one.amplitudes(Omega=at, F_0=F_0 * F_SN)
+        A = np.array([states.A[(states.Omega == x) & states.stable].max() for x in at])
+        A += noise * A.max() * random.standard_normal(A.size)
+        if (A > 0).all():
+            return one, {"Omega": at, "F_0": F_0 * F_SN, "A": A}
+
+
+def coverage(free: tuple[str, ...], case: str, fits: int, seed: int = 5) -> tuple[int, int, float]:
+    """Intervals that held their number, how many there are, and the median time of a fit in seconds of a processor."""
+    random, held, times = np.random.default_rng(seed), [], []
+    for _ in range(fits):
+        one, points = measured(random, *CASES[case])
+        start = one.replace(**{name: one.given[name] * np.exp(random.uniform(-0.3, 0.3)) for name in free})
+        begin = time.process_time()
+        found = fit(start, **points, free=free)
+        times.append(time.process_time() - begin)
+        held += [row.low < one.given[row.parameter] < row.high for row in found]
+    return sum(held), len(held), float(np.median(times))
+
+
+def main(fits: int = 100) -> None:
+    """Print the table."""
+    warnings.simplefilter("ignore")  # of what a fit ends with the message tells
+    for n in range(1, len(NAMES) + 1):
+        for case in CASES:
+            held, of, seconds = coverage(NAMES[:n], case, fits)
+            print(f"{n} free, {case:8}: {held} of {of} intervals held, {seconds:.2f} s a fit", flush=True)
+
+
+if __name__ == "__main__":
+    main(*map(int, sys.argv[1:2]))
