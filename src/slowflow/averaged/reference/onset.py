@@ -623,7 +623,7 @@ def _goes_on_above_rest(model: Model, F_0: Any, A: Floats, of: Ints) -> Bools:
     w = np.where(np.isnan(w), 0.0, w).max(axis=-1)
     R, lag = slow_flow.R(w, A, h), slow_flow.I(w, A, m, own.zeta)
     of_R = CLOSE * (np.abs(h) + A * w**2)
-    doubt = of_R * (2 * np.abs(R) + of_R) + CLOSE * (lag**2 + forcing**2)
+    doubt = of_R * (2 * np.abs(R) + of_R) + CLOSE * (lag**2 + np.square(forcing))
     return np.asarray((w > 0) & (slow_flow.F(w, A, forcing, m, own.zeta, h) < -doubt))
 
 
