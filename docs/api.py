@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import dataclasses
 import inspect
+import re
 import tomllib
 from collections.abc import Iterator
 from enum import Enum
@@ -91,7 +92,8 @@ def signature(function: Any, bound: bool) -> str:
     shown = (
         ""
         if returned in (inspect.Signature.empty, "None")
-        else f" -> {returned}".replace("pathlib._local.", "pathlib.")
+        # of the types that say which numbers it has, an answer in SI units is none when a program runs
+        else re.sub(r"\banswers\.\w+", "Quantities", f" -> {returned}".replace("pathlib._local.", "pathlib."))
     )
     return str(told.replace(parameters=arguments[bound:], return_annotation=inspect.Signature.empty)) + shown
 

@@ -19,6 +19,7 @@ FLOORS = (
     ("__init__",),
     ("isolator", "derive"),
     ("physical",),
+    ("physical_answers",),
     ("oscillator",),
     ("designs",),
     ("grid",),

@@ -10,10 +10,10 @@ numbers and an integrator's symbols. Integrators compile a law once; constants a
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import pairwise
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -37,6 +37,18 @@ __all__ = [
 ]
 
 Floats = npt.NDArray[np.float64]
+
+
+class Array(Protocol):
+    """An array of any kind, as NumPy takes it."""
+
+    def __array__(self) -> npt.NDArray[Any]:
+        """As one of NumPy's."""
+        ...
+
+
+#: what is taken for one real number or several
+Reals = float | Sequence[float] | Sequence[Sequence[float]] | Array
 
 
 @dataclass(frozen=True)

@@ -28,8 +28,18 @@ from slowflow_support.errors import Refused
 if TYPE_CHECKING:
     from slowflow import exact, loads
     from slowflow.averaged.plan import Plan
-    from slowflow.off_centre.answers import RestPositions
+    from slowflow.mechanism import Reals
+    from slowflow.off_centre.answers import (
+        OffCentreDetachment,
+        OffCentreFolds,
+        OffCentreOnset,
+        OffCentrePeak,
+        OffCentreResponse,
+        OffCentreStates,
+        RestPositions,
+    )
     from slowflow.off_centre.questions import OffCentre
+    from slowflow.results import FrequencyResponse, Peak, SaddleNodes, SteadyStates
     from slowflow.second import SecondApproximation
 
 #: frequencies shown of the equation of motion, whose cycle has ever more stops as Omega tends to 0
@@ -170,13 +180,15 @@ class Oscillator(Unchanging, Averaged):
         """Every place at which the mass rests under its load without friction; see `OffCentre.rest`."""
         return self._off_centre.rest()
 
-    def amplitudes(self, *, Omega: Any, F_0: Any) -> Any:
+    def amplitudes(self, *, Omega: Reals, F_0: Reals) -> SteadyStates | OffCentreStates:  # type: ignore[override]
         """Every steady state, see `Averaged.amplitudes`; under a load `OffCentre.amplitudes`, with its mean B."""
         if isinstance(self.model, Loaded):
             return self.off_centre.amplitudes(Omega=Omega, F_0=F_0)
         return super().amplitudes(Omega=Omega, F_0=F_0)
 
-    def saddle_nodes(self, F_0: float, *, certify: bool = False) -> Any:
+    def saddle_nodes(  # type: ignore[override]
+        self, F_0: float, *, certify: bool = False
+    ) -> SaddleNodes | OffCentreFolds:
         """Every fold, see `Averaged.saddle_nodes`; under a load `OffCentre.saddle_nodes`, which has no proof."""
         if not isinstance(self.model, Loaded):
             return super().saddle_nodes(F_0, certify=certify)
@@ -184,15 +196,15 @@ class Oscillator(Unchanging, Averaged):
             self.at_centre("certify")
         return self.off_centre.saddle_nodes(F_0)
 
-    def frequency_response(
+    def frequency_response(  # type: ignore[override]
         self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
-    ) -> Any:
+    ) -> FrequencyResponse | OffCentreResponse:
         """The response, see `Averaged.frequency_response`; under a load `OffCentre.frequency_response`, with its B."""
         if isinstance(self.model, Loaded):
             return self.off_centre.frequency_response(F_0, samples=samples, Omega=Omega)
         return super().frequency_response(F_0, samples=samples, Omega=Omega)
 
-    def peak(self, F_0: float) -> Any:
+    def peak(self, F_0: float) -> Peak | OffCentrePeak:  # type: ignore[override]
         """The highest peak, see `Averaged.peak`; under a load `OffCentre.peak`, with its B and the largest |u|."""
         return self.off_centre.peak(F_0) if self._off_centre_by else super().peak(F_0)
 
@@ -201,7 +213,7 @@ class Oscillator(Unchanging, Averaged):
         self.at_centre("certify")
         return super().certify(F_0, Omega=Omega)
 
-    def detachment(self) -> Any:
+    def detachment(self) -> Detachment | OffCentreDetachment:  # type: ignore[override]
         """The lowest forcing that reaches u_cr, see `Averaged.detachment`; under a load `OffCentre.detachment`."""
         return self.off_centre.detachment() if isinstance(self.model, Loaded) else super().detachment()
 
@@ -258,15 +270,15 @@ class Oscillator(Unchanging, Averaged):
         told = {**self.given, **changed}.items()
         return [f"{name}={value!r}" for name, value in told if (name, value) not in DEFAULTS]
 
-    def force(self, u: Any) -> Floats:
+    def force(self, u: Reals) -> Floats:
         """The whole restoring force f(u) that is averaged, at displacements of any shape, both dimensionless (3)."""
         return self.restoring_force()(validate.finite_array("u", u))
 
-    def stiffness(self, u: Any) -> Floats:
+    def stiffness(self, u: Reals) -> Floats:
         """df/du at displacements of any shape, both dimensionless; at a breakpoint that of the inner piece."""
         return self.restoring_force().stiffness(validate.finite_array("u", u))
 
-    def saddle_node_onset(self) -> Any:
+    def saddle_node_onset(self) -> SaddleNodeOnset | OffCentreOnset:  # type: ignore[override]
         """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33).
 
         Where it lies on a corner that the truncation makes, `.untruncated` is the onset of the untruncated force. Under
@@ -387,7 +399,7 @@ class Oscillator(Unchanging, Averaged):
         return questions.exact_response(self, system, F_0, Omega, start, step, u_0, v_0)
 
     def sweep(
-        self, *, Omega: Any, F_0: float, force: str | None = None, u_0: float | None = None, v_0: float = 0.0
+        self, *, Omega: Reals, F_0: float, force: str | None = None, u_0: float | None = None, v_0: float = 0.0
     ) -> exact.Sweep:
         """What an experiment sees that steps through the frequencies `Omega` in their order: amplitudes and jumps.
 
@@ -404,9 +416,9 @@ class Oscillator(Unchanging, Averaged):
     def transient(
         self,
         *,
-        acceleration: Any = None,
+        acceleration: Reals | None = None,
         duration: float | None = None,
-        tau: Any = None,
+        tau: Reals | None = None,
         after: float | None = None,
         force: str | None = None,
         u_0: float | None = None,
@@ -433,7 +445,7 @@ class Oscillator(Unchanging, Averaged):
 
         return questions.transient(self, self._in_time(force), acceleration, duration, tau, after, u_0, v_0)
 
-    def shock_spectrum(self, *, acceleration: Any, duration: Any, force: str | None = None) -> exact.ShockSpectrum:
+    def shock_spectrum(self, *, acceleration: Reals, duration: Reals, force: str | None = None) -> exact.ShockSpectrum:
         """What half sines of the base do to the mass: deflection and acceleration over peak and duration of the pulse.
 
         acceleration, duration -- as in `transient`, numbers > 0 or arrays of such, which broadcast
@@ -484,7 +496,7 @@ class Oscillator(Unchanging, Averaged):
 
         return self.off_centre.isolation(F_0) if self._off_centre_by else loads.isolation(self, F_0)
 
-    def spectrum(self, *, Omega: Any, F_0: Any) -> loads.Spectrum:
+    def spectrum(self, *, Omega: Reals, F_0: Reals) -> loads.Spectrum:
         """A load spectrum, one tone at a time: what the motion at each pair (Omega, F_0) does, in their order.
 
         Which have several motions, cross a fold from the one before, detach, stick; see `slowflow.loads.Spectrum`.

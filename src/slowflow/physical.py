@@ -9,7 +9,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -21,6 +21,10 @@ from slowflow.physical_moves import g
 from slowflow.quantities import DRAWN, EXCITED, UNITS, Quantities, Scales, si, turns
 from slowflow_support.errors import OutOfRange, Refused
 from slowflow_support.frozen import dataclass
+
+if TYPE_CHECKING:
+    from slowflow import physical_answers as answers
+    from slowflow.physical_answers import Number, Numbers, Window
 
 #: what A is of a motion that is not about the centre
 LARGEST = "A is the largest |x|, the mean displacement included: x_max of an averaged motion"
@@ -54,10 +58,9 @@ class Physical:
         for one, other in (("c", "zeta"), ("zeta", "c")):  # they say the same
             if one in changes:
                 kept.pop(other, None)
-        found: Physical = type(self.oscillator).physical(**{**kept, **changes})
-        return found
+        return type(self.oscillator).physical(**{**kept, **changes})
 
-    def at_rest(self) -> Quantities:
+    def at_rest(self) -> answers.AtRest:
         """What a data sheet says: natural frequencies, stiffness, stroke, loads, friction.
 
         f_n         -- natural frequency of the mass on the vertical spring alone
@@ -75,7 +78,7 @@ class Physical:
         if (first := getattr(self.oscillator, "first", None)) is not None:  # the springs are the same at each depth
             return dataclasses.replace(self, oscillator=first).at_rest()
         m, k_v = self.scales.m, self.scales.k_v
-        found = self.scales.quantities(self._ask(self.oscillator.at_rest))
+        found = self._answer(self.oscillator.at_rest)
         beyond = None if found.x_cr is None else k_v * found.x_cr / g
         values = {
             "f_n": self.scales.sizes["frequency"],
@@ -85,9 +88,9 @@ class Physical:
             "heaviest": None if beyond is None else m + beyond,
         }
         units = {"f_n": "Hz", **found.units, "preset": "m", "lightest": "kg", "heaviest": "kg"}
-        return Quantities(values, units, found.answer)
+        return cast("answers.AtRest", Quantities(values, units, found.answer))
 
-    def sag(self, load: Any) -> float:
+    def sag(self, load: Number) -> float:
         """How far from the centre a mass in kg would rest, in m, when k_v is preset for m: the force is (5)."""
         load = validate.number("load", si("load", load, "kilogram"), above=0.0)
         preset = float(si("m", self.given["m"], "kilogram"))
@@ -105,90 +108,88 @@ class Physical:
 
     # ---- the questions
 
-    def rest(self) -> Quantities:
+    def rest(self) -> answers.RestPositions:
         """Every place at which the mass rests without friction: .x .stable .load, see `Oscillator.rest`."""
-        return self.scales.quantities(self._ask(self.oscillator.rest))
+        return self._answer(self.oscillator.rest)
 
-    def force(self, x: Any) -> Floats:
+    def force(self, x: Numbers) -> Floats:
         """The restoring force in N at displacements in m, without the weight that k_v is preset for."""
         return np.asarray(self._ask(self.oscillator.force, self._length("x", x)) * self.scales.sizes["force"])
 
-    def stiffness(self, x: Any) -> Floats:
+    def stiffness(self, x: Numbers) -> Floats:
         """Its slope in N/m."""
         return np.asarray(self._ask(self.oscillator.stiffness, self._length("x", x)) * self.scales.k_v)
 
-    def saddle_node_onset(self) -> Quantities:
+    def saddle_node_onset(self) -> answers.Onset:
         """The lowest force amplitude that has a fold: .F_SN .f .A, see `Averaged.saddle_node_onset`."""
-        return self.scales.quantities(self._ask(self.oscillator.saddle_node_onset))
+        return self._answer(self.oscillator.saddle_node_onset)
 
-    def detachment(self) -> Quantities:
+    def detachment(self) -> answers.Detachment:
         """The lowest force amplitude that reaches the stroke: .F_cr .f_cr .x_cr, see `Averaged.detachment`."""
-        return self.scales.quantities(self._ask(self.oscillator.detachment))
+        return self._answer(self.oscillator.detachment)
 
-    def saddle_nodes(self, F: Any) -> Quantities:
+    def saddle_nodes(self, F: Number) -> answers.Folds:
         """Where a sweep jumps at the force amplitude F: .f .A .kind .corner, see `Averaged.saddle_nodes`."""
-        return self.scales.quantities(self._ask(self.oscillator.saddle_nodes, self._amplitude(F)))
+        return self._answer(self.oscillator.saddle_nodes, self._amplitude(F))
 
-    def peak(self, F: Any) -> Quantities:
+    def peak(self, F: Number) -> answers.Peak:
         """The highest peak: .A .f, see `Averaged.peak`; under a load .x_max at .f_max as well, see `OffCentre.peak`."""
-        return self.scales.quantities(self._ask(self.oscillator.peak, self._amplitude(F)))
+        return self._answer(self.oscillator.peak, self._amplitude(F))
 
-    def amplitudes(self, *, f: Any, F: Any) -> Quantities:
+    def amplitudes(self, *, f: Numbers, F: Numbers) -> answers.States:
         """Every steady state at f: .f .A .phi .stable .transmissibility_dB, see `Averaged.amplitudes`.
 
         Under a load .A is the amplitude about the mean displacement .B, and .x_max the largest |x|, |B| + A.
         """
         Omega, F_0 = self._frequencies(f), self._amplitudes(F)
-        return self.scales.quantities(self._ask(self.oscillator.amplitudes, Omega=Omega, F_0=F_0))
+        return self._answer(self.oscillator.amplitudes, Omega=Omega, F_0=F_0)
 
-    def frequency_response(self, F: Any, *, f: Any = None, samples: int = 1000) -> Quantities:
+    def frequency_response(self, F: Number, *, f: Window | None = None, samples: int = 1000) -> answers.Curve:
         """The response curve for frequencies in the window f, of up to twice f_n without: `amplitudes` and .branch."""
-        found = self._ask(self.oscillator.frequency_response, self._amplitude(F), samples=samples, **self._window(f))
-        return self.scales.quantities(found)
+        window = self._window(f)
+        return self._answer(self.oscillator.frequency_response, self._amplitude(F), samples=samples, **window)
 
-    def fold_locus(self, *, samples: int = 1000, A_max: Any = None) -> Quantities:
+    def fold_locus(self, *, samples: int = 1000, A_max: Number | None = None) -> answers.FoldLocus:
         """The folds of every force amplitude: .f .A .F .branch, see `Averaged.fold_locus`."""
-        return self.scales.quantities(self._ask(self.oscillator.fold_locus, samples=samples, A_max=self._most(A_max)))
+        return self._answer(self.oscillator.fold_locus, samples=samples, A_max=self._most(A_max))
 
-    def cusps(self, *, A_max: Any = None) -> Quantities:
+    def cusps(self, *, A_max: Number | None = None) -> answers.Cusps:
         """Where two folds come into being or meet: .F .f .A .minimum, see `Averaged.cusps`."""
-        return self.scales.quantities(self._ask(self.oscillator.cusps, A_max=self._most(A_max)))
+        return self._answer(self.oscillator.cusps, A_max=self._most(A_max))
 
-    def isola_points(self, *, A_max: Any = None) -> Quantities:
+    def isola_points(self, *, A_max: Number | None = None) -> answers.IsolaPoints:
         """Where isolated curves are born or merge: .F .f .A .kind, see `Averaged.isola_points`."""
-        return self.scales.quantities(self._ask(self.oscillator.isola_points, A_max=self._most(A_max)))
+        return self._answer(self.oscillator.isola_points, A_max=self._most(A_max))
 
     @property
     def sticking_forcing(self) -> float:
         """The amplitude of the excitation that leaves a mass at rest at every frequency, see `Averaged`."""
         _, kind, _ = EXCITED[self.scales.excitation]
-        found: float = self.oscillator.sticking_forcing * self.scales.sizes[kind]
-        return found
+        return self.oscillator.sticking_forcing * self.scales.sizes[kind]
 
-    def transmissibility_floor(self, F: Any) -> float:
+    def transmissibility_floor(self, F: Number) -> float:
         """What the ratio that is transmitted tends to as f rises without end, see `Averaged.transmissibility_floor`."""
-        found: float = self._ask(self.oscillator.transmissibility_floor, self._amplitude(F))
-        return found
+        return self._ask(self.oscillator.transmissibility_floor, self._amplitude(F))
 
-    def backbone(self, A: Any) -> Floats:
+    def backbone(self, A: Numbers) -> Floats:
         """f in Hz on the backbone at amplitudes in m, see `Averaged.backbone`."""
         return np.asarray(self._ask(self.oscillator.backbone, self._length("A", A)) * self.scales.sizes["frequency"])
 
-    def limit_envelope(self, *, f: Any, F: Any) -> Floats:
+    def limit_envelope(self, *, f: Numbers, F: Numbers) -> Floats:
         """The amplitude in m that no response exceeds, see `Averaged.limit_envelope`."""
         A = self._ask(self.oscillator.limit_envelope, Omega=self._frequencies(f), F_0=self._amplitudes(F))
         return np.asarray(A * self.scales.sizes["length"])
 
-    def certify(self, F: Any, *, f: Any = None) -> Quantities:
+    def certify(self, F: Number, *, f: Number | None = None) -> answers.Certificate:
         """What is proved at a force amplitude: see `Averaged.certify`.
 
         Of the dimensionless numbers as they are: `.answer` has the intervals that are proved, and these are the same
         times what is measured in, rounded.
         """
         Omega = None if f is None else self._frequency(f)
-        return self.scales.quantities(self._ask(self.oscillator.certify, self._amplitude(F), Omega=Omega))
+        return self._answer(self.oscillator.certify, self._amplitude(F), Omega=Omega)
 
-    def plot(self, F: Any, *, f: Any = None, of: str = "A", ax: Any = None) -> Any:
+    def plot(self, F: Numbers, *, f: Window | None = None, of: str = "A", ax: Any = None) -> Any:
         """Draw the response at one force, or at each of several, into Matplotlib axes, or new ones, and return these.
 
         f  -- the window of frequencies, up to twice f_n without
@@ -215,9 +216,9 @@ class Physical:
         pictures.legend(ax, pictures.axis(found[0][0], letter))
         return ax
 
-    def explain(self, question: str, F: Any = None) -> Plan:
+    def explain(self, question: str, F: Number | None = None) -> Plan:
         """What runs for a question and what is skipped, see `Averaged.explain`."""
-        found: Plan = self._ask(self.oscillator.explain, question, None if F is None else self._amplitude(F))
+        found = self._ask(self.oscillator.explain, question, None if F is None else self._amplitude(F))
         steps = tuple(dataclasses.replace(step, why=self.scales.worded(step.why)) for step in found.steps)
         letter, kind, unit = EXCITED[self.scales.excitation]
         where = "" if F is None else f" at {letter} = {si(letter, F, unit):g} {next(iter(UNITS[kind]))}"
@@ -230,8 +231,15 @@ class Physical:
             return Physical(self.oscillator.second_approximation, self.scales, self.given)
 
     def steady_state(
-        self, *, f: Any, F: Any, A: Any = None, samples: int = 400, x_0: Any = None, v_0: Any = 0.0
-    ) -> Quantities:
+        self,
+        *,
+        f: Number,
+        F: Number,
+        A: Number | None = None,
+        samples: int = 400,
+        x_0: Number | None = None,
+        v_0: Number = 0.0,
+    ) -> answers.SteadyState:
         """One periodic motion of the equation of motion: .A .stops .stable .period, and .t .x .v over one period.
 
         x_0, v_0 -- displacement in m and velocity in m/s at the beginning, in place of A
@@ -244,18 +252,18 @@ class Physical:
         tau, u, v = found.series(samples)
         said = {name: getattr(found, name) for name in ("Omega", "A", "stops", "stable", "period")}
         said |= {"F_0": at["F_0"], "message": joined("" if self.oscillator.load == 0 else LARGEST, found.message)}
-        return self.scales.named({**said, "tau": tau, "u": u, "v": v}, found)
+        return cast("answers.SteadyState", self.scales.named({**said, "tau": tau, "u": u, "v": v}, found))
 
     def exact_response(
         self,
-        F: Any,
+        F: Number,
         *,
-        f: Any = None,
+        f: Window | None = None,
         start: Quantities | None = None,
         step: float = 0.02,
-        x_0: Any = None,
-        v_0: Any = 0.0,
-    ) -> Quantities:
+        x_0: Number | None = None,
+        v_0: Number = 0.0,
+    ) -> answers.Response:
         """The curve of the equation of motion: .f .A .stable .stops, and .folds; see `Oscillator.exact_response`.
 
         start    -- what `steady_state` gave
@@ -267,14 +275,14 @@ class Physical:
         at = {**self._window(f), **self._begins(x_0, v_0)}
         found = self._ask(self.oscillator.exact_response, self._amplitude(F), start=begun, step=step, **at)
         entry = ("Omega", "A", "stable", "stops")
-        columns = ("Omega", "A", "kind", "corner")
-        folds = {name: np.array([getattr(fold, name) for fold in found.folds]) for name in columns}
+        columns: dict[str, Any] = {"Omega": float, "A": float, "kind": str, "corner": bool}
+        folds = {name: np.array([getattr(one, name) for one in found.folds], of) for name, of in columns.items()}
         said = {name: getattr(found, name) for name in (*entry, "F_0", "closed", "message", "complete")}
         curve = self.scales.named(said, found, entry)
-        values = {**curve.values, "folds": self.scales.named(folds, found.folds, columns)}
-        return Quantities(values, curve.units, found, curve.entry, self.scales)
+        values = {**curve.values, "folds": self.scales.named(folds, found.folds, tuple(columns))}
+        return cast("answers.Response", Quantities(values, curve.units, found, curve.entry, self.scales))
 
-    def sweep(self, *, f: Any, F: Any, x_0: Any = None, v_0: Any = 0.0) -> Quantities:
+    def sweep(self, *, f: Numbers, F: Number, x_0: Number | None = None, v_0: Number = 0.0) -> answers.Sweep:
         """What an experiment sees that steps through frequencies: .f .A .stops .settled, and .jumps in Hz.
 
         x_0, v_0 -- as in `steady_state`
@@ -286,19 +294,19 @@ class Physical:
         entry = ("Omega", "A", "stops", "settled")
         said = {name: getattr(found, name) for name in (*entry, "F_0", "message")}
         jumps = np.array(found.jumps).reshape(-1, 2)
-        return self.scales.named({**said, "jumps": jumps}, found, entry)
+        return cast("answers.Sweep", self.scales.named({**said, "jumps": jumps}, found, entry))
 
     def transient(
         self,
         *,
-        acceleration: Any = None,
-        duration: Any = None,
-        t: Any = None,
-        after: Any = None,
+        acceleration: Numbers | None = None,
+        duration: Number | None = None,
+        t: Numbers | None = None,
+        after: Number | None = None,
         samples: int = 400,
-        x_0: Any = None,
-        v_0: Any = 0.0,
-    ) -> Quantities:
+        x_0: Number | None = None,
+        v_0: Number = 0.0,
+    ) -> answers.Transient:
         """A shock of the base, or a release: .A .a_max .detaches .rests, and .t .x .v .a .base over time.
 
         acceleration -- of the base, in m/s^2: the peak of a half sine, or the samples of a record
@@ -317,32 +325,36 @@ class Physical:
         pulse |= {name: self._time(name, value) for name, value in times.items() if value is not None}
         found = self._ask(self.oscillator.transient, **pulse)
         said = {field.name: getattr(found, field.name) for field in dataclasses.fields(found) if field.repr}
-        return self.scales.named({**said, **found.series(samples)._asdict()}, found)
+        return cast("answers.Transient", self.scales.named({**said, **found.series(samples)._asdict()}, found))
 
-    def shock_spectrum(self, *, acceleration: Any, duration: Any) -> Quantities:
+    def shock_spectrum(self, *, acceleration: Numbers, duration: Numbers) -> answers.ShockSpectrum:
         """What half sines of the base do: .acceleration .duration .A .a_max .ratio .detaches, a row for each.
 
         In m/s^2 and s, numbers or arrays that broadcast; see `Oscillator.shock_spectrum`.
         """
         pulses = {"acceleration": self._acceleration(acceleration), "duration": self._time("duration", duration)}
-        return self.scales.quantities(self._ask(self.oscillator.shock_spectrum, **pulses))
+        return self._answer(self.oscillator.shock_spectrum, **pulses)
 
-    def margins(self, F: Any) -> Quantities:
+    def margins(self, F: Number) -> answers.Margins:
         """How far a force amplitude is from F_SN and F_cr: .of_SN .of_cr, see `Oscillator.margins`."""
-        return self.scales.quantities(self._ask(self.oscillator.margins, self._amplitude(F)))
+        return self._answer(self.oscillator.margins, self._amplitude(F))
 
-    def hysteresis(self, F: Any) -> Quantities:
+    def hysteresis(self, F: Number) -> answers.Hysteresis:
         """Bands with several stable motions: .f_low .f_high .motions, see `Oscillator.hysteresis`."""
-        return self.scales.quantities(self._ask(self.oscillator.hysteresis, self._amplitude(F)))
+        return self._answer(self.oscillator.hysteresis, self._amplitude(F))
 
-    def isolation(self, F: Any) -> Quantities:
+    def isolation(self, F: Number) -> answers.Isolation:
         """The frequency from which on less than F is transmitted: .f .A, see `Oscillator.isolation`."""
-        return self.scales.quantities(self._ask(self.oscillator.isolation, self._amplitude(F)))
+        return self._answer(self.oscillator.isolation, self._amplitude(F))
 
-    def spectrum(self, *, f: Any, F: Any) -> Quantities:
+    def spectrum(self, *, f: Numbers, F: Numbers) -> answers.Spectrum:
         """A load spectrum, row by row, see `Oscillator.spectrum`."""
         Omega, F_0 = self._frequencies(f), self._amplitudes(F)
-        return self.scales.quantities(self._ask(self.oscillator.spectrum, Omega=Omega, F_0=F_0))
+        return self._answer(self.oscillator.spectrum, Omega=Omega, F_0=F_0)
+
+    def _answer(self, question: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
+        """The answer in SI units."""
+        return self.scales.quantities(self._ask(question, *arguments, **named))
 
     def _ask(self, question: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
         """The dimensionless answer; refusals are in newtons, metres and hertz, as what was asked for is."""
@@ -383,8 +395,7 @@ class Physical:
         return None if A is None else self._length("A", A)
 
     def _frequency(self, value: Any) -> float:
-        found: float = self._frequencies(validate.number("f", turns("f", value), above=0.0))
-        return found
+        return self._frequencies(validate.number("f", turns("f", value), above=0.0))
 
     def _frequencies(self, value: Any) -> Any:
         """One, or an array of them."""

@@ -12,7 +12,7 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from numbers import Real
-from typing import Any, ParamSpec, TypeVar
+from typing import Any, ParamSpec, TypeGuard, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -64,7 +64,7 @@ def number(
     return result
 
 
-def is_single(value: Any) -> bool:
+def is_single(value: Any) -> TypeGuard[float]:
     """Whether a value is meant as one number, not as an array of them; not yet whether it is allowed."""
     return not isinstance(value, (list, tuple)) and getattr(value, "ndim", 0) == 0
 

@@ -11,7 +11,7 @@ import functools
 import math
 import operator
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -37,6 +37,9 @@ from slowflow.results import (
 )
 from slowflow_kernels import dissipation, slow_flow
 from slowflow_support.errors import OutOfRange, Refused
+
+if TYPE_CHECKING:
+    from slowflow.mechanism import Reals
 
 State = TypeVar("State", FrequencyResponse, SteadyStates)
 #: of a peak: where the next lower one is looked for, by more than roundings below it
@@ -122,7 +125,7 @@ class Averaged:
         found = solvers.frequency_response(planned.model, F_0, samples, shown)
         return self._centred(proofs.decided_curve(found, self.model, shown, allowance or proofs.Allowance()))
 
-    def amplitudes(self, *, Omega: Any, F_0: Any) -> SteadyStates:
+    def amplitudes(self, *, Omega: Reals, F_0: Reals) -> SteadyStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies (24), (30).
 
         F_0 may be an array that broadcasts with Omega: then the points are the pairs. Flat arrays .Omega, .A, .phi,
@@ -330,14 +333,14 @@ class Averaged:
         return dataclasses.replace(solvers.extrema(self.model, self._up_to(A_max))[1], _model=self.model)
 
     @np.errstate(all="ignore")
-    def backbone(self, A: Any) -> Floats:
+    def backbone(self, A: Reals) -> Floats:
         """Omega on the backbone at the amplitudes A > 0 (26); nan where the averaged stiffness is negative."""
         A = validate.positive_array("A", A)
         h = self.model.averaged(A)[0]
         return np.asarray(self.model.flow.backbone(A, h))
 
     @np.errstate(all="ignore")
-    def limit_envelope(self, *, Omega: Any, F_0: Any) -> Floats:
+    def limit_envelope(self, *, Omega: Reals, F_0: Reals) -> Floats:
         """A_L at (Omega, F_0), broadcast (27), which no response exceeds; inf for zeta = 0, 0 where it sticks.
 
         Raises ValueError for rubs="attached": beyond u_cr friction's share falls, and I = F_0 has no closed form.

@@ -155,7 +155,7 @@ def figure_6a(ax: Any) -> None:
     """u_cr over the preload, Table 1's marked; beyond it the push-rod detaches."""
     delta_h = _preloads(TABLE_1["r"])
     found = Isolator.many(**{**TABLE_1, "delta_h": delta_h}).detachment()
-    _critical(ax, delta_h, found.u_cr, example.isolator().detachment().u_cr, "critical displacement $u_{cr}$")
+    _critical(ax, delta_h, found.u_cr, example.isolator().u_cr, "critical displacement $u_{cr}$")
 
 
 def figure_6b(ax: Any) -> None:

@@ -11,12 +11,15 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib import resources
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from slowflow.isolator import Isolator
 from slowflow.paper import example
 from slowflow.results import SaddleNodes
 from slowflow_support.errors import NotSettled
+
+if TYPE_CHECKING:
+    from slowflow.off_centre.answers import OffCentreFolds
 
 #: the ledger prints 12 significant digits
 LEDGER_DIGITS = 12
@@ -41,7 +44,7 @@ def rows(isolator: Isolator, ledger: dict[str, Any]) -> Iterator[Row]:
     Raises ArithmeticError where the runtime's number is not the one that the ledger certifies.
     """
     detachment, onset = isolator.detachment(), isolator.saddle_node_onset()
-    ours = (detachment.u_cr, detachment.F_cr, detachment.Omega_cr, onset.F_SN, onset.Omega, onset.A)
+    ours = (isolator.u_cr, detachment.F_cr, detachment.Omega_cr, onset.F_SN, onset.Omega, onset.A)
     numbers = {row["id"]: row for row in ledger["rows"] if row["kind"] == "number"}
     for name, value in zip(QUOTED, ours, strict=True):
         yield _row(name, value, numbers[name])
@@ -57,7 +60,7 @@ def rows(isolator: Isolator, ledger: dict[str, Any]) -> Iterator[Row]:
             yield _row(f"F_0 = {printed}, {kind} A", A, entry[f"{key}_A"])
 
 
-def _fold(folds: SaddleNodes, kind: str) -> tuple[float, float]:
+def _fold(folds: SaddleNodes | OffCentreFolds, kind: str) -> tuple[float, float]:
     (k,) = (k for k in range(len(folds)) if folds.kind[k] == kind)
     return float(folds.Omega[k]), float(folds.A[k])
 
