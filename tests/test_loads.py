@@ -9,6 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator
 from slowflow.loads import APART, ISOLA
@@ -225,6 +226,34 @@ def test_on_a_way_across_forcings_a_fold_is_crossed_where_the_number_of_states_c
             assert min(folds) < 3 / 1500
         seen.add(crossed)
     assert seen == {False, True}
+
+
+@pytest.mark.parametrize("load", [0.0, 0.05])
+def test_pairs_are_said_to_be_single_tones_where_they_could_be_taken_for_several(load):
+    """What two tones do together, by integration, is neither motion nor their sum: so it is not left to be thought."""
+    duffing = Duffing(1.0, 0.3, mu=0.01, zeta=0.05, load=load)
+    pairs, several = {"Omega": [0.8, 1.2], "F_0": [0.2, 0.3]}, "tones that act together are not covered"
+    depths = [duffing.spectrum, duffing.amplitudes]
+    depths += [] if load else [duffing.second_approximation.amplitudes]
+    for ask in depths:
+        assert several in ask(**pairs).message
+        assert several not in ask(Omega=0.8, F_0=[0.2, 0.3]).message  # a number of forcings, at one frequency
+    assert several not in duffing.amplitudes(Omega=[0.8, 1.2], F_0=0.2).message  # a curve
+    if not load:
+        apart = duffing.amplitudes(**pairs).A
+
+        def both(tau, y):
+            force = 0.2 * np.cos(0.8 * tau) + 0.3 * np.cos(1.2 * tau)
+            return [y[1], force - 0.1 * y[1] - 0.01 * np.tanh(y[1] / 1e-3) - y[0] - 0.3 * y[0] ** 3]
+
+        moved = solve_ivp(both, (0.0, 200.0), [0.0, 0.0], method="LSODA", rtol=1e-6, t_eval=np.linspace(100, 200, 2001))
+        together = np.abs(moved.y[0]).max()
+        assert min(abs(together / one - 1) for one in (*apart, apart.sum())) > 0.05
+
+
+def test_a_spectrum_of_a_mount_says_so_in_its_letters():
+    message = Isolator.physical(**MOUNT).spectrum(f=[2.2, 5.0], F=[5.0, 3.0]).message
+    assert message.startswith("each pair of f and F is a single tone")
 
 
 def test_a_spectrum_of_a_mount_is_in_its_units():

@@ -479,7 +479,7 @@ def spectrum(
     typed: dict[str, Any] = {
         name: column.astype(kinds.get(name, float)) for name, column in zip(Load._fields, columns, strict=True)
     }
-    return Spectrum(**typed, message=words.at_several(said), _remarks=np.array(codes, dtype=np.uint16))
+    return Spectrum(**typed, message=words.at_pairs(at, said), _remarks=np.array(codes, dtype=np.uint16))
 
 
 def on_both_sides(folds: Floats, Omega: Any) -> Ints:

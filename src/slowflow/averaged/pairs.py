@@ -20,11 +20,13 @@ class Pairs(NamedTuple):
 
     columns -- by name, with the entries of each pair after those of the pair before
     F_0     -- the forcing of each entry
+    Omega   -- the frequencies that were asked for
     parts   -- the answers at single forcings that these are from
     """
 
     columns: dict[str, Any]
     F_0: Floats
+    Omega: Floats
     parts: list[Any]
 
     def undecided(self) -> Floats:
@@ -32,8 +34,8 @@ class Pairs(NamedTuple):
         return np.unique(np.concatenate([np.empty(0), *(part.Omega_undecided for part in self.parts)]))
 
     def message(self) -> str:
-        """What the parts say."""
-        return words.at_several(part.message for part in self.parts)
+        """What the parts say, and that the pairs are not combined."""
+        return words.at_pairs(self.Omega, (part.message for part in self.parts))
 
 
 def with_rests(at: Floats, rests: Any, Omega: Floats, columns: Mapping[str, tuple[Any, Any]]) -> dict[str, Any]:
@@ -74,4 +76,4 @@ def at_pairs(ask: Callable[[Floats, float], Any], Omega: Any, F_0: Any, names: I
         name: np.concatenate([getattr(part, name)[row] for part, row in zip(parts, rows, strict=True)])[order]
         for name in names
     }
-    return Pairs(columns, forcing[pairs[order]], parts if forcings else [])
+    return Pairs(columns, forcing[pairs[order]], at, parts if forcings else [])

@@ -128,10 +128,11 @@ class Averaged:
     def amplitudes(self, *, Omega: Reals, F_0: Reals) -> SteadyStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies (24), (30).
 
-        F_0 may be an array that broadcasts with Omega: then the points are the pairs. Flat arrays .Omega, .A, .phi,
-        .stable, in the order of the points, then by rising A. Raises ValueError for Omega <= 0 or > 1e40, for F_0 <= 0,
-        and for shapes that do not broadcast. Where the force does not exceed 4 mu/pi friction holds the mass: A = 0 is
-        a steady state, which transmits all that drives it, and on a base that shakes moves with it.
+        F_0 may be an array that broadcasts with Omega: then the points are the pairs, each a single tone. Flat arrays
+        .Omega, .A, .phi, .stable, in the order of the points, then by rising A. Raises ValueError for Omega <= 0 or
+        > 1e40, for F_0 <= 0, and for shapes that do not broadcast. Where the force does not exceed 4 mu/pi friction
+        holds the mass: A = 0 is a steady state, which transmits all that drives it, and on a base that shakes moves
+        with it.
 
         Where doubles do not tell how many there are balls of more digits do, as for `saddle_nodes`, at 200 points at
         most; `.Omega_undecided` has the frequencies at which neither does.

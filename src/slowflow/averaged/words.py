@@ -315,6 +315,17 @@ def moves_exactly(model: Model, force: Floats) -> str:
     return MOVES_EXACTLY.format(model.mu)
 
 
+#: what arrays of both frequencies and forcings could be taken for
+TONES = (
+    "each pair of Omega and F_0 is a single tone; tones that act together are not covered, their motions do not add up"
+)
+
+
+def at_pairs(Omega: Floats, messages: Iterable[str]) -> str:
+    """What is said at pairs of frequencies and forcings: as `at_several`, and that the tones do not act together."""
+    return joined(at_several(messages), TONES if np.unique(Omega).size > 1 else "")
+
+
 def at_several(messages: Iterable[str]) -> str:
     """What is said at several forcings: each message once, the first `SAID` of them."""
     told = list(dict.fromkeys(message for message in messages if message))
