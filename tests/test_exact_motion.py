@@ -2,6 +2,8 @@
 
 import collections
 import math
+import pickle
+import re
 
 import mpmath as mp
 import numpy as np
@@ -10,7 +12,18 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator, derive
-from slowflow.exact import EquationOfMotion, Force, Law, Piece, linear, steady_state, sweep
+from slowflow.exact import (
+    EquationOfMotion,
+    Force,
+    Law,
+    Piece,
+    half_sine,
+    linear,
+    record,
+    steady_state,
+    sweep,
+    transient,
+)
 from slowflow.exact import compiled as exact_compiled
 from slowflow.exact.compiled import default_integrator
 from slowflow.exact.integrate import Drive, ScipyIntegrator
@@ -272,6 +285,9 @@ def test_escape_in_words(integrator):
         steady_state(system, (1.9, -1.0), Omega=0.7, F_0=0.3, integrator=integrator)
     with pytest.raises(ArithmeticError, match="motion escapes"):
         sweep(system, Omega=[0.7], F_0=0.6, integrator=integrator)
+    with pytest.raises(ArithmeticError, match=r"does not hold it; at Omega = 0.7, F_0 = 0.6$") as lost:
+        sweep(system, Omega=[0.7], F_0=0.6, integrator=integrator)
+    assert str(pickle.loads(pickle.dumps(lost.value))) == str(lost.value)
 
 
 @each_integrator
@@ -282,8 +298,67 @@ def test_a_wall_within_reach(integrator):
     assert state.stable and state.residual <= 1e-9
     again = steady_state(system, state, Omega=0.5, F_0=0.9, integrator=INTEGRATOR)
     assert again.A == pytest.approx(state.A, rel=1e-9) and again.stops == state.stops
-    with pytest.raises(ArithmeticError, match=r"the integration from theta|passes 1e\+06"):
+    with pytest.raises(ArithmeticError, match=r"the integration|passes 1e\+06"):
         steady_state(system, Omega=0.5, F_0=1e9, integrator=integrator)
+
+
+#: tan(u), u/(1 - u^2), and u - u/(2 (1 - u^2)), which draws the mass towards |u| = 1: force, slope, place of the pole
+POLES = {
+    "tangent": (np.tan, lambda u: 1 / np.cos(u) ** 2, math.pi / 2),
+    "stop": (lambda u: u / (1 - u * u), lambda u: (1 + u * u) / (1 - u * u) ** 2, 1.0),
+    "magnet": (lambda u: u - u / (2 - 2 * u * u), lambda u: 1 - (1 + u * u) / (2 * (1 - u * u) ** 2), 1.0),
+}
+
+
+@pytest.mark.parametrize("name", POLES)
+def test_a_force_without_bound_is_named_where_an_integration_stalls(name):
+    """The place is the pole, not the angle at which a phase began; the time is that of an integration up to it."""
+    force, slope, pole = POLES[name]
+    system = EquationOfMotion(Force((Piece(Law(force, slope), ()),), ()), 0.0, 0.05)
+
+    def arrives(_, y):
+        return abs(y[0]) - pole * (1 - 1e-6)
+
+    arrives.terminal = True
+
+    def pushed(tau, y):
+        return [y[1], -50 * math.sin(math.pi / 2 * tau) - 0.1 * y[1] - force(y[0])]
+
+    (at,) = solve_ivp(pushed, (0, 2), [0.0, 0.0], rtol=1e-9, atol=1e-12, events=arrives).t_events[0]
+    with pytest.raises(ArithmeticError, match="the restoring force grows without bound; at tau = ") as stalled:
+        transient(system, half_sine(50.0, 2.0))
+    near, tau = re.search(
+        r"near u = (\S+), .* tau = (\S+), while the base is accelerated$", str(stalled.value)
+    ).groups()
+    assert float(near) == pytest.approx(-pole, rel=1e-5) and float(tau) == pytest.approx(at, rel=1e-4)
+    if name == "magnet":
+        with pytest.raises(ArithmeticError, match=r"near u = 1, .* without bound; at Omega = 0.9, F_0 = 2"):
+            steady_state(system, Omega=0.9, F_0=2.0)
+
+
+@each_integrator
+def test_a_shock_or_a_release_that_escapes_is_told_with_its_time(integrator):
+    """When |u| passes 10^6: of a release without damping by quadrature of du/u', of a record by another integrator."""
+    duffing = Duffing(1.0, -0.5)
+    whole = mp.quad(lambda u: 1 / mp.sqrt(9 - u**2 + (u**4 - 81) / 4), [3, 4, 10, 100, 1e6])
+    with pytest.raises(ArithmeticError, match=r"the motion escapes.*; at tau = \S+, in the free motion$") as lost:
+        transient(duffing.equation_of_motion(), np.empty((0, 4)), at=3.0, integrator=integrator)
+    assert float(re.search(r"tau = (\S+),", str(lost.value))[1]) == pytest.approx(float(whole), rel=1e-5)
+    times = np.linspace(0.0, 5.0, 26)
+    samples = 3.0 * np.sin(times) * np.exp(-0.1 * times)
+
+    def pushed(tau, y):
+        return [y[1], -np.interp(tau, times, samples) - y[0] + 0.5 * y[0] ** 3]
+
+    def passes(_, y):
+        return abs(y[0]) - 1e6
+
+    passes.terminal = True
+    (at,) = solve_ivp(pushed, (0, 5), [0.0, 0.0], rtol=1e-10, atol=1e-12, events=passes, max_step=0.05).t_events[0]
+    with pytest.raises(ArithmeticError, match=r"the motion escapes.*, while the base is accelerated$") as lost:
+        transient(duffing.equation_of_motion(), record(times, samples), integrator=integrator)
+    assert float(re.search(r"tau = (\S+),", str(lost.value))[1]) == pytest.approx(float(at), rel=1e-5)
+    assert "Omega" not in str(lost.value) and "F_0" not in str(lost.value)
 
 
 @each_integrator

@@ -359,7 +359,7 @@ def test_work_is_bounded_and_said_so():
     slow = exact.EquationOfMotion(isolator().restoring_force(), 0.012, 0.02)
     with pytest.raises(ArithmeticError, match="given up after 100 integration steps"), integrate.limited(100):
         exact.steady_state(slow, Omega=0.9, F_0=0.04)
-    with pytest.raises(ArithmeticError, match="the integration from theta"):
+    with pytest.raises(ArithmeticError, match=r"the integration stalls near u = .*: its steps become too many"):
         exact.steady_state(slow, Omega=1e-9, F_0=0.04)
 
 

@@ -137,6 +137,8 @@ PHRASES = (
     (r"\bfor Omega in \[", "for f in [", "frequency"),
     (r"\bA = ", "A = ", "length"),
     (r"\bplaces of rest, at u = ", "places of rest, at x = ", "length"),
+    (r"\bnear u = ", "near x = ", "length"),
+    (r"\|u\| passes ", "|x| passes ", "length"),
     (r"\bthe mass begins at u = ", "the mass begins at x = ", "length"),
     (r"\ba motion from u = ", "a motion from x = ", "length"),
     (r"\bthe spring at u = ", "the spring at x = ", "length"),

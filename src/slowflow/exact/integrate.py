@@ -34,6 +34,20 @@ PHASE_WORK = 30  # steps that take as long as all else that is done for a phase 
 GIVEN_UP = "given up after {} integration steps, more than an answer should take"
 
 
+class Stalled(NotSettled):
+    """An integration that does not get to its end, and the angle and u that it gets to."""
+
+    theta: float
+    u: float
+
+    @classmethod
+    def at(cls, why: str, theta: float, u: float) -> Stalled:
+        """One with these; the words alone make it, as those of any error, so that it can be pickled."""
+        made = cls(why)
+        made.theta, made.u = theta, u
+        return made
+
+
 class OutOfWork(Exception):
     """The question has used up its steps. No ArithmeticError: a trial that fails is replaced by another."""
 
@@ -211,15 +225,14 @@ class ScipyIntegrator:
             spend(CALL_WORK)
             left -= 1
             if left < 0:
-                raise NotSettled(f"the integration from theta = {span[0]} stalls at theta = {theta}, u = {y[0]}")
+                why = f"the integration from theta = {span[0]} stalls at theta = {theta}, u = {y[0]}"
+                raise Stalled.at(why, theta, float(y[0]))
             return field(theta, y)
 
         # a step tried may leave the range where the force is defined; it is then refused
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
             solution = solve_ivp(counted, span, start, **self._tolerances, **options)
         if solution.status < 0:
-            raise NotSettled(
-                f"the integration from theta = {span[0]} at u = {solution.y[0, -1]:.6g} failed: its steps become too "
-                f"small, or the force ends there: {solution.message}"
-            )
+            theta, u = float(solution.t[-1]), float(solution.y[0, -1])
+            raise Stalled.at(f"the integration from theta = {span[0]} failed: {solution.message}", theta, u)
         return solution

@@ -14,8 +14,10 @@ import functools
 import math
 from typing import NamedTuple
 
+import numpy as np
+
 from slowflow.exact.compiled import TaylorIntegrator
-from slowflow.exact.integrate import PHASE_WORK, Drive, Integrator, spend
+from slowflow.exact.integrate import PHASE_WORK, Drive, Integrator, Stalled, spend
 from slowflow.mechanism import EquationOfMotion, Piece
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import FAR, GRAZING, MOST_PHASES, OF_TURN, Event, Outcome
@@ -24,14 +26,19 @@ from slowflow_support.errors import NotSettled
 TURN = 2.0 * math.pi
 NUDGES = (1e-3, 1e-4, 1e-5, 1e-6)  # angles over which a start at rest moves off before stops are looked for
 
-CHATTERS = (
-    "more than {most} switches in one turn of the forcing at Omega = {Omega}: the mass chatters near u = {u:.6g}, "
-    "where the restoring force jumps"
-)
-ESCAPES = "the motion escapes{where}: |u| passes {far:g}, the restoring force does not hold it"
-STALLS = (
-    "the integration from theta = {theta} at u = {u:.6g} failed: its steps become too many, or the force ends there"
-)
+CHATTERS = "the mass chatters near u = {u:.6g}, where the restoring force jumps: more than {most} switches in one turn"
+ESCAPES = "the motion escapes: |u| passes {far:g}, the restoring force does not hold it"
+STALLS = "the integration stalls near u = {u:.6g}: its steps become too many, or the force is not defined there"
+UNBOUNDED = "the integration stalls near u = {u:.6g}, where the restoring force grows without bound"
+#: a force that has no bound near u is larger there, by this factor, than at `NEARER` u
+GROWS, NEARER = 1e6, 0.9
+
+
+class Lost(NotSettled):
+    """A motion that is not followed further: why, in words without what drives it, and at which angle of that."""
+
+    why: str
+    theta: float
 
 
 class Phase(NamedTuple):
@@ -136,14 +143,27 @@ def follow(
 ) -> list[Phase]:
     """All phases from (theta, u, v) to `end`; `start` = (slip, region) overrides the state, e.g. at break-away.
 
-    Raises ArithmeticError if switches accumulate (the mass chatters at a jump of the force) or the motion escapes.
+    Raises `Lost` if switches accumulate (the mass chatters at a jump of the force), the motion escapes, or comes to
+    where the integration stalls.
     """
+    if not isinstance(forced.integrator, TaylorIntegrator):
+        try:
+            return _from_switch_to_switch(forced, theta, u, v, end, start)
+        except Stalled as stalled:
+            raise _lost(Outcome.STALLS, forced, stalled.theta, stalled.u) from None
+    outcome, rows = forced.integrator.follow(forced.system, forced.Omega, forced.F_0, (theta, u, v), end, start)
+    phases = list(map(_phase, rows))
+    if outcome:
+        last = phases[-1] if phases else None  # which ends where the motion is lost
+        raise _lost(outcome, forced, *((theta, u) if last is None else (last.end, last.u_end)))
+    return phases
+
+
+def _from_switch_to_switch(
+    forced: Forced, theta: float, u: float, v: float, end: float, start: tuple[int, int] | None
+) -> list[Phase]:
+    """`follow`, without the compiled integrator. Raises `Stalled` where the integration does."""
     system, integrator = forced.system, forced.integrator
-    if isinstance(integrator, TaylorIntegrator):
-        outcome, rows = integrator.follow(system, forced.Omega, forced.F_0, (theta, u, v), end, start)
-        phases = list(map(_phase, rows))
-        _refuse(outcome, forced, phases[-1] if phases else None)
-        return phases
     if start is not None:
         slip, region = start
     else:
@@ -151,18 +171,18 @@ def follow(
         slip = (1 if v > 0 else -1) if v != 0 else after_stop(forced, 0, region, theta, u)
         if slip != 0 and u == edge_ahead(system, slip, region):
             region += slip
-    phases = []
+    phases: list[Phase] = []
     most = MOST_PHASES * (1 + math.ceil((end - theta) / TURN))
     while theta < end:
         if len(phases) >= most:
-            raise NotSettled(CHATTERS.format(most=MOST_PHASES, Omega=forced.Omega, u=u))
+            raise _lost(Outcome.CHATTERS, forced, theta, u)
         if slip == 0:
             at, slip = break_away(forced, region, theta, u)
             theta = _rest(phases, region, theta, u, min(at, end), end)
             continue
         edge = edge_ahead(system, slip, region)
         if slip * u >= FAR:
-            raise _escapes(forced)
+            raise _lost(Outcome.ESCAPES, forced, theta, u)
         if slip * (u - edge) >= 0.0:  # turned round within rounding of a breakpoint
             region += slip
             continue
@@ -199,22 +219,26 @@ def follow(
     return phases
 
 
-def _escapes(forced: Forced) -> ArithmeticError:
-    where = f" at Omega = {forced.Omega}, F_0 = {forced.F_0}" if forced.F_0 else ""
-    return NotSettled(ESCAPES.format(where=where, far=FAR))
-
-
-def _refuse(outcome: int, forced: Forced, last: Phase | None) -> None:
-    """Says in words why C gave up."""
-    if outcome == Outcome.CHATTERS and last is not None:
-        raise NotSettled(CHATTERS.format(most=MOST_PHASES, Omega=forced.Omega, u=last.u_end))
-    if outcome == Outcome.ESCAPES:
-        raise _escapes(forced)
+def _lost(outcome: int, forced: Forced, theta: float, u: float) -> Exception:
+    """In words why a motion is given up at an angle, and at u."""
     if outcome == Outcome.NO_MEMORY:
-        raise MemoryError("no memory for the phases of the motion")
-    if outcome:
-        theta, u = (0.0, 0.0) if last is None else (last.end, last.u_end)
-        raise NotSettled(STALLS.format(theta=theta, u=u))
+        return MemoryError("no memory for the phases of the motion")
+    if outcome == Outcome.CHATTERS:
+        why = CHATTERS.format(most=MOST_PHASES, u=u)
+    elif outcome == Outcome.ESCAPES:
+        why = ESCAPES.format(far=FAR)
+    else:
+        why = (UNBOUNDED if _grows_without_bound(forced.system, u) else STALLS).format(u=u)
+    lost = Lost(f"{why}; at Omega = {forced.Omega}, F_0 = {forced.F_0}" if forced.F_0 else why)
+    lost.why, lost.theta = why, theta
+    return lost
+
+
+def _grows_without_bound(system: EquationOfMotion, u: float) -> bool:
+    """Whether the restoring force is beyond all measure at u, where an integration has stalled."""
+    with np.errstate(all="ignore"):  # it may have no value there
+        at, nearer = (abs(system.force.value(spot)) for spot in (u, NEARER * u))
+    return bool(np.isinf(at) or at > GROWS * nearer)
 
 
 def _rest(phases: list[Phase], region: int, theta: float, u: float, until: float, end: float) -> float:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from slowflow.answer import Answer
 from slowflow.exact.compiled import default_integrator
 from slowflow.exact.integrate import Integrator, limited
-from slowflow.exact.motion import TURN, Forced, Phase, follow
+from slowflow.exact.motion import TURN, Forced, Lost, Phase, follow
 from slowflow.mechanism import EquationOfMotion
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import CREEPS, MOST_TURNS, NEAR, POINTS, ROUNDS, SAME, Event
@@ -39,6 +39,8 @@ TOO_WEAK = (
 )
 #: for how long the free motion is shown: ten periods of the mass on k_v alone
 AFTER = 10 * TURN
+#: where a motion is lost: why, when, and what drives it then
+LOST, ACCELERATED, FREE = "{}; at tau = {:.6g}, {}", "while the base is accelerated", "in the free motion"
 
 
 class Arc(NamedTuple):
@@ -233,7 +235,11 @@ def _under(forced: Forced, tau: float, arc: Arc, u: float, v: float) -> Stretch:
         return Stretch(tau, arc.theta, forced, [rest])
     if balanced and holds < doubt:  # some roundings back from where F cos(theta) begins to push, so that it goes there
         u += math.copysign(BACK, math.sin(arc.theta)) * max(abs(u), abs(system.load), arc.F)
-    return Stretch(tau, arc.theta, forced, follow(forced, arc.theta, u, v, end))
+    try:
+        return Stretch(tau, arc.theta, forced, follow(forced, arc.theta, u, v, end))
+    except Lost as lost:  # of the arc, whose frequency and force are none that anybody gave, it says the time
+        at = tau + (lost.theta - arc.theta) / arc.Omega
+        raise NotSettled(LOST.format(lost.why, at, ACCELERATED if arc.F else FREE)) from None
 
 
 def _states(forced: Forced, phase: Phase, theta: Array) -> Array:

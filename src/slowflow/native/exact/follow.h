@@ -359,10 +359,10 @@ static sf_outcome sf_follow(sf_forced *forced, double theta, double u, double v,
         sf_event event;
         const sf_outcome outcome = sf_until(sf_piece_of(system, region), &drive, slip, edge, end, zeros, &theta, &u, &v,
                                             &forced->left, &event, &phase.undecided);
-        if (outcome != SF_GOOD)
-            return outcome;
-        if (event == SF_EDGE && slip * u >= SF_FAR) /* beyond it there is no piece */
-            return SF_ESCAPES;
+        if (outcome != SF_GOOD || (event == SF_EDGE && slip * u >= SF_FAR)) { /* beyond it there is no piece */
+            phase.end = theta, phase.u_end = u, phase.v_end = v; /* where the motion is lost */
+            return !sf_append(phases, phase) ? SF_NO_MEMORY : outcome != SF_GOOD ? outcome : SF_ESCAPES;
+        }
         if (zeros && event == SF_STOP && theta - phase.theta < SF_GLIMPSE && sf_holding(system, region) > 0) {
             theta = phase.theta, u = phase.u, region = sf_stopped(system, region, u);
             const double at = sf_break_away(forced, region, theta + SF_GLIMPSE, u, &slip);
