@@ -154,6 +154,12 @@ def test_data_on_the_page_is_what_run_writes(page, tmp_path):
     assert base64.b64decode(links["mount.toml"].partition("base64,")[2]).decode() == MOUNT.read_text()
 
 
+def test_lengths_with_tolerances_are_in_millimetres(text):
+    """A table of them is no answer in units, but is told in these."""
+    tables = text.partition('<h2 id="tolerances"')[2].partition("<h2")[0]
+    assert "<td>mm</td>" in tables and "<td>m</td>" not in tables
+
+
 def test_the_page_says_in_short_what_happens_at_each_force(text):
     items = re.findall(r"<li>(At .*?)</li>", text.replace("\xa0", " "))
     assert items == [
@@ -209,11 +215,32 @@ def lines_of(path):
 
 @pytest.mark.slow
 def test_what_is_undecided_of_isolation_is_said_in_short_too(monkeypatch):
-    mount = Isolator.physical(m=12, k_v=2500, k_h=1700, n=3, L=0.080, preload=0.009, friction=0.4, zeta=0.02)
-    plain, ask = " ".join(report._in_short(mount, 5.0)), Isolator.isolation
+    plain, ask = " ".join(report._in_short(scenes.read(MOUNT), 5.0)), Isolator.isolation
     monkeypatch.setattr(Isolator, "isolation", lambda self, F_0: replace(ask(self, F_0), remarks=Remark.UNDECIDED))
     said = plain.replace("less than what drives it.", "less than what drives it, as far as is decided.")
-    assert " ".join(report._in_short(mount, 5.0)) == said != plain
+    assert " ".join(report._in_short(scenes.read(MOUNT), 5.0)) == said != plain
+
+
+@pytest.mark.parametrize("name", [pytest.param("mount", marks=pytest.mark.slow), "table_1"])
+def test_a_report_asks_each_question_once_and_none_that_was_run(name, monkeypatch, tmp_path):
+    """Counted where the oscillator is asked, whoever asks; what is put together from other questions asks it too."""
+    asked, made = [], scenes.QUESTIONS
+
+    def counted(question):
+        def of(oscillator):
+            ask = question.of(oscillator)
+            return lambda **given: asked.append((ask.__name__, repr(sorted(given.items())))) or ask(**given)
+
+        return replace(question, of=of)
+
+    # tolerances are no method: they have no name
+    known = {key: one if key == "tolerances" else counted(one) for key, one in made.items()}
+    monkeypatch.setattr(scenes, "QUESTIONS", known)
+    path, out = ROOT / "scenes" / f"{name}.toml", tmp_path / "report.html"
+    given = ["run", str(path), "--quiet", "-o", str(tmp_path / "out"), "--report", str(out)]
+    assert cli.main(given) == 0 and not Page(out.read_text()).open
+    assert len(asked) == len(set(asked)) > len(scenes.read(path).asked)
+    assert out.read_text() == report.html(scenes.read(path))  # the page of a report by itself
 
 
 @pytest.mark.slow

@@ -88,6 +88,9 @@ def add_scenes(commands: Any) -> None:
     run.add_argument("scene", type=Path, help="TOML file; `slowflow new` writes one to begin with")
     run.add_argument("-o", "--out", type=Path, metavar="DIR", help="write CSV and JSON there instead of printing")
     run.add_argument("--json", action="store_true", help="print JSON")
+    run.add_argument(
+        "--report", type=Path, metavar="FILE", help="write the report too, from the same answers, as an HTML page"
+    )
     run.add_argument("--quiet", action="store_true", help="say nothing of what is being done")
     check = commands.add_parser("check", help="whether a scene is allowed; computes nothing")
     check.add_argument("scene", type=Path, nargs="+")
@@ -107,6 +110,8 @@ def add_scenes(commands: Any) -> None:
 
 def run_scene(given: argparse.Namespace) -> int:
     """Answers what a scene asks for, and computes nothing else; 1 where a question could not be answered."""
+    if given.report is not None and not _can_draw():
+        return 2
     scene = _read(given.scene)
     # before anything is computed: it refuses
     earlier = [] if given.out is None else files.written(given.out, [f"{question}.csv" for question in QUESTIONS])
@@ -142,7 +147,8 @@ def run_scene(given: argparse.Namespace) -> int:
         files.write(given.out / files.RECORD, files.in_json(content))
         if not given.quiet:
             print(f"{len(answers)} answers are written to the folder {given.out}", file=sys.stderr)
-    return 1 if failed else 0
+    made = 0 if given.report is None else _report(scene, given.report, given.quiet)
+    return made or (1 if failed else 0)
 
 
 def told(asked: Asked, answer: Answer) -> dict[str, Any]:
@@ -243,22 +249,33 @@ def new_scene(given: argparse.Namespace) -> int:
 
 def write_report(given: argparse.Namespace) -> int:
     """Write the report of a scene; 2 where it cannot be made."""
-    scene = _read(given.scene)
-    if find_spec("matplotlib") is None:
-        print("a report needs matplotlib: pip install 'slowflow[plot]'", file=sys.stderr)
+    if not _can_draw():
         return 2
+    return _report(_read(given.scene), given.out, given.quiet)
+
+
+def _can_draw() -> bool:
+    """Whether there is what a report draws with; says so where there is not."""
+    found = find_spec("matplotlib") is not None
+    if not found:
+        print("a report needs matplotlib: pip install 'slowflow[plot]'", file=sys.stderr)
+    return found
+
+
+def _report(scene: Scene, out: Path, quiet: bool) -> int:
+    """Write the report of a scene, from the answers that it has and others; 2 where it cannot be made."""
     # here, not above: it imports Matplotlib
     from slowflow import report
 
     try:
-        with contextlib.nullcontext() if given.quiet else progress.shown(), progress.named(f"report of {given.scene}"):
+        with contextlib.nullcontext() if quiet else progress.shown(), progress.named(f"report of {scene.path}"):
             page = report.html(scene)
     except SlowflowError as error:
         print(error, file=sys.stderr)
         return 2
-    files.write(given.out, page)
-    if not given.quiet:
-        print(f"{given.out} is written", file=sys.stderr)
+    files.write(out, page)
+    if not quiet:
+        print(f"{out} is written", file=sys.stderr)
     return 0
 
 

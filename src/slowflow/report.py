@@ -100,7 +100,7 @@ def html(scene: Scene) -> str:
         raise Refused(f"{scene.path}: a report is of an isolator: the scene must hold [mount] or [isolator]")
     title = f"Vibration isolator: {scene.path.stem.replace('_', ' ')}"
     sections = {
-        "In short": _summary(of, forcings, scene),
+        "In short": _summary(forcings, scene),
         "The design": _design(of, scene),
         "What it does": _answers(of, forcings, scene),
         "Curves": _curves(of, forcings, scene),
@@ -135,12 +135,17 @@ def _left_out(reasons: Sequence[str]) -> str:
     return "".join(f"<p>Left out: {page.inline(reason)}.</p>" for reason in reasons)
 
 
-def _at_each(ask: Callable[[float], Any], forcings: Sequence[float], left_out: list[str]) -> list[Any]:
+def _forced_by(scene: Scene, F: float) -> dict[str, float]:
+    """The amplitude of the excitation as an argument of a question."""
+    return {"F" if isinstance(scene.oscillator, Physical) else "F_0": F}
+
+
+def _at_each(scene: Scene, question: str, forcings: Sequence[float], left_out: list[str]) -> list[Any]:
     """The answers at each forcing; none where such an oscillator has none, and why is added to `left_out`."""
     try:
-        return [_shown(ask(F)) for F in forcings]
+        return [_shown(scene.ask(question, **_forced_by(scene, F))) for F in forcings]
     except NotAvailable as error:
-        said, question = str(error), ask.__name__
+        said = str(error)
         left_out.append(said if question in said else f"{question}: {said}")
         return []
 
@@ -167,9 +172,9 @@ def _told(of: Any, F: float) -> str:
 # ---- sections
 
 
-def _summary(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
+def _summary(forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     """A few sentences for each force, and for the shocks."""
-    lines = [" ".join([*_in_short(of, F), *_transmitted(of, F, scene)]) for F in forcings]
+    lines = [" ".join([*_in_short(scene, F), *_transmitted(scene, F)]) for F in forcings]
     lines += _of_shocks(scene)
     if lines:
         yield f"<ul>{''.join(f'<li>{page.inline(line)}</li>' for line in lines)}</ul>"
@@ -181,11 +186,11 @@ def _frequencies(scene: Scene) -> Sequence[float]:
     return next((given.get("f", given.get("Omega")) for given in asked), ())
 
 
-def _transmitted(of: Any, F: float, scene: Scene) -> Iterator[str]:
+def _transmitted(scene: Scene, F: float) -> Iterator[str]:
     """What stable motions transmit at the frequencies asked for."""
-    name, letter = ("f", "F") if isinstance(of, Physical) else ("Omega", "F_0")
+    name = "f" if isinstance(scene.oscillator, Physical) else "Omega"
     for at in _frequencies(scene):
-        states = _shown(of.amplitudes(**{name: at, letter: F}))
+        states = _shown(scene.ask("amplitudes", **{name: at}, **_forced_by(scene, F)))
         if found := [f"{one:.4g}" for one in states.transmissibility_dB[states.stable].tolist()]:
             yield f"At {_number(states, at, name)} it transmits {' or '.join(found)} dB."
 
@@ -203,12 +208,13 @@ def _of_shocks(scene: Scene) -> Iterator[str]:
     yield f"In {leave} of {count} shocks the springs leave." if count > 1 else "Its springs leave." if leave else ""
 
 
-def _in_short(of: Any, F: float) -> Iterator[str]:
-    folds, onset, leaving = _shown(of.saddle_nodes(F)), _shown(of.saddle_node_onset()), _shown(of.detachment())
+def _in_short(scene: Scene, F: float) -> Iterator[str]:
+    folds = _shown(scene.ask("saddle_nodes", **_forced_by(scene, F)))
+    onset, leaving = _shown(scene.ask("saddle_node_onset")), _shown(scene.ask("detachment"))
     # without these the sentence is shorter; what is left out is said further down
-    margins, peak, isolation = (_at_each(ask, [F], []) for ask in (of.margins, of.peak, of.isolation))
+    margins, peak, isolation = (_at_each(scene, one, [F], []) for one in ("margins", "peak", "isolation"))
     yield f"At {_one(folds, *pictures.AMPLITUDES)}"
-    if _plain(of).model.sticks(folds.answer.F_0 if isinstance(folds, Quantities) else folds.F_0):
+    if _plain(scene.oscillator).model.sticks(folds.answer.F_0 if isinstance(folds, Quantities) else folds.F_0):
         yield "friction holds the mass: it does not move."
         return
     if len(folds):
@@ -270,7 +276,7 @@ def _design(of: Any, scene: Scene) -> Iterator[str]:
     for text in scene.warnings:
         yield f"<p>Note: {page.inline(text)}</p>"
     if mount and _plain(of).load == 0:
-        shown = of.at_rest().in_units()
+        shown = _shown(scene.ask("at_rest"))
         units = shown.units_of_columns()
         found = {name: column[0] for name, column in shown.columns().items()}
         at_rest = [
@@ -280,22 +286,22 @@ def _design(of: Any, scene: Scene) -> Iterator[str]:
         ]
         yield page.table("At rest", ("number", "value", "unit", "what it is"), at_rest)
     elif _plain(of).load != 0:
-        yield _table("Where it stands under its load", _shown(of.rest()))
+        yield _table("Where it stands under its load", _shown(scene.ask("rest")))
 
 
 def _answers(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     what, of_force = EXCITATION[_plain(of).excitation], _plain(of).excitation == "force"
     left_out: list[str] = []
-    yield _table(f"It jumps from this {what} on", _shown(of.saddle_node_onset()))
-    yield _table(f"Its springs leave from this {what} on", _shown(of.detachment()))
-    for caption, ask in (
-        ("Margins to jumps and to detachment: above 1 is safe", of.margins),
-        ("The highest peak", of.peak),
-        ("Less is transmitted from this frequency on than what drives it", of.isolation),
-        ("Where a sweep jumps", of.saddle_nodes),
-        ("Bands with several stable motions", of.hysteresis),
+    yield _table(f"It jumps from this {what} on", _shown(scene.ask("saddle_node_onset")))
+    yield _table(f"Its springs leave from this {what} on", _shown(scene.ask("detachment")))
+    for caption, question in (
+        ("Margins to jumps and to detachment: above 1 is safe", "margins"),
+        ("The highest peak", "peak"),
+        ("Less is transmitted from this frequency on than what drives it", "isolation"),
+        ("Where a sweep jumps", "saddle_nodes"),
+        ("Bands with several stable motions", "hysteresis"),
     ):
-        if found := _at_each(ask, forcings, left_out):
+        if found := _at_each(scene, question, forcings, left_out):
             # a force moves the mass at all frequencies, or at none, which `sticks` says
             yield _table(caption, *found, left_out=(*UNSHOWN, *OF_INERTIA) if of_force else UNSHOWN)
     for question, caption in ALSO.items():
@@ -309,8 +315,8 @@ def _curves(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
         return
     asked = (one.arguments for one in scene.asked if one.question == "frequency_response")
     own = {name: value for name, value in next(asked, {}).items() if name not in FORCINGS}  # the scene's window
-    curves = [_shown(of.frequency_response(F, **own)) for F in forcings]
-    folds = [_shown(of.saddle_nodes(F)) for F in forcings]
+    curves = [_shown(scene.ask("frequency_response", **_forced_by(scene, F), **own)) for F in forcings]
+    folds = [_shown(scene.ask("saddle_nodes", **_forced_by(scene, F))) for F in forcings]
     force, _ = _letter(of)
     oscillator = _plain(of)
     letter, length = ("x", 1e3 * of.scales.sizes["length"]) if isinstance(of, Physical) else ("u", 1.0)
@@ -415,20 +421,20 @@ def _trust(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     """Jumps by averaging, the second approximation and the equation of motion; amplitudes; curves."""
     if not forcings:
         return
-    yield from _available(_jumps_by_depths(of, forcings))
+    yield from _available(_jumps_by_depths(of, forcings, scene))
     plain = _plain(of)
     # measurements are of isolators under a force, about the centre, with viscous damping and dry friction
     is_measured = plain.excitation == "force" and plain.load == 0 and not plain.model.laws.told()
-    yield from _expected(of, forcings) if is_measured else _checked(of, forcings, scene)
-    yield from _depths(of, max(forcings))
+    yield from _expected(of, forcings, scene) if is_measured else _checked(of, forcings, scene)
+    yield from _depths(of, max(forcings), scene)
 
 
-def _jumps_by_depths(of: Any, forcings: Sequence[float]) -> Iterator[str]:
+def _jumps_by_depths(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     """Each jump by averaging, with higher harmonics, and by the equation of motion."""
     name = "f" if isinstance(of, Physical) else "Omega"
     rows = []
     for F in forcings:
-        found = of.saddle_nodes(F)
+        found = scene.ask("saddle_nodes", **_forced_by(scene, F))
         plain = found.answer if isinstance(found, Quantities) else found
         unit = of.scales.sizes["frequency"] if isinstance(of, Physical) else 1.0
         if not len(plain):
@@ -463,7 +469,7 @@ def _checked(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     rows = []
     for F in forcings:
         for at in _frequencies(scene):
-            states = of.amplitudes(**{name: at, letter: F})
+            states = scene.ask("amplitudes", **{name: at, letter: F})
             if states.stable.any():
                 # off the centre A is about the mean
                 largest = getattr(states, next(one for one in ("x_max", "u_max", "A") if hasattr(states, one)))
@@ -484,12 +490,12 @@ def _checked(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
         yield "<p>Not compared with the equation of motion: the scene asks for amplitudes at no frequency.</p>"
 
 
-def _expected(of: Any, forcings: Sequence[float]) -> Iterator[str]:
+def _expected(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     """What measurements say of the error of the highest motion, and of the curve's other points."""
     rows, remarks = [], []
     force, unit = (page.term("F", "N"), " N") if isinstance(of, Physical) else (page.term("F_0"), "")
     for F in forcings:
-        found = of.frequency_response(F)
+        found = scene.ask("frequency_response", **_forced_by(scene, F))
         curve = found.answer if isinstance(found, Quantities) else found
         stable = np.flatnonzero(curve.stable)
         if stable.size:
@@ -504,11 +510,11 @@ def _expected(of: Any, forcings: Sequence[float]) -> Iterator[str]:
     yield from remarks
 
 
-def _depths(of: Any, F: float) -> Iterator[str]:
+def _depths(of: Any, F: float, scene: Scene) -> Iterator[str]:
     """The curve about its peak by averaging, with higher harmonics, and of the equation of motion."""
     name = "f" if isinstance(of, Physical) else "Omega"
     left_out: list[str] = []
-    peaks = _at_each(of.peak, [F], left_out)
+    peaks = _at_each(scene, "peak", [F], left_out)
     yield _left_out(left_out)
     at = getattr(peaks[0], name) if peaks else None
     if not at:
@@ -557,9 +563,9 @@ def _equations(of: Any) -> Iterator[str]:
 def _data(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     force, unit = _letter(of)
     yield "<ul>"
-    asked = {"saddle_nodes": of.saddle_nodes, "frequency_response": of.frequency_response}
-    for question, ask in asked.items() if forcings else ():
-        text = files.in_csv([({force: _in_its_unit(of, F)}, _shown(ask(F))) for F in forcings], {force: unit})
+    for question in ("saddle_nodes", "frequency_response") if forcings else ():
+        found = [(F, _shown(scene.ask(question, **_forced_by(scene, F)))) for F in forcings]
+        text = files.in_csv([({force: _in_its_unit(of, F)}, answer) for F, answer in found], {force: unit})
         yield f"<li>{page.download(f'{question}.csv', 'text/csv', text)}</li>"
     for question in ("spectrum", "tolerances", "transient", "shock_spectrum"):
         alike = [one for one in scene.asked if one.question == question]

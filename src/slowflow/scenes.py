@@ -268,7 +268,7 @@ class Scene:
     oscillator -- an `Isolator`, `Duffing` or, in physical units, `Physical`
     asked      -- the questions, in order
     warnings   -- what looks implausible
-    answers    -- those that have been computed, by the place of the question
+    answers    -- those that have been computed, by question and arguments, whoever has asked
     """
 
     path: Path
@@ -277,7 +277,7 @@ class Scene:
     oscillator: Isolator | Duffing | Physical
     asked: tuple[Asked, ...]
     warnings: tuple[str, ...] = ()
-    answers: dict[int, Answer] = field(default_factory=dict, compare=False, repr=False)
+    answers: dict[tuple[str, str], Any] = field(default_factory=dict, compare=False, repr=False)
 
     @staticmethod
     def arguments(asked: Asked) -> dict[str, Any]:
@@ -286,13 +286,17 @@ class Scene:
 
     def answer(self, asked: Asked) -> Answer:
         """The answer to one of its questions, of a mount in N, mm and Hz; computed when it is first asked for."""
-        if (place := self.asked.index(asked)) in self.answers:
-            return self.answers[place]
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", plausible.Implausible)  # among `warnings` already
-            found: Any = QUESTIONS[asked.question].of(self.oscillator)(**self.arguments(asked))
-        self.answers[place] = found.in_units() if hasattr(found, "in_units") else found
-        return self.answers[place]
+        found: Any = self.ask(asked.question, **self.arguments(asked))
+        shown: Answer = found.in_units() if hasattr(found, "in_units") else found
+        return shown
+
+    def ask(self, question: str, **arguments: Any) -> Any:
+        """What the oscillator answers, of a mount in SI units; computed when it is first asked for."""
+        if (key := (question, repr(sorted(arguments.items())))) not in self.answers:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", plausible.Implausible)  # among `warnings` already
+                self.answers[key] = QUESTIONS[question].of(self.oscillator)(**arguments)
+        return self.answers[key]
 
     def explain(self, asked: Asked) -> Plan | None:
         """What runs for it and what is skipped; None for what is a formula, or put together from other questions."""
