@@ -341,5 +341,5 @@ def test_motions_end_where_the_function_does():
         lambda: oscillator.sweep(Omega=[1.2], F_0=0.6),
         lambda: oscillator.transient(acceleration=3.0, duration=4.0),
     ):
-        with pytest.raises(NotSettled, match=r"at u = -?0\.\d+ failed: .*, or the force ends there"):
+        with pytest.raises(NotSettled, match=r"near u = -?0\.\d+: .*, or the force is not defined there"):
             ask()
