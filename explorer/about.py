@@ -18,7 +18,8 @@ from slowflow.measured import table, validity
 from slowflow.oscillator import Oscillator
 from slowflow.paper.example import TABLE_1
 from slowflow.physical import Physical
-from slowflow.quantities import KINDS, Scales
+from slowflow.quantities import Scales
+from slowflow.table import COLUMNS
 from slowflow.validate import WINDOW
 from slowflow.version import __version__
 from slowflow_kernels.conventions import OnsetKind, Status
@@ -102,7 +103,7 @@ def about() -> dict[str, Any]:
         },
         "scales": {name: dict(scale._asdict()) for name, scale in SCALES.items()},
         "physical_names": PHYSICAL_NAMES,
-        "names": {name: KINDS[name][0] for name in ("Omega", "u_cr")},
+        "names": {name: COLUMNS[name].si for name in ("Omega", "u_cr")},
         "presets": [
             {
                 "title": one.title,

@@ -48,4 +48,4 @@ def ask(of: Any, question: str, F_0: Any, **more: Any) -> Any:
 
 def columns(answer: Any) -> dict[str, Any]:
     """Of a batch's answer."""
-    return {name: value for name, value in vars(answer).items() if not name.startswith("_")}
+    return {name: value for name, value in answer._content().items()}

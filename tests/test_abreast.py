@@ -173,7 +173,7 @@ def test_the_second_approximation_does_not_answer_as_averaging(question):
     for k in range(2):
         one = Oscillator(record, alpha=values["alpha"][k], beta=1.0, mu=0.0, zeta=0.02)
         single = getattr(one.second_approximation, question)(*beside, **named)
-        for name in {"A", "Omega"} & vars(found).keys():
+        for name in {"A", "Omega"} & found._content().keys():
             alone = np.atleast_1d(np.asarray(getattr(single, name), dtype=float))
             column = np.atleast_1d(getattr(found, name)[k])
             np.testing.assert_array_equal(column[: alone.size], alone)

@@ -184,7 +184,9 @@ COPIES = {"copy": copy.copy, "deepcopy": copy.deepcopy, "pickle": lambda one: pi
 
 def arrays(one):
     """Every array that can be reached through public attributes."""
-    for value in vars(one).values() if isinstance(one, answer.Answer) else one if isinstance(one, tuple) else ():
+    if isinstance(one, answer.Answer):
+        return (yield from arrays((*vars(one).values(), *one._content().values())))
+    for value in one if isinstance(one, tuple) else ():
         if isinstance(value, np.ndarray):
             yield value
         else:

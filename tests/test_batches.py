@@ -29,7 +29,7 @@ ASK = {
 
 
 def columns(answer):
-    return {name: value for name, value in vars(answer).items() if not name.startswith("_")}
+    return {name: value for name, value in answer._content().items()}
 
 
 @native_only

@@ -390,7 +390,7 @@ def test_answers_that_are_put_together_have_no_gradient_and_say_of_what():
     for of in (iso, many):
         spectrum = of.spectrum(Omega=[0.8, 0.9], F_0=F_0)
         for answer in (of.margins(F_0), of.hysteresis(F_0), spectrum, of.at_rest()):
-            with pytest.raises(ValueError, match="put together from others has no gradient"):
+            with pytest.raises(ValueError, match="no gradient, as it is put together from others"):
                 answer.gradient()
 
 

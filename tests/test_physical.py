@@ -17,8 +17,9 @@ from scipy.integrate import quad, solve_ivp
 from slowflow import Duffing, Isolator, loads, results
 from slowflow.answer import SHOWN
 from slowflow.plausible import Implausible
-from slowflow.quantities import AMPLITUDES, KINDS, UNITS, Scales
+from slowflow.quantities import UNITS, Scales
 from slowflow.sizing import fit, meet, tolerances
+from slowflow.table import COLUMNS
 from slowflow_kernels.scaling import SCALES
 from slowflow_support.errors import OutOfRange, SlowflowError
 
@@ -482,7 +483,7 @@ def test_every_number_of_an_answer_has_a_unit_or_is_known_to_have_none():
         for kind in vars(module).values():
             if dataclasses.is_dataclass(kind) and kind.__module__ == module.__name__:
                 numbers = [one.name for one in dataclasses.fields(kind) if "loat" in str(one.type)]
-                assert set(numbers) <= {*KINDS, *AMPLITUDES} | without, kind
+                assert set(numbers) <= {name for name, one in COLUMNS.items() if one.kind} | without, kind
 
 
 # ---- words ---------------------------------------------------------------------------------------------------------

@@ -21,8 +21,8 @@ FLOORS = (
     ("physical",),
     ("physical_answers",),
     ("oscillator",),
-    ("designs",),
     ("grid",),
+    ("designs",),
     ("off_centre",),
     ("loads_many",),
     ("exact", "second", "loads"),
@@ -31,7 +31,7 @@ FLOORS = (
     ("certificate", "measured", "files", "moves", "physical_moves"),
     ("gradient",),
     ("answer", "loaded"),
-    ("model", "transmitted"),
+    ("model", "table", "transmitted"),
     ("validate", "page"),
     ("mechanism", "sampled", "backend", "pictures", "plausible", "progress", "unchanging", "version"),
 )

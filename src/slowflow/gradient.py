@@ -14,6 +14,10 @@ from slowflow.mechanism import Floats
 from slowflow_kernels.conventions import MovesStatus
 from slowflow_support.frozen import dataclass
 
+NO_GRADIENT = (
+    "this answer has no gradient, as it is put together from others: those of saddle_node_onset, detachment, "
+    "saddle_nodes, peak, amplitudes and isolation have"
+)
 #: why an answer has no gradient
 WITHOUT_GRADIENT = {
     MovesStatus.NOTHING: "there is no answer that could move",

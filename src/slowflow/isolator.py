@@ -225,7 +225,7 @@ class Isolator(Oscillator):
         Raises ValueError for what is no real array and for shapes that do not broadcast, and nothing for a single
         design: each answer has a status.
         """
-        from slowflow.designs import designs_of
+        from slowflow.grid import designs_of
 
         values = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta}
         return designs_of(_averaged(force), values, {"eta": eta, "c_2": c_2}, rubs, excitation, load)
@@ -282,7 +282,7 @@ class Duffing(Oscillator):
         load: Any = 0.0,
     ) -> Any:
         """Many Duffing oscillators at once, as `Isolator.many`."""
-        from slowflow.designs import designs_of
+        from slowflow.grid import designs_of
 
         values = {"alpha": alpha, "beta": beta, "mu": mu, "zeta": zeta}
         return designs_of(DUFFING, values, {"eta": eta, "c_2": c_2}, THROUGHOUT, excitation, load)

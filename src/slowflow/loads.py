@@ -19,7 +19,7 @@ from slowflow import moves, validate
 from slowflow.answer import Single, Table, Words, joined
 from slowflow.averaged import remarks, solvers, words
 from slowflow.averaged.questions import Averaged
-from slowflow.gradient import Gradient
+from slowflow.gradient import NO_GRADIENT, Gradient
 from slowflow.mechanism import Floats, Law, Mechanism
 from slowflow.model import THROUGHOUT, Model
 from slowflow.results import Remark, of_model
@@ -37,10 +37,6 @@ APART = (
 )
 ISOLATES = "every motion transmits less than the force"
 NEVER = "a motion that transmits more than the force has no end towards high frequencies"
-COMPOSED = (
-    "an answer that is put together from others has no gradient: those of saddle_node_onset, detachment, saddle_nodes, "
-    "peak, amplitudes and isolation have"
-)
 NONE_STABLE = "no motion is stable at Omega = {:g}, F_0 = {:g}"
 #: frequencies looked at, over the highest one at which anything can be transmitted in full
 BEYOND = 1.1
@@ -62,7 +58,7 @@ class Composed:
 
     def gradient(self) -> Gradient:
         """Raises NotAvailable: what it is put together from has gradients."""
-        raise validate.NotAvailable(COMPOSED)
+        raise validate.NotAvailable(NO_GRADIENT)
 
 
 @dataclass(frozen=True, eq=False)

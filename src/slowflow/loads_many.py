@@ -7,30 +7,24 @@ or with other damping than viscous damping and dry friction, is asked design by 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable
 from functools import partial
-from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import loads, progress, validate
-from slowflow.averaged.batches import Batch, Codes, Detachments, Told, first_end
+from slowflow import loads, progress
+from slowflow.averaged.batches import Batch, Codes, first_end
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
 from slowflow.averaged.remarks import gives_way, stay_centred
-from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats
 from slowflow.model import THROUGHOUT
-from slowflow.moves import of_isolation
 from slowflow.results import Remark
+from slowflow.table import AVERAGING, QUESTIONS
 from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import Status
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
 
 Flags = npt.NDArray[np.bool_]
 Ints = npt.NDArray[np.intp]
@@ -40,8 +34,6 @@ LEAST, AMPLITUDES = 1e-4, 128
 #: designs at once, for their amplitudes to stay in the processor's cache, and halvings that leave only rounding
 AT_ONCE, HALVINGS = 1024, 60
 
-#: columns of a load spectrum: all have a place for each row
-OF_ROWS = ("A", "transmissibility_dB", "motions", "crosses", "detaches", "sticks", "status", "remarks")
 #: bands of this share of their frequency may be rounding
 NARROW = 1e-12
 
@@ -49,121 +41,7 @@ NARROW = 1e-12
 FAILED = (Status.NO_BOUND, Status.UNRESOLVED, Status.NO_MEMORY)
 
 
-@dataclass(frozen=True, eq=False)
-class ManyAtRest(loads.Composed, Batch):
-    """`slowflow.loads.AtRest` of each design: NaN where there is no frequency or no stroke; rests_within may be inf."""
-
-    Omega_0: Floats
-    k_0: Floats
-    u_cr: Floats
-    break_loose: Floats
-    rests_within: Floats
-    sticking: Floats
-    status: Codes
-
-
-@dataclass(frozen=True, eq=False)
-class ManyMargins(loads.Composed, Told):
-    """`slowflow.loads.Margins` of each design.
-
-    F_SN, F_cr, of_SN, of_cr -- inf where there is no such forcing, and F_SN NaN where none is the lowest, or which is
-                not known: `onset` tells; F_cr as in `slowflow.loads.Margins`
-    kind     -- of the onset, a number of `slowflow_kernels.conventions.OnsetKind`: no sweep jumps at an isola's birth
-    folds    -- number of folds at F_0
-    detaches, sticks -- 1 where a stable motion passes u_cr, isolated curves included, which may be there below F_cr,
-                and where a mass at rest stays there, whatever the frequency
-    Omega_sticks -- as there
-    onset    -- the status of the onset
-    status   -- that of the folds, or of the onset, the detachment or the peak where one of these is not known
-
-    `remarks` are those of the onset, the detachment and the folds, as of a single answer.
-    """
-
-    F_SN: Floats
-    F_cr: Floats
-    of_SN: Floats
-    of_cr: Floats
-    kind: Codes
-    folds: Codes
-    detaches: Codes
-    sticks: Codes
-    Omega_sticks: Floats
-    onset: Codes
-    status: Codes
-
-
-@dataclass(frozen=True, eq=False)
-class ManyBands(loads.Composed, Told):
-    """`slowflow.loads.Hysteresis` of each design; what is a band's has one more axis, with `places` places.
-
-    Omega_low, Omega_high, motions -- by rising frequency, then NaN and 0
-    count -- how many bands there are, also where they are more than places
-
-    `remarks` are those of the folds, as of a single answer.
-    """
-
-    inner: ClassVar[Mapping[str, str]] = MappingProxyType(
-        dict.fromkeys(("Omega_low", "Omega_high", "motions"), "place")
-    )
-
-    Omega_low: Floats
-    Omega_high: Floats
-    motions: Codes
-    count: Codes
-    status: Codes
-
-
-@dataclass(frozen=True, eq=False)
-class ManyIsolations(Told):
-    """`slowflow.loads.Isolation` of each design.
-
-    Omega, A -- 0 and NaN where every motion transmits less than F_0; NaN where there is no such frequency,
-                `Status.NONE`
-    at_fold -- 1 where a motion that transmits more ends there in a fold
-
-    `remarks` are those of the response, as of a single answer.
-    """
-
-    Omega: Floats
-    A: Floats
-    at_fold: Codes
-    status: Codes
-
-    def gradient(self) -> Gradient:
-        """As of a single `Isolation`, of each design; `.slopes` of shape (..., 2, parameters)."""
-        return of_isolation(self._given(), self.Omega, self.A, np.asarray(self._F_0, dtype=float), self.at_fold == 1)
-
-
-@dataclass(frozen=True, eq=False)
-class ManySpectra(loads.Composed, Told):
-    """`slowflow.loads.Spectrum` of each design; the last axis, of all columns, is that of the rows.
-
-    A, transmissibility_dB, motions, crosses, detaches, sticks -- as there, flags as 0 and 1
-    status -- of each row: `Status.NONE` where no motion is stable, and of what fails that of the states, or of the
-              folds on the way
-
-    `remarks` are those of all states of a row.
-    """
-
-    inner: ClassVar[Mapping[str, str]] = MappingProxyType(dict.fromkeys(OF_ROWS, "row"))
-
-    A: Floats
-    transmissibility_dB: Floats
-    motions: Codes
-    crosses: Codes
-    detaches: Codes
-    sticks: Codes
-    status: Codes
-    _Omega: Any = field(repr=False, kw_only=True)
-
-    def _asked_at(self) -> dict[str, Any]:
-        return {**super()._asked_at(), "Omega": np.asarray(self._Omega)}
-
-    def _axes(self) -> tuple[str, ...]:
-        return (*super()._axes()[:-1], "row")
-
-
-def at_rest(designs: Designs, workers: int = 1) -> ManyAtRest:
+def at_rest(designs: Designs, workers: int = 1) -> Batch:
     """See `slowflow.designs.Designs.at_rest`."""
     allowed, shape = designs.detachment(workers=workers).status != Status.INVALID, designs.shape
     mu = np.asarray(designs.values["mu"], dtype=float)
@@ -182,14 +60,11 @@ def at_rest(designs: Designs, workers: int = 1) -> ManyAtRest:
     u_cr = np.where(np.isfinite(end), end, np.nan)
     columns = {"Omega_0": Omega_0, "k_0": k_0, "u_cr": u_cr, "break_loose": mu}
     columns |= {"rests_within": within, "sticking": np.asarray(slow_flow.friction(mu))}
-    return ManyAtRest(
-        **{name: np.where(allowed, np.broadcast_to(value, shape), np.nan) for name, value in columns.items()},
-        status=np.where(allowed, Status.OK, Status.INVALID).astype(np.int8),
-        _designs=designs,
-    )
+    found = {name: np.where(allowed, np.broadcast_to(value, shape), np.nan) for name, value in columns.items()}
+    return Batch("at_rest", found | {"status": np.where(allowed, Status.OK, Status.INVALID).astype(np.int8)}, designs)
 
 
-def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
+def margins(designs: Designs, F_0: Any, workers: int = 1) -> Batch:
     """See `slowflow.designs.Designs.margins`."""
     folds, peaks = designs.saddle_nodes(F_0, workers=workers), designs.peak(F_0, workers=workers)
     onsets, detachments = designs.saddle_node_onset(workers=workers), designs.detachment(workers=workers)
@@ -224,18 +99,18 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> ManyMargins:
         name: np.where(allowed, np.broadcast_to(values, shape), np.nan) for name, values in columns.items()
     }
     known |= {name: np.where(allowed, np.broadcast_to(code, shape), 0).astype(np.int8) for name, code in codes.items()}
-    return ManyMargins(
-        **known,
-        folds=folds.count,
-        onset=np.broadcast_to(onsets.status, shape).copy(),
-        status=status.astype(np.int8),
-        _designs=designs,
-        _F_0=F_0,
-        _said=np.where(allowed, folds.remarks | onsets.remarks | detachments.remarks, np.uint16(0)),
-    )
+    known |= {"folds": folds.count, "onset": np.broadcast_to(onsets.status, shape).copy()}
+    said = np.where(allowed, folds.remarks | onsets.remarks | detachments.remarks, np.uint16(0))
+    return _batch("margins", known | {"status": status.astype(np.int8)}, designs, said, F_0=F_0)
 
 
-def lifting(designs: Designs, detachments: Detachments) -> Floats:
+def _batch(question: str, columns: dict[str, Any], designs: Designs, said: Any, **asked: Any) -> Batch:
+    """An answer from its columns in any order, with the remarks of those that it is made of."""
+    values = {name: columns[name] for name in QUESTIONS[question].columns[AVERAGING]}
+    return Batch(question, values, designs, asked, remarks=said)
+
+
+def lifting(designs: Designs, detachments: Batch) -> Floats:
     """F_cr of each design, inf where there is none, and where it is only tended to as Omega rises the limit.
 
     That is u_cr, and more with quadratic damping, under which the amplitude tends to less than F_0.
@@ -259,9 +134,8 @@ def _quadratic(designs: Designs) -> Floats:
     return np.asarray(dissipation.quadratic(np.asarray(designs.values.get("c_2", 0.0), dtype=float)))
 
 
-def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) -> ManyBands:
+def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) -> Batch:
     """See `slowflow.designs.Designs.hysteresis`."""
-    places = validate.count("places", places, least=1)
     folds = designs.saddle_nodes(F_0, workers=workers)
     shape = folds.status.shape
     low, high = (np.full((*shape, places), np.nan) for _ in range(2))
@@ -289,10 +163,11 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
         low[at][:n], high[at][:n] = found.Omega_low[:n], found.Omega_high[:n]
         motions[at][:n] = found.motions[:n]
     status[(count > places) & (status == Status.OK)] = Status.TOO_MANY
-    return ManyBands(low, high, motions, count, status, _designs=designs, _F_0=F_0, _said=folds.remarks)
+    columns = {"Omega_low": low, "Omega_high": high, "motions": motions, "count": count, "status": status}
+    return _batch("hysteresis", columns, designs, folds.remarks, F_0=F_0)
 
 
-def isolation(designs: Designs, F_0: Any, workers: int = 1) -> ManyIsolations:
+def isolation(designs: Designs, F_0: Any, workers: int = 1) -> Batch:
     """See `slowflow.designs.Designs.isolation`.
 
     The states that transmit the whole force are the zeros of one function of A, see `loads.isolation`; the last of them
@@ -331,11 +206,11 @@ def isolation(designs: Designs, F_0: Any, workers: int = 1) -> ManyIsolations:
             Omega[at], at_fold[at] = one.Omega, one.at_fold
             A[at] = np.nan if one.A is None else one.A
     said = np.where(np.isin(status, (Status.OK, Status.NONE)), said, np.uint16(0))
-    beside: dict[str, Any] = {"_designs": designs, "_F_0": F_0, "_said": said, "_averaged": True}
-    return ManyIsolations(Omega=Omega, A=A, at_fold=at_fold, status=status, **beside)
+    found = {"Omega": Omega, "A": A, "at_fold": at_fold, "status": status}
+    return _batch("isolation", found, designs, said, F_0=F_0)
 
 
-def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> ManySpectra:
+def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> Batch:
     """See `slowflow.designs.Designs.spectrum`."""
     rows = Designs(
         designs.mechanism,
@@ -361,15 +236,9 @@ def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> ManySp
     status = np.where(sticks & known, Status.STICKS, np.where((status == Status.OK) & ~moves, Status.NONE, status))
     flags = {"motions": ((states.stable == 1) & (states.A > 0)).sum(axis=-1), "crosses": crosses}
     flags |= {"detaches": detaches, "sticks": sticks, "status": status}
-    return ManySpectra(
-        A=np.where(A >= 0, A, np.nan),
-        transmissibility_dB=dB,
-        **{name: value.astype(np.int8) for name, value in flags.items()},
-        _designs=rows,
-        _F_0=F_0,
-        _Omega=Omega,
-        _said=states.remarks,
-    )
+    columns = {"A": np.where(A >= 0, A, np.nan), "transmissibility_dB": dB}
+    columns |= {name: value.astype(np.int8) for name, value in flags.items()}
+    return _batch("spectrum", columns, rows, states.remarks, F_0=F_0, Omega=Omega)
 
 
 def _crossed(rows: Designs, Omega: Floats, F_0: Floats, status: Codes, workers: int) -> tuple[Flags, Codes]:

@@ -577,7 +577,7 @@ class Oscillator(Unchanging, Averaged):
         Raises ValueError for what is no real array and for shapes that do not broadcast, TypeError for a name that is
         missing or unknown, and nothing for a single design: each answer has a status.
         """
-        from slowflow.designs import designs_of
+        from slowflow.grid import designs_of
 
         values, laws = {**design, "mu": mu, "zeta": zeta}, {"eta": eta, "c_2": c_2}
         return designs_of(mechanism, values, laws, rubs, excitation, load)

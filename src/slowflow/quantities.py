@@ -22,6 +22,7 @@ import numpy as np
 from slowflow import physical_moves, validate
 from slowflow.answer import PLAIN, Answer, Table, in_text, plain
 from slowflow.gradient import Gradient
+from slowflow.table import COLUMNS
 from slowflow_kernels.scaling import AMPLITUDES as AMPLITUDE_SCALES
 from slowflow_kernels.scaling import SCALES
 from slowflow_support.errors import Refused, WrongType
@@ -46,38 +47,7 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
 )
 #: those in which answers are shown, one of each kind
 USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "rad", "kg", "kg m", "N s^2/m^2")
-#: of which kind the numbers of an answer are, and what they are called with a unit
-KINDS: Mapping[str, tuple[str, str]] = MappingProxyType(
-    {
-        **{name: (name, "length") for name in ("A", "A_1", "A_max", "B", "doubt")},
-        "u_max": ("x_max", "length"),
-        "load": ("load", "mass"),
-        "u_cr": ("x_cr", "length"),
-        "u": ("x", "length"),
-        "v": ("v", "speed"),
-        "u_end": ("x_end", "length"),
-        **{name: (name, "acceleration") for name in ("a", "base", "a_max", "acceleration")},
-        "tau": ("t", "time"),
-        **{f"tau_{name}": (f"t_{name}", "time") for name in ("A", "a", "detaches")},
-        "duration": ("duration", "time"),
-        "Omega": ("f", "frequency"),
-        "Omega_low": ("f_low", "frequency"),
-        "Omega_high": ("f_high", "frequency"),
-        "Omega_cr": ("f_cr", "frequency"),
-        "Omega_max": ("f_max", "frequency"),
-        "Omega_undecided": ("f_undecided", "frequency"),
-        "Omega_0": ("f_0", "frequency"),
-        "Omega_sticks": ("f_sticks", "frequency"),
-        **{name: (name, "stiffness") for name in ("k_0", "stiffness")},
-        "rests_within": ("rests_within", "length"),
-        **{name: (name, "force") for name in ("break_loose", "sticking", "force")},
-        "jumps": ("jumps", "frequency"),
-        "period": ("period", "time"),
-        "phi": ("phi", "angle"),
-    }
-)
 #: amplitudes of the excitation: what is called F_0 without dimensions is F, Y or U, of this kind, and this to pint
-AMPLITUDES = ("F_0", "F_SN", "F_cr")
 EXCITED: Mapping[str, tuple[str, str, str]] = MappingProxyType(
     {
         "force": ("F", "force", "newton"),
@@ -489,8 +459,9 @@ class Scales:
 
     def kind(self, name: str) -> tuple[str, str]:
         """What a dimensionless number is called with a unit, and of which kind it is; "" for none."""
-        if name not in AMPLITUDES:
-            return KINDS.get(name, (name, ""))
+        column = COLUMNS.get(name)
+        if column is None or column.kind != "amplitude":
+            return (name, "") if column is None else (column.si or name, column.kind)
         letter, kind, _ = EXCITED[self.excitation]
         return letter if name == "F_0" else letter + name[1:], kind
 

@@ -16,6 +16,7 @@ import numpy as np
 from slowflow.averaged import solvers
 from slowflow.averaged.proofs import Allowance
 from slowflow.results import Remark
+from slowflow.table import AVERAGING, COLUMNS, MORE_POINTS, QUESTIONS
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 
 One = Callable[..., tuple[Any, ...]]
@@ -92,14 +93,9 @@ def _peak(oscillator: Any, F_0: float, _: int) -> tuple[Any, ...]:
     return found.A, found.Omega, Status.OK
 
 
-#: points of a batch's curves beyond the samples: one for each piece that folds, peaks and corners cut a curve into, and
-#: one for each curve
-MORE_POINTS = 64
-
-
 def curves(samples: int, window: tuple[float, float]) -> Question:
     """The question about response curves of so many samples in a window of Omega."""
-    n = samples + MORE_POINTS
+    n = samples + MORE_POINTS[AVERAGING]
 
     def one(oscillator: Any, F_0: float, places: int) -> tuple[Any, ...]:
         found = oscillator and oscillator.curve(F_0, samples=samples, Omega=window, allowance=Allowance(0))
@@ -122,8 +118,18 @@ def curves(samples: int, window: tuple[float, float]) -> Question:
 
         return of_record
 
-    points = [*[((n,), float)] * 2, ((n,), np.int8), ((n,), np.int16), ((n,), np.int8), ((), np.intc)]
-    return Question(one, lambda k: [*points, *SADDLE_NODES.outputs(k)], batch, min(2**12, max(1, 2**22 // n)))
+    return Question(one, outputs("frequency_response", points=n), batch, min(2**12, max(1, 2**22 // n)))
+
+
+def outputs(question: str, system: str = AVERAGING, points: int = 0) -> Callable[[int], list[tuple[Any, ...]]]:
+    """From the number of places the shape behind the designs' and the type of each column of an answer."""
+
+    def of(places: int) -> list[tuple[Any, ...]]:
+        lengths = {"place": (places,), "point": (points,), "": ()}
+        layout = QUESTIONS[question].columns[system].items()
+        return [(lengths[axis], COLUMNS[name].type) for name, axis in layout]
+
+    return of
 
 
 #: count, whether it is proved, status, without the compiled solvers
@@ -154,47 +160,47 @@ class Question:
 
 DETACHMENT = Question(
     _detachment,
-    lambda _: [*[((), float)] * 3, ((), np.int8)],
+    outputs("detachment"),
     lambda native: native.many_detachment,
     2**18,
 )
 ONSET = Question(
     _onset,
-    lambda _: [*[((), float)] * 3, *[((), np.int8)] * 3],
+    outputs("saddle_node_onset"),
     lambda native: native.many_onset,
     2**14,
     abreast=lambda columns: columns.onset,
 )
 SADDLE_NODES = Question(
     _saddle_nodes,
-    lambda k: [*[((k,), float)] * 2, ((k,), np.int8), *[((), np.int8)] * 3],
+    outputs("saddle_nodes"),
     lambda native: native.many_saddle_nodes,
     2**12,
     abreast=lambda columns: columns.saddle_nodes,
 )
 AMPLITUDES = Question(
     _amplitudes,
-    lambda k: [((k,), float), ((k,), np.int8), *[((), np.int8)] * 3],
+    outputs("amplitudes"),
     lambda native: native.many_amplitudes,
     2**11,
     abreast=lambda columns: columns.amplitudes,
 )
 PEAK = Question(
     _peak,
-    lambda _: [*[((), float)] * 2, ((), np.int8)],
+    outputs("peak"),
     lambda native: native.many_peak,
     2**13,
     abreast=lambda columns: columns.peak,
 )
 PROVED_FOLDS = Question(
     None,
-    lambda _: [*[((), np.int8)] * 2, ((), np.int16), ((), np.int8)],
+    outputs("certify"),
     lambda native: native.many_proved_saddle_nodes,
     2**10,
 )
 PROVED_STATES = Question(
     None,
-    lambda _: [*[((), np.int8)] * 2, ((), np.int16), ((), np.int8)],
+    outputs("certify"),
     lambda native: native.many_proved_amplitudes,
     2**10,
 )

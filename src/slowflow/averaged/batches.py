@@ -1,17 +1,16 @@
-"""What many designs at once are answered with: in go columns, out come these with their remarks, gradients and tables.
+"""What many designs at once are answered with: columns by the table of questions, remarks, gradients and tables.
 
 A design that has no answer, or is none, has NaN and nothing was raised for it: `status` says why, by the numbers of
-`slowflow_kernels.conventions.Status`, 0 for an answer. The questions are those of `slowflow.averaged.many`.
+`slowflow_kernels.conventions.Status`, 0 for an answer. The questions are those of `slowflow.table`.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from collections.abc import Callable, Mapping
 from functools import cached_property
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -19,11 +18,12 @@ import numpy.typing as npt
 from slowflow import validate
 from slowflow.answer import Answer, frozen, optional
 from slowflow.averaged import remarks
-from slowflow.gradient import Gradient
+from slowflow.gradient import NO_GRADIENT, Gradient
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, Floats, at_rest
-from slowflow.moves import Given, of_detachment, of_folds, of_onset, of_peak, of_states
-from slowflow.results import NOT_AVERAGED, InDecibels, Remark
+from slowflow.moves import Given, of_detachment, of_folds, of_isolation, of_onset, of_peak, of_states
+from slowflow.results import NOT_AVERAGED, Remark
+from slowflow.table import AVERAGING, QUESTIONS, Question
 from slowflow.transmitted import in_motion
 from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
@@ -31,45 +31,136 @@ from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_support.errors import Refused
 
 Codes = npt.NDArray[np.int8]
+Flags = npt.NDArray[np.bool_]
 
 
-#: of which type a column is, by its annotation
-TYPES: dict[str, Any] = {"Floats": float, "Codes": np.int8}
-TYPES |= {"npt.NDArray[np.int16]": np.int16, "npt.NDArray[np.intc]": np.intc}
-
-
-class Column(NamedTuple):
-    """A column of an answer: the axes that it has behind those of the designs, and its type."""
-
-    inner: tuple[str, ...]
-    kind: np.dtype[Any]
-
-
-@dataclass(frozen=True, eq=False)
 class Batch(Answer):
-    """What all answers to a batch share: `remarks`, computed when first asked for.
+    """The answer to one question about many designs: its columns, read by name, each of the designs' shape.
 
-    inner -- which columns have one more axis behind those of the designs, and what that is called
+    question, system -- the row of the table, and by what it is answered
+    asked            -- what was asked at beside the designs, by name
+    remarks          -- sums of `slowflow.results.Remark`, as a single answer has them; computed when first asked for
 
-    _designs  -- the `slowflow.averaged.many.Designs` that they are answers for
-    _averaged -- whether they are answers of averaging, whose gradients are known
+    Columns that have an axis behind those of the designs, of places, points or rows, are NaN and 0 behind the last one.
     """
 
-    inner: ClassVar[Mapping[str, str]] = MappingProxyType({})
-
-    if TYPE_CHECKING:  # each has it as its last column
+    if TYPE_CHECKING:  # which of these an answer has, its row tells
+        F_SN: Floats
+        F_cr: Floats
+        Omega: Floats
+        Omega_cr: Floats
+        Omega_max: Floats
+        Omega_low: Floats
+        Omega_high: Floats
+        Omega_0: Floats
+        Omega_sticks: Floats
+        A: Floats
+        A_1: Floats
+        B: Floats
+        u: Floats
+        u_max: Floats
+        u_cr: Floats
+        u_end: Floats
+        rests_within: Floats
+        a_max: Floats
+        tau_A: Floats
+        tau_a: Floats
+        tau_detaches: Floats
+        k_0: Floats
+        stiffness: Floats
+        break_loose: Floats
+        sticking: Floats
+        of_SN: Floats
+        of_cr: Floats
+        ratio: Floats
+        fold_Omega: Floats
+        fold_A: Floats
+        kind: Codes
+        fold_kind: Codes
+        stable: Codes
+        at_rest: Codes
+        onset: Codes
+        folds: Codes
+        motions: Codes
+        crosses: Codes
+        detaches: Codes
+        sticks: Codes
+        rests: Codes
+        stands: Codes
+        at_fold: Codes
+        isola: Codes
+        count: Codes
+        proved: Codes
+        undecided: Codes
         status: Codes
-    _designs: Any = field(repr=False, kw_only=True)
-    _F_0: Any = field(repr=False, kw_only=True, default=np.nan)
-    _averaged: Any = field(repr=False, kw_only=True, default=False)
+        branch: npt.NDArray[np.int16]
+        bits: npt.NDArray[np.int16]
+        points: npt.NDArray[np.intc]
 
-    @classmethod
-    def layout(cls) -> dict[str, Column]:
-        """What each column is, by name; remarks last."""
-        kinds = {field.name: TYPES[str(field.type)] for field in fields(cls) if field.repr}
-        kinds["remarks"] = np.uint16
-        axes = {name: (cls.inner[name],) if name in cls.inner else () for name in kinds}
-        return {name: Column(axes[name], np.dtype(kind)) for name, kind in kinds.items()}
+    question: Question
+    system: str
+    asked: Mapping[str, Any]
+    _values: Mapping[str, npt.NDArray[Any]]
+    _designs: Any
+    _beside: Mapping[str, Any]
+
+    def __init__(
+        self,
+        question: str,
+        values: Mapping[str, npt.NDArray[Any]],
+        designs: Any,
+        asked: Mapping[str, Any] = MappingProxyType({}),
+        system: str = AVERAGING,
+        **beside: Any,
+    ) -> None:
+        """An answer; `beside` may hold
+
+        remarks  -- those of answers that are made of others, or of single ones
+        by_balls -- which designs balls decided
+        escapes  -- of peaks, which have none because the response goes on beyond a well
+        """
+        row = QUESTIONS[question]
+        assert tuple(values) == tuple(row.columns[system]), (tuple(values), question)
+        self.__dict__.update(question=row, system=system, asked=MappingProxyType(dict(asked)))
+        self.__dict__.update(_values=MappingProxyType(dict(values)), _designs=designs, _beside=beside)
+        for value in values.values():
+            value.setflags(write=False)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"an answer does not change: {name!r} cannot be set")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        own = self.question.name, dict(self._values), self._designs, dict(self.asked), self.system, self._beside
+        return _again, (type(self), *own)
+
+    def __getattr__(self, name: str) -> Any:
+        values = self.__dict__.get("_values", {})  # not there yet while it is made
+        if name not in values:
+            raise validate.NoAttribute(f"{name!r} is no column of this answer: it has {', '.join(values)}")
+        return values[name]
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._values]
+
+    def __repr__(self) -> str:
+        columns = ", ".join(f"{name}={value!r}" for name, value in self._values.items())
+        return f"{type(self).__name__}({self.question.name!r}, {columns})"
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, Batch) and (self.question, self.system) != (other.question, other.system):
+            return False
+        return super().__eq__(other)
+
+    def __hash__(self) -> int:
+        return super().__hash__()
+
+    def _content(self) -> dict[str, Any]:
+        return dict(self._values)
+
+    @property
+    def inner(self) -> Mapping[str, str]:
+        """Which columns have one more axis behind those of the designs, and what that is called."""
+        return {name: axis for name, axis in self.question.columns[self.system].items() if axis}
 
     def plot_map(self, x: str, y: str, of: str, ax: Any = None) -> Any:
         """Draw a number of each design over two parameters into Matplotlib axes, or new ones, and return these.
@@ -82,27 +173,71 @@ class Batch(Answer):
         """
         from slowflow import pictures
 
-        numbers = [name for name, value in vars(self).items() if not name.startswith("_") and value.dtype == float]
+        numbers = [name for name, value in self._values.items() if value.dtype == float]
         values = np.asarray(getattr(self, validate.choice("of", of, tuple(numbers))))
         return pictures.design_map(ax, *self._designs.spanned(x, y, of, values, self._asked_at()))
 
-    def _whose(self) -> Given:
-        """Whose answers these are."""
-        designs = self._designs
-        names = [one.name for one in (*DAMPING, *(DISSIPATION if designs.laws else ()))]
-        damping = (np.asarray(designs.values.get(name, 0.0), dtype=float) for name in names)
-        rubs = designs.rubs if designs.laws else None
-        return Given(designs.mechanism, (*designs.design, *damping), designs.excitation, rubs)
-
-    def _given(self) -> Given:
-        """The same for gradients. Raises ValueError for answers of another approximation."""
-        if not self._averaged:
-            raise Refused(NOT_AVERAGED)
-        return self._whose()
+    # ---- tables
 
     def _asked_at(self) -> dict[str, Any]:
-        """What was asked for beside the designs, by name."""
-        return {} if np.isnan(self._F_0).all() else {"F_0": np.asarray(self._F_0)}
+        return {name: np.asarray(value) for name, value in self.asked.items()}
+
+    @property
+    def has_rows(self) -> bool:
+        """True."""
+        return True
+
+    def columns(self) -> dict[str, Any]:
+        """A row for each design, in the order of the flattened arrays: its numbers, then the answer's.
+
+        What has several places becomes a column for each, as Omega_0. Of curves a row for each point of each design;
+        their folds are columns of `saddle_nodes`.
+        """
+        shape = self.status.shape
+        given = {**self._designs.values, **self._asked_at()}
+        if "point" in self.inner.values():
+            here = ~np.isnan(self.A)
+            several = {name: np.asarray(value)[..., np.newaxis] for name, value in given.items()}
+            found = {name: np.broadcast_to(value, self.A.shape)[here] for name, value in several.items()}
+            return found | {name: self._values[name][here] for name, axis in self.inner.items() if axis == "point"}
+        found = {name: np.broadcast_to(value, shape).ravel() for name, value in given.items()}
+        for name, value in self._values.items():
+            if value.ndim == len(shape):
+                found[name] = value.ravel()
+            else:
+                found |= {f"{name}_{k}": place.ravel() for k, place in enumerate(np.moveaxis(value, -1, 0))}
+        return found
+
+    def to_xarray(self) -> Any:
+        """A Dataset along the designs' own dimensions, "design_0" and so on; their numbers, F_0, Omega as coordinates.
+
+        Several places of an answer are a dimension more. Each has its units, all dimensionless: "1". Raises ImportError
+        without xarray.
+        """
+        xarray = optional("xarray", "to_xarray")
+        shape = self.status.shape
+        designs = tuple(f"design_{k}" for k in range(len(shape)))
+        if "row" in self.inner.values():
+            designs = (*designs[:-1], "row")
+        numbers = {**self._designs.values, **self._asked_at()}
+        units = {"units": "1"}
+        given = {name: (designs, np.broadcast_to(value, shape), units) for name, value in numbers.items()}
+        found = {
+            name: ((*designs, self.inner[name]) if value.ndim > len(shape) else designs, value, units)
+            for name, value in self._values.items()
+        }
+        return xarray.Dataset(found, coords=given, attrs={"mechanism": self._designs.mechanism.name})
+
+    def about(self) -> dict[str, Any]:
+        """The mechanism, the shape of the designs, and where friction acts if not throughout."""
+        said = {} if self._designs.rubs == THROUGHOUT else {"rubs": self._designs.rubs}
+        return {"mechanism": self._designs.mechanism.name, "shape": self.status.shape, **said}
+
+    # ---- what follows from the columns
+
+    @property
+    def _F_0(self) -> Any:
+        return self.asked.get("F_0", np.nan)
 
     @property
     def _forcing(self) -> Floats:
@@ -113,61 +248,37 @@ class Batch(Answer):
         """Amplitude of the force at these frequencies, which have the axis of places."""
         return self._forcing if self._designs.excitation == "force" else inertia.force(Omega, self._forcing)
 
-    def _found(self) -> tuple[Any, Any, Any]:
-        """Omega and A of each design's states along one more axis, NaN for none, and of folds which are on a corner.
+    @property
+    def _frequency(self) -> Floats:
+        """Of each state or point."""
+        if self.question.name == "amplitudes":
+            return np.asarray(self.asked["Omega"], dtype=float)[..., np.newaxis]
+        return self.Omega
 
-        No states at all, but for those that say so, and None in the place of corners but for folds.
-        """
-        none = np.full((*self.status.shape, 1), np.nan)
-        return none, none, None
+    @cached_property
+    def remarks(self) -> remarks.Codes:
+        """What to bear in mind with each design's answer, sums of `slowflow.results.Remark`, as a single one has it."""
+        if (known := self._beside.get("remarks")) is not None:
+            return frozen(known)
+        found = np.where(self._has_remarks, self._designs.remarks(self._F_0, *_states(self)), np.uint16(0))
+        for flags, remark in self._more_remarks():
+            found = found | np.where(flags, np.uint16(remark), np.uint16(0))
+        return frozen(found)
+
+    def _more_remarks(self) -> Any:
+        """What is said of the answer to this question beside the states in it."""
+        escapes = self._beside.get("escapes", False)
+        if self.question.name == "peak":
+            yield (self._has_remarks & self._designs.give_way) | escapes, Remark.BEYOND_WELL
+        if "at_rest" in self._values:
+            yield self.at_rest, Remark.FOLDS_AT_REST
+        yield self._beside.get("by_balls", False), Remark.BY_BALLS
+        if "undecided" in self._values:
+            yield self.undecided, Remark.UNDECIDED
+            yield self._has_remarks & self._may_be_cut & self._are_cut, Remark.CUT
 
     @property
-    def has_rows(self) -> bool:
-        """True."""
-        return True
-
-    def columns(self) -> dict[str, Any]:
-        """A row for each design, in the order of the flattened arrays: its numbers, then the answer's.
-
-        What has several places becomes a column for each, as Omega_0.
-        """
-        shape = self.status.shape
-        given = {**self._designs.values, **self._asked_at()}
-        found = {name: np.broadcast_to(value, shape).ravel() for name, value in given.items()}
-        for name, value in self._content().items():
-            several = value.ndim > len(shape)
-            places = np.moveaxis(value, -1, 0) if several else [value]
-            found |= {f"{name}_{k}" if several else name: place.ravel() for k, place in enumerate(places)}
-        return found
-
-    def _axes(self) -> tuple[str, ...]:
-        """Names of the designs' dimensions."""
-        return tuple(f"design_{k}" for k in range(self.status.ndim))
-
-    def to_xarray(self) -> Any:
-        """A Dataset along the designs' own dimensions, "design_0" and so on; their numbers, F_0, Omega as coordinates.
-
-        Several places of an answer are a dimension more. Each has its units, all dimensionless: "1". Raises ImportError
-        without xarray.
-        """
-        xarray = optional("xarray", "to_xarray")
-        shape, designs = self.status.shape, self._axes()
-        asked = {**self._designs.values, **self._asked_at()}
-        units = {"units": "1"}
-        given = {name: (designs, np.broadcast_to(value, shape), units) for name, value in asked.items()}
-        found = {
-            name: ((*designs, self.inner[name]) if value.ndim > len(shape) else designs, value, units)
-            for name, value in self._content().items()
-        }
-        return xarray.Dataset(found, coords=given, attrs={"mechanism": self._designs.mechanism.name})
-
-    def about(self) -> dict[str, Any]:
-        """The mechanism, the shape of the designs, and where friction acts if not throughout."""
-        said = {} if self._designs.rubs == THROUGHOUT else {"rubs": self._designs.rubs}
-        return {"mechanism": self._designs.mechanism.name, "shape": self.status.shape, **said}
-
-    @property
-    def _has_remarks(self) -> npt.NDArray[np.bool_]:
+    def _has_remarks(self) -> Flags:
         """Of which designs there is anything to say: of a force that does not move the mass there is not."""
         designs = self._designs
         moves = designs.excitation != "force" or getattr(designs, "rubs", THROUGHOUT) != THROUGHOUT
@@ -175,92 +286,6 @@ class Batch(Answer):
         with np.errstate(over="ignore"):  # infinite friction holds all
             held = moves | (np.asarray(self._F_0) > slow_flow.friction(np.asarray(designs.values["mu"])))
         return np.asarray((self.status != Status.INVALID) & ((self.status != Status.STICKS) | held))
-
-    @cached_property
-    def remarks(self) -> remarks.Codes:
-        """What to bear in mind with each design's answer, sums of `slowflow.results.Remark`, as a single one has it."""
-        return frozen(np.where(self._has_remarks, self._designs.remarks(self._F_0, *self._found()), np.uint16(0)))
-
-
-@dataclass(frozen=True, eq=False)
-class Told(Batch):
-    """Answers that are made of others, or of single ones, and have their remarks from these."""
-
-    _said: remarks.Codes = field(repr=False, kw_only=True)
-
-    @cached_property
-    def remarks(self) -> remarks.Codes:
-        """Sums of `slowflow.results.Remark`, as a single answer has them."""
-        return frozen(self._said)
-
-
-@dataclass(frozen=True, eq=False)
-class Detachments(Batch):
-    """The lowest forcing that reaches u_cr, its frequency, and u_cr, for each design (34)."""
-
-    F_cr: Floats
-    Omega_cr: Floats
-    u_cr: Floats
-    status: Codes
-
-    def _found(self) -> tuple[Any, Any, Any]:
-        return self.Omega_cr[..., np.newaxis], self.u_cr[..., np.newaxis], None
-
-    def gradient(self) -> Gradient:
-        """As of a single `Detachment`, of each design; `.slopes` of shape (..., 3, parameters)."""
-        return of_detachment(self._given(), self.F_cr, self.Omega_cr, self.u_cr)
-
-
-@dataclass(frozen=True, eq=False)
-class Onsets(Batch):
-    """The lowest forcing that has a fold, for each design (33).
-
-    kind    -- a number of `slowflow_kernels.conventions.OnsetKind`: a cusp, an isola's birth, on a breakpoint
-    at_rest -- 1 where there are folds below it, or without it, that end at Omega = 0
-    """
-
-    F_SN: Floats
-    Omega: Floats
-    A: Floats
-    kind: Codes
-    at_rest: Codes
-    status: Codes
-    _by_balls: Any = field(repr=False, kw_only=True, default=False)
-
-    @cached_property
-    def remarks(self) -> remarks.Codes:
-        """As of all batches, `Remark.FOLDS_AT_REST` and `Remark.BY_BALLS`."""
-        at_rest = np.where(self.at_rest, np.uint16(Remark.FOLDS_AT_REST), np.uint16(0))
-        by_balls = np.where(self._by_balls, np.uint16(Remark.BY_BALLS), np.uint16(0))
-        return frozen(super().remarks | at_rest | by_balls)
-
-    @cached_property
-    def untruncated(self) -> Floats:
-        """F_SN of the untruncated force where the onset is on a corner that only the truncation makes; NaN elsewhere.
-
-        NaN there too if it has none. Computed when first asked for.
-        """
-        return frozen(self._designs.untruncated_onset((self.remarks & Remark.OF_TRUNCATION) != 0))
-
-    def _found(self) -> tuple[Any, Any, Any]:
-        return (
-            self.Omega[..., np.newaxis],
-            self.A[..., np.newaxis],
-            (self.kind == OnsetKind.CORNER)[..., np.newaxis],
-        )
-
-    def gradient(self) -> Gradient:
-        """As of a single `SaddleNodeOnset`, of each design; `.slopes` of shape (..., 3, parameters)."""
-        return of_onset(self._given(), self.F_SN, self.Omega, self.A, self.kind)
-
-
-@dataclass(frozen=True, eq=False)
-class Counted(Batch):
-    """What answers share whose number rounding may decide."""
-
-    if TYPE_CHECKING:  # each has it as a column
-        undecided: Codes
-    _by_balls: Any = field(repr=False, kw_only=True, default=False)
 
     @property
     def _are_cut(self) -> Any:
@@ -272,137 +297,85 @@ class Counted(Batch):
             return undamped
         # what does not close has no peak, as what passes the top of a well has none
         peaks = designs.peak(self._F_0)
-        return undamped | ((peaks.status == Status.UNBOUNDED) & ~peaks._escapes)
+        return undamped | ((peaks.status == Status.UNBOUNDED) & ~peaks._beside["escapes"])
 
     @property
     def _may_be_cut(self) -> Any:
         """Whether what lies beyond a cut would be part of the answer."""
-        return True
-
-    @cached_property
-    def remarks(self) -> remarks.Codes:
-        """As of all batches, `Remark.UNDECIDED`, `Remark.BY_BALLS` and `Remark.CUT`."""
-        undecided = np.where(self.undecided, np.uint16(Remark.UNDECIDED), np.uint16(0))
-        cut = np.where(self._has_remarks & self._may_be_cut & self._are_cut, np.uint16(Remark.CUT), np.uint16(0))
-        by_balls = np.where(self._by_balls, np.uint16(Remark.BY_BALLS), np.uint16(0))
-        return frozen(super().remarks | undecided | by_balls | cut)
-
-
-@dataclass(frozen=True, eq=False)
-class AtFrequency(Counted):
-    """What answers share that were asked for at one frequency of each design."""
-
-    if TYPE_CHECKING:
-        A: Floats
-    _Omega: Any = field(repr=False, kw_only=True)
-
-    def _asked_at(self) -> dict[str, Any]:
-        return {**super()._asked_at(), "Omega": np.asarray(self._Omega)}
-
-    @property
-    def _frequency(self) -> Floats:
-        """Along the axis of places."""
-        return np.asarray(self._Omega, dtype=float)[..., np.newaxis]
-
-    def _found(self) -> tuple[Any, Any, Any]:
-        return self._frequency, self.A, None
-
-
-@dataclass(frozen=True, eq=False)
-class AlongCurves(Counted):
-    """What answers share that have points along a curve of each design."""
-
-    if TYPE_CHECKING:
-        Omega: Floats
-        A: Floats
-
-    @property
-    def _frequency(self) -> Floats:
-        """Of each point."""
-        return self.Omega
-
-    def _found(self) -> tuple[Any, Any, Any]:
-        return self.Omega, self.A, None
-
-    def columns(self) -> dict[str, Any]:
-        """A row for each point of each design, in the order of the flattened arrays: the design's numbers, the point's.
-
-        The folds are columns of `saddle_nodes`.
-        """
-        here = ~np.isnan(self.A)
-        given = {**self._designs.values, **self._asked_at()}
-        several = {name: np.asarray(value)[..., np.newaxis] for name, value in given.items()}
-        found = {name: np.broadcast_to(value, self.A.shape)[here] for name, value in several.items()}
-        return found | {name: value[here] for name, value in self._content().items() if self.inner.get(name) == "point"}
-
-
-@dataclass(frozen=True, eq=False)
-class Folds(Counted):
-    """The folds at one forcing, for each design; Omega, A and kind have one more axis, with `places` places.
-
-    Omega, A -- by rising Omega, then NaN
-    kind     -- a number of `slowflow_kernels.conventions.FoldKind`: where a sweep goes that leaves the fold, and
-                whether it sits on a corner at a breakpoint; 0 is an empty place
-    count    -- how many folds there are, also where they are more than places
-    undecided -- 1 where neither doubles nor balls tell whether there is another pair, or where one lies
-    """
-
-    inner: ClassVar[Mapping[str, str]] = MappingProxyType(dict.fromkeys(("Omega", "A", "kind"), "place"))
-
-    Omega: Floats
-    A: Floats
-    kind: Codes
-    count: Codes
-    undecided: Codes
-    status: Codes
-
-    def _found(self) -> tuple[Any, Any, Any]:
-        return self.Omega, self.A, self._corner
-
-    @property
-    def _may_be_cut(self) -> Any:
+        if self.question.name != "saddle_nodes":
+            return True
         return (self.count > 0) | (self.undecided != 0) | (self._designs.excitation != "force")
 
-    @property
-    def _corner(self) -> Any:
-        return self.kind >= FoldKind.JUMP_UP_AT_CORNER
-
     def gradient(self) -> Gradient:
-        """As of single `SaddleNodes`, of each design; `.slopes` of shape (..., places, 2, parameters)."""
-        return of_folds(self._given().with_places(), self.Omega, self.A, self._forcing, self._corner)
+        """How the numbers of each design's answer move with the parameters, exactly, as of a single answer.
 
+        `.slopes` of shape (..., numbers, parameters), behind the shape of the columns. Raises ValueError for what is no
+        averaged answer, and for one that is put together from others.
+        """
+        if (of := GRADIENTS.get(self.question.name)) is None:
+            raise validate.NotAvailable(NO_GRADIENT)
+        if self.system != AVERAGING:
+            raise Refused(NOT_AVERAGED)
+        return of(self, self._whose())
 
-class Passing(InDecibels):
-    """What states and points of curves share: phase, and what is passed on."""
+    def _whose(self) -> Given:
+        """Whose answers these are."""
+        designs = self._designs
+        names = [one.name for one in (*DAMPING, *(DISSIPATION if designs.laws else ()))]
+        damping = (np.asarray(designs.values.get(name, 0.0), dtype=float) for name in names)
+        rubs = designs.rubs if designs.laws else None
+        return Given(designs.mechanism, (*designs.design, *damping), designs.excitation, rubs)
 
-    if TYPE_CHECKING:
-        A: Floats
-        _forcing: Floats
-        _frequency: Floats
-        _force_at: Any
-        _whose: Any
+    def _has(self, name: str, *questions: str) -> None:
+        """Raises NoAttribute where the answer has nothing of this name."""
+        if self.question.name not in questions:
+            raise validate.NoAttribute(f"{name!r} is no column of this answer: it has {', '.join(self._values)}")
 
     @cached_property
     def phi(self) -> Floats:
         """Phase of u = A cos(Omega tau + phi) in radians, in [-pi, 0] (25); NaN in an empty place.
 
-        Computed when first asked for.
+        Of states and points of curves. Computed when first asked for.
         """
+        if (known := self._values.get("phi")) is not None:
+            return known
+        self._has("phi", *OF_STATES)
         with np.errstate(all="ignore"):  # empty places
             return frozen(slow_flow.phase(self._frequency, self.A, *self._of_designs))
 
     @cached_property
     def transmissibility(self) -> Floats:
-        """As of single `SteadyStates`; NaN in an empty place, and behind the last point. Computed when asked for."""
-        with np.errstate(all="ignore"):
+        """What is passed on of what drives it, as of single `SteadyStates`; NaN in an empty place."""
+        if (known := self._values.get("transmissibility")) is not None:
+            return known
+        self._has("transmissibility", *OF_STATES)
+        with np.errstate(all="ignore"):  # empty places
             force = self._force_at(self._frequency)
             passed = slow_flow.transmissibility(self._frequency, self.A, force, *self._of_designs)
             return frozen(in_motion(self.A, passed))
 
     @property
+    def transmissibility_dB(self) -> Floats:
+        """`transmissibility` in decibels, 20 log10; -inf where nothing is transmitted."""
+        if (known := self._values.get("transmissibility_dB")) is not None:
+            return known
+        with np.errstate(divide="ignore"):
+            return np.asarray(20.0 * np.log10(self.transmissibility))
+
+    @property
     def relative(self) -> Floats:
         """As of single `SteadyStates`: A over F_0; NaN in an empty place."""
+        self._has("relative", *OF_STATES)
         return np.asarray(self.A / self._forcing)
+
+    @cached_property
+    def untruncated(self) -> Floats:
+        """F_SN of the untruncated force where the onset is on a corner that only the truncation makes; NaN elsewhere.
+
+        NaN there too if it has none. Computed when first asked for.
+        """
+        self._has("untruncated", "saddle_node_onset")
+        return frozen(self._designs.untruncated_onset((self.remarks & Remark.OF_TRUNCATION) != 0))
 
     @cached_property
     def _of_designs(self) -> tuple[Floats, Floats, Floats]:
@@ -423,107 +396,51 @@ class Passing(InDecibels):
             return dissipation.I(self._frequency, self.A, I_0, zeta, dissipation.quadratic(c_2)), np.zeros(()), h
 
 
-@dataclass(frozen=True, eq=False)
-class States(Passing, AtFrequency):
-    """The steady states at one frequency and forcing, for each design; A, stable and phi have one more axis, of places.
-
-    A      -- by rising A, then NaN; 0 where friction holds the mass at rest, with `Status.STICKS` if nothing else is
-              there
-    stable -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
-    count  -- how many states there are, also where they are more than places
-    undecided -- 1 where neither doubles nor balls tell whether there is another pair
-    """
-
-    inner: ClassVar[Mapping[str, str]] = MappingProxyType(dict.fromkeys(("A", "stable"), "place"))
-
-    A: Floats
-    stable: Codes
-    count: Codes
-    undecided: Codes
-    status: Codes
-
-    def gradient(self) -> Gradient:
-        """As of single `SteadyStates`, of each design; `.slopes` of shape (..., places, 3, parameters)."""
-        given = self._given().with_places()
-        return of_states(given, self._frequency, self.A, self._forcing, self.phi, self.transmissibility)
+#: questions about states
+OF_STATES = ("amplitudes", "frequency_response")
 
 
-@dataclass(frozen=True, eq=False)
-class Curves(Passing, AlongCurves):
-    """The response curve at one forcing, for each design, with every fold at that forcing.
-
-    Omega, A, stable, branch and isola have one more axis, of points, in order along each branch; the curves of designs
-    have different numbers of points, and behind the last one Omega and A are NaN, branch is -1, and the others are 0.
-
-    stable -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
-    branch -- number of the connected curve that a point lies on, from 0; isolated curves come last
-    isola  -- 1 where that curve is closed
-    points -- how many points there are
-    fold_Omega, fold_A, fold_kind, count -- `Omega`, `A`, `kind` and `count` of `Folds`, with `places` places
-    undecided -- 1 where neither doubles nor balls tell whether there are other folds, peaks or static states
-    """
-
-    inner: ClassVar[Mapping[str, str]] = MappingProxyType(
-        dict.fromkeys(("Omega", "A", "stable", "branch", "isola"), "point")
-        | dict.fromkeys(("fold_Omega", "fold_A", "fold_kind"), "place")
-    )
-
-    Omega: Floats
-    A: Floats
-    stable: Codes
-    branch: npt.NDArray[np.int16]
-    isola: Codes
-    points: npt.NDArray[np.intc]
-    fold_Omega: Floats
-    fold_A: Floats
-    fold_kind: Codes
-    count: Codes
-    undecided: Codes
-    status: Codes
+def _again(kind: type[Batch], question: str, values: Any, designs: Any, asked: Any, system: str, beside: Any) -> Batch:
+    """For pickle and copy."""
+    return kind(question, values, designs, asked, system, **beside)
 
 
-@dataclass(frozen=True, eq=False)
-class Peaks(Batch):
-    """The highest peak at one forcing, for each design, isolas included; Omega = 0 where A only falls with Omega.
-
-    Of a spring that gives way it is that within the well, with `Status.UNBOUNDED` where none is there.
-    """
-
-    A: Floats
-    Omega: Floats
-    status: Codes
-    #: which have none because the response goes on beyond a well
-    _escapes: Any = field(repr=False, kw_only=True, default=False)
-
-    @cached_property
-    def remarks(self) -> remarks.Codes:
-        """As of all batches, and `Remark.BEYOND_WELL` where there are states beyond the well."""
-        has_states = (self._has_remarks & self._designs.give_way) | self._escapes
-        beyond = np.where(has_states, np.uint16(Remark.BEYOND_WELL), np.uint16(0))
-        return frozen(super().remarks | beyond)
-
-    def _found(self) -> tuple[Any, Any, Any]:
-        return self.Omega[..., np.newaxis], self.A[..., np.newaxis], None
-
-    def gradient(self) -> Gradient:
-        """As of a single `Peak`, of each design; `.slopes` of shape (..., 2, parameters)."""
-        return of_peak(self._given(), self.A, self.Omega, np.asarray(self._F_0, dtype=float))
+def _states(found: Batch) -> tuple[Any, Any, Any]:
+    """Omega and A of each design's states along one more axis, NaN for none, and of folds which are on a corner."""
+    name, one = found.question.name, (..., np.newaxis)
+    if name == "detachment":
+        return found.Omega_cr[one], found.u_cr[one], None
+    if name == "saddle_node_onset":
+        return found.Omega[one], found.A[one], (found.kind == OnsetKind.CORNER)[one]
+    if name == "saddle_nodes":
+        return found.Omega, found.A, _corner(found)
+    if name == "peak":
+        return found.Omega[one], found.A[one], None
+    if name in OF_STATES:
+        return found._frequency, found.A, None
+    none = np.full((*found.status.shape, 1), np.nan)
+    return none, none, None
 
 
-@dataclass(frozen=True, eq=False)
-class Proofs(Batch):
-    """How many folds at a forcing, or states at a frequency, each design is proved to have.
+def _corner(folds: Batch) -> Any:
+    return folds.kind >= FoldKind.JUMP_UP_AT_CORNER
 
-    count  -- how many are enclosed
-    proved -- 1 where these are proved to be all, with amplitudes as in `certify`; 0 where that is not decided
-    bits   -- of the arithmetic, as in `certify`: 53 of intervals of doubles, more of balls
-    status -- `Status.UNRESOLVED` where no proof is possible: of a force whose averages are known in neither
-    """
 
-    count: Codes
-    proved: Codes
-    bits: npt.NDArray[np.int16]
-    status: Codes
+#: of averaged answers, by question
+GRADIENTS: Mapping[str, Callable[[Batch, Given], Gradient]] = MappingProxyType(
+    {
+        "detachment": lambda one, of: of_detachment(of, one.F_cr, one.Omega_cr, one.u_cr),
+        "saddle_node_onset": lambda one, of: of_onset(of, one.F_SN, one.Omega, one.A, one.kind),
+        "saddle_nodes": lambda one, of: of_folds(of.with_places(), one.Omega, one.A, one._forcing, _corner(one)),
+        "amplitudes": lambda one, of: of_states(
+            of.with_places(), one._frequency, one.A, one._forcing, one.phi, one.transmissibility
+        ),
+        "peak": lambda one, of: of_peak(of, one.A, one.Omega, np.asarray(one._F_0, dtype=float)),
+        "isolation": lambda one, of: of_isolation(
+            of, one.Omega, one.A, np.asarray(one._F_0, dtype=float), one.at_fold == 1
+        ),
+    }
+)
 
 
 def first_end(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Floats:

@@ -34,7 +34,7 @@ from slowflow.averaged.asked import (
     onset_in_columns,
     states_in_places,
 )
-from slowflow.averaged.batches import Codes, Curves, Detachments, Folds, Onsets, Peaks, Proofs, States
+from slowflow.averaged.batches import Batch, Codes
 from slowflow.averaged.parts import blocks, share
 from slowflow.averaged.questions import Averaged
 from slowflow.averaged.reference.defined import check_defined, may_be_undefined
@@ -43,6 +43,7 @@ from slowflow.certificate import DOUBLES
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, Floats, Laws, Model, check_names, held
 from slowflow.results import Remark
+from slowflow.table import AVERAGING, QUESTIONS, ManyQuestions, Unanswered
 from slowflow.unchanging import Unchanging
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import Status
@@ -60,7 +61,7 @@ def _undecided(columns: list[npt.NDArray[Any]]) -> npt.NDArray[np.bool_]:
     return np.asarray((undecided != 0) | (status == Status.UNRESOLVED))
 
 
-class Designs(Unchanging):
+class Designs(Unchanging, ManyQuestions[Batch]):
     """Arrays of designs of one mechanism, and the questions about them.
 
     mechanism -- record of the mechanism
@@ -126,15 +127,24 @@ class Designs(Unchanging):
         """Raises ValueError where other laws of damping than mu and zeta leave the question without an answer yet."""
         validate.is_plain(question, self.laws)
 
-    def detachment(self, *, workers: int = 1) -> Detachments:
-        """F_cr, Omega_cr and u_cr of every design; `Status.NONE` for a mechanism without breakpoints."""
-        return Detachments(*self.ask(DETACHMENT, workers), _designs=self, _averaged=True)
+    def _ask(self, question: str, /, *, workers: int = 1, **given: Any) -> Batch:
+        """The answer to a question by its name, from what its method takes."""
+        if "places" in given:
+            given["places"] = validate.count("places", given["places"], least=1)
+        found: Batch = getattr(self, f"_{question}")(workers=workers, **given)
+        return found
 
-    def saddle_node_onset(self, *, workers: int = 1) -> Onsets:
-        """F_SN of every design, with its Omega and A.
+    rest = Unanswered("many designs without a load have no rest: they rest at u = 0, or a single .off_centre tells")
 
-        Which it is where doubles do not tell is asked of balls, as of single designs; of the first 20 designs.
-        """
+    def _batch(self, question: str, columns: Sequence[npt.NDArray[Any]], beside: dict[str, Any], **asked: Any) -> Batch:
+        """An averaged answer from its columns in their order."""
+        values = dict(zip(QUESTIONS[question].columns[AVERAGING], columns, strict=True))
+        return Batch(question, values, self, asked, **beside)
+
+    def _detachment(self, *, workers: int) -> Batch:
+        return self._batch("detachment", self.ask(DETACHMENT, workers), {})
+
+    def _saddle_node_onset(self, *, workers: int) -> Batch:
         columns = self.ask(ONSET, workers)
 
         def of_one(one: Averaged) -> tuple[Remark, tuple[Any, ...]]:
@@ -142,14 +152,9 @@ class Designs(Unchanging):
             return found.remarks, onset_in_columns(found)
 
         by_balls = self._decide(of_one, columns, columns[-1] == Status.UNRESOLVED, most=proofs.MOST_ONSETS_IN_BALLS)
-        return Onsets(*columns, _designs=self, _averaged=True, _by_balls=by_balls)
+        return self._batch("saddle_node_onset", columns, {"by_balls": by_balls})
 
-    def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Folds:
-        """Every fold at F_0, which broadcasts with the designs; `Status.TOO_MANY` where they exceed `places`.
-
-        What doubles leave undecided is asked of balls, as of single designs, see `certify`; of the first 200 designs.
-        """
-        places = validate.count("places", places, least=1)
+    def _saddle_nodes(self, F_0: Any, *, places: int, workers: int) -> Batch:
         columns = self.ask(SADDLE_NODES, workers, F_0, places)
 
         def of_one(one: Averaged, F: float) -> tuple[Remark, tuple[Any, ...]]:
@@ -157,7 +162,7 @@ class Designs(Unchanging):
             return found.remarks, in_places(found, places, Remark.UNDECIDED in found.remarks)
 
         by_balls = self._decide(of_one, columns, _undecided(columns), F_0)
-        return Folds(*columns, _designs=self, _F_0=F_0, _averaged=True, _by_balls=by_balls)
+        return self._batch("saddle_nodes", columns, {"by_balls": by_balls}, F_0=F_0)
 
     def _decide(
         self,
@@ -194,12 +199,7 @@ class Designs(Unchanging):
             numbers = [float(value[at]) for value in values]
             yield at, numbers[: len(self.values)], numbers[len(self.values) :]
 
-    def amplitudes(self, *, Omega: Any, F_0: Any, places: int = 6, workers: int = 1) -> States:
-        """Every steady state at (Omega, F_0), which broadcast with the designs (24), (30).
-
-        `Status.TOO_MANY` where they exceed `places`. What doubles leave undecided is asked of balls, as of folds.
-        """
-        places = validate.count("places", places, least=1)
+    def _amplitudes(self, *, Omega: Any, F_0: Any, places: int, workers: int) -> Batch:
         columns = self.ask(AMPLITUDES, workers, F_0, places, Omega=Omega)
 
         def of_one(one: Averaged, F: float, at: float) -> tuple[Remark, tuple[Any, ...]]:
@@ -207,11 +207,10 @@ class Designs(Unchanging):
             return found.remarks, states_in_places(found, places)
 
         by_balls = self._decide(of_one, columns, _undecided(columns), F_0, Omega)
-        A, stable, *rest = columns
+        A, stable, *_ = columns
         self._leave_out_what_drifts(np.asarray(Omega, dtype=float)[..., np.newaxis], A, stable)
         self._put_in_what_rests(Omega, F_0, ((A, 0.0), (stable, 1)), columns[2], columns[-1])
-        given = {"_designs": self, "_F_0": F_0, "_Omega": Omega}
-        return States(A, stable, *rest, **given, _averaged=True, _by_balls=by_balls)
+        return self._batch("amplitudes", columns, {"by_balls": by_balls}, F_0=F_0, Omega=Omega)
 
     def _put_in_what_rests(
         self, Omega: Any, F_0: Any, columns: Sequence[tuple[npt.NDArray[Any], Any]], count: Codes, status: Codes
@@ -239,21 +238,9 @@ class Designs(Unchanging):
             kept, beyond = remarks.look_at(self.mechanism, parameters, Omega, A)
             stable &= kept & ~beyond
 
-    def frequency_response(
-        self,
-        F_0: Any,
-        *,
-        samples: int = 1000,
-        Omega: tuple[float, float] = validate.WINDOW,
-        places: int = 6,
-        workers: int = 1,
-    ) -> Curves:
-        """The response curve of every design at F_0, which broadcasts with them, in the window `Omega` (24), (30).
-
-        `samples` as of a single `frequency_response`. The arrays are that long and 64 more: `Status.TOO_MANY` where a
-        curve has more points, which has none then, or more folds than `places`. Some 25 bytes a point.
-        """
-        places = validate.count("places", places, least=1)
+    def _frequency_response(
+        self, F_0: Any, *, samples: int, Omega: tuple[float, float], places: int, workers: int
+    ) -> Batch:
         samples, window = validate.curve(samples, Omega)
         question = curves(samples, window)
         in_doubles = question.one
@@ -266,15 +253,11 @@ class Designs(Unchanging):
             return remarked, (*values, undecided and Remark.BY_BALLS not in remarked, status)
 
         by_balls = self._decide(of_one, columns, _undecided(columns), F_0)
-        found, A, stable, *rest = columns
+        found, A, stable, *_ = columns
         self._leave_out_what_drifts(found, A, stable)
-        return Curves(found, A, stable, *rest, _designs=self, _F_0=F_0, _averaged=True, _by_balls=by_balls)
+        return self._batch("frequency_response", columns, {"by_balls": by_balls}, F_0=F_0)
 
-    def peak(self, F_0: Any, *, workers: int = 1) -> Peaks:
-        """The highest peak at F_0, which broadcasts with the designs; `Status.UNBOUNDED` where nothing ends a response.
-
-        As of single ones, beyond a well as well.
-        """
+    def _peak(self, F_0: Any, *, workers: int) -> Batch:
         A, Omega, status = columns = self.ask(PEAK, workers, F_0)
         escapes = np.array((status == Status.NONE) & (self.excitation == "force"))
         status[escapes] = Status.UNBOUNDED
@@ -287,19 +270,14 @@ class Designs(Unchanging):
             A[at], Omega[at], status[at] = (
                 (np.nan, np.nan, found._status) if none else (found.A, found.Omega, Status.OK)
             )
-        return Peaks(*columns, _designs=self, _F_0=F_0, _averaged=True, _escapes=escapes)
+        return self._batch("peak", columns, {"escapes": escapes}, F_0=F_0)
 
-    def certify(self, F_0: Any, *, Omega: Any = None, workers: int = 1) -> Proofs:
-        """How many folds at F_0, or states at (Omega, F_0), are proved; both broadcast with the designs.
-
-        What intervals of doubles leave undecided is asked of balls, as of single designs: one by one, with python-flint
-        (`pip install 'slowflow[proofs]'`), some hundredths of a second each; these do not share `workers`.
-        """
+    def _certify(self, F_0: Any, *, Omega: Any, workers: int) -> Batch:
         self.only_for_a_force("certify")
         self.only_for_plain_damping("certify")
         columns = self.ask(PROVED_FOLDS if Omega is None else PROVED_STATES, workers, F_0, Omega=Omega)
         self._decide_in_balls(F_0, Omega, *columns)
-        return Proofs(*columns, _designs=self, _F_0=F_0)
+        return self._batch("certify", columns, {}, F_0=F_0)
 
     def _decide_in_balls(
         self, F_0: Any, Omega: Any, count: Codes, proved: Codes, bits: npt.NDArray[np.int16], status: Codes

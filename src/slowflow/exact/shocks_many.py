@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
-from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from slowflow import progress, validate
-from slowflow.answer import frozen
-from slowflow.averaged import remarks
-from slowflow.averaged.batches import Batch, Codes
+from slowflow.averaged.batches import Batch
 from slowflow.averaged.many import Designs
 from slowflow.averaged.parts import share
 from slowflow.exact import questions
@@ -21,79 +17,37 @@ from slowflow.exact.transient import AFTER, NO_PULSE, half_sine, record, transie
 from slowflow.mechanism import EquationOfMotion, Floats, Force, followed
 from slowflow.model import THROUGHOUT, Model
 from slowflow.results import Remark
+from slowflow.table import AVERAGING, QUESTIONS
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.exact_conventions import Outcome
 from slowflow_support.errors import Refused
 
 #: arcs that take no more than some tenths of a second, as many as a shock takes beside those of its pulse
 AT_ONCE, ALONE = 2**14, 16
-#: columns of `Shocks` that are those of `Transients`
-SPECTRAL = ("A", "a_max", "detaches", "status")
 #: what says of a model under a load where it rests: `slowflow.off_centre.OffCentre`, of a room above this
 OffCentres = Callable[[Model, float], Any]
 
 
-@dataclass(frozen=True, eq=False)
-class Shocked(Batch):
-    """What answers to shocks of many designs share: `remarks` says `Remark.BEYOND_REACH`, as a single one does."""
-
-    if TYPE_CHECKING:  # each has it as a column
-        A: Floats
-    _pulse: Mapping[str, Any] = field(repr=False, kw_only=True)
-
-    @cached_property
-    def remarks(self) -> remarks.Codes:
-        """`Remark.BEYOND_REACH` where A is beyond what the mechanism reaches."""
-        mechanism, design = self._designs.mechanism, self._designs.design
-        with np.errstate(all="ignore"):  # what is no design has no pieces
-            beyond = mechanism.reach_at(*mechanism.coefficients(*design)) < self.A
-        return frozen(np.where(beyond, np.uint16(Remark.BEYOND_REACH), np.uint16(0)))
-
-    def _asked_at(self) -> dict[str, Any]:
-        return {name: np.asarray(value) for name, value in self._pulse.items()}
-
-
-@dataclass(frozen=True, eq=False)
-class Shocks(Shocked):
-    """What a half sine of the base does to each design: the columns of `ShockSpectrum`; detaches is 0 or 1."""
-
-    A: Floats
-    a_max: Floats
-    ratio: Floats
-    detaches: Codes
-    status: Codes
-
-
-@dataclass(frozen=True, eq=False)
-class Transients(Shocked):
-    """What a shock of the base does to each design: the columns of `slowflow.exact.Transient`.
-
-    detaches, rests -- 0 or 1; tau_detaches is NaN where the springs stay
-    status          -- `Status.UNRESOLVED` where the motion escapes or chatters
-    """
-
-    A: Floats
-    tau_A: Floats
-    a_max: Floats
-    tau_a: Floats
-    detaches: Codes
-    tau_detaches: Floats
-    rests: Codes
-    u_end: Floats
-    status: Codes
+def _batch(question: str, columns: dict[str, Any], designs: Designs, pulse: Mapping[str, Any]) -> Batch:
+    """An answer from its columns in any order; remarks say where A is beyond what the mechanism reaches."""
+    values = {name: columns[name] for name in QUESTIONS[question].columns[AVERAGING]}
+    with np.errstate(all="ignore"):  # what is no design has no pieces
+        beyond = designs.mechanism.reach_at(*designs.mechanism.coefficients(*designs.design)) < columns["A"]
+    return Batch(
+        question, values, designs, pulse, remarks=np.where(beyond, np.uint16(Remark.BEYOND_REACH), np.uint16(0))
+    )
 
 
 def of_designs(
     designs: Designs, acceleration: Any, duration: Any, workers: int = 1, *, off_centre: OffCentres
-) -> Shocks:
+) -> Batch:
     """See `slowflow.designs.Designs.shock_spectrum`."""
     pulse = numbers(acceleration=acceleration, duration=duration)
     validate.common_shape(pulse)
     peak, span = pulse.values()
     allowed = (peak > 0) & (span > 0)
     found = _followed(designs, off_centre, *_half_sine(peak, span), allowed, 0.0, workers)
-    ratio = found["a_max"] / peak
-    return Shocks(**{name: found[name] for name in SPECTRAL}, ratio=ratio, _designs=designs, _pulse=pulse)
+    return _batch("shock_spectrum", {**found, "ratio": found["a_max"] / peak}, designs, pulse)
 
 
 def transients(
@@ -105,7 +59,7 @@ def transients(
     workers: int = 1,
     *,
     off_centre: OffCentres,
-) -> Transients:
+) -> Batch:
     """See `slowflow.designs.Designs.transient`."""
     last = AFTER if after is None else validate.number("after", after, least=0.0)
     if (duration is None) == (tau is None):
@@ -115,13 +69,13 @@ def transients(
         validate.common_shape(pulse)
         peak, span = pulse.values()
         found = _followed(designs, off_centre, *_half_sine(peak, span), span > 0, last, workers)
-        return Transients(**found, _designs=designs, _pulse=pulse)
+        return _batch("transient", found, designs, pulse)
     times, accelerations = samples(tau, acceleration)
     rises = (np.diff(times) > 0).all(axis=-1)
     with np.errstate(all="ignore"):  # what is no pulse has a status
         arcs = record(times, accelerations)
     found = _followed(designs, off_centre, arcs, times[..., 0], rises, last, workers)
-    return Transients(**found, _designs=designs, _pulse={})
+    return _batch("transient", found, designs, {})
 
 
 def numbers(**values: Any) -> dict[str, Floats]:
@@ -157,7 +111,7 @@ def _followed(
     after: float,
     workers: int,
 ) -> dict[str, Any]:
-    """The columns of `Transients` for arcs of shape (..., n, 4), which before that broadcast with the designs."""
+    """The columns of "transient" for arcs of shape (..., n, 4), which before that broadcast with the designs."""
     if "eta" in designs.values:
         designs.only_for_plain_damping("a shock")
     threads = validate.workers(workers)

@@ -1,4 +1,46 @@
-"""Maps of designs past one memory: in go arrays of xarray and dask, out come Datasets, and Zarr stores that resume.
+"""Many designs of one mechanism; of arrays of xarray and dask maps, out come Datasets, and Zarr stores that resume.
 
-Needs `pip install 'slowflow[grid]'`. Nothing of it is imported before such an array is given.
+Maps need `pip install 'slowflow[grid]'`. Nothing of it is imported before such an array is given.
 """
+
+from __future__ import annotations
+
+from typing import Any
+
+from slowflow import validate
+from slowflow.designs import Designs
+from slowflow.loaded import off_centre_by
+from slowflow.mechanism import Mechanism
+from slowflow.model import THROUGHOUT
+from slowflow.table import ManyQuestions
+from slowflow_kernels.domains import EXCITATIONS, RUBS
+
+
+def designs_of(
+    mechanism: Mechanism, values: dict[str, Any], laws: dict[str, Any], rubs: str, excitation: str, load: Any
+) -> ManyQuestions[Any]:
+    """Many designs of a mechanism from their numbers by name; what maps need is loaded where a number is labelled.
+
+    laws -- eta and c_2: a plain 0 is none, as of load
+    """
+    validate.excitation(excitation, tuple(EXCITATIONS))
+    validate.choice("rubs", rubs, tuple(RUBS))
+    values |= {name: value for name, value in laws.items() if not _is_none(value)}
+    if not mechanism.odd or not _is_none(load):
+        why = off_centre_by(mechanism, 0.0) or "load"
+        validate.is_plain(why, "" if rubs == THROUGHOUT else f"rubs = {rubs!r}")
+        values["load"] = load
+    if any(validate.is_labelled(value) for value in values.values()):
+        from slowflow.grid.designs import Grid
+
+        return Grid(mechanism, values, excitation, rubs)
+    if "load" in values:
+        from slowflow.off_centre.many import OffCentreDesigns
+
+        return OffCentreDesigns(mechanism, values, excitation)
+    return Designs(mechanism, values, excitation, rubs)
+
+
+def _is_none(value: Any) -> bool:
+    """Whether it is a plain 0."""
+    return type(value) in (int, float) and value == 0

@@ -17,11 +17,13 @@ from slowflow import validate
 from slowflow.answer import optional
 from slowflow.exact.transient import NO_PULSE
 from slowflow.grid import meaning
-from slowflow.grid.block import DEPTHS, INNER, LOADED, QUESTIONS, UNANSWERED, Ask, Question, lengths, made_by
+from slowflow.grid.block import DEPTHS, INNER, Ask, lengths, made_by
 from slowflow.loaded import AT_CENTRE, off_centre_by
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, check_names
 from slowflow.off_centre.many import check_polynomial
+from slowflow.second.many import UNANSWERED
+from slowflow.table import OFFSET, QUESTIONS, ManyQuestions, Question
 from slowflow.unchanging import Unchanging
 from slowflow_kernels.domains import DISSIPATION
 from slowflow_support.errors import Refused, WrongType
@@ -32,7 +34,7 @@ __all__ = ["Grid"]
 AT_ONCE = 2**18
 
 
-class Grid(Unchanging):
+class Grid(Unchanging, ManyQuestions[Any]):
     """Designs of one mechanism over named axes, and the questions about them; answers are xarray's Datasets.
 
     mechanism -- record of the mechanism
@@ -104,77 +106,9 @@ class Grid(Unchanging):
         """The same without the names."""
         return tuple(self.sizes.values())
 
-    def detachment(self, *, workers: int = 1) -> Any:
-        """F_cr, Omega_cr and u_cr of every design (34), as a Dataset; see `slowflow.averaged.batches.Detachments`."""
-        return self._answer(*self.asked("detachment", workers))
-
-    def saddle_node_onset(self, *, workers: int = 1) -> Any:
-        """F_SN of every design, with its Omega and A (33), as a Dataset; see `slowflow.averaged.batches.Onsets`."""
-        return self._answer(*self.asked("saddle_node_onset", workers))
-
-    def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Any:
-        """Every fold at F_0, which broadcasts too, as a Dataset; see `slowflow.averaged.batches.Folds`."""
-        return self._answer(*self.asked("saddle_nodes", workers, F_0=F_0, places=places))
-
-    def amplitudes(self, *, Omega: Any, F_0: Any, places: int = 6, workers: int = 1) -> Any:
-        """Every steady state at (Omega, F_0), which broadcast too; see `slowflow.averaged.batches.States`."""
-        return self._answer(*self.asked("amplitudes", workers, F_0=F_0, places=places, Omega=Omega))
-
-    def frequency_response(
-        self,
-        F_0: Any,
-        *,
-        samples: int = 1000,
-        Omega: tuple[float, float] = validate.WINDOW,
-        places: int = 6,
-        workers: int = 1,
-    ) -> Any:
-        """The response curve at F_0, which broadcasts too, along "point"; see `slowflow.averaged.batches.Curves`."""
-        given = {"F_0": F_0, "samples": samples, "Omega": Omega, "places": places}
-        return self._answer(*self.asked("frequency_response", workers, **given))
-
-    def peak(self, F_0: Any, *, workers: int = 1) -> Any:
-        """The highest peak at F_0, which broadcasts too, as a Dataset; see `slowflow.averaged.batches.Peaks`."""
-        return self._answer(*self.asked("peak", workers, F_0=F_0))
-
-    def certify(self, F_0: Any, *, Omega: Any = None, workers: int = 1) -> Any:
-        """How many folds at F_0, or states at (Omega, F_0), are proved; see `slowflow.averaged.batches.Proofs`."""
-        return self._answer(*self.asked("certify", workers, F_0=F_0, Omega=Omega))
-
-    def rest(self, *, places: int = 3, workers: int = 1) -> Any:
-        """Every place of rest under a load; see `slowflow.off_centre.many.ManyRests`."""
-        return self._answer(*self.asked("rest", workers, places=places))
-
-    def at_rest(self, *, workers: int = 1) -> Any:
-        """What holds whatever the forcing; see `slowflow.loads_many.ManyAtRest`."""
-        return self._answer(*self.asked("at_rest", workers))
-
-    def margins(self, F_0: Any, *, workers: int = 1) -> Any:
-        """How far F_0, which broadcasts too, is from F_SN and F_cr; see `slowflow.loads_many.ManyMargins`."""
-        return self._answer(*self.asked("margins", workers, F_0=F_0))
-
-    def hysteresis(self, F_0: Any, *, places: int = 3, workers: int = 1) -> Any:
-        """Bands with several stable motions at F_0, which broadcasts too; see `slowflow.loads_many.ManyBands`."""
-        return self._answer(*self.asked("hysteresis", workers, F_0=F_0, places=places))
-
-    def isolation(self, F_0: Any, *, workers: int = 1) -> Any:
-        """From where on less than F_0 is transmitted, which broadcasts too; see `ManyIsolations`."""
-        return self._answer(*self.asked("isolation", workers, F_0=F_0))
-
-    def spectrum(self, *, Omega: Any, F_0: Any, workers: int = 1) -> Any:
-        """A load spectrum, whose rows lie along "row": an array of one axis, or with named ones; see `ManySpectra`."""
-        return self._answer(*self.asked("spectrum", workers, Omega=Omega, F_0=F_0))
-
-    def transient(
-        self, *, acceleration: Any, duration: Any = None, tau: Any = None, after: Any = None, workers: int = 1
-    ) -> Any:
-        """A shock of the base; the samples of a record lie along "instant"; see `slowflow.exact.shocks_many`."""
-        pulse = {"acceleration": acceleration, "duration": duration, "tau": tau, "after": after}
-        return self._answer(*self.asked("transient", workers, **pulse))
-
-    def shock_spectrum(self, *, acceleration: Any, duration: Any, workers: int = 1) -> Any:
-        """What a half sine of the base does, whose numbers broadcast too; see `slowflow.exact.shocks_many.Shocks`."""
-        return self._answer(*self.asked("shock_spectrum", workers, acceleration=acceleration, duration=duration))
+    def _ask(self, question: str, /, *, workers: int = 1, **given: Any) -> Any:
+        """The answer to a question by its name, from what its method takes, as a Dataset."""
+        return self._answer(*self.asked(question, workers, **given))
 
     def store(self, path: Any, question: str, *, workers: int = 1, **asked: Any) -> Any:
         """A question's answer as a Zarr store, written block by block; a store that was begun is continued.
@@ -211,10 +145,11 @@ class Grid(Unchanging):
 
         Raises TypeError for what is missing or unknown, ValueError for what is not allowed.
         """
-        known = LOADED if "load" in self._given else QUESTIONS
+        system = OFFSET if "load" in self._given else self._depth
+        known = tuple(name for name, row in QUESTIONS.items() if system in row.columns)
         if question in QUESTIONS and question not in known:
-            raise validate.NotAvailable(AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load"))
-        asked = known[validate.choice("question", question, tuple(known))]
+            raise validate.NotAvailable(self._without(question))
+        asked = QUESTIONS[validate.choice("question", question, known)]
         given = {name: value for name, value in given.items() if value is not None}
         for name in asked.takes:
             if name not in given:
@@ -236,6 +171,7 @@ class Grid(Unchanging):
             tables,
             lengths(
                 asked,
+                system,
                 options,
                 rows=max((values[name].sizes["row"] for name in tables if "row" in values[name].dims), default=1),
             ),
@@ -264,8 +200,14 @@ class Grid(Unchanging):
         if question == "certify":
             validate.is_force(question, self.excitation)
             validate.is_plain(question, self._laws)
-        if self._depth != DEPTHS[0] and QUESTIONS[question].beyond is None:
-            raise Refused(f"{question}: {UNANSWERED[question]}")
+
+    def _without(self, question: str) -> str:
+        """Why a question of the table has no answer here."""
+        if "load" in self._given:
+            return AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load")
+        if question == "rest":
+            return "rest is not available without a load: the mass rests at u = 0"
+        return f"{question}: {UNANSWERED[question]}"
 
     def _with(self, asked: Question, given: Mapping[str, Any]) -> tuple[dict[str, Any], tuple[str, ...]]:
         """All numbers of a question, and the names of those that are tables or records."""
@@ -295,8 +237,8 @@ class Grid(Unchanging):
             join="exact",
             dask="parallelized",
             input_core_dims=[[dim for dim in value.dims if dim in INNER] for value in values.values()],
-            output_core_dims=[list(column.inner) for column in columns.values()],
-            output_dtypes=[column.kind for column in columns.values()],
+            output_core_dims=[[axis] if axis else [] for axis, _ in columns.values()],
+            output_dtypes=[kind for _, kind in columns.values()],
             dask_gufunc_kwargs={"output_sizes": dict(ask.lengths)},
         )
         content = xarray.Dataset(dict(zip(columns, found, strict=True)), attrs=meaning.of_map(ask))

@@ -206,9 +206,9 @@ def _prepare(
 
     for name, value in unread.items():
         make(name, _dims(value, sizes), value.dtype, np.nan)
-    for name, column in ask.columns().items():
-        fill = meaning.NOT_YET if name == "status" else FILL[column.kind.kind]
-        make(name, [*sizes, *column.inner], column.kind, fill)
+    for name, (axis, kind) in ask.columns().items():
+        fill = meaning.NOT_YET if name == "status" else FILL[kind.kind]
+        make(name, [*sizes, *([axis] if axis else [])], kind, fill)
     group.require_array(
         DONE,
         shape=[-(-length // blocks[dim]) for dim, length in sizes.items()],

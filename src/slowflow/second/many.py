@@ -11,8 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from types import MappingProxyType
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -20,89 +19,40 @@ import numpy.typing as npt
 from slowflow import validate
 from slowflow.answer import frozen
 from slowflow.averaged import asked
-from slowflow.averaged.batches import AlongCurves, AtFrequency, Codes, Detachments, Folds, Onsets, Peaks, States
+from slowflow.averaged.batches import OF_STATES, Batch
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
 from slowflow.mechanism import Floats
-from slowflow.results import InDecibels, Remark
+from slowflow.results import Remark
 from slowflow.second.questions import SecondApproximation
+from slowflow.table import MORE_POINTS, QUESTIONS, SECOND, ManyQuestions, Unanswered
 from slowflow.transmitted import Transmitted, in_motion
 from slowflow.transmitted import asked as asked_of
 from slowflow_kernels import motion
 from slowflow_kernels.conventions import OnsetKind, Status
 
-#: points of curves beyond the samples: those of `asked.curves`, and what is put where the harmonics change fast
-MORE_POINTS = 4 * asked.MORE_POINTS
 #: why a question about designs has no answer here, where it has one of averaging
 UNANSWERED = {
     "certify": "nothing is proved of the second approximation",
     **dict.fromkeys(("margins", "hysteresis", "isolation", "spectrum"), "it is put together from averaging's answers"),
     **dict.fromkeys(("at_rest", "transient", "shock_spectrum"), "it is asked of the designs, at each depth the same"),
+    "rest": "it is asked of designs under a load",
 }
 
 
-@dataclass(frozen=True, eq=False)
-class ManySecondStates(InDecibels, AtFrequency):
-    """The steady states at one frequency and forcing, for each design; A to stable have one more axis, of places.
-
-    A, A_1, phi, stable -- as in `SecondStates`, by the order of a single answer, then NaN and 0; A = 0 where friction
-              holds the mass at rest, with `Status.STICKS` if nothing else is there
-    count  -- how many states there are, also where they are more than places
-    undecided -- 1 where averaging has more
-    """
-
-    inner: ClassVar[Mapping[str, str]] = MappingProxyType(dict.fromkeys(("A", "A_1", "phi", "stable"), "place"))
-
-    A: Floats
-    A_1: Floats
-    phi: Floats
-    stable: Codes
-    count: Codes
-    undecided: Codes
-    status: Codes
+class SecondBatch(Batch):
+    """An answer of the second approximation; of states and curves what they pass on is that of the whole motion."""
 
     @cached_property
     def transmissibility(self) -> Floats:
         """As of single `SecondStates`; NaN in an empty place. Computed when first asked for."""
+        self._has("transmissibility", *OF_STATES)
         return _transmissibility(self, self._frequency)
 
     def transmitted(self, of: str = "force") -> Transmitted:
         """As of single `SecondStates`, NaN in an empty place; some 0.1 ms for each state."""
+        self._has("transmitted", *OF_STATES)
         return _transmitted(self, of, np.broadcast_to(self._frequency, self.A.shape))
-
-
-@dataclass(frozen=True, eq=False)
-class ManySecondCurves(InDecibels, AlongCurves):
-    """The response curve at one forcing, for each design; what has points has one more axis, as in `Curves`.
-
-    A, A_1, phi, stable -- as in `SecondResponse`
-    branch, isola, points -- as in `Curves`
-    undecided -- 1 where points of averaging's curve are left out, at which the harmonics are not small
-    """
-
-    inner: ClassVar[Mapping[str, str]] = MappingProxyType(
-        dict.fromkeys(("Omega", "A", "A_1", "phi", "stable", "branch", "isola"), "point")
-    )
-
-    Omega: Floats
-    A: Floats
-    A_1: Floats
-    phi: Floats
-    stable: Codes
-    branch: npt.NDArray[np.int16]
-    isola: Codes
-    points: npt.NDArray[np.intc]
-    undecided: Codes
-    status: Codes
-
-    @cached_property
-    def transmissibility(self) -> Floats:
-        """As of single `SecondResponse`; NaN behind the last point. Computed when first asked for."""
-        return _transmissibility(self, self.Omega)
-
-    def transmitted(self, of: str = "force") -> Transmitted:
-        """As of single `SecondResponse`, NaN behind the last point; some 0.1 ms for each point."""
-        return _transmitted(self, of, self.Omega)
 
 
 def _transmissibility(found: Any, Omega: Floats) -> Floats:
@@ -130,7 +80,7 @@ def _transmitted(found: Any, of: str, Omega: Floats) -> Transmitted:
 
 
 @dataclass(frozen=True)
-class SecondDesigns:
+class SecondDesigns(ManyQuestions[SecondBatch]):
     """The questions of many designs in the second approximation; `.second_approximation` of designs makes it.
 
     `workers` as of the designs.
@@ -140,52 +90,34 @@ class SecondDesigns:
 
     first: Designs
 
-    def __getattr__(self, name: str) -> Any:
-        """Raises AttributeError, with the reason where averaging answers the question of that name."""
-        why = f": {UNANSWERED[name]}" if name in UNANSWERED else ""
-        raise AttributeError(f"the second approximation of many designs has no {name}{why}")
+    def _ask(self, question: str, /, *, workers: int = 1, **given: Any) -> SecondBatch:
+        """The answer to a question by its name, from what its method takes."""
+        row = QUESTIONS[question]
+        at = {name: given[name] for name in row.takes}
+        places = validate.count("places", given.get("places", 1), least=1)
+        if question == "frequency_response":
+            columns = self.first.ask(_curves(*validate.curve(given["samples"], given["Omega"])), 1, **at)
+        else:
+            threads = 1 if question == "amplitudes" else workers
+            columns = self.first.ask(ASKED[question], threads, places=places, **at)
+        if question == "amplitudes":
+            self._put_in_what_rests(columns, **at)
+        values = dict(zip(row.columns[SECOND], columns, strict=True))
+        return SecondBatch(question, values, self.first, at, SECOND)
 
-    def detachment(self, *, workers: int = 1) -> Detachments:
-        """The lowest forcing whose largest displacement is u_cr, and its frequency, of every design."""
-        return Detachments(*self.first.ask(DETACHMENT, workers), _designs=self.first)
-
-    def saddle_node_onset(self, *, workers: int = 1) -> Onsets:
-        """F_SN of every design whose onset is a cusp, with its Omega and largest displacement."""
-        return Onsets(*self.first.ask(ONSET, workers), _designs=self.first)
-
-    def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Folds:
-        """Every fold at F_0 that is found along the curve; `undecided` where one was lost.
-
-        F_0 and places as of the designs.
-        """
-        places = validate.count("places", places, least=1)
-        return Folds(*self.first.ask(SADDLE_NODES, workers, F_0, places), _designs=self.first, _F_0=F_0)
-
-    def amplitudes(self, *, Omega: Any, F_0: Any, places: int = 6) -> ManySecondStates:
-        """Every steady state at (Omega, F_0), which broadcast with the designs; one by one, as of single ones."""
-        places = validate.count("places", places, least=1)
-        A, A_1, phi, stable, count, undecided, status = self.first.ask(AMPLITUDES, 1, F_0, places, Omega=Omega)
-        given: dict[str, Any] = {"_designs": self.first, "_F_0": F_0, "_Omega": Omega}
-        none = np.zeros((*count.shape, 1))
+    def _put_in_what_rests(self, columns: list[npt.NDArray[Any]], F_0: Any, Omega: Any) -> None:
+        """States at rest first, as of averaging, with the phase that these have."""
+        A, A_1, phi, stable, count, _, status = columns
         flags: Any = np.zeros(count.shape, np.int8)
-        at_rest = States(none, flags[..., np.newaxis], flags, flags, flags, **given)
-        columns = ((A, 0.0), (A_1, 0.0), (phi, at_rest.phi[..., 0]), (stable, 1))
-        self.first._put_in_what_rests(Omega, F_0, columns, count, status)
-        return ManySecondStates(A, A_1, phi, stable, count, undecided, status, **given)
+        at_rest = {"A": np.zeros((*count.shape, 1)), "stable": flags[..., np.newaxis]}
+        at_rest |= {"count": flags, "undecided": flags, "status": flags}
+        own = Batch("amplitudes", at_rest, self.first, {"F_0": F_0, "Omega": Omega})
+        moved = ((A, 0.0), (A_1, 0.0), (phi, own.phi[..., 0]), (stable, 1))
+        self.first._put_in_what_rests(Omega, F_0, moved, count, status)
 
-    def frequency_response(
-        self, F_0: Any, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
-    ) -> ManySecondCurves:
-        """The response curve of every design at F_0, in the window `Omega`; one by one, as of single ones.
 
-        `Status.TOO_MANY` where a curve has more points than samples and 256 more, which has none then.
-        """
-        found = self.first.ask(_curves(*validate.curve(samples, Omega)), 1, F_0)
-        return ManySecondCurves(*found, _designs=self.first, _F_0=F_0)
-
-    def peak(self, F_0: Any, *, workers: int = 1) -> Peaks:
-        """The highest peak at F_0 beside averaging's: its largest displacement and frequency."""
-        return Peaks(*self.first.ask(PEAK, workers, F_0), _designs=self.first, _F_0=F_0)
+for _name, _why in UNANSWERED.items():
+    setattr(SecondDesigns, _name, Unanswered(f"the second approximation of many designs has no {_name}: {_why}"))
 
 
 def _second(one: Callable[..., tuple[Any, ...]]) -> Callable[..., tuple[Any, ...]]:
@@ -243,7 +175,7 @@ def _amplitudes(second: SecondApproximation | None, F_0: float, Omega: float, pl
 
 def _curves(samples: int, window: tuple[float, float]) -> asked.Question:
     """The question about response curves of so many samples in a window of Omega."""
-    n = samples + MORE_POINTS
+    n = samples + MORE_POINTS[SECOND]
 
     def one(second: SecondApproximation | None, F_0: float, _: int) -> tuple[Any, ...]:
         found = None if second is None else second.frequency_response(F_0, samples=samples, Omega=window)
@@ -260,17 +192,9 @@ def _curves(samples: int, window: tuple[float, float]) -> asked.Question:
             column[:size] = of
         return *columns, size, lost, Status.OK
 
-    points = [*[((n,), float)] * 4, ((n,), np.int8), ((n,), np.int16), ((n,), np.int8), ((), np.intc)]
-    return asked.Question(_second(one), lambda _: [*points, *[((), np.int8)] * 2], None, 1, by_inertia=False)
-
-
-AMPLITUDES = asked.Question(
-    _second(_amplitudes),
-    lambda k: [*[((k,), float)] * 3, ((k,), np.int8), *[((), np.int8)] * 3],
-    None,
-    at_once=1,
-    by_inertia=False,
-)
+    return asked.Question(
+        _second(one), asked.outputs("frequency_response", SECOND, points=n), None, 1, by_inertia=False
+    )
 
 
 def _in_lanes(question: asked.Question, one: asked.One, name: str, at_once: int) -> asked.Question:
@@ -285,7 +209,13 @@ def _in_lanes(question: asked.Question, one: asked.One, name: str, at_once: int)
     )
 
 
-DETACHMENT = _in_lanes(asked.DETACHMENT, _detachment, "many_second_detachment", 2**13)
-ONSET = _in_lanes(asked.ONSET, _onset, "many_second_onset", 2**13)
-SADDLE_NODES = _in_lanes(asked.SADDLE_NODES, _saddle_nodes, "many_second_saddle_nodes", 2**9)
-PEAK = _in_lanes(asked.PEAK, _peak, "many_second_peak", 2**9)
+#: by name
+ASKED: Mapping[str, asked.Question] = {
+    "amplitudes": asked.Question(
+        _second(_amplitudes), asked.outputs("amplitudes", SECOND), None, at_once=1, by_inertia=False
+    ),
+    "detachment": _in_lanes(asked.DETACHMENT, _detachment, "many_second_detachment", 2**13),
+    "saddle_node_onset": _in_lanes(asked.ONSET, _onset, "many_second_onset", 2**13),
+    "saddle_nodes": _in_lanes(asked.SADDLE_NODES, _saddle_nodes, "many_second_saddle_nodes", 2**9),
+    "peak": _in_lanes(asked.PEAK, _peak, "many_second_peak", 2**9),
+}

@@ -20,7 +20,6 @@ from scipy.stats import t as student
 from slowflow import validate
 from slowflow.answer import Table, joined
 from slowflow.averaged.asked import AMPLITUDES, SADDLE_NODES
-from slowflow.averaged.batches import Folds
 from slowflow.mechanism import Floats
 from slowflow.plausible import Implausible
 from slowflow.quantities import EXCITED, SHEET, UNITS, in_shown, si, turns
@@ -376,7 +375,7 @@ def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
         """0 where a design does not jump."""
         designs, _, units = subject.designs(values)
         F_0 = forces / units[subject.amplitude]
-        folds = Folds(*designs.ask(SADDLE_NODES, 1, F_0, PLACES), _designs=designs, _F_0=F_0)
+        folds = designs._batch("saddle_nodes", designs.ask(SADDLE_NODES, 1, F_0, PLACES), {}, F_0=F_0)
         found = np.stack([first_jump(folds, True), first_jump(folds, False)], axis=-2)
         found = found * np.asarray(units["frequency"])[..., np.newaxis]
         return np.asarray(np.nan_to_num(found)[..., there])

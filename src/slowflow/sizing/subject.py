@@ -14,7 +14,7 @@ import numpy as np
 
 from slowflow import backend, validate
 from slowflow.answer import frozen
-from slowflow.averaged.batches import Folds, States, first_end
+from slowflow.averaged.batches import Batch, first_end
 from slowflow.designs import Designs
 from slowflow.isolator import ROD_SPRING, Isolator
 from slowflow.loads_many import full, lifting
@@ -430,7 +430,7 @@ def _pair(name: str, value: Any, what: str) -> Any:
     return one, other
 
 
-def _of_the_largest(states: States, name: str) -> Floats:
+def _of_the_largest(states: Batch, name: str) -> Floats:
     """Of the stable state with the largest amplitude, at rest where the mass sticks; NaN where there is none."""
     A = np.where(states.stable == 1, states.A, -math.inf)
     largest = np.argmax(A, axis=-1)[..., np.newaxis]
@@ -438,7 +438,7 @@ def _of_the_largest(states: States, name: str) -> Floats:
     return np.where(A.max(axis=-1) >= 0, found, np.nan)
 
 
-def first_jump(folds: Folds, up: bool) -> Floats:
+def first_jump(folds: Batch, up: bool) -> Floats:
     """The lowest fold that is left upwards, or the highest that is left downwards; NaN where there is none."""
     kinds = (FoldKind.JUMP_UP, FoldKind.JUMP_UP_AT_CORNER) if up else (FoldKind.JUMP_DOWN, FoldKind.JUMP_DOWN_AT_CORNER)
     there = np.isin(folds.kind, kinds)

@@ -1,0 +1,448 @@
+"""The table of questions: of each its name, what it takes, and the columns of its answer, by system.
+
+A row holds data only. From it follow the question's method for many designs and for a grid, the columns of its answer
+with type, axis, meaning and kind of unit, the layout of a store, and what is called otherwise in SI units.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from enum import IntEnum
+from types import MappingProxyType
+from typing import Any, Generic, NamedTuple, TypeVar
+
+import numpy as np
+
+from slowflow import validate
+from slowflow_kernels.conventions import FoldKind, OnsetKind
+
+#: by what a question is answered: first-order averaging about the centre, with higher harmonics, with a mean B
+AVERAGING, SECOND, OFFSET = "averaging", "second approximation", "offset motion"
+#: points of a batch's curves beyond the samples: one for each piece that folds, peaks and corners cut a curve into, and
+#: one for each curve; in the second approximation what is put where the harmonics change fast, too
+MORE_POINTS = {AVERAGING: 64, SECOND: 256, OFFSET: 64}
+
+
+class Column(NamedTuple):
+    """A column of an answer.
+
+    name -- dimensionless
+    text -- what it is
+    kind -- of which kind of unit, a key of `quantities.UNITS`; "amplitude" is that of the excitation, "" is none
+    si   -- its name with a unit, where that is another one
+    type -- in batches
+    """
+
+    name: str
+    text: str
+    kind: str = ""
+    si: str = ""
+    type: type = float
+
+
+#: by name; what several questions have is the same
+COLUMNS: Mapping[str, Column] = MappingProxyType(
+    {
+        one.name: one
+        for one in (
+            Column("F_0", "forcing, the amplitude of the excitation", "amplitude"),
+            Column("F_SN", "lowest forcing that has a fold (33)", "amplitude"),
+            Column("F_cr", "lowest forcing that reaches u_cr (34)", "amplitude"),
+            Column("Omega", "frequency", "frequency", "f"),
+            Column("Omega_cr", "frequency at which it does", "frequency", "f_cr"),
+            Column("Omega_max", "frequency of the motion that goes farthest", "frequency", "f_max"),
+            Column("Omega_low", "lower end of a band with several stable motions", "frequency", "f_low"),
+            Column("Omega_high", "its upper end", "frequency", "f_high"),
+            Column("Omega_0", "natural frequency of small motions about the centre", "frequency", "f_0"),
+            Column("Omega_sticks", "frequency up to which the mass stays at rest", "frequency", "f_sticks"),
+            Column("Omega_undecided", "frequencies at which the count is undecided", "frequency", "f_undecided"),
+            Column("jumps", "frequencies before and after each jump", "frequency"),
+            Column("A", "amplitude; in the second approximation the largest displacement", "length"),
+            Column("A_1", "amplitude of the fundamental harmonic", "length"),
+            Column("A_max", "largest amplitude that was looked at", "length"),
+            Column("B", "mean displacement of a motion", "length"),
+            Column("u_max", "largest |u|", "length", "x_max"),
+            Column("u_cr", "amplitude at which the springs leave", "length", "x_cr"),
+            Column("u", "place of rest", "length", "x"),
+            Column("u_end", "where the mass is at the end", "length", "x_end"),
+            Column("rests_within", "how far from the centre friction holds the mass", "length"),
+            Column("doubt", "amplitudes between which nothing is decided", "length"),
+            Column("v", "velocity", "speed"),
+            Column("a", "acceleration of the mass", "acceleration"),
+            Column("base", "acceleration of the base", "acceleration"),
+            Column("a_max", "largest acceleration of the mass", "acceleration"),
+            Column("acceleration", "acceleration of the base, over k_v L/m", "acceleration"),
+            Column("tau", "times of the samples of a record", "time", "t"),
+            Column("tau_A", "when the largest deflection is reached", "time", "t_A"),
+            Column("tau_a", "when it is reached", "time", "t_a"),
+            Column("tau_detaches", "when the springs leave first", "time", "t_detaches"),
+            Column("duration", "duration of a half sine", "time"),
+            Column("period", "period of a motion", "time"),
+            Column("k_0", "stiffness at the centre", "stiffness"),
+            Column("stiffness", "stiffness there", "stiffness"),
+            Column("break_loose", "constant force that friction holds", "force"),
+            Column("sticking", "amplitude of a force up to which the mass is at rest, 4 mu/pi (27)", "force"),
+            Column("force", "restoring force", "force"),
+            Column("load", "static load beside what the vertical spring holds at the centre", "mass"),
+            Column("phi", "phase in radians", "angle"),
+            Column("of_SN", "F_SN over F_0: a margin above 1"),
+            Column("of_cr", "F_cr over F_0: a margin above 1"),
+            Column("ratio", "largest acceleration of the mass over that of the pulse"),
+            Column("transmissibility", "share of the force that is transmitted"),
+            Column("transmissibility_dB", "the same in decibels"),
+            Column("kind", "kind of fold", type=np.int8),
+            Column("stable", "1 where a state is stable", type=np.int8),
+            Column("at_rest", "1 where folds below the onset, or without it, end at Omega = 0", type=np.int8),
+            Column("onset", "status of the onset: why there is no F_SN", type=np.int8),
+            Column("folds", "number of folds", type=np.int8),
+            Column("motions", "number of stable motions", type=np.int8),
+            Column("crosses", "1 where a fold lies on the way from the row before", type=np.int8),
+            Column("detaches", "1 where the springs leave", type=np.int8),
+            Column("sticks", "1 where the mass stays at rest", type=np.int8),
+            Column("rests", "1 where friction holds the mass at the end", type=np.int8),
+            Column("stands", "number of stable places of rest", type=np.int8),
+            Column("at_fold", "1 where a motion that transmits more ends there in a fold", type=np.int8),
+            Column("branch", "number of the connected curve, from 0; -1 behind the last point", type=np.int16),
+            Column("isola", "1 where that curve is closed", type=np.int8),
+            Column("points", "number of points", type=np.intc),
+            Column("fold_Omega", "frequency of a fold", "frequency"),
+            Column("fold_A", "amplitude of a fold", "length"),
+            Column("fold_kind", "kind of fold", type=np.int8),
+            Column("count", "how many there are, also where they are more than places, or are proved", type=np.int8),
+            Column("proved", "1 where these are proved to be all", type=np.int8),
+            Column("bits", "of the arithmetic of the proof: 53 of intervals of doubles, more of balls", type=np.int16),
+            Column("undecided", "1 where neither doubles nor balls tell whether there is another pair", type=np.int8),
+            Column("status", "whether there is an answer, and why there is none", type=np.int8),
+            Column("remarks", "what to bear in mind with the answer, codes that add up", type=np.uint16),
+        )
+    }
+)  # fmt: skip
+
+
+class Question(NamedTuple):
+    """A question about many designs.
+
+    name    -- of its method
+    columns -- of its answer by system, each with the axis that it has behind those of the designs, "" for none
+    takes   -- numbers that it takes beside the designs', which broadcast with these; may -- and those that it may
+    options -- what else it takes, the same for all designs, with its default
+    along   -- the axis of a table or a record that such a number may have behind those of the designs
+    kinds   -- what the numbers in `kind` stand for
+    """
+
+    name: str
+    columns: Mapping[str, Mapping[str, str]]
+    takes: tuple[str, ...] = ()
+    may: tuple[str, ...] = ()
+    options: Mapping[str, Any] = MappingProxyType({})
+    along: Mapping[str, str] = MappingProxyType({})
+    kinds: type[IntEnum] | None = None
+
+    def layout(self, system: str) -> dict[str, tuple[str, np.dtype[Any]]]:
+        """The axis and the type of each column, by name; remarks last."""
+        columns = self.columns[system]
+        own = {"remarks": "row"} if "row" in columns.values() else {"remarks": ""}
+        return {name: (axis, np.dtype(COLUMNS[name].type)) for name, axis in {**columns, **own}.items()}
+
+
+def _columns(text: str) -> Mapping[str, str]:
+    """Axes by name of columns that are written "name" or "name:axis"."""
+    return MappingProxyType({name: axis for name, _, axis in (one.partition(":") for one in text.split())})
+
+
+def _same(text: str, *systems: str) -> dict[str, Mapping[str, str]]:
+    """These columns for each of the systems."""
+    return dict.fromkeys(systems, _columns(text))
+
+
+_PLACES = {"places": 6}
+_CURVE = "Omega:point A:point stable:point branch:point isola:point points"
+_FOLDS_OF_IT = "fold_Omega:place fold_A:place fold_kind:place count undecided status"
+_TRANSIENT = "A tau_A a_max tau_a detaches tau_detaches rests u_end status"
+
+QUESTIONS: Mapping[str, Question] = MappingProxyType(
+    {
+        one.name: one
+        for one in (
+            Question(
+                "detachment",
+                _same("F_cr Omega_cr u_cr status", AVERAGING, SECOND) | {OFFSET: _columns("F_cr Omega_cr A B status")},
+            ),
+            Question(
+                "saddle_node_onset",
+                _same("F_SN Omega A kind at_rest status", AVERAGING, SECOND)
+                | {OFFSET: _columns("F_SN Omega A B kind status")},
+                kinds=OnsetKind,
+            ),
+            Question(
+                "saddle_nodes",
+                _same("Omega:place A:place kind:place count undecided status", AVERAGING, SECOND)
+                | {OFFSET: _columns("Omega:place A:place B:place kind:place count undecided status")},
+                takes=("F_0",),
+                options=_PLACES,
+                kinds=FoldKind,
+            ),
+            Question(
+                "amplitudes",
+                {
+                    AVERAGING: _columns("A:place stable:place count undecided status"),
+                    SECOND: _columns("A:place A_1:place phi:place stable:place count undecided status"),
+                    OFFSET: _columns(
+                        "A:place B:place phi:place transmissibility:place stable:place count undecided status"
+                    ),
+                },
+                takes=("F_0", "Omega"),
+                options=_PLACES,
+            ),
+            Question(
+                "frequency_response",
+                {
+                    AVERAGING: _columns(f"{_CURVE} {_FOLDS_OF_IT}"),
+                    SECOND: _columns(
+                        "Omega:point A:point A_1:point phi:point stable:point branch:point isola:point points "
+                        "undecided status"
+                    ),
+                    OFFSET: _columns(f"{_CURVE} {_FOLDS_OF_IT} B:point phi:point transmissibility:point"),
+                },
+                takes=("F_0",),
+                options={"samples": 1000, "Omega": validate.WINDOW, **_PLACES},
+            ),
+            Question(
+                "peak",
+                _same("A Omega status", AVERAGING, SECOND) | {OFFSET: _columns("A B Omega u_max Omega_max status")},
+                takes=("F_0",),
+            ),
+            Question("certify", _same("count proved bits status", AVERAGING), takes=("F_0",), may=("Omega",)),
+            Question("rest", _same("u:place stiffness:place count status", OFFSET), options={"places": 3}),
+            Question("at_rest", _same("Omega_0 k_0 u_cr break_loose rests_within sticking status", AVERAGING)),
+            Question(
+                "margins",
+                _same("F_SN F_cr of_SN of_cr kind folds detaches sticks Omega_sticks onset status", AVERAGING, OFFSET),
+                takes=("F_0",),
+                kinds=OnsetKind,
+            ),
+            Question(
+                "hysteresis",
+                _same("Omega_low:place Omega_high:place motions:place count status", AVERAGING, OFFSET),
+                takes=("F_0",),
+                options={"places": 3},
+            ),
+            Question(
+                "isolation",
+                {AVERAGING: _columns("Omega A at_fold status"), OFFSET: _columns("Omega A at_fold status B")},
+                takes=("F_0",),
+            ),
+            Question(
+                "spectrum",
+                _same(
+                    "A:row transmissibility_dB:row motions:row crosses:row detaches:row sticks:row status:row",
+                    AVERAGING,
+                    OFFSET,
+                ),
+                takes=("Omega", "F_0"),
+                along={"Omega": "row", "F_0": "row"},
+            ),
+            Question(
+                "transient",
+                {AVERAGING: _columns(_TRANSIENT), OFFSET: _columns(f"{_TRANSIENT} stands")},
+                takes=("acceleration",),
+                may=("duration", "tau"),
+                options={"after": None},
+                along={"tau": "instant", "acceleration": "instant"},
+            ),
+            Question(
+                "shock_spectrum",
+                {
+                    AVERAGING: _columns("A a_max ratio detaches status"),
+                    OFFSET: _columns("A a_max ratio detaches status stands"),
+                },
+                takes=("acceleration", "duration"),
+            ),
+        )
+    }
+)
+
+Found = TypeVar("Found", covariant=True)
+
+
+class Unanswered:
+    """In the place of a question's method where it has no answer: to look for it raises NoAttribute, which says why."""
+
+    def __init__(self, why: str) -> None:
+        self.why = why
+
+    def __get__(self, one: Any, kind: Any = None) -> Any:
+        if one is None:
+            return self
+        raise validate.NoAttribute(self.why)
+
+
+class ManyQuestions(Generic[Found]):
+    """The questions about many designs: each returns a `Batch`, of a grid an xarray Dataset.
+
+    F_0, Omega, acceleration and duration are numbers or arrays that broadcast with the designs; `workers` threads
+    share these (-1: one for each processor) and give the same digits. Columns that have several entries for a design
+    have one more axis, of `places` entries, NaN and 0 behind the last one: `Status.TOO_MANY` where there are more. For
+    a design without an answer nothing is raised: `status` says why. Raises ValueError for arrays that do not broadcast,
+    and for what is the same for all designs and not allowed.
+    """
+
+    def _ask(self, question: str, /, *, workers: int = 1, **given: Any) -> Found:
+        """The answer to a question by its name, from what its method takes."""
+        raise NotImplementedError
+
+    def detachment(self, *, workers: int = 1) -> Found:
+        """The lowest forcing that reaches u_cr, its frequency, and u_cr (34): .F_cr .Omega_cr .u_cr.
+
+        With a load the motion that comes to a breakpoint, .A and .B, on either side. `Status.NONE` without one.
+        """
+        return self._ask("detachment", workers=workers)
+
+    def saddle_node_onset(self, *, workers: int = 1) -> Found:
+        """The lowest forcing that has a fold (33): .F_SN .Omega .A .kind .at_rest; with a load .B.
+
+        kind    -- a number of `OnsetKind`: a cusp, an isola's birth, on a breakpoint
+        at_rest -- 1 where there are folds below it, or without it, that end at Omega = 0
+
+        `.untruncated` is F_SN of the untruncated force where the onset is on a corner that only the truncation makes.
+        What doubles do not tell is asked of balls, as of single designs; of the first 20 designs. With a load
+        `Status.UNRESOLVED` where the onset is undecided.
+        """
+        return self._ask("saddle_node_onset", workers=workers)
+
+    def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Found:
+        """Every fold at F_0, by rising Omega (24), (30): .Omega .A .kind .count .undecided; with a load .B.
+
+        kind      -- a number of `FoldKind`: where a sweep goes that leaves the fold, and whether it sits on a corner at
+                     a breakpoint; 0 where the motions that meet are both not stable
+        count     -- how many folds there are, also where they are more than places
+        undecided -- 1 where neither doubles nor balls tell whether there is another pair, or where one lies
+
+        What doubles leave undecided is asked of balls, as of single designs, see `certify`; of the first 200 designs.
+        """
+        return self._ask("saddle_nodes", workers=workers, F_0=F_0, places=places)
+
+    def amplitudes(self, *, Omega: Any, F_0: Any, places: int = 6, workers: int = 1) -> Found:
+        """Every steady state at (Omega, F_0), by rising A (24), (30): .A .phi .stable .count .undecided .transmissibility.
+
+        A      -- 0 where friction holds the mass at rest, with `Status.STICKS` if nothing else is there; in the second
+                  approximation the largest displacement, beside .A_1 of the fundamental harmonic
+        B      -- with a load, the mean displacement
+        stable -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
+        count  -- how many states there are, also where they are more than places
+
+        Undecided ones as of `saddle_nodes`.
+        """  # noqa: E501
+        return self._ask("amplitudes", workers=workers, F_0=F_0, places=places, Omega=Omega)
+
+    def frequency_response(
+        self,
+        F_0: Any,
+        *,
+        samples: int = 1000,
+        Omega: tuple[float, float] = validate.WINDOW,
+        places: int = 6,
+        workers: int = 1,
+    ) -> Found:
+        """The response curve at F_0 in the window `Omega` (24), (30), with every fold: .Omega .A .stable .branch .isola.
+
+        Points lie along one more axis, in order along each branch: as long as `samples` and 64 more (256 in the second
+        approximation), behind the last of `.points` NaN, branch -1 and 0. `Status.TOO_MANY` where a curve has more
+        points, which has none then, or more folds than `places`. Some 25 bytes a point.
+
+        stable -- 1 where both eigenvalues of the Jacobian (28) have a negative real part
+        branch -- number of the connected curve that a point lies on, from 0; isolated curves come last
+        isola  -- 1 where that curve is closed
+        fold_Omega, fold_A, fold_kind, count -- as of `saddle_nodes`; not in the second approximation
+        """  # noqa: E501
+        given = {"F_0": F_0, "samples": samples, "Omega": Omega, "places": places}
+        return self._ask("frequency_response", workers=workers, **given)
+
+    def peak(self, F_0: Any, *, workers: int = 1) -> Found:
+        """The highest peak at F_0, isolas included: .A .Omega, which is 0 where A only falls with Omega.
+
+        Of a spring that gives way that within the well. `Status.UNBOUNDED` where nothing ends a response, within it. With
+        a load .B, and .u_max at .Omega_max of the motion that goes farthest.
+        """  # noqa: E501
+        return self._ask("peak", workers=workers, F_0=F_0)
+
+    def certify(self, F_0: Any, *, Omega: Any = None, workers: int = 1) -> Found:
+        """How many folds at F_0, or states at (Omega, F_0), are proved: .count .proved .bits; of motions about the centre.
+
+        proved -- 1 where these are proved to be all, with amplitudes as in a single `certify`; 0 where undecided
+        bits   -- of the arithmetic: 53 of intervals of doubles, more of balls
+
+        What intervals of doubles leave undecided is asked of balls, as of single designs: one by one, with python-flint
+        (`pip install 'slowflow[proofs]'`), some hundredths of a second each; these do not share `workers`.
+        `Status.UNRESOLVED` where no proof is possible: of a force whose averages are known in neither.
+        """  # noqa: E501
+        return self._ask("certify", workers=workers, F_0=F_0, Omega=Omega)
+
+    def rest(self, *, places: int = 3, workers: int = 1) -> Found:
+        """Where the mass stands under a load, by rising u: .u .stiffness .count."""
+        return self._ask("rest", workers=workers, places=places)
+
+    def at_rest(self, *, workers: int = 1) -> Found:
+        """What holds whatever the forcing: .Omega_0 .k_0 .u_cr, and by friction .break_loose .rests_within .sticking.
+
+        As of a single `at_rest`: NaN where there is no frequency or no stroke; rests_within may be inf.
+        """
+        return self._ask("at_rest", workers=workers)
+
+    def margins(self, F_0: Any, *, workers: int = 1) -> Found:
+        """How far F_0 is from F_SN and F_cr: .of_SN .of_cr .folds .detaches .sticks .Omega_sticks .onset.
+
+        F_SN, F_cr, of_SN, of_cr -- inf where there is no such forcing, and F_SN NaN where none is the lowest, or which
+                    is not known: `onset` tells; F_cr as in `slowflow.loads.Margins`
+        kind     -- of the onset, a number of `OnsetKind`: no sweep jumps at an isola's birth
+        detaches, sticks -- 1 where a stable motion passes u_cr, isolated curves included, which may be there below
+                    F_cr, and where a mass at rest stays there, whatever the frequency
+        onset    -- the status of the onset
+        status   -- that of the folds, or of the onset, the detachment or the peak where one of these is not known
+        """
+        return self._ask("margins", workers=workers, F_0=F_0)
+
+    def hysteresis(self, F_0: Any, *, places: int = 3, workers: int = 1) -> Found:
+        """Bands of frequencies with several stable motions at F_0, by rising frequency: .Omega_low .Omega_high .motions.
+
+        count -- how many bands there are, also where they are more than places
+        """  # noqa: E501
+        return self._ask("hysteresis", workers=workers, F_0=F_0, places=places)
+
+    def isolation(self, F_0: Any, *, workers: int = 1) -> Found:
+        """The frequency from which on less than F_0 is transmitted: .Omega .A .at_fold; with a load .B.
+
+        0 and NaN where every motion transmits less; NaN where there is no such frequency, `Status.NONE`.
+        """
+        return self._ask("isolation", workers=workers, F_0=F_0)
+
+    def spectrum(self, *, Omega: Any, F_0: Any, workers: int = 1) -> Found:
+        """A load spectrum, one tone at a time: .A .transmissibility_dB .motions .crosses .detaches .sticks.
+
+        The last axis of Omega and F_0, which broadcast, is that of the rows; what they have before it broadcasts with
+        the designs. Answers have the axes of the designs, then that of the rows. `Status.NONE` where no motion is
+        stable, and of what fails that of the states, or of the folds on the way.
+        """
+        return self._ask("spectrum", workers=workers, Omega=Omega, F_0=F_0)
+
+    def transient(
+        self, *, acceleration: Any, duration: Any = None, tau: Any = None, after: float | None = None, workers: int = 1
+    ) -> Found:
+        """What a shock of the base does: .A .tau_A .a_max .tau_a .detaches .tau_detaches .rests .u_end.
+
+        Peak and duration of a half sine broadcast with the designs; of a record the last axis of `tau` and
+        `acceleration` is that of its samples, and what they have before it broadcasts with the designs. Some thirty
+        thousand designs in a second. `Status.UNRESOLVED` where the motion escapes or chatters; with a load .stands, the
+        number of stable places of rest, of which it begins at that nearest to the centre, in hundredths of a second a
+        design.
+        """
+        given = {"acceleration": acceleration, "duration": duration, "tau": tau, "after": after}
+        return self._ask("transient", workers=workers, **given)
+
+    def shock_spectrum(self, *, acceleration: Any, duration: Any, workers: int = 1) -> Found:
+        """What a half sine of the base does: .A .a_max .ratio .detaches; with a load .stands, as of `transient`.
+
+        Raises ValueError for structural damping. Designs with other laws of damping are followed one by one, in
+        milliseconds each.
+        """
+        return self._ask("shock_spectrum", workers=workers, acceleration=acceleration, duration=duration)
