@@ -1,7 +1,7 @@
 """What several tests share, also across the workers of pytest-xdist: what is made once, and the generated C.
 
-Profiles of Hypothesis: "push" draws the same examples every time; --hypothesis-profile=long (`make test-random`) draws
-others in each run, and prints the seed that --hypothesis-seed repeats it by.
+Profiles of Hypothesis: "push" draws the same few examples every time; "all", of `make test-all`, draws more, others in
+each run, and prints the seed that --hypothesis-seed repeats it by.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from derivations.emit.catalogue.every_module import all_modules
 from derivations.emit.form import Module
 from derivations.emit.views import Code, programs
 from derivations.results import Results, derive
+from tests import sampling
 from tests.native import headers
 
 # what is derived in tests and examples: once for all workers, which have it from the process that starts them
@@ -35,8 +36,8 @@ pytest.register_assert_rewrite("tests.off_centre_cases")
 os.environ.setdefault("MPLBACKEND", "Agg")
 
 settings.register_profile("push", deadline=None, derandomize=True)
-settings.register_profile("long", deadline=None, derandomize=False, print_blob=True)
-settings.load_profile("push")
+settings.register_profile("all", deadline=None, derandomize=False, print_blob=True)
+settings.load_profile("all" if sampling.ALL else "push")
 
 Once = Callable[[str, Callable[[Path], object]], Path]
 
@@ -44,19 +45,26 @@ Once = Callable[[str, Callable[[Path], object]], Path]
 @pytest.hookimpl(tryfirst=True)
 def pytest_configure(config: pytest.Config) -> None:
     """One fresh seed for all workers, before Hypothesis reads the option."""
-    if config.getoption("--hypothesis-profile") == "long" and config.getoption("--hypothesis-seed") is None:
+    if sampling.ALL and config.getoption("--hypothesis-seed") is None:
         config.option.hypothesis_seed = str(secrets.randbits(32))
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """--part N: one in N of the tests that were selected, others after each commit."""
+    parser.addoption("--part", type=int, default=1, metavar="N", help="run one in N of what is selected")
+
+
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
-    """The seed of a long run."""
-    if config.getoption("--hypothesis-profile") == "long":
-        seed = config.getoption("--hypothesis-seed")
-        terminalreporter.write_line(f"again: --hypothesis-profile=long --hypothesis-seed={seed}")
+    """What repeats the part that was run, or the seed of a run of all."""
+    seed = f"--hypothesis-seed={config.getoption('--hypothesis-seed')}"
+    part = f"part of the cases: SLOWFLOW_TESTS={sampling.TURN} repeats it, SLOWFLOW_TESTS=all runs all"
+    terminalreporter.write_line(f"again: {seed}" if sampling.ALL else part)
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Files that ask for the derivation come first: one worker has all of them, and derives for all of them."""
+    items[:] = sampling.part(items, config.getoption("--part"))
     derive = {item.path for item in items if "results" in getattr(item, "fixturenames", ())}
     items.sort(key=lambda item: item.path not in derive)
 

@@ -44,6 +44,7 @@ from tests.public_questions import (
     columns,
     numbers,
 )
+from tests.sampling import fewer
 
 #: refusals: each has words; anything else that is raised is a defect
 REFUSED = SlowflowError
@@ -52,8 +53,8 @@ LONG = ("measure", "plot", "plot_map")
 #: processor time within which a question is promised to end
 AT_MOST = 60.0
 
-often = settings(max_examples=300, suppress_health_check=[HealthCheck.too_slow])
-seldom = settings(often, max_examples=60)
+often = settings(max_examples=fewer(300, 5), suppress_health_check=[HealthCheck.too_slow])
+seldom = settings(often, max_examples=fewer(60, 5))
 
 
 def undefined(value):
@@ -139,7 +140,7 @@ def test_an_answer_or_a_refusal_in_words(made, asked):
 
 
 @pytest.mark.slow
-@settings(often, max_examples=150)
+@settings(often, max_examples=fewer(150, 5))
 @given(oscillators, st.lists(any_of(SECOND), min_size=1, max_size=2))
 def test_the_second_approximation_answers_or_refuses_in_words(made, asked):
     kind, parameters = made
@@ -174,14 +175,14 @@ def test_a_picture_and_a_measured_error_are_answered_or_refused_in_words(made, a
 
 @pytest.mark.slow
 @pytest.mark.both_backends
-@settings(often, max_examples=150)
+@settings(often, max_examples=fewer(150, 5))
 @given(st.fixed_dictionaries(BATCHES), st.lists(any_of(OF_BATCHES), min_size=1, max_size=2))
 def test_a_batch_has_numbers_or_a_status(given_numbers, asked):
     asked_all(lambda: Isolator.many(**given_numbers), asked)
 
 
 @pytest.mark.slow
-@settings(often, max_examples=100)
+@settings(often, max_examples=fewer(100, 5))
 @given(st.fixed_dictionaries(BATCHES), st.lists(any_of(OF_SECOND_BATCHES), min_size=1, max_size=2))
 def test_a_batch_of_the_second_approximation_has_numbers_or_a_status(given_numbers, asked):
     asked_all(lambda: Isolator.many(**given_numbers).second_approximation, asked)
@@ -202,7 +203,7 @@ VALUES = st.one_of(
 
 
 @pytest.mark.slow
-@settings(often, max_examples=150)
+@settings(often, max_examples=fewer(150, 5))
 @given(st.integers(0, 6), VALUES)
 def test_a_scene_with_any_value_is_answered_or_refused_in_words(place, value):
     """The file of Table 1 with one of its values replaced: an exit code and words, and no traceback."""
@@ -223,7 +224,7 @@ def test_a_scene_with_any_value_is_answered_or_refused_in_words(place, value):
 
 
 @pytest.mark.slow
-@settings(often, max_examples=100)
+@settings(often, max_examples=fewer(100, 5))
 @example(1.7e308, 1.0, 1.0, "mu")
 @example(0.0, 1.0, 1e-160, "mu")
 @example(0.0, 1.0, 5e-324, "mu")
@@ -255,7 +256,7 @@ def test_a_data_sheet_is_answered_or_refused_in_words(sheet, asked):
 
 
 @pytest.mark.slow
-@settings(often, max_examples=30)
+@settings(often, max_examples=fewer(30, 5))
 @given(st.fixed_dictionaries(SHEETS), any_of(MOTIONS_IN_UNITS))
 def test_a_motion_of_a_data_sheet_is_answered_or_refused_in_words(sheet, asked):
     asked_all(lambda: Isolator.physical(**sheet), [asked])

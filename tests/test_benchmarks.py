@@ -123,6 +123,7 @@ def test_processor_time_holds_what_a_process_waited_for() -> None:
 
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="what is counted gcc compiles")
+@pytest.mark.night
 def test_what_a_limit_leaves_unexplained_is_told() -> None:
     """In seconds and percent; a motion's steps and phases are those of the integrator."""
     states, motion = counted.of(["amplitudes", "motion"])

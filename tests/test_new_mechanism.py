@@ -64,6 +64,7 @@ def run(folder: Path, *command: str, **environment: str) -> str:
 
 
 @pytest.mark.slow
+@pytest.mark.night
 def test_every_question_is_answered_by_the_compiled_solvers(project):
     if backend.SOLVER is None:
         pytest.skip("the compiled solvers are not in use")
@@ -71,11 +72,13 @@ def test_every_question_is_answered_by_the_compiled_solvers(project):
 
 
 @pytest.mark.slow
+@pytest.mark.night
 def test_every_question_is_answered_on_numpy(project):
     assert run(project, "-m", "tests.mechanisms.questions", SLOWFLOW_BACKEND="numpy") == "NumPy\n"
 
 
 @pytest.mark.slow
+@pytest.mark.night
 def test_its_kernels_and_its_record_pass_the_tests_of_all_others(project):
     run(project, "-m", "tests.oracles.make_kernel_oracle", "bilinear")
     # pytest fails where it finds no test

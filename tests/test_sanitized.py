@@ -37,6 +37,7 @@ def runtime():
 
 
 @pytest.mark.slow
+@pytest.mark.night
 @pytest.mark.skipif(not runtime(), reason="gcc without its address sanitizer")
 def test_no_question_does_in_c_what_c_does_not_define(tmp_path):
     command = ["gcc", *FLAGS, *SANITIZED, "-DPy_LIMITED_API=0x030B0000", *(f"-I{path}" for path in INCLUDES)]

@@ -137,6 +137,7 @@ def wheel(once: Once) -> Path:
     return found
 
 
+@pytest.mark.night
 def test_without_a_compiler_a_wheel_says_so_and_a_pure_one_bears_its_name(tmp_path: Path) -> None:
     (tmp_path / "none").mkdir()
     done = built(tmp_path / "none", CC="false")
@@ -189,6 +190,7 @@ def test_a_wheel_has_the_solvers_for_any_processor(installed: Path, tmp_path: Pa
     assert done.stdout.split(", ")[0].strip() in ("baseline", "one", "None"), done.stderr
 
 
+@pytest.mark.night
 def test_the_report_is_printed_in_any_folder_and_says_what_it_cannot_draw(installed: Path, tmp_path: Path) -> None:
     done = run([installed / "slowflow", "paper"], tmp_path)
     assert done.returncode == 0, done.stderr
@@ -201,6 +203,7 @@ def test_the_report_is_printed_in_any_folder_and_says_what_it_cannot_draw(instal
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.night
 def test_with_matplotlib_figures_scenes_and_reports_are_made(wheel: Path, tmp_path: Path) -> None:
     programs = environment(tmp_path / "environment", wheel, NEEDED + PLOTTING)
     (tmp_path / "empty").mkdir()
@@ -228,6 +231,7 @@ def stranger(once: Once, wheel: Path) -> Path:
     return once("deriving", lambda folder: environment(folder, wheel, NEEDED + DERIVING)) / "bin"
 
 
+@pytest.mark.night
 @pytest.mark.parametrize("kind", PADS)
 def test_a_stranger_derives_a_mechanism_in_an_empty_folder(stranger: Path, tmp_path: Path, kind: str) -> None:
     pieces, force = PADS[kind]
@@ -254,6 +258,7 @@ def test_a_stranger_derives_a_mechanism_in_an_empty_folder(stranger: Path, tmp_p
         assert integrated(odd, Omega=Omega, F_0=0.05, mu=0.005)[0] == pytest.approx(A, rel=1e-4)
 
 
+@pytest.mark.night
 def test_a_stranger_puts_a_stop_on_one_side_and_has_its_derivation_written(stranger: Path, tmp_path: Path) -> None:
     (tmp_path / "sided.py").write_text(SIDED)
     kept = str(tmp_path / "kept")
