@@ -19,7 +19,7 @@ Out: `Dissipation`: with the sine balance (23) of any of these laws together, in
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -44,6 +44,8 @@ I_A, R_A, beside = sp.symbols("I_A R_A beside", real=True)
 h_over_A, I_0_over_A, I_over_A = sp.symbols("h_over_A I_0_over_A I_over_A", real=True)
 #: 1/Omega
 x = sp.Symbol("x", positive=True)
+#: what I_0 less A I_0A is
+level = sp.Symbol("level", nonnegative=True)
 #: half the angle over which what is attached is not passed: cos(psi_0) = u_cr/A
 psi_0 = sp.Symbol("psi_0", positive=True)
 
@@ -98,6 +100,12 @@ class Dissipation:
     structural_bound -- above A, where |h| grows by s dA at most, no state lies where these are positive: and its slope
     quadratic_bound -- the amplitude that no state under an excitation by inertia exceeds, by d
     systems   -- by what they are
+    in_R      -- the same with A and the balance R as unknowns: Omega^2 = (R - h)/A, in which nothing cancels where R is
+                 small; in R, I and their slopes R_A, I_A along A at a given Omega; `folds_far`: by inertia, all over
+                 Omega^2, Omega^-2 = (R - A)/h; `folds_far_in_x`: with A and 1/Omega as unknowns, where h may vanish
+    sine_intercept -- I - A I_A, where the tangent of I at a given Omega meets A = 0, by that of I_0
+    velocity  -- A Omega by I
+    rest_intercept, released_intercept -- I_0 - A I_0A
     curve     -- the response, for how answers move
     rest_moves, released_moves -- what m, eta and, where friction ends there, u_cr do to I_0, I_0A and I_0AA
     """
@@ -146,6 +154,11 @@ class Dissipation:
     structural_bound: tuple[sp.Expr, ...]
     quadratic_bound: sp.Expr
     systems: dict[str, System]
+    in_R: dict[str, System]
+    sine_intercept: sp.Expr
+    velocity: sp.Expr
+    rest_intercept: sp.Expr
+    released_intercept: sp.Expr
     curve: Curve
     rest_moves: tuple[sp.Expr, ...]
     released_moves: tuple[sp.Expr, ...]
@@ -307,6 +320,11 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
                 ("isolas_by_inertia", (F_A, least)),
             )
         },
+        in_R=_in_R(flow.R, value, F, halved),
+        sine_intercept=sp.expand(value - A * by_A(value)).subs(I_0, level + A * I_0A),
+        velocity=_velocity(value),
+        rest_intercept=_intercept(at_rest),
+        released_intercept=_intercept(released),
         curve=Curve(
             R=flow.R,
             I=value,
@@ -326,6 +344,57 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
         rest_moves=moves(at_rest, m, eta),
         released_moves=moves(released, m, eta, u_cr),
     )
+
+
+def _intercept(rest: tuple[sp.Expr, ...]) -> sp.Expr:
+    return sp.expand(rest[0] - A * rest[1])
+
+
+def _velocity(value: sp.Expr) -> sp.Expr:
+    """A Omega where I is known, in the form in which nothing cancels."""
+    v = sp.Symbol("v", nonnegative=True)
+    balance = sp.Poly(sp.expand(value.subs(Omega, v / A)) - I, v)
+    constant, linear, second = (balance.coeff_monomial(v**power) for power in range(3))
+    found = -2 * constant / (linear + sp.sqrt(linear**2 - 4 * second * constant))
+    _vanishes(balance.as_expr().subs(v, found), "the velocity by I")
+    return sp.simplify(found)
+
+
+def _in_R(of_R: sp.Expr, value: sp.Expr, F: sp.Expr, halved: sp.Expr) -> dict[str, System]:
+    """By implicit differentiation: on a line of constant R the frequency moves by -R_A/R_w along A."""
+    result = {}
+    for name, w in (("folds", Omega), ("folds_far", x)):
+
+        def at(whole: sp.Expr, w: sp.Symbol = w) -> sp.Expr:
+            return whole if w == Omega else sp.expand(sp.expand(whole / Omega**2).subs(Omega, 1 / x))
+
+        known = {symbol: at(whole) for symbol, whole in ((R, of_R), (I, value), (R_A, by_A(of_R)), (I_A, by_A(value)))}
+        # along A at a constant frequency
+        rises = {R: R_A, I: I_A, R_A: by_A(known[R_A]), I_A: by_A(known[I_A])}
+        by_frequency = {symbol: sp.factor_terms(sp.diff(whole, w)) for symbol, whole in known.items()}
+
+        def slope_of(
+            expression: sp.Expr,
+            moved: sp.Expr,
+            of_R: sp.Expr,
+            by: sp.Expr,
+            known: Sequence[dict[sp.Symbol, sp.Expr]] = (rises, by_frequency),
+            w: sp.Symbol = w,
+        ) -> sp.Expr:
+            """Where the frequency moves by `moved`, R by `of_R` and A by `by`."""
+            found = sp.diff(expression, w) * moved + sp.diff(expression, R) * of_R
+            for symbol in (I, R_A, I_A):
+                found += sp.diff(expression, symbol) * (known[0][symbol] * by + known[1][symbol] * moved)
+            return sp.factor_terms(found)
+
+        by_R, none, one = 1 / by_frequency[R], sp.S.Zero, sp.S.One
+        directions = {name: ((-R_A * by_R, none, one), (by_R, one, none))}
+        if w == x:
+            directions["folds_far_in_x"] = (none, R_A, one), (one, by_frequency[R], none)
+        for each, lines in directions.items():
+            slopes = tuple(slope_of(value, *line) for value in (F, halved) for line in lines)
+            result[each] = System((F, halved), slopes)
+    return result
 
 
 def _far_by_inertia(R: sp.Expr, I: sp.Expr, F: sp.Expr, least: sp.Expr) -> tuple[sp.Expr, ...]:

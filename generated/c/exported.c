@@ -12,6 +12,7 @@
 #include "slow_flow_mu0_zeta0.h"
 #include "frequencies.h"
 #include "inertia.h"
+#include "dissipation.h"
 #include "motion.h"
 #include "second_approximation.h"
 #include "den_hartog.h"

@@ -12,13 +12,13 @@ __all__ = [
     "F_A", "F_AA", "I_A", "MOVES", "F", "F_AOmega", "F_AOmegaOmega", "F_A_halved", "F_A_scaled", "F_Omega",
     "F_OmegaOmega", "I", "I_scaled", "Omega_A", "Omega_A_by_inertia", "R_of_fold", "R_of_peak", "R_of_response",
     "R_where_stationary", "at_rest", "beside", "cusp_bend", "cusp_bend_by_inertia", "cusps", "far",
-    "far_by_inertia", "fold_quartic", "folds", "folds_by_inertia", "full_by_inertia", "h_A_of_turn", "isola_bend",
-    "isola_bend_by_inertia", "isolas", "isolas_by_inertia", "least_F_A", "least_scaled", "limit_envelope",
-    "moves_of_corner_backbone", "moves_of_corner_end", "moves_of_corner_fold", "moves_of_corner_rest",
-    "moves_of_corner_top", "moves_of_cusp", "moves_of_fold", "moves_of_isola", "moves_of_peak", "moves_of_phase",
-    "moves_of_state", "peaks", "peaks_by_inertia", "quadratic", "quadratic_bound", "released", "released_moves",
-    "response_quartic", "rest", "rest_moves", "restoring", "stability", "stiffness", "structural_bound",
-    "turn_share", "turns",
+    "far_by_inertia", "fold_quartic", "folds", "folds_by_inertia", "folds_far", "folds_far_in_x", "folds_in_R",
+    "full_by_inertia", "h_A_of_turn", "isola_bend", "isola_bend_by_inertia", "isolas", "isolas_by_inertia",
+    "least_F_A", "least_scaled", "limit_envelope", "moves_of_corner_backbone", "moves_of_corner_end",
+    "moves_of_corner_fold", "moves_of_corner_rest", "moves_of_corner_top", "moves_of_cusp", "moves_of_fold",
+    "moves_of_isola", "moves_of_peak", "moves_of_phase", "moves_of_state", "peaks", "peaks_by_inertia", "quadratic",
+    "quadratic_bound", "released", "released_moves", "response_quartic", "rest", "rest_moves", "restoring",
+    "stability", "stiffness", "structural_bound", "turn_share", "turns",
 ]
 
 MOVES: tuple[Any, ...]
@@ -73,6 +73,9 @@ def stiffness(Omega: Any, A: Any, I_0A: Any, I_0AA: Any, zeta: Any, d: Any, h_A:
 def folds_by_inertia(Omega: Any, A: Any, F_0: Any, I_0A: Any, I_0AA: Any, zeta: Any, d: Any, h_A: Any, h_AA: Any, R: Any, I: Any) -> tuple[Any, Any, Any, Any, Any, Any]: ...
 def peaks_by_inertia(Omega: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, zeta: Any, d: Any, h: Any, h_A: Any, R: Any, I: Any) -> tuple[Any, Any, Any, Any, Any, Any]: ...
 def isolas_by_inertia(Omega: Any, A: Any, I_0: Any, I_0A: Any, I_0AA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, R: Any, I: Any) -> tuple[Any, Any, Any, Any, Any, Any]: ...
+def folds_in_R(Omega: Any, A: Any, F_0: Any, I_0AA: Any, zeta: Any, d: Any, h_AA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]: ...
+def folds_far(x: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]: ...
+def folds_far_in_x(x: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, R: Any, I: Any, R_A: Any, I_A: Any) -> tuple[Any, Any, Any, Any, Any, Any]: ...
 def moves_of_state(Omega: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, h_p: Any, h_Ap: Any, h_AAp: Any, I_0p: Any, I_0Ap: Any, I_0AAp: Any, zeta_p: Any, d_p: Any, end_p: Any, forcing_p: Any, frequency_p: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any]: ...
 def moves_of_fold(Omega: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, h_p: Any, h_Ap: Any, h_AAp: Any, I_0p: Any, I_0Ap: Any, I_0AAp: Any, zeta_p: Any, d_p: Any, end_p: Any, forcing_p: Any, frequency_p: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any]: ...
 def moves_of_corner_fold(Omega: Any, A: Any, F_0: Any, I_0: Any, I_0A: Any, I_0AA: Any, I_0AAA: Any, zeta: Any, d: Any, h: Any, h_A: Any, h_AA: Any, h_AAA: Any, h_p: Any, h_Ap: Any, h_AAp: Any, I_0p: Any, I_0Ap: Any, I_0AAp: Any, zeta_p: Any, d_p: Any, end_p: Any, forcing_p: Any, frequency_p: Any) -> tuple[Any, Any, Any, Any, Any, Any, Any]: ...

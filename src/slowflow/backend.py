@@ -59,13 +59,17 @@ EXACT: ModuleType | None = _loaded("slowflow._exact", "exact motions run on SciP
 NAME = "numpy" if KERNELS is None else "native" if SOLVER is not None else "native kernels, solvers on numpy"
 
 
-def record_of(mechanism: Mechanism, inertial: bool = False) -> Any:
+def record_of(mechanism: Mechanism, inertial: bool = False, laws: bool = False) -> Any:
     """The compiled record of a mechanism, None where there is none of this very one: its solvers are NumPy's then.
 
     inertial -- whether it is excited by inertia
+    laws     -- whether it takes other laws of damping: mu, zeta, eta, c_2, and whether friction ends at a breakpoint
     """
     record = SOLVER.RECORDS.get(mechanism.name) if SOLVER is not None and mechanism.is_generated else None
-    return SOLVER.inertial(record) if SOLVER is not None and inertial and record is not None else record
+    if SOLVER is None or record is None:
+        return None
+    record = SOLVER.inertial(record) if inertial else record
+    return SOLVER.with_laws(record) if laws else record
 
 
 def _as_doubles(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[float, ...] | None:
@@ -99,12 +103,12 @@ def parameters_of(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[floa
 def compiled_model(
     mechanism: Mechanism,
     parameters: tuple[float, ...],
-    damping: tuple[float, float],
+    damping: tuple[float, ...],
     design: tuple[float, ...],
     inertial: bool,
 ) -> Any:
     """One oscillator as the compiled solvers take it, None where they have no record of its mechanism, or refuse it."""
-    record = record_of(mechanism, inertial)
+    record = record_of(mechanism, inertial, len(damping) > 2)
     return None if SOLVER is None or record is None else SOLVER.model(record, parameters, damping, design)
 
 

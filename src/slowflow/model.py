@@ -136,6 +136,7 @@ class Model:
     flow       -- generated slow flow of the scene; `flow.SCENE` tells it in words
     breakpoints, jumps -- where the pieces of the force end, and the force just below less the force just above
     native     -- the same as the compiled solvers take it, None where they have no record of the mechanism
+    searched   -- the same where other laws of damping leave them the search for folds only
     """
 
     mechanism: Mechanism
@@ -150,22 +151,25 @@ class Model:
     breakpoints: tuple[float, ...] = field(init=False)
     jumps: tuple[float, ...] = field(init=False)
     native: Any = field(init=False, compare=False, repr=False)
+    searched: Any = field(init=False, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         if self.inertial:
             self._check_inertia()
         damping = self.mu, self.zeta
-        native = None
+        native, known = None, (self.mechanism, self.parameters)
         # the compiled solvers know no preload under an excitation by inertia
         if not (self.laws.any or (self.inertial and self.mechanism.odd and self.preload != 0)):
-            native = backend.compiled_model(self.mechanism, self.parameters, damping, self.design, self.inertial)
+            native = backend.compiled_model(*known, damping, self.design, self.inertial)
         m, breakpoints, jumps = self._prepared() if native is None else backend.prepared(native)
         flow = general_flow if self.laws.any else flow_of(*damping)
-        self.__dict__.update(flow=flow, m=m, breakpoints=breakpoints, jumps=jumps, native=native)
+        self.__dict__.update(flow=flow, m=m, breakpoints=breakpoints, jumps=jumps, native=native, searched=native)
         if native is None and not self.mechanism.is_generated:
             check_at_rest(self.mechanism, self.parameters)
         if self.laws.any:
             self._check_laws()
+            of_laws = (*damping, self.laws.eta, self.laws.c_2, float(self.laws.rubs != THROUGHOUT))
+            self.__dict__["searched"] = backend.compiled_model(*known, of_laws, self.design, self.inertial)
 
     # before the parameters are known to be numbers of ordinary size
     @np.errstate(all="ignore")

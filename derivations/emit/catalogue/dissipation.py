@@ -20,9 +20,11 @@ from ...dissipation import (
     Dissipation,
     I_0_over_A,
     I_over_A,
+    System,
     beside,
     d,
     h_over_A,
+    level,
     steepest,
     u_cr,
     x,
@@ -36,7 +38,18 @@ from ..form import Kernel, Module, plain
 from .flow import gradient_kernels
 
 #: arguments, in their order
-KNOWN = (Omega, A, F_0, *REST, zeta, d, h, h_A, h_AA, h_AAA)
+KNOWN = (Omega, x, A, F_0, *REST, zeta, d, h, h_A, h_AA, h_AAA)
+#: what the compiled search takes on numbers, and on intervals
+IN_C = {
+    *("quadratic", "restoring", "at_rest", "released", "I", "I_A", "far", "F", "F_A", "F_AA"),
+    *("response_quartic", "fold_quartic", "far_by_inertia", "structural_bound", "quadratic_bound"),
+    *("folds", "folds_in_R", "folds_far", "folds_far_in_x"),
+}
+ENCLOSED = {
+    *("at_rest", "released", "I", "I_A", "far", "R_of_response"),
+    *("rest_intercept", "released_intercept", "sine_intercept", "sine_intercept_far", "velocity"),
+    *("folds", "folds_in_R", "folds_far", "folds_far_in_x"),
+}
 #: what each system is, in words
 SYSTEMS = {
     "folds": ("F and F_A", "(24), (30)"),
@@ -49,6 +62,12 @@ SYSTEMS = {
     "folds_by_inertia": ("F and F_A by inertia", "(24), (30)"),
     "peaks_by_inertia": ("F and -Omega^5/4 dlevel^2/dOmega by inertia", "(24)"),
     "isolas_by_inertia": ("F_A and -Omega^5/4 dlevel^2/dOmega by inertia", "(30)"),
+}
+#: the same by R, see `Dissipation.in_R`
+IN_R = {
+    "folds": ("folds_in_R", "F and F_A/2, in A and R", "(24), (30)"),
+    "folds_far": ("folds_far", "F and F_A/2 by inertia over Omega^4, x = 1/Omega, in A and R", "(24), (30)"),
+    "folds_far_in_x": ("folds_far_in_x", "The same in A and x", "(24), (30)"),
 }
 
 
@@ -90,7 +109,6 @@ def dissipation_module(results: Results) -> Module:
         name="dissipation",
         title="Structural and quadratic damping, and dry friction of what is attached",
         inputs=("averaging.py", "slow_flow.py", "dissipation.py", "gradients.py"),
-        in_c=False,
         kernels=(
             plain(
                 "quadratic", (c_2,), of.quadratic, "Quadratic damping's factor of A^2 Omega^2 in I.", "from (19)", "any"
@@ -200,11 +218,19 @@ def dissipation_module(results: Results) -> Module:
             *searched_kernels(of),
             *inertial_kernels(of, slopes, in_derivatives),
             *(system(name, *of.systems[name].values, *of.systems[name].slopes) for name in of.systems),
+            *(system_in_R(name, of.in_R[name]) for name in of.in_R),
             *gradients_by_laws(results.laws_gradients),
         ),
     )
     # solvers on NumPy ask these of many amplitudes at once, which compiled loops would not do faster
-    return replace(found, kernels=tuple(replace(kernel, generic=True) for kernel in found.kernels))
+    return replace(
+        found,
+        kernels=tuple(
+            replace(kernel, generic=True, in_c=kernel.name in IN_C, enclosed=kernel.name in ENCLOSED)
+            for kernel in found.kernels
+        ),
+        cells=intercept_kernels(of),
+    )
 
 
 def gradients_by_laws(gradients: Gradients) -> list[Kernel]:
@@ -316,6 +342,53 @@ def searched_kernels(of: Dissipation) -> list[Kernel]:
         ),
         plain("least_scaled", (Omega, zeta, eta, d, h_AA), of.least_scaled, least, "from (30)", "Omega >= 0"),
     ]
+
+
+def intercept_kernels(of: Dissipation) -> tuple[Kernel, ...]:
+    """Where tangents of I along A meet A = 0, and A Omega by I: on intervals only."""
+    rest = "I_0 - A I_0A: friction acts throughout."
+    return (
+        plain("rest_intercept", (m,), of.rest_intercept, rest, "from (19)", "A > 0"),
+        plain(
+            "released_intercept",
+            (A, m, u_cr),
+            of.released_intercept,
+            "The same where friction acts for |u| < u_cr only.",
+            "from (19)",
+            "A >= u_cr > 0",
+        ),
+        plain(
+            "sine_intercept",
+            (Omega, A, level, d),
+            of.sine_intercept,
+            "I - A I_A, by that of I_0.",
+            "from (23)",
+            "Omega >= 0, A > 0",
+        ),
+        plain(
+            "sine_intercept_far",
+            (x, A, level, d),
+            sp.expand((of.sine_intercept / Omega**2).subs(Omega, 1 / x)),
+            "The same over Omega^2, at x = 1/Omega.",
+            "from (23)",
+            "x >= 0, A > 0",
+        ),
+        plain("velocity", (I, I_0, zeta, d), of.velocity, "A Omega by I.", "from (23)", "I >= I_0"),
+    )
+
+
+def system_in_R(name: str, system: System) -> Kernel:
+    """The same in A and R."""
+    outputs = (*system.values, *system.slopes)
+    named, doc, equation = IN_R[name]
+    return plain(
+        named,
+        [*needed(outputs), R, I, R_A, I_A],
+        outputs,
+        f"{doc}; derivatives by the one and by the other of the first, then of the second.",
+        f"from {equation}",
+        "Omega > 0, A > 0",
+    )
 
 
 def system(name: str, *outputs: sp.Expr) -> Kernel:

@@ -146,6 +146,7 @@ class Question:
                one by one
     at_once -- designs that take no more than some tenths of a second: until then Ctrl-C is not heard
     by_inertia -- whether the compiled solvers answer it of an excitation by inertia too
+    by_laws -- whether they answer it of other laws of damping too
     abreast -- from what answers designs that go abreast on NumPy the answer to this question, from these designs, F_0
                and Omega as arrays, and places; None where each is asked by itself
     """
@@ -155,6 +156,7 @@ class Question:
     batch: Callable[[ModuleType], Callable[[Any], Callable[..., Any]]] | None
     at_once: int
     by_inertia: bool = True
+    by_laws: bool = False
     abreast: Callable[[ModuleType], Callable[..., tuple[Any, ...]]] | None = None
 
 
@@ -176,6 +178,7 @@ SADDLE_NODES = Question(
     outputs("saddle_nodes"),
     lambda native: native.many_saddle_nodes,
     2**12,
+    by_laws=True,
     abreast=lambda columns: columns.saddle_nodes,
 )
 AMPLITUDES = Question(

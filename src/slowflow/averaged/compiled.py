@@ -44,11 +44,11 @@ def check(status: int, model: Model, F_0: float | None = None) -> None:
 
 
 def remark_of(model: Model, F_0: float) -> str:
-    if model.zeta == 0:
+    if model.zeta == 0 and not model.laws.any:
         return words.cut(model, F_0)[1]
     if not model.inertial and model.mechanism.enclosed is None:
         return ""
-    status, A_max = backend.solver().amplitude_bound(model.native, F_0)
+    status, A_max = backend.solver().amplitude_bound(model.searched, F_0)
     if status != Status.UNBOUNDED:
         return ""
     return words.does_not_close(A_max)[1] if model.inertial else words.cut_at_reach(model)[1]
@@ -61,7 +61,7 @@ def closes(model: Model, F_0: float) -> bool:
 
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
-    status, Omega, A, up, corner, undecided = backend.solver().saddle_nodes(model.native, F_0)
+    status, Omega, A, up, corner, undecided = backend.solver().saddle_nodes(model.searched, F_0)
     check(status, model, F_0)
     message, cut = words.of_folds(model, F_0, A.size > 0 or undecided, remark_of(model, F_0))
     codes = words.beside(undecided, cut)

@@ -47,7 +47,7 @@ from slowflow.table import AVERAGING, QUESTIONS, ManyQuestions, Unanswered
 from slowflow.unchanging import Unchanging
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import Status
-from slowflow_kernels.domains import DISSIPATION
+from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_support.errors import Refused
 
 #: on NumPy, designs that are sorted by their kinds at once, and of a kind those that go abreast: so few that arrays
@@ -70,7 +70,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
     excitation -- what F_0 is the amplitude of, the same for all: "force", "base" or "unbalance"
     rubs      -- where dry friction acts, the same for all: "throughout" or "attached"
 
-    With eta, c_2 or rubs="attached" designs are answered one by one on NumPy, as single ones are: some tenths of a
+    With eta, c_2 or rubs="attached" all but folds is answered one by one on NumPy, as single ones are: some tenths of a
     second each. Raises TypeError for a name that is missing or unknown, ValueError for such laws with another
     excitation.
     """
@@ -377,14 +377,15 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             outputs[-2][...] = DOUBLES
             told = [*outputs[:-2], outputs[-1]]
         record = None
-        if not self.laws and (self.excitation == "force" or question.by_inertia):
-            record = backend.record_of(self.mechanism, inertial=self.excitation != "force")
+        if (question.by_laws or not self.laws) and (self.excitation == "force" or question.by_inertia):
+            record = backend.record_of(self.mechanism, self.excitation != "force", bool(self.laws))
         if record is not None and self.excitation != "force" and self._have_preload:
             record = None
         if question.batch is not None and backend.SOLVER is not None and record is not None:
             solve = question.batch(backend.SOLVER)(record)
+            numbers = self._with_all_laws(values) if self.laws else list(values.values())
             # what the solvers do not take as it is, long doubles
-            doubles = (value if np.can_cast(value.dtype, float) else value.astype(float) for value in values.values())
+            doubles = (value if np.can_cast(value.dtype, float) else value.astype(float) for value in numbers)
             given = [np.broadcast_to(value, shape) for value in doubles]
 
             def part(block: tuple[slice | int, ...]) -> None:
@@ -393,15 +394,39 @@ class Designs(Unchanging, ManyQuestions[Batch]):
 
             places_of = np.broadcast_to(np.uint8(0), shape)
             share(part, blocks(shape, question.at_once), threads, lambda one: places_of[one].size, places_of.size)
+            each = list(np.broadcast_arrays(*values.values()))
             if question.one is not None and self.mechanism.enclosed is not None:
-                each = list(np.broadcast_arrays(*values.values()))
                 self._refuse_undefined(question.one, each, len(at), places, outputs)
+            if self.laws:
+                self._ask_singly(question, outputs[-1] == Status.NO_BOUND, each, places, outputs)
         elif question.one is None:
             for output, value in zip(told, NO_PROOF, strict=True):
                 output[...] = value
         else:
             self._on_numpy(question, list(np.broadcast_arrays(*values.values())), places, outputs)
         return outputs
+
+    def _with_all_laws(self, values: dict[str, npt.NDArray[Any]]) -> list[npt.NDArray[Any]]:
+        """What a record with laws of damping takes: design, mu, zeta, eta, c_2, whether friction ends; then F_0."""
+        names = [domain.name for domain in (*self.mechanism.design, *DAMPING, *DISSIPATION)]
+        ends = np.array(float(self.rubs != THROUGHOUT))
+        asked = (value for name, value in values.items() if name not in self.values)
+        return [*(values.get(name, np.zeros(())) for name in names), ends, *asked]
+
+    def _ask_singly(
+        self,
+        question: Question,
+        wanted: npt.NDArray[np.bool_],
+        values: list[npt.NDArray[Any]],
+        places: int,
+        outputs: list[npt.NDArray[Any]],
+    ) -> None:
+        """Put in single answers, which know of masses that no spring holds."""
+        size = len(self.values)
+        for index in map(tuple, np.argwhere(wanted)):
+            numbers = [float(value[index]) for value in values]
+            for output, value in zip(outputs, self._one(question, numbers[:size], numbers[size:], places), strict=True):
+                output[index] = value
 
     @property
     def _parameters(self) -> tuple[npt.NDArray[Any], ...]:

@@ -21,13 +21,15 @@ def _reference() -> ModuleType:
     return answers
 
 
-def _either(on_compiled: Question, on_numpy: Callable[[], Question]) -> Question:
+def _either(on_compiled: Question, on_numpy: Callable[[], Question], laws: bool = False) -> Question:
+    """laws -- whether what is compiled answers for other laws of damping too."""
+
     def ask(model: Model, *arguments: Any) -> Any:
-        if model.native is not None:
+        if (model.searched if laws else model.native) is not None:
             try:
                 return on_compiled(model, *arguments)
             except OverflowError:
-                if not model.lets_go:
+                if not (model.lets_go or model.laws.any):
                     raise
         # a solver tries values that it then discards: the warnings that these raise are no fault of the arguments
         with np.errstate(all="ignore"):
@@ -44,4 +46,4 @@ fold_locus = _either(compiled.fold_locus, lambda: _reference().fold_locus)
 frequency_response = _either(compiled.frequency_response, lambda: _reference().frequency_response)
 onset = _either(compiled.onset, lambda: _reference().onset)
 peak = _either(compiled.peak, lambda: _reference().peak)
-saddle_nodes = _either(compiled.saddle_nodes, lambda: _reference().saddle_nodes)
+saddle_nodes = _either(compiled.saddle_nodes, lambda: _reference().saddle_nodes, laws=True)

@@ -4,6 +4,7 @@
 #ifndef SF_BOUNDS_H
 #define SF_BOUNDS_H
 
+#include "laws.h"
 #include "scan.h"
 
 /* The last Omega > 0 at which the level is stationary, its minimum over Omega > 0; 0 if there is none. */
@@ -143,11 +144,166 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
     return sf_inertial(model) ? SF_UNBOUNDED : SF_NO_BOUND;
 }
 
+/* ==== Other laws of damping ===================================================================================== */
+
+/* What |h| is at most at a state of an amplitude: the frequencies that damping leaves to it fall as the amplitude
+ * rises. */
+static double sf_most_by_laws(const sf_model *model, double F_0, double A) {
+    double most = HUGE_VAL;
+    if (model->zeta > 0)
+        most = fmin(most, slow_flow_most_restoring(A, F_0, sf_friction_throughout(model), model->zeta));
+    if (model->d > 0)
+        most = fmin(most, dissipation_restoring(A, F_0, model->d));
+    return most;
+}
+
+/* Whether |h| is more than that from A on. */
+static int sf_law_force_bounds(const sf_model *model, double F_0, double A) {
+    const double most = sf_most_by_laws(model, F_0, A);
+    sf_sample at, far;
+    sf_known here, there;
+    sf_cell cell;
+    sf_sample_without_k_at(model, A, &at);
+    if (!(fabs(at.h) > most))
+        return 0;
+    sf_sample_without_k_at(model, SF_ENDLESS * fmax(A, 1), &far);
+    sf_know(&at, &here);
+    sf_know(&far, &there);
+    sf_make_slopes(model, &at, &far, &here, &there, &cell);
+    return at.h > 0 ? cell.h_A.lo >= 0 : cell.h_A.hi <= 0;
+}
+
+/* Whether nothing pulls back from A > F_0 on, where R >= A Omega^2 exceeds F_0 Omega^2, or structural damping bounds
+ * states. */
+static int sf_law_inertial_bounds(const sf_model *model, double F_0, double A) {
+    sf_sample at, far;
+    sf_known here, there;
+    sf_cell cell;
+    double values[2];
+    if (model->zeta > 0 && sf_inertial_bounds(model, F_0, A))
+        return 1;
+    sf_sample_without_k_at(model, A, &at);
+    sf_sample_without_k_at(model, SF_ENDLESS * fmax(A, 1), &far);
+    sf_know(&at, &here);
+    sf_know(&far, &there);
+    sf_make_slopes(model, &at, &far, &here, &there, &cell);
+    if (A > F_0 && at.h >= 0 && cell.h_A.lo >= 0)
+        return 1;
+    dissipation_structural_bound(A, F_0, model->eta, at.h, fmax(fabs(cell.h_A.lo), fabs(cell.h_A.hi)), values);
+    return model->eta > 0 && values[0] > 0 && values[1] > 0;
+}
+
+/* The same where it is h that is known between two amplitudes. */
+static int sf_law_excludes(const sf_model *model, double F_0, double most, double A, sf_interval h) {
+    double values[4];
+    if (!sf_inertial(model))
+        return h.lo > most || h.hi < -most;
+    inertia_bound(A, F_0, model->zeta, h.lo, 0, 0, 0, 0.5, values);
+    if (A > F_0 && (h.lo >= 0 || (model->zeta > 0 && values[0] > 0)))
+        return 1;
+    dissipation_structural_bound(A, F_0, model->eta, fmax(fabs(h.lo), fabs(h.hi)), 0, values);
+    return model->eta > 0 && values[0] > 0;
+}
+
+static int sf_law_bounds_bent(const sf_model *model, double F_0, double A) {
+    const double most = sf_most_by_laws(model, F_0, A);
+    const double end = fmin(model->reach, SF_ENDLESS * fmax(A, 1));
+    double next;
+    int i;
+    if (!(A < end))
+        return 0;
+    for (; A < end; A = next) {
+        sf_interval bent[2];
+        next = fmin(2 * A, end);
+        for (i = model->breaks - 1; i >= 0; i--)
+            if (A < model->b[i] && model->b[i] < next)
+                next = model->b[i];
+        model->mechanism->bent(sfi_of(A, next), model->p, bent);
+        if (!sf_law_excludes(model, F_0, most, A, bent[0]))
+            return 0;
+    }
+    return 1;
+}
+
+/* How many frequencies an amplitude has. */
+static int sf_law_count(const sf_model *model, const sf_sample *at, double F_0) {
+    double Omega[3];
+    return sf_law_frequencies(model, at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, at->A), Omega);
+}
+
+/* As sf_is_far. */
+static int sf_law_is_far(const sf_model *model, double F_0, double A) {
+    sf_sample at, rest, less;
+    double shares;
+    sf_sample_at(model, A, &at);
+    sf_sample_at(model, 0, &rest);
+    sf_sample_at(model, A / SF_STATIC_MULTIPLE, &less);
+    shares = at.h < 0 ? -fabs(rest.h_A) * A / at.h + inertia_share(A, model->zeta, at.h) : HUGE_VAL;
+    return SF_STATIC_MULTIPLE * shares <= 1 && less.A > F_0 && sf_law_count(model, &less, F_0) == 2;
+}
+
+/* The averaged force of a mass that no spring holds is proportional to A, and 0. */
+static int sf_is_free(const sf_model *model) {
+    sf_sample at;
+    if (model->breaks > 0)
+        return 0;
+    sf_sample_without_k_at(model, fmin(1, 0.5 * model->mechanism->reach), &at);
+    return at.h == 0 && at.h_A == 0 && at.h_AA == 0;
+}
+
+/* An amplitude above that of every steady state at F_0, as sf_amplitude_bound; SF_NO_BOUND also where numbers up to it
+ * leave the range of doubles. */
+static sf_status sf_bound_by_laws(const sf_model *model, double F_0, double *A_max) {
+    const int bent = model->mechanism->bent != NULL, inertial = sf_inertial(model);
+    int (*const bounds)(const sf_model *, double, double) =
+        bent ? sf_law_bounds_bent : inertial ? sf_law_inertial_bounds : sf_law_force_bounds;
+    double A = F_0, step = 2, cut = model->reach, by_damping = HUGE_VAL;
+    sf_status status = SF_NO_BOUND;
+    int i;
+    if (sf_is_free(model) && model->eta == 0)
+        return SF_NO_BOUND;
+    if (inertial && model->d > 0)
+        by_damping = 2 * dissipation_quadratic_bound(F_0, model->d);
+    if (!inertial && model->eta > 0) /* I is not less than its structural part */
+        by_damping = 2 * (F_0 - sf_friction_throughout(model)) / model->eta;
+    if (model->breaks > 0)
+        A = fmax(A, 2 * model->b[model->breaks - 1]);
+    for (i = 0; i < SF_RUNGS && A < by_damping; i++) {
+        if (A < HUGE_VAL && bounds(model, F_0, A)) {
+            by_damping = A;
+            break;
+        }
+        if (inertial && !(cut < HUGE_VAL) && (sf_law_is_far(model, F_0, A) || i + 1 == SF_RUNGS))
+            cut = A;
+        A *= step;
+        if (i >= SF_FINE_RUNGS && step < SF_COARSEST)
+            step *= 2;
+    }
+    *A_max = by_damping;
+    if (by_damping < HUGE_VAL) {
+        status = SF_OK;
+        if (bent && !inertial && model->reach < by_damping) {
+            sf_sample at;
+            *A_max = model->reach;
+            sf_sample_at(model, *A_max, &at);
+            status = sf_law_count(model, &at, F_0) > 0 ? SF_UNBOUNDED : SF_OK;
+        }
+    } else if (cut < HUGE_VAL) {
+        sf_sample at;
+        *A_max = cut;
+        sf_sample_at(model, cut, &at);
+        status = inertial || sf_law_count(model, &at, F_0) > 0 ? SF_UNBOUNDED : SF_OK;
+    }
+    return status != SF_NO_BOUND && !sf_laws_are_in_range(model, F_0, *A_max) ? SF_NO_BOUND : status;
+}
+
 /* Where to stop at F_0: above every steady state, or, undamped, at the mechanism's reach or a multiple of F_0 that is
  * doubled until the fold, whose R is k, has passed F_0 or has ended for good; or, with SF_UNBOUNDED, where a response
  * is cut that does not close. */
 static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
     int i;
+    if (sf_has_laws(model))
+        return sf_bound_by_laws(model, F_0, A_max);
     if (model->zeta > 0)
         return sf_amplitude_bound(model, F_0, A_max);
     *A_max = model->reach;

@@ -3,6 +3,7 @@
 #define SF_CERTIFICATE_H
 
 #include "given.h"
+#include "points_work.h"
 #include "work.h"
 
 enum { SF_MOST_DOUBTS = 32 };
@@ -60,6 +61,7 @@ typedef struct {
     sf_work work;
     sf_proof proof;
     sf_certificate found;
+    sf_law_search points;
     int doubt, undecided, followed;
     sf_status status;
     long proofs;

@@ -19,9 +19,6 @@
 #define SF_ABOVE_ONSET 0x1p-20
 
 static int sf_sign_of(sf_interval x) { return sfi_positive(x) - sfi_negative(x); }
-static sf_interval sf_hull_of(sf_interval a, sf_interval b) {
-    return sfi_of(sfi_least(a.lo, b.lo), sfi_most(a.hi, b.hi));
-}
 
 static void sf_enclose(sf_certificate *out, sf_interval Omega, sf_interval A, int corner, int sign) {
     if (out->n == SF_MOST_ZEROS) {
@@ -99,7 +96,7 @@ static sf_interval sf_fold_Omega_on(const sf_terms *terms, const sf_cell *cell) 
         sf_roots_between(&q, Omega.lo, Omega.hi, &roots);
         for (i = 0; i < roots.n && !roots.full; i++)
             if (sf_sign_of(slow_flow_intervals_R(roots.at[i], cell->A, cell->h)) != -side)
-                Omega = n++ > 0 ? sf_hull_of(Omega, roots.at[i]) : roots.at[i];
+                Omega = n++ > 0 ? sfi_join(Omega, roots.at[i]) : roots.at[i];
     }
     return Omega;
 }
@@ -268,7 +265,7 @@ static sf_status sf_certify_detachment(const sf_given *given, sf_interval *F_cr,
     }
     for (i = 0; i <= roots.n; i++)
         if (level[i].lo <= F_cr->hi) { /* else the least is not there */
-            *Omega_cr = known ? sf_hull_of(*Omega_cr, where[i]) : where[i];
+            *Omega_cr = known ? sfi_join(*Omega_cr, where[i]) : where[i];
             known = 1;
         }
     return SF_OK;
@@ -395,8 +392,8 @@ static void sf_lowest(const sf_candidates *list, sf_proved_onset *out) {
         const sf_candidate *one = &list->at[i];
         if (!(one->level.lo <= out->F_SN.hi))
             continue;
-        out->Omega = known ? sf_hull_of(out->Omega, one->Omega) : one->Omega;
-        out->A = known ? sf_hull_of(out->A, one->A) : one->A;
+        out->Omega = known ? sfi_join(out->Omega, one->Omega) : one->Omega;
+        out->A = known ? sfi_join(out->A, one->A) : one->A;
         out->kind = known && out->kind != one->kind ? SF_NO_KIND : one->kind;
         known = 1;
     }

@@ -9,6 +9,7 @@
 #define SF_DECIDE_H
 
 #include "certify.h"
+#include "law_folds.h"
 #include "settle.h"
 
 /* Whether rounding may decide which folds there are on a breakpoint, or between it and the next double. */
@@ -169,6 +170,8 @@ static sf_status sf_settled_folds(const sf_model *model, const sf_given *given, 
                                   sf_folds *folds)
 {
     sf_status status;
+    if (sf_has_laws(model))
+        return sf_law_folds(model, given, F_0, room, folds);
     if (sf_is_linear(model) && !sf_sticks(model, F_0)) {
         folds->n = folds->undecided = 0;
         return folds->status = SF_OK;

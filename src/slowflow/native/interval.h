@@ -136,6 +136,11 @@ static inline sf_interval sfi_both(sf_interval a, sf_interval b) {
     return sfi_of(b.lo > a.lo ? b.lo : a.lo, b.hi < a.hi ? b.hi : a.hi);
 }
 
+/* What holds both. */
+static inline sf_interval sfi_join(sf_interval a, sf_interval b) {
+    return sfi_of(sfi_least(a.lo, b.lo), sfi_most(a.hi, b.hi));
+}
+
 static inline int sfi_positive(sf_interval a) { return a.lo > 0; }
 static inline int sfi_negative(sf_interval a) { return a.hi < 0; }
 static inline int sfi_has_sign(sf_interval a) { return a.lo > 0 || a.hi < 0; }

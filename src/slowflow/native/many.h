@@ -211,7 +211,8 @@ static void sf_loop_detachment(char **args, const ptrdiff_t *dimensions, const p
 
 /* Whether designs of a mechanism may go together: what is known of h on a cell, and in pairs. */
 static int sf_goes_in_lanes(const sf_mechanism *mechanism) {
-    return mechanism->bent == NULL && mechanism->averaged_in_pairs != NULL && !mechanism->inertial;
+    return mechanism->bent == NULL && mechanism->averaged_in_pairs != NULL && !mechanism->inertial &&
+           !sf_takes_laws(mechanism);
 }
 
 /* The onset of one design, by itself. */
@@ -382,7 +383,12 @@ static void sf_answer_folds(const sf_mechanism *mechanism, char **args, const pt
         /* the numbers that follow from a design on intervals take time, and few designs need them */
         if (exact != NULL)
             sf_exactly_of(mechanism, args, steps, k, exact, d, &given.exactly);
-        if (!(exact != NULL && sf_told_folds(&model, &given.exactly, F_0, room, &found, &status))) {
+        if (sf_has_laws(&model)) {
+            /* only a jump that rounds to 0 is looked at in the design */
+            const int is_given = sf_is_continuous(&model) && sf_given_at(mechanism, args, steps, k, &given);
+            if (sf_allows_laws(&model))
+                status = sf_law_folds(&model, is_given ? &given : NULL, F_0, room, &found);
+        } else if (!(exact != NULL && sf_told_folds(&model, &given.exactly, F_0, room, &found, &status))) {
             const int is_given = sf_given_at(mechanism, args, steps, k, &given);
             status = sf_settled_folds(&model, is_given ? &given : NULL, F_0, room, &found);
         }
@@ -412,7 +418,7 @@ static void sf_loop_folds(char **args, const ptrdiff_t *dimensions, const ptrdif
     const sf_mechanism *mechanism = data;
     sf_room *room = malloc(sizeof *room);
     sf_lane_block *block = room != NULL && sf_goes_in_lanes(mechanism) ? malloc(sizeof *block) : NULL;
-    const int has_pairs = sf_has_pairs(mechanism);
+    const int has_pairs = sf_has_pairs(mechanism) && !sf_takes_laws(mechanism);
     sf_exact_block exact;
     ptrdiff_t first, k;
     for (first = 0; first < dimensions[0]; first += SF_FOLD_BLOCK) {

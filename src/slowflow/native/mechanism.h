@@ -16,7 +16,7 @@
 enum {
     SF_FORM = 10, /* of the record below; one of another form is refused */
     SF_MOST_DESIGN = 16,
-    SF_MOST_DAMPING = 2,
+    SF_MOST_DAMPING = 5,
     SF_MOST_PARAMETERS = 16,
     SF_MOST_BREAKS = 4
 };

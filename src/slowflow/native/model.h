@@ -18,7 +18,8 @@
 #include "slow_flow_mu0.h"
 #include "slow_flow_zeta0.h"
 
-/* m, zeta: the damping as the quartics of roots.h take it, I = 2 zeta A Omega + m; breaks: number of breakpoints b > 0,
+/* m, zeta: the damping as the quartics of roots.h take it, I = 2 zeta A Omega + m; eta, d, released: other laws of it,
+ * see laws.h, 0 where the record takes none; breaks: number of breakpoints b > 0,
  * by rising size; jump: force just below less force just above; kink: the same of its slope and of its curvature;
  * reach:
  * the mechanism's, infinite where of its pieces a linear one is left; in_doubt: whether the sign of a jump is lost, as
@@ -29,7 +30,7 @@ typedef struct {
     union {
         double damping[SF_MOST_DAMPING];
         struct {
-            double m, zeta;
+            double m, zeta, eta, d, released;
         };
     };
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[SF_MOST_BREAKS][2];
@@ -81,6 +82,8 @@ static inline int sf_prepare(const sf_mechanism *mechanism, const double *design
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[2 * SF_MOST_BREAKS];
     unsigned in_doubt;
     int i;
+    if (mechanism->damping_size < SF_MOST_DAMPING)
+        model->eta = model->d = model->released = 0;
     if (!(model->m <= SF_LARGEST))
         return 0;
     for (i = 0; i < mechanism->parameters; i++)
@@ -89,7 +92,7 @@ static inline int sf_prepare(const sf_mechanism *mechanism, const double *design
     model->mechanism = mechanism;
     model->breaks = model->in_doubt = 0, model->reach = mechanism->reach;
     if (mechanism->breakpoints == 0)
-        return 1;
+        return model->released == 0;
     mechanism->ends(model->p, b);
     in_doubt = sf_jumps_of(mechanism, design, model->p, jump);
     if (mechanism->kinks != NULL)
@@ -105,6 +108,9 @@ static inline int sf_prepare(const sf_mechanism *mechanism, const double *design
             model->jump[model->breaks++] = jump[i];
         }
     }
+    /* friction that ends at a breakpoint needs one */
+    if (model->released != 0 && model->breaks == 0)
+        return 0;
     if (model->breaks == 0 && model->reach < HUGE_VAL) {
         double at[4];
         const double A = 0.5 * model->reach;

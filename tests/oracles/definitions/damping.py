@@ -167,6 +167,51 @@ def isola_by_inertia(names):
     return bend
 
 
+def in_unknowns(names, far, by_w):
+    """F, F_A/2 and their slopes by A and by R, or by w, from local balances that have the values and slopes given."""
+
+    def of(*x):
+        known = dict(zip(names.split(), map(mpf, x), strict=True))
+        at, A, F_0, zeta, d = (known[name] for name in ("x" if far else "Omega", "A", "F_0", "zeta", "d"))
+        R, I, h, h_A, h_AA, I_0, I_0A, I_0AA = (
+            known.get(name, mpf(0)) for name in ("R", "I", "h", "h_A", "h_AA", "I_0", "I_0A", "I_0AA")
+        )
+        if by_w and not far:
+            R_A, I_A = at**2 + h_A, I_0A + 2 * zeta * at + 2 * d * A * at**2
+        else:
+            R_A, I_A = known["R_A"], known["I_A"]
+        beside = (at**2, 1) if far else (1, at**2)
+
+        def lag(a, w):
+            return (I_0 + I_0A * a) * w**2 + 2 * zeta * (A + a) * w if far else law_balances(w, A + a, 0, zeta, d, 0)[1]
+
+        def balance_R(a, w):
+            moved = (h + h_A * a) * (w**2 - at**2) if far else (A + a) * (w**2 - at**2)
+            return R + R_A * a + h_AA * beside[0] * a**2 / 2 + moved
+
+        def balance_I(a, w):
+            return I + I_A * a + (I_0AA * beside[0] + 2 * d * beside[1]) * a**2 / 2 + lag(a, w) - lag(a, at)
+
+        def functions(a, w):
+            rise = slope_of_sum(
+                [(one(a, w), mp.diff(lambda b, one=one: one(b, w), a)) for one in (balance_R, balance_I)]
+            )
+            return balance_R(a, w) ** 2 + balance_I(a, w) ** 2 - F_0**2, rise / 2
+
+        def frequency(a, rho):
+            rest = rho - R - R_A * a - h_AA * beside[0] * a**2 / 2
+            return mp.sqrt(at**2 + rest / ((h + h_A * a) if far else (A + a)))
+
+        start = at if by_w else R
+        by_both = functions if by_w else (lambda a, rho: functions(a, frequency(a, rho)))
+        slopes = [
+            mp.diff(lambda a, u, i=i: by_both(a, u)[i], (0, start), order) for i in (0, 1) for order in ((1, 0), (0, 1))
+        ]
+        return [*functions(mpf(0), at), *slopes]
+
+    return of
+
+
 def stationary_share(F_AA, F_AOmega, F_OmegaOmega):
     """The determinant of second derivatives, and F_AA times it."""
     determinant = mp.det(mp.matrix([[F_AA, F_AOmega], [F_AOmega, F_OmegaOmega]]))
@@ -453,6 +498,12 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
             ("isolas_by_inertia", "F_A", "least", "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA R I"),
         )
     },
+    "folds_in_R": (names := "Omega A F_0 I_0AA zeta d h_AA R I R_A I_A", in_unknowns(names, False, False)),
+    "folds_far": (
+        names := "x A F_0 I_0 I_0A I_0AA zeta d h h_A h_AA R I R_A I_A",
+        in_unknowns(names, True, False),
+    ),
+    "folds_far_in_x": (names, in_unknowns(names, True, True)),
 }
 
 

@@ -3,6 +3,8 @@
  *   RECORDS                                     name -> record, of the mechanisms that were compiled in
  *   parameters_of(record, design)               the parameters of a design; ValueError where it is outside its domain
  *   inertial(record)                            the same mechanism excited by inertia, F_0 Omega^2; zeta > 0
+ *   with_laws(record)                           the same mechanism with damping by any law: mu, zeta, eta, c_2, and
+ *                                               whether friction ends at the first breakpoint
  *   model(record, parameters, damping, design)  an oscillator, prepared for the questions about one; what is proved of
  *   it is
  *                                               proved of the design, () where that is not known
@@ -14,6 +16,7 @@
 #include <Python.h>
 
 #include "inertial.h"
+#include "laws.h"
 #include "solver.h"
 
 #define SF_RECORD "slowflow.mechanism"
@@ -64,15 +67,19 @@ PyObject *sf_kept(PyObject *cache, PyObject *capsule, PyObject *(*make)(const sf
     return found;
 }
 
-/* A record is never let go, as batches keep its address. */
-static PyObject *new_inertial(const sf_mechanism *record, const void *how)
+/* A copy of a record that is changed: a change for each variant. A record is never let go, as batches keep its
+ * address. */
+typedef struct {
+    void (*change)(sf_mechanism *);
+} variant;
+
+static PyObject *new_variant(const sf_mechanism *record, const void *how)
 {
     sf_mechanism *made = malloc(sizeof *made);
-    (void)how;
     if (made == NULL)
         return PyErr_NoMemory();
     *made = *record;
-    sf_excite_by_inertia(made);
+    ((const variant *)how)->change(made);
     PyObject *found = PyCapsule_New(made, SF_RECORD, NULL);
     if (found == NULL)
         free(made);
@@ -81,7 +88,14 @@ static PyObject *new_inertial(const sf_mechanism *record, const void *how)
 
 static PyObject *inertial(PyObject *cache, PyObject *capsule)
 {
-    return sf_kept(cache, capsule, new_inertial, NULL);
+    static const variant excited = {sf_excite_by_inertia};
+    return sf_kept(cache, capsule, new_variant, &excited);
+}
+
+static PyObject *with_laws(PyObject *cache, PyObject *capsule)
+{
+    static const variant damped = {sf_add_laws};
+    return sf_kept(cache, capsule, new_variant, &damped);
 }
 
 /* What the capsule of a model points to. */
@@ -199,7 +213,23 @@ static PyMethodDef functions[] = {
     {NULL, NULL, 0, NULL},
 };
 
-static PyMethodDef of_inertia = {"inertial", inertial, METH_O, "record -> the same mechanism excited by inertia"};
+static PyMethodDef variants[] = {
+    {"inertial", inertial, METH_O, "record -> the same mechanism excited by inertia"},
+    {"with_laws", with_laws, METH_O, "record -> the same mechanism with other laws of damping"},
+};
+
+/* Functions that keep what they made, each in a cache of its own. */
+static int add_variants(PyObject *module)
+{
+    int failed = 0;
+    for (int i = 0; i < (int)(sizeof variants / sizeof variants[0]) && !failed; i++) {
+        PyObject *cache = PyDict_New(), *function = cache == NULL ? NULL : PyCFunction_New(&variants[i], cache);
+        failed = function == NULL || PyModule_AddObjectRef(module, variants[i].ml_name, function) < 0;
+        Py_XDECREF(cache);
+        Py_XDECREF(function);
+    }
+    return failed;
+}
 
 int sf_add_records(PyObject *module)
 {
@@ -207,11 +237,7 @@ int sf_add_records(PyObject *module)
     PyObject *records = PyDict_New();
     if (records == NULL)
         return -1;
-    PyObject *cache = PyDict_New(), *function = cache == NULL ? NULL : PyCFunction_New(&of_inertia, cache);
-    int failed = PyModule_AddFunctions(module, functions) < 0 || function == NULL ||
-                 PyModule_AddObjectRef(module, of_inertia.ml_name, function) < 0;
-    Py_XDECREF(cache);
-    Py_XDECREF(function);
+    int failed = PyModule_AddFunctions(module, functions) < 0 || add_variants(module);
     for (int i = 0; i < shipped->count && !failed; i++) {
         PyObject *capsule = PyCapsule_New((void *)shipped->all[i], SF_RECORD, NULL);
         failed = capsule == NULL || PyDict_SetItemString(records, shipped->all[i]->name, capsule) < 0;

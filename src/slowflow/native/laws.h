@@ -1,0 +1,273 @@
+/* Other laws of damping beside viscous damping and dry friction on all of the way: in goes an amplitude, out come I and
+ * its slopes there, and the frequencies of states and folds.
+ *
+ *   I = I_0 + 2 zeta A Omega + d (A Omega)^2
+ *
+ * I_0 is friction, on all of the way or up to the first breakpoint, and structural damping. F and F_A/2 are quartics in
+ * Omega whose coefficients of Omega, Omega^3 and Omega^4 are not negative (derivations/dissipation.py): they have at
+ * most two positive critical points, a maximum and then a minimum. Under an excitation by inertia F over Omega^4 is such
+ * a quartic in 1/Omega.
+ */
+#ifndef SF_LAWS_H
+#define SF_LAWS_H
+
+#include "cells.h"
+#include "dissipation.h"
+#include "dissipation_intervals.h"
+
+/* below it F_0^4 and what is its rounding are not told apart from 0 */
+#define SF_LEAST_F_0 0x1p-240
+/* of Newton's method, kept in a bracket */
+enum { SF_MOST_LAW_STEPS = 200 };
+
+static inline int sf_has_laws(const sf_model *model) {
+    return model->eta != 0 || model->d != 0 || model->released != 0;
+}
+
+/* mu, zeta, eta, c_2, and whether friction ends at the first breakpoint */
+static inline int sf_laws_damping_of(const double *given, double *damping) {
+    int i;
+    for (i = 0; i < 4; i++)
+        if (!(given[i] >= 0 && given[i] < HUGE_VAL))
+            return 0;
+    damping[0] = slow_flow_friction(given[0]), damping[1] = given[1], damping[2] = given[2];
+    damping[3] = dissipation_quadratic(given[3]), damping[4] = given[4] != 0;
+    /* without friction beyond the breakpoint something else has to dissipate there */
+    return given[4] == 0 || given[1] + given[2] + given[3] > 0;
+}
+
+static inline int sf_inertial_laws_damping_of(const double *given, double *damping) {
+    return sf_laws_damping_of(given, damping) && given[1] + given[2] + given[3] > 0;
+}
+
+static inline int sf_takes_laws(const sf_mechanism *mechanism) { return mechanism->damping_size == SF_MOST_DAMPING; }
+
+/* Makes a copy of a record one whose damping is of any law. */
+static inline void sf_add_laws(sf_mechanism *record) {
+    record->damping_size = SF_MOST_DAMPING;
+    record->damping_of = record->inertial ? sf_inertial_laws_damping_of : sf_laws_damping_of;
+}
+
+/* Whether they have an answer: a force that jumps at u = 0 and pushes outwards, or is infinitely stiff there, has none. */
+static inline int sf_allows_laws(const sf_model *model) {
+    sf_sample at;
+    sf_sample_without_k_at(model, 0, &at);
+    return at.h <= 0 && fabs(at.h_A) < HUGE_VAL;
+}
+
+/* Whether the force jumps at none of some breakpoint, by its numbers. */
+static inline int sf_is_continuous(const sf_model *model) {
+    int i = 0;
+    while (i < model->breaks && model->jump[i] != 0)
+        i++;
+    return i < model->breaks;
+}
+
+/* Friction that is left wherever the mass is. */
+static inline double sf_friction_throughout(const sf_model *model) { return model->released ? 0 : model->m; }
+
+/* I_0 and three derivatives by A. beyond: whether A is taken as beyond the first breakpoint */
+static inline void sf_rest_at(const sf_model *model, double A, int beyond, double rest[4]) {
+    if (model->released && beyond)
+        dissipation_released(fmax(A, model->b[0]), model->m, model->eta, model->b[0], rest);
+    else
+        dissipation_at_rest(A, model->m, model->eta, rest);
+}
+
+static inline int sf_is_beyond(const sf_model *model, double A) { return model->breaks > 0 && A > model->b[0]; }
+
+static inline double sf_law_I(const sf_model *model, double A, double w) {
+    double rest[4];
+    sf_rest_at(model, A, sf_is_beyond(model, A), rest);
+    return dissipation_I(w, A, rest[0], model->zeta, model->d);
+}
+
+static inline double sf_law_F_A(const sf_model *model, const sf_sample *at, double w, int beyond) {
+    double rest[4];
+    sf_rest_at(model, at->A, beyond, rest);
+    return dissipation_F_A(w, at->A, rest[0], rest[1], model->zeta, model->d, at->h, at->h_A);
+}
+
+static inline double sf_law_F_AA(const sf_model *model, const sf_sample *at, double w) {
+    double rest[4];
+    sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
+    return dissipation_F_AA(w, at->A, rest[0], rest[1], rest[2], model->zeta, model->d, at->h, at->h_A, at->h_AA);
+}
+
+/* ==== The quartic of an amplitude ================================================================================= */
+
+typedef enum { SF_OF_RESPONSE, SF_OF_FOLDS } sf_law_quartic_kind;
+
+/* by_x: it is one in 1/Omega; exist: whether there are critical points w[0] <= w[1]; f: its values at 0 and at these */
+typedef struct {
+    const sf_model *model;
+    const sf_sample *at;
+    sf_law_quartic_kind kind;
+    double F_0, rest[4], c[5], w[2], f[3];
+    int by_x, exist;
+} sf_law_quartic;
+
+/* F or F_A/2 from R and I, in which nothing cancels but what cancels in them. */
+static inline double sf_law_value(const sf_law_quartic *q, double w) {
+    const sf_model *model = q->model;
+    const sf_sample *at = q->at;
+    double far[3];
+    if (q->kind == SF_OF_FOLDS)
+        return 0.5 * dissipation_F_A(w, at->A, q->rest[0], q->rest[1], model->zeta, model->d, at->h, at->h_A);
+    if (!q->by_x)
+        return dissipation_F(w, at->A, q->F_0, q->rest[0], model->zeta, model->d, at->h);
+    dissipation_far_by_inertia(w, at->A, q->F_0, q->rest[0], model->zeta, model->d, at->h, far);
+    return far[0];
+}
+
+static inline double sf_quartic_slope(const double c[5], double w) {
+    return c[1] + w * (2 * c[2] + w * (3 * c[3] + w * (4 * c[4])));
+}
+
+/* Both positive zeros of the derivative, which is convex: Newton's steps from outside do not pass them. */
+static inline void sf_find_critical(sf_law_quartic *q) {
+    const double *c = q->c;
+    const double least = -2 * c[2] / (1.5 * c[3] + sqrt(2.25 * c[3] * c[3] - 6 * c[4] * c[2])) / 2;
+    int i, k;
+    q->exist = c[2] < 0 && sf_quartic_slope(c, least) < 0;
+    if (!q->exist)
+        return;
+    q->w[0] = 0, q->w[1] = sqrt(-c[2] / (2 * c[4]));
+    for (k = 0; k < 2; k++) {
+        for (i = 0; i < SF_MOST_LAW_STEPS; i++) {
+            const double w = q->w[k];
+            const double step = sf_quartic_slope(c, w) / (2 * c[2] + w * (6 * c[3] + w * (12 * c[4])));
+            if (!(fabs(step) < HUGE_VAL))
+                break;
+            q->w[k] = k == 0 ? fmin(fmax(w - step, 0), least) : fmax(w - step, least);
+            if (fabs(q->w[k] - w) <= 0x1p-51 * w)
+                break;
+        }
+    }
+}
+
+static inline void sf_make_law_quartic(const sf_model *model, const sf_sample *at, sf_law_quartic_kind kind, double F_0,
+                                       int beyond, sf_law_quartic *q) {
+    int i;
+    q->model = model, q->at = at, q->kind = kind, q->F_0 = F_0;
+    q->by_x = sf_inertial(model) && kind == SF_OF_RESPONSE;
+    sf_rest_at(model, at->A, beyond, q->rest);
+    if (kind == SF_OF_FOLDS) {
+        dissipation_fold_quartic(at->A, q->rest[0], q->rest[1], model->zeta, model->d, at->h, at->h_A, q->c);
+    } else {
+        dissipation_response_quartic(at->A, q->rest[0], model->zeta, model->d, at->h, q->c);
+    }
+    for (i = 0; q->by_x && i < 2; i++) {
+        const double swapped = q->c[i];
+        q->c[i] = q->c[4 - i], q->c[4 - i] = swapped;
+    }
+    sf_find_critical(q);
+    q->f[0] = sf_law_value(q, 0);
+    for (i = 0; i < 2; i++)
+        q->f[1 + i] = q->exist ? sf_law_value(q, q->w[i]) : NAN;
+}
+
+/* Above the largest root: where the quartic without its odd powers, which only raise it, vanishes. */
+static inline double sf_above_roots(const sf_law_quartic *q) {
+    const double *c = q->c, root = sqrt(fmax(c[2] * c[2] - 4 * c[4] * q->f[0], 0));
+    const double square = c[2] > 0 ? -2 * q->f[0] / (c[2] + root) : (root - c[2]) / (2 * c[4]);
+    return sqrt(fmax(square, 0)) * (1 + 0x1p-20) + 1e-300;
+}
+
+static inline double sf_law_root(const sf_law_quartic *q, double low, double high, int falls) {
+    double w = 0.5 * (low + high);
+    int i;
+    for (i = 0; i < SF_MOST_LAW_STEPS; i++) {
+        const double before = w, f = sf_law_value(q, w);
+        if ((f < 0) != falls)
+            low = w;
+        else
+            high = w;
+        w -= f / sf_quartic_slope(q->c, w);
+        if (!(w > low && w < high))
+            w = 0.5 * (low + high);
+        if (fabs(w - before) <= 0x1p-52 * before)
+            break;
+    }
+    return w;
+}
+
+/* Every Omega at which the amplitude is a steady state at F_0, or on the fold locus, by its size; returns how many.
+ * beyond: as in sf_rest_at */
+static inline int sf_law_frequencies(const sf_model *model, const sf_sample *at, sf_law_quartic_kind kind, double F_0,
+                                     int beyond, double Omega[3]) {
+    sf_law_quartic q;
+    int n = 0, i;
+    sf_make_law_quartic(model, at, kind, F_0, beyond, &q);
+    if (!q.exist) {
+        if (q.f[0] < 0)
+            Omega[n++] = sf_law_root(&q, 0, sf_above_roots(&q), 0);
+    } else {
+        if (q.f[0] < 0 && q.f[1] > 0)
+            Omega[n++] = sf_law_root(&q, 0, q.w[0], 0);
+        if (q.f[1] > 0 && q.f[2] < 0)
+            Omega[n++] = sf_law_root(&q, q.w[0], q.w[1], 1);
+        if (q.f[2] < 0)
+            Omega[n++] = sf_law_root(&q, q.w[1], sf_above_roots(&q), 0);
+    }
+    for (i = 0; q.by_x && i < (n + 1) / 2; i++) {
+        const double low = 1 / Omega[i];
+        Omega[i] = 1 / Omega[n - 1 - i], Omega[n - 1 - i] = low;
+    }
+    return n;
+}
+
+/* Every Omega > 0 at which the level of the amplitude is stationary, by its size; returns how many. */
+static inline int sf_law_stationary(const sf_model *model, const sf_sample *at, double Omega[2]) {
+    sf_law_quartic q;
+    int n = 0, i;
+    sf_make_law_quartic(model, at, SF_OF_RESPONSE, 0, sf_is_beyond(model, at->A), &q);
+    for (i = 0; q.exist && i < 2; i++)
+        if (q.w[i] > 0)
+            Omega[n++] = q.w[i];
+    if (q.by_x && n > 0) {
+        const double low = 1 / Omega[n - 1];
+        Omega[n - 1] = 1 / Omega[0], Omega[0] = low;
+    }
+    return n;
+}
+
+/* Whether doubles hold squares of coefficients of the quartics up to an amplitude, and (d F_0)^2; and F_0^4. */
+static inline int sf_laws_are_in_range(const sf_model *model, double F_0, double A_max) {
+    sf_law_quartic q;
+    sf_sample at;
+    int i, held = F_0 >= SF_LEAST_F_0 && model->d * F_0 * (model->d * F_0) < HUGE_VAL;
+    sf_sample_without_k_at(model, A_max, &at);
+    sf_make_law_quartic(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, A_max), &q);
+    for (i = 0; i < 5; i++)
+        held = held && q.c[i] * q.c[i] < HUGE_VAL;
+    return held;
+}
+
+/* ==== On a cell ================================================================================================== */
+
+/* What dissipates, as intervals; beyond: on amplitudes beyond where friction ends */
+typedef struct {
+    sf_interval m, zeta, eta, d, u_cr;
+    int beyond;
+} sf_laws_within;
+
+static inline void sf_hold_laws(const sf_model *model, int piece, sf_laws_within *out) {
+    out->m = sfi_point(model->m), out->zeta = sfi_point(model->zeta);
+    out->eta = sfi_point(model->eta), out->d = sfi_point(model->d);
+    out->beyond = model->released && piece > 0;
+    out->u_cr = sfi_point(out->beyond ? model->b[0] : 0);
+}
+
+/* I_0 and three derivatives; returns I_0 - A I_0A. */
+static inline sf_interval sf_rest_within(const sf_laws_within *laws, sf_interval A, sf_interval rest[4]) {
+    if (laws->beyond) {
+        const sf_interval of = sfi_of(sfi_most(A.lo, laws->u_cr.lo), sfi_most(A.hi, laws->u_cr.lo));
+        dissipation_intervals_released(of, laws->m, laws->eta, laws->u_cr, rest);
+        return dissipation_intervals_released_intercept(of, laws->m, laws->u_cr);
+    }
+    dissipation_intervals_at_rest(A, laws->m, laws->eta, rest);
+    return dissipation_intervals_rest_intercept(laws->m);
+}
+
+#endif

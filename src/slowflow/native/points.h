@@ -1,0 +1,504 @@
+/* Points at which two functions of amplitude and frequency vanish, by any laws of damping and either excitation: in
+ * goes a piece of the force, out come all of them.
+ *
+ * Unknowns are the amplitude and the balance R: Omega^2 = (R - h)/A, in which nothing cancels where R is small, as at a
+ * fold of weak damping; or the frequency w, where R is not small beside h. Under an excitation by inertia all is over
+ * Omega^2, in w = 1/Omega: Omega^-2 = (R - A)/h. None is missed: a box is left only when it is proved
+ * to hold no point, or exactly one. First what both functions demand narrows R and w, which nearly removes a dimension;
+ * then one of them may have a sign on what is left. If the determinant of their slopes has one, the box holds no more
+ * than one point (the slopes between two points are among those of the box). That there is one Krawczyk's operator
+ * proves on a small box around where Newton's method leads. Else the box is cut; where that goes on until no double lies
+ * between its ends, that it was undecided is said. As in scan.h what kernels err by is taken for granted (SF_DOUBT).
+ */
+#ifndef SF_POINTS_H
+#define SF_POINTS_H
+
+#include "points_work.h"
+
+enum {
+    SF_MOST_BOXES = 20000, /* looked at, after which the search is given up */
+    SF_NEWTON_STEPS = 40,
+    SF_NARROWINGS = 2
+};
+/* of R, relatively: a box that is no wider is not cut any more */
+#define SF_THIN 0x1p-50
+/* a cell so narrow is tried where the sign of R is not known */
+#define SF_NARROW_CELL 0x1p-6
+/* where R is cut, not in the middle: what vanishes there would lie on the edges of two boxes */
+#define SF_ASKEW 0.4375
+/* a w that counts as 0 where widths are compared */
+#define SF_LOW 0x1p-10
+/* by how much more than A the other unknown has to move the functions to be cut */
+#define SF_MUCH_MORE 4
+/* of h, or where all is over Omega^2 of A: an R that is less is the unknown */
+#define SF_SMALL_SHARE 0.5
+/* how far a box around a point extends, as a multiple of what it is not known by, and as a share of it at least */
+#define SF_AROUND 8
+#define SF_AROUND_LEAST 0x1p-44
+/* what of a piece is left out next to rest, with a preload */
+#define SF_NEXT_TO_PRELOAD 0x1p-60
+
+/* What is known on a cell: over: h/A; rest: I_0 and derivatives; level: I_0 - A I_0A */
+typedef struct {
+    sf_cell cell;
+    sf_interval over, rest[4], level;
+} sf_strip;
+
+/* R and I, and their slopes along A at a frequency */
+typedef struct {
+    sf_interval R, R_A, I, I_A;
+} sf_balances;
+
+static inline sf_interval sf_all(void) { return sfi_of(-HUGE_VAL, HUGE_VAL); }
+static inline int sf_is_none(sf_interval x) { return x.lo > x.hi; }
+static inline sf_interval sf_with_0(sf_interval a) { return sfi_of(sfi_least(a.lo, 0), sfi_most(a.hi, 0)); }
+static inline sf_interval sf_not_negative(sf_interval a) { return sfi_of(sfi_most(a.lo, 0), a.hi); }
+static inline double sf_size_of(sf_interval a) { return sfi_most(fabs(a.lo), fabs(a.hi)); }
+
+/* What q may be multiplied with to give p. */
+static inline sf_interval sf_ratio(sf_interval p, sf_interval q) {
+    return sfi_has_sign(p) || sfi_has_sign(q) ? sfi_div(p, q) : sf_all();
+}
+
+/* The same of what is not negative: of q counts what has the sign of p. */
+static inline sf_interval sf_positive_ratio(sf_interval p, sf_interval q) {
+    if (p.hi < 0)
+        q.hi = sfi_least(q.hi, 0);
+    if (p.lo > 0)
+        q.lo = sfi_most(q.lo, 0);
+    return sf_is_none(q) ? q : sf_ratio(p, q);
+}
+
+static void sf_node_at(const sf_law_search *search, double A, sf_node *out) {
+    sf_sample_at(search->model, A, &out->at);
+    sf_know(&out->at, &out->known);
+}
+
+/* Between two places on a piece. */
+static void sf_make_strip(const sf_law_search *search, const sf_node *a, const sf_node *b, sf_strip *out) {
+    sf_cell *cell = &out->cell;
+    sf_make_slopes(search->model, &a->at, &b->at, &a->known, &b->known, cell);
+    sf_add_values(&a->known, &b->known, cell);
+    if (cell->A.lo > 0) {
+        const sf_interval slope = sfi_neg(sfi_div(cell->k, sfi_square(cell->A)));
+        const sf_interval low = sfi_div(a->known.h, sfi_point(a->at.A)), high = sfi_div(b->known.h, sfi_point(b->at.A));
+        out->over = sfi_both(sfi_div(cell->h, cell->A), sf_along(low, high, slope, sfi_up(b->at.A - a->at.A)));
+    } else {
+        out->over = cell->h_A; /* h vanishes at A = 0 */
+    }
+    out->level = sf_rest_within(&search->laws, cell->A, out->rest);
+}
+
+static void sf_balances_at(const sf_law_search *search, const sf_strip *strip, sf_interval w, sf_balances *out) {
+    const sf_cell *cell = &strip->cell;
+    const sf_laws_within *laws = &search->laws;
+    if (search->far) {
+        sf_interval known[4];
+        dissipation_intervals_far(w, cell->A, strip->rest[0], strip->rest[1], laws->zeta, laws->d, cell->h, cell->h_A,
+                                  known);
+        out->R = known[0], out->R_A = known[1], out->I = known[2], out->I_A = known[3];
+    } else {
+        const sf_interval square = sfi_square(w);
+        out->R = sfi_add(sfi_mul(cell->A, square), cell->h), out->R_A = sfi_add(square, cell->h_A);
+        out->I = dissipation_intervals_I(w, cell->A, strip->rest[0], laws->zeta, laws->d);
+        out->I_A = dissipation_intervals_I_A(w, cell->A, strip->rest[1], laws->zeta, laws->d);
+    }
+}
+
+/* w^2 by R, and R_A by it; where all is over Omega^2 and h may vanish R tells nothing. */
+static sf_interval sf_square_of(const sf_law_search *search, const sf_strip *strip, sf_interval R) {
+    const sf_cell *cell = &strip->cell;
+    if (search->far)
+        return sfi_both(sf_positive_ratio(sfi_sub(R, cell->A), cell->h),
+                        sfi_sub(sf_ratio(R, cell->h), sfi_inverse(strip->over)));
+    return sfi_sub(sfi_div(R, cell->A), strip->over);
+}
+static sf_interval sf_slope_of(const sf_law_search *search, const sf_strip *strip, sf_interval R) {
+    const sf_cell *cell = &strip->cell;
+    if (search->far)
+        return sf_ratio(sfi_add(cell->k, sfi_mul(cell->h_A, R)), cell->h);
+    return sfi_div(sfi_sub(R, cell->k), cell->A);
+}
+
+/* ==== What folds demand of R and w ================================================================================ */
+
+/* Damping takes no more than the force: I <= F_0. Over Omega^2 I has I_0 where it has d else, and d where it has I_0. */
+static void sf_limit_by_damping(const sf_law_search *search, const sf_strip *strip, sf_interval *w) {
+    const sf_laws_within *laws = &search->laws;
+    const sf_interval A = strip->cell.A;
+    sf_interval most = sf_all();
+    if (search->far)
+        most = dissipation_intervals_velocity(search->force, sfi_mul(laws->d, sfi_square(A)), sfi_mul(laws->zeta, A),
+                                              strip->rest[0]);
+    else if (A.lo > 0)
+        most = sfi_div(dissipation_intervals_velocity(search->force, strip->rest[0], laws->zeta, laws->d), A);
+    w->hi = sfi_least(w->hi, sfi_most(most.hi, 0));
+}
+
+/* R by its size, whose sign may be known. */
+static sf_interval sf_of_size(sf_interval R, sf_interval size) {
+    if (R.hi < size.lo && R.lo > -size.lo)
+        return sfi_of(1, -1);
+    return sfi_both(R, sfi_of(R.lo > -size.lo ? size.lo : -size.hi, R.hi < size.lo ? -size.lo : size.hi));
+}
+
+/* Narrows R and w to what F = F_A = 0 leave of them; 0 where that is nothing. */
+static int sf_narrow_fold(const sf_law_search *search, const sf_strip *strip, sf_unknowns *of) {
+    const sf_cell *cell = &strip->cell;
+    const sf_interval force = search->force;
+    /* where I I_A >= 0 R and its slope differ in sign: -h/A and -h_A enclose Omega^2, and R lies between 0 and k */
+    const int apart = strip->rest[1].lo >= 0;
+    int pass;
+    if (apart) {
+        const sf_interval between = sfi_neg(sfi_join(strip->over, cell->h_A));
+        if (!(between.hi > 0))
+            return 0;
+        of->w = sfi_both(of->w, sfi_sqrt(search->far ? sfi_inverse(sf_not_negative(between)) : between));
+    }
+    for (pass = 0; pass < SF_NARROWINGS; pass++) {
+        sf_balances at;
+        sf_interval square, level, K, P;
+        sf_limit_by_damping(search, strip, &of->w);
+        if (sf_is_none(of->w))
+            return 0;
+        square = sfi_square(of->w);
+        sf_balances_at(search, strip, of->w, &at);
+        level = search->far ? dissipation_intervals_sine_intercept_far(of->w, cell->A, strip->level, search->laws.d)
+                            : dissipation_intervals_sine_intercept(of->w, cell->A, strip->level, search->laws.d);
+        K = search->far ? sfi_mul(cell->k, square) : cell->k;
+        of->R = sfi_both(sfi_both(of->R, sfi_of(-force.hi, force.hi)), at.R);
+        at.I = sfi_both(at.I, sfi_of(-HUGE_VAL, force.hi));
+        if (sf_is_none(at.I))
+            return 0;
+        P = sfi_neg(sfi_mul(at.I, at.I_A)); /* R R_A */
+        if (apart) {
+            of->R = sfi_both(of->R, sf_with_0(K));
+            at.R_A = sfi_both(at.R_A, sf_with_0(sfi_neg(sfi_div(K, cell->A))));
+        }
+        of->R = sfi_both(of->R, sf_ratio(P, at.R_A));
+        /* k R + (I - A I_A) I = F_0^2 */
+        of->R = sfi_both(of->R, sf_ratio(sfi_sub(sfi_square(force), sfi_mul(level, at.I)), K));
+        at.R_A = sfi_both(at.R_A, sf_ratio(P, of->R));
+        at.R_A = sfi_both(at.R_A, sf_slope_of(search, strip, of->R));
+        if (sf_is_none(of->R) || sf_is_none(at.R_A))
+            return 0;
+        of->R = sf_of_size(of->R, dissipation_intervals_R_of_response(force, at.I));
+        square = sfi_both(square, search->far ? sf_positive_ratio(sfi_sub(at.R_A, sfi_point(1)), cell->h_A)
+                                              : sfi_sub(at.R_A, cell->h_A));
+        square = sf_not_negative(sfi_both(square, sf_square_of(search, strip, of->R)));
+        if (sf_is_none(of->R) || sf_is_none(square))
+            return 0;
+        of->w = sfi_both(of->w, sfi_sqrt(square));
+    }
+    return !sf_is_none(of->w);
+}
+
+/* ==== The functions ============================================================================================== */
+
+/* Both functions and their slopes by A and by the other unknown, u, of the first and then of the second, on a box. */
+static void sf_functions_within(const sf_law_search *search, const sf_strip *strip, int by_w, sf_interval u,
+                                sf_interval out[6]) {
+    const sf_cell *cell = &strip->cell;
+    const sf_laws_within *laws = &search->laws;
+    const sf_interval *rest = strip->rest, F_0 = search->force;
+    const sf_interval w = by_w ? u : sfi_sqrt(sf_square_of(search, strip, u));
+    sf_balances of;
+    sf_balances_at(search, strip, w, &of);
+    if (!by_w)
+        of.R_A = sf_slope_of(search, strip, u);
+    if (by_w && search->far)
+        dissipation_intervals_folds_far_in_x(w, cell->A, F_0, rest[0], rest[1], rest[2], laws->zeta, laws->d, cell->h,
+                                             cell->h_A, cell->h_AA, of.R, of.I, of.R_A, of.I_A, out);
+    else if (by_w)
+        dissipation_intervals_folds(w, cell->A, F_0, rest[1], rest[2], laws->zeta, laws->d, cell->h_A, cell->h_AA, of.R,
+                                    of.I, out);
+    else if (search->far)
+        dissipation_intervals_folds_far(w, cell->A, F_0, rest[0], rest[1], rest[2], laws->zeta, laws->d, cell->h,
+                                        cell->h_A, cell->h_AA, u, of.I, of.R_A, of.I_A, out);
+    else
+        dissipation_intervals_folds_in_R(w, cell->A, F_0, rest[2], laws->zeta, laws->d, cell->h_AA, u, of.I, of.R_A,
+                                         of.I_A, out);
+}
+
+/* The same at a point, of which Omega, R and the size of its terms are set, NaN where there is none. */
+static void sf_functions_at(const sf_law_search *search, const sf_sample *at, sf_law_point *point, double out[6]) {
+    const int by_w = point->by_w;
+    const double u = point->u, A = at->A, F_0 = search->F_0, zeta = search->model->zeta, d = search->model->d;
+    double rest[4];
+    sf_rest_at(search->model, A, search->laws.beyond, rest);
+    if (search->far) {
+        const double square = (u - A) / at->h, w = by_w ? u : square > 0 ? sqrt(square) : NAN;
+        double of[4];
+        dissipation_far(w, A, rest[0], rest[1], zeta, d, at->h, at->h_A, of);
+        if (by_w)
+            dissipation_folds_far_in_x(w, A, F_0, rest[0], rest[1], rest[2], zeta, d, at->h, at->h_A, at->h_AA, of[0],
+                                       of[2], of[1], of[3], out);
+        else
+            dissipation_folds_far(w, A, F_0, rest[0], rest[1], rest[2], zeta, d, at->h, at->h_A, at->h_AA, u, of[2],
+                                  (at->k + at->h_A * u) / at->h, of[3], out);
+        point->Omega = 1 / w, point->R = by_w ? of[0] : u, point->size = A + fabs(at->h) * w * w;
+    } else {
+        const double square = (u - at->h) / A, w = by_w ? u : square > 0 ? sqrt(square) : NAN;
+        const double I = dissipation_I(w, A, rest[0], zeta, d), I_A = dissipation_I_A(w, A, rest[1], zeta, d);
+        point->Omega = w, point->R = by_w ? slow_flow_R(w, A, at->h) : u, point->size = fabs(at->h) + A * w * w;
+        if (by_w)
+            dissipation_folds(w, A, F_0, rest[1], rest[2], zeta, d, at->h_A, at->h_AA, point->R, I, out);
+        else
+            dissipation_folds_in_R(w, A, F_0, rest[2], zeta, d, at->h_AA, u, I, (u - at->k) / A, I_A, out);
+    }
+}
+
+static sf_interval sf_determinant(const sf_interval f[6]) {
+    return sfi_sub(sfi_mul(f[2], f[5]), sfi_mul(f[3], f[4]));
+}
+
+/* ==== One point ================================================================================================== */
+
+/* Newton's method from a place in a box; 0 where it leads nowhere, or beyond the piece. f: what is found there */
+static int sf_approach_point(const sf_law_search *search, sf_law_point *point, double f[6]) {
+    double last = HUGE_VAL;
+    int i;
+    for (i = 0; i < SF_NEWTON_STEPS; i++) {
+        sf_sample at;
+        double determinant, by_A, by_u, off;
+        sf_sample_at(search->model, point->A, &at);
+        sf_functions_at(search, &at, point, f);
+        determinant = f[2] * f[5] - f[3] * f[4];
+        by_A = (f[0] * f[5] - f[3] * f[1]) / determinant, by_u = (f[2] * f[1] - f[0] * f[4]) / determinant;
+        off = fmax(fabs(by_A) / point->A, fabs(by_u) / (fabs(point->u) + fabs(at.h) * SF_DOUBT));
+        if (!(off < HUGE_VAL))
+            return 0;
+        /* as far as roundings let it come */
+        if (off <= 0x1p-52 || (off <= 0x1p-30 && off >= 0.5 * last))
+            return 1;
+        last = off;
+        point->A -= by_A, point->u -= by_u;
+        if (!(point->A > search->base && point->A <= search->end * (1 + 0x1p-20)))
+            return 0;
+    }
+    return last <= 0x1p-30;
+}
+
+/* A box around a point: its strip, and what the other unknown is on it. */
+typedef struct {
+    sf_node a, b;
+    sf_interval u;
+} sf_surroundings;
+
+/* Whether a box around a point, which is made, is proved to hold exactly one: Krawczyk's operator, with the slopes at
+ * the point, maps it into itself. */
+static int sf_prove_point(const sf_law_search *search, const double f[6], sf_law_point *point,
+                          sf_surroundings *around) {
+    const double determinant = f[2] * f[5] - f[3] * f[4];
+    const double inverse[4] = {f[5] / determinant, -f[3] / determinant, -f[4] / determinant, f[2] / determinant};
+    const sf_interval A = sfi_point(point->A), u = sfi_point(point->u);
+    sf_interval at[6], on[6], off[2], box[2];
+    sf_strip strip;
+    sf_node node;
+    double extent[2];
+    int i, k;
+    sf_node_at(search, point->A, &node);
+    sf_make_strip(search, &node, &node, &strip);
+    sf_functions_within(search, &strip, point->by_w, u, at);
+    for (i = 0; i < 2; i++) {
+        off[i] = sfi_add(sfi_mul(sfi_point(inverse[2 * i]), at[0]), sfi_mul(sfi_point(inverse[2 * i + 1]), at[1]));
+        extent[i] = SF_AROUND * sf_size_of(off[i]);
+    }
+    extent[0] = sfi_most(extent[0], SF_AROUND_LEAST * point->A);
+    extent[1] = sfi_most(extent[1], SF_AROUND_LEAST * fabs(point->u));
+    if (!(point->A - extent[0] > search->base && extent[1] < HUGE_VAL))
+        return 0;
+    point->off_A = extent[0], point->off_u = extent[1];
+    sf_node_at(search, point->A - extent[0], &around->a);
+    sf_node_at(search, sfi_least(point->A + extent[0], search->end), &around->b);
+    around->u = sfi_of(point->u - extent[1], point->u + extent[1]);
+    sf_make_strip(search, &around->a, &around->b, &strip);
+    sf_functions_within(search, &strip, point->by_w, around->u, on);
+    box[0] = sfi_sub(strip.cell.A, A), box[1] = sfi_sub(around->u, u);
+    for (i = 0; i < 2; i++) {
+        sf_interval image = sfi_neg(off[i]);
+        for (k = 0; k < 2; k++) {
+            const sf_interval slope = sfi_add(sfi_mul(sfi_point(inverse[2 * i]), on[2 + k]),
+                                              sfi_mul(sfi_point(inverse[2 * i + 1]), on[4 + k]));
+            image = sfi_add(image, sfi_mul(sfi_sub(sfi_point(i == k), slope), box[k]));
+        }
+        if (!(image.lo > box[i].lo && image.hi < box[i].hi))
+            return 0;
+    }
+    return 1;
+}
+
+static void sf_add_point(sf_law_points *found, const sf_law_point *point) {
+    int i;
+    for (i = 0; i < found->n; i++) {
+        const sf_law_point *other = &found->at[i];
+        if (fabs(other->A - point->A) <= fmax(other->off_A, point->off_A) &&
+            (other->by_w == point->by_w ? fabs(other->u - point->u) <= fmax(other->off_u, point->off_u)
+                                        : fabs(other->R - point->R) <= SF_CLOSE * point->size))
+            return;
+    }
+    if (found->n == SF_MOST_POINTS)
+        found->status = SF_TOO_MANY;
+    else
+        found->at[found->n++] = *point;
+}
+
+/* The last digits of a point that was found by R, where that is not all rounding of its terms: w from R has the roundings
+ * of h besides. */
+static void sf_polish_point(const sf_law_search *search, sf_law_point *point) {
+    sf_law_point last = *point;
+    sf_sample at;
+    double f[6], determinant, A, w;
+    last.by_w = 1, last.u = search->far ? 1 / point->Omega : point->Omega;
+    sf_sample_at(search->model, last.A, &at);
+    sf_functions_at(search, &at, &last, f);
+    determinant = f[2] * f[5] - f[3] * f[4];
+    A = last.A - (f[0] * f[5] - f[3] * f[1]) / determinant, w = last.u - (f[2] * f[1] - f[0] * f[4]) / determinant;
+    if (fabs(A - point->A) <= point->off_A && fabs(w - last.u) <= SF_CLOSE * last.u)
+        point->A = A, point->Omega = search->far ? 1 / w : w;
+}
+
+static inline sf_interval *sf_second_unknown(sf_law_box *box) { return box->by_w ? &box->of.w : &box->of.R; }
+
+/* Whether the only point that a box may have is found, where the determinant has a sign on the box. */
+static int sf_settle_point(sf_law_search *search, sf_law_box *box, double middle) {
+    const sf_interval u = *sf_second_unknown(box);
+    sf_law_point point;
+    sf_surroundings around;
+    double f[6];
+    point.A = middle, point.u = 0.5 * (u.lo + u.hi), point.by_w = box->by_w;
+    if (!sf_approach_point(search, &point, f) || !sf_prove_point(search, f, &point, &around))
+        return 0;
+    if (around.a.at.A > box->b.at.A || around.b.at.A < box->a.at.A || sf_is_none(sfi_both(around.u, u)))
+        return 0;
+    if (around.a.at.A < box->a.at.A || around.b.at.A > box->b.at.A || around.u.lo < u.lo || around.u.hi > u.hi) {
+        /* on the edge: there is no other in both together */
+        sf_interval slopes[6];
+        sf_strip strip;
+        sf_make_strip(search, around.a.at.A < box->a.at.A ? &around.a : &box->a,
+                      around.b.at.A > box->b.at.A ? &around.b : &box->b, &strip);
+        sf_functions_within(search, &strip, box->by_w, sfi_join(u, around.u), slopes);
+        if (!sfi_has_sign(sf_determinant(slopes)))
+            return 0;
+    }
+    if (!point.by_w)
+        sf_polish_point(search, &point);
+    sf_add_point(&search->found, &point);
+    return 1;
+}
+
+/* ==== The search ================================================================================================= */
+
+/* Whether it is the other unknown that is cut, which moves both functions more than A does. Next to a jump no slope by A
+ * is bounded, next to w = 0 none by R. */
+static int sf_moves_by_other(const sf_law_search *search, const sf_law_box *box, sf_interval u, const sf_interval f[6]) {
+    const double width = box->b.at.A - box->a.at.A, height = u.hi - u.lo;
+    const double of_A[] = {sf_size_of(f[2]) * width, sf_size_of(f[4]) * width};
+    const double of_u[] = {sf_size_of(f[3]) * height, sf_size_of(f[5]) * height};
+    const int is_A_bounded = of_A[0] < HUGE_VAL && of_A[1] < HUGE_VAL;
+    const int is_u_bounded = of_u[0] < HUGE_VAL && of_u[1] < HUGE_VAL;
+    if (is_A_bounded && is_u_bounded)
+        return of_u[0] > SF_MUCH_MORE * of_A[0] && of_u[1] > SF_MUCH_MORE * of_A[1];
+    if (is_A_bounded || is_u_bounded)
+        return is_A_bounded;
+    return height * box->b.at.A > width * sfi_most(sf_size_of(u), box->by_w ? SF_LOW : search->F_0);
+}
+
+/* Whether R is no small difference of A Omega^2 and h, or R over Omega^2 does not tell w, as h may vanish. */
+static int sf_is_R_large(const sf_law_search *search, const sf_strip *strip, sf_interval R) {
+    const double size = SF_SMALL_SHARE * sf_size_of(search->far ? strip->cell.A : strip->cell.h);
+    return R.lo >= size || R.hi <= -size || (search->far && !(strip->cell.h.hi < 0));
+}
+
+/* Looks at a box: 0 where it is settled. middle: where the cell is cut; other: whether it is not A that is cut */
+static int sf_look_at_box(sf_law_search *search, sf_law_box *box, double middle, int inside, int *other) {
+    sf_strip strip;
+    *other = 0;
+    sf_make_strip(search, &box->a, &box->b, &strip);
+    if (!sf_narrow_fold(search, &strip, &box->of))
+        return 0;
+    box->by_w = sf_is_R_large(search, &strip, box->of.R);
+    if (box->a.at.A > 0 && inside &&
+        (sfi_has_sign(box->of.R) || box->b.at.A - box->a.at.A < SF_NARROW_CELL * box->a.at.A)) {
+        const sf_interval u = *sf_second_unknown(box);
+        sf_interval f[6];
+        sf_functions_within(search, &strip, box->by_w, u, f);
+        if (sfi_has_sign(f[0]) || sfi_has_sign(f[1]))
+            return 0;
+        if (sfi_has_sign(sf_determinant(f)) && sf_settle_point(search, box, middle))
+            return 0;
+        *other = sf_moves_by_other(search, box, u, f);
+    }
+    return 1;
+}
+
+/* Where the other unknown is cut, not in the middle: what vanishes there would lie on the edges of two boxes. */
+static double sf_cut_other(sf_interval u) {
+    if (u.hi == HUGE_VAL)
+        return u.lo > -HUGE_VAL ? 4 * sfi_most(u.lo, 1) : 0;
+    return (1 - SF_ASKEW) * u.lo + SF_ASKEW * u.hi;
+}
+
+/* All points on a piece of the force. */
+static void sf_search_points(sf_law_search *search, const sf_stretch *piece) {
+    sf_law_points *found = &search->found;
+    int top = 0;
+    search->pending[0].a.at = piece->first, search->pending[0].b.at = piece->last;
+    /* with a preload what lies next to rest is left out: there A Omega^2 is all that counts, and F has no fold but where
+     * F_0 is m, or what holds the mass, to rounding */
+    if (piece->first.A == 0 && piece->first.h != 0)
+        sf_sample_at(search->model, SF_NEXT_TO_PRELOAD * piece->last.A, &search->pending[0].a.at);
+    sf_know(&search->pending[0].a.at, &search->pending[0].a.known);
+    sf_know(&search->pending[0].b.at, &search->pending[0].b.known);
+    search->pending[0].of.R = sf_all(), search->pending[0].of.w = sfi_of(0, HUGE_VAL);
+    for (top = 1; top > 0;) {
+        sf_law_box *box = &search->pending[top - 1], *next = box + 1;
+        const double a = box->a.at.A, b = box->b.at.A, middle = sf_amid(search->base, a, b);
+        const int inside = middle > a && middle < b && b - a > SF_NARROW * b;
+        int other, is_thin;
+        sf_interval *u;
+        double at;
+        if (found->boxes++ > SF_MOST_BOXES || found->status != SF_OK) {
+            found->status = SF_UNRESOLVED;
+            return;
+        }
+        if (b < SF_FIRST || !sf_look_at_box(search, box, middle, inside, &other)) {
+            top--;
+            continue;
+        }
+        u = sf_second_unknown(box), at = sf_cut_other(*u);
+        is_thin = !(at > u->lo && at < u->hi) || u->hi - u->lo <= SF_THIN * sf_size_of(*u);
+        if (!inside && is_thin) {
+            found->undecided = 1;
+            top--;
+            continue;
+        }
+        if (top == SF_MOST_PENDING) {
+            found->status = SF_UNRESOLVED;
+            return;
+        }
+        *next = *box;
+        if ((other && !is_thin) || !inside) {
+            u->lo = sf_second_unknown(next)->hi = at;
+        } else {
+            sf_node_at(search, middle, &box->a);
+            next->b = box->a;
+        }
+        top++;
+    }
+}
+
+/* All points of the pieces up to an amplitude. */
+static void sf_search_pieces(const sf_model *model, double F_0, const sf_stretches *pieces, sf_law_search *search) {
+    sf_law_points *found = &search->found;
+    int i;
+    search->model = model, search->F_0 = F_0, search->force = sfi_point(F_0), search->far = sf_inertial(model);
+    found->n = found->boxes = found->undecided = 0, found->status = SF_OK;
+    for (i = 0; i < pieces->n && found->status == SF_OK; i++) {
+        search->base = i > 0 ? model->b[i - 1] : 0, search->end = pieces->at[i].last.A;
+        sf_hold_laws(model, i, &search->laws);
+        sf_search_points(search, &pieces->at[i]);
+    }
+}
+
+#endif
