@@ -257,9 +257,9 @@ def test_answers_come_back_from_other_processes():
 def test_entries_are_the_columns(name):
     table = TABLES[name]
     assert len(list(table)) == len(table)
-    for field in table.entry._fields:
+    for field in table._entry_of()._fields:
         assert [getattr(entry, field) for entry in table] == pytest.approx(getattr(table, field).tolist(), nan_ok=True)
-    assert set(table.entry._fields) <= set(table.columns())
+    assert set(table._entry_of()._fields) <= set(table.columns())
     assert repr(table[:1]) == repr(list(table)[:1]) and repr(table[1:][:1]) == repr(list(table)[1:2])
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import itertools
 import json
 import math
@@ -24,13 +23,12 @@ from slowflow import Duffing, Isolator, Oscillator, derive, loads
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.isolator import ROD_SPRING
 from slowflow.model import Model
-from slowflow.off_centre.answers import OffCentreStates
+from slowflow.off_centre.answers import states_move
 from slowflow.off_centre.ends import Charts
-from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.questions import OffCentre
 from slowflow.paper.example import TABLE_1, isolator
-from slowflow.results import Remark
+from slowflow.results import Remark, SteadyStates
 from slowflow_kernels.conventions import Status
 from slowflow_support.errors import NotSettled
 
@@ -903,10 +901,9 @@ def test_where_there_is_no_gradient_off_the_centre_the_reason_is_said(loaded):
     assert none.F_cr is None and "no answer that could move" in none.gradient().message
     bent = Duffing(1.0, 0.5, 0.0, 0.05, load=0.3)
     folds = bent.saddle_nodes(0.2)
-    states = OffCentreStates(
-        folds.Omega, folds.A, folds.B, folds.kind == "", 0.2, 0.3, "", _h=folds.A, _flow=Flow(0.0, 0.0)
+    on_folds = states_move(
+        SteadyStates(folds.Omega, folds.A, folds.kind == "", 0.2, "", bent.off_centre._model, B=folds.B, load=0.3)
     )
-    on_folds = dataclasses.replace(states, _model=bent.off_centre._model).gradient()
     assert "2 of 2: it meets another answer there" in on_folds.message and np.isnan(on_folds.slopes).all()
 
 

@@ -206,7 +206,7 @@ def test_every_question_in_physical_units_is_the_dimensionless_one(mount):
     for twin, answer in pairs:
         assert twin.answer == answer
         for name, (shown, scale) in named.items():
-            if hasattr(answer, name):
+            if getattr(answer, name, None) is not None:
                 np.testing.assert_allclose(getattr(twin, shown), getattr(answer, name) * scale, rtol=1e-15)
     assert mount.explain("peak", 5).F_0 == F_0 and str(mount.explain("peak", 5)).startswith("peak at F = 5 N")
     assert mount.backbone(0.01) == iso.backbone(0.01 / L) * f
@@ -482,7 +482,7 @@ def test_every_number_of_an_answer_has_a_unit_or_is_known_to_have_none():
     for module in (results, loads):
         for kind in vars(module).values():
             if dataclasses.is_dataclass(kind) and kind.__module__ == module.__name__:
-                numbers = [one.name for one in dataclasses.fields(kind) if "loat" in str(one.type)]
+                numbers = [one.name for one in dataclasses.fields(kind) if "loat" in str(one.type) and one.repr]
                 assert set(numbers) <= {name for name, one in COLUMNS.items() if one.kind} | without, kind
 
 

@@ -45,8 +45,11 @@ class Answer:
 
     def _content(self) -> dict[str, Any]:
         """What was found and asked, by name; the slow flow behind it left out."""
-        names = (entry.name for entry in dataclasses.fields(self) if entry.repr)  # type: ignore[arg-type]
-        return {name: getattr(self, name) for name in names}
+        shown = [one for one in dataclasses.fields(self) if one.repr]  # type: ignore[arg-type]
+        if any(one.metadata for one in shown):
+            loaded = getattr(self, "load", None) is not None
+            shown = [one for one in shown if one.metadata.get("loaded", loaded) == loaded]
+        return {one.name: getattr(self, one.name) for one in shown}
 
     def _numbers(self) -> set[str]:
         """Names of numbers that may be missing."""
@@ -137,6 +140,10 @@ class Single(Answer):
         pass
 
 
+#: of a field that only answers under a load have, and that only the others have
+LOADED, UNLOADED = MappingProxyType({"loaded": True}), MappingProxyType({"loaded": False})
+
+
 class Table(Answer):
     """An answer with several entries: arrays of one length, `entry` naming those that make up one of them.
 
@@ -151,21 +158,31 @@ class Table(Answer):
         """True."""
         return True
 
+    def _entry_of(self) -> Any:
+        """The named tuple that an entry is."""
+        return self.entry
+
+    def _beside_of(self) -> tuple[str, ...]:
+        """What each entry has besides."""
+        return self.beside
+
     def __len__(self) -> int:
-        return int(getattr(self, self.entry._fields[0]).size)
+        return int(getattr(self, self._entry_of()._fields[0]).size)
 
     def __getitem__(self, k: int | slice) -> Any:
         if isinstance(k, slice):
             return list(self)[k]
-        return self.entry(*(getattr(self, name)[operator.index(k)].item() for name in self.entry._fields))
+        entry = self._entry_of()
+        return entry(*(getattr(self, name)[operator.index(k)].item() for name in entry._fields))
 
     def __iter__(self) -> Iterator[Any]:
-        columns = (getattr(self, name).tolist() for name in self.entry._fields)
-        return (self.entry(*values) for values in zip(*columns, strict=True))
+        entry = self._entry_of()
+        columns = (getattr(self, name).tolist() for name in entry._fields)
+        return (entry(*values) for values in zip(*columns, strict=True))
 
     def columns(self) -> dict[str, Any]:
         """Arrays of one length by name: those of the entries, and what each has besides."""
-        found = {name: getattr(self, name) for name in (*self.entry._fields, *self.beside)}
+        found = {name: getattr(self, name) for name in (*self._entry_of()._fields, *self._beside_of())}
         return found | {name: value for name, value in self._content().items() if _is_column(value, len(self))}
 
     def about(self) -> dict[str, Any]:

@@ -16,13 +16,13 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import moves, validate
-from slowflow.answer import Single, Table, Words, joined
+from slowflow.answer import LOADED, Single, Table, Words, joined
 from slowflow.averaged import remarks, solvers, words
 from slowflow.averaged.questions import Averaged
 from slowflow.gradient import NO_GRADIENT, Gradient
 from slowflow.mechanism import Floats, Law, Mechanism
 from slowflow.model import THROUGHOUT, Model
-from slowflow.results import Remark, of_model
+from slowflow.results import Moves, Remark, of_model
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA
 
@@ -147,6 +147,7 @@ class Isolation(Single):
     Omega -- that frequency; 0 where this holds at all frequencies; None where there is no motion, or no such frequency
     A     -- the amplitude there
     at_fold -- whether a motion that transmits more ends there in a fold, and does not pass transmissibility 1
+    B, load -- under a load, the mean displacement there, None as A is, and the load over k_v L
     remarks -- those of the response
     """
 
@@ -156,13 +157,18 @@ class Isolation(Single):
     F_0: float
     message: str
     remarks: Remark
+    B: float | None = field(default=None, kw_only=True, metadata=LOADED)
+    load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
+    _moves: Moves | None = field(default=None, kw_only=True, repr=False)
 
     def gradient(self) -> Gradient:
         """How Omega and A move with the parameters and F_0, exactly: those of the state, or of the fold, at this end.
 
         Where isolation begins at no frequency that moves there is none, and `.status` and `.message` say so.
         """
+        if self._moves is not None:
+            return self._moves(self)
         return moves.of_isolation(of_model(self._model), self.Omega, self.A, self.F_0, self.at_fold)
 
 

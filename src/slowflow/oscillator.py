@@ -29,15 +29,7 @@ if TYPE_CHECKING:
     from slowflow import exact, loads
     from slowflow.averaged.plan import Plan
     from slowflow.mechanism import Reals
-    from slowflow.off_centre.answers import (
-        OffCentreDetachment,
-        OffCentreFolds,
-        OffCentreOnset,
-        OffCentrePeak,
-        OffCentreResponse,
-        OffCentreStates,
-        RestPositions,
-    )
+    from slowflow.off_centre.answers import RestPositions
     from slowflow.off_centre.questions import OffCentre
     from slowflow.results import FrequencyResponse, Peak, SaddleNodes, SteadyStates
     from slowflow.second import SecondApproximation
@@ -180,15 +172,13 @@ class Oscillator(Unchanging, Averaged):
         """Every place at which the mass rests under its load without friction; see `OffCentre.rest`."""
         return self._off_centre.rest()
 
-    def amplitudes(self, *, Omega: Reals, F_0: Reals) -> SteadyStates | OffCentreStates:  # type: ignore[override]
+    def amplitudes(self, *, Omega: Reals, F_0: Reals) -> SteadyStates:
         """Every steady state, see `Averaged.amplitudes`; under a load `OffCentre.amplitudes`, with its mean B."""
         if isinstance(self.model, Loaded):
             return self.off_centre.amplitudes(Omega=Omega, F_0=F_0)
         return super().amplitudes(Omega=Omega, F_0=F_0)
 
-    def saddle_nodes(  # type: ignore[override]
-        self, F_0: float, *, certify: bool = False
-    ) -> SaddleNodes | OffCentreFolds:
+    def saddle_nodes(self, F_0: float, *, certify: bool = False) -> SaddleNodes:
         """Every fold, see `Averaged.saddle_nodes`; under a load `OffCentre.saddle_nodes`, which has no proof."""
         if not isinstance(self.model, Loaded):
             return super().saddle_nodes(F_0, certify=certify)
@@ -196,15 +186,15 @@ class Oscillator(Unchanging, Averaged):
             self.at_centre("certify")
         return self.off_centre.saddle_nodes(F_0)
 
-    def frequency_response(  # type: ignore[override]
+    def frequency_response(
         self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
-    ) -> FrequencyResponse | OffCentreResponse:
+    ) -> FrequencyResponse:
         """The response, see `Averaged.frequency_response`; under a load `OffCentre.frequency_response`, with its B."""
         if isinstance(self.model, Loaded):
             return self.off_centre.frequency_response(F_0, samples=samples, Omega=Omega)
         return super().frequency_response(F_0, samples=samples, Omega=Omega)
 
-    def peak(self, F_0: float) -> Peak | OffCentrePeak:  # type: ignore[override]
+    def peak(self, F_0: float) -> Peak:
         """The highest peak, see `Averaged.peak`; under a load `OffCentre.peak`, with its B and the largest |u|."""
         return self.off_centre.peak(F_0) if self._off_centre_by else super().peak(F_0)
 
@@ -213,7 +203,7 @@ class Oscillator(Unchanging, Averaged):
         self.at_centre("certify")
         return super().certify(F_0, Omega=Omega)
 
-    def detachment(self) -> Detachment | OffCentreDetachment:  # type: ignore[override]
+    def detachment(self) -> Detachment:
         """The lowest forcing that reaches u_cr, see `Averaged.detachment`; under a load `OffCentre.detachment`."""
         return self.off_centre.detachment() if isinstance(self.model, Loaded) else super().detachment()
 
@@ -278,7 +268,7 @@ class Oscillator(Unchanging, Averaged):
         """df/du at displacements of any shape, both dimensionless; at a breakpoint that of the inner piece."""
         return self.restoring_force().stiffness(validate.finite_array("u", u))
 
-    def saddle_node_onset(self) -> SaddleNodeOnset | OffCentreOnset:  # type: ignore[override]
+    def saddle_node_onset(self) -> SaddleNodeOnset:
         """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33).
 
         Where it lies on a corner that the truncation makes, `.untruncated` is the onset of the untruncated force. Under
@@ -525,11 +515,9 @@ class Oscillator(Unchanging, Averaged):
         from slowflow.exact import measure
 
         def at_frequency(Omega: float) -> tuple[Any, Floats]:
-            if B is None:
-                centred = self.states(Omega=Omega, F_0=found.F_0)
-                return centred, np.zeros(centred.A.size)
-            states = self.off_centre.amplitudes(Omega=Omega, F_0=found.F_0)
-            return states, states.B
+            ask = self.states if B is None else self.off_centre.amplitudes
+            states = ask(Omega=Omega, F_0=found.F_0)
+            return states, states.mean
 
         return measure.folds(at_frequency, self.equation_of_motion(force), found, B)
 

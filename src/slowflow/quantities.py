@@ -425,9 +425,8 @@ class Scales:
 
     def quantities(self, answer: Answer) -> Quantities:
         """An answer to a dimensionless question in SI units, and those that it holds."""
-        fields = dataclasses.fields(answer)  # type: ignore[arg-type]
-        found = {field.name: getattr(answer, field.name) for field in fields if field.repr}
-        entry = (*answer.entry._fields, *answer.beside) if isinstance(answer, Table) else ()
+        found = answer._content()
+        entry = (*answer._entry_of()._fields, *answer._beside_of()) if isinstance(answer, Table) else ()
         if entry and "F_0" not in entry and np.ndim(found.get("F_0", 0.0)):
             entry += ("F_0",)
         return self.named({**{name: getattr(answer, name) for name in entry}, **found}, answer, entry)

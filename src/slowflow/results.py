@@ -6,6 +6,7 @@ length, and an index or a loop gives one entry as a named tuple: `for fold in is
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import field
 from enum import IntFlag
 from functools import cached_property
@@ -15,10 +16,10 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import moves, validate
-from slowflow.answer import Single, Table, frozen
+from slowflow.answer import LOADED, UNLOADED, Single, Table, frozen
 from slowflow.certificate import ProvedFolds
 from slowflow.gradient import Gradient
-from slowflow.measured.validity import Validity, of_states
+from slowflow.measured.validity import Validity, of_states, off_centre
 from slowflow.model import Floats, Model
 from slowflow.transmitted import in_motion
 from slowflow_kernels import slow_flow
@@ -84,6 +85,37 @@ class SaddleNode(NamedTuple):
 
     Omega: float
     A: float
+    kind: str
+    corner: bool
+
+
+class OffsetState(NamedTuple):
+    """A steady state with its mean, as in `SteadyStates` under a load."""
+
+    Omega: float
+    A: float
+    B: float
+    phi: float
+    stable: bool
+
+
+class OffsetPoint(NamedTuple):
+    """A point of a response curve with its mean, as in `FrequencyResponse` under a load."""
+
+    Omega: float
+    A: float
+    B: float
+    phi: float
+    stable: bool
+    branch: int
+
+
+class OffsetFold(NamedTuple):
+    """A fold with its mean, as in `SaddleNodes` under a load."""
+
+    Omega: float
+    A: float
+    B: float
     kind: str
     corner: bool
 
@@ -229,16 +261,31 @@ NOT_ASKED = "this answer was not asked of an oscillator: no equation of motion i
 NOT_AVERAGED = "gradients are known of averaged answers, asked of an oscillator with a design: this is none"
 
 
-class MeasuresPoint:
+#: of an answer under a load, which says itself how its numbers move: a function of the answer
+Moves = Callable[[Any], Gradient]
+NOT_MEASURED = "off the centre states and folds are measured, as amplitudes(...).measure(): this answer is neither"
+
+
+class OfPoint:
     """What a peak, an onset and a detachment share: each is held against one of the equation of motion."""
 
     if TYPE_CHECKING:
+        load: float | None
         _asked: Measures | None
+        _model: Model | None
 
     def _measured(self, force: str | None) -> MeasuredPoint:
+        if self.load is not None:
+            raise validate.NotAvailable(NOT_MEASURED)
         if self._asked is None:
             raise Refused(NOT_ASKED)
         return self._asked.measured_point(self, force)
+
+    def _validity(self, F_0: float | None, Omega: float | None, A: float | None) -> Validity:
+        """That how far a motion may be from the equation of motion was not measured off the centre."""
+        if self.load is None or self._model is None:
+            raise validate.NoAttribute("validity is known of states and folds, and under a load: of this it is not")
+        return off_centre(self._model.mu, F_0, Omega, A)
 
 
 def of_model(model: Model | None) -> moves.Given:
@@ -260,6 +307,19 @@ class Transmits(Protocol):
         ...
 
 
+class WithMean:
+    """What states and folds share: about a mean, which is 0 without a load."""
+
+    if TYPE_CHECKING:
+        A: Floats
+        B: Floats | None
+
+    @property
+    def mean(self) -> Floats:
+        """The mean displacement of each: B, and 0 without a load."""
+        return np.zeros(self.A.size) if self.B is None else self.B
+
+
 class InDecibels:
     """What tables of states share, at whatever depth and about whatever mean."""
 
@@ -271,12 +331,16 @@ class InDecibels:
 
 
 @dataclass(frozen=True, eq=False)
-class SteadyStates(InDecibels, Table):
+class SteadyStates(WithMean, InDecibels, Table):
     """Steady states, one entry each: flat arrays of one length.
 
     Omega, A -- frequency and amplitude, dimensionless; A = 0 where friction holds the mass at rest
-    stable   -- True where both eigenvalues of the Jacobian (28) have a negative real part
+    B        -- under a load the mean displacement, u = B + A cos(Omega tau + phi), so that |B| + A is the largest |u|,
+                `u_max`; where friction holds the mass each stable place of rest, about which it may hold it as well
+    stable   -- True where both eigenvalues of the Jacobian (28) have a negative real part; under a load where F_A (30)
+                along the balance of the mean is positive, and the mean stiffness too
     F_0      -- the forcing, one number; an array with that of each state where several were asked for
+    load     -- the static load over k_v L, where there is one
     message  -- remarks in words; empty if there is nothing to say
     Omega_undecided -- those of the frequencies asked for at which neither doubles nor balls tell how many states there
                        are
@@ -287,13 +351,34 @@ class SteadyStates(InDecibels, Table):
 
     Omega: Floats
     A: Floats
+    B: Floats | None = field(default=None, kw_only=True, metadata=LOADED)
     stable: npt.NDArray[np.bool_]
     F_0: float | Floats
+    load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     message: str
     Omega_undecided: Floats = field(default_factory=lambda: np.empty(0), kw_only=True)
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model = field(repr=False)
     _asked: Measures | None = field(default=None, kw_only=True, repr=False)
+    _moves: Moves | None = field(default=None, kw_only=True, repr=False)
+    #: under a load, h along the balance of the mean, and the flow of which it is a number
+    _h: Floats | None = field(default=None, kw_only=True, repr=False)
+    _flow: Any = field(default=None, kw_only=True, repr=False)
+
+    def _entry_of(self) -> Any:
+        """`OffsetState` with the mean, under a load."""
+        return OffsetState if self.B is not None else State
+
+    def _beside_of(self) -> tuple[str, ...]:
+        """`u_max` too, under a load."""
+        return ("u_max", *self.beside) if self.B is not None else self.beside
+
+    @property
+    def u_max(self) -> Floats:
+        """The largest |u| of each motion: |B| + A, under a load; `A` is that without one."""
+        if self.B is None:
+            raise validate.NoAttribute("u_max is that of motions with a mean B: without a load A is the largest |u|")
+        return np.asarray(np.abs(self.B) + self.A)
 
     @cached_property
     def phi(self) -> Floats:
@@ -301,6 +386,8 @@ class SteadyStates(InDecibels, Table):
 
         Of a mass at rest it is the one with which it begins to move, -pi/2 without a preload.
         """
+        if self._flow is not None:
+            return frozen(np.asarray(self._flow.phase(self.Omega, self.A, self._h)) + 0 * self.A)
         h = self._model.averaged(self.A)[0]
         phase = self._model.flow.phase(self.Omega, self.A, *self._model.alike(self.Omega, self.A), h)
         return frozen(np.asarray(phase) + 0 * self.A)
@@ -318,10 +405,13 @@ class SteadyStates(InDecibels, Table):
         On a base that shakes it is as well the absolute displacement of the mass over that of the base. A mass at rest
         passes on all of it: 1.
         """
-        h = self._model.averaged(self.A)[0]
-        m, zeta = self._model.alike(self.Omega, self.A)
         with np.errstate(divide="ignore", invalid="ignore"):  # of a mass at rest on a base that hardly shakes
-            passed = slow_flow.transmissibility(self.Omega, self.A, self.force, m, zeta, h)
+            if self._flow is not None:
+                passed = self._flow.transmissibility(self.Omega, self.A, self.F_0, self._h)
+            else:
+                h = self._model.averaged(self.A)[0]
+                m, zeta = self._model.alike(self.Omega, self.A)
+                passed = slow_flow.transmissibility(self.Omega, self.A, self.force, m, zeta, h)
         return frozen(in_motion(self.A, passed))
 
     @property
@@ -336,14 +426,19 @@ class SteadyStates(InDecibels, Table):
     @cached_property
     def validity(self) -> Validity:
         """How far each state may be from the equation of motion, by measurement; looked up when first asked for."""
+        if self.load is not None:
+            return off_centre(self._model.mu, self.F_0, self.Omega, self.A)
         return of_states(self._model, self.Omega, self.A)
 
     def gradient(self) -> Gradient:
         """How A, phi and transmissibility of each state move with the parameters, F_0 and Omega, exactly.
 
         Where a state is a fold, or lies on a breakpoint at which the force jumps, it has no gradient, and `.status` and
-        `.message` say so.
+        `.message` say so. Under a load B and the load take part; raises NotAvailable where it is not known how the
+        force moves with the design.
         """
+        if self._moves is not None:
+            return self._moves(self)
         given = of_model(self._model)
         return moves.of_states(given, self.Omega, self.A, self.F_0, self.phi, self.transmissibility)
 
@@ -352,12 +447,13 @@ class SteadyStates(InDecibels, Table):
 
         Newton's iteration leads from a state to a motion of half to one and a half times its amplitude; of two states
         at one frequency that lead to the same motion, one is said to have none. `force`: "truncated" for (6),
-        "untruncated" for (5), by default the one that was averaged. Raises ValueError where there is no such force, or
-        where neither friction nor viscous damping lets a motion settle.
+        "untruncated" for (5), by default the one that was averaged. Under a load `.A` of the answer is the largest |u|,
+        and `.error` that of `u_max`. Raises ValueError where there is no such force, or where neither friction nor
+        viscous damping lets a motion settle.
         """
         if self._asked is None:
             raise Refused(NOT_ASKED)
-        return self._asked.measured_states(self, force)
+        return self._asked.measured_states(self, force, self.B)
 
 
 @dataclass(frozen=True, eq=False)
@@ -376,24 +472,30 @@ class FrequencyResponse(SteadyStates):
     isola: tuple[bool, ...]
     picture: ClassVar[str] = "response"
 
+    def _entry_of(self) -> Any:
+        """`OffsetPoint` with the mean, under a load."""
+        return OffsetPoint if self.B is not None else CurvePoint
+
     def plot(self, ax: Any = None, *, of: str = "A") -> Any:
         """Draw the curve into Matplotlib axes, or new ones, and return these; stable is solid, unstable dashed.
 
-        of -- what is drawn over Omega: "A", "phi", "transmissibility" or "transmissibility_dB"
+        of -- what is drawn over Omega: "A", "phi", "transmissibility" or "transmissibility_dB"; under a load "B" too
 
         Raises ValueError for another one, ImportError without Matplotlib.
         """
         from slowflow import pictures
 
-        return pictures.response(ax, self, validate.choice("of", of, DRAWN))
+        return pictures.response(ax, self, validate.choice("of", of, DRAWN if self.B is None else ("B", *DRAWN)))
 
 
 @dataclass(frozen=True, eq=False)
-class SaddleNodes(Table):
+class SaddleNodes(WithMean, Table):
     """Folds of the response curve at one forcing, by rising Omega: arrays of one length.
 
     kind   -- "jump-up": a sweep leaves the fold for a larger amplitude; "jump-down": for a smaller one
+              under a load "unstable" where the motions that meet are both not stable
     corner -- True where the fold sits on a breakpoint of the force
+    B, load -- under a load, the mean displacement of each, and the load over k_v L
     proof  -- enclosures of all folds, and whether these are proved to be all; None unless it was asked for
     """
 
@@ -401,68 +503,90 @@ class SaddleNodes(Table):
 
     Omega: Floats
     A: Floats
+    B: Floats | None = field(default=None, kw_only=True, metadata=LOADED)
     kind: npt.NDArray[np.str_]
     corner: npt.NDArray[np.bool_]
     F_0: float
+    load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
-    proof: ProvedFolds | None = field(default=None, kw_only=True)
+    proof: ProvedFolds | None = field(default=None, kw_only=True, metadata=UNLOADED)
     _model: Model = field(repr=False)
     _asked: Measures | None = field(default=None, kw_only=True, repr=False)
+    _moves: Moves | None = field(default=None, kw_only=True, repr=False)
+
+    def _entry_of(self) -> Any:
+        """`OffsetFold` with the mean, under a load."""
+        return OffsetFold if self.B is not None else SaddleNode
 
     @cached_property
     def validity(self) -> Validity:
         """How far each fold may be from the equation of motion, by measurement; looked up when first asked for."""
+        if self.load is not None:
+            return off_centre(self._model.mu, self.F_0, self.Omega, self.A)
         return of_states(self._model, self.Omega, self.A, corner=bool(self.corner.any()))
 
     def gradient(self) -> Gradient:
         """How Omega and A of each fold move with the parameters and F_0, exactly; a corner moves with its breakpoint.
 
         Where a fold meets another, at a cusp or an isola point, or comes to a breakpoint or leaves it, it has no
-        gradient, and `.status` and `.message` say so.
+        gradient, and `.status` and `.message` say so. Under a load as `SteadyStates.gradient`.
         """
+        if self._moves is not None:
+            return self._moves(self)
         return moves.of_folds(of_model(self._model), self.Omega, self.A, self.F_0, self.corner)
 
     def measure(self, force: str | None = None) -> MeasuredFolds:
         """How far each fold is from one of the equation of motion (3): measured here and now, some ms for each.
 
         The exact curve is followed from motions beside the fold, up to the first one that it meets. `force` and what
-        is raised as in `SteadyStates.measure`.
+        is raised as in `SteadyStates.measure`; under a load `.A` of the answer is the largest |u| at the fold, and
+        `.error_of_A` that of |B| + A.
         """
         if self._asked is None:
             raise Refused(NOT_ASKED)
-        return self._asked.measured_folds(self, force)
+        return self._asked.measured_folds(self, force, self.B)
 
     picture: ClassVar[str] = "folds"
 
     def plot(self, ax: Any = None) -> Any:
-        """Draw the folds, A over Omega, into Matplotlib axes, or new ones, and return these."""
+        """Draw the folds at which a sweep jumps, A over Omega, into Matplotlib axes, or new ones, and return these."""
         from slowflow import pictures
 
         return pictures.folds(ax, self)
 
 
 @dataclass(frozen=True, eq=False)
-class SaddleNodeOnset(MeasuresPoint, Single):
+class SaddleNodeOnset(OfPoint, Single):
     """The lowest forcing that has a fold; None and a message where there is none.
 
     kind -- "cusp" (the response gets a vertical inflection), "isola" (an isolated curve is born), "corner" (at a
             breakpoint)
     untruncated -- the onset of the untruncated force, where this one is on a corner that only the truncation makes;
                    without one its message says why, which may be that doubles do not tell
+    B, load     -- under a load, the mean displacement, and the load over k_v L; the onset is the lowest forcing for
+                   which a stable motion ends at a fold then
     """
 
     F_SN: float | None
     Omega: float | None
     A: float | None
+    B: float | None = field(default=None, kw_only=True, metadata=LOADED)
     kind: str
+    load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     message: str
-    untruncated: SaddleNodeOnset | None = field(default=None, kw_only=True)
+    untruncated: SaddleNodeOnset | None = field(default=None, kw_only=True, metadata=UNLOADED)
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
     _asked: Measures | None = field(default=None, kw_only=True, repr=False)
+    _moves: Moves | None = field(default=None, kw_only=True, repr=False)
     #: where there is none, what batches say
     _status: Status = field(default=Status.NONE, kw_only=True, repr=False)
+
+    @property
+    def validity(self) -> Validity:
+        """Under a load, that how far the motion may be from the equation of motion was not measured."""
+        return self._validity(self.F_SN, self.Omega, self.A)
 
     def measure(self, force: str | None = None) -> MeasuredPoint:
         """How far it is from that of the equation of motion (3), here and now: tenths of a second where compiled.
@@ -477,8 +601,11 @@ class SaddleNodeOnset(MeasuresPoint, Single):
         """How F_SN, Omega and A move with the parameters, exactly; on a breakpoint with that.
 
         Where more than two folds are born together there is no gradient, and `.status` and `.message` say so. Of two
-        onsets at one forcing, which it does not look for, it is that of the one which is given.
+        onsets at one forcing, which it does not look for, it is that of the one which is given. Under a load B and the
+        load take part, and on a corner that a jump of the force makes there is none.
         """
+        if self._moves is not None:
+            return self._moves(self)
         kind = OnsetKind[self.kind.upper() or "NO"]
         return moves.of_onset(of_model(self._model), self.F_SN, self.Omega, self.A, kind)
 
@@ -558,23 +685,39 @@ class IsolaPoints(Table):
 
 
 @dataclass(frozen=True, eq=False)
-class Peak(MeasuresPoint, Single):
+class Peak(OfPoint, Single):
     """The highest peak of the response at one forcing, isolas included; None and a message where there is none.
 
     It is a top of the curve at which stable motions end, within the well of a spring that gives way.
+
+    B, load  -- under a load, its mean displacement, and the load over k_v L
+    u_max, Omega_max -- under a load, the largest |u|, |B| + A, which is what a stroke has to hold, and its frequency,
+                which may be that of another motion. Of motions whose mean stiffness is positive, as of stable ones
     """
 
     A: float | None
+    B: float | None = field(default=None, kw_only=True, metadata=LOADED)
     Omega: float | None
+    u_max: float | None = field(default=None, kw_only=True, metadata=LOADED)
+    Omega_max: float | None = field(default=None, kw_only=True, metadata=LOADED)
     F_0: float
+    load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
     _asked: Measures | None = field(default=None, kw_only=True, repr=False)
+    _moves: Moves | None = field(default=None, kw_only=True, repr=False)
+    #: whether the mean turns back there
+    _turns: bool = field(default=False, kw_only=True, repr=False)
     #: where there is none, what batches say
     _status: Status = field(default=Status.NONE, kw_only=True, repr=False)
     #: whether that is because the response goes on beyond a well
     _escapes: bool = field(default=False, kw_only=True, repr=False)
+
+    @property
+    def validity(self) -> Validity:
+        """Under a load, that how far the motion may be from the equation of motion was not measured."""
+        return self._validity(self.F_0, self.Omega, self.A)
 
     def measure(self, force: str | None = None) -> MeasuredPoint:
         """How far it is from that of the equation of motion (3), here and now: tenths of a second where compiled.
@@ -588,22 +731,39 @@ class Peak(MeasuresPoint, Single):
         """How A and Omega move with the parameters and F_0, exactly; a peak at Omega = 0 stays there.
 
         Where the peak is an isola point, or lies on a breakpoint at which the force jumps, it has no gradient, and
-        `.status` and `.message` say so. Of two peaks of one height it is that of the one which is given.
+        `.status` and `.message` say so. Of two peaks of one height it is that of the one which is given. Under a load B
+        and the load take part, and u_max if it is that motion's; where the mean turns back there, NotAvailable is
+        raised.
         """
+        if self._moves is not None:
+            return self._moves(self)
         return moves.of_peak(of_model(self._model), self.A, self.Omega, self.F_0)
 
 
 @dataclass(frozen=True, eq=False)
-class Detachment(MeasuresPoint, Single):
-    """The lowest forcing that reaches u_cr, its frequency, and u_cr; None and a message where there is no u_cr."""
+class Detachment(OfPoint, Single):
+    """The lowest forcing that reaches u_cr, its frequency, and u_cr; None and a message where there is no u_cr.
+
+    A, B, load -- under a load, amplitude and mean displacement of the motion with |B| + A = u_cr, and the load over
+                  k_v L
+    """
 
     F_cr: float | None
     Omega_cr: float | None
-    u_cr: float | None
+    u_cr: float | None = field(metadata=UNLOADED)
+    A: float | None = field(default=None, kw_only=True, metadata=LOADED)
+    B: float | None = field(default=None, kw_only=True, metadata=LOADED)
+    load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     message: str
     remarks: Remark = field(default=Remark(0), kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
     _asked: Measures | None = field(default=None, kw_only=True, repr=False)
+    _moves: Moves | None = field(default=None, kw_only=True, repr=False)
+
+    @property
+    def validity(self) -> Validity:
+        """Under a load, that how far the motion may be from the equation of motion was not measured."""
+        return self._validity(self.F_cr, self.Omega_cr, self.A)
 
     def measure(self, force: str | None = None) -> MeasuredPoint:
         """How far it is from that of the equation of motion (3), here and now: tenths of a second where compiled.
@@ -614,5 +774,7 @@ class Detachment(MeasuresPoint, Single):
         return self._measured(force)
 
     def gradient(self) -> Gradient:
-        """How F_cr, Omega_cr and u_cr move with the parameters, exactly."""
+        """How F_cr, Omega_cr and u_cr move with the parameters, exactly; under a load A and B instead of u_cr."""
+        if self._moves is not None:
+            return self._moves(self)
         return moves.of_detachment(of_model(self._model), self.F_cr, self.Omega_cr, self.u_cr)

@@ -6,7 +6,7 @@ u = B + A cos psi with the balance of the mean f_0(A, B) = 0. Every answer holds
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import partial, reduce
 from operator import or_
@@ -20,18 +20,11 @@ from slowflow.answer import joined
 from slowflow.averaged import remarks, words
 from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.questions import Averaged
+from slowflow.gradient import Gradient
 from slowflow.loaded import Loaded
 from slowflow.model import Floats, Model
-from slowflow.off_centre.answers import (
-    OffCentreDetachment,
-    OffCentreFolds,
-    OffCentreIsolation,
-    OffCentreOnset,
-    OffCentrePeak,
-    OffCentreResponse,
-    OffCentreStates,
-    RestPositions,
-)
+from slowflow.off_centre import answers
+from slowflow.off_centre.answers import RestPositions
 from slowflow.off_centre.boxes import Ints, Solutions, solve
 from slowflow.off_centre.complete import AT_CENTRE, PARTS, UNBOUNDED, Complete
 from slowflow.off_centre.curve import Curves, Slow, curves, on_curve
@@ -40,7 +33,16 @@ from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Means, Steps
 from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach
 from slowflow.off_centre.reach import BEYOND as BEYOND_IT
-from slowflow.results import Measures, Remark, SaddleNodes
+from slowflow.results import (
+    Detachment,
+    FrequencyResponse,
+    Measures,
+    Peak,
+    Remark,
+    SaddleNodeOnset,
+    SaddleNodes,
+    SteadyStates,
+)
 from slowflow.unchanging import Unchanging
 from slowflow_kernels import dissipation, off_centre
 from slowflow_support.errors import NotSettled, OutOfRange, Refused
@@ -85,6 +87,15 @@ UNDECIDED_FOLDS = "whether there are others is undecided next to A = {}"
 
 
 _Answered = TypeVar("_Answered")
+#: how the numbers of answers move, by class
+MOVES: Mapping[str, Callable[[Any], Gradient]] = {
+    "SteadyStates": answers.states_move,
+    "FrequencyResponse": answers.states_move,
+    "SaddleNodes": answers.folds_move,
+    "SaddleNodeOnset": answers.onset_moves,
+    "Peak": answers.peak_moves,
+    "Detachment": answers.detachment_moves,
+}
 
 
 class _Said(NamedTuple):
@@ -149,10 +160,11 @@ class OffCentre(Unchanging):
                 self._known.pop(next(iter(self._known)), None)
         return found
 
-    @property
-    def _whose(self) -> dict[str, Any]:
-        """What states and folds know of whom they were asked of."""
-        return {"_model": self._model, "_asked": self._asked}
+    def _made(self, kind: Callable[..., _Answered], *columns: Any, **beside: Any) -> _Answered:
+        """An answer with the load, that knows whom it was asked of, and how its numbers move."""
+        return kind(
+            *columns, **beside, load=self.load, _model=self._model, _asked=self._asked, _moves=MOVES[kind.__name__]
+        )
 
     @property
     def load(self) -> float:
@@ -191,14 +203,14 @@ class OffCentre(Unchanging):
             said = _Said(words, Remark.UNDECIDED).beside(said)
         return RestPositions(u, stiffness, stiffness > 0, self.load, **said._asdict(), _model=self._model)
 
-    def detachment(self) -> OffCentreDetachment:
+    def detachment(self) -> Detachment:
         """The lowest forcing for which the motion reaches the first breakpoint, |B| + A = u_cr, on either side.
 
         Of a force that is not odd it is that which comes to an end of the piece about u = 0: to a stop, say.
         """
         return self._once(("detachment",), self._detachment)
 
-    def _detachment(self) -> OffCentreDetachment:
+    def _detachment(self) -> Detachment:
         if not self.breakpoints:
             return self._no_detachment(ONE_PIECE)
         lower, upper = self._steps.inner
@@ -222,7 +234,7 @@ class OffCentre(Unchanging):
         if math.isinf(Omega[least]):
             return self._no_detachment(TENDED_TO.format(level[least]))
         F_cr, Omega_cr, A_cr, B_cr = (float(column[least]) for column in (level, Omega, A, B))
-        return OffCentreDetachment(F_cr, Omega_cr, A_cr, B_cr, self.load, "", _model=self._model)
+        return self._made(Detachment, F_cr, Omega_cr, None, "", A=A_cr, B=B_cr)
 
     def _rests_beyond(self) -> bool:
         """Whether at rest the mass stands at an end of the first piece or beyond it, wherever it rests."""
@@ -261,10 +273,10 @@ class OffCentre(Unchanging):
             raise Refused(UNBOUNDED)
         return float(high[may].max(initial=edges[0]))
 
-    def _no_detachment(self, message: str) -> OffCentreDetachment:
-        return OffCentreDetachment(None, None, None, None, self.load, message, _model=self._model)
+    def _no_detachment(self, message: str) -> Detachment:
+        return self._made(Detachment, None, None, None, message)
 
-    def amplitudes(self, *, Omega: Any, F_0: Any) -> OffCentreStates:
+    def amplitudes(self, *, Omega: Any, F_0: Any) -> SteadyStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies, with its B.
 
         F_0 may be an array that broadcasts with Omega, as in `Averaged.amplitudes`. Raises ValueError for Omega <= 0,
@@ -273,9 +285,9 @@ class OffCentre(Unchanging):
         if not validate.is_single(F_0):
             names = ("Omega", "A", "B", "stable", "_h")
             found = at_pairs(lambda at, one: self.amplitudes(Omega=at, F_0=one), Omega, F_0, names)
-            told: dict[str, Any] = {"load": self.load, "message": found.message(), "Omega_undecided": found.undecided()}
+            told: dict[str, Any] = {"message": found.message(), "Omega_undecided": found.undecided()}
             told["remarks"] = reduce(or_, (part.remarks for part in found.parts), Remark(0))
-            return OffCentreStates(**found.columns, F_0=found.F_0, _flow=self._flow, **self._whose, **told)
+            return self._made(SteadyStates, **found.columns, F_0=found.F_0, _flow=self._flow, **told)
         at = validate.frequencies("Omega", Omega).ravel()
         F_0 = validate.number("F_0", F_0, above=0.0)
         self._check_answered("amplitudes")
@@ -334,7 +346,7 @@ class OffCentre(Unchanging):
 
     def frequency_response(
         self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
-    ) -> OffCentreResponse:
+    ) -> FrequencyResponse:
         """The response at F_0, every branch and isolated curve with its B, for frequencies in the window `Omega`.
 
         About `samples` points; folds are among them exactly. No branch is lost: folds and the states at frequencies
@@ -348,7 +360,7 @@ class OffCentre(Unchanging):
         self._check_answered("frequency_response")
         return self._once(("frequency_response", F_0, samples, low, high), lambda: self._curve(F_0, samples, low, high))
 
-    def _curve(self, F_0: float, samples: int, low: float, high: float) -> OffCentreResponse:
+    def _curve(self, F_0: float, samples: int, low: float, high: float) -> FrequencyResponse:
         """`frequency_response` in a window of frequencies."""
         if self._flow.sticks(F_0):
             return self._response(Curves.none(), F_0, _Said(STICKS.format(F_0, self._m)))
@@ -361,8 +373,8 @@ class OffCentre(Unchanging):
             low = begin
         if not self._keeps_centre:
             folds = self.saddle_nodes(F_0)
-            off = np.abs(folds.B) > AT_CENTRE if self._complete.has_centre else np.ones(len(folds), dtype=bool)
-            places = np.stack((folds.Omega, folds.A, folds.B))[:, off]
+            off = np.abs(folds.mean) > AT_CENTRE if self._complete.has_centre else np.ones(len(folds), dtype=bool)
+            places = np.stack((folds.Omega, folds.A, folds.mean))[:, off]
             slow = Slow(self._steps, self._flow, F_0)
             found = curves(slow, places, partial(self._off, F_0=F_0), (low, high), samples)
             said = _Said(folds.message, folds.remarks) if len(folds) else said
@@ -379,7 +391,7 @@ class OffCentre(Unchanging):
         off = np.abs(x[1]) > AT_CENTRE if self._complete.has_centre else np.ones(of.size, dtype=bool)
         return x[:, off], of[off]
 
-    def saddle_nodes(self, F_0: float) -> OffCentreFolds:
+    def saddle_nodes(self, F_0: float) -> SaddleNodes:
         """Every fold of the response at F_0, by rising Omega, on every sheet of the balance, up to `A_max(F_0)`.
 
         Raises ValueError for F_0 <= 0 and without damping that grows with the amplitude.
@@ -388,7 +400,7 @@ class OffCentre(Unchanging):
         self._check_answered("saddle_nodes")
         return self._once(("saddle_nodes", F_0), lambda: self._saddle_nodes(F_0))
 
-    def _saddle_nodes(self, F_0: float) -> OffCentreFolds:
+    def _saddle_nodes(self, F_0: float) -> SaddleNodes:
         if self._flow.sticks(F_0):
             return self._folds(np.empty((3, 0)), np.empty(0, dtype=str), F_0, _Said(STICKS.format(F_0, self._m)))
         centred = Averaged(self._model).saddle_nodes(F_0) if self._complete.has_centre else None
@@ -396,7 +408,7 @@ class OffCentre(Unchanging):
             return self._folds_with(centred, None, F_0, _Said(centred.message, centred.remarks))
         return self._folds_of(self._complete.folds(np.array([F_0])), centred, F_0)
 
-    def _folds_at(self, F_0: list[float]) -> list[OffCentreFolds]:
+    def _folds_at(self, F_0: list[float]) -> list[SaddleNodes]:
         """`saddle_nodes` at several forcings together."""
         several = [one for one in F_0 if not self._flow.sticks(one) and ("saddle_nodes", one) not in self._known]
         if len(several) > 1 and not self._complete.has_centre:
@@ -408,7 +420,7 @@ class OffCentre(Unchanging):
                 self._known["saddle_nodes", one] = self._folds_of(part, None, one)
         return [self.saddle_nodes(one) for one in F_0]
 
-    def _folds_of(self, found: Solutions, centred: SaddleNodes | None, F_0: float) -> OffCentreFolds:
+    def _folds_of(self, found: Solutions, centred: SaddleNodes | None, F_0: float) -> SaddleNodes:
         """With those on corners."""
         corners, kinds, undecided = self._complete.corners(F_0)
         x, open_ = (np.concatenate(pair, axis=1) for pair in ((found.x, corners), (found.undecided, undecided)))
@@ -423,19 +435,19 @@ class OffCentre(Unchanging):
         off = np.abs(x[1]) > AT_CENTRE
         return self._folds_with(centred, self._folds(x[:, off], kind[off], F_0, said), F_0, said)
 
-    def _folds_with(self, centred: SaddleNodes, off: OffCentreFolds | None, F_0: float, said: _Said) -> OffCentreFolds:
+    def _folds_with(self, centred: SaddleNodes, off: SaddleNodes | None, F_0: float, said: _Said) -> SaddleNodes:
         """Folds about the centre by their own solvers, and those off it."""
         means = self._steps.at(centred.A, np.zeros(len(centred)), 1)
         kind = np.where(means.c[1] > 0, centred.kind, "unstable")
         columns: list[Any] = [centred.Omega, centred.A, np.zeros(len(centred)), kind, centred.corner]
         if off is not None:
-            beside = (off.Omega, off.A, off.B, off.kind, off.corner)
+            beside = (off.Omega, off.A, off.mean, off.kind, off.corner)
             columns = [np.concatenate(pair) for pair in zip(columns, beside, strict=True)]
         order = np.argsort(columns[0], kind="stable")
         Omega, A, B, kind, corner = (column[order] for column in columns)
-        return OffCentreFolds(Omega, A, B, kind, corner, F_0, self.load, **said._asdict(), **self._whose)
+        return self._made(SaddleNodes, Omega, A, kind, corner, F_0, B=B, **said._asdict())
 
-    def saddle_node_onset(self) -> OffCentreOnset:
+    def saddle_node_onset(self) -> SaddleNodeOnset:
         """The lowest forcing for which a stable motion ends at a fold, with its Omega, A, B; up to `A_max(F_SN)`.
 
         That no fold is below it is proved up to 2^-16 of F_SN; nearer to it, it is the least of its surroundings.
@@ -444,12 +456,12 @@ class OffCentre(Unchanging):
         self._check_answered("saddle_node_onset")
         return self._once(("saddle_node_onset",), self._onset)
 
-    def _onset(self) -> OffCentreOnset:
+    def _onset(self) -> SaddleNodeOnset:
         if self._keeps_centre:
             centred = Averaged(self._model).saddle_node_onset()
             B, said = None if centred.F_SN is None else 0.0, _Said(centred.message, centred.remarks)
-            columns = centred.F_SN, centred.Omega, centred.A, B, centred.kind
-            return OffCentreOnset(*columns, 0.0, **said._asdict(), _model=self._model)
+            columns = centred.F_SN, centred.Omega, centred.A, centred.kind
+            return self._made(SaddleNodeOnset, *columns, B=B, **said._asdict())
         try:
             with np.errstate(over="ignore"):  # it is looked for up to amplitudes of any size
                 found = self._complete.lowest()
@@ -459,13 +471,13 @@ class OffCentre(Unchanging):
             return self._no_onset(NO_ONSET, Remark(0))
         truncated = Remark.OF_TRUNCATION if self._model.mechanism.truncated else Remark(0)
         said = _Said(ON_CORNER, truncated) if found.kind == "corner" else _Said()
-        columns = found.F_0, found.Omega, found.A, found.B, found.kind
-        return OffCentreOnset(*columns, self.load, **said._asdict(), _model=self._model)
+        columns = found.F_0, found.Omega, found.A, found.kind
+        return self._made(SaddleNodeOnset, *columns, B=found.B, **said._asdict())
 
-    def _no_onset(self, message: str, said: Remark) -> OffCentreOnset:
-        return OffCentreOnset(None, None, None, None, "", self.load, message, remarks=said, _model=self._model)
+    def _no_onset(self, message: str, said: Remark) -> SaddleNodeOnset:
+        return self._made(SaddleNodeOnset, None, None, None, "", message, remarks=said)
 
-    def peak(self, F_0: float) -> OffCentrePeak:
+    def peak(self, F_0: float) -> Peak:
         """The largest amplitude at F_0, and the largest |u| = |B| + A, of motions with a positive mean stiffness.
 
         That none goes farther is proved but for 2^-24 of it, up to `A_max(F_0)`; see `slowflow.off_centre.reach`.
@@ -477,13 +489,14 @@ class OffCentre(Unchanging):
         self._check_answered("peak")
         return self._once(("peak", F_0), lambda: self._peak(F_0))
 
-    def _peak(self, F_0: float) -> OffCentrePeak:
+    def _peak(self, F_0: float) -> Peak:
         if self._flow.sticks(F_0):
             return self._no_peak(F_0, STICKS.format(F_0, self._m))
         if self._keeps_centre:
             centred = Averaged(self._model).peak(F_0)
-            columns = centred.A, 0.0 if centred.A is not None else None, centred.Omega, centred.A, centred.Omega
-            return OffCentrePeak(*columns, F_0, self.load, centred.message, remarks=centred.remarks, _model=self._model)
+            B = None if centred.A is None else 0.0
+            far = {"B": B, "u_max": centred.A, "Omega_max": centred.Omega, "remarks": centred.remarks}
+            return self._made(Peak, centred.A, centred.Omega, F_0, centred.message, **far)
         if self._flow.inertial and (why := self._no_top(F_0)):
             return self._no_peak(F_0, why)
         highest, widest = (self._farthest(F_0, measure) for measure in (AMPLITUDE, LARGEST))
@@ -491,12 +504,11 @@ class OffCentre(Unchanging):
             raise NotSettled("the farthest motion is unresolved: none is found")
         said = _Said(TURNS) if highest.turns or widest.turns else _Said()
         said = said.beside(self._beyond_reach(highest.A, widest.value - highest.A))
-        columns = highest.A, highest.B, highest.Omega, widest.value, widest.Omega
-        said_of = {**said._asdict(), "_model": self._model, "_turns": highest.turns}
-        return OffCentrePeak(*columns, F_0, self.load, **said_of)
+        far = {"B": highest.B, "u_max": widest.value, "Omega_max": widest.Omega, "_turns": highest.turns}
+        return self._made(Peak, highest.A, highest.Omega, F_0, **said._asdict(), **far)
 
-    def _no_peak(self, F_0: float, message: str) -> OffCentrePeak:
-        return OffCentrePeak(*(None,) * 5, F_0, self.load, message, _model=self._model)
+    def _no_peak(self, F_0: float, message: str) -> Peak:
+        return self._made(Peak, None, None, F_0, message)
 
     def _no_top(self, F_0: float) -> str:
         """Why an excitation by inertia has no motion that goes farthest, "" where it has one."""
@@ -544,10 +556,10 @@ class OffCentre(Unchanging):
         curve = self.frequency_response(F_0)
         return bool((self._leaves(curve) & curve.stable).any())
 
-    def _leaves(self, states: OffCentreStates) -> Any:
+    def _leaves(self, states: SteadyStates) -> Any:
         """Which motions pass an end of the first piece."""
         lower, upper = self._steps.inner
-        return (states.B + states.A > upper) | (states.B - states.A < lower)
+        return (states.mean + states.A > upper) | (states.mean - states.A < lower)
 
     def hysteresis(self, F_0: float) -> loads.Hysteresis:
         """The bands of frequencies at F_0 with several stable motions, see `Oscillator.hysteresis`.
@@ -567,7 +579,7 @@ class OffCentre(Unchanging):
         """
         return loads.spectrum(self, Omega, F_0, self._leaves, self._folds_at)
 
-    def isolation(self, F_0: float) -> OffCentreIsolation:
+    def isolation(self, F_0: float) -> loads.Isolation:
         """The frequency from which on every stable motion at F_0 transmits less than F_0, see `Oscillator.isolation`.
 
         It is found on the response, and that no stable motion transmits F_0 beyond it is proved but for 2^-16 of it;
@@ -593,23 +605,24 @@ class OffCentre(Unchanging):
                 return higher
         return replace(found, message=joined(found.message, UNDECIDED_BEYOND), remarks=found.remarks | Remark.UNDECIDED)
 
-    def _isolation(self, Omega: float | None, A: float | None, B: float | None, *others: Any) -> OffCentreIsolation:
-        return OffCentreIsolation(Omega, A, *others, B=B, load=self.load, _model=self._model)
+    def _isolation(self, Omega: float | None, A: float | None, B: float | None, *others: Any) -> loads.Isolation:
+        moves = answers.isolation_moves
+        return loads.Isolation(Omega, A, *others, B=B, load=self.load, _model=self._model, _moves=moves)
 
-    def _begins(self, F_0: float, low: float, high: float) -> OffCentreIsolation:
+    def _begins(self, F_0: float, low: float, high: float) -> loads.Isolation:
         """Where isolation begins on points of the response between two frequencies."""
         curve = self._curve(F_0, loads.SAMPLES, low, high)
         passes, at = partial(self._transmits, curve), ("Omega", "A", "B")
         return loads.begins(self._isolation, curve, curve.transmissibility >= 1, passes, F_0, at)
 
-    def _transmits_beyond(self, found: OffCentreIsolation) -> tuple[float, float] | None:
+    def _transmits_beyond(self, found: loads.Isolation) -> tuple[float, float] | None:
         """Between which frequencies beyond that one F_0 may be transmitted; None where it is proved that it is not."""
         return self._reach.transmits_beyond(self._complete.sheets, self.A_max(found.F_0), found.F_0, found.Omega or 0.0)
 
-    def _transmits(self, curve: OffCentreResponse, one: int, other: int) -> tuple[float, float, float]:
+    def _transmits(self, curve: FrequencyResponse, one: int, other: int) -> tuple[float, float, float]:
         """Omega, A and B between two points of a curve, at which the motion transmits F_0."""
         slow = Slow(self._steps, self._flow, curve.F_0)
-        ends = np.array([(curve.Omega[k], curve.A[k], curve.B[k]) for k in (one, other)])
+        ends = np.array([(curve.Omega[k], curve.A[k], curve.mean[k]) for k in (one, other)])
 
         def at(Omega: float) -> tuple[Floats, float]:
             share = (Omega - ends[0, 0]) / (ends[1, 0] - ends[0, 0])
@@ -632,7 +645,7 @@ class OffCentre(Unchanging):
         self._check_answered("A_max")
         return self._complete.A_max(validate.number("F_0", F_0, above=0.0))
 
-    def _folds(self, x: Floats, on_corner: Any, F_0: float, said: _Said) -> OffCentreFolds:
+    def _folds(self, x: Floats, on_corner: Any, F_0: float, said: _Said) -> SaddleNodes:
         """Folds in A, B and R; of which kind those on a corner are, "" for others."""
         A, B, R = x
         means = self._steps.at(A, B, ORDERS)
@@ -645,8 +658,7 @@ class OffCentre(Unchanging):
         kind = np.where(corner, on_corner, kind)
         order, said = np.argsort(Omega, kind="stable"), said.beside(self._beyond_reach(A, B))
         Omega, A, B = Omega[order], A[order], B[order]
-        beside = {**said._asdict(), **self._whose}
-        return OffCentreFolds(Omega, A, B, kind[order], corner[order], F_0, self.load, **beside)
+        return self._made(SaddleNodes, Omega, A, kind[order], corner[order], F_0, B=B, **said._asdict())
 
     def _frequency(self, A: Floats, R: Floats, F_0: Any, h: Any) -> Floats:
         """Omega of a fold from R = A Omega^2 + h, or from I = m + 2 zeta A Omega where that moves it less."""
@@ -664,23 +676,12 @@ class OffCentre(Unchanging):
 
     def _states(
         self, at: Floats, A: Floats, B: Floats, F_0: float, said: _Said, undecided: Floats, of: Ints
-    ) -> OffCentreStates:
+    ) -> SteadyStates:
         Omega = at[of]
         stable, h = self._stability(Omega, A, B)
         said = said.beside(self._beyond_reach(A, B))
-        return OffCentreStates(
-            Omega,
-            A,
-            B,
-            stable,
-            F_0,
-            self.load,
-            Omega_undecided=undecided,
-            _h=h,
-            _flow=self._flow,
-            **said._asdict(),
-            **self._whose,
-        )
+        beside = {"Omega_undecided": undecided, "_h": h, "_flow": self._flow, **said._asdict()}
+        return self._made(SteadyStates, Omega, A, stable, F_0, B=B, **beside)
 
     def _beyond_reach(self, A: Any, B: Any) -> _Said:
         """That displacements |B| + A are beyond what the mechanism reaches, and why; nothing where none is."""
@@ -697,23 +698,11 @@ class OffCentre(Unchanging):
             turns = np.asarray(self._flow.F_A(Omega, A, h, h_A))
         return ((turns > 0) | (A == 0)) & (means.c[1] > 0), np.asarray(h)
 
-    def _response(self, found: Curves, F_0: float, said: _Said) -> OffCentreResponse:
+    def _response(self, found: Curves, F_0: float, said: _Said) -> FrequencyResponse:
         stable, h = self._stability(found.Omega, found.A, found.B)
         said = said.beside(self._beyond_reach(found.A, found.B))
-        return OffCentreResponse(
-            found.Omega,
-            found.A,
-            found.B,
-            stable,
-            F_0,
-            self.load,
-            _h=h,
-            _flow=self._flow,
-            branch=found.branch,
-            isola=found.closed,
-            **said._asdict(),
-            **self._whose,
-        )
+        beside = {"branch": found.branch, "isola": found.closed, "_h": h, "_flow": self._flow, **said._asdict()}
+        return self._made(FrequencyResponse, found.Omega, found.A, stable, F_0, B=found.B, **beside)
 
     def _check_answered(self, question: str) -> None:
         """Raises where a question has no answer: what is too small, without damping, or leaves the centre by itself."""

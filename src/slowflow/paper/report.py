@@ -11,15 +11,12 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib import resources
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from slowflow.isolator import Isolator
 from slowflow.paper import example
 from slowflow.results import SaddleNodes
 from slowflow_support.errors import NotSettled
-
-if TYPE_CHECKING:
-    from slowflow.off_centre.answers import OffCentreFolds
 
 #: the ledger prints 12 significant digits
 LEDGER_DIGITS = 12
@@ -60,7 +57,7 @@ def rows(isolator: Isolator, ledger: dict[str, Any]) -> Iterator[Row]:
             yield _row(f"F_0 = {printed}, {kind} A", A, entry[f"{key}_A"])
 
 
-def _fold(folds: SaddleNodes | OffCentreFolds, kind: str) -> tuple[float, float]:
+def _fold(folds: SaddleNodes, kind: str) -> tuple[float, float]:
     (k,) = (k for k in range(len(folds)) if folds.kind[k] == kind)
     return float(folds.Omega[k]), float(folds.A[k])
 
