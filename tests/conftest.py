@@ -24,6 +24,7 @@ from derivations.emit.views import Code, programs
 from derivations.results import Results, derive
 from tests import sampling
 from tests.native import headers
+from tests.sampling import part
 
 # what is derived in tests and examples: once for all workers, which have it from the process that starts them
 if "PYTEST_XDIST_WORKER" not in os.environ:
@@ -57,14 +58,22 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
     """What repeats the part that was run, or the seed of a run of all."""
     seed = f"--hypothesis-seed={config.getoption('--hypothesis-seed')}"
-    part = f"part of the cases: SLOWFLOW_TESTS={sampling.TURN} repeats it, SLOWFLOW_TESTS=all runs all"
-    terminalreporter.write_line(f"again: {seed}" if sampling.ALL else part)
+    turn = f"part of the cases: SLOWFLOW_TESTS={sampling.TURN} repeats it, SLOWFLOW_TESTS=all runs all"
+    terminalreporter.write_line(f"again: {seed}" if sampling.ALL else turn)
 
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Files that ask for the derivation come first: one worker has all of them, and derives for all of them."""
-    items[:] = sampling.part(items, config.getoption("--part"))
+    """Of cases marked `part` one in so many, and of all --part.
+
+    Files that ask for the derivation come first: one worker has all of them, and derives for all of them.
+    """
+    cases: dict[tuple[str, int], list[pytest.Item]] = {}
+    for item in items:
+        if (marked := item.get_closest_marker("part")) is not None:
+            cases.setdefault((item.nodeid.partition("[")[0], *marked.args), []).append(item)
+    left_out = {item for (name, of), every in cases.items() for item in set(every) - set(part(every, of, name))}
+    items[:] = part([item for item in items if item not in left_out], config.getoption("--part"))
     derive = {item.path for item in items if "results" in getattr(item, "fixturenames", ())}
     items.sort(key=lambda item: item.path not in derive)
 

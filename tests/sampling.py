@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import random
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TypeVar
 
@@ -43,3 +43,15 @@ def part(cases: Sequence[T], of: int, salt: str = "") -> list[T]:
 def fewer(count: int, of: int) -> int:
     """One in `of` of a number of random cases; all of them in `make test-all`."""
     return count if ALL else -(-count // of)
+
+
+def directions(names: Iterable[str]) -> list[dict[str, float]]:
+    """Along what gradients are compared with differences: all parameters at once, each in `make test-all`.
+
+    Every weight lies between 1/2 and 1 of either sign, so that no slope is left out.
+    """
+    names = sorted(names)
+    if ALL:
+        return [{name: 1.0} for name in names]
+    drawn = random.Random(f"{TURN} {names}")
+    return [{name: drawn.choice((-1, 1)) * drawn.uniform(0.5, 1.0) for name in names}]

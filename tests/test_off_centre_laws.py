@@ -15,6 +15,7 @@ from slowflow.paper.example import TABLE_1
 from slowflow.sizing import tolerances
 from slowflow.validate import NotAvailable
 from tests.off_centre_cases import check_folds_and_states, made
+from tests.sampling import directions
 
 u, k, g, a, b = sp.symbols("u k g a b", real=True)
 ABOVE = {"above": 0}
@@ -276,11 +277,13 @@ def test_gradients_are_differences_of_answers(law, ask):
     slopes = gradient.slopes.reshape(-1, *gradient.slopes.shape[-2:])[-1]
     moving = [name for name in gradient.by if isinstance(given.get(name), float)]
     assert {*given} - {"excitation"} == {*moving}
-    for name in moving:
-        ends = [found(**{name: given[name] * (1 + sign * STEP)}) for sign in (1, -1)]
-        expected = (ends[0] - ends[1]) / (2 * STEP * given[name])
-        size = np.abs((here / given[name], expected)).max()
-        np.testing.assert_allclose(slopes[:, gradient.by.index(name)], expected, rtol=0, atol=1e-8 * size)
+    for way in directions(moving):
+        step = {name: STEP * given[name] * weight for name, weight in way.items()}
+        ends = [found(**{name: given[name] + sign * far for name, far in step.items()}) for sign in (1, -1)]
+        expected = (ends[0] - ends[1]) / 2
+        terms = np.array([slopes[:, gradient.by.index(name)] * far for name, far in step.items()])
+        size = sum(np.abs((STEP * weight * here, term)).max() for weight, term in zip(way.values(), terms, strict=True))
+        np.testing.assert_allclose(terms.sum(axis=0), expected, rtol=0, atol=1e-8 * size)
 
 
 @pytest.mark.slow
