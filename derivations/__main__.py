@@ -20,22 +20,26 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from .emit.write import MANIFEST, differences, manifest, on_disk, write
+
+if TYPE_CHECKING:
+    from .results import Results
 
 ROOT = Path(__file__).parents[1]
 HASH_SEEDS = ("0", "20250415")
 
 
-def generate() -> dict[str, str]:
-    """Stages 1 to 6: every generated file, by name."""
+def generate(results: Results | None = None) -> dict[str, str]:
+    """Stages 1 to 6: every generated file, by name. Results that are there already are not derived once more."""
     # here, not above: who only writes or compares files does without SymPy, whose import takes longer
     from . import ledger
     from .emit.catalogue.every_module import all_modules
     from .emit.targets.render import render
     from .results import derive
 
-    results = derive()
+    results = results or derive()
     modules = all_modules(results)
     files = render(modules) | ledger.files(results)
     return files | {MANIFEST: manifest(files, results, modules)}
