@@ -95,6 +95,7 @@ def assert_as_each_alone(designs, question, asked):
 @pytest.mark.slow
 @pytest.mark.parametrize("question", QUESTIONS)
 @pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.part(4)
 def test_designs_abreast_are_answered_as_each_alone(kind, question):
     """Of several scenes, in groups that are cut, beside designs that go alone or are none."""
     designs, F_0 = drawn(kind)

@@ -89,6 +89,7 @@ def test_a_map_for_workers_is_refused_with_the_reason(more):
         ),
     ],
 )
+@pytest.mark.part(4)
 def test_ctrl_c_ends_a_batch(question):
     """A batch of minutes: the interrupt is heard while it runs."""
     count = 10**6 if question.startswith(("frequency_response", "shock")) else 10**7

@@ -351,6 +351,7 @@ def sizes(rng, count):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", OPERATIONS)
+@pytest.mark.part(2)
 def test_an_operation_on_intervals_holds_what_exact_arithmetic_gives(intervals, name):
     rng = np.random.default_rng(7)
     a, b = (np.sort(np.stack([sizes(rng, 3000), sizes(rng, 3000)], axis=1), axis=1) for _ in range(2))

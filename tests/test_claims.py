@@ -95,6 +95,7 @@ def close(found, row):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("forcing", ["0.025", "0.040"])
+@pytest.mark.part(2)
 def test_exact_jumps_of_figure_7a(forcing):
     """On a short piece around each fold, begun on the stable side of the fold."""
     row = TABLE_2[forcing]
@@ -129,6 +130,7 @@ def test_the_worst_points_of_figure_7a(forcing):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("forcing", ["F_SN", "0.040", "0.050"])
+@pytest.mark.part(3)
 def test_the_largest_amplitudes_of_figure_7a(forcing):
     row = TABLE_2[forcing]
     averaged, F_0 = isolator(row), row["F_0"]

@@ -70,6 +70,7 @@ def test_there_are_cases_of_each_force_and_all_have_folds():
 @pytest.mark.slow
 @pytest.mark.parametrize("compiled", COMPILED)
 @pytest.mark.parametrize("name", [*LIBRARY, *STATED])
+@pytest.mark.part(3)
 def test_folds_and_states_are_the_certified_ones_and_no_others(name, compiled):
     for one, F_0, case in oscillators(name, compiled):
         folds = one.saddle_nodes(F_0)

@@ -15,6 +15,7 @@ from slowflow import backend, derive
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.off_centre.means import Steps
 from tests.off_centre_cases import check_folds_and_states, check_onset
+from tests.sampling import part
 
 u, k, g, q, d, p, z = sp.symbols("u k g q d p z")
 ABOVE = {"above": 0}
@@ -50,6 +51,7 @@ def patched():
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("A", "B"), [(0.05, 0.1), (0.3, 0.0), (0.6, 0.1), (0.3, -0.25), (4.0, 0.3)])
+@pytest.mark.part(3)
 def test_means_are_those_of_exact_integrals(patched, A, B):
     """The mean, the first harmonic, and their slopes as differences of these integrals at 30 digits."""
     oscillator = patched(p=0.1, q=0.7, **DAMPED)
@@ -129,6 +131,7 @@ POLYNOMIALS = {
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(POLYNOMIALS))
+@pytest.mark.part(2)
 def test_a_polynomial_that_is_stated_as_another_force_has_the_same_answers(name):
     """z exp(u) beside it, with z = 0: summed, not steps."""
     pieces, F_0 = POLYNOMIALS[name]
@@ -309,6 +312,7 @@ GIVEN = {
         ("cushion", "isolation"),
     ],
 )
+@pytest.mark.part(3)
 def test_gradients_are_those_of_integrals_at_forty_digits(request, name, question):
     """Of what vanishes at an answer, by differences of mpmath's integrals, solved for the moves."""
     one = request.getfixturevalue(name)(**GIVEN[name])
@@ -418,7 +422,7 @@ def test_folds_states_and_onsets_are_the_certified_ones_and_no_others(name):
     """All folds and states that there are, with their mean; and the lowest forcing that has a fold."""
     force, odd = CERTIFIED[name]
     made = derive.mechanism(f"certified_{name}", [(force, None)], {"k": ABOVE, "q": ABOVE, "d": ABOVE}, odd=odd)
-    for case in (case for case in CASES if case["force"] == name):
+    for case in part([case for case in CASES if case["force"] == name], 4):
         one = made(**{key: value[1] for key, value in case["parameters"].items()})
         check_folds_and_states(one, case, fold_A=FOLD_A, mean=MEAN)
         check_onset(one, case, mean=MEAN)

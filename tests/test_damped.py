@@ -67,6 +67,7 @@ def by_quadrature():
     ("law", "number"),
     [("rubs", 6), ("eta", 18), ("c_2", 6), ("rubs", 24)],
 )
+@pytest.mark.part(2)
 def test_a_force_that_is_averaged_by_quadrature_has_the_certified_answers(by_quadrature, law, number):
     case = CASES[law][number]
     osc = by_quadrature(case)
@@ -105,6 +106,7 @@ def test_there_are_thirty_cases_of_each_law_with_many_folds_on_both_sides_of_u_c
 
 
 @pytest.mark.parametrize(("law", "number"), singles(CASES, 0))
+@pytest.mark.part(4)
 def test_folds_are_the_certified_ones_and_no_others(law, number):
     case = CASES[law][number]
     osc, sure = oscillator(case), case["folds"]
@@ -127,6 +129,7 @@ def in_its_well(osc, A):
 
 
 @pytest.mark.parametrize(("law", "number"), singles(CASES, 0))
+@pytest.mark.part(4)
 def test_states_are_the_certified_ones_and_no_others(law, number):
     case = CASES[law][number]
     osc, F_0 = oscillator(case), case["F_0"][1]
@@ -150,6 +153,7 @@ def test_states_are_the_certified_ones_and_no_others(law, number):
 
 
 @pytest.mark.parametrize(("law", "number"), singles(CASES, 2))
+@pytest.mark.part(4)
 def test_onsets_are_the_certified_ones(law, number):
     """Where folds that end at Omega = 0 lie lower, that is said.
 
@@ -192,6 +196,7 @@ def test_there_are_forty_cases_on_a_base_of_laws_alone_and_together():
 
 
 @pytest.mark.parametrize("number", on_bases(1))
+@pytest.mark.part(4)
 def test_folds_on_a_base_are_the_certified_ones_and_no_others(number):
     case = BASE[number]
     found, sure = on_a_base(case).saddle_nodes(case["F_0"][1]), case["folds"]
@@ -208,6 +213,7 @@ def test_folds_on_a_base_are_the_certified_ones_and_no_others(number):
 
 
 @pytest.mark.parametrize("number", on_bases(2))
+@pytest.mark.part(4)
 def test_states_on_a_base_are_the_certified_ones_and_no_others(number):
     case = BASE[number]
     osc, F_0 = on_a_base(case), case["F_0"][1]
@@ -228,6 +234,7 @@ def test_states_on_a_base_are_the_certified_ones_and_no_others(number):
 
 
 @pytest.mark.parametrize("number", on_bases(3))
+@pytest.mark.part(4)
 def test_folds_on_a_base_come_at_the_onset(number):
     """None below it, and above it there are some next to where it says."""
     osc = on_a_base(BASE[number])

@@ -810,6 +810,7 @@ def of_play(A):
 @pytest.mark.slow
 @pytest.mark.parametrize("Y", [0.05, 0.3, 0.8, 1.2, 2.0])
 @pytest.mark.parametrize("c_2", [0.1, 0.02])
+@pytest.mark.part(3)
 def test_a_play_on_a_shaking_base_has_all_folds_under_quadratic_damping(c_2, Y):
     """Down to Omega = 0 nothing pulls within the play, and no box was small enough: every force was unresolved.
 
@@ -878,6 +879,7 @@ def test_an_isola_point_far_above_does_not_hide_the_onset_by_inertia(excitation)
         (1.0, 0.0, {"zeta": 0.05, "c_2": 0.01}, 0.001),
     ],
 )
+@pytest.mark.part(4)
 def test_every_state_by_inertia_is_there_by_laws_other_than_viscous_damping(excitation, alpha, beta, damping, F_0):
     """As many at each frequency as the balance changes its sign at on a fine grid of long doubles."""
     one = Duffing(alpha, beta, excitation=excitation, **damping)
@@ -905,6 +907,7 @@ def test_every_state_by_inertia_is_there_by_laws_other_than_viscous_damping(exci
 @pytest.mark.parametrize(
     ("beta", "zeta", "c_2", "F_0"), [(1.0, 0.05, 0.1, 0.3), (0.3, 0.015, 0.02, 0.9), (6.0, 0.02, 0.9, 0.15)]
 )
+@pytest.mark.part(3)
 def test_a_mount_without_stiffness_at_rest_has_all_answers_under_quadratic_damping(excitation, beta, zeta, c_2, F_0):
     """Next to rest no box told which term is the largest. Against roots of polynomials in A, or in Omega, as typed."""
     one, k, d = Duffing(0.0, beta, zeta=zeta, c_2=c_2, excitation=excitation), 0.75 * beta, 8 * c_2 / (3 * np.pi)
@@ -951,6 +954,7 @@ def test_a_mount_without_stiffness_at_rest_has_all_answers_under_quadratic_dampi
     "damping", [{"c_2": 0.05}, {"c_2": 0.05, "zeta": 0.05}, {"eta": 0.02}, {"eta": 0.02, "c_2": 0.3, "mu": 1e-5}]
 )
 @pytest.mark.parametrize("alpha", [1.0, -0.5])
+@pytest.mark.part(4)
 def test_a_linear_spring_has_one_motion_at_each_frequency(excitation, damping, alpha):
     """As R^2 + I^2 rises with A. Static states F_0/|alpha| lay on the edges of boxes, and were lost without a word."""
     one = Duffing(alpha, 0.0, excitation=excitation, **damping)

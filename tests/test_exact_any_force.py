@@ -71,6 +71,7 @@ def pieces(tmp_path_factory):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "Omega"), [("sinh", 0.9), ("three_springs", 0.9)])
+@pytest.mark.part(2)
 def test_a_periodic_motion_and_its_variations_against_thirty_digits(pieces, name, Omega):
     """From its turning point mpmath comes to the mirror image half a period later, and deviations to ours."""
     F_0, zeta = 0.2, 0.03

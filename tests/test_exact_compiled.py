@@ -56,6 +56,7 @@ PIECES = {
 @pytest.mark.slow
 @pytest.mark.parametrize("end", [2.9, -0.6])
 @pytest.mark.parametrize("name", PIECES)
+@pytest.mark.part(4)
 def test_states_and_derivatives_against_twenty_five_digits(name, end):
     """Forwards and backwards in theta, and the derivatives from the equations of variation, typed by hand."""
     piece, force, slope, (u, v) = PIECES[name]
@@ -221,6 +222,7 @@ def test_sixteen_threads_find_the_motions_that_one_finds(motions):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("integrator", integrators(), ids=lambda one: one.name)
+@pytest.mark.part(2)
 def test_sweeps_settle_to_motions_of_independent_integrators(motions, integrator):
     """At a frequency that is come to from another one: the amplitude is that of a motion as they find it, to 1e-10.
 
@@ -385,6 +387,7 @@ def swept(oscillator, Omega, F_0, integrator):
         (Duffing(1.0, -0.1, 0.01, 0.05), 0.05),
     ],
 )
+@pytest.mark.part(3)
 def test_a_sweep_in_c_settles_as_the_one_in_python(oscillator, F_0):
     """Up and down: the same turns, stops and jumps, and the same doubles; what is unusual both leave to Python."""
     Omega = np.concatenate((np.linspace(0.3, 1.6, 80), np.linspace(1.6, 0.3, 80)))

@@ -32,6 +32,7 @@ from slowflow.paper.example import TABLE_1
 from slowflow_kernels import den_hartog
 from tests.oracles import exact_brute, exact_linear
 from tests.oracles.exact_cases import isolator, random_cases, table_1
+from tests.sampling import part
 
 INTEGRATOR = default_integrator(table_1(exact=False))
 compiled = pytest.mark.skipif(INTEGRATOR.name == "scipy", reason="not compiled: nothing to compare SciPy's with")
@@ -85,7 +86,7 @@ def test_random_isolators_against_brute_force(states):
 def test_random_isolators_by_scipy(states):
     """SciPy's events, from rest and on their own, find the same steady states to 1e-9, with the same switches."""
     slow = ScipyIntegrator()
-    for case, state in zip(CASES, states, strict=True):
+    for case, state in part(list(zip(CASES, states, strict=True)), 6):
         other = steady_state(case.system, Omega=case.Omega, F_0=case.F_0, integrator=slow)
         assert other.cycle.signature == state.cycle.signature, case
         assert abs(other.A - state.A) <= 1e-9
@@ -291,6 +292,7 @@ def test_escape_in_words(integrator):
 
 
 @each_integrator
+@pytest.mark.part(3)
 def test_a_wall_within_reach(integrator):
     """u_cr = 0.99995: Newton's trials run against the force (5) near |u| = 1, where it has no bound."""
     system = Isolator(lam=3, r=0.1, delta_h=0.99, mu=0.012, zeta=0.02).equation_of_motion("untruncated")

@@ -99,6 +99,7 @@ def test_a_curve_passes_from_motions_with_stops_to_such_without(spring):
 
 
 @pytest.mark.slow
+@pytest.mark.part(2)
 def test_a_mass_that_comes_to_rest_where_the_force_jumps_is_followed_and_that_is_said(spring):
     """It moves off where F_0 cos(theta) = mu + c, and how far it gets is known from there on."""
     Omega, F_0 = 0.2, 0.065

@@ -215,6 +215,7 @@ def test_in_coarse_steps_a_jump_is_told_where_the_fold_is_and_nowhere_else(curve
 
 
 @pytest.mark.slow
+@pytest.mark.night
 def test_the_motion_that_scipy_follows_jumps_there():
     begun = (0.33, 0.34, 0.35, 0.36, 0.37, 0.375, 0.378, 0.3782)
     assert settled_by_scipy(3.0, 0.02, (*begun, 0.3784, 0.3786))[-2:] == pytest.approx(BESIDE[0.3784, 0.3786], rel=2e-5)
@@ -248,6 +249,7 @@ def test_a_fold_is_of_that_kind_too_where_the_part_that_is_followed_has_no_motio
 
 
 @pytest.mark.slow
+@pytest.mark.night
 def test_the_motion_that_scipy_follows_falls_beyond_both_folds_of_the_second_resonance():
     curve = Duffing(1.0, 1.0, zeta=0.005).exact_response(1.0, Omega=(0.3, 1.0))
     for (Omega, (before, after)), side in zip(SECOND.items(), (-1, 1), strict=True):
@@ -355,6 +357,7 @@ def test_short_curve_by_scipy():
 
 @pytest.mark.slow
 @compiled
+@pytest.mark.night
 def test_a_whole_curve_by_scipy(curves):
     """Both integrators, on steps of their own, agree about peak, folds and where the springs detach."""
     slow = exact_response(table_1(exact=True), 0.04, Omega=(0.7, 1.1), step=0.2, integrator=ScipyIntegrator())

@@ -109,6 +109,7 @@ def slow_beside(names, few):
 
 
 @pytest.mark.parametrize("name", slow_beside(sorted({case["force"] for case in CASES}), FEW))
+@pytest.mark.part(3)
 def test_an_average_and_its_slopes_are_right_to_rounding(derived, name):
     """Against certified values; error over u (1 + kappa), of which closed forms have less than 4 too."""
     for case in CASES:

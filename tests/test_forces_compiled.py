@@ -43,6 +43,7 @@ def derived():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", sorted({case["force"] for case in CASES}))
+@pytest.mark.part(4)
 def test_a_compiled_average_and_its_slopes_are_right_to_rounding(derived, name, monkeypatch):
     """Error over u (1 + kappa), as on NumPy, which is not asked."""
     monkeypatch.setattr("slowflow_support.quadrature._sums", None)
@@ -77,6 +78,7 @@ def same(one, other):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FORCES)
+@pytest.mark.part(4)
 def test_compiled_solvers_give_the_answers_of_those_on_numpy(derived, name):
     one, other = (derived(name, compile)(**FORCES[name][1], **DAMPING) for compile in (False, True))
     assert one.model.native is None

@@ -429,6 +429,7 @@ def test_a_process_that_was_killed_is_continued_by_another(tmp_path):
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no SIGKILL")
 @pytest.mark.slow
+@pytest.mark.night
 def test_a_cluster_of_which_a_worker_is_killed_gives_the_same_bits(tmp_path):
     distributed = pytest.importorskip("distributed", reason="the extra `grid` is not installed: distributed")
     path = tmp_path / "map.zarr"

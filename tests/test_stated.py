@@ -102,6 +102,7 @@ def oscillators(derived, name, compiled):
 
 
 @pytest.mark.parametrize(("name", "compiled"), ways("states"))
+@pytest.mark.part(4)
 def test_folds_and_states_are_the_certified_ones_and_no_others(derived, name, compiled):
     for one, F_0, case in oscillators(derived, name, compiled):
         folds = one.saddle_nodes(F_0)
@@ -121,6 +122,7 @@ def test_folds_and_states_are_the_certified_ones_and_no_others(derived, name, co
 
 
 @pytest.mark.parametrize(("name", "compiled"), ways("onset"))
+@pytest.mark.part(4)
 def test_onsets_are_the_certified_ones(derived, name, compiled):
     for one, _, case in oscillators(derived, name, compiled):
         if case["onset"] is not None:
