@@ -175,7 +175,48 @@ WANTED = Table(
     ),
 )
 
+OPERATION = Table(
+    ("Operation", "sf_operation"),
+    "What a program does with one or two numbers.",
+    (
+        Word("ADD", "a + b"),
+        Word("SUB", "a - b"),
+        Word("MUL", "a b"),
+        Word("DIV", "a/b"),
+        Word("NEG", "-a"),
+        Word("SQRT", "square root"),
+        Word("ATAN2", "angle of (b, a)"),
+        Word("ATAN2_SWAPPED", "angle of (a, b), which shares its arctangent with the other"),
+        Word("SQUARE", "a^2"),
+        Word("INVERSE", "1/a"),
+        Word("TIMES", "the double a times b"),
+        Word("WITHIN", "a, known to a relative error of the double b"),
+        Word("ROOT", "square root of what may be negative"),
+        Word("POWER", "a^b"),
+        Word("ABS", "|a|"),
+        Word("COPYSIGN", "|a| with the sign of b"),
+        *(
+            Word(name.upper(), name)
+            for name in ("exp log log1p cbrt sin cos tan sinh cosh tanh asin acos atan asinh acosh atanh hypot".split())
+        ),
+    ),
+    suffix="_OPERATION",
+)
+
+#: of the data that programs are; others are refused
+PROGRAM_FORM = 1
+
 CONVENTIONS = (
+    Conventions(
+        "program_conventions",
+        "What programs are made of, which are interpreted",
+        (OPERATION,),
+        (
+            Number("PROGRAM_FORM", PROGRAM_FORM, "of the data that programs are; others are refused"),
+            Number("MOST_REGISTERS", 1024, "of a program"),
+            Number("LANES", 8, "numbers side by side in a register"),
+        ),
+    ),
     Conventions(
         "conventions",
         "What the solvers of averaged motions have in common",

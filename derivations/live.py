@@ -18,7 +18,7 @@ import json
 import keyword
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
@@ -35,7 +35,7 @@ from .emit.catalogue.sided import sided_module
 from .emit.form import Module
 from .emit.measured import LIVE
 from .emit.provenance import tools, versions
-from .emit.targets import numpy
+from .emit.targets import numpy, program
 from .emit.views import programs
 from .emit.write import MANIFEST, write
 from .mechanisms import DAMPING, DISSIPATION, FORCING, UNIT, Mechanism, Parameter, Piece
@@ -78,10 +78,17 @@ class Sources:
     derived: OfMechanism | None = None
     odd: bool = True
 
+    @cached_property
+    def solved(self) -> Module:
+        """The module with all that compiled solvers ask of it."""
+        return self.module if self.derived is None else with_proofs(self.module, self.derived)
+
     @property
     def python(self) -> dict[str, str]:
-        """The module by file name."""
-        return {f"{self.module.name}.py": numpy.text(self.module, programs(self.module, numpy.asked(self.module)))}
+        """The module by file name, after the program of an odd force, which compiled solvers interpret."""
+        text = numpy.text(self.module, programs(self.module, numpy.asked(self.module)))
+        data = {f"{self.module.name}.json": program.text(self.solved, programs(self.solved))} if self.odd else {}
+        return data | {f"{self.module.name}.py": text}
 
     @property
     def compiled(self) -> dict[str, str]:
@@ -94,8 +101,7 @@ class Sources:
         motion = {f"{self.module.name}_motion.c": c.motion(self.module)}
         if not self.odd:
             return motion
-        module = self.module if self.derived is None else with_proofs(self.module, self.derived)
-        code = {module.name: programs(module)}
+        module, code = self.solved, {self.solved.name: programs(self.solved)}
         files = c.headers([module], code) | interval.files([module], code) | pair.headers([module], code)
         headers = {Path(file).name: text for file, text in files.items()}
         return headers | {f"{module.name}.c": c.records.of_one(module)} | motion

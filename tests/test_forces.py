@@ -369,7 +369,7 @@ def test_many_designs_are_single_ones(derived):
 @pytest.mark.slow
 def test_what_it_is_and_how_it_is_derived_is_said(derived):
     made = derived("soft_stop")
-    assert repr(made).endswith("on NumPy, by quadrature")
+    assert repr(made).endswith(f"{'on NumPy' if backend.SOLVER is None else 'interpreted'}, by quadrature")
     text = made.document()
     assert text.count("$$") % 2 == 0
     assert r"\int_0^{\pi/2} f''(A \sin t) \sin^3 t" in text and "For $u_{1} < A$:" in text

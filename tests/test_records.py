@@ -87,20 +87,20 @@ def test_a_record_averages_any_number_of_amplitudes_as_the_kernels_do(name):
     record = records.opened(NATIVE.RECORDS[name])
     mechanism = MECHANISMS[name]
     design, p = records.doubles([INSIDE[d.symbol.name] for d in mechanism.design]), records.doubles([0.0] * 16)
-    assert record.parameters_of(design, p)
+    assert record.ask("parameters_of", design, p)
     parameters = list(p)[: record.parameters]
     stated = kernels.MECHANISM
     assert record.parameters == len(stated.parameters) and record.reach == stated.reach
     b, jump = records.doubles([0.0] * 4), records.doubles([0.0] * 4)
-    record.ends(p, b), record.jumps(p, jump)
+    record.ask("ends", p, b), record.ask("jumps", p, jump)
     assert list(b)[: record.breakpoints] == [float(end) for end in kernels.breakpoints(*parameters)]
     assert list(jump)[: record.breakpoints] == [float(step) for step in kernels.jumps(*parameters)]
     A = [0.1, 0.3, 0.5, 0.7, 0.9]
-    for function, kernel in ((record.averaged, kernels.averaged), (record.averaged_2, kernels.averaged_2)):
+    for name, kernel in (("averaged", kernels.averaged), ("averaged_2", kernels.averaged_2)):
         for amplitudes in ([], A[:1], A):
             expected = np.array(kernel(np.array(amplitudes), *parameters)).ravel()
             out = records.doubles([math.nan] * expected.size)
-            function(len(amplitudes), records.doubles(amplitudes), p, out)
+            record.ask(name, len(amplitudes), records.doubles(amplitudes), p, out)
             assert np.allclose(list(out), expected, rtol=1e-14, atol=0)
 
 

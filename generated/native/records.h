@@ -60,54 +60,48 @@ static double records_centred(double A, const double *p)
 }
 
 /* For a force of one piece. */
-static void records_no_breakpoint(const double *p, double *out)
+static void records_no_breakpoint(const sf_mechanism *self, const double *p, double *out)
 {
+    (void)(self);
     (void)(p);
     (void)(out);
 }
 
-/* A parameter that is a difference of nearly equal numbers, as a stiffness next to 0, has few digits in doubles: such
- * ones are what pairs give. One that is 0 to rounding, or whose sign rounding decides, stays as everyone has it:
- * quasi-zero stiffness is meant by 1/(lam r) = delta_h, which doubles seldom are. */
-static inline void records_keep_digits(int n, const sf_pair *pairs, double *p)
-{
-    for (int i = 0; i < n; i++)
-        if (p[i] * pairs[i].high > 0 && fabs(p[i] - pairs[i].high) > 0x1p-49 * fabs(p[i]))
-            p[i] = pairs[i].high;
-}
-
-static int duffing_record_parameters_of(const double *design, double *p)
+static int duffing_record_parameters_of(const sf_mechanism *self, const double *design, double *p)
 {
     sf_pair pairs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
+    (void)self;
     if (!(design[0] > -INFINITY && design[0] < INFINITY && design[1] > -INFINITY && design[1] < INFINITY))
         return 0;
     duffing_coefficients(design[0], design[1], p);
     duffing_pairs_given(sfp_point(design[0]), sfp_point(design[1]), pairs);
-    records_keep_digits(2, pairs, p);
+    sf_keep_digits(2, pairs, p);
     return 1;
 }
 
-static int rod_spring_record_parameters_of(const double *design, double *p)
+static int rod_spring_record_parameters_of(const sf_mechanism *self, const double *design, double *p)
 {
     sf_pair pairs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
+    (void)self;
     if (!(design[0] > 0.0 && design[0] < INFINITY && design[1] > 0.0 && design[1] < INFINITY && design[2] >= 0.0 &&
           design[2] < 1.0))
         return 0;
     rod_spring_coefficients(design[0], design[1], design[2], p);
     rod_spring_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), pairs);
-    records_keep_digits(4, pairs, p);
+    sf_keep_digits(4, pairs, p);
     return 1;
 }
 
-static int rod_spring_untruncated_record_parameters_of(const double *design, double *p)
+static int rod_spring_untruncated_record_parameters_of(const sf_mechanism *self, const double *design, double *p)
 {
     sf_pair pairs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
+    (void)self;
     if (!(design[0] > 0.0 && design[0] < INFINITY && design[1] > 0.0 && design[1] < INFINITY && design[2] >= 0.0 &&
           design[2] < 1.0))
         return 0;
     rod_spring_untruncated_coefficients(design[0], design[1], design[2], p);
     rod_spring_untruncated_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), pairs);
-    records_keep_digits(3, pairs, p);
+    sf_keep_digits(3, pairs, p);
     return 1;
 }
 
@@ -125,8 +119,9 @@ static SF_FLAT void duffing_record_averaged_loop(ptrdiff_t n, ptrdiff_t apart,
     }
 }
 
-static void duffing_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
+static void duffing_record_averaged(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    (void)self;
     if (n == 1) {
         duffing_averaged(A[0], p, out);
         return;
@@ -146,8 +141,9 @@ static SF_FLAT void duffing_record_averaged_2_loop(ptrdiff_t n, ptrdiff_t apart,
     }
 }
 
-static void duffing_record_averaged_2(ptrdiff_t n, const double *A, const double *p, double *out)
+static void duffing_record_averaged_2(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    (void)self;
     if (n == 1) {
         duffing_averaged_2(A[0], p, out);
         return;
@@ -173,8 +169,9 @@ static SF_FLAT void duffing_record_harmonics_loop(ptrdiff_t n, ptrdiff_t apart,
     }
 }
 
-static void duffing_record_harmonics(ptrdiff_t n, const double *A, const double *p, double *out)
+static void duffing_record_harmonics(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    (void)self;
     if (n == 1) {
         duffing_harmonics(A[0], p, out);
         return;
@@ -182,47 +179,54 @@ static void duffing_record_harmonics(ptrdiff_t n, const double *A, const double 
     duffing_record_harmonics_loop(n, n, A, p, out);
 }
 
-static double duffing_record_intercept(double A, const double *p)
+static double duffing_record_intercept(const sf_mechanism *self, double A, const double *p)
 {
+    (void)self;
     return duffing_intercept(A, p[0], p[1]);
 }
 
 /* d/dp of h, h_A, h_AA, which are given, for each parameter p in turn */
-static void duffing_record_by_parameter(double A, const double *h, const double *p, double *out)
+static void duffing_record_by_parameter(const sf_mechanism *self, double A, const double *h, const double *p, double *out)
 {
+    (void)self;
     duffing_by_parameter(A, h[0], h[1], h[2], p, out);
 }
 
-static void duffing_record_by_design(const double *design, double *out)
+static void duffing_record_by_design(const sf_mechanism *self, const double *design, double *out)
 {
+    (void)self;
     duffing_by_design(design[0], design[1], out);
 }
 
-static void duffing_record_parameters_within(const double *design, sf_interval *p)
+static void duffing_record_parameters_within(const sf_mechanism *self, const double *design, sf_interval *p)
 {
+    (void)self;
     duffing_intervals_given(sfi_point(design[0]), sfi_point(design[1]), p);
 }
 
 /* h, h_A, h_AA, h_AAA and h - A h_A */
-static void duffing_record_averaged_within(int passed, sf_interval A, sf_interval beyond,
+static void duffing_record_averaged_within(const sf_mechanism *self, int passed, sf_interval A, sf_interval beyond,
                                                            const sf_interval *p, sf_interval *out)
 {
+    (void)self;
     (void)(passed);
     (void)(beyond);
     duffing_intervals_known(A, p, out);
 }
 
-static void duffing_record_parameters_in_pairs(const double *design, sf_pair *p)
+static void duffing_record_parameters_in_pairs(const sf_mechanism *self, const double *design, sf_pair *p)
 {
+    (void)self;
     duffing_pairs_given(sfp_point(design[0]), sfp_point(design[1]), p);
 }
 
 /* h, h_A, h_AA, h_AAA, as many as are wanted: fewer take less time */
-static void duffing_record_averaged_in_pairs(int passed, int wanted, sf_pair A, sf_pair beyond, const sf_pair *p,
-                                                    sf_pair *out)
+static void duffing_record_averaged_in_pairs(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond,
+                                                    const sf_pair *p, sf_pair *out)
 {
     sf_pair all[5];
     int i;
+    (void)self;
     (void)(passed);
     (void)(beyond);
     if (wanted <= 2) {
@@ -236,9 +240,10 @@ static void duffing_record_averaged_in_pairs(int passed, int wanted, sf_pair A, 
 }
 
 /* Parameters and jumps of n designs, two doubles each */
-static SF_FLAT void duffing_record_many_in_pairs(ptrdiff_t n, ptrdiff_t apart, const double *design,
-                                                           double *out)
+static SF_FLAT void duffing_record_many_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart,
+                                                           const double *design, double *out)
 {
+    (void)self;
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
@@ -283,6 +288,30 @@ static const sf_mechanism duffing_record = {
     .averaged_in_pairs = duffing_record_averaged_in_pairs,
     .many_in_pairs = duffing_record_many_in_pairs,
 };
+
+static void rod_spring_record_ends(const sf_mechanism *self, const double *p, double *out)
+{
+    (void)self;
+    rod_spring_breakpoints(p, out);
+}
+
+static void rod_spring_record_jumps(const sf_mechanism *self, const double *p, double *out)
+{
+    (void)self;
+    rod_spring_jumps(p, out);
+}
+
+static void rod_spring_record_ends_within(const sf_mechanism *self, const sf_interval *p, sf_interval *out)
+{
+    (void)self;
+    rod_spring_intervals_breakpoints(p, out);
+}
+
+static void rod_spring_record_ends_in_pairs(const sf_mechanism *self, const sf_pair *p, sf_pair *out)
+{
+    (void)self;
+    rod_spring_pairs_breakpoints(p, out);
+}
 
 static inline int rod_spring_record_averaged_regime(double A, const double *p)
 {
@@ -332,8 +361,9 @@ static SF_FLAT void rod_spring_record_averaged_loop_2(ptrdiff_t n, ptrdiff_t apa
     }
 }
 
-static void rod_spring_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
+static void rod_spring_record_averaged(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    (void)self;
     if (n == 1) {
         rod_spring_averaged(A[0], p, out);
         return;
@@ -393,8 +423,9 @@ static SF_FLAT void rod_spring_record_averaged_2_loop_2(ptrdiff_t n, ptrdiff_t a
     }
 }
 
-static void rod_spring_record_averaged_2(ptrdiff_t n, const double *A, const double *p, double *out)
+static void rod_spring_record_averaged_2(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    (void)self;
     if (n == 1) {
         rod_spring_averaged_2(A[0], p, out);
         return;
@@ -472,8 +503,9 @@ static SF_FLAT void rod_spring_record_harmonics_loop_2(ptrdiff_t n, ptrdiff_t ap
     }
 }
 
-static void rod_spring_record_harmonics(ptrdiff_t n, const double *A, const double *p, double *out)
+static void rod_spring_record_harmonics(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    (void)self;
     if (n == 1) {
         rod_spring_harmonics(A[0], p, out);
         return;
@@ -491,45 +523,52 @@ static void rod_spring_record_harmonics(ptrdiff_t n, const double *A, const doub
     }
 }
 
-static double rod_spring_record_intercept(double A, const double *p)
+static double rod_spring_record_intercept(const sf_mechanism *self, double A, const double *p)
 {
+    (void)self;
     return rod_spring_intercept(A, p[0], p[1], p[2], p[3]);
 }
 
 /* d/dp of h, h_A, h_AA, which are given, for each parameter p in turn */
-static void rod_spring_record_by_parameter(double A, const double *h, const double *p, double *out)
+static void rod_spring_record_by_parameter(const sf_mechanism *self, double A, const double *h, const double *p, double *out)
 {
+    (void)self;
     rod_spring_by_parameter(A, h[0], h[1], h[2], p, out);
 }
 
-static void rod_spring_record_by_design(const double *design, double *out)
+static void rod_spring_record_by_design(const sf_mechanism *self, const double *design, double *out)
 {
+    (void)self;
     rod_spring_by_design(design[0], design[1], design[2], out);
 }
 
-static void rod_spring_record_parameters_within(const double *design, sf_interval *p)
+static void rod_spring_record_parameters_within(const sf_mechanism *self, const double *design, sf_interval *p)
 {
+    (void)self;
     rod_spring_intervals_given(sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]), p);
 }
 
 /* h, h_A, h_AA, h_AAA and h - A h_A */
-static void rod_spring_record_averaged_within(int passed, sf_interval A, sf_interval beyond,
+static void rod_spring_record_averaged_within(const sf_mechanism *self, int passed, sf_interval A, sf_interval beyond,
                                                            const sf_interval *p, sf_interval *out)
 {
+    (void)self;
     rod_spring_intervals_known(passed, A, beyond, p, out);
 }
 
-static void rod_spring_record_parameters_in_pairs(const double *design, sf_pair *p)
+static void rod_spring_record_parameters_in_pairs(const sf_mechanism *self, const double *design, sf_pair *p)
 {
+    (void)self;
     rod_spring_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), p);
 }
 
 /* h, h_A, h_AA, h_AAA, as many as are wanted: fewer take less time */
-static void rod_spring_record_averaged_in_pairs(int passed, int wanted, sf_pair A, sf_pair beyond, const sf_pair *p,
-                                                    sf_pair *out)
+static void rod_spring_record_averaged_in_pairs(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond,
+                                                    const sf_pair *p, sf_pair *out)
 {
     sf_pair all[5];
     int i;
+    (void)self;
     (void)(passed);
     (void)(beyond);
     if (wanted <= 2) {
@@ -543,9 +582,10 @@ static void rod_spring_record_averaged_in_pairs(int passed, int wanted, sf_pair 
 }
 
 /* Parameters and jumps of n designs, two doubles each */
-static SF_FLAT void rod_spring_record_many_in_pairs(ptrdiff_t n, ptrdiff_t apart, const double *design,
-                                                           double *out)
+static SF_FLAT void rod_spring_record_many_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart,
+                                                           const double *design, double *out)
 {
+    (void)self;
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
@@ -567,9 +607,10 @@ p);
 }
 
 /* The first breakpoint and h on it, two doubles each */
-static SF_FLAT void rod_spring_record_on_first_end_in_pairs(ptrdiff_t n, ptrdiff_t apart, const double *design,
-                                                                   double *out)
+static SF_FLAT void rod_spring_record_on_first_end_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart,
+                                                                   const double *design, double *out)
 {
+    (void)self;
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS], b[SF_MOST_BREAKS], all[5];
@@ -599,8 +640,8 @@ static const sf_mechanism rod_spring_record = {
     .parameters_of = rod_spring_record_parameters_of,
     .damping_of = records_damping_of,
     .is_forcing = records_is_forcing,
-    .ends = rod_spring_breakpoints,
-    .jumps = rod_spring_jumps,
+    .ends = rod_spring_record_ends,
+    .jumps = rod_spring_record_jumps,
     .averaged = rod_spring_record_averaged,
     .averaged_2 = rod_spring_record_averaged_2,
     .intercept = rod_spring_record_intercept,
@@ -613,13 +654,43 @@ static const sf_mechanism rod_spring_record = {
     .mean_offset = records_centred,
     .parameters_within = rod_spring_record_parameters_within,
     .averaged_within = rod_spring_record_averaged_within,
-    .ends_within = rod_spring_intervals_breakpoints,
+    .ends_within = rod_spring_record_ends_within,
     .parameters_in_pairs = rod_spring_record_parameters_in_pairs,
     .averaged_in_pairs = rod_spring_record_averaged_in_pairs,
     .many_in_pairs = rod_spring_record_many_in_pairs,
-    .ends_in_pairs = rod_spring_pairs_breakpoints,
+    .ends_in_pairs = rod_spring_record_ends_in_pairs,
     .on_first_end_in_pairs = rod_spring_record_on_first_end_in_pairs,
 };
+
+static void rod_spring_untruncated_record_ends(const sf_mechanism *self, const double *p, double *out)
+{
+    (void)self;
+    rod_spring_untruncated_breakpoints(p, out);
+}
+
+static void rod_spring_untruncated_record_jumps(const sf_mechanism *self, const double *p, double *out)
+{
+    (void)self;
+    rod_spring_untruncated_jumps(p, out);
+}
+
+static void rod_spring_untruncated_record_ends_within(const sf_mechanism *self, const sf_interval *p, sf_interval *out)
+{
+    (void)self;
+    rod_spring_untruncated_intervals_breakpoints(p, out);
+}
+
+static void rod_spring_untruncated_record_ends_in_pairs(const sf_mechanism *self, const sf_pair *p, sf_pair *out)
+{
+    (void)self;
+    rod_spring_untruncated_pairs_breakpoints(p, out);
+}
+
+static void rod_spring_untruncated_record_kinks_within(const sf_mechanism *self, const sf_interval *p, sf_interval *out)
+{
+    (void)self;
+    rod_spring_untruncated_intervals_kinks(p, out);
+}
 
 static SF_FLAT void rod_spring_untruncated_record_averaged_loop(ptrdiff_t n, ptrdiff_t apart,
     const double *A, const double *p, double *out)
@@ -635,8 +706,9 @@ static SF_FLAT void rod_spring_untruncated_record_averaged_loop(ptrdiff_t n, ptr
     }
 }
 
-static void rod_spring_untruncated_record_averaged(ptrdiff_t n, const double *A, const double *p, double *out)
+static void rod_spring_untruncated_record_averaged(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    (void)self;
     if (n == 1) {
         rod_spring_untruncated_averaged(A[0], p, out);
         return;
@@ -656,8 +728,9 @@ static SF_FLAT void rod_spring_untruncated_record_averaged_2_loop(ptrdiff_t n, p
     }
 }
 
-static void rod_spring_untruncated_record_averaged_2(ptrdiff_t n, const double *A, const double *p, double *out)
+static void rod_spring_untruncated_record_averaged_2(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    (void)self;
     if (n == 1) {
         rod_spring_untruncated_averaged_2(A[0], p, out);
         return;
@@ -707,8 +780,9 @@ static SF_FLAT void rod_spring_untruncated_record_harmonics_loop_1(ptrdiff_t n, 
     }
 }
 
-static void rod_spring_untruncated_record_harmonics(ptrdiff_t n, const double *A, const double *p, double *out)
+static void rod_spring_untruncated_record_harmonics(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    (void)self;
     if (n == 1) {
         rod_spring_untruncated_harmonics(A[0], p, out);
         return;
@@ -725,24 +799,28 @@ static void rod_spring_untruncated_record_harmonics(ptrdiff_t n, const double *A
     }
 }
 
-static double rod_spring_untruncated_record_intercept(double A, const double *p)
+static double rod_spring_untruncated_record_intercept(const sf_mechanism *self, double A, const double *p)
 {
+    (void)self;
     return rod_spring_untruncated_intercept(A, p[0], p[1], p[2]);
 }
 
 /* d/dp of h, h_A, h_AA, which are given, for each parameter p in turn */
-static void rod_spring_untruncated_record_by_parameter(double A, const double *h, const double *p, double *out)
+static void rod_spring_untruncated_record_by_parameter(const sf_mechanism *self, double A, const double *h, const double *p, double *out)
 {
+    (void)self;
     rod_spring_untruncated_by_parameter(A, h[0], h[1], h[2], p, out);
 }
 
-static void rod_spring_untruncated_record_by_design(const double *design, double *out)
+static void rod_spring_untruncated_record_by_design(const sf_mechanism *self, const double *design, double *out)
 {
+    (void)self;
     rod_spring_untruncated_by_design(design[0], design[1], design[2], out);
 }
 
-static void rod_spring_untruncated_record_parameters_within(const double *design, sf_interval *p)
+static void rod_spring_untruncated_record_parameters_within(const sf_mechanism *self, const double *design, sf_interval *p)
 {
+    (void)self;
     rod_spring_untruncated_intervals_given(sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]), p);
 }
 
@@ -757,12 +835,13 @@ static void rod_spring_untruncated_record_parts(sf_held beyond, const sf_held *p
 }
 
 /* h, h_A, h_AA, h_AAA and h - A h_A */
-static void rod_spring_untruncated_record_averaged_within(int passed, sf_interval A, sf_interval beyond,
+static void rod_spring_untruncated_record_averaged_within(const sf_mechanism *self, int passed, sf_interval A, sf_interval beyond,
                                                            const sf_interval *p, sf_interval *out)
 {
     sf_held parts[5], parameters[SF_MOST_PARAMETERS];
     sf_interval part[5];
     int i;
+    (void)self;
     if (passed == 0) {
         if (A.hi <= 0.69999999999999996)
             rod_spring_untruncated_intervals_attached(A, p, out);
@@ -779,17 +858,19 @@ static void rod_spring_untruncated_record_averaged_within(int passed, sf_interva
 }
 
 
-static void rod_spring_untruncated_record_parameters_in_pairs(const double *design, sf_pair *p)
+static void rod_spring_untruncated_record_parameters_in_pairs(const sf_mechanism *self, const double *design, sf_pair *p)
 {
+    (void)self;
     rod_spring_untruncated_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), p);
 }
 
 /* h, h_A, h_AA, h_AAA, as many as are wanted: fewer take less time */
-static void rod_spring_untruncated_record_averaged_in_pairs(int passed, int wanted, sf_pair A, sf_pair beyond, const sf_pair *p,
-                                                    sf_pair *out)
+static void rod_spring_untruncated_record_averaged_in_pairs(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond,
+                                                    const sf_pair *p, sf_pair *out)
 {
     sf_pair all[5];
     int i;
+    (void)self;
     (void)(wanted);
     if (passed == 0 && A.high < 0.69999999999999996) {
         rod_spring_untruncated_pairs_attached(A, p, all);
@@ -807,9 +888,10 @@ static void rod_spring_untruncated_record_averaged_in_pairs(int passed, int want
 }
 
 /* Parameters and jumps of n designs, two doubles each */
-static SF_FLAT void rod_spring_untruncated_record_many_in_pairs(ptrdiff_t n, ptrdiff_t apart, const double *design,
-                                                           double *out)
+static SF_FLAT void rod_spring_untruncated_record_many_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart,
+                                                           const double *design, double *out)
 {
+    (void)self;
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
@@ -829,9 +911,10 @@ p);
 }
 
 /* The first breakpoint and h on it, two doubles each, of h NaN where another form is needed */
-static SF_FLAT void rod_spring_untruncated_record_on_first_end_in_pairs(ptrdiff_t n, ptrdiff_t apart, const double *design,
-                                                                   double *out)
+static SF_FLAT void rod_spring_untruncated_record_on_first_end_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart,
+                                                                   const double *design, double *out)
 {
+    (void)self;
     SF_INDEPENDENT
     for (ptrdiff_t i = 0; i < n; i++) {
         sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS], b[SF_MOST_BREAKS], all[5];
@@ -861,8 +944,8 @@ static const sf_mechanism rod_spring_untruncated_record = {
     .parameters_of = rod_spring_untruncated_record_parameters_of,
     .damping_of = records_damping_of,
     .is_forcing = records_is_forcing,
-    .ends = rod_spring_untruncated_breakpoints,
-    .jumps = rod_spring_untruncated_jumps,
+    .ends = rod_spring_untruncated_record_ends,
+    .jumps = rod_spring_untruncated_record_jumps,
     .averaged = rod_spring_untruncated_record_averaged,
     .averaged_2 = rod_spring_untruncated_record_averaged_2,
     .intercept = rod_spring_untruncated_record_intercept,
@@ -875,12 +958,12 @@ static const sf_mechanism rod_spring_untruncated_record = {
     .mean_offset = records_centred,
     .parameters_within = rod_spring_untruncated_record_parameters_within,
     .averaged_within = rod_spring_untruncated_record_averaged_within,
-    .ends_within = rod_spring_untruncated_intervals_breakpoints,
-    .kinks_within = rod_spring_untruncated_intervals_kinks,
+    .ends_within = rod_spring_untruncated_record_ends_within,
+    .kinks_within = rod_spring_untruncated_record_kinks_within,
     .parameters_in_pairs = rod_spring_untruncated_record_parameters_in_pairs,
     .averaged_in_pairs = rod_spring_untruncated_record_averaged_in_pairs,
     .many_in_pairs = rod_spring_untruncated_record_many_in_pairs,
-    .ends_in_pairs = rod_spring_untruncated_pairs_breakpoints,
+    .ends_in_pairs = rod_spring_untruncated_record_ends_in_pairs,
     .on_first_end_in_pairs = rod_spring_untruncated_record_on_first_end_in_pairs,
 };
 

@@ -13,15 +13,20 @@ SLOWFLOW_BACKEND=numpy leaves it alone, and without it the compiled code runs wh
 from __future__ import annotations
 
 import importlib
+import json
 import os
+import sys
 import warnings
+from array import array
 from collections.abc import Callable
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 
 from slowflow_support.backend import NATIVE, BackendWarning
+from slowflow_support.quadrature import COMPILED
 from slowflow_support.record import Mechanism
 
 __all__ = [
@@ -65,11 +70,37 @@ def record_of(mechanism: Mechanism, inertial: bool = False, laws: bool = False) 
     inertial -- whether it is excited by inertia
     laws     -- whether it takes other laws of damping: mu, zeta, eta, c_2, and whether friction ends at a breakpoint
     """
-    record = SOLVER.RECORDS.get(mechanism.name) if SOLVER is not None and mechanism.is_generated else None
-    if SOLVER is None or record is None:
+    if SOLVER is None or not mechanism.is_generated:
+        return None
+    if mechanism.name not in SOLVER.RECORDS:
+        SOLVER.RECORDS[mechanism.name] = _interpreted(mechanism)
+    record = SOLVER.RECORDS[mechanism.name]
+    if record is None:
         return None
     record = SOLVER.inertial(record) if inertial else record
     return SOLVER.with_laws(record) if laws else record
+
+
+def _interpreted(mechanism: Mechanism) -> Any:
+    """A record from the program beside the mechanism's module; None where there is none, or the force has no room."""
+    assert SOLVER is not None
+    module = sys.modules[mechanism.pieces[0].force.__module__]
+    place = Path(module.__file__ or "").with_suffix(".json")
+    if not place.exists():
+        return None
+    program = json.loads(place.read_text())
+    lists = array("i", program["words"]).tobytes(), array("d", program["numbers"]).tobytes()
+    record = SOLVER.program(mechanism.name, *lists)
+    if record is not None:
+        sum_in_C(module, record)
+    return record
+
+
+def sum_in_C(module: ModuleType, record: Any) -> None:
+    """Lets a record answer for its module's averages where these are quadratures."""
+    if SOLVER is not None and hasattr(module, "averaged_of"):
+        averages = SOLVER.many_averages(record)
+        COMPILED[module.averaged_of] = lambda numbers: np.stack(averages(*numbers))
 
 
 def _as_doubles(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[float, ...] | None:

@@ -31,8 +31,6 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-import numpy as np
-
 from slowflow import backend, files, sampled
 from slowflow.exact.compiled import recurrences
 from slowflow.mechanism import Mechanism, Parameter
@@ -41,7 +39,6 @@ from slowflow.oscillator import Oscillator
 from slowflow.version import include
 from slowflow_support.errors import BuildFailed, Refused, WrongType
 from slowflow_support.ownership import check_own
-from slowflow_support.quadrature import COMPILED
 
 NEEDED = "deriving needs SymPy, python-flint, Jinja2 and platformdirs: pip install 'slowflow[derive]'"
 #: IEEE arithmetic, as the package itself is compiled; -O3 takes a third longer, and answers are no sooner there
@@ -88,7 +85,8 @@ class Derived(Stated):
 
     record   -- the same record as a generated module's `MECHANISM`
     folder   -- where its sources are, and what was compiled of them
-    compiled -- whether compiled code answers for it; NumPy's solvers and SciPy's integrator do otherwise
+    compiled -- whether code compiled for this force answers; otherwise the compiled solvers interpret its program, to
+                the same bits, and exact motions are SciPy's
     """
 
     folder: Path
@@ -106,8 +104,8 @@ class Derived(Stated):
 
     @property
     def compiled(self) -> bool:
-        """Whether the compiled solvers have its record, and the compiled integrator its force."""
-        return _is_attached(self.record)
+        """Whether a library compiled for it is attached: the integrator has its force, the solvers its record."""
+        return recurrences(self.record.pieces[0]) is not None
 
     def document(self) -> str:
         """Its derivation to read, Markdown with LaTeX: motion, slow flow, average in each regime, response, folds."""
@@ -117,16 +115,17 @@ class Derived(Stated):
     def write(self, folder: Path) -> list[str]:
         """Write what `make derive` writes of the package's own mechanisms, and the document; the files' names.
 
-        A Python module of kernels on NumPy, C headers (which include those of `include()`), for an odd force
-        `exported.c`, which gives their functions symbols, with the list `exported.def`, C sources with the record that
-        the solvers take and with the force as power series, derivation.md, MANIFEST.json with a hash of each.
-        Files of an earlier run are replaced.
+        A Python module of kernels on NumPy, C headers (which include those of `include()`), for an odd force the
+        program that the solvers interpret and `exported.c`, which gives their functions symbols, with the list
+        `exported.def`, C sources with the record that the solvers take and with the force as power series,
+        derivation.md, MANIFEST.json with a hash of each. Files of an earlier run are replaced.
         """
         names: list[str] = _derivation().written(self._stated, Path(folder))
         return names
 
     def __repr__(self) -> str:
-        how = "compiled" if self.compiled else "on NumPy"
+        interpreted = backend.record_of(self.record) is not None
+        how = "compiled" if self.compiled else "interpreted" if interpreted else "on NumPy"
         if _is_summed(self.record):
             how += ", by quadrature"
         if not self.record.odd and self.compiled:
@@ -163,7 +162,9 @@ def mechanism(
                   which it ends; polynomials, or smooth up to their ends. Its motions are off the centre and have a
                   mean B: see `Oscillator.off_centre`
     compile    -- print C, call the C compiler (the environment's CC, or the one that Python was built with), and let
-                  the compiled solvers and the compiled integrator answer; of a force that is not odd this one
+                  the compiled integrator answer for exact motions; averaged answers have the same bits without, as the
+                  compiled solvers interpret the program of an odd force, and batches of polynomials take up to three
+                  times as long
 
     Raises ValueError and TypeError for what is not allowed, with what is; ArithmeticError for a force that cannot be
     derived, with the reason; ImportError without the extra; BuildFailed where the compiler fails, with its words, or
@@ -290,8 +291,9 @@ def _derived(stated: Any, compile: bool, beside: str = "") -> Derived:
     importlib.invalidate_caches()
     printed = importlib.import_module(f"slowflow_derived.{module}")
     record: Mechanism = printed.MECHANISM
-    if compile and not _is_attached(record):
+    if compile and recurrences(record.pieces[0]) is None:
         _attach(printed, _compiled(folder, module))
+    backend.record_of(record)
     return Derived(record, folder, stated, beside)
 
 
@@ -373,11 +375,6 @@ def _is_summed(record: Mechanism) -> bool:
     return hasattr(sys.modules[record.pieces[0].force.__module__], "averaged_of")
 
 
-def _is_attached(record: Mechanism) -> bool:
-    """Whether a library of it is attached."""
-    return recurrences(record.pieces[0]) is not None and (not record.odd or backend.record_of(record) is not None)
-
-
 def _attach(printed: ModuleType, library: Path) -> None:
     """Hands what is in a library to the compiled code, and its averages to NumPy's; neither is ever let go.
 
@@ -388,9 +385,8 @@ def _attach(printed: ModuleType, library: Path) -> None:
     assert backend.EXACT is not None and backend.SOLVER is not None
     backend.EXACT.LAWS.update(backend.EXACT.laws(_capsule(loaded, "slowflow_laws", LAWS)))
     if record.odd:
-        backend.SOLVER.RECORDS[record.name] = _capsule(loaded, "slowflow_record", CAPSULE)
-    if _is_summed(record):
-        COMPILED[printed.averaged_of] = functools.partial(_averaged, loaded.slowflow_averaged)
+        backend.SOLVER.RECORDS[record.name] = compiled = _capsule(loaded, "slowflow_record", CAPSULE)
+        backend.sum_in_C(printed, compiled)
 
 
 def _capsule(loaded: ctypes.CDLL, name: str, kind: bytes) -> Any:
@@ -398,15 +394,6 @@ def _capsule(loaded: ctypes.CDLL, name: str, kind: bytes) -> Any:
     new = ctypes.pythonapi.PyCapsule_New
     new.restype, new.argtypes = ctypes.py_object, (ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p)
     return new(ctypes.c_void_p.in_dll(loaded, name).value, kind, None)
-
-
-def _averaged(loop: Any, numbers: list[Any]) -> Any:
-    """h and its derivatives (4, n) by a library's loop, from A (n,) and each parameter (n,)."""
-    n = numbers[0].size
-    A, parameters, found = np.ascontiguousarray(numbers[0]), np.stack(numbers[1:], axis=-1), np.empty((4, n))
-    places = (one.ctypes.data_as(ctypes.c_void_p) for one in (A, parameters, found))
-    loop(ctypes.c_ssize_t(n), *places)
-    return found
 
 
 #: what capsules with a record and with pieces of a force are called, in mechanism.h and _exact.c; these names have to

@@ -88,7 +88,7 @@ int known(const char *name, const double *design, int piece, double beyond, doub
         if (strcmp(records[k]->name, name) != 0 || !sf_give(records[k], design, 0.0, 0.0, &given))
             continue;
         values[5] = sf_beyond(&given, piece, sfi_point(beyond));
-        given.mechanism->averaged_within(piece, values[5], sfi_point(beyond), given.p, values);
+        given.mechanism->averaged_within(given.mechanism, piece, values[5], sfi_point(beyond), given.p, values);
         for (int i = 0; i < 6; i++)
             out[2 * i] = values[i].lo, out[2 * i + 1] = values[i].hi;
         return 1;

@@ -19,8 +19,9 @@
 #define THRESHOLD 1.0
 #endif
 
-static int parameters_of(const double *design, double *p) {
+static int parameters_of(const sf_mechanism *self, const double *design, double *p) {
     int i;
+    (void)self;
     for (i = 0; i < 3; i++) {
         if (!(fabs(design[i]) < HUGE_VAL))
             return 0;
@@ -36,15 +37,19 @@ static int damping_of(const double *given, double *damping) {
 
 static int is_forcing(double F_0) { return F_0 > 0 && F_0 < HUGE_VAL; }
 
-static void ends(const double *p, double *b) { b[0] = p[2]; }
+static void ends(const sf_mechanism *self, const double *p, double *b) {
+    (void)self;
+    b[0] = p[2];
+}
 
-static void jumps(const double *p, double *jump) {
-    (void)p;
+static void jumps(const sf_mechanism *self, const double *p, double *jump) {
+    (void)self, (void)p;
     jump[0] = 0;
 }
 
-static void averaged(ptrdiff_t n, const double *A, const double *p, double *out) {
+static void averaged(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out) {
     ptrdiff_t i;
+    (void)self;
     for (i = 0; i < n; i++) {
         const double t0 = A[i] * A[i] * p[0], t1 = 4.5 * p[0];
         out[i] = A[i] * (-p[1] - 0.75 * t0);
@@ -54,8 +59,9 @@ static void averaged(ptrdiff_t n, const double *A, const double *p, double *out)
     }
 }
 
-static void averaged_2(ptrdiff_t n, const double *A, const double *p, double *out) {
+static void averaged_2(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out) {
     ptrdiff_t i;
+    (void)self;
     for (i = 0; i < n; i++) {
         const double t0 = A[i] * A[i] * p[0];
         out[i] = A[i] * (-p[1] - 0.75 * t0);
@@ -63,7 +69,10 @@ static void averaged_2(ptrdiff_t n, const double *A, const double *p, double *ou
     }
 }
 
-static double intercept(double A, const double *p) { return 1.5 * (A * (A * A)) * p[0]; }
+static double intercept(const sf_mechanism *self, double A, const double *p) {
+    (void)self;
+    return 1.5 * (A * (A * A)) * p[0];
+}
 
 static double dissipation(double Omega, double A, const double *damping) {
     return slow_flow_I(Omega, A, THRESHOLD * damping[0], damping[1]);

@@ -42,7 +42,7 @@ int known(const char *name, const double *design, int piece, double A, double *o
         if (strcmp(records[k]->name, name) != 0 || !sf_make_exact(records[k], design, 0.0, 0.0, &exactly))
             continue;
         const sf_pair at = sfp_point(A), beyond = piece > 0 ? sfp_sub(at, exactly.b[piece - 1]) : at;
-        exactly.mechanism->averaged_in_pairs(piece, 4, at, beyond, exactly.p, values);
+        exactly.mechanism->averaged_in_pairs(exactly.mechanism, piece, 4, at, beyond, exactly.p, values);
         for (int i = 0; i < 4; i++)
             out[2 * i] = values[i].high, out[2 * i + 1] = values[i].low;
         return 1;

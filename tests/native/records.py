@@ -12,9 +12,12 @@ from tests.native.roots import FLAGS, HEADERS, HERE, ROOT, WARNINGS
 
 INCLUDES = [f"-I{folder}" for folder in (HEADERS, ROOT / "generated" / "c", ROOT / "generated" / "native")]
 Doubles = ctypes.POINTER(ctypes.c_double)
+#: functions of the force take the record first
+Self = ctypes.c_void_p
 FromNumbers = ctypes.CFUNCTYPE(ctypes.c_int, Doubles, Doubles)
-Fill = ctypes.CFUNCTYPE(None, Doubles, Doubles)
-Averages = ctypes.CFUNCTYPE(None, ctypes.c_ssize_t, Doubles, Doubles, Doubles)
+FromDesign = ctypes.CFUNCTYPE(ctypes.c_int, Self, Doubles, Doubles)
+Fill = ctypes.CFUNCTYPE(None, Self, Doubles, Doubles)
+Averages = ctypes.CFUNCTYPE(None, Self, ctypes.c_ssize_t, Doubles, Doubles, Doubles)
 NAME = b"slowflow.mechanism"
 
 
@@ -24,7 +27,7 @@ class Interval(ctypes.Structure):
     _fields_ = (("lo", ctypes.c_double), ("hi", ctypes.c_double))
 
 
-Bent = ctypes.CFUNCTYPE(None, Interval, Doubles, ctypes.POINTER(Interval))
+Bent = ctypes.CFUNCTYPE(None, Self, Interval, Doubles, ctypes.POINTER(Interval))
 
 
 class Mechanism(ctypes.Structure):
@@ -35,7 +38,7 @@ class Mechanism(ctypes.Structure):
         ("name", ctypes.c_char_p),
         *((name, ctypes.c_int) for name in ("design_size", "damping_size", "parameters", "breakpoints")),
         ("reach", ctypes.c_double),
-        ("parameters_of", FromNumbers),
+        ("parameters_of", FromDesign),
         ("damping_of", FromNumbers),
         ("is_forcing", ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double)),
         ("ends", Fill),
@@ -54,8 +57,12 @@ class Mechanism(ctypes.Structure):
         ("mean_offset", ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, Doubles)),
         *((name, ctypes.c_void_p) for name in ("parameters_within", "ends_within", "kinks_within", "averaged_within")),
         *((name, ctypes.c_void_p) for name in ("parameters_in_pairs", "ends_in_pairs", "averaged_in_pairs")),
-        *((name, ctypes.c_void_p) for name in ("many_in_pairs", "on_first_end_in_pairs")),
+        *((name, ctypes.c_void_p) for name in ("many_in_pairs", "on_first_end_in_pairs", "program")),
     )
+
+    def ask(self, name: str, *arguments: Any) -> Any:
+        """Calls a function of the force, which takes the record first."""
+        return getattr(self, name)(ctypes.addressof(self), *arguments)
 
 
 def build(directory: Path, options: Sequence[str] = ()) -> Any:

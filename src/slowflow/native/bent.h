@@ -11,6 +11,8 @@
 #ifndef SF_BENT_H
 #define SF_BENT_H
 
+#include <string.h>
+
 #include "elementary.h"
 #include "mechanism.h"
 #include "quadrature_conventions.h"
@@ -25,16 +27,63 @@ typedef void (*sf_bent_contact)(sf_interval A, sf_interval share, const sf_inter
 /* SF_CONTACT_SUMS integrals of a contact follow h's and h_AAAA's: over dy/sqrt(1 - y), and their derivatives */
 enum { SF_MOST_CONTACTS = 2 * SF_MOST_BREAKS };
 
+typedef struct sf_bent sf_bent;
+
 /* terms: of each piece; closing: by how many breakpoints are exceeded; contacts, begins: the breakpoint at which each
- * begins */
-typedef struct {
+ * begins; programs: in place of all these functions, of their arguments in turn, those of terms, of contacts, closing
+ * ones */
+struct sf_bent {
     int breakpoints, parameters;
     const sf_bent_terms *terms;
     const sf_bent_closing *closing;
     int contacts;
     const sf_bent_contact *contact;
     const int *begins;
-} sf_bent;
+    void (*interpreted)(const sf_bent *of, int number, const sf_interval *arguments, sf_interval *out);
+    const void *programs;
+};
+
+enum { SF_MOST_BENT = 1 + SF_MOST_BREAKS + 2 + SF_CONTACT_SUMS * SF_MOST_CONTACTS + SF_MOST_PARAMETERS };
+
+/* A program's outputs at some arguments and the parameters. */
+static inline void sf_interpreted_at(const sf_bent *of, int number, int given, const sf_interval *arguments,
+                                     const sf_interval *p, sf_interval *out) {
+    sf_interval all[SF_MOST_BENT];
+    memcpy(all, arguments, (size_t)given * sizeof *all);
+    memcpy(all + given, p, (size_t)of->parameters * sizeof *all);
+    of->interpreted(of, number, all, out);
+}
+
+static inline void sf_terms_at(const sf_bent *of, int piece, sf_interval A, sf_interval beyond, sf_interval sine,
+                               const sf_interval *p, sf_interval *out) {
+    const sf_interval arguments[] = {A, beyond, sine};
+    if (of->interpreted != NULL)
+        sf_interpreted_at(of, piece, 3, arguments, p, out);
+    else
+        of->terms[piece](A, beyond, sine, p, out);
+}
+
+static inline void sf_contact_at(const sf_bent *of, int number, sf_interval A, sf_interval share,
+                                 const sf_interval *p, sf_interval *out) {
+    const sf_interval arguments[] = {A, share};
+    if (of->interpreted != NULL)
+        sf_interpreted_at(of, of->breakpoints + 1 + number, 2, arguments, p, out);
+    else
+        of->contact[number](A, share, p, out);
+}
+
+static inline void sf_closing_at(const sf_bent *of, int passed, sf_interval A, const sf_interval *roots,
+                                 const sf_interval *sums, const sf_interval *p, sf_interval *out) {
+    sf_interval arguments[SF_MOST_BENT] = {A};
+    const int summed = 2 + SF_CONTACT_SUMS * of->contacts;
+    if (of->interpreted == NULL) {
+        of->closing[passed](A, roots, sums, p, out);
+        return;
+    }
+    memcpy(arguments + 1, roots, (size_t)passed * sizeof *roots);
+    memcpy(arguments + 1 + passed, sums, (size_t)summed * sizeof *sums);
+    sf_interpreted_at(of, of->breakpoints + 1 + of->contacts + passed, 1 + passed + summed, arguments, p, out);
+}
 
 /* How often the first part of a piece of that length is halved. */
 static inline int sf_halved(double length) { return length > 1 ? (int)fmin(ceil(log2(length)), SF_HALVED) : 0; }
@@ -83,7 +132,7 @@ static inline void sf_add_bent(const sf_bent *of, int piece, double start, doubl
         const sf_interval sine = sf_wider(high_sine, fmin(low_next, 1));
         const sf_interval beyond = last ? sf_wider((A.lo - start) * share, (A.hi - start) * next)
                                         : sf_wider((end - start) * share, (end - start) * next);
-        of->terms[piece](A, beyond, sine, p, values);
+        sf_terms_at(of, piece, A, beyond, sine, p, values);
         for (k = 0; k < 2; k++)
             total[k] = sfi_add(total[k], sfi_mul(values[k], angle));
         low_sine = low_next, high_sine = high_next, low_angle = low_angle_next, high_angle = high_angle_next;
@@ -102,7 +151,7 @@ static inline void sf_of_contact(const sf_bent *of, int number, double start, sf
         const double share = sf_share(part, halved), next = sf_share(part + 1, halved);
         const double wide = 2 * (sqrt(1 - share) - sqrt(1 - next));
         const sf_interval weight = sfi_of(sfi_most(wide - SF_ANGLE, 0), wide + SF_ANGLE);
-        of->contact[number](A, sf_wider(share, fmin(next, 1)), p, values);
+        sf_contact_at(of, number, A, sf_wider(share, fmin(next, 1)), p, values);
         for (k = 0; k < SF_CONTACT_SUMS; k++)
             sums[k] = sfi_add(sums[k], sfi_mul(values[k], weight));
     }
@@ -130,7 +179,7 @@ static inline void sf_enclose(const sf_bent *of, const double *ends, sf_interval
     for (i = 0; i < of->contacts; i++)
         if (of->begins[i] < passed)
             sf_of_contact(of, i, ends[of->begins[i]], A, p, sums + 2 + SF_CONTACT_SUMS * i);
-    of->closing[passed](A, roots, sums, p, out);
+    sf_closing_at(of, passed, A, roots, sums, p, out);
 }
 
 #endif

@@ -68,7 +68,7 @@ static int sf_bounds_bent(const sf_model *model, double F_0, double A) {
         for (i = model->breaks - 1; i >= 0; i--)
             if (A < model->b[i] && model->b[i] < next)
                 next = model->b[i];
-        model->mechanism->bent(sfi_of(A, next), model->p, bent);
+        model->mechanism->bent(model->mechanism, sfi_of(A, next), model->p, bent);
         if (!sf_excludes(model, F_0, most, A, bent[0]))
             return 0;
     }
@@ -218,7 +218,7 @@ static int sf_law_bounds_bent(const sf_model *model, double F_0, double A) {
         for (i = model->breaks - 1; i >= 0; i--)
             if (A < model->b[i] && model->b[i] < next)
                 next = model->b[i];
-        model->mechanism->bent(sfi_of(A, next), model->p, bent);
+        model->mechanism->bent(model->mechanism, sfi_of(A, next), model->p, bent);
         if (!sf_law_excludes(model, F_0, most, A, bent[0]))
             return 0;
     }

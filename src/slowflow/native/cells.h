@@ -45,7 +45,7 @@ typedef struct {
 static inline void sf_sample_without_k_at(const sf_model *model, double A, sf_sample *at) {
     double tangent[2];
     at->A = A == 0 && model->breaks < model->mechanism->breakpoints ? SF_NEXT_TO_REST : A;
-    model->mechanism->averaged(1, &at->A, model->p, at->averages);
+    model->mechanism->averaged(model->mechanism, 1, &at->A, model->p, at->averages);
     if (at->A != A) { /* what tends to 0 has |f - A f_A| <= A |f_A| next to it */
         int i;
         for (i = 0; i < 3; i++) {
@@ -61,7 +61,7 @@ static inline void sf_sample_without_k_at(const sf_model *model, double A, sf_sa
 static inline void sf_sample_at(const sf_model *model, double A, sf_sample *at) {
     sf_sample_without_k_at(model, A, at);
     if (fabs(at->k) < SF_CANCELLED * fabs(at->h))
-        at->k = model->mechanism->intercept(A, model->p);
+        at->k = model->mechanism->intercept(model->mechanism, A, model->p);
 }
 
 /* The limit from above at breakpoint i, from the sample on it: the force's jump makes h_A infinite there, a jump of its
@@ -187,7 +187,7 @@ static inline void sf_make_slopes_bent(const sf_model *model, const sf_known *a,
     const double width = sfi_up(b->A - a->A);
     sf_interval bent[2], low, high;
     cell->A = sfi_of(a->A, b->A);
-    model->mechanism->bent(cell->A, model->p, bent);
+    model->mechanism->bent(model->mechanism, cell->A, model->p, bent);
     low = sf_doubtful(a->h_AAA.lo, a->A, bent[1].lo), high = sf_doubtful(b->h_AAA.lo, b->A, bent[1].hi);
     cell->h_AAA = sf_along(low, high, bent[1], width);
     cell->h_AA = sf_along(a->h_AA, b->h_AA, cell->h_AAA, width);

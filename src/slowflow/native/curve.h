@@ -439,7 +439,7 @@ static void sf_frequencies_along(const sf_model *model, double F_0, const sf_seg
         double averages[2 * SF_QUARTICS];
         jobs.n = 0;
         if (!sf_inertial(model)) {
-            model->mechanism->averaged_2(here, A + first, model->p, averages);
+            model->mechanism->averaged_2(model->mechanism, here, A + first, model->p, averages);
             for (i = 0; i < here; i++) {
                 block.A[i] = A[first + i], block.h[i] = averages[i];
                 block.m[i] = model->m, block.zeta[i] = model->zeta, block.F_0[i] = F_0;

@@ -35,7 +35,7 @@ static inline void sf_complete_exact(const sf_mechanism *mechanism, double mu, d
     out->mechanism = mechanism;
     out->m = slow_flow_pairs_friction(sfp_point(mu)), out->zeta = sfp_point(zeta);
     if (mechanism->breakpoints > 0)
-        mechanism->ends_in_pairs(out->p, b);
+        mechanism->ends_in_pairs(mechanism, out->p, b);
     out->empty = 0;
     while (out->empty < mechanism->breakpoints && b[out->empty].high == 0)
         out->empty++;
@@ -49,7 +49,7 @@ static inline int sf_make_exact(const sf_mechanism *mechanism, const double *des
                                 sf_exactly *out) {
     if (!sf_has_pairs(mechanism))
         return 0;
-    mechanism->parameters_in_pairs(design, out->p);
+    mechanism->parameters_in_pairs(mechanism, design, out->p);
     sf_complete_exact(mechanism, mu, zeta, out);
     return 1;
 }
@@ -71,7 +71,8 @@ static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, 
             wanted = 4;
     }
     out->A = A;
-    exactly->mechanism->averaged_in_pairs(exactly->empty + piece, wanted, A, beyond, exactly->p, out->h);
+    exactly->mechanism->averaged_in_pairs(exactly->mechanism, exactly->empty + piece, wanted, A, beyond, exactly->p,
+                                          out->h);
     if (wanted <= 2) {
         sf_sample at;
         if (near == NULL)
@@ -86,8 +87,8 @@ static inline int sf_exact_at(const sf_exactly *exactly, const sf_model *model, 
 static inline void sf_exact_on(const sf_exactly *exactly, int i, sf_exact_sample *out) {
     const sf_pair b = exactly->b[i];
     out->A = b, out->h[2] = out->h[3] = sfp_point(0);
-    exactly->mechanism->averaged_in_pairs(exactly->empty + i, 2, b, i > 0 ? sfp_sub(b, exactly->b[i - 1]) : b,
-                                          exactly->p, out->h);
+    exactly->mechanism->averaged_in_pairs(exactly->mechanism, exactly->empty + i, 2, b,
+                                          i > 0 ? sfp_sub(b, exactly->b[i - 1]) : b, exactly->p, out->h);
 }
 
 #endif

@@ -36,14 +36,14 @@ static inline int sf_give(const sf_mechanism *mechanism, const double *design, d
         return 0;
     out->m = slow_flow_intervals_friction(sfi_point(mu)), out->zeta = sfi_point(zeta);
     out->breaks = out->exactly.breaks, out->empty = out->exactly.empty;
-    mechanism->parameters_within(design, out->p);
+    mechanism->parameters_within(mechanism, design, out->p);
     if (mechanism->breakpoints > 0)
-        mechanism->ends_within(out->p, b);
+        mechanism->ends_within(mechanism, out->p, b);
     for (i = 0; i < out->empty; i++)
         if (!(b[i].lo == 0 && b[i].hi == 0))
             return 0;
     if (mechanism->kinks_within != NULL)
-        mechanism->kinks_within(out->p, kink);
+        mechanism->kinks_within(mechanism, out->p, kink);
     for (i = 0; i < out->breaks; i++) {
         const int of = out->empty + i;
         out->b[i] = b[of], out->jump[i] = out->p[mechanism->parameters + of];
@@ -61,7 +61,7 @@ static inline sf_interval sf_or_unknown(sf_interval x) {
 
 static inline void sf_know_within(const sf_given *given, int piece, sf_interval A, sf_interval beyond, sf_known *out) {
     sf_interval values[5];
-    given->mechanism->averaged_within(given->empty + piece, A, beyond, given->p, values);
+    given->mechanism->averaged_within(given->mechanism, given->empty + piece, A, beyond, given->p, values);
     out->h = sf_or_unknown(values[0]), out->h_A = sf_or_unknown(values[1]);
     out->h_AA = sf_or_unknown(values[2]), out->h_AAA = sf_or_unknown(values[3]);
     out->k = sf_or_unknown(values[4]);

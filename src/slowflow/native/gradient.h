@@ -211,7 +211,7 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
     if (answer->kind == SF_CORNER_END_PINNED)
         answer->kind = sf_pinned_on_break(beside);
     averaged[0] = at->h, averaged[1] = at->h_A, averaged[2] = at->h_AA;
-    mechanism->by_parameter(at->A, averaged, model->p, of_parameter);
+    mechanism->by_parameter(mechanism, at->A, averaged, model->p, of_parameter);
     sf_causes_of(model, piece, of_parameter, of_design, of);
     sf_move(answer, model, of, columns, moved);
     if (sf_vanishes(moved[3][0], moved[4][0], SF_MEETING) || sf_vanishes(moved[5][0], moved[6][0], SF_MEETING))
@@ -255,7 +255,7 @@ static void sf_loop_gradients(char **args, const ptrdiff_t *dimensions, const pt
             if (!known || !sf_are_same(mechanism, &given, &before)) {
                 valid = sf_design_at(mechanism, args, steps, k, 1, &model);
                 if (valid)
-                    mechanism->by_design(given.design, of_design);
+                    mechanism->by_design(mechanism, given.design, of_design);
                 before = given, known = 1;
             }
             if (valid)

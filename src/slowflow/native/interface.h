@@ -8,10 +8,12 @@
 
 typedef void (*sf_many)(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data);
 
-/* The record of every mechanism that the package ships. */
+/* The record of every mechanism that the package ships, and what makes one of a program. */
 typedef struct {
     const sf_mechanism *const *all;
     int count;
+    sf_status (*of_program)(const sf_mechanism *like, const char *name, const int *words, ptrdiff_t count,
+                            const double *numbers, ptrdiff_t length, const sf_mechanism **record);
 } sf_records;
 
 /* All that was built for one target: the questions about one oscillator, those about many, and the records. */
@@ -55,6 +57,7 @@ typedef struct {
     sf_many many_curves;
     sf_many many_gradients, many_inertial_gradients;
     sf_many many_second_detachment, many_second_onsets, many_second_folds, many_second_peaks;
+    sf_many many_averages;
     const sf_records *records;
 } sf_solvers;
 

@@ -42,7 +42,7 @@ static int sf_design_at(const sf_mechanism *mechanism, char **args, const ptrdif
                         sf_model *model) {
     sf_numbers at;
     sf_read_numbers_at(mechanism, args, steps, k, &at);
-    if (!mechanism->parameters_of(at.design, model->p) || !mechanism->damping_of(at.damping, model->damping))
+    if (!mechanism->parameters_of(mechanism, at.design, model->p) || !mechanism->damping_of(at.damping, model->damping))
         return 0;
     return sf_prepare(mechanism, jumps ? at.design : NULL, model);
 }
@@ -73,7 +73,7 @@ static void sf_make_exact_block(const sf_mechanism *mechanism, char **args, cons
     for (i = 0; i < mechanism->design_size; i++)
         for (k = first; k < end; k++)
             block->number[i * SF_LANE_BLOCK + (k - first)] = sf_input(args, steps, i, k);
-    mechanism->many_in_pairs(end - first, SF_LANE_BLOCK, block->number, block->part);
+    mechanism->many_in_pairs(mechanism, end - first, SF_LANE_BLOCK, block->number, block->part);
 }
 
 /* Member d of the block, which is design k. */
@@ -181,7 +181,8 @@ static int sf_enter_detachment(const sf_mechanism *mechanism, char **args, const
     sf_numbers given;
     sf_model model;
     sf_read_numbers_at(mechanism, args, steps, k, &given);
-    return mechanism->parameters_of(given.design, model.p) && mechanism->damping_of(given.damping, model.damping) &&
+    return mechanism->parameters_of(mechanism, given.design, model.p) &&
+           mechanism->damping_of(given.damping, model.damping) &&
            sf_prepare(mechanism, NULL, &model) && sf_begin_detachment(block, k, &given, &model);
 }
 
@@ -488,7 +489,7 @@ static int sf_enter_states(const sf_mechanism *mechanism, char **args, const ptr
     if (!(mechanism->is_forcing(of->F_0) && of->Omega > 0 && of->Omega <= SF_HIGHEST_OMEGA))
         return 0;
     sf_read_numbers_at(mechanism, args, steps, k, &given);
-    return mechanism->parameters_of(given.design, of->model.p) &&
+    return mechanism->parameters_of(mechanism, given.design, of->model.p) &&
            mechanism->damping_of(given.damping, of->model.damping) && sf_begin_states(block, d, exact);
 }
 
@@ -543,8 +544,28 @@ static void sf_loop_states(char **args, const ptrdiff_t *dimensions, const ptrdi
     free(room);
 }
 
+/* h and its derivatives at A and the parameters, which are the inputs. */
+static void sf_loop_averages(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
+    const sf_mechanism *mechanism = data;
+    ptrdiff_t k;
+    int i;
+    for (k = 0; k < dimensions[0]; k++) {
+        const double A = sf_input(args, steps, 0, k);
+        double p[SF_MOST_PARAMETERS], h[4];
+        for (i = 0; i < mechanism->parameters; i++)
+            p[i] = sf_input(args, steps, 1 + i, k);
+        mechanism->averaged(mechanism, 1, &A, p, h);
+        for (i = 0; i < 4; i++)
+            sf_output(args, steps, 1 + mechanism->parameters + i, k, h[i]);
+    }
+}
+
 static void sf_many_detachment(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
     sf_quietly(sf_loop_detachment, args, dimensions, steps, data);
+}
+
+static void sf_many_averages(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {
+    sf_quietly(sf_loop_averages, args, dimensions, steps, data);
 }
 
 static void sf_many_onsets(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data) {

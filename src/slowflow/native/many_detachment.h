@@ -87,7 +87,7 @@ static SF_FLAT void sf_lane_level_steps(ptrdiff_t n, sf_detaching *block) {
 static void sf_settle_detachments(const sf_mechanism *mechanism, sf_detaching *block) {
     int d;
     sf_lane_least_forcings(block->n, block);
-    mechanism->on_first_end_in_pairs(block->n, SF_DETACHING, block->number, block->end);
+    mechanism->on_first_end_in_pairs(mechanism, block->n, SF_DETACHING, block->number, block->end);
     sf_lane_level_steps(block->n, block);
     for (d = 0; d < block->n; d++)
         sf_change_level(block->end[d], block->change[d], &block->F_0[d]);

@@ -101,7 +101,7 @@ static inline void sf_add_cell(sf_lane_block *block, int d, double base, const s
 /* For a question without k. */
 static inline void sf_average_at(const sf_model *model, double A, sf_sample *at) {
     at->A = A, at->k = 0;
-    model->mechanism->averaged(1, &at->A, model->p, at->averages);
+    model->mechanism->averaged(model->mechanism, 1, &at->A, model->p, at->averages);
 }
 
 /* These take a question that is known where they are called, so that what it is made of is called without a pointer. */

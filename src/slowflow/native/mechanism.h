@@ -3,6 +3,8 @@
  * The derivation writes the records of its mechanisms (records.h among the generated headers). A record compiled
  * elsewhere is as good: the solvers know none by name.
  *
+ * Functions of the force take the record, `self`, by which one text serves many forces.
+ *
  * Numbers are dimensionless. `p` holds the mechanism's parameters, `damping` what the slow flow needs of the damping.
  */
 #ifndef SF_MECHANISM_H
@@ -14,14 +16,19 @@
 #include "pair.h"
 
 enum {
-    SF_FORM = 10, /* of the record below; one of another form is refused */
+    SF_FORM = 11, /* of the record below; one of another form is refused */
     SF_MOST_DESIGN = 16,
     SF_MOST_DAMPING = 5,
     SF_MOST_PARAMETERS = 16,
     SF_MOST_BREAKS = 4
 };
 
-typedef struct sf_mechanism {
+typedef struct sf_mechanism sf_mechanism;
+
+/* What the record of a force that is interpreted is made from, see program.h. */
+typedef struct sf_program sf_program;
+
+struct sf_mechanism {
     int form;
     const char *name;
     /* how many: numbers that a user gives for the spring and for the damping, parameters, breakpoints */
@@ -29,38 +36,38 @@ typedef struct sf_mechanism {
     double reach; /* largest amplitude that it can take, or infinite */
 
     /* From what a user gives to what the solvers take; 0 where a number lies outside its domain. */
-    int (*parameters_of)(const double *design, double *p);
+    int (*parameters_of)(const sf_mechanism *self, const double *design, double *p);
     int (*damping_of)(const double *given, double *damping);
     int (*is_forcing)(double F_0);
 
     /* The |u| at which a piece of the force ends, by rising size, and the force just below less the force just
      * above. */
-    void (*ends)(const double *p, double *b);
-    void (*jumps)(const double *p, double *jump);
+    void (*ends)(const sf_mechanism *self, const double *p, double *b);
+    void (*jumps)(const sf_mechanism *self, const double *p, double *jump);
     /* What the slope and the curvature of the force lose at each breakpoint in turn; NULL where the force or its slope
      * jumps at all of them. */
-    void (*kinks)(const double *p, double *kink);
+    void (*kinks)(const sf_mechanism *self, const double *p, double *kink);
 
     /* Spring: h and its derivatives along A at n amplitudes; derivative k at amplitude i goes to out[k*n + i].
      * averaged gives h, h_A, h_AA, h_AAA, averaged_2 the first two. */
-    void (*averaged)(ptrdiff_t n, const double *A, const double *p, double *out);
-    void (*averaged_2)(ptrdiff_t n, const double *A, const double *p, double *out);
+    void (*averaged)(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out);
+    void (*averaged_2)(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out);
     /* h - A h_A without what cancels in it. */
-    double (*intercept)(double A, const double *p);
+    double (*intercept)(const sf_mechanism *self, double A, const double *p);
     /* What holds h and h_AAAA on amplitudes of one piece of the force; NULL where h_AAA is monotone on each. An average
      * may be NaN then, where its sums do not settle. */
-    void (*bent)(sf_interval A, const double *p, sf_interval *out);
+    void (*bent)(const sf_mechanism *self, sf_interval A, const double *p, sf_interval *out);
 
     /* The spring's higher harmonics, as averaged gives h: h_3 with three derivatives, then h_5, for breakpoints up to
      * harmonics_up_to; NULL where they are not known. */
-    void (*harmonics)(ptrdiff_t n, const double *A, const double *p, double *out);
+    void (*harmonics)(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out);
     double harmonics_up_to;
 
     /* How they change with the parameters: d/dp of h, h_A and h_AA at A, which are given, for each parameter p in turn;
      * and these with the design: d/d of each of its numbers, of each parameter in turn, then of each breakpoint. NULL
      * where that is not known: there are no gradients. */
-    void (*by_parameter)(double A, const double *averaged, const double *p, double *out);
-    void (*by_design)(const double *design, double *out);
+    void (*by_parameter)(const sf_mechanism *self, double A, const double *averaged, const double *p, double *out);
+    void (*by_design)(const sf_mechanism *self, const double *design, double *out);
 
     /* Damping: I, the sine balance (23). At Omega = A = 0 it is the forcing that leaves the mass at rest. */
     double (*dissipation)(double Omega, double A, const double *damping);
@@ -79,26 +86,41 @@ typedef struct sf_mechanism {
      * the piece that begins at breakpoint number `passed`, which A exceeds by `beyond`; by its formula, which may be
      * asked above its end too. kinks_within gives what the slope of the force loses at each breakpoint; NULL where the
      * force jumps at all of them. */
-    void (*parameters_within)(const double *design, sf_interval *p);
-    void (*ends_within)(const sf_interval *p, sf_interval *b);
-    void (*kinks_within)(const sf_interval *p, sf_interval *kink);
-    void (*averaged_within)(int passed, sf_interval A, sf_interval beyond, const sf_interval *p, sf_interval *out);
+    void (*parameters_within)(const sf_mechanism *self, const double *design, sf_interval *p);
+    void (*ends_within)(const sf_mechanism *self, const sf_interval *p, sf_interval *b);
+    void (*kinks_within)(const sf_mechanism *self, const sf_interval *p, sf_interval *kink);
+    void (*averaged_within)(const sf_mechanism *self, int passed, sf_interval A, sf_interval beyond,
+                            const sf_interval *p, sf_interval *out);
 
     /* The same in double-double, for the last digits of an answer; NULL where no such form is known. averaged_in_pairs
      * gives h, h_A and, if more than two are wanted, h_AA and h_AAA. */
-    void (*parameters_in_pairs)(const double *design, sf_pair *p);
-    void (*ends_in_pairs)(const sf_pair *p, sf_pair *b);
-    void (*averaged_in_pairs)(int passed, int wanted, sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out);
+    void (*parameters_in_pairs)(const sf_mechanism *self, const double *design, sf_pair *p);
+    void (*ends_in_pairs)(const sf_mechanism *self, const sf_pair *p, sf_pair *b);
+    void (*averaged_in_pairs)(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond,
+                              const sf_pair *p, sf_pair *out);
 
     /* Of n designs at once what parameters_in_pairs gives, of each number the high and then the low part: number i of
      * design k stands at design[i*apart + k], part i at out[i*apart + k]. */
-    void (*many_in_pairs)(ptrdiff_t n, ptrdiff_t apart, const double *design, double *out);
+    void (*many_in_pairs)(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart, const double *design, double *out);
 
     /* Of n designs at once the first breakpoint and h on it as its lower side has it, of each the high and the low
      * part:
      * number i of design k stands at design[i*apart + k], part i at out[i*apart + k]. The parts of h are NaN where that
      * takes a form of its own; NULL where such a loop is not known. */
-    void (*on_first_end_in_pairs)(ptrdiff_t n, ptrdiff_t apart, const double *design, double *out);
-} sf_mechanism;
+    void (*on_first_end_in_pairs)(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart, const double *design,
+                                  double *out);
+
+    const sf_program *program; /* what the functions interpret; NULL where they are compiled ones of this very force */
+};
+
+/* A parameter that is a difference of nearly equal numbers, as a stiffness next to 0, has few digits in doubles: such
+ * ones are what pairs give. One that is 0 to rounding, or whose sign rounding decides, stays as everyone has it:
+ * quasi-zero stiffness is meant by 1/(lam r) = delta_h, which doubles seldom are. */
+static inline void sf_keep_digits(int n, const sf_pair *pairs, double *p)
+{
+    for (int i = 0; i < n; i++)
+        if (p[i] * pairs[i].high > 0 && fabs(p[i] - pairs[i].high) > 0x1p-49 * fabs(p[i]))
+            p[i] = pairs[i].high;
+}
 
 #endif

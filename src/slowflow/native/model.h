@@ -59,10 +59,10 @@ static inline unsigned sf_jumps_of(const sf_mechanism *mechanism, const double *
     sf_interval given[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
     unsigned in_doubt = 0;
     int i;
-    mechanism->jumps(p, jump);
+    mechanism->jumps(mechanism, p, jump);
     if (design == NULL || mechanism->parameters_within == NULL)
         return 0;
-    mechanism->parameters_within(design, given);
+    mechanism->parameters_within(mechanism, design, given);
     for (i = 0; i < mechanism->breakpoints; i++) {
         const sf_interval lost = given[mechanism->parameters + i];
         if (sfi_has_sign(lost))
@@ -93,10 +93,10 @@ static inline int sf_prepare(const sf_mechanism *mechanism, const double *design
     model->breaks = model->in_doubt = 0, model->reach = mechanism->reach;
     if (mechanism->breakpoints == 0)
         return model->released == 0;
-    mechanism->ends(model->p, b);
+    mechanism->ends(mechanism, model->p, b);
     in_doubt = sf_jumps_of(mechanism, design, model->p, jump);
     if (mechanism->kinks != NULL)
-        mechanism->kinks(model->p, kink);
+        mechanism->kinks(mechanism, model->p, kink);
     for (i = 0; i < mechanism->breakpoints; i++) {
         if (!(b[i] >= 0 && (model->breaks == 0 || b[i] > model->b[model->breaks - 1])))
             return 0;
@@ -114,7 +114,7 @@ static inline int sf_prepare(const sf_mechanism *mechanism, const double *design
     if (model->breaks == 0 && model->reach < HUGE_VAL) {
         double at[4];
         const double A = 0.5 * model->reach;
-        mechanism->averaged(1, &A, model->p, at);
+        mechanism->averaged(mechanism, 1, &A, model->p, at);
         if (at[2] == 0 && fabs(at[0] - A * at[1]) <= SF_LINEAR * fabs(at[0]))
             model->reach = HUGE_VAL;
     }

@@ -7,6 +7,7 @@
 #define SF_QUARTER_H
 
 #include <math.h>
+#include <stddef.h>
 
 #include "quadrature_conventions.h"
 #include "twofold.h"
@@ -17,11 +18,17 @@ enum { SF_MOST_SUMS = 96 };
 /* At u less where the piece begins, and at the sine and the cosine of the angle, u = A sine. */
 typedef void (*sf_integrand)(double beyond, double sine, double cosine, const double *p, double *out);
 
+typedef struct sf_quarter sf_quarter;
+
+/* All integrands of a piece at the nodes of a panel: of node j they go to out[j*width + k]. */
+typedef void (*sf_interpreted)(const sf_quarter *of, int piece, int nodes, const double *beyond, const double *sine,
+                               const double *cosine, const double *p, double *out);
+
 /* width, parameters: how many integrands and parameters; integrands: of each piece, then of each contact, which goes on
- * from where it begins up to A; graded: of each of these the power of what is divided into panels that its angle, from
+ * from where it begins up to A, or what interprets `programs`, as many; graded: of each of these the power of what is divided into panels that its angle, from
  * where it begins, is; rule: positive nodes on [-1, 1], which stand for their negatives too, and weights, so many of
  * them; begins: the breakpoint at which each contact begins */
-typedef struct {
+struct sf_quarter {
     int pieces, width, parameters;
     const sf_integrand *integrands;
     const int *graded;
@@ -29,7 +36,9 @@ typedef struct {
     const double (*rule)[2];
     int contacts;
     const int *begins;
-} sf_quarter;
+    sf_interpreted interpreted;
+    const void *programs;
+};
 
 /* A piece's part of the quarter: its span, and the sine and the cosine of where it begins. */
 typedef struct {
@@ -41,30 +50,39 @@ typedef struct {
 static inline void sf_panels(const sf_quarter *of, int wanted, const sf_part *on, double A, const double *p, int panels,
                              double *sums, double *sizes) {
     const int graded = of->graded[on->piece];
-    double values[SF_MOST_SUMS], beneath[SF_MOST_SUMS];
+    double beyond[SF_NODES], sine[SF_NODES], cosine[SF_NODES], w[SF_NODES];
+    double values[SF_NODES * SF_MOST_SUMS], beneath[SF_MOST_SUMS];
     int i, j, k;
     for (k = 0; k < wanted; k++)
         sums[k] = sizes[k] = beneath[k] = 0;
-    for (i = 0; i < panels; i++)
+    for (i = 0; i < panels; i++) {
         for (j = 0; j < 2 * of->nodes; j++) {
             const double *node = of->rule[j / 2];
             const double at = (i + 0.5 * (1 + (j % 2 ? node[0] : -node[0]))) / panels;
-            double x = at, w = 0.5 * node[1] / panels * graded;
+            double x = at;
+            w[j] = 0.5 * node[1] / panels * graded;
             for (k = 1; k < graded; k++)
-                x *= at, w *= at;
+                x *= at, w[j] *= at;
             /* the angle is twice this one beyond where the piece begins, and u less that a difference of sines */
             const double half = 0.5 * on->span * x, s = sin(half), c = cos(half);
             const double twice_s = 2 * s * c, twice_c = 1 - 2 * s * s;
-            of->integrands[on->piece](2 * A * (on->cosine * c - on->sine * s) * s,
-                                      on->sine * twice_c + on->cosine * twice_s,
-                                      on->cosine * twice_c - on->sine * twice_s, p, values);
+            beyond[j] = 2 * A * (on->cosine * c - on->sine * s) * s;
+            sine[j] = on->sine * twice_c + on->cosine * twice_s;
+            cosine[j] = on->cosine * twice_c - on->sine * twice_s;
+        }
+        if (of->interpreted != NULL)
+            of->interpreted(of, on->piece, 2 * of->nodes, beyond, sine, cosine, p, values);
+        else
+            for (j = 0; j < 2 * of->nodes; j++)
+                of->integrands[on->piece](beyond[j], sine[j], cosine[j], p, values + j * of->width);
+        for (j = 0; j < 2 * of->nodes; j++)
             for (k = 0; k < wanted; k++) {
-                const double value = values[k] * w;
+                const double value = values[j * of->width + k] * w[j];
                 double low_part;
                 sums[k] = twofold_two_sum(sums[k], value, &low_part);
                 beneath[k] += low_part, sizes[k] += fabs(value);
             }
-        }
+    }
     for (k = 0; k < wanted; k++) {
         if (isfinite(sums[k]))
             sums[k] += beneath[k];

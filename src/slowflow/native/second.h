@@ -228,7 +228,7 @@ static void sf_measure_first(const sf_second *second, const sf_first *first) {
     long i, k;
     for (i = 0; i < first->n; i += SF_LANES) {
         const long n = first->n - i < SF_LANES ? first->n - i : SF_LANES;
-        model->mechanism->averaged_2(n, first->A + i, model->p, h);
+        model->mechanism->averaged_2(model->mechanism, n, first->A + i, model->p, h);
         for (k = 0; k < n; k++) {
             first->h[i + k] = h[k];
             first->R[i + k] = slow_flow_R(first->Omega[i + k], first->A[i + k], h[k]);

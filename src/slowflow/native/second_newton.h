@@ -23,8 +23,8 @@ typedef struct {
 /* ==== The balance ================================================================================================= */
 
 static void sf_second_known(const sf_model *model, ptrdiff_t n, const double *A, double *known) {
-    model->mechanism->averaged(n, A, model->p, known);
-    model->mechanism->harmonics(n, A, model->p, known + 4 * n);
+    model->mechanism->averaged(model->mechanism, n, A, model->p, known);
+    model->mechanism->harmonics(model->mechanism, n, A, model->p, known + 4 * n);
 }
 
 static void sf_second_of(const sf_second *second, double Omega, double A, const double *known, sf_balance *out) {
@@ -51,7 +51,7 @@ static inline int sf_is_small(double Omega, double A, double h, double A_1, doub
 static int sf_second_is_small(const sf_second *second, double Omega, double A) {
     double h[4];
     sf_balance at;
-    second->model->mechanism->averaged(1, &A, second->model->p, h);
+    second->model->mechanism->averaged(second->model->mechanism, 1, &A, second->model->p, h);
     sf_second_at(second, Omega, A, &at);
     return sf_is_small(Omega, A, h[0], at.A_1, at.u_max);
 }

@@ -53,5 +53,6 @@ const sf_solvers SF_SOLVERS = {
     sf_many_second_onsets,
     sf_many_second_folds,
     sf_many_second_peaks,
+    sf_many_averages,
     &SF_RECORDS,
 };

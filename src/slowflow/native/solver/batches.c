@@ -58,6 +58,10 @@ static const question inertial_gradients = {
     "many_inertial_gradients", "(r,n),()",
     "design, damping, amplitude of the excitation, Omega, A, what it is -> moves, status", 4, 2, {D, B}};
 
+/* of the parameters, not of the design */
+static const question averages = {
+    "many_averages", "(),(),(),()", "A, parameters -> h, h_A, h_AA, h_AAA", 0, 4, {D, D, D, D}};
+
 enum { MOST_OPERANDS = SF_MOST_DESIGN + SF_MOST_DAMPING + 4 + 12 };
 
 /* What NumPy keeps pointers to, for as long as the process lives. */
@@ -76,7 +80,8 @@ typedef struct {
 static PyObject *new_batch(const sf_mechanism *record, const void *how)
 {
     const question *asked = ((const answered *)how)->asked;
-    const int inputs = record->design_size + record->damping_size + asked->at;
+    const int inputs = asked == &averages ? 1 + record->parameters
+                                          : record->design_size + record->damping_size + asked->at;
     char signature[3 * MOST_OPERANDS + 32] = "()";
     kept *own = malloc(sizeof *own);
     if (own == NULL)
@@ -174,6 +179,11 @@ static PyObject *many_inertial_gradients(PyObject *cache, PyObject *record)
     return batch(cache, record, &inertial_gradients, sf_here()->many_inertial_gradients);
 }
 
+static PyObject *many_averages(PyObject *cache, PyObject *record)
+{
+    return batch(cache, record, &averages, sf_here()->many_averages);
+}
+
 static PyMethodDef functions[] = {
     {"many_detachment", many_detachment, METH_O,
      "record -> ufunc of (design, damping) -> F_cr, Omega_cr, u_cr, status"},
@@ -199,6 +209,7 @@ static PyMethodDef functions[] = {
     {"many_gradients", many_gradients, METH_O,
      "record -> ufunc of (design, damping, F_0, Omega, A, what it is) -> moves (rows, columns), status"},
     {"many_inertial_gradients", many_inertial_gradients, METH_O, "as many_gradients, where inertia excites"},
+    {"many_averages", many_averages, METH_O, "record -> ufunc of (A, parameters) -> h, h_A, h_AA, h_AAA"},
 };
 
 int sf_add_batches(PyObject *module)

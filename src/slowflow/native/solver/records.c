@@ -1,6 +1,8 @@
 /* Records and models as capsules: in go a mechanism's name or a capsule and numbers, out comes a capsule.
  *
  *   RECORDS                                     name -> record, of the mechanisms that were compiled in
+ *   program(name, words, numbers)               a record that interprets them; ValueError where they are no program,
+ *                                               None where the force is beyond what a record has room for
  *   parameters_of(record, design)               the parameters of a design; ValueError where it is outside its domain
  *   inertial(record)                            the same mechanism excited by inertia, F_0 Omega^2; zeta > 0
  *   with_laws(record)                           the same mechanism with damping by any law: mu, zeta, eta, c_2, and
@@ -98,6 +100,29 @@ static PyObject *with_laws(PyObject *cache, PyObject *capsule)
     return sf_kept(cache, capsule, new_variant, &damped);
 }
 
+/* Words are C ints and numbers doubles, as bytes. */
+static PyObject *program(PyObject *self, PyObject *args)
+{
+    const sf_mechanism *record;
+    const char *name, *words, *numbers;
+    Py_ssize_t count, length;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "sy#y#", &name, &words, &count, &numbers, &length))
+        return NULL;
+    switch (sf_here()->records->of_program(sf_here()->records->all[0], name, (const int *)(const void *)words,
+                                    count / (Py_ssize_t)sizeof(int), (const double *)(const void *)numbers,
+                                    length / (Py_ssize_t)sizeof(double), &record)) {
+    case SF_OK:
+        return PyCapsule_New((void *)record, SF_RECORD, NULL);
+    case SF_TOO_MANY:
+        Py_RETURN_NONE;
+    case SF_NO_MEMORY:
+        return PyErr_NoMemory();
+    default:
+        return PyErr_Format(PyExc_ValueError, "%s: its words and numbers are no program", name);
+    }
+}
+
 /* What the capsule of a model points to. */
 typedef struct {
     sf_model model;
@@ -155,7 +180,7 @@ static PyObject *parameters_of(PyObject *self, PyObject *args)
     if (record == NULL ||
         sf_read_numbers(of_design, record->design_size, record->name, "numbers of the design", design) != 0)
         return NULL;
-    if (record->parameters_of(design, p))
+    if (record->parameters_of(record, design, p))
         return tuple_of(p, record->parameters);
     PyErr_Format(PyExc_ValueError, "%s: the design is outside its domain", record->name);
     return NULL;
@@ -208,6 +233,7 @@ static PyObject *prepared(PyObject *self, PyObject *capsule)
 
 static PyMethodDef functions[] = {
     {"prepared", prepared, METH_O, "(oscillator) -> 4 mu/pi, breakpoints, jumps at these; none at 0"},
+    {"program", program, METH_VARARGS, "(name, words, numbers) -> a record that interprets them, or None"},
     {"parameters_of", parameters_of, METH_VARARGS, "(record, design) -> parameters"},
     {"model", new_model, METH_VARARGS, "(record, parameters, damping, design) -> an oscillator"},
     {NULL, NULL, 0, NULL},

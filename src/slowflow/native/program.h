@@ -1,0 +1,870 @@
+/* The record of a force from data, without a compiler: in go words and numbers that the derivation writes
+ * (derivations/emit/targets/program), out comes a record whose functions interpret them.
+ *
+ * A program is a straight line of operations on registers: the arguments, the constants, then what is computed. The
+ * operations are those of the C that `make derive` prints for a shipped mechanism, in its order and in its arithmetic:
+ * so are their bits. Doubles are computed for SF_LANES amplitudes or nodes side by side.
+ *
+ * Nothing of the data is trusted. `sf_read_program` refuses an operation that the arithmetic has not, a register
+ * that is not there, that holds nothing yet or that is not to be written, a constant that is not finite, other sizes
+ * than the record's functions take and give, and words or numbers too many or too few.
+ */
+#ifndef SF_PROGRAM_H
+#define SF_PROGRAM_H
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bent.h"
+#include "clones.h"
+#include "conventions.h"
+#include "mechanism.h"
+#include "pair_angles.h"
+#include "program_conventions.h"
+#include "quarter.h"
+
+typedef struct {
+    unsigned short operation, result, first, second;
+} sf_instruction;
+
+/* One straight line; output: the registers of what it gives. */
+typedef struct {
+    int arguments, constants, registers, length, outputs;
+    const sf_instruction *code;
+    const unsigned short *output;
+    const double (*constant)[2];
+} sf_straight;
+
+/* Branch i holds where so many breakpoints are passed, if that is not -1, and where `guards` pairs of sides, in turn,
+ * compare; the last one where no other does. */
+typedef struct {
+    int branches;
+    const int *passed, *guards;
+    const sf_straight *branch;
+    sf_straight sides;
+} sf_function;
+
+/* A number of the design is above 0, at least 1, below 2, at most 3 a bound. */
+typedef struct {
+    int place, relation;
+    double bound;
+} sf_condition;
+
+/* Averages: h to h_AAA, or by a quadrature their closing; slots of `sums` are those of `averages`. */
+enum { SF_AVERAGED, SF_HIGHER, SF_INTERCEPT, SF_BY_PARAMETER, SF_AVERAGES };
+
+struct sf_program {
+    int conditions, summed;
+    const sf_condition *condition;
+    sf_function coefficients, ends, jumps, kinks, by_design;
+    sf_function averages[SF_AVERAGES], averaged_2;
+    sf_quarter sums[SF_AVERAGES];
+    sf_bent bent;
+    sf_function given_in_pairs, ends_in_pairs, in_pairs, given_within, ends_within, within;
+};
+
+/* ---- doubles */
+
+#define SF_DOUBLES(x, value)                                                                                           \
+    case SF_##x##_OPERATION:                                                                                           \
+        SF_INDEPENDENT                                                                                                 \
+        for (k = 0; k < lanes; k++) {                                                                                  \
+            const double a = first[k], b = second[k];                                                                  \
+            (void)b;                                                                                                   \
+            result[k] = (value);                                                                                       \
+        }                                                                                                              \
+        break;
+
+/* Register r is x[r*lanes] to x[r*lanes + lanes - 1]. */
+static inline void sf_run_lanes(const sf_straight *of, double *x, const int lanes)
+{
+    const sf_instruction *at = of->code, *const end = at + of->length;
+    int k;
+    for (; at < end; at++) {
+        double *const result = x + at->result * lanes;
+        const double *const first = x + at->first * lanes, *const second = x + at->second * lanes;
+        switch ((sf_operation)at->operation) {
+            SF_DOUBLES(ADD, a + b)
+            SF_DOUBLES(SUB, a - b)
+            SF_DOUBLES(MUL, a * b)
+            SF_DOUBLES(DIV, a / b)
+            SF_DOUBLES(NEG, -a)
+            SF_DOUBLES(SQRT, sqrt(a))
+            SF_DOUBLES(ATAN2, angles_atan2(a, b))
+            SF_DOUBLES(ATAN2_SWAPPED, angles_atan2_swapped(a, b))
+            SF_DOUBLES(POWER, pow(a, b))
+            SF_DOUBLES(ABS, fabs(a))
+            SF_DOUBLES(COPYSIGN, copysign(a, b))
+            SF_DOUBLES(EXP, exp(a))
+            SF_DOUBLES(LOG, log(a))
+            SF_DOUBLES(LOG1P, log1p(a))
+            SF_DOUBLES(CBRT, cbrt(a))
+            SF_DOUBLES(SIN, sin(a))
+            SF_DOUBLES(COS, cos(a))
+            SF_DOUBLES(TAN, tan(a))
+            SF_DOUBLES(SINH, sinh(a))
+            SF_DOUBLES(COSH, cosh(a))
+            SF_DOUBLES(TANH, tanh(a))
+            SF_DOUBLES(ASIN, asin(a))
+            SF_DOUBLES(ACOS, acos(a))
+            SF_DOUBLES(ATAN, atan(a))
+            SF_DOUBLES(ASINH, asinh(a))
+            SF_DOUBLES(ACOSH, acosh(a))
+            SF_DOUBLES(ATANH, atanh(a))
+            SF_DOUBLES(HYPOT, hypot(a, b))
+        default: /* the arithmetic has no other */
+            break;
+        }
+    }
+}
+#undef SF_DOUBLES
+
+static SF_FLAT void sf_run(const sf_straight *of, double *x) { sf_run_lanes(of, x, 1); }
+static SF_FLAT void sf_run_abreast(const sf_straight *of, double *x) { sf_run_lanes(of, x, SF_LANES); }
+
+static inline void sf_fill(const sf_straight *of, double *x) {
+    int i;
+    for (i = 0; i < of->constants; i++)
+        x[of->arguments + i] = of->constant[i][0];
+}
+
+/* The number of the branch that holds at some arguments. */
+static inline int sf_branch_at(const sf_function *of, const double *arguments) {
+    double x[SF_MOST_REGISTERS];
+    int i, j, side = 0;
+    if (of->branches == 1)
+        return 0;
+    memcpy(x, arguments, (size_t)of->sides.arguments * sizeof *x);
+    sf_fill(&of->sides, x), sf_run(&of->sides, x);
+    for (i = 0; i < of->branches - 1; i++) {
+        int holds = 1;
+        for (j = 0; j < of->guards[i]; j++, side += 2)
+            holds &= x[of->sides.output[side]] <= x[of->sides.output[side + 1]];
+        if (holds)
+            return i;
+    }
+    return i;
+}
+
+/* A function's outputs at its arguments. */
+static inline void sf_at(const sf_function *of, const double *arguments, double *out) {
+    const sf_straight *here = &of->branch[sf_branch_at(of, arguments)];
+    double x[SF_MOST_REGISTERS];
+    int i;
+    memcpy(x, arguments, (size_t)here->arguments * sizeof *x);
+    sf_fill(here, x), sf_run(here, x);
+    for (i = 0; i < here->outputs; i++)
+        out[i] = x[here->output[i]];
+}
+
+/* The registers of several lanes, and the line of which they hold the constants and the parameters. */
+typedef struct {
+    const sf_straight *holds;
+    double x[SF_MOST_REGISTERS * SF_LANES];
+} sf_lanes;
+
+/* One line at n <= SF_LANES places: of the arguments the first vary, argument i at place k being at[i][k]; the others
+ * are p. Output i of place k goes to out[i*apart + k*step]. */
+static inline void sf_abreast(sf_lanes *lanes, const sf_straight *of, int varying, int n, const double *const *at,
+                              const double *p, double *out, ptrdiff_t apart, ptrdiff_t step)
+{
+    int i, k;
+    for (i = 0; i < varying; i++)
+        for (k = 0; k < SF_LANES; k++)
+            lanes->x[i * SF_LANES + k] = at[i][k < n ? k : 0];
+    if (lanes->holds != of) {
+        for (i = varying; i < of->arguments; i++)
+            for (k = 0; k < SF_LANES; k++)
+                lanes->x[i * SF_LANES + k] = p[i - varying];
+        for (i = 0; i < of->constants; i++)
+            for (k = 0; k < SF_LANES; k++)
+                lanes->x[(of->arguments + i) * SF_LANES + k] = of->constant[i][0];
+        lanes->holds = of;
+    }
+    sf_run_abreast(of, lanes->x);
+    for (i = 0; i < of->outputs; i++)
+        for (k = 0; k < n; k++)
+            out[i * apart + k * step] = lanes->x[of->output[i] * SF_LANES + k];
+}
+
+/* A function of A and the parameters at n amplitudes; output k at amplitude i goes to out[k*n + i]. */
+static inline void sf_at_amplitudes(const sf_function *of, int parameters, ptrdiff_t n, const double *A, const double *p,
+                            double *out)
+{
+    double arguments[1 + SF_MOST_PARAMETERS];
+    sf_lanes lanes;
+    ptrdiff_t first, end;
+    memcpy(arguments + 1, p, (size_t)parameters * sizeof *p);
+    if (n == 1) {
+        arguments[0] = A[0];
+        sf_at(of, arguments, out);
+        return;
+    }
+    lanes.holds = NULL;
+    for (first = 0; first < n; first = end) {
+        const double *const at[] = {A + first};
+        int branch;
+        arguments[0] = A[first], branch = sf_branch_at(of, arguments);
+        for (end = first + 1; end < n && end < first + SF_LANES; end++) {
+            arguments[0] = A[end];
+            if (sf_branch_at(of, arguments) != branch)
+                break;
+        }
+        sf_abreast(&lanes, &of->branch[branch], 1, (int)(end - first), at, p, out + first, n, 1);
+    }
+}
+
+/* ---- pairs and intervals: one number at a time */
+
+#define SF_ONE(x, value)                                                                                               \
+    case SF_##x##_OPERATION:                                                                                           \
+        *result = (value);                                                                                             \
+        break;
+
+static SF_FLAT void sf_run_in_pairs(const sf_straight *of, sf_pair *x)
+{
+    const sf_instruction *at = of->code, *const end = at + of->length;
+    for (; at < end; at++) {
+        sf_pair *const result = x + at->result;
+        const sf_pair a = x[at->first], b = x[at->second];
+        switch ((sf_operation)at->operation) {
+            SF_ONE(ADD, sfp_add(a, b))
+            SF_ONE(SUB, sfp_sub(a, b))
+            SF_ONE(MUL, sfp_mul(a, b))
+            SF_ONE(DIV, sfp_div(a, b))
+            SF_ONE(NEG, sfp_neg(a))
+            SF_ONE(SQRT, sfp_sqrt(a))
+            SF_ONE(ATAN2, pair_angles_atan2(a, b))
+            SF_ONE(ATAN2_SWAPPED, pair_angles_atan2_swapped(a, b))
+            SF_ONE(SQUARE, sfp_square(a))
+            SF_ONE(INVERSE, sfp_inverse(a))
+            SF_ONE(TIMES, sfp_times(a.high, b))
+        default:
+            break;
+        }
+    }
+}
+
+static SF_FLAT void sf_run_on_intervals(const sf_straight *of, sf_interval *x)
+{
+    const sf_instruction *at = of->code, *const end = at + of->length;
+    for (; at < end; at++) {
+        sf_interval *const result = x + at->result;
+        const sf_interval a = x[at->first], b = x[at->second];
+        switch ((sf_operation)at->operation) {
+            SF_ONE(ADD, sfi_add(a, b))
+            SF_ONE(SUB, sfi_sub(a, b))
+            SF_ONE(MUL, sfi_mul(a, b))
+            SF_ONE(DIV, sfi_div(a, b))
+            SF_ONE(NEG, sfi_neg(a))
+            SF_ONE(SQRT, sfi_sqrt(a))
+            SF_ONE(ATAN2, sfi_atan2(a, b))
+            SF_ONE(SQUARE, sfi_square(a))
+            SF_ONE(INVERSE, sfi_inverse(a))
+            SF_ONE(TIMES, sfi_times(a.lo, b))
+            SF_ONE(WITHIN, sfi_within(a, b.lo))
+            SF_ONE(ROOT, sfi_root(a))
+            SF_ONE(POWER, sfi_power(a, b))
+            SF_ONE(EXP, sfi_exp(a))
+            SF_ONE(LOG, sfi_log(a))
+            SF_ONE(LOG1P, sfi_log1p(a))
+            SF_ONE(CBRT, sfi_cbrt(a))
+            SF_ONE(SIN, sfi_sin(a))
+            SF_ONE(COS, sfi_cos(a))
+            SF_ONE(TAN, sfi_tan(a))
+            SF_ONE(SINH, sfi_sinh(a))
+            SF_ONE(COSH, sfi_cosh(a))
+            SF_ONE(TANH, sfi_tanh(a))
+            SF_ONE(ASIN, sfi_asin(a))
+            SF_ONE(ACOS, sfi_acos(a))
+            SF_ONE(ATAN, sfi_atan(a))
+            SF_ONE(ASINH, sfi_asinh(a))
+            SF_ONE(ACOSH, sfi_acosh(a))
+            SF_ONE(ATANH, sfi_atanh(a))
+        default:
+            break;
+        }
+    }
+}
+#undef SF_ONE
+
+/* The same of all arithmetics that C has no generic functions for: the branch, then its outputs. */
+#define SF_FUNCTION_OF(number, at_name, run, compare)                                                                  \
+    static inline void at_name(const sf_function *of, int passed, const number *arguments, number *out)               \
+    {                                                                                                                  \
+        number x[SF_MOST_REGISTERS];                                                                                   \
+        const sf_straight *here = &of->sides;                                                                          \
+        int i, j, side = 0, holds = 0;                                                                                 \
+        if (of->branches > 1) {                                                                                        \
+            memcpy(x, arguments, (size_t)here->arguments * sizeof *x);                                                 \
+            memcpy(x + here->arguments, here->constant, (size_t)here->constants * sizeof *x);                          \
+            run(here, x);                                                                                              \
+        }                                                                                                              \
+        for (i = 0; i < of->branches - 1 && !holds; i += !holds) {                                                     \
+            holds = of->passed[i] < 0 || of->passed[i] == passed;                                                      \
+            for (j = 0; j < of->guards[i]; j++, side += 2) {                                                           \
+                const number one = x[here->output[side]], other = x[here->output[side + 1]];                           \
+                holds &= (compare);                                                                                    \
+            }                                                                                                          \
+        }                                                                                                              \
+        here = &of->branch[i];                                                                                         \
+        memcpy(x, arguments, (size_t)here->arguments * sizeof *x);                                                     \
+        memcpy(x + here->arguments, here->constant, (size_t)here->constants * sizeof *x);                              \
+        run(here, x);                                                                                                  \
+        for (i = 0; i < here->outputs; i++)                                                                            \
+            out[i] = x[here->output[i]];                                                                               \
+    }
+
+SF_FUNCTION_OF(sf_pair, sf_at_in_pairs, sf_run_in_pairs, other.high > one.high)
+SF_FUNCTION_OF(sf_interval, sf_at_on_intervals, sf_run_on_intervals, one.lo <= other.hi)
+#undef SF_FUNCTION_OF
+
+/* ---- the record's functions */
+
+static int sf_program_parameters_of(const sf_mechanism *self, const double *design, double *p)
+{
+    const sf_program *of = self->program;
+    sf_pair given[SF_MOST_DESIGN], pairs[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
+    int i;
+    for (i = 0; i < of->conditions; i++) {
+        const sf_condition *on = &of->condition[i];
+        const double value = design[on->place], bound = on->bound;
+        if (!(on->relation == 0 ? value > bound : on->relation == 1 ? value >= bound : on->relation == 2
+                                      ? value < bound
+                                      : value <= bound))
+            return 0;
+    }
+    sf_at(&of->coefficients, design, p);
+    if (self->parameters_in_pairs != NULL) {
+        for (i = 0; i < self->design_size; i++)
+            given[i] = sfp_point(design[i]);
+        sf_at_in_pairs(&of->given_in_pairs, -1, given, pairs);
+        sf_keep_digits(self->parameters, pairs, p);
+    }
+    return 1;
+}
+
+#define SF_PROGRAM_OF(name, number, at, of)                                                                            \
+    static void name(const sf_mechanism *self, const number *p, number *out) { at(&self->program->of, p, out); }
+#define SF_PAIRS_AT(of, p, out) sf_at_in_pairs(of, -1, p, out)
+#define SF_INTERVALS_AT(of, p, out) sf_at_on_intervals(of, -1, p, out)
+SF_PROGRAM_OF(sf_program_ends, double, sf_at, ends)
+SF_PROGRAM_OF(sf_program_jumps, double, sf_at, jumps)
+SF_PROGRAM_OF(sf_program_kinks, double, sf_at, kinks)
+SF_PROGRAM_OF(sf_program_by_design, double, sf_at, by_design)
+SF_PROGRAM_OF(sf_program_ends_in_pairs, sf_pair, SF_PAIRS_AT, ends_in_pairs)
+SF_PROGRAM_OF(sf_program_ends_within, sf_interval, SF_INTERVALS_AT, ends_within)
+#undef SF_PROGRAM_OF
+#undef SF_PAIRS_AT
+#undef SF_INTERVALS_AT
+
+/* An average by quadrature at one amplitude: the first integrals, so many as are wanted, and what closes them. */
+static void sf_program_closed(const sf_mechanism *self, int which, int wanted, double A, const double *p, double *out)
+{
+    const sf_program *of = self->program;
+    double arguments[1 + SF_MOST_SUMS + SF_MOST_PARAMETERS] = {A}, ends[SF_MOST_BREAKS] = {0};
+    const int width = of->sums[which].width;
+    sf_at(&of->ends, p, ends);
+    sf_over_quarter(&of->sums[which], wanted, A, p, ends, arguments + 1);
+    memcpy(arguments + 1 + width, p, (size_t)self->parameters * sizeof *p);
+    sf_at(&of->averages[which], arguments, out);
+}
+
+static void sf_program_average(const sf_mechanism *self, int which, int wanted, int outputs, ptrdiff_t n,
+                               const double *A, const double *p, double *out)
+{
+    double at[3 * SF_MOST_PARAMETERS + 8];
+    ptrdiff_t i;
+    int k;
+    for (i = 0; i < n; i++) {
+        sf_program_closed(self, which, wanted, A[i], p, at);
+        for (k = 0; k < outputs; k++)
+            out[k * n + i] = at[k];
+    }
+}
+
+static void sf_program_averaged(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
+{
+    const sf_program *of = self->program;
+    if (of->summed)
+        sf_program_average(self, SF_AVERAGED, of->sums[SF_AVERAGED].width, 4, n, A, p, out);
+    else
+        sf_at_amplitudes(&of->averages[SF_AVERAGED], self->parameters, n, A, p, out);
+}
+
+/* Without contacts h and h_A need the first two integrals only. */
+static void sf_program_averaged_2(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
+{
+    const sf_program *of = self->program;
+    const sf_quarter *sums = &of->sums[SF_AVERAGED];
+    if (of->summed)
+        sf_program_average(self, SF_AVERAGED, sums->contacts > 0 ? sums->width : 2, 2, n, A, p, out);
+    else
+        sf_at_amplitudes(&of->averaged_2, self->parameters, n, A, p, out);
+}
+
+static void sf_program_harmonics(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
+{
+    const sf_program *of = self->program;
+    if (of->summed)
+        sf_program_average(self, SF_HIGHER, of->sums[SF_HIGHER].width, 8, n, A, p, out);
+    else
+        sf_at_amplitudes(&of->averages[SF_HIGHER], self->parameters, n, A, p, out);
+}
+
+static double sf_program_intercept(const sf_mechanism *self, double A, const double *p)
+{
+    const sf_program *of = self->program;
+    double out;
+    if (of->summed)
+        sf_program_closed(self, SF_INTERCEPT, of->sums[SF_INTERCEPT].width, A, p, &out);
+    else
+        sf_at_amplitudes(&of->averages[SF_INTERCEPT], self->parameters, 1, &A, p, &out);
+    return out;
+}
+
+static void sf_program_by_parameter(const sf_mechanism *self, double A, const double *h, const double *p, double *out)
+{
+    const sf_program *of = self->program;
+    double arguments[4 + SF_MOST_PARAMETERS] = {A, h[0], h[1], h[2]};
+    if (of->summed) {
+        sf_program_closed(self, SF_BY_PARAMETER, of->sums[SF_BY_PARAMETER].width, A, p, out);
+        return;
+    }
+    memcpy(arguments + 4, p, (size_t)self->parameters * sizeof *p);
+    sf_at(&of->averages[SF_BY_PARAMETER], arguments, out);
+}
+
+static void sf_program_bent(const sf_mechanism *self, sf_interval A, const double *p, sf_interval *out)
+{
+    double ends[SF_MOST_BREAKS] = {0};
+    sf_at(&self->program->ends, p, ends);
+    sf_enclose(&self->program->bent, ends, A, p, out);
+}
+
+static void sf_program_parameters_within(const sf_mechanism *self, const double *design, sf_interval *p)
+{
+    sf_interval given[SF_MOST_DESIGN];
+    int i;
+    for (i = 0; i < self->design_size; i++)
+        given[i] = sfi_point(design[i]);
+    sf_at_on_intervals(&self->program->given_within, -1, given, p);
+}
+
+static void sf_program_averaged_within(const sf_mechanism *self, int passed, sf_interval A, sf_interval beyond,
+                                       const sf_interval *p, sf_interval *out)
+{
+    sf_interval arguments[2 + SF_MOST_PARAMETERS + SF_MOST_BREAKS] = {A, beyond};
+    const int given = self->breakpoints > 0 ? 2 : 1;
+    memcpy(arguments + given, p, (size_t)(self->parameters + self->breakpoints) * sizeof *p);
+    sf_at_on_intervals(&self->program->within, passed, arguments, out);
+}
+
+static void sf_program_parameters_in_pairs(const sf_mechanism *self, const double *design, sf_pair *p)
+{
+    sf_pair given[SF_MOST_DESIGN];
+    int i;
+    for (i = 0; i < self->design_size; i++)
+        given[i] = sfp_point(design[i]);
+    sf_at_in_pairs(&self->program->given_in_pairs, -1, given, p);
+}
+
+static void sf_program_averaged_in_pairs(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond,
+                                         const sf_pair *p, sf_pair *out)
+{
+    sf_pair all[5], arguments[2 + SF_MOST_PARAMETERS + SF_MOST_BREAKS] = {A, beyond};
+    const int given = self->breakpoints > 0 ? 2 : 1;
+    memcpy(arguments + given, p, (size_t)(self->parameters + self->breakpoints) * sizeof *p);
+    sf_at_in_pairs(&self->program->in_pairs, passed, arguments, all);
+    memcpy(out, all, (wanted <= 2 ? 2 : 4) * sizeof *out);
+}
+
+/* Parameters and jumps in pairs of one of several designs. */
+static inline void sf_program_design(const sf_mechanism *self, ptrdiff_t i, ptrdiff_t apart, const double *design,
+                                     sf_pair *p)
+{
+    double one[SF_MOST_DESIGN];
+    int k;
+    for (k = 0; k < self->design_size; k++)
+        one[k] = design[k * apart + i];
+    sf_program_parameters_in_pairs(self, one, p);
+}
+
+static void sf_program_many_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart, const double *design,
+                                     double *out)
+{
+    sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
+    ptrdiff_t i;
+    int k;
+    for (i = 0; i < n; i++) {
+        sf_program_design(self, i, apart, design, p);
+        for (k = 0; k < self->parameters + self->breakpoints; k++)
+            out[2 * k * apart + i] = p[k].high, out[(2 * k + 1) * apart + i] = p[k].low;
+    }
+}
+
+static void sf_program_on_first_end_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart,
+                                             const double *design, double *out)
+{
+    sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS], b[SF_MOST_BREAKS], h[2];
+    ptrdiff_t i;
+    for (i = 0; i < n; i++) {
+        sf_program_design(self, i, apart, design, p);
+        sf_program_ends_in_pairs(self, p, b);
+        sf_program_averaged_in_pairs(self, 0, 2, b[0], b[0], p, h);
+        out[i] = b[0].high, out[apart + i] = b[0].low;
+        out[2 * apart + i] = h[0].high, out[3 * apart + i] = h[0].low;
+    }
+}
+
+/* All integrands of a piece at the nodes of a panel. */
+static void sf_program_integrands(const sf_quarter *of, int piece, int nodes, const double *beyond, const double *sine,
+                                  const double *cosine, const double *p, double *out)
+{
+    const sf_function *integrands = (const sf_function *)of->programs + piece;
+    sf_lanes lanes;
+    int first;
+    lanes.holds = NULL;
+    for (first = 0; first < nodes; first += SF_LANES) {
+        const double *const at[] = {beyond + first, sine + first, cosine + first};
+        sf_abreast(&lanes, &integrands->branch[0], 3, nodes - first < SF_LANES ? nodes - first : SF_LANES, at, p,
+                   out + first * of->width, 1, of->width);
+    }
+}
+
+static void sf_program_enclosed(const sf_bent *of, int number, const sf_interval *arguments, sf_interval *out)
+{
+    sf_at_on_intervals((const sf_function *)of->programs + number, -1, arguments, out);
+}
+
+/* ---- reading */
+
+enum { SF_IN_DOUBLES = 1, SF_IN_PAIRS = 2, SF_ON_INTERVALS = 4 };
+
+/* room: all that is allocated, each with the one before it at its begin */
+typedef struct {
+    const int *word, *last_word;
+    const double *number, *last_number;
+    void *room;
+    sf_status status;
+} sf_reader;
+
+static inline void sf_refuse(sf_reader *from, sf_status status) {
+    if (from->status == SF_OK)
+        from->status = status;
+}
+
+/* The next word if it lies between these, else the least. */
+static inline int sf_word(sf_reader *from, int least, int most) {
+    if (from->status == SF_OK && from->word < from->last_word && *from->word >= least && *from->word <= most)
+        return *from->word++;
+    sf_refuse(from, SF_INVALID);
+    return least;
+}
+
+/* A size that may be beyond what a record has room for. */
+static inline int sf_size(sf_reader *from, int least, int most) {
+    const int size = sf_word(from, least, INT_MAX);
+    if (size <= most)
+        return size;
+    sf_refuse(from, SF_TOO_MANY);
+    return least;
+}
+
+static inline double sf_number(sf_reader *from) {
+    if (from->status == SF_OK && from->number < from->last_number && !isnan(*from->number))
+        return *from->number++;
+    sf_refuse(from, SF_INVALID);
+    return 0;
+}
+
+static inline double sf_finite(sf_reader *from) {
+    const double number = sf_number(from);
+    if (!isfinite(number))
+        sf_refuse(from, SF_INVALID);
+    return number;
+}
+
+/* Room for so many items, 0; NULL where there is none. */
+static inline void *sf_room_for(sf_reader *from, int items, size_t size) {
+    void **made;
+    if (from->status != SF_OK)
+        return NULL;
+    made = calloc(1, 2 * sizeof *made + (size_t)items * size);
+    if (made == NULL) {
+        sf_refuse(from, SF_NO_MEMORY);
+        return NULL;
+    }
+    *made = from->room, from->room = made;
+    return made + 2;
+}
+
+static inline int sf_has(int arithmetic, int operation) {
+    switch ((sf_operation)operation) {
+    case SF_ADD_OPERATION:
+    case SF_SUB_OPERATION:
+    case SF_MUL_OPERATION:
+    case SF_DIV_OPERATION:
+    case SF_NEG_OPERATION:
+    case SF_SQRT_OPERATION:
+    case SF_ATAN2_OPERATION:
+        return 1;
+    case SF_ATAN2_SWAPPED_OPERATION:
+        return arithmetic != SF_ON_INTERVALS;
+    case SF_SQUARE_OPERATION:
+    case SF_INVERSE_OPERATION:
+    case SF_TIMES_OPERATION:
+        return arithmetic != SF_IN_DOUBLES;
+    case SF_WITHIN_OPERATION:
+    case SF_ROOT_OPERATION:
+        return arithmetic == SF_ON_INTERVALS;
+    case SF_ABS_OPERATION:
+    case SF_COPYSIGN_OPERATION:
+    case SF_HYPOT_OPERATION:
+        return arithmetic == SF_IN_DOUBLES;
+    default:
+        return arithmetic != SF_IN_PAIRS;
+    }
+}
+
+static inline void sf_read_straight(sf_reader *from, int arithmetic, int arguments, int outputs, sf_straight *out) {
+    unsigned char holds[SF_MOST_REGISTERS] = {0};
+    sf_instruction *code;
+    unsigned short *output;
+    double (*constant)[2];
+    int i, first;
+    out->arguments = sf_word(from, arguments, arguments);
+    out->constants = sf_size(from, 0, SF_MOST_REGISTERS);
+    first = out->arguments + out->constants;
+    out->registers = sf_size(from, 0, SF_MOST_REGISTERS);
+    out->length = sf_word(from, 0, (int)((from->last_word - from->word) / 4));
+    out->outputs = sf_word(from, outputs, outputs);
+    if (first > out->registers)
+        sf_refuse(from, SF_INVALID);
+    code = sf_room_for(from, out->length, sizeof *code);
+    output = sf_room_for(from, out->outputs, sizeof *output);
+    constant = sf_room_for(from, out->constants, sizeof *constant);
+    if (from->status != SF_OK)
+        return;
+    memset(holds, 1, (size_t)first);
+    for (i = 0; i < out->length; i++) {
+        const int operation = sf_word(from, 0, SF_HYPOT_OPERATION), result = sf_word(from, first, out->registers - 1);
+        const int one = sf_word(from, 0, out->registers - 1), other = sf_word(from, 0, out->registers - 1);
+        if (from->status != SF_OK || !sf_has(arithmetic, operation) || !holds[one] || !holds[other]) {
+            sf_refuse(from, SF_INVALID);
+            return;
+        }
+        code[i] = (sf_instruction){(unsigned short)operation, (unsigned short)result, (unsigned short)one,
+                                   (unsigned short)other};
+        holds[result] = 1;
+    }
+    for (i = 0; i < out->outputs; i++) {
+        output[i] = (unsigned short)sf_word(from, 0, out->registers - 1);
+        if (from->status != SF_OK || !holds[output[i]]) {
+            sf_refuse(from, SF_INVALID);
+            return;
+        }
+    }
+    for (i = 0; i < out->constants; i++)
+        constant[i][0] = sf_finite(from), constant[i][1] = sf_finite(from);
+    out->code = code, out->output = output, out->constant = (const double (*)[2])constant;
+}
+
+/* pieces: how many numbers of breakpoints passed there are */
+static inline void sf_read_function(sf_reader *from, int arithmetic, int pieces, int arguments, int outputs,
+                                    sf_function *out)
+{
+    int *passed, *guards, i, sides = 0;
+    sf_straight *branch;
+    out->branches = sf_word(from, 1, (int)((from->last_word - from->word) / 2));
+    passed = sf_room_for(from, out->branches, sizeof *passed), guards = sf_room_for(from, out->branches, sizeof *guards);
+    branch = sf_room_for(from, out->branches, sizeof *branch);
+    if (from->status != SF_OK)
+        return;
+    for (i = 0; i < out->branches; i++) {
+        const int last = i == out->branches - 1;
+        passed[i] = sf_word(from, -1, last || arithmetic == SF_IN_DOUBLES ? -1 : pieces - 1);
+        guards[i] = sf_word(from, 0, last ? 0 : SF_MOST_REGISTERS / 2);
+        sides += 2 * guards[i];
+        if (sides > SF_MOST_REGISTERS)
+            sf_refuse(from, SF_INVALID);
+    }
+    sf_read_straight(from, arithmetic, arguments, sides, &out->sides);
+    for (i = 0; i < out->branches && from->status == SF_OK; i++)
+        sf_read_straight(from, arithmetic, arguments, outputs, &branch[i]);
+    out->passed = passed, out->guards = guards, out->branch = branch;
+}
+
+/* Numbers of breakpoints at which contacts begin. */
+static inline const int *sf_read_begins(sf_reader *from, int breakpoints, int *contacts) {
+    int i, *begins;
+    *contacts = sf_size(from, 0, SF_MOST_CONTACTS);
+    begins = sf_room_for(from, *contacts, sizeof *begins);
+    for (i = 0; i < *contacts && begins != NULL; i++)
+        begins[i] = sf_word(from, 0, breakpoints - 1);
+    return begins;
+}
+
+/* Averages by quadrature: in the order of `enum`, but the intercept before the harmonics. */
+static inline void sf_read_sums(sf_reader *from, const sf_mechanism *record, sf_program *out) {
+    const int order[] = {SF_AVERAGED, SF_INTERCEPT, SF_HIGHER, SF_BY_PARAMETER};
+    const int outputs[] = {4, 1, 8, 3 * record->parameters};
+    const int pieces = record->breakpoints + 1, nodes = sf_word(from, 1, SF_NODES / 2);
+    int contacts, i, k, *graded;
+    const int *begins;
+    double(*rule)[2] = sf_room_for(from, nodes, sizeof *rule);
+    for (i = 0; i < nodes && rule != NULL; i++)
+        rule[i][0] = sf_finite(from), rule[i][1] = sf_finite(from);
+    begins = sf_read_begins(from, record->breakpoints, &contacts);
+    graded = sf_room_for(from, pieces + contacts, sizeof *graded);
+    for (i = 0; i < pieces + contacts && graded != NULL; i++)
+        graded[i] = sf_word(from, 1, 16);
+    for (k = 0; k < SF_AVERAGES && from->status == SF_OK; k++) {
+        sf_quarter *sums = &out->sums[order[k]];
+        sf_function *programs = sf_room_for(from, pieces + contacts, sizeof *programs);
+        const int width = sf_size(from, k == 0 ? 4 + 4 * contacts : 0, SF_MOST_SUMS);
+        if (programs == NULL)
+            return;
+        for (i = 0; i < pieces + contacts; i++) {
+            sf_read_function(from, SF_IN_DOUBLES, pieces, 3 + record->parameters, width, &programs[i]);
+            if (programs[i].branches > 1)
+                sf_refuse(from, SF_INVALID);
+        }
+        sf_read_function(from, SF_IN_DOUBLES, pieces, 1 + width + record->parameters, outputs[k],
+                         &out->averages[order[k]]);
+        sums->pieces = pieces, sums->width = width, sums->parameters = record->parameters;
+        sums->graded = graded, sums->nodes = nodes, sums->rule = (const double (*)[2])rule;
+        sums->contacts = contacts, sums->begins = begins;
+        sums->interpreted = sf_program_integrands, sums->programs = programs;
+    }
+}
+
+static inline void sf_read_averages(sf_reader *from, const sf_mechanism *record, sf_program *out) {
+    const int pieces = record->breakpoints + 1, p = record->parameters;
+    sf_read_function(from, SF_IN_DOUBLES, pieces, 1 + p, 4, &out->averages[SF_AVERAGED]);
+    sf_read_function(from, SF_IN_DOUBLES, pieces, 1 + p, 2, &out->averaged_2);
+    sf_read_function(from, SF_IN_DOUBLES, pieces, 1 + p, 8, &out->averages[SF_HIGHER]);
+    sf_read_function(from, SF_IN_DOUBLES, pieces, 1 + p, 1, &out->averages[SF_INTERCEPT]);
+    sf_read_function(from, SF_IN_DOUBLES, pieces, 4 + p, 3 * p, &out->averages[SF_BY_PARAMETER]);
+}
+
+static inline void sf_read_bent(sf_reader *from, const sf_mechanism *record, sf_program *out) {
+    sf_bent *bent = &out->bent;
+    const int p = record->parameters, pieces = record->breakpoints + 1;
+    sf_function *programs;
+    int i;
+    bent->breakpoints = record->breakpoints, bent->parameters = p;
+    bent->begins = sf_read_begins(from, record->breakpoints, &bent->contacts);
+    programs = sf_room_for(from, 2 * pieces + bent->contacts, sizeof *programs);
+    for (i = 0; i < 2 * pieces + bent->contacts && from->status == SF_OK; i++) {
+        const int closing = i - pieces - bent->contacts;
+        const int arguments = i < pieces ? 3 : closing < 0 ? 2 : 3 + closing + SF_CONTACT_SUMS * bent->contacts;
+        sf_read_function(from, SF_ON_INTERVALS, 0, arguments + p, i >= pieces && closing < 0 ? SF_CONTACT_SUMS : 2,
+                         &programs[i]);
+    }
+    bent->interpreted = sf_program_enclosed, bent->programs = programs;
+}
+
+static inline void sf_read_exact(sf_reader *from, int within, const sf_mechanism *record, sf_program *out) {
+    const int given = record->parameters + record->breakpoints, pieces = record->breakpoints + 1;
+    const int known = given + (record->breakpoints > 0 ? 2 : 1);
+    sf_read_function(from, SF_IN_PAIRS, 0, record->design_size, given, &out->given_in_pairs);
+    if (within)
+        sf_read_function(from, SF_ON_INTERVALS, 0, record->design_size, given, &out->given_within);
+    if (record->breakpoints > 0) {
+        sf_read_function(from, SF_IN_PAIRS, 0, record->parameters, record->breakpoints, &out->ends_in_pairs);
+        if (within)
+            sf_read_function(from, SF_ON_INTERVALS, 0, record->parameters, record->breakpoints, &out->ends_within);
+    }
+    sf_read_function(from, SF_IN_PAIRS, pieces, known, 5, &out->in_pairs);
+    if (within)
+        sf_read_function(from, SF_ON_INTERVALS, pieces, known, 5, &out->within);
+}
+
+static inline void sf_read_conditions(sf_reader *from, const sf_mechanism *record, sf_program *out) {
+    sf_condition *condition;
+    int i;
+    out->conditions = sf_word(from, 0, 4 * SF_MOST_DESIGN);
+    out->condition = condition = sf_room_for(from, out->conditions, sizeof *condition);
+    for (i = 0; i < out->conditions && condition != NULL; i++) {
+        condition[i].place = sf_word(from, 0, record->design_size - 1);
+        condition[i].relation = sf_word(from, 0, 3);
+        condition[i].bound = sf_number(from);
+    }
+}
+
+/* A record's functions of the force from all words and numbers; what a force has no part in stays. */
+static inline void sf_read_all(sf_reader *from, sf_mechanism *record, sf_program *out) {
+    int bent, exact, within, pieces;
+    sf_word(from, SF_PROGRAM_FORM, SF_PROGRAM_FORM);
+    record->design_size = sf_size(from, 0, SF_MOST_DESIGN);
+    record->parameters = sf_size(from, 0, SF_MOST_PARAMETERS);
+    record->breakpoints = sf_size(from, 0, SF_MOST_BREAKS);
+    pieces = record->breakpoints + 1;
+    out->summed = sf_word(from, 0, 1), bent = sf_word(from, 0, 1), exact = sf_word(from, 0, 1);
+    within = sf_word(from, 0, 1);
+    record->reach = sf_number(from), record->harmonics_up_to = sf_number(from);
+    sf_read_conditions(from, record, out);
+    sf_read_function(from, SF_IN_DOUBLES, pieces, record->design_size, record->parameters, &out->coefficients);
+    sf_read_function(from, SF_IN_DOUBLES, pieces, record->parameters, record->breakpoints, &out->ends);
+    sf_read_function(from, SF_IN_DOUBLES, pieces, record->parameters, record->breakpoints, &out->jumps);
+    if (bent)
+        sf_read_function(from, SF_IN_DOUBLES, pieces, record->parameters, 2 * record->breakpoints, &out->kinks);
+    sf_read_function(from, SF_IN_DOUBLES, pieces, record->design_size,
+                     (record->parameters + record->breakpoints) * record->design_size, &out->by_design);
+    if (out->summed)
+        sf_read_sums(from, record, out);
+    else
+        sf_read_averages(from, record, out);
+    if (bent)
+        sf_read_bent(from, record, out);
+    if (exact)
+        sf_read_exact(from, within, record, out);
+    if (from->word != from->last_word || from->number != from->last_number)
+        sf_refuse(from, SF_INVALID);
+    record->parameters_of = sf_program_parameters_of;
+    record->ends = sf_program_ends, record->jumps = sf_program_jumps;
+    record->kinks = bent && record->breakpoints > 0 ? sf_program_kinks : NULL;
+    record->averaged = sf_program_averaged, record->averaged_2 = sf_program_averaged_2;
+    record->intercept = sf_program_intercept, record->harmonics = sf_program_harmonics;
+    record->bent = bent ? sf_program_bent : NULL;
+    record->by_parameter = sf_program_by_parameter, record->by_design = sf_program_by_design;
+    record->parameters_within = within ? sf_program_parameters_within : NULL;
+    record->ends_within = within && record->breakpoints > 0 ? sf_program_ends_within : NULL;
+    record->kinks_within = NULL;
+    record->averaged_within = within ? sf_program_averaged_within : NULL;
+    record->parameters_in_pairs = exact ? sf_program_parameters_in_pairs : NULL;
+    record->ends_in_pairs = exact && record->breakpoints > 0 ? sf_program_ends_in_pairs : NULL;
+    record->averaged_in_pairs = exact ? sf_program_averaged_in_pairs : NULL;
+    record->many_in_pairs = exact ? sf_program_many_in_pairs : NULL;
+    record->on_first_end_in_pairs = exact && record->breakpoints > 0 ? sf_program_on_first_end_in_pairs : NULL;
+    record->program = out;
+}
+
+/* The record of a force, which is never let go. SF_INVALID where the data is no program, SF_TOO_MANY where the force
+ * is beyond what a record has room for.
+ *
+ * like: a record of any odd force, whose damping and excitation it takes */
+static sf_status sf_read_program(const sf_mechanism *like, const char *name, const int *words, ptrdiff_t count,
+                                 const double *numbers, ptrdiff_t length, const sf_mechanism **record)
+{
+    sf_reader from = {words, words + count, numbers, numbers + length, NULL, SF_OK};
+    sf_mechanism *made = sf_room_for(&from, 1, sizeof *made);
+    sf_program *program = sf_room_for(&from, 1, sizeof *program);
+    char *called = sf_room_for(&from, (int)strlen(name) + 1, 1);
+    if (from.status == SF_OK) {
+        *made = *like;
+        made->name = strcpy(called, name);
+        sf_read_all(&from, made, program);
+    }
+    *record = made;
+    while (from.status != SF_OK && from.room != NULL) {
+        void **const last = from.room;
+        from.room = *last;
+        free(last);
+    }
+    return from.status;
+}
+
+#endif

@@ -1,0 +1,410 @@
+"""Programs of derived forces: what is refused of their data, their bits beside those of compiled C, their values."""
+
+from __future__ import annotations
+
+import ctypes
+import json
+import math
+import zlib
+from array import array
+from itertools import pairwise
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from slowflow import backend, derive
+from slowflow_kernels.program_conventions import MOST_REGISTERS, Operation
+from tests.native.headers import COMPILER
+from tests.native.records import Doubles, Interval, Self, doubles, opened
+from tests.test_forces import FORCES
+
+pytestmark = [pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")]
+
+u, k, c, gap = sp.symbols("u k c gap")
+ABOVE_0 = {"above": 0}
+#: averages in closed form: one piece, three, a jump of the force, one whose h_AAA is not shown to be monotone; and the
+#: library's
+CLOSED = {
+    "stop": [(u, gap), (u + k * (u - gap), None)],
+    "softening": [(u - k * u**3 / 5 + u**5, None)],
+    "two_stops": [(u, gap), (u + k * (u - gap), 2 * gap), (u + k * gap + c * (u - 2 * gap), None)],
+    "jump": [(u - c * u**3, gap), (k * u, None)],
+    "preload": [(c + k * u, None)],
+}
+#: and sums
+SUMMED = ("pendulum", "preload", "two_stops", "hertz", "wave", "numbers")
+LIBRARY = ("bilinear", "cam_roller", "dead_zone", "elastic_stop", "three_spring")
+
+
+def made(name, compile=False):
+    """A mechanism, with its program or compiled."""
+    if name in LIBRARY:
+        return derive.library(name, compile=compile)
+    if name in CLOSED:
+        names = {
+            symbol.name for piece in CLOSED[name] for part in piece if part is not None for symbol in part.free_symbols
+        }
+        numbers = dict.fromkeys(sorted(names - {"u"}), ABOVE_0)
+        return derive.mechanism(f"program_{name}", CLOSED[name], numbers, compile=compile)
+    pieces, numbers = FORCES[name.removeprefix("summed_")]
+    reach = {"reach": 3.1} if "pendulum" in name else {}
+    return derive.mechanism(f"program_{name}", pieces, dict.fromkeys(numbers, ABOVE_0), compile=compile, **reach)
+
+
+EVERY = (*CLOSED, *(f"summed_{name}" for name in SUMMED), *LIBRARY)
+
+
+def data(mechanism):
+    """Words and numbers of a program."""
+    both = json.loads((mechanism.folder / f"{mechanism.record.name}.json").read_text())
+    return both["words"], both["numbers"]
+
+
+def read(words, numbers):
+    """The record of a program."""
+    return backend.SOLVER.program("any", array("i", words).tobytes(), array("d", numbers).tobytes())
+
+
+def refused(words, numbers):
+    """Whether it is."""
+    try:
+        read(words, numbers)
+    except ValueError:
+        return True
+    return False
+
+
+@pytest.fixture(scope="module", params=("two_stops", "summed_hertz", "jump"))
+def valid(request):
+    """A program, and where in its words each operation, and each list of outputs, begins."""
+    from slowflow_derivation.emit.targets.program import Encoder
+    from slowflow_derivation.emit.views import programs
+
+    class Located(Encoder):
+        def program(self, one):
+            begin = len(self.words)
+            sizes.append((begin, one))
+            codes.extend((begin + 5 + 4 * number, one) for number in range(len(one.code)))
+            outputs.extend((begin + 5 + 4 * len(one.code) + number, one) for number in range(len(one.outputs)))
+            super().program(one)
+
+    mechanism = made(request.param)
+    sizes, codes, outputs = [], [], []
+    solved = derive._derivation().sources(mechanism._stated).solved
+    encoder = Located(solved, programs(solved))
+    encoder.record()
+    words, numbers = data(mechanism)
+    assert (encoder.words, encoder.numbers) == (words, numbers)
+    assert read(words, numbers) is not None
+    return words, numbers, sizes, codes, outputs
+
+
+def changed(words, place, value):
+    return [*words[:place], value, *words[place + 1 :]]
+
+
+NO_WORDS = st.integers(-(2**31), -1) | st.integers(2**16, 2**31 - 1)
+
+
+@given(st.data())
+@settings(max_examples=60, deadline=None)
+def test_words_or_numbers_too_few_or_too_many_are_refused(valid, data):
+    words, numbers, *_ = valid
+    assert refused(words[: data.draw(st.integers(0, len(words) - 1))], numbers)
+    assert refused(words, numbers[: data.draw(st.integers(0, len(numbers) - 1))])
+    assert refused([*words, data.draw(st.integers(-5, 5))], numbers)
+    assert refused(words, [*numbers, data.draw(st.floats())])
+
+
+@given(st.data())
+@settings(max_examples=200, deadline=None)
+def test_an_operation_that_is_none_or_a_register_that_is_not_there_is_refused(valid, data):
+    words, numbers, _, codes, outputs = valid
+    place, program = data.draw(st.sampled_from(codes))
+    none = NO_WORDS | st.integers(len(Operation), 300)
+    assert refused(changed(words, place, data.draw(none)), numbers)
+    outside = NO_WORDS | st.integers(program.registers, MOST_REGISTERS)
+    assert refused(changed(words, place + data.draw(st.integers(1, 3)), data.draw(outside)), numbers)
+    held = program.arguments + len(program.constants)
+    if held:  # an argument or a constant would be overwritten
+        assert refused(changed(words, place + 1, data.draw(st.integers(0, held - 1))), numbers)
+    place, program = data.draw(st.sampled_from(outputs))
+    assert refused(changed(words, place, data.draw(NO_WORDS | st.integers(program.registers, MOST_REGISTERS))), numbers)
+
+
+@given(st.data())
+@settings(max_examples=200, deadline=None)
+def test_what_holds_nothing_yet_is_not_read(valid, data):
+    words, numbers, sizes, *_ = valid
+    begin, program = data.draw(st.sampled_from([one for one in sizes if one[1].code]))
+    number = data.draw(st.integers(0, len(program.code) - 1))
+    written = {result for _, result, _, _ in program.code[:number]}
+    empty = [one for one in range(program.arguments + len(program.constants), program.registers) if one not in written]
+    if empty:
+        place = begin + 5 + 4 * number + data.draw(st.integers(2, 3))
+        assert refused(changed(words, place, data.draw(st.sampled_from(empty))), numbers)
+
+
+@given(st.data())
+@settings(max_examples=200, deadline=None)
+def test_other_sizes_than_a_function_takes_and_gives_are_refused(valid, data):
+    words, numbers, sizes, *_ = valid
+    begin, _ = data.draw(st.sampled_from(sizes))
+    for place in (begin, begin + 4):
+        other = data.draw(st.integers(-3, 100).filter(lambda size, place=place: size != words[place]))
+        assert refused(changed(words, place, other), numbers)
+
+
+@given(st.data())
+@settings(max_examples=60, deadline=None)
+def test_a_constant_that_is_not_finite_is_refused(valid, data):
+    words, numbers, sizes, *_ = valid
+    constants = sum(len(program.constants) for _, program in sizes)
+    assert constants
+    place = data.draw(st.integers(len(numbers) - 2, len(numbers) - 1))
+    for wrong in (math.nan, math.inf, -math.inf):
+        assert refused(words, changed(numbers, place, wrong))
+    # bounds and the reach may be infinite, and are numbers
+    assert refused(words, changed(numbers, data.draw(st.integers(0, len(numbers) - 1)), math.nan))
+
+
+@given(st.data())
+@settings(max_examples=300, deadline=None)
+def test_words_that_are_any_integers_are_refused_or_run(valid, data):
+    """What is taken after all may mean anything, but keeps to its registers."""
+    words, numbers, *_ = valid
+    other = list(words)
+    for _ in range(data.draw(st.integers(1, 4))):
+        place = data.draw(st.integers(0, len(words) - 1))
+        other[place] = data.draw(st.integers(-2, 40) | st.integers(-(2**31), 2**31 - 1))
+    try:
+        record = read(other, numbers)
+    except ValueError:
+        return
+    if record is not None:
+        record = opened(record)
+        p, h = doubles([0.5] * 16), doubles([0.0] * 36)
+        record.ask("averaged", 9, doubles([0.1 * one for one in range(9)]), p, h)
+        record.ask("ends", p, h)
+
+
+def test_a_force_beyond_what_a_record_has_room_for_is_left_to_numpy():
+    """Seventeen numbers of a design."""
+    names = sp.symbols(f"a0:{17}")
+    many = derive.mechanism(
+        "crowded",
+        [(u + sum(a * u ** (2 * power + 3) for power, a in enumerate(names)), None)],
+        {a.name: ABOVE_0 for a in names},
+    )
+    one = many(**{a.name: 0.01 for a in names}, mu=0.01, zeta=0.05)
+    assert one.model.native is None
+    assert one.saddle_node_onset().F_SN > 0
+
+
+def test_a_design_outside_its_domain_is_none():
+    mechanism = derive.mechanism(
+        "bounded",
+        [(k * u + c * u**3 + gap * u**5, None)],
+        {"k": {"least": 1, "below": 2}, "c": {"above": 0}, "gap": {"most": 3}},
+    )
+    record, p = opened(backend.record_of(mechanism.record)), doubles([0.0] * 16)
+    for design, inside in (
+        ((1.0, 0.1, 3.0), True),
+        ((1.0, 0.1, -5.0), True),
+        ((math.nextafter(1.0, 0), 0.1, 3.0), False),
+        ((2.0, 0.1, 3.0), False),
+        ((1.5, 0.0, 3.0), False),
+        ((1.5, 0.1, math.nextafter(3.0, 4)), False),
+        ((1.5, math.inf, 1.0), False),
+        ((1.5, 1.0, -math.inf), False),
+        ((1.5, math.nan, 1.0), False),
+    ):
+        assert bool(record.ask("parameters_of", doubles(design), p)) is inside, design
+
+
+class Pair(ctypes.Structure):
+    """sf_pair"""
+
+    _fields_ = (("high", ctypes.c_double), ("low", ctypes.c_double))
+
+
+Intervals, Pairs = ctypes.POINTER(Interval), ctypes.POINTER(Pair)
+#: functions that a record may have beside those with a prototype of their own
+OTHERS = {
+    "harmonics": (None, ctypes.c_ssize_t, Doubles, Doubles, Doubles),
+    "intercept": (ctypes.c_double, ctypes.c_double, Doubles),
+    "by_parameter": (None, ctypes.c_double, Doubles, Doubles, Doubles),
+    "by_design": (None, Doubles, Doubles),
+    "parameters_within": (None, Doubles, Intervals),
+    "ends_within": (None, Intervals, Intervals),
+    "averaged_within": (None, ctypes.c_int, Interval, Interval, Intervals, Intervals),
+    "parameters_in_pairs": (None, Doubles, Pairs),
+    "ends_in_pairs": (None, Pairs, Pairs),
+    "averaged_in_pairs": (None, ctypes.c_int, ctypes.c_int, Pair, Pair, Pairs, Pairs),
+    "many_in_pairs": (None, ctypes.c_ssize_t, ctypes.c_ssize_t, Doubles, Doubles),
+    "on_first_end_in_pairs": (None, ctypes.c_ssize_t, ctypes.c_ssize_t, Doubles, Doubles),
+}
+
+
+def bits(values):
+    """As bytes, of which every NaN is one."""
+    flat = np.frombuffer(values, dtype=float)
+    return np.where(np.isnan(flat), np.nan, flat).tobytes()
+
+
+class Asked:
+    """What a record gives, as bits."""
+
+    def __init__(self, record):
+        self.record = opened(record)
+
+    def has(self, name):
+        value = getattr(self.record, name)
+        return bool(ctypes.cast(value, ctypes.c_void_p).value if name not in OTHERS else value)
+
+    def ask(self, name, *arguments):
+        if name not in OTHERS:
+            return self.record.ask(name, *arguments)
+        result, *takes = OTHERS[name]
+        function = ctypes.CFUNCTYPE(result, Self, *takes)(getattr(self.record, name))
+        return function(ctypes.addressof(self.record), *arguments)
+
+    def everything(self, design, A):
+        """Of a design, at amplitudes."""
+        found = {}
+        p, b = doubles([0.0] * 16), doubles([0.0] * 8)
+        given, n = doubles(design), len(A)
+        found["inside"] = self.ask("parameters_of", given, p)
+        found["p"] = bits(p)
+        for name in ("ends", "jumps", *(["kinks"] if self.has("kinks") else [])):
+            self.ask(name, p, b)
+            found[name] = bits(b)
+        amplitudes = doubles(A)
+        for name, width in (("averaged", 4), ("averaged_2", 2), ("harmonics", 8)):
+            for count in (n, 1):
+                out = doubles([0.0] * (width * count))
+                self.ask(name, count, amplitudes, p, out)
+                found[name, count] = bits(out)
+        out = doubles([0.0] * 200)
+        self.ask("by_design", given, out)
+        found["by_design"] = bits(out)
+        for one in A[:3]:
+            found["intercept", one] = bits(doubles([self.ask("intercept", one, p)]))
+            self.ask("by_parameter", one, doubles([-0.5, -1.0, 0.2]), p, out)
+            found["by_parameter", one] = bits(out)
+        if self.has("bent"):
+            for low, high in pairwise(A):
+                held = (Interval * 2)()
+                self.ask("bent", Interval(low, high), p, held)
+                found["bent", low] = bits(held)
+        found |= self.exactly(given, A)
+        return found
+
+    def exactly(self, design, A):
+        """In pairs and on intervals, where there are any."""
+        record, found = self.record, {}
+        if self.has("parameters_in_pairs"):
+            p, b, h = (Pair * 20)(), (Pair * 4)(), (Pair * 5)()
+            self.ask("parameters_in_pairs", design, p)
+            found["parameters_in_pairs"] = bits(p)
+            if record.breakpoints:
+                self.ask("ends_in_pairs", p, b)
+                found["ends_in_pairs"] = bits(b)
+            for one in A:
+                passed = sum(one > end.high for end in b[: record.breakpoints])
+                beyond = one - b[passed - 1].high if passed else one
+                for wanted in (2, 4):
+                    self.ask("averaged_in_pairs", passed, wanted, Pair(one, one * 2.0**-55), Pair(beyond, 0), p, h)
+                    found["averaged_in_pairs", one, wanted] = bits(h)
+            apart = 3
+            designs = doubles([value * (1 + 0.01 * i) for value in design for i in range(apart)])
+            for name in ("many_in_pairs", *(["on_first_end_in_pairs"] if record.breakpoints else [])):
+                out = doubles([0.0] * (2 * apart * 20))
+                self.ask(name, apart, apart, designs, out)
+                found[name] = bits(out)
+        if self.has("parameters_within"):
+            p, b, h = (Interval * 20)(), (Interval * 4)(), (Interval * 5)()
+            self.ask("parameters_within", design, p)
+            found["parameters_within"] = bits(p)
+            if record.breakpoints:
+                self.ask("ends_within", p, b)
+                found["ends_within"] = bits(b)
+            for one in A:
+                passed = sum(one > end.hi for end in b[: record.breakpoints])
+                beyond = one - b[passed - 1].hi if passed else one
+                wide = Interval(one, one * 1.01), Interval(beyond, beyond + one * 0.01)
+                self.ask("averaged_within", passed, *wide, p, h)
+                found["averaged_within", one] = bits(h)
+        return found
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(COMPILER is None, reason="no C compiler")
+@pytest.mark.parametrize("name", EVERY)
+def test_a_program_gives_the_bits_of_compiled_C(name):
+    """Every function of the record, and answers of batches, at random designs; beside breakpoints too."""
+    mechanism = made(name)
+    program = backend.record_of(mechanism.record)
+    assert opened(program).program
+    assert made(name, compile=True).record is mechanism.record
+    compiled = backend.record_of(mechanism.record)
+    assert not opened(compiled).program
+    backend.SOLVER.RECORDS[mechanism.record.name] = program
+    one, other = Asked(program), Asked(compiled)
+    assert [one.has(each) for each in (*OTHERS, "bent", "kinks")] == [
+        other.has(each) for each in (*OTHERS, "bent", "kinks")
+    ]
+    for field in ("design_size", "damping_size", "parameters", "breakpoints", "reach", "harmonics_up_to", "inertial"):
+        assert getattr(one.record, field) == getattr(other.record, field), field
+    rng = np.random.default_rng(zlib.crc32(name.encode()))
+    count = one.record.design_size
+    for _ in range(12 if name.startswith("summed") else 40):
+        design = list(rng.uniform(0.05, 1.6, count))
+        p, b = doubles([0.0] * 16), doubles([0.0] * 4)
+        one.ask("parameters_of", doubles(design), p), one.ask("ends", p, b)
+        ends = [end for end in b[: one.record.breakpoints] if 0 < end < 3]
+        beside = [math.nextafter(end, place) for end in ends for place in (0.0, 9.0)]
+        A = sorted(
+            [*rng.uniform(1e-6, 3.0, 9), *ends, *beside, *(1.05 * end for end in ends), *(64 * end for end in ends)]
+        )
+        here, there = one.everything(design, A), other.everything(design, A)
+        assert here.keys() == there.keys()
+        assert [key for key in here if here[key] != there[key]] == [], design
+    designs = [rng.uniform(0.05, 1.6, 20) for _ in range(count)]
+    damping = rng.uniform(0, 0.03, 20), rng.uniform(0.01, 0.2, 20)
+    for question, asked in (("many_onset", ()), ("many_detachment", ()), ("many_peak", (0.3,))):
+        ask = getattr(backend.SOLVER, question)
+        for here, there in zip(
+            *(ask(record)(*designs, *damping, *asked) for record in (program, compiled)), strict=True
+        ):
+            np.testing.assert_array_equal(here, there)
+
+
+@pytest.mark.parametrize("name", ["stop", "softening", "two_stops", "jump", "summed_hertz", "summed_wave"])
+def test_an_interpreted_average_is_that_of_its_force(name):
+    """By mpmath's quadrature of the force as it is written: to some roundings of what is added up."""
+    mechanism = made(name)
+    pieces = CLOSED.get(name) or FORCES[name.removeprefix("summed_")][0]
+    averages = backend.SOLVER.many_averages(backend.record_of(mechanism.record))
+    names = mechanism.record.design_names
+    numbers = dict(zip(names, (0.7, 0.3, 1.3), strict=False))
+    parameters = mechanism.record.coefficients(*numbers.values())
+    symbols = {sp.Symbol(one): sp.Rational(value) for one, value in numbers.items()}
+    laws = [sp.lambdify(u, sp.sympify(force).subs(symbols), "mpmath") for force, _ in pieces]
+    ends = [float(end.subs(symbols)) for _, end in pieces[:-1]]
+    with mp.workdps(30):
+        for A in (0.2, 0.31, 0.9, 2.2):
+            edges = [mp.mpf(0), *(mp.asin(mp.mpf(end) / A) for end in ends if end < A), mp.pi / 2]
+            parts = [
+                [
+                    mp.quad(lambda t, A=A, law=law, of=of: of(law(A * mp.sin(t)) * mp.sin(t)), side)
+                    for of in (mp.mpf, abs)
+                ]
+                for law, side in zip(laws, pairwise(edges), strict=False)
+            ]
+            expected, size = (4 / mp.pi * sum(values) for values in zip(*parts, strict=True))
+            assert abs(float(averages(A, *parameters)[0]) + expected) < 8 * 2.0**-53 * size, A
