@@ -1,6 +1,7 @@
 # make paper      set up, derive, solve, print Table 2 beside the paper, draw Fig. 7 (first command of the README)
 # make test       everything that CI runs (second command); make test-fast: without the slow tests, under two minutes
 # make test-all   each case, fresh random examples, what only runs at night; less than an hour
+# make mutate     plausible errors made in a copy, one at a time: which of them the tests do not notice
 # make corpus     compare some 150,000 answers with their record, a few minutes; `python -m tests.corpus --record` writes it
 # make derive     write generated/ anew and build what is compiled from it
 # make check      compare generated/ with fresh derivations
@@ -33,7 +34,7 @@ NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch] gen
 MEANT = $(if $(filter 1,$(SLOWFLOW_PURE)),numpy,$(if $(shell command -v $(CC) || ls $(COMPILED) 2>/dev/null),native,numpy))
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
-.PHONY: paper figures test test-fast test-all derive $(DERIVED) check lint corpus bench validity stress explorer docs links dist clean
+.PHONY: paper figures test test-fast test-all mutate derive $(DERIVED) check lint corpus bench validity stress explorer docs links dist clean
 .DELETE_ON_ERROR:
 # containers often forbid Python to keep bytecode: all that is imported, SymPy too, would be compiled anew in each of the
 # some hundred processes of a test run
@@ -57,6 +58,9 @@ test-all: export SLOWFLOW_TESTS = all
 test-all: $(DEVELOPED) lint
 	SLOWFLOW_BACKEND=$(MEANT) $(PYTEST)
 	SLOWFLOW_BACKEND=numpy $(PYTEST) -m both_backends
+
+mutate: $(DEVELOPED)
+	$(BIN)/python -m tests.mutants
 
 # Derived beside the compiler, which reads generated/; and compiled again in a make of its own, which sees what was written.
 # Where nothing differs, as in a fresh clone, nothing is.

@@ -31,6 +31,7 @@ def drawn(count):
 
 @pytest.mark.parametrize("question", OFF_CENTRE)
 @pytest.mark.parametrize(("excitation", "damping"), CASES)
+@pytest.mark.part(5)
 def test_a_load_of_0_is_no_load(excitation, damping, question):
     if question in ("transient", "shock_spectrum") and damping == "structural":
         pytest.skip("structural damping is stated at one frequency")

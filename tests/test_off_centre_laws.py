@@ -219,6 +219,7 @@ def test_without_damping_that_grows_the_reason_is_said():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("zeta", [0.0, 1e-9])
+@pytest.mark.part(2)
 def test_an_onset_that_only_falls_as_motions_grow_is_none(zeta):
     """A hardening spring on a base, with structural damping: levels of the backbone go as eta/A."""
     onset = Duffing(1.0, 1.0, zeta=zeta, eta=0.04, load=0.1, excitation="base").saddle_node_onset()
@@ -297,6 +298,7 @@ def test_gradients_by_a_law_that_is_not_there_tend_to_those_with_it():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("law", LAWS)
+@pytest.mark.part(4)
 def test_batches_are_single_answers(law):
     many = Isolator.many(**TABLE_1, load=[0.03, 0.1], **law)
     moved = many.saddle_node_onset().gradient()

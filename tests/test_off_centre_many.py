@@ -36,6 +36,7 @@ def test_gradients_of_margins_are_refused_in_words():
     ],
     ids=["detachment", "onset", "folds", "states", "peak", "isolation", "rest"],
 )
+@pytest.mark.part(3)
 def test_each_design_has_the_gradient_of_its_single_answer(ask):
     """One of them is none; the last comes to its springs' end at rest."""
     loads = np.array([0.01, 0.03, np.nan, 0.45])

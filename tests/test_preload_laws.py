@@ -76,6 +76,7 @@ def forcings(one):
 
 
 @pytest.mark.slow
+@pytest.mark.part(3)
 def test_no_state_is_missed_or_made_up(oscillator):
     A, frequencies = np.geomspace(1e-7, 20, 20001), [0.5, 0.9, 1.05, 1.3, 2.5]
     for F_0 in forcings(oscillator):
@@ -91,6 +92,7 @@ def test_no_state_is_missed_or_made_up(oscillator):
 
 
 @pytest.mark.slow
+@pytest.mark.part(3)
 def test_folds_are_where_the_number_of_states_changes(oscillator):
     A, grid = np.geomspace(1e-6, 20, 4001), np.linspace(0.3, 4.0, 371)
     for F_0 in forcings(oscillator):
@@ -109,6 +111,7 @@ def test_folds_are_where_the_number_of_states_changes(oscillator):
 
 
 @pytest.mark.slow
+@pytest.mark.part(3)
 def test_the_onset_is_where_two_folds_come_or_there_are_folds_down_to_rest(oscillator):
     onset = oscillator.saddle_node_onset()
     if oscillator.model.inertial:

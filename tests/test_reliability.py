@@ -127,6 +127,7 @@ LONG = {
 @pytest.mark.slow
 @native_only
 @pytest.mark.parametrize("what", LONG)
+@pytest.mark.part(4)
 def test_ctrl_c_ends_what_takes_minutes(what):
     # SciPy, which some ask for first, is not what is interrupted: its modules say so in words of their own
     program = (

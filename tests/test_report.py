@@ -201,6 +201,7 @@ def test_the_same_scene_gives_the_same_page(text):
 @pytest.mark.parametrize(
     "name", ["table_1", "frictionless", "quasi_zero", "coulomb", "shock", "machine", "shaking_floor"]
 )
+@pytest.mark.part(3)
 def test_other_scenes_have_a_report_too(name, tmp_path, capsys):
     out = tmp_path / "page.html"
     assert cli.main(["report", str(ROOT / "scenes" / f"{name}.toml"), "-o", str(out)]) == 0

@@ -137,6 +137,7 @@ def harmonics(pieces):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("count", "far", "amplitude"), [(0, 0, "0.2"), (1, 0, "0.31"), (2, 0, "0.501"), *FAR_POINTS])
+@pytest.mark.part(7)
 def test_higher_harmonics(pieces, count, far, amplitude):
     """Every form of h_3 and h_5; the series leave out less than rounding does."""
     regime = harmonics(pieces)[f"passed_{count}" + (f"_far_{far}" if far else "")]
