@@ -27,6 +27,8 @@ KNOWN = (
     "reach",
 )
 
+#: questions that look at motions about the centre, or begin there
+CENTRED = "{} is not available with {}, only about the centre"
 AT_CENTRE = (
     "{}: not available, this question is about motions about the centre. Off it there are rest, detachment, "
     "saddle_nodes, saddle_node_onset, amplitudes, frequency_response, peak, margins, hysteresis, isolation, spectrum, "

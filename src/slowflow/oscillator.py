@@ -17,7 +17,7 @@ from slowflow.answer import joined
 from slowflow.averaged.questions import Averaged
 from slowflow.averaged.remarks import NOTHING
 from slowflow.certificate import Certificate
-from slowflow.loaded import Loaded, off_centre_by
+from slowflow.loaded import CENTRED, Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, followed
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.results import Detachment, Measured, MeasuredFolds, MeasuredPoint, Remark, SaddleNodeOnset
@@ -31,7 +31,6 @@ if TYPE_CHECKING:
     from slowflow.mechanism import Reals
     from slowflow.off_centre.answers import RestPositions
     from slowflow.off_centre.questions import OffCentre
-    from slowflow.results import FrequencyResponse, Peak, SaddleNodes, SteadyStates
     from slowflow.second import SecondApproximation
 
 #: frequencies shown of the equation of motion, whose cycle has ever more stops as Omega tends to 0
@@ -44,9 +43,6 @@ FORCES = ("truncated", "untruncated")
 
 #: what need not be said of an oscillator
 DEFAULTS = (("force", FORCES[0]), ("excitation", "force"))
-
-#: questions that look at motions about the centre, or begin there
-CENTRED = "{} is not available with {}, only about the centre"
 
 
 class Oscillator(Unchanging, Averaged):
@@ -168,44 +164,19 @@ class Oscillator(Unchanging, Averaged):
         if self._off_centre_by:
             raise validate.NotAvailable(CENTRED.format(question, self._off_centre_by))
 
+    @property
+    def _loaded(self) -> OffCentre | None:
+        """What answers in its place under a load, with the mean B."""
+        return self.off_centre if isinstance(self.model, Loaded) else None
+
     def rest(self) -> RestPositions:
         """Every place at which the mass rests under its load without friction; see `OffCentre.rest`."""
         return self._off_centre.rest()
-
-    def amplitudes(self, *, Omega: Reals, F_0: Reals) -> SteadyStates:
-        """Every steady state, see `Averaged.amplitudes`; under a load `OffCentre.amplitudes`, with its mean B."""
-        if isinstance(self.model, Loaded):
-            return self.off_centre.amplitudes(Omega=Omega, F_0=F_0)
-        return super().amplitudes(Omega=Omega, F_0=F_0)
-
-    def saddle_nodes(self, F_0: float, *, certify: bool = False) -> SaddleNodes:
-        """Every fold, see `Averaged.saddle_nodes`; under a load `OffCentre.saddle_nodes`, which has no proof."""
-        if not isinstance(self.model, Loaded):
-            return super().saddle_nodes(F_0, certify=certify)
-        if certify:
-            self.at_centre("certify")
-        return self.off_centre.saddle_nodes(F_0)
-
-    def frequency_response(
-        self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
-    ) -> FrequencyResponse:
-        """The response, see `Averaged.frequency_response`; under a load `OffCentre.frequency_response`, with its B."""
-        if isinstance(self.model, Loaded):
-            return self.off_centre.frequency_response(F_0, samples=samples, Omega=Omega)
-        return super().frequency_response(F_0, samples=samples, Omega=Omega)
-
-    def peak(self, F_0: float) -> Peak:
-        """The highest peak, see `Averaged.peak`; under a load `OffCentre.peak`, with its B and the largest |u|."""
-        return self.off_centre.peak(F_0) if self._off_centre_by else super().peak(F_0)
 
     def certify(self, F_0: float, *, Omega: float | None = None) -> Certificate:
         """What is proved at F_0, see `Averaged.certify`; of motions about the centre."""
         self.at_centre("certify")
         return super().certify(F_0, Omega=Omega)
-
-    def detachment(self) -> Detachment:
-        """The lowest forcing that reaches u_cr, see `Averaged.detachment`; under a load `OffCentre.detachment`."""
-        return self.off_centre.detachment() if isinstance(self.model, Loaded) else super().detachment()
 
     def explain(self, question: str, F_0: float | None = None) -> Plan:
         """What runs for a question, what is skipped, and why, see `Averaged.explain`; under a load of those it has."""

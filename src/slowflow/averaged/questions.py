@@ -10,8 +10,9 @@ import dataclasses
 import functools
 import math
 import operator
+from collections.abc import Callable
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeVar
 
 import numpy as np
 
@@ -41,11 +42,26 @@ from slowflow_support.errors import OutOfRange, Refused
 if TYPE_CHECKING:
     from slowflow.mechanism import Reals
 
+P = ParamSpec("P")
+R = TypeVar("R")
 State = TypeVar("State", FrequencyResponse, SteadyStates)
 #: of a peak: where the next lower one is looked for, by more than roundings below it
 JUST_BELOW = 1 - 2.0**-30
 
 Answer = TypeVar("Answer", FrequencyResponse, SteadyStates, SaddleNodes, SaddleNodeOnset, Detachment, Peak)
+
+
+def also_loaded(ask: Callable[Concatenate[Any, P], R]) -> Callable[Concatenate[Any, P], R]:
+    """A question that an oscillator under a load answers with its mean B, by the method of that name of `OffCentre`."""
+
+    @functools.wraps(ask)
+    def asked(self: Any, /, *arguments: P.args, **named: P.kwargs) -> R:
+        if (loaded := self._loaded) is None:
+            return ask(self, *arguments, **named)
+        found: R = getattr(loaded, ask.__name__)(*arguments, **named)
+        return found
+
+    return asked
 
 
 class Averaged:
@@ -60,6 +76,8 @@ class Averaged:
     model: Model
     #: what measures answers against the equation of motion, where that is known
     _equation: Measures | None = None
+    #: what answers under a load, where there is one
+    _loaded: Any = None
 
     def __init__(self, model: Model) -> None:
         check_defined(model)
@@ -99,6 +117,7 @@ class Averaged:
         """Amplitudes at which the force passes from one piece to the next: (u_cr,), or none."""
         return self.model.breakpoints
 
+    @also_loaded
     def frequency_response(
         self, F_0: float, *, samples: int = 1000, Omega: tuple[float, float] = validate.WINDOW
     ) -> FrequencyResponse:
@@ -106,7 +125,7 @@ class Averaged:
 
         About `samples` points; folds, peaks and corners are among them exactly. Raises ValueError for F_0 <= 0,
         samples < 2 or > 10^6, or a window that is not 0 <= low < high <= 1e40. F_0 <= 4 mu/pi gives no point and a
-        message.
+        message. Under a load each point has its mean, `.B`.
         """
         return self._remarked(self.curve(F_0, samples=samples, Omega=Omega), F_0)
 
@@ -125,6 +144,7 @@ class Averaged:
         found = solvers.frequency_response(planned.model, F_0, samples, shown)
         return self._centred(proofs.decided_curve(found, self.model, shown, allowance or proofs.Allowance()))
 
+    @also_loaded
     def amplitudes(self, *, Omega: Reals, F_0: Reals) -> SteadyStates:
         """Every steady state at the frequency Omega, or at each of an array of frequencies (24), (30).
 
@@ -132,7 +152,7 @@ class Averaged:
         .Omega, .A, .phi, .stable, in the order of the points, then by rising A. Raises ValueError for Omega <= 0 or
         > 1e40, for F_0 <= 0, and for shapes that do not broadcast. Where the force does not exceed 4 mu/pi friction
         holds the mass: A = 0 is a steady state, which transmits all that drives it, and on a base that shakes moves
-        with it.
+        with it. Under a load each has its mean, `.B`.
 
         Where doubles do not tell how many there are balls of more digits do, as for `saddle_nodes`, at 200 points at
         most; `.Omega_undecided` has the frequencies at which neither does.
@@ -184,10 +204,11 @@ class Averaged:
             return SteadyStates(none, none, np.empty(0, dtype=bool), F_0, words.sticks(self.model, F_0), self.model)
         return solvers.amplitudes(planned.model, at, F_0)
 
+    @also_loaded
     def saddle_nodes(self, F_0: float, *, certify: bool = False) -> SaddleNodes:
         """Every fold of the response curve at F_0, by rising Omega, of one Omega by rising A (24), (30).
 
-        Raises ValueError for F_0 <= 0.
+        Raises ValueError for F_0 <= 0. Under a load each has its mean, `.B`, and there is no proof.
 
         Where doubles do not tell how many there are balls of more digits do, with python-flint
         (`pip install 'slowflow[proofs]'`), in hundredths of a second; `Remark.UNDECIDED` says where neither does.
@@ -253,12 +274,16 @@ class Averaged:
             known = self.__dict__["_onset"] = self._remarked(self.onset(), math.nan)
         return known
 
+    @also_loaded
     def detachment(self) -> Detachment:
-        """The lowest forcing F_cr that reaches u_cr, and its frequency Omega_cr (34)."""
+        """The lowest forcing F_cr that reaches u_cr, and its frequency Omega_cr (34); under a load with A and B."""
         return self._remarked(self._detachment, math.nan)
 
+    @also_loaded
     def peak(self, F_0: float) -> Peak:
         """The highest peak of the response at F_0, isolas included: .A .Omega. Raises ValueError for F_0 <= 0.
+
+        Under a load it has its mean, `.B`, and the largest |u| of all motions, `.u_max` at `.Omega_max`.
 
         A peak is a top of the curve over Omega at which stable motions end, so that F of (24) rises with A there. Where
         the curve has none, as its amplitude only falls with Omega, it is the static amplitude, with Omega = 0.

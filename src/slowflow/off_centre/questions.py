@@ -21,7 +21,7 @@ from slowflow.averaged import remarks, words
 from slowflow.averaged.pairs import at_pairs
 from slowflow.averaged.questions import Averaged
 from slowflow.gradient import Gradient
-from slowflow.loaded import Loaded
+from slowflow.loaded import CENTRED, Loaded, off_centre_by
 from slowflow.model import Floats, Model
 from slowflow.off_centre import answers
 from slowflow.off_centre.answers import RestPositions
@@ -391,11 +391,14 @@ class OffCentre(Unchanging):
         off = np.abs(x[1]) > AT_CENTRE if self._complete.has_centre else np.ones(of.size, dtype=bool)
         return x[:, off], of[off]
 
-    def saddle_nodes(self, F_0: float) -> SaddleNodes:
+    def saddle_nodes(self, F_0: float, *, certify: bool = False) -> SaddleNodes:
         """Every fold of the response at F_0, by rising Omega, on every sheet of the balance, up to `A_max(F_0)`.
 
-        Raises ValueError for F_0 <= 0 and without damping that grows with the amplitude.
+        Raises ValueError for F_0 <= 0, without damping that grows with the amplitude, and for `certify`.
         """
+        if certify:
+            why = off_centre_by(self._model.mechanism, self.load) or "a mean B"
+            raise validate.NotAvailable(CENTRED.format("certify", why))
         F_0 = validate.number("F_0", F_0, above=0.0)
         self._check_answered("saddle_nodes")
         return self._once(("saddle_nodes", F_0), lambda: self._saddle_nodes(F_0))
