@@ -16,9 +16,10 @@ from derivations.sided import Sided
 TEMPLATE = """
 static const double NAME_pi = PI;
 
-static int NAME_parameters_of(const double *design, double *p)
+static int NAME_parameters_of(const sf_mechanism *self, const double *design, double *p)
 {
     const double DESIGN;
+    (void)self;
     if (!(DOMAIN))
         return 0;
     if (RESTS >= 0)
@@ -28,8 +29,8 @@ static int NAME_parameters_of(const double *design, double *p)
     return p[0] > 0 && p[1] > -1 && p[0] < INFINITY && p[2] < INFINITY && fabs(p[3]) < INFINITY;
 }
 
-static void NAME_ends(const double *p, double *b) { b[0] = p[2]; }
-static void NAME_jumps(const double *p, double *jump) { (void)p, jump[0] = 0; }
+static void NAME_ends(const sf_mechanism *self, const double *p, double *b) { (void)self, b[0] = p[2]; }
+static void NAME_jumps(const sf_mechanism *self, const double *p, double *jump) { (void)self, (void)p, jump[0] = 0; }
 
 static double NAME_M(double a) { return a < 0.5 ? M_NEAR_0 : M_OF_A; }
 static double NAME_N(double a) { return a < 0.5 ? N_NEAR_0 : N_OF_A; }
@@ -77,11 +78,21 @@ static void NAME_first(ptrdiff_t n, ptrdiff_t wanted, const double *A, const dou
     }
 }
 
-static void NAME_averaged(ptrdiff_t n, const double *A, const double *p, double *out) { NAME_first(n, 4, A, p, out); }
-static void NAME_averaged_2(ptrdiff_t n, const double *A, const double *p, double *out) { NAME_first(n, 2, A, p, out); }
-
-static double NAME_intercept(double A, const double *p)
+static void NAME_averaged(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
 {
+    (void)self;
+    NAME_first(n, 4, A, p, out);
+}
+
+static void NAME_averaged_2(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
+{
+    (void)self;
+    NAME_first(n, 2, A, p, out);
+}
+
+static double NAME_intercept(const sf_mechanism *self, double A, const double *p)
+{
+    (void)self;
     double known[5];
     NAME_known(A, p, known);
     return known[4];
