@@ -31,6 +31,7 @@ TABLES = {
     "domains",
     "conventions",
     "exact_conventions",
+    "program_conventions",
     "second_conventions",
     "quadrature_conventions",
     "scaling",
