@@ -274,6 +274,7 @@ SF_KERNEL void dissipation_folds(double Omega, double A, double F_0, double I_0A
 /* F and F_A/2, in A and R; derivatives by the one and by the other of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 64 structured, 44 common subexpressions, 44 power chains
+   Measured, error / u (1 + kappa): 0.57
  */
 SF_KERNEL void dissipation_folds_in_R(double Omega, double A, double F_0, double I_0AA, double zeta, double d, double h_AA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -295,6 +296,7 @@ SF_KERNEL void dissipation_folds_in_R(double Omega, double A, double F_0, double
 /* F and F_A/2 by inertia over Omega^4, x = 1/Omega, in A and R; derivatives by the one and by the other of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 68 structured, 45 common subexpressions, 45 power chains
+   Measured, error / u (1 + kappa): 0.7
  */
 SF_KERNEL void dissipation_folds_far(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double zeta, double d, double h, double h_A, double h_AA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -316,6 +318,7 @@ SF_KERNEL void dissipation_folds_far(double x, double A, double F_0, double I_0,
 /* The same in A and x; derivatives by the one and by the other of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 48 structured, 40 common subexpressions, 40 power chains
+   Measured, error / u (1 + kappa): 0.75
  */
 SF_KERNEL void dissipation_folds_far_in_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double zeta, double d, double h, double h_A, double h_AA, double R, double I_, double R_A, double I_A, double *out)
 {

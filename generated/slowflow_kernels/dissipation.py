@@ -1024,6 +1024,7 @@ def folds_in_R(Omega, A, F_0, I_0AA, zeta, d, h_AA, R, I, R_A, I_A):
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 64 structured, 44 common subexpressions, 44 power chains.
+    Measured, error / u (1 + kappa): 0.57
     """
     t0 = 1.0 / Omega
     t1 = A * Omega * d
@@ -1048,6 +1049,7 @@ def folds_far(x, A, F_0, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA, R, I, R_A, I_A
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 68 structured, 45 common subexpressions, 45 power chains.
+    Measured, error / u (1 + kappa): 0.7
     """
     t0 = 1.0 / h
     t1 = t0 / x
@@ -1072,6 +1074,7 @@ def folds_far_in_x(x, A, F_0, I_0, I_0A, I_0AA, zeta, d, h, h_A, h_AA, R, I, R_A
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 48 structured, 40 common subexpressions, 40 power chains.
+    Measured, error / u (1 + kappa): 0.75
     """
     t0 = I * I_A + R * R_A
     t1 = R * x

@@ -398,7 +398,8 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             if question.one is not None and self.mechanism.enclosed is not None:
                 self._refuse_undefined(question.one, each, len(at), places, outputs)
             if self.laws:
-                self._ask_singly(question, outputs[-1] == Status.NO_BOUND, each, places, outputs)
+                left = np.isin(outputs[-1], (Status.NO_BOUND, Status.UNRESOLVED))
+                self._ask_singly(question, left, each, places, outputs)
         elif question.one is None:
             for output, value in zip(told, NO_PROOF, strict=True):
                 output[...] = value
@@ -421,7 +422,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         places: int,
         outputs: list[npt.NDArray[Any]],
     ) -> None:
-        """Put in single answers, which know of masses that no spring holds."""
+        """Put in single answers, which know of masses that no spring holds, and of what boxes leave unresolved."""
         size = len(self.values)
         for index in map(tuple, np.argwhere(wanted)):
             numbers = [float(value[index]) for value in values]

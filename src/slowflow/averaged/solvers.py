@@ -28,8 +28,9 @@ def _either(on_compiled: Question, on_numpy: Callable[[], Question], laws: bool 
         if (model.searched if laws else model.native) is not None:
             try:
                 return on_compiled(model, *arguments)
-            except OverflowError:
-                if not (model.lets_go or model.laws.any):
+            except ArithmeticError as error:
+                # by other laws of damping what the boxes leave unresolved NumPy's search may tell
+                if not (model.laws.any or (model.lets_go and isinstance(error, OverflowError))):
                     raise
         # a solver tries values that it then discards: the warnings that these raise are no fault of the arguments
         with np.errstate(all="ignore"):
