@@ -54,9 +54,11 @@ static int sf_excludes(const sf_model *model, double F_0, double most, double A,
     return A > F_0 && values[0] > 0;
 }
 
-/* The same where it is h that is known between two amplitudes: up to the reach, or an endless amplitude. */
-static int sf_bounds_bent(const sf_model *model, double F_0, double A) {
-    const double most = slow_flow_most_restoring(A, F_0, model->m, model->zeta);
+/* The same where it is h that is known between two amplitudes: up to the reach, or an endless amplitude.
+ *
+ * excludes -- whether no state is where h lies within these bounds; most -- what |h| is at most at a state */
+static int sf_bounds_bent_by(const sf_model *model, double F_0, double A, double most,
+                             int (*excludes)(const sf_model *, double, double, double, sf_interval)) {
     const double end = fmin(model->reach, SF_ENDLESS * fmax(A, 1));
     double next;
     int i;
@@ -69,10 +71,14 @@ static int sf_bounds_bent(const sf_model *model, double F_0, double A) {
             if (A < model->b[i] && model->b[i] < next)
                 next = model->b[i];
         model->mechanism->bent(model->mechanism, sfi_of(A, next), model->p, bent);
-        if (!sf_excludes(model, F_0, most, A, bent[0]))
+        if (!excludes(model, F_0, most, A, bent[0]))
             return 0;
     }
     return 1;
+}
+
+static int sf_bounds_bent(const sf_model *model, double F_0, double A) {
+    return sf_bounds_bent_by(model, F_0, A, slow_flow_most_restoring(A, F_0, model->m, model->zeta), sf_excludes);
 }
 
 /* Whether an excitation by inertia has no state above F_0 from A on: what excludes states at an amplitude is positive
@@ -206,23 +212,7 @@ static int sf_law_excludes(const sf_model *model, double F_0, double most, doubl
 }
 
 static int sf_law_bounds_bent(const sf_model *model, double F_0, double A) {
-    const double most = sf_most_by_laws(model, F_0, A);
-    const double end = fmin(model->reach, SF_ENDLESS * fmax(A, 1));
-    double next;
-    int i;
-    if (!(A < end))
-        return 0;
-    for (; A < end; A = next) {
-        sf_interval bent[2];
-        next = fmin(2 * A, end);
-        for (i = model->breaks - 1; i >= 0; i--)
-            if (A < model->b[i] && model->b[i] < next)
-                next = model->b[i];
-        model->mechanism->bent(model->mechanism, sfi_of(A, next), model->p, bent);
-        if (!sf_law_excludes(model, F_0, most, A, bent[0]))
-            return 0;
-    }
-    return 1;
+    return sf_bounds_bent_by(model, F_0, A, sf_most_by_laws(model, F_0, A), sf_law_excludes);
 }
 
 /* How many frequencies an amplitude has. */
