@@ -21,10 +21,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from benchmarks.environment import processor
-from slowflow.scenes import QUESTIONS, SHOCKS, Asked, Scene, read
+from slowflow.scenes import QUESTIONS, Asked, Scene, read
 from slowflow.sizing import tolerances
 from slowflow.sizing.subject import Subject
 from slowflow.sizing.tolerances import FEW_SAMPLES
+from slowflow.table import SHOCKS
 from slowflow_support.errors import SlowflowError
 
 #: designs of each kind; seconds after which no further design is asked

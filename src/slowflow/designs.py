@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Any
 
 from slowflow import validate
 from slowflow.averaged import many
+from slowflow.table import SHOCKS
 
 if TYPE_CHECKING:
     from slowflow.averaged.batches import Batch
     from slowflow.second.many import SecondDesigns
 
 #: questions that other rooms answer, which are loaded when asked for
-SHOCKS, LOADS = ("transient", "shock_spectrum"), ("at_rest", "margins", "hysteresis", "isolation", "spectrum")
+LOADS = ("at_rest", "margins", "hysteresis", "isolation", "spectrum")
 
 
 class Designs(many.Designs):

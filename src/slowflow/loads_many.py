@@ -22,7 +22,6 @@ from slowflow.averaged.remarks import gives_way, stay_centred
 from slowflow.mechanism import Floats
 from slowflow.model import THROUGHOUT
 from slowflow.results import Remark
-from slowflow.table import AVERAGING, QUESTIONS
 from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import Status
 
@@ -101,13 +100,7 @@ def margins(designs: Designs, F_0: Any, workers: int = 1) -> Batch:
     known |= {name: np.where(allowed, np.broadcast_to(code, shape), 0).astype(np.int8) for name, code in codes.items()}
     known |= {"folds": folds.count, "onset": np.broadcast_to(onsets.status, shape).copy()}
     said = np.where(allowed, folds.remarks | onsets.remarks | detachments.remarks, np.uint16(0))
-    return _batch("margins", known | {"status": status.astype(np.int8)}, designs, said, F_0=F_0)
-
-
-def _batch(question: str, columns: dict[str, Any], designs: Designs, said: Any, **asked: Any) -> Batch:
-    """An answer from its columns in any order, with the remarks of those that it is made of."""
-    values = {name: columns[name] for name in QUESTIONS[question].columns[AVERAGING]}
-    return Batch(question, values, designs, asked, remarks=said)
+    return Batch("margins", known | {"status": status.astype(np.int8)}, designs, {"F_0": F_0}, remarks=said)
 
 
 def lifting(designs: Designs, detachments: Batch) -> Floats:
@@ -164,7 +157,7 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
         motions[at][:n] = found.motions[:n]
     status[(count > places) & (status == Status.OK)] = Status.TOO_MANY
     columns = {"Omega_low": low, "Omega_high": high, "motions": motions, "count": count, "status": status}
-    return _batch("hysteresis", columns, designs, folds.remarks, F_0=F_0)
+    return Batch("hysteresis", columns, designs, {"F_0": F_0}, remarks=folds.remarks)
 
 
 def isolation(designs: Designs, F_0: Any, workers: int = 1) -> Batch:
@@ -207,7 +200,7 @@ def isolation(designs: Designs, F_0: Any, workers: int = 1) -> Batch:
             A[at] = np.nan if one.A is None else one.A
     said = np.where(np.isin(status, (Status.OK, Status.NONE)), said, np.uint16(0))
     found = {"Omega": Omega, "A": A, "at_fold": at_fold, "status": status}
-    return _batch("isolation", found, designs, said, F_0=F_0)
+    return Batch("isolation", found, designs, {"F_0": F_0}, remarks=said)
 
 
 def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> Batch:
@@ -238,7 +231,7 @@ def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> Batch:
     flags |= {"detaches": detaches, "sticks": sticks, "status": status}
     columns = {"A": np.where(A >= 0, A, np.nan), "transmissibility_dB": dB}
     columns |= {name: value.astype(np.int8) for name, value in flags.items()}
-    return _batch("spectrum", columns, rows, states.remarks, F_0=F_0, Omega=Omega)
+    return Batch("spectrum", columns, rows, {"F_0": F_0, "Omega": Omega}, remarks=states.remarks)
 
 
 def _crossed(rows: Designs, Omega: Floats, F_0: Floats, status: Codes, workers: int) -> tuple[Flags, Codes]:

@@ -21,6 +21,7 @@ from slowflow.loaded import CENTRED, Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, followed
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.results import Detachment, Measured, MeasuredFolds, MeasuredPoint, Remark, SaddleNodeOnset
+from slowflow.table import SHOCKS
 from slowflow.unchanging import Unchanging
 from slowflow_kernels.domains import EXCITATIONS
 from slowflow_support.errors import Refused
@@ -36,8 +37,6 @@ if TYPE_CHECKING:
 #: frequencies shown of the equation of motion, whose cycle has ever more stops as Omega tends to 0
 EXACT_WINDOW = (0.5, 1.5)
 
-#: questions about motions that have no frequency
-IN_TIME = ("transient", "shock_spectrum")
 #: the force of the equation of motion: (6), or (5)
 FORCES = ("truncated", "untruncated")
 
@@ -180,7 +179,7 @@ class Oscillator(Unchanging, Averaged):
 
     def explain(self, question: str, F_0: float | None = None) -> Plan:
         """What runs for a question, what is skipped, and why, see `Averaged.explain`; under a load of those it has."""
-        if question in IN_TIME:
+        if question in SHOCKS:
             self._in_time(None)  # refuses laws that are stated at a frequency
         if not self._off_centre_by:
             return super().explain(question, F_0)

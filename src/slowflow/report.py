@@ -22,8 +22,9 @@ from slowflow.paper.report import read_ledger
 from slowflow.physical import Physical
 from slowflow.quantities import EXCITED, KIND_OF, SHEET, SHOWN, UNITS, Quantities
 from slowflow.results import Remark
-from slowflow.scenes import FORCINGS, SHOCKS, Asked, Scene
+from slowflow.scenes import FORCINGS, Asked, Scene
 from slowflow.sizing.subject import Load, Subject
+from slowflow.table import SHOCKS
 from slowflow.validate import NotAvailable
 from slowflow_support.errors import Refused
 

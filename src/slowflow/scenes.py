@@ -169,8 +169,6 @@ OF_MOUNT = {letter: kind for letter, kind, _ in EXCITED.values()}
 OF_MOUNT |= {"f": "frequency", "acceleration": "acceleration", "duration": "time", "t": "time"}
 #: names of the frequency
 FREQUENCIES = ("f", "Omega")
-#: questions about shocks
-SHOCKS = ("transient", "shock_spectrum")
 #: what a half sine of the base is given by
 OF_A_PULSE = ("acceleration", "duration")
 #: names of forcing, frequency and time without dimensions

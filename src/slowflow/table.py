@@ -262,6 +262,9 @@ QUESTIONS: Mapping[str, Question] = MappingProxyType(
     }
 )
 
+#: those about motions in time, which a pulse or a record of the base excites
+SHOCKS = tuple(name for name, row in QUESTIONS.items() if "acceleration" in row.takes)
+
 Found = TypeVar("Found", covariant=True)
 
 

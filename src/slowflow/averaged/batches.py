@@ -113,14 +113,14 @@ class Batch(Answer):
         system: str = AVERAGING,
         **beside: Any,
     ) -> None:
-        """An answer; `beside` may hold
+        """An answer from its columns, in any order; `beside` may hold
 
         remarks  -- those of answers that are made of others, or of single ones
         by_balls -- which designs balls decided
         escapes  -- of peaks, which have none because the response goes on beyond a well
         """
         row = QUESTIONS[question]
-        assert tuple(values) == tuple(row.columns[system]), (tuple(values), question)
+        values = {name: values[name] for name in row.columns[system]}
         self.__dict__.update(question=row, system=system, asked=MappingProxyType(dict(asked)))
         self.__dict__.update(_values=MappingProxyType(dict(values)), _designs=designs, _beside=beside)
         for value in values.values():
@@ -329,7 +329,7 @@ class Batch(Answer):
     def _has(self, name: str, *questions: str) -> None:
         """Raises NoAttribute where the answer has nothing of this name."""
         if self.question.name not in questions:
-            raise validate.NoAttribute(f"{name!r} is no column of this answer: it has {', '.join(self._values)}")
+            self.__getattr__(name)
 
     @cached_property
     def phi(self) -> Floats:

@@ -17,7 +17,6 @@ from slowflow.exact.transient import AFTER, NO_PULSE, half_sine, record, transie
 from slowflow.mechanism import EquationOfMotion, Floats, Force, followed
 from slowflow.model import THROUGHOUT, Model
 from slowflow.results import Remark
-from slowflow.table import AVERAGING, QUESTIONS
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.exact_conventions import Outcome
 from slowflow_support.errors import Refused
@@ -29,13 +28,11 @@ OffCentres = Callable[[Model, float], Any]
 
 
 def _batch(question: str, columns: dict[str, Any], designs: Designs, pulse: Mapping[str, Any]) -> Batch:
-    """An answer from its columns in any order; remarks say where A is beyond what the mechanism reaches."""
-    values = {name: columns[name] for name in QUESTIONS[question].columns[AVERAGING]}
+    """An answer whose remarks say where A is beyond what the mechanism reaches."""
     with np.errstate(all="ignore"):  # what is no design has no pieces
         beyond = designs.mechanism.reach_at(*designs.mechanism.coefficients(*designs.design)) < columns["A"]
-    return Batch(
-        question, values, designs, pulse, remarks=np.where(beyond, np.uint16(Remark.BEYOND_REACH), np.uint16(0))
-    )
+    said = np.where(beyond, np.uint16(Remark.BEYOND_REACH), np.uint16(0))
+    return Batch(question, columns, designs, pulse, remarks=said)
 
 
 def of_designs(

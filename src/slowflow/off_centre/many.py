@@ -31,7 +31,7 @@ from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import NO_MEANS, NOT_SMOOTH
 from slowflow.off_centre.questions import OffCentre
 from slowflow.results import Remark
-from slowflow.table import AVERAGING, COLUMNS, MORE_POINTS, OFFSET, QUESTIONS, ManyQuestions, Unanswered
+from slowflow.table import AVERAGING, COLUMNS, MORE_POINTS, OFFSET, QUESTIONS, SHOCKS, ManyQuestions, Unanswered
 from slowflow.unchanging import Unchanging
 from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import MovesStatus, OnsetKind, Status
@@ -359,7 +359,7 @@ AS_CENTRED = {"A": "u_cr", "u_max": "A", "Omega_max": "Omega"}
 CENTRED = frozenset(("at_rest", "certify", "second_approximation"))
 #: what there is in an empty place, if not 0 or NaN
 NOTHING = {"branch": -1}
-SHOCKS, COMPOSED = ("transient", "shock_spectrum"), ("margins", "hysteresis", "isolation")
+COMPOSED = ("margins", "hysteresis", "isolation")
 
 
 def _failed(error: Exception) -> Status:
