@@ -73,7 +73,8 @@ class Dissipation:
     F         -- response (24), in R and I
     F_A, ...  -- its derivatives
     F_A_halved -- F_A/2 by R, I and their slopes
-    R_of_response, R_of_peak, R_of_fold -- what R, or its size, is where F, F_Omega or F_A vanishes, in I
+    R_of_response, R_of_peak, R_of_fold -- what R, or its size, is where F, F_Omega or F_A vanishes, in I;
+                 R_of_peak_by_rest, in I_0
     h_A_of_turn -- what h_A is where F_AOmega vanishes, in R and `beside`
     least_F_A -- 4 A times the least F_A/2 that any R leaves, in I and I_A
     I_scaled, F_A_scaled -- I/A, and F_A/(2 A) by I/A and h/A, which stay as A falls to 0
@@ -100,9 +101,9 @@ class Dissipation:
     structural_bound -- above A, where |h| grows by s dA at most, no state lies where these are positive: and its slope
     quadratic_bound -- the amplitude that no state under an excitation by inertia exceeds, by d
     systems   -- by what they are
-    in_R      -- the same with A and the balance R as unknowns: Omega^2 = (R - h)/A, in which nothing cancels where R is
-                 small; in R, I and their slopes R_A, I_A along A at a given Omega; `folds_far`: by inertia, all over
-                 Omega^2, Omega^-2 = (R - A)/h; `folds_far_in_x`: with A and 1/Omega as unknowns, where h may vanish
+    searched  -- some of them in R, I and their slopes R_A, I_A along A at a given Omega. `by_R`: A and R are the
+                 unknowns, Omega^2 = (R - h)/A, in which nothing cancels where R is small; `by_Omega`: A and Omega are.
+                 `far`: of an excitation by inertia, all over Omega^2, x = 1/Omega, x^2 = (R - A)/h
     sine_intercept -- I - A I_A, where the tangent of I at a given Omega meets A = 0, by that of I_0
     velocity  -- A Omega by I
     rest_intercept, released_intercept -- I_0 - A I_0A
@@ -123,6 +124,7 @@ class Dissipation:
     F_A_halved: sp.Expr
     R_of_response: sp.Expr
     R_of_peak: sp.Expr
+    R_of_peak_by_rest: sp.Expr
     R_of_fold: sp.Expr
     h_A_of_turn: sp.Expr
     least_F_A: sp.Expr
@@ -154,7 +156,7 @@ class Dissipation:
     structural_bound: tuple[sp.Expr, ...]
     quadratic_bound: sp.Expr
     systems: dict[str, System]
-    in_R: dict[str, System]
+    searched: dict[str, System]
     sine_intercept: sp.Expr
     velocity: sp.Expr
     rest_intercept: sp.Expr
@@ -269,6 +271,7 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
         F_A_halved=halved,
         R_of_response=sp.sqrt(R**2 - sp.expand(F)),
         R_of_peak=R_of_peak,
+        R_of_peak_by_rest=R - peak,
         R_of_fold=sp.solve(halved, R)[0].subs(R_A, slope_of_R),
         h_A_of_turn=_h_A_of_turn(slope_of_R),
         least_F_A=least_F_A,
@@ -320,7 +323,7 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
                 ("isolas_by_inertia", (F_A, least)),
             )
         },
-        in_R=_in_R(flow.R, value, F, halved),
+        searched=_searched(flow.R, value, F, halved, peak),
         sine_intercept=sp.expand(value - A * by_A(value)).subs(I_0, level + A * I_0A),
         velocity=_velocity(value),
         rest_intercept=_intercept(at_rest),
@@ -360,10 +363,10 @@ def _velocity(value: sp.Expr) -> sp.Expr:
     return sp.simplify(found)
 
 
-def _in_R(of_R: sp.Expr, value: sp.Expr, F: sp.Expr, halved: sp.Expr) -> dict[str, System]:
+def _searched(of_R: sp.Expr, value: sp.Expr, F: sp.Expr, halved: sp.Expr, peak: sp.Expr) -> dict[str, System]:
     """By implicit differentiation: on a line of constant R the frequency moves by -R_A/R_w along A."""
     result = {}
-    for name, w in (("folds", Omega), ("folds_far", x)):
+    for w in (Omega, x):
 
         def at(whole: sp.Expr, w: sp.Symbol = w) -> sp.Expr:
             return whole if w == Omega else sp.expand(sp.expand(whole / Omega**2).subs(Omega, 1 / x))
@@ -372,6 +375,17 @@ def _in_R(of_R: sp.Expr, value: sp.Expr, F: sp.Expr, halved: sp.Expr) -> dict[st
         # along A at a constant frequency
         rises = {R: R_A, I: I_A, R_A: by_A(known[R_A]), I_A: by_A(known[I_A])}
         by_frequency = {symbol: sp.factor_terms(sp.diff(whole, w)) for symbol, whole in known.items()}
+        bend = sp.expand(sum(sp.diff(halved, symbol) * rises[symbol] for symbol in rises))
+        # where R^2 + I^2 is over its slope by R; by w in the form that does not vanish at w = 0
+        stationary = {
+            "by_R": R + sp.expand(by_frequency[I] / by_frequency[R]) * I,
+            f"by_{w}": peak if w == Omega else R * h + I_0 * I + A * zeta * sp.expand(known[I] / x),
+        }
+        for one, scale in zip(
+            stationary.values(), (2 * by_frequency[R], 4 * A * Omega if w == Omega else 4 * x), strict=True
+        ):
+            if sp.expand(sp.expand((one * scale).subs(known)) - sp.diff(F.subs(known), w)) != 0:
+                raise ArithmeticError(f"where the level is stationary: {one}")
 
         def slope_of(
             expression: sp.Expr,
@@ -382,18 +396,25 @@ def _in_R(of_R: sp.Expr, value: sp.Expr, F: sp.Expr, halved: sp.Expr) -> dict[st
             w: sp.Symbol = w,
         ) -> sp.Expr:
             """Where the frequency moves by `moved`, R by `of_R` and A by `by`."""
-            found = sp.diff(expression, w) * moved + sp.diff(expression, R) * of_R
+            found = sp.diff(expression, w) * moved + sp.diff(expression, R) * of_R + by_A(expression) * by
             for symbol in (I, R_A, I_A):
                 found += sp.diff(expression, symbol) * (known[0][symbol] * by + known[1][symbol] * moved)
             return sp.factor_terms(found)
 
         by_R, none, one = 1 / by_frequency[R], sp.S.Zero, sp.S.One
-        directions = {name: ((-R_A * by_R, none, one), (by_R, one, none))}
-        if w == x:
-            directions["folds_far_in_x"] = (none, R_A, one), (one, by_frequency[R], none)
-        for each, lines in directions.items():
-            slopes = tuple(slope_of(value, *line) for value in (F, halved) for line in lines)
-            result[each] = System((F, halved), slopes)
+        directions = {
+            "by_R": ((-R_A * by_R, none, one), (by_R, one, none)),
+            f"by_{w}": ((none, R_A, one), (one, by_frequency[R], none)),
+        }
+        for named, lines in directions.items():
+            for system, values in (
+                ("folds", (F, halved)),
+                ("peaks", (F, stationary[named])),
+                ("cusps", (halved, bend)),
+                ("isolas", (halved, stationary[named])),
+            ):
+                slopes = tuple(slope_of(each, *line) for each in values for line in lines)
+                result[f"{system}_{'far_' if w == x else ''}{named}"] = System(values, slopes)
     return result
 
 

@@ -201,6 +201,21 @@ SF_KERNEL void dissipation_fold_quartic(double A, double I_0, double I_0A, doubl
     out[4] = A + 2.0 * A3 * d * d;
 }
 
+/* Of what `least_F_A` over A^2 is not below where |k| <= A^2 |h_AA|/2, friction on all of the cycle: 1, A^2.
+   Equation from (30). Domain: Omega >= 0.
+   Operations: 14 structured, 14 common subexpressions, 13 power chains
+   Proved, error / u (1 + kappa): -, 1.01
+   Measured, error / u (1 + kappa): 0.78
+ */
+SF_KERNEL void dissipation_least_scaled(double Omega, double zeta, double eta, double d, double h_AA, double *out)
+{
+    const double t0 = 2.0 * Omega * zeta + eta;
+    const double Omega2 = Omega * Omega;
+    const double Omega4 = Omega2 * Omega2;
+    out[0] = 4.0 * t0 * t0;
+    out[1] = 8.0 * Omega4 * d * d - 0.25 * h_AA * h_AA;
+}
+
 /* F/Omega^4 at x = 1/Omega; and -Omega^3/4 dlevel^2/dOmega, less Omega times the third.
    Equation (24). Domain: x >= 0, A > 0.
    Operations: 42 structured, 35 common subexpressions, 34 power chains
@@ -245,39 +260,18 @@ SF_KERNEL double dissipation_quadratic_bound(double F_0, double d)
     return sqrt(F_0) / sqrt(d);
 }
 
-/* F and F_A; derivatives by A and by Omega of the first, then of the second.
-   Equation from (24), (30). Domain: Omega > 0, A > 0.
-   Operations: 91 structured, 47 common subexpressions, 47 power chains
-   Proved, error / u (1 + kappa): -, 5.01, 5.01, 3.26, -, -
-   Measured, error / u (1 + kappa): 1.5
- */
-SF_KERNEL void dissipation_folds(double Omega, double A, double F_0, double I_0A, double I_0AA, double zeta, double d, double h_A, double h_AA, double R, double I_, double *out)
-{
-    const double t0 = Omega * Omega;
-    const double t1 = h_A + t0;
-    const double t2 = 2.0 * Omega;
-    const double t3 = A * d;
-    const double t4 = 2.0 * t0;
-    const double t5 = I_0A + t2 * zeta + t3 * t4;
-    const double t6 = 2.0 * (I_ * t5 + R * t1);
-    const double t7 = Omega * R;
-    const double t8 = A * Omega;
-    const double t9 = d * t8 + zeta;
-    out[0] = R * R + (-F_0 + I_) * (F_0 + I_);
-    out[1] = t6;
-    out[2] = t6;
-    out[3] = 4.0 * A * (I_ * t9 + t7);
-    out[4] = 2.0 * (I_ * I_0AA + I_ * d * t4 + R * h_AA + t1 * t1 + t5 * t5);
-    out[5] = 4.0 * (A * t5 * t9 + I_ * (t2 * t3 + zeta) + t1 * t8 + t7);
-}
-
-/* F and F_A/2, in A and R; derivatives by the one and by the other of the first, then of the second.
+/* F and F_A/2; derivatives by A and by R of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 64 structured, 44 common subexpressions, 44 power chains
-   Measured, error / u (1 + kappa): 0.57
  */
-SF_KERNEL void dissipation_folds_in_R(double Omega, double A, double F_0, double I_0AA, double zeta, double d, double h_AA, double R, double I_, double R_A, double I_A, double *out)
+SF_KERNEL void dissipation_folds_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
+    (void)(I_0);
+    (void)(I_0A);
+    (void)(I_0AAA);
+    (void)(h);
+    (void)(h_A);
+    (void)(h_AAA);
     const double t0 = 1.0 / Omega;
     const double t1 = A * Omega * d;
     const double t2 = t0 * (t1 + zeta);
@@ -293,13 +287,216 @@ SF_KERNEL void dissipation_folds_in_R(double Omega, double A, double F_0, double
     out[5] = I_ * t4 * t6 + I_A * t2 + R * t4 + R_A;
 }
 
-/* F and F_A/2 by inertia over Omega^4, x = 1/Omega, in A and R; derivatives by the one and by the other of the first, then of the second.
+/* F and what vanishes where the level is stationary; derivatives by A and by R of the first, then of the second.
+   Equation from (24). Domain: Omega > 0, A > 0.
+   Operations: 61 structured, 35 common subexpressions, 35 power chains
+ */
+SF_KERNEL void dissipation_peaks_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
+{
+    (void)(I_0);
+    (void)(I_0A);
+    (void)(I_0AA);
+    (void)(I_0AAA);
+    (void)(h);
+    (void)(h_A);
+    (void)(h_AA);
+    (void)(h_AAA);
+    const double t0 = A * d;
+    const double t1 = 1.0 / Omega;
+    const double t2 = t0 + t1 * zeta;
+    const double t3 = t1 * (Omega * t0 + zeta);
+    const double t4 = I_A - R_A * t3;
+    const double Omega2 = Omega * Omega;
+    const double Omega3 = Omega * Omega2;
+    const double t5 = 0.5 * I_ * zeta / (A * Omega3);
+    out[0] = R * R + (-F_0 + I_) * (F_0 + I_);
+    out[1] = I_ * t2 + R;
+    out[2] = 2.0 * I_ * t4;
+    out[3] = 2.0 * (I_ * t3 + R);
+    out[4] = I_ * d + R_A * t5 + t2 * t4;
+    out[5] = t2 * t3 - t5 + 1.0;
+}
+
+/* F_A/2 and F_AA/2; derivatives by A and by R of the first, then of the second.
+   Equation from (30), (33). Domain: Omega > 0, A > 0.
+   Operations: 122 structured, 66 common subexpressions, 66 power chains
+ */
+SF_KERNEL void dissipation_cusps_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
+{
+    (void)(F_0);
+    (void)(I_0);
+    (void)(I_0A);
+    (void)(h);
+    (void)(h_A);
+    const double t0 = 2.0 * d;
+    const double t1 = Omega * Omega * t0;
+    const double t2 = 1.0 / A;
+    const double t3 = R_A * t2;
+    const double t4 = h_AA - t3;
+    const double t5 = 1.0 / Omega;
+    const double t6 = A * Omega;
+    const double t7 = t5 * (d * t6 + zeta);
+    const double t8 = I_A - R_A * t7;
+    const double t9 = t5 * (t0 * t6 + zeta);
+    const double t10 = I_0AA + t1;
+    const double t11 = t10 - t3 * t9;
+    const double t12 = I_ * t2;
+    const double t13 = 2.0 * I_A;
+    out[0] = I_ * I_A + R * R_A;
+    out[1] = I_ * I_0AA + I_ * t1 + I_A * I_A + R * h_AA + R_A * R_A;
+    out[2] = I_ * t11 + I_A * t8 + R * t4;
+    out[3] = I_A * t7 + R * t2 + R_A + t12 * t9;
+    out[4] = I_ * I_0AAA - I_ * t0 * t3 + R * h_AAA + 2.0 * R_A * t4 + t10 * t8 + t11 * t13;
+    out[5] = h_AA + t0 * t12 + t10 * t7 + t13 * t2 * t9 + 2.0 * t3;
+}
+
+/* F_A/2 and what vanishes where the level is stationary; derivatives by A and by R of the first, then of the second.
+   Equation from (30). Domain: Omega > 0, A > 0.
+   Operations: 85 structured, 52 common subexpressions, 51 power chains
+ */
+SF_KERNEL void dissipation_isolas_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
+{
+    (void)(F_0);
+    (void)(I_0);
+    (void)(I_0A);
+    (void)(I_0AAA);
+    (void)(h);
+    (void)(h_A);
+    (void)(h_AAA);
+    const double t0 = A * d;
+    const double t1 = 1.0 / Omega;
+    const double t2 = t0 + t1 * zeta;
+    const double t3 = 1.0 / A;
+    const double t4 = R_A * t3;
+    const double t5 = Omega * t0;
+    const double t6 = t1 * (t5 + zeta);
+    const double t7 = I_A - R_A * t6;
+    const double t8 = t1 * (2.0 * t5 + zeta);
+    const double t9 = I_ * t3;
+    const double Omega2 = Omega * Omega;
+    const double Omega3 = Omega * Omega2;
+    const double t10 = 0.5 * zeta / Omega3;
+    out[0] = I_ * I_A + R * R_A;
+    out[1] = I_ * t2 + R;
+    out[2] = I_ * (I_0AA + 2.0 * Omega2 * d - t4 * t8) + I_A * t7 + R * (h_AA - t4);
+    out[3] = I_A * t6 + R * t3 + R_A + t8 * t9;
+    out[4] = I_ * d + I_ * t10 * t4 + t2 * t7;
+    out[5] = -t10 * t9 + t2 * t6 + 1.0;
+}
+
+/* F and F_A/2; derivatives by A and by Omega of the first, then of the second.
+   Equation from (24), (30). Domain: Omega > 0, A > 0.
+   Operations: 48 structured, 38 common subexpressions, 38 power chains
+ */
+SF_KERNEL void dissipation_folds_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
+{
+    (void)(I_0);
+    (void)(I_0A);
+    (void)(I_0AAA);
+    (void)(h);
+    (void)(h_A);
+    (void)(h_AAA);
+    const double t0 = I_ * I_A + R * R_A;
+    const double t1 = Omega * R;
+    const double t2 = A * Omega;
+    const double t3 = d * t2;
+    const double t4 = t3 + zeta;
+    out[0] = R * R + (-F_0 + I_) * (F_0 + I_);
+    out[1] = t0;
+    out[2] = 2.0 * t0;
+    out[3] = 4.0 * A * (I_ * t4 + t1);
+    out[4] = I_ * (I_0AA + 2.0 * Omega * Omega * d) + I_A * I_A + R * h_AA + R_A * R_A;
+    out[5] = 2.0 * (A * I_A * t4 + I_ * (2.0 * t3 + zeta) + R_A * t2 + t1);
+}
+
+/* F and what vanishes where the level is stationary; derivatives by A and by Omega of the first, then of the second.
+   Equation from (24). Domain: Omega > 0, A > 0.
+   Operations: 76 structured, 48 common subexpressions, 48 power chains
+ */
+SF_KERNEL void dissipation_peaks_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
+{
+    (void)(I_0AA);
+    (void)(I_0AAA);
+    (void)(h);
+    (void)(h_A);
+    (void)(h_AA);
+    (void)(h_AAA);
+    const double t0 = zeta / Omega;
+    const double t1 = 3.0 * zeta;
+    const double t2 = A * d;
+    const double t3 = Omega * t2;
+    const double t4 = I_0 * d + t3 * (t1 + t3) + 2.0 * zeta * zeta;
+    const double t5 = t1 + 2.0 * t3;
+    out[0] = R * R + (-F_0 + I_) * (F_0 + I_);
+    out[1] = A * t4 + I_0 * t0 + R;
+    out[2] = 2.0 * (I_ * I_A + R * R_A);
+    out[3] = 4.0 * A * (I_ * (t3 + zeta) + Omega * R);
+    out[4] = I_0A * (t0 + t2) + R_A + t3 * t5 + t4;
+    out[5] = A * A * d * t5 + 2.0 * A * Omega - I_0 * zeta / (Omega * Omega);
+}
+
+/* F_A/2 and F_AA/2; derivatives by A and by Omega of the first, then of the second.
+   Equation from (30), (33). Domain: Omega > 0, A > 0.
+   Operations: 83 structured, 54 common subexpressions, 54 power chains
+ */
+SF_KERNEL void dissipation_cusps_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
+{
+    (void)(F_0);
+    (void)(I_0);
+    (void)(I_0A);
+    (void)(h);
+    (void)(h_A);
+    const double t0 = 2.0 * d;
+    const double t1 = Omega * Omega * t0;
+    const double t2 = I_A * I_A + R * h_AA + R_A * R_A;
+    const double t3 = I_0AA + t1;
+    const double t4 = A * Omega;
+    const double t5 = t0 * t4 + zeta;
+    const double t6 = A * (d * t4 + zeta);
+    out[0] = I_ * I_A + R * R_A;
+    out[1] = I_ * I_0AA + I_ * t1 + t2;
+    out[2] = I_ * t3 + t2;
+    out[3] = 2.0 * (I_ * t5 + I_A * t6 + Omega * R + R_A * t4);
+    out[4] = I_ * I_0AAA + 3.0 * I_A * t3 + R * h_AAA + 3.0 * R_A * h_AA;
+    out[5] = 2.0 * (I_ * Omega * t0 + 2.0 * I_A * t5 + 2.0 * Omega * R_A + h_AA * t4 + t3 * t6);
+}
+
+/* F_A/2 and what vanishes where the level is stationary; derivatives by A and by Omega of the first, then of the second.
+   Equation from (30). Domain: Omega > 0, A > 0.
+   Operations: 90 structured, 57 common subexpressions, 57 power chains
+ */
+SF_KERNEL void dissipation_isolas_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
+{
+    (void)(F_0);
+    (void)(I_0AAA);
+    (void)(h);
+    (void)(h_A);
+    (void)(h_AAA);
+    const double t0 = zeta / Omega;
+    const double t1 = 3.0 * zeta;
+    const double t2 = A * d;
+    const double t3 = Omega * t2;
+    const double t4 = I_0 * d + t3 * (t1 + t3) + 2.0 * zeta * zeta;
+    const double t5 = Omega * Omega;
+    const double t6 = A * Omega;
+    const double t7 = 2.0 * t3;
+    const double t8 = t1 + t7;
+    out[0] = I_ * I_A + R * R_A;
+    out[1] = A * t4 + I_0 * t0 + R;
+    out[2] = I_ * (I_0AA + 2.0 * d * t5) + I_A * I_A + R * h_AA + R_A * R_A;
+    out[3] = 2.0 * (A * I_A * (t3 + zeta) + I_ * (t7 + zeta) + Omega * R + R_A * t6);
+    out[4] = I_0A * (t0 + t2) + R_A + t3 * t8 + t4;
+    out[5] = A * A * d * t8 - I_0 * zeta / t5 + 2.0 * t6;
+}
+
+/* F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 68 structured, 45 common subexpressions, 45 power chains
-   Measured, error / u (1 + kappa): 0.7
  */
-SF_KERNEL void dissipation_folds_far(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double zeta, double d, double h, double h_A, double h_AA, double R, double I_, double R_A, double I_A, double *out)
+SF_KERNEL void dissipation_folds_far_by_R(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
+    (void)(I_0AAA);
+    (void)(h_AAA);
     const double t0 = 1.0 / h;
     const double t1 = t0 / x;
     const double t2 = t1 * (A * zeta + I_0 * x);
@@ -315,13 +512,114 @@ SF_KERNEL void dissipation_folds_far(double x, double A, double F_0, double I_0,
     out[5] = I_ * t6 + I_A * t2 + R * t5 + R_A;
 }
 
-/* The same in A and x; derivatives by the one and by the other of the first, then of the second.
+/* F and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
+   Equation from (24). Domain: Omega > 0, A > 0.
+   Operations: 82 structured, 53 common subexpressions, 53 power chains
+ */
+SF_KERNEL void dissipation_peaks_far_by_R(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
+{
+    (void)(I_0AA);
+    (void)(I_0AAA);
+    (void)(d);
+    (void)(h_AA);
+    (void)(h_AAA);
+    const double t0 = 1.0 / h;
+    const double t1 = 1.0 / x;
+    const double t2 = A * zeta;
+    const double t3 = t1 * t2;
+    const double t4 = I_0 * x + t2;
+    const double t5 = t0 * t4;
+    const double t6 = I_A - R_A * t1 * t5;
+    const double t7 = I_ * t1;
+    const double t8 = I_ * t0;
+    const double x2 = x * x;
+    const double x3 = x * x2;
+    const double t9 = 0.5 * t2 / x3;
+    const double t10 = I_0 + t3;
+    const double t11 = 1.0 / (h * h);
+    out[0] = R * R + (-F_0 + I_) * (F_0 + I_);
+    out[1] = I_ * (I_0 * t0 + t0 * t3) + R;
+    out[2] = 2.0 * I_ * t6;
+    out[3] = 2.0 * (R + t5 * t7);
+    out[4] = t0 * (I_ * I_0A + R_A * t8 * t9 - h_A * t10 * t8 + t10 * t6 + t7 * zeta);
+    out[5] = -I_ * t11 * t9 + t1 * t10 * t11 * t4 + 1.0;
+}
+
+/* F_A/2 and F_AA/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
+   Equation from (30), (33). Domain: Omega > 0, A > 0.
+   Operations: 136 structured, 72 common subexpressions, 72 power chains
+ */
+SF_KERNEL void dissipation_cusps_far_by_R(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
+{
+    (void)(F_0);
+    const double t0 = 2.0 * d;
+    const double t1 = x * x;
+    const double t2 = I_0AA * t1;
+    const double t3 = h_AA * t1;
+    const double t4 = 1.0 / h;
+    const double t5 = h_A * t4;
+    const double t6 = R_A * t5;
+    const double t7 = h_AA * t1 - t6;
+    const double t8 = A * zeta + I_0 * x;
+    const double t9 = t4 / x;
+    const double t10 = R_A * t9;
+    const double t11 = I_A - t10 * t8;
+    const double t12 = I_0A * x + zeta;
+    const double t13 = t0 + t2;
+    const double t14 = -t10 * t12 + t13;
+    const double t15 = t12 * t9;
+    const double t16 = t8 * t9;
+    const double t17 = t4 * (I_ * I_0AA + R * h_AA);
+    const double t18 = 2.0 * I_A;
+    out[0] = I_ * I_A + R * R_A;
+    out[1] = I_ * t0 + I_ * t2 + I_A * I_A + R * t3 + R_A * R_A;
+    out[2] = I_ * t14 + I_A * t11 + R * t7;
+    out[3] = I_ * t15 + I_A * t16 + R * t5 + R_A;
+    out[4] = I_ * I_0AAA * t1 + R * h_AAA * t1 - R_A * t17 + 2.0 * R_A * t7 + t11 * t13 + t14 * t18;
+    out[5] = t13 * t16 + t15 * t18 + t17 + t3 + 2.0 * t6;
+}
+
+/* F_A/2 and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
+   Equation from (30). Domain: Omega > 0, A > 0.
+   Operations: 106 structured, 70 common subexpressions, 69 power chains
+ */
+SF_KERNEL void dissipation_isolas_far_by_R(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
+{
+    (void)(F_0);
+    (void)(I_0AAA);
+    (void)(h_AAA);
+    const double t0 = 1.0 / h;
+    const double t1 = 1.0 / x;
+    const double t2 = A * zeta;
+    const double t3 = t1 * t2;
+    const double x2 = x * x;
+    const double t4 = h_A * t0;
+    const double t5 = R_A * t1;
+    const double t6 = I_0 * x + t2;
+    const double t7 = t0 * t6;
+    const double t8 = I_A - t5 * t7;
+    const double t9 = t0 * (I_0A * x + zeta);
+    const double t10 = I_ * t1;
+    const double x3 = x * x2;
+    const double t11 = 0.5 * I_ * t2 / x3;
+    const double t12 = I_0 + t3;
+    const double t13 = 1.0 / (h * h);
+    out[0] = I_ * I_A + R * R_A;
+    out[1] = I_ * (I_0 * t0 + t0 * t3) + R;
+    out[2] = I_ * (I_0AA * x2 + 2.0 * d - t5 * t9) + I_A * t8 + R * (-R_A * t4 + h_AA * x2);
+    out[3] = I_A * t1 * t7 + R * t4 + R_A + t10 * t9;
+    out[4] = t0 * (I_ * I_0A - I_ * t12 * t4 + R_A * t0 * t11 + t10 * zeta + t12 * t8);
+    out[5] = t1 * t12 * t13 * t6 - t11 * t13 + 1.0;
+}
+
+/* F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 48 structured, 40 common subexpressions, 40 power chains
-   Measured, error / u (1 + kappa): 0.75
  */
-SF_KERNEL void dissipation_folds_far_in_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double zeta, double d, double h, double h_A, double h_AA, double R, double I_, double R_A, double I_A, double *out)
+SF_KERNEL void dissipation_folds_far_by_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
+    (void)(I_0AAA);
+    (void)(h_AAA);
     const double t0 = I_ * I_A + R * R_A;
     const double t1 = R * x;
     const double t2 = A * zeta + I_0 * x;
@@ -332,6 +630,85 @@ SF_KERNEL void dissipation_folds_far_in_x(double x, double A, double F_0, double
     out[3] = 4.0 * (I_ * t2 + h * t1);
     out[4] = I_ * (I_0AA * t3 + 2.0 * d) + I_A * I_A + R * h_AA * t3 + R_A * R_A;
     out[5] = 2.0 * (I_ * (I_0A * x + zeta) + I_A * t2 + R_A * h * x + h_A * t1);
+}
+
+/* F and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
+   Equation from (24). Domain: Omega > 0, A > 0.
+   Operations: 75 structured, 54 common subexpressions, 54 power chains
+ */
+SF_KERNEL void dissipation_peaks_far_by_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
+{
+    (void)(I_0AA);
+    (void)(I_0AAA);
+    (void)(h_AA);
+    (void)(h_AAA);
+    const double t0 = R * h;
+    const double t1 = A * zeta;
+    const double t2 = I_0 * x;
+    const double t3 = 2.0 * t1;
+    const double t4 = A * A;
+    const double t5 = d / x;
+    const double t6 = t2 + t3 + t4 * t5;
+    const double t7 = t1 + t2;
+    out[0] = R * R + (-F_0 + I_) * (F_0 + I_);
+    out[1] = I_ * I_0 + t0 + t1 * t6;
+    out[2] = 2.0 * (I_ * I_A + R * R_A);
+    out[3] = 4.0 * (I_ * t7 + t0 * x);
+    out[4] = I_0 * I_A + I_0A * (I_ + t1 * x) + R * h_A + R_A * h + t3 * (A * t5 + zeta) + t6 * zeta;
+    out[5] = 2.0 * I_0 * t7 + 2.0 * h * h * x + t1 * (I_0 - d * t4 / (x * x));
+}
+
+/* F_A/2 and F_AA/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
+   Equation from (30), (33). Domain: Omega > 0, A > 0.
+   Operations: 93 structured, 63 common subexpressions, 62 power chains
+ */
+SF_KERNEL void dissipation_cusps_far_by_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
+{
+    (void)(F_0);
+    const double t0 = 2.0 * d;
+    const double x2 = x * x;
+    const double t1 = I_0AA * x2;
+    const double t2 = R * x2;
+    const double t3 = I_A * I_A + R_A * R_A + h_AA * t2;
+    const double t4 = t0 + t1;
+    const double t5 = R * x;
+    const double t6 = R_A * x;
+    const double t7 = I_0A * x + zeta;
+    const double t8 = A * zeta + I_0 * x;
+    const double x3 = x * x2;
+    out[0] = I_ * I_A + R * R_A;
+    out[1] = I_ * t0 + I_ * t1 + t3;
+    out[2] = I_ * t4 + t3;
+    out[3] = 2.0 * (I_ * t7 + I_A * t8 + h * t6 + h_A * t5);
+    out[4] = I_ * I_0AAA * x2 + 3.0 * I_A * t4 + 3.0 * R_A * h_AA * x2 + h_AAA * t2;
+    out[5] = 2.0 * (I_ * I_0AA * x + 2.0 * I_A * t7 + h * h_AA * x3 + 2.0 * h_A * t6 + h_AA * t5 + t4 * t8);
+}
+
+/* F_A/2 and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
+   Equation from (30). Domain: Omega > 0, A > 0.
+   Operations: 89 structured, 65 common subexpressions, 65 power chains
+ */
+SF_KERNEL void dissipation_isolas_far_by_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
+{
+    (void)(F_0);
+    (void)(I_0AAA);
+    (void)(h_AAA);
+    const double t0 = A * zeta;
+    const double t1 = I_0 * x;
+    const double t2 = 2.0 * t0;
+    const double t3 = A * A;
+    const double t4 = d / x;
+    const double t5 = t1 + t2 + t3 * t4;
+    const double t6 = x * x;
+    const double t7 = R * h_A;
+    const double t8 = R_A * h;
+    const double t9 = t0 + t1;
+    out[0] = I_ * I_A + R * R_A;
+    out[1] = I_ * I_0 + R * h + t0 * t5;
+    out[2] = I_ * (I_0AA * t6 + 2.0 * d) + I_A * I_A + R * h_AA * t6 + R_A * R_A;
+    out[3] = 2.0 * (I_ * (I_0A * x + zeta) + I_A * t9 + t7 * x + t8 * x);
+    out[4] = I_0 * I_A + I_0A * (I_ + t0 * x) + t2 * (A * t4 + zeta) + t5 * zeta + t7 + t8;
+    out[5] = 2.0 * I_0 * t9 + 2.0 * h * h * x + t0 * (I_0 - d * t3 / t6);
 }
 
 #endif

@@ -42,13 +42,12 @@ KNOWN = (Omega, x, A, F_0, *REST, zeta, d, h, h_A, h_AA, h_AAA)
 #: what the compiled search takes on numbers, and on intervals
 IN_C = {
     *("quadratic", "restoring", "at_rest", "released", "I", "I_A", "far", "F", "F_A", "F_AA"),
-    *("response_quartic", "fold_quartic", "far_by_inertia", "structural_bound", "quadratic_bound"),
-    *("folds", "folds_in_R", "folds_far", "folds_far_in_x"),
+    *("response_quartic", "fold_quartic", "far_by_inertia", "structural_bound", "quadratic_bound", "least_scaled"),
 }
 ENCLOSED = {
-    *("at_rest", "released", "I", "I_A", "far", "R_of_response"),
+    *("at_rest", "released", "I", "I_A", "far", "R_of_response", "R_of_peak", "R_where_stationary"),
+    *("far_by_inertia", "F_A_scaled", "I_scaled"),
     *("rest_intercept", "released_intercept", "sine_intercept", "sine_intercept_far", "velocity"),
-    *("folds", "folds_in_R", "folds_far", "folds_far_in_x"),
 }
 #: what each system is, in words
 SYSTEMS = {
@@ -63,11 +62,12 @@ SYSTEMS = {
     "peaks_by_inertia": ("F and -Omega^5/4 dlevel^2/dOmega by inertia", "(24)"),
     "isolas_by_inertia": ("F_A and -Omega^5/4 dlevel^2/dOmega by inertia", "(30)"),
 }
-#: the same by R, see `Dissipation.in_R`
-IN_R = {
-    "folds": ("folds_in_R", "F and F_A/2, in A and R", "(24), (30)"),
-    "folds_far": ("folds_far", "F and F_A/2 by inertia over Omega^4, x = 1/Omega, in A and R", "(24), (30)"),
-    "folds_far_in_x": ("folds_far_in_x", "The same in A and x", "(24), (30)"),
+#: the same as the compiled search takes them, see `Dissipation.searched`
+SEARCHED = {
+    "folds": ("F and F_A/2", "(24), (30)"),
+    "peaks": ("F and what vanishes where the level is stationary", "(24)"),
+    "cusps": ("F_A/2 and F_AA/2", "(30), (33)"),
+    "isolas": ("F_A/2 and what vanishes where the level is stationary", "(30)"),
 }
 
 
@@ -218,7 +218,7 @@ def dissipation_module(results: Results) -> Module:
             *searched_kernels(of),
             *inertial_kernels(of, slopes, in_derivatives),
             *(system(name, *of.systems[name].values, *of.systems[name].slopes) for name in of.systems),
-            *(system_in_R(name, of.in_R[name]) for name in of.in_R),
+            *(searched_system(name, of.searched[name]) for name in of.searched),
             *gradients_by_laws(results.laws_gradients),
         ),
     )
@@ -226,7 +226,12 @@ def dissipation_module(results: Results) -> Module:
     return replace(
         found,
         kernels=tuple(
-            replace(kernel, generic=True, in_c=kernel.name in IN_C, enclosed=kernel.name in ENCLOSED)
+            replace(
+                kernel,
+                generic=True,
+                in_c=kernel.name in {*IN_C, *of.searched},
+                enclosed=kernel.name in {*ENCLOSED, *of.searched},
+            )
             for kernel in found.kernels
         ),
         cells=intercept_kernels(of),
@@ -373,19 +378,28 @@ def intercept_kernels(of: Dissipation) -> tuple[Kernel, ...]:
             "from (23)",
             "x >= 0, A > 0",
         ),
+        plain(
+            "R_of_peak_by_rest",
+            (Omega, A, I_0, zeta, d),
+            of.R_of_peak_by_rest,
+            "R where F_Omega = 0, by I at Omega = 0.",
+            "from (24)",
+            "Omega > 0, A > 0",
+        ),
         plain("velocity", (I, I_0, zeta, d), of.velocity, "A Omega by I.", "from (23)", "I >= I_0"),
     )
 
 
-def system_in_R(name: str, system: System) -> Kernel:
-    """The same in A and R."""
-    outputs = (*system.values, *system.slopes)
-    named, doc, equation = IN_R[name]
+def searched_system(name: str, system: System) -> Kernel:
+    """The same arguments for all, so that the search has them in a table."""
+    of, *rest = name.split("_")
+    (doc, equation), unknown = SEARCHED[of], rest[-1]
+    over = " of an excitation by inertia, over powers of Omega, x = 1/Omega" if "far" in rest else ""
     return plain(
-        named,
-        [*needed(outputs), R, I, R_A, I_A],
-        outputs,
-        f"{doc}; derivatives by the one and by the other of the first, then of the second.",
+        name,
+        [x if "far" in rest else Omega, *KNOWN[2:], R, I, R_A, I_A],
+        (*system.values, *system.slopes),
+        f"{doc}{over}; derivatives by A and by {unknown} of the first, then of the second.",
         f"from {equation}",
         "Omega > 0, A > 0",
     )

@@ -83,10 +83,10 @@ static sf_status sf_law_folds(const sf_model *model, const sf_given *given, doub
     if (status != SF_OK && status != SF_UNBOUNDED)
         return status;
     sf_stretches_up_to(model, room->work.A_max, &room->work.pieces);
-    sf_search_pieces(model, F_0, &room->work.pieces, &room->points);
+    sf_search_pieces(model, SF_LAW_FOLDS, F_0, &room->work.pieces, &room->points);
     if (found->status != SF_OK)
         return found->status;
-    folds->undecided = found->undecided || (!sf_inertial(model) && fabs(F_0 - model->m) <= SF_CLOSE * model->m);
+    folds->undecided = found->undecided > 0 || (!sf_inertial(model) && fabs(F_0 - model->m) <= SF_CLOSE * model->m);
     for (i = 0; i < found->n; i++) {
         sf_sample at;
         sf_sample_at(model, found->at[i].A, &at);

@@ -120,13 +120,21 @@ static sf_interval sf_slope_of(const sf_law_search *search, const sf_strip *stri
     return sfi_div(sfi_sub(R, cell->k), cell->A);
 }
 
-/* ==== What folds demand of R and w ================================================================================ */
+/* ==== What the systems demand of R and w ========================================================================== */
+
+static inline int sf_is_forced(const sf_law_search *search) { return search->system <= SF_LAW_PEAKS; }
+static inline int sf_is_folded(const sf_law_search *search) { return search->system != SF_LAW_PEAKS; }
+static inline int sf_is_stationary(const sf_law_search *search) {
+    return search->system == SF_LAW_PEAKS || search->system == SF_LAW_ISOLAS;
+}
 
 /* Damping takes no more than the force: I <= F_0. Over Omega^2 I has I_0 where it has d else, and d where it has I_0. */
 static void sf_limit_by_damping(const sf_law_search *search, const sf_strip *strip, sf_interval *w) {
     const sf_laws_within *laws = &search->laws;
     const sf_interval A = strip->cell.A;
     sf_interval most = sf_all();
+    if (!(search->F_0 < HUGE_VAL))
+        return;
     if (search->far)
         most = dissipation_intervals_velocity(search->force, sfi_mul(laws->d, sfi_square(A)), sfi_mul(laws->zeta, A),
                                               strip->rest[0]);
@@ -142,12 +150,66 @@ static sf_interval sf_of_size(sf_interval R, sf_interval size) {
     return sfi_both(R, sfi_of(R.lo > -size.lo ? size.lo : -size.hi, R.hi < size.lo ? -size.lo : size.hi));
 }
 
-/* Narrows R and w to what F = F_A = 0 leave of them; 0 where that is nothing. */
-static int sf_narrow_fold(const sf_law_search *search, const sf_strip *strip, sf_unknowns *of) {
+/* R where the level is stationary. */
+static sf_interval sf_stationary_R(const sf_law_search *search, const sf_strip *strip, const sf_unknowns *of,
+                                   sf_interval I) {
+    const sf_laws_within *laws = &search->laws;
+    const sf_interval A = strip->cell.A;
+    sf_interval found[3];
+    if (!search->far) /* by I, or as I may vanish with Omega by its parts */
+        return sfi_both(sfi_both(of->R, dissipation_intervals_R_of_peak(of->w, A, laws->zeta, laws->d, I)),
+                        dissipation_intervals_R_of_peak_by_rest(of->w, A, strip->rest[0], laws->zeta, laws->d));
+    dissipation_intervals_R_where_stationary(of->w, A, strip->rest[0], laws->zeta, laws->d, found);
+    if (found[0].hi < 0)
+        return sfi_of(1, -1);
+    found[1] = sfi_both(of->R, found[1]), found[2] = sfi_both(of->R, found[2]);
+    return sf_is_none(found[1]) ? found[2] : sf_is_none(found[2]) ? found[1] : sfi_join(found[1], found[2]);
+}
+
+/* Whether F_A is positive for 0 < A on a cell that reaches down to A = 0, where it vanishes: as h/A and h_A are nearly
+ * the same there, and I/A is not less than at its end. w: Omega */
+static int sf_rises_from_rest(const sf_law_search *search, const sf_strip *strip, sf_interval w, sf_interval I_A) {
+    const sf_laws_within *laws = &search->laws;
+    const sf_cell *cell = &strip->cell;
+    const double b = cell->A.hi, bend = sf_size_of(cell->h_AA), over = (strip->rest[0].hi / b) * (1 - SF_CLOSE);
+    double least[2], value;
+    sf_interval I;
+    if (!(cell->A.lo == 0 && I_A.lo >= 0 && w.lo >= 0))
+        return 0;
+    I = dissipation_intervals_I_scaled(w, cell->A, sfi_of(over, HUGE_VAL), laws->zeta, laws->d);
+    if (dissipation_intervals_F_A_scaled(w, cell->h_A, cell->h_A, I, I_A).lo > 0)
+        return 1;
+    dissipation_least_scaled(w.lo * (1 - SF_CLOSE), search->model->zeta, search->model->eta, search->model->d, bend, least);
+    value = least[0] + b * b * fmin(least[1], 0) + (least[0] == 0 ? least[1] : 0);
+    return value > SF_CLOSE * least[0];
+}
+
+/* Whether the level of an excitation by inertia has a slope of one sign, also next to Omega = inf, where all of it that
+ * is not over Omega^2 vanishes. */
+static int sf_has_level_slope(const sf_law_search *search, const sf_strip *strip, sf_interval w) {
+    const sf_laws_within *laws = &search->laws;
+    sf_interval of[3];
+    dissipation_intervals_far_by_inertia(w, strip->cell.A, search->force, strip->rest[0], laws->zeta, laws->d,
+                                         strip->cell.h, of);
+    return sfi_has_sign(sfi_add(of[1], sfi_div(of[2], w))); /* its third part grows with Omega */
+}
+
+/* Whether two factors may have a product of its sign. */
+static int sf_may_be_product(sf_interval product, sf_interval one, sf_interval other) {
+    if (product.lo > 0)
+        return (one.hi > 0 && other.hi > 0) || (one.lo < 0 && other.lo < 0);
+    if (product.hi < 0)
+        return (one.hi > 0 && other.lo < 0) || (one.lo < 0 && other.hi > 0);
+    return 1;
+}
+
+/* Narrows R and w to what the functions demand of them where both vanish; 0 where that is nothing. */
+static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip, sf_unknowns *of) {
     const sf_cell *cell = &strip->cell;
     const sf_interval force = search->force;
+    const int folded = sf_is_folded(search), forced = sf_is_forced(search), stationary = sf_is_stationary(search);
     /* where I I_A >= 0 R and its slope differ in sign: -h/A and -h_A enclose Omega^2, and R lies between 0 and k */
-    const int apart = strip->rest[1].lo >= 0;
+    const int apart = folded && strip->rest[1].lo >= 0;
     int pass;
     if (apart) {
         const sf_interval between = sfi_neg(sfi_join(strip->over, cell->h_A));
@@ -157,34 +219,58 @@ static int sf_narrow_fold(const sf_law_search *search, const sf_strip *strip, sf
     }
     for (pass = 0; pass < SF_NARROWINGS; pass++) {
         sf_balances at;
-        sf_interval square, level, K, P;
+        sf_interval square;
         sf_limit_by_damping(search, strip, &of->w);
         if (sf_is_none(of->w))
             return 0;
         square = sfi_square(of->w);
         sf_balances_at(search, strip, of->w, &at);
-        level = search->far ? dissipation_intervals_sine_intercept_far(of->w, cell->A, strip->level, search->laws.d)
-                            : dissipation_intervals_sine_intercept(of->w, cell->A, strip->level, search->laws.d);
-        K = search->far ? sfi_mul(cell->k, square) : cell->k;
         of->R = sfi_both(sfi_both(of->R, sfi_of(-force.hi, force.hi)), at.R);
         at.I = sfi_both(at.I, sfi_of(-HUGE_VAL, force.hi));
         if (sf_is_none(at.I))
             return 0;
-        P = sfi_neg(sfi_mul(at.I, at.I_A)); /* R R_A */
-        if (apart) {
-            of->R = sfi_both(of->R, sf_with_0(K));
-            at.R_A = sfi_both(at.R_A, sf_with_0(sfi_neg(sfi_div(K, cell->A))));
-        }
-        of->R = sfi_both(of->R, sf_ratio(P, at.R_A));
-        /* k R + (I - A I_A) I = F_0^2 */
-        of->R = sfi_both(of->R, sf_ratio(sfi_sub(sfi_square(force), sfi_mul(level, at.I)), K));
-        at.R_A = sfi_both(at.R_A, sf_ratio(P, of->R));
-        at.R_A = sfi_both(at.R_A, sf_slope_of(search, strip, of->R));
-        if (sf_is_none(of->R) || sf_is_none(at.R_A))
+        if (stationary)
+            of->R = sf_stationary_R(search, strip, of, at.I);
+        if (stationary && search->far && sf_has_level_slope(search, strip, of->w))
             return 0;
-        of->R = sf_of_size(of->R, dissipation_intervals_R_of_response(force, at.I));
-        square = sfi_both(square, search->far ? sf_positive_ratio(sfi_sub(at.R_A, sfi_point(1)), cell->h_A)
-                                              : sfi_sub(at.R_A, cell->h_A));
+        if (folded) {
+            const sf_interval P = sfi_neg(sfi_mul(at.I, at.I_A)); /* R R_A */
+            const sf_interval K = search->far ? sfi_mul(cell->k, square) : cell->k;
+            if (sf_rises_from_rest(search, strip, search->far ? sfi_inverse(of->w) : of->w, 
+                                   search->far ? sfi_div(at.I_A, square) : at.I_A))
+                return 0;
+            if (apart) {
+                of->R = sfi_both(of->R, sf_with_0(K));
+                at.R_A = sfi_both(at.R_A, sf_with_0(sfi_neg(sfi_div(K, cell->A))));
+            }
+            of->R = sfi_both(of->R, sf_ratio(P, at.R_A));
+            if (forced) {
+                const sf_interval level =
+                    search->far ? dissipation_intervals_sine_intercept_far(of->w, cell->A, strip->level, search->laws.d)
+                                : dissipation_intervals_sine_intercept(of->w, cell->A, strip->level, search->laws.d);
+                /* k R + (I - A I_A) I = F_0^2 */
+                of->R = sfi_both(of->R, sf_ratio(sfi_sub(sfi_square(force), sfi_mul(level, at.I)), K));
+            }
+            if (search->system == SF_LAW_CUSPS) {
+                const sf_interval scale = search->far ? square : sfi_point(1);
+                const sf_interval bend = sfi_add(sfi_mul(strip->rest[2], scale),
+                                                 sfi_times(2, sfi_mul(search->laws.d, search->far ? sfi_point(1) : square)));
+                const sf_interval rest = sfi_add(sfi_add(sfi_square(at.R_A), sfi_square(at.I_A)), sfi_mul(at.I, bend));
+                of->R = sfi_both(of->R, sf_ratio(sfi_neg(rest), sfi_mul(cell->h_AA, scale)));
+            }
+            at.R_A = sfi_both(at.R_A, sf_ratio(P, of->R));
+            at.R_A = sfi_both(at.R_A, sf_slope_of(search, strip, of->R));
+            /* 0 is no R where h_A is infinite at an end of the cell only */
+            if (sf_is_none(at.R_A) || !sf_may_be_product(P, of->R, at.R_A))
+                return 0;
+        }
+        if (sf_is_none(of->R))
+            return 0;
+        if (forced)
+            of->R = sf_of_size(of->R, dissipation_intervals_R_of_response(force, at.I));
+        if (folded)
+            square = sfi_both(square, search->far ? sf_positive_ratio(sfi_sub(at.R_A, sfi_point(1)), cell->h_A)
+                                                  : sfi_sub(at.R_A, cell->h_A));
         square = sf_not_negative(sfi_both(square, sf_square_of(search, strip, of->R)));
         if (sf_is_none(of->R) || sf_is_none(square))
             return 0;
@@ -195,57 +281,64 @@ static int sf_narrow_fold(const sf_law_search *search, const sf_strip *strip, sf
 
 /* ==== The functions ============================================================================================== */
 
-/* Both functions and their slopes by A and by the other unknown, u, of the first and then of the second, on a box. */
+typedef void sf_functions_of(double w, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA,
+                             double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I,
+                             double R_A, double I_A, double *out);
+typedef void sf_functions_on(sf_interval w, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A,
+                             sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h,
+                             sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I,
+                             sf_interval R_A, sf_interval I_A, sf_interval *out);
+
+/* Of each system, of a force and of inertia, by R and by w: both functions and their slopes by A and by the other
+ * unknown, of the first and then of the second. */
+#define SF_FORMS(of)                                                                                                   \
+    {                                                                                                                  \
+        {dissipation_##of##_by_R, dissipation_##of##_by_Omega}, {                                                      \
+            dissipation_##of##_far_by_R, dissipation_##of##_far_by_x                                                   \
+        }                                                                                                              \
+    }
+#define SF_FORMS_ON(of) SF_FORMS(intervals_##of)
+static sf_functions_of *const sf_at_points[SF_LAW_SYSTEMS][2][2] = {SF_FORMS(folds), SF_FORMS(peaks), SF_FORMS(cusps),
+                                                                    SF_FORMS(isolas)};
+static sf_functions_on *const sf_on_boxes[SF_LAW_SYSTEMS][2][2] = {SF_FORMS_ON(folds), SF_FORMS_ON(peaks),
+                                                                   SF_FORMS_ON(cusps), SF_FORMS_ON(isolas)};
+
+/* On a box, of which u is the other unknown. */
 static void sf_functions_within(const sf_law_search *search, const sf_strip *strip, int by_w, sf_interval u,
                                 sf_interval out[6]) {
     const sf_cell *cell = &strip->cell;
-    const sf_laws_within *laws = &search->laws;
-    const sf_interval *rest = strip->rest, F_0 = search->force;
+    const sf_interval *rest = strip->rest;
     const sf_interval w = by_w ? u : sfi_sqrt(sf_square_of(search, strip, u));
     sf_balances of;
     sf_balances_at(search, strip, w, &of);
     if (!by_w)
-        of.R_A = sf_slope_of(search, strip, u);
-    if (by_w && search->far)
-        dissipation_intervals_folds_far_in_x(w, cell->A, F_0, rest[0], rest[1], rest[2], laws->zeta, laws->d, cell->h,
-                                             cell->h_A, cell->h_AA, of.R, of.I, of.R_A, of.I_A, out);
-    else if (by_w)
-        dissipation_intervals_folds(w, cell->A, F_0, rest[1], rest[2], laws->zeta, laws->d, cell->h_A, cell->h_AA, of.R,
-                                    of.I, out);
-    else if (search->far)
-        dissipation_intervals_folds_far(w, cell->A, F_0, rest[0], rest[1], rest[2], laws->zeta, laws->d, cell->h,
-                                        cell->h_A, cell->h_AA, u, of.I, of.R_A, of.I_A, out);
-    else
-        dissipation_intervals_folds_in_R(w, cell->A, F_0, rest[2], laws->zeta, laws->d, cell->h_AA, u, of.I, of.R_A,
-                                         of.I_A, out);
+        of.R = u, of.R_A = sf_slope_of(search, strip, u);
+    sf_on_boxes[search->system][search->far][by_w](w, cell->A, search->force, rest[0], rest[1], rest[2], rest[3],
+                                                   search->laws.zeta, search->laws.d, cell->h, cell->h_A, cell->h_AA,
+                                                   cell->h_AAA, of.R, of.I, of.R_A, of.I_A, out);
 }
 
-/* The same at a point, of which Omega, R and the size of its terms are set, NaN where there is none. */
+/* At a point, of which Omega, R and the size of its terms are set, NaN where there is none. */
 static void sf_functions_at(const sf_law_search *search, const sf_sample *at, sf_law_point *point, double out[6]) {
-    const int by_w = point->by_w;
-    const double u = point->u, A = at->A, F_0 = search->F_0, zeta = search->model->zeta, d = search->model->d;
-    double rest[4];
+    const double A = at->A, u = point->u, zeta = search->model->zeta, d = search->model->d;
+    const double square = search->far ? (u - A) / at->h : (u - at->h) / A;
+    const double w = point->by_w ? u : square > 0 ? sqrt(square) : NAN;
+    double rest[4], of[4];
     sf_rest_at(search->model, A, search->laws.beyond, rest);
     if (search->far) {
-        const double square = (u - A) / at->h, w = by_w ? u : square > 0 ? sqrt(square) : NAN;
-        double of[4];
         dissipation_far(w, A, rest[0], rest[1], zeta, d, at->h, at->h_A, of);
-        if (by_w)
-            dissipation_folds_far_in_x(w, A, F_0, rest[0], rest[1], rest[2], zeta, d, at->h, at->h_A, at->h_AA, of[0],
-                                       of[2], of[1], of[3], out);
-        else
-            dissipation_folds_far(w, A, F_0, rest[0], rest[1], rest[2], zeta, d, at->h, at->h_A, at->h_AA, u, of[2],
-                                  (at->k + at->h_A * u) / at->h, of[3], out);
-        point->Omega = 1 / w, point->R = by_w ? of[0] : u, point->size = A + fabs(at->h) * w * w;
+        point->Omega = 1 / w, point->size = A + fabs(at->h) * w * w;
     } else {
-        const double square = (u - at->h) / A, w = by_w ? u : square > 0 ? sqrt(square) : NAN;
-        const double I = dissipation_I(w, A, rest[0], zeta, d), I_A = dissipation_I_A(w, A, rest[1], zeta, d);
-        point->Omega = w, point->R = by_w ? slow_flow_R(w, A, at->h) : u, point->size = fabs(at->h) + A * w * w;
-        if (by_w)
-            dissipation_folds(w, A, F_0, rest[1], rest[2], zeta, d, at->h_A, at->h_AA, point->R, I, out);
-        else
-            dissipation_folds_in_R(w, A, F_0, rest[2], zeta, d, at->h_AA, u, I, (u - at->k) / A, I_A, out);
+        of[0] = slow_flow_R(w, A, at->h), of[1] = w * w + at->h_A;
+        of[2] = dissipation_I(w, A, rest[0], zeta, d), of[3] = dissipation_I_A(w, A, rest[1], zeta, d);
+        point->Omega = w, point->size = fabs(at->h) + A * w * w;
     }
+    if (!point->by_w)
+        of[0] = u, of[1] = search->far ? (at->k + at->h_A * u) / at->h : (u - at->k) / A;
+    point->R = of[0];
+    sf_at_points[search->system][search->far][point->by_w](w, A, search->F_0, rest[0], rest[1], rest[2], rest[3], zeta, d,
+                                                           at->h, at->h_A, at->h_AA, at->h_AAA, of[0], of[2], of[1],
+                                                           of[3], out);
 }
 
 static sf_interval sf_determinant(const sf_interval f[6]) {
@@ -273,7 +366,7 @@ static int sf_approach_point(const sf_law_search *search, sf_law_point *point, d
             return 1;
         last = off;
         point->A -= by_A, point->u -= by_u;
-        if (!(point->A > search->base && point->A <= search->end * (1 + 0x1p-20)))
+        if (!(point->A > search->base && point->A <= search->end * (1 + 0x1p-20) && (!point->by_w || point->u > 0)))
             return 0;
     }
     return last <= 0x1p-30;
@@ -332,7 +425,7 @@ static void sf_add_point(sf_law_points *found, const sf_law_point *point) {
     int i;
     for (i = 0; i < found->n; i++) {
         const sf_law_point *other = &found->at[i];
-        if (fabs(other->A - point->A) <= fmax(other->off_A, point->off_A) &&
+        if (other->part == point->part && fabs(other->A - point->A) <= fmax(other->off_A, point->off_A) &&
             (other->by_w == point->by_w ? fabs(other->u - point->u) <= fmax(other->off_u, point->off_u)
                                         : fabs(other->R - point->R) <= SF_CLOSE * point->size))
             return;
@@ -363,10 +456,10 @@ static inline sf_interval *sf_second_unknown(sf_law_box *box) { return box->by_w
 /* Whether the only point that a box may have is found, where the determinant has a sign on the box. */
 static int sf_settle_point(sf_law_search *search, sf_law_box *box, double middle) {
     const sf_interval u = *sf_second_unknown(box);
-    sf_law_point point;
+    sf_law_point point = {0};
     sf_surroundings around;
     double f[6];
-    point.A = middle, point.u = 0.5 * (u.lo + u.hi), point.by_w = box->by_w;
+    point.A = middle, point.u = 0.5 * (u.lo + u.hi), point.by_w = box->by_w, point.part = search->part;
     if (!sf_approach_point(search, &point, f) || !sf_prove_point(search, f, &point, &around))
         return 0;
     if (around.a.at.A > box->b.at.A || around.b.at.A < box->a.at.A || sf_is_none(sfi_both(around.u, u)))
@@ -401,7 +494,7 @@ static int sf_moves_by_other(const sf_law_search *search, const sf_law_box *box,
         return of_u[0] > SF_MUCH_MORE * of_A[0] && of_u[1] > SF_MUCH_MORE * of_A[1];
     if (is_A_bounded || is_u_bounded)
         return is_A_bounded;
-    return height * box->b.at.A > width * sfi_most(sf_size_of(u), box->by_w ? SF_LOW : search->F_0);
+    return height * box->b.at.A > width * sfi_most(sf_size_of(u), box->by_w || !sf_is_forced(search) ? SF_LOW : search->F_0);
 }
 
 /* Whether R is no small difference of A Omega^2 and h, or R over Omega^2 does not tell w, as h may vanish. */
@@ -415,7 +508,7 @@ static int sf_look_at_box(sf_law_search *search, sf_law_box *box, double middle,
     sf_strip strip;
     *other = 0;
     sf_make_strip(search, &box->a, &box->b, &strip);
-    if (!sf_narrow_fold(search, &strip, &box->of))
+    if (!sf_narrow_unknowns(search, &strip, &box->of))
         return 0;
     box->by_w = sf_is_R_large(search, &strip, box->of.R);
     if (box->a.at.A > 0 && inside &&
@@ -439,15 +532,16 @@ static double sf_cut_other(sf_interval u) {
     return (1 - SF_ASKEW) * u.lo + SF_ASKEW * u.hi;
 }
 
-/* All points on a piece of the force. */
-static void sf_search_points(sf_law_search *search, const sf_stretch *piece) {
+/* All points of a system on a piece of the force from `first` to `last`. */
+static void sf_search_points(sf_law_search *search, const sf_sample *first, const sf_sample *last) {
     sf_law_points *found = &search->found;
     int top = 0;
-    search->pending[0].a.at = piece->first, search->pending[0].b.at = piece->last;
+    search->end = last->A;
+    search->pending[0].a.at = *first, search->pending[0].b.at = *last;
     /* with a preload what lies next to rest is left out: there A Omega^2 is all that counts, and F has no fold but where
      * F_0 is m, or what holds the mass, to rounding */
-    if (piece->first.A == 0 && piece->first.h != 0)
-        sf_sample_at(search->model, SF_NEXT_TO_PRELOAD * piece->last.A, &search->pending[0].a.at);
+    if (first->A == 0 && first->h != 0)
+        sf_sample_at(search->model, SF_NEXT_TO_PRELOAD * last->A, &search->pending[0].a.at);
     sf_know(&search->pending[0].a.at, &search->pending[0].a.known);
     sf_know(&search->pending[0].b.at, &search->pending[0].b.known);
     search->pending[0].of.R = sf_all(), search->pending[0].of.w = sfi_of(0, HUGE_VAL);
@@ -469,7 +563,8 @@ static void sf_search_points(sf_law_search *search, const sf_stretch *piece) {
         u = sf_second_unknown(box), at = sf_cut_other(*u);
         is_thin = !(at > u->lo && at < u->hi) || u->hi - u->lo <= SF_THIN * sf_size_of(*u);
         if (!inside && is_thin) {
-            found->undecided = 1;
+            if (found->undecided < SF_MOST_POINTS)
+                found->doubt[found->undecided++] = b;
             top--;
             continue;
         }
@@ -488,16 +583,45 @@ static void sf_search_points(sf_law_search *search, const sf_stretch *piece) {
     }
 }
 
+static void sf_begin_search(const sf_model *model, sf_law_system system, double F_0, sf_law_search *search) {
+    search->model = model, search->system = system, search->F_0 = F_0, search->force = sfi_point(F_0);
+    search->far = sf_inertial(model);
+    search->found.n = search->found.boxes = search->found.undecided = 0, search->found.status = SF_OK;
+}
+
+/* piece: its number */
+static void sf_begin_piece(sf_law_search *search, int piece) {
+    search->part = piece, search->base = piece > 0 ? search->model->b[piece - 1] : 0;
+    sf_hold_laws(search->model, piece, &search->laws);
+}
+
+/* All points of a system on n parts of pieces that begin at `base`: from amplitudes `first`, at a breakpoint from the limit
+ * above it, to `last`. */
+static void sf_law_points_on(const sf_model *model, sf_law_system system, double F_0, int n, const double *first,
+                             const double *last, const double *base, sf_law_search *search) {
+    int i, k;
+    sf_begin_search(model, system, F_0, search);
+    for (k = 0; k < n && search->found.status == SF_OK; k++) {
+        sf_sample from, to;
+        for (i = 0; i < model->breaks && model->b[i] <= base[k]; i++)
+            continue;
+        sf_begin_piece(search, i);
+        search->part = k;
+        sf_sample_at(model, first[k], &from), sf_sample_at(model, last[k], &to);
+        if (i > 0 && first[k] == model->b[i - 1])
+            sf_tend_from_above(model, i - 1, &from);
+        sf_search_points(search, &from, &to);
+    }
+}
+
 /* All points of the pieces up to an amplitude. */
-static void sf_search_pieces(const sf_model *model, double F_0, const sf_stretches *pieces, sf_law_search *search) {
-    sf_law_points *found = &search->found;
+static void sf_search_pieces(const sf_model *model, sf_law_system system, double F_0, const sf_stretches *pieces,
+                             sf_law_search *search) {
     int i;
-    search->model = model, search->F_0 = F_0, search->force = sfi_point(F_0), search->far = sf_inertial(model);
-    found->n = found->boxes = found->undecided = 0, found->status = SF_OK;
-    for (i = 0; i < pieces->n && found->status == SF_OK; i++) {
-        search->base = i > 0 ? model->b[i - 1] : 0, search->end = pieces->at[i].last.A;
-        sf_hold_laws(model, i, &search->laws);
-        sf_search_points(search, &pieces->at[i]);
+    sf_begin_search(model, system, F_0, search);
+    for (i = 0; i < pieces->n && search->found.status == SF_OK; i++) {
+        sf_begin_piece(search, i);
+        sf_search_points(search, &pieces->at[i].first, &pieces->at[i].last);
     }
 }
 

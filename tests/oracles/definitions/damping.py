@@ -167,47 +167,51 @@ def isola_by_inertia(names):
     return bend
 
 
-def in_unknowns(names, far, by_w):
-    """F, F_A/2 and their slopes by A and by R, or by w, from local balances that have the values and slopes given."""
+def searched_system(system, far, unknown):
+    """Both functions and slopes by A and another unknown, from local balances that have the values and slopes given."""
 
-    def of(*x):
-        known = dict(zip(names.split(), map(mpf, x), strict=True))
-        at, A, F_0, zeta, d = (known[name] for name in ("x" if far else "Omega", "A", "F_0", "zeta", "d"))
-        R, I, h, h_A, h_AA, I_0, I_0A, I_0AA = (
-            known.get(name, mpf(0)) for name in ("R", "I", "h", "h_A", "h_AA", "I_0", "I_0A", "I_0AA")
-        )
-        if by_w and not far:
-            R_A, I_A = at**2 + h_A, I_0A + 2 * zeta * at + 2 * d * A * at**2
-        else:
-            R_A, I_A = known["R_A"], known["I_A"]
-        beside = (at**2, 1) if far else (1, at**2)
+    def of(at, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R_0, I_at, R_A, I_A):
+        a, w = variables((0, at), 3)
 
-        def lag(a, w):
-            return (I_0 + I_0A * a) * w**2 + 2 * zeta * (A + a) * w if far else law_balances(w, A + a, 0, zeta, d, 0)[1]
+        def taylor(*values):
+            return sum((value * a**k / mp.factorial(k) for k, value in enumerate(values)), 0 * a)
 
-        def balance_R(a, w):
-            moved = (h + h_A * a) * (w**2 - at**2) if far else (A + a) * (w**2 - at**2)
-            return R + R_A * a + h_AA * beside[0] * a**2 / 2 + moved
-
-        def balance_I(a, w):
-            return I + I_A * a + (I_0AA * beside[0] + 2 * d * beside[1]) * a**2 / 2 + lag(a, w) - lag(a, at)
-
-        def functions(a, w):
-            rise = slope_of_sum(
-                [(one(a, w), mp.diff(lambda b, one=one: one(b, w), a)) for one in (balance_R, balance_I)]
+        def of_I(w):  # what depends on w, but for the first slope along A
+            return (
+                taylor(I_0, I_0A, I_0AA, I_0AAA) * w**2 + 2 * zeta * (A + a) * w
+                if far
+                else (2 * zeta * (A + a) * w + d * (A + a) ** 2 * w**2)
             )
-            return balance_R(a, w) ** 2 + balance_I(a, w) ** 2 - F_0**2, rise / 2
 
-        def frequency(a, rho):
-            rest = rho - R - R_A * a - h_AA * beside[0] * a**2 / 2
-            return mp.sqrt(at**2 + rest / ((h + h_A * a) if far else (A + a)))
+        unit = at**2 if far else 1
+        bend_I = [I_0AA * unit + 2 * d * (1 if far else at**2), I_0AAA * unit]
+        R = taylor(R_0, R_A, h_AA * unit, h_AAA * unit)
+        R += (taylor(h, h_A, h_AA, h_AAA) if far else A + a) * (w**2 - at**2)
+        I = taylor(I_at, I_A, *bend_I) + of_I(w) - of_I(0 * w + at)
+        square = (R**2 + I**2) * mpf("0.5")
+        R_w = R.derivative(0, 1)
 
-        start = at if by_w else R
-        by_both = functions if by_w else (lambda a, rho: functions(a, frequency(a, rho)))
-        slopes = [
-            mp.diff(lambda a, u, i=i: by_both(a, u)[i], (0, start), order) for i in (0, 1) for order in ((1, 0), (0, 1))
-        ]
-        return [*functions(mpf(0), at), *slopes]
+        def both(value, order=0):
+            """A function's value and slopes: of the square's derivative of this order along A."""
+            found, by_a, by_w = (value.derivative(order + i, j) for i, j in ((0, 0), (1, 0), (0, 1)))
+            if unknown == "R":
+                by_a, by_w = by_a - by_w * R.derivative(1, 0) / R_w, by_w / R_w
+            return found, by_a, by_w
+
+        # where R^2 + I^2 is stationary in w, over its slope by R, or by what leaves it finite at w = 0
+        rest, place = taylor(I_0, I_0A), A + a
+        if unknown == "R":
+            share = (place * zeta + rest * w) / (taylor(h, h_A) * w) if far else zeta / w + d * place
+            still = R + I * share
+        elif far:
+            still = R * taylor(h, h_A, h_AA) + rest * I
+            still += place * zeta * (rest * w + 2 * zeta * place + d * place**2 / w)
+        else:
+            still = R + zeta * rest / w + place * (2 * zeta**2 + d * rest + d * place * w * (3 * zeta + d * place * w))
+        level = both(2 * square - F_0**2)
+        fold, cusp, peak = both(square, 1), both(square, 2), both(still)
+        pair = {"folds": (level, fold), "peaks": (level, peak), "cusps": (fold, cusp), "isolas": (fold, peak)}[system]
+        return [pair[0][0], pair[1][0], *pair[0][1:], *pair[1][1:]]
 
     return of
 
@@ -498,12 +502,15 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
             ("isolas_by_inertia", "F_A", "least", "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA R I"),
         )
     },
-    "folds_in_R": (names := "Omega A F_0 I_0AA zeta d h_AA R I R_A I_A", in_unknowns(names, False, False)),
-    "folds_far": (
-        names := "x A F_0 I_0 I_0A I_0AA zeta d h h_A h_AA R I R_A I_A",
-        in_unknowns(names, True, False),
-    ),
-    "folds_far_in_x": (names, in_unknowns(names, True, True)),
+    **{
+        f"{system}_{'far_' if far else ''}by_{unknown}": (
+            f"{'x' if far else 'Omega'} {LAW_AT.removeprefix('Omega ')} R I R_A I_A",
+            searched_system(system, far, unknown),
+        )
+        for far in (False, True)
+        for unknown in ("R", "x" if far else "Omega")
+        for system in ("folds", "peaks", "cusps", "isolas")
+    },
 }
 
 

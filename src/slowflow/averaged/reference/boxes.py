@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slowflow import backend
 from slowflow.averaged.reference.cells import (
     Cells,
     Samples,
@@ -30,7 +31,7 @@ from slowflow.averaged.reference.cells import (
 from slowflow.averaged.reference.intervals import Bools, Interval
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow_kernels import dissipation, dissipation_intervals, slow_flow, slow_flow_intervals
-from slowflow_kernels.conventions import CLOSE, FIRST, NARROW
+from slowflow_kernels.conventions import CLOSE, FIRST, NARROW, Status
 from slowflow_support.errors import NotSettled
 
 Ints = NDArray[np.intp]
@@ -48,6 +49,8 @@ SYSTEMS: dict[str, tuple[Callable[..., Any], Callable[..., Any]]] = {
     "peaks_by_inertia": (dissipation.peaks_by_inertia, dissipation_intervals.peaks_by_inertia),
     "isolas_by_inertia": (dissipation.isolas_by_inertia, dissipation_intervals.isolas_by_inertia),
 }
+#: numbers of those that are compiled, see native/points_work.h
+COMPILED = {"folds": 0, "peaks": 1, "cusps": 2, "isolas": 3}
 #: systems with F, with F_A, with F_Omega, and with the level of an excitation by inertia stationary
 FORCED, FOLDED, PEAKED, STATIONARY = (
     {"folds", "peaks", "rest", "folds_by_inertia", "peaks_by_inertia"},
@@ -354,12 +357,29 @@ def _interval(value: Any, like: Interval) -> Interval:
     return Interval(np.broadcast_to(ends, like.ends.shape))
 
 
+def _compiled(model: Model, system: str, pieces: Sequence[Stretch], level: float) -> Points | None:
+    """The same by the compiled search; None where that leaves boxes undecided."""
+    ends = ([piece.first.A[0] for piece in pieces], [piece.last.A[0] for piece in pieces])
+    bases = [float(piece.base[0]) for piece in pieces]
+    found = backend.solver().law_points(model.searched, COMPILED[system], level, *ends, bases)
+    status, number, A, Omega, doubt = found
+    if status != Status.OK or doubt.size:
+        return None
+    order = np.lexsort((Omega, A, number))
+    return Points(number[order], A[order], Omega[order], doubt)
+
+
 @np.errstate(all="ignore")
 def points_of(model: Model, system: str, pieces: Sequence[Stretch], F_0: float = 0.0, most: float = np.inf) -> Points:
     """All points of a system on the pieces; most: the highest level that is asked for.
 
     Raises ArithmeticError where too many boxes stay undecided.
     """
+    # under an excitation by inertia only folds are, which nobody asks for here where that is so
+    if model.searched is not None and system in COMPILED and not model.inertial:
+        compiled = _compiled(model, system, pieces, F_0 if system in FORCED else most)
+        if compiled is not None:
+            return compiled
     searched = Searched(model, system, F_0, pieces, most)
     base = np.concatenate([piece.base for piece in pieces])
     boxes = _first_boxes(searched, pieces, F_0 if system in FORCED else most)
