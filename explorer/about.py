@@ -20,6 +20,7 @@ from slowflow.paper.example import TABLE_1
 from slowflow.physical import Physical
 from slowflow.quantities import Scales
 from slowflow.table import COLUMNS
+from slowflow.text import Sentence, in_units, text
 from slowflow.validate import WINDOW
 from slowflow.version import __version__
 from slowflow_kernels.conventions import OnsetKind, Status
@@ -55,10 +56,12 @@ MOUNT: Physical = Isolator.physical(
 )
 MOUNT_FORCE = 5.0
 #: where the mass stops within the cycle, in the letters of dimensionless answers
-STOPS = "friction stops it: mu/(A Omega^2) > 1"
+STOPS = text("friction stops it: {mu/(A Omega^2)|friction/(m A omega^2)} > 1")
 #: what `Isolator.physical` calls the numbers that have another name without dimensions
 PHYSICAL_NAMES = {"lam": "n", "r": "k_h", "delta_h": "preload", "mu": "friction", "F_0": "F", "Omega": "f"}
 
+#: places of numbers in its words, by name
+PLACES = {"reach": "{reach:g}", "held": "{held:g}"}
 #: where the page compares itself: points of the curve, and a frequency as a share of the highest that is shown
 REFERENCE_SAMPLES = 200
 REFERENCE_AT = 0.45
@@ -132,18 +135,23 @@ def about() -> dict[str, Any]:
 def messages() -> dict[str, Any]:
     """The package's words by name, with places for numbers: "plain", and "si" by what excites, in the terms of that."""
     plain = {
-        **{remark.name: text for remark, text in WORDS.items()},
-        "STICKS": words.STICKS,
-        "STICKS_BELOW": words.STICKS_BELOW,
-        "NEAR_STICKING": validity.NEAR_STICKING,
+        **{
+            remark.name: said.format(**{name: PLACES.get(name, f"{{{name}}}") for name in said.names})
+            if isinstance(said, Sentence)
+            else said
+            for remark, said in WORDS.items()
+        },
+        "STICKS": words.STICKS.format("{:g}", "{:g}"),
+        "STICKS_BELOW": words.STICKS_BELOW.format("{:g}", "{:g}"),
+        "NEAR_STICKING": validity.NEAR_STICKING.format("{:.3g}"),
         "NEAR_STICKING_BELOW": NEAR_STICKING_BELOW,
         "OFF_BY": validity.OFF_BY.removesuffix(validity.IN_PYTHON),
         "OFF_UNKNOWN": validity.OFF_UNKNOWN,
         "STOPS": STOPS,
     }
-    # letters are what is changed here: places have no number yet, so any scales do
+    # symbols are what is changed here: places have no number yet, so any scales do
     scales = {name: Scales(m=1.0, k_v=1.0, L=1.0, excitation=name) for name in EXCITED_BY}
-    si = {name: {key: of.worded(text) for key, text in plain.items()} for name, of in scales.items()}
+    si = {name: {key: in_units(said, of) for key, said in plain.items()} for name, of in scales.items()}
     return {"plain": plain, "si": si}
 
 

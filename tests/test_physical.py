@@ -20,6 +20,7 @@ from slowflow.plausible import Implausible
 from slowflow.quantities import UNITS, Scales
 from slowflow.sizing import fit, meet, tolerances
 from slowflow.table import COLUMNS
+from slowflow.text import Sentence
 from slowflow_kernels.scaling import SCALES
 from slowflow_support.errors import OutOfRange, SlowflowError
 from tests.sampling import directions
@@ -528,10 +529,13 @@ def test_numbers_in_words_about_a_mount_are_those_that_were_given():
     held = mount.exact_response(F=0.3, f=(1.0, 2.2))
     assert held.A.size == 0 and held.message.startswith("F = 0.3 N does not exceed friction = 0.4 N")
     unit = mount.scales.sizes
-    said = mount.scales.worded("here at Omega = 0.5, 1e-05, 0.12345678; steady_state(Omega=0.5, F_0=0.025, A=0.5)")
+    pattern = Sentence("here at {Omega = :.8g}; steady_state({Omega_0=:g}, {F_0=:g}, {A=:g})")
+    said = pattern.format((0.5, 1e-5, 0.12345678), 0.5, 0.025, 0.5)
+    assert said == "here at Omega = 0.5, 1e-05, 0.12345678; steady_state(Omega_0=0.5, F_0=0.025, A=0.5)"
+    said = said.in_units(mount.scales)
     first, second, third = (x * unit["frequency"] for x in (0.5, 1e-5, 0.12345678))
     numbers = f"{first:.4g}, {second:.4g}, {third:.8g}"
-    assert said == f"here at f = {numbers} Hz; steady_state(f={first:.4g}, F=5, A=0.04)"
+    assert said == f"here at f = {numbers} Hz; steady_state(f_0={first:.4g}, F=5, A=0.04)"
 
 
 @pytest.mark.parametrize(

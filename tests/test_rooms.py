@@ -34,6 +34,7 @@ FLOORS = (
     ("model", "table", "transmitted"),
     ("validate", "page"),
     ("mechanism", "sampled", "backend", "pictures", "plausible", "progress", "unchanging", "version"),
+    ("text",),
 )
 FLOOR = {room: number for number, rooms in enumerate(reversed(FLOORS)) for room in rooms}
 FILES = sorted((SOURCE / "slowflow").rglob("*.py"))

@@ -16,6 +16,8 @@ from typing import Any, ClassVar
 import numpy as np
 import numpy.typing as npt
 
+from slowflow.text import Text, together
+
 #: what a table has in one place
 PLAIN = (bool, int, float, str)
 #: a name of an answer, and words for some of its numbers
@@ -274,6 +276,8 @@ def plain(value: Any) -> Any:
         return value.tolist()
     if isinstance(value, Mapping):
         return {name: plain(one) for name, one in value.items()}
+    if isinstance(value, Text):
+        return str(value)
     return int(value) if isinstance(value, int) and not isinstance(value, bool) else value
 
 
@@ -303,4 +307,12 @@ def optional(package: str, wanted_by: str, extra: str = "tables") -> Any:
 
 def joined(*remarks: Any) -> str:
     """Remarks joined into one message."""
-    return "; ".join(str(remark) for remark in remarks if remark)
+    said = [remark for remark in remarks if remark]
+    return together("; ", said) if said else ""
+
+
+def sentences(message: str) -> tuple[str, ...]:
+    """The remarks of a message that is `joined`."""
+    if isinstance(message, Text) and message.sentence.pattern.startswith("{_0:s}; "):
+        return tuple(one for part in message.values for one in sentences(part))
+    return (message,) if isinstance(message, Text) else tuple(message.split("; "))

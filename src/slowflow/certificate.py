@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from slowflow.answer import Answer, joined
 from slowflow.model import Floats
+from slowflow.text import text
 from slowflow_support.frozen import dataclass
 
 #: bits of a double
@@ -107,26 +108,25 @@ class Certificate(Answer):
 def _in_words(found: Certificate) -> Iterator[str]:
     """A certificate, line by line."""
     folds = found.saddle_nodes
-    yield f"Folds at F_0 = {found.F_0:.17g}: {_verdict(folds, f'{len(folds.A)} and no others')}"
+    yield text("Folds at {F_0 = :.17g}: {verdict:s}", found.F_0, _verdict(folds, f"{len(folds.A)} and no others"))
     for Omega, A, kind, corner in zip(folds.Omega, folds.A, folds.kind, folds.corner, strict=True):
         where = " on a breakpoint" if corner else ""
-        yield f"  Omega in {_interval(Omega)}, A in {_interval(A)}  {kind}{where}"
+        yield text("  {Omega} in [{Omega:.17g}], A in [{A:.17g}]  {kind:s}{where:s}", Omega, A, kind, where)
     states = found.amplitudes
     if states is not None:
         yield f"States at this frequency: {_verdict(states, f'{len(states.A)} and no others')}"
         for A, stable in zip(states.A, states.stable, strict=True):
-            yield f"  A in {_interval(A)}  {'stable' if stable else 'unstable'}"
-    for what, forcing in (("Onset F_SN", found.saddle_node_onset), ("Detachment F_cr", found.detachment)):
-        yield f"{what}: {_verdict(forcing, forcing.kind)}"
+            yield text("  A in [{A:.17g}]  {stable:s}", A, "stable" if stable else "unstable")
+    onset, detachment = found.saddle_node_onset, found.detachment
+    for what, forcing in (("Onset {F_SN}: {verdict:s}", onset), ("Detachment {F_cr}: {verdict:s}", detachment)):
+        yield text(what, _verdict(forcing, forcing.kind))
         if forcing.F_0.size:
-            yield f"  F_0 in {_interval(forcing.F_0)}, Omega in {_interval(forcing.Omega)}, A in {_interval(forcing.A)}"
+            yield text(ENCLOSED, forcing.F_0, forcing.Omega, forcing.A)
+
+
+ENCLOSED = "  {F_0} in [{F_0:.17g}], {Omega} in [{Omega:.17g}], A in [{A:.17g}]"
 
 
 def _verdict(found: Proved, what: str) -> str:
     proved = "proved" if found.bits == DOUBLES else f"proved in balls of {found.bits} bits"
     return joined(joined(proved if found.proved else "not proved", what if found.proved else ""), found.message)
-
-
-def _interval(ends: Floats) -> str:
-    """With all digits that doubles need."""
-    return f"[{ends[0]:.17g}, {ends[1]:.17g}]"

@@ -16,6 +16,7 @@ from slowflow.oscillator import FORCES, Oscillator
 from slowflow.physical import Physical
 from slowflow.physical_moves import g
 from slowflow.quantities import PINT, SHEET, Scales, si
+from slowflow.text import text
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.domains import DAMPING, DISSIPATION, EXCITATIONS
 from slowflow_kernels.scaling import SCALES
@@ -25,6 +26,16 @@ ROD_SPRING: Mechanism = rod_spring.MECHANISM
 DUFFING: Mechanism = duffing.MECHANISM
 #: domain of quadratic damping, and what it is measured in
 OF_C_2 = DISSIPATION[1], SCALES["c_2"]
+
+
+NEGATIVE = (
+    "delta_h = {delta_h:g} exceeds 1/(lam r) = {most:g}: negative stiffness at rest (alpha = {alpha:g}); the averaged "
+    "motion is about {u} = 0"
+)
+NO_LOAD = (
+    "{load = :g} is not available with force = 'untruncated', only with 'truncated': a piece of that force is no "
+    "polynomial, and motions off the centre are not derived for such a one"
+)
 
 
 def _averaged(force: Any) -> Mechanism:
@@ -88,15 +99,11 @@ class Isolator(Oscillator):
         if load != 0:
             if not self.model.mechanism.truncated and self.delta_h > 0:
                 load = validate.number("load", load)
-                raise validate.NotAvailable(
-                    f"load = {load:g} is not available with force = 'untruncated', only with 'truncated': "
-                    "a piece of that force is no polynomial, and motions off the centre are not derived for such a one"
-                )
+                raise validate.NotAvailable(text(NO_LOAD, load))
             self._put(load)
         if self.alpha < 0:
             warnings.warn(
-                f"delta_h = {self.delta_h:g} exceeds 1/(lam r) = {1 / (self.lam * self.r):g}: "
-                f"negative stiffness at rest (alpha = {self.alpha:g}); the averaged motion is about u = 0",
+                text(NEGATIVE, self.delta_h, 1 / (self.lam * self.r), self.alpha),
                 stacklevel=3,
             )
 
@@ -185,10 +192,8 @@ class Isolator(Oscillator):
         weight = beyond * g / scales.sizes["force"]
         numbers = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta, "load": weight}
         numbers |= {"eta": laws.eta, "c_2": laws.c_2, "mu_s": mu_s}
-        try:
+        with scales.in_these_terms():
             isolator = cls(force=force, excitation=excitation, rubs=laws.rubs, **numbers)
-        except ValueError as error:  # of the dimensionless numbers
-            raise Refused(scales.worded(str(error))) from None
         sheet = {"k_v": scales.k_v, "L": scales.L, **{name: float(known[name]) for name in ("k_h", "n", "preload")}}
         beside = {"m": max(scales.m, scales.m - beyond), "friction": mu * scales.sizes["force"], "zeta": isolator.zeta}
         plausible.warn(plausible.of_mount(**sheet, **beside, g=g), stacklevel=3)

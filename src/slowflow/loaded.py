@@ -10,6 +10,7 @@ from typing import Any
 
 from slowflow.mechanism import Mechanism
 from slowflow.model import Model
+from slowflow.text import Sentence, text
 from slowflow.validate import NoAttribute
 
 #: what a load leaves as it is
@@ -28,9 +29,9 @@ KNOWN = (
 )
 
 #: questions that look at motions about the centre, or begin there
-CENTRED = "{} is not available with {}, only about the centre"
-AT_CENTRE = (
-    "{}: not available, this question is about motions about the centre. Off it there are rest, detachment, "
+CENTRED = Sentence("{question:s} is not available with {why:s}, only about the centre")
+AT_CENTRE = Sentence(
+    "{why:s}: not available, this question is about motions about the centre. Off it there are rest, detachment, "
     "saddle_nodes, saddle_node_onset, amplitudes, frequency_response, peak, margins, hysteresis, isolation, spectrum, "
     "and exact motions: steady_state, exact_response, sweep, transient and shock_spectrum"
 )
@@ -40,7 +41,7 @@ def off_centre_by(mechanism: Mechanism, load: float) -> str:
     """What takes motions off the centre, in words; "" for nothing."""
     if not mechanism.odd:
         return "a force that is not odd"
-    return f"load = {load:g}" if load != 0 else ""
+    return text("{load = :g}", load) if load != 0 else ""
 
 
 class Loaded:

@@ -16,13 +16,14 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import moves, validate
-from slowflow.answer import LOADED, Single, Table, Words, joined
+from slowflow.answer import LOADED, Single, Table, Words, joined, sentences
 from slowflow.averaged import remarks, solvers, words
 from slowflow.averaged.questions import Averaged
 from slowflow.gradient import NO_GRADIENT, Gradient
 from slowflow.mechanism import Floats, Law, Mechanism
 from slowflow.model import THROUGHOUT, Model
 from slowflow.results import Moves, Remark, of_model
+from slowflow.text import Sentence, text
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA
 
@@ -30,14 +31,14 @@ Flags = npt.NDArray[np.bool_]
 Ints = npt.NDArray[np.intp]
 Begins = TypeVar("Begins")
 
-ISOLA = "at F_SN an isolated curve is born: a sweep from rest does not meet it, and does not jump there"
-APART = (
-    "motions beyond u_cr at a forcing below F_cr are on curves of their own: none at this forcing passes u_cr, so that "
-    "a slow change from rest does not come to them"
+ISOLA = text("at {F_SN} an isolated curve is born: a sweep from rest does not meet it, and does not jump there")
+APART = text(
+    "motions beyond {u_cr} at a forcing below {F_cr} are on curves of their own: none at this forcing passes {u_cr}, "
+    "so that a slow change from rest does not come to them"
 )
 ISOLATES = "every motion transmits less than the force"
 NEVER = "a motion that transmits more than the force has no end towards high frequencies"
-NONE_STABLE = "no motion is stable at Omega = {:g}, F_0 = {:g}"
+NONE_STABLE = Sentence("no motion is stable at {Omega = :g}, {F_0 = :g}")
 #: frequencies looked at, over the highest one at which anything can be transmitted in full
 BEYOND = 1.1
 #: amplitudes at which the highest frequency of the backbone is looked for, and points of a response curve
@@ -291,7 +292,7 @@ def margins(oscillator: Any, F_0: float, detaches: Callable[[float], bool] | Non
         leaves,
         sticks,
         math.inf if sticks else math.sqrt(model.m / folds.F_0) if model.inertial else 0.0,
-        joined(*dict.fromkeys(part for words in said for part in words.split("; "))),  # each once
+        joined(*dict.fromkeys(part for words in said if words for part in sentences(words))),  # each once
         beside | onset.remarks,
     )
 

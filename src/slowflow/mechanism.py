@@ -18,6 +18,7 @@ from typing import Any, Protocol
 import numpy as np
 import numpy.typing as npt
 
+from slowflow.text import text
 from slowflow_kernels import duffing, inertia, motion, slow_flow
 from slowflow_support.errors import Refused
 from slowflow_support.frozen import dataclass
@@ -231,7 +232,7 @@ class SidedForce(Force):
 
     def __post_init__(self) -> None:
         if any(not b > a for a, b in pairwise(self.breakpoints)):
-            raise Refused(f"the pieces of the force end at u = {self.breakpoints}: these must rise")
+            raise Refused(text("the pieces of the force end at {u = :r}: these must rise", self.breakpoints))
 
     @property
     def odd(self) -> bool:
@@ -338,7 +339,7 @@ def followed(force: Force, name: str) -> Force:
     with np.errstate(all="ignore"):
         stiffness = force.pieces[force.innermost].slope(0.0) if force.odd else 0.0
     if not math.isfinite(stiffness):
-        raise Refused(f"motions of {name} are not followed: its stiffness is infinite at u = 0")
+        raise Refused(text("motions of {name:s} are not followed: its stiffness is infinite at {u} = 0", name))
     return force
 
 

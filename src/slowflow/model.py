@@ -18,6 +18,7 @@ import numpy as np
 
 from slowflow import backend, validate
 from slowflow.mechanism import Floats, Mechanism, Parameter, check_at_rest
+from slowflow.text import Sentence, text, told
 from slowflow_kernels import dissipation, inertia
 from slowflow_kernels import slow_flow as general_flow
 from slowflow_kernels.conventions import ENDLESS, LARGEST
@@ -31,6 +32,18 @@ __all__ = ["Floats", "Laws", "Model", "check_names"]
 WITHOUT_DAMPING = (
     "the response to an excitation by inertia is derived with viscous, structural or quadratic damping only"
 )
+
+
+BEYOND = Sentence("{numbers:s}: not allowed together, {name:s} would be beyond {most:g}")
+NO_END = Sentence("{numbers:s}: not allowed together, there is no real {u} at which piece {number:d} of the force ends")
+DO_NOT_RISE = Sentence(
+    "{numbers:s}: not allowed together, the force's pieces end at |{u}| = {u:g}, which must rise{above:s}"
+)
+DO_NOT_RISE_SIDED = Sentence(
+    "{numbers:s}: not allowed together, the force's pieces end at {u = :g}, which must rise{above:s}"
+)
+PUSHES = Sentence("{what:s} is not allowed for {name:s}: its force jumps at {u} = 0, and pushes outwards")
+STIFF = Sentence("{what:s} is not allowed for {name:s}: its stiffness is infinite at {u} = 0")
 
 
 #: names of `DAMPING`
@@ -93,7 +106,7 @@ class Laws:
 
     def told(self) -> str:
         """In words, as they are given."""
-        return ", ".join(f"{name} = {value!r}" for name, value in self.said.items())
+        return told(self.said)
 
 
 NO_LAWS = Laws()
@@ -179,27 +192,25 @@ class Model:
             raise Refused(f"excitation = {self.excitation!r} is not allowed with zeta = 0: {WITHOUT_DAMPING}")
         self._check_preload(f"excitation = {self.excitation!r}")
 
-    def _check_preload(self, told: str) -> None:
+    def _check_preload(self, what: str) -> None:
         """Raises ValueError for a preload that pushes outwards, beside what has no answer with it."""
         # a force that is not odd has no motions about u = 0
         if self.mechanism.odd and self.preload < 0:
-            raise Refused(
-                f"{told} is not allowed for {self.mechanism.name}: its force jumps at u = 0, and pushes outwards"
-            )
+            raise Refused(PUSHES.format(what, self.mechanism.name))
 
     @np.errstate(all="ignore")
     def _check_laws(self) -> None:
         """Raises ValueError for laws that have no answer here."""
-        told, odd = self.laws.told(), self.mechanism.odd
-        self._check_preload(told)
+        laws, odd = self.laws.told(), self.mechanism.odd
+        self._check_preload(laws)
         if odd and not math.isfinite(self.mechanism.pieces[0].slope(0.0, *self.parameters)):
-            raise Refused(f"{told} is not allowed for {self.mechanism.name}: its stiffness is infinite at u = 0")
+            raise Refused(STIFF.format(laws, self.mechanism.name))
         if self.laws.rubs == THROUGHOUT:
             return
         if not self.breakpoints:
-            raise Refused(f"{told} is not allowed for {self.mechanism.name}: its force has one piece, nothing leaves")
+            raise Refused(laws + f" is not allowed for {self.mechanism.name}: its force has one piece, nothing leaves")
         if self.zeta == self.laws.eta == self.laws.c_2 == 0:
-            raise Refused(f"{told} is not allowed without zeta, eta or c_2: nothing would dissipate beyond")
+            raise Refused(laws + " is not allowed without zeta, eta or c_2: nothing would dissipate beyond")
 
     @np.errstate(all="ignore")
     def _prepared(self) -> tuple[float, tuple[float, ...], tuple[float, ...]]:
@@ -208,28 +219,25 @@ class Model:
         Raises ValueError for a parameter beyond `LARGEST`, and for pieces whose ends do not rise.
         """
         m = float(general_flow.friction(self.mu))
-        numbers = dict(zip((*self.mechanism.parameter_names, "4 mu/pi"), (*self.parameters, m), strict=True))
+        numbers = dict(zip((*self.mechanism.parameter_names, text("4 {mu}/pi")), (*self.parameters, m), strict=True))
         ends = tuple(map(float, self.mechanism.breakpoints(*self.parameters)))
         for name, value in numbers.items():
             # of an end that is no number it is said below which piece has it
             if not abs(value) <= LARGEST and not (math.isnan(value) and any(map(math.isnan, ends))):
-                of_damping = {"mu": self.mu, "zeta": self.zeta}
-                given = ", ".join(f"{name} = {value!r}" for name, value in (self._numbers() | of_damping).items())
-                raise Refused(f"{given}: not allowed together, {name} would be beyond {LARGEST:g}")
+                given = told({**self._numbers(), "mu": self.mu, "zeta": self.zeta})
+                raise Refused(BEYOND.format(given, name, LARGEST))
         jumps = map(float, self.mechanism.jumps(*self.parameters))
         # A piece of no width (u_cr = 0 for a null preload) is no piece.
         odd = self.mechanism.odd
         kept = [(end, jump) for end, jump in zip(ends, jumps, strict=True) if end != 0 or not odd]
         first = 0.0 if odd else -np.inf
         if not all(above > below for (below, _), (above, _) in pairwise([(first, 0.0), *kept])):
-            given = ", ".join(f"{name} = {value!r}" for name, value in self._numbers().items())
+            given = told(self._numbers())
             if not all(math.isfinite(end) for end in ends):
                 lost = 1 + next(i for i, end in enumerate(ends) if not math.isfinite(end))
-                where = f"there is no real u at which piece {lost} of the force ends"
-                raise Refused(f"{given}: not allowed together, {where}")
-            where = f"{'|u|' if odd else 'u'} = {', '.join(f'{end:g}' for end in ends)}"
+                raise Refused(NO_END.format(given, lost))
             above = " from 0" if odd and min(ends) < 0 else ""
-            raise Refused(f"{given}: not allowed together, the force's pieces end at {where}, which must rise{above}")
+            raise Refused((DO_NOT_RISE if odd else DO_NOT_RISE_SIDED).format(given, ends, above))
         return m, tuple(end for end, _ in kept), tuple(jump for _, jump in kept)
 
     def __reduce__(self) -> tuple[Any, ...]:

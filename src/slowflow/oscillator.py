@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 
 from slowflow import validate
-from slowflow.answer import joined
+from slowflow.answer import joined, sentences
 from slowflow.averaged.questions import Averaged
 from slowflow.averaged.remarks import NOTHING
 from slowflow.certificate import Certificate
@@ -22,6 +22,7 @@ from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, follo
 from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.results import Detachment, Measured, MeasuredFolds, MeasuredPoint, Remark, SaddleNodeOnset
 from slowflow.table import SHOCKS
+from slowflow.text import Sentence, text
 from slowflow.unchanging import Unchanging
 from slowflow_kernels.domains import EXCITATIONS
 from slowflow_support.errors import Refused
@@ -42,6 +43,9 @@ FORCES = ("truncated", "untruncated")
 
 #: what need not be said of an oscillator
 DEFAULTS = (("force", FORCES[0]), ("excitation", "force"))
+
+LESS_THAN_MU = "{mu_s = :r} is not allowed: static friction is not less than {mu = :r}"
+WITHOUT_TRUNCATION = Sentence("without truncation {F_SN = :.4g}, a {kind:s}")
 
 
 class Oscillator(Unchanging, Averaged):
@@ -104,7 +108,7 @@ class Oscillator(Unchanging, Averaged):
         self.__dict__.update(own, design=model.design, given={**given, **laws.said})
         if isinstance(mu_s, np.ndarray) or mu_s != 0:
             if not (static := validate.number("mu_s", mu_s, least=0.0)) >= self.mu:
-                raise Refused(f"mu_s = {static!r} is not allowed: static friction is not less than mu = {self.mu!r}")
+                raise Refused(text(LESS_THAN_MU, static, self.mu))
             self.given["mu_s"] = static
         if isinstance(load, np.ndarray) or load != 0 or not mechanism.odd:
             self._put(load)
@@ -257,11 +261,12 @@ class Oscillator(Unchanging, Averaged):
         try:
             other = Averaged(model).saddle_node_onset()
         except ArithmeticError as unresolved:  # this force's onset is known all the same
-            other = SaddleNodeOnset(None, None, None, "", str(unresolved))
+            other = SaddleNodeOnset(None, None, None, "", unresolved.args[0])
         if other.F_SN is None:
-            beside = f"without truncation: {other.message}"
+            why, *more = sentences(other.message)
+            beside = joined("without truncation: " + why, *more)
         else:
-            beside = f"without truncation F_SN = {other.F_SN:.4g}, a {other.kind}"
+            beside = WITHOUT_TRUNCATION.format(other.F_SN, other.kind)
         return dataclasses.replace(found, untruncated=other, message=joined(found.message, beside))
 
     def restoring_force(self, which: str | None = None) -> Force:

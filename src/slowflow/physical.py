@@ -19,6 +19,7 @@ from slowflow.averaged.plan import Plan
 from slowflow.mechanism import Floats
 from slowflow.physical_moves import g
 from slowflow.quantities import DRAWN, EXCITED, UNITS, Quantities, Scales, si, turns
+from slowflow.text import in_units
 from slowflow_support.errors import OutOfRange, Refused
 from slowflow_support.frozen import dataclass
 
@@ -219,7 +220,7 @@ class Physical:
     def explain(self, question: str, F: Number | None = None) -> Plan:
         """What runs for a question and what is skipped, see `Averaged.explain`."""
         found = self._ask(self.oscillator.explain, question, None if F is None else self._amplitude(F))
-        steps = tuple(dataclasses.replace(step, why=self.scales.worded(step.why)) for step in found.steps)
+        steps = tuple(dataclasses.replace(step, why=in_units(step.why, self.scales)) for step in found.steps)
         letter, kind, unit = EXCITED[self.scales.excitation]
         where = "" if F is None else f" at {letter} = {si(letter, F, unit):g} {next(iter(UNITS[kind]))}"
         return dataclasses.replace(found, steps=steps, where=where)

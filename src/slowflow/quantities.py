@@ -11,9 +11,8 @@ import contextlib
 import dataclasses
 import math
 import operator
-import re
 from collections.abc import Iterator, Mapping
-from functools import cached_property, partial
+from functools import cached_property
 from types import MappingProxyType, SimpleNamespace
 from typing import Any
 
@@ -22,7 +21,8 @@ import numpy as np
 from slowflow import physical_moves, validate
 from slowflow.answer import PLAIN, Answer, Table, in_text, plain
 from slowflow.gradient import Gradient
-from slowflow.table import COLUMNS
+from slowflow.table import QUANTITIES
+from slowflow.text import in_units
 from slowflow_kernels.scaling import AMPLITUDES as AMPLITUDE_SCALES
 from slowflow_kernels.scaling import SCALES
 from slowflow_support.errors import Refused, WrongType
@@ -91,48 +91,6 @@ PINT: Mapping[str, str] = MappingProxyType(
         "N s^2/m^2": "newton*second**2/meter**2",
     }
 )
-#: words about dimensionless answers that are followed by numbers: which, by what they are replaced, and of which kind
-PHRASES = (
-    (r"(?<![\w/])F_0 = ", "{} = ", "amplitude"),
-    (r"\b4 mu/pi = ", "4 friction/pi = ", "force"),
-    (r"\bthe inertia force ", "the inertia force ", "force"),
-    (r"\bmu = ", "friction = ", "force"),
-    (r"\bmu_s = ", "static_friction = ", "force"),
-    (r"\btau = ", "t = ", "time"),
-    (r"\bduration = ", "duration = ", "time"),
-    (r"\bafter = ", "after = ", "time"),
-    (r"\bF_SN = ", "{}_SN = ", "amplitude"),
-    (r"\bOmega = ", "f = ", "frequency"),
-    (r"\bc_2 = ", "c_2 = ", "quadratic damping"),
-    (r"\bfor Omega in \[", "for f in [", "frequency"),
-    (r"\bA = ", "A = ", "length"),
-    (r"\bplaces of rest, at u = ", "places of rest, at x = ", "length"),
-    (r"\bnear u = ", "near x = ", "length"),
-    (r"\|u\| passes ", "|x| passes ", "length"),
-    (r"\bthe mass begins at u = ", "the mass begins at x = ", "length"),
-    (r"\ba motion from u = ", "a motion from x = ", "length"),
-    (r"\bthe spring at u = ", "the spring at x = ", "length"),
-    (r"\bthe push ", "the push ", "force"),
-    (r"\bamplitude up to ", "amplitude up to ", "length"),
-    (r"\bamplitudes above ", "amplitudes above ", "length"),
-)
-#: the load of a mount, which is given as a mass
-LOAD = r"\bload = "
-#: arguments of a question, which are in SI units
-CALLS = ((r"\bOmega=", "f=", "frequency"), (r"\bF_0=", "F=", "amplitude"), (r"\bA=", "A=", "length"))
-#: and letters that stand alone
-LETTERS = (
-    (r"\bmu/\(A Omega\^2\)", "friction/(m A omega^2)"),
-    (r"\bmu/\(F_0 Omega\^2\)", "friction over the force of inertia"),
-    (r"\bF_0\b", "{}"),
-    (r"\bmu\b", "friction"),
-    (r"\btau\b", "t"),
-    (r"\bOmega\b", "f"),
-    (r"\bu_cr\b", "x_cr"),
-    (r"\bu_0\b", "x_0"),
-    (r"\bu = 0\b", "x = 0"),
-)
-NUMBER = r"-?(?:\d+(?:\.\d+)?(?:e[+-]?\d+)?|inf)"
 #: what only the dimensionless answer has
 OF_THE_ANSWER = "validity"
 #: what can be drawn of a response curve
@@ -309,17 +267,6 @@ def _times(value: Any, size: float) -> Any:
     return None if value is None else value * size
 
 
-def _digits(number: str) -> int:
-    """As many as a number was written with, four at least."""
-    return max(4, min(15, len(re.sub(r"e.*|[^\d]", "", number).lstrip("0"))))
-
-
-def _told(name: str, size: float, unit: str, match: re.Match[str]) -> str:
-    """Numbers of words times what they are measured in, after their name."""
-    numbers = re.findall(NUMBER, match["numbers"])
-    return name + ", ".join(f"{float(one) * size:.{_digits(one)}g}" for one in numbers) + unit
-
-
 # ---- what a user gives
 
 
@@ -431,34 +378,33 @@ class Scales:
             entry += ("F_0",)
         return self.named({**{name: getattr(answer, name) for name in entry}, **found}, answer, entry)
 
-    def worded(self, text: str) -> str:
-        """Words about a dimensionless answer with its letters, and numbers in N, mm and Hz."""
-        letter, of_amplitude, _ = EXCITED[self.excitation]
-        text = re.sub(rf"({LOAD}){NUMBER}", rf"\g<1>{self.m:g} kg", text)
-        for pattern, name, kind in PHRASES:
-            kind = of_amplitude if kind == "amplitude" else kind
-            size = self.sizes[kind] / UNITS[kind][SHOWN[kind]]
-            told = partial(_told, name.format(letter), size, f" {SHOWN[kind]}")
-            text = re.sub(rf"{pattern}(?P<numbers>{NUMBER}(?:, {NUMBER})*)", told, text)
-        for pattern, name, kind in CALLS:
-            size = self.sizes[of_amplitude if kind == "amplitude" else kind]
-            text = re.sub(rf"{pattern}(?P<numbers>{NUMBER})", partial(_told, name, size, ""), text)
-        for pattern, name in LETTERS:
-            text = re.sub(pattern, name.format(letter), text)
-        return text
+    def symbol(self, name: str) -> str:
+        """What a dimensionless number is called in sentences with units."""
+        return self.kind(name)[0]
+
+    def unit(self, name: str) -> str:
+        """In which unit numbers of a name are shown, "" for none."""
+        return SHOWN.get(self.kind(name)[1], "")
+
+    def number(self, name: str, value: float, *, si: bool = False) -> float | str:
+        """A dimensionless number in that unit, or in SI units; a load is the mass that was given."""
+        if name == "load":
+            return f"{self.m:g}"
+        kind = self.kind(name)[1]
+        return float(value) * self.sizes[kind] / (1.0 if si else UNITS[kind][SHOWN[kind]])
 
     @contextlib.contextmanager
     def in_these_terms(self) -> Iterator[None]:
-        """What the dimensionless oscillator refuses is said by `worded`."""
+        """What the dimensionless oscillator refuses is said in the symbols and units of the mount."""
         try:
             yield
         except (ValueError, ArithmeticError) as error:
-            error.args = (self.worded(str(error)),)
+            error.args = tuple(in_units(said, self) for said in error.args)
             raise
 
     def kind(self, name: str) -> tuple[str, str]:
         """What a dimensionless number is called with a unit, and of which kind it is; "" for none."""
-        column = COLUMNS.get(name)
+        column = QUANTITIES.get(name)
         if column is None or column.kind != "amplitude":
             return (name, "") if column is None else (column.si or name, column.kind)
         letter, kind, _ = EXCITED[self.excitation]
@@ -472,7 +418,7 @@ class Scales:
             shown, kind = self.kind(name)
             values[shown] = self.quantities(value) if isinstance(value, Answer) else value
             if name == "message":
-                values[shown] = self.worded(value)
+                values[shown] = in_units(value, self)
             if name == "load":
                 values[shown], units[shown] = self.m, SHEET[name]
             elif kind:

@@ -25,6 +25,7 @@ from slowflow.results import Remark
 from slowflow.scenes import FORCINGS, Asked, Scene
 from slowflow.sizing.subject import Load, Subject
 from slowflow.table import SHOCKS
+from slowflow.text import in_units
 from slowflow.validate import NotAvailable
 from slowflow_support.errors import Refused
 
@@ -503,7 +504,7 @@ def _expected(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]
             top, known = stable[curve.A[stable].argmax()], curve.validity
             shares = ("" if np.isnan(one[top]) else f"{100 * one[top]:.2g} %" for one in (known.typical, known.error))
             rows.append((f"{F:.4g}", f"{known.ratio[top]:.3g}", *shares))
-            said = of.scales.worded(known.message) if isinstance(of, Physical) else known.message
+            said = in_units(known.message, of.scales if isinstance(of, Physical) else None)
             remarks += [f"<p>At {F:.4g}{unit} elsewhere on the curve: {page.inline(said)}.</p>"] if said else []
     if rows:
         heads = (force, "friction over force", "half of them within", "95 of 100 within")

@@ -21,11 +21,14 @@ from slowflow.certificate import ProvedFolds
 from slowflow.gradient import Gradient
 from slowflow.measured.validity import Validity, of_states, off_centre
 from slowflow.model import Floats, Model
+from slowflow.text import text
 from slowflow.transmitted import in_motion
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import OnsetKind, Status
 from slowflow_support.errors import Refused
 from slowflow_support.frozen import dataclass
+
+ONLY_OFFSET = "{u_max} is that of motions with a mean B: without a load A is the largest |{u}|"
 
 
 class Remark(IntFlag):
@@ -377,7 +380,7 @@ class SteadyStates(WithMean, InDecibels, Table):
     def u_max(self) -> Floats:
         """The largest |u| of each motion: |B| + A, under a load; `A` is that without one."""
         if self.B is None:
-            raise validate.NoAttribute("u_max is that of motions with a mean B: without a load A is the largest |u|")
+            raise validate.NoAttribute(text(ONLY_OFFSET))
         return np.asarray(np.abs(self.B) + self.A)
 
     @cached_property

@@ -119,6 +119,21 @@ COLUMNS: Mapping[str, Column] = MappingProxyType(
 )  # fmt: skip
 
 
+#: what sentences tell numbers of beside columns
+TOLD = (
+    Column("mu", "dry friction", "force", "friction"),
+    Column("mu_s", "static friction", "force", "static_friction"),
+    Column("c_2", "quadratic damping", "quadratic damping"),
+    Column("u_0", "displacement at the beginning", "length", "x_0"),
+    Column("v_0", "velocity at the beginning", "speed"),
+    Column("after", "for how long a free motion is followed", "time"),
+    Column("reach", "largest |u| that makes sense", "length"),
+    Column("held", "amplitude up to which a mass at rest is held", "amplitude"),
+)
+#: all that sentences tell numbers of, by name
+QUANTITIES: Mapping[str, Column] = MappingProxyType({**COLUMNS, **{one.name: one for one in TOLD}})
+
+
 class Question(NamedTuple):
     """A question about many designs.
 

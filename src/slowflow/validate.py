@@ -18,6 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow.mechanism import Floats, Parameter
+from slowflow.text import text, together
 from slowflow_kernels.conventions import HIGHEST_OMEGA
 from slowflow_support.errors import Refused, WrongType
 
@@ -25,6 +26,7 @@ P = ParamSpec("P")
 R = TypeVar("R")
 #: frequencies shown unless others are asked for
 WINDOW = (0.0, 2.0)
+OF_CONSTANT = "a base whose acceleration has a constant amplitude a is a force, {F_0 = m a/(k_v L)|F = m a}"
 #: the most points that are asked for
 MOST_SAMPLES = 10**6
 
@@ -39,7 +41,16 @@ class NoAttribute(NotAvailable, AttributeError):
 
 def _refuse(name: str, value: Any, allowed: str) -> ValueError:
     value = value.item() if isinstance(value, np.generic) else value  # as it is written, without its type
-    return Refused(f"{name} = {value!r} is not allowed: {name} must be {allowed}")
+    of, index = _symbol(name)
+    return Refused(
+        text(f"{{{of}}}{index} = {{{of}:r}} is not allowed: {{{of}}}{index} must be {{allowed:s}}", value, allowed)
+    )
+
+
+def _symbol(name: str) -> tuple[str, str]:
+    """The name of a quantity, and which of several it is, in brackets."""
+    of, bracket, index = name.partition("[")
+    return of, bracket + index
 
 
 def number(
@@ -54,13 +65,13 @@ def number(
     """A finite real number in the given range, as a float."""
     _is_not_masked(name, value)
     if not _is_number(value):
-        raise _refuse(name, value, _range(above, least, below, most))
+        raise _refuse(name, value, _range(name, above, least, below, most))
     try:
         result = float(value)
     except OverflowError:
-        raise _refuse(name, value, _range(above, least, below, most)) from None
+        raise _refuse(name, value, _range(name, above, least, below, most)) from None
     if not (math.isfinite(result) and above < result < below and least <= result <= most):
-        raise _refuse(name, value, _range(above, least, below, most))
+        raise _refuse(name, value, _range(name, above, least, below, most))
     return result
 
 
@@ -81,16 +92,23 @@ def _is_not_masked(name: str, value: Any) -> None:
     """What a mask hides was marked as wrong: it is no number to compute with."""
     # an array first: numpy.ma is imported when it is asked for
     if isinstance(value, np.ndarray) and isinstance(value, np.ma.MaskedArray) and np.ma.getmaskarray(value).any():
-        raise Refused(f"{name} is not allowed: {int(np.ma.getmaskarray(value).sum())} of its numbers are masked")
+        of, index = _symbol(name)
+        masked = int(np.ma.getmaskarray(value).sum())
+        raise Refused(text(f"{{{of}}}{index} is not allowed: {{masked:d}} of its numbers are masked", masked))
 
 
-def _range(above: float, least: float, below: float, most: float) -> str:
+def _range(name: str, above: float, least: float, below: float, most: float) -> str:
     limits = [
-        f"{sign} {limit:g}"
+        _limit(name, sign, limit)
         for sign, limit in ((">", above), (">=", least), ("<", below), ("<=", most))
         if math.isfinite(limit)
     ]
-    return "a finite real number" + (" " + " and ".join(limits) if limits else "")
+    return "a finite real number" + (" " + together(" and ", tuple(limits)) if limits else "")
+
+
+def _limit(name: str, sign: str, limit: float) -> str:
+    """A bound of a quantity; 0 is the same in all units."""
+    return text(f"{sign} {{{_symbol(name)[0]}:g}}", limit) if limit else f"{sign} 0"
 
 
 def within(domain: Parameter, value: Any) -> float:
@@ -134,7 +152,7 @@ def is_force(question: str, excitation: str) -> None:
 def is_plain(question: str, laws: str) -> None:
     """NotAvailable where a question is asked of an oscillator with other laws of damping, told in words."""
     if laws:
-        raise NotAvailable(f"{question} is not available with {laws}, only with mu and zeta")
+        raise NotAvailable(text("{question:s} is not available with {laws:s}, only with {mu} and zeta", question, laws))
 
 
 def choice(name: str, value: Any, allowed: tuple[str, ...]) -> str:
@@ -147,8 +165,7 @@ def choice(name: str, value: Any, allowed: tuple[str, ...]) -> str:
 def excitation(value: Any, allowed: tuple[str, ...]) -> str:
     """What F_0 is the amplitude of, one of the words allowed; of an acceleration it is said what stands for it."""
     if isinstance(value, str) and "acceleration" in value.lower() and value not in allowed:
-        of_constant = "a base whose acceleration has a constant amplitude a is a force, F_0 = m a/(k_v L)"
-        raise _refuse("excitation", value, f"{' or '.join(map(repr, allowed))}; {of_constant}")
+        raise _refuse("excitation", value, " or ".join(map(repr, allowed)) + "; " + text(OF_CONSTANT))
     if isinstance(value, str) and value not in allowed:  # no nearest word: "floor" is not "force"
         meaning = "'base' is a floor or support that moves, 'unbalance' a rotating mass"
         raise _refuse("excitation", value, f"{' or '.join(map(repr, allowed))}; {meaning}")
@@ -237,8 +254,8 @@ def common_shape(arrays: Mapping[str, npt.NDArray[Any]]) -> tuple[int, ...]:
     try:
         return np.broadcast_shapes(*(array.shape for array in arrays.values()))
     except ValueError:
-        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
-        raise Refused(f"shapes do not broadcast: {shapes}") from None
+        shapes = tuple(text(f"{{{name}}} {{shape:s}}", str(array.shape)) for name, array in arrays.items())
+        raise Refused("shapes do not broadcast: " + together(", ", shapes)) from None
 
 
 def mapping(name: str, value: Any, meant: str) -> Mapping[str, Any]:
@@ -275,5 +292,5 @@ def frequencies(name: str, value: Any) -> npt.NDArray[np.float64]:
     """An array of frequencies 0 < Omega <= `HIGHEST_OMEGA`."""
     array = positive_array(name, value)
     if array.size and array.max() > HIGHEST_OMEGA:
-        raise _refuse(name, float(array.max()), f"<= {HIGHEST_OMEGA:g}")
+        raise _refuse(name, float(array.max()), _limit(name, "<=", HIGHEST_OMEGA))
     return array

@@ -94,7 +94,8 @@ def detachment(model: Model) -> Detachment:
     if status == Status.NO_BOUND:
         raise OutOfRange(words.BEYOND_RANGE.format(model.breakpoints[0]))
     if status == Status.NONE:
-        said = words.NOT_REACHED.format(model.breakpoints[0]) if model.breakpoints else words.NO_DETACHMENT
+        ends = model.breakpoints
+        said = words.NOT_REACHED.format(ends[0], ends[0]) if ends else words.NO_DETACHMENT
         return Detachment(None, None, None, said)
     return Detachment(F_cr, Omega_cr, u_cr, "")
 

@@ -44,6 +44,7 @@ from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, Floats, Laws, Model, check_names, held
 from slowflow.results import Remark
 from slowflow.table import AVERAGING, QUESTIONS, ManyQuestions, Unanswered
+from slowflow.text import text
 from slowflow.unchanging import Unchanging
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import Status
@@ -134,7 +135,9 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         found: Batch = getattr(self, f"_{question}")(workers=workers, **given)
         return found
 
-    rest = Unanswered("many designs without a load have no rest: they rest at u = 0, or a single .off_centre tells")
+    rest = Unanswered(
+        text("many designs without a load have no rest: they rest at {u} = 0, or a single .off_centre tells")
+    )
 
     def _batch(self, question: str, columns: Sequence[npt.NDArray[Any]], beside: dict[str, Any], **asked: Any) -> Batch:
         """An averaged answer from its columns in their order."""

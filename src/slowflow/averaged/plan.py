@@ -12,6 +12,7 @@ from types import MappingProxyType
 from slowflow.averaged import proofs, words
 from slowflow.model import Model
 from slowflow.results import Remark, SaddleNodeOnset
+from slowflow.text import Sentence, text
 from slowflow_kernels.conventions import CLOSE
 from slowflow_support.frozen import dataclass
 
@@ -44,6 +45,10 @@ CURVE = (
 )
 
 
+AT = Sentence(" at {F_0 = :g}")
+ABOUT_ALL = Sentence("{F_0 = :r} is not allowed: {question:s} is about all forcings")
+QUARTIC = Sentence("{laws:s}: F is a quartic in {Omega}")
+BELOW = Sentence("{F_0} < {F_SN = :g}: there is none")
 FOLDS = "level crossings of the fold locus, and corners"
 STATES = "of states at each frequency: one on each piece of the curve"
 IN_BALLS = "; where doubles do not tell how many, balls, with python-flint"
@@ -73,7 +78,7 @@ class Plan:
         return self.model is None
 
     def __str__(self) -> str:
-        at = "" if self.F_0 is None else f" at F_0 = {self.F_0:g}"
+        at = "" if self.F_0 is None else AT.format(self.F_0)
         return "\n".join([f"{self.question}{self.where or at}", *(f"  {step}" for step in self.steps)])
 
 
@@ -96,8 +101,8 @@ def plan(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None)
     elif not whole.breakpoints:
         force = _force(whole, "one piece: no angles, no corner")
     else:
-        force = _force(whole, "its pieces up to the highest amplitude at F_0")
-    told = f"{whole.laws.told()}: F is a quartic in Omega" if whole.laws.any else whole.flow.SCENE
+        force = _force(whole, text("its pieces up to the highest amplitude at {F_0}"))
+    told = QUARTIC.format(whole.laws.told()) if whole.laws.any else whole.flow.SCENE
     flow = Step("slow flow", True, told)
     if question == "peak":
         return Plan(question, F_0, whole, False, (force, flow, *PEAK))
@@ -109,7 +114,7 @@ def plan(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None)
     if whole.linear:
         folds = Step("folds", False, "a linear oscillator has none")
     elif onset is not None and _is_below(F_0, onset):
-        folds = Step("folds", False, f"F_0 < F_SN = {onset.F_SN:g}: there is none")
+        folds = Step("folds", False, BELOW.format(onset.F_SN))
     else:
         folds = Step("folds", True, FOLDS + IN_BALLS if proofs.is_plain(whole) else FOLDS)
     return Plan(question, F_0, whole, folds.runs, (force, flow, folds))
@@ -130,21 +135,23 @@ LOCUS = {
 }
 
 
+PROOF = text("of folds, {F_SN} and {F_cr}, and of states where {Omega} is given, in interval arithmetic")
 _NEWTON = (
     "Newton's iteration on the motion with its order of switches, from what averaging or the motion before leads to"
 )
 _SWITCHES = "Taylor series from switch to switch: a stop, a breakpoint, a break-away"
 
+LIMIT = text("explicit in {Omega} and {F_0}: where damping alone takes {F_0}, I = {F_0} (27)")
 _NO_CURVE = Step("curve", False, "not needed: there is a formula")
 
 #: questions that ask others, or the equation of motion, by what they do
 COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
     {
         "margins": (
-            Step("folds", True, "how many there are at F_0"),
-            Step("onset", True, "F_SN, found once for the oscillator"),
-            Step("detachment", True, "F_cr, found once for the oscillator"),
-            Step("curve", True, "whether a stable motion passes u_cr; not where the force has one piece"),
+            Step("folds", True, text("how many there are at {F_0}")),
+            Step("onset", True, text("{F_SN}, found once for the oscillator")),
+            Step("detachment", True, text("{F_cr}, found once for the oscillator")),
+            Step("curve", True, text("whether a stable motion passes {u_cr}; not where the force has one piece")),
         ),
         "hysteresis": (
             Step("folds", True, "the ends of the bands"),
@@ -162,21 +169,24 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
         ),
         "certify": (
             Step("folds", True, "as saddle_nodes has them"),
-            Step("proof", True, "of folds, F_SN and F_cr, and of states where Omega is given, in interval arithmetic"),
+            Step("proof", True, PROOF),
         ),
         **dict.fromkeys(
             ("force", "stiffness"),
             (
-                Step("formula", True, "of the piece of the force that holds u"),
+                Step("formula", True, text("of the piece of the force that holds {u}")),
                 Step("averaging", False, "not needed: nothing moves"),
             ),
         ),
         "backbone": (Step("formula", True, "explicit in A: where R = 0"), _NO_CURVE),
-        "stability": (Step("formula", True, "the left side of (30), explicit in Omega and A"), _NO_CURVE),
-        "equivalent_damping": (Step("formula", True, "explicit in Omega and A"), _NO_CURVE),
-        "transmissibility_floor": (Step("formula", True, "explicit in F_0: what friction passes on"), _NO_CURVE),
+        "stability": (Step("formula", True, text("the left side of (30), explicit in {Omega} and A")), _NO_CURVE),
+        "equivalent_damping": (Step("formula", True, text("explicit in {Omega} and A")), _NO_CURVE),
+        "transmissibility_floor": (
+            Step("formula", True, text("explicit in {F_0}: what friction passes on")),
+            _NO_CURVE,
+        ),
         "limit_envelope": (
-            Step("formula", True, "explicit in Omega and F_0: where damping alone takes F_0, I = F_0 (27)"),
+            Step("formula", True, LIMIT),
             _NO_CURVE,
         ),
         "at_rest": (
@@ -184,7 +194,7 @@ COMPOSED: Mapping[str, tuple[Step, ...]] = MappingProxyType(
             Step("averaging", False, "not needed: nothing moves"),
         ),
         "rest": (
-            Step("boxes", True, "u is cut until each part is proved to hold one place of rest, or none"),
+            Step("boxes", True, text("{u} is cut until each part is proved to hold one place of rest, or none")),
             Step("averaging", False, "not needed: nothing moves"),
         ),
         "steady_state": (
@@ -246,16 +256,18 @@ def needs_no_solver(question: str, whole: Model) -> bool:
 
 def plan_of_all(question: str, whole: Model) -> Plan:
     """The plan for one of `OF_ALL`, which are about every forcing."""
-    told = f"{whole.laws.told()}: F is a quartic in Omega" if whole.laws.any else whole.flow.SCENE
+    told = QUARTIC.format(whole.laws.told()) if whole.laws.any else whole.flow.SCENE
     flow = Step("slow flow", True, told)
     if needs_no_solver(question, whole):
         why = words.NO_DETACHMENT if question == "detachment" else "a linear oscillator has none"
         name = "detachment" if question == "detachment" else "folds"
         return Plan(question, None, None, False, (Step(name, False, why),))
     if question == "detachment":
-        return Plan(question, None, whole, False, (Step("force", True, "its first piece, at A = u_cr only"), flow))
+        return Plan(
+            question, None, whole, False, (Step("force", True, text("its first piece, at A = {u_cr} only")), flow)
+        )
     force = _force(whole, "all its pieces" if whole.breakpoints else "one piece: no angles, no corner")
     if question == "saddle_node_onset" and whole.zeta == 0 and not whole.laws.any:
-        search = Step("fold locus", True, "zeta = 0: Omega^2 = -h_A, so that the level says h - A h_A")
+        search = Step("fold locus", True, text("zeta = 0: {Omega}^2 = -h_A, so that the level says h - A h_A"))
         return Plan(question, None, whole, True, (force, flow, search))
     return Plan(question, None, whole, True, (force, flow, LOCUS[question]))

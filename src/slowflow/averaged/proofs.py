@@ -72,14 +72,14 @@ def _remarks(
         return bounded, words.sticks(model, F_0) if bounded else words.NEAR_STICKING
     if status != Status.OK:
         return False, words.FAILED
-    said = []
+    said: list[str] = []
     if len(doubt):
-        said.append(words.IN_DOUBT.format(", ".join(f"[{low:.17g}, {high:.17g}]" for low, high in doubt)))
+        said.append(words.IN_DOUBT.format(words.intervals(doubt)))
     if not room:
         said.append(words.NO_ROOM)
     if not bounded:
         said.append(words.NOT_BOUNDED.format(A_max))
-    return not len(doubt) and room, "; ".join(said)
+    return not len(doubt) and room, joined(*said)
 
 
 def in_balls() -> Any:

@@ -444,7 +444,7 @@ class Averaged:
             self.only_for_plain_damping(question)
         if question not in (*plan.QUESTIONS, *plan.AT_ONE):
             if F_0 is not None:
-                raise Refused(f"F_0 = {F_0!r} is not allowed: {question} is about all forcings")
+                raise Refused(plan.ABOUT_ALL.format(F_0, question))
             of_all = plan.plan_of_all if question in plan.OF_ALL else functools.partial(plan.plan_composed, F_0=None)
             return of_all(question, whole=self.model)
         F_0 = validate.number("F_0", F_0, above=0.0)

@@ -6,7 +6,7 @@ A single answer has both, a batch the codes. Both are made here, so that they ca
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -18,6 +18,7 @@ from slowflow.mechanism import Floats, Mechanism
 from slowflow.model import THROUGHOUT, Model
 from slowflow.model import held as held_up_to
 from slowflow.results import Remark
+from slowflow.text import Sentence, text
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import ENDLESS
 
@@ -30,24 +31,33 @@ NOTHING = Remark(0)
 #: distance the slope changes by this share of itself: as 1/sqrt(A - b) does, the jump's term, by all of itself
 NEXT_TO_JUMP, OF_SLOPE = 1e-3, 0.25
 
-NEAR_STICKING_BELOW = "at low frequencies mu/(F_0 Omega^2) is near pi/4, where averaging fails"
+NEAR_STICKING_BELOW = text(
+    "at low frequencies {mu/(F_0 Omega^2)|friction over the force of inertia} is near pi/4, where averaging fails"
+)
 
-WORDS = {
-    Remark.BEYOND_REACH: "amplitudes above {reach:g} are not reached: {reason}",
-    Remark.NEGATIVE_STIFFNESS: "negative stiffness at rest: u = 0 is no resting place",
+WORDS: Mapping[Remark, str | Sentence] = {
+    Remark.BEYOND_REACH: Sentence("amplitudes above {reach:g} are not reached: {reason:s}"),
+    Remark.NEGATIVE_STIFFNESS: text("negative stiffness at rest: {u} = 0 is no resting place"),
     Remark.LEAVES_CENTRE: "motions that leave the centre: stiffness over their cycle does not bring the mean back to "
     "0; .off_centre has those that are off it",
-    Remark.HELD_AT_REST: "a mass at rest stays there, whatever the frequency, up to F_0 = {held:g}: {holds} it",
-    Remark.UNDECIDED: "next to where folds or states meet, Omega = 0 or 4 mu/pi: doubles do not tell how many, or "
-    "where",
+    Remark.HELD_AT_REST: Sentence(
+        "a mass at rest stays there, whatever the frequency, up to {F_0} = {held:g}: {holds:s} it"
+    ),
+    Remark.UNDECIDED: text(
+        "next to where folds or states meet, {Omega = :g} or 4 {mu}/pi: doubles do not tell how many, or where", 0.0
+    ),
     Remark.BEYOND_WELL: "there are states beyond the well, which turn where the spring pushes on instead of back: "
     "none is stable, as exact motions do not come back from there",
     Remark.UNSUSTAINED: "there are states next to the top of the well that the equation of motion need not have: a "
     "free motion of such an amplitude loses more energy a cycle than the excitation supplies; measure() tells",
     Remark.BY_BALLS: "balls of more digits decided how many there are, or which is lowest, where doubles do not tell",
-    Remark.MIRRORED: "{mirrored} is not odd: for u < 0 the force is that of |u| with the other sign; odd=False takes "
-    "it as it is written",
-    Remark.OF_TRUNCATION: "at the corner at u_cr, where the truncated force (6) jumps: the untruncated one has none",
+    Remark.MIRRORED: Sentence(
+        "{mirrored:s} is not odd: for {u} < 0 the force is that of |{u}| with the other sign; odd=False takes it as it "
+        "is written"
+    ),
+    Remark.OF_TRUNCATION: text(
+        "at the corner at {u_cr}, where the truncated force (6) jumps: the untruncated one has none"
+    ),
 }
 
 
@@ -258,11 +268,11 @@ def in_words(remarks: Remark, model: Model, F_0: float) -> list[str]:
     """Each remark as a sentence or less."""
     if not remarks:  # what most answers have, and numbers that the sentences name take time
         return []
-    if Remark.NEAR_STICKING not in remarks:
-        near = []
-    else:
+    near: list[str] = []
+    if Remark.NEAR_STICKING in remarks:
         near = [NEAR_STICKING_BELOW] if model.inertial else [validity.near_sticking(model, F_0)]
     known = {"reach": model.reach, "reason": model.mechanism.reach_reason, "held": model.held}
     known["mirrored"] = model.mechanism.mirrored
     known["holds"] = "preload and friction hold" if model.preload > 0 else "friction holds"
-    return [text.format(**known) for remark, text in WORDS.items() if remark in remarks] + near
+    said = (words for remark, words in WORDS.items() if remark in remarks)
+    return [words.format(**known) if isinstance(words, Sentence) else words for words in said] + near

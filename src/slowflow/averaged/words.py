@@ -9,6 +9,8 @@ import dataclasses
 import math
 import sys
 from collections.abc import Iterable
+from functools import reduce
+from operator import add
 from typing import Any
 
 import numpy as np
@@ -17,6 +19,7 @@ import numpy.typing as npt
 from slowflow.answer import joined
 from slowflow.model import Floats, Model
 from slowflow.results import Peak, Remark, SaddleNodeOnset
+from slowflow.text import Sentence, text, together
 from slowflow_kernels import dissipation, inertia, slow_flow, slow_flow_zeta0
 from slowflow_kernels.conventions import CLOSE, RUNGS, STATIC_MULTIPLE, Status
 
@@ -26,49 +29,60 @@ MOST_NAMED = 3
 #: messages of an answer at several forcings
 SAID = 3
 
-STICKS = "sticks: F_0 = {:g} does not exceed 4 mu/pi = {:g}"
-STICKS_BELOW = "sticks up to Omega = {:g}: the inertia force does not exceed 4 mu/pi = {:g} there"
-NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
-NO_LOCUS = "no saddle node with an amplitude up to {:g}, whatever the forcing"
-AT_JUMP = ", unless it lies within rounding of A = {:g}, where the force jumps"
-NO_CUSP = "no cusp of the fold locus with an amplitude up to {:g}"
-FEW_DIGITS = "next to where the force is singular: doubles have few digits of those at A = {}"
+STICKS = Sentence("sticks: {F_0 = :g} does not exceed 4 {mu}/pi = {sticking:g}")
+STICKS_BELOW = Sentence("sticks up to {Omega = :g}: the inertia force does not exceed 4 {mu}/pi = {sticking:g} there")
+STAYS_BELOW = Sentence(
+    "a mass at rest stays there up to {Omega = :g}: the inertia force does not exceed "
+    "4/pi sqrt({mu}^2 + c^2) = {sticking:g} there, c being the preload"
+)
+NO_FOLD = Sentence("no saddle node at {F_0 = :g}: the response is single-valued")
+NO_LOCUS = Sentence("no saddle node with an amplitude up to {A:g}, whatever the forcing")
+AT_JUMP = Sentence(", unless it lies within rounding of {A = :g}, where the force jumps")
+NO_CUSP = Sentence("no cusp of the fold locus with an amplitude up to {A:g}")
+FEW_DIGITS = Sentence("next to where the force is singular: doubles have few digits of those at {A = :g}")
 CUSPS_BY_BALLS = "next to where the force is singular, where doubles have few digits of them: found by balls of more"
-NO_ISOLA = "no isola is born or merges with an amplitude up to {:g}"
-NO_LOWEST = "no lowest forcing: without viscous damping there are folds as near above 4 mu/pi = {:g} as one asks"
-STIFF_AT_REST = (
-    "no lowest forcing: at ever smaller amplitudes there are folds as near above 4 mu/pi = {:g} as one asks, since the "
-    "stiffness is infinite at u = 0"
+NO_ISOLA = Sentence("no isola is born or merges with an amplitude up to {A:g}")
+NO_LOWEST = Sentence(
+    "no lowest forcing: without viscous damping there are folds as near above 4 {mu}/pi = {sticking:g} as one asks"
+)
+STIFF_AT_REST = Sentence(
+    "no lowest forcing: at ever smaller amplitudes there are folds as near above 4 {mu}/pi = {sticking:g} as one asks, "
+    "since the stiffness is infinite at {u} = 0"
 )
 NO_ONSET = "no saddle node"
-AT_REST = "below it there are folds that end at Omega = 0, from F_0 = {:g} on"
-OF_PRELOAD = "below it there are folds down to 4 mu/pi = {:g}, at which motions end beside a mass that a preload holds"
-NONE_BUT_OF_PRELOAD = f"no lowest forcing: {OF_PRELOAD.removeprefix('below it ')}"
+AT_REST = Sentence("below it there are folds that end at {Omega = :g}, from {F_0 = :g} on")
+OF_PRELOAD = Sentence(
+    "below it there are folds down to 4 {mu}/pi = {sticking:g}, at which motions end beside a mass that a preload holds"
+)
+NONE_BUT_OF_PRELOAD = Sentence(
+    "no lowest forcing: there are folds down to 4 {mu}/pi = {sticking:g}, at which motions end beside a mass that a "
+    "preload holds"
+)
 PRELOAD_UNDAMPED = "the onset is unresolved: with a preload, and without viscous damping, it is not looked for"
-NONE_BUT_AT_REST = "no saddle node is born: there are folds that end at Omega = 0, from F_0 = {:g} on"
+NONE_BUT_AT_REST = Sentence("no saddle node is born: there are folds that end at {Omega = :g}, from {F_0 = :g} on")
 NO_DETACHMENT = "no detachment: the force has one piece only"
 NO_PEAK = "no peak: without viscous damping the response is unbounded"
-NO_TOP = "no peak: the amplitude tends to F_0 = {:g} from below as Omega tends to inf"
-ESCAPES = (
-    "no peak within the well: at F_0 = {:g} the response goes on beyond its top, where the spring pushes on and "
+NO_TOP = Sentence("no peak: the amplitude tends to {F_0 = :g} from below as {Omega} tends to inf")
+ESCAPES = Sentence(
+    "no peak within the well: at {F_0 = :g} the response goes on beyond its top, where the spring pushes on and "
     "nothing holds the mass"
 )
-NOT_REACHED = (
-    "the amplitude u_cr = {0:g} is tended to as Omega tends to inf, at F_0 = {0:g}, and not reached below that"
+NOT_REACHED = Sentence(
+    "the amplitude {u_cr = :g} is tended to as {Omega} tends to inf, at {F_0 = :g}, and not reached below that"
 )
-BEYOND_RANGE = "F_cr is not found: squares of the forces at the amplitude u_cr = {:g} are beyond the range of doubles"
-NO_TOP_BELOW = "no peak: the amplitude tends to {:g} from below as Omega tends to inf"
-NOT_REACHED_BELOW = (
-    "the amplitude u_cr = {:g} is tended to as Omega tends to inf, at F_0 = {:g}, and not reached below that"
+BEYOND_RANGE = Sentence(
+    "{F_cr} is not found: squares of the forces at the amplitude {u_cr = :g} are beyond the range of doubles"
 )
-NOT_CLOSED = "the response does not close: it has states of any amplitude; cut at A = {:g}"
-OPEN = (
-    "no lowest amplitude of the excitation is attained: folds come ever lower as they go to higher amplitudes or Omega"
+NO_TOP_BELOW = Sentence("no peak: the amplitude tends to {A:g} from below as {Omega} tends to inf")
+NOT_CLOSED = Sentence("the response does not close: it has states of any amplitude; cut at {A = :g}")
+OPEN = text(
+    "no lowest amplitude of the excitation is attained: folds come ever lower as they go to higher amplitudes or "
+    "{Omega}"
 )
 
-MOVES_EXACTLY = (
-    "by the equation of motion friction holds the mass up to mu = {:g} only: from there to 4 mu/pi it moves a little, "
-    "with stops"
+MOVES_EXACTLY = Sentence(
+    "by the equation of motion friction holds the mass up to {mu = :g} only: from there to 4 {mu}/pi it moves a "
+    "little, with stops"
 )
 
 ASKED_ENOUGH = "balls were asked {} times, and at others not"
@@ -80,16 +94,17 @@ NO_DESIGN = "not certified: the numbers that the parameters follow from are not 
 NO_INTERVALS = "not certified: the average of this force is not known on intervals of doubles"
 NO_BALLS = "balls of more digits may decide: pip install 'slowflow[proofs]'"
 FAILED = "not certified: the response is unresolved"
-IN_DOUBT = "doubles do not decide for A in {}"
-BALLS_IN_DOUBT = "balls of {} bits do not decide{}"
+IN_DOUBT = Sentence("doubles do not decide for A in {where:s}")
+BALLS_IN_DOUBT = Sentence("balls of {bits:d} bits do not decide{where:s}")
+BETWEEN = Sentence("[{A:.17g}]")
 NO_ROOM = "there are more of them than places"
-NOT_BOUNDED = "only amplitudes up to {:.6g} are looked at"
-NEAR_STICKING = "F_0 is so near to 4 mu/pi that doubles do not decide whether the mass moves"
+NOT_BOUNDED = Sentence("only amplitudes up to {A:.6g} are looked at")
+NEAR_STICKING = text("{F_0} is so near to 4 {mu}/pi that doubles do not decide whether the mass moves")
 ONSET_IN_DOUBT = "doubles do not decide whether a lower forcing has a fold"
 #: of an onset that there is not: what is not proved, and what is
 OF_NO_LOWEST = (
     "not certified: that no forcing is the lowest that has a fold is not proved",
-    "no lowest forcing: zeta = 0, and there are folds as near above 4 mu/pi as one asks",
+    text("no lowest forcing: zeta = 0, and there are folds as near above 4 {mu}/pi as one asks"),
 )
 OF_NO_ONSET = (
     "not certified: that no fold is born at any forcing is not proved",
@@ -119,6 +134,11 @@ def of_states(model: Model, F_0: float, cut: str, Omega: Floats, found: Floats, 
     return joined(cut, none, sticks_below(model, F_0, Omega), undecided_at(undecided))
 
 
+def intervals(doubt: Iterable[Any]) -> str:
+    """Intervals of amplitudes."""
+    return together(", ", tuple(map(BETWEEN.format, doubt)))
+
+
 def beside(undecided: bool, cut: str) -> Remark:
     """What is said in codes of an answer whose number rounding may decide; `cut` in words, empty where it is not."""
     return Remark(int(Remark.UNDECIDED) * bool(undecided) + int(Remark.CUT) * bool(cut))
@@ -127,8 +147,7 @@ def beside(undecided: bool, cut: str) -> Remark:
 def of_points(A: Floats, few: npt.NDArray[np.bool_], none: str) -> dict[str, Any]:
     """What is said of cusps or isola points at A: which of them have few digits; `none` where there are none."""
     if few.any():
-        where = ", ".join(f"{a:g}" for a in A[few])
-        return {"message": FEW_DIGITS.format(where), "remarks": Remark.UNDECIDED}
+        return {"message": FEW_DIGITS.format(A[few]), "remarks": Remark.UNDECIDED}
     return {"message": "" if A.size else none}
 
 
@@ -145,28 +164,34 @@ def of_folds(model: Model, F_0: float, told: bool, cut: str) -> tuple[str, str]:
 
 def sticks(model: Model, F_0: float) -> str:
     """Why the mass stays at rest (27); where F_0 is the double next to 4 mu/pi, by which it is told."""
-    to_rounding = " by more than rounding" if F_0 == model.m else ""
-    return STICKS.format(F_0, model.m) + to_rounding
+    said = STICKS.format(F_0, model.m)
+    return said + " by more than rounding" if F_0 == model.m else said
+
+
+UNRESOLVED = Sentence("the response is unresolved at {F_0 = :.17g}: {why:s}")
+POWERS = "powers of it leave the range of doubles; in larger units of length it may be resolved"
+COINCIDE = "branches coincide within rounding"
+COINCIDE_AS = Sentence(
+    "branches coincide within rounding, as {F_0} exceeds 4 {mu}/pi = {sticking:.17g} by no more than rounding may make "
+    "of it"
+)
+SQUARES = Sentence(
+    "the response is unresolved at {F_0 = :.17g}{laws:s}: squares of the forces at its amplitudes leave the range of "
+    "doubles"
+)
 
 
 def unresolved(model: Model, F_0: float) -> str:
     """That branches coincide within rounding, and why where F_0 hardly moves the mass, or that they are too large."""
-    said = f"the response is unresolved at F_0 = {F_0:.17g}: "
     if F_0 > HIGHEST_FORCING:
-        return f"{said}powers of it leave the range of doubles; in larger units of length it may be resolved"
-    said += "branches coincide within rounding"
-    if not model.inertial and F_0 <= model.m * (1 + CLOSE):
-        said += f", as F_0 exceeds 4 mu/pi = {model.m:.17g} by no more than rounding may make of it"
-    return said + _or_not_known(model)
+        return UNRESOLVED.format(F_0, POWERS)
+    near = not model.inertial and F_0 <= model.m * (1 + CLOSE)
+    return UNRESOLVED.format(F_0, (COINCIDE_AS.format(model.m) if near else COINCIDE) + _or_not_known(model))
 
 
 def beyond_range(model: Model, F_0: float) -> str:
     """That forces at the amplitudes of states are too large to be squared."""
-    laws = f" with {model.laws.told()}" if model.laws.any else ""
-    return (
-        f"the response is unresolved at F_0 = {F_0:.17g}{laws}: squares of the forces at its amplitudes leave "
-        "the range of doubles"
-    )
+    return SQUARES.format(F_0, " with " + model.laws.told() if model.laws.any else "")
 
 
 def _or_not_known(model: Model) -> str:
@@ -174,26 +199,35 @@ def _or_not_known(model: Model) -> str:
     return ", or the average does not settle at some amplitude" if model.mechanism.enclosed is not None else ""
 
 
+UNBOUNDED_AT = Sentence("no amplitude bounds the response at {F_0 = :g}")
+UNBOUNDED = "no amplitude bounds the response"
+ENDS_BY_REACH = Sentence(
+    ": the force of {name:s} does not hold motions of any size, or is beyond the range of doubles there; its `reach`, "
+    "a number > 0, the largest |{u}| that makes sense, ends the search: mechanism(..., reach=...)"
+)
+
+
 def unbounded(model: Model, F_0: float | None) -> str:
     """That no amplitude was found that bounds the response, and what helps a force that is not known far away."""
-    said = "no amplitude bounds the response" + ("" if F_0 is None else f" at F_0 = {F_0:g}")
+    said = UNBOUNDED if F_0 is None else UNBOUNDED_AT.format(F_0)
     if model.mechanism.enclosed is None or math.isfinite(model.reach):
         return said
-    return (
-        f"{said}: the force of {model.mechanism.name} does not hold motions of any size, or is beyond the range of "
-        "doubles there; its `reach`, a number > 0, the largest |u| that makes sense, ends the search: "
-        "mechanism(..., reach=...)"
-    )
+    return said + ENDS_BY_REACH.format(model.mechanism.name)
 
 
-SLIDES_FREE = (
-    "the onset is not resolved: up to |u| = {:.6g} there is no spring, and no damping at Omega = 0 that grows with the "
-    "amplitude, so folds come down to Omega = 0 there; with eta > 0 it is"
+SLIDES_FREE = Sentence(
+    "the onset is not resolved: up to |{u}| = {u:.6g} there is no spring, and no damping at {Omega = :g} that grows "
+    "with the amplitude, so folds come down to {Omega = :g} there; with eta > 0 it is"
 )
-BALANCED = (
-    "the onset is not resolved: with quadratic damping alone the level does not change with Omega where the stiffness "
-    "over a cycle is 0, as between negative stiffness at rest and the springs beyond it; with zeta > 0 or eta > 0 it is"
+BALANCED = text(
+    "the onset is not resolved: with quadratic damping alone the level does not change with {Omega} where the "
+    "stiffness over a cycle is 0, as between negative stiffness at rest and the springs beyond it; with zeta > 0 or "
+    "eta > 0 it is"
 )
+NEXT_TO = Sentence(
+    "the onset is unresolved: doubles do not tell which folds are born next to the breakpoint {A = :g}{why:s}"
+)
+IN_BALLS = text("; certify({F_0}).saddle_node_onset may hold it, in balls")
 
 
 def unresolved_onset(model: Model) -> str:
@@ -203,17 +237,25 @@ def unresolved_onset(model: Model) -> str:
     other = _or_not_known(model)
     if not model.breakpoints:
         return "the onset is unresolved: folds are born within rounding of each other" + other
-    ends = ", ".join(f"{b:g}" for b in model.breakpoints)
-    said = f"the onset is unresolved: doubles do not tell which folds are born next to the breakpoint A = {ends}{other}"
+    said = NEXT_TO.format(model.breakpoints, other)
     # `certify` takes a force and plain damping only, and averages that are derived in closed form
     proved = not model.inertial and not model.laws.any and model.mechanism.enclosed is None
-    return f"{said}; certify(F_0).saddle_node_onset may hold it, in balls" if proved else said
+    return said + IN_BALLS if proved else said
 
 
 def no_locus(model: Model, A_max: float) -> str:
     """That there is no fold at any forcing, but next to breakpoints, where a force that hardly jumps has folds too."""
     ends = [b for b in model.breakpoints if b < A_max and model.mechanism.truncated]
-    return NO_LOCUS.format(A_max) + "".join(AT_JUMP.format(b) for b in ends)
+    return reduce(add, map(AT_JUMP.format, ends), NO_LOCUS.format(A_max))
+
+
+CUT = Sentence("unbounded without viscous damping: cut at {A = :g}{why:s}")
+CUT_TOWARDS_REST = Sentence("unbounded as {Omega} tends to 0, where {why:s}: cut at {A = :g}")
+CUT_AT_REACH = Sentence("cut at {A = :g}{why:s}")
+EVERYWHERE = Sentence(
+    "no response curve: {A = :.17g} at every frequency, as all forces on the mass grow with {Omega}^2 alike"
+)
+PEAK_AT = Sentence("the peak is unresolved at {F_0 = :.17g}: there may be one within rounding of {A = :.17g}")
 
 
 def cut(model: Model, F_0: float) -> tuple[float, str]:
@@ -222,9 +264,8 @@ def cut(model: Model, F_0: float) -> tuple[float, str]:
     That is at the mechanism's reach, or at a multiple of the static deflection, doubled until the fold Omega^2 = -h_A,
     whose R is k, has passed F_0 or has ended for good.
     """
-    words = "unbounded without viscous damping: cut at A = "
     if np.isfinite(model.reach):
-        return model.reach, f"{words}{model.reach:g}, {model.mechanism.reach_reason}"
+        return model.reach, CUT.format(model.reach, f", {model.mechanism.reach_reason}")
     A_max = max(STATIC_MULTIPLE * F_0, 2 * max(model.breakpoints, default=0.0))
     for _ in range(0 if model.inertial else RUNGS):
         h, h_A, h_AA, h_AAA = map(float, model.averaged(A_max))
@@ -234,19 +275,19 @@ def cut(model: Model, F_0: float) -> tuple[float, str]:
         if passed or h_AA == h_AAA == 0:
             break
         A_max *= 2
-    return A_max, f"{words}{A_max:g}"
+    return A_max, CUT.format(A_max, "")
 
 
 def cut_towards_rest(model: Model, F_0: float) -> tuple[float, str]:
     """Where the response is cut of a mass that no spring holds, or one whose force levels off, and a remark."""
     A_max = float(STATIC_MULTIPLE * max(F_0, *model.breakpoints, 0.0))
     why = "no spring holds the mass" if model.free else "the spring's force, which levels off, does not hold the mass"
-    return A_max, f"unbounded as Omega tends to 0, where {why}: cut at A = {A_max:g}"
+    return A_max, CUT_TOWARDS_REST.format(why, A_max)
 
 
 def everywhere(A: float) -> str:
     """That a mass without a spring follows a shaking base alike at any frequency, by quadratic damping alone."""
-    return f"no response curve: A = {A:.17g} at every frequency, as all forces on the mass grow with Omega^2 alike"
+    return EVERYWHERE.format(A)
 
 
 def no_top(model: Model, F_0: float, most: float) -> Peak:
@@ -263,13 +304,13 @@ def no_top(model: Model, F_0: float, most: float) -> Peak:
 
 def peak_at_doubles(F_0: float, A: float) -> str:
     """That the highest peak is next to an amplitude, as a breakpoint, where doubles do not tell whether it is there."""
-    return f"the peak is unresolved at F_0 = {F_0:.17g}: there may be one within rounding of A = {A:.17g}"
+    return PEAK_AT.format(F_0, A)
 
 
 def cut_at_reach(model: Model) -> tuple[float, str]:
     """Where a response is cut that goes beyond the mechanism's reach, and a remark."""
     reason = f", {model.mechanism.reach_reason}" if model.mechanism.reach_reason else ""
-    return model.reach, f"cut at A = {model.reach:g}{reason}"
+    return model.reach, CUT_AT_REACH.format(model.reach, reason)
 
 
 def with_folds_at_rest(model: Model, onset: SaddleNodeOnset, rest: float) -> SaddleNodeOnset:
@@ -281,14 +322,19 @@ def with_folds_at_rest(model: Model, onset: SaddleNodeOnset, rest: float) -> Sad
         return onset
     of_preload = rest == model.m and model.preload > 0
     none, below = (NONE_BUT_OF_PRELOAD, OF_PRELOAD) if of_preload else (NONE_BUT_AT_REST, AT_REST)
-    words = (none if onset.F_SN is None else below).format(rest)
+    words = (none if onset.F_SN is None else below).format(Omega=0.0, F_0=rest)
     return dataclasses.replace(onset, message=words, remarks=Remark.FOLDS_AT_REST)
+
+
+NO_STATE = Sentence("no steady state at {Omega = :g}")
+UNDECIDED_AT = Sentence("how many states there are is undecided at {Omega = :.17g}{more:s}")
+EMPTY_WINDOW = Sentence("no steady state for {Omega} in [{Omega:g}]")
 
 
 def without_a_state(Omega: Floats, found: Floats) -> str:
     """At which of the frequencies asked for there is no state among those found."""
     missing = np.setdiff1d(Omega, found)
-    return "" if not missing.size else "no steady state at Omega = " + ", ".join(f"{value:g}" for value in missing)
+    return NO_STATE.format(missing) if missing.size else ""
 
 
 def sticks_below(model: Model, F_0: float, Omega: Floats) -> str:
@@ -298,10 +344,7 @@ def sticks_below(model: Model, F_0: float, Omega: Floats) -> str:
     with np.errstate(over="ignore"):  # beyond any double it is at all
         begin = inertia.moves_from(F_0, model.held)
     if model.preload > 0:
-        return (
-            f"a mass at rest stays there up to Omega = {begin:g}: the inertia force does not exceed "
-            f"4/pi sqrt(mu^2 + c^2) = {model.held:g} there, c being the preload"
-        )
+        return STAYS_BELOW.format(begin, model.held)
     return STICKS_BELOW.format(begin, model.m)
 
 
@@ -313,8 +356,9 @@ def moves_exactly(model: Model, force: Floats) -> str:
 
 
 #: what arrays of both frequencies and forcings could be taken for
-TONES = (
-    "each pair of Omega and F_0 is a single tone; tones that act together are not covered, their motions do not add up"
+TONES = text(
+    "each pair of {Omega} and {F_0} is a single tone; tones that act together are not covered, their motions do not "
+    "add up"
 )
 
 
@@ -333,12 +377,11 @@ def undecided_at(Omega: Floats) -> str:
     """At which of the frequencies asked for doubles do not tell how many states there are."""
     if not Omega.size:
         return ""
-    some = ", ".join(f"{value:.17g}" for value in Omega[:MOST_NAMED]) + ", ..." * (Omega.size > MOST_NAMED)
-    return f"how many states there are is undecided at Omega = {some}"
+    return UNDECIDED_AT.format(Omega[:MOST_NAMED], ", ..." * (Omega.size > MOST_NAMED))
 
 
 def empty_window(model: Model, F_0: float, window: tuple[float, float]) -> str:
     """That a curve has no point in the window, as where friction holds the mass throughout."""
     if model.inertial and model.rests(F_0, window[1]):
         return sticks_below(model, F_0, np.array(window[1]))
-    return f"no steady state for Omega in [{window[0]:g}, {window[1]:g}]"
+    return EMPTY_WINDOW.format(window)

@@ -22,6 +22,7 @@ from slowflow.exact.compiled import TRACED, TaylorIntegrator
 from slowflow.exact.cycle import Array, AtBorder, Cycle, Equations, Row, closed_cycle
 from slowflow.exact.motion import Forced, follow
 from slowflow.exact.shooting import SteadyState
+from slowflow.text import text
 from slowflow_kernels.exact_conventions import ALONG
 from slowflow_support.errors import NotSettled
 
@@ -37,6 +38,8 @@ LEVEL = 1e-5  # Omega component of a tangent that is none: where phases vanish l
 BEFORE = 1e-3
 AT_BORDER = 1e-10  # a span, or a margin, that is taken to vanish
 MOST_POINTS = 20_000
+PASSES = "the response curve at {F_0 = :} passes {A = :g} at {Omega = :.9g}: {why:s}choose a range on one side of it"
+ENDS = "the response curve at {F_0 = :} cannot be followed beyond {Omega = :.9g}, {A = :.9g}"
 FOLDS = ("fold", "corner")  # roles of points
 
 
@@ -138,11 +141,8 @@ class Path:
                 yield new
                 if new.A > LARGEST:
                     unbounded = new.cycle.system.zeta == new.cycle.system.eta == 0
-                    raise NotSettled(
-                        f"the response curve at F_0 = {self.F_0} passes A = {LARGEST:g} at Omega = {new.z[-1]:.9g}: "
-                        + ("without viscous damping resonance is unbounded (27); " if unbounded else "")
-                        + "choose a range on one side of it"
-                    )
+                    why = "without viscous damping resonance is unbounded (27); " if unbounded else ""
+                    raise NotSettled(text(PASSES, self.F_0, LARGEST, new.z[-1], why))
                 travelled += size
                 if travelled > 10 * self.step and self._meets(point, new, first):
                     self.closed = True
@@ -166,10 +166,7 @@ class Path:
                 yield self._border(point, new)
                 yield new
                 point, size = new, 0.05 * self.step
-        raise LostCurve(
-            f"the response curve at F_0 = {self.F_0} cannot be followed beyond Omega = {point.z[-1]:.9g}, "
-            f"A = {point.A:.9g}"
-        )
+        raise LostCurve(text(ENDS, self.F_0, point.z[-1], point.A))
 
     def _traced(self, point: Point, first: Point, size: float, travelled: float) -> tuple[list[Point], float, float]:
         """Points after one as long as nothing is to be decided, in C; the next step and the way from the first."""

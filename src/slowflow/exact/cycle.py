@@ -28,6 +28,7 @@ from slowflow.exact.compiled import TaylorIntegrator
 from slowflow.exact.integrate import PHASE_WORK, Integrator, spend
 from slowflow.exact.motion import Forced, Phase, break_away, edge_ahead, follow, signature
 from slowflow.mechanism import EquationOfMotion
+from slowflow.text import text
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import (
     FAR,
@@ -138,7 +139,7 @@ class Cycle:
         if isinstance(integrator, TaylorIntegrator):
             found = self._compiled(z.copy(), F_0, None, 0, 0.0)
             if found is None:
-                raise NotSettled(f"the cycle at Omega = {z[-1]} cannot be integrated")
+                raise NotSettled(text("the cycle at {Omega = :} cannot be integrated", z[-1]))
             return found
         spend(PHASE_WORK * k)
         Omega = float(z[-1])

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.mechanism import Piece
+from slowflow.text import text
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import Event
 from slowflow_support.errors import NotSettled
@@ -225,7 +226,9 @@ class ScipyIntegrator:
             spend(CALL_WORK)
             left -= 1
             if left < 0:
-                why = f"the integration from theta = {span[0]} stalls at theta = {theta}, u = {y[0]}"
+                why = text(
+                    "the integration from theta = {start:s} stalls at {theta = :}, {u = :}", str(span[0]), theta, y[0]
+                )
                 raise Stalled.at(why, theta, float(y[0]))
             return field(theta, y)
 

@@ -23,6 +23,7 @@ from slowflow.exact import response, shooting
 from slowflow.exact.integrate import limited
 from slowflow.mechanism import EquationOfMotion, Floats, Force
 from slowflow.results import Measured, MeasuredFolds, MeasuredPoint
+from slowflow.text import text
 from slowflow_support.errors import NotSettled
 
 #: motions nearer to each other than this, relative in amplitude, are one
@@ -47,7 +48,7 @@ ASIDE = 1e-3
 FARTHEST, WIDENING = 1.7, (0.01, 0.03, 0.06, 0.12, 0.25, 0.7)
 NEARLY = 1e-9
 
-AT_REST = "at Omega = 0 nothing moves"
+AT_REST = text("at {Omega = :g} nothing moves", 0.0)
 NO_MOTION = "Newton's iteration finds no motion near it"
 TAKEN = "it leads to the motion of another state"
 NO_FOLD = f"the exact curve beside it has no fold within a factor of {AROUND:g} of its frequency"

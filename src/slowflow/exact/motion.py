@@ -19,6 +19,7 @@ import numpy as np
 from slowflow.exact.compiled import TaylorIntegrator
 from slowflow.exact.integrate import PHASE_WORK, Drive, Integrator, Stalled, spend
 from slowflow.mechanism import EquationOfMotion, Piece
+from slowflow.text import Sentence
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import FAR, GRAZING, MOST_PHASES, OF_TURN, Event, Outcome
 from slowflow_support.errors import NotSettled
@@ -26,10 +27,15 @@ from slowflow_support.errors import NotSettled
 TURN = 2.0 * math.pi
 NUDGES = (1e-3, 1e-4, 1e-5, 1e-6)  # angles over which a start at rest moves off before stops are looked for
 
-CHATTERS = "the mass chatters near u = {u:.6g}, where the restoring force jumps: more than {most} switches in one turn"
-ESCAPES = "the motion escapes: |u| passes {far:g}, the restoring force does not hold it"
-STALLS = "the integration stalls near u = {u:.6g}: its steps become too many, or the force is not defined there"
-UNBOUNDED = "the integration stalls near u = {u:.6g}, where the restoring force grows without bound"
+CHATTERS = Sentence(
+    "the mass chatters near {u = :.6g}, where the restoring force jumps: more than {most:d} switches in one turn"
+)
+ESCAPES = Sentence("the motion escapes: |{u}| passes {u:g}, the restoring force does not hold it")
+STALLS = Sentence(
+    "the integration stalls near {u = :.6g}: its steps become too many, or the force is not defined there"
+)
+UNBOUNDED = Sentence("the integration stalls near {u = :.6g}, where the restoring force grows without bound")
+AT = Sentence("{why:s}; at {Omega = :}, {F_0 = :}")
 #: a force that has no bound near u is larger there, by this factor, than at `NEARER` u
 GROWS, NEARER = 1e6, 0.9
 
@@ -224,12 +230,12 @@ def _lost(outcome: int, forced: Forced, theta: float, u: float) -> Exception:
     if outcome == Outcome.NO_MEMORY:
         return MemoryError("no memory for the phases of the motion")
     if outcome == Outcome.CHATTERS:
-        why = CHATTERS.format(most=MOST_PHASES, u=u)
+        why = CHATTERS.format(u, MOST_PHASES)
     elif outcome == Outcome.ESCAPES:
-        why = ESCAPES.format(far=FAR)
+        why = ESCAPES.format(FAR)
     else:
-        why = (UNBOUNDED if _grows_without_bound(forced.system, u) else STALLS).format(u=u)
-    lost = Lost(f"{why}; at Omega = {forced.Omega}, F_0 = {forced.F_0}" if forced.F_0 else why)
+        why = (UNBOUNDED if _grows_without_bound(forced.system, u) else STALLS).format(u)
+    lost = Lost(AT.format(why, forced.Omega, forced.F_0) if forced.F_0 else why)
     lost.why, lost.theta = why, theta
     return lost
 

@@ -24,6 +24,7 @@ from slowflow.exact.transient import transient as followed
 from slowflow.loaded import Loaded
 from slowflow.mechanism import EquationOfMotion
 from slowflow.results import Remark
+from slowflow.text import Sentence, text
 from slowflow_kernels import inertia
 from slowflow_support.errors import NotSettled, Refused
 
@@ -39,24 +40,33 @@ BESIDE = 0.05
 #: by how much the force exceeds friction where a curve begins that would else begin at rest
 EXCEEDS = 1.05
 
-RESTS = "at this F_0 friction holds the mass up to Omega = {:.4g}: the curve begins at Omega = {:.4g}"
+RESTS = Sentence(
+    "at this {F_0} friction holds the mass up to {Omega} = {Omega[0]:.4g}: the curve begins at {Omega} = {Omega[1]:.4g}"
+)
 
-OTHER = (
-    "another curve is not part of this one: averaging has it at Omega = {Omega:.4g}, A = {A:.4g}; "
-    "start = steady_state(Omega={Omega:.4g}, F_0={F_0:.4g}, A={A:.4g}) leads to it"
+OTHER = Sentence(
+    "another curve is not part of this one: averaging has it at {Omega = :.4g}, {A = :.4g}; "
+    "start = steady_state({Omega=:.4g}, {F_0=:.4g}, {A=:.4g}) leads to it"
 )
 #: a pulse, or a step of a record, whose frequency is beyond the range of doubles
 SHORTEST = math.pi / sys.float_info.max
-NOWHERE = "no motion from rest: there is no stable place of rest that the mass could begin at; u_0= says where it does"
-SEVERAL = (
-    "there are several stable places of rest, at u = {places}: the mass begins at u = {at:.6g}, the nearest to the "
-    "centre; u_0= has it begin elsewhere"
+NOWHERE = text(
+    "no motion from rest: there is no stable place of rest that the mass could begin at; {u_0}= says where it does"
+)
+SEVERAL = Sentence(
+    "there are several stable places of rest, at {u = :.6g}: the mass begins at {u} = {u_0:.6g}, the nearest to the "
+    "centre; {u_0}= has it begin elsewhere"
 )
 #: displacement at which it is asked where a force pushes that has no stiffness at u = 0
 NEXT = 2.0**-20
-BOTH = "{} says which motion it is, u_0 and v_0 from where one comes: not both"
-ONLY = "this is the only motion that averaging knows of, and not one that the mass was seen to come to: {}"
-UNKNOWN = "whether there are other curves is not known, averaging does not say: {}"
+BOTH = Sentence("{name:s} says which motion it is, {u_0} and v_0 from where one comes: not both")
+ONLY = Sentence(
+    "this is the only motion that averaging knows of, and not one that the mass was seen to come to: {why:s}"
+)
+UNKNOWN = Sentence("whether there are other curves is not known, averaging does not say: {why:s}")
+NONE_NEAR = "no state at {Omega = :g} leads to a periodic motion of the equation of motion"
+START = "start = {start:r} is not allowed: start must be a steady state at {F_0 = :g}, {Omega} in {Omega:r}"
+ROWS = "{tau} and acceleration must be two rows of as many numbers, {tau} rising: not of {shapes:s}"
 
 
 def steady_state(
@@ -122,7 +132,7 @@ def _off_centre(
         start = (nearest.A + max(nearest.B, 0.0), nearest.phi)
         return shooting.steady_state(system, start, Omega=Omega, F_0=F_0)
     if not found:
-        raise NotSettled(f"no state at Omega = {Omega:g} leads to a periodic motion of the equation of motion")
+        raise NotSettled(text(NONE_NEAR, Omega))
     return min(found, key=lambda motion: abs(motion.A - A))
 
 
@@ -145,15 +155,13 @@ def exact_response(
     if system.inertial and system.forcing(Omega=low, F_0=F_0) < EXCEEDS * system.holds(0):
         alone = float(inertia.moves_from(F_0, system.holds(0)))
         low = min(high, math.sqrt(EXCEEDS) * alone)
-        rests = RESTS.format(alone, low)
+        rests = RESTS.format((alone, low))
     if start is None:
         start = _from_rest(averaged, system, low, F_0, u_0, v_0)
     elif u_0 is not None or v_0 != 0:
         raise Refused(BOTH.format("start"))
     elif not (isinstance(start, shooting.SteadyState) and low <= start.Omega <= high and start.F_0 == F_0):
-        raise Refused(
-            f"start = {start!r} is not allowed: start must be a steady state at F_0 = {F_0:g}, Omega in {Omega}"
-        )
+        raise Refused(text(START, start, F_0, Omega))
     if start.cycle.stays:
         said = shooting.why_at_rest(system, start.Omega, F_0, float(start.unknowns[0]))
         return response.without_a_motion(F_0, joined(start.message, said))
@@ -168,7 +176,7 @@ def _others(averaged: Averaged, found: response.Response, window: tuple[float, f
     try:
         curve, A = _averaged(averaged, found.F_0, window)
     except (ArithmeticError, ValueError) as error:
-        return UNKNOWN.format(error)
+        return UNKNOWN.format(error.args[0])
     points = np.log(np.column_stack((curve.Omega, A)))
     line = np.log(np.column_stack((found.Omega, found.A)))
     apart = np.array([np.abs(line - point).max(axis=1).min() for point in points])
@@ -180,7 +188,7 @@ def _others(averaged: Averaged, found: response.Response, window: tuple[float, f
         if stable.size and np.median(apart[on]) > APART:
             at = stable[stable.size // 2]
             remarks.append(OTHER.format(Omega=curve.Omega[at], A=A[at], F_0=found.F_0))
-    return "; ".join(remarks)
+    return joined(*remarks)
 
 
 def _averaged(averaged: Any, F_0: float, window: tuple[float, float]) -> tuple[Any, Any]:
@@ -223,8 +231,7 @@ def transient(
     else:
         times, samples = validate.finite_array("tau", tau), validate.finite_array("acceleration", acceleration)
         if times.ndim != 1 or times.shape != samples.shape or times.size < 2 or not (np.diff(times) > SHORTEST).all():
-            shapes = f"{times.shape} and {samples.shape}"
-            raise Refused(f"tau and acceleration must be two rows of as many numbers, tau rising: not of {shapes}")
+            raise Refused(text(ROWS, f"{times.shape} and {samples.shape}"))
         arcs, begin = record(times, samples), float(times[0])
     last = AFTER if after is None else validate.number("after", after, least=0.0)
     at, v, said = _beginning(averaged, system, u_0, v_0)
@@ -286,7 +293,7 @@ def at_rest(averaged: Any, system: EquationOfMotion) -> tuple[float, str]:
     u = float(at.root)
     if places.size == 1:
         return u, ""
-    return u, SEVERAL.format(places=", ".join(f"{place:.6g}" for place in places), at=u)
+    return u, SEVERAL.format(places, u)
 
 
 def _beyond_reach(averaged: Any, A: float) -> str:
@@ -329,7 +336,7 @@ def _from_rest(
             B = 0.0 if system.centred else states[0].B
             found = shooting.near(system, Omega, F_0, (states[0].A, states[0].phi), B=B)
             if found is not None and found.stable:
-                return dataclasses.replace(found, message=joined(said, ONLY.format(unseen)))
+                return dataclasses.replace(found, message=joined(said, ONLY.format(unseen.args[0])))
         raise
 
 

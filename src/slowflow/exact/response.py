@@ -25,11 +25,12 @@ from slowflow.exact.integrate import Integrator, OutOfWork, limited
 from slowflow.exact.motion import Forced
 from slowflow.exact.shooting import SteadyState, check_forcing, describe, lengths, settle, steady_state
 from slowflow.mechanism import EquationOfMotion
+from slowflow.text import text
 from slowflow.transmitted import Transmitted
 from slowflow_support.errors import NotSettled, Refused
 
 NEAR_TOP = 0.9  # share of the highest point's amplitude from which on a stretch of the curve may hold its peak
-PARTLY = "a part of the curve only: {}"
+PARTLY = "a part of the curve only: "
 #: how far beyond a fold it is looked at what a sweep falls to, and turns of the forcing that it is given for that
 PAST, FALLS, MOST_FALL = 1e-5, 1e-3, 2000
 
@@ -118,7 +119,7 @@ class Response(Table):
         A is stationary there along the curve, or it is at a border or at an end of the range.
         """
         if not self.states:
-            raise NotSettled(f"no peak, as no motion: {self.message}")
+            raise NotSettled("no peak, as no motion: " + self.message)
         with limited():
             point = _highest(self.F_0, self.states)
         return describe(point.cycle, point.z, self.F_0, point.monodromy)
@@ -146,7 +147,7 @@ def exact_response(
     """
     low, high = (float(end) for end in Omega)
     if not (0 < low < high < math.inf):
-        raise Refused(f"Omega = {Omega} must rise and be positive")
+        raise Refused(text("{Omega = :r} must rise and be positive", Omega))
     if not 0 < step <= 0.5:
         raise Refused(f"step = {step} must lie in (0, 0.5]")
     check_forcing(system, low, F_0)
@@ -154,7 +155,7 @@ def exact_response(
     if start is None:
         start = steady_state(system, Omega=low, F_0=F_0, integrator=integrator)
     if not low <= start.Omega <= high:
-        raise Refused(f"start.Omega = {start.Omega} lies outside Omega = {Omega}")
+        raise Refused(text("start.{Omega} = {Omega_0:r} lies outside {Omega = :r}", float(start.Omega), Omega))
     path = Path(F_0, low, high, step, least_scale(start.cycle, start.A))
     forward, lost = _reached(path, path.begin(start, 1.0))
     closed = path.closed
@@ -166,7 +167,7 @@ def exact_response(
     if lost is not None and len(points) == 1:
         raise lost
     found = _response(F_0, points, closed)
-    return found if lost is None else replace(found, message=PARTLY.format(lost), complete=False)
+    return found if lost is None else replace(found, message=PARTLY + lost.args[0], complete=False)
 
 
 def _reached(path: Path, first: Point) -> tuple[list[Point], ArithmeticError | None]:
@@ -178,7 +179,8 @@ def _reached(path: Path, first: Point) -> tuple[list[Point], ArithmeticError | N
     except LostCurve as lost:
         return points, lost
     except OutOfWork as used_up:
-        return points, NotSettled(f"{used_up}, at Omega = {points[-1].z[-1]:.9g}, A = {points[-1].A:.9g}")
+        where = text(", at {Omega = :.9g}, {A = :.9g}", points[-1].z[-1], points[-1].A)
+        return points, NotSettled(used_up.args[0] + where)
     return points, None
 
 

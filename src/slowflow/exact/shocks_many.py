@@ -17,6 +17,7 @@ from slowflow.exact.transient import AFTER, NO_PULSE, half_sine, record, transie
 from slowflow.mechanism import EquationOfMotion, Floats, Force, followed
 from slowflow.model import THROUGHOUT, Model
 from slowflow.results import Remark
+from slowflow.text import text
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.exact_conventions import Outcome
 from slowflow_support.errors import Refused
@@ -25,6 +26,8 @@ from slowflow_support.errors import Refused
 AT_ONCE, ALONE = 2**14, 16
 #: what says of a model under a load where it rests: `slowflow.off_centre.OffCentre`, of a room above this
 OffCentres = Callable[[Model, float], Any]
+
+SAMPLES = "{tau} and acceleration must have as many samples, not {shapes:s}"
 
 
 def _batch(question: str, columns: dict[str, Any], designs: Designs, pulse: Mapping[str, Any]) -> Batch:
@@ -87,7 +90,7 @@ def samples(tau: Any, acceleration: Any) -> tuple[Floats, Floats]:
     """Records in doubles, samples along the last axis. Raises ValueError for other arrays than of as many samples."""
     times, values = numbers(tau=tau, acceleration=acceleration).values()
     if not (times.ndim and values.ndim and times.shape[-1] == values.shape[-1] >= 2):
-        raise Refused(f"tau and acceleration must have as many samples, not {times.shape} and {values.shape}")
+        raise Refused(text(SAMPLES, f"{times.shape} and {values.shape}"))
     validate.common_shape({"tau": times, "acceleration": values})
     return times, values
 

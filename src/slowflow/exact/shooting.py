@@ -22,6 +22,7 @@ from slowflow.exact.cycle import Cycle, closed_cycle, rests_at_jump, shown_in
 from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import TURN, Forced, Phase, follow
 from slowflow.mechanism import EquationOfMotion
+from slowflow.text import Sentence, text
 from slowflow.transmitted import Transmitted, asked
 from slowflow_kernels.exact_conventions import ARRIVED, ASKED_AGAIN, COMES_BACK, NEARER, UNLIKE
 from slowflow_kernels.motion import acceleration
@@ -71,27 +72,42 @@ FARTHER, SEEN = 60, 100.0
 #: places on each side at which it is asked whether the force rises
 SLOPES = 16
 
-ADRIFT = (
-    "no steady state is singled out at Omega = {Omega:g}, F_0 = {F_0:g}: a motion of amplitude {A:.6g} stays {where} "
-    "no force brings its mean back, and each such mean is as good as another; "
-    "A = {A:.6g} gives the one about u = 0"
+ADRIFT = Sentence(
+    "no steady state is singled out at {Omega = :g}, {F_0 = :g}: a motion of amplitude {A:.6g} stays {where:s} no "
+    "force brings its mean back, and each such mean is as good as another; {A = :.6g} gives the one about {u} = 0"
 )
+WITHIN_END = Sentence("within |{u}| = {u:g}, where")
 
-CHAOTIC = (
-    "no steady state found at Omega = {Omega:g}, F_0 = {F_0:g}: the motion is chaotic, as far as {turns} turns of the "
+CHAOTIC = Sentence(
+    "no steady state found at {Omega = :g}, {F_0 = :g}: the motion is chaotic, as far as {turns:d} turns of the "
     "forcing tell: motions that begin beside each other part by a factor of {rate:.2g} in each; A= gives the periodic "
     "motion, stable or not, next to an amplitude"
 )
 
-RESTS_AT_JUMP = (
-    "the motion at Omega = {Omega:g}, F_0 = {F_0:g} repeats itself with A = {A:.6g}, but the mass rests at u = 0 in "
-    "each turn, where the force jumps, after passing it ever more often: that is followed in time, by sweep, and has "
-    "no multipliers"
+RESTS_AT_JUMP = Sentence(
+    "the motion at {Omega = :g}, {F_0 = :g} repeats itself with {A = :.6g}, but the mass rests at {u} = 0 in each "
+    "turn, where the force jumps, after passing it ever more often: that is followed in time, by sweep, and has no "
+    "multipliers"
 )
-COMES_TO_REST = (
-    "no steady state found at Omega = {Omega:g}, F_0 = {F_0:g}: a motion from u = {u:.6g} on comes to rest, where "
+COMES_TO_REST = Sentence(
+    "no steady state found at {Omega = :g}, {F_0 = :g}: a motion from {u = :.6g} on comes to rest, where "
     "friction holds the mass"
 )
+
+
+NOT_FOUND = Sentence(
+    "no steady state found at {Omega = :}, {F_0 = :}: after {turns:d} turns of the forcing the motion comes back only "
+    "to within {A:.1e}; {why:s}"
+)
+FORCE = Sentence("{F_0 = :g}")
+INERTIA = Sentence("the inertia force {force:g} at {Omega = :g}")
+PUSH = Sentence(" and the push {force:g} of the spring at {u = :g}, together,")
+NEVER_MOVES = Sentence("{what:s} does not exceed {mu = :g}: friction holds the mass for ever, it never moves")
+HELD = Sentence(
+    "{what:s} does not exceed {holds:s} = {force:g}: friction holds a mass at rest for ever; of motions beside that, "
+    "if there are any, steady_state has the one next to A="
+)
+NO_DAMPING = text("{mu = :g} and zeta = 0: without any damping the forced motion has no attracting steady state", 0.0)
 
 
 class NotPeriodic(NotSettled):
@@ -437,17 +453,14 @@ def check_forcing(
 def why_at_rest(system: EquationOfMotion, Omega: float, F_0: float, u: float) -> str:
     """In words that friction holds a mass at rest at u for ever."""
     force = system.forcing(Omega=Omega, F_0=F_0)
-    told = f"the inertia force {force:g} at Omega = {Omega:g}" if system.inertial else f"F_0 = {F_0:g}"
+    told = INERTIA.format(force, Omega) if system.inertial else FORCE.format(F_0)
     if only_rests(system, Omega, F_0):
-        return f"{told} does not exceed mu = {system.mu:g}: friction holds the mass for ever, it never moves"
+        return NEVER_MOVES.format(told, system.mu)
     region, pull = system.force.region_of(u), _pull(system, u)
-    told += f" and the push {pull:g} of the spring at u = {u:g}, together," if pull else ""
-    name = "mu_s" if system.mu_s > system.mu else "mu"
-    name += " and what the force jumps to at u = 0, together" if system.force.jump else ""
-    return (
-        f"{told} does not exceed {name} = {system.holds(region):g}: friction holds a mass at rest for ever; of "
-        "motions beside that, if there are any, steady_state has the one next to A="
-    )
+    both = told + PUSH.format(pull, u) if pull else told
+    name = text("{mu_s}" if system.mu_s > system.mu else "{mu}")
+    jump = text(" and what the force jumps to at {u} = 0, together") if system.force.jump else ""
+    return HELD.format(both, name + jump, system.holds(region))
 
 
 def comes_to_rest(system: EquationOfMotion, Omega: float, F_0: float, u: float, v: float) -> SteadyState | None:
@@ -488,9 +501,9 @@ def check_numbers(system: EquationOfMotion, Omega: float, F_0: float) -> None:
     """Raises ValueError unless Omega > 0 and F_0 > 0 are finite, and there is damping."""
     for name, value in (("Omega", Omega), ("F_0", F_0)):
         if not (math.isfinite(value) and value > 0):
-            raise Refused(f"{name} = {value} must be positive and finite")
+            raise Refused(text(f"{{{name} = :}} must be positive and finite", value))
     if not system.is_damped:
-        raise Refused("mu = 0 and zeta = 0: without any damping the forced motion has no attracting steady state")
+        raise Refused(NO_DAMPING)
 
 
 def describe(cycle: Cycle, z: Array, F_0: float, monodromy: Array, phases: list[Phase] | None = None) -> SteadyState:
@@ -647,7 +660,7 @@ def _by_time_stepping(forced: Forced, theta: float, state: tuple[float, float], 
         return settled.found
     if settled.adrift is not None:
         ends = forced.system.force.breakpoints
-        where = f"within |u| = {ends[0]:g}, where" if ends else "where"
+        where = WITHIN_END.format(ends[0]) if ends else "where"
         raise NotSettled(ADRIFT.format(Omega=forced.Omega, F_0=forced.F_0, A=settled.adrift.A, where=where))
     if settled.repeats:
         raise NotPeriodic(RESTS_AT_JUMP.format(Omega=forced.Omega, F_0=forced.F_0, A=_largest(settled.phases)))
@@ -659,17 +672,14 @@ def _by_time_stepping(forced: Forced, theta: float, state: tuple[float, float], 
             CHAOTIC.format(Omega=forced.Omega, F_0=forced.F_0, turns=settled.turns + PARTING_TURNS, rate=rate)
         )
     share, longest = settled.change / _largest(settled.phases), max(map(_turns, tries))
-    raise NotPeriodic(
-        f"no steady state found at Omega = {forced.Omega}, F_0 = {forced.F_0}: after {settled.turns} turns of the "
-        f"forcing the motion comes back only to within {settled.change:.1e}; "
-        + (
-            "it repeats itself, but Newton's iteration does not find it: sweep follows it in time"
-            if share <= AGAIN
-            else "it still drifts, too slowly to be followed to where it settles"
-            if share < 1e-3
-            else f"it may be on its way still, or chaotic, or a subharmonic of more than {longest} turns"
-        )
+    why = (
+        "it repeats itself, but Newton's iteration does not find it: sweep follows it in time"
+        if share <= AGAIN
+        else "it still drifts, too slowly to be followed to where it settles"
+        if share < 1e-3
+        else f"it may be on its way still, or chaotic, or a subharmonic of more than {longest} turns"
     )
+    raise NotPeriodic(NOT_FOUND.format(forced.Omega, forced.F_0, settled.turns, settled.change, why))
 
 
 def _on_its_way(settled: Settled) -> bool:

@@ -30,6 +30,7 @@ from slowflow.exact.shooting import (
     settle,
 )
 from slowflow.mechanism import EquationOfMotion
+from slowflow.text import text
 from slowflow_support.errors import Refused
 
 Array = NDArray[np.float64]
@@ -111,7 +112,9 @@ def sweep(
     """
     frequencies = np.array(Omega, dtype=float, order="C")
     if frequencies.ndim != 1 or frequencies.size == 0:
-        raise Refused(f"Omega must be a non-empty list of frequencies, not an array of shape {frequencies.shape}")
+        raise Refused(
+            text("{Omega} must be a non-empty list of frequencies, not an array of shape {shape:r}", frequencies.shape)
+        )
     for frequency in frequencies:
         check_numbers(system, float(frequency), F_0)
     by = integrator or default_integrator(system)

@@ -20,27 +20,29 @@ from slowflow.exact.compiled import default_integrator
 from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import TURN, Forced, Lost, Phase, follow
 from slowflow.mechanism import EquationOfMotion
+from slowflow.text import Sentence, text
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import CREEPS, MOST_TURNS, NEAR, POINTS, ROUNDS, SAME, Event
 from slowflow_support.errors import NotSettled
 
 Array = NDArray[np.float64]
 
-NO_PULSE = "a pulse needs either its duration, of a half sine, or tau, the times of a record"
+NO_PULSE = text("a pulse needs either its duration, of a half sine, or {tau}, the times of a record")
 #: angle between two samples of a record
 ARC = 1e-3
 #: share of load and forcing by which their balance may be off, and by which a motion begins behind its place of rest
 ROUNDING, BACK = 2.0**-50, 2.0**-47
 #: what the place of rest is off by may be this share of a pulse
 WEAK = 2.0**-10
-TOO_WEAK = (
-    "a pulse of {:g} is too weak to be followed beside u = {:g}, where the mass rests: rounding of that place and of "
-    "its load is {:.2g} of it"
+TOO_WEAK = Sentence(
+    "a pulse of {acceleration:g} is too weak to be followed beside {u = :g}, where the mass rests: rounding of that "
+    "place and of its load is {share:.2g} of it"
 )
 #: for how long the free motion is shown: ten periods of the mass on k_v alone
 AFTER = 10 * TURN
 #: where a motion is lost: why, when, and what drives it then
-LOST, ACCELERATED, FREE = "{}; at tau = {:.6g}, {}", "while the base is accelerated", "in the free motion"
+LOST = Sentence("{why:s}; at {tau = :.6g}, {when:s}")
+ACCELERATED, FREE = "while the base is accelerated", "in the free motion"
 
 
 class Arc(NamedTuple):

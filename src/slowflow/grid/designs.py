@@ -24,6 +24,7 @@ from slowflow.model import THROUGHOUT, check_names
 from slowflow.off_centre.many import check_polynomial
 from slowflow.second.many import UNANSWERED
 from slowflow.table import OFFSET, QUESTIONS, ManyQuestions, Question
+from slowflow.text import text
 from slowflow.unchanging import Unchanging
 from slowflow_kernels.domains import DISSIPATION
 from slowflow_support.errors import Refused, WrongType
@@ -206,7 +207,7 @@ class Grid(Unchanging, ManyQuestions[Any]):
         if "load" in self._given:
             return AT_CENTRE.format(off_centre_by(self.mechanism, 0.0) or "with a load")
         if question == "rest":
-            return "rest is not available without a load: the mass rests at u = 0"
+            return text("rest is not available without a load: the mass rests at {u} = 0")
         return f"{question}: {UNANSWERED[question]}"
 
     def _with(self, asked: Question, given: Mapping[str, Any]) -> tuple[dict[str, Any], tuple[str, ...]]:

@@ -11,9 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.answer import Answer
+from slowflow.answer import Answer, joined
 from slowflow.measured import table as measured
 from slowflow.model import THROUGHOUT, Floats, Model
+from slowflow.text import Sentence, text
 from slowflow_kernels import motion
 from slowflow_support.frozen import dataclass
 
@@ -33,24 +34,30 @@ NOT_MEASURED_OFF_CENTRE = (
     "not measured: how far averaging is off is known of motions about the centre only (docs/validity.md); "
     "measure() of states and folds measures here and now"
 )
-NEAR_STICKING = "mu/F_0 = {:.3g} is near pi/4, where averaging fails: amplitudes "
-NEAR_STICKING_ATTACHED = (
-    "mu/F_0 = {:.3g} is {} pi/4: while the springs touch, where alone friction acts, averaging fails: amplitudes "
+NEAR_STICKING = Sentence("{mu}/{F_0} = {ratio:.3g} is near pi/4, where averaging fails: amplitudes ")
+NEAR_STICKING_ATTACHED = Sentence(
+    "{mu}/{F_0} = {ratio:.3g} is {where:s} pi/4: while the springs touch, where alone friction acts, averaging "
+    "fails: amplitudes "
 )
 #: and where that stands in Python
 IN_PYTHON = ", .validity tells it for each"
 OFF_BY = f"were measured to be off by up to {{:.0%}}{IN_PYTHON}"
 OFF_UNKNOWN = "are off, by how much was not measured for this mechanism"
-STOPS_SECOND = (
-    "in {} of {} states the mass stops within the cycle, or nearly so (mu/(A Omega^2) >= {:g}): their amplitudes "
+STOPPING = "{mu/(A Omega^2)|friction/(m A omega^2)} >= {rest:g}"
+STOPS_SECOND = Sentence(
+    f"in {{some:d}} of {{all:d}} states the mass stops within the cycle, or nearly so ({STOPPING}): their amplitudes "
 )
+STOPS_WITHIN = Sentence(
+    f"the mass stops within the cycle, or nearly so, in {{some:d}} of {{all:d}} states ({STOPPING}): {{sizes:s}}"
+)
+TRUNCATED = Sentence("the truncated force (6) is off by {truncation:.1%} at {A = :.3g}; force='untruncated' has none")
 OFF_SECOND = "were measured to be off by up to {:.0%}"
 #: edges of the bins of mu/(A Omega^2), errors of the second approximation there, and the edge from which on to say so
 _RESTS, _SECOND = np.array(measured.RESTS), np.array(measured.SECOND_BY_REST)
 _SECOND_FROM = next(edge for edge, size in zip(_RESTS.tolist(), _SECOND.tolist(), strict=True) if size >= WORTH)
 
-CORNER = (
-    "a fold sits on the corner at u_cr, where the truncated force (6) jumps: it and its partner beside it are of the "
+CORNER = text(
+    "a fold sits on the corner at {u_cr}, where the truncated force (6) jumps: it and its partner beside it are of the "
     "truncation's making, force='untruncated' has neither"
 )
 
@@ -97,12 +104,13 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
     # a mass that friction holds is not averaged: its state is exact
     typical, error = (np.where(A > 0, np.array(sizes)[chosen], 0.0) for sizes in (measured.TYPICAL, measured.ERROR))
     truncation = _truncation(model, A)
-    remarks = []
+    remarks: list[str] = []
     stopping = (rest >= measured.STOPS_FROM) & (A > 0)
     if stopping.any():
         remarks.append(
-            f"the mass stops within the cycle, or nearly so, in {np.count_nonzero(stopping)} of {A.size} states "
-            f"(mu/(A Omega^2) >= {measured.STOPS_FROM:g}): {_sizes(typical[stopping], error[stopping])}"
+            STOPS_WITHIN.format(
+                np.count_nonzero(stopping), A.size, measured.STOPS_FROM, _sizes(typical[stopping], error[stopping])
+            )
         )
     moving = ~stopping & (typical >= WORTH)
     if moving.any():
@@ -112,12 +120,10 @@ def of_states(model: Model, Omega: Floats, A: Floats, *, corner: bool = False) -
         )
     if A.size and truncation.max() >= WORTH_TRUNCATION:
         at = int(truncation.argmax())
-        remarks.append(
-            f"the truncated force (6) is off by {truncation[at]:.1%} at A = {A[at]:.3g}; force='untruncated' has none"
-        )
+        remarks.append(TRUNCATED.format(truncation[at], A[at]))
     if corner and model.mechanism.truncated:
         remarks.append(CORNER)
-    return Validity(ratio, rest, typical, error, truncation, "; ".join(remarks))
+    return Validity(ratio, rest, typical, error, truncation, joined(*remarks))
 
 
 def off_centre(mu: float, F_0: Any, Omega: Any, A: Any) -> Validity:

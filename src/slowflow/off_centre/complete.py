@@ -21,6 +21,7 @@ from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.onset import Lowest, Search
 from slowflow.off_centre.sheets import FARTHEST, TOO_FAR, Corner, Sheets
+from slowflow.text import text
 from slowflow_kernels import off_centre, slow_flow
 from slowflow_support.errors import NotSettled, OutOfRange, Refused
 
@@ -33,6 +34,7 @@ TOGETHER = 64
 #: |B| up to which a motion without a load is about the centre, where all others are told from it by more
 AT_CENTRE = 1e-12
 #: no bound of B, and so none of what is to be looked at
+ENDLESS = "folds of ever lower forcing go on to {Omega} = 0, or to where the mean turns back"
 UNBOUNDED = "the outermost piece of the force does not grow: motions off the centre have no bound there"
 
 
@@ -93,7 +95,7 @@ class Complete:
         while True:
             best = min(known, key=lambda fold: fold.F_0, default=None)
             if best is not None and not best.kind:
-                raise NotSettled("folds of ever lower forcing go on to Omega = 0, or to where the mean turns back")
+                raise NotSettled(text(ENDLESS))
             if best is not None and best.A > self.A_max(best.F_0):
                 raise NotSettled("folds of ever lower forcing go on to ever larger amplitudes")
             F_0 = math.inf if best is None else best.F_0

@@ -20,6 +20,7 @@ from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps
+from slowflow.text import Sentence
 from slowflow_kernels import off_centre
 from slowflow_support.errors import NotSettled
 
@@ -34,7 +35,10 @@ BY_FAR, NEAR = 0.1, 0.02
 #: how much nearer to a fold what meets in it is than what does not
 MEET = 0.5
 
-UNRESOLVED = "the response is unresolved between Omega = {:.6g} and {:.6g}: which states are on one curve is undecided"
+UNRESOLVED = Sentence(
+    "the response is unresolved between {Omega} = {Omega[0]:.6g} and {Omega[1]:.6g}: which states are on one curve is "
+    "undecided"
+)
 
 
 class Node(NamedTuple):
@@ -154,7 +158,7 @@ class _Skeleton:
         for part in parts:
             a, b = self.Omega[part.a], self.Omega[part.b]
             if part.cuts > CUTS:
-                raise NotSettled(UNRESOLVED.format(a, b))
+                raise NotSettled(UNRESOLVED.format((a, b)))
             if part.folds:
                 fold = float(self.folds[0, list(part.folds)].mean())
                 # where another fold is near on one side, as near on the other

@@ -350,7 +350,7 @@ class OffCentreDesigns(Unchanging, ManyQuestions[Batch]):
 def check_polynomial(mechanism: Mechanism) -> None:
     """Raises ValueError for a force that is not answered off the centre."""
     if mechanism.steps is None and mechanism.curved is None:
-        raise validate.NotAvailable(f"load is not available for {mechanism.name}: {NO_MEANS.format(NOT_SMOOTH)}")
+        raise validate.NotAvailable("load is not available for " + NO_MEANS.format(mechanism.name, NOT_SMOOTH))
 
 
 #: what a column is called of answers about the centre, where it has another name

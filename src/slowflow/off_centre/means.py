@@ -27,11 +27,12 @@ from slowflow.mechanism import Mechanism
 from slowflow.model import Floats
 from slowflow.off_centre.curved import Curved, Part
 from slowflow.off_centre.smooth import SINGULAR, Beyond, check, outwards
+from slowflow.text import Sentence, text
 from slowflow_kernels import off_centre, off_centre_intervals
 from slowflow_support.errors import NotSettled
 
-NO_MEANS = "motions off the centre are not derived for a force {}"
-JUMPS = "that jumps at u = 0, as a preload does"
+NO_MEANS = Sentence("{name:s}: motions off the centre are not derived for a force {what:s}")
+JUMPS = text("that jumps at {u} = 0, as a preload does")
 NOT_SMOOTH = "of which a piece is no polynomial, nor known to be smooth up to its ends"
 
 #: derivatives of the force that are asked for at most, as `off_centre.averaged` does
@@ -60,9 +61,9 @@ class Means:
     beside: Any = (0.0, 0.0)
 
 
-IN_PLAY = (
-    "in a play a mean is not singled out: the force is the load, {load:g}, on all of {low:g} < u < {high:g}, where the "
-    "mass rests, and moves, about one place as well as about another"
+IN_PLAY = Sentence(
+    "in a play a mean is not singled out: the force is the load, {load:g}, on all of {u[0]:g} < {u} < {u[1]:g}, where "
+    "the mass rests, and moves, about one place as well as about another"
 )
 
 
@@ -124,7 +125,7 @@ class Steps:
         edges = [-math.inf, *self.breakpoints.tolist(), math.inf]
         for row, low, high in zip(self.pieces, edges, edges[1:], strict=False):
             if row[0] == self.load and not row[1:].any():
-                raise NotSettled(IN_PLAY.format(load=self.load, low=low, high=high))
+                raise NotSettled(IN_PLAY.format(self.load, (low, high)))
 
     def first(self) -> Steps:
         """The first piece alone, as if it held everywhere."""
@@ -202,7 +203,7 @@ class Steps:
         stated = mechanism.curved
         if stated is None:
             jumps = mechanism.odd and float(mechanism.pieces[0].force(0.0, *parameters)) != 0
-            raise validate.NotAvailable(f"{mechanism.name}: {NO_MEANS.format(JUMPS if jumps else NOT_SMOOTH)}")
+            raise validate.NotAvailable(NO_MEANS.format(mechanism.name, JUMPS if jumps else NOT_SMOOTH))
         gains = np.array([float(one) for one in stated.gained(*parameters)]).reshape(-1, 3)
         laws = [
             (partial(_law, one, parameters), partial(_held, other, parameters), False)

@@ -20,6 +20,7 @@ from slowflow.model import Floats, Model
 from slowflow.off_centre.curved import Curved
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Steps
+from slowflow.text import text
 from slowflow.validate import NotAvailable
 from slowflow_kernels import off_centre
 from slowflow_kernels.conventions import MEETING, SAME, MovesStatus, Pinned
@@ -31,7 +32,7 @@ STEP = 1e-200
 ON_A_JUMP = (Pinned.CORNER_FOLD, Pinned.CORNER_END)
 
 NO_DESIGN = "gradients are known of an oscillator whose record says how its force moves with its design: this is none"
-NEXT_TO_REST = "a force that may jump at u = 0 and does not has no gradients off the centre"
+NEXT_TO_REST = text("a force that may jump at {u} = 0 and does not has no gradients off the centre")
 
 
 @dataclass(frozen=True)

@@ -7,18 +7,20 @@ from __future__ import annotations
 
 from slowflow import validate
 from slowflow.averaged import words
-from slowflow.averaged.plan import AT_ONE, COMPOSED, QUESTIONS, Plan, Step
+from slowflow.averaged.plan import ABOUT_ALL, AT_ONE, COMPOSED, QUESTIONS, Plan, Step
 from slowflow.model import Model
+from slowflow.text import text
 from slowflow_support.errors import Refused
 
 _PLANE = "the plane of amplitude A and mean B is cut until each box is proved to hold"
+REST = text("{u} is cut until each part is proved to hold one place with f({u}) = load, or none")
 _BOXES = f"{_PLANE} one or none"
 
 #: questions to the equation of motion, which does not ask where the centre is
 EXACT = ("steady_state", "exact_response", "sweep", "transient", "shock_spectrum")
 #: by question what runs for it
 STEPS: dict[str, tuple[Step, ...]] = {
-    "rest": (Step("boxes", True, "u is cut until each part is proved to hold one place with f(u) = load, or none"),),
+    "rest": (Step("boxes", True, REST),),
     "detachment": (
         Step("boxes", True, "along |B| + A at the first breakpoint: where the mean is balanced"),
         Step("forcing", True, "the least of these, each at its best frequency"),
@@ -29,7 +31,7 @@ STEPS: dict[str, tuple[Step, ...]] = {
     ),
     "amplitudes": (Step("boxes", True, f"{_BOXES}, at each frequency"),),
     "saddle_nodes": (
-        Step("boxes", True, f"{_BOXES}; A, B and Omega of a fold are its unknowns"),
+        Step("boxes", True, text(f"{_BOXES}; A, B and {{Omega}} of a fold are its unknowns")),
         Step("corners", True, "folds on a breakpoint at which the force jumps"),
     ),
     "frequency_response": (
@@ -40,7 +42,7 @@ STEPS: dict[str, tuple[Step, ...]] = {
     "peak": (Step("boxes", True, f"{_PLANE} no motion that goes farther, by a bound on its least forcing"),),
     "margins": (
         *(step for step in COMPOSED["margins"] if step.name != "curve"),
-        Step("reach", True, "whether a stable motion passes u_cr; not where the force has one piece"),
+        Step("reach", True, text("whether a stable motion passes {u_cr}; not where the force has one piece")),
     ),
     "isolation": (
         Step("boxes", True, "up to which frequency there is anything to look at"),
@@ -60,7 +62,7 @@ def plan(question: str, F_0: float | None, model: Model) -> Plan:
     """The plan for one of `STEPS`. Raises ValueError for a forcing that is missing, or not needed."""
     at_one = question in (*QUESTIONS, *AT_ONE)
     if not at_one and F_0 is not None:
-        raise Refused(f"F_0 = {F_0!r} is not allowed: {question} is about all forcings")
+        raise Refused(ABOUT_ALL.format(F_0, question))
     if not at_one:
         return Plan(question, None, model, False, STEPS[question])
     forcing = validate.number("F_0", F_0, above=0.0)

@@ -6,7 +6,7 @@ u = B + A cos psi with the balance of the mean f_0(A, B) = 0. Every answer holds
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial, reduce
 from operator import or_
@@ -43,6 +43,7 @@ from slowflow.results import (
     SaddleNodes,
     SteadyStates,
 )
+from slowflow.text import Sentence, together
 from slowflow.unchanging import Unchanging
 from slowflow_kernels import dissipation, off_centre
 from slowflow_support.errors import NotSettled, OutOfRange, Refused
@@ -51,9 +52,9 @@ from slowflow_support.errors import NotSettled, OutOfRange, Refused
 OCTAVES = 40
 #: a force that has shorter lengths is small beside what is rounded, as the size of a problem is taken to be 1 at least
 SHORTEST = 2.0**-40
-TOO_SMALL = (
-    "motions off the centre are unresolved: lengths of the force, {:.3g} at most, are too small beside 1; in smaller "
-    "units of length they may be resolved"
+TOO_SMALL = Sentence(
+    "motions off the centre are unresolved: lengths of the force, {A[0]:.3g} at most, are too small beside "
+    "{A[1]:.3g}; in smaller units of length they may be resolved"
 )
 #: answers that are kept of one oscillator
 KEPT = 64
@@ -61,29 +62,30 @@ KEPT = 64
 COARSE = 2.0**-6
 #: above the frequency from which on a base moves the mass, and of the highest one of a window, where curves begin
 BEGINS = 2.0**-10
-STICKS = "sticks: F_0 = {:g} does not exceed 4 mu/pi = {:g}"
 UNDAMPED = "{} needs zeta > 0, eta > 0 or c_2 > 0 off the centre: without damping that grows amplitudes have no bound"
-BY_ITSELF = (
-    "{} is not available of motions that leave the centre by themselves with {}: of them it is only with "
-    "excitation = 'force', mu and zeta"
+BY_ITSELF = Sentence(
+    "{question:s} is not available of motions that leave the centre by themselves with {what:s}: of them it is only "
+    "with excitation = 'force', {mu} and zeta"
 )
-OPEN = "isolation is not available: motions beyond A = {:g} are not looked at, and the response may not close"
-CUT = "no peak up to A = {:g}, beyond which it is not looked for: the response may not close"
-TENDED_TO = "the first breakpoint is tended to as Omega tends to inf, at F_0 = {:g}, and not reached below that"
-NO_MARGINS = "margins is not available here: {}"
+OPEN = Sentence("isolation is not available: motions beyond {A = :g} are not looked at, and the response may not close")
+CUT = Sentence("no peak up to {A = :g}, beyond which it is not looked for: the response may not close")
+TENDED_TO = Sentence(
+    "the first breakpoint is tended to as {Omega} tends to inf, at {F_0 = :g}, and not reached below that"
+)
+NO_MARGINS = "margins is not available here: "
 BEYOND = "at rest the mass stands at the first breakpoint or beyond it already"
 ONE_PIECE = "no detachment: the force has one piece only"
 NOT_REACHED = "no motion comes to the first breakpoint"
 UNKNOWN = "whether motions come to the first breakpoint is undecided, as where the mass rests is"
 TURNS = "the mean turns back where a motion goes farthest: how far is told to 2^-24 of it"
 WITHIN = "motions whose mean stiffness vanishes may lose their stability within a band too"
-NO_FOLD = "no saddle node at F_0 = {:g}: the response is single-valued"
 NO_ONSET = "no saddle node at any forcing, up to amplitudes far beyond the size of the problem"
-UNDECIDED_ONSET = "the onset is undecided: {}"
+UNDECIDED_ONSET = Sentence("the onset is undecided: {why:s}")
 ON_CORNER = "on a corner that the jump of the force makes: one that does not jump has none there"
-UNDECIDED = "how many states there are is undecided at Omega = {}"
+UNDECIDED = Sentence("how many states there are is undecided at {Omega = :.6g}{more:s}")
 UNDECIDED_BEYOND = "whether a stable motion transmits the force at a higher frequency too is undecided"
-UNDECIDED_FOLDS = "whether there are others is undecided next to A = {}"
+UNDECIDED_FOLDS = Sentence("whether there are others is undecided next to {A = :.6g}{more:s}")
+UNDECIDED_REST = Sentence("whether there are others is undecided next to {u = :.6g}{more:s}")
 
 
 _Answered = TypeVar("_Answered")
@@ -199,8 +201,7 @@ class OffCentre(Unchanging):
         stiffness = self._steps.at(np.zeros(u.size), u, 1).c[1]
         said = self._beyond_reach(0.0, u)
         if found.undecided_of.size:
-            words = f"whether there are others is undecided next to u = {_listed(found.undecided[0])}"
-            said = _Said(words, Remark.UNDECIDED).beside(said)
+            said = _Said(_listed(UNDECIDED_REST, found.undecided[0]), Remark.UNDECIDED).beside(said)
         return RestPositions(u, stiffness, stiffness > 0, self.load, **said._asdict(), _model=self._model)
 
     def detachment(self) -> Detachment:
@@ -296,7 +297,7 @@ class OffCentre(Unchanging):
         places = self._rest_places() if rests.size else of
         held = np.stack((np.zeros(rests.size * places.size), np.tile(places, rests.size)))
         if self._flow.sticks(F_0) or not at.size:
-            said = _Said(STICKS.format(F_0, self._m)) if self._flow.sticks(F_0) else _Said()
+            said = _Said(words.STICKS.format(F_0, self._m)) if self._flow.sticks(F_0) else _Said()
             said = said.beside(_Said(self._moves_exactly(F_0, at)))
             return self._states(at, held[0], held[1], F_0, said, np.empty(0), np.repeat(rests, places.size))
         moves = np.flatnonzero(self._flow.force(F_0, at) > self._m)
@@ -312,7 +313,7 @@ class OffCentre(Unchanging):
         x, of = np.concatenate((x, held), axis=1), np.concatenate((of, np.repeat(rests, places.size)))
         order = np.lexsort((x[1], x[0], of))
         missing = np.unique(at[undecided])
-        said = _Said(UNDECIDED.format(_listed(missing)), Remark.UNDECIDED) if missing.size else _Said()
+        said = _Said(_listed(UNDECIDED, missing), Remark.UNDECIDED) if missing.size else _Said()
         said = said.beside(_Said(words.sticks_below(self._model, F_0, at)))
         said = said.beside(_Said(self._moves_exactly(F_0, at)))
         return self._states(at, x[0, order], x[1, order], F_0, said, missing, of[order])
@@ -363,7 +364,7 @@ class OffCentre(Unchanging):
     def _curve(self, F_0: float, samples: int, low: float, high: float) -> FrequencyResponse:
         """`frequency_response` in a window of frequencies."""
         if self._flow.sticks(F_0):
-            return self._response(Curves.none(), F_0, _Said(STICKS.format(F_0, self._m)))
+            return self._response(Curves.none(), F_0, _Said(words.STICKS.format(F_0, self._m)))
         found, said = Curves.none(), _Said()
         if self._flow.inertial:
             # at rest it begins, with no amplitude: there all states meet
@@ -405,7 +406,7 @@ class OffCentre(Unchanging):
 
     def _saddle_nodes(self, F_0: float) -> SaddleNodes:
         if self._flow.sticks(F_0):
-            return self._folds(np.empty((3, 0)), np.empty(0, dtype=str), F_0, _Said(STICKS.format(F_0, self._m)))
+            return self._folds(np.empty((3, 0)), np.empty(0, dtype=str), F_0, _Said(words.STICKS.format(F_0, self._m)))
         centred = Averaged(self._model).saddle_nodes(F_0) if self._complete.has_centre else None
         if centred is not None and self._keeps_centre:
             return self._folds_with(centred, None, F_0, _Said(centred.message, centred.remarks))
@@ -429,10 +430,10 @@ class OffCentre(Unchanging):
         x, open_ = (np.concatenate(pair, axis=1) for pair in ((found.x, corners), (found.undecided, undecided)))
         kind = np.array([""] * found.x.shape[1] + kinds)
         some = x.size or open_.size or (centred is not None and len(centred))
-        said = _Said("" if some else NO_FOLD.format(F_0))
+        said = _Said("" if some else words.NO_FOLD.format(F_0))
         if open_.size:
-            words = UNDECIDED_FOLDS.format(_listed(np.unique(np.round(open_[0], 12))))
-            said = said.beside(_Said(words, Remark.UNDECIDED))
+            folds = _listed(UNDECIDED_FOLDS, np.unique(np.round(open_[0], 12)))
+            said = said.beside(_Said(folds, Remark.UNDECIDED))
         if centred is None:
             return self._folds(x, kind, F_0, said)
         off = np.abs(x[1]) > AT_CENTRE
@@ -469,7 +470,7 @@ class OffCentre(Unchanging):
             with np.errstate(over="ignore"):  # it is looked for up to amplitudes of any size
                 found = self._complete.lowest()
         except ArithmeticError as failure:
-            return self._no_onset(UNDECIDED_ONSET.format(failure), Remark.UNDECIDED)
+            return self._no_onset(UNDECIDED_ONSET.format(failure.args[0]), Remark.UNDECIDED)
         if found is None:
             return self._no_onset(NO_ONSET, Remark(0))
         truncated = Remark.OF_TRUNCATION if self._model.mechanism.truncated else Remark(0)
@@ -494,7 +495,7 @@ class OffCentre(Unchanging):
 
     def _peak(self, F_0: float) -> Peak:
         if self._flow.sticks(F_0):
-            return self._no_peak(F_0, STICKS.format(F_0, self._m))
+            return self._no_peak(F_0, words.STICKS.format(F_0, self._m))
         if self._keeps_centre:
             centred = Averaged(self._model).peak(F_0)
             B = None if centred.A is None else 0.0
@@ -543,7 +544,7 @@ class OffCentre(Unchanging):
         """How far F_0 is from F_SN and F_cr, see `Oscillator.margins`."""
         detachment = self.detachment()
         if detachment.F_cr is None and detachment.message not in (ONE_PIECE, BEYOND, NOT_REACHED):
-            raise validate.NotAvailable(NO_MARGINS.format(detachment.message))
+            raise validate.NotAvailable(NO_MARGINS + detachment.message)
         return loads.margins(self, F_0, self._detaches)
 
     def _detaches(self, F_0: float) -> bool:
@@ -592,7 +593,7 @@ class OffCentre(Unchanging):
         F_0 = validate.number("F_0", F_0, above=0.0)
         self._check_answered("isolation")
         if self._flow.sticks(F_0):
-            return self._isolation(None, None, None, False, F_0, STICKS.format(F_0, self._m), Remark(0))
+            return self._isolation(None, None, None, False, F_0, words.STICKS.format(F_0, self._m), Remark(0))
         if self._flow.inertial and self._is_cut(F_0):
             raise validate.NotAvailable(OPEN.format(self.A_max(F_0)))
         # what is transmitted has the square h^2 + I^2, as much as F_0 where R = -h, at Omega^2 = 2 p with p = -h/A
@@ -710,16 +711,15 @@ class OffCentre(Unchanging):
     def _check_answered(self, question: str) -> None:
         """Raises where a question has no answer: what is too small, without damping, or leaves the centre by itself."""
         if self._steps.length < SHORTEST and not self._keeps_centre:
-            raise OutOfRange(TOO_SMALL.format(self._steps.length))
+            raise OutOfRange(TOO_SMALL.format((self._steps.length, 1.0)))
         if not self._flow.damps:
             raise Refused(UNDAMPED.format(question))
         if self._complete.has_centre and not self._flow.plain and not self._keeps_centre:
             beside = [f"excitation = {self._model.excitation!r}"] * self._model.inertial
-            told = ", ".join([*beside, *([self._model.laws.told()] if self._model.laws.any else [])])
+            told = together(", ", (*beside, *([self._model.laws.told()] if self._model.laws.any else [])))
             raise validate.NotAvailable(BY_ITSELF.format(question, told))
 
 
-def _listed(values: Iterable[float]) -> str:
-    """The first few of some numbers."""
-    shown = [f"{value:.6g}" for value in values]
-    return ", ".join(shown[:3]) + ", ..." * (len(shown) > 3)
+def _listed(said: Sentence, values: Floats) -> str:
+    """A sentence with the first few of some numbers."""
+    return said.format(values[:3], ", ..." * (len(values) > 3))

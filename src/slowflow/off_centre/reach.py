@@ -29,6 +29,7 @@ from slowflow.model import Floats
 from slowflow.off_centre.flow import ROUNDED, Flow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.sheets import Cells, Sheets
+from slowflow.text import Sentence
 from slowflow_kernels import off_centre
 from slowflow_support.errors import NotSettled
 
@@ -71,7 +72,9 @@ class Measure(NamedTuple):
 
 #: the amplitude; the largest |u|; the square of the frequency on the backbone, where that is not below 1
 AMPLITUDE = Measure(lambda A, B, p: A, lambda A, B, p: A.hi)
-NO_FREQUENCY = "how far motions go is unresolved: doubles do not tell the frequency at which they have A = {:g}"
+NO_FREQUENCY = Sentence(
+    "how far motions go is unresolved: doubles do not tell the frequency at which they have {A = :g}"
+)
 LARGEST = Measure(lambda A, B, p: A + np.abs(B), lambda A, B, p: A.hi + np.maximum(-B.lo, B.hi))
 BACKBONE = Measure(lambda A, B, p: np.maximum(p, 1.0), lambda A, B, p: np.maximum(p.hi, 1.0))
 

@@ -22,6 +22,7 @@ from slowflow.off_centre.by_ends import EndedEdge, resists
 from slowflow.off_centre.ends import Charts, above_diagonal
 from slowflow.off_centre.flow import ROUNDED, Flow
 from slowflow.off_centre.means import ALL, Steps
+from slowflow.text import Sentence
 from slowflow_support.errors import NotSettled, OutOfRange
 
 #: octaves of the ends' distance from a chart's edge that are cut apart at first, and parts of a chart between two edges
@@ -30,7 +31,9 @@ BELOW, PARTS = 5, 4
 FINE, SMALL, ROUNDS = 2.0**-4, 2.0**-8, 16
 #: amplitudes beyond it are not followed, as their squares are beyond the range of doubles
 FARTHEST = 2.0**500
-TOO_FAR = "motions off the centre are unresolved: amplitudes may be as large as {:.3g}, beyond the range of doubles"
+TOO_FAR = Sentence(
+    "motions off the centre are unresolved: amplitudes may be as large as {A:.3g}, beyond the range of doubles"
+)
 UNKNOWN = "folds are unresolved: where the mean turns back their frequencies have no bound"
 
 

@@ -14,6 +14,7 @@ import numpy as np
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.model import Floats
 from slowflow.off_centre.curved import Part
+from slowflow.text import Sentence
 from slowflow_support.errors import Refused
 
 #: parts of an octave, octaves from the least to the most that is looked at, beside the size of the problem
@@ -21,7 +22,9 @@ PARTS, LEAST, MOST = 8, -20, 40
 #: what is larger is beyond all numbers; how large a force is at a wall, and how near to it
 GROWN = 2.0**24
 HUGE, AT_WALL, NARROW = 2.0**120, 2.0**16, 2.0**-40
-SINGULAR = "{}: piece {} of its force is not smooth at u = {:g}, where it holds: it has to end before that"
+SINGULAR = Sentence(
+    "{name:s}: piece {number:d} of its force is not smooth at {u = :g}, where it holds: it has to end before that"
+)
 
 
 @dataclass(frozen=True)

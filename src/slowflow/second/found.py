@@ -10,12 +10,14 @@ import numpy.typing as npt
 
 from slowflow.answer import joined
 from slowflow.model import Floats
+from slowflow.text import Sentence
 
-LOST = (
-    "left out: {} of {} points of the first approximation, at Omega from {:.3g} to {:.3g}; its harmonics are not small"
+LOST = Sentence(
+    "left out: {some:d} of {all:d} points of the first approximation, at {Omega} from {Omega[0]:.3g} to "
+    "{Omega[1]:.3g}; its harmonics are not small"
 )
 UNSOLVED = "left out: {} of {} folds, next to which the curve is lost"
-NO_FOLD = "no saddle node at F_0 = {:g} in the second approximation"
+NO_FOLD = Sentence("no saddle node at {F_0 = :g} in the second approximation")
 
 
 @dataclass(frozen=True)
@@ -71,7 +73,7 @@ class State(NamedTuple):
 
 def told(message: str, lost: int, of: int, low: float, high: float) -> str:
     """The first approximation's message of a curve, some of whose points move nowhere, between two frequencies."""
-    return joined(message, LOST.format(lost, of, low, high) if lost else "")
+    return joined(message, LOST.format(lost, of, (low, high)) if lost else "")
 
 
 def told_of_folds(found: list[Fold], lost: int, tried: int, of_curve: str, F_0: float) -> Folds:

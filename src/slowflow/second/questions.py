@@ -28,6 +28,7 @@ from slowflow.second import solvers
 from slowflow.second.answers import SecondFolds, SecondResponse, SecondStates
 from slowflow.second.balance import Balance
 from slowflow.second.found import Curve, Folds, State
+from slowflow.text import Sentence, text
 from slowflow_kernels.second_conventions import BEYOND, SAMPLES, Wanted
 from slowflow_support.errors import Refused
 
@@ -37,7 +38,8 @@ if TYPE_CHECKING:
 FEWER = "fewer states than in the first approximation at {} of {} frequencies"
 NO_CUSP = "the onset of the first approximation is of kind {}: the second follows a cusp only"
 FAR = "the second approximation does not come near the first: its harmonics are not small"
-STATIC = "the static amplitude reaches u_cr first: there is no motion whose harmonics could be told"
+NOT_DERIVED = Sentence("{u_cr = :g} is not allowed here: the harmonics of this force are derived for {u_cr} <= {A:g}")
+STATIC = text("the static amplitude reaches {u_cr} first: there is no motion whose harmonics could be told")
 NO_PEAK = "no peak of the second approximation beside the first's: {}"
 AT_REST = "the first's is the static amplitude, which has no harmonics"
 LEFT_OUT = "the curve ends before it turns"
@@ -52,13 +54,13 @@ SECOND = {
     "saddle_nodes": "the curve is followed, and turns between two of its points",
     "peak": "the curve is followed about averaging's highest peak",
     "saddle_node_onset": "the cusp is followed",
-    "detachment": "the lowest forcing whose largest displacement is u_cr",
+    "detachment": text("the lowest forcing whose largest displacement is {u_cr}"),
 }
 #: why a question of averaging's is none of the second approximation's
 UNANSWERED = {
     **dict.fromkeys(
         ("fold_locus", "cusps", "isola_points"),
-        "its folds are not explicit in A, as averaging's are; saddle_nodes(F_0) finds those of a forcing",
+        text("its folds are not explicit in A, as averaging's are; saddle_nodes({F_0}) finds those of a forcing"),
     ),
     **dict.fromkeys(
         ("backbone", "limit_envelope", "transmissibility_floor", "equivalent_damping", "stability"),
@@ -73,7 +75,9 @@ UNANSWERED = {
     "validity": "what is measured of it stands in the .message of its answers",
     "many": "batches begin with the designs, as Isolator.many(...).second_approximation",
     "certify": "what is proved is proved of the averaged equations",
-    "plot": "its answers are drawn by their own .plot(); beside u_cr and where the mass stops by the oscillator's",
+    "plot": text(
+        "its answers are drawn by their own .plot(); beside {u_cr} and where the mass stops by the oscillator's"
+    ),
 }
 
 
@@ -97,10 +101,7 @@ class SecondApproximation:
         mechanism = self.first.model.mechanism
         for u_cr in self.first.breakpoints:
             if u_cr > mechanism.harmonics_up_to:
-                raise Refused(
-                    f"u_cr = {u_cr:g} is not allowed here: the harmonics of this force are derived for "
-                    f"u_cr <= {mechanism.harmonics_up_to:g}"
-                )
+                raise Refused(NOT_DERIVED.format(u_cr, mechanism.harmonics_up_to))
 
     def __reduce__(self) -> tuple[Any, ...]:
         # its solvers are a module, which cannot be pickled: they are found again

@@ -16,6 +16,7 @@ import numpy as np
 import numpy.typing as npt
 from flint import arb, ctx
 
+from slowflow.answer import joined
 from slowflow.averaged import solvers, words
 from slowflow.averaged.balls.enclosure import INFINITE, ZERO, Enclosure
 from slowflow.averaged.balls.given import Given, averages_of
@@ -111,11 +112,11 @@ def _pairs(enclosures: Sequence[Enclosure]) -> Floats:
 def _remarks(found: Found, bounded: bool, A_max: float) -> str:
     said = []
     if found.doubts:
-        where = ", ".join(f"[{low:.17g}, {high:.17g}]" for low, high in _pairs(found.doubts))
-        said.append(words.BALLS_IN_DOUBT.format(ctx.prec, f" for A in {where}"))
+        where = words.intervals(_pairs(found.doubts))
+        said.append(words.BALLS_IN_DOUBT.format(ctx.prec, " for A in " + where))
     if not bounded:
         said.append(words.NOT_BOUNDED.format(A_max))
-    return "; ".join(said)
+    return joined(*said)
 
 
 def _of_forcing(

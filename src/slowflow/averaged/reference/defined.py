@@ -17,8 +17,13 @@ from slowflow.averaged.reference.enclosed import interval_like
 from slowflow.averaged.reference.intervals import Bools, Elementary
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
+from slowflow.text import Sentence, told
 from slowflow_support.errors import Refused
 
+INFINITE = Sentence(
+    "{numbers:s}: not allowed for {name:s}, whose force is infinite or no number at |{u}| = {u:.6g}, within its reach "
+    "{reach:g}"
+)
 #: into how many parts a piece is divided first; how short one is, over the reach, that is not cut again
 PARTS, NARROW = 64, 2.0**-40
 #: how large a force is next to a pole; how often intervals are cut
@@ -50,11 +55,8 @@ def check_defined(model: Model) -> None:
         with np.errstate(all="ignore"):
             place = _infinite_at(are_known, at, begin, end, reach)
         if place is not None:
-            told = ", ".join(f"{name} = {value!r}" for name, value in model.given().items() if name in _own(model))
-            raise Refused(
-                f"{told or 'reach'}: not allowed for {model.mechanism.name}, whose force is infinite or no number at "
-                f"|u| = {place:.6g}, within its reach {reach:g}"
-            )
+            own = told({name: value for name, value in model.given().items() if name in _own(model)})
+            raise Refused(INFINITE.format(own or "reach", model.mechanism.name, place, reach))
 
 
 def may_be_undefined(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Bools:

@@ -411,7 +411,7 @@ def _beyond_play(model: Model, piece: Stretch) -> Stretch:
     base = float(piece.base[0])
     least = dissipation.fold_quartic(base, model.m, 0.0, model.zeta, model.d, 0.0, 0.0)[2]
     if not (least > 0 and _ends_play(first) and model.laws.rubs == THROUGHOUT):
-        raise NotSettled(words.SLIDES_FREE.format(base))
+        raise NotSettled(words.SLIDES_FREE.format(base, 0.0))
     A = base + (piece.last.A[0] - base) * FALL ** np.arange(FALLS)
     at = samples_at(model, A)
     # h_AAA is monotone, of one sign at both ends: h_AA is negative between as there, and h_A and h fall from 0
@@ -531,14 +531,14 @@ def detachment(model: Model) -> Detachment:
         u_cr = model.breakpoints[0]
         falls = stationary_at(model, u_cr)
         if not falls.size:
-            return Detachment(None, None, None, words.NOT_REACHED.format(u_cr))
+            return Detachment(None, None, None, words.NOT_REACHED.format(u_cr, u_cr))
         return Detachment(float(model.level(falls[0], u_cr)), float(falls[0]), u_cr, "")
     if model.laws.any:
         u_cr = model.breakpoints[0]
         at = stationary_at(model, u_cr) if model.inertial else np.append(stationary_at(model, u_cr), 0.0)
         levels, full = model.level(at, np.full(at.size, u_cr)), model.full_level(u_cr)
         if model.inertial and not (levels < full).any():
-            return Detachment(None, None, None, words.NOT_REACHED_BELOW.format(u_cr, full))
+            return Detachment(None, None, None, words.NOT_REACHED.format(u_cr, full))
         least = int(np.argmin(levels))
         return Detachment(float(levels[least]), float(at[least]), u_cr, "")
     level, Omega = least_forcing(model, np.array([model.breakpoints[0]]))
