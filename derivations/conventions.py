@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .gradients import KINDS
+from .gradients import KINDS, SYSTEMS
 from .quadrature import DENSE, NODES
 
 
@@ -48,6 +48,15 @@ class Number:
 
 
 @dataclass(frozen=True)
+class Rows:
+    """A name for rows of small integers, and what they are."""
+
+    name: str
+    values: tuple[tuple[int, ...], ...]
+    doc: str
+
+
+@dataclass(frozen=True)
 class Conventions:
     """Tables and numbers of one file in each language."""
 
@@ -55,6 +64,7 @@ class Conventions:
     title: str
     tables: tuple[Table, ...]
     numbers: tuple[Number, ...]
+    rows: tuple[Rows, ...] = ()
 
 
 STATUS = Table(
@@ -315,6 +325,14 @@ CONVENTIONS = (
             Number("POLISHING", 8, "steps at most, of Newton's iteration to a critical point"),
             Number("NEARING", 12, "of Halley's to a root"),
             Number("CORRECTING", 100, "of Newton's after that, kept in its bracket"),
+        ),
+        (
+            Rows(
+                "SYSTEMS",
+                SYSTEMS,
+                "by what an answer is: three conditions in the order in which they are solved, for which unknowns, "
+                "whether the last two together, and slopes that vanish",
+            ),
         ),
     ),
     Conventions(

@@ -1,61 +1,52 @@
 """Beside (23)-(34): how answers move with the parameters, by the implicit function theorem.
 
-In:  a `Curve`, the response by what dissipates, and the force that an excitation of amplitude F_0 pushes with; the
-     mechanism stays an open h(A).
-Out: `Gradients`: for each kind of answer its moves, in what one parameter p does to h, to what dissipates, the
-     breakpoint, the forcing and the frequency that are given.
+In:  a `Curve`, the response by what dissipates; the mechanism stays an open h(A).
+Out: `Gradients`: the slopes of what may vanish at an answer, and what one parameter p does to it; `SYSTEMS`, by the
+     kind of answer which of these conditions hold, and in which order they are solved for its moves A_p, Omega_p and
+     F_0_p.
 
-An answer is a point (A, Omega, F_0) where three conditions hold; what each says of the moves A_p, Omega_p, F_0_p is
-linear, and they are solved for together. F stands for R^2 + I^2 less the force's square S, and its derivatives by Omega
-with it; of S by F_0 the moves take account of themselves. What vanishes at an answer is left out. The system's
-determinant falls into factors, each with its size, the sum of its terms without their signs: where one vanishes the
-answer has no derivative, as it meets another.
+An answer is a point (A, Omega, F_0) where three conditions hold; what each says of the moves is linear. F stands for
+R^2 + I^2 less the force's square S, and its derivatives by Omega with it; of S by F_0 the moves take account of
+themselves. A slope that is itself a condition of the answer vanishes there and is left out: what then is left of a
+system is solved one unknown after the other, but at an isola point, where two remain together. Each number by which is
+divided comes with its size, the sum of its terms without their signs: where one vanishes the answer has no derivative,
+as it meets another.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
+from itertools import permutations
 
 import sympy as sp
 
-from .slow_flow import I, R, SlowFlow, m, slope
-from .symbols import F_0, Omega, h, h_A, h_AA, mu, zeta
+from .slow_flow import I, R, slope
+from .symbols import F_0, Omega, h, h_A
 
 Let = tuple[sp.Symbol, sp.Expr]
 
-#: what the parameter does: to h, h_A, h_AA at a fixed A, to m and zeta, to the breakpoint that the answer lies on, and
-#: to the forcing and the frequency that are given
-h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p = sp.symbols(
-    "h_p h_Ap h_AAp m_p zeta_p end_p forcing_p frequency_p", real=True
+#: what the parameter does: to h, h_A, h_AA at a fixed A; to what dissipates, see `dissipation`; to the forcing and the
+#: frequency that are given, and to the breakpoint that the answer lies on
+h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, forcing_p, frequency_p, end_p = OF_PARAMETER = sp.symbols(
+    "h_p h_Ap h_AAp I_0p I_0Ap I_0AAp zeta_p d_p forcing_p frequency_p end_p", real=True
 )
-OF_PARAMETER = (h_p, h_Ap, h_AAp, m_p, zeta_p, end_p, forcing_p, frequency_p)
-#: and where other laws of damping make I (`dissipation`): what it does to I_0, I_0A, I_0AA at a fixed A, and to d
-I_0p, I_0Ap, I_0AAp, d_p = sp.symbols("I_0p I_0Ap I_0AAp d_p", real=True)
-OF_LAWS = (h_p, h_Ap, h_AAp, I_0p, I_0Ap, I_0AAp, zeta_p, d_p, end_p, forcing_p, frequency_p)
 #: what the answer does
-A_p, Omega_p, F_0_p = sp.symbols("A_p Omega_p F_0_p", real=True)
-MOVES = (A_p, Omega_p, F_0_p)
+A_p, Omega_p, F_0_p = MOVES = sp.symbols("A_p Omega_p F_0_p", real=True)
+#: the force's amplitude and its square, and their derivatives by Omega and F_0
+force, force_Omega, force_F = sp.symbols("force force_Omega force_F", real=True)
+S_Omega, S_OmegaOmega, S_F, S_FOmega = OF_SQUARE = sp.symbols("S_Omega S_OmegaOmega S_F S_FOmega", real=True)
 
-#: F's derivatives at the answer, R's, and what the parameter does to them
-F_A, F_AA, F_AAA, F_Omega, F_AOmega, F_AAOmega, F_OmegaOmega, R_A, R_Omega = sp.symbols(
-    "F_A F_AA F_AAA F_Omega F_AOmega F_AAOmega F_OmegaOmega R_A R_Omega", real=True
-)
-F_p, F_Ap, F_AAp, F_Omegap = sp.symbols("F_p F_Ap F_AAp F_Omegap", real=True)
-#: dS/dF_0, and its derivative by Omega
-S_F, S_FOmega = sp.symbols("S_F S_FOmega", real=True)
-
-#: what vanishes along with a condition, and what that says of the moves
-CONDITIONS: dict[str, tuple[sp.Symbol | None, sp.Expr]] = {
-    "level": (None, F_A * A_p + F_Omega * Omega_p + F_p - S_F * F_0_p),
-    "fold": (F_A, F_AA * A_p + F_AOmega * Omega_p + F_Ap),
-    "cusp": (F_AA, F_AAA * A_p + F_AAOmega * Omega_p + F_AAp),
-    "top": (F_Omega, F_AOmega * A_p + F_OmegaOmega * Omega_p + F_Omegap - S_FOmega * F_0_p),
-    "backbone": (R, R_A * A_p + R_Omega * Omega_p + h_p),
-    "forcing": (None, F_0_p - forcing_p),
-    "frequency": (None, Omega_p - frequency_p),
-    "breakpoint": (None, A_p - end_p),
+#: the conditions: what vanishes, none where a number is given; and its slopes by A, Omega and F_0 that are not 0
+CONDITIONS: dict[str, tuple[str, tuple[str, str, str]]] = {
+    "level": ("F", ("F_A", "F_Omega", "S_F")),
+    "fold": ("F_A", ("F_AA", "F_AOmega", "")),
+    "cusp": ("F_AA", ("F_AAA", "F_AAOmega", "")),
+    "top": ("F_Omega", ("F_AOmega", "F_OmegaOmega", "S_FOmega")),
+    "backbone": ("R", ("R_A", "R_Omega", "")),
+    "forcing": ("", ("", "", "1")),
+    "frequency": ("", ("", "1", "")),
+    "breakpoint": ("", ("1", "", "")),
 }
-
 #: the kinds of answers: the conditions beside "level", and what it is
 KINDS: dict[str, tuple[tuple[str, str], str]] = {
     "state": (("forcing", "frequency"), "a steady state; with Omega = 0 a peak at rest"),
@@ -69,6 +60,35 @@ KINDS: dict[str, tuple[tuple[str, str], str]] = {
     "corner_backbone": (("breakpoint", "backbone"), "where the backbone meets a breakpoint"),
     "corner_rest": (("breakpoint", "frequency"), "at Omega = 0 on a breakpoint"),
 }
+
+
+def _system(beside: tuple[str, str]) -> tuple[int, ...]:
+    """Rows of `CONDITIONS` in the order in which they are solved; of the unknowns A, Omega, F_0 the one that each is
+    solved for; whether the last two have to be solved together; and which slopes, by 3 row + unknown, vanish.
+
+    Two of these, the same one twice where there are fewer, one that is 0 anyway where there is none.
+    """
+    names, vanishing = list(CONDITIONS), {CONDITIONS[name][0] for name in beside} - {""}
+    rows = [names.index(name) for name in ("level", *beside)]
+    slopes = {row: CONDITIONS[names[row]][1] for row in rows}
+    gone = [3 * row + k for row in rows for k in range(3) if slopes[row][k] in vanishing]
+    left = {row: {k for k in range(3) if slopes[row][k] and 3 * row + k not in gone} for row in rows}
+    for together in (False, True):
+        for order in permutations(rows):
+            for unknowns in permutations(range(3)):
+                known = [left[row] - set(unknowns[:n]) for n, row in enumerate(order)]
+                own = [{unknown} for unknown in unknowns]
+                if together:
+                    own[1:] = [set(unknowns[1:])] * 2
+                    known[2] = left[order[2]] - {unknowns[0]}
+                if known == own:
+                    padded = [*gone, *(gone or [3 * names.index("fold") + 2]) * 2][:2]
+                    return (*order, *unknowns, int(together), *padded)
+    raise ArithmeticError(f"the conditions {beside} do not pin an answer")
+
+
+#: by the numbers of the kinds
+SYSTEMS = tuple(_system(beside) for beside, _ in KINDS.values())
 
 
 @dataclass(frozen=True)
@@ -95,130 +115,102 @@ class Curve:
     moved: dict[sp.Symbol, sp.Symbol]
     rises: dict[sp.Symbol, sp.Symbol]
 
-    @classmethod
-    def of(cls, flow: SlowFlow) -> Curve:
-        """With viscous damping and dry friction."""
-        if sp.diff(flow.m, mu) * mu != flow.m:
-            raise ArithmeticError("friction's share of I is not proportional to mu")
-        own = {one.name: getattr(flow, one.name) for one in fields(cls) if hasattr(flow, one.name)}
-        return cls(**own, moved={h: h_p, h_A: h_Ap, h_AA: h_AAp, m: m_p, zeta: zeta_p}, rises={})
-
-
-@dataclass(frozen=True)
-class Moves:
-    """Of one kind of answer.
-
-    lets   -- intermediate quantities in order
-    values -- A_p, Omega_p, F_0_p
-    pivots -- factors of the determinant, each with its size
-    doc    -- what the answer is
-    """
-
-    lets: tuple[Let, ...]
-    values: tuple[sp.Expr, ...]
-    pivots: tuple[tuple[sp.Expr, sp.Expr], ...]
-    doc: str
-
 
 @dataclass(frozen=True)
 class Gradients:
     """All of it.
 
-    kinds -- by the names in `KINDS`
-    beside_lets, beside -- of a point: F_A, F_Omega and R, each with its size
+    lets      -- I
+    slopes    -- of what vanishes, by `CONDITIONS`: rows of three, by A, Omega and F_0
+    sizes     -- of these
+    right     -- what the parameter does to each, with the sign that the right side of a system has
     of_state_lets, of_state -- how the phase and the transmissibility of a moving state change
+    by_force, by_inertia -- the force's amplitude, its slopes by Omega and F_0, and those of its square
     """
 
-    kinds: dict[str, Moves]
-    beside_lets: tuple[Let, ...]
-    beside: tuple[tuple[sp.Expr, sp.Expr], ...]
+    lets: tuple[Let, ...]
+    slopes: tuple[sp.Expr, ...]
+    sizes: tuple[sp.Expr, ...]
+    right: tuple[sp.Expr, ...]
     of_state_lets: tuple[Let, ...]
     of_state: tuple[sp.Expr, sp.Expr]
+    by_force: tuple[sp.Expr, ...]
+    by_inertia: tuple[sp.Expr, ...]
 
 
-def gradients(flow: Curve, force: sp.Expr = F_0) -> Gradients:
-    """All of it, for an excitation that pushes with `force`, in F_0 and Omega."""
-    S = force**2
-    of_flow = {F_A: flow.F_A, F_AA: flow.F_AA, F_AAA: flow.F_AAA, F_AOmega: flow.F_AOmega, F_AAOmega: flow.F_AAOmega}
-    of_flow |= {F_Omega: flow.F_Omega - sp.diff(S, Omega), F_OmegaOmega: flow.F_OmegaOmega - sp.diff(S, Omega, 2)}
-    of_force = {S_F: sp.diff(S, F_0), S_FOmega: sp.diff(S, F_0, Omega)}
-    of_flow |= {R_A: slope(flow.R), R_Omega: sp.diff(flow.R, Omega)}
-    whole = {R: flow.R, I: flow.I}
-    of_flow |= {
-        moved: _moved(flow, value)
-        for moved, value in ((F_p, flow.F), (F_Ap, flow.F_A), (F_AAp, flow.F_AA), (F_Omegap, flow.F_Omega))
+def gradients(curve: Curve, inertial: sp.Expr) -> Gradients:
+    """All of it, for a force and for an excitation by inertia, whose force is given in F_0 and Omega."""
+    known = {
+        "": sp.Integer(0),
+        "1": sp.Integer(1),
+        "F_A": curve.F_A,
+        "F_AA": curve.F_AA,
+        "F_AAA": curve.F_AAA,
+        "F_AOmega": curve.F_AOmega,
+        "F_AAOmega": curve.F_AAOmega,
+        "F_Omega": curve.F_Omega - S_Omega,
+        "F_OmegaOmega": curve.F_OmegaOmega - S_OmegaOmega,
+        "S_F": -S_F,
+        "S_FOmega": -S_FOmega,
+        "R_A": slope(curve.R),
+        "R_Omega": sp.diff(curve.R, Omega),
     }
-    sizes = {symbol: size(value, whole) for symbol, value in of_flow.items()}
-
-    def let(expressions: list[sp.Expr], vanished: set[sp.Symbol]) -> tuple[Let, ...]:
-        """What the expressions need, in order; what vanishes is left out of it."""
-        used = set().union(*(expression.free_symbols for expression in expressions))
-        named = [
-            (symbol, value.subs(dict.fromkeys(vanished, 0))) for symbol, value in of_flow.items() if symbol in used
-        ]
-        needs = used.union(*(value.free_symbols for _, value in named))
-        return (*((symbol, value) for symbol, value in whole.items() if symbol in needs), *named)
-
-    def of_kind(conditions: tuple[str, str], doc: str) -> Moves:
-        asked = [CONDITIONS[name] for name in ("level", *conditions)]
-        vanished = {symbol for symbol, _ in asked if symbol is not None}
-        put_in = of_force | dict.fromkeys(vanished, 0)
-        system = sp.Matrix([equation.subs(put_in) for _, equation in asked])
-        matrix, right = system.jacobian(MOVES), -system.subs(dict.fromkeys(MOVES, 0))
-        solved = [sp.factor(value) for value in matrix.LUsolve(right)]
-        # F_0 and Omega are positive
-        factors = [factor for factor, _ in sp.factor_list(matrix.det())[1] if factor.free_symbols - {F_0, Omega}]
-        pivots = tuple((factor, size(factor, sizes, named=True)) for factor in factors)
-        return Moves(let([*solved, *factors], vanished & {R}), tuple(solved), pivots, doc)
-
-    beside = tuple((symbol, sizes[symbol]) for symbol in (F_A, F_Omega))
-    of_state_lets, of_state = _of_state(flow, force)
+    vanishing = {"F": curve.F, "F_A": curve.F_A, "F_AA": curve.F_AA, "F_Omega": curve.F_Omega, "R": curve.R}
+    given = {"forcing": forcing_p, "frequency": frequency_p, "breakpoint": end_p}
+    slopes = [known[name] for _, names in CONDITIONS.values() for name in names]
+    whole = {R: curve.R, I: curve.I}
     return Gradients(
-        {name: of_kind(conditions, doc) for name, (conditions, doc) in KINDS.items()},
-        let([F_A, F_Omega, R], set()),
-        (*beside, (R, size(R, whole))),
-        of_state_lets,
-        of_state,
+        lets=((I, curve.I),),
+        slopes=tuple(slopes),
+        sizes=tuple(size(value, whole) for value in slopes),
+        right=tuple(
+            -_moved(curve, vanishing[name]) if name else given[condition] for condition, (name, _) in CONDITIONS.items()
+        ),
+        **_of_state(curve),
+        by_force=_excited(F_0),
+        by_inertia=_excited(inertial),
     )
 
 
-def _moved(flow: Curve, expression: sp.Expr) -> sp.Expr:
+def _excited(by: sp.Expr) -> tuple[sp.Expr, ...]:
+    """A force's amplitude, its slopes by Omega and F_0, and S_Omega, ... of its square."""
+    S = by**2
+    of_square = (sp.diff(S, Omega), sp.diff(S, Omega, 2), sp.diff(S, F_0), sp.diff(S, F_0, Omega))
+    return (by, sp.diff(by, Omega), sp.diff(by, F_0), *of_square)
+
+
+def _moved(curve: Curve, expression: sp.Expr) -> sp.Expr:
     """d/dp of an expression in R, I and what they are made of, at fixed A, Omega and F_0."""
-    direct = flow.moved
+    direct = curve.moved
     of_R_and_I = {
         name: sum(sp.diff(value, symbol) * move for symbol, move in direct.items())
-        for name, value in ((R, flow.R), (I, flow.I))
+        for name, value in ((R, curve.R), (I, curve.I))
     }
     chain = direct | of_R_and_I
     return sp.factor_terms(sum(sp.diff(expression, symbol) * move for symbol, move in chain.items()))
 
 
-def _of_state(flow: Curve, force: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, sp.Expr]]:
+def _of_state(curve: Curve) -> dict[str, tuple]:
     """d phi/dp and d transmissibility/dp of a state, from its own moves."""
     R_moved, I_moved = sp.symbols("R_moved I_moved", real=True)
 
     def along(value: sp.Expr) -> sp.Expr:
-        return sp.expand(_moved(flow, value) + slope(value, flow.rises) * A_p + sp.diff(value, Omega) * Omega_p)
+        return sp.expand(_moved(curve, value) + slope(value, curve.rises) * A_p + sp.diff(value, Omega) * Omega_p)
 
-    phase = sp.diff(flow.phase, R) * R_moved + sp.diff(flow.phase, I) * I_moved
-    value = flow.transmissibility.subs(F_0, force)
-    moves = {h: h_p + h_A * A_p, I: I_moved, F_0: F_0_p, Omega: Omega_p}
+    phase = sp.diff(curve.phase, R) * R_moved + sp.diff(curve.phase, I) * I_moved
+    value = curve.transmissibility.subs(F_0, force)
+    moves = {h: h_p + h_A * A_p, I: I_moved, force: force_Omega * Omega_p + force_F * F_0_p}
     transmitted = sum(sp.diff(value, symbol) * move for symbol, move in moves.items())
-    lets = ((R, flow.R), (I, flow.I), (R_moved, along(flow.R)), (I_moved, along(flow.I)))
-    return lets, (sp.factor_terms(sp.simplify(phase)), sp.factor_terms(transmitted))
+    lets = ((R, curve.R), (I, curve.I), (R_moved, along(curve.R)), (I_moved, along(curve.I)))
+    return {"of_state_lets": lets, "of_state": (sp.factor_terms(sp.simplify(phase)), sp.factor_terms(transmitted))}
 
 
-def size(expression: sp.Expr, of: dict[sp.Symbol, sp.Expr], *, named: bool = False) -> sp.Expr:
-    """The sum of an expression's terms without their signs, those of the symbols in `of` put in.
-
-    named -- whether `of` holds sizes already
-    """
+def size(expression: sp.Expr, of: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """The sum of an expression's terms without their signs, those of the symbols in `of` put in."""
     if expression in of:
-        return of[expression] if named else size(of[expression], of)
-    if expression.is_Add:
-        return sp.Add(*(size(term, of, named=named) for term in expression.args))
-    if expression.is_Mul:
-        return sp.Mul(*(size(factor, of, named=named) for factor in expression.args))
+        return size(of[expression], of)
+    if expression.is_Add or expression.is_Mul:
+        return expression.func(*(size(term, of) for term in expression.args))
     if expression.is_Pow:
-        return size(expression.base, of, named=named) ** expression.exp
+        return size(expression.base, of) ** expression.exp
     return sp.Abs(expression)

@@ -16,7 +16,7 @@ from .bounds import Bounds, bounds
 from .den_hartog import DenHartog, den_hartog
 from .dissipation import Dissipation, dissipation
 from .frequencies import Frequencies, frequencies
-from .gradients import Curve, Gradients, gradients
+from .gradients import Gradients, gradients
 from .inertia import Inertia, inertia
 from .mechanisms import Mechanism, all_mechanisms
 from .motion import Motion, Smoothed, motion, smoothed
@@ -47,8 +47,7 @@ class Results:
     along      -- what vanishes along the amplitude, by scene
     slopes     -- along the response and the fold locus
     bounds     -- what no state at a forcing exceeds
-    gradients, inertia_gradients -- how answers move with the parameters, for a force and for an excitation by inertia
-    laws_gradients, laws_inertia_gradients -- the same with other laws of damping
+    gradients  -- how answers move with the parameters
     off_centre, climb -- motions about another place than the centre, and the means that these are made of
     sampled    -- the average of a force that is known by its values
     steps      -- of Newton's method on the equations of each answer
@@ -71,9 +70,6 @@ class Results:
     slopes: Slopes
     bounds: Bounds
     gradients: Gradients
-    inertia_gradients: Gradients
-    laws_gradients: Gradients
-    laws_inertia_gradients: Gradients
     off_centre: OffCentre
     climb: Climb
     sampled: Sampled
@@ -90,7 +86,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
     sharp = motion()
     equations = averaged()
     flows = {scene: slow_flow(equations, scene) for scene in SCENES}
-    by_inertia, curve = inertia(flows[""]), Curve.of(flows[""])
+    by_inertia = inertia(flows[""])
     by_laws = dissipation(equations, flows[""])
     of_scenes = {scene: along(flow) for scene, flow in flows.items()}
     damped = of_scenes[""].damped
@@ -107,9 +103,6 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         of_scenes,
         slopes(flows[""]),
         bounds(flows[""]),
-        gradients(curve),
-        gradients(curve, by_inertia.force),
-        gradients(by_laws.curve),
         gradients(by_laws.curve, by_inertia.force),
         off_centre(equations, flows[""], by_laws),
         climb(),

@@ -2,6 +2,7 @@
 
 import json
 import pickle
+import random
 import warnings
 from fractions import Fraction
 from pathlib import Path
@@ -10,10 +11,12 @@ import numpy as np
 import pytest
 from mpmath import mp
 
-from slowflow import Duffing, Isolator, backend
+from slowflow import Duffing, Isolator, backend, moves
 from slowflow.paper import example
-from slowflow_kernels.conventions import MovesStatus
+from slowflow_kernels.conventions import MovesStatus, Pinned
 from tests.oracles.answers import Nearby
+from tests.oracles.definitions import points as drawn
+from tests.oracles.definitions import sensitivities
 
 DATA = Path(__file__).parent / "data"
 FILES = ("random_isolators", "random_duffing", "negative_stiffness", "table_1")
@@ -117,6 +120,24 @@ def beside(mechanism, kind, at, numbers):
     else:
         found, _ = near.two(kind, Omega, A, numbers["F_0"])
     return found.Omega, found.A, found.F_0
+
+
+@pytest.mark.parametrize("force", ["force", "inertia"])
+@pytest.mark.parametrize("kind", sensitivities.ANSWERS)
+def test_the_one_rule_solves_the_conditions_of_every_kind_of_answer(kind, force):
+    """At points drawn, which are no answers: what vanishes at one is taken away."""
+    names, pinned = f"{sensitivities.AT} {sensitivities.CAUSES}", Pinned[kind.upper()]
+    at = drawn.points(random.Random(kind + force), names, 6)
+    Omega, A, F_0, *x = np.array(at).T
+    damps = moves.Dissipates(tuple(x[:4]), x[4], x[5], np.array(x[13:18])[:, np.newaxis])
+    of_h, given = np.array(x[10:13])[:, np.newaxis], np.array(x[18:])[:, np.newaxis]
+    system = moves.System(A, Omega, F_0, force == "inertia", damps, tuple(x[6:10]), of_h, given)
+    moved, meets = system.solved(pinned)
+    assert not meets.any()
+    for k, point in enumerate(at):
+        row = drawn.entry(sensitivities.moves(kind, force), point)
+        for value, exact, scale in zip(moved[:, 0, k], row["is"], row["scale"], strict=True):
+            assert abs(mp.mpf(value) - mp.mpf(exact)) <= 8 * 2**-53 * mp.mpf(scale)
 
 
 ROW = {"Omega": 0, "A": 1, "F_0": 2, "F_SN": 2, "Omega_cr": 0, "u_cr": 1, "F_cr": 2}

@@ -39,7 +39,7 @@ from tests.oracles.kernels import is_of_gradients
 native_only = pytest.mark.skipif(KERNELS is None, reason="the compiled kernels are not in use")
 U = 2.0**-53
 #: modules without compiled loops: they serve any kind of number, or arrays as they are, or NumPy's solvers alone
-GENERIC = ("frequencies", "motion", "off_centre", "dissipation", "dissipation_by_inertia", "sampled")
+GENERIC = ("frequencies", "motion", "off_centre", "dissipation", "sensitivities", "sampled")
 #: of a mechanism: its own averages one by one, and the slow flow's functions with these put in
 CALLS_ONLY = (
     *("h", "h_A", "h_AA", "h_AAA", "H", "H_A", "H_AA"),

@@ -60,6 +60,8 @@ OF_LAWS: dict[str, Limits] = {
     **{"h_over_A": BOX["h_A"], "beside": BOX["h_A"], "steepest": (1e-9, 1e6, False, True)},
     **dict.fromkeys(("h_p", "h_Ap", "h_AAp", "I_0p", "I_0Ap", "I_0AAp", "zeta_p", "d_p"), SIGNED),
     **dict.fromkeys(("end_p", "forcing_p", "frequency_p", "A_p", "Omega_p", "F_0_p"), SIGNED),
+    **dict.fromkeys(("S_Omega", "S_OmegaOmega", "S_F", "S_FOmega", "force_Omega", "force_F"), SIGNED),
+    "force": POSITIVE,
 }
 #: of motions off the centre, and of forces known by values
 OFF_CENTRE: dict[str, Limits] = {
@@ -80,7 +82,7 @@ SAMPLED: dict[str, Limits] = {
     **dict.fromkeys((f"lost_{order}" for order in range(4)), SIGNED),
 }
 #: of modules whose arguments are others, or have other signs
-APART = ((("dissipation", "dissipation_by_inertia"), OF_LAWS), (("off_centre",), OFF_CENTRE), (("sampled",), SAMPLED))
+APART = ((("dissipation", "sensitivities"), OF_LAWS), (("off_centre",), OFF_CENTRE), (("sampled",), SAMPLED))
 OF_MODULE = {module: box for modules, box in APART for module in modules}
 #: modules whose numbers have no scale to vary over: the ranges of the kernels' oracle serve
 PLAIN = ("motion", "den_hartog", "second_approximation", "inertia")

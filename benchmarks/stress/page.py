@@ -25,18 +25,8 @@ GROUPS = {
     "the others": lambda module: not module.startswith(("slow_flow", "rod_spring")),
 }
 U = 2.0**-53
-#: of moves with other laws of damping
-PRODUCTS = (
-    "a difference of products such as F_AOmega F_p - F_Ap F_Omega: where damping takes nearly all of F their largest "
-    "terms are the same, of quadratic damping alone all of them, while kappa is that of what is left"
-)
 #: what is known of kernels that miss the target
 WHY = {
-    **{
-        f"{module}.moves_of_{kind}": PRODUCTS
-        for module in ("dissipation", "dissipation_by_inertia")
-        for kind in ("fold", "peak", "cusp", "corner_end")
-    },
     "rod_spring.F_A": "h and h_A are right to 0.3 u (1 + kappa), of kappa 20 and 21, but the conditions cancel: kappa "
     "of F_A is 1.2. With both exact and rounded once it errs by 0.74",
     "rod_spring.fold_quartic": "its coefficient h h_A: these are right to 0.3 and 2.1 u (1 + kappa), of kappa 5 and "

@@ -13,6 +13,7 @@
 #include "frequencies.h"
 #include "inertia.h"
 #include "dissipation.h"
+#include "sensitivities.h"
 #include "motion.h"
 #include "second_approximation.h"
 #include "den_hartog.h"

@@ -154,4 +154,18 @@ typedef enum {
 /* of Newton's after that, kept in its bracket */
 #define SF_CORRECTING 100
 
+/* by what an answer is: three conditions in the order in which they are solved, for which unknowns, whether the last two together, and slopes that vanish */
+#define SF_SYSTEMS { \
+    {5, 6, 0, 2, 1, 0, 0, 5, 5}, \
+    {5, 0, 1, 2, 1, 0, 0, 0, 0}, \
+    {5, 7, 0, 2, 0, 1, 0, 5, 5}, \
+    {5, 0, 3, 2, 0, 1, 0, 1, 1}, \
+    {1, 0, 2, 1, 2, 0, 0, 0, 3}, \
+    {0, 1, 3, 2, 0, 1, 1, 0, 1}, \
+    {7, 0, 3, 0, 2, 1, 0, 1, 1}, \
+    {7, 1, 0, 0, 1, 2, 0, 0, 0}, \
+    {7, 4, 0, 0, 1, 2, 0, 5, 5}, \
+    {7, 6, 0, 0, 1, 2, 0, 5, 5}, \
+}
+
 #endif

@@ -16,7 +16,7 @@ MODULES = (
     "inertia",
     "off_centre",
     "dissipation",
-    "dissipation_by_inertia",
+    "sensitivities",
     "sampled",
     "motion",
     "second_approximation",

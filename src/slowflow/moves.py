@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from functools import cache
+from dataclasses import dataclass
+from functools import cache, cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,8 +19,8 @@ from slowflow import backend, validate
 from slowflow.gradient import Gradient
 from slowflow.mechanism import Floats, Mechanism
 from slowflow.model import THROUGHOUT, at_rest
-from slowflow_kernels import dissipation, dissipation_by_inertia, inertia, slow_flow
-from slowflow_kernels.conventions import CLOSE, COINCIDE, MEETING, SAME, MovesStatus, OnsetKind, Pinned
+from slowflow_kernels import dissipation, sensitivities, slow_flow
+from slowflow_kernels.conventions import CLOSE, COINCIDE, MEETING, SAME, SYSTEMS, MovesStatus, OnsetKind, Pinned
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 
 Codes = npt.NDArray[np.int8]
@@ -38,15 +39,6 @@ ON_BREAK = (
     Pinned.CORNER_BACKBONE,
     Pinned.CORNER_REST,
 )
-
-
-#: by whether there are other laws of damping, and whether inertia excites
-KERNELS: dict[tuple[bool, bool], Any] = {
-    (False, False): slow_flow,
-    (False, True): inertia,
-    (True, False): dissipation,
-    (True, True): dissipation_by_inertia,
-}
 
 
 class Given(NamedTuple):
@@ -137,26 +129,23 @@ def _on_numpy(given: Given, arrays: Sequence[Floats], slopes: Floats, status: Co
 
 
 class Dissipates(NamedTuple):
-    """What dissipates, as kernels take it between F_0 and h.
+    """What dissipates: I_0 and its derivatives by A, zeta, d.
 
-    most, slower -- with all derivatives by A, and with the first
-    causes -- what each number that answers move with does to it, shape (parts, numbers, n)
-    of_phase -- which of these parts the phase asks for
+    causes -- what each number that answers move with does to I_0, I_0A, I_0AA, zeta and d, shape (5, numbers, n)
     """
 
-    most: tuple[Floats, ...]
-    slower: tuple[Floats, ...]
+    rest: tuple[Floats, ...]
+    zeta: Floats
+    d: Any
     causes: Floats
-    of_phase: tuple[int, ...]
 
 
 def plainly(place: int, damping: Sequence[Floats], columns: int) -> Dissipates:
     """By mu and zeta, from number `place` on."""
     mu, zeta = damping
-    causes = np.zeros((2, columns, zeta.size))
-    causes[0, place], causes[1, place + 1] = slow_flow.friction(1.0), 1.0
-    own = np.asarray(slow_flow.friction(mu)), zeta
-    return Dissipates(own, own, causes, (0, 1))
+    causes, none = np.zeros((5, columns, zeta.size)), np.zeros(zeta.size)
+    causes[0, place], causes[3, place + 1] = slow_flow.friction(1.0), 1.0
+    return Dissipates((np.asarray(slow_flow.friction(mu)), none, none, none), zeta, 0.0, causes)
 
 
 def by_laws(
@@ -169,7 +158,6 @@ def by_laws(
     """
     mu, zeta, eta, c_2 = damping
     m, u_cr = np.asarray(slow_flow.friction(mu)), None if ends is None else ends[0]
-    rest, d = at_rest(A, m, eta, u_cr, beyond), np.asarray(dissipation.quadratic(c_2))
     of_m, of_eta = _stacked(dissipation.rest_moves(A), A).reshape(2, 3, A.size)
     causes = np.zeros((5, columns, A.size))
     if ends is not None:
@@ -182,13 +170,87 @@ def by_laws(
     causes[3, place + 1] = 1.0
     causes[:3, place + 2] = of_eta
     causes[4, place + 3] = dissipation.quadratic(1.0)
-    return Dissipates((*rest, zeta, d), (*rest[:2], zeta, d), causes, (0, 3, 4))
+    return Dissipates(at_rest(A, m, eta, u_cr, beyond), zeta, np.asarray(dissipation.quadratic(c_2)), causes)
+
+
+@dataclass(frozen=True, eq=False)
+class System:
+    """The conditions of answers at A, Omega and F_0, in what their slopes are of; `gradient.h` has the same.
+
+    h      -- and three derivatives
+    moves  -- of what each of the numbers that answers move with does: to h, h_A and h_AA, (3, numbers, n); and to the
+              forcing, the frequency and a breakpoint that are given
+    """
+
+    A: Floats
+    Omega: Floats
+    F_0: Floats
+    inertial: bool
+    damps: Dissipates
+    h: Sequence[Floats]
+    of_h: Floats
+    given: Floats
+
+    @cached_property
+    def excited(self) -> tuple[Any, ...]:
+        """The force's amplitude, its slopes, and those of its square."""
+        return (sensitivities.by_inertia if self.inertial else sensitivities.by_force)(self.Omega, self.F_0)
+
+    @cached_property
+    def R(self) -> tuple[Any, Any]:
+        """The cosine balance, and its size."""
+        return slow_flow.R(self.Omega, self.A, self.h[0]), slow_flow.R(self.Omega, self.A, np.abs(self.h[0]))
+
+    def slopes(self, R: Any) -> tuple[Floats, Floats]:
+        """Of each condition by A, Omega and F_0, and their sizes: (conditions, 3, n)."""
+        damps = self.damps
+        at = (self.Omega, self.A, R, *damps.rest, damps.zeta, damps.d, *self.h, *self.excited[3:])
+        both = _stacked(sensitivities.slopes(*at), self.A).reshape(2, -1, 3, self.A.size)
+        return both[0], both[1]
+
+    def beside(self) -> list[tuple[Any, Any]]:
+        """F_A, F_Omega and R, each with its size."""
+        values, sizes = self.slopes(self.R[0])
+        return [(values[0, 0], sizes[0, 0]), (values[0, 1], sizes[0, 1]), self.R]
+
+    def solved(self, kind: Pinned) -> tuple[Floats, Any]:
+        """How answers of a kind move, (3, numbers, n), and where they meet others."""
+        R = 0.0 if kind is Pinned.CORNER_BACKBONE else self.R[0]
+        (slopes, sizes), damps = self.slopes(R), self.damps
+        at = (self.Omega, self.A, R, *damps.rest[:3], damps.zeta, damps.d, *self.h[1:3])
+        shape = self.given.shape[1:]
+        right = [_in_shape(one, shape) for one in sensitivities.right(*at, *self.of_h, *damps.causes, *self.given)]
+        system = SYSTEMS[kind]
+        rows, unknowns, together = system[:3], system[3:6], system[6]
+        for vanishing in system[7:]:
+            slopes[divmod(vanishing, 3)] = 0.0
+        moved, meets = np.zeros((3, *shape)), np.zeros(shape[1:], bool)
+        for n, (row, x) in enumerate(zip(rows, unknowns, strict=True)):
+            if together and n:
+                break
+            known = right[row] - sum(slopes[row, k] * moved[k] for k in unknowns[:n])
+            moved[x] = known / slopes[row, x]
+            meets |= _vanishes(slopes[row, x], sizes[row, x], MEETING)
+        if together:
+            (first, x, y), (_, a, b) = unknowns, rows
+            of_a, of_b = (right[row] - slopes[row, first] * moved[first] for row in (a, b))
+            determinant = slopes[a, x] * slopes[b, y] - slopes[a, y] * slopes[b, x]
+            meets |= _vanishes(determinant, sizes[a, x] * sizes[b, y] + sizes[a, y] * sizes[b, x], MEETING)
+            moved[x] = (of_a * slopes[b, y] - slopes[a, y] * of_b) / determinant
+            moved[y] = (slopes[a, x] * of_b - of_a * slopes[b, x]) / determinant
+        return moved, meets
+
+    def of_state(self, moved: Floats) -> tuple[Any, Any]:
+        """How the phase and the transmissibility of states move."""
+        damps = self.damps
+        at = (self.Omega, self.A, *damps.rest[:2], damps.zeta, damps.d, *self.h[:2], *self.excited[:3])
+        # mypy takes a starred argument for all that are left
+        return sensitivities.of_state(*at, self.of_h[0], *damps.causes[[0, 3, 4]], *moved)  # type: ignore[call-arg]
 
 
 def _of_kind(given: Given, kind: Pinned, arrays: list[Floats], inner: tuple[int, ...]) -> tuple[Floats, Codes]:
     """Slopes of shape (n, rows, parameters), and their status; for flat arrays."""
     mechanism, laws = given.mechanism, given.rubs is not None
-    kernels: Any = KERNELS[laws, given.excitation != "force"]
     *numbers, F_0, Omega, A, _ = arrays
     n = len(mechanism.design)
     design, damping = numbers[:n], numbers[n:]
@@ -230,62 +292,52 @@ def _of_kind(given: Given, kind: Pinned, arrays: list[Floats], inner: tuple[int,
         first, each = np.argmax(ends_friction, axis=0), np.arange(A.size)
         return by_laws(n, damping, columns, A, (ends[first, each], of_ends[first, :, each].T), beyond)
 
-    own, past = dissipates(), np.zeros(A.shape, bool)
-    beside = [np.asarray(value) for value in kernels.beside(Omega, A, F_0, *own.slower, h, h_A)]
-    if kind >= Pinned.CUSP:  # those before are at a forcing
-        force = F_0 if given.excitation == "force" else inertia.force(Omega, F_0)
-        status[_vanishes(force, beside[5], MEETING)] = MovesStatus.BOUNDLESS
-    kinds, beyond = np.full(A.shape, kind), None
-    if kind in (Pinned.CORNER_FOLD, Pinned.CORNER_END) and leaves:
-        # the force makes a corner that ends with R; what rubs no more one that ends with F_A beyond it, too
-        beyond, bends = dissipates(True), (jumps == 0)[piece, np.arange(A.size)]
-        beside += [np.asarray(value) for value in kernels.beside(Omega, A, F_0, *beyond.slower, h, h_A)[:2]]
-        beside[4], beside[6] = np.where(bends, np.inf, beside[4]), np.where(bends, beside[6], np.inf)
-    if kind is Pinned.CORNER_FOLD:
-        ending = zip(beside[::2], beside[1::2], strict=True)
-        turns = [_vanishes(*pair, CLOSE) for number, pair in enumerate(ending) if number != 1]
-        status[np.any(turns, axis=0)] = MovesStatus.TURNS
-    if kind is Pinned.CORNER_END:
-        nearness = [np.abs(value) / size for value, size in zip(beside[::2], beside[1::2], strict=True)]
-        which = np.array([Pinned.CORNER_END, Pinned.CORNER_TOP, Pinned.CORNER_BACKBONE, Pinned.CORNER_END])
-        nearest = np.argmin(nearness, axis=0)
-        kinds, past = which[nearest], nearest == 3
     # along the parameters, then the answers
-    of_h, of_rest = np.zeros((3, columns, A.size)), np.zeros((3, columns, A.size))
+    of_h, given_p = np.zeros((3, columns, A.size)), np.zeros((3, columns, A.size))
     of_h[:, :n] = np.einsum("pin,pdn->idn", by_parameter, by_design[: len(parameters)])
-    if len(ends):
-        of_rest[0, :n] = of_ends[piece, :, np.arange(A.size)].T
     for number, k in enumerate(range(n + len(damping), columns)):
-        of_rest[1 + number, k] = 1.0
+        given_p[number, k] = 1.0
+    if len(ends):
+        given_p[2, :n] = of_ends[piece, :, np.arange(A.size)].T
+
+    def system(beyond: Any = None) -> System:
+        inertial = given.excitation != "force"
+        return System(A, Omega, F_0, inertial, dissipates(beyond), (h, h_A, h_AA, h_AAA), of_h, given_p)
+
+    own, past = system(), np.zeros(A.shape, bool)
+    if kind >= Pinned.CUSP:  # those before are at a forcing
+        status[_vanishes(own.excited[0], own.R[1], MEETING)] = MovesStatus.BOUNDLESS
+    kinds, other = np.full(A.shape, kind), None
+    if kind in (Pinned.CORNER_FOLD, Pinned.CORNER_END):
+        beside = own.beside()
+        if leaves:
+            # the force makes a corner that ends with R; what rubs no more one that ends with F_A beyond it, too
+            other, bends = system(True), (jumps == 0)[piece, np.arange(A.size)]
+            beside.append(other.beside()[0])
+            beside[2:] = (
+                (np.where(ends_there, value, np.inf), np.where(ends_there, size, 1.0))
+                for ends_there, (value, size) in zip((~bends, bends), beside[2:], strict=True)
+            )
+        if kind is Pinned.CORNER_FOLD:
+            turns = [_vanishes(*pair, CLOSE) for number, pair in enumerate(beside) if number != 1]
+            status[np.any(turns, axis=0)] = MovesStatus.TURNS
+        else:
+            nearness = [np.abs(value) / size for value, size in beside]
+            which = np.array([Pinned.CORNER_END, Pinned.CORNER_TOP, Pinned.CORNER_BACKBONE, Pinned.CORNER_END])
+            nearest = np.argmin(nearness, axis=0)
+            kinds, past = which[nearest], nearest == 3
     out = np.full((A.size, rows, columns), np.nan)
     for pinned, side in [(one, side) for one in np.unique(kinds) for side in np.unique(past[kinds == one])]:
-        damps = beyond if side and beyond else own
-        at = (Omega, A, F_0, *damps.most, h, h_A, h_AA, h_AAA)
-        found, meets = solved(kernels, Pinned(pinned), at, (*of_h, *damps.causes, *of_rest), columns)
-        if rows > 3:
-            of_phase = (damps.causes[part] for part in damps.of_phase)
-            found[1:1] = kernels.moves_of_phase(Omega, A, F_0, *damps.slower, h, h_A, of_h[0], *of_phase, *found[:3])
+        of = other if side and other else own
+        found, meets = of.solved(Pinned(pinned))
+        every = [found[0], *of.of_state(found), *found[1:]] if rows > 3 else found
         here = (kinds == pinned) & (past == side)
-        out[here] = np.moveaxis(np.array(found[:rows]), -1, 0)[here]
+        out[here] = np.moveaxis(np.stack([_in_shape(one, found.shape[1:]) for one in every]), -1, 0)[here]
         status[here & meets & (status == MovesStatus.OK)] = MovesStatus.MEETS
     status[~np.isfinite(out).all(axis=(1, 2)) & (status == MovesStatus.OK)] = MovesStatus.BOUNDLESS
     status[~there] = MovesStatus.NOTHING
     out[status != MovesStatus.OK] = np.nan
     return out, status
-
-
-def solved(
-    kernels: Any, pinned: Pinned, at: Sequence[Any], causes: Sequence[Any], columns: int
-) -> tuple[list[Any], Any]:
-    """How answers of a kind move, A_p, Omega_p and F_0_p of shape (columns, n), and where they meet others.
-
-    at     -- the points, as the kernels take them; causes -- what each number that they move with does there
-    """
-    found = kernels.MOVES[pinned](*at, *causes)
-    one, size_of_one, other, size_of_other = found[-4:]
-    meets = _vanishes(one, size_of_one, MEETING) | _vanishes(other, size_of_other, MEETING)
-    shape = (columns, np.size(at[1]))
-    return [_in_shape(value, shape) for value in found[:3]], _in_shape(meets, shape[1:])
 
 
 def _vanishes(value: Any, size: Any, share: float) -> Any:

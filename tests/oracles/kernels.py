@@ -25,10 +25,10 @@ from tests.oracles.definitions import (
     frequencies,
     inertia,
     motion,
-    moves,
     off_centre,
     resultants,
     sampled,
+    sensitivities,
     slow_flow,
 )
 from tests.oracles.definitions.forces import rod_coefficients, untruncated_coefficients
@@ -64,7 +64,7 @@ BY_NAMES: dict[str, Any] = {
     "off_centre": off_centre.OFF_CENTRE,
     "sampled": sampled.SAMPLED,
     "dissipation": damping.DISSIPATION,
-    "dissipation_by_inertia": damping.SHAKEN_LAWS,
+    "sensitivities": sensitivities.SENSITIVITIES,
 }
 Definition = Callable[..., list[Any]]
 
@@ -108,7 +108,7 @@ def define(module: str, kernel: str, names: Sequence[str], at: Sequence[float]) 
     else:
         of_locus = along.UNDAMPED if "zeta" in SCENES[scene] else along.DAMPED
         table = {
-            "slow_flow": slow_flow.SLOW_FLOW | along.SLOPES | along.LOCI | of_locus | SLOPE | moves.BESIDE_FOLDS,
+            "slow_flow": slow_flow.SLOW_FLOW | along.SLOPES | along.LOCI | of_locus | SLOPE | along.BESIDE_FOLDS,
             "frequencies": frequencies.FREQUENCIES,
             "motion": motion.MOTION,
             "den_hartog": den_hartog.DEN_HARTOG,
@@ -125,7 +125,7 @@ def _slope_of_frequency(*x: Any) -> Any:
 
 def is_of_gradients(kernel: str) -> bool:
     """Whether a kernel is one of the gradients', which differences of answers judge (`tests/test_gradients.py`)."""
-    return kernel in ("beside", "by_parameter", "by_design", "fold_moves") or kernel.startswith("moves_of_")
+    return kernel in ("by_parameter", "by_design", "fold_moves", "right", "of_state")
 
 
 def _of_mechanism(name: str, kernel: str, names: Sequence[str], at: Sequence[float]) -> tuple[Definition, bool]:

@@ -6,8 +6,7 @@ Out: {module: {kernel: [{"at": arguments, "is": values, "scale": |f| + sum |x df
 
 The routes: the averaged force by quadrature of the piecewise force, its derivatives and those of F by numerical
 differentiation, coefficients of polynomials by interpolation, resultants as Sylvester determinants over the rationals,
-the Jacobian by differentiating the averaged equations of motion, Den Hartog's solution from its four linear conditions,
-moves of answers by solving what defines them for parameters on either side.
+the Jacobian by differentiating the averaged equations of motion, Den Hartog's solution from its four linear conditions.
 
 u * scale is the error that rounding the arguments and the result once each would cause: error/scale is measured in u.
 
@@ -29,7 +28,7 @@ from mpmath import mp, mpf
 
 from derivations.emit.catalogue.flow import OWN
 from derivations.mechanisms import all_mechanisms
-from tests.oracles.definitions.along import DAMPED, LOCI, SLOPES, UNDAMPED
+from tests.oracles.definitions.along import BESIDE_FOLDS, DAMPED, LOCI, SLOPES, UNDAMPED
 from tests.oracles.definitions.averaged_force import (
     TOGETHER,
     TYPED,
@@ -44,13 +43,12 @@ from tests.oracles.definitions.averaged_force import (
     stated,
     steps,
 )
-from tests.oracles.definitions.damping import dissipation_table, shaken_laws_table
+from tests.oracles.definitions.damping import dissipation_table
 from tests.oracles.definitions.den_hartog import DEN_HARTOG, exact_U, exact_V
 from tests.oracles.definitions.forces import rod_coefficients, untruncated_coefficients
 from tests.oracles.definitions.frequencies import frequencies_table
 from tests.oracles.definitions.inertia import inertia_table
 from tests.oracles.definitions.motion import motion_table
-from tests.oracles.definitions.moves import BESIDE_FOLDS, GRADIENTS
 from tests.oracles.definitions.off_centre import off_centre_table
 from tests.oracles.definitions.points import (
     DESIGNS,
@@ -74,6 +72,7 @@ from tests.oracles.definitions.resultants import (
     saddle_nodes,
 )
 from tests.oracles.definitions.sampled import sampled_table
+from tests.oracles.definitions.sensitivities import sensitivities_table
 from tests.oracles.definitions.slow_flow import SLOW_FLOW
 
 OUT = Path(__file__).parents[1] / "data" / "kernel_oracle.json"
@@ -109,7 +108,7 @@ def slow_flow_table(rng: random.Random, scene: str) -> dict:
                 for k in with_it:
                     x[k] *= -1
         table[name] = [entry(zeroed(f, names.split(), scene), x) for x in chosen]
-    for name, (names, f) in ({} if scene else GRADIENTS | BESIDE_FOLDS).items():
+    for name, (names, f) in ({} if scene else BESIDE_FOLDS).items():
         table[name] = [entry(f, x) for x in points(rng, names, 6)]
     return table
 
@@ -315,7 +314,7 @@ def tables() -> dict[str, Callable[[random.Random], dict]]:
         made["slow_flow" + scene] = functools.partial(slow_flow_table, scene=scene)
     made["inertia"] = inertia_table
     made["dissipation"] = dissipation_table
-    made["dissipation_by_inertia"] = shaken_laws_table
+    made["sensitivities"] = sensitivities_table
     made["second_approximation"] = second_approximation_table
     made["frequencies"] = frequencies_table
     made["motion"] = motion_table

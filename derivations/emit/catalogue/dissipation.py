@@ -1,7 +1,7 @@
 """The kernels of other laws of damping: functions of I_0, the part of I that knows no frequency, and of d.
 
 In:  `Results`.
-Out: `dissipation_module`, and `shaken_module` with the gradients under an excitation by inertia.
+Out: `dissipation_module`.
 """
 
 from __future__ import annotations
@@ -29,13 +29,11 @@ from ...dissipation import (
     u_cr,
     x,
 )
-from ...gradients import OF_LAWS, Gradients, I_0p, d_p, h_p, zeta_p
 from ...results import Results
 from ...slopes import DERIVATIVES, Slopes
 from ...slow_flow import I, R, m
 from ...symbols import F_0, A, Omega, c_2, eta, h, h_A, h_AA, h_AAA, zeta
 from ..form import Kernel, Module, plain
-from .flow import gradient_kernels
 
 #: arguments, in their order
 KNOWN = (Omega, x, A, F_0, *REST, zeta, d, h, h_A, h_AA, h_AAA)
@@ -108,7 +106,7 @@ def dissipation_module(results: Results) -> Module:
     found = Module(
         name="dissipation",
         title="Structural and quadratic damping, and dry friction of what is attached",
-        inputs=("averaging.py", "slow_flow.py", "dissipation.py", "gradients.py"),
+        inputs=("averaging.py", "slow_flow.py", "dissipation.py"),
         kernels=(
             plain(
                 "quadratic", (c_2,), of.quadratic, "Quadratic damping's factor of A^2 Omega^2 in I.", "from (19)", "any"
@@ -219,7 +217,6 @@ def dissipation_module(results: Results) -> Module:
             *inertial_kernels(of, slopes, in_derivatives),
             *(system(name, *of.systems[name].values, *of.systems[name].slopes) for name in of.systems),
             *(searched_system(name, of.searched[name]) for name in of.searched),
-            *gradients_by_laws(results.laws_gradients),
         ),
     )
     # solvers on NumPy ask these of many amplitudes at once, which compiled loops would not do faster
@@ -235,22 +232,6 @@ def dissipation_module(results: Results) -> Module:
             for kernel in found.kernels
         ),
         cells=intercept_kernels(of),
-    )
-
-
-def gradients_by_laws(gradients: Gradients) -> list[Kernel]:
-    """How each kind of answer moves with a parameter, by what dissipates."""
-    return gradient_kernels(gradients, (*REST, zeta, d), (*REST[:2], zeta, d), OF_LAWS, (h_p, I_0p, zeta_p, d_p))
-
-
-def shaken_module(results: Results) -> Module:
-    """What is of an excitation by inertia alone: gradients; all else of it is of `dissipation`."""
-    return Module(
-        name="dissipation_by_inertia",
-        title="Gradients with other laws of damping under excitation by inertia",
-        inputs=("averaging.py", "slow_flow.py", "dissipation.py", "inertia.py", "gradients.py"),
-        in_c=False,
-        kernels=tuple(gradients_by_laws(results.laws_inertia_gradients)),
     )
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from ...results import Results
 from ..form import Module
 from .beyond import den_hartog_module, second_approximation_module
-from .dissipation import dissipation_module, shaken_module
+from .dissipation import dissipation_module
 from .flow import slow_flow_modules
 from .frequencies import frequencies_module
 from .inertia import inertia_module
@@ -17,6 +17,7 @@ from .mechanism import mechanism_module, with_proofs
 from .motion import motion_module
 from .off_centre import off_centre_module
 from .sampled import sampled_module
+from .sensitivities import sensitivities_module
 
 
 def all_modules(results: Results) -> list[Module]:
@@ -28,7 +29,7 @@ def all_modules(results: Results) -> list[Module]:
         inertia_module(results),
         off_centre_module(results),
         dissipation_module(results),
-        shaken_module(results),
+        sensitivities_module(results),
         sampled_module(results),
         motion_module(results),
         second_approximation_module(results),

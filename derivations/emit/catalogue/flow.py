@@ -30,7 +30,6 @@ from ...along import (
     scaled_root,
     t,
 )
-from ...gradients import MOVES, OF_PARAMETER, Gradients, h_p, m_p, zeta_p
 from ...newton import EQUATIONS
 from ...offset import mean_stiffness, offset_stiffness
 from ...resultants import Elimination
@@ -104,7 +103,6 @@ def slow_flow_modules(results: Results) -> list[Module]:
                     "along.py",
                     "slopes.py",
                     "bounds.py",
-                    "gradients.py",
                     "newton.py",
                     "resultants.py",
                 ),
@@ -179,7 +177,6 @@ def kernels_of(results: Results, scene: str) -> list[Kernel]:
         general = [
             *slope_kernels(flow, results.slopes),
             *bound_kernels(results),
-            *gradient_kernels(results.gradients),
         ]
     return [*slow_flow_kernels(flow, results.detachment[scene]), *locus_kernels(flow, results.along[scene]), *general]
 
@@ -448,61 +445,6 @@ def bound_kernels(results: Results) -> list[Kernel]:
             "The |h| of a state at Omega = 0, and the least |h - A h_A| of a fold.",
             "from (24), (30)",
             "F_0 >= m",
-        ),
-    ]
-
-
-def gradient_kernels(
-    gradients: Gradients,
-    damping: Sequence[sp.Symbol] = (m, zeta),
-    slower: Sequence[sp.Symbol] = (m, zeta),
-    causes: Sequence[sp.Symbol] = OF_PARAMETER,
-    of_phase: Sequence[sp.Symbol] = (h_p, m_p, zeta_p),
-) -> list[Kernel]:
-    """How each kind of answer moves with a parameter; asked once an answer, they have no compiled loops in Python.
-
-    damping, slower -- what dissipates, with all its derivatives by A and with the first
-    causes, of_phase -- what a parameter does, and what of that the phase asks for
-    """
-    at = (Omega, A, F_0, *damping, h, h_A, h_AA, h_AAA)
-    equation = "from (23)-(34)"
-
-    def flat(pivots: Sequence[tuple[sp.Expr, sp.Expr]], count: int) -> list[sp.Expr]:
-        one = (sp.Integer(1), sp.Integer(1))
-        return [part for pivot in (*pivots, *[one] * (count - len(pivots))) for part in pivot]
-
-    most = max(len(moves.pivots) for moves in gradients.kinds.values())
-    kinds = [
-        plain(
-            f"moves_of_{name}",
-            (*at, *causes),
-            [*moves.values, *flat(moves.pivots, most)],
-            f"A_p, Omega_p, F_0_p of {moves.doc}; then what must not vanish, each with its size.",
-            equation,
-            lets=moves.lets,
-            generic=True,
-        )
-        for name, moves in gradients.kinds.items()
-    ]
-    return [
-        *kinds,
-        plain(
-            "beside",
-            (Omega, A, F_0, *slower, h, h_A),
-            flat(gradients.beside, len(gradients.beside)),
-            "F_A, F_Omega and R, each with its size.",
-            equation,
-            lets=gradients.beside_lets,
-            generic=True,
-        ),
-        plain(
-            "moves_of_phase",
-            (Omega, A, F_0, *slower, h, h_A, *of_phase, *MOVES),
-            gradients.of_state,
-            "d/dp of the phase (25) and of the transmissibility of a state that moves by A_p, Omega_p, F_0_p.",
-            equation,
-            lets=gradients.of_state_lets,
-            generic=True,
         ),
     ]
 

@@ -16,7 +16,7 @@ from ...results import Results
 from ...slow_flow import I, R, m
 from ...symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
 from ..form import Branch, Kernel, Module, plain
-from .flow import gradient_kernels, of_R_and_I
+from .flow import of_R_and_I
 
 
 def inertia_module(results: Results) -> Module:
@@ -34,7 +34,7 @@ def inertia_module(results: Results) -> Module:
     return Module(
         name="inertia",
         title="Excitation by inertia, F_0 Omega^2: a base that shakes, an unbalance",
-        inputs=("oscillator.py", "averaging.py", "slow_flow.py", "inertia.py", "gradients.py"),
+        inputs=("oscillator.py", "averaging.py", "slow_flow.py", "inertia.py"),
         kernels=(
             plain("force", (Omega, F_0), of.force, "Amplitude of the force on the mass.", "beside (3)", "Omega >= 0"),
             plain(
@@ -222,6 +222,5 @@ def inertia_module(results: Results) -> Module:
                 "h < 0",
                 lets=of.share_lets,
             ),
-            *gradient_kernels(results.inertia_gradients),
         ),
     )

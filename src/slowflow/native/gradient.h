@@ -1,19 +1,22 @@
 /* Gradients: in goes an answer with what it is, out come its moves with each number that a user gives.
  *
- * The moves are generated (slow_flow_moves_of_..., inertia_moves_of_...), in what one number does to h, m, zeta,
- * breakpoint, forcing and frequency; by the chain rule from the design to the force's parameters to the average. What
- * every number does is computed in one loop.
+ * By the implicit function theorem: an answer holds three conditions (SF_SYSTEMS), whose slopes and right sides are
+ * generated (sensitivities_...); by the chain rule from the design to the force's parameters to the average. What every
+ * number does is computed in one loop.
  */
 #ifndef SF_GRADIENT_H
 #define SF_GRADIENT_H
 
 #include "interface.h"
 #include "many.h"
+#include "sensitivities.h"
 
 enum {
-    SF_MOVES = 3,      /* of A, Omega and F_0 */
+    SF_UNKNOWNS = 3,    /* A, Omega and F_0 */
     SF_STATE_MOVES = 5, /* of A, phase and transmissibility, then of Omega and F_0 */
-    SF_BESIDE_MOVES = 4, /* what must not vanish, each with its size */
+    SF_CONDITIONS = 8,
+    SF_SIZES = SF_CONDITIONS * SF_UNKNOWNS, /* behind the slopes */
+    SF_EXCITED = 7,
     SF_MOST_COLUMNS = SF_MOST_DESIGN + SF_MOST_DAMPING + 2
 };
 
@@ -23,11 +26,11 @@ typedef struct {
     double forcing[SF_MOST_COLUMNS], frequency[SF_MOST_COLUMNS];
 } sf_causes;
 
-/* An answer: where it is, what it is, and by what it is excited. */
+/* An answer: where it is, what it is, and by what it is excited: its force, and what follows from that. */
 typedef struct {
     sf_pinned kind;
     int inertial;
-    double Omega, F_0;
+    double Omega, F_0, excited[SF_EXCITED], R;
     sf_sample at;
 } sf_pinned_answer;
 
@@ -37,11 +40,12 @@ static inline int sf_vanishes(double value, double size, double share) {
 }
 
 /* Which of the answers on a breakpoint an onset there is: whatever comes next to vanishing. */
-static sf_pinned sf_pinned_on_break(const double *beside) {
+static sf_pinned sf_pinned_on_break(const double *slopes, double R, double size_of_R) {
+    const double values[] = {slopes[0], slopes[1], R}, sizes[] = {slopes[SF_SIZES], slopes[SF_SIZES + 1], size_of_R};
     static const sf_pinned kinds[] = {SF_CORNER_END_PINNED, SF_CORNER_TOP_PINNED, SF_CORNER_BACKBONE_PINNED};
     int best = 0, i;
     for (i = 1; i < 3; i++)
-        if (fabs(beside[2 * i]) * beside[2 * best + 1] < fabs(beside[2 * best]) * beside[2 * i + 1])
+        if (fabs(values[i]) * sizes[best] < fabs(values[best]) * sizes[i])
             best = i;
     return kinds[best];
 }
@@ -75,62 +79,85 @@ static int sf_nearest_break(const sf_model *model, double A) {
     return best;
 }
 
-/* Row i of column j goes to out[i][j]; the last rows are what must not vanish, the same for all. */
-static SF_FLAT void sf_move(const sf_pinned_answer *answer, const sf_model *model, const sf_causes *of, int columns,
-                            double out[SF_MOVES + SF_BESIDE_MOVES][SF_MOST_COLUMNS])
+/* The slopes of the conditions at an answer by A, Omega and F_0, and their sizes. */
+static inline void sf_slopes_at(const sf_pinned_answer *answer, const sf_model *model, double slopes[2 * SF_SIZES])
 {
     const sf_sample *at = &answer->at;
-    const double w = answer->Omega, F_0 = answer->F_0;
-    double found[SF_MOVES + SF_BESIDE_MOVES];
-    int i, j;
-#define SF_MOVES_OF(moves_of)                                                                                          \
-    for (j = 0; j < columns; j++) {                                                                                    \
-        moves_of(w, at->A, F_0, model->m, model->zeta, at->h, at->h_A, at->h_AA, at->h_AAA, of->h[0][j], of->h[1][j],  \
-                 of->h[2][j], of->m[j], of->zeta[j], of->end[j], of->forcing[j], of->frequency[j], found);             \
-        for (i = 0; i < SF_MOVES + SF_BESIDE_MOVES; i++)                                                               \
-            out[i][j] = found[i];                                                                                      \
-    }
-#define SF_BY(by_force, by_inertia)                                                                                    \
-    if (answer->inertial)                                                                                              \
-        SF_MOVES_OF(by_inertia)                                                                                        \
-    else                                                                                                               \
-        SF_MOVES_OF(by_force)
-    switch (answer->kind) {
-    case SF_STATE_PINNED: SF_BY(slow_flow_moves_of_state, inertia_moves_of_state) return;
-    case SF_FOLD_PINNED: SF_BY(slow_flow_moves_of_fold, inertia_moves_of_fold) return;
-    case SF_CORNER_FOLD_PINNED: SF_BY(slow_flow_moves_of_corner_fold, inertia_moves_of_corner_fold) return;
-    case SF_PEAK_PINNED: SF_BY(slow_flow_moves_of_peak, inertia_moves_of_peak) return;
-    case SF_CUSP_PINNED: SF_BY(slow_flow_moves_of_cusp, inertia_moves_of_cusp) return;
-    case SF_ISOLA_PINNED: SF_BY(slow_flow_moves_of_isola, inertia_moves_of_isola) return;
-    case SF_CORNER_TOP_PINNED: SF_BY(slow_flow_moves_of_corner_top, inertia_moves_of_corner_top) return;
-    case SF_CORNER_END_PINNED: SF_BY(slow_flow_moves_of_corner_end, inertia_moves_of_corner_end) return;
-    case SF_CORNER_BACKBONE_PINNED: SF_BY(slow_flow_moves_of_corner_backbone, inertia_moves_of_corner_backbone) return;
-    case SF_CORNER_REST_PINNED: SF_BY(slow_flow_moves_of_corner_rest, inertia_moves_of_corner_rest) return;
-    }
-#undef SF_BY
-#undef SF_MOVES_OF
+    const double *square = answer->excited + 3;
+    sensitivities_slopes(answer->Omega, at->A, answer->R, model->m, 0, 0, 0, model->zeta, 0, at->h, at->h_A, at->h_AA,
+                         at->h_AAA, square[0], square[1], square[2], square[3], slopes);
 }
 
-/* How the phase and what a state transmits move, from how the state does. */
-static SF_FLAT void sf_move_phase(const sf_pinned_answer *answer, const sf_model *model, const sf_causes *of,
-                                  int columns,
-                                  double moved[SF_MOVES + SF_BESIDE_MOVES][SF_MOST_COLUMNS],
-                                  double (*out)[SF_MOST_COLUMNS])
+/* The moves of A, Omega and F_0 with number j go to column j. Returns 0 where an answer meets another. The kind is a
+ * constant of each call: what it does not ask for is not computed. */
+static inline int sf_solve(sf_pinned kind, const sf_pinned_answer *answer, const sf_model *model, const sf_causes *of,
+                           int columns, double moved[SF_UNKNOWNS][SF_MOST_COLUMNS])
 {
+    static const signed char systems[][9] = SF_SYSTEMS;
+    const signed char *rows = systems[kind], *unknowns = rows + 3, together = rows[6], *vanishing = rows + 7;
     const sf_sample *at = &answer->at;
-    double found[2];
-    int j;
-#define SF_PHASE(moves_of_phase)                                                                                       \
-    for (j = 0; j < columns; j++) {                                                                                    \
-        moves_of_phase(answer->Omega, at->A, answer->F_0, model->m, model->zeta, at->h, at->h_A, of->h[0][j],          \
-                       of->m[j], of->zeta[j], moved[0][j], moved[1][j], moved[2][j], found);                           \
-        out[0][j] = found[0], out[1][j] = found[1];                                                                    \
+    double slopes[2 * SF_SIZES], determinant = 1;
+    int i, j, k;
+    sf_slopes_at(answer, model, slopes);
+    slopes[vanishing[0]] = slopes[vanishing[1]] = 0;
+    for (i = 0; i < 3 - 2 * together; i++) {
+        const double *pivot = slopes + 3 * rows[i] + unknowns[i];
+        if (sf_vanishes(pivot[0], pivot[SF_SIZES], SF_MEETING))
+            return 0;
     }
-    if (answer->inertial)
-        SF_PHASE(inertia_moves_of_phase)
-    else
-        SF_PHASE(slow_flow_moves_of_phase)
-#undef SF_PHASE
+    if (together) {
+        const double *a = slopes + 3 * rows[1], *b = slopes + 3 * rows[2], *size_a = a + SF_SIZES, *size_b = b + SF_SIZES;
+        const int x = unknowns[1], y = unknowns[2];
+        determinant = a[x] * b[y] - a[y] * b[x];
+        if (sf_vanishes(determinant, size_a[x] * size_b[y] + size_a[y] * size_b[x], SF_MEETING))
+            return 0;
+    }
+    for (j = 0; j < columns; j++) {
+        double right[SF_CONDITIONS], found[SF_UNKNOWNS] = {0, 0, 0};
+        sensitivities_right(answer->Omega, at->A, answer->R, model->m, 0, 0, model->zeta, 0, at->h_A, at->h_AA,
+                            of->h[0][j], of->h[1][j], of->h[2][j], of->m[j], 0, 0, of->zeta[j], 0, of->forcing[j],
+                            of->frequency[j], of->end[j], right);
+        for (i = 0; i < 3; i++) {
+            const double *slope = slopes + 3 * rows[i];
+            double known = right[rows[i]];
+            for (k = 0; k < (together ? i > 0 : i); k++)
+                known -= slope[unknowns[k]] * found[unknowns[k]];
+            if (together && i > 0)
+                right[rows[i]] = known;
+            else
+                found[unknowns[i]] = known / slope[unknowns[i]];
+        }
+        if (together) {
+            const double *a = slopes + 3 * rows[1], *b = slopes + 3 * rows[2];
+            const int x = unknowns[1], y = unknowns[2];
+            found[x] = (right[rows[1]] * b[y] - a[y] * right[rows[2]]) / determinant;
+            found[y] = (a[x] * right[rows[2]] - right[rows[1]] * b[x]) / determinant;
+        }
+        for (i = 0; i < SF_UNKNOWNS; i++)
+            moved[i][j] = found[i];
+    }
+    return 1;
+}
+
+static SF_FLAT int sf_move(const sf_pinned_answer *answer, const sf_model *model, const sf_causes *of, int columns,
+                           double moved[SF_UNKNOWNS][SF_MOST_COLUMNS])
+{
+#define SF_SOLVE(kind)                                                                                                 \
+    case kind: return sf_solve(kind, answer, model, of, columns, moved);
+    switch (answer->kind) {
+        SF_SOLVE(SF_STATE_PINNED)
+        SF_SOLVE(SF_FOLD_PINNED)
+        SF_SOLVE(SF_CORNER_FOLD_PINNED)
+        SF_SOLVE(SF_PEAK_PINNED)
+        SF_SOLVE(SF_CUSP_PINNED)
+        SF_SOLVE(SF_ISOLA_PINNED)
+        SF_SOLVE(SF_CORNER_TOP_PINNED)
+        SF_SOLVE(SF_CORNER_END_PINNED)
+        SF_SOLVE(SF_CORNER_BACKBONE_PINNED)
+        SF_SOLVE(SF_CORNER_REST_PINNED)
+    }
+#undef SF_SOLVE
+    return 0;
 }
 
 /* What the damping, the forcing and the frequency do, which is the same everywhere: columns are the numbers of the
@@ -183,9 +210,8 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
     const sf_mechanism *mechanism = model->mechanism;
     const double w = answer->Omega, F_0 = answer->F_0;
     const sf_sample *at = &answer->at;
-    double of_parameter[3 * SF_MOST_PARAMETERS];
-    double moved[SF_MOVES + SF_BESIDE_MOVES][SF_MOST_COLUMNS];
-    double averaged[3], beside[6];
+    double of_parameter[3 * SF_MOST_PARAMETERS], moved[SF_UNKNOWNS][SF_MOST_COLUMNS];
+    double averaged[3], size_of_R;
     int i, j, piece = 0, infinite = 0;
     if (sf_is_on_break(answer->kind)) {
         if (model->breaks == 0)
@@ -198,29 +224,35 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
         return SF_TURNS_MOVES;
     }
     sf_sample_at(model, A, &answer->at);
-    if (answer->inertial)
-        inertia_beside(w, A, F_0, model->m, model->zeta, at->h, at->h_A, beside);
-    else
-        slow_flow_beside(w, A, F_0, model->m, model->zeta, at->h, at->h_A, beside);
-    if (sf_finds_forcing(answer->kind) &&
-        sf_vanishes(answer->inertial ? inertia_force(w, F_0) : F_0, beside[5], SF_MEETING))
+    (answer->inertial ? sensitivities_by_inertia : sensitivities_by_force)(w, F_0, answer->excited);
+    answer->R = slow_flow_R(w, A, at->h), size_of_R = slow_flow_R(w, A, fabs(at->h));
+    if (sf_finds_forcing(answer->kind) && sf_vanishes(answer->excited[0], size_of_R, SF_MEETING))
         return SF_BOUNDLESS_MOVES; /* neither friction nor damping: a level at 0 rises with either */
-    if (answer->kind == SF_CORNER_FOLD_PINNED &&
-        (sf_vanishes(beside[0], beside[1], SF_CLOSE) || sf_vanishes(beside[4], beside[5], SF_CLOSE)))
-        return SF_TURNS_MOVES;
-    if (answer->kind == SF_CORNER_END_PINNED)
-        answer->kind = sf_pinned_on_break(beside);
+    if (answer->kind == SF_CORNER_FOLD_PINNED || answer->kind == SF_CORNER_END_PINNED) {
+        double slopes[2 * SF_SIZES];
+        sf_slopes_at(answer, model, slopes);
+        if (answer->kind == SF_CORNER_END_PINNED)
+            answer->kind = sf_pinned_on_break(slopes, answer->R, size_of_R);
+        else if (sf_vanishes(slopes[0], slopes[SF_SIZES], SF_CLOSE) || sf_vanishes(answer->R, size_of_R, SF_CLOSE))
+            return SF_TURNS_MOVES;
+    }
+    if (answer->kind == SF_CORNER_BACKBONE_PINNED)
+        answer->R = 0;
     averaged[0] = at->h, averaged[1] = at->h_A, averaged[2] = at->h_AA;
     mechanism->by_parameter(mechanism, at->A, averaged, model->p, of_parameter);
     sf_causes_of(model, piece, of_parameter, of_design, of);
-    sf_move(answer, model, of, columns, moved);
-    if (sf_vanishes(moved[3][0], moved[4][0], SF_MEETING) || sf_vanishes(moved[5][0], moved[6][0], SF_MEETING))
+    if (!sf_move(answer, model, of, columns, moved))
         return SF_MEETS_MOVES;
-    if (rows == SF_STATE_MOVES)
-        sf_move_phase(answer, model, of, columns, moved, out + 1);
-    for (i = 0; i < SF_MOVES; i++)
+    for (i = 0; i < SF_UNKNOWNS; i++)
         for (j = 0; j < columns; j++)
-            out[i > 0 ? rows - SF_MOVES + i : 0][j] = moved[i][j];
+            out[i > 0 ? rows - SF_UNKNOWNS + i : 0][j] = moved[i][j];
+    for (j = 0; j < columns && rows == SF_STATE_MOVES; j++) {
+        double found[2];
+        sensitivities_of_state(w, at->A, model->m, 0, model->zeta, 0, at->h, at->h_A, answer->excited[0],
+                               answer->excited[1], answer->excited[2], of->h[0][j], of->m[j], of->zeta[j], 0,
+                               moved[0][j], moved[1][j], moved[2][j], found);
+        out[1][j] = found[0], out[2][j] = found[1];
+    }
     for (i = 0; i < rows; i++)
         for (j = 0; j < columns; j++)
             infinite |= !(fabs(out[i][j]) <= DBL_MAX);
@@ -245,7 +277,8 @@ static void sf_loop_gradients(char **args, const ptrdiff_t *dimensions, const pt
     for (k = 0; k < dimensions[0]; k++) {
         const double A = sf_input(args, steps, first + 2, k);
         sf_pinned_answer answer = {(sf_pinned)sf_input(args, steps, first + 3, k), inertial,
-                                   sf_input(args, steps, first + 1, k), sf_input(args, steps, first, k), {0}};
+                                   sf_input(args, steps, first + 1, k), sf_input(args, steps, first, k), {0}, 0,
+                                   {0}};
         sf_moves_status status = SF_NOTHING_MOVES;
         if (mechanism->by_parameter != NULL && A > 0 && A < HUGE_VAL && answer.Omega >= 0 && answer.Omega < HUGE_VAL &&
             answer.F_0 >= 0 && answer.F_0 < HUGE_VAL) {

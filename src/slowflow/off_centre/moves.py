@@ -281,12 +281,11 @@ def _of_kind(
         damps = moves.by_laws(place, damping, len(names), A, None, None)
     else:
         damps = moves.plainly(place, damping, len(names))
-    kernels = moves.KERNELS[model.laws.any, model.inertial]
-    at = (Omega, A, F_0, *damps.most, h, h_A, h_AA, h_AAA)
-    causes = (*of_h, *damps.causes, ends, of_F_0, of_Omega)
-    (A_p, Omega_p, F_0_p), meets = moves.solved(kernels, kind, at, causes, len(names))
-    of_phase = (damps.causes[part] for part in damps.of_phase)
-    phase = kernels.moves_of_phase(Omega, A, F_0, *damps.slower, h, h_A, of_h[0], *of_phase, A_p, Omega_p, F_0_p)
+    system = moves.System(
+        A, Omega, F_0, model.inertial, damps, (h, h_A, h_AA, h_AAA), np.array(of_h), np.array((of_F_0, of_Omega, ends))
+    )
+    (A_p, Omega_p, F_0_p), meets = system.solved(kind)
+    phase = system.of_state(np.array((A_p, Omega_p, F_0_p)))
     found = {"A": A_p, "B": B_p - means.s[1] / means.c[1] * A_p, "Omega": Omega_p, "F_0": F_0_p}
     found["u_max"] = found["A"] + np.sign(B) * found["B"]
     found |= dict(zip(("phi", "transmissibility"), phase, strict=True))

@@ -328,3 +328,8 @@ UNDAMPED: dict[str, tuple[str, Function, int]] = {
     "undamped_level": ("m intercept", lambda m, k: [level(0, 1, m, 0, k)], 0),
     "undamped_rises": ("h_AA h_AAA intercept", undamped_rises, 0),
 }
+#: what is asked beside a fold
+BESIDE_FOLDS: dict[str, tuple[str, Function]] = {
+    "fold_moves": ("A intercept R", fold_moves),
+    "fold_square": ("Omega A lacks", lambda w, A, y: [w**2 - y / A]),
+}

@@ -12,13 +12,13 @@ from flint import arb, arb_series, ctx
 from mpmath import mp, mpf
 
 from derivations.mechanisms import all_mechanisms
-from tests.oracles.definitions.moves import ASIDE
 from tests.oracles.definitions.points import RANGES, Amplitudes, entry
 from tests.oracles.definitions.slow_flow import second_kernel
 from tests.oracles.stated import Stated
 
 #: mechanisms whose definitions are typed here
 TYPED = ("duffing", "rod_spring", "rod_spring_untruncated")
+ASIDE = mpf(10) ** -40
 
 
 @functools.cache

@@ -7,7 +7,6 @@ import random
 
 from mpmath import mp, mpf
 
-from tests.oracles.definitions.inertia import SHAKEN_ANSWERS, shaken, solved_moves
 from tests.oracles.definitions.points import Function, entry, points
 from tests.oracles.definitions.series import stated, variables
 from tests.oracles.definitions.slow_flow import balances, near
@@ -272,69 +271,6 @@ def law_balances(w, a, rest, zeta, d, h):
     return R, I + d * (a * w) ** 2
 
 
-def law_moves(kind, force):
-    """As `shaken_moves`, under a force, or what takes its place."""
-
-    def of(Omega, A, F_0, *x):
-        rest, (zeta, d), h = x[:4], x[4:6], x[6:10]
-        h_p, rest_p, (zeta_p, d_p), others = x[10:13], x[13:16], x[16:18], x[18:]
-        of_A, of_p, of_rest, of_rest_p = (near(A, values) for values in (h, h_p, rest, rest_p))
-
-        def both(a, w, p):
-            return law_balances(
-                w, a, of_rest(a) + of_rest_p(a) * p, zeta + zeta_p * p, d + d_p * p, of_A(a) + of_p(a) * p
-            )
-
-        size = law_sizes(Omega, A, rest, zeta, d, h, force=lambda w: force(w, F_0))
-        return solved_moves(kind, (A, Omega, F_0, mpf(0)), both, force, size, *others)
-
-    return of
-
-
-def law_sizes(Omega, A, rest, zeta, d, h, force=lambda w: mpf(0)):
-    """As `shaken_sizes`: with h and I_0 without their signs no term of F's derivatives is negative but the force's."""
-
-    def F(order, sign, of_force):
-        a, w = variables((A, Omega), sum(order))
-        local, lag = (near(A, [sign(value) for value in values])(a) for values in (h, rest))
-        F = sum(part**2 for part in law_balances(w, a, lag, zeta, d, local)) + of_force * force(w) ** 2
-        return F.derivative(*order)
-
-    return lambda order: (F(order, mpf, -1), F(order, abs, 1))
-
-
-def law_beside(force):
-    """F_A, F_Omega and R, each with its size; the force from Omega and F_0."""
-
-    def of(Omega, A, F_0, I_0, I_0A, zeta, d, *h):
-        size = law_sizes(Omega, A, (I_0, I_0A), zeta, d, h, lambda w: force(w, F_0))
-        return [*size((1, 0)), *size((0, 1)), *(balances(Omega, A, 0, 0, value)[0] for value in (h[0], abs(h[0])))]
-
-    return of
-
-
-def law_moves_of_phase(force):
-    """Phase and transmissibility along the moves, from R, I and h; the force from Omega and F_0."""
-
-    def of(Omega, A, F_0, I_0, I_0A, zeta, d, h, h_A, h_p, I_0p, zeta_p, d_p, A_p, Omega_p, F_0_p):
-        def along(p):
-            w, a, restoring = Omega + Omega_p * p, A + A_p * p, h + (h_p + h_A * A_p) * p
-            rest = I_0 + (I_0p + I_0A * A_p) * p
-            return w, *law_balances(w, a, rest, zeta + zeta_p * p, d + d_p * p, restoring), restoring
-
-        def turned(p):
-            _, R, I, _ = along(p)
-            return mp.arg(mp.mpc(-R, -I))
-
-        def passed_on(p):
-            w, _, I, restoring = along(p)
-            return mp.hypot(restoring, I) / force(w, F_0 + F_0_p * p)
-
-        return [mp.diff(turned, 0), mp.diff(passed_on, 0)]
-
-    return of
-
-
 def rest_moves(A, m=1, *ends):
     """What m, eta, and where friction ends u_cr do to I_0 and its first derivatives, from the work of each."""
     a, *at = variables((A, m, 1, *ends), 3)
@@ -407,20 +343,6 @@ def least_from_rest(Omega, zeta, eta, d, h_AA):
     return [found[0], found[2]]
 
 
-LAW_AT, LAW_SLOWER = "Omega A F_0 I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA", "Omega A F_0 I_0 I_0A zeta d h h_A"
-LAW_CAUSES = "h_p h_Ap h_AAp I_0p I_0Ap I_0AAp zeta_p d_p end_p forcing_p frequency_p"
-
-
-def law_gradients(force) -> dict[str, tuple[str, Function]]:
-    """Of other laws of damping, for a force from Omega and F_0."""
-    return {
-        **{f"moves_of_{kind}": (f"{LAW_AT} {LAW_CAUSES}", law_moves(kind, force)) for kind in SHAKEN_ANSWERS},
-        "beside": (LAW_SLOWER, law_beside(force)),
-        "moves_of_phase": (f"{LAW_SLOWER} h_p I_0p zeta_p d_p A_p Omega_p F_0_p", law_moves_of_phase(force)),
-    }
-
-
-SHAKEN_LAWS = law_gradients(shaken)
 DISSIPATION: dict[str, tuple[str, Function]] = {
     "quadratic": ("c_2", lambda c_2: [by_work(quadratic_work(1, 1, c_2), 1)]),
     # |h| is largest where R = -F_0 at the frequency at which quadratic damping takes all of the forcing
@@ -459,7 +381,6 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
     },
     "rest_moves": ("A", rest_moves),
     "released_moves": ("A m u_cr", rest_moves),
-    **law_gradients(lambda w, f: f),
     "I_A": ("Omega A I_0A zeta d", dissipated_balance("Omega A I_0A zeta d", 1)),
     "far": ("x A I_0 I_0A zeta d h h_A", far_balances),
     "F": (names := "Omega A F_0 I_0 zeta d h", lambda *x: [law_response(*x)]),
@@ -512,11 +433,6 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
         for system in ("folds", "peaks", "cusps", "isolas")
     },
 }
-
-
-def shaken_laws_table(rng: random.Random) -> dict:
-    """Six points of each kernel."""
-    return {kernel: [entry(f, x) for x in points(rng, names, 6)] for kernel, (names, f) in SHAKEN_LAWS.items()}
 
 
 def dissipation_table(rng: random.Random) -> dict:

@@ -8,8 +8,7 @@ from mpmath import mp, mpf
 
 from tests.oracles.definitions.along import partials
 from tests.oracles.definitions.points import Function, entry, points
-from tests.oracles.definitions.series import variables
-from tests.oracles.definitions.slow_flow import balances, near, phase, response, slope_of_response, transmissibility
+from tests.oracles.definitions.slow_flow import balances, near, response, slope_of_response
 
 
 def shaken(Omega, F_0):
@@ -207,120 +206,6 @@ def shaken_bound(A, F_0, zeta, *values):
     return [of(A), *(mp.diff(of, A, order) for order in (1, 2, 3))]
 
 
-#: for each kind of answer the conditions beside F = 0, and F's derivatives by (A, Omega) that must not vanish
-SHAKEN_ANSWERS: dict[str, tuple[tuple[str, str], list[tuple[int, int]]]] = {
-    "state": (("forcing", "frequency"), [(1, 0)]),
-    "fold": (("forcing", "F_A"), [(2, 0), (0, 1)]),
-    "corner_fold": (("forcing", "breakpoint"), [(0, 1)]),
-    "peak": (("forcing", "F_Omega"), [(1, 0), (0, 2)]),
-    "cusp": (("F_A", "F_AA"), [(3, 0), (1, 1)]),
-    "isola": (("F_A", "F_Omega"), []),
-    "corner_top": (("breakpoint", "F_Omega"), [(0, 2)]),
-    "corner_end": (("breakpoint", "F_A"), [(1, 1)]),
-    "corner_backbone": (("breakpoint", "R"), []),
-    "corner_rest": (("breakpoint", "frequency"), []),
-}
-DERIVATIVES = {"F_A": (1, 0), "F_AA": (2, 0), "F_Omega": (0, 1)}
-
-
-def shaken_sizes(Omega, A, F_0, m, zeta, *values):
-    """F's derivative of an order by (A, Omega), and the sum of its terms without their signs.
-
-    F less the forcing's square has no negative term but those of h: the sum is that of |h|, with the square added.
-    """
-
-    def F(order, sign, values):
-        a, w = variables((A, Omega), sum(order))
-        return (response(w, a, 0, m, zeta, near(A, values)(a)) + sign * shaken(w, F_0) ** 2).derivative(*order)
-
-    return lambda order: (F(order, -1, values), F(order, 1, [abs(value) for value in values]))
-
-
-def shaken_moves(kind):
-    """How an answer moves: the linear system of its conditions, differentiated numerically; then what must not vanish.
-
-    What vanishes at an answer is taken away from F and R, as points drawn are no answers.
-    """
-
-    def of(Omega, A, F_0, m, zeta, h, h_A, h_AA, h_AAA, h_p, h_Ap, h_AAp, m_p, zeta_p, *others):
-        values = h, h_A, h_AA, h_AAA
-        of_A, of_p = near(A, values), near(A, (h_p, h_Ap, h_AAp))
-
-        def both(a, w, p):
-            return balances(w, a, m + m_p * p, zeta + zeta_p * p, of_A(a) + of_p(a) * p)
-
-        size = shaken_sizes(Omega, A, F_0, m, zeta, *values)
-        return solved_moves(kind, (A, Omega, F_0, mpf(0)), both, shaken, size, *others)
-
-    return of
-
-
-def solved_moves(kind, at, balanced, force, size, end_p, forcing_p, frequency_p):
-    """The moves of one kind of answer at (A, Omega, F_0, 0).
-
-    balanced -- R and I as functions of A, Omega and the parameter; force -- of Omega and F_0
-    size     -- what gives F's derivative of an order, and the sum of its terms without their signs
-    """
-    conditions, pivots = SHAKEN_ANSWERS[kind]
-    a, w, f, p = variables(at, 1 + max(sum(DERIVATIVES.get(name, ())) for name in conditions))
-    R, I = balanced(a, w, p)
-    if "R" in conditions:
-        R = R - R.value
-    F = R**2 + I**2 - force(w, f) ** 2
-    for i, k in (DERIVATIVES[name] for name in conditions if name in DERIVATIVES):
-        gone = F.derivative(i, k, 0, 0) / (mp.factorial(i) * mp.factorial(k))
-        F = F - gone * (a - a.value) ** i * (w - w.value) ** k
-    known = {
-        "R": R,
-        "forcing": f - forcing_p * p,
-        "frequency": w - frequency_p * p,
-        "breakpoint": a - end_p * p,
-    }
-    rows = []
-    for name in ("F", *conditions):
-        order = (*DERIVATIVES.get(name, (0, 0)), 0, 0)
-        rows.append([known.get(name, F).derivative(*(n + (k == j) for j, n in enumerate(order))) for k in range(4)])
-    system = mp.matrix([row[:3] for row in rows])
-    with mp.extradps(20):
-        moved = list(mp.lu_solve(system, mp.matrix([-row[3] for row in rows])))
-    factors = [size(order) for order in pivots]
-    if kind == "isola":
-        second_derivatives = (size(order) for order in ((2, 0), (1, 1), (0, 2)))
-        (by_A, A_size), (mixed, mixed_size), (by_Omega, Omega_size) = second_derivatives
-        factors = [(by_A * by_Omega - mixed**2, A_size * Omega_size + mixed_size**2)]
-    if kind == "corner_backbone":
-        factors = [(rows[2][1], abs(rows[2][1]))]
-    determinant = mp.fprod(factor for factor, _ in factors)
-    if "forcing" not in conditions:
-        determinant *= rows[0][2]
-    assert mp.almosteq(abs(mp.det(system)), abs(determinant), rel_eps=mpf(10) ** -40)
-    return [*moved, *(part for pair in (*factors, *[(mpf(1), mpf(1))] * (2 - len(factors))) for part in pair)]
-
-
-def shaken_beside(Omega, A, F_0, m, zeta, h, h_A):
-    """F_A, F_Omega and R, each with the sum of its terms without their signs."""
-    size = shaken_sizes(Omega, A, F_0, m, zeta, h, h_A)
-    return [*size((1, 0)), *size((0, 1)), *(balances(Omega, A, 0, 0, value)[0] for value in (h, abs(h)))]
-
-
-def shaken_moves_of_phase(Omega, A, F_0, m, zeta, h, h_A, h_p, m_p, zeta_p, A_p, Omega_p, F_0_p):
-    """Phase and transmissibility along the moves."""
-
-    def at(p):
-        w, a, f = Omega + Omega_p * p, A + A_p * p, F_0 + F_0_p * p
-        return w, a, f, m + m_p * p, zeta + zeta_p * p, h + (h_p + h_A * A_p) * p
-
-    def turned(p):
-        w, a, _, *others = at(p)
-        return phase(w, a, *others)
-
-    def passed_on(p):
-        w, a, f, *others = at(p)
-        return transmissibility(w, a, shaken(w, f), *others)
-
-    return [mp.diff(turned, 0), mp.diff(passed_on, 0)]
-
-
 def shaken_outer(A, F_0, m, zeta, h):
     """Roots in X = 1/Omega^2 of F over Omega^4 without odd powers of Omega: of the mean over both its signs."""
 
@@ -343,7 +228,6 @@ def shaken_share(A, zeta, h):
     return [1 - least**2 * abs(h) / (4 * zeta**2 * A**3)]
 
 
-SHAKEN_CAUSES = "h_p h_Ap h_AAp m_p zeta_p end_p forcing_p frequency_p"
 INERTIA: dict[str, tuple[str, Function]] = {
     "force": ("Omega F_0", lambda *x: [inertial(*x)]),
     "level": ("Omega A m zeta h", lambda *x: [shaken_level(*x)]),
@@ -364,12 +248,6 @@ INERTIA: dict[str, tuple[str, Function]] = {
     "cusp_bend": ("Omega A m zeta h h_A h_AA h_AAA", lambda *x: [shaken_sense(3, *x)]),
     "hessian": ("Omega A m zeta h h_A h_AA", lambda *x: [shaken_hessian(*x)]),
     "bound": ("A F_0 zeta h h_A h_AA h_AAA lost", shaken_bound),
-    **{
-        f"moves_of_{kind}": (f"Omega A F_0 m zeta h h_A h_AA h_AAA {SHAKEN_CAUSES}", shaken_moves(kind))
-        for kind in SHAKEN_ANSWERS
-    },
-    "beside": ("Omega A F_0 m zeta h h_A", shaken_beside),
-    "moves_of_phase": ("Omega A F_0 m zeta h h_A h_p m_p zeta_p A_p Omega_p F_0_p", shaken_moves_of_phase),
     "force_slopes": ("Omega F_0", lambda *x: [mp.diff(inertial, x, n) for n in ((1, 0), (0, 1))]),
     "least_Omega_A": ("x A m zeta h h_A", lambda *x: [shaken_drift(*x)]),
     "outer": ("A F_0 m zeta h", shaken_outer),

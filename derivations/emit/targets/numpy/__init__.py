@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING
 import jinja2
 import sympy as sp
 
-from ....gradients import KINDS
 from ....mechanisms import DAMPING, DISSIPATION, EXCITATIONS, RUBS, Parameter
 from ....quadrature import rule
 from ....slow_flow import SCENES
@@ -96,7 +95,6 @@ def text(module: Module, code: Code) -> str:
             selections=[selection_view(selection) for selection in module.selections],
             compositions=[composition_view(composition, CALLS) for composition in module.compositions],
             exported=exported(module),
-            moves=moves_of(module),
             borrowed={other: sorted(names, key=in_import) for other, names in sorted(module.borrowed.items())},
             regimes=regimes(module),
             measured=measured.of(module),
@@ -120,7 +118,6 @@ def signatures(module: Module) -> str:
         .render(
             module=module,
             exported=exported(module),
-            moves=moves_of(module),
             borrowed={other: sorted(names, key=in_import) for other, names in sorted(module.borrowed.items())},
             constants={name: kind(value) for name, value in module.constants.items()},
             functions=[(one.name, taken(one), given(one)) for one in named],
@@ -184,12 +181,6 @@ def compiled(module: Module) -> dict[str, list[str]]:
     }
 
 
-def moves_of(module: Module) -> list[str]:
-    """How each kind of answer moves, in the order of the kinds; none where a module does not say it."""
-    own = {kernel.name for kernel in module.kernels}
-    return [name for kind in KINDS if (name := f"moves_of_{kind}") in own]
-
-
 def exported(module: Module) -> list[str]:
     """Public names of a Python module, sorted as in an import."""
     own = [
@@ -197,7 +188,6 @@ def exported(module: Module) -> list[str]:
         *(one.name for one in (*module.kernels, *module.twofolds, *module.selections, *module.compositions)),
         *(name for names in module.borrowed.values() for name in names),
         *(["MECHANISM"] if module.record else []),
-        *(["MOVES"] if moves_of(module) else []),
     ]
     return sorted(own, key=in_import)
 
