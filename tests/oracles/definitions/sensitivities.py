@@ -76,7 +76,7 @@ def moves(kind, force):
         if kind not in ("isola", "corner_backbone"):
             determinant = mp.fprod(whole.derivative(*order, 0, 0) for order in pivots)
             determinant *= 1 if "forcing" in conditions else rows[0][2]
-            assert mp.almosteq(abs(mp.det(system)), abs(determinant), rel_eps=mpf(10) ** -40)
+            assert mp.almosteq(abs(mp.det(system)), abs(determinant), rel_eps=mpf(10) ** (8 - mp.dps))
         return moved
 
     return of
