@@ -7,6 +7,7 @@
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 #pragma GCC target("avx2,fma,bmi,bmi2,lzcnt")
 #endif
+#include <string.h>
 #include <time.h>
 
 #include "ranges.h"
@@ -62,28 +63,28 @@ static void counted_value(const sf_asked *asked, int open, const sf_sample *at, 
     sf_ask(asked, open, at, out);
 }
 
-static void counted_average(ptrdiff_t n, const double *A, const double *p, double *out) {
+static void counted_average(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out) {
     kept_average *kept = &average_kept[averages++ % KEPT];
     kept->A = *A;
     memcpy(kept->p, p, (size_t)record->parameters * sizeof *p);
-    record->averaged(n, A, p, out);
+    record->averaged(self, n, A, p, out);
 }
 
-static void counted_in_pairs(int passed, int wanted, sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out) {
+static void counted_in_pairs(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond, const sf_pair *p, sf_pair *out) {
     kept_pairs *kept = &pairs_kept[in_pairs++ % KEPT];
     kept->passed = passed, kept->wanted = wanted, kept->A = A, kept->beyond = beyond;
     memcpy(kept->p, p, (size_t)record->parameters * sizeof *p);
-    record->averaged_in_pairs(passed, wanted, A, beyond, p, out);
+    record->averaged_in_pairs(self, passed, wanted, A, beyond, p, out);
 }
 
-static int counted_parameters(const double *design, double *p) {
+static int counted_parameters(const sf_mechanism *self, const double *design, double *p) {
     made++;
-    return record->parameters_of(design, p);
+    return record->parameters_of(self, design, p);
 }
 
-static void counted_within(const double *design, sf_interval *p) {
+static void counted_within(const sf_mechanism *self, const double *design, sf_interval *p) {
     in_intervals++;
-    record->parameters_within(design, p);
+    record->parameters_within(self, design, p);
 }
 
 static void keep_quartic(int of_folds, double A, double h, double m, double zeta, double more) {
@@ -129,9 +130,9 @@ typedef struct {
 } lanes;
 static lanes cells_in_lanes, amplitudes_in_lanes, averages_in_lanes, balances_in_lanes, made_in_lanes;
 
-static void counted_many_in_pairs(ptrdiff_t n, ptrdiff_t apart, const double *design, double *out) {
+static void counted_many_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart, const double *design, double *out) {
     const double start = now();
-    record->many_in_pairs(n, apart, design, out);
+    record->many_in_pairs(self, n, apart, design, out);
     made_in_lanes.seconds += now() - start, made_in_lanes.calls++, made_in_lanes.places += n;
 }
 
@@ -172,8 +173,8 @@ COUNT_BALANCES(sf_second_answers)
 #define sf_second_balances counted_sf_second_balances
 #define sf_second_answers counted_sf_second_answers
 #define SF_SOLVERS solvers_counted
-#define SF_RECORDS records_counted
-#include "shipped.h"
+/* in a source of its own */
+#define SF_RECORDS sf_records_baseline
 #include "solvers.h"
 
 static double least(double a, double b) { return a < b ? a : b; }
@@ -222,7 +223,7 @@ static double seconds_of_averages(long n) {
     for (int round = 0; round < ROUNDS; round++) {
         const double start = now();
         for (long i = 0; i < n; i++) {
-            record->averaged(1, &average_kept[i].A, average_kept[i].p, h);
+            record->averaged(record, 1, &average_kept[i].A, average_kept[i].p, h);
             sink = h[0];
         }
         best = least(best, (now() - start) / (double)n);
@@ -237,7 +238,7 @@ static double seconds_in_pairs(long n) {
         const double start = now();
         for (long i = 0; i < n; i++) {
             const kept_pairs *kept = &pairs_kept[i];
-            record->averaged_in_pairs(kept->passed, kept->wanted, kept->A, kept->beyond, kept->p, h);
+            record->averaged_in_pairs(record, kept->passed, kept->wanted, kept->A, kept->beyond, kept->p, h);
             sink = h[0].high;
         }
         best = least(best, (now() - start) / (double)n);
@@ -275,7 +276,7 @@ static void seconds_of_designs(char **args, const ptrdiff_t *steps, long n, doub
         out[0] = least(out[0], (now() - start) / (double)n), start = now();
         for (long k = 0; k < n; k++) {
             sf_read_numbers_at(record, args, steps, k, &given);
-            record->parameters_within(given.design, within), sink = within[0].lo;
+            record->parameters_within(record, given.design, within), sink = within[0].lo;
         }
         out[1] = least(out[1], (now() - start - reading) / (double)n);
     }
@@ -322,9 +323,9 @@ static double seconds_in_lanes(const lanes *of) {
 
 static int find_record(const char *name) {
     record = NULL;
-    for (int i = 0; i < records_counted.count; i++)
-        if (strcmp(records_counted.all[i]->name, name) == 0)
-            record = records_counted.all[i];
+    for (int i = 0; i < sf_records_baseline.count; i++)
+        if (strcmp(sf_records_baseline.all[i]->name, name) == 0)
+            record = sf_records_baseline.all[i];
     return record != NULL;
 }
 
@@ -409,7 +410,7 @@ int curve(const char *name, const double *design, double F_0, const double *wind
     long n = 0;
     int answered = 0;
     if (room != NULL && Omega != NULL && A != NULL && branch != NULL && stable != NULL && find_record(name) &&
-        record->parameters_of(design, model.p) && record->damping_of(design + record->design_size, model.damping) &&
+        record->parameters_of(record, design, model.p) && record->damping_of(design + record->design_size, model.damping) &&
         sf_prepare(record, design, &model) &&
         sf_give(record, design, design[record->design_size], design[record->design_size + 1], &given)) {
         out[3] = out[4] = out[5] = HUGE_VAL;
@@ -435,16 +436,16 @@ int curve(const char *name, const double *design, double F_0, const double *wind
     return answered;
 }
 
-static void timed_averages(ptrdiff_t n, const double *A, const double *p, double *out) {
+static void timed_averages(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out) {
     const double start = now();
-    record->averaged(n, A, p, out);
+    record->averaged(self, n, A, p, out);
     averages_in_lanes.seconds += now() - start, averages_in_lanes.calls++, averages_in_lanes.places += n;
 }
 
 /* of the amplitudes whose averages were taken just before */
-static void timed_harmonics(ptrdiff_t n, const double *A, const double *p, double *out) {
+static void timed_harmonics(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out) {
     const double start = now();
-    record->harmonics(n, A, p, out);
+    record->harmonics(self, n, A, p, out);
     averages_in_lanes.seconds += now() - start, averages_in_lanes.calls++;
 }
 
@@ -456,7 +457,7 @@ int second(const char *name, const double *design, double F_0, int wanted, long 
     static const unsigned char closed[64];
     sf_mechanism counting;
     sf_model model;
-    if (!find_record(name) || record->harmonics == NULL || !record->parameters_of(design, model.p) ||
+    if (!find_record(name) || record->harmonics == NULL || !record->parameters_of(record, design, model.p) ||
         !record->damping_of(design + record->design_size, model.damping) || !sf_prepare(record, design, &model))
         return 0;
     counting = *record, counting.averaged = timed_averages, counting.harmonics = timed_harmonics;

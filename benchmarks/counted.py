@@ -44,7 +44,10 @@ FLAGS = ("-std=gnu11", "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-con
 FOLDERS = ("src/slowflow/native", "generated/c", "generated/native")
 LANES = ("cusp", "fold", "peak", "root", "second", "state")
 SOURCES = {
-    "counted": ("benchmarks/counted.c", *(f"src/slowflow/native/solver/{name}_lanes.c" for name in LANES)),
+    "counted": (
+        "benchmarks/counted.c",
+        *(f"src/slowflow/native/solver/{name}.c" for name in ("shipped_baseline", *(f"{one}_lanes" for one in LANES))),
+    ),
     "counted_motion": ("benchmarks/counted_motion.c",),
 }
 #: by kind: its number in counted.c, the seconds that are asked of a design, its name, the compiled loop
