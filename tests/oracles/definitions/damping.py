@@ -425,7 +425,7 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
     },
     **{
         f"{system}_{'far_' if far else ''}by_{unknown}": (
-            f"{'x' if far else 'Omega'} {LAW_AT.removeprefix('Omega ')} R I R_A I_A",
+            f"{'x' if far else 'Omega'} A F_0 I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA R I R_A I_A",
             searched_system(system, far, unknown),
         )
         for far in (False, True)
