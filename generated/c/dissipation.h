@@ -258,6 +258,7 @@ SF_KERNEL double dissipation_quadratic_bound(double F_0, double d)
 /* F and F_A/2; derivatives by A and by R of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 64 structured, 44 common subexpressions, 44 power chains
+   Measured, error / u (1 + kappa): 0.68
  */
 SF_KERNEL void dissipation_folds_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -285,6 +286,7 @@ SF_KERNEL void dissipation_folds_by_R(double Omega, double A, double F_0, double
 /* F and what vanishes where the level is stationary; derivatives by A and by R of the first, then of the second.
    Equation from (24). Domain: Omega > 0, A > 0.
    Operations: 61 structured, 35 common subexpressions, 35 power chains
+   Measured, error / u (1 + kappa): 0.42
  */
 SF_KERNEL void dissipation_peaks_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -315,6 +317,7 @@ SF_KERNEL void dissipation_peaks_by_R(double Omega, double A, double F_0, double
 /* F_A/2 and F_AA/2; derivatives by A and by R of the first, then of the second.
    Equation from (30), (33). Domain: Omega > 0, A > 0.
    Operations: 122 structured, 66 common subexpressions, 66 power chains
+   Measured, error / u (1 + kappa): 0.72
  */
 SF_KERNEL void dissipation_cusps_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -348,6 +351,7 @@ SF_KERNEL void dissipation_cusps_by_R(double Omega, double A, double F_0, double
 /* F_A/2 and what vanishes where the level is stationary; derivatives by A and by R of the first, then of the second.
    Equation from (30). Domain: Omega > 0, A > 0.
    Operations: 85 structured, 52 common subexpressions, 51 power chains
+   Measured, error / u (1 + kappa): 0.71
  */
 SF_KERNEL void dissipation_isolas_by_R(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -382,6 +386,7 @@ SF_KERNEL void dissipation_isolas_by_R(double Omega, double A, double F_0, doubl
 /* F and F_A/2; derivatives by A and by Omega of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 48 structured, 38 common subexpressions, 38 power chains
+   Measured, error / u (1 + kappa): 0.43
  */
 SF_KERNEL void dissipation_folds_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -407,6 +412,7 @@ SF_KERNEL void dissipation_folds_by_Omega(double Omega, double A, double F_0, do
 /* F and what vanishes where the level is stationary; derivatives by A and by Omega of the first, then of the second.
    Equation from (24). Domain: Omega > 0, A > 0.
    Operations: 76 structured, 48 common subexpressions, 48 power chains
+   Measured, error / u (1 + kappa): 0.52
  */
 SF_KERNEL void dissipation_peaks_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -433,6 +439,7 @@ SF_KERNEL void dissipation_peaks_by_Omega(double Omega, double A, double F_0, do
 /* F_A/2 and F_AA/2; derivatives by A and by Omega of the first, then of the second.
    Equation from (30), (33). Domain: Omega > 0, A > 0.
    Operations: 83 structured, 54 common subexpressions, 54 power chains
+   Measured, error / u (1 + kappa): 0.76
  */
 SF_KERNEL void dissipation_cusps_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -459,6 +466,7 @@ SF_KERNEL void dissipation_cusps_by_Omega(double Omega, double A, double F_0, do
 /* F_A/2 and what vanishes where the level is stationary; derivatives by A and by Omega of the first, then of the second.
    Equation from (30). Domain: Omega > 0, A > 0.
    Operations: 90 structured, 57 common subexpressions, 57 power chains
+   Measured, error / u (1 + kappa): 0.9
  */
 SF_KERNEL void dissipation_isolas_by_Omega(double Omega, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -487,6 +495,7 @@ SF_KERNEL void dissipation_isolas_by_Omega(double Omega, double A, double F_0, d
 /* F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 68 structured, 45 common subexpressions, 45 power chains
+   Measured, error / u (1 + kappa): 0.53
  */
 SF_KERNEL void dissipation_folds_far_by_R(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -510,6 +519,7 @@ SF_KERNEL void dissipation_folds_far_by_R(double x, double A, double F_0, double
 /* F and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
    Equation from (24). Domain: Omega > 0, A > 0.
    Operations: 82 structured, 53 common subexpressions, 53 power chains
+   Measured, error / u (1 + kappa): 0.91
  */
 SF_KERNEL void dissipation_peaks_far_by_R(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -543,6 +553,7 @@ SF_KERNEL void dissipation_peaks_far_by_R(double x, double A, double F_0, double
 /* F_A/2 and F_AA/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
    Equation from (30), (33). Domain: Omega > 0, A > 0.
    Operations: 136 structured, 72 common subexpressions, 72 power chains
+   Measured, error / u (1 + kappa): 0.84
  */
 SF_KERNEL void dissipation_cusps_far_by_R(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -577,6 +588,7 @@ SF_KERNEL void dissipation_cusps_far_by_R(double x, double A, double F_0, double
 /* F_A/2 and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.
    Equation from (30). Domain: Omega > 0, A > 0.
    Operations: 106 structured, 70 common subexpressions, 69 power chains
+   Measured, error / u (1 + kappa): 0.7
  */
 SF_KERNEL void dissipation_isolas_far_by_R(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -610,6 +622,7 @@ SF_KERNEL void dissipation_isolas_far_by_R(double x, double A, double F_0, doubl
 /* F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0.
    Operations: 48 structured, 40 common subexpressions, 40 power chains
+   Measured, error / u (1 + kappa): 0.59
  */
 SF_KERNEL void dissipation_folds_far_by_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -630,6 +643,7 @@ SF_KERNEL void dissipation_folds_far_by_x(double x, double A, double F_0, double
 /* F and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
    Equation from (24). Domain: Omega > 0, A > 0.
    Operations: 75 structured, 54 common subexpressions, 54 power chains
+   Measured, error / u (1 + kappa): 0.91
  */
 SF_KERNEL void dissipation_peaks_far_by_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -656,6 +670,7 @@ SF_KERNEL void dissipation_peaks_far_by_x(double x, double A, double F_0, double
 /* F_A/2 and F_AA/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
    Equation from (30), (33). Domain: Omega > 0, A > 0.
    Operations: 93 structured, 63 common subexpressions, 62 power chains
+   Measured, error / u (1 + kappa): 0.75
  */
 SF_KERNEL void dissipation_cusps_far_by_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {
@@ -682,6 +697,7 @@ SF_KERNEL void dissipation_cusps_far_by_x(double x, double A, double F_0, double
 /* F_A/2 and what vanishes where the level is stationary of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by x of the first, then of the second.
    Equation from (30). Domain: Omega > 0, A > 0.
    Operations: 89 structured, 65 common subexpressions, 65 power chains
+   Measured, error / u (1 + kappa): 0.41
  */
 SF_KERNEL void dissipation_isolas_far_by_x(double x, double A, double F_0, double I_0, double I_0A, double I_0AA, double I_0AAA, double zeta, double d, double h, double h_A, double h_AA, double h_AAA, double R, double I_, double R_A, double I_A, double *out)
 {

@@ -1019,6 +1019,7 @@ def folds_by_R(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 64 structured, 44 common subexpressions, 44 power chains.
+    Measured, error / u (1 + kappa): 0.68
     """
     t0 = 1.0 / Omega
     t1 = A * Omega * d
@@ -1043,6 +1044,7 @@ def peaks_by_R(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     Equation from (24). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 61 structured, 35 common subexpressions, 35 power chains.
+    Measured, error / u (1 + kappa): 0.42
     """
     t0 = A * d
     t1 = 1.0 / Omega
@@ -1068,6 +1070,7 @@ def cusps_by_R(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     Equation from (30), (33). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 122 structured, 66 common subexpressions, 66 power chains.
+    Measured, error / u (1 + kappa): 0.72
     """
     t0 = 2.0 * d
     t1 = Omega * Omega * t0
@@ -1099,6 +1102,7 @@ def isolas_by_R(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, 
     Equation from (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 85 structured, 52 common subexpressions, 51 power chains.
+    Measured, error / u (1 + kappa): 0.71
     """
     t0 = A * d
     t1 = 1.0 / Omega
@@ -1129,6 +1133,7 @@ def folds_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_A
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 48 structured, 38 common subexpressions, 38 power chains.
+    Measured, error / u (1 + kappa): 0.43
     """
     t0 = I * I_A + R * R_A
     t1 = Omega * R
@@ -1151,6 +1156,7 @@ def peaks_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_A
     Equation from (24). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 76 structured, 48 common subexpressions, 48 power chains.
+    Measured, error / u (1 + kappa): 0.52
     """
     t0 = zeta / Omega
     t1 = 3.0 * zeta
@@ -1174,6 +1180,7 @@ def cusps_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_A
     Equation from (30), (33). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 83 structured, 54 common subexpressions, 54 power chains.
+    Measured, error / u (1 + kappa): 0.76
     """
     t0 = 2.0 * d
     t1 = Omega * Omega * t0
@@ -1198,6 +1205,7 @@ def isolas_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_
     Equation from (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 90 structured, 57 common subexpressions, 57 power chains.
+    Measured, error / u (1 + kappa): 0.9
     """
     t0 = zeta / Omega
     t1 = 3.0 * zeta
@@ -1224,6 +1232,7 @@ def folds_far_by_R(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 68 structured, 45 common subexpressions, 45 power chains.
+    Measured, error / u (1 + kappa): 0.53
     """
     t0 = 1.0 / h
     t1 = t0 / x
@@ -1248,6 +1257,7 @@ def peaks_far_by_R(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     Equation from (24). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 82 structured, 53 common subexpressions, 53 power chains.
+    Measured, error / u (1 + kappa): 0.91
     """
     t0 = 1.0 / h
     t1 = 1.0 / x
@@ -1279,6 +1289,7 @@ def cusps_far_by_R(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     Equation from (30), (33). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 136 structured, 72 common subexpressions, 72 power chains.
+    Measured, error / u (1 + kappa): 0.84
     """
     t0 = 2.0 * d
     t1 = x * x
@@ -1315,6 +1326,7 @@ def isolas_far_by_R(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, 
     Equation from (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 106 structured, 70 common subexpressions, 69 power chains.
+    Measured, error / u (1 + kappa): 0.7
     """
     t0 = 1.0 / h
     t1 = 1.0 / x
@@ -1348,6 +1360,7 @@ def folds_far_by_x(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     Equation from (24), (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 48 structured, 40 common subexpressions, 40 power chains.
+    Measured, error / u (1 + kappa): 0.59
     """
     t0 = I * I_A + R * R_A
     t1 = R * x
@@ -1369,6 +1382,7 @@ def peaks_far_by_x(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     Equation from (24). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 75 structured, 54 common subexpressions, 54 power chains.
+    Measured, error / u (1 + kappa): 0.91
     """
     t0 = R * h
     t1 = A * zeta
@@ -1394,6 +1408,7 @@ def cusps_far_by_x(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h
     Equation from (30), (33). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 93 structured, 63 common subexpressions, 62 power chains.
+    Measured, error / u (1 + kappa): 0.75
     """
     t0 = 2.0 * d
     x2 = x * x
@@ -1422,6 +1437,7 @@ def isolas_far_by_x(x, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, 
     Equation from (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
     broadcast.
     Operations: 89 structured, 65 common subexpressions, 65 power chains.
+    Measured, error / u (1 + kappa): 0.41
     """
     t0 = A * zeta
     t1 = I_0 * x
