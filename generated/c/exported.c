@@ -14,6 +14,7 @@
 #include "inertia.h"
 #include "dissipation.h"
 #include "sensitivities.h"
+#include "sampled.h"
 #include "motion.h"
 #include "second_approximation.h"
 #include "den_hartog.h"

@@ -139,7 +139,11 @@ def compiled_model(
     inertial: bool,
 ) -> Any:
     """One oscillator as the compiled solvers take it, None where they have no record of its mechanism, or refuse it."""
-    record = record_of(mechanism, inertial, len(damping) > 2)
+    laws = len(damping) > 2
+    if SOLVER is not None and mechanism.samples is not None:
+        record = SOLVER.samples(mechanism.name, *mechanism.samples(*parameters), inertial, laws)
+    else:
+        record = record_of(mechanism, inertial, laws)
     return None if SOLVER is None or record is None else SOLVER.model(record, parameters, damping, design)
 
 

@@ -73,11 +73,11 @@ class Stated:
 class Sampled(Stated):
     """A mechanism whose force is stated by Python functions: what they are asked for stands in place of a derivation.
 
-    It has what `Stated` has; all of it is NumPy's and SciPy's, and slower.
+    It has what `Stated` has; its averages are sums over polynomials, and exact motions are SciPy's.
     """
 
     def __repr__(self) -> str:
-        return self._told("a Python function: by its values, quadrature on NumPy, slower")
+        return self._told("a Python function: by its values")
 
 
 class Derived(Stated):

@@ -177,7 +177,7 @@ class Model:
         m, breakpoints, jumps = self._prepared() if native is None else backend.prepared(native)
         flow = general_flow if self.laws.any else flow_of(*damping)
         self.__dict__.update(flow=flow, m=m, breakpoints=breakpoints, jumps=jumps, native=native, searched=native)
-        if native is None and not self.mechanism.is_generated:
+        if not self.mechanism.is_generated:
             check_at_rest(self.mechanism, self.parameters)
         if self.laws.any:
             self._check_laws()

@@ -156,6 +156,8 @@ class Mechanism:
                    at each breakpoint
     curved      -- where `steps` is None, what means off the centre are summed from; None where nothing is known there
     told        -- of the parameters: in words, how a force is known that is no formula; None for one that is
+    samples     -- of the parameters: the words and numbers by which the compiled solvers know a force that is no
+                   formula; None for one that is
     mirrored    -- the first piece, in words, where as it was written it is another one for u < 0 than the mirror image
                    that stands for it; "" where it is not
     odd         -- whether the force is odd, its pieces stated for u > 0; else they are by rising u, breakpoints are
@@ -189,6 +191,7 @@ class Mechanism:
     curved: Curved | None = None
     odd: bool = True
     told: Function | None = None
+    samples: Function | None = None
     mirrored: str = ""
 
     @cached_property

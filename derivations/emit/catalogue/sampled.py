@@ -30,6 +30,8 @@ def sampled_module(results: Results) -> Module:
             beyond,
             lets=lets,
             searched=True,
+            enclosed=True,
+            in_c=False,
             **generic,
         )
         for lowest, value in enumerate(of.bent_end)
@@ -38,7 +40,6 @@ def sampled_module(results: Results) -> Module:
         name="sampled",
         title="The average of a force that is known by its values and those of its derivatives, u = A sine",
         inputs=("quadrature.py", "sampled.py"),
-        in_c=False,
         kernels=(
             plain("at_rest", (f[0],), of.at_rest, "h as A tends to 0.", "(20)", "any", **generic),
             plain(
@@ -107,6 +108,8 @@ def sampled_module(results: Results) -> Module:
                 "(20), (31)",
                 "any",
                 searched=True,
+                enclosed=True,
+                in_c=False,
                 **generic,
             ),
             *ends,

@@ -16,7 +16,7 @@
 #include "pair.h"
 
 enum {
-    SF_FORM = 11, /* of the record below; one of another form is refused */
+    SF_FORM = 12, /* of the record below; one of another form is refused */
     SF_MOST_DESIGN = 16,
     SF_MOST_DAMPING = 5,
     SF_MOST_PARAMETERS = 16,
@@ -27,6 +27,9 @@ typedef struct sf_mechanism sf_mechanism;
 
 /* What the record of a force that is interpreted is made from, see program.h. */
 typedef struct sf_program sf_program;
+
+/* What the record of a force that is known by its values is made from, see sampled.h. */
+typedef struct sf_sampled sf_sampled;
 
 struct sf_mechanism {
     int form;
@@ -110,7 +113,9 @@ struct sf_mechanism {
     void (*on_first_end_in_pairs)(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart, const double *design,
                                   double *out);
 
-    const sf_program *program; /* what the functions interpret; NULL where they are compiled ones of this very force */
+    /* what the functions read; NULL where they are compiled ones of this very force */
+    const sf_program *program;
+    const sf_sampled *sampled;
 };
 
 /* A parameter that is a difference of nearly equal numbers, as a stiffness next to 0, has few digits in doubles: such

@@ -600,6 +600,15 @@ static inline void *sf_room_for(sf_reader *from, int items, size_t size) {
     return made + 2;
 }
 
+/* Frees all of it. */
+static inline void sf_leave_room(sf_reader *from) {
+    while (from->room != NULL) {
+        void **const last = from->room;
+        from->room = *last;
+        free(last);
+    }
+}
+
 static inline int sf_has(int arithmetic, int operation) {
     switch ((sf_operation)operation) {
     case SF_ADD_OPERATION:
@@ -859,11 +868,8 @@ static sf_status sf_read_program(const sf_mechanism *like, const char *name, con
         sf_read_all(&from, made, program);
     }
     *record = made;
-    while (from.status != SF_OK && from.room != NULL) {
-        void **const last = from.room;
-        from.room = *last;
-        free(last);
-    }
+    if (from.status != SF_OK)
+        sf_leave_room(&from);
     return from.status;
 }
 

@@ -38,6 +38,7 @@ struct sf_quarter {
     const int *begins;
     sf_interpreted interpreted;
     const void *programs;
+    const double *rough; /* what each integrand is in doubt by, wherever it is; NULL where rounding is relative to it */
 };
 
 /* A piece's part of the quarter: its span, and the sine and the cosine of where it begins. */
@@ -90,6 +91,11 @@ static inline void sf_panels(const sf_quarter *of, int wanted, const sf_part *on
     }
 }
 
+/* Whether a sum moved by more than what its integrand is in doubt by. */
+static inline int sf_is_apart(const sf_quarter *of, int k, double span, double moved, double size) {
+    return moved > SF_AGREED * size + (of->rough != NULL ? of->rough[k] * span : 0);
+}
+
 /* Whether sums differ from those by half as many panels by no more than roundings of A and of the parameters make of
  * them. */
 static inline int sf_moves_as_rounding(const sf_quarter *of, int wanted, const sf_part *on, double A, const double *p,
@@ -108,7 +114,7 @@ static inline int sf_moves_as_rounding(const sf_quarter *of, int wanted, const s
     }
     for (k = 0; k < wanted; k++) {
         const double moved = fabs(sums[k] - before[k]);
-        if (moved > SF_AGREED * sizes[k] && !(moved <= moves[k]))
+        if (sf_is_apart(of, k, on->span, moved, sizes[k]) && !(moved <= moves[k]))
             return 0;
     }
     return 1;
@@ -124,7 +130,7 @@ static inline int sf_settled_part(const sf_quarter *of, int wanted, const sf_par
         int apart = panels == 1;
         sf_panels(of, wanted, on, A, p, panels, sums, sizes);
         for (k = 0; k < wanted && panels > 1 && !(on->span <= SF_SHORT_PART); k++)
-            apart |= fabs(sums[k] - before[k]) > SF_AGREED * sizes[k];
+            apart |= sf_is_apart(of, k, on->span, fabs(sums[k] - before[k]), sizes[k]);
         if (!apart ||
             (panels >= SF_FEWEST_PANELS && sf_moves_as_rounding(of, wanted, on, A, p, panels, sums, before, sizes)))
             return 1;

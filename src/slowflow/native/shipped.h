@@ -3,5 +3,7 @@
 #include "interface.h"
 #include "program.h"
 #include "records.h"
+#include "sampled_force.h"
 
-const sf_records SF_RECORDS = {records, sizeof records / sizeof records[0], sf_read_program};
+const sf_records SF_RECORDS = {records, sizeof records / sizeof records[0], sf_read_program, sf_read_samples,
+                              sf_free_samples};

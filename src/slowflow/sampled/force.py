@@ -10,6 +10,7 @@ from __future__ import annotations
 import inspect
 import math
 import pickle
+from array import array
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -19,7 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 
-from slowflow.sampled.polynomial import ORDERS, Floats, Smooth
+from slowflow.sampled.polynomial import CELLS, ORDERS, Floats, Smooth
 from slowflow_kernels import sampled
 from slowflow_kernels.quadrature_conventions import DENSE, NODES
 from slowflow_support.errors import Refused, WrongType
@@ -111,6 +112,21 @@ class Force:
     def points(self) -> int:
         """How many values stand for it."""
         return sum(one.points for one in self.smooth if one is not None)
+
+    @cached_property
+    def samples(self) -> tuple[bytes, bytes]:
+        """What native/sampled_force.h reads: ints and doubles, as bytes."""
+        words = [len(self.numbers), len(self.ends) - 1, len(RULE)]
+        numbers: list[Any] = [np.ravel(RULE)]
+        for end, lost, piece in zip(self.ends, self.lost, self.smooth, strict=True):
+            words.append(0 if piece is None else piece.of[0].size)
+            if piece is not None:
+                words += [piece.power, CELLS]
+                ranges = [part for one in piece.ranges for part in (one.least[0], one.most[0])]
+                numbers += [[piece.length], *piece.of, piece.ranges[0].edges, *ranges]
+            numbers += [[end], lost]
+        rough = [max(one.rough(order) for one in self.smooth if one is not None) for order in range(ORDERS)]
+        return array("i", words).tobytes(), np.concatenate([*numbers, self.line, rough]).tobytes()
 
     def beyond(self, v: Any, orders: Sequence[int]) -> list[Any]:
         """The straight line from the reach on, and its derivatives of these orders."""

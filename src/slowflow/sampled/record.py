@@ -86,10 +86,13 @@ class Asked:
     def hardening(self, *given: Any) -> Any:
         return self._by_design(given, of=lambda force: (-1.0,))
 
+    def samples(self, *given: Any) -> tuple[bytes, bytes]:
+        return self.stated.force(self._numbers(given)).samples
+
     def told(self, *given: Any) -> str:
         force = self.stated.force(self._numbers(given))
         by = f"by {force.points} of its values, error {force.error:.1g}"
-        return f"a Python function, {by}; quadrature on NumPy, not compiled"
+        return f"a Python function, {by}; sums over polynomials"
 
     # --- of the amplitude ---
 
@@ -174,4 +177,5 @@ def record(stated: Stated, title: str, design: tuple[Parameter, ...], reach_reas
             tuple(Asked(stated, Asked.enclosed_closing, k) for k in range(count)),
         ),
         told=Asked(stated, Asked.told),
+        samples=Asked(stated, Asked.samples),
     )

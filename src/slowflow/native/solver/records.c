@@ -3,6 +3,9 @@
  *   RECORDS                                     name -> record, of the mechanisms that were compiled in
  *   program(name, words, numbers)               a record that interprets them; ValueError where they are no program,
  *                                               None where the force is beyond what a record has room for
+ *   samples(name, words, numbers, inertial, with_laws)
+ *                                               a record of one design of a force that is known by its values, let go
+ *                                               with the last oscillator that was made of it; likewise
  *   parameters_of(record, design)               the parameters of a design; ValueError where it is outside its domain
  *   inertial(record)                            the same mechanism excited by inertia, F_0 Omega^2; zeta > 0
  *   with_laws(record)                           the same mechanism with damping by any law: mu, zeta, eta, c_2, and
@@ -12,7 +15,7 @@
  *                                               proved of the design, () where that is not known
  *
  * A record compiled elsewhere is a capsule named SF_RECORD around its sf_mechanism, which has to live as long as
- * anything made from it.
+ * the capsule and the functions for many designs that were made from it.
  */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
@@ -123,11 +126,44 @@ static PyObject *program(PyObject *self, PyObject *args)
     }
 }
 
-/* What the capsule of a model points to. */
+static void free_samples(PyObject *capsule)
+{
+    sf_here()->records->free_samples(PyCapsule_GetPointer(capsule, SF_RECORD));
+}
+
+static PyObject *samples(PyObject *self, PyObject *args)
+{
+    sf_mechanism *record;
+    const char *name, *words, *numbers;
+    Py_ssize_t count, length;
+    int inertial, with_laws;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "sy#y#pp", &name, &words, &count, &numbers, &length, &inertial, &with_laws))
+        return NULL;
+    switch (sf_here()->records->of_samples(sf_here()->records->all[0], name, (const int *)(const void *)words,
+                                    count / (Py_ssize_t)sizeof(int), (const double *)(const void *)numbers,
+                                    length / (Py_ssize_t)sizeof(double), &record)) {
+    case SF_OK:
+        if (inertial)
+            sf_excite_by_inertia(record);
+        if (with_laws)
+            sf_add_laws(record);
+        return PyCapsule_New(record, SF_RECORD, free_samples);
+    case SF_TOO_MANY:
+        Py_RETURN_NONE;
+    case SF_NO_MEMORY:
+        return PyErr_NoMemory();
+    default:
+        return PyErr_Format(PyExc_ValueError, "%s: its words and numbers are no polynomials", name);
+    }
+}
+
+/* What the capsule of a model points to; it keeps its record. */
 typedef struct {
     sf_model model;
     sf_given given;
     int is_given;
+    PyObject *record;
 } oscillator;
 
 const sf_model *sf_model_in(PyObject *capsule)
@@ -144,7 +180,9 @@ const sf_given *sf_given_in(PyObject *capsule)
 
 static void free_model(PyObject *capsule)
 {
-    free(PyCapsule_GetPointer(capsule, SF_MODEL));
+    oscillator *made = PyCapsule_GetPointer(capsule, SF_MODEL);
+    Py_DECREF(made->record);
+    free(made);
 }
 
 int sf_read_numbers(PyObject *tuple, int n, const char *name, const char *what, double *values)
@@ -211,9 +249,12 @@ static PyObject *new_model(PyObject *self, PyObject *args)
                 Py_RETURN_NONE;
             }
             made->is_given = known && sf_give(record, design, damping[0], damping[1], &made->given);
+            made->record = capsule;
             PyObject *result = PyCapsule_New(made, SF_MODEL, free_model);
-            if (result != NULL)
+            if (result != NULL) {
+                Py_INCREF(capsule);
                 return result;
+            }
         } else {
             PyErr_Format(PyExc_ValueError, "%s: the damping is outside its domain", record->name);
         }
@@ -234,6 +275,7 @@ static PyObject *prepared(PyObject *self, PyObject *capsule)
 static PyMethodDef functions[] = {
     {"prepared", prepared, METH_O, "(oscillator) -> 4 mu/pi, breakpoints, jumps at these; none at 0"},
     {"program", program, METH_VARARGS, "(name, words, numbers) -> a record that interprets them, or None"},
+    {"samples", samples, METH_VARARGS, "(name, words, numbers, inertial, with_laws) -> a record of polynomials, or None"},
     {"parameters_of", parameters_of, METH_VARARGS, "(record, design) -> parameters"},
     {"model", new_model, METH_VARARGS, "(record, parameters, damping, design) -> an oscillator"},
     {NULL, NULL, 0, NULL},
