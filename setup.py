@@ -2,9 +2,10 @@
 
 All else says pyproject.toml.
 
-What is built is compiled, or the build fails. Only a checkout installs without a C compiler too (`pip install
---editable`, `build_ext --inplace`), and runs on NumPy. SLOWFLOW_PURE=1 asks for a package that runs on NumPy; a wheel's
-name says so. The C is committed: building it needs NumPy's headers and nothing that derives or renders.
+What is built is compiled, or the build fails. On Linux without a C compiler, and without CC in the environment, it is
+compiled by that of `ziglang`, from PyPI: an isolated build takes it, the Makefile installs it. SLOWFLOW_PURE=1 asks for
+a package that runs on NumPy; a wheel's name says so. The C is committed: building it needs NumPy's headers and nothing
+that derives or renders.
 
 To the solver's extension a further source is added by putting it into src/slowflow/native/solver/.
 """
@@ -18,6 +19,7 @@ import sysconfig
 import tempfile
 import tomllib
 from concurrent.futures import ThreadPoolExecutor
+from importlib.util import find_spec
 from itertools import chain, repeat
 from pathlib import Path
 
@@ -47,6 +49,35 @@ TARGETS = {
     "x86-64-v3": FMA,
 }
 CFLAGS = shlex.split(os.environ.get("CFLAGS", ""))
+#: it compiles for this very processor if nothing else is said, and has sanitizers on
+OF_ZIG = ["-fno-sanitize=undefined", "-w"]
+
+
+def compiles(command):
+    """Whether a command compiles anything at all: it may be absent, or a placeholder that asks to be installed."""
+    with tempfile.TemporaryDirectory() as folder:
+        source = Path(folder, "empty.c")
+        source.write_text("int slowflow_empty;\n", encoding="utf-8")
+        try:
+            done = subprocess.run([*command, "-c", str(source), "-o", f"{source}.o"], capture_output=True, check=False)
+        except OSError:
+            return False
+    return done.returncode == 0
+
+
+def lacks_compiler():
+    """Whether a build has to take one from PyPI: where CC says which one it is to be, that is it."""
+    if PURE or sys.platform != "linux" or "CC" in os.environ:
+        return False
+    return not compiles(shlex.split(sysconfig.get_config_var("CC") or "cc"))
+
+
+LACKS_COMPILER = lacks_compiler()
+FROM_PYPI = LACKS_COMPILER and find_spec("ziglang") is not None
+if FROM_PYPI:
+    ZIG = f"{shlex.quote(sys.executable)} -m ziglang cc"
+    print("slowflow: no C compiler works here; compiled by ziglang, from PyPI.", file=sys.stderr)
+    os.environ.update(CC=ZIG, LDSHARED=f"{ZIG} -shared")
 
 
 class Build(build_ext):
@@ -67,35 +98,21 @@ class Build(build_ext):
                     path.unlink()
         try:
             super().run()
-        except (BaseError, CompileError, LinkError) as error:
+        except (BaseError, CompileError, LinkError, OSError) as error:
             raise SystemExit(
                 f"slowflow: the extension modules could not be compiled ({error}), see above. This needs a C compiler "
-                "and the headers of Python (on Debian: apt install gcc python3-dev). With SLOWFLOW_PURE=1 in the "
-                "environment the package is built without: the same answers, slower."
+                "and the headers of Python (on Debian: apt install gcc python3-dev; a compiler is in PyPI's ziglang "
+                "too, pip install ziglang). With SLOWFLOW_PURE=1 in the environment the package is built without: the "
+                "same answers, slower."
             ) from error
 
-    def has_compiler(self):
-        """Whether anything at all compiles: the compiler may be absent, or a placeholder that asks to be installed."""
-        with tempfile.TemporaryDirectory() as folder:
-            source = Path(folder, "empty.c")
-            source.write_text("int slowflow_empty;\n", encoding="utf-8")
-            try:
-                self.compiler.compile([str(source)], output_dir=folder)
-            except (BaseError, CompileError):
-                return False
-        return True
-
     def build_extensions(self):
-        if self.in_checkout and not self.has_compiler():
-            self.extensions = []
-            print(
-                "slowflow: no C compiler works here; this checkout runs on NumPy: the same answers, slower.",
-                file=sys.stderr,
-            )
-            return
+        own = [*FLAGS.get(self.compiler.compiler_type, []), *(OF_ZIG if FROM_PYPI else [])]
+        if FROM_PYPI and not self.in_checkout:
+            own.append("-mcpu=baseline")
         for extension in self.extensions:
             # the user's have the last word
-            extension.extra_compile_args = [*FLAGS.get(self.compiler.compiler_type, []), *CFLAGS]
+            extension.extra_compile_args = [*own, *CFLAGS]
         if self.in_checkout and (target := self.target_here()):
             for extension in self.extensions:
                 extension.sources = [source for source in extension.sources if not source.endswith("_baseline.c")]
@@ -165,7 +182,8 @@ def readme(text, address=None):
 
 
 with open("pyproject.toml", "rb") as stated:
-    SOURCE = tomllib.load(stated)["project"]["urls"].get("Source")
+    PROJECT = tomllib.load(stated)["project"]
+SOURCE = PROJECT["urls"].get("Source")
 
 setup(
     long_description=readme(Path("README.md").read_text(encoding="utf-8"), SOURCE),
@@ -177,6 +195,8 @@ setup(
         extension("slowflow._native", (NATIVE / "solver").glob("*.c")),
         extension("slowflow._exact", (NATIVE / "exact").glob("*.c")),
     ],
+    # which pip installs beside those of pyproject.toml
+    setup_requires=PROJECT["optional-dependencies"]["explorer"] if LACKS_COMPILER and not FROM_PYPI else [],
     cmdclass={"build_ext": Build},
     options={"bdist_wheel": {"py_limited_api": "cp311"}} if STABLE_ABI and not PURE else {},
 )
