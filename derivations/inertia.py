@@ -24,7 +24,7 @@ from .along import T, k
 from .mechanisms import EXCITATIONS as stated
 from .oscillator import F, groups, m, omega, omega_n
 from .slopes import hessian
-from .slow_flow import I, R, SlowFlow, slope
+from .slow_flow import I, R, SlowFlow, reduction, removed, slope
 from .slow_flow import m as friction
 from .symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
 
@@ -65,6 +65,7 @@ class Inertia:
     force_slopes -- its derivatives by Omega and F_0
     amplitude   -- the F_0 of a force at one frequency
     moves_from  -- the Omega from which on the force exceeds what holds a mass at rest, in its let
+    isolation   -- the Omega at which the square of what is transmitted is 1 - reduction of what drives, in its lets
     level       -- the F_0 for which (Omega, A) is a steady state, in R and I
     F           -- response, in R and I
     level_slope -- Omega^5 dlevel^2/dOmega, in R and I
@@ -96,6 +97,8 @@ class Inertia:
     amplitude: sp.Expr
     moves_from_lets: tuple[Let, ...]
     moves_from: sp.Expr
+    isolation_lets: tuple[Let, ...]
+    isolation: sp.Expr
     level: sp.Expr
     F: sp.Expr
     level_slope: sp.Expr
@@ -184,6 +187,8 @@ def inertia(flow: SlowFlow) -> Inertia:
         amplitude=sp.solve(force - excited, F_0)[0],
         moves_from_lets=((turn, sp.solve(force.subs(Omega**2, turn) - holds, turn)[0]),),
         moves_from=sp.sqrt(turn),
+        isolation_lets=_isolation(flow, force),
+        isolation=sp.sqrt(turn),
         level=level,
         F=F_value,
         level_slope=slope_of_level,
@@ -219,6 +224,15 @@ def inertia(flow: SlowFlow) -> Inertia:
         share_lets=share_lets,
         share=share_of_h,
     )
+
+
+def _isolation(flow: SlowFlow, force: sp.Expr) -> tuple[Let, ...]:
+    """R^2 - h^2 = reduction force^2 is linear in Omega^2 but for Omega = 0; without a reduction that is -2 h/A."""
+    over = flow.R**2 - h**2 - (removed * force / F_0) ** 2
+    (value,) = (root for root in sp.solve(sp.expand(over.subs(Omega, sp.sqrt(turn))), turn) if root != 0)
+    apart = -2 * h / (A - removed**2 / A)
+    _vanishes(value - apart, "the frequency of a transmissibility")
+    return (removed, F_0 * sp.sqrt(reduction)), (turn, apart)
 
 
 def _outer(F_value: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[sp.Expr, ...], sp.Expr]:

@@ -22,6 +22,8 @@ R, I = sp.symbols("R I", real=True)
 m = sp.Symbol("m", nonnegative=True)
 #: -h as A tends to 0, where it pulls inwards; Omega^2
 preload, turn = sp.symbols("preload turn", nonnegative=True)
+#: 1 less the square of a transmissibility; the root of it times F_0; sqrt(h^2 + removed^2)
+reduction, removed, whole = sp.symbols("reduction removed whole", nonnegative=True)
 
 #: the scenes that vanishing damping parameters give, by name
 SCENES: dict[str, dict[sp.Symbol, sp.Expr]] = {
@@ -48,7 +50,8 @@ class SlowFlow:
     stability     -- (30): 4 Omega^2 times the determinant of (28); stable where positive
     equivalent_damping -- (38)
     transmissibility -- amplitude of the transmitted force's fundamental harmonic over F_0
-    isolation      -- the frequency at which that is 1 though the mass moves, in its let
+    isolation      -- the frequency at which the square of that is 1 - reduction though the mass moves, by its lets:
+        where h pulls inwards, and where it pushes outwards
     held           -- the level where A tends to 0 under a preload, below which a mass stays at rest
     response_quartic, fold_quartic, peak_cubic -- coefficients by power of Omega, constant first, of F + F_0^2,
         of F_A/2 and of F_Omega/(4 A); all three lack their second-highest power
@@ -72,7 +75,7 @@ class SlowFlow:
     stability: sp.Expr
     equivalent_damping: sp.Expr
     transmissibility: sp.Expr
-    isolation_lets: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    isolation_lets: tuple[tuple[tuple[sp.Symbol, sp.Expr], ...], ...]
     isolation: sp.Expr
     held: sp.Expr
     response_quartic: tuple[sp.Expr, ...]
@@ -94,12 +97,28 @@ def _coefficients(expression: sp.Expr, degree: int) -> tuple[sp.Expr, ...]:
     return tuple(sp.collect(polynomial.coeff_monomial(Omega**k), (h, A)) for k in range(degree + 1))
 
 
-def _isolation(R_value: sp.Expr) -> sp.Expr:
-    """Omega^2 where h^2 + I^2 = R^2 + I^2, but for Omega = 0: what is transmitted is what drives."""
-    found = [root for root in sp.solve(R_value.subs(Omega**2, turn) ** 2 - h**2, turn) if root != 0]
-    if len(found) != 1:
-        raise ArithmeticError(f"isolation does not begin at one frequency: {found}")
-    return found[0]
+def _isolation(R_value: sp.Expr) -> tuple[tuple[tuple[sp.Symbol, sp.Expr], ...], ...]:
+    """Lets of Omega^2 > 0 where h^2 + I^2 = (1 - reduction) F_0^2 on R^2 + I^2 = F_0^2: for h <= 0, and for h > 0.
+
+    As a quadratic in Omega^2 it has one positive root, the product of both being negative. Each form adds numbers of
+    one sign only: no digits cancel. Without a reduction that is -2 h/A, or 0.
+    """
+    balance = sp.Poly(sp.expand(R_value.subs(Omega**2, turn) ** 2 - h**2 - removed**2), turn)
+    square, half, constant = (
+        balance.coeff_monomial(turn**2),
+        balance.coeff_monomial(turn) / 2,
+        balance.coeff_monomial(1),
+    )
+    root = sp.sqrt(sp.factor(half**2 - square * constant) / A**2).subs(A**2, A * A)
+    if balance.degree() != 2 or constant != -(removed**2) or sp.expand(root**2 - h**2 - removed**2) != 0:
+        raise ArithmeticError(f"the frequency of a transmissibility is not the root of one quadratic: {balance}")
+    share = A / square  # of Omega^2, of a force
+    inwards, outwards = (whole - half / A) * share, removed**2 / ((whole + half / A) * A)
+    of_lets = ((removed, F_0 * sp.sqrt(reduction)), (whole, hypot(h, removed)))
+    for found in (inwards, outwards):
+        if sp.simplify(balance.as_expr().subs(turn, found).subs(whole, root)) != 0:
+            raise ArithmeticError(f"not where that is transmitted: {found}")
+    return tuple((*of_lets, (turn, found)) for found in (inwards, outwards))
 
 
 def slow_flow(averaged: Averaged, scene: str = "") -> SlowFlow:
@@ -170,7 +189,7 @@ def slow_flow(averaged: Averaged, scene: str = "") -> SlowFlow:
         equivalent_damping=equivalent,
         # the base feels F_0 cos(Omega tau) - u'': at a fixed point its harmonics are h and I
         transmissibility=hypot(h, I) / F_0,
-        isolation_lets=((turn, _isolation(R_value)),),
+        isolation_lets=_isolation(R_value),
         isolation=sp.sqrt(turn),
         held=hypot(I_value.subs(A, 0), -R_value.subs({A: 0, h: -preload})),
         response_quartic=_coefficients((F + F_0**2).subs(whole), 4),

@@ -217,7 +217,7 @@ def lines_of(path):
 @pytest.mark.slow
 def test_what_is_undecided_of_isolation_is_said_in_short_too(monkeypatch):
     plain, ask = " ".join(report._in_short(scenes.read(MOUNT), 5.0)), Isolator.isolation
-    monkeypatch.setattr(Isolator, "isolation", lambda self, F_0: replace(ask(self, F_0), remarks=Remark.UNDECIDED))
+    monkeypatch.setattr(Isolator, "isolation", lambda *at: replace(ask(*at), remarks=Remark.UNDECIDED))
     said = plain.replace("less than what drives it.", "less than what drives it, as far as is decided.")
     assert " ".join(report._in_short(scenes.read(MOUNT), 5.0)) == said != plain
 

@@ -342,20 +342,20 @@ WRONG = {
     "a dimensionless forcing of a mount": (
         "F = [3.0, 5.0]",
         "F_0 = [3.0, 5.0]",
-        "14: F_0 is no key of [ask] here: it must be one of F, f, window, samples, questions; the amplitude of the "
-        "excitation = 'force' is F, in N\n",
+        "14: F_0 is no key of [ask] here: it must be one of F, f, window, samples, level_dB, questions; "
+        "the amplitude of the excitation = 'force' is F, in N\n",
     ),
     "a force where the base moves": (
         "zeta = 0.02",
         'zeta = 0.02\nexcitation = "base"',
-        "15: F is no key of [ask] here: it must be one of Y, f, window, samples, questions; the amplitude of the "
-        "excitation = 'base' is Y, in m\n",
+        "15: F is no key of [ask] here: it must be one of Y, f, window, samples, level_dB, questions; "
+        "the amplitude of the excitation = 'base' is Y, in m\n",
     ),
     "a dimensionless frequency of a mount": (
         "f = [5.0]",
         "Omega = [5.0]",
-        "15: Omega is no key of [ask] here: it must be one of F, f, window, samples, questions; the frequency is f, "
-        "in Hz\n",
+        "15: Omega is no key of [ask] here: it must be one of F, f, window, samples, level_dB, questions; "
+        "the frequency is f, in Hz\n",
     ),
     "a word for the excitation that is none, before the keys that depend on it": (
         "zeta = 0.02\n\n[ask]\nF =",

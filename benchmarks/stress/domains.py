@@ -46,6 +46,7 @@ BOX: dict[str, Limits] = {
     "k_A": (1e-9, 1e6, True, True),
     "lacks": (1e-9, 1e3, True, True),
     "preload": (1e-12, 1.0, False, True),
+    "reduction": (1e-12, 1 - 2.0**-53, False, True),
     "X": (1e-6, 1e6, False, False),
     "T": (1e-9, 1e6, True, True),
     "R": (1e-9, 1e6, True, True),

@@ -10,8 +10,8 @@ Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothi
 ones are the worst of all outputs that was found, by a search for it with A 0.01 to 1, F_0 0.03 to 0.1, Omega 0.3 to
 2, cubic up to 1 of either sign, fall 0.001 to 1, force 0.001 to 0.1, h 0.001 to 1 of either sign, h_A up to 2 of
 either sign, h_AA up to 5 of either sign, h_AAA up to 20 of either sign, holds 0.001 to 0.1, k 0.04 to 4, linear
-0.0001 to 0.03, lost 0.001 to 0.5, m 0.001 to 0.03, other up to 1 of either sign, rest 0.001 to 1, share up to 0.5
-of either sign, x 0.5 to 3, zeta 0.004 to 0.1.
+0.0001 to 0.03, lost 0.001 to 0.5, m 0.001 to 0.03, other up to 1 of either sign, reduction 0.01 to 0.999, rest
+0.001 to 1, share up to 0.5 of either sign, x 0.5 to 3, zeta 0.004 to 0.1.
 """
 
 # a formatter would spread each polynomial over a page
@@ -24,8 +24,8 @@ from slowflow_support.broadcast import by_regime, common_shape, floats, full
 
 __all__ = [
     "F", "Omega_A", "Omega_of_share", "amplitude", "bound", "cusp_bend", "fold_force", "fold_level", "fold_slopes",
-    "force", "force_slopes", "hessian", "isola", "isola_apart", "least", "least_Omega_A", "level", "level_rise",
-    "level_slope", "moves_from", "outer", "peak", "peak_share", "share", "terms",
+    "force", "force_slopes", "hessian", "isola", "isola_apart", "isolation", "least", "least_Omega_A", "level",
+    "level_rise", "level_slope", "moves_from", "outer", "peak", "peak_share", "share", "terms",
 ]
 
 
@@ -75,6 +75,20 @@ def moves_from(F_0, holds):
     """
     F_0, holds = floats(F_0, holds)
     turn = holds / F_0
+    return np.sqrt(turn)
+
+
+def isolation(A, F_0, reduction, h):
+    """Frequency of a state that transmits sqrt(1 - reduction) of what drives it, though it moves.
+
+    Equation from (23). Domain: A > F_0 sqrt(reduction), 0 <= reduction < 1, h <= 0. Shape: as the arguments
+    broadcast.
+    Operations: 8 structured, 8 common subexpressions, 8 power chains.
+    Measured, error / u (1 + kappa): 0.64
+    """
+    A, F_0, reduction, h = floats(A, F_0, reduction, h)
+    removed = F_0 * np.sqrt(reduction)
+    turn = -2.0 * h / (A - removed * removed / A)
     return np.sqrt(turn)
 
 

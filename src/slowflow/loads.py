@@ -22,7 +22,7 @@ from slowflow.averaged.questions import Averaged
 from slowflow.gradient import NO_GRADIENT, Gradient
 from slowflow.mechanism import Floats, Law, Mechanism
 from slowflow.model import THROUGHOUT, Model
-from slowflow.results import Moves, Remark, of_model
+from slowflow.results import MeasuredPoint, Measures, Moves, OfPoint, Remark, of_model
 from slowflow.text import Sentence, text
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA
@@ -36,8 +36,11 @@ APART = text(
     "motions beyond {u_cr} at a forcing below {F_cr} are on curves of their own: none at this forcing passes {u_cr}, "
     "so that a slow change from rest does not come to them"
 )
-ISOLATES = "every motion transmits less than the force"
-NEVER = "a motion that transmits more than the force has no end towards high frequencies"
+ISOLATES = Sentence("every motion transmits less than {what:s}")
+NEVER = Sentence("a motion that transmits more than {what:s} has no end towards high frequencies")
+FLOOR = Sentence(
+    "however high the frequency, {what:s} passes on {floor:.4g} dB: from none on less than {level:g} dB is transmitted"
+)
 NONE_STABLE = Sentence("no motion is stable at {Omega = :g}, {F_0 = :g}")
 #: frequencies looked at, over the highest one at which anything can be transmitted in full
 BEYOND = 1.1
@@ -142,14 +145,15 @@ class Hysteresis(Composed, Table):
 
 
 @dataclass(frozen=True, eq=False)
-class Isolation(Single):
-    """From where on every stable motion transmits less than the force.
+class Isolation(OfPoint, Single):
+    """From where on every stable motion transmits less than the force, or than a share of it, `level_dB`.
 
     Omega -- that frequency; 0 where this holds at all frequencies; None where there is no motion, or no such frequency
     A     -- the amplitude there
-    at_fold -- whether a motion that transmits more ends there in a fold, and does not pass transmissibility 1
+    at_fold -- whether a motion that transmits more ends there in a fold, and does not pass that transmissibility
     B, load -- under a load, the mean displacement there, None as A is, and the load over k_v L
     remarks -- those of the response
+    level_dB -- the transmissibility in decibels, 0 of the whole force, for which it is not shown
     """
 
     Omega: float | None
@@ -158,10 +162,29 @@ class Isolation(Single):
     F_0: float
     message: str
     remarks: Remark
+    level_dB: float = field(default=0.0, kw_only=True)
     B: float | None = field(default=None, kw_only=True, metadata=LOADED)
     load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
     _moves: Moves | None = field(default=None, kw_only=True, repr=False)
+    _asked: Measures | None = field(default=None, kw_only=True, repr=False)
+
+    def _content(self) -> dict[str, Any]:
+        found = super()._content()
+        if not self.level_dB:
+            del found["level_dB"]
+        return found
+
+    def measure(self, of: str = "first", force: str | None = None) -> MeasuredPoint:
+        """From which frequency on the motion of the equation of motion (3) beside it transmits less, here and now.
+
+        of -- "first": of the transmitted force the fundamental harmonic counts, as in averaging; "peak": the peak of
+              its whole wave, to which friction adds as it changes sides
+
+        Where isolation begins at a fold it is that of the exact curve, unless the motions beyond transmit more. `force`
+        and what is raised as in `SteadyStates.measure`.
+        """
+        return self._measured(force, validate.choice("of", of, ("first", "peak")))
 
     def gradient(self) -> Gradient:
         """How Omega and A move with the parameters and F_0, exactly: those of the state, or of the fold, at this end.
@@ -170,7 +193,8 @@ class Isolation(Single):
         """
         if self._moves is not None:
             return self._moves(self)
-        return moves.of_isolation(of_model(self._model), self.Omega, self.A, self.F_0, self.at_fold)
+        at = self.Omega, self.A, self.F_0, self.at_fold, Level.of(self.level_dB).ratio
+        return moves.of_isolation(of_model(self._model), *at)
 
 
 class Load(NamedTuple):
@@ -334,34 +358,72 @@ def hysteresis(oscillator: Any, F_0: float) -> Hysteresis:
     return Hysteresis(low, high, motions.astype(np.intp), folds.F_0, message, folds.remarks)
 
 
-def isolation(oscillator: Averaged, F_0: float) -> Isolation:
+class Level(NamedTuple):
+    """A transmissibility, a number or an array: in decibels, as a ratio, and 1 less the square of that ratio."""
+
+    dB: Any
+    ratio: Any
+    reduction: Any
+
+    @classmethod
+    def of(cls, dB: Any) -> Level:
+        """From decibels; next to 0 dB what is lacking has all its digits, too."""
+        return cls(dB, 10.0 ** (np.asarray(dB) / 20.0), 0.0 - np.expm1(np.asarray(dB) * (math.log(10.0) / 10.0)))
+
+    def __str__(self) -> str:
+        return f"{self.dB:g} dB" if self.dB else "the force"
+
+
+#: all of what drives the mass
+WHOLE = Level.of(0.0)
+
+
+def as_level(level_dB: Any) -> Level:
+    """Raises Refused for a level that is no number <= 0."""
+    return Level.of(validate.number("level_dB", level_dB, most=0.0))
+
+
+def isolation(oscillator: Averaged, F_0: float, level_dB: float = 0.0) -> Isolation:
     """See `Oscillator.isolation`.
 
-    A state has R^2 + I^2 = F_0^2 and transmits the square root of h^2 + I^2: as much as F_0 where R = -h, which is at
-    sqrt(2) times the frequency of the backbone, as for a linear spring (`slow_flow.isolation`). That is explicit in A.
-    Of an excitation by inertia F_0 Omega^2 takes the place of F_0 in this.
+    A state has R^2 + I^2 = F_0^2 and transmits the square root of h^2 + I^2: the share kappa of F_0 where
+    R^2 - h^2 = (1 - kappa^2) F_0^2, for kappa = 1 at sqrt(2) times the frequency of the backbone, as for a linear
+    spring. That is explicit in A (`slow_flow.isolation`). Of an excitation by inertia F_0 Omega^2 takes the place of
+    F_0 in this (`inertia.isolation`), and the frequency has an error of some u/kappa^2, as A is next to F_0 there.
     """
-    F_0 = validate.number("F_0", F_0, above=0.0)
-    if oscillator.model.inertial and not oscillator.closes(F_0):
-        return Isolation(None, None, False, F_0, NEVER, Remark(0), _model=oscillator.model)
-    curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _highest(oscillator, F_0)))
-    made = partial(Isolation, _model=oscillator.model)
+    F_0, level, model = validate.number("F_0", F_0, above=0.0), as_level(level_dB), oscillator.model
+    made = partial(Isolation, level_dB=level.dB, _model=model, _asked=oscillator._equation)
+    if model.inertial and not oscillator.closes(F_0):
+        return made(None, None, False, F_0, NEVER.format(str(level)), Remark(0))
+    if not model.sticks(F_0) and (why := passes_on(model, oscillator.transmissibility_floor(F_0), level)):
+        return made(None, None, False, F_0, why, Remark(0))
+    curve = oscillator.frequency_response(F_0, samples=SAMPLES, Omega=(0.0, _highest(oscillator, F_0, level)))
     # up to there a mass at rest passes on all that drives it
-    moves_from = float(inertia.moves_from(F_0, oscillator.model.held)) if oscillator.model.inertial else 0.0
+    moves_from = float(inertia.moves_from(F_0, model.held)) if model.inertial else 0.0
     if not len(curve) and 0 < moves_from < math.inf:
         return made(moves_from, 0.0, False, F_0, "", curve.remarks)
     if not len(curve):
         return made(None, None, False, F_0, curve.message, curve.remarks)
-    transmits = curve.Omega <= _of_full(oscillator, curve.A)
+    # of the whole force, which each state transmits at Omega = 0, rounding would decide
+    whole = curve.Omega <= _up_to(oscillator, curve.A, F_0, level)
+    transmits = curve.transmissibility >= level.ratio if level.dB else whole
 
     def passes(one: int, other: int) -> tuple[float, float]:
-        A = _between(oscillator, F_0, float(curve.A[one]), float(curve.A[other]))
-        return float(_of_full(oscillator, np.array([A]))[0]), A
+        A = _between(oscillator, F_0, float(curve.A[one]), float(curve.A[other]), level)
+        return float(_up_to(oscillator, np.array([A]), F_0, level)[0]), A
 
-    found = begins(made, curve, transmits, passes, F_0)
+    found = begins(made, curve, transmits, passes, F_0, str(level))
     if found.Omega is not None and found.Omega < moves_from:
         return made(moves_from, 0.0, False, F_0, curve.message, curve.remarks)
     return found
+
+
+def passes_on(model: Model, floor: float, level: Level) -> str:
+    """Why less than that is transmitted at no frequency; "" where what transmissibility tends to is below."""
+    if not level.dB or floor < level.ratio:
+        return ""
+    what = "quadratic damping" if model.inertial else "friction" if model.preload == 0 else "a preload"
+    return FLOOR.format(what, 20 * math.log10(floor), level.dB)
 
 
 def begins(
@@ -370,18 +432,19 @@ def begins(
     transmits: Flags,
     passes: Callable[[int, int], tuple[float, ...]],
     F_0: float,
+    level: str,
     at: tuple[str, ...] = ("Omega", "A"),
 ) -> Begins:
     """Where isolation begins along a response curve.
 
     made      -- makes the answer, of the numbers `at` first
-    transmits -- at which of its points as much as F_0 is transmitted
+    transmits -- at which of its points as much is transmitted as `level` says
     passes    -- these numbers between two neighbours of which the first does so and the other does not
     """
     nowhere = (None,) * len(at)
     full = curve.stable & transmits
     if not full.any():
-        return made(0.0, *nowhere[1:], False, F_0, joined(curve.message, ISOLATES), curve.remarks)
+        return made(0.0, *nowhere[1:], False, F_0, joined(curve.message, ISOLATES.format(level)), curve.remarks)
     last = int(np.flatnonzero(full)[np.argmax(curve.Omega[full])])
     around = [k for k in (last - 1, last + 1) if 0 <= k < len(curve) and curve.branch[k] == curve.branch[last]]
     for k in around:
@@ -391,26 +454,42 @@ def begins(
             last = k  # a fold, which rounding may leave on either side of stability
     loose = len(around) < 2 and not curve.isola[curve.branch[last]]
     if loose and all(curve.stable[k] for k in around):
-        return made(*nowhere, False, F_0, joined(curve.message, NEVER), curve.remarks)
+        return made(*nowhere, False, F_0, joined(curve.message, NEVER.format(level)), curve.remarks)
     return made(*(float(getattr(curve, name)[last]) for name in at), True, F_0, curve.message, curve.remarks)
 
 
-def _of_full(oscillator: Averaged, A: Floats) -> Floats:
-    """The frequency at which motions of these amplitudes transmit the whole force; -inf where there is none."""
+def _up_to(oscillator: Averaged, A: Floats, F_0: float, level: Level) -> Floats:
+    """The frequency up to which motions of these amplitudes transmit that; -inf where there is none."""
+    kernel = inertia.isolation if oscillator.model.inertial else slow_flow.isolation
     with np.errstate(all="ignore"):
-        Omega = slow_flow.isolation(A, oscillator.model.averaged(A)[0])
-    return np.where(np.isnan(Omega), -math.inf, Omega)
+        Omega = kernel(A, F_0, level.reduction, oscillator.model.averaged(A)[0])
+    return np.where(Omega > 0, Omega, -math.inf)
 
 
-def _between(oscillator: Averaged, F_0: float, A: float, other: float) -> float:
-    """The amplitude between two at which the motion at F_0 transmits as much as F_0."""
-    model = oscillator.model
+def _least(oscillator: Averaged, F_0: float, level: Level) -> float:
+    """The amplitude up to which motions transmit that at any frequency."""
+    return F_0 * math.sqrt(level.reduction) if oscillator.model.inertial else 0.0
+
+
+def _excess(oscillator: Averaged, A: Floats, F_0: float, level: Level) -> Floats:
+    """The transmissibility at F_0 of motions with the frequency of that level, less that: the sign counts."""
+    model, Omega = oscillator.model, _up_to(oscillator, A, F_0, level)
+    with np.errstate(all="ignore"):
+        if not level.dB:  # of the whole force the forcing of these motions less F_0 has that sign
+            return np.asarray(model.level(Omega, A) - F_0)
+        m_and_zeta, h = model.alike(Omega, A), model.averaged(A)[0]
+        passed = slow_flow.transmissibility(Omega, A, model.force(F_0, Omega), *m_and_zeta, h)
+        return np.asarray(passed - level.ratio)
+
+
+def _between(oscillator: Averaged, F_0: float, A: float, other: float, level: Level) -> float:
+    """The amplitude between two at which the motion at F_0 transmits that."""
+    A, other = (max(one, _least(oscillator, F_0, level) * (1 + 4 * np.finfo(float).eps)) for one in (A, other))
 
     def excess(A: float) -> float:
-        (Omega,) = _of_full(oscillator, np.array([A]))
-        return float(model.level(Omega, A)) - F_0
+        return float(_excess(oscillator, np.array([A]), F_0, level)[0])
 
-    if excess(A) * excess(other) > 0:  # the curve meets that frequency at the very point
+    if not excess(A) * excess(other) <= 0:  # the curve meets that frequency at the very point
         return A
     from scipy.optimize import brentq  # here, not above: other questions do without SciPy
 
@@ -418,8 +497,8 @@ def _between(oscillator: Averaged, F_0: float, A: float, other: float) -> float:
     return float(brentq(excess, A, other, xtol=4 * np.finfo(float).tiny, rtol=4 * np.finfo(float).eps))
 
 
-def _highest(oscillator: Averaged, F_0: float) -> float:
-    """A frequency beyond which every motion transmits less than the force."""
+def _highest(oscillator: Averaged, F_0: float, level: Level = WHOLE) -> float:
+    """A frequency beyond which every motion transmits less than the force, or than that."""
     found = oscillator.peak(F_0)
     peak = (
         found.A if not found._escapes else solvers.peak(oscillator.model, F_0).A
@@ -430,7 +509,29 @@ def _highest(oscillator: Averaged, F_0: float) -> float:
     if not math.isfinite(A_max):
         A_max = words.cut(oscillator.model, F_0)[0]
     A = A_max * np.arange(1, SAMPLES + 1) / SAMPLES
-    return min(BEYOND * max(1.0, float(_of_full(oscillator, A).max())), float(HIGHEST_OMEGA))
+    highest = BEYOND * max(1.0, float(_up_to(oscillator, A, F_0, WHOLE).max()))
+    if level.dB:
+        with np.errstate(all="ignore"):
+            steepest = float(((np.abs(oscillator.model.averaged(A)[0]) - oscillator.model.preload) / A).max())
+        highest = last_passed(oscillator.model, F_0, level, max(steepest, 1.0), oscillator.model.preload)
+    return min(highest, float(HIGHEST_OMEGA))
+
+
+def last_passed(of: Any, F_0: float, level: Level, steepest: float, preload: float = 0.0) -> float:
+    """A frequency beyond which no motion transmits that; `HIGHEST_OMEGA` at most.
+
+    of -- has the force at a frequency, and the sine balance; steepest -- of which |h| <= preload + steepest A
+
+    As R does not exceed the force g, A Omega^2 <= g + |h|: that bounds A, then |h| and I, all of which fall over g.
+    """
+    Omega = BEYOND * math.sqrt(2 * steepest)
+    while Omega < HIGHEST_OMEGA:
+        force = float(of.force(F_0, Omega))
+        A = (force + preload) / (Omega**2 - steepest)
+        if math.hypot(preload + steepest * A, float(of.sine(Omega, A))) < level.ratio * force:
+            break
+        Omega *= BEYOND
+    return Omega
 
 
 def spectrum(

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import loads, progress
+from slowflow import loads, progress, validate
 from slowflow.averaged.batches import Batch, Codes, first_end
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
@@ -30,6 +30,8 @@ Ints = npt.NDArray[np.intp]
 
 #: amplitudes, from this share of the highest peak up to it, between which what transmits the force is looked for
 LEAST, AMPLITUDES = 1e-4, 128
+#: decibels for which there are as many amplitudes more
+PER_GRID = 40
 #: designs at once, for their amplitudes to stay in the processor's cache, and halvings that leave only rounding
 AT_ONCE, HALVINGS = 1024, 60
 
@@ -160,47 +162,58 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
     return Batch("hysteresis", columns, designs, {"F_0": F_0}, remarks=folds.remarks)
 
 
-def isolation(designs: Designs, F_0: Any, workers: int = 1) -> Batch:
+def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1) -> Batch:
     """See `slowflow.designs.Designs.isolation`.
 
-    The states that transmit the whole force are the zeros of one function of A, see `loads.isolation`; the last of them
-    that is stable, or the last fold of a motion that transmits more, is where isolation begins. What is said of the
-    response is known of its peak and folds, where no motion leaves the centre in between.
+    The states that transmit that share of the force are the zeros of one function of A, see `loads.isolation`; the last
+    of them that is stable, or the last fold of a motion that transmits more, is where isolation begins. What is said of
+    the response is known of its peak and folds, where no motion leaves the centre in between.
     """
     peaks, folds = designs.peak(F_0, workers=workers), designs.saddle_nodes(F_0, workers=workers)
-    shape = peaks.status.shape
+    given = validate.real_array("level_dB", 0.0 if level_dB is None else level_dB)
+    shape = validate.common_shape({**designs.values, "F_0": np.asarray(F_0), "level_dB": given})
+    dB, forcing = (np.broadcast_to(np.asarray(one, dtype=float), shape) for one in (given, F_0))
     Omega, A, at_fold = np.full(shape, np.nan), np.full(shape, np.nan), np.zeros(shape, np.int8)
-    status = peaks.status.copy()
-    plain = (peaks.status == Status.OK) & (folds.status == Status.OK) & (not designs.laws)
-    said = (peaks.remarks | folds.remarks) & ~np.uint16(Remark.OF_TRUNCATION)  # which a fold is, not the response
     with np.errstate(all="ignore"):  # a number outside its domain has a status
+        levels, m = loads.Level.of(dB), np.asarray(slow_flow.friction(designs.values["mu"]))
+        status = np.where(np.isfinite(dB) & (dB <= 0), peaks.status, Status.INVALID).astype(np.int8)
+        # friction alone passes on more, at any frequency
+        floor = (dB < 0) & (m >= levels.ratio * forcing) & (status == Status.OK) & (designs.excitation == "force")
+        status[floor] = Status.NONE
+        plain = (status == Status.OK) & (folds.status == Status.OK) & (not designs.laws)
+        said = (peaks.remarks | folds.remarks) & ~np.uint16(Remark.OF_TRUNCATION)  # which a fold is, not the response
         parameters = tuple(np.asarray(value) for value in designs.mechanism.coefficients(*designs.design))
         plain &= stay_centred(designs.mechanism, parameters) & (said & (Remark.UNDECIDED | Remark.BY_BALLS) == 0)
     if designs.excitation != "force":  # at low frequencies friction all but holds the mass
         said = said | np.where(np.asarray(designs.values["mu"]) > 0, np.uint16(Remark.NEAR_STICKING), np.uint16(0))
-    said = np.array(said)  # of a single design too, as others are put in
+    said = np.array(np.broadcast_to(said, shape))  # of a single design too, as others are put in
     spread = {name: np.broadcast_to(value, shape)[plain] for name, value in designs.values.items()}
-    forcing = np.broadcast_to(np.asarray(F_0, dtype=float), shape)[plain]
-    columns = [np.empty(forcing.size), np.empty(forcing.size), np.empty(forcing.size, bool)]
-    for part in progress.parts(forcing.size, AT_ONCE, "isolation"):
-        own = {name: np.asarray(value[part], dtype=float) for name, value in spread.items()}
-        of_folds = folds.Omega[plain][part], folds.A[plain][part]
-        for column, values in zip(
-            columns, _isolated(designs, own, forcing[part], peaks.A[plain][part], *of_folds), strict=True
-        ):
-            column[part] = values
+    highest = np.broadcast_to(peaks.A, shape)[plain]
+    of_folds = [np.broadcast_to(one, (*shape, one.shape[-1]))[plain] for one in (folds.Omega, folds.A)]
+    F, level = forcing[plain], loads.Level(*(one[plain] for one in levels))
+    columns = [np.empty(F.size), np.empty(F.size), np.empty(F.size, bool)]
+    grids = 1 - np.floor(level.dB / PER_GRID).astype(int)
+    for size in np.unique(grids):
+        alike = np.flatnonzero(grids == size)
+        for few in progress.parts(alike.size, AT_ONCE, "isolation"):
+            part = alike[few]
+            own = {name: np.asarray(value[part], dtype=float) for name, value in spread.items()}
+            here = F[part], loads.Level(*(one[part] for one in level)), highest[part], *(one[part] for one in of_folds)
+            for column, values in zip(columns, _isolated(designs, own, AMPLITUDES * int(size), *here), strict=True):
+                column[part] = values
     Omega[plain], A[plain], at_fold[plain] = columns
     # no zero where one was looked for
-    searched = np.isin(status, (Status.OK, Status.UNBOUNDED, Status.NONE)) & np.isnan(Omega)
-    for at, one in _singly(designs, F_0, searched, loads.isolation):
+    searched = np.isin(status, (Status.OK, Status.UNBOUNDED, Status.NONE)) & np.isnan(Omega) & ~floor
+    for at, one in _singly(designs, F_0, searched, loads.isolation, dB):
         status[at] = Status.UNRESOLVED if one is None else Status.NONE if one.Omega is None else Status.OK
         said[at] = 0 if one is None else one.remarks
         if one is not None and one.Omega is not None:
             Omega[at], at_fold[at] = one.Omega, one.at_fold
             A[at] = np.nan if one.A is None else one.A
-    said = np.where(np.isin(status, (Status.OK, Status.NONE)), said, np.uint16(0))
+    said = np.where(np.isin(status, (Status.OK, Status.NONE)) & ~floor, said, np.uint16(0))
     found = {"Omega": Omega, "A": A, "at_fold": at_fold, "status": status}
-    return Batch("isolation", found, designs, {"F_0": F_0}, remarks=said)
+    asked = {"F_0": F_0} if level_dB is None else {"F_0": F_0, "level_dB": level_dB}
+    return Batch("isolation", found, designs, asked, remarks=said)
 
 
 def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> Batch:
@@ -277,29 +290,42 @@ def _sides(
 
 
 def _isolated(
-    designs: Designs, values: dict[str, Floats], F_0: Floats, highest: Floats, Omega: Floats, A: Floats
+    designs: Designs,
+    values: dict[str, Floats],
+    amplitudes: int,
+    F_0: Floats,
+    level: loads.Level,
+    highest: Floats,
+    Omega: Floats,
+    A: Floats,
 ) -> tuple[Floats, Floats, Flags]:
     """Where isolation begins, the amplitude there, whether at a fold; NaN where that is not told. Folds Omega, A."""
+    inertial = designs.excitation != "force"
+    kernel = inertia.isolation if inertial else slow_flow.isolation
+    # smaller motions of a base transmit that at any frequency
+    least = F_0 * np.sqrt(level.reduction) if inertial else np.zeros(F_0.size)
     *design, mu, zeta = values.values()
     parameters = tuple(np.asarray(value) for value in designs.mechanism.coefficients(*design))
     m = slow_flow.friction(mu)
 
     def full(A: Floats, at: Any) -> tuple[Floats, Floats, Floats]:
-        """Omega at which a motion of that amplitude transmits as much as drives it, h, and h by A."""
+        """Omega at which a motion of that amplitude transmits that share of what drives it, h, and h by A."""
         h, h_A, *_ = designs.mechanism.averaged(A, *(value[at] for value in parameters))
-        return slow_flow.isolation(A, h), h, h_A
+        found = kernel(A, F_0[at], level.reduction[at], h)
+        return np.where(A <= least[at], np.inf, found), h, h_A
 
     def excess(A: Floats, at: Any) -> Floats:
-        """What drives it less F_0: the sign counts."""
+        """What is transmitted less that share: the sign counts."""
         at_A, h, _ = full(A, at)
-        driven: Floats = slow_flow.transmissibility(at_A, A, 1.0, m[at], zeta[at], h)
-        if designs.excitation != "force":
-            driven = driven / inertia.force(at_A, 1.0)
-        return np.asarray(driven - F_0[at])
+        passed: Floats = slow_flow.transmissibility(at_A, A, 1.0, m[at], zeta[at], h)
+        if inertial:
+            passed = passed / inertia.force(at_A, 1.0)
+        return np.asarray(passed - level.ratio[at] * F_0[at])
 
     every = (slice(None), np.newaxis)
     with np.errstate(all="ignore"):  # where h is not negative there is no such frequency
-        grid = highest[every] * np.geomspace(LEAST, 1.0, AMPLITUDES)
+        share = np.geomspace(LEAST, 1.0, amplitudes) * level.ratio[every] ** np.linspace(2.0, 0.0, amplitudes)
+        grid = least[every] + (highest - least)[every] * share
         above = excess(grid, every) > 0
         which, k = np.nonzero(above[:, 1:] != above[:, :-1])
         low, high = grid[which, k], grid[which, k + 1]
@@ -328,14 +354,14 @@ def _isolated(
     )
 
 
-def _singly(designs: Designs, F_0: Any, wanted: Flags, ask: Callable[[Averaged, float], Any]) -> Any:
-    """A single question of each wanted design, with its place; None where it fails."""
+def _singly(designs: Designs, F_0: Any, wanted: Flags, ask: Callable[..., Any], *beside: Floats) -> Any:
+    """A single question of each wanted design, with its place, and what it takes beside F_0; None where it fails."""
     forcing = np.broadcast_to(np.asarray(F_0, dtype=float), wanted.shape)
     chosen = np.argwhere(wanted)
     for at in progress.each(map(tuple, chosen), len(chosen), "designs asked singly"):
         values = {name: float(np.broadcast_to(value, wanted.shape)[at]) for name, value in designs.values.items()}
         try:
-            yield at, ask(Averaged(designs.model(values)), float(forcing[at]))
+            yield at, ask(Averaged(designs.model(values)), float(forcing[at]), *(float(one[at]) for one in beside))
         except ArithmeticError:
             yield at, None
 

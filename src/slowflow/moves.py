@@ -403,14 +403,14 @@ def of_detachment(given: Given, F_cr: Any, Omega_cr: Any, u_cr: Any) -> Gradient
     return gradient(given, kind, (u_cr, Omega_cr, F_cr), {"F_cr": 2, "Omega_cr": 1, "u_cr": 0})
 
 
-def of_isolation(given: Given, Omega: Any, A: Any, F_0: Any, at_fold: Any) -> Gradient:
-    """Of where isolation begins: of the state that transmits as much as drives it, or of a fold."""
+def of_isolation(given: Given, Omega: Any, A: Any, F_0: Any, at_fold: Any, ratio: Any) -> Gradient:
+    """Of where isolation begins: of the state that transmits that share of what drives it, or of a fold."""
     shape = np.broadcast(*given.numbers, Omega, A, F_0).shape
     Omega, A, on_fold = (np.broadcast_to(np.asarray(one), shape) for one in (_known(Omega), _known(A), at_fold))
     folds = of_folds(given, Omega, np.where(on_fold, A, np.nan), F_0, np.zeros(shape, bool))
     by = (*folds.by, "Omega")
     slopes, status = _moves(given, float(Pinned.STATE), (np.where(on_fold, np.nan, A), Omega, F_0), OF_STATES, len(by))
-    kept, status = along_frequency(slopes[..., 0:3:2, :], status, Omega, A)
+    kept, status = along_frequency(slopes[..., 0:3:2, :], status, Omega, A, ratio)
     slopes = np.where(on_fold[..., np.newaxis, np.newaxis], folds.slopes, kept)
     status = np.where(on_fold, folds.status, status).astype(np.int8)
     return Gradient(("Omega", "A"), folds.by, slopes, status, (Omega, A), (*given.numbers, F_0))
@@ -420,17 +420,18 @@ def _known(value: Any) -> Any:
     return np.nan if value is None else value
 
 
-def along_frequency(slopes: Floats, status: Any, Omega: Floats, A: Floats) -> tuple[Floats, Any]:
+def along_frequency(slopes: Floats, status: Any, Omega: Floats, A: Floats, ratio: Any) -> tuple[Floats, Any]:
     """How states move that keep what they transmit, as their frequency moves; `MovesStatus.MEETS` where none does.
 
     slopes -- of A first, of what is transmitted last, by all numbers, Omega the last: (..., rows, columns)
+    ratio  -- what is transmitted
 
     Out come those of Omega, then of the rows but the last, by all numbers but Omega; and the status.
     """
     fixed, by_Omega = slopes[..., :-1], slopes[..., -1]
     with np.errstate(all="ignore"):
-        # it is 1: its terms are as large as its frequency and its amplitude may change it relatively
-        size = (1 + np.abs(Omega / A * by_Omega[..., 0])) / Omega
+        # its terms are as large as its frequency and its amplitude may change it relatively
+        size = ratio * (1 + np.abs(Omega / A * by_Omega[..., 0])) / Omega
         meets = _vanishes(by_Omega[..., -1], size, MEETING)
         Omega_p = -fixed[..., -1:, :] / by_Omega[..., -1:, np.newaxis]
         moved = np.concatenate((Omega_p, fixed[..., :-1, :] + by_Omega[..., :-1, np.newaxis] * Omega_p), axis=-2)

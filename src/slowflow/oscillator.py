@@ -450,16 +450,22 @@ class Oscillator(Unchanging, Averaged):
 
         return self.off_centre.hysteresis(F_0) if self._off_centre_by else loads.hysteresis(self, F_0)
 
-    def isolation(self, F_0: float) -> loads.Isolation:
+    def isolation(self, F_0: float, level_dB: float = 0.0) -> loads.Isolation:
         """The frequency from which on every stable motion at F_0 transmits less than F_0, .Omega, and .A there.
 
-        Of the transmitted force the fundamental harmonic counts. For a linear spring it is sqrt(2) times the natural
-        frequency. On a base that shakes it is that from which on the mass moves less than the base.
-        Raises ValueError for F_0 <= 0.
+        level_dB -- the transmissibility below which it stays, in decibels: -20 for a tenth of F_0, 0 for all of it
+
+        Of the transmitted force the fundamental harmonic counts; `.measure()` has that of the equation of motion, and
+        of the peak of its whole wave. For a linear spring it is sqrt(2) times the natural frequency at 0 dB. On a base
+        that shakes it is that from which on the mass moves less than the base. Friction alone passes on 4 mu/pi of a
+        force at any frequency: where the level is not above that there is none. Raises ValueError for F_0 <= 0 and
+        level_dB > 0.
         """
         from slowflow import loads
 
-        return self.off_centre.isolation(F_0) if self._off_centre_by else loads.isolation(self, F_0)
+        if self._off_centre_by:
+            return self.off_centre.isolation(F_0, level_dB)
+        return loads.isolation(self, F_0, level_dB)
 
     def spectrum(self, *, Omega: Reals, F_0: Reals) -> loads.Spectrum:
         """A load spectrum, one tone at a time: what the motion at each pair (Omega, F_0) does, in their order.
@@ -496,11 +502,13 @@ class Oscillator(Unchanging, Averaged):
 
         return measure.folds(at_frequency, self.equation_of_motion(force), found, B)
 
-    def measured_point(self, found: Any, force: str | None) -> MeasuredPoint:
-        """See `slowflow.results.Peak.measure` and those of onset and detachment; about the centre."""
+    def measured_point(self, found: Any, force: str | None, of: str = "") -> MeasuredPoint:
+        """See `slowflow.results.Peak.measure`, those of onset and detachment, and of isolation; about the centre."""
         from slowflow.exact import measure
 
         system = self.equation_of_motion(force)
+        if of:
+            return measure.isolation(lambda Omega: self.states(Omega=Omega, F_0=found.F_0), system, found, of)
         if isinstance(found, SaddleNodeOnset):
             return measure.onset(system, found)
         if isinstance(found, Detachment):

@@ -344,9 +344,9 @@ class Physical:
         """Bands with several stable motions: .f_low .f_high .motions, see `Oscillator.hysteresis`."""
         return self._answer(self.oscillator.hysteresis, self._amplitude(F))
 
-    def isolation(self, F: Number) -> answers.Isolation:
+    def isolation(self, F: Number, level_dB: float = 0.0) -> answers.Isolation:
         """The frequency from which on less than F is transmitted: .f .A, see `Oscillator.isolation`."""
-        return self._answer(self.oscillator.isolation, self._amplitude(F))
+        return self._answer(self.oscillator.isolation, self._amplitude(F), level_dB)
 
     def spectrum(self, *, f: Numbers, F: Numbers) -> answers.Spectrum:
         """A load spectrum, row by row, see `Oscillator.spectrum`."""

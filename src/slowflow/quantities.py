@@ -230,8 +230,10 @@ class Quantities(Answer):
             raise Refused("gradients are known of averaged answers: this is none")
         return physical_moves.in_units(self.answer.gradient(), self.scales)
 
-    def measure(self, force: str | None = None) -> Quantities:
+    def measure(self, force: str | None = None, *, of: str | None = None) -> Quantities:
         """How far averaged states, folds, a peak, an onset, a detachment are from the equation of motion, in SI units.
+
+        of -- of isolation: "first" or "peak"
 
         As `measure` of the dimensionless answer, which says what is raised too. Raises ValueError for what is no
         averaged answer.
@@ -239,7 +241,7 @@ class Quantities(Answer):
         if self.scales is None or not hasattr(self.answer, "measure"):
             raise Refused("averaged answers are measured against the equation of motion: this is none")
         with self.scales.in_these_terms():
-            return self.scales.quantities(self.answer.measure(force))
+            return self.scales.quantities(self.answer.measure(force=force, **({} if of is None else {"of": of})))
 
     def __str__(self) -> str:
         return "\n".join(in_text(self if self.chosen else self.in_units()))

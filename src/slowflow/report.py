@@ -45,6 +45,7 @@ NAMES = ("answer", "parameter")
 FEW = 2
 #: what else a scene may ask for that is a table
 ALSO = {
+    "isolation": "From this frequency on less than a level is transmitted",
     "amplitudes": "Motions at the frequencies asked for",
     "cusps": "Where two folds come into being or meet",
     "isola_points": "Where isolated curves are born or merge",
@@ -243,6 +244,10 @@ def _in_short(scene: Scene, F: float) -> Iterator[str]:
     if isolation and (begin := _one(isolation[0], "f", "Omega")) is not None:
         open_ = ", as far as is decided" if isolation[0].remarks & Remark.UNDECIDED else ""
         yield f"From {begin} on it transmits less than what drives it{open_}."
+    for one in scene.asked:
+        level = one.arguments.get("level_dB", 0.0) if one.question == "isolation" and one.forcing == F else 0.0
+        if level and (begin := _one(scene.answer(one), "f", "Omega")) is not None:
+            yield f"From {begin} on it transmits less than {level:g} dB."
 
 
 def _jumps(folds: Any) -> Iterator[tuple[str, float]]:
@@ -307,7 +312,10 @@ def _answers(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
             # a force moves the mass at all frequencies, or at none, which `sticks` says
             yield _table(caption, *found, left_out=(*UNSHOWN, *OF_INERTIA) if of_force else UNSHOWN)
     for question, caption in ALSO.items():
-        if also := [scene.answer(one) for one in scene.asked if one.question == question]:
+        asked = [one for one in scene.asked if one.question == question]
+        if question == "isolation":  # that of 0 dB has its table
+            asked = [one for one in asked if one.arguments.get("level_dB")]
+        if also := [scene.answer(one) for one in asked]:
             yield _table(caption, *also)
     yield _left_out(left_out)
 

@@ -222,10 +222,11 @@ class MeasuredFolds(Table):
 
 @dataclass(frozen=True, eq=False)
 class MeasuredPoint(Single):
-    """The peak, onset or detachment of the equation of motion (3) that an averaged one leads to; None where none is.
+    """The peak, onset, detachment or isolation of the equation of motion (3) that an averaged one leads to; or None.
 
     F_0, Omega, A -- forcing, frequency, and largest |u| of the motion
-    error    -- relative error of what was asked for: of a peak the averaged A, of an onset F_SN, of a detachment F_cr
+    error    -- relative error of what was asked for: of a peak the averaged A, of an onset F_SN, of a detachment F_cr,
+                of isolation Omega
     error_of_Omega -- relative error of the averaged frequency
     message  -- why there is none, in words
     """
@@ -249,8 +250,8 @@ class Measures(Protocol):
         """See `SaddleNodes.measure`; likewise."""
         ...
 
-    def measured_point(self, found: Any, force: str | None) -> MeasuredPoint:
-        """See `Peak.measure`, `SaddleNodeOnset.measure` and `Detachment.measure`."""
+    def measured_point(self, found: Any, force: str | None, of: str = "") -> MeasuredPoint:
+        """See `Peak.measure`, `SaddleNodeOnset.measure`, `Detachment.measure`, `loads.Isolation.measure` with `of`."""
         ...
 
 
@@ -277,12 +278,12 @@ class OfPoint:
         _asked: Measures | None
         _model: Model | None
 
-    def _measured(self, force: str | None) -> MeasuredPoint:
+    def _measured(self, force: str | None, of: str = "") -> MeasuredPoint:
         if self.load is not None:
             raise validate.NotAvailable(NOT_MEASURED)
         if self._asked is None:
             raise Refused(NOT_ASKED)
-        return self._asked.measured_point(self, force)
+        return self._asked.measured_point(self, force, of)
 
     def _validity(self, F_0: float | None, Omega: float | None, A: float | None) -> Validity:
         """That how far a motion may be from the equation of motion was not measured off the centre."""

@@ -13,6 +13,7 @@
     F = [3.0, 5.0]              # N; F_0 for [isolator] and [duffing]; Y in m with excitation = "base", U in kg m of
                                 # an "unbalance"
     f = [5.0]                   # Hz; Omega for these
+    level_dB = [0, -20]         # for "isolation": below which transmissibility; without 0, of all that drives
     questions = ["saddle_nodes", "amplitudes", "spectrum"]
 
     [spectrum]                  # pairs, one tone at a time
@@ -97,7 +98,7 @@ class Question:
     of      -- the method of an oscillator that answers it
     forced  -- whether it is asked at each forcing
     at      -- whether it is asked at the frequencies
-    window, samples -- whether it takes these
+    window, samples, level -- whether it takes these
     spectrum -- whether it is asked at the pairs of [spectrum]
     within  -- whether it is asked of the tolerances in [tolerances]
     shock   -- whether it is asked of the pulses in [shock]
@@ -108,6 +109,7 @@ class Question:
     at: bool = False
     window: bool = False
     samples: bool = False
+    level: bool = False
     spectrum: bool = False
     within: bool = False
     shock: bool = False
@@ -129,7 +131,7 @@ QUESTIONS: Mapping[str, Question] = {
     "peak": Question(lambda of: of.peak),
     "margins": Question(lambda of: of.margins),
     "hysteresis": Question(lambda of: of.hysteresis),
-    "isolation": Question(lambda of: of.isolation),
+    "isolation": Question(lambda of: of.isolation, level=True),
     "amplitudes": Question(lambda of: of.amplitudes, at=True),
     "frequency_response": Question(lambda of: of.frequency_response, window=True, samples=True),
     "spectrum": Question(lambda of: of.spectrum, forced=False, spectrum=True),
@@ -366,7 +368,7 @@ class _Reader:
             warnings.simplefilter("always")
             oscillator = self._tried(name, given, lambda: kind.make(**given))
         ask = self._table("ask")
-        self._asks("ask", ask, kind, ("window", "samples", "questions"))
+        self._asks("ask", ask, kind, ("window", "samples", "level_dB", "questions"))
         self._complete("ask", ask, ("questions",))
         if "samples" in ask:
             self._tried(
@@ -404,8 +406,19 @@ class _Reader:
             if question.shock:
                 yield from self._shocks(name, kind)
                 continue
+            levels = self._levels(ask) if question.level and "level_dB" in ask else [{}]
             for forcing in self._positive(kind.forcing) if question.forced else [None]:
-                yield Asked(name, arguments if forcing is None else {kind.forcing: forcing, **arguments})
+                for level in levels:
+                    own = {} if forcing is None else {kind.forcing: forcing}
+                    yield Asked(name, {**own, **arguments, **level})
+
+    def _levels(self, ask: Mapping[str, Any]) -> list[dict[str, float]]:
+        """Transmissibilities in decibels."""
+        given = self._list("ask", "level_dB", (int, float))
+        found: list[dict[str, float]] = self._tried(
+            "ask", ask, lambda: [{"level_dB": validate.number("level_dB", one, most=0.0)} for one in given]
+        )
+        return found
 
     def _spectrum(self, question: str, kind: Kind) -> dict[str, Any]:
         """The pairs of a load spectrum."""

@@ -90,6 +90,7 @@ COLUMNS: Mapping[str, Column] = MappingProxyType(
             Column("ratio", "largest acceleration of the mass over that of the pulse"),
             Column("transmissibility", "share of the force that is transmitted"),
             Column("transmissibility_dB", "the same in decibels"),
+            Column("level_dB", "transmissibility in decibels below which it stays"),
             Column("kind", "kind of fold", type=np.int8),
             Column("stable", "1 where a state is stable", type=np.int8),
             Column("at_rest", "1 where folds below the onset, or without it, end at Omega = 0", type=np.int8),
@@ -246,6 +247,7 @@ QUESTIONS: Mapping[str, Question] = MappingProxyType(
                 "isolation",
                 {AVERAGING: _columns("Omega A at_fold status"), OFFSET: _columns("Omega A at_fold status B")},
                 takes=("F_0",),
+                may=("level_dB",),
             ),
             Question(
                 "spectrum",
@@ -427,12 +429,14 @@ class ManyQuestions(Generic[Found]):
         """  # noqa: E501
         return self._ask("hysteresis", workers=workers, F_0=F_0, places=places)
 
-    def isolation(self, F_0: Any, *, workers: int = 1) -> Found:
+    def isolation(self, F_0: Any, *, level_dB: Any = None, workers: int = 1) -> Found:
         """The frequency from which on less than F_0 is transmitted: .Omega .A .at_fold; with a load .B.
 
+        level_dB -- numbers that broadcast: the transmissibility in decibels, <= 0, below which it stays; without all of F_0
+
         0 and NaN where every motion transmits less; NaN where there is no such frequency, `Status.NONE`.
-        """
-        return self._ask("isolation", workers=workers, F_0=F_0)
+        """  # noqa: E501
+        return self._ask("isolation", workers=workers, F_0=F_0, level_dB=level_dB)
 
     def spectrum(self, *, Omega: Any, F_0: Any, workers: int = 1) -> Found:
         """A load spectrum, one tone at a time: .A .transmissibility_dB .motions .crosses .detaches .sticks.

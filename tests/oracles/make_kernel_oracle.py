@@ -89,6 +89,9 @@ def slow_flow_table(rng: random.Random, scene: str) -> dict:
             Omega, A, h = (names.split().index(x) for x in ("Omega", "A", "h"))
             for x in chosen[:2]:
                 x[h] = -x[A] * x[Omega] ** 2 * (1 + 1e-9)
+        if name == "isolation":  # where h pushes outwards, too
+            for x in chosen[::2]:
+                x[-1] *= -1
         table[name] = [entry(zeroed(f, names.split(), scene), x) for x in chosen]
     names = "A m zeta h"
     table["detachment"] = [

@@ -35,7 +35,7 @@ from ...offset import mean_stiffness, offset_stiffness
 from ...resultants import Elimination
 from ...results import Results
 from ...slopes import Slopes
-from ...slow_flow import SCENES, I, R, SlowFlow, m, preload
+from ...slow_flow import SCENES, I, R, SlowFlow, m, preload, reduction
 from ...symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, zeta
 from ..form import GENERAL, Branch, Kernel, Module, by_even_power, in_words, plain, suffix
 
@@ -248,14 +248,16 @@ def slow_flow_kernels(flow: SlowFlow, detachment: Elimination) -> list[Kernel]:
             "from (23)",
             "Omega > 0, A > 0, F_0 > 0",
         ),
-        plain(
+        Kernel(
             "isolation",
-            (A, h),
-            flow.isolation,
-            "Frequency of a state that transmits as much as drives it, though it moves.",
+            (A, F_0, reduction, h),
+            (
+                Branch("inwards", ((h, sp.S.Zero),), flow.isolation_lets[0], (flow.isolation,)),
+                Branch("outwards", (), flow.isolation_lets[1], (flow.isolation,)),
+            ),
+            "Frequency of a state that transmits sqrt(1 - reduction) of what drives it, though it moves.",
             "from (23)",
-            "A > 0, h <= 0",
-            lets=flow.isolation_lets,
+            "A > 0, F_0 > 0, 0 <= reduction < 1",
             looped=False,
             in_c=False,
         ),

@@ -13,7 +13,7 @@ import sympy as sp
 from ...along import k
 from ...inertia import cubic, excited, fall, holds, linear, lost, other, rest, share, x
 from ...results import Results
-from ...slow_flow import I, R, m
+from ...slow_flow import I, R, m, reduction
 from ...symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
 from ..form import Branch, Kernel, Module, plain
 from .flow import of_R_and_I
@@ -58,6 +58,17 @@ def inertia_module(results: Results) -> Module:
                 "F_0 > 0, holds >= 0",
                 lets=of.moves_from_lets,
                 looped=False,
+            ),
+            plain(
+                "isolation",
+                (A, F_0, reduction, h),
+                of.isolation,
+                "Frequency of a state that transmits sqrt(1 - reduction) of what drives it, though it moves.",
+                "from (23)",
+                "A > F_0 sqrt(reduction), 0 <= reduction < 1, h <= 0",
+                lets=of.isolation_lets,
+                looped=False,
+                in_c=False,
             ),
             of_flow(
                 "level",

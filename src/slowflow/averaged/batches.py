@@ -240,6 +240,11 @@ class Batch(Answer):
         return self.asked.get("F_0", np.nan)
 
     @property
+    def _ratio(self) -> Any:
+        """The transmissibility that was asked about."""
+        return 10.0 ** (np.asarray(self.asked.get("level_dB", 0.0), dtype=float) / 20.0)
+
+    @property
     def _forcing(self) -> Floats:
         """Along the axis of places."""
         return np.asarray(self._F_0, dtype=float)[..., np.newaxis]
@@ -437,7 +442,7 @@ GRADIENTS: Mapping[str, Callable[[Batch, Given], Gradient]] = MappingProxyType(
         ),
         "peak": lambda one, of: of_peak(of, one.A, one.Omega, np.asarray(one._F_0, dtype=float)),
         "isolation": lambda one, of: of_isolation(
-            of, one.Omega, one.A, np.asarray(one._F_0, dtype=float), one.at_fold == 1
+            of, one.Omega, one.A, np.asarray(one._F_0, dtype=float), one.at_fold == 1, one._ratio
         ),
     }
 )

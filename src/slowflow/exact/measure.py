@@ -47,9 +47,12 @@ ASIDE = 1e-3
 #: how far from the averaged one a critical forcing is looked for, and steps towards it; how nearly it is found
 FARTHEST, WIDENING = 1.7, (0.01, 0.03, 0.06, 0.12, 0.25, 0.7)
 NEARLY = 1e-9
+#: the same of a frequency of isolation, which friction takes far up where the peak counts
+UPWARDS = (0.01, 0.03, 0.1, 0.3, 0.7, 1.5, 3.0, 7.0)
 
 AT_REST = text("at {Omega = :g} nothing moves", 0.0)
 NO_MOTION = "Newton's iteration finds no motion near it"
+NO_LEVEL = f"no frequency within a factor of {1 + UPWARDS[-1]:g} of it is found from which on the motion transmits less"
 TAKEN = "it leads to the motion of another state"
 NO_FOLD = f"the exact curve beside it has no fold within a factor of {AROUND:g} of its frequency"
 NO_PEAK = f"the exact curve beside it has no peak within a factor of {AROUND:g} of its frequency"
@@ -254,6 +257,44 @@ def detachment(system: EquationOfMotion, found: Any) -> MeasuredPoint:
 
 
 @limited()
+def isolation(at_frequency: Callable[[float], Any], system: EquationOfMotion, found: Any, of: str) -> MeasuredPoint:
+    """From where on the exact motions beside averaged ones transmit less, `of` their wave. Raises as `peak`."""
+    if not found.Omega or not found.A:
+        return _nothing(found.message if found.Omega is None else AT_REST)
+    ratio = 10.0 ** (found.level_dB / 20.0)
+
+    def motion(Omega: float) -> tuple[float, shooting.SteadyState]:
+        """What the motions that are stable on the average lead to: the largest share that is transmitted."""
+        beside = at_frequency(Omega)
+        guesses = zip(beside.A[beside.stable].tolist(), beside.phi[beside.stable].tolist(), strict=True)
+        motions = [shooting.near(system, Omega, found.F_0, guess) for guess in guesses if guess[0] > 0.0]
+        passed = [(getattr(one.transmitted(), of), one) for one in motions if one is not None]
+        if not passed:
+            raise NotSettled(NO_MOTION)
+        return max(passed, key=lambda pair: float(pair[0]))
+
+    def lacks(Omega: float) -> float:
+        return float(1.0 - motion(Omega)[0] / ratio)
+
+    def with_means(Omega: float) -> tuple[Any, Floats]:
+        beside = at_frequency(Omega)
+        return beside, beside.mean
+
+    at = found.Omega
+    if found.at_fold:
+        fold = next(_folds_near(with_means, system, found.F_0, at, found.A), None)
+        if fold is None:
+            return _nothing(NO_FOLD)
+        at = fold.Omega * (1.0 + ASIDE)
+        if lacks(at) >= 0.0:
+            return _point(found.F_0, fold.Omega, fold.A, found.Omega / fold.Omega, found.Omega)
+    Omega = _zero_near(lacks, at, UPWARDS)
+    if Omega is None:
+        return _nothing(NO_LEVEL)
+    return _point(found.F_0, Omega, motion(Omega)[1].A, found.Omega / Omega, found.Omega)
+
+
+@limited()
 def onset(system: EquationOfMotion, found: Any) -> MeasuredPoint:
     """The forcing at which the exact curve beside an averaged onset begins to fold. Raises as `peak`."""
     if found.F_SN is None:
@@ -309,8 +350,8 @@ def _top(
     return None
 
 
-def _zero_near(function: Callable[[float], float], at: float) -> float | None:
-    """The zero nearest to a forcing of a function that rises with it, and may jump there; None if none is found."""
+def _zero_near(function: Callable[[float], float], at: float, widening: tuple[float, ...] = WIDENING) -> float | None:
+    """The zero nearest to a number of a function that rises with it, and may jump there; None if none is found."""
 
     def value(F_0: float) -> float | None:
         try:
@@ -323,7 +364,7 @@ def _zero_near(function: Callable[[float], float], at: float) -> float | None:
     last, before = at, value(at)
     if before is None:
         return None
-    for share in WIDENING:
+    for share in widening:
         there = at / (1.0 + share) if before > 0.0 else at * (1.0 + share)
         found = value(there)
         if found is None:

@@ -20,7 +20,7 @@ from slowflow_kernels.domains import DAMPING, DISSIPATION
 NOT_YET = -1
 UNITS = "dimensionless"
 #: units of what is not dimensionless
-UNITS_OF = {"phi": "rad", "transmissibility_dB": "dB"}
+UNITS_OF = {"phi": "rad", "transmissibility_dB": "dB", "level_dB": "dB"}
 
 
 def of_map(ask: Ask) -> dict[str, Any]:

@@ -14,7 +14,7 @@ import numpy.typing as npt
 from slowflow import validate
 from slowflow.answer import Table
 from slowflow.gradient import Gradient
-from slowflow.loads import Isolation
+from slowflow.loads import Isolation, Level
 from slowflow.model import Floats, Model
 from slowflow.off_centre import moves
 from slowflow.off_centre.moves import Given
@@ -110,7 +110,8 @@ def isolation_moves(found: Isolation) -> Gradient:
         of = {name: name for name in ("Omega", "A", "B")}
         return _moved(found, Pinned.FOLD, (found.Omega, found.F_0), of, ("F_0",))
     assert found.load is not None
-    return moves.of_isolation(Given.of(found._model, found.load), (found.A, found.B, found.Omega, found.F_0))
+    point = found.A, found.B, found.Omega, found.F_0
+    return moves.of_isolation(Given.of(found._model, found.load), point, Level.of(found.level_dB).ratio)
 
 
 def _moved(

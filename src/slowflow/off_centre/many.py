@@ -164,8 +164,9 @@ class OffCentreDesigns(Unchanging, ManyQuestions[Batch]):
             return self._spectrum(**given)
         if question in SHOCKS:
             return self._of_shocks(question, **given)
-        asked = {name: given[name] for name in QUESTIONS[question].takes}
-        options = {name: value for name, value in given.items() if name not in asked}
+        row = QUESTIONS[question]
+        asked = {name: given.pop(name) for name in (*row.takes, *row.may) if given[name] is not None}
+        options = {name: value for name, value in given.items() if name not in row.may}
         if question == "frequency_response":
             samples, window = validate.curve(given["samples"], given["Omega"])
             options["samples"], options["Omega"] = samples, window
@@ -384,7 +385,7 @@ def _columns(found: Any, *names: str) -> dict[str, Any]:
 def _single(question: str, single: OffCentre, *at: float) -> Found:
     """A single answer in the columns of a batch: what it has of that name, and its number and kinds as codes."""
     row = QUESTIONS[question]
-    found = getattr(single, question)(**dict(zip(row.takes, at, strict=True)))
+    found = getattr(single, question)(**dict(zip((*row.takes, *row.may), at, strict=False)))
     names = [name for name in row.columns[OFFSET] if name != "status"]
     undecided = Remark.UNDECIDED in found.remarks
     if getattr(found, names[0]) is None:

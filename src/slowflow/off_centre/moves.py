@@ -224,12 +224,12 @@ def gradient(
     return Gradient(tuple(of), names, *whole, tuple(row.reshape(shape) for row in values), numbers)
 
 
-def of_isolation(given: Given, point: tuple[Any, Any, Any, Any]) -> Gradient:
-    """The gradient of the state at A, B, Omega and a forcing that transmits as much as drives it."""
+def of_isolation(given: Given, point: tuple[Any, Any, Any, Any], ratio: Any) -> Gradient:
+    """The gradient of the state at A, B, Omega and a forcing that transmits that share of what drives it."""
     of = {name: name for name in ("A", "B", "transmissibility")}
     state = gradient(given, Pinned.STATE, point, of, ("F_0", "Omega"))
     A, B, Omega = (np.asarray(one, dtype=float) for one in point[:3])
-    slopes, status = moves.along_frequency(state.slopes, state.status, Omega, A)
+    slopes, status = moves.along_frequency(state.slopes, state.status, Omega, A, ratio)
     return Gradient(("Omega", "A", "B"), state.by[:-1], slopes, status, (Omega, A, B), state._at[:-1])
 
 

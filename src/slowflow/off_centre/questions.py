@@ -31,7 +31,7 @@ from slowflow.off_centre.curve import Curves, Slow, curves, on_curve
 from slowflow.off_centre.equations import Detaching, Resting
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Means, Steps
-from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach
+from slowflow.off_centre.reach import AMPLITUDE, LARGEST, Farthest, Measure, Reach, Share
 from slowflow.off_centre.reach import BEYOND as BEYOND_IT
 from slowflow.results import (
     Detachment,
@@ -83,7 +83,7 @@ NO_ONSET = "no saddle node at any forcing, up to amplitudes far beyond the size 
 UNDECIDED_ONSET = Sentence("the onset is undecided: {why:s}")
 ON_CORNER = "on a corner that the jump of the force makes: one that does not jump has none there"
 UNDECIDED = Sentence("how many states there are is undecided at {Omega = :.6g}{more:s}")
-UNDECIDED_BEYOND = "whether a stable motion transmits the force at a higher frequency too is undecided"
+UNDECIDED_BEYOND = Sentence("whether a stable motion transmits {what:s} at a higher frequency too is undecided")
 UNDECIDED_FOLDS = Sentence("whether there are others is undecided next to {A = :.6g}{more:s}")
 UNDECIDED_REST = Sentence("whether there are others is undecided next to {u = :.6g}{more:s}")
 
@@ -583,48 +583,60 @@ class OffCentre(Unchanging):
         """
         return loads.spectrum(self, Omega, F_0, self._leaves, self._folds_at)
 
-    def isolation(self, F_0: float) -> loads.Isolation:
+    def isolation(self, F_0: float, level_dB: float = 0.0) -> loads.Isolation:
         """The frequency from which on every stable motion at F_0 transmits less than F_0, see `Oscillator.isolation`.
 
-        It is found on the response, and that no stable motion transmits F_0 beyond it is proved but for 2^-16 of it;
+        It is found on the response, and that no stable motion transmits that beyond it is proved but for 2^-16 of it;
         where that is not decided the answer says so, `Remark.UNDECIDED`. See `slowflow.off_centre.reach`. Raises
         NotAvailable where motions go beyond `A_max`, as on a base that shakes too much for a hardening spring.
         """
-        F_0 = validate.number("F_0", F_0, above=0.0)
+        F_0, level = validate.number("F_0", F_0, above=0.0), loads.as_level(level_dB)
         self._check_answered("isolation")
-        if self._flow.sticks(F_0):
-            return self._isolation(None, None, None, False, F_0, words.STICKS.format(F_0, self._m), Remark(0))
+        sticks = words.STICKS.format(F_0, self._m) if self._flow.sticks(F_0) else ""
+        floor = Averaged(self._model).transmissibility_floor(F_0)
+        if why := sticks or loads.passes_on(self._model, floor, level):
+            return self._isolation(level, None, None, None, False, F_0, why, Remark(0))
         if self._flow.inertial and self._is_cut(F_0):
             raise validate.NotAvailable(OPEN.format(self.A_max(F_0)))
         # what is transmitted has the square h^2 + I^2, as much as F_0 where R = -h, at Omega^2 = 2 p with p = -h/A
         backbone = self._reach.highest_backbone(self._complete.sheets, self.A_max(F_0), F_0, COARSE)
         highest = loads.BEYOND * math.sqrt(2 * (1 + COARSE) * backbone)
-        found = self._begins(F_0, 0.0, highest)
-        if found.Omega is None or not (left := self._transmits_beyond(found)):
+        share = None
+        if level.dB:
+            steepest = (1 + COARSE) * backbone
+            highest = loads.last_passed(self._flow, F_0, level, steepest)
+            share = Share(float(level.ratio), highest, steepest)
+        found = self._begins(F_0, 0.0, highest, level)
+        if found.Omega is None or not (left := self._transmits_beyond(found, share)):
             return found
         # between points of the response a motion may come to transmit F_0 and leave that again: more points there
         if math.isfinite(left[1]):
-            higher = self._begins(F_0, left[0] * (1 + BEYOND_IT), loads.BEYOND * left[1])
-            if higher.Omega and not self._transmits_beyond(higher):
+            higher = self._begins(F_0, left[0] * (1 + BEYOND_IT), loads.BEYOND * left[1], level)
+            if higher.Omega and not self._transmits_beyond(higher, share):
                 return higher
-        return replace(found, message=joined(found.message, UNDECIDED_BEYOND), remarks=found.remarks | Remark.UNDECIDED)
+        message = joined(found.message, UNDECIDED_BEYOND.format(str(level)))
+        return replace(found, message=message, remarks=found.remarks | Remark.UNDECIDED)
 
-    def _isolation(self, Omega: float | None, A: float | None, B: float | None, *others: Any) -> loads.Isolation:
-        moves = answers.isolation_moves
-        return loads.Isolation(Omega, A, *others, B=B, load=self.load, _model=self._model, _moves=moves)
+    def _isolation(
+        self, level: loads.Level, Omega: float | None, A: float | None, B: float | None, *others: Any
+    ) -> loads.Isolation:
+        beside: dict[str, Any] = {"B": B, "load": self.load, "_model": self._model, "_moves": answers.isolation_moves}
+        return loads.Isolation(Omega, A, *others, level_dB=level.dB, **beside)
 
-    def _begins(self, F_0: float, low: float, high: float) -> loads.Isolation:
+    def _begins(self, F_0: float, low: float, high: float, level: loads.Level) -> loads.Isolation:
         """Where isolation begins on points of the response between two frequencies."""
         curve = self._curve(F_0, loads.SAMPLES, low, high)
-        passes, at = partial(self._transmits, curve), ("Omega", "A", "B")
-        return loads.begins(self._isolation, curve, curve.transmissibility >= 1, passes, F_0, at)
+        passes, at = partial(self._transmits, curve, float(level.ratio)), ("Omega", "A", "B")
+        made, transmits = partial(self._isolation, level), curve.transmissibility >= level.ratio
+        return loads.begins(made, curve, transmits, passes, F_0, str(level), at)
 
-    def _transmits_beyond(self, found: loads.Isolation) -> tuple[float, float] | None:
+    def _transmits_beyond(self, found: loads.Isolation, share: Share | None = None) -> tuple[float, float] | None:
         """Between which frequencies beyond that one F_0 may be transmitted; None where it is proved that it is not."""
-        return self._reach.transmits_beyond(self._complete.sheets, self.A_max(found.F_0), found.F_0, found.Omega or 0.0)
+        sheets, A_max = self._complete.sheets, self.A_max(found.F_0)
+        return self._reach.transmits_beyond(sheets, A_max, found.F_0, found.Omega or 0.0, share)
 
-    def _transmits(self, curve: FrequencyResponse, one: int, other: int) -> tuple[float, float, float]:
-        """Omega, A and B between two points of a curve, at which the motion transmits F_0."""
+    def _transmits(self, curve: FrequencyResponse, ratio: float, one: int, other: int) -> tuple[float, float, float]:
+        """Omega, A and B between two points of a curve, at which the motion transmits that share of F_0."""
         slow = Slow(self._steps, self._flow, curve.F_0)
         ends = np.array([(curve.Omega[k], curve.A[k], curve.mean[k]) for k in (one, other)])
 
@@ -632,7 +644,7 @@ class OffCentre(Unchanging):
             share = (Omega - ends[0, 0]) / (ends[1, 0] - ends[0, 0])
             x = on_curve(slow, np.array([Omega]), (ends[0, 1:] + share * (ends[1, 1:] - ends[0, 1:]))[:, np.newaxis])
             h = -2 * self._steps.at(x[0], x[1], 0).s[0]
-            return x, float(np.asarray(self._flow.transmissibility(Omega, x[0], curve.F_0, h))[0]) - 1
+            return x, float(np.asarray(self._flow.transmissibility(Omega, x[0], curve.F_0, h))[0]) - ratio
 
         if at(ends[0, 0])[1] * at(ends[1, 0])[1] > 0:  # it is at the very point
             return float(ends[0, 0]), float(ends[0, 1]), float(ends[0, 2])

@@ -11,7 +11,8 @@ more than F_0, and those that are nearer than a motion that is known. Motions wi
 those are of which stable ones are.
 
 `transmits_beyond` goes on in the same way with the motions beyond a frequency that transmit all of F_0, Omega^2 <= 2 p:
-their frequencies lie between the two, and what F is there, and by which sign it changes with A, is known on boxes.
+their frequencies lie between the two, and what F is there, and by which sign it changes with A, is known on boxes. Of a
+share of F_0 another frequency is the last, and what is transmitted is known on boxes as well.
 """
 
 from __future__ import annotations
@@ -31,6 +32,7 @@ from slowflow.off_centre.means import Steps
 from slowflow.off_centre.sheets import Cells, Sheets
 from slowflow.text import Sentence
 from slowflow_kernels import off_centre
+from slowflow_kernels.conventions import HIGHEST_OMEGA
 from slowflow_support.errors import NotSettled
 
 #: share of the farthest beyond which it is proved that no motion goes
@@ -47,6 +49,18 @@ PARTS, NARROWED = 8, 5
 SMALL = 2.0**-40
 #: by how much a forcing may be off by rounding
 AT = 2.0**-40
+
+
+@dataclass(frozen=True)
+class Share:
+    """A share of F_0 that motions may transmit.
+
+    ratio, last -- which, and a frequency beyond which none with |h| <= steepest A transmits it
+    """
+
+    ratio: float
+    last: float
+    steepest: float
 
 
 @dataclass(frozen=True)
@@ -130,15 +144,17 @@ class Reach:
                 cells = sheets.cut(cells)
         return best, beside
 
-    def transmits_beyond(self, sheets: Sheets, A_max: float, F_0: float, Omega: float) -> tuple[float, float] | None:
-        """Between which frequencies beyond Omega stable motions at F_0 may transmit all of it; None: proved, nowhere.
+    def transmits_beyond(
+        self, sheets: Sheets, A_max: float, F_0: float, Omega: float, share: Share | None = None
+    ) -> tuple[float, float] | None:
+        """Between which frequencies beyond Omega stable motions at F_0 may transmit it; None: proved, nowhere.
 
         What is nearer to Omega than by `BEYOND` of it is not looked at.
         """
         least = (Omega * (1 + BEYOND)) ** 2
         cells, looked_at = sheets.cells(A_max), 0
         for _ in range(ROUNDS):
-            cells = cells.take(self._may_transmit(cells, F_0, least))
+            cells = cells.take(self._may_transmit(cells, F_0, least, share))
             looked_at += cells.chart.size
             if not cells.chart.size:
                 return None
@@ -146,12 +162,14 @@ class Reach:
                 break
             with np.errstate(all="ignore"):
                 cells = sheets.cut(cells)
-        return Omega, math.sqrt(2 * max(float(cells.p.hi.max()), 0.0))
+        return Omega, math.sqrt(2 * max(float(cells.p.hi.max()), 0.0)) if share is None else share.last
 
-    def _may_transmit(self, cells: Cells, F_0: float, least: float) -> Bools:
-        """Which cells may hold a stable motion at F_0 with least <= Omega^2 <= 2 p."""
+    def _may_transmit(self, cells: Cells, F_0: float, least: float, share: Share | None) -> Bools:
+        """Which cells may hold a stable motion at F_0 with least <= Omega^2 <= 2 p, or that transmits that share."""
         with np.errstate(all="ignore"):
             highest = 2 * cells.p.hi * (1 + ROUNDED)
+            if share is not None:
+                highest = np.where(cells.p.lo >= -share.steepest, share.last**2, float(HIGHEST_OMEGA) ** 2)
             none = (cells.rising.hi <= 0) | (highest < least)
             none |= self.flow.needed(cells.A, cells.p) * (1 - ROUNDED) > F_0
             start = np.full(none.size, least * (1 - ROUNDED))
@@ -160,14 +178,14 @@ class Reach:
             # ever less of the range of Omega^2
             for _ in range(NARROWED):
                 edges = start + shares * (end - start)
-                may = np.array([self._may_at(cells, F_0, *ends) for ends in pairwise(edges)])
+                may = np.array([self._may_at(cells, F_0, *ends, share) for ends in pairwise(edges)])
                 none |= ~may.any(axis=0)
                 first, last = np.argmax(may, axis=0), PARTS - np.argmax(may[::-1], axis=0)
                 n = np.arange(none.size)
                 start, end = np.where(none, start, edges[first, n]), np.where(none, end, edges[last, n])
         return ~none
 
-    def _may_at(self, cells: Cells, F_0: float, low: Floats, high: Floats) -> Bools:
+    def _may_at(self, cells: Cells, F_0: float, low: Floats, high: Floats, share: Share | None) -> Bools:
         """Which of them may have Omega^2 between two numbers each."""
         square = Interval.of(low * (1 - ROUNDED), high * (1 + ROUNDED))
         at = square.sqrt()
@@ -176,6 +194,8 @@ class Reach:
         # F_A along the balance
         rises = R * (square - cells.p - cells.e) + I * I_A
         beyond = (level.lo > force[1] * (1 + ROUNDED)) | (level.hi < force[0] * (1 - ROUNDED))
+        if share is not None:
+            beyond |= ((cells.A * cells.p).square() + I.square()).hi < share.ratio**2 * force[0] * (1 - ROUNDED)
         return np.asarray(~(beyond | (rises.hi < 0)))
 
     def _motions(self, x: Floats, F_0: float, measure: Measure) -> list[Farthest]:

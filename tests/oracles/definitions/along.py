@@ -271,15 +271,15 @@ def most_restoring(A, F_0, m, zeta):
     return F_0 + A * ((F_0 - at_0) / (at_1 - at_0)) ** 2
 
 
-def isolation(A, h):
-    """Where the force on the base, h beside the same damping, is as large as the forcing, found as a root."""
+def isolation(A, F_0, reduction, h):
+    """Where the square of the force on the base, h beside the same damping, is less by that share of F_0^2: a root."""
     m, zeta = mpf("0.01"), mpf("0.03")
 
     def excess(w):
         R, I = balances(w, A, m, zeta, h)
-        return mp.sqrt(h**2 + I**2) - mp.sqrt(R**2 + I**2)
+        return mp.sqrt(R**2 + I**2) - mp.sqrt(h**2 + I**2 + reduction * F_0**2)
 
-    return mp.findroot(excess, 1.4 * mp.sqrt(-h / A))
+    return mp.findroot(excess, 1.2 * mp.sqrt((abs(h) + F_0) / A))
 
 
 def response_at_rest(m, preload):
@@ -299,7 +299,7 @@ SLOPES: dict[str, tuple[str, Function]] = {
     "most_restoring": ("A F_0 m zeta", lambda *x: [most_restoring(*x)]),
     "least_restoring": ("F_0 m", lambda *x: [mp.sqrt(mp.mpf(x[0]) ** 2 - mp.mpf(x[1]) ** 2)]),
     "tail": ("Omega F_0 m", lambda *x: [tail(*x)]),
-    "isolation": ("A h", lambda *x: [isolation(*x)]),
+    "isolation": ("A F_0 reduction h", lambda *x: [isolation(*x)]),
     "held": ("m preload", lambda *x: [response_at_rest(*x)]),
 }
 LOCI: dict[str, tuple[str, Function, int]] = {

@@ -31,6 +31,21 @@ def shaken_level(Omega, A, m, zeta, h):
     return mp.findroot(lambda F_0: shaken_response(Omega, A, F_0, m, zeta, h), (abs(R) + I) / Omega**2)
 
 
+def shaken_isolation(A, F_0, reduction, h):
+    """Where the square of the force on the base, h beside the same damping, is less by that share of the force's."""
+    m, zeta = mpf("0.01"), mpf("0.03")
+    if A**2 <= reduction * F_0**2 or h > 0:
+        raise ValueError("there is no such frequency")
+
+    def excess(w):
+        R, I = balances(w, A, m, zeta, h)
+        return mp.sqrt(R**2 + I**2) - mp.sqrt(h**2 + I**2 + reduction * inertial(w, F_0) ** 2)
+
+    low = mp.sqrt(abs(h) / A)
+    high = next(w for w in (low * 2**k for k in range(1, 200)) if excess(w) > 0)
+    return mp.findroot(excess, (low, high), solver="anderson")
+
+
 def squared_level(Omega, A, m, zeta, h):
     """F is linear in F_0^2, from its values at 0 and 1."""
     at_0, at_1 = (shaken_response(Omega, A, F_0, m, zeta, h) for F_0 in (0, 1))
@@ -254,6 +269,7 @@ INERTIA: dict[str, tuple[str, Function]] = {
     "share": ("A zeta h", shaken_share),
     "amplitude": ("Omega force", lambda w, force: [mp.findroot(lambda F_0: inertial(w, F_0) - force, force)]),
     "moves_from": ("F_0 holds", lambda F_0, holds: [mp.findroot(lambda w: inertial(w, F_0) - holds, mpf("0.7"))]),
+    "isolation": ("A F_0 reduction h", lambda *x: [shaken_isolation(*x)]),
 }
 
 
@@ -272,5 +288,8 @@ def inertia_table(rng: random.Random) -> dict:
                 x[4] -= 0.2
                 if number % 3 == 2:
                     x[0], x[4] = 0.5 * x[1], -x[4]
+        if kernel == "isolation":  # amplitudes above F_0
+            for x in chosen:
+                x[0] += x[1]
         table[kernel] = [entry(f, x) for x in chosen]
     return table

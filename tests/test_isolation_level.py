@@ -1,0 +1,237 @@
+"""From which frequency on less than a level is transmitted: closed forms, brute force, differences, an integrator."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
+
+from slowflow import Duffing, Isolator, scenes
+from slowflow_kernels.conventions import Status
+from slowflow_support.errors import Refused
+from tests.sampling import fewer
+
+#: some designs have a negative stiffness at rest
+pytestmark = pytest.mark.filterwarnings("ignore:delta_h")
+
+LEVELS = (0.0, -3.0, -20.0, -40.0)
+EPS = np.finfo(float).eps
+
+
+def linear(zeta: float, level_dB: float) -> float:
+    """T^2 = (1 + 4 zeta^2 X)/((1 - X)^2 + 4 zeta^2 X) = kappa^2, a quadratic in X = Omega^2; its larger root."""
+    kappa_2, damping = 10 ** (level_dB / 10), 4 * zeta**2
+    half = 1 - 0.5 * damping + 0.5 * damping / kappa_2
+    return math.sqrt(half + math.sqrt(half**2 - 1 + 1 / kappa_2))
+
+
+@pytest.mark.parametrize("level_dB", LEVELS)
+@pytest.mark.parametrize("zeta", [0.001, 0.05, 0.4, 1.5])
+@pytest.mark.parametrize("excitation", ["force", "base", "unbalance"])
+def test_isolation_of_a_linear_mount_is_the_closed_form(excitation, zeta, level_dB):
+    expected = linear(zeta, level_dB)
+    found = Duffing(1.0, 0.0, zeta=zeta, excitation=excitation).isolation(0.3, level_dB)
+    many = Duffing.many(alpha=1.0, beta=0.0, zeta=[zeta], excitation=excitation).isolation(0.3, level_dB=level_dB)
+    # an amplitude next to that of the base has the frequency in its last digits
+    near = 64 * EPS * (1 if excitation == "force" else 10 ** (-level_dB / 10))
+    assert found.Omega == pytest.approx(expected, rel=near)
+    assert many.Omega[0] == pytest.approx(expected, rel=near)
+    assert found.level_dB == level_dB and not found.at_fold
+
+
+def random_design(rng: np.random.Generator, excitation: str) -> tuple[Isolator | Duffing, float]:
+    damping = {"mu": 10 ** rng.uniform(-5, -3), "zeta": 10 ** rng.uniform(-1.7, -0.7)}
+    if rng.random() < 0.5:
+        one = Duffing(rng.uniform(0.2, 2), rng.uniform(-0.1, 2), excitation=excitation, **damping)
+    else:
+        spring = {"lam": 3, "r": rng.uniform(0.5, 3), "delta_h": rng.uniform(0.02, 0.3)}
+        one = Isolator(**spring, excitation=excitation, **damping)
+    return one, 10 ** rng.uniform(-2, -1)
+
+
+def passed(one, Omega: float, F_0: float) -> float:
+    """The most that a stable motion transmits, in dB."""
+    states = one.amplitudes(Omega=Omega, F_0=F_0)
+    return float(states.transmissibility_dB[states.stable].max(initial=-math.inf))
+
+
+@pytest.mark.parametrize("excitation", ["force", "base"])
+@pytest.mark.parametrize("seed", range(fewer(12, 4)))
+def test_beyond_it_no_stable_motion_at_any_frequency_transmits_more_and_before_it_one_does(seed, excitation):
+    one, F_0 = random_design(np.random.default_rng(seed), excitation)
+    for level_dB in (-3.0, -12.0, -25.0):
+        found = one.isolation(F_0, level_dB)
+        if found.Omega is None:
+            assert "transmits more" in found.message or one.transmissibility_floor(F_0) >= 10 ** (level_dB / 20)
+            continue
+        beyond = found.Omega * np.geomspace(1 + 1e-6, 30, 120)
+        assert max(passed(one, Omega, F_0) for Omega in beyond.tolist()) <= level_dB + 1e-9
+        assert passed(one, found.Omega * (1 - 1e-6), F_0) >= level_dB
+        if not found.at_fold:
+            assert passed(one, found.Omega, F_0) == pytest.approx(level_dB, abs=1e-7)
+
+
+@given(seed=st.integers(0, 2**32), levels=st.lists(st.floats(-60, 0), min_size=2, max_size=4))
+def test_a_lower_level_never_begins_earlier(seed, levels):
+    one, F_0 = random_design(np.random.default_rng(seed), "force")
+    begins = [one.isolation(F_0, level_dB).Omega for level_dB in sorted(levels, reverse=True)]
+    numbers = [math.inf if Omega is None else Omega for Omega in begins]
+    assert all(before <= after * (1 + 1e-12) for before, after in pairwise(numbers))
+
+
+@pytest.mark.parametrize("excitation", ["force", "base"])
+def test_many_designs_at_many_levels_are_those_of_each(excitation):
+    rng = np.random.default_rng(5)
+    n = fewer(40, 4)
+    given = {"alpha": rng.uniform(0.1, 2, n), "beta": rng.uniform(-0.3, 2, n), "mu": 10 ** rng.uniform(-5, -2, n)}
+    given["zeta"] = 10 ** rng.uniform(-2, 0, n)
+    F_0, levels = 10 ** rng.uniform(-2, -0.5, n), np.array([[0.0], [-7.0], [-21.0], [-70.0]])
+    many = Duffing.many(**given, excitation=excitation).isolation(F_0, level_dB=levels)
+    assert many.Omega.shape == (4, n) and many.asked["level_dB"] is levels
+    for row, level_dB in enumerate(levels[:, 0].tolist()):
+        for k in range(n):
+            one = Duffing(**{name: float(value[k]) for name, value in given.items()}, excitation=excitation)
+            try:
+                single = one.isolation(float(F_0[k]), level_dB)
+            except ArithmeticError:
+                continue
+            if single.Omega is None:
+                assert many.status[row, k] in (Status.NONE, Status.STICKS), (row, k, single.message)
+                continue
+            assert many.status[row, k] == Status.OK
+            near = 1e-11 if excitation == "force" else 1e-11 * 10 ** (-level_dB / 10)
+            assert many.Omega[row, k] == pytest.approx(single.Omega, rel=near)
+            assert bool(many.at_fold[row, k]) == single.at_fold
+
+
+def test_what_friction_passes_on_at_any_frequency_is_told():
+    given, F_0 = {"alpha": 1.0, "beta": 0.5, "mu": 0.01, "zeta": 0.05}, 0.1
+    floor = 20 * math.log10(4 * 0.01 / (math.pi * F_0))
+    found = Duffing(**given).isolation(F_0, floor - 0.01)
+    assert found.Omega is None and f"friction passes on {floor:.4g} dB" in found.message
+    assert Duffing(**given).isolation(F_0, floor + 0.01).Omega > 10
+    many = Duffing.many(**given).isolation(F_0, level_dB=[floor - 0.01, floor + 0.01, math.nan, 1.0])
+    assert many.status.tolist() == [Status.NONE, Status.OK, Status.INVALID, Status.INVALID]
+    stuck = Duffing(**given).isolation(0.01, -20.0)
+    assert stuck.Omega is None and "sticks" in stuck.message
+
+
+def test_quadratic_damping_takes_a_share_of_the_motion_of_a_base_to_the_mass_at_any_frequency():
+    shaken = Duffing(1.0, 0.0, zeta=0.05, c_2=0.5, excitation="base")
+    floor = 20 * math.log10(shaken.transmissibility_floor(0.2))
+    assert "quadratic damping passes on" in shaken.isolation(0.2, floor - 0.1).message
+    assert shaken.isolation(0.2, floor + 1.0).Omega > shaken.isolation(0.2).Omega
+
+
+@pytest.mark.parametrize("level_dB", [1e-9, 3, math.nan, "-20"])
+def test_a_level_above_0_dB_is_refused(level_dB):
+    with pytest.raises(Refused, match="level_dB"):
+        Duffing(1.0, 0.0, zeta=0.1).isolation(0.3, level_dB)
+
+
+@pytest.mark.parametrize("excitation", ["force", "base"])
+@pytest.mark.parametrize("level_dB", [-6.0, -20.0])
+def test_it_moves_with_the_parameters_as_differences_say(level_dB, excitation):
+    given, F_0, step = {"alpha": 0.8, "beta": 0.6, "mu": 1e-3, "zeta": 0.08}, 0.05, 1e-6
+    found = Duffing(**given, excitation=excitation).isolation(F_0, level_dB)
+    gradient = found.gradient()
+    many = Duffing.many(**given, excitation=excitation).isolation(F_0, level_dB=[level_dB]).gradient()
+    for name, value in {**given, "F_0": F_0}.items():
+        ends = []
+        for side in (1 - step, 1 + step):
+            design, forcing = {**given}, F_0
+            if name == "F_0":
+                forcing = F_0 * side
+            else:
+                design[name] = value * side
+            ends.append(Duffing(**design, excitation=excitation).isolation(forcing, level_dB))
+        for of in ("Omega", "A"):
+            slope = (getattr(ends[1], of) - getattr(ends[0], of)) / (2 * step * value)
+            assert gradient[of, name] == pytest.approx(slope, rel=2e-6, abs=1e-9)
+            assert many[of, name][0] == pytest.approx(gradient[of, name], rel=1e-9)
+
+
+def test_under_a_load_it_is_that_of_the_states_there():
+    loaded = Duffing(1.0, 0.5, mu=1e-3, zeta=0.05, load=0.2)
+    begins = [loaded.isolation(0.05, level_dB) for level_dB in (0.0, -10.0)]
+    assert begins[0].Omega < begins[1].Omega
+    states = loaded.amplitudes(Omega=begins[1].Omega, F_0=0.05)
+    assert states.transmissibility_dB[states.stable].max() == pytest.approx(-10, abs=1e-6)
+    # a linear spring does not know the load
+    assert Duffing(1.0, 0.0, zeta=0.1, load=0.2).isolation(0.3, -20.0).Omega == pytest.approx(
+        linear(0.1, -20), rel=1e-12
+    )
+    many = Duffing.many(alpha=1.0, beta=0.5, mu=1e-3, zeta=0.05, load=[0.2]).isolation(0.05, level_dB=-10.0)
+    assert many.Omega[0] == begins[1].Omega and many.B[0] == begins[1].B
+    assert many.gradient()["Omega", "zeta"][0] == begins[1].gradient()["Omega", "zeta"]
+
+
+MOUNT = {"m": 12.0, "k_v": 2500.0, "k_h": 1700.0, "n": 3, "L": 0.08, "preload": 0.009, "friction": 0.1, "zeta": 0.02}
+
+
+def test_a_mount_answers_in_hertz():
+    mount = Isolator.physical(**MOUNT)
+    found = mount.isolation(5.0, level_dB=-12.0)
+    assert mount.amplitudes(f=found.f, F=5.0).transmissibility_dB == pytest.approx(-12.0, abs=1e-7)
+    softer = Isolator.physical(**{**MOUNT, "k_h": 1700.0 * (1 + 1e-6)}).isolation(5.0, level_dB=-12.0)
+    assert found.gradient()["f", "k_h"] == pytest.approx((softer.f - found.f) / 1.7e-3, rel=1e-4)
+    assert found.measure(of="peak").f != found.measure().f
+
+
+def test_a_scene_asks_at_several_levels(tmp_path):
+    numbers = "\n".join(f"{name} = {value}" for name, value in MOUNT.items())
+    path = tmp_path / "scene.toml"
+    path.write_text(f'[mount]\n{numbers}\n[ask]\nF = [3, 5]\nlevel_dB = [0, -12]\nquestions = ["isolation"]\n')
+    scene = scenes.read(path)
+    assert [str(one) for one in scene.asked][1] == "isolation at F = 3 N, level_dB = -12"
+    begins = [scene.answer(one).f for one in scene.asked]
+    assert begins[0] < begins[1] and begins[2] < begins[3]
+    assert scene.explain(scene.asked[1]) is not None
+    path.write_text(path.read_text().replace("[0, -12]", "3"))
+    with pytest.raises(ValueError, match=r"scene.toml:12: level_dB = 3 is not allowed"):
+        scenes.read(path)
+
+
+def transmitted(alpha: float, beta: float, zeta: float, F_0: float, Omega: float) -> tuple[float, float]:
+    """Peak and fundamental harmonic of what spring and damper pass on, over F_0, by SciPy."""
+    period = 2 * math.pi / Omega
+
+    def slopes(tau, x):
+        return x[1], F_0 * math.cos(Omega * tau) - 2 * zeta * x[1] - alpha * x[0] - beta * x[0] ** 3
+
+    periods = math.ceil(30 / zeta / period)
+    end = solve_ivp(slopes, (0, periods * period), (0.0, 0.0), rtol=1e-10, atol=1e-12, method="DOP853").y[:, -1]
+    at = np.linspace(0, period, 4097)[:-1]
+    u, v = solve_ivp(slopes, (0, period), end, t_eval=at, rtol=1e-12, atol=1e-14, method="DOP853").y
+    force = alpha * u + beta * u**3 + 2 * zeta * v
+    return float(np.abs(force).max() / F_0), float(2 * abs((force * np.exp(-1j * Omega * at)).mean()) / F_0)
+
+
+@pytest.mark.parametrize("level_dB", [-3.0, -20.0])
+def test_measured_it_is_where_an_integrator_finds_that_level(level_dB):
+    given, F_0 = {"alpha": 0.5, "beta": 0.5, "zeta": 0.15}, 0.2  # one motion at each frequency
+    found = Duffing(**given).isolation(F_0, level_dB)
+    peak, first = found.measure("peak"), found.measure("first")
+    assert 20 * math.log10(transmitted(**given, F_0=F_0, Omega=peak.Omega)[0]) == pytest.approx(level_dB, abs=1e-4)
+    assert 20 * math.log10(transmitted(**given, F_0=F_0, Omega=first.Omega)[1]) == pytest.approx(level_dB, abs=1e-4)
+    assert first.error == pytest.approx(found.Omega / first.Omega - 1, rel=1e-12)
+    with pytest.raises(Refused, match="of = 'rms'"):
+        found.measure("rms")
+
+
+def test_a_grid_and_a_store_take_levels_along_an_axis_of_their_own(tmp_path):
+    xarray = pytest.importorskip("xarray")
+    pytest.importorskip("zarr")
+    levels = xarray.DataArray([0.0, -10.0], dims="level")
+    grid = Duffing.many(alpha=1.0, beta=0.5, mu=1e-3, zeta=xarray.DataArray([0.02, 0.2], dims="damping"))
+    found = grid.isolation(0.05, level_dB=levels)
+    many = Duffing.many(alpha=1.0, beta=0.5, mu=1e-3, zeta=[[0.02], [0.2]]).isolation(0.05, level_dB=[0.0, -10.0])
+    np.testing.assert_array_equal(found["Omega"].transpose("damping", "level"), many.Omega)
+    assert found["level_dB"].attrs["long_name"] and found["level_dB"].dims == ("level",)
+    stored = grid.store(tmp_path / "store", "isolation", F_0=0.05, level_dB=levels)
+    xarray.testing.assert_equal(stored["Omega"].compute(), found["Omega"].compute())
