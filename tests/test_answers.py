@@ -13,11 +13,13 @@ from concurrent.futures import ProcessPoolExecutor
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, answer
+from slowflow import Duffing, Isolator, answer, backend
 from slowflow.averaged.batches import Batch
 from slowflow.oscillator import Oscillator
 from slowflow.paper.example import isolator
+from slowflow.results import SteadyStates
 from slowflow.sizing import fit, front, meet, tolerances
+from slowflow.text import Sentence
 from slowflow_kernels import rod_spring
 
 
@@ -207,6 +209,31 @@ def test_a_copy_is_what_it_was(name, how):
     other = COPIES[how](one)
     assert other == one and hash(other) == hash(one) and type(other) is type(one)
     assert not any(array.flags.writeable for array in arrays(other))
+
+
+@pytest.mark.parametrize("F_0", [0.01, 0.018, 0.04])
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda one, F_0: one.saddle_nodes(F_0),
+        lambda one, F_0: one.amplitudes(Omega=[0.5, 0.9], F_0=F_0),
+        lambda one, F_0: one.frequency_response(F_0, samples=50),
+        lambda one, F_0: one.peak(F_0),
+        lambda one, F_0: one.saddle_node_onset(),
+        lambda one, F_0: one.detachment(),
+    ],
+)
+def test_words_are_made_when_they_are_read_and_go_with_copies(ask, F_0, monkeypatch):
+    """Of a mass that sticks, one without folds, one with: nothing makes a sentence before that."""
+    made = []
+    monkeypatch.setattr(Sentence, "format", lambda *given, _format=Sentence.format: made.append(1) or _format(*given))
+    one = Isolator(lam=3, r=2.0, delta_h=0.08, mu=0.012, zeta=0.02)
+    unread = ask(one, F_0)
+    # a mass at rest is a state among others, whose words are made with it; those on NumPy are made with the answer
+    assert not made or backend.SOLVER is None or (F_0 == 0.01 and isinstance(unread, SteadyStates) and unread.A.size)
+    copies = [how(ask(one.replace(), F_0)) for how in COPIES.values()]
+    assert all(other.message == unread.message and other.remarks == unread.remarks for other in copies)
+    assert str(other := ask(one.replace(), F_0)) == str(unread) and other == unread
 
 
 @pytest.mark.parametrize("name", ANSWERS)

@@ -9,9 +9,9 @@ from __future__ import annotations
 import dataclasses
 import importlib
 import operator
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 import numpy.typing as npt
@@ -28,6 +28,19 @@ SHOWN, ACROSS = 30, 16
 NAMED = 14
 
 
+class _WhenRead:
+    """A field that an answer has not got yet: `_later` of it makes all of these when the first is read."""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    def __get__(self, one: Any, kind: Any = None) -> Any:
+        if one is None or "_later" not in one.__dict__:  # of a class, so that dataclasses take it for no default
+            raise AttributeError(self.name)
+        one.__dict__.update(one._later(one))
+        return one.__dict__[self.name]
+
+
 class Answer:
     """What all answers share: read-only arrays, equality by content, plain numbers and lists on demand.
 
@@ -36,9 +49,35 @@ class Answer:
 
     in_words: ClassVar[Words] = MappingProxyType({})
 
+    if not TYPE_CHECKING:
+        message, remarks, untruncated = _WhenRead(), _WhenRead(), _WhenRead()
+
+    @classmethod
+    def _made(cls, *, message: str | Callable[[], str], **found: Any) -> Self:
+        """An answer from its fields by name, in a fifth of the time; a function makes the message when it is read.
+
+        A field whose default is a value need not be among them.
+        """
+        one = cls.__new__(cls)
+        for value in found.values():
+            if type(value) is np.ndarray:
+                value.setflags(write=False)
+        if isinstance(message, str):
+            found["message"] = message
+        else:
+            found["_later"] = lambda _: {"message": message()}
+        one.__dict__.update(found)
+        return one
+
     def __post_init__(self) -> None:
         for value in self.__dict__.values():
             _freeze(value)
+
+    def __getstate__(self) -> dict[str, Any]:
+        # words are made now: a copy has nothing to make them from
+        if "_later" in self.__dict__:
+            getattr(self, "message")  # noqa: B009
+        return {name: value for name, value in self.__dict__.items() if name != "_later"}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         # copied arrays can be written to

@@ -5,9 +5,9 @@ The averaged questions come from `Averaged`; the second approximation and the ex
 
 from __future__ import annotations
 
-import dataclasses
 import warnings
-from functools import cached_property
+from collections.abc import Callable
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
@@ -15,7 +15,6 @@ import numpy as np
 from slowflow import validate
 from slowflow.answer import joined, sentences
 from slowflow.averaged.questions import Averaged
-from slowflow.averaged.remarks import NOTHING
 from slowflow.certificate import Certificate
 from slowflow.loaded import CENTRED, Loaded, off_centre_by
 from slowflow.mechanism import EquationOfMotion, Floats, Force, Mechanism, followed
@@ -250,12 +249,20 @@ class Oscillator(Unchanging, Averaged):
         """
         if isinstance(self.model, Loaded):
             return self.off_centre.saddle_node_onset()
-        found = super().saddle_node_onset()
-        if found.remarks is NOTHING or Remark.OF_TRUNCATION not in found.remarks:
-            return found
-        load = self.model.mechanism.load_untruncated
-        if load is None:
-            return found
+        return super().saddle_node_onset()
+
+    def _onset_with_words(self) -> SaddleNodeOnset:
+        found = super()._onset_with_words()
+        if self.model.mechanism.load_untruncated is not None:
+            del found.__dict__["untruncated"]
+            found.__dict__["_later"] = partial(self._with_untruncated, found.__dict__["_later"])
+        return found
+
+    def _with_untruncated(self, makes: Callable[[Any], dict[str, Any]], found: SaddleNodeOnset) -> dict[str, Any]:
+        """What there is to say beside an onset, and that of the untruncated force where it is one of truncation."""
+        said, load = makes(found), self.model.mechanism.load_untruncated
+        if load is None or Remark.OF_TRUNCATION not in said["remarks"]:
+            return {**said, "untruncated": None}
         values = dict(zip(self.model.mechanism.design_names, self.design, strict=True))
         model = Model.of(load(), {**values, "mu": self.mu, "zeta": self.zeta}, self.excitation, self.model.laws)
         try:
@@ -267,7 +274,7 @@ class Oscillator(Unchanging, Averaged):
             beside = joined("without truncation: " + why, *more)
         else:
             beside = WITHOUT_TRUNCATION.format(other.F_SN, other.kind)
-        return dataclasses.replace(found, untruncated=other, message=joined(found.message, beside))
+        return {**said, "untruncated": other, "message": joined(said["message"], beside)}
 
     def restoring_force(self, which: str | None = None) -> Force:
         """The force of the equation of motion, piece by piece: "truncated" for (6), "untruncated" for (5).

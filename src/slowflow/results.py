@@ -64,6 +64,14 @@ class Remark(IntFlag):
     UNSUSTAINED = 4096
 
 
+NOTHING = Remark(0)
+
+
+def _nothing() -> Remark:
+    """The default of answers, by a function: a value of the class would stand before what is made when it is read."""
+    return NOTHING
+
+
 class State(NamedTuple):
     """A steady state, as in `SteadyStates`."""
 
@@ -361,7 +369,7 @@ class SteadyStates(WithMean, InDecibels, Table):
     load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     message: str
     Omega_undecided: Floats = field(default_factory=lambda: np.empty(0), kw_only=True)
-    remarks: Remark = field(default=Remark(0), kw_only=True)
+    remarks: Remark = field(default_factory=_nothing, kw_only=True)
     _model: Model = field(repr=False)
     _asked: Measures | None = field(default=None, kw_only=True, repr=False)
     _moves: Moves | None = field(default=None, kw_only=True, repr=False)
@@ -513,7 +521,7 @@ class SaddleNodes(WithMean, Table):
     F_0: float
     load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     message: str
-    remarks: Remark = field(default=Remark(0), kw_only=True)
+    remarks: Remark = field(default_factory=_nothing, kw_only=True)
     proof: ProvedFolds | None = field(default=None, kw_only=True, metadata=UNLOADED)
     _model: Model = field(repr=False)
     _asked: Measures | None = field(default=None, kw_only=True, repr=False)
@@ -579,8 +587,8 @@ class SaddleNodeOnset(OfPoint, Single):
     kind: str
     load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     message: str
-    untruncated: SaddleNodeOnset | None = field(default=None, kw_only=True, metadata=UNLOADED)
-    remarks: Remark = field(default=Remark(0), kw_only=True)
+    untruncated: SaddleNodeOnset | None = field(default_factory=lambda: None, kw_only=True, metadata=UNLOADED)
+    remarks: Remark = field(default_factory=_nothing, kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
     _asked: Measures | None = field(default=None, kw_only=True, repr=False)
     _moves: Moves | None = field(default=None, kw_only=True, repr=False)
@@ -656,7 +664,7 @@ class Cusps(Table):
     A: Floats
     minimum: npt.NDArray[np.bool_]
     message: str
-    remarks: Remark = field(default=Remark(0), kw_only=True)
+    remarks: Remark = field(default_factory=_nothing, kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
 
     def gradient(self) -> Gradient:
@@ -680,7 +688,7 @@ class IsolaPoints(Table):
     A: Floats
     kind: npt.NDArray[np.str_]
     message: str
-    remarks: Remark = field(default=Remark(0), kw_only=True)
+    remarks: Remark = field(default_factory=_nothing, kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
 
     def gradient(self) -> Gradient:
@@ -707,7 +715,7 @@ class Peak(OfPoint, Single):
     F_0: float
     load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     message: str
-    remarks: Remark = field(default=Remark(0), kw_only=True)
+    remarks: Remark = field(default_factory=_nothing, kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
     _asked: Measures | None = field(default=None, kw_only=True, repr=False)
     _moves: Moves | None = field(default=None, kw_only=True, repr=False)
@@ -759,7 +767,7 @@ class Detachment(OfPoint, Single):
     B: float | None = field(default=None, kw_only=True, metadata=LOADED)
     load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     message: str
-    remarks: Remark = field(default=Remark(0), kw_only=True)
+    remarks: Remark = field(default_factory=_nothing, kw_only=True)
     _model: Model | None = field(default=None, kw_only=True, repr=False)
     _asked: Measures | None = field(default=None, kw_only=True, repr=False)
     _moves: Moves | None = field(default=None, kw_only=True, repr=False)

@@ -6,6 +6,7 @@ Same names, arguments and answers as in `reference.answers`, which run on NumPy;
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from slowflow.answer import joined
 from slowflow.averaged import words
 from slowflow.model import Floats, Model
 from slowflow.results import (
+    NOTHING,
     Cusps,
     Detachment,
     FoldLocus,
@@ -27,6 +29,9 @@ from slowflow.results import (
 from slowflow_kernels.conventions import OnsetKind, Status
 from slowflow_support.errors import NotSettled, OutOfRange
 
+#: the words for kinds of folds, by whether a sweep leaves them upwards
+FOLD_KINDS = np.array(["jump-down", "jump-up"])
+NO_NUMBER = np.empty(0)
 #: the words for its kinds
 ONSET_KINDS = {kind.value: kind.name.lower() for kind in OnsetKind}
 
@@ -65,14 +70,17 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     check(status, model, F_0)
     message, cut = words.of_folds(model, F_0, A.size > 0 or undecided, remark_of(model, F_0))
     codes = words.beside(undecided, cut)
-    return SaddleNodes(Omega, A, np.where(up, "jump-up", "jump-down"), corner, F_0, message, model, remarks=codes)
+    columns = {"Omega": Omega, "A": A, "kind": FOLD_KINDS.take(up), "corner": corner}
+    return SaddleNodes._made(**columns, F_0=F_0, message=message, remarks=codes, _model=model)
 
 
 def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
     status, F_SN, Omega, A, kind, at_rest = backend.solver().onset(model.native)
     if status == Status.OK:
-        return words.with_folds_at_rest(model, SaddleNodeOnset(F_SN, Omega, A, ONSET_KINDS[kind], ""), at_rest)
+        onset = {"F_SN": F_SN, "Omega": Omega, "A": A, "kind": ONSET_KINDS[kind], "untruncated": None}
+        found = SaddleNodeOnset._made(**onset, message="", remarks=NOTHING)
+        return words.with_folds_at_rest(model, found, at_rest)
     if status == Status.UNRESOLVED:
         raise NotSettled(words.unresolved_onset(model))
     check(status, model)
@@ -97,7 +105,7 @@ def detachment(model: Model) -> Detachment:
         ends = model.breakpoints
         said = words.NOT_REACHED.format(ends[0], ends[0]) if ends else words.NO_DETACHMENT
         return Detachment(None, None, None, said)
-    return Detachment(F_cr, Omega_cr, u_cr, "")
+    return Detachment._made(F_cr=F_cr, Omega_cr=Omega_cr, u_cr=u_cr, message="", remarks=NOTHING)
 
 
 def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
@@ -109,7 +117,7 @@ def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
         return Peak(None, None, F_0, said, _status=Status.UNBOUNDED)
     if status == Status.NONE:
         return words.no_top(model, F_0, most)
-    return Peak(A, Omega, F_0, "")
+    return Peak._made(A=A, Omega=Omega, F_0=F_0, message="", remarks=NOTHING)
 
 
 def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
@@ -142,8 +150,9 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
         Omega, A, stable, branch = Omega[moves], A[moves], stable[moves], branch[moves]
     remark = remark_of(model, F_0)
     message = remark if A.size else joined(remark, words.empty_window(model, F_0, window))
+    columns = {"Omega": Omega, "A": A, "stable": stable, "branch": branch, "isola": isola, "Omega_undecided": NO_NUMBER}
     codes = words.beside(undecided, remark)
-    return FrequencyResponse(Omega, A, stable, F_0, message, model, branch, isola, remarks=codes)
+    return FrequencyResponse._made(**columns, F_0=F_0, message=message, remarks=codes, _model=model)
 
 
 def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
@@ -151,6 +160,7 @@ def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     status, at, A, stable, undecided = backend.solver().steady_states(model.native, F_0, Omega)
     check(status, model, F_0)
     remark = remark_of(model, F_0)
-    message = words.of_states(model, F_0, remark, Omega, at, undecided)
+    message = partial(words.of_states, model, F_0, remark, Omega, at, undecided)
+    columns = {"Omega": at, "A": A, "stable": stable, "Omega_undecided": undecided}
     codes = words.beside(undecided.size > 0, remark)
-    return SteadyStates(at, A, stable, F_0, message, model, Omega_undecided=undecided, remarks=codes)
+    return SteadyStates._made(**columns, F_0=F_0, message=message, remarks=codes, _model=model)

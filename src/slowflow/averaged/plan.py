@@ -1,7 +1,7 @@
 """What runs for a question and what does not: in go an oscillator's models and the question, out comes the plan.
 
-The plan is made in one place and obeyed: an oscillator hands its solvers `Plan.model`, and asks for nothing that the
-plan skips. `str(plan)` tells it, step by step, with the reasons.
+It is made in one place and obeyed: an oscillator hands its solvers what `solved` says, and so does the plan, which has
+the reasons, step by step, and is made where one is asked for.
 """
 
 from __future__ import annotations
@@ -82,13 +82,23 @@ class Plan:
         return "\n".join([f"{self.question}{self.where or at}", *(f"  {step}" for step in self.steps)])
 
 
+def solved(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None) -> tuple[Model | None, bool]:
+    """What the solvers get, None where the mass stays at rest, and whether folds are searched for; as `plan`."""
+    if whole.sticks(F_0):
+        return None, False
+    if question != "saddle_nodes":
+        return whole, question != "peak"
+    return whole, not (whole.linear or (onset is not None and _is_below(F_0, onset)))
+
+
 def plan(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None) -> Plan:
     """The plan for one of `QUESTIONS` at F_0 > 0.
 
     whole -- the oscillator
     onset -- the onset of folds, if it has been asked for already
     """
-    if whole.sticks(F_0):
+    model, searched = solved(question, F_0, whole, onset)
+    if model is None:
         return Plan(
             question,
             F_0,
@@ -105,19 +115,17 @@ def plan(question: str, F_0: float, whole: Model, onset: SaddleNodeOnset | None)
     told = QUARTIC.format(whole.laws.told()) if whole.laws.any else whole.flow.SCENE
     flow = Step("slow flow", True, told)
     if question == "peak":
-        return Plan(question, F_0, whole, False, (force, flow, *PEAK))
+        return Plan(question, F_0, whole, searched, (force, flow, *PEAK))
     if question != "saddle_nodes":
         counted = (
             [Step("number", True, STATES + IN_BALLS)] if question == "amplitudes" and proofs.is_plain(whole) else []
         )
-        return Plan(question, F_0, whole, True, (force, flow, *CURVE, *counted))
-    if whole.linear:
-        folds = Step("folds", False, "a linear oscillator has none")
-    elif onset is not None and _is_below(F_0, onset):
-        folds = Step("folds", False, BELOW.format(onset.F_SN))
+        return Plan(question, F_0, whole, searched, (force, flow, *CURVE, *counted))
+    if searched:
+        why = FOLDS + IN_BALLS if proofs.is_plain(whole) else FOLDS
     else:
-        folds = Step("folds", True, FOLDS + IN_BALLS if proofs.is_plain(whole) else FOLDS)
-    return Plan(question, F_0, whole, folds.runs, (force, flow, folds))
+        why = "a linear oscillator has none" if onset is None or whole.linear else BELOW.format(onset.F_SN)
+    return Plan(question, F_0, whole, searched, (force, flow, Step("folds", searched, why)))
 
 
 def _is_below(F_0: float, onset: SaddleNodeOnset) -> bool:

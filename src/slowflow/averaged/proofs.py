@@ -143,7 +143,8 @@ def decided(found: SaddleNodes, model: Model, allowance: Allowance) -> SaddleNod
     Omega, A, kind, corner = Omega[order], A[order], kind[order], corner[order]
     message, cut = words.of_folds(model, found.F_0, A.size > 0, found.message if Remark.CUT in found.remarks else "")
     codes = words.beside(False, cut) | Remark.BY_BALLS
-    return SaddleNodes(Omega, A, kind, corner, found.F_0, message, model, remarks=codes)
+    columns = {"Omega": Omega, "A": A, "kind": kind, "corner": corner}
+    return SaddleNodes._made(**columns, F_0=found.F_0, message=message, remarks=codes, _model=model)
 
 
 def decided_states(found: SteadyStates, model: Model, asked: Floats, F_0: float, allowance: Allowance) -> SteadyStates:

@@ -17,13 +17,14 @@ from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TypeVar
 import numpy as np
 
 from slowflow import validate
-from slowflow.answer import Single, joined
+from slowflow.answer import joined
 from slowflow.averaged import pairs, plan, proofs, remarks, solvers, words
 from slowflow.averaged.reference.defined import check_defined
 from slowflow.certificate import Certificate, ProvedFolds
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import (
     DRAWN,
+    NOTHING,
     Cusps,
     Detachment,
     FoldLocus,
@@ -45,6 +46,7 @@ if TYPE_CHECKING:
 P = ParamSpec("P")
 R = TypeVar("R")
 State = TypeVar("State", FrequencyResponse, SteadyStates)
+NONE = np.empty(0)
 #: of a peak: where the next lower one is looked for, by more than roundings below it
 JUST_BELOW = 1 - 2.0**-30
 
@@ -135,13 +137,10 @@ class Averaged:
         """`frequency_response` without the remarks on averaging: what another approximation starts from."""
         F_0 = validate.number("F_0", F_0, above=0.0)
         samples, shown = validate.curve(samples, Omega)
-        planned = self._plan("frequency_response", F_0)
-        if planned.model is None:
-            none, flags = np.empty(0), np.empty(0, dtype=bool)
-            return FrequencyResponse(
-                none, none, flags, F_0, words.sticks(self.model, F_0), self.model, np.empty(0, np.intp), ()
-            )
-        found = solvers.frequency_response(planned.model, F_0, samples, shown)
+        solved, _ = self._solved("frequency_response", F_0)
+        if solved is None:
+            return FrequencyResponse._made(**self._no_state(F_0), branch=np.empty(0, np.intp), isola=())
+        found = solvers.frequency_response(solved, F_0, samples, shown)
         return self._centred(proofs.decided_curve(found, self.model, shown, allowance or proofs.Allowance()))
 
     @also_loaded
@@ -165,13 +164,15 @@ class Averaged:
             return self._with_rests(self._remarked(self.states(Omega=at, F_0=one, allowance=allowance), one), at)
 
         found = pairs.at_pairs(ask, Omega, F_0, ("Omega", "A", "stable"))
-        beside = functools.reduce(operator.or_, (part.remarks for part in found.parts), remarks.NOTHING)
+        beside = functools.reduce(operator.or_, (part.remarks for part in found.parts), NOTHING)
         asked = found.parts[-1]._asked if found.parts else None
         told: dict[str, Any] = {"remarks": beside, "Omega_undecided": found.undecided(), "_asked": asked}
         return SteadyStates(**found.columns, F_0=found.F_0, message=found.message(), _model=self.model, **told)
 
     def _with_rests(self, found: SteadyStates, Omega: Any) -> SteadyStates:
         """The states with those at which friction holds the mass."""
+        if found.F_0 > self.model.held and not self.model.inertial:
+            return found
         at = validate.frequencies("Omega", Omega).ravel()
         rests = self.model.rests(found.F_0, at)
         if not rests.any():
@@ -198,11 +199,14 @@ class Averaged:
 
     def _states(self, at: Floats, F_0: float) -> SteadyStates:
         F_0 = validate.number("F_0", F_0, above=0.0)
-        planned = self._plan("amplitudes", F_0)
-        if planned.model is None:
-            none = np.empty(0)
-            return SteadyStates(none, none, np.empty(0, dtype=bool), F_0, words.sticks(self.model, F_0), self.model)
-        return solvers.amplitudes(planned.model, at, F_0)
+        solved, _ = self._solved("amplitudes", F_0)
+        return SteadyStates._made(**self._no_state(F_0)) if solved is None else solvers.amplitudes(solved, at, F_0)
+
+    def _no_state(self, F_0: float) -> dict[str, Any]:
+        """Of a mass that friction holds at any frequency."""
+        message = functools.partial(words.sticks, self.model, F_0)
+        said: dict[str, Any] = {"F_0": F_0, "message": message, "remarks": NOTHING, "_model": self.model}
+        return {"Omega": NONE, "A": NONE, "stable": np.empty(0, bool), "Omega_undecided": NONE, **said}
 
     @also_loaded
     def saddle_nodes(self, F_0: float, *, certify: bool = False) -> SaddleNodes:
@@ -256,12 +260,13 @@ class Averaged:
 
     def _folds(self, F_0: float) -> SaddleNodes:
         F_0 = validate.number("F_0", F_0, above=0.0)
-        planned = self._plan("saddle_nodes", F_0)
-        if planned.model is None or not planned.folds:
-            none = np.empty(0)
-            message = words.sticks(self.model, F_0) if planned.model is None else words.NO_FOLD.format(F_0)
-            return SaddleNodes(none, none, np.empty(0, "U9"), np.empty(0, bool), F_0, message, self.model)
-        return solvers.saddle_nodes(planned.model, F_0)
+        solved, searched = self._solved("saddle_nodes", F_0)
+        if solved is not None and searched:
+            return solvers.saddle_nodes(solved, F_0)
+        sticks = functools.partial(words.sticks, self.model, F_0)
+        message = sticks if solved is None else functools.partial(words.NO_FOLD.format, F_0)
+        none: dict[str, Any] = {"Omega": NONE, "A": NONE, "kind": np.empty(0, "U9"), "corner": np.empty(0, bool)}
+        return SaddleNodes._made(**none, F_0=F_0, message=message, remarks=NOTHING, _model=self.model)
 
     def saddle_node_onset(self) -> SaddleNodeOnset:
         """The lowest forcing F_SN that has a fold, wherever it lies, with its Omega and A (33).
@@ -271,13 +276,16 @@ class Averaged:
         """
         # not as a cached property: in Python 3.11 its lock takes longer than all that is said beside the answer
         if (known := self.__dict__.get("_onset")) is None:
-            known = self.__dict__["_onset"] = self._remarked(self.onset(), math.nan)
+            known = self.__dict__["_onset"] = self._onset_with_words()
         return known
+
+    def _onset_with_words(self) -> SaddleNodeOnset:
+        return self._remarked(self.onset(), math.nan)
 
     @also_loaded
     def detachment(self) -> Detachment:
         """The lowest forcing F_cr that reaches u_cr, and its frequency Omega_cr (34); under a load with A and B."""
-        return self._remarked(self._detachment, math.nan)
+        return self._detachment
 
     @also_loaded
     def peak(self, F_0: float) -> Peak:
@@ -298,14 +306,15 @@ class Averaged:
         amplitude only rises, towards F_0.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
-        planned = self._plan("peak", F_0)
-        if planned.model is None:
-            return Peak(None, None, F_0, words.sticks(self.model, F_0), _model=self.model)
-        found = solvers.peak(planned.model, F_0)
+        solved, _ = self._solved("peak", F_0)
+        if solved is None:
+            message = functools.partial(words.sticks, self.model, F_0)
+            return Peak._made(A=None, Omega=None, F_0=F_0, message=message, remarks=NOTHING, _model=self.model)
+        found = solvers.peak(solved, F_0)
         while found.A is not None and not self.model.stays_centred:
             if not remarks.turns_beyond(self.model.mechanism, self.model.parameters, found.A):
                 break
-            found = solvers.peak(planned.model, F_0, JUST_BELOW * found.A)
+            found = solvers.peak(solved, F_0, JUST_BELOW * found.A)
         if remarks.of_one_gives_way(self.model) or found._escapes:
             found = dataclasses.replace(found, remarks=Remark.BEYOND_WELL)
         return self._remarked(found, F_0)
@@ -450,7 +459,7 @@ class Averaged:
         F_0 = validate.number("F_0", F_0, above=0.0)
         if question in plan.COMPOSED:
             return plan.plan_composed(question, F_0, self.model)
-        return self._plan(question, F_0)
+        return plan.plan(question, F_0, self.model, self.__dict__.get("_onset"))
 
     def onset(self, allowance: proofs.Allowance | None = None) -> SaddleNodeOnset:
         """`saddle_node_onset` without the remarks on averaging: what another approximation starts from."""
@@ -468,12 +477,12 @@ class Averaged:
     @cached_property
     def _detachment(self) -> Detachment:
         if plan.needs_no_solver("detachment", self.model):
-            return Detachment(None, None, None, words.NO_DETACHMENT)
-        return solvers.detachment(self.model)
+            return self._remarked(Detachment(None, None, None, words.NO_DETACHMENT), math.nan)
+        return self._remarked(solvers.detachment(self.model), math.nan)
 
-    def _plan(self, question: str, F_0: float) -> plan.Plan:
+    def _solved(self, question: str, F_0: float) -> tuple[Model | None, bool]:
         # finding the onset costs time too: it serves only where it has been asked for already
-        return plan.plan(question, F_0, self.model, self.__dict__.get("_onset"))
+        return plan.solved(question, F_0, self.model, self.__dict__.get("_onset"))
 
     def _up_to(self, A_max: float | None) -> float:
         """The amplitude up to which the fold locus is wanted."""
@@ -491,26 +500,30 @@ class Averaged:
         mechanism, parameters = self.model.mechanism, self.model.parameters
         kept = remarks.keeps_centre(mechanism, parameters, found.Omega, found.A)
         beyond = remarks.turns_beyond(mechanism, parameters, found.A)
-        leaves = remarks.NOTHING if kept.all() else Remark.LEAVES_CENTRE
-        swings = Remark.BEYOND_WELL if beyond.any() else remarks.NOTHING
+        leaves = NOTHING if kept.all() else Remark.LEAVES_CENTRE
+        swings = Remark.BEYOND_WELL if beyond.any() else NOTHING
         stable = found.stable & kept & ~beyond
         return dataclasses.replace(found, stable=stable, remarks=found.remarks | leaves | swings)
 
     def _remarked(self, found: Answer, F_0: float) -> Answer:
         """The answer with what there is to say beside it; F_0 is nan where the question has none."""
         # an answer does not change; this one has not been given yet
-        if isinstance(found, Single):
-            found.__dict__["_model"] = self.model
-        found.__dict__["_asked"] = self._equation
-        if self.model.sticks(F_0):
-            return found
-        centred = isinstance(found, SteadyStates)  # `_centred` has looked at these
-        beside = remarks.of_one(self.model, F_0, *_states(found), centred=centred)
-        if beside is remarks.NOTHING and found.remarks is remarks.NOTHING:
-            return found
-        beside |= found.remarks
-        said = remarks.in_words(beside, self.model, F_0)
-        return dataclasses.replace(found, message=joined(found.message, *said), remarks=beside)
+        own = found.__dict__
+        own["_model"], own["_asked"] = self.model, self._equation
+        if not self.model.sticks(F_0):
+            known = own.pop("message", None), own.pop("remarks"), own.get("_later")
+            own["_later"] = functools.partial(_said, self.model, F_0, *known)
+        return found
+
+
+def _said(
+    model: Model, F_0: float, message: str | None, codes: Remark, makes: Any, found: Answer
+) -> dict[str, str | Remark]:
+    """What there is to say beside an answer, made when it is read; `makes` makes the message where there is none."""
+    centred = isinstance(found, SteadyStates)  # `_centred` has looked at these
+    beside = remarks.of_one(model, F_0, *_states(found), centred=centred) | codes
+    said = makes(found)["message"] if message is None else message
+    return {"message": joined(said, *remarks.in_words(beside, model, F_0)), "remarks": beside}
 
 
 def _in_range(what: str, values: Any) -> Floats:

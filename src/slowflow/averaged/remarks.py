@@ -17,15 +17,13 @@ from slowflow.measured import validity
 from slowflow.mechanism import Floats, Mechanism
 from slowflow.model import THROUGHOUT, Model
 from slowflow.model import held as held_up_to
-from slowflow.results import Remark
+from slowflow.results import NOTHING, Remark
 from slowflow.text import Sentence, text
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import ENDLESS
 
 Codes = npt.NDArray[np.uint16]
 Flags = npt.NDArray[np.bool_]
-
-NOTHING = Remark(0)
 
 #: how near above a breakpoint, in shares of it, a jump of the force is what makes the slope of h, if over twice that
 #: distance the slope changes by this share of itself: as 1/sqrt(A - b) does, the jump's term, by all of itself

@@ -8,8 +8,8 @@ from __future__ import annotations
 import dataclasses
 import math
 import sys
-from collections.abc import Iterable
-from functools import reduce
+from collections.abc import Callable, Iterable
+from functools import partial, reduce
 from operator import add
 from typing import Any
 
@@ -18,7 +18,7 @@ import numpy.typing as npt
 
 from slowflow.answer import joined
 from slowflow.model import Floats, Model
-from slowflow.results import Peak, Remark, SaddleNodeOnset
+from slowflow.results import NOTHING, Peak, Remark, SaddleNodeOnset
 from slowflow.text import Sentence, text, together
 from slowflow_kernels import dissipation, inertia, slow_flow, slow_flow_zeta0
 from slowflow_kernels.conventions import CLOSE, RUNGS, STATIC_MULTIPLE, Status
@@ -141,6 +141,8 @@ def intervals(doubt: Iterable[Any]) -> str:
 
 def beside(undecided: bool, cut: str) -> Remark:
     """What is said in codes of an answer whose number rounding may decide; `cut` in words, empty where it is not."""
+    if not (undecided or cut):  # of most, and to make a code takes longer
+        return NOTHING
     return Remark(int(Remark.UNDECIDED) * bool(undecided) + int(Remark.CUT) * bool(cut))
 
 
@@ -151,15 +153,15 @@ def of_points(A: Floats, few: npt.NDArray[np.bool_], none: str) -> dict[str, Any
     return {"message": "" if A.size else none}
 
 
-def of_folds(model: Model, F_0: float, told: bool, cut: str) -> tuple[str, str]:
-    """The message of folds, and what it has of where the response is cut, `cut`, in words or empty.
+def of_folds(model: Model, F_0: float, told: bool, cut: str) -> tuple[str | Callable[[], str], str]:
+    """The message of folds, or what makes it, and what it has of where the response is cut, `cut`, in words or empty.
 
     told -- whether there are folds, or may be. Where there are none, cutting an undamped response leaves none out: it
         ends where what is beyond has no fold
     """
     leaves_out = model.inertial or (model.zeta > 0 and model.levels_off)
     kept = cut if told or leaves_out else ""
-    return kept if told or kept else NO_FOLD.format(F_0), kept
+    return kept if told or kept else partial(NO_FOLD.format, F_0), kept
 
 
 def sticks(model: Model, F_0: float) -> str:

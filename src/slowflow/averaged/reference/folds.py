@@ -80,7 +80,8 @@ def _told(model: Model, F_0: float, found: Folds, remark: str) -> SaddleNodes:
     message, cut = words.of_folds(model, F_0, found.A.size > 0 or undecided, remark)
     kind = np.where(found.up, "jump-up", "jump-down")
     codes = words.beside(undecided, cut)
-    return SaddleNodes(found.Omega, found.A, kind, found.corner, F_0, message, model, remarks=codes)
+    found_as = {"Omega": found.Omega, "A": found.A, "kind": kind, "corner": found.corner}
+    return SaddleNodes._made(**found_as, F_0=F_0, message=message, remarks=codes, _model=model)
 
 
 @dataclass(frozen=True, eq=False)
