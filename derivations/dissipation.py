@@ -106,6 +106,7 @@ class Dissipation:
                  `far`: of an excitation by inertia, all over Omega^2, x = 1/Omega, x^2 = (R - A)/h
     sine_intercept -- I - A I_A, where the tangent of I at a given Omega meets A = 0, by that of I_0
     velocity  -- A Omega by I
+    static -- F at Omega = 0 by its two halves h - c and h + c, and the slope of each
     rest_intercept, released_intercept -- I_0 - A I_0A
     curve     -- the response, for how answers move
     rest_moves, released_moves -- what m, eta and, where friction ends there, u_cr do to I_0, I_0A and I_0AA
@@ -159,6 +160,8 @@ class Dissipation:
     searched: dict[str, System]
     sine_intercept: sp.Expr
     velocity: sp.Expr
+    static_lets: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    static: tuple[sp.Expr, ...]
     rest_intercept: sp.Expr
     released_intercept: sp.Expr
     curve: Curve
@@ -245,6 +248,12 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
     # a product by parts would cancel where the forcing is small
     by_inertia = F.subs(F_0, F_0 * Omega**2)
     apart = {by_inertia: sp.expand(by_inertia)}
+    static = F.subs(whole).subs(Omega, 0)
+    product = sp.factor(h**2 - static)
+    root = sp.Symbol("c", nonnegative=True)
+    halves = (h - root, h + root)
+    _vanishes(sp.expand(sp.Mul(*halves)).subs(root**2, product) - static, "the halves of F at Omega = 0")
+    root_A = sp.cancel(by_A(product) / (2 * root))
     least = h * R + I * (I_0 + zeta * A * Omega)
     _vanishes(
         (4 * least + Omega**5 * sp.diff((F + F_0**2).subs(whole) / Omega**4, Omega)).subs(whole),
@@ -326,6 +335,8 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
         searched=_searched(flow.R, value, F, halved, peak),
         sine_intercept=sp.expand(value - A * by_A(value)).subs(I_0, level + A * I_0A),
         velocity=_velocity(value),
+        static_lets=((root, sp.sqrt(product)),),
+        static=(*halves, h_A - root_A, h_A + root_A),
         rest_intercept=_intercept(at_rest),
         released_intercept=_intercept(released),
         curve=Curve(

@@ -1018,3 +1018,20 @@ def test_a_peak_within_rounding_of_where_the_force_jumps_is_undecided_and_what_i
     with pytest.raises(ArithmeticError, match=f"there may be one within rounding of A = {0.03 / 0.05:.17g}"):
         cam.peak(0.03)
     assert [cam.peak(0.03 * (1 + share)).A for share in (-1e-7, 1e-7)] == pytest.approx([0.6, 0.6], rel=1e-6)
+
+
+@pytest.mark.filterwarnings("ignore:.*negative stiffness")
+@pytest.mark.parametrize("excitation", ["base", "unbalance"])
+def test_states_by_inertia_born_next_to_rest_are_all_there(excitation):
+    """Springs that let go of friction, next to no other damping: a pair of frequencies meets at Omega = 6e-4."""
+    damping = {"mu": 0.0, "zeta": 1.1342625925145005e-4, "rubs": "attached"}
+    mount = {"lam": 4.527643891882921, "r": 3.136807611618865, "delta_h": 0.21660468787787138}
+    one, F_0 = Isolator(**mount, excitation=excitation, **damping), 0.25685
+    A = np.geomspace(1e-4, 5.0, 400_001)
+    h = one.model.averaged(A)[0]
+    for Omega in (0.2, 0.5, 0.8):
+        balance = np.hypot(A * Omega**2 + h, 2 * one.zeta * A * Omega) - F_0 * Omega**2
+        turns = np.flatnonzero(np.sign(balance[1:]) != np.sign(balance[:-1]))
+        found = one.amplitudes(Omega=Omega, F_0=F_0)
+        assert not found.Omega_undecided.size and len(turns) == 3
+        np.testing.assert_allclose(found.A, A[turns], rtol=3e-5)

@@ -178,6 +178,16 @@ SF_KERNEL double slow_flow_transmissibility(double Omega, double A, double F_0, 
     return hypot(h, I_) / F_0;
 }
 
+/* The forcing up to which a mass at rest stays there: that of a state as A tends to 0.
+   Equation (24). Domain: preload >= 0, -h as A tends to 0.
+   Operations: 1 structured, 1 common subexpressions, 1 power chains
+   Measured, error / u (1 + kappa): 0.5
+ */
+SF_KERNEL double slow_flow_held(double m, double preload)
+{
+    return hypot(m, preload);
+}
+
 /* Jacobian of the slow flow (A', phi') at a fixed point: J11, J12, J21, J22.
    Equation (28). Domain: Omega > 0, A > 0.
    Operations: 17 structured, 13 common subexpressions, 13 power chains

@@ -64,6 +64,18 @@ static inline void dissipation_intervals_far(sf_interval x, sf_interval A, sf_in
     out[3] = sfi_add(sfi_add(sfi_mul(I_0A, t0), sfi_mul(d, t1)), sfi_times(2.0, t2));
 }
 
+/* F at Omega = 0 by its halves h - c and h + c, c^2 = F_0^2 - I_0^2; and the slope of each.
+   Equation from (24). Domain: F_0 > I_0. */
+static inline void dissipation_intervals_static(sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval h, sf_interval h_A, sf_interval *out)
+{
+    const sf_interval c = sfi_sqrt(sfi_mul(sfi_sub(F_0, I_0), sfi_add(F_0, I_0)));
+    const sf_interval t0 = sfi_div(sfi_mul(I_0, I_0A), c);
+    out[0] = sfi_add(sfi_neg(c), h);
+    out[1] = sfi_add(c, h);
+    out[2] = sfi_add(h_A, t0);
+    out[3] = sfi_sub(h_A, t0);
+}
+
 /* The size of R where F = 0.
    Equation (24). Domain: Omega >= 0, A > 0. */
 static inline sf_interval dissipation_intervals_R_of_response(sf_interval F_0, sf_interval I_)

@@ -33,8 +33,8 @@ __all__ = [
     "isola_bend", "isola_bend_by_inertia", "isolas", "isolas_by_Omega", "isolas_by_R", "isolas_by_inertia",
     "isolas_far_by_R", "isolas_far_by_x", "least_F_A", "least_scaled", "limit_envelope", "peaks", "peaks_by_Omega",
     "peaks_by_R", "peaks_by_inertia", "peaks_far_by_R", "peaks_far_by_x", "quadratic", "quadratic_bound",
-    "released", "released_moves", "response_quartic", "rest", "rest_moves", "restoring", "stability", "stiffness",
-    "structural_bound", "turn_share", "turns",
+    "released", "released_moves", "response_quartic", "rest", "rest_moves", "restoring", "stability", "static",
+    "stiffness", "structural_bound", "turn_share", "turns",
 ]
 
 
@@ -415,6 +415,22 @@ def stability(Omega, A, I_0, I_0A, zeta, d, h, h_A):
     t2 = 2.0 * Omega * zeta
     I = A * A * d * t0 + A * t2 + I_0
     return (I * (I_0A + 2.0 * d * t1 + t2) + R * (h_A + t0)) / A
+
+
+def static(F_0, I_0, I_0A, h, h_A):
+    """F at Omega = 0 by its halves h - c and h + c, c^2 = F_0^2 - I_0^2; and the slope of each.
+
+    Equation from (24). Domain: F_0 > I_0. Shape: 4 results, each the arguments that it depends on, broadcast.
+    Operations: 12 structured, 10 common subexpressions, 10 power chains.
+    """
+    c = np.sqrt((F_0 - I_0) * (F_0 + I_0))
+    t0 = I_0 * I_0A / c
+    return (
+        -c + h,
+        c + h,
+        h_A + t0,
+        h_A - t0,
+    )
 
 
 def response_quartic(A, I_0, zeta, d, h):

@@ -35,6 +35,7 @@ __all__ = [
     "R_where_stationary",
     "released",
     "rest",
+    "static",
     "stiffness",
     "turn_share",
     "turns",
@@ -104,6 +105,21 @@ def far(x, A, I_0, I_0A, zeta, d, h, h_A):
         h_A * t0 + 1.0,
         A.square() * d + I_0 * t0 + t1 * t2,
         I_0A * t0 + d * t1 + 2.0 * t2,
+    )
+
+
+def static(F_0, I_0, I_0A, h, h_A):
+    """F at Omega = 0 by its halves h - c and h + c, c^2 = F_0^2 - I_0^2; and the slope of each.
+
+    Equation from (24). Domain: F_0 > I_0.
+    """
+    c = ((F_0 - I_0) * (F_0 + I_0)).sqrt()
+    t0 = I_0 * I_0A / c
+    return (
+        -c + h,
+        c + h,
+        h_A + t0,
+        h_A - t0,
     )
 
 

@@ -41,10 +41,12 @@ KNOWN = (Omega, x, A, F_0, *REST, zeta, d, h, h_A, h_AA, h_AAA)
 IN_C = {
     *("quadratic", "restoring", "at_rest", "released", "I", "I_A", "far", "F", "F_A", "F_AA"),
     *("response_quartic", "fold_quartic", "far_by_inertia", "structural_bound", "quadratic_bound", "least_scaled"),
+    *("static", "limit_envelope", "R_of_peak", "F_A_halved", "F_OmegaOmega", "Omega_A", "Omega_A_by_inertia"),
+    "full_by_inertia",
 }
 ENCLOSED = {
     *("at_rest", "released", "I", "I_A", "far", "R_of_response", "R_of_peak", "R_where_stationary"),
-    *("far_by_inertia", "F_A_scaled", "I_scaled"),
+    *("far_by_inertia", "F_A_scaled", "I_scaled", "static"),
     *("rest_intercept", "released_intercept", "sine_intercept", "sine_intercept_far", "velocity"),
 }
 #: what each system is, in words
@@ -180,6 +182,16 @@ def dissipation_module(results: Results) -> Module:
             ),
             isola_bend(of, flow.R, slopes),
             at_point("stability", of.stability, "4 Omega^2 det(jacobian) = F_A/(2 A); stable where positive.", "(30)"),
+            plain(
+                "static",
+                (F_0, *REST[:2], h, h_A),
+                of.static,
+                "F at Omega = 0 by its halves h - c and h + c, c^2 = F_0^2 - I_0^2; and the slope of each.",
+                "from (24)",
+                "F_0 > I_0",
+                lets=of.static_lets,
+                searched=True,
+            ),
             plain(
                 "response_quartic",
                 needed(of.response_quartic),

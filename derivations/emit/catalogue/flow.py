@@ -269,7 +269,6 @@ def slow_flow_kernels(flow: SlowFlow, detachment: Elimination) -> list[Kernel]:
             "(24)",
             "preload >= 0, -h as A tends to 0",
             looped=False,
-            in_c=False,
         ),
         plain(
             "jacobian",

@@ -110,10 +110,12 @@ def detachment(model: Model) -> Detachment:
 
 def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
     """The highest peak at F_0 > m with an amplitude up to `most`."""
-    status, A, Omega = backend.solver().peak(model.native, F_0, most)
+    status, A, Omega = backend.solver().peak(model.searched, F_0, most)
     check(status, model, F_0)
+    if status == Status.STICKS:
+        return Peak(None, None, F_0, words.sticks(model, F_0), _status=Status.STICKS)
     if status == Status.UNBOUNDED:
-        said = remark_of(model, F_0) if model.zeta > 0 else words.NO_PEAK
+        said = remark_of(model, F_0) if model.zeta > 0 or model.laws.any else words.NO_PEAK
         return Peak(None, None, F_0, said, _status=Status.UNBOUNDED)
     if status == Status.NONE:
         return words.no_top(model, F_0, most)
@@ -142,7 +144,7 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
 
 def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
     """About `samples` points along every branch in the window, and its ends, folds, peaks and corners."""
-    answer = backend.solver().frequency_response(model.native, F_0, samples, *window)
+    answer = backend.solver().frequency_response(model.searched, F_0, samples, *window)
     status, Omega, A, stable, branch, isola, undecided = answer
     check(status, model, F_0)
     moves = A > 0
@@ -157,7 +159,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
 
 def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
-    status, at, A, stable, undecided = backend.solver().steady_states(model.native, F_0, Omega)
+    status, at, A, stable, undecided = backend.solver().steady_states(model.searched, F_0, Omega)
     check(status, model, F_0)
     remark = remark_of(model, F_0)
     message = partial(words.of_states, model, F_0, remark, Omega, at, undecided)

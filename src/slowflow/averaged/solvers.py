@@ -39,12 +39,12 @@ def _either(on_compiled: Question, on_numpy: Callable[[], Question], laws: bool 
     return cast(Question, ask)
 
 
-amplitudes = _either(compiled.amplitudes, lambda: _reference().amplitudes)
+amplitudes = _either(compiled.amplitudes, lambda: _reference().amplitudes, laws=True)
 closes = _either(compiled.closes, lambda: _reference().closes)
 detachment = _either(compiled.detachment, lambda: _reference().detachment)
 extrema = _either(compiled.extrema, lambda: _reference().extrema)
 fold_locus = _either(compiled.fold_locus, lambda: _reference().fold_locus)
-frequency_response = _either(compiled.frequency_response, lambda: _reference().frequency_response)
+frequency_response = _either(compiled.frequency_response, lambda: _reference().frequency_response, laws=True)
 onset = _either(compiled.onset, lambda: _reference().onset)
-peak = _either(compiled.peak, lambda: _reference().peak)
+peak = _either(compiled.peak, lambda: _reference().peak, laws=True)
 saddle_nodes = _either(compiled.saddle_nodes, lambda: _reference().saddle_nodes, laws=True)

@@ -22,7 +22,7 @@
 #define SF_ALONG_H
 
 #include "inertial.h"
-#include "interval.h"
+#include "laws.h"
 
 typedef enum {
     SF_STIFFNESS,
@@ -257,13 +257,21 @@ static inline void sf_ask_undamped(const sf_sample *at, sf_answer *out) {
     out->Omega[0] = out->Omega[1] = slow_flow_zeta0_undamped_Omega(at->h_A);
 }
 
-/* h^2 + m^2 = F_0^2 has two smooth halves */
+/* h^2 + m^2 = F_0^2 has two smooth halves; by other laws of damping I_0 takes the place of m, and they end where it is
+ * F_0 */
 static inline void sf_ask_rest(const sf_model *model, double F_0, const sf_sample *at, sf_answer *out) {
-    double halves[3];
-    slow_flow_rest(F_0, model->m, at->h, at->h_A, halves);
-    out->exists[0] = out->exists[1] = 1;
+    double halves[4], rest[4];
+    if (sf_has_laws(model)) {
+        sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
+        dissipation_static(F_0, rest[0], rest[1], at->h, at->h_A, halves);
+        out->edge = at->h > 0 ? 1 : at->h < 0 ? -1 : 0;
+    } else {
+        slow_flow_rest(F_0, model->m, at->h, at->h_A, halves);
+        halves[3] = halves[2];
+    }
+    out->exists[0] = out->exists[1] = !isnan(halves[0]);
     out->y[0] = halves[0], out->y[1] = halves[1];
-    out->dy[0] = out->dy[1] = halves[2];
+    out->dy[0] = halves[2], out->dy[1] = halves[3];
 }
 
 static inline void sf_ask_state(const sf_asked *asked, const sf_sample *at, sf_answer *out) {

@@ -8,8 +8,24 @@
 
 /* ==== Roots of the two quartics along A =========================================================================== */
 
+/* By other laws of damping; F_0 < 0: on the fold locus. */
+static int sf_law_count_at(const sf_model *model, const sf_sample *at, double F_0) {
+    sf_law_quartic q;
+    int shown[3];
+    sf_make_law_quartic(model, at, F_0 < 0 ? SF_OF_FOLDS : SF_OF_RESPONSE, F_0, sf_is_beyond(model, at->A), &q);
+    return sf_law_shown(&q, shown);
+}
+
+static double sf_law_branch_at(const sf_model *model, const sf_sample *at, double F_0, int count, int index) {
+    sf_law_quartic q;
+    sf_make_law_quartic(model, at, F_0 < 0 ? SF_OF_FOLDS : SF_OF_RESPONSE, F_0, sf_is_beyond(model, at->A), &q);
+    return sf_law_branch(&q, count, index);
+}
+
 static int sf_fold_count(const sf_model *model, const sf_sample *at) {
     sf_isolated q;
+    if (sf_has_laws(model))
+        return sf_law_count_at(model, at, -1);
     if (model->zeta == 0) /* the factor R = 0 is the backbone, at the level m */
         return at->h_A < 0;
     sf_isolate_fold(&q, at->A, at->h, at->h_A, model->m, model->zeta);
@@ -18,6 +34,8 @@ static int sf_fold_count(const sf_model *model, const sf_sample *at) {
 
 static double sf_fold_branch(const sf_model *model, const sf_sample *at, int count, int index) {
     sf_isolated q;
+    if (sf_has_laws(model))
+        return sf_law_branch_at(model, at, -1, count, index);
     /* at A = 0, where the quartic is none, what damping is too weak to hide begins at the stiffness there */
     if (model->zeta == 0 || (at->A == 0 && fabs(at->h_A) < HUGE_VAL))
         return slow_flow_zeta0_undamped_Omega(fmin(at->h_A, 0));
@@ -27,6 +45,8 @@ static double sf_fold_branch(const sf_model *model, const sf_sample *at, int cou
 
 static int sf_response_count(const sf_model *model, const sf_sample *at, double F_0) {
     sf_isolated q;
+    if (sf_has_laws(model))
+        return sf_law_count_at(model, at, F_0);
     if (sf_inertial(model))
         return sf_inertial_overflows(model, at, F_0) ? -1 : sf_inertial_count(model, at, F_0);
     sf_isolate_response(&q, at->A, at->h, model->m, model->zeta, F_0);
@@ -35,6 +55,8 @@ static int sf_response_count(const sf_model *model, const sf_sample *at, double 
 
 static double sf_response_branch(const sf_model *model, const sf_sample *at, double F_0, int count, int index) {
     sf_isolated q;
+    if (sf_has_laws(model))
+        return sf_law_branch_at(model, at, F_0, count, index);
     if (sf_inertial(model))
         return sf_inertial_root(model, at, F_0, count, index);
     sf_isolate_response(&q, at->A, at->h, model->m, model->zeta, F_0);
@@ -96,6 +118,16 @@ static void sf_end_all(const sf_curve *curve, sf_graph *graph, const sf_sample *
                sf_branch_at(curve, at, graph->count[interval], i));
 }
 
+static int sf_law_lower_pair(const sf_curve *curve, const sf_sample *at, double *Omega) {
+    sf_law_quartic q;
+    int first;
+    sf_make_law_quartic(curve->model, at, curve->F_0 < 0 ? SF_OF_FOLDS : SF_OF_RESPONSE, curve->F_0,
+                        sf_is_beyond(curve->model, at->A), &q);
+    first = q.w[0] > 0 && fabs(q.f[1]) < fabs(q.f[2]);
+    *Omega = q.by_x ? 1 / q.w[!first] : q.w[!first];
+    return q.by_x ? !first : first;
+}
+
 /* Which two of the roots meet at A, the lower pair or the upper, and where: as the event says, or, where it is none of
  * these but roots vanish all the same (a breakpoint that is an extremum to rounding), by the critical value next to
  * 0. */
@@ -106,6 +138,8 @@ static int sf_lower_pair(const sf_curve *curve, const sf_event *event, const sf_
     *Omega = event->Omega;
     if (event->kind == SF_PAIR_LOW || event->kind == SF_PAIR_HIGH)
         return event->kind == SF_PAIR_LOW;
+    if (sf_has_laws(model))
+        return sf_law_lower_pair(curve, at, Omega);
     if (sf_inertial(model) && curve->F_0 >= 0) {
         *Omega = 1 / sf_least_x(model, at);
         return 0;
@@ -151,7 +185,9 @@ static void sf_link(const sf_curve *curve, sf_graph *graph, int k) {
     }
     for (i = 0; i < graph->count[poor]; i++) {
         const int other = first_rich + (i < gone ? i : i + lost);
-        const double Omega = sf_branch_at(curve, &at, graph->count[poor], i);
+        /* where one ends at Omega = 0 and another begins they meet */
+        const int is_at_rest = i == 0 && lost == 0 && event->kind == SF_TO_ZERO;
+        const double Omega = is_at_rest ? 0 : sf_branch_at(curve, &at, graph->count[poor], i);
         sf_end(graph, first_poor + i, 1 - rich_end, event->A, Omega);
         sf_end(graph, other, rich_end, event->A, Omega);
         sf_meet(graph, first_poor + i, 1 - rich_end, other, rich_end);

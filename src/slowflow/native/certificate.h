@@ -61,7 +61,6 @@ typedef struct {
     sf_work work;
     sf_proof proof;
     sf_certificate found;
-    sf_law_search points;
     int doubt, undecided, followed;
     sf_status status;
     long proofs;

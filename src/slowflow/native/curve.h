@@ -84,6 +84,149 @@ static void sf_response_graph(const sf_model *model, double F_0, sf_work *work) 
         sf_trace_arcs(&curve, graph);
 }
 
+/* By rising A, those from number `first` on. */
+static void sf_sort_events(sf_graph *graph, int first) {
+    int i, j;
+    for (i = first + 1; i < graph->events; i++) {
+        const sf_event event = graph->event[i];
+        for (j = i; j > first && graph->event[j - 1].A > event.A; j--)
+            graph->event[j] = graph->event[j - 1];
+        graph->event[j] = event;
+    }
+}
+
+/* What of the response to an excitation by inertia is next to Omega = inf: the amplitude that it tends to, and whether above
+ * that there is one more frequency than below, not one less. There F over Omega^4 is x (c_1 + c_2 x) next to x = 0,
+ * c_1 >= 0; for c_2 < 0 a pair meets at x = -c_1/(2 c_2), at an amplitude that is lower by c_1^2/|c_2| over F_0^2, or
+ * less. Where that is next to nothing it may round to that amplitude: such a pair is none of the events. */
+typedef struct {
+    double A;
+    int falls;
+} sf_far_end;
+
+static int sf_meets_far(const sf_model *model, const sf_law_quartic *end, const sf_law_point *peak) {
+    sf_sample at;
+    sf_sample_at(model, peak->A, &at);
+    return peak->Omega * end->c[1] > -end->c[2] && sf_bends_at_peak(model, &at, peak->Omega);
+}
+
+/* Leaves out of the peaks a pair that rounds to the end. */
+static sf_far_end sf_far_end_of(const sf_model *model, double F_0, sf_law_points *peaks) {
+    sf_far_end out = {dissipation_full_by_inertia(F_0, model->d), 0};
+    sf_law_quartic q;
+    sf_sample at;
+    int i;
+    sf_sample_at(model, out.A, &at);
+    sf_make_law_quartic(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, out.A), &q);
+    out.falls = q.c[2] < 0 && q.c[1] * q.c[1] <= SF_HARDLY * -q.c[2] * F_0 * F_0;
+    for (i = 0; out.falls && i < peaks->n; i++)
+        if (sf_meets_far(model, &q, &peaks->at[i])) {
+            if (peaks->at[i].A < out.A)
+                out.falls = 0;
+            else
+                peaks->at[i--] = peaks->at[--peaks->n];
+        }
+    return out;
+}
+
+/* By quadratic damping alone, where h = 0 frequencies come from 0, as all but h falls with Omega^2: next to there
+ * h/Omega^2 is -A -+ r with r^2 = F_0^2 - (d A^2)^2: both on one side, or one on either. */
+static void sf_add_where_nothing_pulls(const sf_model *model, double F_0, const sf_stretch *piece, sf_zeros *zeros,
+                                       sf_graph *graph) {
+    int k;
+    sf_clear_zeros(zeros);
+    if (!(model->zeta == 0 && model->m == 0 && model->eta == 0 && sf_has_force(piece)))
+        return;
+    sf_ask_all(model, SF_STIFFNESS, 0, piece, zeros);
+    for (k = 0; k < zeros->n; k++) {
+        const double A = zeros->at[k].A;
+        double beyond[3]; /* A^2 - r^2 */
+        dissipation_far_by_inertia(0, A, F_0, 0, 0, model->d, 0, beyond);
+        if (zeros->at[k].channel == 0 && beyond[0] < 0)
+            sf_add_event(graph, A, 0, SF_TO_ZERO, 0);
+        else if (zeros->at[k].channel == 0 && beyond[0] < A * A)
+            sf_add_event(graph, A, 0, SF_PAIR_LOW, zeros->at[k].rising ? -2 : 2);
+    }
+    zeros->undecided = 0;
+}
+
+/* The same for an excitation by inertia, which leaves none at rest: a frequency comes from inf, or goes there. */
+static void sf_inertial_law_graph(const sf_model *model, double F_0, sf_work *work) {
+    sf_law_points *peaks = &work->points.found;
+    const sf_far_end end = sf_far_end_of(model, F_0, peaks);
+    sf_graph *graph = &work->response;
+    sf_sample at;
+    int i, k;
+    sf_sample_at(model, 0, &at);
+    graph->close = 0;
+    for (k = 0; k < peaks->undecided; k++)
+        graph->close |= fabs(peaks->doubt[k] - end.A) > (end.falls ? SF_HARDLY * end.A : 0);
+    sf_add_event(graph, 0, inertia_moves_from(F_0, slow_flow_held(model->m, fmax(-at.h, 0))), SF_CUT, 0);
+    sf_add_event(graph, end.A, HUGE_VAL, SF_TO_INFINITY, end.falls ? 1 : -1);
+    for (k = 0; k < peaks->n; k++) {
+        const double w = peaks->at[k].Omega;
+        int up, low;
+        sf_sample_at(model, peaks->at[k].A, &at);
+        up = sf_rises_at_peak(model, &at, w), low = sf_bends_at_peak(model, &at, w);
+        sf_add_event(graph, at.A, w, low ? SF_PAIR_HIGH : SF_PAIR_LOW, up == low ? 2 : -2);
+    }
+    for (i = 0; i < work->pieces.n; i++) {
+        if (i + 1 < work->pieces.n)
+            sf_add_event(graph, model->b[i], 0, SF_THROUGH, 0);
+        sf_add_where_nothing_pulls(model, F_0, &work->pieces.at[i], &work->zeros, graph);
+        if (work->zeros.status != SF_OK)
+            graph->status = work->zeros.status;
+    }
+    sf_sort_events(graph, 1);
+}
+
+/* The same by other laws of damping: its events are peaks, static states and breakpoints. */
+static void sf_law_response_graph(const sf_model *model, double F_0, sf_work *work) {
+    const sf_curve curve = {model, F_0};
+    const sf_law_points *peaks = &work->points.found;
+    sf_graph *graph = &work->response;
+    sf_zeros *zeros = &work->zeros;
+    sf_law_quartic q;
+    sf_sample at;
+    int i, k;
+    graph->events = 0, graph->status = sf_find_law_peaks(model, F_0, work);
+    if (sf_inertial(model)) {
+        sf_inertial_law_graph(model, F_0, work);
+    } else {
+        graph->close = peaks->undecided > 0;
+        sf_add_event(graph, 0, HUGE_VAL, SF_CUT, 0);
+    }
+    for (i = 0; i < work->pieces.n && graph->status == SF_OK && !sf_inertial(model); i++) {
+        const int first = graph->events;
+        for (k = 0; k < peaks->n; k++) {
+            const double w = peaks->at[k].Omega;
+            sf_sample_at(model, peaks->at[k].A, &at);
+            if (peaks->at[k].part == i) {
+                const int up = sf_rises_at_peak(model, &at, w) ? 1 : -1, low = sf_bends_at_peak(model, &at, w);
+                sf_add_event(graph, at.A, w, low ? SF_PAIR_LOW : SF_PAIR_HIGH, low ? 2 * up : -2 * up);
+            }
+        }
+        sf_clear_zeros(zeros);
+        sf_ask_all(model, SF_REST, F_0, &work->pieces.at[i], zeros);
+        for (k = 0; k < zeros->n; k++) { /* where F falls from Omega = 0 on a second root comes from there */
+            sf_sample_at(model, zeros->at[k].A, &at);
+            sf_make_law_quartic(model, &at, SF_OF_RESPONSE, F_0, sf_is_beyond(model, at.A), &q);
+            sf_add_response_event(&zeros->at[k], q.c[1] == 0 && q.c[2] < 0, graph);
+        }
+        sf_sort_events(graph, first);
+        graph->close |= zeros->undecided;
+        if (zeros->status != SF_OK)
+            graph->status = zeros->status;
+        if (i + 1 < work->pieces.n)
+            sf_add_event(graph, model->b[i], 0, SF_THROUGH, 0);
+    }
+    sf_add_event(graph, work->A_max, 0, SF_CUT, 0);
+    if (!sf_inertial(model))
+        sf_merge_events(graph);
+    if (graph->status == SF_OK)
+        sf_trace_arcs(&curve, graph);
+}
+
 /* The arc that a fold lies on, or -1. */
 static int sf_arc_of_fold(const sf_model *model, double F_0, const sf_graph *graph, const sf_fold *fold) {
     double nearest = HUGE_VAL;
@@ -109,6 +252,8 @@ static int sf_is_stable(const sf_model *model, double F_0, const sf_segment *seg
     double Omega, I, R;
     sf_sample_at(model, 0.5 * (segment->A[0] + segment->A[1]), &at);
     Omega = sf_response_branch(model, &at, F_0, segment->count, segment->index);
+    if (sf_has_laws(model))
+        return sf_law_F_A(model, &at, Omega, sf_is_beyond(model, at.A)) > 0;
     if (sf_inertial(model) || !(at.A * Omega * Omega > SF_SHARP * F_0))
         return sf_half_F_A(model, &at, Omega) > 0;
     I = slow_flow_I(Omega, at.A, model->m, model->zeta);
@@ -166,11 +311,15 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, 
     sf_work *work = &room->work;
     sf_skeleton *out = &work->skeleton;
     int arc_of[SF_MOST_FOLDS], lost = 0, i, c;
-    sf_status status = sf_decided_folds(model, given, F_0, room, &work->folds);
+    const int laws = sf_has_laws(model);
+    sf_status status = laws ? sf_law_folds(model, given, F_0, work, &work->folds)
+                            : sf_decided_folds(model, given, F_0, room, &work->folds);
     out->segments = out->curves = 0, out->start[0] = 0;
     if (status != SF_OK)
         return status;
-    sf_response_graph(model, F_0, work);
+    if (laws)
+        room->doubt = room->undecided = work->folds.undecided, room->proofs = 0;
+    (laws ? sf_law_response_graph : sf_response_graph)(model, F_0, work);
     if (work->response.status != SF_OK)
         return work->response.status;
     sf_make_tour(&work->response, &work->tour);
@@ -192,7 +341,7 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, 
         out->start[c + 1] = out->segments;
         out->curves = c + 1;
     }
-    if (given != NULL && sf_settle_skeleton(model, given, F_0, room) > SF_FEW_DIGITS && !sf_inertial(model))
+    if (!laws && given != NULL && sf_settle_skeleton(model, given, F_0, room) > SF_FEW_DIGITS && !sf_inertial(model))
         room->doubt = room->undecided = 1;
     return SF_OK;
 }
@@ -216,12 +365,14 @@ static double sf_tail_amplitude(const sf_model *model, double F_0, const sf_segm
 
 /* A last Newton step on F at fixed Omega, where F_A leaves one; the residual is in double-double. */
 static double sf_polish_amplitude(const sf_model *model, double F_0, double Omega, const sf_sample *at) {
+    const int laws = sf_has_laws(model);
     sf_quartic s;
     double step;
     s.kind = SF_RESPONSE;
-    s.A = at->A, s.h = at->h, s.h_A = at->h_A, s.m = model->m, s.zeta = model->zeta,
-    s.F_0 = sf_force(model, F_0, Omega);
-    step = 0.5 * sf_value_fine(&s, Omega) / sf_half_F_A(model, at, Omega);
+    s.A = at->A, s.h = at->h, s.h_A = at->h_A, s.F_0 = sf_force(model, F_0, Omega);
+    s.m = laws ? sf_law_I(model, at->A, Omega) : model->m, s.zeta = laws ? 0 : model->zeta; /* the same I */
+    step = sf_value_fine(&s, Omega) / (laws ? sf_law_F_A(model, at, Omega, sf_is_beyond(model, at->A))
+                                            : 2 * sf_half_F_A(model, at, Omega));
     return fabs(step) < SF_LAST_STEP * at->A ? at->A - step : at->A;
 }
 
@@ -250,7 +401,9 @@ static double sf_amplitude_on(const sf_model *model, double F_0, const sf_segmen
             lo = A;
         else
             hi = A;
-        slope = (sf_inertial(model) ? inertia_Omega_A : slow_flow_Omega_A)(w, A, model->m, model->zeta, at.h, at.h_A);
+        slope = sf_has_laws(model)
+                    ? sf_law_Omega_A(model, &at, w)
+                    : (sf_inertial(model) ? inertia_Omega_A : slow_flow_Omega_A)(w, A, model->m, model->zeta, at.h, at.h_A);
         next = A - (w - Omega) / slope;
         moved = fabs(next - A);
         if (moved <= SF_AT_ROOT * A || !(lo < hi))
@@ -425,11 +578,12 @@ static void sf_numbers_between(double low, double high, int n, double *x) {
 }
 
 /* Omega at n amplitudes inside a segment: by blocks, and one at a time where these do not count the roots that there
- * are, or for an excitation by inertia. */
+ * are, for an excitation by inertia, or by other laws of damping. */
 static void sf_frequencies_along(const sf_model *model, double F_0, const sf_segment *segment, int n, const double *A,
                                  double *Omega)
 {
     const sf_curve curve = {model, F_0};
+    const int in_lanes = !sf_inertial(model) && !sf_has_laws(model);
     sf_quartics block;
     sf_jobs jobs;
     sf_sample at;
@@ -438,7 +592,7 @@ static void sf_frequencies_along(const sf_model *model, double F_0, const sf_seg
         const int here = n - first < SF_QUARTICS ? n - first : SF_QUARTICS;
         double averages[2 * SF_QUARTICS];
         jobs.n = 0;
-        if (!sf_inertial(model)) {
+        if (in_lanes) {
             model->mechanism->averaged_2(model->mechanism, here, A + first, model->p, averages);
             for (i = 0; i < here; i++) {
                 block.A[i] = A[first + i], block.h[i] = averages[i];
@@ -448,7 +602,7 @@ static void sf_frequencies_along(const sf_model *model, double F_0, const sf_seg
         }
         for (i = 0; i < here; i++) {
             int place[3];
-            if (!sf_inertial(model) && block.signs[i] != SF_UNSURE &&
+            if (in_lanes && block.signs[i] != SF_UNSURE &&
                 sf_places_of_signs((int)block.signs[i], place) == segment->count) {
                 sf_add_job(&block, i, place[segment->index], &jobs);
             } else {

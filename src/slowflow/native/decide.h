@@ -171,7 +171,7 @@ static sf_status sf_settled_folds(const sf_model *model, const sf_given *given, 
 {
     sf_status status;
     if (sf_has_laws(model))
-        return sf_law_folds(model, given, F_0, room, folds);
+        return sf_law_folds(model, given, F_0, &room->work, folds);
     if (sf_is_linear(model) && !sf_sticks(model, F_0)) {
         folds->n = folds->undecided = 0;
         return folds->status = SF_OK;

@@ -72,18 +72,18 @@ static void sf_add_law_corners(const sf_model *model, const sf_given *given, dou
 }
 
 /* Every fold at F_0, by rising Omega. */
-static sf_status sf_law_folds(const sf_model *model, const sf_given *given, double F_0, sf_room *room, sf_folds *folds) {
-    const sf_law_points *found = &room->points.found;
+static sf_status sf_law_folds(const sf_model *model, const sf_given *given, double F_0, sf_work *work, sf_folds *folds) {
+    const sf_law_points *found = &work->points.found;
     sf_status status;
     int i;
     folds->n = folds->undecided = folds->close = 0, folds->status = SF_OK;
     if (!sf_inertial(model) && !(F_0 > sf_friction_throughout(model)) && !model->released)
         return SF_STICKS;
-    status = sf_range_at(model, F_0, &room->work.A_max);
+    status = sf_range_at(model, F_0, &work->A_max);
     if (status != SF_OK && status != SF_UNBOUNDED)
         return status;
-    sf_stretches_up_to(model, room->work.A_max, &room->work.pieces);
-    sf_search_pieces(model, SF_LAW_FOLDS, F_0, &room->work.pieces, &room->points);
+    sf_stretches_up_to(model, work->A_max, &work->pieces);
+    sf_search_pieces(model, SF_LAW_FOLDS, F_0, &work->pieces, &work->points);
     if (found->status != SF_OK)
         return found->status;
     folds->undecided = found->undecided > 0 || (!sf_inertial(model) && fabs(F_0 - model->m) <= SF_CLOSE * model->m);
@@ -92,7 +92,7 @@ static sf_status sf_law_folds(const sf_model *model, const sf_given *given, doub
         sf_sample_at(model, found->at[i].A, &at);
         sf_add_fold(folds, found->at[i].Omega, at.A, sf_law_F_AA(model, &at, found->at[i].Omega) < 0, 0);
     }
-    sf_add_law_corners(model, given, F_0, room->work.A_max, folds);
+    sf_add_law_corners(model, given, F_0, work->A_max, folds);
     return folds->status;
 }
 

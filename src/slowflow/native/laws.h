@@ -88,6 +88,14 @@ static inline double sf_law_F_A(const sf_model *model, const sf_sample *at, doub
     return dissipation_F_A(w, at->A, rest[0], rest[1], model->zeta, model->d, at->h, at->h_A);
 }
 
+/* dOmega/dA along the response. */
+static inline double sf_law_Omega_A(const sf_model *model, const sf_sample *at, double w) {
+    double rest[4];
+    sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
+    return (model->mechanism->inertial ? dissipation_Omega_A_by_inertia : dissipation_Omega_A)(
+        w, at->A, rest[0], rest[1], model->zeta, model->d, at->h, at->h_A);
+}
+
 static inline double sf_law_F_AA(const sf_model *model, const sf_sample *at, double w) {
     double rest[4];
     sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
@@ -192,28 +200,53 @@ static inline double sf_law_root(const sf_law_quartic *q, double low, double hig
     return w;
 }
 
+/* Which of the three intervals between 0, the critical points and infinity hold a root; returns how many do. */
+static inline int sf_law_shown(const sf_law_quartic *q, int shown[3]) {
+    shown[0] = q->exist && q->f[0] < 0 && q->f[1] > 0, shown[1] = q->exist && q->f[1] > 0 && q->f[2] < 0;
+    shown[2] = q->f[q->exist ? 2 : 0] < 0;
+    return shown[0] + shown[1] + shown[2];
+}
+
+/* Number `index` of `count` by rising Omega; where rounding hides a pair, the place where it meets, and where it hides
+ * one that ends at 0, that. */
+static inline double sf_law_branch(const sf_law_quartic *q, int count, int index) {
+    const int lower = q->exist && fabs(q->f[1]) < fabs(q->f[2]) && q->w[0] > 0, own[3] = {lower, 1, !lower};
+    int shown[3], there[3], i, rank = 0, place = 0;
+    const int missing = count - sf_law_shown(q, shown), odd = missing % 2 != 0;
+    double w;
+    if (q->by_x)
+        index = count - 1 - index;
+    for (i = 0; i < 3; i++)
+        there[i] = own[i] && (missing >= 2 || missing <= -2) ? missing > 0 : shown[i];
+    for (i = 0; odd && missing < 0 && i < 3; i++)
+        if (there[i]) { /* it ends at 0 */
+            there[i] = 0;
+            break;
+        }
+    index -= odd && missing > 0;
+    for (i = 0; i < 3; i++)
+        if (there[i] && rank++ == (index > 0 ? index : 0))
+            place = i;
+    if (index < 0)
+        w = 0;
+    else if (shown[place])
+        w = sf_law_root(q, q->exist && place > 0 ? q->w[place - 1] : 0,
+                        q->exist && place < 2 ? q->w[place] : sf_above_roots(q), place == 1);
+    else
+        w = q->w[!lower];
+    return q->by_x ? 1 / w : w;
+}
+
 /* Every Omega at which the amplitude is a steady state at F_0, or on the fold locus, by its size; returns how many.
  * beyond: as in sf_rest_at */
 static inline int sf_law_frequencies(const sf_model *model, const sf_sample *at, sf_law_quartic_kind kind, double F_0,
                                      int beyond, double Omega[3]) {
     sf_law_quartic q;
-    int n = 0, i;
+    int shown[3], n, i;
     sf_make_law_quartic(model, at, kind, F_0, beyond, &q);
-    if (!q.exist) {
-        if (q.f[0] < 0)
-            Omega[n++] = sf_law_root(&q, 0, sf_above_roots(&q), 0);
-    } else {
-        if (q.f[0] < 0 && q.f[1] > 0)
-            Omega[n++] = sf_law_root(&q, 0, q.w[0], 0);
-        if (q.f[1] > 0 && q.f[2] < 0)
-            Omega[n++] = sf_law_root(&q, q.w[0], q.w[1], 1);
-        if (q.f[2] < 0)
-            Omega[n++] = sf_law_root(&q, q.w[1], sf_above_roots(&q), 0);
-    }
-    for (i = 0; q.by_x && i < (n + 1) / 2; i++) {
-        const double low = 1 / Omega[i];
-        Omega[i] = 1 / Omega[n - 1 - i], Omega[n - 1 - i] = low;
-    }
+    n = sf_law_shown(&q, shown);
+    for (i = 0; i < n; i++)
+        Omega[i] = sf_law_branch(&q, n, i);
     return n;
 }
 

@@ -388,7 +388,7 @@ static void sf_answer_folds(const sf_mechanism *mechanism, char **args, const pt
             /* only a jump that rounds to 0 is looked at in the design */
             const int is_given = sf_is_continuous(&model) && sf_given_at(mechanism, args, steps, k, &given);
             if (sf_allows_laws(&model))
-                status = sf_law_folds(&model, is_given ? &given : NULL, F_0, room, &found);
+                status = sf_law_folds(&model, is_given ? &given : NULL, F_0, &room->work, &found);
         } else if (!(exact != NULL && sf_told_folds(&model, &given.exactly, F_0, room, &found, &status))) {
             const int is_given = sf_given_at(mechanism, args, steps, k, &given);
             status = sf_settled_folds(&model, is_given ? &given : NULL, F_0, room, &found);

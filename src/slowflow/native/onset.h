@@ -6,7 +6,7 @@
 #ifndef SF_ONSET_H
 #define SF_ONSET_H
 
-#include "locus.h"
+#include "law_peaks.h"
 
 /* |u| at most in a motion of an amplitude. */
 static double sf_largest_displacement(const sf_model *model, double A) {
@@ -505,6 +505,8 @@ static sf_status sf_peak(const sf_model *model, double F_0, double most, sf_work
     sf_point found;
     sf_status status;
     *A = *Omega = NAN;
+    if (sf_has_laws(model))
+        return sf_law_peak(model, F_0, most, work, A, Omega);
     if (sf_sticks(model, F_0))
         return SF_STICKS;
     if (model->zeta == 0)

@@ -143,6 +143,17 @@ static void sf_limit_by_damping(const sf_law_search *search, const sf_strip *str
     w->hi = sfi_least(w->hi, sfi_most(most.hi, 0));
 }
 
+/* And no less than R leaves: next to A = 0, where an excitation by inertia has R and F_0 Omega^2 to tell peaks from what
+ * vanishes with A and 1/Omega. */
+static void sf_limit_from_below(const sf_law_search *search, const sf_strip *strip, sf_interval R, sf_interval *w) {
+    const sf_laws_within *laws = &search->laws;
+    const sf_interval A = strip->cell.A, I = dissipation_intervals_R_of_response(search->force, R);
+    const sf_interval least = dissipation_intervals_velocity(I, sfi_mul(laws->d, sfi_square(A)), sfi_mul(laws->zeta, A),
+                                                             strip->rest[0]);
+    if (least.lo > w->lo)
+        w->lo = least.lo;
+}
+
 /* R by its size, whose sign may be known. */
 static sf_interval sf_of_size(sf_interval R, sf_interval size) {
     if (R.hi < size.lo && R.lo > -size.lo)
@@ -231,6 +242,10 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
             return 0;
         if (stationary)
             of->R = sf_stationary_R(search, strip, of, at.I);
+        if (stationary && forced && search->far)
+            sf_limit_from_below(search, strip, of->R, &of->w);
+        if (sf_is_none(of->w))
+            return 0;
         if (stationary && search->far && sf_has_level_slope(search, strip, of->w))
             return 0;
         if (folded) {
@@ -398,7 +413,7 @@ static int sf_prove_point(const sf_law_search *search, const double f[6], sf_law
         extent[i] = SF_AROUND * sf_size_of(off[i]);
     }
     extent[0] = sfi_most(extent[0], SF_AROUND_LEAST * point->A);
-    extent[1] = sfi_most(extent[1], SF_AROUND_LEAST * fabs(point->u));
+    extent[1] = sfi_most(extent[1], SF_AROUND_LEAST * (fabs(point->u) + SF_CLOSE * point->size)); /* R may be 0 */
     if (!(point->A - extent[0] > search->base && extent[1] < HUGE_VAL))
         return 0;
     point->off_A = extent[0], point->off_u = extent[1];
@@ -620,6 +635,9 @@ static void sf_search_pieces(const sf_model *model, sf_law_system system, double
     int i;
     sf_begin_search(model, system, F_0, search);
     for (i = 0; i < pieces->n && search->found.status == SF_OK; i++) {
+        /* where there is no spring all of F rises with Omega: at Omega = 0 it is flat to the fourth power */
+        if (system == SF_LAW_PEAKS && !search->far && !sf_has_force(&pieces->at[i]))
+            continue;
         sf_begin_piece(search, i);
         sf_search_points(search, &pieces->at[i].first, &pieces->at[i].last);
     }

@@ -347,8 +347,29 @@ static inline void sf_range_peak(const sf_model *model, double F_0, const sf_cel
 }
 
 /* F at Omega = 0 */
+static inline void sf_range_rest_by_laws(const sf_model *model, double F_0, const sf_cell *cell, sf_range out[2]) {
+    sf_laws_within laws;
+    sf_interval halves[4], rest[4];
+    sf_where where;
+    int i;
+    sf_hold_laws(model, model->breaks > 0 && cell->A.lo >= model->b[0], &laws);
+    sf_rest_within(&laws, cell->A, rest);
+    where = sf_where_positive(sfi_sub(sfi_point(F_0), rest[0]));
+    rest[0].hi = sfi_least(rest[0].hi, F_0);
+    dissipation_intervals_static(sfi_point(F_0), rest[0], rest[1], cell->h, cell->h_A, halves);
+    for (i = 0; i < 2; i++) {
+        sf_range_simple(halves[i], halves[2 + i], where, &out[i]);
+        if (where == SF_PARTLY && sfi_has_sign(cell->h))
+            out[i].edge = cell->h.lo > 0 ? 1 : -1;
+    }
+}
+
 static inline void sf_range_rest(const sf_model *model, double F_0, const sf_cell *cell, sf_range out[2]) {
     double halves[3];
+    if (sf_has_laws(model)) {
+        sf_range_rest_by_laws(model, F_0, cell, out);
+        return;
+    }
     slow_flow_rest(F_0, model->m, 0, 0, halves); /* -c, c */
     sf_range_simple(sfi_add(cell->h, sfi_around(halves[0])), cell->h_A, SF_THROUGHOUT, &out[0]);
     sf_range_simple(sfi_add(cell->h, sfi_around(halves[1])), cell->h_A, SF_THROUGHOUT, &out[1]);

@@ -485,7 +485,7 @@ static sf_status sf_settled_peak(const sf_model *model, const sf_exactly *exactl
 {
     const sf_status status = sf_peak(model, F_0, most, work, A, Omega);
     sf_settling of;
-    if (status != SF_OK || exactly == NULL)
+    if (status != SF_OK || exactly == NULL || sf_has_laws(model))
         return status;
     of.Omega = sfp_point(*Omega), of.A = sfp_point(*A), of.F_0 = sfp_point(F_0);
     if (sf_settle_all(slow_flow_pairs_peak_step, SF_MOVES_BOTH, 2, exactly, model, &of))

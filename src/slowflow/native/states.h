@@ -91,7 +91,7 @@ static int sf_is_at_fold(const sf_model *model, double F_0, const sf_folds *fold
         if (fabs(folds->at[i].Omega - Omega) > SF_TOLD_APART * fmax(folds->at[i].Omega, Omega))
             continue;
         sf_sample_at(model, folds->at[i].A, &at);
-        if (sf_is_F_close(model, &at, F_0, Omega))
+        if ((sf_has_laws(model) ? sf_is_law_F_close : sf_is_F_close)(model, &at, F_0, Omega))
             return 1;
     }
     return 0;
@@ -132,7 +132,10 @@ static int sf_take_proved_states(const sf_model *model, const sf_given *given, d
 static int sf_states_on_curve(const sf_model *model, const sf_given *given, double F_0, sf_room *room, double Omega,
                               double *A, unsigned char *stable, int *undecided)
 {
-    int n = sf_states_of_segments(model, given == NULL ? NULL : &given->exactly, F_0, &room->work, Omega, A, stable);
+    int n;
+    if (sf_has_laws(model))
+        given = NULL;
+    n = sf_states_of_segments(model, given == NULL ? NULL : &given->exactly, F_0, &room->work, Omega, A, stable);
     if (room->doubt || sf_is_at_fold(model, F_0, &room->work.folds, Omega))
         *undecided = given == NULL || !sf_take_proved_states(model, given, F_0, room, Omega, &n, A, stable);
     return n;
@@ -179,7 +182,7 @@ static sf_status sf_states(const sf_model *model, const sf_given *given, double 
                            int *n, double *A, unsigned char *stable, int *undecided)
 {
     *undecided = 0;
-    *n = given == NULL ? -1 : sf_clear_states(model, &given->exactly, F_0, Omega, &room->work, A, stable);
+    *n = given == NULL || sf_has_laws(model) ? -1 : sf_clear_states(model, &given->exactly, F_0, Omega, &room->work, A, stable);
     if (*n >= 0)
         return SF_OK;
     *n = 0;

@@ -3,6 +3,7 @@
 #define SF_WORK_H
 
 #include "arcs.h"
+#include "points_work.h"
 
 enum { SF_MOST_FOLDS = 48, SF_MOST_SEGMENTS = SF_MOST_ARCS + SF_MOST_FOLDS };
 
@@ -69,6 +70,7 @@ typedef struct {
     sf_folds folds;
     sf_corner corner[SF_MOST_BREAKS];
     sf_skeleton skeleton, shown;
+    sf_law_search points;
 } sf_work;
 
 static inline double sf_first_of(const sf_segment *segment, const double ends[2]) { return ends[1 - segment->upward]; }

@@ -343,6 +343,16 @@ def least_from_rest(Omega, zeta, eta, d, h_AA):
     return [found[0], found[2]]
 
 
+def static_halves(F_0, I_0, I_0A, h, h_A):
+    """h less and plus what it is where F vanishes at Omega = 0, and their slopes."""
+
+    def half(a, sign):
+        lag, local = (near(mpf(1), values)(a) for values in ((I_0, I_0A), (h, h_A)))
+        return local + sign * mp.findroot(lambda x: x**2 + lag**2 - mpf(F_0) ** 2, F_0)
+
+    return [half(mpf(1), sign) for sign in (-1, 1)] + [mp.diff(lambda a, s=sign: half(a, s), 1) for sign in (-1, 1)]
+
+
 DISSIPATION: dict[str, tuple[str, Function]] = {
     "quadratic": ("c_2", lambda c_2: [by_work(quadratic_work(1, 1, c_2), 1)]),
     # |h| is largest where R = -F_0 at the frequency at which quadratic damping takes all of the forcing
@@ -432,6 +442,7 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
         for unknown in ("R", "x" if far else "Omega")
         for system in ("folds", "peaks", "cusps", "isolas")
     },
+    "static": ("F_0 I_0 I_0A h h_A", static_halves),
 }
 
 

@@ -1,0 +1,128 @@
+/* Peaks by other laws of damping: in go a model and a forcing, out come the points at which the level of an amplitude is
+ * stationary, what happens there, and the highest one at which stable motions end.
+ */
+#ifndef SF_LAW_PEAKS_H
+#define SF_LAW_PEAKS_H
+
+#include "locus.h"
+#include "points.h"
+
+/* The peak where I knows no frequency: F_Omega = 0 leaves R = 0, and F = 0 then I = F_0, each of one variable. Where
+ * damping is weak F bends so much beside it that boxes are small before they tell, as small as what rounding leaves of
+ * R. Next to an end of a piece it is not known on which it is, nor where h vanishes, whether Omega^2 > 0. */
+static void sf_find_structural_peak(const sf_model *model, double F_0, const sf_stretches *pieces,
+                                    sf_law_points *found) {
+    sf_law_point point = {0};
+    sf_sample at;
+    sf_known known;
+    double low, high;
+    int i, is_inside = 0, is_on_end = 0;
+    point.A = dissipation_limit_envelope(1, F_0, model->m, 0, model->eta, 0);
+    low = point.A * (1 - SF_DOUBT), high = point.A * (1 + SF_DOUBT);
+    for (i = 0; i < pieces->n; i++) {
+        const double a = pieces->at[i].first.A, b = pieces->at[i].last.A;
+        is_on_end |= (low <= a && a <= high) || (low <= b && b <= high);
+        if (a < low && high < b && sf_has_force(&pieces->at[i]))
+            is_inside = 1, point.part = i;
+    }
+    sf_sample_at(model, point.A, &at);
+    sf_know(&at, &known);
+    found->n = found->undecided = 0, found->status = SF_OK;
+    if (is_on_end || (is_inside && !sfi_has_sign(known.h))) {
+        found->doubt[found->undecided++] = point.A;
+    } else if (is_inside && known.h.hi < 0) {
+        point.Omega = slow_flow_backbone(point.A, at.h);
+        found->at[found->n++] = point;
+    }
+}
+
+/* All peaks on the pieces of work. */
+static sf_status sf_find_law_peaks(const sf_model *model, double F_0, sf_work *work) {
+    if (!sf_inertial(model) && model->zeta == 0 && model->d == 0 && !model->released)
+        sf_find_structural_peak(model, F_0, &work->pieces, &work->points.found);
+    else
+        sf_search_pieces(model, SF_LAW_PEAKS, F_0, &work->pieces, &work->points);
+    return work->points.found.status;
+}
+
+/* Whether F rises with A at a peak: by the R that F_Omega = 0 leaves, in which nothing cancels. */
+static int sf_rises_at_peak(const sf_model *model, const sf_sample *at, double w) {
+    const double zeta = model->zeta, d = model->d, I = sf_law_I(model, at->A, w);
+    double rest[4];
+    if (sf_inertial(model))
+        return sf_law_F_A(model, at, w, sf_is_beyond(model, at->A)) > 0;
+    sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
+    return dissipation_F_A_halved(dissipation_R_of_peak(w, at->A, zeta, d, I), w * w + at->h_A, I,
+                                  dissipation_I_A(w, at->A, rest[1], zeta, d)) > 0;
+}
+
+/* Whether F has a maximum over Omega at a peak; under an excitation by inertia F_OmegaOmega is what vanishes where the
+ * level is stationary, by 1/Omega, times a positive number. */
+static int sf_bends_at_peak(const sf_model *model, const sf_sample *at, double w) {
+    const double zeta = model->zeta, d = model->d;
+    double rest[4], of[4], f[6];
+    sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
+    if (sf_inertial(model)) {
+        dissipation_far(1 / w, at->A, rest[0], rest[1], zeta, d, at->h, at->h_A, of);
+        dissipation_peaks_far_by_x(1 / w, at->A, 0, rest[0], rest[1], rest[2], rest[3], zeta, d, at->h, at->h_A, at->h_AA,
+                                   at->h_AAA, of[0], of[2], of[1], of[3], f);
+        return f[5] < 0;
+    }
+    return dissipation_F_OmegaOmega(w, at->A, rest[0], model->zeta, model->d, at->h) < 0;
+}
+
+/* Whether stable motions end in a static state: the spring pulls there, or nowhere, F rises, and no frequency goes on
+ * above. */
+static int sf_is_static_top(const sf_model *model, double F_0, const sf_sample *rest, double A) {
+    sf_sample at;
+    double w[2];
+    int i, n;
+    sf_sample_at(model, A, &at);
+    if (!(sf_law_F_A(model, &at, 0, sf_is_beyond(model, A)) > 0) ||
+        (at.h > 0 && !(rest->h > 0 || (rest->h == 0 && !(rest->h_A < 0)))))
+        return 0;
+    n = sf_law_stationary(model, &at, w);
+    for (i = 0; i < n; i++)
+        if (slow_flow_level(w[i], A, sf_law_I(model, A, w[i]), 0, at.h) < F_0 * (1 - SF_CLOSE))
+            return 0;
+    return 1;
+}
+
+/* The highest peak as sf_peak has it: where a pair of frequencies ends that is there below. */
+static sf_status sf_law_peak(const sf_model *model, double F_0, double most, sf_work *work, double *A, double *Omega) {
+    const sf_law_points *peaks = &work->points.found;
+    sf_status status = sf_range_at(model, F_0, &work->A_max);
+    double highest = 0;
+    int i, k;
+    if (status != SF_OK)
+        return status;
+    sf_stretches_up_to(model, fmin(work->A_max, most), &work->pieces);
+    if (sf_find_law_peaks(model, F_0, work) != SF_OK)
+        return peaks->status;
+    for (i = 0; i < peaks->n; i++) {
+        sf_sample at;
+        sf_sample_at(model, peaks->at[i].A, &at);
+        if (at.A > highest && sf_rises_at_peak(model, &at, peaks->at[i].Omega) &&
+            !sf_bends_at_peak(model, &at, peaks->at[i].Omega))
+            highest = at.A, *Omega = peaks->at[i].Omega;
+    }
+    for (i = work->pieces.n - 1; i >= 0 && highest == 0 && !sf_inertial(model); i--) {
+        sf_clear_zeros(&work->zeros);
+        sf_ask_all(model, SF_REST, F_0, &work->pieces.at[i], &work->zeros);
+        if (work->zeros.status != SF_OK)
+            return work->zeros.status;
+        for (k = 0; k < work->zeros.n; k++)
+            if (work->zeros.at[k].A > highest &&
+                sf_is_static_top(model, F_0, &work->pieces.at[0].first, work->zeros.at[k].A))
+                highest = work->zeros.at[k].A, *Omega = 0;
+    }
+    for (i = 0; i < peaks->undecided; i++)
+        if (peaks->doubt[i] > highest)
+            return SF_UNRESOLVED;
+    if (highest == 0)
+        return !sf_inertial(model) && F_0 <= model->m && !(most < HUGE_VAL) ? SF_STICKS : SF_NONE;
+    *A = highest;
+    return SF_OK;
+}
+
+#endif
