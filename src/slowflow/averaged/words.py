@@ -324,7 +324,7 @@ def with_folds_at_rest(model: Model, onset: SaddleNodeOnset, rest: float) -> Sad
         return onset
     of_preload = rest == model.m and model.preload > 0
     none, below = (NONE_BUT_OF_PRELOAD, OF_PRELOAD) if of_preload else (NONE_BUT_AT_REST, AT_REST)
-    words = (none if onset.F_SN is None else below).format(Omega=0.0, F_0=rest)
+    words = (none if onset.F_SN is None else below).format(Omega=0.0, F_0=rest, sticking=rest)
     return dataclasses.replace(onset, message=words, remarks=Remark.FOLDS_AT_REST)
 
 
