@@ -480,7 +480,7 @@ def test_a_linear_oscillator_can_be_physical_too():
 
 def test_every_number_of_an_answer_has_a_unit_or_is_known_to_have_none():
     """A field that is added has to be entered here or among the kinds."""
-    without = {"phi", "error", "error_of_A", "error_of_Omega", "of_SN", "of_cr", "transmissibility_dB"}
+    without = {"phi", "error", "error_of_A", "error_of_Omega", "of_SN", "of_cr", "transmissibility_dB", "level_dB"}
     for module in (results, loads):
         for kind in vars(module).values():
             if dataclasses.is_dataclass(kind) and kind.__module__ == module.__name__:
