@@ -124,7 +124,7 @@ static inline int sf_moves_as_rounding(const sf_quarter *of, int wanted, const s
 static inline int sf_settled_part(const sf_quarter *of, int wanted, const sf_part *on, double A, const double *p,
                                   double *sums)
 {
-    double before[SF_MOST_SUMS], sizes[SF_MOST_SUMS];
+    double before[SF_MOST_SUMS] = {0}, sizes[SF_MOST_SUMS];
     int panels, k;
     for (panels = 1; panels <= SF_MOST_PANELS; panels *= 2) {
         int apart = panels == 1;
