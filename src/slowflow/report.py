@@ -20,11 +20,11 @@ from slowflow.isolator import Isolator
 from slowflow.measured.validity import IN_PYTHON
 from slowflow.paper.report import read_ledger
 from slowflow.physical import Physical
-from slowflow.quantities import EXCITED, KIND_OF, SHEET, SHOWN, UNITS, Quantities
+from slowflow.quantities import SHEET, SHOWN, UNITS, Quantities, in_shown
 from slowflow.results import Remark
 from slowflow.scenes import FORCINGS, Asked, Scene
 from slowflow.sizing.subject import Load, Subject
-from slowflow.table import SHOCKS
+from slowflow.table import COLUMNS, SHOCKS
 from slowflow.text import in_units
 from slowflow.validate import NotAvailable
 from slowflow_support.errors import Refused
@@ -74,14 +74,11 @@ GIVEN = {
     "force": "the springs' force that is averaged: truncated (6), or untruncated (5)",
     "excitation": "what shakes it",
 }
-MEANING = {
+MEANING = {one.si or one.name: one.text for one in COLUMNS.values()} | {
     "f_n": "natural frequency of the mass on the vertical spring alone",
-    "f_0": "natural frequency of small motions about the centre",
     "x_cr": "stroke, at which the horizontal springs leave",
-    "break_loose": "constant force that friction holds",
     "sticking": "force amplitude up to which averaging has the mass at rest",
     "rests_within": "how far from the centre friction holds the mass at rest",
-    "k_0": "stiffness at the centre",
     "preset": "compression of the vertical spring that holds the mass at the centre",
     "lightest": "mass that would rest at the upper end of the stroke",
     "heaviest": "mass that would rest at its lower end",
@@ -153,23 +150,17 @@ def _at_each(scene: Scene, question: str, forcings: Sequence[float], left_out: l
         return []
 
 
-def _letter(of: Any) -> tuple[str, str]:
-    """What the amplitude of the excitation is called, and the unit in which it is shown; "" without dimensions."""
+def _called(of: Any, name: str = "F_0") -> tuple[str, str, float]:
+    """What a number is called, in which unit it is shown, and that one's size; none and 1 without dimensions."""
     if not isinstance(of, Physical):
-        return "F_0", ""
-    letter, kind, _ = EXCITED[of.scales.excitation]
-    return letter, SHOWN[kind]
-
-
-def _in_its_unit(of: Any, F: float) -> float:
-    """An amplitude of the excitation in that unit."""
-    _, unit = _letter(of)
-    return F / UNITS[KIND_OF[unit]][unit] if unit else F
+        return name, "", 1.0
+    symbol, kind = of.scales.kind(name)
+    return symbol, SHOWN[kind], UNITS[kind][SHOWN[kind]]
 
 
 def _told(of: Any, F: float) -> str:
-    """The same as words."""
-    return f"{_in_its_unit(of, F):.4g}"
+    """An amplitude of the excitation in its unit."""
+    return f"{F / _called(of)[2]:.4g}"
 
 
 # ---- sections
@@ -191,7 +182,7 @@ def _frequencies(scene: Scene) -> Sequence[float]:
 
 def _transmitted(scene: Scene, F: float) -> Iterator[str]:
     """What stable motions transmit at the frequencies asked for."""
-    name = "f" if isinstance(scene.oscillator, Physical) else "Omega"
+    name, *_ = _called(scene.oscillator, "Omega")
     for at in _frequencies(scene):
         states = _shown(scene.ask("amplitudes", **{name: at}, **_forced_by(scene, F)))
         if found := [f"{one:.4g}" for one in states.transmissibility_dB[states.stable].tolist()]:
@@ -327,9 +318,10 @@ def _curves(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     own = {name: value for name, value in next(asked, {}).items() if name not in FORCINGS}  # the scene's window
     curves = [_shown(scene.ask("frequency_response", **_forced_by(scene, F), **own)) for F in forcings]
     folds = [_shown(scene.ask("saddle_nodes", **_forced_by(scene, F))) for F in forcings]
-    force, _ = _letter(of)
+    force, *_ = _called(of)
     oscillator = _plain(of)
-    letter, length = ("x", 1e3 * of.scales.sizes["length"]) if isinstance(of, Physical) else ("u", 1.0)
+    letter, _, size = _called(of, "u")
+    length = of.scales.sizes["length"] / size if isinstance(of, Physical) else 1.0
     # off the centre springs leave on one side first, where the largest displacement passes the stroke
     largest = "A" if oscillator.load == 0 else f"{letter}_max"
     what = "Amplitude" if oscillator.load == 0 else "Largest displacement"
@@ -413,14 +405,12 @@ def _map(of: Any) -> Iterator[str]:
     values = subject.ask({x: columns[None, :], y: rows[:, None]}, [onset], Load(None, None, None))[onset]
     if not np.isfinite(values).any():
         raise NotAvailable("a map of designs, none of which has a lowest amplitude of the excitation with a jump")
-    scale = 1e3 if subject.mount else 1.0
-    shown = SHOWN[subject.amplitude]
-    units = ("N/m", "mm", shown) if subject.mount else ("", "", "")
-    of_x, of_y, of_value = map(pictures.measured, (x, y, onset), units)
-    size = UNITS[subject.amplitude][shown] if subject.mount else 1.0
-    found = (of_value, np.where(np.isfinite(values), values / size, np.nan))
-    ax = pictures.design_map(page.axes(), (of_x, columns), (of_y, scale * rows), found)
-    ax.plot(subject.nominal[x], scale * subject.nominal[y], "o", color="white", markeredgecolor="black")
+    given = (SHEET[x], SHEET[y]) if subject.mount else ("", "")
+    units, (of_x, of_y, of_onset) = zip(*map(in_shown, (*given, subject.unit(onset))), strict=True)
+    name_x, name_y, name = map(pictures.measured, (x, y, onset), units)
+    found = (name, np.where(np.isfinite(values), values / of_onset, np.nan))
+    ax = pictures.design_map(page.axes(), (name_x, columns / of_x), (name_y, rows / of_y), found)
+    ax.plot(subject.nominal[x] / of_x, subject.nominal[y] / of_y, "o", color="white", markeredgecolor="black")
     what = EXCITATION[subject.excitation]
     yield page.figure(
         ax, f"The {what} from which on it jumps, over {NUMBERS[x]} and {NUMBERS[y]}; the circle is the design at hand."
@@ -441,7 +431,7 @@ def _trust(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
 
 def _jumps_by_depths(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     """Each jump by averaging, with higher harmonics, and by the equation of motion."""
-    name = "f" if isinstance(of, Physical) else "Omega"
+    name, of_f, _ = _called(of, "Omega")
     rows = []
     for F in forcings:
         found = scene.ask("saddle_nodes", **_forced_by(scene, F))
@@ -459,12 +449,10 @@ def _jumps_by_depths(of: Any, forcings: Sequence[float], scene: Scene) -> Iterat
     if not rows:
         yield "<p>There is no jump at these amplitudes of the excitation.</p>"
         return
-    of_f = page.term(name, "Hz" if isinstance(of, Physical) else "")
-    letter, measured = _letter(of)
     heads = (
-        page.term(letter, measured),
+        page.term(*_called(of)[:2]),
         "kind",
-        f"{of_f}, averaged",
+        f"{page.term(name, of_f)}, averaged",
         "second approximation",
         "equation of motion",
         "error of averaging",
@@ -474,26 +462,23 @@ def _jumps_by_depths(of: Any, forcings: Sequence[float], scene: Scene) -> Iterat
 
 def _checked(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     """The largest displacement by averaging and by the equation of motion, at the frequencies asked for."""
-    name, letter = ("f", "F") if isinstance(of, Physical) else ("Omega", "F_0")
-    force, unit = _letter(of)
+    (name, unit, _), (_, of_A, size) = _called(of, "Omega"), _called(of, "A")
     rows = []
     for F in forcings:
         for at in _frequencies(scene):
-            states = scene.ask("amplitudes", **{name: at, letter: F})
+            states = scene.ask("amplitudes", **{name: at}, **_forced_by(scene, F))
             if states.stable.any():
                 # off the centre A is about the mean
                 largest = getattr(states, next(one for one in ("x_max", "u_max", "A") if hasattr(states, one)))
                 A = float(largest[states.stable].max())
-                scale = 1e3 if isinstance(of, Physical) else 1.0
                 try:
-                    exact = of.steady_state(**{name: at, letter: F, "A": A}).A
-                    compared = (f"{scale * exact:.5g}", _error(A / exact - 1))
+                    exact = of.steady_state(**{name: at, "A": A}, **_forced_by(scene, F)).A
+                    compared = (f"{exact / size:.5g}", _error(A / exact - 1))
                 except ArithmeticError as error:
                     compared = (escape(str(error)), "")
-                rows.append((_told(of, F), f"{at:.4g}", f"{scale * A:.5g}", *compared))
-    of_f, of_A = (page.term("f", "Hz"), "mm") if isinstance(of, Physical) else (page.term("Omega"), "")
+                rows.append((_told(of, F), f"{at:.4g}", f"{A / size:.5g}", *compared))
     averaged = f"averaged / {of_A}" if of_A else "averaged"
-    heads = (page.term(force, unit), of_f, averaged, "equation of motion", "error of averaging")
+    heads = (page.term(*_called(of)[:2]), page.term(name, unit), averaged, "equation of motion", "error of averaging")
     if rows:
         yield page.table("The largest displacement by averaging and by the equation of motion itself", heads, rows)
     else:
@@ -503,7 +488,7 @@ def _checked(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
 def _expected(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
     """What measurements say of the error of the highest motion, and of the curve's other points."""
     rows, remarks = [], []
-    force, unit = (page.term("F", "N"), " N") if isinstance(of, Physical) else (page.term("F_0"), "")
+    force, unit, _ = _called(of)
     for F in forcings:
         found = scene.ask("frequency_response", **_forced_by(scene, F))
         curve = found.answer if isinstance(found, Quantities) else found
@@ -511,18 +496,22 @@ def _expected(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]
         if stable.size:
             top, known = stable[curve.A[stable].argmax()], curve.validity
             shares = ("" if np.isnan(one[top]) else f"{100 * one[top]:.2g} %" for one in (known.typical, known.error))
-            rows.append((f"{F:.4g}", f"{known.ratio[top]:.3g}", *shares))
+            rows.append((_told(of, F), f"{known.ratio[top]:.3g}", *shares))
             said = in_units(known.message, of.scales if isinstance(of, Physical) else None)
-            remarks += [f"<p>At {F:.4g}{unit} elsewhere on the curve: {page.inline(said)}.</p>"] if said else []
+            remarks += (
+                [f"<p>At {_told(of, F)}{unit and ' ' + unit} elsewhere on the curve: {page.inline(said)}.</p>"]
+                if said
+                else []
+            )
     if rows:
-        heads = (force, "friction over force", "half of them within", "95 of 100 within")
+        heads = (page.term(force, unit), "friction over force", "half of them within", "95 of 100 within")
         yield page.table("Error of the highest stable amplitude, as measured for such isolators", heads, rows)
     yield from remarks
 
 
 def _depths(of: Any, F: float, scene: Scene) -> Iterator[str]:
     """The curve about its peak by averaging, with higher harmonics, and of the equation of motion."""
-    name = "f" if isinstance(of, Physical) else "Omega"
+    name, *_ = _called(of, "Omega")
     left_out: list[str] = []
     peaks = _at_each(scene, "peak", [F], left_out)
     yield _left_out(left_out)
@@ -545,7 +534,7 @@ def _depths(of: Any, F: float, scene: Scene) -> Iterator[str]:
             missing.append(f"<p>By the {depth} {page.inline(curve.message)}.</p>")
     if len(found) > 1:
         ax = pictures.depths(page.axes(), found)
-        force, unit = _letter(of)
+        force, unit, _ = _called(of)
         at_F = f"{_told(of, F)} {unit}" if unit else f"{force} = {F:g}"
         said = f"by {'two' if len(found) == 2 else 'three'} depths: they lie the closer the better."
         yield page.figure(ax, f"The response at {at_F} about its peak, {said}")
@@ -571,11 +560,11 @@ def _equations(of: Any) -> Iterator[str]:
 
 
 def _data(of: Any, forcings: Sequence[float], scene: Scene) -> Iterator[str]:
-    force, unit = _letter(of)
+    force, unit, size = _called(of)
     yield "<ul>"
     for question in ("saddle_nodes", "frequency_response") if forcings else ():
         found = [(F, _shown(scene.ask(question, **_forced_by(scene, F)))) for F in forcings]
-        text = files.in_csv([({force: _in_its_unit(of, F)}, answer) for F, answer in found], {force: unit})
+        text = files.in_csv([({force: F / size}, answer) for F, answer in found], {force: unit})
         yield f"<li>{page.download(f'{question}.csv', 'text/csv', text)}</li>"
     for question in ("spectrum", "tolerances", "transient", "shock_spectrum"):
         alike = [one for one in scene.asked if one.question == question]

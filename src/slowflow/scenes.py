@@ -53,6 +53,7 @@ from slowflow.isolator import DUFFING, ROD_SPRING, Duffing, Isolator
 from slowflow.measured import costs
 from slowflow.physical import Physical
 from slowflow.quantities import EXCITED, SHOWN, UNITS
+from slowflow.table import COLUMNS
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_support.errors import SceneError
 
@@ -167,8 +168,8 @@ class Kind:
 LETTERS = tuple(letter for letter, *_ in EXCITED.values())
 FORCINGS = (*LETTERS, "F_0")
 #: of which kind the arguments of a mount's questions are
-OF_MOUNT = {letter: kind for letter, kind, _ in EXCITED.values()}
-OF_MOUNT |= {"f": "frequency", "acceleration": "acceleration", "duration": "time", "t": "time"}
+OF_MOUNT = {one.si or one.name: one.kind for one in COLUMNS.values()}
+OF_MOUNT |= {letter: kind for letter, kind, _ in EXCITED.values()}
 #: names of the frequency
 FREQUENCIES = ("f", "Omega")
 #: what a half sine of the base is given by

@@ -24,38 +24,38 @@ from slowflow.oscillator import Oscillator
 from slowflow.physical import Physical
 from slowflow.physical_moves import WORDS, g
 from slowflow.quantities import EXCITED, PINT, SHEET, UNITS, si, size, sizes, turns
+from slowflow.table import COLUMNS
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_kernels.scaling import SCALES
 from slowflow_support.errors import Refused
 
-#: what can be asked of designs, by kind; a frequency is called with an f of a mount, with an Omega of an isolator, and
-#: an amplitude of the excitation is what `EXCITED` says
-OF_ALL_FORCINGS = {"F_SN": "amplitude", "F_cr": "amplitude", "rest": "frequency"}
-OF_FRICTION = {"break_loose": "force", "sticking": "force"}
+#: what can be asked of designs, and which column of `table` that is one of; a frequency is called with an f of a mount,
+#: with an Omega of an isolator
+OF_ALL_FORCINGS = {"F_SN": "F_SN", "F_cr": "F_cr", "rest": "Omega"}
+OF_FRICTION = {"break_loose": "break_loose", "sticking": "sticking"}
 OF_FREQUENCIES = ("peak", "jump_up", "jump_down", "band", "isolation")
-OF_MARGINS = {"of_SN": "ratio", "of_cr": "ratio"}
-AT_A_FORCING = {**OF_MARGINS, "A_peak": "length", **dict.fromkeys(OF_FREQUENCIES, "frequency")}
-AT_A_FREQUENCY = {"A": "length", "transmissibility": "ratio"}
-IN_A_SPECTRUM = {"A_spectrum": "length", "transmissibility_spectrum": "ratio"}
-IN_A_SPECTRUM |= {f"{name}_spectrum": kind for name, kind in OF_MARGINS.items()}
+OF_MARGINS = {"of_SN": "of_SN", "of_cr": "of_cr"}
+AT_A_FORCING = {**OF_MARGINS, "A_peak": "A", **dict.fromkeys(OF_FREQUENCIES, "Omega")}
+AT_A_FREQUENCY = {"A": "A", "transmissibility": "transmissibility"}
+IN_A_SPECTRUM = {f"{name}_spectrum": name for name in (*AT_A_FREQUENCY, *OF_MARGINS)}
 #: and which rows of it are counted, by the column that tells
 ROWS = {"rows_several": "motions", "rows_cross": "crosses", "rows_detach": "detaches", "rows_stick": "sticks"}
-IN_A_SPECTRUM |= dict.fromkeys(ROWS, "rows")
-IN_A_SHOCK = {"A_shock": "length", "a_shock": "acceleration", "of_cr_shock": "ratio"}
+IN_A_SPECTRUM |= ROWS
+IN_A_SHOCK = {"A_shock": "A", "a_shock": "a_max", "of_cr_shock": "of_cr"}
 #: only under a load, only about the centre, and there only of an excitation by inertia, whose force rises with Omega
-UNDER_A_LOAD = {"stroke": "length"}
-ABOUT_THE_CENTRE = {"rests_within": "length"}
-OF_INERTIA = {"sticks": "frequency"}
-KIND = OF_ALL_FORCINGS | OF_FRICTION | ABOUT_THE_CENTRE | AT_A_FORCING | OF_INERTIA | UNDER_A_LOAD
-KIND |= AT_A_FREQUENCY | IN_A_SPECTRUM | IN_A_SHOCK
+UNDER_A_LOAD = {"stroke": "u_max"}
+ABOUT_THE_CENTRE = {"rests_within": "rests_within"}
+OF_INERTIA = {"sticks": "Omega_sticks"}
+COLUMN = OF_ALL_FORCINGS | OF_FRICTION | ABOUT_THE_CENTRE | AT_A_FORCING | OF_INERTIA | UNDER_A_LOAD
+COLUMN |= AT_A_FREQUENCY | IN_A_SPECTRUM | IN_A_SHOCK
 #: what is not known with structural damping
 AT_NO_FREQUENCY = "{} is not available with structural damping, which is stated at one frequency"
 
 
-#: kinds of what has no unit, and what a load spectrum is
-WITHOUT_UNIT, PAIR = ("ratio", "rows"), "({1}, {0}), the columns of a table"
+#: what a load spectrum is
+PAIR = "({1}, {0}), the columns of a table"
 
 
 #: laws of damping beside mu and zeta, by the names of their numbers, and a mount's word for mu_s
@@ -90,7 +90,7 @@ class Subject:
 
     varied  -- names of those that are
     nominal -- the numbers that can be varied, by name, as they are
-    answers -- names of what can be asked of it, and what they are among `KIND`
+    answers -- names of what can be asked of it, and what they are among `COLUMN`
     loaded  -- whether it is under a load
     one_by_one -- whether designs are asked one by one, up to some tenths of a second each: under a load, with other
                laws of damping than mu and zeta, and on NumPy
@@ -116,7 +116,7 @@ class Subject:
         others = ABOUT_THE_CENTRE if self.loaded else UNDER_A_LOAD
         others = others | (OF_INERTIA if self.loaded or self.excitation == "force" else {})
         others = others | (IN_A_SHOCK if "eta" in self.laws else {})
-        known = {name: kind for name, kind in KIND.items() if name not in others}
+        known = {name: COLUMNS[column].kind for name, column in COLUMN.items() if name not in others}
         self.answers = {f"{letter}_{name}" if kind == "frequency" else name: name for name, kind in known.items()}
         if self.mount is not None:
             self.answers = {self.mount.scales.kind(name)[0]: plain for name, plain in self.answers.items()}
@@ -158,14 +158,14 @@ class Subject:
         return EXCITED[self.excitation][1]
 
     def kind(self, answer: str) -> str:
-        """Of an answer, a key of `UNITS`."""
-        kind = KIND[self.answers[answer]]
+        """Of an answer, a key of `UNITS`, "" of what has no unit."""
+        kind = COLUMNS[COLUMN[self.answers[answer]]].kind
         return self.amplitude if kind == "amplitude" else kind
 
     def unit(self, answer: str) -> str:
         """Of an answer; "" without dimensions."""
         kind = self.kind(answer)
-        return next(iter(UNITS[kind])) if self.mount and kind in UNITS else ""
+        return next(iter(UNITS[kind])) if self.mount and kind else ""
 
     def number(self, name: str, value: Any) -> Any:
         """A value of a number of the design, of a mount in SI units if it is a quantity of pint."""
@@ -269,11 +269,11 @@ class Subject:
         """
         given: dict[str, Any] = {**self.nominal, **values}
         shape = np.broadcast_shapes(*(np.shape(value) for value in given.values()))
-        units: dict[str, Any] = dict.fromkeys((*UNITS, *WITHOUT_UNIT), 1.0)
+        units: dict[str, Any] = dict.fromkeys((*UNITS, ""), 1.0)
         static, kinetic = given.pop(STATIC if self.mount else "mu_s", None), given[self._word("mu")]
         if self.mount is not None:
             base = {"m": given["load" if self.loaded else "m"], "k_v": given["k_v"], "L": given["L"]}
-            units = {**sizes(**base), **dict.fromkeys(WITHOUT_UNIT, 1.0)}
+            units = {**sizes(**base), "": 1.0}
             weight = {"load": (given["load"] - given["m"]) * g / units["force"]} if self.loaded else {}
             measures = {name: size(scale, **base) for name, scale in self._scales().items()}
             measures |= {"zeta": 1.0} if "zeta" in given else {}
@@ -305,7 +305,7 @@ class _Batch:
         return self.asked[question]
 
     def answer(self, name: str) -> Floats:
-        """One of `KIND`, dimensionless."""
+        """One of `COLUMN`, dimensionless."""
         if name in OF_MARGINS:
             with np.errstate(over="ignore"):  # of a forcing next to nothing no margin is a double
                 return np.asarray(self.answer(f"F_{name[3:]}") / self.F_0)
