@@ -78,28 +78,14 @@ class Sentence:
         self.places = tuple(_places(pattern))
         #: names of the values, in the order in which `format` takes them
         self.names = tuple(dict.fromkeys(one.name for one in self.places if one.spec or one.joint))
-        # what str.format does by itself where each value is one number or words
-        self._plain = "".join(map(self._written, self.places))
-
-    def _written(self, place: _Place) -> str:
-        literal = place.literal.replace("{", "{{").replace("}", "}}")
-        if not place.name:
-            return literal
-        if not (place.spec or place.joint):
-            return literal + place.name.partition("|")[0]
-        of = str(self.names.index(place.name)) + ("" if place.which is None else f"[{place.which}]")
-        form = {"s": "", "r": "!r"}.get(place.spec, f":{place.spec}")
-        return f"{literal}{place.name if place.joint else ''}{place.joint}{{{of}{form}}}"
 
     def format(self, *values: Any, **named: Any) -> Text:
         """The sentence with values in the order of its places, or by name."""
         if named:
             values += tuple(named[name] for name in self.names[len(values) :])
-        try:
-            plain = self._plain.format(*values)
-        except (TypeError, ValueError):  # several numbers, or a place that stays one
-            plain = self.told(values, None)
-        return _made(plain, self, values)
+        made = Text.__new__(Text, self.told(values, None))
+        made.sentence, made.values = self, values
+        return made
 
     def told(self, values: tuple[Any, ...], units: Units | None) -> str:
         """The sentence with these values in these units, or dimensionless."""
