@@ -11,24 +11,25 @@ import argparse
 import importlib.util
 import time
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import partial
+from typing import Any
 
 import mpmath as mp
 import numpy as np
 from scipy.optimize import minimize_scalar, root
 
 from benchmarks import document, environment, footprint
-from slowflow.exact import EquationOfMotion, Response, exact_response, linear, steady_state, sweep
-from slowflow.exact.compiled import default_integrator
-from slowflow.exact.integrate import Drive, Integrator, ScipyIntegrator
+from slowflow.exact import EquationOfMotion, Response, compiled, exact_response, linear, steady_state, sweep
+from slowflow.exact.compiled import Drive
 from slowflow.exact.motion import TURN, Forced, follow
 from slowflow.paper import example
 from slowflow.paper.example import TABLE_1
 from slowflow.paper.smoothed import direct_integration
 from slowflow_kernels import den_hartog
-from tests.oracles import exact_linear
+from tests.oracles import exact_linear, exact_reference
 from tests.oracles.exact_cases import isolator, table_1
+from tests.oracles.exact_reference import ScipyIntegrator, again
 from tests.oracles.exact_scipy import half_turn
 
 FORCINGS = (0.025, 0.03, 0.0301, 0.04, 0.05)
@@ -80,12 +81,13 @@ def rows() -> list[Row]:
 
 @dataclass(frozen=True)
 class Job:
-    """What a user waits for: `bound` in milliseconds, None where there is no target."""
+    """What a user waits for: `bound` in milliseconds, None where there is none; `other`: the same by an integrator."""
 
     name: str
     bound: float | None
     repeats: int
-    run: Callable[[Integrator], object]
+    run: Callable[[], object]
+    other: Callable[[Any], object] | None = None
 
 
 def jobs() -> list[Job]:
@@ -93,43 +95,46 @@ def jobs() -> list[Job]:
     system = table_1(True)
     free, stops = EquationOfMotion(system.force, 0.0, system.zeta), EquationOfMotion(linear(), 0.2, 0.0)
     near = steady_state(system, steady_state(system, Omega=0.9, F_0=0.04), Omega=0.901, F_0=0.04)
-    piece, drive = system.force.pieces[0], Drive(0.9, 0.04, 0.02, -0.012)
+    drive = Drive(0.9, 0.04, 0.02, -0.012)
     frequencies = np.concatenate((np.linspace(0.5, 1.5, 300), np.linspace(1.5, 0.5, 300)))
     return [
         Job(
             "half a turn of one piece with derivatives",
             *(None, 101),
-            lambda i: i.advance(piece, drive, 0.3, -0.25, 0.0, 3.4),
+            lambda: compiled.advance(system, 0, drive, 0.3, -0.25, 0.0, 3.4),
+            lambda i: i.advance(system.force.pieces[0], drive, 0.3, -0.25, 0.0, 3.4),
         ),
         Job(
             "one periodic motion with multipliers from the neighbouring one",
             *(0.1, 51),
-            lambda i: steady_state(system, near, Omega=0.9, F_0=0.04, integrator=i),
+            lambda: steady_state(system, near, Omega=0.9, F_0=0.04),
+            lambda i: again(replace(near, Omega=0.9, unknowns=np.append(near.unknowns[:-1], 0.9)), i),
         ),
         Job(
             "curve of 300 points, stability, stops, folds",
             *(25.0, 3),
-            lambda i: exact_response(system, 0.04, step=0.0265, integrator=i),
+            lambda: exact_response(system, 0.04, step=0.0265),
         ),
         Job(
             "the same without friction",
             *(75.0, 3),
-            lambda i: exact_response(free, 0.04, step=0.0265, integrator=i),
+            lambda: exact_response(free, 0.04, step=0.0265),
         ),
         Job(
             "the same of the linear oscillator through ten stops, Omega from 0.07 to 0.5",
             *(75.0, 3),
-            lambda i: exact_response(stops, 1.0, Omega=(0.07, 0.5), integrator=i),
+            lambda: exact_response(stops, 1.0, Omega=(0.07, 0.5)),
         ),
         Job(
             TURNS,
             *(1.0, 5),
-            lambda i: follow(Forced(system, OMEGA, 0.04, i), 0.0, 0.0, 0.0, 200 * TURN),
+            lambda: follow(Forced(system, OMEGA, 0.04), 0.0, 0.0, 0.0, 200 * TURN),
+            lambda i: exact_reference.follow(Forced(system, OMEGA, 0.04), i, 0.0, 0.0, 0.0, 200 * TURN),
         ),
         Job(
             "sweep up and down, 600 frequencies",
             *(200.0, 1),
-            lambda i: sweep(system, Omega=frequencies, F_0=0.04, integrator=i),
+            lambda: sweep(system, Omega=frequencies, F_0=0.04),
         ),
     ]
 
@@ -154,21 +159,19 @@ def by_stops(repeats: int) -> list[dict[str, float]]:
 def in_turn(most: int = 101) -> list[tuple[Job, float, float | None]]:
     """The jobs that users wait for, and their seconds by the compiled integrator and by heyoka, repeats `most` at most.
 
-    None where heyoka has no wheels. By heyoka all around the integration is Python; the first job is the integration
-    alone.
+    None where that is not done by heyoka, or it has no wheels. All around its integration is Python; the first job is
+    the integration alone.
     """
-    own, other = default_integrator(table_1(True)), None
+    other: Any = None
     if importlib.util.find_spec("heyoka"):
         from tests.oracles.exact_heyoka import HeyokaIntegrator
 
         other = HeyokaIntegrator()
     out = []
     for job in jobs():
-        ours, theirs = (
-            None if i is None else best(lambda i=i, job=job: job.run(i), min(job.repeats, most)) for i in (own, other)
-        )
-        assert ours is not None  # there is always an integrator of its own
-        out.append((job, ours, theirs))
+        count, by = min(job.repeats, most), job.other
+        theirs = None if other is None or by is None else best(partial(by, other), count)
+        out.append((job, best(job.run, count), theirs))
     return out
 
 
@@ -362,14 +365,11 @@ def closed_forms() -> list[Row]:
 
 def turns() -> list[Row]:
     """200 turns at one frequency, with events."""
-    forced = Forced(table_1(False), 0.9, 0.04, default_integrator(table_1(False)))
+    forced = Forced(table_1(False), 0.9, 0.04)
     out = [Row("200 turns at Omega = 0.9, events", 1e3 * best(lambda: follow(forced, 0.0, 0.0, 0.0, 200 * TURN)), "ms")]
-    slow = ScipyIntegrator()
     state = steady_state(table_1(False), Omega=0.9, F_0=0.04)
-    near = steady_state(table_1(False), state, Omega=0.901, F_0=0.04)
-    other = steady_state(table_1(False), near, Omega=0.9, F_0=0.04, integrator=slow)
-    job = lambda: steady_state(table_1(False), near, Omega=0.9, F_0=0.04, integrator=slow)  # noqa: E731
-    out.append(Row("one frequency by SciPy", 1e3 * best(job, 3), "ms"))
+    other = again(state, ScipyIntegrator())
+    out.append(Row("one frequency by SciPy", 1e3 * best(lambda: again(state, ScipyIntegrator()), 3), "ms"))
     out.append(Row("amplitude by SciPy less that by the compiled integrator", abs(other.A - state.A), "", 1e-9))
     return out
 
@@ -398,7 +398,6 @@ def main() -> None:
     parser.add_argument("--direct", action="store_true", help="Appendix A's direct integration too")
     parser.add_argument("--busy", action="store_true", help="say on the page that other work kept the machine busy")
     arguments = parser.parse_args()
-    print(f"integrator: {default_integrator(table_1(False)).name}")
     found = [{**asdict(row), "kept": row.kept} for row in rows() + (direct() if arguments.direct else [])]
     print("\n".join(document.exact_table(found)))
     busy = {"earlier": document.BUSY} if arguments.busy else {}

@@ -3,7 +3,7 @@
 In:  the figures' parameters, as far as the text has them.
 Out: benchmarks/results/claims.json, which the ledger reads; `section`, its part of docs/validity.md.
 
-`python -m benchmarks.claims`. Exact curves by the compiled integrator take a minute, by SciPy much longer.
+`python -m benchmarks.claims`. Exact curves take a minute.
 """
 
 from __future__ import annotations
@@ -18,7 +18,6 @@ import numpy as np
 
 from benchmarks import validity
 from slowflow import Isolator
-from slowflow.backend import EXACT
 from slowflow.exact import EquationOfMotion, Response, exact_response, linear, steady_state
 from slowflow.paper.example import TABLE_1, isolator
 from slowflow.paper.smoothed import direct_integration
@@ -177,7 +176,7 @@ def figure_7a() -> dict[str, Any]:
 def measure() -> dict[str, Any]:
     """Everything."""
     return {
-        "integrator": "scipy" if EXACT is None else "taylor",
+        "integrator": "taylor",
         "figure_2a": figure_2a(),
         "figure_2b": figure_2b(),
         "figure_7a": figure_7a(),

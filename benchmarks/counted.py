@@ -28,7 +28,8 @@ from benchmarks.remote import ROOT
 from slowflow import backend
 from slowflow.averaged.asked import AMPLITUDES, ONSET, PEAK, SADDLE_NODES, Question
 from slowflow.averaged.reference.roots import response_roots
-from slowflow.exact.compiled import TaylorIntegrator, by_rising_u
+from slowflow.exact import compiled
+from slowflow.exact.compiled import by_rising_u
 from slowflow.exact.motion import TURN
 from slowflow.paper import example
 from slowflow.paper.example import TABLE_1
@@ -126,12 +127,12 @@ def _sentence(kind: str, count: Any, inputs: np.ndarray, designs: Any, ask: Call
     if not count(number, b"rod_spring", ctypes.c_long(inputs.shape[1]), *pointers):
         raise RuntimeError("the record of the isolator is not compiled in")
     times, costs = np.split(out, 2)
-    whole, compiled = np.array(_in_turn(ask, _loop(question, inputs, designs))) / inputs.shape[1]
+    whole, in_c = np.array(_in_turn(ask, _loop(question, inputs, designs))) / inputs.shape[1]
     parts = [f"{n:.3g} {part} of {quantity(cost, 's')}" for n, part, cost in zip(times, PARTS, costs, strict=True) if n]
     each = [n * cost for n, cost in zip(times, costs, strict=True) if n]
     return (
         f"{name} takes {quantity(whole, 's')}, asked {quantity(wanted, 's')}: {', '.join(parts)}, Python and NumPy "
-        f"{quantity(whole - compiled, 's')}: {_added(whole, [*each, whole - compiled])}"
+        f"{quantity(whole - in_c, 's')}: {_added(whole, [*each, whole - in_c])}"
     )
 
 
@@ -257,9 +258,6 @@ def _of_motion(library: Any) -> str:
     """Turns of the forcing with every switch."""
     (job,) = (job for job in bench_exact.jobs() if job.name == bench_exact.TURNS)
     system = bench_exact.table_1(True)
-    integrator = bench_exact.default_integrator(system)
-    if not isinstance(integrator, TaylorIntegrator):
-        return f"{job.name}: the integrator is not compiled"
     pieces, edges = by_rising_u(system.force)
     names = (ctypes.c_char_p * len(pieces))(*(piece.law.name.encode() for piece in pieces))
     sizes = np.array([len(piece.constants) for piece in pieces], dtype=np.intc)
@@ -272,17 +270,17 @@ def _of_motion(library: Any) -> str:
     ):
         raise RuntimeError("the motion of Table 1 is not followed")
     start = (0.0, 0.0, 0.0)
-    whole, compiled = _in_turn(
-        lambda: job.run(integrator),
-        lambda: integrator.follow(system, bench_exact.OMEGA, certified.F_0, start, end, None),
+    whole, in_c = _in_turn(
+        job.run,
+        lambda: compiled.follow(system, bench_exact.OMEGA, certified.F_0, start, end, None),
     )
     phases, steps, searches, step, search = out
     return (
         f"{job.name} take {quantity(whole, 's')}, asked {quantity(1e-3 * (job.bound or 0), 's')}: {phases:.0f} phases "
         f"by {steps:.0f} steps of {SERIES} coefficients, of which none is known before the one below it, of "
         f"{quantity(step, 's')}, {searches:.0f} searches for a stop on a step of {quantity(search, 's')}, Python, a "
-        f"record of each phase, {quantity(whole - compiled, 's')}: "
-        f"{_added(whole, [steps * step, searches * search, whole - compiled])}"
+        f"record of each phase, {quantity(whole - in_c, 's')}: "
+        f"{_added(whole, [steps * step, searches * search, whole - in_c])}"
     )
 
 

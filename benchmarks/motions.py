@@ -22,7 +22,6 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from slowflow.exact import steady_state
-from slowflow.exact.compiled import default_integrator
 from slowflow.exact.motion import TURN, Forced, follow
 from slowflow.paper.example import TABLE_1, isolator
 from slowflow.paper.smoothed import direct_integration
@@ -37,7 +36,7 @@ RTOLS = {"DOP853": (1e-4, 1e-7, 1e-10), "LSODA": (1e-4, 1e-7, 1e-10), "Radau": (
 
 def followed() -> float:
     """By the package's own integrator."""
-    forced = Forced(SYSTEM, OMEGA, F_0, default_integrator(SYSTEM))
+    forced = Forced(SYSTEM, OMEGA, F_0)
     return max(abs(phase.u_end) for phase in follow(forced, 0.0, 0.0, 0.0, TURNS * TURN)[-LAST:-1])
 
 

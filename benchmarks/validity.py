@@ -1,8 +1,7 @@
 """How far averaging is from the equation of motion: measured over mu/F_0, zeta, delta_h; five minutes of one core.
 
 `python -m benchmarks.validity` measures, writes benchmarks/results/validity.json and src/slowflow/measured/table.py,
-and lets `validity_page` draw the figures and write docs/validity.md; `--draw` does all but measure. The integrator
-should be compiled.
+and lets `validity_page` draw the figures and write docs/validity.md; `--draw` does all but measure.
 """
 
 from __future__ import annotations
@@ -21,7 +20,6 @@ from scipy.optimize import brentq
 
 from benchmarks import validity_page
 from slowflow import Isolator
-from slowflow.backend import EXACT
 from slowflow.exact import Response, SteadyState, exact_response
 from slowflow.mechanism import EquationOfMotion, Force
 from slowflow.paper import example
@@ -528,7 +526,7 @@ def measure() -> dict[str, Any]:
     start = time.process_time()
     cells, pool = resonance()
     numbers = {
-        "integrator": "scipy" if EXACT is None else "taylor",
+        "integrator": "taylor",
         "resonance": cells,
         "pool": pooled(pool),
         "onsets": onsets(),

@@ -425,6 +425,9 @@ CONVENTIONS = (
                 "NEARER", sp.Rational(1, 10), "by how much a motion is nearer by which the map is seen to be linear"
             ),
             Number("UNLIKE", sp.Rational(1, 2), "by how much of each other two ways differ at most where it is"),
+            Number(
+                "MOST_DEGREE", 64, "of a polynomial by which motions are followed where values tell a force, at most"
+            ),
             Number("WHOLE", sp.Rational(3, 10), "phase that has to follow a cycle by which a motion shows it"),
             Number(
                 "CREEPS",

@@ -85,9 +85,11 @@ class Sources:
 
     @property
     def python(self) -> dict[str, str]:
-        """The module by file name, after the program of an odd force, which compiled solvers interpret."""
+        """The module by file name, after what is interpreted: its motion, and of an odd force its record."""
         text = numpy.text(self.module, programs(self.module, numpy.asked(self.module)))
-        data = {f"{self.module.name}.json": program.text(self.solved, programs(self.solved))} if self.odd else {}
+        data = {program.motion.name_of(self.module.name): program.motion.text(self.module)}
+        if self.odd:
+            data[program.name_of(self.module.name)] = program.text(self.solved, programs(self.solved))
         return data | {f"{self.module.name}.py": text}
 
     @property

@@ -10,7 +10,7 @@ import os
 import secrets
 import sys
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +22,8 @@ from derivations.emit.catalogue.every_module import all_modules
 from derivations.emit.form import Module
 from derivations.emit.views import Code, programs
 from derivations.results import Results, derive
+from slowflow.backend import EXACT
+from slowflow_support.errors import BuildFailed
 from tests import sampling
 from tests.native import headers
 from tests.sampling import part
@@ -131,3 +133,25 @@ def c_kernels(once: Once) -> Callable[..., np.ndarray]:
     if headers.COMPILER is None:
         pytest.skip("no C compiler (cc) on the path: the C headers are not tried")
     return headers.load(once("headers", headers.build))
+
+
+def _skipped_without_compiled_motions() -> Generator[None, object, object]:
+    """Without compiled code nothing is followed in time: what needs that is skipped."""
+    try:
+        return (yield)
+    except BuildFailed:
+        if EXACT is None:
+            pytest.skip("exact motions are not compiled")
+        raise
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_pyfunc_call() -> Generator[None, object, object]:
+    """A test that needs them."""
+    return (yield from _skipped_without_compiled_motions())
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_fixture_setup() -> Generator[None, object, object]:
+    """What is made for tests and needs them."""
+    return (yield from _skipped_without_compiled_motions())

@@ -11,13 +11,14 @@ from benchmarks import claims, claims_page, validity
 from derivations.ledger import figures, measured
 from derivations.ledger.rows import FALSE, LOOSE, TRUE
 from slowflow import Isolator
+from slowflow.backend import EXACT
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state
-from slowflow.exact.integrate import ScipyIntegrator
 from slowflow.paper import example
+from tests.oracles.exact_reference import ScipyIntegrator, again
 
 NUMBERS = measured.load()
 ROOT = Path(__file__).parents[1]
-SCIPY = ScipyIntegrator()
+pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
 LINEAR = {row["ratio"]: row for row in NUMBERS["figure_2a"]["rows"]}
 TABLE_2 = {row["forcing"]: row for row in NUMBERS["figure_7a"]["rows"]}
 
@@ -36,14 +37,20 @@ def nearest(averaged, Omega, F_0, A):
 def state(averaged, Omega, F_0, A=None):
     """The exact motion, untruncated force, beside the averaged state nearest to A; without A from rest."""
     guess = None if A is None else nearest(averaged, Omega, F_0, A)
-    return steady_state(averaged.equation_of_motion("untruncated"), guess, Omega=Omega, F_0=F_0, integrator=SCIPY)
+    return by_scipy(steady_state(averaged.equation_of_motion("untruncated"), guess, Omega=Omega, F_0=F_0))
+
+
+def by_scipy(found):
+    """A motion that SciPy's integrator finds too."""
+    assert again(found, ScipyIntegrator()).A == pytest.approx(found.A, rel=1e-8)
+    return found
 
 
 def curve(averaged, F_0, window, Omega, A=None):
     """A short piece of the exact curve, through that motion."""
     start = state(averaged, Omega, F_0, A)
     system = averaged.equation_of_motion("untruncated")
-    return exact_response(system, F_0, Omega=window, start=start, step=claims.STEP, integrator=SCIPY)
+    return exact_response(system, F_0, Omega=window, start=start, step=claims.STEP)
 
 
 # ---- the numbers --------------------------------------------------------------------------------------------------
@@ -69,7 +76,7 @@ def test_the_worst_points_of_figure_2a(ratio, part):
     spot = LINEAR[ratio][part]
     # not released from rest: the motion is neutral at Omega = 1/2
     guess = nearest(Isolator(lam=3, r=2, delta_h=0, mu=ratio, zeta=0), spot["Omega"], 1.0, spot["A"])
-    exact = steady_state(EquationOfMotion(linear(), ratio, 0.0), guess, Omega=spot["Omega"], F_0=1.0, integrator=SCIPY)
+    exact = by_scipy(steady_state(EquationOfMotion(linear(), ratio, 0.0), guess, Omega=spot["Omega"], F_0=1.0))
     assert exact.A == pytest.approx(spot["A"], rel=1e-4)
     assert (exact.stops > 0) == (part == "stopping") or part == "averaged"
     other = (claims.averaged_linear if part == "averaged" else claims.closed_form)(spot["Omega"], ratio)
@@ -81,7 +88,7 @@ def test_the_worst_points_of_figure_2a(ratio, part):
 def test_the_course_of_figure_2a(ratio):
     system = EquationOfMotion(linear(), ratio, 0.0)
     for side, expected in zip(((0.6, 0.7, 0.8, 0.9), (1.1, 1.2, 1.3, 1.45)), ("rises", "falls"), strict=True):
-        A = [steady_state(system, Omega=Omega, F_0=1.0, integrator=SCIPY).A for Omega in side]
+        A = [by_scipy(steady_state(system, Omega=Omega, F_0=1.0)).A for Omega in side]
         assert claims.course(A) == claims.course(claims.averaged_linear(np.array(side), ratio)) == [expected]
     assert LINEAR[ratio]["course"]["exact"] == [["rises"], ["falls"]]
 
@@ -113,7 +120,7 @@ def test_exact_jumps_where_averaging_has_none():
     averaged, F_0 = isolator(row), row["F_0"]
     assert len(averaged.saddle_nodes(F_0)) == 0
     system, window = averaged.equation_of_motion("untruncated"), (0.995 * low, 1.005 * high)
-    close(exact_response(system, F_0, Omega=window, step=claims.STEP, integrator=SCIPY).folds, row["exact"]["folds"])
+    close(exact_response(system, F_0, Omega=window, step=claims.STEP).folds, row["exact"]["folds"])
 
 
 @pytest.mark.slow

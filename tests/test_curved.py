@@ -370,7 +370,7 @@ def test_places_of_rest_move_as_the_force_and_its_slope_do(request, name):
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not COMPILED, reason="SciPy's integrator takes long")
+@pytest.mark.skipif(not COMPILED, reason="not compiled")
 @pytest.mark.parametrize("Omega", [1.15, 1.3])
 def test_exact_motions_are_what_averaging_says_to_its_order(cushion, Omega):
     """Every stable state has a motion of the equation of motion next to it, with its mean."""
@@ -384,7 +384,7 @@ def test_exact_motions_are_what_averaging_says_to_its_order(cushion, Omega):
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not COMPILED, reason="SciPy's integrator takes long")
+@pytest.mark.skipif(not COMPILED, reason="not compiled")
 def test_motions_against_a_magnet_are_those_of_its_average(magnet):
     oscillator = magnet(q=0.01, d=0.5, load=0.05, **DAMPED)
     (state,) = (one for one in oscillator.amplitudes(Omega=0.9, F_0=0.03) if one.stable)

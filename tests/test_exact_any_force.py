@@ -1,7 +1,9 @@
 """Exact motions under forces of any kind: compiled series against 30 digits and closed forms, not against our own."""
 
 import ctypes
+import json
 import subprocess
+from array import array
 
 import mpmath as mp
 import numpy as np
@@ -11,17 +13,19 @@ from scipy.integrate import solve_ivp
 
 from derivations.emit.compensated import copysign
 from derivations.emit.targets.c import taylor
+from derivations.emit.targets.program import motion
 from derivations.emit.views import templates
 from derivations.symbols import u
 from slowflow import derive, include
 from slowflow.backend import EXACT
 from slowflow.exact import EquationOfMotion, exact_response, steady_state
-from slowflow.exact.compiled import TAYLOR, default_integrator
-from slowflow.exact.integrate import Drive, ScipyIntegrator
+from slowflow.exact.compiled import Drive
 from slowflow.mechanism import Force, Law, Piece
 from slowflow_kernels.exact_conventions import Event
 from tests.native import headers
+from tests.oracles.exact_reference import Compiled, ScipyIntegrator, again
 from tests.test_taylor import CONSTANTS, a, b, fake_module, slope_of
+from tests.test_taylor import FORCES as EVERY
 
 pytestmark = [
     pytest.mark.skipif(EXACT is None, reason="not compiled"),
@@ -36,6 +40,7 @@ FORCES = {
 }
 A, B = CONSTANTS.values()
 MODULES = [{"copysign": np.copysign}, "numpy"]
+STATES = [(0.4, 0.35, -0.2, 1.9), (1.0, 0.8, 0.4, 0.3), (0.2, 0.1, 0.0, 2.2), (0.0, 0.0, 0.3, 0.6)]
 
 
 @pytest.fixture(scope="module")
@@ -43,7 +48,8 @@ def pieces(tmp_path_factory):
     """(a, b) -> a piece of each force, by name."""
     folder = tmp_path_factory.mktemp("laws")
     environment = templates(headers.HEADERS.parents[1] / "derivations" / "emit" / "targets" / "c")
-    text = taylor.text([fake_module(name, force) for name, force in FORCES.items()], environment)
+    modules = [fake_module(name, force) for name, force in {**EVERY, **FORCES}.items()]
+    text = taylor.text(modules, environment)
     (folder / "laws.c").write_text(f"{text}\nconst sf_law *const slowflow_laws = sf_laws;\n")
     places = [f"-I{place}" for place in include()]
     command = [
@@ -61,12 +67,52 @@ def pieces(tmp_path_factory):
     with pytest.MonkeyPatch.context() as patched:
         for name, law in EXACT.laws(table).items():
             patched.setitem(EXACT.LAWS, name, law)
+        for module in modules:
+            ((name, data),) = json.loads(motion.text(module)).items()
+            lists = array("i", data["words"]).tobytes(), array("d", data["numbers"]).tobytes()
+            patched.setitem(EXACT.LAWS, f"interpreted {name}", EXACT.interpreted(name, *lists))
 
-        def piece(name, *constants):
-            on_floats = (sp.lambdify((u, *CONSTANTS), form, MODULES) for form in (FORCES[name], slope_of(FORCES[name])))
-            return Piece(Law(*on_floats, f"{name}.force"), constants)
+        def piece(name, *constants, how=""):
+            force = {**EVERY, **FORCES}[name]
+            on_floats = (sp.lambdify((u, *CONSTANTS), form, MODULES) for form in (force, slope_of(force)))
+            return Piece(Law(*on_floats, f"{how}{name}.force"), constants)
 
         yield piece
+
+
+@pytest.mark.parametrize("name", [*EVERY, *FORCES])
+def test_interpreted_series_have_the_bits_of_printed_ones(pieces, name):
+    """States and derivatives, forwards and backwards, and the first stop; of forces with every function."""
+    drive = Drive(0.9, 0.11, 0.03, -0.02, 0.3)
+    for theta, at, v, end in STATES:
+        for way in ((theta, at, v, end), (theta, -at, v, end)):
+            one, other = (pieces(name, A, B, how=how) for how in ("", "interpreted "))
+            try:
+                there, v_there, flow = Compiled().advance(one, drive, *way)
+            except ArithmeticError:  # beyond where it is defined
+                with pytest.raises(ArithmeticError):
+                    Compiled().advance(other, drive, *way)
+                continue
+            found, v_found, of_found = Compiled().advance(other, drive, *way)
+            assert (there, v_there, flow.tolist()) == (found, v_found, of_found.tolist())
+
+
+def test_data_that_is_no_program_is_refused():
+    """A word or a number more or less, a register that holds nothing, another size; too many series are none."""
+    ((name, data),) = json.loads(motion.text(fake_module("sinh", FORCES["sinh"]))).items()
+
+    def law(words, numbers):
+        return EXACT.interpreted(name, array("i", words).tobytes(), array("d", numbers).tobytes())
+
+    words, numbers = data["words"], data["numbers"]
+    assert law(words, numbers) is not None
+    assert law([10**6, *words[1:]], numbers) is None
+    spoilt = [(words[:-1], numbers), ([*words, 0], numbers), (words, numbers[:-1]), (words, [*numbers, 1.0])]
+    spoilt += [([*words[:k], -1, *words[k + 1 :]], numbers) for k in range(len(words))]
+    spoilt += [(words, [*numbers[:k], float("nan"), *numbers[k + 1 :]]) for k in range(len(numbers))]
+    for one in spoilt:
+        with pytest.raises(ValueError, match=r"sinh.force: what stands for its force is no program"):
+            law(*one)
 
 
 @pytest.mark.slow
@@ -77,7 +123,7 @@ def test_a_periodic_motion_and_its_variations_against_thirty_digits(pieces, name
     F_0, zeta = 0.2, 0.03
     system = EquationOfMotion(Force((pieces(name, A, B),), ()), 0.0, zeta)
     found = steady_state(system, Omega=Omega, F_0=F_0)
-    assert found.cycle.integrator is TAYLOR and found.symmetric
+    assert found.symmetric
     with mp.workdps(30):
         given = mp.mpf(A), mp.mpf(B)
         f, slope = (sp.lambdify((u, a, b), form, "mpmath") for form in (FORCES[name], sp.diff(FORCES[name], u)))
@@ -113,33 +159,28 @@ def test_a_free_contact_swings_as_long_as_its_closed_form(pieces, power):
         half = 2 * scale * mp.mpf(start) ** ((1 - P) / 2)
         later = half * (1 - P) / 2 / mp.mpf(start)  # d half / d start
         push = mp.mpf(A) * mp.mpf(start) ** P
-    at, there, _, event = TAYLOR.until(piece, drive, -1, -1e6, 0.0, start, 0.0, 100.0)
+    at, there, _, event = Compiled().until(piece, drive, -1, -1e6, 0.0, start, 0.0, 100.0)
     assert event == Event.STOP
     assert abs(at / Omega - half) <= 4e-16 * half and abs(there + start) <= 4e-16
-    over, v, flow = TAYLOR.advance(piece, drive, 0.0, start, 0.0, float(half) * Omega)
+    over, v, flow = Compiled().advance(piece, drive, 0.0, start, 0.0, float(half) * Omega)
     assert max(abs(over + start), abs(v)) <= 4e-16
     # a start farther out is at its turn earlier or later: by then it has gained a velocity
     assert np.max(np.abs(flow[:, :2] - [[-1.0, 0.0], [float(-push * later), -1.0]])) <= 1e-13
 
 
-def test_a_curve_asks_nothing_of_scipy(pieces, monkeypatch):
+def test_a_curve_at_a_contact(pieces):
     """A contact at rest, with friction: 300 points and more, folds, stops and borders; one point by SciPy."""
     system = EquationOfMotion(Force((pieces("contact", A, 0.5),), ()), 0.004, 0.01)
-    assert default_integrator(system) is TAYLOR
-    with monkeypatch.context() as patched:
-        for asked in ("advance", "until", "sample"):
-            patched.setattr(ScipyIntegrator, asked, None)
-        curve = exact_response(system, 0.02, Omega=(0.2, 1.2))
+    curve = exact_response(system, 0.02, Omega=(0.2, 1.2))
     assert len(curve.folds) == 2 and not curve.stable.all()
     state = curve.steady_state(len(curve) // 2)
     assert state.residual <= 1e-14
-    other = steady_state(system, state, Omega=state.Omega, F_0=0.02, integrator=ScipyIntegrator())
+    other = again(state, ScipyIntegrator())
     assert other.A == pytest.approx(state.A, rel=1e-10)
     assert np.max(np.abs(other.multipliers - state.multipliers)) <= 1e-9
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(EXACT is None, reason="the compiled integrator is not in use")
 def test_motions_through_a_contact_behind_a_gap_are_seen_to_the_ends_of_their_phases():
     """What they pass on, and shocks, against SciPy: at the gap itself there is no series, and nothing was answered."""
     k, gap = sp.symbols("k gap")

@@ -11,7 +11,7 @@ from slowflow.exact import exact_response, steady_state
 from tests.oracles.exact_cases import table_1
 
 CASES = json.loads((Path(__file__).parent / "data" / "exact_motions.json").read_text())
-pytestmark = pytest.mark.skipif(EXACT is None, reason="SciPy does not keep these digits")
+pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
 
 
 def system_of(case):

@@ -12,11 +12,13 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator, derive
+from slowflow.backend import EXACT
 from slowflow.exact import (
     EquationOfMotion,
     Force,
     Law,
     Piece,
+    compiled,
     half_sine,
     linear,
     record,
@@ -24,29 +26,22 @@ from slowflow.exact import (
     sweep,
     transient,
 )
-from slowflow.exact import compiled as exact_compiled
-from slowflow.exact.compiled import default_integrator
-from slowflow.exact.integrate import Drive, ScipyIntegrator
+from slowflow.exact.compiled import Drive
 from slowflow.exact.motion import Forced, follow
 from slowflow.paper.example import TABLE_1
 from slowflow_kernels import den_hartog
-from tests.oracles import exact_brute, exact_linear
+from tests.oracles import exact_brute, exact_linear, exact_reference
 from tests.oracles.exact_cases import isolator, random_cases, table_1
 from tests.sampling import part
 
-INTEGRATOR = default_integrator(table_1(exact=False))
-compiled = pytest.mark.skipif(INTEGRATOR.name == "scipy", reason="not compiled: nothing to compare SciPy's with")
-INTEGRATORS = [INTEGRATOR, ScipyIntegrator()]
+pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
+INTEGRATORS = [exact_reference.ScipyIntegrator()]
 try:
     from tests.oracles.exact_heyoka import HeyokaIntegrator
 
     INTEGRATORS.append(HeyokaIntegrator())
 except ImportError:  # it has no wheels here
     pass
-SLOW = {"scipy": [pytest.mark.slow]}
-each_integrator = pytest.mark.parametrize(
-    "integrator", [pytest.param(one, id=one.name, marks=SLOW.get(one.name, [])) for one in INTEGRATORS]
-)
 CASES = random_cases(60, seed=6)  # a seed with up to six stops and subharmonics: see the first test
 
 
@@ -82,13 +77,10 @@ def test_random_isolators_against_brute_force(states):
 
 
 @pytest.mark.slow
-@compiled
 def test_random_isolators_by_scipy(states):
-    """SciPy's events, from rest and on their own, find the same steady states to 1e-9, with the same switches."""
-    slow = ScipyIntegrator()
-    for case, state in part(list(zip(CASES, states, strict=True)), 6):
-        other = steady_state(case.system, Omega=case.Omega, F_0=case.F_0, integrator=slow)
-        assert other.cycle.signature == state.cycle.signature, case
+    """SciPy's events find the same steady states to 1e-9, with the same switches."""
+    for state in part(states, 6):
+        other = exact_reference.again(state, exact_reference.ScipyIntegrator())
         assert abs(other.A - state.A) <= 1e-9
         assert np.max(np.abs(np.sort(np.abs(other.multipliers)) - np.sort(np.abs(state.multipliers)))) <= 1e-8
         turned = other.unknowns - state.unknowns
@@ -96,12 +88,19 @@ def test_random_isolators_by_scipy(states):
         assert np.max(np.abs(turned)) <= 1e-9
 
 
-def test_scipy_integrates_what_is_not_compiled(monkeypatch):
-    """A force that was not generated, or any without the extension."""
-    own = EquationOfMotion(Force((Piece(Law(lambda u: u + u**3, lambda u: 1 + 3 * u**2), ()),), ()), 0.01, 0.02)
-    assert default_integrator(own).name == "scipy"
-    monkeypatch.setattr(exact_compiled, "EXACT", None)
-    assert default_integrator(table_1(exact=False)).name == "scipy"
+def test_own_functions_of_u_are_followed_by_polynomials_of_their_values(monkeypatch):
+    """To the digits of the series of the same force; without compiled code it is said that there is none."""
+    law = Law(lambda u: u + u**3, lambda u: 1 + 3 * u**2)
+    own = EquationOfMotion(Force((Piece(law, ()),), ()), 0.01, 0.02)
+    other = Duffing(1.0, 1.0, 0.01, 0.02).equation_of_motion()
+    for Omega in (0.5, 1.1, 1.6):
+        found, expected = (steady_state(one, Omega=Omega, F_0=0.1) for one in (own, other))
+        assert found.cycle.signature == expected.cycle.signature
+        assert found.A == pytest.approx(expected.A, rel=1e-13)
+        assert np.max(np.abs(found.multipliers - expected.multipliers)) <= 1e-12
+    monkeypatch.setattr(compiled, "EXACT", compiled.NotCompiled())
+    with pytest.raises(RuntimeError, match="which this installation of slowflow has not"):
+        steady_state(EquationOfMotion(linear(), 0.01, 0.03), Omega=0.5, F_0=0.1)
 
 
 def test_residual_of_random_isolators(states):
@@ -113,8 +112,8 @@ def test_residual_of_random_isolators(states):
 @pytest.mark.slow
 def test_integrators_agree_phase_by_phase():
     """The same phases, from rest over three turns, by every integrator, and the same end by brute force."""
-    system = table_1(exact=False)
-    runs = [follow(Forced(system, 0.6, 0.2, one), 0.0, 0.0, 0.0, 6 * math.pi) for one in INTEGRATORS]
+    forced, way = Forced(table_1(exact=False), 0.6, 0.2), (0.0, 0.0, 0.0, 6 * math.pi)
+    runs = [follow(forced, *way), *(exact_reference.follow(forced, one, *way) for one in INTEGRATORS)]
     for run in runs[1:]:
         assert [(p.slip, p.region, p.event) for p in runs[0]] == [(p.slip, p.region, p.event) for p in run]
         for a, b in zip(runs[0], run, strict=True):
@@ -226,11 +225,12 @@ def test_multipliers_against_finite_differences(states):
         if kind in seen:
             continue
         seen.add(kind)
-        forced = Forced(case.system, case.Omega, case.F_0, INTEGRATOR)
+        forced = Forced(case.system, case.Omega, case.F_0)
         phase = max(state.phases, key=lambda p: (p.slip != 0) * (p.end - p.theta))
         theta = 0.5 * (phase.theta + phase.end)
-        piece, drive = forced.piece(phase.region), forced.drive(phase.slip, phase.region)
-        u, v = forced.integrator.sample(piece, drive, phase.theta, phase.u, phase.v, np.array([theta]))[0]
+        drive = forced.drive(phase.slip, phase.region)
+        way = phase.theta, phase.u, phase.v, np.array([theta])
+        u, v = compiled.sample(case.system, phase.region, drive, *way)[0]
         end = theta + state.period * case.Omega
         columns = []
         size = 1e-6
@@ -276,32 +276,30 @@ def test_a_slip_that_turns_round_unseen_is_no_motion():
     assert found.A == pytest.approx(from_rest.A, rel=1e-9) and found.stops == from_rest.stops == 2
 
 
-@each_integrator
-def test_escape_in_words(integrator):
+def test_escape_in_words():
     """A softening spring that pulls outwards beyond |u| = 1.83 lets the mass go: said, not looped over for ever."""
     system = Duffing(1.0, -0.3, 0.01, 0.05).equation_of_motion()
     with pytest.raises(ArithmeticError, match="motion escapes"):
-        steady_state(system, Omega=0.7, F_0=0.6, integrator=integrator)
+        steady_state(system, Omega=0.7, F_0=0.6)
     with pytest.raises(ArithmeticError, match="motion escapes"):
-        steady_state(system, (1.9, -1.0), Omega=0.7, F_0=0.3, integrator=integrator)
+        steady_state(system, (1.9, -1.0), Omega=0.7, F_0=0.3)
     with pytest.raises(ArithmeticError, match="motion escapes"):
-        sweep(system, Omega=[0.7], F_0=0.6, integrator=integrator)
+        sweep(system, Omega=[0.7], F_0=0.6)
     with pytest.raises(ArithmeticError, match=r"does not hold it; at Omega = 0.7, F_0 = 0.6$") as lost:
-        sweep(system, Omega=[0.7], F_0=0.6, integrator=integrator)
+        sweep(system, Omega=[0.7], F_0=0.6)
     assert str(pickle.loads(pickle.dumps(lost.value))) == str(lost.value)
 
 
-@each_integrator
 @pytest.mark.part(3)
-def test_a_wall_within_reach(integrator):
+def test_a_wall_within_reach():
     """u_cr = 0.99995: Newton's trials run against the force (5) near |u| = 1, where it has no bound."""
     system = Isolator(lam=3, r=0.1, delta_h=0.99, mu=0.012, zeta=0.02).equation_of_motion("untruncated")
-    state = steady_state(system, (1.3187, -0.04), Omega=0.5, F_0=0.9, integrator=integrator)
+    state = steady_state(system, (1.3187, -0.04), Omega=0.5, F_0=0.9)
     assert state.stable and state.residual <= 1e-9
-    again = steady_state(system, state, Omega=0.5, F_0=0.9, integrator=INTEGRATOR)
+    again = steady_state(system, state, Omega=0.5, F_0=0.9)
     assert again.A == pytest.approx(state.A, rel=1e-9) and again.stops == state.stops
     with pytest.raises(ArithmeticError, match=r"the integration|passes 1e\+06"):
-        steady_state(system, Omega=0.5, F_0=1e9, integrator=integrator)
+        steady_state(system, Omega=0.5, F_0=1e9)
 
 
 #: tan(u), u/(1 - u^2), and u - u/(2 (1 - u^2)), which draws the mass towards |u| = 1: force, slope, place of the pole
@@ -338,13 +336,12 @@ def test_a_force_without_bound_is_named_where_an_integration_stalls(name):
             steady_state(system, Omega=0.9, F_0=2.0)
 
 
-@each_integrator
-def test_a_shock_or_a_release_that_escapes_is_told_with_its_time(integrator):
+def test_a_shock_or_a_release_that_escapes_is_told_with_its_time():
     """When |u| passes 10^6: of a release without damping by quadrature of du/u', of a record by another integrator."""
     duffing = Duffing(1.0, -0.5)
     whole = mp.quad(lambda u: 1 / mp.sqrt(9 - u**2 + (u**4 - 81) / 4), [3, 4, 10, 100, 1e6])
     with pytest.raises(ArithmeticError, match=r"the motion escapes.*; at tau = \S+, in the free motion$") as lost:
-        transient(duffing.equation_of_motion(), np.empty((0, 4)), at=3.0, integrator=integrator)
+        transient(duffing.equation_of_motion(), np.empty((0, 4)), at=3.0)
     assert float(re.search(r"tau = (\S+),", str(lost.value))[1]) == pytest.approx(float(whole), rel=1e-5)
     times = np.linspace(0.0, 5.0, 26)
     samples = 3.0 * np.sin(times) * np.exp(-0.1 * times)
@@ -358,17 +355,16 @@ def test_a_shock_or_a_release_that_escapes_is_told_with_its_time(integrator):
     passes.terminal = True
     (at,) = solve_ivp(pushed, (0, 5), [0.0, 0.0], rtol=1e-10, atol=1e-12, events=passes, max_step=0.05).t_events[0]
     with pytest.raises(ArithmeticError, match=r"the motion escapes.*, while the base is accelerated$") as lost:
-        transient(duffing.equation_of_motion(), record(times, samples), integrator=integrator)
+        transient(duffing.equation_of_motion(), record(times, samples))
     assert float(re.search(r"tau = (\S+),", str(lost.value))[1]) == pytest.approx(float(at), rel=1e-5)
     assert "Omega" not in str(lost.value) and "F_0" not in str(lost.value)
 
 
-@each_integrator
-def test_ever_faster_motion_is_given_up(integrator):
+def test_ever_faster_motion_is_given_up():
     """A trial may end where the mass swings a million times a turn: an error, not a wait."""
     stiff, drive = Duffing(1.0, 1e12).restoring_force().pieces[0], Drive(0.5, 0.1, 0.02, 0.0)
     with pytest.raises(ArithmeticError, match="the integration from theta = 0"):
-        integrator.advance(stiff, drive, 0.0, 1.0, 0.0, 3.0)
+        exact_reference.Compiled().advance(stiff, drive, 0.0, 1.0, 0.0, 3.0)
 
 
 def test_errors_in_words():

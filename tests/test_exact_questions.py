@@ -11,19 +11,15 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import root
 
 from slowflow import Duffing, Isolator, exact
-from slowflow.exact import integrate
-from slowflow.exact.compiled import default_integrator
+from slowflow.backend import EXACT
+from slowflow.exact import work
 from slowflow.paper.example import isolator
 from slowflow_kernels import duffing as duffing_kernels
 from slowflow_support.errors import NotSettled
 from tests.interrupts import ENDING, interrupted
 from tests.oracles import exact_brute
 
-pytestmark = pytest.mark.both_backends
-compiled = pytest.mark.skipif(
-    default_integrator(exact.EquationOfMotion(exact.linear(), 0.0, 0.1)).name == "scipy",
-    reason="not compiled: a curve takes a minute",
-)
+pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
 
 
 def test_each_averaged_state_leads_to_a_motion_beside_it():
@@ -75,7 +71,6 @@ def test_a_mass_at_rest_begins_where_load_and_spring_balance():
         double.steady_state(Omega=1.2, F_0=0.1, A=1.0, u_0=-1.0)
 
 
-@compiled
 def test_a_loaded_isolator_comes_to_the_motion_that_integration_from_its_place_of_rest_comes_to():
     """From u = 0, where it does not rest, it comes to one of A = 0.2485."""
     iso = Isolator(lam=3, r=2.03, delta_h=0.082, mu=0.0, zeta=0.02, load=0.0455)
@@ -93,7 +88,6 @@ def test_a_loaded_isolator_comes_to_the_motion_that_integration_from_its_place_o
     assert iso.steady_state(Omega=0.9261, F_0=0.0434, u_0=0.0).A == pytest.approx(0.2485, abs=1e-4)
 
 
-@compiled
 def test_a_curve_begins_in_the_well_that_is_chosen():
     """With a load the two wells differ: their motions do, and the curve says which of them it is."""
     oscillator = Duffing(-1.0, 1.0, zeta=0.1, load=0.1)
@@ -162,7 +156,6 @@ def test_a_curve_and_a_sweep_agree():
     assert found.A == pytest.approx(curve.A[[0, -1]], rel=1e-4)
 
 
-@compiled
 def test_a_curve_may_start_anywhere_on_it():
     start = isolator().steady_state(Omega=0.95, F_0=0.04, A=0.5)
     curve = isolator().exact_response(0.04, Omega=(0.8, 1.05), start=start)
@@ -174,7 +167,6 @@ def test_a_curve_may_start_anywhere_on_it():
 SOFTENING, SOFTENING_F_0, SOFTENING_WINDOW = Duffing(1.0, -0.5, 0.05, 0.1), 0.35, (0.4, 1.5)
 
 
-@compiled
 def test_the_message_leads_to_a_curve_apart():
     """Numbers read from the message start the other curve, whose message leads back."""
     one = SOFTENING.exact_response(SOFTENING_F_0, Omega=SOFTENING_WINDOW)
@@ -194,7 +186,6 @@ def test_the_message_leads_to_a_curve_apart():
     )
 
 
-@compiled
 def test_no_message_where_one_curve_is_all():
     assert isolator().exact_response(0.04).message == ""
     assert isolator(mu=0.028).exact_response(0.04, Omega=(0.5, 1.3)).message == ""
@@ -207,7 +198,6 @@ def test_no_message_where_one_curve_is_all():
     assert [fold.kind for fold in rest.folds] == ["jump-up"]
 
 
-@compiled
 def test_near_a_fold_of_averaging_the_branch_asked_for_is_found():
     """Averaging's fold lies at Omega = 1.26754, that of the motion at 1.26960: between them averaging has one state."""
     oscillator = Duffing(1.0, 0.1, 0.0, 0.025)
@@ -244,7 +234,6 @@ def test_of_two_motions_beside_a_fold_each_is_the_one_that_scipy_finds():
         assert np.sort_complex(found.multipliers) == pytest.approx(np.sort_complex(multipliers), abs=1e-9)
 
 
-@compiled
 @pytest.mark.parametrize("ratio", [0.8, 0.95, 0.99])
 def test_slow_drift_near_sticking_ends_where_an_independent_integration_stays(ratio):
     """No stiffness at u = 0 and friction near the forcing: from rest the motion drifts for 10^5 turns and more.
@@ -277,7 +266,6 @@ def slips_without_a_spring(mu, zeta, Omega, F_0):
         return float(mp.quad(velocity, mp.linspace(begins, ends, 5)) / 2)
 
 
-@compiled
 @pytest.mark.parametrize(
     "oscillator", [Duffing(0.0, 1.0, 0.0, 0.05), Isolator(lam=3, r=1, delta_h=1 / 3, zeta=0.05, mu=0)]
 )
@@ -297,7 +285,6 @@ def test_where_no_spring_is_felt_motion_and_sweep_have_the_closed_form(oscillato
 
 
 @pytest.mark.slow
-@compiled
 def test_a_neutral_mean_that_a_falling_force_drives_off_is_not_settled_on():
     """The same with negative stiffness too small to be felt in a turn: the motion about u = 0 is not stable."""
     oscillator = Duffing(-1e-9, 1.0, 0.0495, 0.05)
@@ -312,7 +299,6 @@ def test_a_neutral_mean_that_a_falling_force_drives_off_is_not_settled_on():
 
 
 @pytest.mark.slow
-@compiled
 def test_no_trial_runs_off_to_zero_frequency():
     """A Newton trial at Omega = 4.9e-7, where a turn takes 10^7 units of time, asked for 3e9 steps.
 
@@ -331,7 +317,7 @@ def test_no_trial_runs_off_to_zero_frequency():
         states, _ = exact_brute.follow(force, 0.0, 0.1, found.Omega, F_0, tau[5], u[5], v[5], 1, 4000)
         assert np.max(np.abs(np.subtract(states[-1], (u[5], v[5])))) <= 1e-9
     # what is given up in between is given as far as it was reached
-    with integrate.limited(200_000):
+    with work.limited(200_000):
         part = oscillator.exact_response(F_0, Omega=window, force="truncated")
     last = f"at Omega = {part.Omega[-1]:.9g}, A = {part.A[-1]:.9g}"
     assert not part.complete and "a part of the curve only: given up after 200000 integration" in part.message
@@ -339,17 +325,16 @@ def test_no_trial_runs_off_to_zero_frequency():
     assert part.Omega == pytest.approx(curve.Omega[: len(part)], rel=1e-9)
 
 
-@compiled
 def test_a_curve_that_is_given_up_keeps_its_points():
     """By the count of steps within the part that C traces, too; nothing but the start is no curve."""
     whole = isolator().exact_response(0.04)
     for most in (3_000, 9_000):
         start = isolator().steady_state(Omega=0.5, F_0=0.04)
-        with integrate.limited(most):
+        with work.limited(most):
             part = isolator().exact_response(0.04, start=start)
         assert not part.complete and f"given up after {most} integration steps" in part.message
         assert 50 < len(part) < len(whole) and part.A == pytest.approx(whole.A[: len(part)], rel=1e-9)
-    with pytest.raises(ArithmeticError, match="given up after 10 integration steps"), integrate.limited(10):
+    with pytest.raises(ArithmeticError, match="given up after 10 integration steps"), work.limited(10):
         isolator().exact_response(0.04, start=start)
     assert whole.complete and whole.message == ""
 
@@ -357,7 +342,7 @@ def test_a_curve_that_is_given_up_keeps_its_points():
 def test_work_is_bounded_and_said_so():
     """Each integration, and each question as a whole, is given up after a stated number of steps."""
     slow = exact.EquationOfMotion(isolator().restoring_force(), 0.012, 0.02)
-    with pytest.raises(ArithmeticError, match="given up after 100 integration steps"), integrate.limited(100):
+    with pytest.raises(ArithmeticError, match="given up after 100 integration steps"), work.limited(100):
         exact.steady_state(slow, Omega=0.9, F_0=0.04)
     with pytest.raises(ArithmeticError, match=r"the integration stalls near u = .*: its steps become too many"):
         exact.steady_state(slow, Omega=1e-9, F_0=0.04)
@@ -384,7 +369,6 @@ def test_ctrl_c_interrupts():
 
 
 @pytest.mark.slow
-@compiled
 @pytest.mark.parametrize("threads", [2, 16])
 def test_threads_answer_as_one_thread_does(threads):
     """Oscillators of their own and shared ones: the same digits as one after the other, and no crash."""
@@ -409,7 +393,6 @@ with ThreadPoolExecutor({threads}) as pool:
     subprocess.run([sys.executable, "-c", code], check=True, timeout=600)
 
 
-@compiled
 @pytest.mark.parametrize("ratio", [0.98, 0.99, 0.995, 0.999, 0.9999])
 @pytest.mark.parametrize("Omega", [0.9, pytest.param(2.0, marks=pytest.mark.slow)])
 def test_a_drift_below_rounding_is_refused_not_settled(ratio, Omega):
@@ -460,7 +443,6 @@ def test_importing_slowflow_imports_no_integrator():
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "[]\n"
 
 
-@compiled
 def test_a_first_exact_motion_is_found_without_scipy():
     asked = "Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.012, zeta=0.02).steady_state(Omega=0.9, F_0=0.04)"
     code = (

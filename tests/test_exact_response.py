@@ -8,25 +8,25 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar, root
 
 from slowflow import Duffing, Isolator
+from slowflow.backend import EXACT
 from slowflow.exact import EquationOfMotion, exact_response, linear, response, steady_state, sweep
-from slowflow.exact.compiled import default_integrator
 from slowflow.exact.continuation import FOLDS
-from slowflow.exact.integrate import ScipyIntegrator
 from slowflow.exact.sweep import _is_stable as is_stable_branch
 from slowflow.paper.example import TABLE_1
 from tests.oracles.exact_cases import isolator, random_cases, table_1
+from tests.oracles.exact_reference import ScipyIntegrator, again
 from tests.oracles.exact_scipy import half_turn
+from tests.sampling import part
 
-QUICK = default_integrator(table_1(False)).name != "scipy"
-compiled = pytest.mark.skipif(not QUICK, reason="not compiled: a whole curve by SciPy takes ten seconds")
+pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
 FORCINGS = (0.025, 0.03, 0.0301, 0.04, 0.05)
 # (untruncated force?, F_0): each force once by SciPy, with and without detachment
-CURVES = [(exact, F_0) for exact in (False, True) for F_0 in FORCINGS] if QUICK else [(False, 0.025), (True, 0.04)]
+CURVES = [(exact, F_0) for exact in (False, True) for F_0 in FORCINGS]
 
 
 @pytest.fixture(scope="module")
 def curves():
-    return {(exact, F_0): exact_response(table_1(exact), F_0, step=0.02 if QUICK else 0.2) for exact, F_0 in CURVES}
+    return {(exact, F_0): exact_response(table_1(exact), F_0) for exact, F_0 in CURVES}
 
 
 def test_two_folds_and_no_other(curves):
@@ -80,7 +80,6 @@ def test_points_are_motions_and_stability_is_theirs(curves):
             assert state.A == pytest.approx(curve.A[index], abs=1e-12)
 
 
-@compiled
 def test_of_three_motions_at_a_frequency_the_middle_one_is_not_stable(curves):
     """As the averaged balance has it; a saddle has one multiplier inside the unit circle, which is not enough."""
     seen = 0
@@ -103,7 +102,7 @@ def test_of_three_motions_at_a_frequency_the_middle_one_is_not_stable(curves):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("exact", "F_0"), [(False, 0.0301), (False, 0.04), (True, 0.04)] if QUICK else [(True, 0.04)])
+@pytest.mark.parametrize(("exact", "F_0"), [(False, 0.0301), (False, 0.04), (True, 0.04)])
 def test_curve_by_amplitude(curves, exact, F_0):
     """Solved for (Omega, theta) at given amplitudes instead of followed: the same curve, the same folds.
 
@@ -172,7 +171,6 @@ def test_peak_of_the_linear_oscillator(zeta):
         assert peak.Omega == 0.5 and peak.A == pytest.approx(0.1 / abs(1 - 0.25 + 0.9j), rel=1e-12)
 
 
-@compiled
 @pytest.mark.parametrize("ratio", [0.0, 0.3, 0.6])
 def test_a_peak_does_not_depend_on_the_step(ratio):
     """Light damping, a sharp peak, stops on the flanks: the points miss it by up to 9e-4, the peak does not."""
@@ -196,7 +194,6 @@ def test_a_linear_oscillator_never_jumps_however_far_apart_the_frequencies_are(z
 BESIDE = {(0.3784, 0.3786): (1.7559427, 1.7266846)}
 
 
-@compiled
 def test_a_jump_is_a_change_of_branch_however_small_it_is_and_a_pitchfork_is_none():
     """u'' + 0.04 u' + u + u^3 = 3 cos: at 0.325 and 0.499 a motion becomes symmetric, at others it ceases to be."""
     swept = Duffing(1.0, 1.0, zeta=0.02).sweep(Omega=np.arange(300, 500) / 1000, F_0=3.0)
@@ -206,7 +203,6 @@ def test_a_jump_is_a_change_of_branch_however_small_it_is_and_a_pitchfork_is_non
     assert finer.A[-2:] == pytest.approx(BESIDE[0.3784, 0.3786], rel=2e-5)
 
 
-@compiled
 def test_in_coarse_steps_a_jump_is_told_where_the_fold_is_and_nowhere_else(curves):
     """The frequencies of docs/howto/exact_motions.md."""
     down = curves[False, 0.04].folds[1]
@@ -229,7 +225,6 @@ def test_the_motion_that_scipy_follows_jumps_there():
 SECOND = {0.45478: (1.289, 0.981), 0.49743: (1.535, 1.027)}
 
 
-@compiled
 def test_a_fold_is_of_the_kind_that_a_sweep_sees_there():
     """At both ends of the second resonance a sweep falls, at the lower one as the frequency falls."""
     curve = Duffing(1.0, 1.0, zeta=0.005).exact_response(1.0, Omega=(0.3, 1.0))
@@ -239,7 +234,6 @@ def test_a_fold_is_of_the_kind_that_a_sweep_sees_there():
         assert fold.kind == "jump-down" and after < before
 
 
-@compiled
 def test_a_fold_is_of_that_kind_too_where_the_part_that_is_followed_has_no_motion_beyond_it():
     """As an isola has none: what the mass comes to is followed in time."""
     oscillator = Duffing(1.0, 1.0, zeta=0.005)
@@ -277,7 +271,6 @@ def settled_by_scipy(F_0, zeta, frequencies, state=(0.0, 0.0), turns=60):
     return found
 
 
-@compiled
 @pytest.mark.parametrize("exact", [False, True])
 @pytest.mark.parametrize("F_0", [0.03, 0.04])
 def test_sweeps_jump_at_the_folds(curves, exact, F_0):
@@ -301,7 +294,6 @@ def _phase(curve, Omega, A):
     return -float(curve.states[index].z[1])
 
 
-@compiled
 def test_curve_with_stops_and_loops():
     """Down to Omega = 0.1 the mass stops up to four times a turn; the curve goes through every change of order."""
     curve = exact_response(table_1(exact=True), 0.04, Omega=(0.1, 1.5))
@@ -328,7 +320,6 @@ def test_border_to_sticking_is_den_hartogs():
     assert not curve.folds
 
 
-@compiled
 def test_start_in_the_middle_goes_both_ways():
     system = table_1(exact=False)
     whole = exact_response(system, 0.04, Omega=(0.7, 1.2))
@@ -338,39 +329,18 @@ def test_start_in_the_middle_goes_both_ways():
         assert abs(a.Omega - b.Omega) <= 1e-11 and abs(a.A - b.A) <= 1e-9 and a.kind == b.kind
 
 
-def test_short_curve_by_scipy():
-    """SciPy's integrator follows the same curve; here a short stretch through the upper fold's neighbourhood."""
-    system = table_1(exact=False)
-    slow = ScipyIntegrator()
-    short = exact_response(
-        system,
-        0.025,
-        Omega=(0.75, 0.79),
-        step=0.2,
-        integrator=slow,
-        start=steady_state(system, (0.2, -0.5), Omega=0.75, F_0=0.025),
-    )
-    for point in short.states[::3]:
-        state = steady_state(system, (point.A, -float(point.z[1])), Omega=float(point.z[-1]), F_0=0.025)
-        assert abs(state.A - point.A) <= 1e-9
-
-
 @pytest.mark.slow
-@compiled
-@pytest.mark.night
-def test_a_whole_curve_by_scipy(curves):
-    """Both integrators, on steps of their own, agree about peak, folds and where the springs detach."""
-    slow = exact_response(table_1(exact=True), 0.04, Omega=(0.7, 1.1), step=0.2, integrator=ScipyIntegrator())
-    quick = curves[True, 0.04]
-    assert slow.peak.A == pytest.approx(quick.peak.A, rel=1e-10)
-    for a, b in zip(slow.folds, quick.folds, strict=True):
-        assert abs(a.Omega - b.Omega) <= 1e-9 and abs(a.A - b.A) <= 1e-7 and (a.kind, a.corner) == (b.kind, b.corner)
-    assert len(slow.borders) == 2
-    for Omega, A in slow.borders:
-        assert min(abs(Omega - o) + abs(A - a) for o, a in quick.borders) <= 1e-9
+def test_points_of_a_curve_are_motions_by_scipy(curves):
+    """Stable and unstable, with and without detachment: amplitude and multipliers, to 1e-11 over what folds enlarge."""
+    curve = curves[True, 0.04]
+    for k in part([k for k in range(0, len(curve), 5) if not curve.states[k].role], 4):
+        state = curve.steady_state(k)
+        other, enlarged = again(state, ScipyIntegrator()), 1 / np.min(np.abs(1 - state.multipliers))
+        assert abs(other.A - state.A) <= 1e-11 * enlarged
+        apart = np.sort_complex(other.multipliers) - np.sort_complex(state.multipliers)
+        assert np.max(np.abs(apart)) <= 1e-10 * enlarged
 
 
-@compiled
 def test_unbounded_resonance_in_words():
     with pytest.raises(ArithmeticError, match="resonance is unbounded"):
         exact_response(EquationOfMotion(linear(), 0.3, 0.0), 1.0, Omega=(0.6, 1.4))
@@ -388,7 +358,6 @@ def test_errors_in_words():
         sweep(system, Omega=[], F_0=0.04)
 
 
-@compiled
 def test_random_curves_go_through():
     """Whole curves of random isolators, with stops, detachment and superharmonic loops: folds come in pairs."""
     borders = 0
@@ -403,7 +372,6 @@ def test_random_curves_go_through():
     assert borders >= 20
 
 
-@compiled
 def test_a_trial_beyond_zero_frequency_is_none():
     """Negative stiffness: a step of Newton's went to Omega < 0 and never came back; the curve can be followed."""
     with pytest.warns(UserWarning, match="negative stiffness"):
@@ -415,7 +383,6 @@ def test_a_trial_beyond_zero_frequency_is_none():
     assert np.isfinite(curve.A).all() and curve.Omega.min() == 0.3
 
 
-@compiled
 @pytest.mark.parametrize("step", [0.01, 0.02, 0.05, 0.1])
 def test_kinds_of_folds_beside_a_sharp_peak(step):
     """Light damping: the curve folds just behind its peak, and a coarse step passes both at once."""
@@ -425,7 +392,6 @@ def test_kinds_of_folds_beside_a_sharp_peak(step):
 
 
 @pytest.mark.slow
-@compiled
 def test_corner_fold_of_the_truncated_force():
     """Just above the forcing that detaches the springs, the jump of the force (6) adds a corner and two folds.
 

@@ -12,7 +12,6 @@ from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, derive, exact
 from slowflow.exact import EquationOfMotion, half_sine, linear, record, transient
-from slowflow.exact.compiled import SCIPY
 from slowflow.paper.example import isolator
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
@@ -115,12 +114,6 @@ def test_peaks_are_those_of_another_integrator_with_sticking_and_springs_that_le
     A, a_max = by_scipy(iso, acceleration, duration, duration + 8.0)
     assert found.A == pytest.approx(A, rel=1e-6) and found.a_max == pytest.approx(a_max, rel=2e-4)
     assert found.detaches == (A > iso.u_cr)
-
-
-def test_the_integrator_of_scipy_sees_the_same():
-    system = isolator().equation_of_motion()
-    ours, theirs = (transient(system, half_sine(0.4, 1.5), integrator=one) for one in (None, SCIPY))
-    assert (ours.A, ours.a_max, ours.u_end) == pytest.approx((theirs.A, theirs.a_max, theirs.u_end), rel=1e-10)
 
 
 def test_a_record_of_a_pulse_does_what_the_pulse_does():

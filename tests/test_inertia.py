@@ -1,6 +1,5 @@
 """Excitation by inertia: certified folds, cusps and states, closed forms, the linear mount, exact motions, refusals."""
 
-import dataclasses
 import json
 import math
 import pickle
@@ -14,7 +13,6 @@ import pytest
 from slowflow import Duffing, Isolator, backend, derive
 from slowflow.averaged import solvers
 from slowflow.averaged.reference import answers
-from slowflow.exact.compiled import SCIPY, default_integrator
 from slowflow.paper import example
 from slowflow.results import Remark
 from slowflow_kernels import den_hartog
@@ -323,11 +321,10 @@ def test_a_point_of_the_exact_curve_is_a_motion_under_the_force_that_there_is_at
     assert np.abs(iso.saddle_nodes(Y).measure().error).max() < 0.01
 
 
-@pytest.mark.parametrize("integrator", [default_integrator, lambda _: SCIPY], ids=["compiled", "scipy"])
-def test_derivatives_of_a_cycle_are_those_of_its_equations(integrator):
+def test_derivatives_of_a_cycle_are_those_of_its_equations():
     iso, Y, step = Isolator(**example.TABLE_1, excitation="base"), 0.05, 1e-5
     motion = iso.steady_state(Omega=0.7, F_0=Y)
-    cycle = dataclasses.replace(motion.cycle, integrator=integrator(motion.cycle.system))
+    cycle = motion.cycle
     assert cycle.half_turns == 1  # two borders: it may come to rest, and leave the springs
     # away from the solution: on it two turning points have the same |u|, and A a kink
     at = np.append(motion.unknowns + 1e-3, Y)

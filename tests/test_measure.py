@@ -10,13 +10,13 @@ from slowflow import Duffing, Isolator, derive
 from slowflow.averaged.questions import Averaged
 from slowflow.backend import EXACT
 from slowflow.exact import steady_state
-from slowflow.exact.integrate import ScipyIntegrator
 from slowflow.exact.measure import AT_REST, BORN, NO_MOTION, TAKEN, states
 from slowflow.paper.example import isolator
 from slowflow.results import NOT_ASKED, SteadyStates
 from slowflow_kernels import den_hartog
+from tests.oracles.exact_reference import ScipyIntegrator, again
 
-pytestmark = pytest.mark.skipif(EXACT is None, reason="takes half a minute without the compiled integrator")
+pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
 
 
 def test_the_error_of_a_linear_oscillator_is_that_beside_den_hartogs_amplitude():
@@ -39,7 +39,7 @@ def test_every_state_is_measured_by_the_motion_that_scipy_finds_too():
         system = iso.equation_of_motion(force)
         assert measured.stable.tolist() == asked.stable.tolist() == [True, False, True]
         for state, entry in zip(asked, measured, strict=True):
-            other = steady_state(system, (state.A, state.phi), Omega=0.9, F_0=0.04, integrator=ScipyIntegrator())
+            other = again(steady_state(system, (state.A, state.phi), Omega=0.9, F_0=0.04), ScipyIntegrator())
             assert abs(entry.A - other.A) <= 1e-9 and abs(entry.error - (state.A / other.A - 1.0)) <= 1e-8
     assert asked.measure().A.tolist() == asked.measure("truncated").A.tolist()
 

@@ -81,10 +81,10 @@ def refused(words, numbers):
 @pytest.fixture(scope="module", params=("two_stops", "summed_hertz", "jump"))
 def valid(request):
     """A program, and where in its words each operation, and each list of outputs, begins."""
-    from slowflow_derivation.emit.targets.program import Encoder
+    from slowflow_derivation.emit.targets.program import Recorder
     from slowflow_derivation.emit.views import programs
 
-    class Located(Encoder):
+    class Located(Recorder):
         def program(self, one):
             begin = len(self.words)
             sizes.append((begin, one))

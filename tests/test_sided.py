@@ -16,14 +16,13 @@ from scipy.optimize import brentq
 
 from slowflow import Duffing, backend, derive, exact
 from slowflow.averaged.reference.intervals import Interval
-from slowflow.exact.compiled import TAYLOR
-from slowflow.exact.integrate import ScipyIntegrator
 from slowflow.exact.motion import Forced, follow
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.results import Remark
 from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import Status
 from tests.off_centre_cases import check_folds_and_states, check_onset, made
+from tests.oracles import exact_reference
 from tests.sampling import directions, part
 from tests.test_off_centre import mean
 
@@ -312,7 +311,7 @@ def test_a_force_of_four_pieces_is_followed_through_all_of_them(patched):
     assert state.A == pytest.approx(A, rel=0.05)
 
 
-@pytest.mark.skipif(not COMPILED, reason="SciPy's integrator is what there is")
+@pytest.mark.skipif(not COMPILED, reason="not compiled")
 def test_compiled_motions_off_the_centre_are_scipys(stop, patched):
     """Switches, amplitudes, multipliers of pieces on both sides of the centre and on one; a start at a jump."""
     for oscillator, Omega, F_0 in (
@@ -321,19 +320,16 @@ def test_compiled_motions_off_the_centre_are_scipys(stop, patched):
     ):
         system = oscillator.equation_of_motion()
         found = exact.steady_state(system, Omega=Omega, F_0=F_0)
-        other = exact.steady_state(system, found, Omega=Omega, F_0=F_0, integrator=ScipyIntegrator())
-        assert found.cycle.integrator is TAYLOR and found.cycle.signature == other.cycle.signature
+        other = exact_reference.again(found, exact_reference.ScipyIntegrator())
         assert other.A == pytest.approx(found.A, rel=1e-10)
         assert np.max(np.abs(other.multipliers - found.multipliers)) <= 1e-9
         for edge in system.force.breakpoints:
-            ways = [
-                follow(Forced(system, Omega, F_0, integrator), 0.3, edge, 0.0, 2.0)[-1]
-                for integrator in (TAYLOR, ScipyIntegrator())
-            ]
+            forced, way, scipy = Forced(system, Omega, F_0), (0.3, edge, 0.0, 2.0), exact_reference.ScipyIntegrator()
+            ways = [follow(forced, *way)[-1], exact_reference.follow(forced, scipy, *way)[-1]]
             assert [way.u_end for way in ways] == pytest.approx([ways[0].u_end] * 2, abs=1e-9)
 
 
-@pytest.mark.skipif(not COMPILED, reason="by SciPy's integrator a curve takes a minute")
+@pytest.mark.skipif(not COMPILED, reason="not compiled")
 @pytest.mark.slow
 def test_an_exact_curve_off_the_centre_jumps_where_a_sweep_does_and_is_that_of_the_mirror_image(stop):
     """The stop on the other side too, whose pieces are numbered the other way; near the averaged folds."""

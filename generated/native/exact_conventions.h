@@ -66,6 +66,8 @@ typedef enum {
 #define SF_NEARER 0.10000000000000001
 /* by how much of each other two ways differ at most where it is */
 #define SF_UNLIKE 0.5
+/* of a polynomial by which motions are followed where values tell a force, at most */
+#define SF_MOST_DEGREE 64
 /* phase that has to follow a cycle by which a motion shows it */
 #define SF_WHOLE 0.29999999999999999
 /* speed over distance at which a mass that creeps back is at rest, or both over A */

@@ -9,9 +9,6 @@
 #ifndef TAYLOR_H
 #define TAYLOR_H
 
-/* the most series and fours of sums that a piece has */
-enum { SF_MOST_SERIES = 12, SF_MOST_FOURS = 2 };
-
 /* Gauss's rule of twice as many nodes on [-1, 1], of which half are the negatives of these */
 enum { SF_NODES = 4 };
 static const double sf_gauss_node[SF_NODES] = {0.96028985649753629, 0.79666647741362673, 0.52553240991632899, 0.18343464249564981};
@@ -19,16 +16,58 @@ static const double sf_gauss_weight[SF_NODES] = {0.10122853629037626, 0.22238103
 
 #include "exact/step.h"
 
-/* duffing: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (5). */
-static double duffing_force_1_value(const double *p, double u)
+/* Coefficient n of what is made of series a, b: numbers of series, and of sums over lower coefficients. */
+static SF_INLINE double sf_product(const sf_coefficients *c, int a, int b, int k)
 {
+    return ((sf_lane(c->sum, k) + (c->second[a] * c->last[b] + c->last[a] * c->second[b])) + c->w[a] * c->first[b]) + c->first[a] * c->w[b];
+}
+static SF_INLINE double sf_square(const sf_coefficients *c, int a, int k)
+{
+    return sf_lane(c->sum, k) + 2.0 * (c->second[a] * c->last[a] + c->first[a] * c->w[a]);
+}
+/* of q = a/b, over = 1/b; the sum is that of b q */
+static SF_INLINE double sf_quotient(const sf_coefficients *c, int a, int b, int q, int k)
+{
+    return (c->w[a] - (sf_lane(c->sum, k) + (c->second[b] * c->last[q] + c->last[b] * c->second[q]))) * c->over[q] - c->w[b] * (c->first[q] * c->over[q]);
+}
+/* of q = 1/b, likewise */
+static SF_INLINE double sf_reciprocal(const sf_coefficients *c, int b, int q, int k)
+{
+    return -(sf_lane(c->sum, k) + (c->second[b] * c->last[q] + c->last[b] * c->second[q])) * c->over[q] - c->w[b] * (c->first[q] * c->over[q]);
+}
+/* of s = sqrt(a), over = 1/(2 s); the sum is that of s s */
+static SF_INLINE double sf_root(const sf_coefficients *c, int a, int s, int k)
+{
+    return (c->w[a] - (sf_lane(c->sum, k) + 2.0 * c->second[s] * c->last[s])) * c->over[s];
+}
+/* of q = a^r, over = 1/a, from a q' = r a' q; the sums are those of (t a') q and a (t q') */
+static SF_INLINE double sf_power(const sf_coefficients *c, int a, int q, int k, double r)
+{
+    return (r * (c->n * c->w[a] * c->first[q] + (sf_lane(c->sum, k) + (c->second[a] * c->last[q] + (c->n - 1.0) * c->last[a] * c->second[q]))) - (sf_lane(c->sum, k + 1) + ((c->n - 1.0) * c->second[a] * c->last[q] + c->last[a] * c->second[q]))) * c->over[q] * sf_over[c->n];
+}
+/* of y from b y' = a', over = 1/b; the sum is that of b (t y') */
+static SF_INLINE double sf_of_ratio(const sf_coefficients *c, int a, int b, int y, int k)
+{
+    return (c->n * c->w[a] - (sf_lane(c->sum, k) + ((c->n - 1.0) * c->second[b] * c->last[y] + c->last[b] * c->second[y]))) * c->over[y] * sf_over[c->n];
+}
+/* of y from y' = a' b; the sum is that of (t a') b */
+static SF_INLINE double sf_of_rate(const sf_coefficients *c, int a, int b, int k)
+{
+    return (sf_lane(c->sum, k) + (c->second[a] * c->last[b] + (c->n - 1.0) * c->last[a] * c->second[b]) + c->n * c->w[a] * c->first[b]) * sf_over[c->n];
+}
+
+/* duffing: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (5). */
+static double duffing_force_1_value(const sf_law *self, const double *p, double u)
+{
+    (void)self;
     const double alpha = p[0];
     const double beta = p[1];
     return u * (alpha + beta * u * u);
 }
 
-static double duffing_force_1_slope(const double *p, double u)
+static double duffing_force_1_slope(const sf_law *self, const double *p, double u)
 {
+    (void)self;
     const double alpha = p[0];
     const double beta = p[1];
     return alpha + 3.0 * beta * u * u;
@@ -37,12 +76,12 @@ static double duffing_force_1_slope(const double *p, double u)
 
 static SF_INLINE void duffing_force_1_begin(const double *p, double *first, double *over)
 {
+    (void)over;
     const double alpha = p[0];
     const double beta = p[1];
     first[1] = first[0] * first[0];
     first[2] = alpha + beta * first[1];
     first[3] = first[0] * first[2];
-    (void)over;
 }
 
 static SF_INLINE void duffing_force_1_next(const sf_coefficients *c, const double *p, double *w,
@@ -56,17 +95,19 @@ static SF_INLINE void duffing_force_1_next(const sf_coefficients *c, const doubl
     right[0] = sf_four_of(w[0], w[2], 0.0, 0.0);
 }
 
-SF_FMA static void duffing_force_1(const double *p, const sf_drive *drive, double theta, double u, double v,
+SF_FMA static void duffing_force_1(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
     sf_expansion *x)
 {
     double over[4], w[4 * 4];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     sf_expand(duffing_force_1_begin, duffing_force_1_next,
         p, drive, theta, u, v, 4, 1, 3, over, w, left, right, x);
+    (void)self;
 }
 
 static SF_INLINE void duffing_force_1_both_begin(const double *p, double *first, double *over)
 {
+    (void)over;
     const double alpha = p[0];
     const double beta = p[1];
     first[1] = first[0] * first[0];
@@ -74,7 +115,6 @@ static SF_INLINE void duffing_force_1_both_begin(const double *p, double *first,
     first[3] = alpha + first[2];
     first[4] = first[0] * first[3];
     first[5] = alpha + 3.0 * first[2];
-    (void)over;
 }
 
 static SF_INLINE void duffing_force_1_both_next(const sf_coefficients *c, const double *p, double *w,
@@ -90,7 +130,7 @@ static SF_INLINE void duffing_force_1_both_next(const sf_coefficients *c, const 
     right[0] = sf_four_of(w[0], w[3], 0.0, 0.0);
 }
 
-SF_FMA static void duffing_force_1_both(const double *p, const sf_drive *drive, double theta, double u, double v,
+SF_FMA static void duffing_force_1_both(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
     const sf_four flow[2], sf_expansion *x)
 {
     double over[6], w[4 * 6];
@@ -98,11 +138,13 @@ SF_FMA static void duffing_force_1_both(const double *p, const sf_drive *drive, 
     sf_expand_both(duffing_force_1_both_begin, duffing_force_1_both_next,
         p, drive, theta, u, v, flow, 6, 1, 4, 5, 0,
         over, w, left, right, x);
+    (void)self;
 }
 
 /* rod_spring: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (6). */
-static double rod_spring_force_1_value(const double *p, double u)
+static double rod_spring_force_1_value(const sf_law *self, const double *p, double u)
 {
+    (void)self;
     const double alpha = p[0];
     const double beta = p[1];
     const double gamma = p[2];
@@ -110,8 +152,9 @@ static double rod_spring_force_1_value(const double *p, double u)
     return u * (alpha + t0 * (beta + gamma * t0));
 }
 
-static double rod_spring_force_1_slope(const double *p, double u)
+static double rod_spring_force_1_slope(const sf_law *self, const double *p, double u)
 {
+    (void)self;
     const double alpha = p[0];
     const double beta = p[1];
     const double gamma = p[2];
@@ -122,6 +165,7 @@ static double rod_spring_force_1_slope(const double *p, double u)
 
 static SF_INLINE void rod_spring_force_1_begin(const double *p, double *first, double *over)
 {
+    (void)over;
     const double alpha = p[0];
     const double beta = p[1];
     const double gamma = p[2];
@@ -130,7 +174,6 @@ static SF_INLINE void rod_spring_force_1_begin(const double *p, double *first, d
     first[3] = first[1] * first[2];
     first[4] = alpha + first[3];
     first[5] = first[0] * first[4];
-    (void)over;
 }
 
 static SF_INLINE void rod_spring_force_1_next(const sf_coefficients *c, const double *p, double *w,
@@ -146,17 +189,19 @@ static SF_INLINE void rod_spring_force_1_next(const sf_coefficients *c, const do
     right[0] = sf_four_of(w[0], w[2], w[4], 0.0);
 }
 
-SF_FMA static void rod_spring_force_1(const double *p, const sf_drive *drive, double theta, double u, double v,
+SF_FMA static void rod_spring_force_1(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
     sf_expansion *x)
 {
     double over[6], w[4 * 6];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     sf_expand(rod_spring_force_1_begin, rod_spring_force_1_next,
         p, drive, theta, u, v, 6, 1, 5, over, w, left, right, x);
+    (void)self;
 }
 
 static SF_INLINE void rod_spring_force_1_both_begin(const double *p, double *first, double *over)
 {
+    (void)over;
     const double alpha = p[0];
     const double beta = p[1];
     const double gamma = p[2];
@@ -169,7 +214,6 @@ static SF_INLINE void rod_spring_force_1_both_begin(const double *p, double *fir
     first[7] = (3.0 * beta) + 5.0 * first[2];
     first[8] = first[1] * first[7];
     first[9] = alpha + first[8];
-    (void)over;
 }
 
 static SF_INLINE void rod_spring_force_1_both_next(const sf_coefficients *c, const double *p, double *w,
@@ -189,7 +233,7 @@ static SF_INLINE void rod_spring_force_1_both_next(const sf_coefficients *c, con
     right[0] = sf_four_of(w[0], w[3], w[5], w[7]);
 }
 
-SF_FMA static void rod_spring_force_1_both(const double *p, const sf_drive *drive, double theta, double u, double v,
+SF_FMA static void rod_spring_force_1_both(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
     const sf_four flow[2], sf_expansion *x)
 {
     double over[10], w[4 * 10];
@@ -197,19 +241,20 @@ SF_FMA static void rod_spring_force_1_both(const double *p, const sf_drive *driv
     sf_expand_both(rod_spring_force_1_both_begin, rod_spring_force_1_both_next,
         p, drive, theta, u, v, flow, 10, 1, 6, 9, 0,
         over, w, left, right, x);
+    (void)self;
 }
 
 /* rod_spring: Piece 2 of the whole restoring force u + F_k(u). Equation (3), (6). */
-static double rod_spring_force_2_value(const double *p, double u)
+static double rod_spring_force_2_value(const sf_law *self, const double *p, double u)
 {
+    (void)self, (void)p;
     return u;
-    (void)p;
 }
 
-static double rod_spring_force_2_slope(const double *p, double u)
+static double rod_spring_force_2_slope(const sf_law *self, const double *p, double u)
 {
+    (void)self, (void)p, (void)u;
     return 1.0;
-    (void)p, (void)u;
 }
 
 
@@ -224,29 +269,30 @@ static SF_INLINE void rod_spring_force_2_next(const sf_coefficients *c, const do
     (void)c, (void)p, (void)w, (void)left, (void)right;
 }
 
-SF_FMA static void rod_spring_force_2(const double *p, const sf_drive *drive, double theta, double u, double v,
+SF_FMA static void rod_spring_force_2(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
     sf_expansion *x)
 {
     double over[1], w[4 * 1];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     sf_expand(rod_spring_force_2_begin, rod_spring_force_2_next,
         p, drive, theta, u, v, 1, 0, 0, over, w, left, right, x);
+    (void)self;
 }
 
 static SF_INLINE void rod_spring_force_2_both_begin(const double *p, double *first, double *over)
 {
-    first[1] = 1.0;
     (void)p, (void)over;
+    first[1] = 1.0;
 }
 
 static SF_INLINE void rod_spring_force_2_both_next(const sf_coefficients *c, const double *p, double *w,
     sf_four *left, sf_four *right)
 {
-    w[1] = 0.0;
     (void)c, (void)p, (void)left, (void)right;
+    w[1] = 0.0;
 }
 
-SF_FMA static void rod_spring_force_2_both(const double *p, const sf_drive *drive, double theta, double u, double v,
+SF_FMA static void rod_spring_force_2_both(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
     const sf_four flow[2], sf_expansion *x)
 {
     double over[2], w[4 * 2];
@@ -254,19 +300,22 @@ SF_FMA static void rod_spring_force_2_both(const double *p, const sf_drive *driv
     sf_expand_both(rod_spring_force_2_both_begin, rod_spring_force_2_both_next,
         p, drive, theta, u, v, flow, 2, 0, 0, 1, 1,
         over, w, left, right, x);
+    (void)self;
 }
 
 /* rod_spring_untruncated: Piece 1 of the whole restoring force u + F_k(u). Equation (3), (5). */
-static double rod_spring_untruncated_force_1_value(const double *p, double u)
+static double rod_spring_untruncated_force_1_value(const sf_law *self, const double *p, double u)
 {
+    (void)self;
     const double alpha = p[0];
     const double beta = p[1];
     const double t0 = sqrt((1.0 - u) * (u + 1.0));
     return u * (alpha + 2.0 * beta * u * u / (t0 * (t0 + 1.0)));
 }
 
-static double rod_spring_untruncated_force_1_slope(const double *p, double u)
+static double rod_spring_untruncated_force_1_slope(const sf_law *self, const double *p, double u)
 {
+    (void)self;
     const double alpha = p[0];
     const double beta = p[1];
     const double root_1 = sqrt((1.0 - u) * (u + 1.0));
@@ -278,8 +327,9 @@ static double rod_spring_untruncated_force_1_slope(const double *p, double u)
     return alpha + 6.0 * beta * t1 * t3 - t3 * (-t3 * t4 / (t0 * t0) - t1 * t2 * t4 / (root_1 * root_1));
 }
 
-static double rod_spring_untruncated_force_1_secant(const double *p, double u)
+static double rod_spring_untruncated_force_1_secant(const sf_law *self, const double *p, double u)
 {
+    (void)self;
     const double alpha = p[0];
     const double beta = p[1];
     const double t0 = sqrt((1.0 - u) * (u + 1.0));
@@ -296,7 +346,7 @@ static SF_INLINE void rod_spring_untruncated_force_1_begin(const double *p, doub
     over[4] = 0.5 / first[4];
     first[5] = 1.0 / first[4];
     over[5] = 1.0 / first[4];
-    first[7] = rod_spring_untruncated_force_1_secant(p, first[0]);
+    first[7] = rod_spring_untruncated_force_1_secant(NULL, p, first[0]);
     first[8] = first[0] * first[7];
 }
 
@@ -317,13 +367,14 @@ static SF_INLINE void rod_spring_untruncated_force_1_next(const sf_coefficients 
     right[0] = sf_four_of(w[2], w[4], w[5], w[7]);
 }
 
-SF_FMA static void rod_spring_untruncated_force_1(const double *p, const sf_drive *drive, double theta, double u, double v,
+SF_FMA static void rod_spring_untruncated_force_1(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
     sf_expansion *x)
 {
     double over[9], w[4 * 9];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     sf_expand(rod_spring_untruncated_force_1_begin, rod_spring_untruncated_force_1_next,
         p, drive, theta, u, v, 9, 1, 8, over, w, left, right, x);
+    (void)self;
 }
 
 static SF_INLINE void rod_spring_untruncated_force_1_both_begin(const double *p, double *first, double *over)
@@ -335,11 +386,11 @@ static SF_INLINE void rod_spring_untruncated_force_1_both_begin(const double *p,
     over[4] = 0.5 / first[4];
     first[5] = 1.0 / first[4];
     over[5] = 1.0 / first[4];
-    first[7] = rod_spring_untruncated_force_1_secant(p, first[0]);
+    first[7] = rod_spring_untruncated_force_1_secant(NULL, p, first[0]);
     first[8] = first[0] * first[7];
     first[9] = first[5] / first[3];
     over[9] = 1.0 / first[3];
-    first[11] = rod_spring_untruncated_force_1_slope(p, first[0]);
+    first[11] = rod_spring_untruncated_force_1_slope(NULL, p, first[0]);
 }
 
 static SF_INLINE void rod_spring_untruncated_force_1_both_next(const sf_coefficients *c, const double *p, double *w,
@@ -364,7 +415,7 @@ static SF_INLINE void rod_spring_untruncated_force_1_both_next(const sf_coeffici
     right[1] = sf_four_of(w[9], 0.0, 0.0, 0.0);
 }
 
-SF_FMA static void rod_spring_untruncated_force_1_both(const double *p, const sf_drive *drive, double theta, double u, double v,
+SF_FMA static void rod_spring_untruncated_force_1_both(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
     const sf_four flow[2], sf_expansion *x)
 {
     double over[12], w[4 * 12];
@@ -372,19 +423,20 @@ SF_FMA static void rod_spring_untruncated_force_1_both(const double *p, const sf
     sf_expand_both(rod_spring_untruncated_force_1_both_begin, rod_spring_untruncated_force_1_both_next,
         p, drive, theta, u, v, flow, 12, 2, 8, 11, 0,
         over, w, left, right, x);
+    (void)self;
 }
 
 /* rod_spring_untruncated: Piece 2 of the whole restoring force u + F_k(u). Equation (3), (5). */
-static double rod_spring_untruncated_force_2_value(const double *p, double u)
+static double rod_spring_untruncated_force_2_value(const sf_law *self, const double *p, double u)
 {
+    (void)self, (void)p;
     return u;
-    (void)p;
 }
 
-static double rod_spring_untruncated_force_2_slope(const double *p, double u)
+static double rod_spring_untruncated_force_2_slope(const sf_law *self, const double *p, double u)
 {
+    (void)self, (void)p, (void)u;
     return 1.0;
-    (void)p, (void)u;
 }
 
 
@@ -399,29 +451,30 @@ static SF_INLINE void rod_spring_untruncated_force_2_next(const sf_coefficients 
     (void)c, (void)p, (void)w, (void)left, (void)right;
 }
 
-SF_FMA static void rod_spring_untruncated_force_2(const double *p, const sf_drive *drive, double theta, double u, double v,
+SF_FMA static void rod_spring_untruncated_force_2(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
     sf_expansion *x)
 {
     double over[1], w[4 * 1];
     sf_four left[1 * SF_TERMS], right[1 * SF_TERMS];
     sf_expand(rod_spring_untruncated_force_2_begin, rod_spring_untruncated_force_2_next,
         p, drive, theta, u, v, 1, 0, 0, over, w, left, right, x);
+    (void)self;
 }
 
 static SF_INLINE void rod_spring_untruncated_force_2_both_begin(const double *p, double *first, double *over)
 {
-    first[1] = 1.0;
     (void)p, (void)over;
+    first[1] = 1.0;
 }
 
 static SF_INLINE void rod_spring_untruncated_force_2_both_next(const sf_coefficients *c, const double *p, double *w,
     sf_four *left, sf_four *right)
 {
-    w[1] = 0.0;
     (void)c, (void)p, (void)left, (void)right;
+    w[1] = 0.0;
 }
 
-SF_FMA static void rod_spring_untruncated_force_2_both(const double *p, const sf_drive *drive, double theta, double u, double v,
+SF_FMA static void rod_spring_untruncated_force_2_both(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
     const sf_four flow[2], sf_expansion *x)
 {
     double over[2], w[4 * 2];
@@ -429,16 +482,17 @@ SF_FMA static void rod_spring_untruncated_force_2_both(const double *p, const sf
     sf_expand_both(rod_spring_untruncated_force_2_both_begin, rod_spring_untruncated_force_2_both_next,
         p, drive, theta, u, v, flow, 2, 0, 0, 1, 1,
         over, w, left, right, x);
+    (void)self;
 }
 
 enum { SF_LAWS = 5 };
 
 static const sf_law sf_laws[SF_LAWS + 1] = {
-    {"duffing.force_1", 2, SF_SMOOTH, duffing_force_1_value, duffing_force_1_slope, duffing_force_1, duffing_force_1_both, NULL},
-    {"rod_spring.force_1", 4, SF_SMOOTH, rod_spring_force_1_value, rod_spring_force_1_slope, rod_spring_force_1, rod_spring_force_1_both, NULL},
-    {"rod_spring.force_2", 4, SF_SMOOTH, rod_spring_force_2_value, rod_spring_force_2_slope, rod_spring_force_2, rod_spring_force_2_both, NULL},
-    {"rod_spring_untruncated.force_1", 3, SF_SMOOTH, rod_spring_untruncated_force_1_value, rod_spring_untruncated_force_1_slope, rod_spring_untruncated_force_1, rod_spring_untruncated_force_1_both, NULL},
-    {"rod_spring_untruncated.force_2", 3, SF_SMOOTH, rod_spring_untruncated_force_2_value, rod_spring_untruncated_force_2_slope, rod_spring_untruncated_force_2, rod_spring_untruncated_force_2_both, NULL},
+    {"duffing.force_1", 2, SF_SMOOTH, duffing_force_1_value, duffing_force_1_slope, duffing_force_1, duffing_force_1_both, NULL, NULL, NULL},
+    {"rod_spring.force_1", 4, SF_SMOOTH, rod_spring_force_1_value, rod_spring_force_1_slope, rod_spring_force_1, rod_spring_force_1_both, NULL, NULL, NULL},
+    {"rod_spring.force_2", 4, SF_SMOOTH, rod_spring_force_2_value, rod_spring_force_2_slope, rod_spring_force_2, rod_spring_force_2_both, NULL, NULL, NULL},
+    {"rod_spring_untruncated.force_1", 3, SF_SMOOTH, rod_spring_untruncated_force_1_value, rod_spring_untruncated_force_1_slope, rod_spring_untruncated_force_1, rod_spring_untruncated_force_1_both, NULL, NULL, NULL},
+    {"rod_spring_untruncated.force_2", 3, SF_SMOOTH, rod_spring_untruncated_force_2_value, rod_spring_untruncated_force_2_slope, rod_spring_untruncated_force_2, rod_spring_untruncated_force_2_both, NULL, NULL, NULL},
     {0},
 };
 

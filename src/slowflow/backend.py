@@ -60,7 +60,7 @@ def _loaded(name: str, what: str) -> ModuleType | None:
 
 KERNELS: ModuleType | None = NATIVE
 SOLVER: ModuleType | None = _loaded("slowflow._native", "slowflow runs on NumPy: its compiled solvers do not load")
-EXACT: ModuleType | None = _loaded("slowflow._exact", "exact motions run on SciPy: the compiled ones do not load")
+EXACT: ModuleType | None = _loaded("slowflow._exact", "exact motions are not there: the compiled ones do not load")
 NAME = "numpy" if KERNELS is None else "native" if SOLVER is not None else "native kernels, solvers on numpy"
 
 

@@ -32,7 +32,6 @@ from types import ModuleType
 from typing import Any
 
 from slowflow import backend, files, sampled
-from slowflow.exact.compiled import recurrences
 from slowflow.mechanism import Mechanism, Parameter
 from slowflow.model import THROUGHOUT
 from slowflow.oscillator import Oscillator
@@ -43,6 +42,8 @@ from slowflow_support.ownership import check_own
 NEEDED = "deriving needs SymPy, python-flint, Jinja2 and platformdirs: pip install 'slowflow[derive]'"
 #: IEEE arithmetic, as the package itself is compiled; -O3 takes a third longer, and answers are no sooner there
 FLAGS = ("-std=c11", "-O2", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-fPIC")
+#: names of records whose libraries are attached
+_attached: set[str] = set()
 #: the source that is written after the others, and is there where they are
 LAST_OF_C = "_motion.c"
 
@@ -73,7 +74,7 @@ class Stated:
 class Sampled(Stated):
     """A mechanism whose force is stated by Python functions: what they are asked for stands in place of a derivation.
 
-    It has what `Stated` has; its averages are sums over polynomials, and exact motions are SciPy's.
+    It has what `Stated` has; its averages are sums over polynomials, and exact motions go by polynomials too.
     """
 
     def __repr__(self) -> str:
@@ -85,8 +86,8 @@ class Derived(Stated):
 
     record   -- the same record as a generated module's `MECHANISM`
     folder   -- where its sources are, and what was compiled of them
-    compiled -- whether code compiled for this force answers; otherwise the compiled solvers interpret its program, to
-                the same bits, and exact motions are SciPy's
+    compiled -- whether code compiled for this force answers; otherwise what is compiled interprets its programs, to the
+                same bits
     """
 
     folder: Path
@@ -105,7 +106,7 @@ class Derived(Stated):
     @property
     def compiled(self) -> bool:
         """Whether a library compiled for it is attached: the integrator has its force, the solvers its record."""
-        return recurrences(self.record.pieces[0]) is not None
+        return self.record.name in _attached
 
     def document(self) -> str:
         """Its derivation to read, Markdown with LaTeX: motion, slow flow, average in each regime, response, folds."""
@@ -128,8 +129,8 @@ class Derived(Stated):
         how = "compiled" if self.compiled else "interpreted" if interpreted else "on NumPy"
         if _is_summed(self.record):
             how += ", by quadrature"
-        if not self.record.odd and self.compiled:
-            how = "motions compiled, averages on NumPy"
+        if not self.record.odd:
+            how = f"motions {'compiled' if self.compiled else 'interpreted'}, averages on NumPy"
         return self._told(how + self._beside)
 
 
@@ -161,14 +162,13 @@ def mechanism(
     odd        -- whether the force is; else its pieces are for all u, by rising u, each with the u, of any sign, at
                   which it ends; polynomials, or smooth up to their ends. Its motions are off the centre and have a
                   mean B: see `Oscillator.off_centre`
-    compile    -- print C, call the C compiler (the environment's CC, or the one that Python was built with), and let
-                  the compiled integrator answer for exact motions; averaged answers have the same bits without, as the
-                  compiled solvers interpret the program of an odd force, and batches of polynomials take up to three
-                  times as long
+    compile    -- print C and call the C compiler (the environment's CC, or the one that Python was built with). Answers
+                  have the same bits without, as what is compiled interprets the programs of a force, and batches of
+                  polynomials take up to three times as long
 
     Raises ValueError and TypeError for what is not allowed, with what is; ArithmeticError for a force that cannot be
     derived, with the reason; ImportError without the extra; BuildFailed where the compiler fails, with its words, or
-    where slowflow itself is not compiled. Exact motions are SciPy's where it is not compiled, and take long.
+    where slowflow itself is not compiled.
     """
     furthest = () if reach is None else (reach, reach_reason)
     given = _derivation("slowflow_derivation.given")
@@ -291,7 +291,7 @@ def _derived(stated: Any, compile: bool, beside: str = "") -> Derived:
     importlib.invalidate_caches()
     printed = importlib.import_module(f"slowflow_derived.{module}")
     record: Mechanism = printed.MECHANISM
-    if compile and recurrences(record.pieces[0]) is None:
+    if compile and record.name not in _attached:
         _attach(printed, _compiled(folder, module))
     backend.record_of(record)
     return Derived(record, folder, stated, beside)
@@ -381,6 +381,7 @@ def _attach(printed: ModuleType, library: Path) -> None:
     To the integrator the pieces of the force, to the solvers the record, which only an odd force has.
     """
     record: Mechanism = printed.MECHANISM
+    _attached.add(record.name)
     loaded = ctypes.CDLL(str(library))
     assert backend.EXACT is not None and backend.SOLVER is not None
     backend.EXACT.LAWS.update(backend.EXACT.laws(_capsule(loaded, "slowflow_laws", LAWS)))

@@ -76,7 +76,7 @@ class Scale(NamedTuple):
 class Law(NamedTuple):
     """One piece of a force and its slope: functions of (u, *parameters), for any kind of number that has arithmetic.
 
-    name  -- of its Taylor recurrences in C; empty for a law that none were generated for
+    name  -- of its Taylor recurrences; empty for a law that none were generated for
     whole -- the `Law` by which motions are followed, where this one holds as far as averaging goes only; else None
     """
 

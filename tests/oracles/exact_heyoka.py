@@ -1,7 +1,7 @@
 """Smooth motion by heyoka, a Taylor integrator that shares nothing with the package. For tests and benchmarks only.
 
 In:  a piece of the force, the constants of the phase, a state, a span of theta = Omega tau.
-Out: what `slowflow.exact.integrate.Integrator` asks for.
+Out: what `exact_reference` asks of an integrator.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow.exact.integrate import MOST_STEPS, Array, Drive, spend
+from slowflow.exact.compiled import Array, Drive
 from slowflow.mechanism import Law, Piece
 from slowflow_kernels.exact_conventions import FAR, Event
 
-CHUNK = 20_000  # steps between two looks at Ctrl-C: some hundredths of a second
+MOST_STEPS, CHUNK = 200_000, 20_000  # steps between two looks at Ctrl-C: some hundredths of a second
 
 
 class _Compiled(NamedTuple):
@@ -118,7 +118,6 @@ class HeyokaIntegrator(threading.local):
         left = MOST_STEPS
         while True:
             outcome, _, _, steps, *_ = integrator.propagate_until(end, max_steps=min(CHUNK, left))
-            spend(int(steps))
             left -= int(steps)
             if outcome != self._heyoka.taylor_outcome.step_limit or left <= 0:
                 return outcome
@@ -126,7 +125,7 @@ class HeyokaIntegrator(threading.local):
     def advance(
         self, piece: Piece, drive: Drive, theta: float, u: float, v: float, end: float
     ) -> tuple[float, float, Array]:
-        """See `Integrator`."""
+        """As of `exact_reference.Compiled`."""
         integrator = self._for(piece).variations
         self._set(integrator, piece, drive, 0.0, FAR, theta)
         state = integrator.state
@@ -138,7 +137,7 @@ class HeyokaIntegrator(threading.local):
     def until(
         self, piece: Piece, drive: Drive, slip: int, edge: float, theta: float, u: float, v: float, end: float
     ) -> tuple[float, float, float, int]:
-        """See `Integrator`."""
+        """As of `exact_reference.Compiled`."""
         integrator = self._for(piece).events
         self._set(integrator, piece, drive, slip, edge, theta)
         state = integrator.state
@@ -154,15 +153,3 @@ class HeyokaIntegrator(threading.local):
                 raise ArithmeticError(f"the integration from theta = {theta} failed at theta = {integrator.time}")
             event = Event.EDGE if index else Event.STOP
         return float(integrator.time), float(state[0]), float(state[1]), event
-
-    def sample(self, piece: Piece, drive: Drive, theta: float, u: float, v: float, grid: Array) -> Array:
-        """See `Integrator`."""
-        integrator = self._for(piece).events
-        self._set(integrator, piece, drive, 0.0, FAR, theta)
-        integrator.state[:] = (u, v)
-        integrator.reset_cooldowns()
-        states: list[Array] = []
-        for at in grid:
-            self._propagated(integrator, at)
-            states.append(integrator.state.copy())
-        return np.array(states).reshape(-1, 2)

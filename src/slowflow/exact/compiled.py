@@ -1,44 +1,70 @@
 """The compiled integrator: in go questions about smooth motion, whole motions and cycles, out come C's answers.
 
-In:  pieces of a force that the derivation generated recurrences for, for the package or a library of its own, states,
-     orders of switches.
-Out: `TaylorIntegrator`, an `Integrator` that also follows motions and solves cycles by itself, without the GIL.
+In:  pieces of a force whose recurrences are compiled or interpreted, or that are known by values, states, orders of
+     switches.
+Out: what Taylor series of order 24 give, with an error per step of one rounding, without the GIL.
 
-What it computes is stated in `integrate`, `motion` and `cycle`, whose Python is the reference for it. The oscillator
-that the C functions take is made once for each and never changes; they share nothing else, so any thread may call them.
+The oscillator that the C functions take is made once for each and never changes; they share nothing else, so any thread
+may call them.
 """
 
 from __future__ import annotations
 
 import functools
+import json
 import math
 import struct
+import sys
+from array import array
 from collections.abc import Iterator
-from typing import Any
+from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from slowflow import backend
-from slowflow.exact.integrate import (
-    MOST_STEPS,
-    MOST_WORK,
-    Array,
-    Drive,
-    Integrator,
-    ScipyIntegrator,
-    spend,
-    steps_left,
-)
-from slowflow.mechanism import EquationOfMotion, Force, Law, OneSided, Piece
-from slowflow_support.errors import NotSettled
+from slowflow.exact.work import MOST_STEPS, MOST_WORK, spend, steps_left
+from slowflow.mechanism import EquationOfMotion, Force, Law, Piece
+from slowflow.sampled import rows
+from slowflow_kernels import motion
+from slowflow_kernels.exact_conventions import FAR
+from slowflow_support.errors import BuildFailed, NotSettled
 
-EXACT: Any = backend.EXACT
+
+class NotCompiled:
+    """What stands for compiled code that is not there: raises BuildFailed for whatever is asked of it."""
+
+    def __getattr__(self, name: str) -> Any:
+        raise BuildFailed(NOT_COMPILED)
+
+
+NOT_COMPILED = "exact motions are followed by compiled code, which this installation of slowflow has not"
+EXACT: Any = backend.EXACT or NotCompiled()
+Array = npt.NDArray[np.float64]
 PHASE = struct.Struct("@iiddddddi?0d")  # a phase as C has it, in the order of `motion.Phase`
-# friction and damping of a piece by itself: a drive has its own
-ALONE = (0.0, 0.0, False, 0.0, 0.0, False, 0.0, 0.0, 0.0)
 KEPT = 64  # oscillators in C, of which a curve asks one again and again
 TRACED = 50  # points of a curve at a time: some milliseconds, after which Ctrl-C is heard
+
+
+class Drive(NamedTuple):
+    """The constants of a slip phase; friction and quadratic are mu and c_2 times the sign of the velocity.
+
+    Of friction a static load is taken off. Structural damping is part of zeta, and has it go with Omega.
+    """
+
+    Omega: float
+    F_0: float
+    zeta: float
+    friction: float
+    quadratic: float = 0.0
+    zeta_by_Omega: float = 0.0
+
+    def resistance(self, v: Any) -> Any:
+        """What resists like friction at a velocity, quadratic damping included."""
+        if self.quadratic == 0:
+            return self.friction
+        return motion.resistance(v, self.zeta, self.friction, self.quadratic)[0]
 
 
 #: the oscillator that was asked for last, and what it is for C; set as a whole, so that threads may share it
@@ -46,13 +72,55 @@ _last: tuple[EquationOfMotion | None, Any] = None, None
 
 
 def recurrences(law: Law) -> Any:
-    """A law's recurrences in C; None for one that was not generated or compiled, or without the extension."""
-    return None if EXACT is None else EXACT.LAWS.get(law.name)
+    """A law's recurrences in C, those that are interpreted among them; None for one that has none, or too many."""
+    if not law.name:
+        return None
+    if law.name not in EXACT.LAWS:
+        _interpret(law.force)
+    return EXACT.LAWS.get(law.name)
 
 
-def compiles(system: EquationOfMotion) -> bool:
-    """Whether every piece of the force has recurrences in C."""
-    return all(recurrences(piece.law) is not None for piece in system.force.pieces)
+def _interpret(force: Any) -> None:
+    """Makes laws of the programs beside a force's module, if there are any."""
+    module = sys.modules[force.__module__]
+    place = Path(module.__file__ or "")
+    place = place.with_name(f"{place.stem}_motion.json")
+    for name, program in json.loads(place.read_text()).items() if place.exists() else ():
+        lists = array("i", program["words"]).tobytes(), array("d", program["numbers"]).tobytes()
+        EXACT.LAWS[name] = EXACT.interpreted(name, *lists)
+
+
+def _law(piece: Piece, low: float, high: float) -> tuple[Any, tuple[float, ...]]:
+    """The law for C of a piece that holds from low to high, and its constants: polynomials where it has no series."""
+    found = recurrences(piece.law)
+    if found is not None:
+        return found, piece.constants
+    sides = []
+    for side in (-1.0, 1.0):
+        begin, end = sorted((side * low, side * high))
+        begin = max(begin, 0.0)
+        # on a side where it does not hold Newton's iteration may try it
+        end = end if end > begin else begin + 1.0
+        first = end - begin if end < FAR else max(begin, 1.0)
+        sides.append(rows(lambda v, side=side: side * _values(piece, side * v), begin, end, first))  # type: ignore[misc]
+    return EXACT.polynomials(*sides), ()
+
+
+def _values(piece: Piece, u: Array) -> Array:
+    """A force at several displacements, NaN where it has none."""
+    force = functools.partial(_value, piece)
+    try:
+        found = np.asarray(piece.law.force(u, *piece.constants), dtype=float)
+    except Exception:
+        found = np.empty(0)
+    return found if found.shape == u.shape else np.array([force(one) for one in u.tolist()])
+
+
+def _value(piece: Piece, u: float) -> float:
+    try:
+        return float(piece.law.force(u, *piece.constants))
+    except Exception:
+        return math.nan
 
 
 def of_system(system: EquationOfMotion) -> Any:
@@ -60,17 +128,23 @@ def of_system(system: EquationOfMotion) -> Any:
     global _last
     known, compiled = _last
     if known is not system:
-        compiled = _compiled(system)
+        compiled = _made(system)
         _last = system, compiled
     return compiled
 
 
 @functools.lru_cache(maxsize=KEPT)
-def _compiled(system: EquationOfMotion) -> Any:
+def _made(system: EquationOfMotion) -> Any:
     force = system.force
     pieces, edges = by_rising_u(force)
     about = -force.region_of(-math.inf)
-    laws, constants = tuple(recurrences(piece.law) for piece in pieces), tuple(piece.constants for piece in pieces)
+    ends = (-FAR, *edges, FAR)
+    if force.odd:  # each holds on both sides of u = 0
+        of = [_law(piece, *ends[about + i : about + i + 2]) for i, piece in enumerate(force.pieces)]
+        made = of[:0:-1] + of
+    else:
+        made = [_law(piece, *ends[i : i + 2]) for i, piece in enumerate(pieces)]
+    laws, constants = zip(*made, strict=True)
     damping = system.mu, system.zeta, system.inertial, system.load, system.c_2, system.released, system.mu_s, system.eta
     return EXACT.system(laws, constants, edges, about, force.odd, *damping, force.jump)
 
@@ -82,172 +156,150 @@ def by_rising_u(force: Force) -> tuple[tuple[Piece, ...], tuple[float, ...]]:
     return force.pieces[:0:-1] + force.pieces, (*(-end for end in reversed(force.breakpoints)), *force.breakpoints)
 
 
-@functools.lru_cache(maxsize=KEPT)
-def of_piece(piece: Piece) -> Any:
-    """An oscillator of that piece alone."""
-    side = piece.side if isinstance(piece, OneSided) else 0
-    return EXACT.system((recurrences(piece.law),), (piece.constants,), (), 0, True, *ALONE, side)
+def advance(
+    system: EquationOfMotion, region: int, drive: Drive, theta: float, u: float, v: float, end: float
+) -> tuple[float, float, Array]:
+    """State (u, v) at `end`, also before theta, and its derivatives by (u, v, Omega, F_0): shape (2, 4)."""
+    flow = np.empty((2, 4))
+    outcome, steps, u, v = EXACT.advance(of_system(system), region, drive, theta, u, v, end, steps_left(), flow)
+    spend(steps)
+    if outcome:
+        raise NotSettled(f"the integration from theta = {theta} to {end} failed")
+    return u, v, flow
 
 
-class TaylorIntegrator:
-    """Taylor series of order 24 from the generated recurrences, error per step of one rounding."""
+def sample(system: EquationOfMotion, region: int, drive: Drive, theta: float, u: float, v: float, grid: Array) -> Array:
+    """States on the grid, which lies at or after theta and does not fall: shape (grid.size, 2)."""
+    states = np.empty((grid.size, 2))
+    outcome, steps = EXACT.sample(
+        of_system(system), region, drive, theta, u, v, steps_left(), np.ascontiguousarray(grid), states
+    )
+    spend(steps)
+    if outcome:
+        raise NotSettled(f"the integration from theta = {theta} to {grid[-1]} failed")
+    return states
 
-    name = "taylor"
 
-    def advance(
-        self, piece: Piece, drive: Drive, theta: float, u: float, v: float, end: float
-    ) -> tuple[float, float, Array]:
-        """See `Integrator`."""
-        flow = np.empty((2, 4))
-        outcome, steps, u, v = EXACT.advance(of_piece(piece), drive, theta, u, v, end, steps_left(), flow)
-        spend(steps)
-        if outcome:
-            raise NotSettled(f"the integration from theta = {theta} to {end} failed")
-        return u, v, flow
+def follow(
+    system: EquationOfMotion,
+    Omega: float,
+    F_0: float,
+    state: tuple[float, float, float],
+    end: float,
+    start: tuple[int, int] | None,
+    last_only: bool = False,
+) -> tuple[int, Iterator[tuple[Any, ...]]]:
+    """The outcome and the phases of `motion.follow`, each as its fields in order."""
+    outcome, steps, phases = EXACT.follow(
+        of_system(system),
+        Omega,
+        F_0,
+        *state,
+        end,
+        start is not None,
+        *(start or (0, 0)),
+        steps_left(),
+        last_only,
+    )
+    spend(steps)
+    return outcome, PHASE.iter_unpack(phases)
 
-    def until(
-        self, piece: Piece, drive: Drive, slip: int, edge: float, theta: float, u: float, v: float, end: float
-    ) -> tuple[float, float, float, int]:
-        """See `Integrator`."""
-        outcome, steps, at, u, v, event, _ = EXACT.until(
-            of_piece(piece), drive, slip, edge, theta, u, v, end, steps_left()
-        )
-        spend(steps)
-        if outcome:
-            raise NotSettled(f"the integration from theta = {theta} failed at theta = {at}")
-        return at, u, v, event
 
-    def sample(self, piece: Piece, drive: Drive, theta: float, u: float, v: float, grid: Array) -> Array:
-        """See `Integrator`."""
-        states = np.empty((grid.size, 2))
-        outcome, steps = EXACT.sample(
-            of_piece(piece), drive, theta, u, v, steps_left(), np.ascontiguousarray(grid), states
-        )
-        spend(steps)
-        if outcome:
-            raise NotSettled(f"the integration from theta = {theta} to {grid[-1]} failed")
-        return states
+def newton(
+    system: EquationOfMotion,
+    signature: bytes,
+    half_turns: int,
+    z: Array,
+    F_0: float,
+    extra: tuple[int, Array, float, int],
+    most: int,
+    tolerance: float,
+) -> tuple[int, Array, Array, tuple[Any, ...]]:
+    """Newton's iteration from z, which it moves, or the equations at z where `most` is 0.
 
-    def follow(
-        self,
-        system: EquationOfMotion,
-        Omega: float,
-        F_0: float,
-        state: tuple[float, float, float],
-        end: float,
-        start: tuple[int, int] | None,
-        last_only: bool = False,
-    ) -> tuple[int, Iterator[tuple[Any, ...]]]:
-        """The outcome and the phases of `motion.follow`, each as its fields in order."""
-        outcome, steps, phases = EXACT.follow(
-            of_system(system),
-            Omega,
-            F_0,
-            *state,
-            end,
-            start is not None,
-            *(start or (0, 0)),
-            steps_left(),
-            last_only,
-        )
-        spend(steps)
-        return outcome, PHASE.iter_unpack(phases)
+    extra -- kind, row, value, number of the border
+    Gives the outcome, the equations' arrays one after the other, the direction in which they all stay zero, and A,
+    the monodromy matrix row by row and the borders.
+    """
+    k = z.size - 3
+    equations, along = np.empty((k + 2) * (k + 5) + (2 * k + 1) * (k + 4)), np.zeros(z.size)
+    kind, row, value, border = extra
+    outcome, steps, *rest = EXACT.newton(
+        of_system(system),
+        signature,
+        half_turns,
+        z,
+        F_0,
+        kind,
+        row,
+        value,
+        border,
+        most,
+        tolerance,
+        steps_left(),
+        equations,
+        along,
+    )
+    spend(steps)
+    return outcome, equations, along, tuple(rest)
 
-    def newton(
-        self,
-        system: EquationOfMotion,
-        signature: bytes,
-        half_turns: int,
-        z: Array,
-        F_0: float,
-        extra: tuple[int, Array, float, int],
-        most: int,
-        tolerance: float,
-    ) -> tuple[int, Array, Array, tuple[Any, ...]]:
-        """Newton's iteration from z, which it moves, or the equations at z where `most` is 0.
 
-        extra -- kind, row, value, number of the border
-        Gives the outcome, the equations' arrays one after the other, the direction in which they all stay zero, and A,
-        the monodromy matrix row by row and the borders.
-        """
-        k = z.size - 3
-        equations, along = np.empty((k + 2) * (k + 5) + (2 * k + 1) * (k + 4)), np.zeros(z.size)
-        kind, row, value, border = extra
-        outcome, steps, *rest = EXACT.newton(
-            of_system(system),
-            signature,
-            half_turns,
-            z,
-            F_0,
-            kind,
-            row,
-            value,
-            border,
-            most,
-            tolerance,
-            steps_left(),
-            equations,
-            along,
-        )
-        spend(steps)
-        return outcome, equations, along, tuple(rest)
+def trace(
+    system: EquationOfMotion,
+    signature: bytes,
+    half_turns: int,
+    starts_from_rest: bool,
+    F_0: float,
+    course: tuple[float, float, float, float, float, float],
+    point: Array,
+    came_from: bool,
+    size: float,
+    travelled: float,
+    first: Array,
+) -> tuple[Array, float, float]:
+    """Points of the curve after one, up to the first step with which anything is to be decided.
 
-    def trace(
-        self,
-        system: EquationOfMotion,
-        signature: bytes,
-        half_turns: int,
-        starts_from_rest: bool,
-        F_0: float,
-        course: tuple[float, float, float, float, float, float],
-        point: Array,
-        came_from: bool,
-        size: float,
-        travelled: float,
-        first: Array,
-    ) -> tuple[Array, float, float]:
-        """Points of the curve after one, up to the first step with which anything is to be decided.
+    course -- least and greatest Omega, largest step, least cosine between tangents, largest amplitude, and the
+              least that steps of u_0 are measured in
+    point  -- unknowns, tangent, and what `came_from` says is there: those of the point before, with its row
+    first  -- unknowns and tangent of the point where the curve began, or nothing
+    Gives a row for each point (unknowns, tangent, A, dA along the curve, monodromy), the next step's length, and
+    that of the curve so far.
+    """
+    k = point.size // 5 - 3
+    rows = np.empty((TRACED, 2 * (k + 3) + 6))
+    count, steps, _, size, travelled = EXACT.trace(
+        of_system(system),
+        signature,
+        half_turns,
+        starts_from_rest,
+        F_0,
+        course,
+        point,
+        came_from,
+        size,
+        travelled,
+        first,
+        steps_left(),
+        rows,
+    )
+    spend(steps, keep=count > 0)
+    return rows[:count], size, travelled
 
-        course -- least and greatest Omega, largest step, least cosine between tangents, largest amplitude, and the
-                  least that steps of u_0 are measured in
-        point  -- unknowns, tangent, and what `came_from` says is there: those of the point before, with its row
-        first  -- unknowns and tangent of the point where the curve began, or nothing
-        Gives a row for each point (unknowns, tangent, A, dA along the curve, monodromy), the next step's length, and
-        that of the curve so far.
-        """
-        k = point.size // 5 - 3
-        rows = np.empty((TRACED, 2 * (k + 3) + 6))
-        count, steps, _, size, travelled = EXACT.trace(
-            of_system(system),
-            signature,
-            half_turns,
-            starts_from_rest,
-            F_0,
-            course,
-            point,
-            came_from,
-            size,
-            travelled,
-            first,
-            steps_left(),
-            rows,
-        )
-        spend(steps, keep=count > 0)
-        return rows[:count], size, travelled
 
-    def sweep(
-        self, system: EquationOfMotion, Omega: Array, F_0: float, u: float, v: float, tries: bytes, most_turns: int
-    ) -> Array:
-        """What a sweep from (u, v) settles to at the first frequencies: rows of u, v, A, turns and stops of each.
+def sweep(
+    system: EquationOfMotion, Omega: Array, F_0: float, u: float, v: float, tries: bytes, most_turns: int
+) -> Array:
+    """What a sweep from (u, v) settles to at the first frequencies: rows of u, v, A, turns and stops of each.
 
-        tries -- half turns of cycles as C takes them
+    tries -- half turns of cycles as C takes them
 
-        Up to one at which anything is unusual, or to where some tens of milliseconds are over: there may be no row.
-        """
-        rows = np.empty((Omega.size, 5))
-        count, steps = EXACT.sweep(of_system(system), Omega, F_0, u, v, tries, most_turns, rows)
-        spend(steps, keep=True)
-        return rows[:count]
+    Up to one at which anything is unusual, or to where some tens of milliseconds are over: there may be no row.
+    """
+    rows = np.empty((Omega.size, 5))
+    count, steps = EXACT.sweep(of_system(system), Omega, F_0, u, v, tries, most_turns, rows)
+    spend(steps, keep=True)
+    return rows[:count]
 
 
 def many_shocks(
@@ -263,11 +315,3 @@ def many_shocks(
     rows = (np.ascontiguousarray(values) for values in (*oscillators, arcs, begin))
     EXACT.shocks(laws, *rows, after, MOST_STEPS, MOST_WORK, outcomes, numbers)
     return outcomes, numbers
-
-
-TAYLOR, SCIPY = TaylorIntegrator(), ScipyIntegrator()  # they hold nothing: one of each serves all
-
-
-def default_integrator(system: EquationOfMotion) -> Integrator:
-    """The compiled one where every piece of the force has recurrences in C, SciPy's elsewhere."""
-    return TAYLOR if compiles(system) else SCIPY

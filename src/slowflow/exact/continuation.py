@@ -18,7 +18,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.exact.compiled import TRACED, TaylorIntegrator
+from slowflow.exact import compiled
+from slowflow.exact.compiled import TRACED
 from slowflow.exact.cycle import Array, AtBorder, Cycle, Equations, Row, closed_cycle
 from slowflow.exact.motion import Forced, follow
 from slowflow.exact.shooting import SteadyState
@@ -171,13 +172,11 @@ class Path:
     def _traced(self, point: Point, first: Point, size: float, travelled: float) -> tuple[list[Point], float, float]:
         """Points after one as long as nothing is to be decided, in C; the next step and the way from the first."""
         cycle, n = point.cycle, point.z.size
-        if not isinstance(cycle.integrator, TaylorIntegrator):
-            return [], size, travelled
         here = np.zeros(5 * n)
         parts = (point.z, point.tangent, *(point.came_from or ()))
         here[: len(parts) * n] = np.concatenate(parts)
         begun = (first.z, first.tangent) if first.cycle.signature == cycle.signature else (np.empty(0),)
-        rows, size, travelled = cycle.integrator.trace(
+        rows, size, travelled = compiled.trace(
             cycle.system,
             cycle.packed,
             cycle.half_turns,
@@ -464,14 +463,14 @@ class Path:
 
     def _as_followed(self, trial: Point) -> tuple[Cycle, Array] | None:
         cycle, z = trial.cycle, trial.z
-        forced = Forced(cycle.system, float(z[-1]), self.F_0, cycle.integrator)
+        forced = Forced(cycle.system, float(z[-1]), self.F_0)
         start = cycle.signature[0] if cycle.starts_from_rest else None
         theta = float(z[1])
         try:
             motion = follow(forced, theta, float(z[0]), 0.0, theta + (cycle.half_turns + 3) * math.pi, start)
         except ArithmeticError:
             return None
-        return closed_cycle(cycle.system, cycle.integrator, cycle.half_turns, motion, forced.Omega)
+        return closed_cycle(cycle.system, cycle.half_turns, motion, forced.Omega)
 
     def _with_fixed(self, cycle: Cycle, z: Array, row: Array, last: Point) -> Point | None:
         """The solution with one unknown kept, if its order of switches holds and it lies near the border."""

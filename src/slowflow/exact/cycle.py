@@ -24,19 +24,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.exact.compiled import TaylorIntegrator
-from slowflow.exact.integrate import PHASE_WORK, Integrator, spend
+from slowflow.exact import compiled
 from slowflow.exact.motion import Forced, Phase, break_away, edge_ahead, follow, signature
 from slowflow.mechanism import EquationOfMotion
 from slowflow.text import text
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import (
-    FAR,
-    LOOSE,
     MOST_NEWTON,
     ON_TIME,
     OVER_END,
-    TIGHT,
     TOLERANCE,
     WHOLE,
     ExtraKind,
@@ -85,20 +81,11 @@ class Row(NamedTuple):
     row: Array
     value: float
 
-    def at(self, z: Array, _: Equations) -> tuple[float, Array]:
-        """Its value, to be made zero, and its gradient by z."""
-        return float(self.row @ z) - self.value, self.row
-
 
 class AtBorder(NamedTuple):
     """One more equation for Newton's iteration: that the margin of a border vanishes."""
 
     border: int
-
-    def at(self, _: Array, equations: Equations) -> tuple[float, Array]:
-        """Its value, to be made zero, and its gradient by z."""
-        border = equations.borders[self.border]
-        return border.margin, border.gradient[:-1]
 
 
 Extra = Row | AtBorder
@@ -109,7 +96,6 @@ class Cycle:
     """A periodic motion's order of switches; the unknowns z are (u_0, theta_0, spans..., Omega)."""
 
     system: EquationOfMotion
-    integrator: Integrator
     signature: Signature
     half_turns: int
 
@@ -134,97 +120,9 @@ class Cycle:
         The monodromy matrix takes a deviation of (u, v) at the start, times `sign`, to one after the cycle; the start's
         own switch is counted at the end.
         """
-        system, integrator, phases = self.system, self.integrator, self.signature
-        k = len(phases)
-        if isinstance(integrator, TaylorIntegrator):
-            found = self._compiled(z.copy(), F_0, None, 0, 0.0)
-            if found is None:
-                raise NotSettled(text("the cycle at {Omega = :} cannot be integrated", z[-1]))
-            return found
-        spend(PHASE_WORK * k)
-        Omega = float(z[-1])
-        forced = Forced(system, Omega, F_0, integrator)
-        u, v, theta = float(z[0]), 0.0, float(z[1])
-        residual = np.empty(k + 2)
-        jacobian = np.zeros((k + 2, k + 4))
-        # derivatives of u, v, theta by the unknowns; the last one is the amplitude of the force up to the end
-        of_state = np.zeros((2, k + 4))
-        of_state[0, 0] = 1.0
-        of_theta = np.zeros(k + 4)
-        of_theta[1] = 1.0
-        monodromy = np.eye(2)
-        A, of_A = abs(u), math.copysign(1.0, u) * of_state[0]
-        borders: list[Border] = []
-        for i, (slip, region) in enumerate(phases):
-            end = theta + float(z[2 + i])
-            next_slip, next_region = phases[(i + 1) % k]
-            if i == k - 1:
-                next_slip, next_region = self.sign * next_slip, self.sign * next_region
-            if slip == 0:
-                push = forced.push(region, end, u)
-                of_theta[2 + i] = 1.0
-                of_state[1] = 0.0
-                residual[i] = push - next_slip * system.holds(region)
-                by_theta, by_u, by_force = forced.push_slopes(region, end, u)
-                jacobian[i] = by_theta * of_theta + by_u * of_state[0]
-                jacobian[i, -1] += by_force
-                # v is forgotten; where the push that breaks it away exceeds friction the acceleration jumps from 0, and
-                # u tells when
-                jump = forced.acceleration(next_slip, region, end, u, 0.0) if system.mu_s > system.mu else 0.0
-                monodromy[1] = motion.released(jump, Omega, by_theta, by_u) * monodromy[0]
-                v, theta = 0.0, end
-                continue
-            piece, drive = forced.piece(region), forced.drive(slip, region)
-            rate = np.array([v, forced.acceleration(slip, region, theta, u, v)]) / Omega
-            u, v, flow = integrator.advance(piece, drive, theta, u, v, end)
-            of_state -= np.outer(rate, of_theta)
-            of_state = flow[:, :2] @ of_state
-            of_theta[2 + i] = 1.0
-            acceleration = forced.acceleration(slip, region, end, u, v)
-            of_state += np.outer((v / Omega, acceleration / Omega), of_theta)
-            of_state[:, -2:] += flow[:, 2:]
-            monodromy = flow[:, :2] @ monodromy
-            theta = end
-            if abs(u) > A:
-                A, of_A = abs(u), math.copysign(1.0, u) * of_state[0]
-            if next_region != region:
-                edge = edge_ahead(system, slip, region)
-                residual[i] = u - edge
-                jacobian[i] = of_state[0]
-                if v != 0.0:
-                    after = forced.acceleration(slip, next_region, end, u, v)
-                    monodromy[1] += motion.across(acceleration, after, v) * monodromy[0]
-            else:
-                residual[i] = v
-                jacobian[i] = of_state[1]
-                if next_slip == 0:
-                    monodromy[1] = 0.0
-                elif acceleration != 0.0:
-                    monodromy[1] *= motion.turned(acceleration, forced.acceleration(next_slip, region, end, u, v))
-                borders += self._borders(forced, i, next_slip, end, u, of_state[0], of_theta)
-        residual[k] = u - self.sign * float(z[0])
-        jacobian[k] = of_state[0]
-        jacobian[k, 0] -= self.sign
-        residual[k + 1] = float(np.sum(z[2:-1])) - math.pi * self.half_turns
-        jacobian[k + 1, 2:-2] = 1.0
-        if system.inertial:
-            slopes = system.forcing_slopes(Omega=Omega, F_0=F_0)
-            for derivatives in (jacobian, of_A, *(border.gradient for border in borders)):
-                _excited(derivatives, *slopes)
-        return Equations(residual, jacobian, self.sign * monodromy, A, of_A, tuple(borders))
-
-    def _borders(
-        self, forced: Forced, phase: int, next_slip: int, theta: float, u: float, of_u: Array, of_theta: Array
-    ) -> list[Border]:
-        slip, region = self.signature[phase]
-        edge = edge_ahead(self.system, slip, region)
-        found = [] if abs(edge) == FAR else [Border(phase, False, slip * (edge - u), -slip * of_u)]
-        if next_slip != 0 and self.system.holds(region) > 0:
-            by_theta, by_u, by_force = forced.push_slopes(region, theta, u)
-            slope = by_theta * of_theta + by_u * of_u
-            slope[-1] += by_force
-            margin = next_slip * forced.push(region, theta, u) - self.system.holds(region)
-            found.append(Border(phase, True, margin, next_slip * slope))
+        found = self._solved(z.copy(), F_0, None, 0, 0.0)
+        if found is None:
+            raise NotSettled(text("the cycle at {Omega = :} cannot be integrated", z[-1]))
         return found
 
     @functools.cached_property
@@ -276,7 +174,7 @@ class Cycle:
 
     def with_rest(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array] | None:
         """The cycle with a rest put in at the end of a phase, and trial unknowns; None if friction cannot hold it."""
-        forced = Forced(self.system, float(z[-1]), F_0, self.integrator)
+        forced = Forced(self.system, float(z[-1]), F_0)
         _, region = self.signature[phase]
         theta, u = self._end(z, F_0, phase)
         until, following = break_away(forced, region, theta, u)
@@ -286,7 +184,7 @@ class Cycle:
 
     def with_excursion(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array] | None:
         """The cycle with a way beyond the breakpoint and back put in at the end of a phase, and trial unknowns."""
-        forced = Forced(self.system, float(z[-1]), F_0, self.integrator)
+        forced = Forced(self.system, float(z[-1]), F_0)
         slip, region = self.signature[phase]
         if self.signature[(phase + 1) % len(self.signature)][0] == 0:
             return self._with_rest_beyond(z, F_0, phase)
@@ -302,7 +200,7 @@ class Cycle:
 
     def _with_rest_beyond(self, z: Array, F_0: float, phase: int) -> tuple[Cycle, Array] | None:
         """The same where the mass rests beyond the breakpoint before it comes back."""
-        forced = Forced(self.system, float(z[-1]), F_0, self.integrator)
+        forced = Forced(self.system, float(z[-1]), F_0)
         signature, spans = list(self.signature), [float(span) for span in z[2:-1]]
         slip, region = signature[phase]
         rest, last = phase + 1, phase + 2 == len(signature)
@@ -337,12 +235,12 @@ class Cycle:
 
     def _ends(self, z: Array, F_0: float) -> Iterator[tuple[float, float]]:
         """theta and u at the end of each phase, one after the other."""
-        forced = Forced(self.system, float(z[-1]), F_0, self.integrator)
+        forced = Forced(self.system, float(z[-1]), F_0)
         theta, u, v = float(z[1]), float(z[0]), 0.0
         for (slip, region), span in zip(self.signature, z[2:-1].tolist(), strict=True):
             end = theta + span
             if slip != 0:
-                u, v, _ = self.integrator.advance(forced.piece(region), forced.drive(slip, region), theta, u, v, end)
+                u, v, _ = compiled.advance(self.system, region, forced.drive(slip, region), theta, u, v, end)
             theta = end
             yield theta, u
 
@@ -370,7 +268,7 @@ class Cycle:
 
     def phases(self, z: Array, F_0: float) -> list[Phase]:
         """The motion that really starts at z's (theta_0, u_0), one phase beyond what the signature lists."""
-        forced = Forced(self.system, float(z[-1]), F_0, self.integrator)
+        forced = Forced(self.system, float(z[-1]), F_0)
         start = self.signature[0] if self.starts_from_rest else None
         theta = float(z[1])
         end = theta + math.pi * self.half_turns
@@ -407,64 +305,19 @@ class Cycle:
 
         Omega is kept unless `extra` gives one more equation.
         """
-        if isinstance(self.integrator, TaylorIntegrator):
-            z = np.array(z)
-            solved = self._compiled(z, F_0, extra, most, tolerance)
-            return None if solved is None else (z, solved)
-        # a trial may overshoot to where the force is not defined; it is then given up
-        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-            return self._newton(z, F_0, extra, most, tolerance)
+        z = np.array(z)
+        solved = self._solved(z, F_0, extra, most, tolerance)
+        return None if solved is None else (z, solved)
 
-    def _newton(
-        self, z: Array, F_0: float, extra: Extra | None, most: int, tolerance: float
-    ) -> tuple[Array, Equations] | None:
-        last = math.inf
-        for _ in range(most):
-            try:
-                found = self.equations(z, F_0)
-                if extra is None:
-                    residual, jacobian = found.residual, found.jacobian[:, :-2]
-                else:
-                    value, gradient = extra.at(z, found)
-                    residual = np.append(found.residual, value)
-                    jacobian = np.vstack((found.jacobian[:, :-1], gradient))
-                step = np.linalg.solve(jacobian, -residual)
-            except (np.linalg.LinAlgError, ArithmeticError):
-                return None
-            size = float(np.max(np.abs(step)))
-            error = float(np.max(np.abs(residual)))
-            if not math.isfinite(size) or size > 2.0:
-                return None
-            # towards Omega = 0 a turn takes ever longer: a trial that goes half the way is none
-            if extra is not None and not abs(step[-1]) < 0.5 * z[-1]:
-                return None
-            # next to a neutral motion a small residual says little: what is left of u_0 has to be small, too; off the
-            # centre u_0 itself may be 0
-            own = abs(step[0]) / max(abs(z[0]), found.A)
-            stays = error <= 100.0 * tolerance and size >= 0.5 * last
-            if stays and own > LOOSE:
-                return None
-            converges = error <= tolerance and own <= TIGHT
-            if not stays:  # the last step is taken, too, where it is more than rounding
-                z = z.copy()
-                z[: step.size] += step
-            if stays or converges:
-                if extra is not None:
-                    found = found._replace(along=np.linalg.solve(jacobian, np.eye(step.size)[-1]))
-                return z, found
-            last = size
-        return None
-
-    def _compiled(self, z: Array, F_0: float, extra: Extra | None, most: int, tolerance: float) -> Equations | None:
-        """Newton's iteration in C, which moves z; None where it does not converge or integration fails."""
-        assert isinstance(self.integrator, TaylorIntegrator)
+    def _solved(self, z: Array, F_0: float, extra: Extra | None, most: int, tolerance: float) -> Equations | None:
+        """Newton's iteration, which moves z; None where it does not converge or integration fails."""
         if extra is None:
             asked = (ExtraKind.NO_MORE, z, 0.0, 0)
         elif isinstance(extra, Row):
             asked = (ExtraKind.ROW, np.ascontiguousarray(extra.row), extra.value, 0)
         else:
             asked = (ExtraKind.BORDER, z, 0.0, extra.border)
-        outcome, numbers, along, (A, monodromy, borders) = self.integrator.newton(
+        outcome, numbers, along, (A, monodromy, borders) = compiled.newton(
             self.system, self.packed, self.half_turns, z, F_0, asked, most, tolerance
         )
         if outcome:
@@ -507,12 +360,6 @@ class Cycle:
         return sum(slip == 0 for slip, _ in self.signature) * (2 if self.sign == -1 else 1)
 
 
-def _excited(by: Array, force_by_Omega: float, force_by_F_0: float) -> None:
-    """Turns derivatives whose last column is by the amplitude of the force into such by that of the excitation."""
-    by[..., -2] += force_by_Omega * by[..., -1]
-    by[..., -1] *= force_by_F_0
-
-
 def rests_at_jump(system: EquationOfMotion, phases: list[Phase]) -> bool:
     """Whether the mass rests at u = 0 on the way, where the force jumps."""
     return system.force.jump != 0.0 and any(phase.slip == phase.region == 0 for phase in phases)
@@ -527,7 +374,7 @@ def shown_in(half_turns: int) -> int:
 
 
 def closed_cycle(
-    system: EquationOfMotion, integrator: Integrator, half_turns: int, phases: list[Phase], Omega: float
+    system: EquationOfMotion, half_turns: int, phases: list[Phase], Omega: float
 ) -> tuple[Cycle, Array] | None:
     """The cycle and trial unknowns that a followed motion suggests: from its highest beginning of a downward slip.
 
@@ -555,4 +402,4 @@ def closed_cycle(
         return None
     spans = [phase.end - phase.theta for phase in chosen]
     z = np.array([phases[first].u, theta % (2.0 * math.pi), *spans, Omega])
-    return Cycle(system, integrator, signature(chosen), half_turns), z
+    return Cycle(system, signature(chosen), half_turns), z

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from slowflow.exact import response, shooting
-from slowflow.exact.integrate import limited
+from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion, Floats, Force
 from slowflow.results import Measured, MeasuredFolds, MeasuredPoint
 from slowflow.text import text

@@ -16,16 +16,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slowflow.exact.compiled import TaylorIntegrator
-from slowflow.exact.integrate import PHASE_WORK, Drive, Integrator, Stalled, spend
+from slowflow.exact import compiled
+from slowflow.exact.compiled import Drive
 from slowflow.mechanism import EquationOfMotion, Piece
 from slowflow.text import Sentence
 from slowflow_kernels import motion
-from slowflow_kernels.exact_conventions import FAR, GRAZING, MOST_PHASES, OF_TURN, Event, Outcome
+from slowflow_kernels.exact_conventions import FAR, MOST_PHASES, OF_TURN, Outcome
 from slowflow_support.errors import NotSettled
 
 TURN = 2.0 * math.pi
-NUDGES = (1e-3, 1e-4, 1e-5, 1e-6)  # angles over which a start at rest moves off before stops are looked for
 
 CHATTERS = Sentence(
     "the mass chatters near {u = :.6g}, where the restoring force jumps: more than {most:d} switches in one turn"
@@ -52,8 +51,7 @@ class Phase(NamedTuple):
 
     slip      -- sign of the velocity, 0 at rest
     region    -- index of the piece, signed like u
-    undecided -- the velocity comes so near to zero on the way that rounding hides whether it gets there; only the
-                 compiled integrator can tell
+    undecided -- the velocity comes so near to zero on the way that rounding hides whether it gets there
     """
 
     slip: int
@@ -72,12 +70,11 @@ _phase = functools.partial(tuple.__new__, Phase)  # of as many fields as C has: 
 
 
 class Forced(NamedTuple):
-    """An oscillator under the force of an excitation F_0 times cos(Omega tau), with the integrator to be used."""
+    """An oscillator under the force of an excitation F_0 times cos(Omega tau)."""
 
     system: EquationOfMotion
     Omega: float
     F_0: float
-    integrator: Integrator
 
     @property
     def force(self) -> float:
@@ -109,10 +106,8 @@ class Forced(NamedTuple):
     def acceleration(self, slip: int, region: int, theta: float, u: float, v: float) -> float:
         """u'' in a slip phase."""
         drive = self.drive(slip, region)
-        resists, _ = drive.resistance(v)
-        return float(
-            motion.acceleration(math.cos(theta), v, drive.F_0, drive.zeta, resists, self.piece(region).value(u))
-        )
+        spring = self.piece(region).value(u)
+        return float(motion.acceleration(math.cos(theta), v, drive.F_0, drive.zeta, drive.resistance(v), spring))
 
 
 def edge_ahead(system: EquationOfMotion, slip: int, region: int) -> float:
@@ -136,14 +131,6 @@ def break_away(forced: Forced, region: int, theta: float, u: float) -> tuple[flo
     return found
 
 
-def after_stop(forced: Forced, slip: int, region: int, theta: float, u: float) -> int:
-    """What follows a stop reached in direction `slip`: the next direction, 0 if friction holds the mass."""
-    push, holds = forced.push(region, theta, u), forced.system.holds(region)
-    if holds > 0 and abs(push) <= holds:
-        return 0
-    return -slip if slip else (1 if push > 0 else -1)
-
-
 def follow(
     forced: Forced, theta: float, u: float, v: float, end: float, start: tuple[int, int] | None = None
 ) -> list[Phase]:
@@ -152,76 +139,11 @@ def follow(
     Raises `Lost` if switches accumulate (the mass chatters at a jump of the force), the motion escapes, or comes to
     where the integration stalls.
     """
-    if not isinstance(forced.integrator, TaylorIntegrator):
-        try:
-            return _from_switch_to_switch(forced, theta, u, v, end, start)
-        except Stalled as stalled:
-            raise _lost(Outcome.STALLS, forced, stalled.theta, stalled.u) from None
-    outcome, rows = forced.integrator.follow(forced.system, forced.Omega, forced.F_0, (theta, u, v), end, start)
+    outcome, rows = compiled.follow(forced.system, forced.Omega, forced.F_0, (theta, u, v), end, start)
     phases = list(map(_phase, rows))
     if outcome:
         last = phases[-1] if phases else None  # which ends where the motion is lost
         raise _lost(outcome, forced, *((theta, u) if last is None else (last.end, last.u_end)))
-    return phases
-
-
-def _from_switch_to_switch(
-    forced: Forced, theta: float, u: float, v: float, end: float, start: tuple[int, int] | None
-) -> list[Phase]:
-    """`follow`, without the compiled integrator. Raises `Stalled` where the integration does."""
-    system, integrator = forced.system, forced.integrator
-    if start is not None:
-        slip, region = start
-    else:
-        region = system.force.region_of(u)
-        slip = (1 if v > 0 else -1) if v != 0 else after_stop(forced, 0, region, theta, u)
-        if slip != 0 and u == edge_ahead(system, slip, region):
-            region += slip
-    phases: list[Phase] = []
-    most = MOST_PHASES * (1 + math.ceil((end - theta) / TURN))
-    while theta < end:
-        if len(phases) >= most:
-            raise _lost(Outcome.CHATTERS, forced, theta, u)
-        if slip == 0:
-            at, slip = break_away(forced, region, theta, u)
-            theta = _rest(phases, region, theta, u, min(at, end), end)
-            continue
-        edge = edge_ahead(system, slip, region)
-        if slip * u >= FAR:
-            raise _lost(Outcome.ESCAPES, forced, theta, u)
-        if slip * (u - edge) >= 0.0:  # turned round within rounding of a breakpoint
-            region += slip
-            continue
-        spend(PHASE_WORK)
-        piece, drive = forced.piece(region), forced.drive(slip, region)
-        from_theta, from_u, from_v = theta, u, v
-        if v == 0.0:
-            moved = _move_off(integrator, piece, drive, slip, edge, theta, u, end)
-            if moved is None and system.holds(region) > 0:
-                # the push exceeds friction by too little and for too short a time to be told from rounding
-                region = 0 if u == 0.0 and system.force.jump != 0.0 else region
-                at, slip = break_away(forced, region, theta + NUDGES[-1], u)
-                theta = _rest(phases, region, theta, u, min(at, end), end)
-                continue
-            theta, u, v = moved or (theta, u, v)
-        if theta < end:
-            theta, u, v, event = integrator.until(piece, drive, slip, edge, theta, u, v, end)
-        else:
-            event = Event.TIME
-        if event == Event.STOP:
-            v = 0.0
-        elif event == Event.EDGE:
-            u = edge
-            beyond = system.force.beyond(slip, region)
-            if abs(v) < GRAZING and slip * forced.acceleration(slip, beyond, theta, u, v) < 0.0:
-                v, event = 0.0, Event.STOP
-        phases.append(Phase(slip, region, from_theta, from_u, from_v, theta, u, v, event))
-        if event == Event.STOP and u == 0.0 and system.force.jump != 0.0:
-            region = 0
-        if event == Event.STOP:
-            slip = after_stop(forced, slip, region, theta, u)
-        elif event == Event.EDGE:
-            region += slip
     return phases
 
 
@@ -245,34 +167,6 @@ def _grows_without_bound(system: EquationOfMotion, u: float) -> bool:
     with np.errstate(all="ignore"):  # it may have no value there
         at, nearer = (abs(system.force.value(spot)) for spot in (u, NEARER * u))
     return bool(np.isinf(at) or at > GROWS * nearer)
-
-
-def _rest(phases: list[Phase], region: int, theta: float, u: float, until: float, end: float) -> float:
-    """Adds a rest, or prolongs one that the last phase is; returns its end."""
-    event = Event.STOP if until < end else Event.TIME
-    if phases and phases[-1].slip == 0:
-        phases[-1] = phases[-1]._replace(end=until, event=event)
-    else:
-        phases.append(Phase(0, region, theta, u, 0.0, until, u, 0.0, event))
-    return until
-
-
-def _move_off(
-    integrator: Integrator, piece: Piece, drive: Drive, slip: int, edge: float, theta: float, u: float, end: float
-) -> tuple[float, float, float] | None:
-    """A short way from rest without looking for a stop, which rounding could find at the very start.
-
-    The start itself where a breakpoint is too near; None if the mass does not move off.
-    """
-    moves = False
-    for nudge in NUDGES:
-        later = min(theta + nudge, end)
-        there_u, there_v, _ = integrator.advance(piece, drive, theta, u, 0.0, later)
-        if slip * there_v > 0.0:
-            moves = True
-            if slip * (there_u - edge) < 0.0:
-                return later, there_u, there_v
-    return (theta, u, 0.0) if moves else None
 
 
 def signature(phases: list[Phase]) -> tuple[tuple[int, int], ...]:

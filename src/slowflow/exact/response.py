@@ -18,12 +18,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.answer import Table
-from slowflow.exact.compiled import default_integrator
 from slowflow.exact.continuation import FOLDS, STEP, LostCurve, Path, Point, is_same, least_scale
 from slowflow.exact.cycle import Array
-from slowflow.exact.integrate import Integrator, OutOfWork, limited
 from slowflow.exact.motion import Forced
 from slowflow.exact.shooting import SteadyState, check_forcing, describe, lengths, settle, steady_state
+from slowflow.exact.work import OutOfWork, limited
 from slowflow.mechanism import EquationOfMotion
 from slowflow.text import text
 from slowflow.transmitted import Transmitted
@@ -133,7 +132,6 @@ def exact_response(
     Omega: tuple[float, float] = (0.5, 1.5),
     start: SteadyState | None = None,
     step: float = STEP,
-    integrator: Integrator | None = None,
 ) -> Response:
     """The response curve between two frequencies, through all its folds.
 
@@ -151,9 +149,8 @@ def exact_response(
     if not 0 < step <= 0.5:
         raise Refused(f"step = {step} must lie in (0, 0.5]")
     check_forcing(system, low, F_0)
-    integrator = integrator or default_integrator(system)
     if start is None:
-        start = steady_state(system, Omega=low, F_0=F_0, integrator=integrator)
+        start = steady_state(system, Omega=low, F_0=F_0)
     if not low <= start.Omega <= high:
         raise Refused(text("start.{Omega} = {Omega_0:r} lies outside {Omega = :r}", float(start.Omega), Omega))
     path = Path(F_0, low, high, step, least_scale(start.cycle, start.A))
@@ -272,7 +269,7 @@ def _settles_higher(F_0: float, fold: Point, Omega: float) -> bool:
 def _comes_higher(F_0: float, fold: Point, Omega: float) -> bool:
     cycle = fold.cycle
     state = describe(cycle, fold.z, F_0, fold.monodromy)._state(0.0)
-    forced = Forced(cycle.system, Omega, F_0, cycle.integrator)
+    forced = Forced(cycle.system, Omega, F_0)
     try:
         # with steps of its own: a curve that has used up all is given as far as it was reached, its folds named
         end = Context().run(limited()(settle), forced, 0.0, *state, lengths(cycle.system), MOST_FALL)

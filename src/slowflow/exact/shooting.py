@@ -17,10 +17,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.answer import Answer, in_values
-from slowflow.exact.compiled import TaylorIntegrator, default_integrator
+from slowflow.exact import compiled
 from slowflow.exact.cycle import Cycle, closed_cycle, rests_at_jump, shown_in
-from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import TURN, Forced, Phase, follow
+from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion
 from slowflow.text import Sentence, text
 from slowflow.transmitted import Transmitted, asked
@@ -31,8 +31,6 @@ from slowflow_support.errors import NotSettled, Refused
 Array = NDArray[np.float64]
 
 MOST_TURNS = 3000  # of the forcing, before time stepping gives up
-#: turns by SciPy, some tenths of a second each, before it is asked whether the motion is chaotic and ever will settle
-SLOW_TURNS = 60
 PARTING_TURNS = 30  # over which motions that begin next to each other are compared
 #: by what they part in these turns at least where it is chaotic; else they do so in proportion to time at most
 PARTED = 1e3
@@ -156,7 +154,7 @@ class SteadyState(Answer):
     @functools.cached_property
     def residual(self) -> float:
         """Largest difference of (u, v) after one period from a point within the first phase, followed with switches."""
-        forced = Forced(self.cycle.system, self.Omega, self.F_0, self.cycle.integrator)
+        forced = Forced(self.cycle.system, self.Omega, self.F_0)
         slip, region = self.cycle.signature[0]
         theta, span = float(self.unknowns[1]), float(self.unknowns[2])
         middle = theta + 0.5 * span
@@ -165,13 +163,8 @@ class SteadyState(Answer):
         return float(max(abs(last.u_end - u), abs(last.v_end - v)))
 
     @property
-    def undecided(self) -> bool | None:
-        """Whether rounding hides if the mass stops once more: its velocity touches zero within a slip.
-
-        None where that was not looked for, without the compiled integrator.
-        """
-        if not isinstance(self.cycle.integrator, TaylorIntegrator):
-            return None
+    def undecided(self) -> bool:
+        """Whether rounding hides if the mass stops once more: its velocity touches zero within a slip."""
         return any(phase.undecided for phase in self.phases)
 
     def series(self, samples: int = 400) -> tuple[Array, Array, Array]:
@@ -251,10 +244,10 @@ class SteadyState(Answer):
         if phase.slip == 0:
             return np.asarray(self.force * np.cos(theta))
         u, v = self._within(phase, theta).T
-        drive = Forced(self.cycle.system, self.Omega, self.F_0, self.cycle.integrator).drive(phase.slip, phase.region)
+        drive = Forced(self.cycle.system, self.Omega, self.F_0).drive(phase.slip, phase.region)
         of_spring = self.cycle.system.force.piece(phase.region)(u)
         # seen by who stands still the forcing is no force
-        return -np.asarray(acceleration(0.0, v, drive.F_0, drive.zeta, drive.resistance(v)[0], of_spring))
+        return -np.asarray(acceleration(0.0, v, drive.F_0, drive.zeta, drive.resistance(v), of_spring))
 
     def _highest(self, of: str, phase: Phase) -> float:
         """The largest size of that within a phase, its ends included."""
@@ -277,10 +270,9 @@ class SteadyState(Answer):
     def _within(self, phase: Phase, theta: Array) -> Array:
         if phase.slip == 0:
             return np.tile(np.array([phase.u, 0.0]), (theta.size, 1))
-        forced = Forced(self.cycle.system, self.Omega, self.F_0, self.cycle.integrator)
-        return self.cycle.integrator.sample(
-            forced.piece(phase.region), forced.drive(phase.slip, phase.region), phase.theta, phase.u, phase.v, theta
-        )
+        system = self.cycle.system
+        drive = Forced(system, self.Omega, self.F_0).drive(phase.slip, phase.region)
+        return compiled.sample(system, phase.region, drive, phase.theta, phase.u, phase.v, theta)
 
     def _state(self, theta: float) -> tuple[float, float]:
         """(u, v) at one angle of the forcing."""
@@ -316,7 +308,6 @@ def steady_state(
     Omega: float,
     F_0: float,
     half_turns: int | None = None,
-    integrator: Integrator | None = None,
     u_0: float = 0.0,
     v_0: float = 0.0,
 ) -> SteadyState:
@@ -335,14 +326,13 @@ def steady_state(
     periodic is found.
     """
     check_forcing(system, Omega, F_0, begins=(u_0, v_0) if guess is None else None)
-    integrator = integrator or default_integrator(system)
-    forced = Forced(system, float(Omega), float(F_0), integrator)
+    forced = Forced(system, float(Omega), float(F_0))
     tries = lengths(system) if half_turns is None else (half_turns,)
     theta, u, v = 0.0, u_0, v_0
     if isinstance(guess, SteadyState):
         cycle = guess.cycle
-        if cycle.system is not system or cycle.integrator is not integrator:
-            cycle = replace(cycle, system=system, integrator=integrator)
+        if cycle.system is not system:
+            cycle = replace(cycle, system=system)
         z = guess.unknowns.copy()
         z[-1] = Omega
         found = _settle_signature(cycle, z, forced, tries)
@@ -363,7 +353,6 @@ def near(
     Omega: float,
     F_0: float,
     guess: tuple[float, float],
-    integrator: Integrator | None = None,
     *,
     B: float = 0.0,
 ) -> SteadyState | None:
@@ -375,7 +364,7 @@ def near(
     check_forcing(system, Omega, F_0)
     theta, u = _start(guess)
     try:
-        forced = Forced(system, float(Omega), float(F_0), integrator or default_integrator(system))
+        forced = Forced(system, float(Omega), float(F_0))
         return _near(forced, theta, u + B, lengths(system), u + abs(B))
     except ArithmeticError:
         return None
@@ -470,7 +459,7 @@ def comes_to_rest(system: EquationOfMotion, Omega: float, F_0: float, u: float, 
         return held(system, Omega, F_0, u)
     if not only_rests(system, Omega, F_0):
         return None
-    end = settle(Forced(system, Omega, F_0, default_integrator(system)), 0.0, u, v, lengths(system), MOST_TURNS)
+    end = settle(Forced(system, Omega, F_0), 0.0, u, v, lengths(system), MOST_TURNS)
     return held(system, Omega, F_0, end.u) if at_rest(end.phases) else None
 
 
@@ -480,7 +469,7 @@ def held(system: EquationOfMotion, Omega: float, F_0: float, u: float) -> Steady
     A deviation of u stays, and one of the velocity ends: the multipliers are 1 and 0, and it is stable.
     """
     check_numbers(system, Omega, F_0)
-    region, integrator = system.force.region_of(u), default_integrator(system)
+    region = system.force.region_of(u)
     phase = Phase(0, region, 0.0, u, 0.0, TURN, u, 0.0, 0)
     return SteadyState(
         Omega=Omega,
@@ -491,7 +480,7 @@ def held(system: EquationOfMotion, Omega: float, F_0: float, u: float) -> Steady
         half_multipliers=None,
         stable=True,
         symmetric=False,
-        cycle=Cycle(system, integrator, ((0, region),), 2),
+        cycle=Cycle(system, ((0, region),), 2),
         unknowns=np.array([u, 0.0, TURN, Omega]),
         phases=[phase],
     )
@@ -545,7 +534,7 @@ def _largest(phases: list[Phase]) -> float:
 def from_start(forced: Forced, theta: float, u: float, half_turns: int, v: float = 0.0) -> SteadyState | None:
     """Newton's iteration with the order of switches that the motion from (theta, u, v) shows."""
     end = theta + shown_in(half_turns) * math.pi
-    closed = closed_cycle(forced.system, forced.integrator, half_turns, follow(forced, theta, u, v, end), forced.Omega)
+    closed = closed_cycle(forced.system, half_turns, follow(forced, theta, u, v, end), forced.Omega)
     return None if closed is None else _settle_signature(*closed, forced, (half_turns,))
 
 
@@ -569,7 +558,7 @@ def _settle_signature(cycle: Cycle, z: Array, forced: Forced, tries: tuple[int, 
             motion = follow(forced, theta, u, 0.0, end)
         except ArithmeticError:
             return None
-        closed = closed_cycle(forced.system, forced.integrator, cycle.half_turns, motion, forced.Omega)
+        closed = closed_cycle(forced.system, cycle.half_turns, motion, forced.Omega)
         if closed is None or closed[0].signature in seen:
             return None
         cycle, z = closed
@@ -651,11 +640,8 @@ def settle(forced: Forced, theta: float, u: float, v: float, tries: tuple[int, .
 
 def _by_time_stepping(forced: Forced, theta: float, state: tuple[float, float], tries: tuple[int, ...]) -> SteadyState:
     """The motion that the one from (theta, u, v) settles to."""
-    turns = MOST_TURNS if isinstance(forced.integrator, TaylorIntegrator) else SLOW_TURNS
-    settled = settle(forced, theta, *state, tries, turns)
+    settled = settle(forced, theta, *state, tries, MOST_TURNS)
     parted = _parted(forced, theta, settled)
-    if parted < PARTED and turns < MOST_TURNS and _on_its_way(settled):
-        settled = settle(forced, theta, settled.u, settled.v, tries, MOST_TURNS - turns)
     if settled.found is not None:
         return settled.found
     if settled.adrift is not None:

@@ -16,9 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.answer import Table
-from slowflow.exact.compiled import TaylorIntegrator, default_integrator
+from slowflow.exact import compiled
 from slowflow.exact.continuation import FOLDS, Path, Point, is_same, least_scale
-from slowflow.exact.integrate import Integrator, limited
 from slowflow.exact.motion import Forced, stops
 from slowflow.exact.shooting import (
     SteadyState,
@@ -29,6 +28,7 @@ from slowflow.exact.shooting import (
     lengths,
     settle,
 )
+from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion
 from slowflow.text import text
 from slowflow_support.errors import Refused
@@ -97,7 +97,6 @@ def sweep(
     Omega: Sequence[float] | Array,
     F_0: float,
     most_turns: int = 2000,
-    integrator: Integrator | None = None,
     u_0: float = 0.0,
     v_0: float = 0.0,
 ) -> Sweep:
@@ -117,10 +116,9 @@ def sweep(
         )
     for frequency in frequencies:
         check_numbers(system, float(frequency), F_0)
-    by = integrator or default_integrator(system)
 
     def through(Omega: Array, u: float, v: float) -> Visited:
-        return _visited(system, Omega, F_0, by, most_turns, u, v)
+        return _visited(system, Omega, F_0, most_turns, u, v)
 
     found = through(frequencies, u_0, v_0)
     jumps = Branches(frequencies, F_0, found.motions, through).jumps()
@@ -141,7 +139,6 @@ def _visited(
     system: EquationOfMotion,
     frequencies: Array,
     F_0: float,
-    integrator: Integrator,
     most_turns: int,
     u: float,
     v: float,
@@ -153,19 +150,18 @@ def _visited(
     motions: list[SteadyState | None] = [None] * frequencies.size
     i = 0
     while i < frequencies.size:
-        if isinstance(integrator, TaylorIntegrator):
-            packed = np.array(tries, dtype=np.intc).tobytes()
-            rows = integrator.sweep(system, frequencies[i : i + AT_ONCE], F_0, u, v, packed, most_turns)
-            if len(rows):
-                passed = slice(i, i + len(rows))
-                A[passed], spent[passed], rests[passed] = rows[:, 2:].T
-                settled[passed] = True
-                motions[passed] = _cycles(system, frequencies[passed], F_0, integrator, rows, tries)
-                u, v = rows[-1, :2].tolist()
-                i += len(rows)
-                continue
+        packed = np.array(tries, dtype=np.intc).tobytes()
+        rows = compiled.sweep(system, frequencies[i : i + AT_ONCE], F_0, u, v, packed, most_turns)
+        if len(rows):
+            passed = slice(i, i + len(rows))
+            A[passed], spent[passed], rests[passed] = rows[:, 2:].T
+            settled[passed] = True
+            motions[passed] = _cycles(system, frequencies[passed], F_0, rows, tries)
+            u, v = rows[-1, :2].tolist()
+            i += len(rows)
+            continue
         with limited():
-            forced = Forced(system, float(frequencies[i]), F_0, integrator)
+            forced = Forced(system, float(frequencies[i]), F_0)
             end = settle(forced, 0.0, u, v, tries, most_turns)
             if end.adrift is not None:
                 end = calmed(forced, 0.0, end, most_turns)
@@ -182,11 +178,11 @@ def _visited(
 
 
 def _cycles(
-    system: EquationOfMotion, Omega: Array, F_0: float, integrator: Integrator, rows: Array, tries: tuple[int, ...]
+    system: EquationOfMotion, Omega: Array, F_0: float, rows: Array, tries: tuple[int, ...]
 ) -> list[SteadyState | None]:
     """The motions of which C gives a state each."""
     return [
-        from_start(Forced(system, at, F_0, integrator), 0.0, u, tries[0], v)
+        from_start(Forced(system, at, F_0), 0.0, u, tries[0], v)
         for at, (u, v) in zip(Omega.tolist(), rows[:, :2].tolist(), strict=True)
     ]
 

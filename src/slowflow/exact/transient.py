@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.answer import Answer
-from slowflow.exact.compiled import default_integrator
-from slowflow.exact.integrate import Integrator, limited
+from slowflow.exact import compiled
 from slowflow.exact.motion import TURN, Forced, Lost, Phase, follow
+from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion
 from slowflow.text import Sentence, text
 from slowflow_kernels import motion
@@ -157,7 +157,6 @@ def transient(
     at: float = 0.0,
     v: float = 0.0,
     rest: float | None = None,
-    integrator: Integrator | None = None,
 ) -> Transient:
     """The motion from u = `at` with the velocity v under the arcs, rows of `Arc`, and freely for `after` after them.
 
@@ -173,8 +172,7 @@ def transient(
     if 0 < peak < off_by / WEAK and not held and at == rest and v == 0.0:
         raise NotSettled(TOO_WEAK.format(peak, at, off_by / peak))
     forced = replace(system, inertial=False)  # an acceleration is a force, whatever else the oscillator is excited by
-    by = integrator or default_integrator(system)
-    stretches = list(_followed(forced, arcs, begin, after, (at, v), rest, by))
+    stretches = list(_followed(forced, arcs, begin, after, (at, v), rest))
     phases = [(stretch, phase) for stretch in stretches for phase in stretch.phases]
     last = phases[-1][1]
     # between switches u is monotone
@@ -198,11 +196,10 @@ def _followed(
     after: float,
     begins: tuple[float, float],
     rest: float,
-    integrator: Integrator,
 ) -> Iterator[Stretch]:
     (u, v), A = begins, 0.0
     for arc in map(Arc._make, arcs.tolist()):
-        stretch = _under(Forced(system, arc.Omega, arc.F, integrator), tau, arc, u, v)
+        stretch = _under(Forced(system, arc.Omega, arc.F), tau, arc, u, v)
         u, v = stretch.phases[-1].u_end, stretch.phases[-1].v_end
         tau += arc.span
         A = max(A, *(abs(phase.u_end - rest) for phase in stretch.phases))
@@ -210,7 +207,7 @@ def _followed(
     over, turned = tau + after, 0
     for _ in range(MOST_TURNS):
         free = Arc(max(over - tau, TURN), 1.0, 0.0, 0.0)
-        stretch = _under(Forced(system, free.Omega, free.F, integrator), tau, free, u, v)
+        stretch = _under(Forced(system, free.Omega, free.F), tau, free, u, v)
         u, v = stretch.phases[-1].u_end, stretch.phases[-1].v_end
         tau += free.span
         yield stretch
@@ -250,9 +247,9 @@ def _states(forced: Forced, phase: Phase, theta: Array) -> Array:
     if phase.slip == 0:
         return np.array([np.full(theta.size, phase.u), np.zeros(theta.size), base, base])
     drive, piece = forced.drive(phase.slip, phase.region), forced.piece(phase.region)
-    u, v = forced.integrator.sample(piece, drive, phase.theta, phase.u, phase.v, theta).T
+    u, v = compiled.sample(forced.system, phase.region, drive, phase.theta, phase.u, phase.v, theta).T
     # seen by who stands still the forcing is no force
-    a = motion.acceleration(0.0, v, drive.F_0, drive.zeta, drive.resistance(v)[0], piece(u))
+    a = motion.acceleration(0.0, v, drive.F_0, drive.zeta, drive.resistance(v), piece(u))
     return np.array([u, v, a, base])
 
 

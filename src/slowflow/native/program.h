@@ -1,40 +1,19 @@
 /* The record of a force from data, without a compiler: in go words and numbers that the derivation writes
  * (derivations/emit/targets/program), out comes a record whose functions interpret them.
  *
- * A program is a straight line of operations on registers: the arguments, the constants, then what is computed. The
- * operations are those of the C that `make derive` prints for a shipped mechanism, in its order and in its arithmetic:
- * so are their bits. Doubles are computed for SF_LANES amplitudes or nodes side by side.
- *
- * Nothing of the data is trusted. `sf_read_program` refuses an operation that the arithmetic has not, a register
- * that is not there, that holds nothing yet or that is not to be written, a constant that is not finite, other sizes
- * than the record's functions take and give, and words or numbers too many or too few.
+ * A program is straight lines (straight.h), in doubles for SF_LANES amplitudes or nodes side by side. `sf_read_program`
+ * refuses beside what these do other sizes than the record's functions take and give, and words or numbers too many or
+ * too few.
  */
 #ifndef SF_PROGRAM_H
 #define SF_PROGRAM_H
 
-#include <limits.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "bent.h"
-#include "clones.h"
 #include "conventions.h"
 #include "mechanism.h"
 #include "pair_angles.h"
-#include "program_conventions.h"
 #include "quarter.h"
-
-typedef struct {
-    unsigned short operation, result, first, second;
-} sf_instruction;
-
-/* One straight line; output: the registers of what it gives. */
-typedef struct {
-    int arguments, constants, registers, length, outputs;
-    const sf_instruction *code;
-    const unsigned short *output;
-    const double (*constant)[2];
-} sf_straight;
+#include "straight.h"
 
 /* Branch i holds where so many breakpoints are passed, if that is not -1, and where `guards` pairs of sides, in turn,
  * compare; the last one where no other does. */
@@ -66,68 +45,7 @@ struct sf_program {
 
 /* ---- doubles */
 
-#define SF_DOUBLES(x, value)                                                                                           \
-    case SF_##x##_OPERATION:                                                                                           \
-        SF_INDEPENDENT                                                                                                 \
-        for (k = 0; k < lanes; k++) {                                                                                  \
-            const double a = first[k], b = second[k];                                                                  \
-            (void)b;                                                                                                   \
-            result[k] = (value);                                                                                       \
-        }                                                                                                              \
-        break;
-
-/* Register r is x[r*lanes] to x[r*lanes + lanes - 1]. */
-static inline void sf_run_lanes(const sf_straight *of, double *x, const int lanes)
-{
-    const sf_instruction *at = of->code, *const end = at + of->length;
-    int k;
-    for (; at < end; at++) {
-        double *const result = x + at->result * lanes;
-        const double *const first = x + at->first * lanes, *const second = x + at->second * lanes;
-        switch ((sf_operation)at->operation) {
-            SF_DOUBLES(ADD, a + b)
-            SF_DOUBLES(SUB, a - b)
-            SF_DOUBLES(MUL, a * b)
-            SF_DOUBLES(DIV, a / b)
-            SF_DOUBLES(NEG, -a)
-            SF_DOUBLES(SQRT, sqrt(a))
-            SF_DOUBLES(ATAN2, angles_atan2(a, b))
-            SF_DOUBLES(ATAN2_SWAPPED, angles_atan2_swapped(a, b))
-            SF_DOUBLES(POWER, pow(a, b))
-            SF_DOUBLES(ABS, fabs(a))
-            SF_DOUBLES(COPYSIGN, copysign(a, b))
-            SF_DOUBLES(EXP, exp(a))
-            SF_DOUBLES(LOG, log(a))
-            SF_DOUBLES(LOG1P, log1p(a))
-            SF_DOUBLES(CBRT, cbrt(a))
-            SF_DOUBLES(SIN, sin(a))
-            SF_DOUBLES(COS, cos(a))
-            SF_DOUBLES(TAN, tan(a))
-            SF_DOUBLES(SINH, sinh(a))
-            SF_DOUBLES(COSH, cosh(a))
-            SF_DOUBLES(TANH, tanh(a))
-            SF_DOUBLES(ASIN, asin(a))
-            SF_DOUBLES(ACOS, acos(a))
-            SF_DOUBLES(ATAN, atan(a))
-            SF_DOUBLES(ASINH, asinh(a))
-            SF_DOUBLES(ACOSH, acosh(a))
-            SF_DOUBLES(ATANH, atanh(a))
-            SF_DOUBLES(HYPOT, hypot(a, b))
-        default: /* the arithmetic has no other */
-            break;
-        }
-    }
-}
-#undef SF_DOUBLES
-
-static SF_FLAT void sf_run(const sf_straight *of, double *x) { sf_run_lanes(of, x, 1); }
 static SF_FLAT void sf_run_abreast(const sf_straight *of, double *x) { sf_run_lanes(of, x, SF_LANES); }
-
-static inline void sf_fill(const sf_straight *of, double *x) {
-    int i;
-    for (i = 0; i < of->constants; i++)
-        x[of->arguments + i] = of->constant[i][0];
-}
 
 /* The number of the branch that holds at some arguments. */
 static inline int sf_branch_at(const sf_function *of, const double *arguments) {
@@ -540,144 +458,13 @@ static void sf_program_enclosed(const sf_bent *of, int number, const sf_interval
 
 /* ---- reading */
 
-enum { SF_IN_DOUBLES = 1, SF_IN_PAIRS = 2, SF_ON_INTERVALS = 4 };
-
-/* room: all that is allocated, each with the one before it at its begin */
-typedef struct {
-    const int *word, *last_word;
-    const double *number, *last_number;
-    void *room;
-    sf_status status;
-} sf_reader;
-
-static inline void sf_refuse(sf_reader *from, sf_status status) {
-    if (from->status == SF_OK)
-        from->status = status;
-}
-
-/* The next word if it lies between these, else the least. */
-static inline int sf_word(sf_reader *from, int least, int most) {
-    if (from->status == SF_OK && from->word < from->last_word && *from->word >= least && *from->word <= most)
-        return *from->word++;
-    sf_refuse(from, SF_INVALID);
-    return least;
-}
-
-/* A size that may be beyond what a record has room for. */
-static inline int sf_size(sf_reader *from, int least, int most) {
-    const int size = sf_word(from, least, INT_MAX);
-    if (size <= most)
-        return size;
-    sf_refuse(from, SF_TOO_MANY);
-    return least;
-}
-
-static inline double sf_number(sf_reader *from) {
-    if (from->status == SF_OK && from->number < from->last_number && !isnan(*from->number))
-        return *from->number++;
-    sf_refuse(from, SF_INVALID);
-    return 0;
-}
-
-static inline double sf_finite(sf_reader *from) {
-    const double number = sf_number(from);
-    if (!isfinite(number))
-        sf_refuse(from, SF_INVALID);
-    return number;
-}
-
-/* Room for so many items, 0; NULL where there is none. */
-static inline void *sf_room_for(sf_reader *from, int items, size_t size) {
-    void **made;
-    if (from->status != SF_OK)
-        return NULL;
-    made = calloc(1, 2 * sizeof *made + (size_t)items * size);
-    if (made == NULL) {
-        sf_refuse(from, SF_NO_MEMORY);
-        return NULL;
-    }
-    *made = from->room, from->room = made;
-    return made + 2;
-}
-
-/* Frees all of it. */
-static inline void sf_leave_room(sf_reader *from) {
-    while (from->room != NULL) {
-        void **const last = from->room;
-        from->room = *last;
-        free(last);
-    }
-}
-
-static inline int sf_has(int arithmetic, int operation) {
-    switch ((sf_operation)operation) {
-    case SF_ADD_OPERATION:
-    case SF_SUB_OPERATION:
-    case SF_MUL_OPERATION:
-    case SF_DIV_OPERATION:
-    case SF_NEG_OPERATION:
-    case SF_SQRT_OPERATION:
-    case SF_ATAN2_OPERATION:
-        return 1;
-    case SF_ATAN2_SWAPPED_OPERATION:
-        return arithmetic != SF_ON_INTERVALS;
-    case SF_SQUARE_OPERATION:
-    case SF_INVERSE_OPERATION:
-    case SF_TIMES_OPERATION:
-        return arithmetic != SF_IN_DOUBLES;
-    case SF_WITHIN_OPERATION:
-    case SF_ROOT_OPERATION:
-        return arithmetic == SF_ON_INTERVALS;
-    case SF_ABS_OPERATION:
-    case SF_COPYSIGN_OPERATION:
-    case SF_HYPOT_OPERATION:
-        return arithmetic == SF_IN_DOUBLES;
-    default:
-        return arithmetic != SF_IN_PAIRS;
-    }
-}
-
-static inline void sf_read_straight(sf_reader *from, int arithmetic, int arguments, int outputs, sf_straight *out) {
-    unsigned char holds[SF_MOST_REGISTERS] = {0};
-    sf_instruction *code;
-    unsigned short *output;
-    double (*constant)[2];
-    int i, first;
-    out->arguments = sf_word(from, arguments, arguments);
-    out->constants = sf_size(from, 0, SF_MOST_REGISTERS);
-    first = out->arguments + out->constants;
-    out->registers = sf_size(from, 0, SF_MOST_REGISTERS);
-    out->length = sf_word(from, 0, (int)((from->last_word - from->word) / 4));
-    out->outputs = sf_word(from, outputs, outputs);
-    if (first > out->registers)
-        sf_refuse(from, SF_INVALID);
-    code = sf_room_for(from, out->length, sizeof *code);
-    output = sf_room_for(from, out->outputs, sizeof *output);
-    constant = sf_room_for(from, out->constants, sizeof *constant);
-    if (from->status != SF_OK)
-        return;
-    memset(holds, 1, (size_t)first);
-    for (i = 0; i < out->length; i++) {
-        const int operation = sf_word(from, 0, SF_HYPOT_OPERATION), result = sf_word(from, first, out->registers - 1);
-        const int one = sf_word(from, 0, out->registers - 1), other = sf_word(from, 0, out->registers - 1);
-        if (from->status != SF_OK || !sf_has(arithmetic, operation) || !holds[one] || !holds[other]) {
-            sf_refuse(from, SF_INVALID);
-            return;
-        }
-        code[i] = (sf_instruction){(unsigned short)operation, (unsigned short)result, (unsigned short)one,
-                                   (unsigned short)other};
-        holds[result] = 1;
-    }
-    for (i = 0; i < out->outputs; i++) {
-        output[i] = (unsigned short)sf_word(from, 0, out->registers - 1);
-        if (from->status != SF_OK || !holds[output[i]]) {
-            sf_refuse(from, SF_INVALID);
-            return;
-        }
-    }
-    for (i = 0; i < out->constants; i++)
-        constant[i][0] = sf_finite(from), constant[i][1] = sf_finite(from);
-    out->code = code, out->output = output, out->constant = (const double (*)[2])constant;
+/* How reading ended; what was allocated stays where all is well. */
+static inline sf_status sf_finished(sf_reader *from)
+{
+    if (from->status == SF_READ)
+        return SF_OK;
+    sf_leave_room(from);
+    return from->status == SF_TOO_LARGE ? SF_TOO_MANY : from->status == SF_NO_ROOM ? SF_NO_MEMORY : SF_INVALID;
 }
 
 /* pieces: how many numbers of breakpoints passed there are */
@@ -689,7 +476,7 @@ static inline void sf_read_function(sf_reader *from, int arithmetic, int pieces,
     out->branches = sf_word(from, 1, (int)((from->last_word - from->word) / 2));
     passed = sf_room_for(from, out->branches, sizeof *passed), guards = sf_room_for(from, out->branches, sizeof *guards);
     branch = sf_room_for(from, out->branches, sizeof *branch);
-    if (from->status != SF_OK)
+    if (from->status != SF_READ)
         return;
     for (i = 0; i < out->branches; i++) {
         const int last = i == out->branches - 1;
@@ -697,10 +484,10 @@ static inline void sf_read_function(sf_reader *from, int arithmetic, int pieces,
         guards[i] = sf_word(from, 0, last ? 0 : SF_MOST_REGISTERS / 2);
         sides += 2 * guards[i];
         if (sides > SF_MOST_REGISTERS)
-            sf_refuse(from, SF_INVALID);
+            sf_refuse(from, SF_NO_PROGRAM);
     }
     sf_read_straight(from, arithmetic, arguments, sides, &out->sides);
-    for (i = 0; i < out->branches && from->status == SF_OK; i++)
+    for (i = 0; i < out->branches && from->status == SF_READ; i++)
         sf_read_straight(from, arithmetic, arguments, outputs, &branch[i]);
     out->passed = passed, out->guards = guards, out->branch = branch;
 }
@@ -729,7 +516,7 @@ static inline void sf_read_sums(sf_reader *from, const sf_mechanism *record, sf_
     graded = sf_room_for(from, pieces + contacts, sizeof *graded);
     for (i = 0; i < pieces + contacts && graded != NULL; i++)
         graded[i] = sf_word(from, 1, 16);
-    for (k = 0; k < SF_AVERAGES && from->status == SF_OK; k++) {
+    for (k = 0; k < SF_AVERAGES && from->status == SF_READ; k++) {
         sf_quarter *sums = &out->sums[order[k]];
         sf_function *programs = sf_room_for(from, pieces + contacts, sizeof *programs);
         const int width = sf_size(from, k == 0 ? 4 + 4 * contacts : 0, SF_MOST_SUMS);
@@ -738,7 +525,7 @@ static inline void sf_read_sums(sf_reader *from, const sf_mechanism *record, sf_
         for (i = 0; i < pieces + contacts; i++) {
             sf_read_function(from, SF_IN_DOUBLES, pieces, 3 + record->parameters, width, &programs[i]);
             if (programs[i].branches > 1)
-                sf_refuse(from, SF_INVALID);
+                sf_refuse(from, SF_NO_PROGRAM);
         }
         sf_read_function(from, SF_IN_DOUBLES, pieces, 1 + width + record->parameters, outputs[k],
                          &out->averages[order[k]]);
@@ -766,7 +553,7 @@ static inline void sf_read_bent(sf_reader *from, const sf_mechanism *record, sf_
     bent->breakpoints = record->breakpoints, bent->parameters = p;
     bent->begins = sf_read_begins(from, record->breakpoints, &bent->contacts);
     programs = sf_room_for(from, 2 * pieces + bent->contacts, sizeof *programs);
-    for (i = 0; i < 2 * pieces + bent->contacts && from->status == SF_OK; i++) {
+    for (i = 0; i < 2 * pieces + bent->contacts && from->status == SF_READ; i++) {
         const int closing = i - pieces - bent->contacts;
         const int arguments = i < pieces ? 3 : closing < 0 ? 2 : 3 + closing + SF_CONTACT_SUMS * bent->contacts;
         sf_read_function(from, SF_ON_INTERVALS, 0, arguments + p, i >= pieces && closing < 0 ? SF_CONTACT_SUMS : 2,
@@ -831,7 +618,7 @@ static inline void sf_read_all(sf_reader *from, sf_mechanism *record, sf_program
     if (exact)
         sf_read_exact(from, within, record, out);
     if (from->word != from->last_word || from->number != from->last_number)
-        sf_refuse(from, SF_INVALID);
+        sf_refuse(from, SF_NO_PROGRAM);
     record->parameters_of = sf_program_parameters_of;
     record->ends = sf_program_ends, record->jumps = sf_program_jumps;
     record->kinks = bent && record->breakpoints > 0 ? sf_program_kinks : NULL;
@@ -858,19 +645,17 @@ static inline void sf_read_all(sf_reader *from, sf_mechanism *record, sf_program
 static sf_status sf_read_program(const sf_mechanism *like, const char *name, const int *words, ptrdiff_t count,
                                  const double *numbers, ptrdiff_t length, const sf_mechanism **record)
 {
-    sf_reader from = {words, words + count, numbers, numbers + length, NULL, SF_OK};
+    sf_reader from = {words, words + count, numbers, numbers + length, NULL, SF_READ};
     sf_mechanism *made = sf_room_for(&from, 1, sizeof *made);
     sf_program *program = sf_room_for(&from, 1, sizeof *program);
     char *called = sf_room_for(&from, (int)strlen(name) + 1, 1);
-    if (from.status == SF_OK) {
+    if (from.status == SF_READ) {
         *made = *like;
         made->name = strcpy(called, name);
         sf_read_all(&from, made, program);
     }
     *record = made;
-    if (from.status != SF_OK)
-        sf_leave_room(&from);
-    return from.status;
+    return sf_finished(&from);
 }
 
 #endif

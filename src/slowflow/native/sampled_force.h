@@ -281,7 +281,7 @@ static void sf_read_force(sf_reader *from, sf_mechanism *record, sf_sampled *out
     nodes = sf_word(from, 1, SF_NODES / 2);
     rule = sf_read_numbers_of(from, 2 * nodes);
     graded = sf_room_for(from, record->breakpoints + 2, sizeof *graded);
-    for (i = 0; i <= record->breakpoints && from->status == SF_OK; i++) {
+    for (i = 0; i <= record->breakpoints && from->status == SF_READ; i++) {
         sf_read_smooth(from, &out->piece[i]);
         out->ends[i] = sf_finite(from);
         for (k = 0; k < SF_SLOPES; k++)
@@ -293,8 +293,8 @@ static void sf_read_force(sf_reader *from, sf_mechanism *record, sf_sampled *out
         out->rough[SF_AVERAGED][k] = out->rough[SF_HIGHER][k] = out->rough[SF_HIGHER][SF_SLOPES + k] = sf_finite(from);
     out->rough[SF_INTERCEPT][0] = out->rough[SF_AVERAGED][2];
     if (from->word != from->last_word || from->number != from->last_number)
-        sf_refuse(from, SF_INVALID);
-    if (from->status != SF_OK)
+        sf_refuse(from, SF_NO_PROGRAM);
+    if (from->status != SF_READ)
         return;
     for (i = 0; i <= record->breakpoints + 1; i++)
         graded[i] = SF_DENSE;
@@ -314,11 +314,11 @@ static void sf_read_force(sf_reader *from, sf_mechanism *record, sf_sampled *out
 static sf_status sf_read_samples(const sf_mechanism *like, const char *name, const int *words, ptrdiff_t count,
                                  const double *numbers, ptrdiff_t length, sf_mechanism **record)
 {
-    sf_reader from = {words, words + count, numbers, numbers + length, NULL, SF_OK};
+    sf_reader from = {words, words + count, numbers, numbers + length, NULL, SF_READ};
     sf_mechanism *made = sf_room_for(&from, 1, sizeof *made);
     sf_sampled *force = sf_room_for(&from, 1, sizeof *force);
     char *called = sf_room_for(&from, (int)strlen(name) + 1, 1);
-    if (from.status == SF_OK) {
+    if (from.status == SF_READ) {
         made->form = SF_FORM, made->name = strcpy(called, name);
         made->damping_size = like->damping_size, made->damping_of = like->damping_of;
         made->is_forcing = like->is_forcing, made->dissipation = like->dissipation, made->level = like->level;
@@ -331,9 +331,7 @@ static sf_status sf_read_samples(const sf_mechanism *like, const char *name, con
         sf_read_force(&from, made, force);
     }
     *record = made;
-    if (from.status != SF_OK)
-        sf_leave_room(&from);
-    return from.status;
+    return sf_finished(&from);
 }
 
 static void sf_free_samples(const sf_mechanism *record) {

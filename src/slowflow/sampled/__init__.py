@@ -5,6 +5,7 @@ through its values (`polynomial`); all else is of this (`force`), and stands in 
 """
 
 from slowflow.sampled.force import Stated, check_signature
+from slowflow.sampled.polynomial import rows
 from slowflow.sampled.record import record
 
-__all__ = ["Stated", "check_signature", "record"]
+__all__ = ["Stated", "check_signature", "record", "rows"]

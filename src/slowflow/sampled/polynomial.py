@@ -14,6 +14,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
+from slowflow_kernels.exact_conventions import MOST_DEGREE
 from slowflow_support.errors import Refused
 
 Floats = NDArray[np.float64]
@@ -26,6 +27,13 @@ ROUNDED, RESOLVED = 2.0**-51, 2.0**-44
 CHECKED = 500
 #: parts of a piece on which its values are bounded
 CELLS = 256
+#: numbers of a polynomial that a motion is followed by, at most
+DEGREES = MOST_DEGREE + 1
+#: of a place or of 1, the length of a part in which a function is not smooth; what it changes by there where it is
+#: continuous
+SHORTEST, CONTINUOUS = 2.0**-27, 2.0**-10
+#: by how much of a place rounding of it may change a polynomial over the length of a part
+ROUGH = 2.0**-48
 #: derivatives that are asked for
 ORDERS = 4
 
@@ -35,6 +43,7 @@ class Smooth:
 
     Where it begins with 0, as at rest, it is a polynomial times a power of v, which keeps its digits there.
 
+    resolved -- what the last coefficients may be of the largest
     power  -- that of v
     points -- how many values it goes through
     noise  -- what its coefficients are in doubt by
@@ -45,12 +54,19 @@ class Smooth:
     noise: float
     of: list[Any]
 
-    def __init__(self, values: Callable[[Floats], Floats], length: float, from_zero: bool, told: str) -> None:
-        self.length, self.power = length, 0
+    def __init__(
+        self,
+        values: Callable[[Floats], Floats],
+        length: float,
+        from_zero: bool,
+        told: str,
+        resolved: float = RESOLVED,
+    ) -> None:
+        self.length, self.power, self.resolved = length, 0, resolved
         coefficients = self._through(values, told)
         while from_zero and self.power < ORDERS and np.any(coefficients):
             start = float(chebyshev.chebval(-1.0, coefficients))
-            if abs(start) > max(RESOLVED * np.abs(coefficients).max(), self._doubt(coefficients, 0)):
+            if abs(start) > max(resolved * np.abs(coefficients).max(), self._doubt(coefficients, 0)):
                 break
             kept = self.points, self.noise
             try:
@@ -76,12 +92,9 @@ class Smooth:
         """Coefficients of Chebyshev's polynomials; what is left out is rounding."""
         found, count = None, FEWEST
         while count <= MOST:
-            # by rising v: the polynomials' signs alternate
-            coefficients = _cosines(values(self._places(count)))
-            coefficients[0] *= 0.5
-            coefficients *= (-1.0) ** np.arange(count)
+            coefficients = _through(values(self._places(count)))
             tail, size = np.abs(coefficients[-(count // 8) :]).max(), np.abs(coefficients).max()
-            if found is None and tail <= RESOLVED * size:
+            if found is None and tail <= self.resolved * size:
                 found = coefficients, tail, count
             if tail <= ROUNDED * size:
                 found = coefficients, tail, count
@@ -135,6 +148,28 @@ class Smooth:
         of = {k: chebyshev.chebval(x, self.of[k]) for k in {k for some in terms for _, _, k in some}}
         return [sum(factor * v**power * of[k] for factor, power, k in some) for some in terms]
 
+    def parts(self) -> list[list[float]]:
+        """The same as polynomials of at most `DEGREES` numbers, one after the other, as `rows` has them."""
+        return self._parts(0.0, self.length, self.of[0], self.power)
+
+    def _parts(self, a: float, b: float, coefficients: Floats, power: int) -> list[list[float]]:
+        if coefficients.size <= DEGREES:
+            slope = chebyshev.chebder(coefficients, scl=2 / (b - a))
+            filled = (np.pad(one, (0, DEGREES - one.size)) for one in (coefficients, slope))
+            return [[a, b - a, power, coefficients.size - 1, *np.concatenate(list(filled))]]
+        half = 0.5 * (a + b)
+        return [row for ends in ((a, half), (half, b)) for row in self._parts(*ends, *self._on(*ends))]
+
+    def _on(self, a: float, b: float) -> tuple[Floats, int]:
+        """Numbers of the polynomial on a part, as far as they are known, and the power of v beside it."""
+        power = self.power if a == 0 else 0
+        count = self.of[0].size + self.power - power
+        v = a + (b - a) * self._places(count) / self.length
+        coefficients = _through(v ** (self.power - power) * chebyshev.chebval(2 * v / self.length - 1, self.of[0]))
+        noise = max(self.noise * b ** (self.power - power), 2.0**-53 * np.abs(coefficients).max())
+        kept = np.flatnonzero(np.abs(coefficients) > noise)
+        return coefficients[: kept[-1] + 1 if kept.size else 1], power
+
     @cached_property
     def ranges(self) -> tuple[_Ranges, _Ranges]:
         """Of the force, and of its fourth derivative."""
@@ -142,6 +177,48 @@ class Smooth:
 
 
 _LEFT = "what is not smooth at some |u| ends a piece there, and a power that is no whole number is stated as a formula"
+
+
+def rows(values: Callable[[Floats], Floats], begin: float, end: float, first: float) -> Floats:
+    """A function from begin to end as polynomials one after the other, as the compiled motions take them.
+
+    Each is begin, length, power, degree, its numbers and those of its slope beside the power, `DEGREES` of each. The
+    parts halve towards a place where the function is not smooth, and a short one leads across it where it is
+    continuous; beyond any other it is NaN.
+
+    first -- length of the first part that is tried
+    """
+    found: list[list[float]] = []
+    at, length = begin, first
+    while at < end:
+        length = min(length, end - at)
+        try:
+            with np.errstate(all="ignore"):
+                known = max(RESOLVED, ROUGH * at / length)  # what lies next to a pole is in doubt as u is
+                parts = Smooth(lambda v, at=at: values(at + v), length, at == 0, "", known).parts()  # type: ignore[misc]
+        except Refused:
+            if length > SHORTEST * max(at, 1.0):
+                length *= 0.5
+                continue
+            here, there = values(np.array([at, at + length])).tolist()
+            if not abs(there - here) <= CONTINUOUS * max(abs(here), abs(there), 1.0):
+                break
+            rise = 0.5 * (there - here)
+            parts = [[0.0, length, 0.0, 1.0, here + rise, rise, *[0.0] * (2 * DEGREES - 2)]]
+            parts[0][4 + DEGREES] = 2 * rise / length
+        found += [[at + a, *row] for a, *row in parts]
+        at, length = at + length, 2 * length
+    if at < end or not found:
+        found.append([at, 1.0, 0.0, 0.0, *[math.nan] * (2 * DEGREES)])
+    return np.array(found)
+
+
+def _through(values: Floats) -> Floats:
+    """Numbers of the polynomial with these values at the points by rising v, for which the signs alternate."""
+    coefficients = _cosines(values)
+    coefficients[0] *= 0.5
+    coefficients *= (-1.0) ** np.arange(coefficients.size)
+    return coefficients
 
 
 def _cosines(values: Floats) -> Floats:

@@ -77,6 +77,63 @@ INVERSES = {
 }
 
 
+#: coefficient n of a series that is made of others, from coefficients 0, 1, n - 1 and n of series, `over`, a reciprocal
+#: of coefficients 0, and sums over lower ones: by name the numbers that it takes and the expression, where `below` is
+#: sum k of a b for 0 < j < n
+BELOW = "(sum[{k}] + (second[{a}] * last[{b}] + last[{a}] * second[{b}]))"
+OF_RATIO = BELOW.format(a="{b}", b="{q}", k="{k}")
+RULES = {
+    "product": ("a b k", f"({BELOW} + w[{{a}}] * first[{{b}}]) + first[{{a}}] * w[{{b}}]", ""),
+    "square": ("a k", "sum[{k}] + 2.0 * (second[{a}] * last[{a}] + first[{a}] * w[{a}])", ""),
+    "quotient": (
+        "a b q k",
+        f"(w[{{a}}] - {OF_RATIO}) * over[{{q}}] - w[{{b}}] * (first[{{q}}] * over[{{q}}])",
+        "of q = a/b, over = 1/b; the sum is that of b q",
+    ),
+    "reciprocal": (
+        "b q k",
+        f"-{OF_RATIO} * over[{{q}}] - w[{{b}}] * (first[{{q}}] * over[{{q}}])",
+        "of q = 1/b, likewise",
+    ),
+    "root": (
+        "a s k",
+        "(w[{a}] - (sum[{k}] + 2.0 * second[{s}] * last[{s}])) * over[{s}]",
+        "of s = sqrt(a), over = 1/(2 s); the sum is that of s s",
+    ),
+    "power": (
+        "a q k r",
+        "({r} * (n * w[{a}] * first[{q}] + "
+        "(sum[{k}] + (second[{a}] * last[{q}] + (n - 1.0) * last[{a}] * second[{q}])))"
+        " - (sum[{k} + 1] + ((n - 1.0) * second[{a}] * last[{q}] + last[{a}] * second[{q}]))) * over[{q}] * over_n",
+        "of q = a^r, over = 1/a, from a q' = r a' q; the sums are those of (t a') q and a (t q')",
+    ),
+    "of_ratio": (
+        "a b y k",
+        "(n * w[{a}] - (sum[{k}] + ((n - 1.0) * second[{b}] * last[{y}] + last[{b}] * second[{y}]))) * over[{y}]"
+        " * over_n",
+        "of y from b y' = a', over = 1/b; the sum is that of b (t y')",
+    ),
+    "of_rate": (
+        "a b k",
+        "(sum[{k}] + (second[{a}] * last[{b}] + (n - 1.0) * last[{a}] * second[{b}]) + n * w[{a}] * first[{b}])"
+        " * over_n",
+        "of y from y' = a' b; the sum is that of (t a') b",
+    ),
+}
+
+
+def rules() -> list[tuple[str, list[str], str, str]]:
+    """Of each its name, numbers that it takes, C, and what it is."""
+    found = []
+    for name, (taken, expression, told) in RULES.items():
+        numbers = taken.split()
+        text = expression.format(**{number: number for number in numbers})
+        text = re.sub(r"\b(w|first|second|last|over)\[", r"c->\1[", re.sub(r"\bn\b", "c->n", text))
+        text = re.sub(r"\bsum\[([^]]+)\]", r"sf_lane(c->sum, \1)", text.replace("over_n", "sf_over[c->n]"))
+        found.append((name, numbers, text, told))
+    return found
+
+
 @dataclass(frozen=True)
 class Body:
     """A C function: declarations (name, expression), statements, and the arguments that neither uses."""
@@ -152,13 +209,11 @@ def _rendered(
     rule: Sequence[tuple[sp.Rational, sp.Rational]],
 ) -> str:
     found = list(laws(modules))
-    recurrences = [one for law in found for one in (law.force, law.both)]
     return environment.get_template(template).render(
         tools=tools(),
         laws=found,
         rule=[(literal(node), literal(weight)) for node, weight in rule],
-        most_series=max(len(one.lines) + 1 for one in recurrences),
-        most_fours=max(1, *(one.fours for one in recurrences)),
+        rules=rules(),
     )
 
 
@@ -260,7 +315,7 @@ def scalar(lets: Sequence[Let], expression: sp.Expr, constants: tuple[sp.Symbol,
     """A function of the constants p and u."""
     program = straight_line(lets, [expression], (u, *constants, SIDE))
     known = [*places(constants), *((symbol.name, PRINTER.doprint(value)) for symbol, value in program.lets)]
-    return body(("p", "u"), known, (), PRINTER.doprint(program.outputs[0]))
+    return body(("self", "p", "u"), known, (), PRINTER.doprint(program.outputs[0]))
 
 
 def places(constants: tuple[sp.Symbol, ...]) -> list[tuple[str, str]]:
@@ -324,13 +379,17 @@ class Recurrence:
         known = [(name, value.replace("first[", "c->first[")) for name, value in self.known]
         further = [line.further.replace("first[", "c->first[") for line in self.lines]
         made = [f"w[{number}] = {line};" for number, line in enumerate(further, 1)]
-        padded = [*self.sums, *[("0.0", "0.0")] * (-len(self.sums) % LANES)]
         for i in range(self.fours):
             for name, side in zip(
-                ("left", "right"), zip(*padded[LANES * i : LANES * (i + 1)], strict=True), strict=True
+                ("left", "right"), zip(*self.padded[LANES * i : LANES * (i + 1)], strict=True), strict=True
             ):
                 made.append(f"{name}[{i}] = sf_four_of({', '.join(side)});")
         return body(("c", "p", "w", "left", "right"), known, made)
+
+    @property
+    def padded(self) -> list[tuple[str, str]]:
+        """The pairs, filled up to whole groups."""
+        return [*self.sums, *[("0.0", "0.0")] * (-len(self.sums) % LANES)]
 
     @property
     def fours(self) -> int:
@@ -381,7 +440,7 @@ class _Builder:
             return self._power(self.of(expression.base), expression.exp)
         if expression.func in LED_BY:
             found = self.of(expression.args[0])
-            return self.add(f"{self.prefix}_{LED_BY[expression.func]}(p, first[0])", f"w[{found}]")
+            return self.add(f"{self.prefix}_{LED_BY[expression.func]}(NULL, p, first[0])", f"w[{found}]")
         if isinstance(expression, sp.Function):
             inner = self.of(*expression.args)
             if isinstance(inner, str):

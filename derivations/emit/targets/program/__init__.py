@@ -23,7 +23,9 @@ from .. import interval, pair
 from ..c import LANGUAGE as C
 from ..c.records import SUMS
 from ..printing import literal
+from . import motion as motion
 from .assembler import DOUBLES, INTERVALS, PAIRS, Function, Program, function
+from .encoder import Encoder
 
 
 def name_of(module: str) -> str:
@@ -33,18 +35,17 @@ def name_of(module: str) -> str:
 
 def text(module: Module, code: Code) -> str:
     """The file."""
-    encoder = Encoder(module, code)
+    encoder = Recorder(module, code)
     encoder.record()
     return json.dumps({"words": encoder.words, "numbers": encoder.numbers}, separators=(",", ":")) + "\n"
 
 
-class Encoder:
-    """The two lists, and what writes to them."""
+class Recorder(Encoder):
+    """What writes a record to the two lists."""
 
     def __init__(self, module: Module, code: Code) -> None:
+        super().__init__()
         self.module, self.code = module, code
-        self.words: list[int] = []
-        self.numbers: list[float] = []
 
     def record(self) -> None:
         """Sizes, domains, then each function of the record in turn."""
@@ -93,15 +94,6 @@ class Encoder:
             self.words += [passed, guards]
         for program in (one.sides, *one.branches):
             self.program(program)
-
-    def program(self, one: Program) -> None:
-        """Sizes, operations, the registers of outputs; constants."""
-        self.words += [one.arguments, len(one.constants), one.registers, len(one.code), len(one.outputs)]
-        for operation in one.code:
-            self.words += operation
-        self.words += one.outputs
-        for constant in one.constants:
-            self.numbers += constant
 
     def summed(self, averages: Sequence[Sums]) -> None:
         """The rule; of each average its integrands, how they are graded, and what closes them."""

@@ -7,6 +7,8 @@
 #include <Python.h>
 
 #include "taylor.h"
+#include "interpreted.h"
+#include "polynomials.h"
 #include "shock.h"
 #include "tending.h"
 #include "trace.h"
@@ -15,7 +17,12 @@
 #define LAW "slowflow._exact.law"
 #define TABLE "slowflow._exact.laws"
 
-static void free_system(PyObject *capsule) { PyMem_Free(PyCapsule_GetPointer(capsule, NAME)); }
+/* with its laws, which are its context */
+static void free_system(PyObject *capsule)
+{
+    Py_XDECREF((PyObject *)PyCapsule_GetContext(capsule));
+    PyMem_Free(PyCapsule_GetPointer(capsule, NAME));
+}
 
 /* the numbers of a tuple; with an error set if they are none */
 static void numbers(PyObject *tuple, double *out, Py_ssize_t count)
@@ -32,10 +39,9 @@ static PyObject *make_system(PyObject *self, PyObject *arguments)
     (void)self;
     PyObject *laws, *constants, *edges;
     double mu, zeta, load, c_2, mu_s, eta, jump = 0.0;
-    int about, odd, inertial, released, alone = 0;
-    if (!PyArg_ParseTuple(arguments, "O!O!O!ipddpddpdd|di", &PyTuple_Type, &laws, &PyTuple_Type, &constants,
-                          &PyTuple_Type, &edges, &about, &odd, &mu, &zeta, &inertial, &load, &c_2, &released, &mu_s, &eta, &jump,
-                          &alone))
+    int about, odd, inertial, released;
+    if (!PyArg_ParseTuple(arguments, "O!O!O!ipddpddpdd|d", &PyTuple_Type, &laws, &PyTuple_Type, &constants,
+                          &PyTuple_Type, &edges, &about, &odd, &mu, &zeta, &inertial, &load, &c_2, &released, &mu_s, &eta, &jump))
         return NULL;
     const Py_ssize_t pieces = PyTuple_Size(laws);
     if (pieces < 1 || PyTuple_Size(constants) != pieces || PyTuple_Size(edges) != pieces - 1 || about < 0 ||
@@ -67,7 +73,7 @@ static PyObject *make_system(PyObject *self, PyObject *arguments)
         const Py_ssize_t count = law->constants;
         for (int side = 0; side < 2; side++, at += count + 1) {
             numbers(PyTuple_GetItem(constants, i), at, count);
-            at[count] = alone ? alone : jump != 0.0 ? (edge[i + 1] > 0.0) - (edge[i] < 0.0) : side ? 1.0 : -1.0;
+            at[count] = jump != 0.0 ? (edge[i + 1] > 0.0) - (edge[i] < 0.0) : side ? 1.0 : -1.0;
             piece[i].p[side] = at;
         }
         piece[i].below = i > about ? &piece[i - 1] : i < about ? &piece[i + 1] : NULL;
@@ -75,6 +81,8 @@ static PyObject *make_system(PyObject *self, PyObject *arguments)
     PyObject *const capsule = PyErr_Occurred() ? NULL : PyCapsule_New(system, NAME, free_system);
     if (capsule == NULL)
         PyMem_Free(system);
+    else
+        PyCapsule_SetContext(capsule, Py_NewRef(laws));
     return capsule;
 }
 
@@ -101,27 +109,92 @@ static PyObject *laws(PyObject *self, PyObject *table)
     return law == NULL ? NULL : laws_of(law);
 }
 
+/* A law from words and numbers of a program, in order; None where that is too large. */
+static PyObject *interpreted(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    const char *name;
+    Py_buffer words, numbers;
+    if (!PyArg_ParseTuple(arguments, "sy*y*", &name, &words, &numbers))
+        return NULL;
+    sf_reading status;
+    const sf_law *const law = sf_read_law(name, words.buf, (size_t)words.len / sizeof(int), numbers.buf,
+                                          (size_t)numbers.len / sizeof(double), &status);
+    PyBuffer_Release(&words);
+    PyBuffer_Release(&numbers);
+    if (status == SF_NO_PROGRAM)
+        return PyErr_Format(PyExc_ValueError, "%s: what stands for its force is no program", name);
+    return status == SF_NO_ROOM   ? PyErr_NoMemory()
+           : status == SF_TOO_LARGE ? Py_NewRef(Py_None)
+                                    : PyCapsule_New((void *)law, LAW, NULL);
+}
+
+static void free_law(PyObject *capsule) { free(PyCapsule_GetPointer(capsule, LAW)); }
+
+/* A law from rows of polynomials for u < 0 and for u > 0, see polynomials.h. */
+static PyObject *polynomials(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    enum { ROW = 4 + 2 * SF_SUMMED };
+    Py_buffer below, above;
+    if (!PyArg_ParseTuple(arguments, "y*y*", &below, &above))
+        return NULL;
+    const Py_buffer *const both[] = {&below, &above};
+    const double(*rows[2])[ROW];
+    int count[2], fits = 1;
+    for (int s = 0; s < 2; s++) {
+        const double(*const row)[ROW] = rows[s] = both[s]->buf;
+        count[s] = (int)(both[s]->len / (Py_ssize_t)sizeof *row);
+        fits &= count[s] > 0 && both[s]->len == count[s] * (Py_ssize_t)sizeof *row;
+        for (int k = 0; fits && k < count[s]; k++)
+            fits = row[k][1] > 0.0 && row[k][2] >= 0.0 && row[k][2] <= SF_MOST_POWER && row[k][3] >= 0.0 &&
+                   row[k][3] <= SF_MOST_DEGREE && (k == 0 || row[k][0] > row[k - 1][0]);
+    }
+    sf_law *const law = fits ? sf_polynomial_law((const double(*const *)[ROW])rows, count) : NULL;
+    PyBuffer_Release(&below);
+    PyBuffer_Release(&above);
+    if (law == NULL)
+        return fits ? PyErr_NoMemory() : PyErr_Format(PyExc_ValueError, "rows that are no polynomials of a force");
+    PyObject *const capsule = PyCapsule_New(law, LAW, free_law);
+    if (capsule == NULL)
+        free(law);
+    return capsule;
+}
+
+/* A piece of an oscillator by its region; NULL with an error where there is none. */
+static const sf_piece *piece_at(PyObject *capsule, int region)
+{
+    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
+    if (system == NULL)
+        return NULL;
+    if (region >= -system->about && region < system->pieces - system->about)
+        return sf_piece_of(system, region);
+    PyErr_Format(PyExc_ValueError, "no piece of a force is number %d", region);
+    return NULL;
+}
+
 static PyObject *advance(PyObject *self, PyObject *arguments)
 {
     (void)self;
     PyObject *capsule;
+    int region;
     sf_drive drive;
     double theta, u, v, end;
     long left;
     Py_buffer out;
-    if (!PyArg_ParseTuple(arguments, "O(dddddd)ddddlw*", &capsule, &drive.Omega, &drive.F_0, &drive.zeta,
+    if (!PyArg_ParseTuple(arguments, "Oi(dddddd)ddddlw*", &capsule, &region, &drive.Omega, &drive.F_0, &drive.zeta,
                           &drive.friction, &drive.quadratic, &drive.zeta_by_Omega, &theta, &u, &v, &end, &left, &out))
         return NULL;
-    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
-    if (system == NULL || out.len < (Py_ssize_t)(2 * sizeof(sf_four))) {
+    const sf_piece *const piece = piece_at(capsule, region);
+    if (piece == NULL || out.len < (Py_ssize_t)(2 * sizeof(sf_four))) {
         PyBuffer_Release(&out);
-        return system == NULL ? NULL : PyErr_Format(PyExc_ValueError, "room for too few derivatives");
+        return piece == NULL ? NULL : PyErr_Format(PyExc_ValueError, "room for too few derivatives");
     }
     sf_four flow[2];
     const long most = left;
     sf_outcome outcome;
     Py_BEGIN_ALLOW_THREADS
-    outcome = sf_advance(system->piece, &drive, theta, end, &u, &v, flow, &left);
+    outcome = sf_advance(piece, &drive, theta, end, &u, &v, flow, &left);
     Py_END_ALLOW_THREADS
     memcpy(out.buf, flow, sizeof flow);
     PyBuffer_Release(&out);
@@ -132,19 +205,19 @@ static PyObject *until(PyObject *self, PyObject *arguments)
 {
     (void)self;
     PyObject *capsule;
+    int region;
     sf_drive drive;
     double edge, theta, u, v, end;
     int slip;
     _Bool undecided = 0;
     long left;
-    if (!PyArg_ParseTuple(arguments, "O(dddddd)idddddl", &capsule, &drive.Omega, &drive.F_0, &drive.zeta,
+    if (!PyArg_ParseTuple(arguments, "Oi(dddddd)idddddl", &capsule, &region, &drive.Omega, &drive.F_0, &drive.zeta,
                           &drive.friction, &drive.quadratic, &drive.zeta_by_Omega, &slip, &edge, &theta, &u, &v, &end,
                           &left))
         return NULL;
-    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
-    if (system == NULL)
+    const sf_piece *const piece = piece_at(capsule, region);
+    if (piece == NULL)
         return NULL;
-    const sf_piece *const piece = system->piece;
     const long most = left;
     sf_event event = SF_TIME;
     sf_outcome outcome = SF_GOOD;
@@ -161,22 +234,23 @@ static PyObject *sample(PyObject *self, PyObject *arguments)
 {
     (void)self;
     PyObject *capsule;
+    int region;
     sf_drive drive;
     double theta, u, v;
     long left;
     Py_buffer grid, out;
-    if (!PyArg_ParseTuple(arguments, "O(dddddd)dddly*w*", &capsule, &drive.Omega, &drive.F_0, &drive.zeta,
+    if (!PyArg_ParseTuple(arguments, "Oi(dddddd)dddly*w*", &capsule, &region, &drive.Omega, &drive.F_0, &drive.zeta,
                           &drive.friction, &drive.quadratic, &drive.zeta_by_Omega, &theta, &u, &v, &left, &grid, &out))
         return NULL;
-    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
+    const sf_piece *const piece = piece_at(capsule, region);
     const long count = (long)(grid.len / (Py_ssize_t)sizeof(double)), most = left;
     sf_outcome outcome = SF_GOOD;
-    if (system != NULL && out.len >= 2 * grid.len) {
+    if (piece != NULL && out.len >= 2 * grid.len) {
         Py_BEGIN_ALLOW_THREADS
-        outcome = sf_sample(system->piece, &drive, theta, u, v, grid.buf, count, out.buf, &left);
+        outcome = sf_sample(piece, &drive, theta, u, v, grid.buf, count, out.buf, &left);
         Py_END_ALLOW_THREADS
     }
-    else if (system != NULL)
+    else if (piece != NULL)
         PyErr_SetString(PyExc_ValueError, "room for too few states");
     PyBuffer_Release(&grid);
     PyBuffer_Release(&out);
@@ -439,10 +513,12 @@ static PyMethodDef methods[] = {
     {"system", make_system, METH_VARARGS,
      "laws, constants, edges, about, odd, mu, zeta, inertial, load, c_2, released, mu_s, eta -> an oscillator."},
     {"laws", laws, METH_O, "The laws of a table in a shared library, by name."},
-    {"advance", advance, METH_VARARGS, "system, drive, theta, u, v, end, steps, derivatives -> outcome, spent, u, v."},
+    {"interpreted", interpreted, METH_VARARGS, "name, words, numbers -> a law, None where it is too large."},
+    {"polynomials", polynomials, METH_VARARGS, "rows for u < 0, for u > 0 -> a law."},
+    {"advance", advance, METH_VARARGS, "system, region, drive, theta, u, v, end, steps, derivatives -> outcome, spent, u, v."},
     {"until", until, METH_VARARGS,
-     "system, drive, slip, edge, theta, u, v, end, steps -> outcome, spent, theta, u, v, event, undecided."},
-    {"sample", sample, METH_VARARGS, "system, drive, theta, u, v, steps, grid, states -> outcome, spent."},
+     "system, region, drive, slip, edge, theta, u, v, end, steps -> outcome, spent, theta, u, v, event, undecided."},
+    {"sample", sample, METH_VARARGS, "system, region, drive, theta, u, v, steps, grid, states -> outcome, spent."},
     {"follow", follow, METH_VARARGS,
      "system, Omega, F_0, theta, u, v, end, started, slip, region, steps, last only -> outcome, spent, phases."},
     {"newton", newton, METH_VARARGS,

@@ -207,10 +207,10 @@ static sf_outcome sf_until(const sf_piece *over, const sf_drive *drive, int slip
         if (stop == SF_ONE)
             at = h * zero, *event = SF_STOP;
         double there = sf_at(x.u, at);
-        /* the sides of a piece meet on the way to its edge */
-        const int meets = over->law->breaks != SF_SMOOTH && over->law->breaks != SF_BEGINS && slip * *u < 0.0 &&
-                          slip * edge > 0.0;
-        const double limit = meets ? 0.0 : edge;
+        /* series meet on the way to the piece's edge */
+        const double place = over->law->breaks == SF_BEGINS ? HUGE_VAL : sf_passed(over, *u, edge);
+        const int meets = isfinite(place);
+        const double limit = meets ? place : edge;
         if (slip * (there - limit) > 0.0) { /* up to there u is monotone */
             double left[SF_TERMS];
             sf_scaled(x.u, h, -slip, left);
@@ -241,14 +241,15 @@ static sf_outcome sf_advance(const sf_piece *over, const sf_drive *drive, double
     while (passed != whole) {
         if ((*left)-- <= 0)
             return SF_STALLS;
-        const double rest = whole - passed, place = sf_meeting(over, *u);
+        const double rest = whole - passed;
         const sf_piece *const piece = sf_piece_at(over, drive, rest, theta, *u, *v);
         const double most = sf_expanded(piece, drive, rest, theta, *u, *v, flow, &x);
         if (!(most > 0.0) || !isfinite(sf_lane(&x.V[SF_ORDER], 0)))
             return SF_STALLS;
         double h = fabs(rest) <= most ? rest : copysign(most, rest);
         double there = sf_at(x.u, h);
-        if (over->law->breaks != SF_SMOOTH && (*u - place) * (there - place) < 0.0)
+        const double place = sf_passed(over, *u, there);
+        if (isfinite(place))
             h = sf_met(&x, h, place), there = place;
         passed = h == rest ? whole : passed + h;
         *u = there, *v = sf_at(x.v, h);
@@ -272,12 +273,12 @@ static sf_outcome sf_sample(const sf_piece *over, const sf_drive *drive, double 
     while (i < count) {
         if ((*left)-- <= 0)
             return SF_STALLS;
-        const double place = sf_meeting(over, u);
         double h = sf_expanded(sf_piece_at(over, drive, 1.0, theta, u, v), drive, 1.0, theta, u, v, NULL, &x);
         if (!(h > 0.0) || !isfinite(x.v[SF_ORDER]))
             return SF_STALLS;
         double there = sf_at(x.u, h);
-        if (over->law->breaks != SF_SMOOTH && (u - place) * (there - place) < 0.0)
+        const double place = sf_passed(over, u, there);
+        if (isfinite(place))
             h = sf_met(&x, h, place), there = place;
         for (; i < count; i++) {
             const double at = (grid[i] - start) / drive->Omega - passed;

@@ -12,6 +12,8 @@
 /* The tail of order 24 falls below a rounding in steps of a fifth of the radius of convergence. Longer steps by orders
  * up to 32 cost as much, shorter ones by 20 more. */
 enum { SF_ORDER = 24, SF_TERMS = SF_ORDER + 1 };
+/* of a piece, and of the fours of sums that it has */
+enum { SF_MOST_SERIES = 256, SF_MOST_FOURS = 64 };
 
 typedef double sf_series[SF_TERMS];
 
@@ -62,63 +64,5 @@ typedef struct {
     const double *first, *second, *last, *w, *over;
     const sf_four *sum;
 } sf_coefficients;
-
-/* sum number `sum`, of a b, for 0 < j < n */
-static SF_INLINE double sf_below(const sf_coefficients *c, int a, int b, int sum)
-{
-    return sf_lane(c->sum, sum) + (c->second[a] * c->last[b] + c->last[a] * c->second[b]);
-}
-
-static SF_INLINE double sf_product(const sf_coefficients *c, int a, int b, int sum)
-{
-    return (sf_below(c, a, b, sum) + c->w[a] * c->first[b]) + c->first[a] * c->w[b];
-}
-
-static SF_INLINE double sf_square(const sf_coefficients *c, int a, int sum)
-{
-    return sf_lane(c->sum, sum) + 2.0 * (c->second[a] * c->last[a] + c->first[a] * c->w[a]);
-}
-
-/* of q = a/b, over = 1/b; the sum is that of b q */
-static SF_INLINE double sf_quotient(const sf_coefficients *c, int a, int b, int q, int sum)
-{
-    return (c->w[a] - sf_below(c, b, q, sum)) * c->over[q] - c->w[b] * (c->first[q] * c->over[q]);
-}
-
-static SF_INLINE double sf_reciprocal(const sf_coefficients *c, int b, int q, int sum)
-{
-    return -sf_below(c, b, q, sum) * c->over[q] - c->w[b] * (c->first[q] * c->over[q]);
-}
-
-/* of s = sqrt(a), over = 1/(2 s); the sum is that of s s */
-static SF_INLINE double sf_root(const sf_coefficients *c, int a, int s, int sum)
-{
-    return (c->w[a] - (sf_lane(c->sum, sum) + 2.0 * c->second[s] * c->last[s])) * c->over[s];
-}
-
-/* of q = a^r, over = 1/a, from a q' = r a' q; the sums are those of (t a') q and a (t q') */
-static SF_INLINE double sf_power(const sf_coefficients *c, int a, int q, int sum, double r)
-{
-    const int n = c->n;
-    const double rising = sf_lane(c->sum, sum) + (c->second[a] * c->last[q] + (n - 1) * c->last[a] * c->second[q]);
-    const double falling = sf_lane(c->sum, sum + 1) + ((n - 1) * c->second[a] * c->last[q] + c->last[a] * c->second[q]);
-    return (r * (n * c->w[a] * c->first[q] + rising) - falling) * c->over[q] * sf_over[n];
-}
-
-/* of y from b y' = a', over = 1/b; the sum is that of b (t y') */
-static SF_INLINE double sf_of_ratio(const sf_coefficients *c, int a, int b, int y, int sum)
-{
-    const int n = c->n;
-    const double inner = (n - 1) * c->second[b] * c->last[y] + c->last[b] * c->second[y];
-    return (n * c->w[a] - (sf_lane(c->sum, sum) + inner)) * c->over[y] * sf_over[n];
-}
-
-/* of y from y' = a' b; the sum is that of (t a') b */
-static SF_INLINE double sf_of_rate(const sf_coefficients *c, int a, int b, int sum)
-{
-    const int n = c->n;
-    const double inner = c->second[a] * c->last[b] + (n - 1) * c->last[a] * c->second[b];
-    return (sf_lane(c->sum, sum) + inner + n * c->w[a] * c->first[b]) * sf_over[n];
-}
 
 #endif

@@ -44,14 +44,14 @@ static void sf_forceless(const sf_drive *drive, double theta, double u, double v
 static double sf_branched(const sf_law *law, const double *p, const sf_drive *given, double direction, double side,
                           double theta, double place, double start, double v, const sf_four *flow, sf_expansion *x)
 {
-    const double at_place = law->value(p, place);
+    const double at_place = law->value(law, p, place);
     sf_drive constant = *given;
     const sf_drive *const drive = &constant;
     constant.friction += at_place;
     sf_forceless(drive, theta, start, v, flow, x);
     double h = copysign(fmin(sf_step_of(x, flow != NULL), 0.125), direction);
     for (int i = 0;; i++, h *= 0.5) {
-        const double u = sf_at(x->u, h), force = law->value(p, u) - at_place, slope = law->slope(p, u),
+        const double u = sf_at(x->u, h), force = law->value(law, p, u) - at_place, slope = law->slope(law, p, u),
                      cube = fabs(h * h * h);
         const double rate = fabs(sf_at(x->v, h));
         /* what it changes in itself */
@@ -69,12 +69,12 @@ static double sf_branched(const sf_law *law, const double *p, const sf_drive *gi
         const double at = h * s * cube, u = sf_at(x->u, at);
         /* over h */
         const double weight = 0.5 * sf_gauss_weight[i % SF_NODES] * SF_GRADED * cube,
-                     force = weight * (law->value(p, u) - at_place);
+                     force = weight * (law->value(law, p, u) - at_place);
         pushes += force, moves += force * (1.0 - at / h);
         if (flow != NULL) {
             sf_four U;
             sf_four_at(x->U, at, &U);
-            const sf_four pull = sf_times(sf_all(weight * law->slope(p, u)), U);
+            const sf_four pull = sf_times(sf_all(weight * law->slope(law, p, u)), U);
             by_v = sf_plus(by_v, pull), by_u = sf_more(by_u, pull, sf_all(1.0 - at / h));
         }
     }
@@ -87,7 +87,7 @@ static double sf_branched(const sf_law *law, const double *p, const sf_drive *gi
 /* Where the motion over a piece goes over to another series: where its sides meet, or it begins. */
 static inline double sf_meeting(const sf_piece *piece, double u)
 {
-    return piece->law->breaks == SF_BEGINS ? piece->law->begins(piece->p[u > 0.0], u) : 0.0;
+    return piece->law->breaks == SF_BEGINS ? piece->law->begins(piece->law, piece->p[u > 0.0], u) : 0.0;
 }
 
 static inline double sf_near(double place, double v) { return SF_AT_PLACE * fmax(fabs(place), fabs(v)); }
@@ -100,7 +100,7 @@ static inline const sf_piece *sf_piece_at(const sf_piece *piece, const sf_drive 
     if (piece->law->breaks != SF_BEGINS || piece->below == NULL)
         return piece;
     const double place = sf_meeting(piece, u), side = copysign(1.0, place), beyond = side * (u - place);
-    const double push = sf_rate(drive, cos(theta), piece->law->value(piece->p[u > 0.0], place), 0.0);
+    const double push = sf_rate(drive, cos(theta), piece->law->value(piece->law, piece->p[u > 0.0], place), 0.0);
     const double goes = v != 0.0 ? v * direction : push, near = sf_near(place, v);
     const int turns = side * push < 0.0 && v * v <= 2.0 * fabs(push) * near;
     return beyond < 0.0 || (beyond <= near && (side * goes < 0.0 || turns)) ? piece->below : piece;
@@ -114,16 +114,22 @@ static SF_INLINE double sf_expanded(const sf_piece *piece, const sf_drive *drive
     const sf_law *const law = piece->law;
     const double *p = piece->p[u > 0.0];
     if (law->breaks == SF_BEGINS) {
-        const double place = law->begins(p, u);
+        const double place = law->begins(law, p, u);
         if (fabs(u - place) <= sf_near(place, v))
             return sf_branched(law, p, drive, direction, copysign(1.0, place), theta, place, u, v, flow, x);
     }
-    else if (sf_is_beyond(piece, u) || (sf_is_on_one_side(piece) && fabs(u) <= sf_near(0.0, v))) {
+    else if (law->breaks == SF_SEAMS) {
+        const double goes = v != 0.0 ? v * direction : sf_rate(drive, cos(theta), sf_value(piece, u), 0.0);
+        const double own = p[law->constants];
+        p = law->at(law, u != 0.0 || sf_is_on_one_side(piece) ? own : copysign(1.0, goes), u, goes);
+    }
+    else if (sf_is_beyond(piece, u) ||
+             (law->breaks == SF_BRANCHES && sf_is_on_one_side(piece) && fabs(u) <= sf_near(0.0, v))) {
         const double own = p[law->constants], goes = v != 0.0 ? v * direction : own;
         if (!sf_is_beyond(piece, u) && goes * own > 0.0)
             return sf_branched(law, p, drive, direction, own, theta, 0.0, u, v, flow, x);
         sf_drive constant = *drive;
-        constant.friction += law->value(p, 0.0);
+        constant.friction += law->value(law, p, 0.0);
         sf_forceless(&constant, theta, u, v, flow, x);
         return sf_step_of(x, flow != NULL);
     }
@@ -134,10 +140,21 @@ static SF_INLINE double sf_expanded(const sf_piece *piece, const sf_drive *drive
             return sf_branched(law, p, drive, direction, side, theta, 0.0, 0.0, v, flow, x);
     }
     if (flow == NULL)
-        law->expand(p, drive, theta, u, v, x);
+        law->expand(law, p, drive, theta, u, v, x);
     else
-        law->expand_both(p, drive, theta, u, v, flow, x);
+        law->expand_both(law, p, drive, theta, u, v, flow, x);
     return sf_step_of(x, flow != NULL);
+}
+
+/* The first place strictly between u and `there` where the motion goes over to another series; infinite if none. */
+static inline double sf_passed(const sf_piece *piece, double u, double there)
+{
+    if (piece->law->breaks == SF_SMOOTH)
+        return HUGE_VAL;
+    const double place = piece->law->breaks == SF_SEAMS
+                             ? piece->law->seam(piece->law, u, there - u, !sf_is_on_one_side(piece))
+                             : sf_meeting(piece, u);
+    return (u - place) * (there - place) < 0.0 ? place : HUGE_VAL;
 }
 
 /* Where series meet, on a step of h that passes that place. */

@@ -23,23 +23,32 @@ typedef struct {
 
 /* What a piece of an odd force is at u = 0: one power series; two that meet there; or two branches without a series
  * there, as of |u|^(3/2). The force is 0 there and its slope finite. SF_BEGINS: it has no series where it begins, at a
- * place other than 0, as behind a gap a contact (|u| - gap)^(3/2) has none. */
-typedef enum { SF_SMOOTH, SF_MEETS, SF_BRANCHES, SF_BEGINS } sf_breaks;
+ * place other than 0, as behind a gap a contact (|u| - gap)^(3/2) has none. SF_SEAMS: its series change at places, of
+ * which 0 may be one, and are those of a polynomial between them. */
+typedef enum { SF_SMOOTH, SF_MEETS, SF_BRANCHES, SF_BEGINS, SF_SEAMS } sf_breaks;
 
 /* One piece of a restoring force: f(u), df/du, and the expansion of the motion over it without and with the
- * derivatives by column at a fixed theta = Omega tau, from those in `flow`. After its constants, p holds the side of
- * u = 0, 1 or -1. begins: the u at which it begins without a series on the side of u, or NULL. */
-typedef struct {
+ * derivatives by column at a fixed theta = Omega tau, from those in `flow`. Its functions take the law itself, `self`,
+ * by which one text serves many forces. After its constants, p holds the side of u = 0, 1 or -1. begins: the u at which
+ * it begins without a series on the side of u, or NULL. Of SF_SEAMS: seam, the place ahead of u in a direction, 0 among
+ * them where the piece is on both sides; at, what expansions take in place of p from u on in a direction. The others
+ * have neither. */
+typedef struct sf_law sf_law;
+
+struct sf_law {
     const char *name;
     int constants;
     sf_breaks breaks;
-    double (*value)(const double *p, double u);
-    double (*slope)(const double *p, double u);
-    void (*expand)(const double *p, const sf_drive *drive, double theta, double u, double v, sf_expansion *x);
-    void (*expand_both)(const double *p, const sf_drive *drive, double theta, double u, double v,
+    double (*value)(const sf_law *self, const double *p, double u);
+    double (*slope)(const sf_law *self, const double *p, double u);
+    void (*expand)(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
+                   sf_expansion *x);
+    void (*expand_both)(const sf_law *self, const double *p, const sf_drive *drive, double theta, double u, double v,
                         const sf_four flow[2], sf_expansion *x);
-    double (*begins)(const double *p, double u);
-} sf_law;
+    double (*begins)(const sf_law *self, const double *p, double u);
+    double (*seam)(const sf_law *self, double u, double direction, int both);
+    const double *(*at)(const sf_law *self, double side, double u, double direction);
+};
 
 /* A piece with its constants for u < 0 and for u > 0, and the next one towards u = 0, or NULL. Where a force jumps at
  * u = 0 a piece is on one side, which both have. */
@@ -54,34 +63,33 @@ static inline const sf_piece *sf_defined(const sf_piece *piece, double u)
 {
     if (piece->law->begins == NULL || piece->below == NULL)
         return piece;
-    const double place = piece->law->begins(piece->p[u > 0.0], u);
+    const double place = piece->law->begins(piece->law, piece->p[u > 0.0], u);
     return (u - place) * place < 0.0 ? piece->below : piece;
 }
 
-/* Of a piece on one side of 0 that has no series there: whether it is one, and whether u is beyond, as Newton's
- * iteration tries it. A force that stays what it is at 0 leaves the equations and their slopes at the solution as they
- * are. */
+/* Whether a piece is on one side of 0; where it has no series there, whether u is beyond, as Newton's iteration tries
+ * it. A force that stays what it is at 0 leaves the equations and their slopes at the solution as they are. */
 static inline int sf_is_on_one_side(const sf_piece *piece)
 {
     const int n = piece->law->constants;
-    return piece->law->breaks == SF_BRANCHES && piece->p[0][n] == piece->p[1][n];
+    return piece->p[0][n] == piece->p[1][n];
 }
 
 static inline int sf_is_beyond(const sf_piece *piece, double u)
 {
-    return sf_is_on_one_side(piece) && u * piece->p[0][piece->law->constants] < 0.0;
+    return piece->law->breaks == SF_BRANCHES && sf_is_on_one_side(piece) && u * piece->p[0][piece->law->constants] < 0.0;
 }
 
 static inline double sf_value(const sf_piece *piece, double u)
 {
     piece = sf_defined(piece, u);
-    return piece->law->value(piece->p[u > 0.0], sf_is_beyond(piece, u) ? 0.0 : u);
+    return piece->law->value(piece->law, piece->p[u > 0.0], sf_is_beyond(piece, u) ? 0.0 : u);
 }
 
 static inline double sf_slope(const sf_piece *piece, double u)
 {
     piece = sf_defined(piece, u);
-    return piece->law->slope(piece->p[u > 0.0], sf_is_beyond(piece, u) ? 0.0 : u);
+    return piece->law->slope(piece->law, piece->p[u > 0.0], sf_is_beyond(piece, u) ? 0.0 : u);
 }
 
 /* What the generated recurrences of a piece are: begin() gives the coefficients 0 of all its series from that of

@@ -1,0 +1,22 @@
+"""Programs as two flat lists: in go `Program`s, out come integers and doubles in the order in which C reads them."""
+
+from __future__ import annotations
+
+from .assembler import Program
+
+
+class Encoder:
+    """The two lists, and what writes to them."""
+
+    def __init__(self) -> None:
+        self.words: list[int] = []
+        self.numbers: list[float] = []
+
+    def program(self, one: Program) -> None:
+        """Sizes, operations, the registers of outputs; constants."""
+        self.words += [one.arguments, len(one.constants), one.registers, len(one.code), len(one.outputs)]
+        for operation in one.code:
+            self.words += operation
+        self.words += one.outputs
+        for constant in one.constants:
+            self.numbers += constant

@@ -1,0 +1,239 @@
+/* A straight line of operations on registers: the arguments, the constants, then what is computed; what it gives in
+ * doubles, and how it is read.
+ *
+ * The operations are those of the C that `make derive` prints, in its order and in its arithmetic: so are their bits.
+ *
+ * Nothing of the data is trusted. `sf_read_straight` refuses an operation that the arithmetic has not, a register that
+ * is not there, that holds nothing yet or that is not to be written, and a constant that is not finite.
+ */
+#ifndef SF_STRAIGHT_H
+#define SF_STRAIGHT_H
+
+#include <limits.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "angles.h"
+#include "clones.h"
+#include "program_conventions.h"
+
+typedef struct {
+    unsigned short operation, result, first, second;
+} sf_instruction;
+
+/* One straight line; output: the registers of what it gives. */
+typedef struct {
+    int arguments, constants, registers, length, outputs;
+    const sf_instruction *code;
+    const unsigned short *output;
+    const double (*constant)[2];
+} sf_straight;
+
+#define SF_DOUBLES(x, value)                                                                                           \
+    case SF_##x##_OPERATION:                                                                                           \
+        SF_INDEPENDENT                                                                                                 \
+        for (k = 0; k < lanes; k++) {                                                                                  \
+            const double a = first[k], b = second[k];                                                                  \
+            (void)b;                                                                                                   \
+            result[k] = (value);                                                                                       \
+        }                                                                                                              \
+        break;
+
+/* Register r is x[r*lanes] to x[r*lanes + lanes - 1]. */
+static inline void sf_run_lanes(const sf_straight *of, double *x, const int lanes)
+{
+    const sf_instruction *at = of->code, *const end = at + of->length;
+    int k;
+    for (; at < end; at++) {
+        double *const result = x + at->result * lanes;
+        const double *const first = x + at->first * lanes, *const second = x + at->second * lanes;
+        switch ((sf_operation)at->operation) {
+            SF_DOUBLES(ADD, a + b)
+            SF_DOUBLES(SUB, a - b)
+            SF_DOUBLES(MUL, a * b)
+            SF_DOUBLES(DIV, a / b)
+            SF_DOUBLES(NEG, -a)
+            SF_DOUBLES(SQRT, sqrt(a))
+            SF_DOUBLES(ATAN2, angles_atan2(a, b))
+            SF_DOUBLES(ATAN2_SWAPPED, angles_atan2_swapped(a, b))
+            SF_DOUBLES(POWER, pow(a, b))
+            SF_DOUBLES(ABS, fabs(a))
+            SF_DOUBLES(COPYSIGN, copysign(a, b))
+            SF_DOUBLES(EXP, exp(a))
+            SF_DOUBLES(LOG, log(a))
+            SF_DOUBLES(LOG1P, log1p(a))
+            SF_DOUBLES(CBRT, cbrt(a))
+            SF_DOUBLES(SIN, sin(a))
+            SF_DOUBLES(COS, cos(a))
+            SF_DOUBLES(TAN, tan(a))
+            SF_DOUBLES(SINH, sinh(a))
+            SF_DOUBLES(COSH, cosh(a))
+            SF_DOUBLES(TANH, tanh(a))
+            SF_DOUBLES(ASIN, asin(a))
+            SF_DOUBLES(ACOS, acos(a))
+            SF_DOUBLES(ATAN, atan(a))
+            SF_DOUBLES(ASINH, asinh(a))
+            SF_DOUBLES(ACOSH, acosh(a))
+            SF_DOUBLES(ATANH, atanh(a))
+            SF_DOUBLES(HYPOT, hypot(a, b))
+        default: /* the arithmetic has no other */
+            break;
+        }
+    }
+}
+#undef SF_DOUBLES
+
+static SF_FLAT void sf_run(const sf_straight *of, double *x) { sf_run_lanes(of, x, 1); }
+static inline void sf_fill(const sf_straight *of, double *x) {
+    int i;
+    for (i = 0; i < of->constants; i++)
+        x[of->arguments + i] = of->constant[i][0];
+}
+
+/* ---- reading */
+
+enum { SF_IN_DOUBLES = 1, SF_IN_PAIRS = 2, SF_ON_INTERVALS = 4 };
+
+typedef enum { SF_READ, SF_NO_PROGRAM, SF_TOO_LARGE, SF_NO_ROOM } sf_reading;
+
+/* room: all that is allocated, each with the one before it at its begin */
+typedef struct {
+    const int *word, *last_word;
+    const double *number, *last_number;
+    void *room;
+    sf_reading status;
+} sf_reader;
+
+static inline void sf_refuse(sf_reader *from, sf_reading status) {
+    if (from->status == SF_READ)
+        from->status = status;
+}
+
+/* The next word if it lies between these, else the least. */
+static inline int sf_word(sf_reader *from, int least, int most) {
+    if (from->status == SF_READ && from->word < from->last_word && *from->word >= least && *from->word <= most)
+        return *from->word++;
+    sf_refuse(from, SF_NO_PROGRAM);
+    return least;
+}
+
+/* A size that may be beyond what a record has room for. */
+static inline int sf_size(sf_reader *from, int least, int most) {
+    const int size = sf_word(from, least, INT_MAX);
+    if (size <= most)
+        return size;
+    sf_refuse(from, SF_TOO_LARGE);
+    return least;
+}
+
+static inline double sf_number(sf_reader *from) {
+    if (from->status == SF_READ && from->number < from->last_number && !isnan(*from->number))
+        return *from->number++;
+    sf_refuse(from, SF_NO_PROGRAM);
+    return 0;
+}
+
+static inline double sf_finite(sf_reader *from) {
+    const double number = sf_number(from);
+    if (!isfinite(number))
+        sf_refuse(from, SF_NO_PROGRAM);
+    return number;
+}
+
+/* Room for so many items, 0; NULL where there is none. */
+static inline void *sf_room_for(sf_reader *from, int items, size_t size) {
+    void **made;
+    if (from->status != SF_READ)
+        return NULL;
+    made = calloc(1, 2 * sizeof *made + (size_t)items * size);
+    if (made == NULL) {
+        sf_refuse(from, SF_NO_ROOM);
+        return NULL;
+    }
+    *made = from->room, from->room = made;
+    return made + 2;
+}
+
+static inline int sf_has(int arithmetic, int operation) {
+    switch ((sf_operation)operation) {
+    case SF_ADD_OPERATION:
+    case SF_SUB_OPERATION:
+    case SF_MUL_OPERATION:
+    case SF_DIV_OPERATION:
+    case SF_NEG_OPERATION:
+    case SF_SQRT_OPERATION:
+    case SF_ATAN2_OPERATION:
+        return 1;
+    case SF_ATAN2_SWAPPED_OPERATION:
+        return arithmetic != SF_ON_INTERVALS;
+    case SF_SQUARE_OPERATION:
+    case SF_INVERSE_OPERATION:
+    case SF_TIMES_OPERATION:
+        return arithmetic != SF_IN_DOUBLES;
+    case SF_WITHIN_OPERATION:
+    case SF_ROOT_OPERATION:
+        return arithmetic == SF_ON_INTERVALS;
+    case SF_ABS_OPERATION:
+    case SF_COPYSIGN_OPERATION:
+    case SF_HYPOT_OPERATION:
+        return arithmetic == SF_IN_DOUBLES;
+    default:
+        return arithmetic != SF_IN_PAIRS;
+    }
+}
+
+static inline void sf_read_straight(sf_reader *from, int arithmetic, int arguments, int outputs, sf_straight *out) {
+    unsigned char holds[SF_MOST_REGISTERS] = {0};
+    sf_instruction *code;
+    unsigned short *output;
+    double (*constant)[2];
+    int i, first;
+    out->arguments = sf_word(from, arguments, arguments);
+    out->constants = sf_size(from, 0, SF_MOST_REGISTERS);
+    first = out->arguments + out->constants;
+    out->registers = sf_size(from, 0, SF_MOST_REGISTERS);
+    out->length = sf_word(from, 0, (int)((from->last_word - from->word) / 4));
+    out->outputs = sf_word(from, outputs, outputs);
+    if (first > out->registers)
+        sf_refuse(from, SF_NO_PROGRAM);
+    code = sf_room_for(from, out->length, sizeof *code);
+    output = sf_room_for(from, out->outputs, sizeof *output);
+    constant = sf_room_for(from, out->constants, sizeof *constant);
+    if (from->status != SF_READ)
+        return;
+    memset(holds, 1, (size_t)first);
+    for (i = 0; i < out->length; i++) {
+        const int operation = sf_word(from, 0, SF_HYPOT_OPERATION), result = sf_word(from, first, out->registers - 1);
+        const int one = sf_word(from, 0, out->registers - 1), other = sf_word(from, 0, out->registers - 1);
+        if (from->status != SF_READ || !sf_has(arithmetic, operation) || !holds[one] || !holds[other]) {
+            sf_refuse(from, SF_NO_PROGRAM);
+            return;
+        }
+        code[i] = (sf_instruction){(unsigned short)operation, (unsigned short)result, (unsigned short)one,
+                                   (unsigned short)other};
+        holds[result] = 1;
+    }
+    for (i = 0; i < out->outputs; i++) {
+        output[i] = (unsigned short)sf_word(from, 0, out->registers - 1);
+        if (from->status != SF_READ || !holds[output[i]]) {
+            sf_refuse(from, SF_NO_PROGRAM);
+            return;
+        }
+    }
+    for (i = 0; i < out->constants; i++)
+        constant[i][0] = sf_finite(from), constant[i][1] = sf_finite(from);
+    out->code = code, out->output = output, out->constant = (const double (*)[2])constant;
+}
+
+/* Frees all of it. */
+static inline void sf_leave_room(sf_reader *from) {
+    while (from->room != NULL) {
+        void **const last = from->room;
+        from->room = *last;
+        free(last);
+    }
+}
+
+#endif
