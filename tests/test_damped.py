@@ -73,6 +73,7 @@ def test_a_force_that_is_averaged_by_quadrature_has_the_certified_answers(by_qua
     osc = by_quadrature(case)
     assert osc.model.mechanism.enclosed is not None
     found = osc.saddle_nodes(case["F_0"][1])
+    assert "message" in vars(found), "words that ask for an average, which may not settle, are made with the answer"
     assert [(fold.kind, fold.corner) for fold in found] == [(fold["kind"], fold["corner"]) for fold in case["folds"]]
     for fold, known in zip(found, case["folds"], strict=True):
         assert error(fold.Omega, known, "Omega") < FOLD

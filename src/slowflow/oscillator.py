@@ -254,8 +254,10 @@ class Oscillator(Unchanging, Averaged):
     def _onset_with_words(self) -> SaddleNodeOnset:
         found = super()._onset_with_words()
         if self.model.mechanism.load_untruncated is not None:
-            del found.__dict__["untruncated"]
-            found.__dict__["_later"] = partial(self._with_untruncated, found.__dict__["_later"])
+            own = found.__dict__
+            for name in ("message", "remarks", "untruncated"):
+                own.pop(name, None)
+            own["_later"] = partial(self._with_untruncated, own["_later"])
         return found
 
     def _with_untruncated(self, makes: Callable[[Any], dict[str, Any]], found: SaddleNodeOnset) -> dict[str, Any]:

@@ -513,6 +513,8 @@ class Averaged:
         if not self.model.sticks(F_0):
             known = own.pop("message", None), own.pop("remarks"), own.get("_later")
             own["_later"] = functools.partial(_said, self.model, F_0, *known)
+            if self.model.mechanism.enclosed is not None:  # its averages may not settle: that is said here and now
+                getattr(found, "message")  # noqa: B009
         return found
 
 
