@@ -415,20 +415,8 @@ CONVENTIONS = (
             Number("OF_TURN", sp.Rational(1, 10**14), "share of a turn by which rounding may miss its end"),
             Number("MOST_TURNS", 3000, "after a shock, after which it is given up to see the mass turn twice"),
             Number(
-                "COMES_BACK", sp.Rational(1, 100), "of the largest |u|, to which a motion comes back that may settle"
-            ),
-            Number("ASKED_AGAIN", 8, "turns at most from one look whether a motion settles to the next"),
-            Number(
-                "ARRIVED", sp.Rational(1, 10**8), "distance from a stable motion, over A, that needs no proof of going"
-            ),
-            Number(
-                "NEARER", sp.Rational(1, 10), "by how much a motion is nearer by which the map is seen to be linear"
-            ),
-            Number("UNLIKE", sp.Rational(1, 2), "by how much of each other two ways differ at most where it is"),
-            Number(
                 "MOST_DEGREE", 64, "of a polynomial by which motions are followed where values tell a force, at most"
             ),
-            Number("WHOLE", sp.Rational(3, 10), "phase that has to follow a cycle by which a motion shows it"),
             Number(
                 "CREEPS",
                 sp.Rational(1, 10**9),

@@ -11,7 +11,7 @@ import pytest
 
 from slowflow import Duffing, Isolator
 from slowflow.backend import EXACT
-from slowflow.exact import EquationOfMotion, compiled, exact_response, linear, steady_state, sweep
+from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state, sweep
 from slowflow.exact.compiled import Drive, recurrences
 from slowflow.exact.continuation import Path
 from slowflow.exact.motion import Forced, follow
@@ -362,31 +362,3 @@ def test_c_refuses_what_does_not_fit():
         )
     with pytest.raises(ValueError, match="PyCapsule"):
         EXACT.follow(3, 1.0, 0.1, 0.0, 0.0, 0.0, 1.0, False, 0, 0, 100, False)
-
-
-def swept(oscillator, Omega, F_0):
-    found = sweep(oscillator.equation_of_motion(), Omega=Omega, F_0=F_0)
-    return found.A, found.stops, found.turns, found.settled, found.jumps
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    "oscillator, F_0",
-    [
-        (Isolator(lam=LAM, r=R, delta_h=DELTA_H, mu=0.012, zeta=0.02, force="untruncated"), 0.04),
-        (Isolator(lam=LAM, r=R, delta_h=DELTA_H, mu=0.0, zeta=0.02), 0.04),
-        (Isolator(lam=LAM, r=R, delta_h=DELTA_H, mu=0.012, zeta=0.02, excitation="base"), 0.1),
-        (Duffing(1.0, 0.1, 0.2, 0.02), 1.0),
-        (Duffing(0.0, 1.0, 0.0, 0.025), 1.0),
-        (Duffing(1.0, -0.1, 0.01, 0.05), 0.05),
-    ],
-)
-@pytest.mark.part(3)
-def test_a_sweep_in_c_settles_as_the_one_in_python(oscillator, F_0, monkeypatch):
-    """Up and down: the same turns, stops and jumps, and the same doubles; what is unusual both leave to Python."""
-    Omega = np.concatenate((np.linspace(0.3, 1.6, 80), np.linspace(1.6, 0.3, 80)))
-    one = swept(oscillator, Omega, F_0)
-    monkeypatch.setattr(compiled, "sweep", lambda *asked: np.empty((0, 5)))  # nothing is the usual case
-    other = swept(oscillator, Omega, F_0)
-    for ours, expected in zip(one, other, strict=True):
-        assert np.array_equal(ours, expected)

@@ -56,20 +56,8 @@ typedef enum {
 #define SF_OF_TURN 1e-14
 /* after a shock, after which it is given up to see the mass turn twice */
 #define SF_MOST_TURNS 3000
-/* of the largest |u|, to which a motion comes back that may settle */
-#define SF_COMES_BACK 0.01
-/* turns at most from one look whether a motion settles to the next */
-#define SF_ASKED_AGAIN 8
-/* distance from a stable motion, over A, that needs no proof of going */
-#define SF_ARRIVED 1e-08
-/* by how much a motion is nearer by which the map is seen to be linear */
-#define SF_NEARER 0.10000000000000001
-/* by how much of each other two ways differ at most where it is */
-#define SF_UNLIKE 0.5
 /* of a polynomial by which motions are followed where values tell a force, at most */
 #define SF_MOST_DEGREE 64
-/* phase that has to follow a cycle by which a motion shows it */
-#define SF_WHOLE 0.29999999999999999
 /* speed over distance at which a mass that creeps back is at rest, or both over A */
 #define SF_CREEPS 1.0000000000000001e-09
 /* along a phase at which its acceleration is looked at */

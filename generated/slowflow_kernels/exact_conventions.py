@@ -80,20 +80,8 @@ OVER_END = 9.9999999999999995e-07
 OF_TURN = 1e-14
 # after a shock, after which it is given up to see the mass turn twice
 MOST_TURNS = 3000
-# of the largest |u|, to which a motion comes back that may settle
-COMES_BACK = 0.01
-# turns at most from one look whether a motion settles to the next
-ASKED_AGAIN = 8
-# distance from a stable motion, over A, that needs no proof of going
-ARRIVED = 1e-08
-# by how much a motion is nearer by which the map is seen to be linear
-NEARER = 0.10000000000000001
-# by how much of each other two ways differ at most where it is
-UNLIKE = 0.5
 # of a polynomial by which motions are followed where values tell a force, at most
 MOST_DEGREE = 64
-# phase that has to follow a cycle by which a motion shows it
-WHOLE = 0.29999999999999999
 # speed over distance at which a mass that creeps back is at rest, or both over A
 CREEPS = 1.0000000000000001e-09
 # along a phase at which its acceleration is looked at

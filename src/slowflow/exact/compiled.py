@@ -287,21 +287,6 @@ def trace(
     return rows[:count], size, travelled
 
 
-def sweep(
-    system: EquationOfMotion, Omega: Array, F_0: float, u: float, v: float, tries: bytes, most_turns: int
-) -> Array:
-    """What a sweep from (u, v) settles to at the first frequencies: rows of u, v, A, turns and stops of each.
-
-    tries -- half turns of cycles as C takes them
-
-    Up to one at which anything is unusual, or to where some tens of milliseconds are over: there may be no row.
-    """
-    rows = np.empty((Omega.size, 5))
-    count, steps = EXACT.sweep(of_system(system), Omega, F_0, u, v, tries, most_turns, rows)
-    spend(steps, keep=True)
-    return rows[:count]
-
-
 def many_shocks(
     laws: tuple[Any, ...], oscillators: list[Array], arcs: Array, begin: Array, after: float
 ) -> tuple[npt.NDArray[np.int8], Array]:

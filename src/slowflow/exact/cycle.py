@@ -34,7 +34,6 @@ from slowflow_kernels.exact_conventions import (
     ON_TIME,
     OVER_END,
     TOLERANCE,
-    WHOLE,
     ExtraKind,
 )
 from slowflow_support.errors import NotSettled
@@ -42,6 +41,8 @@ from slowflow_support.errors import NotSettled
 Array = NDArray[np.float64]
 
 Signature = tuple[tuple[int, int], ...]
+#: phase that has to follow a cycle by which a motion shows it
+WHOLE = 0.3
 
 
 class Border(NamedTuple):

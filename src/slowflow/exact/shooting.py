@@ -24,7 +24,6 @@ from slowflow.exact.work import limited
 from slowflow.mechanism import EquationOfMotion
 from slowflow.text import Sentence, text
 from slowflow.transmitted import Transmitted, asked
-from slowflow_kernels.exact_conventions import ARRIVED, ASKED_AGAIN, COMES_BACK, NEARER, UNLIKE
 from slowflow_kernels.motion import acceleration
 from slowflow_support.errors import NotSettled, Refused
 
@@ -40,6 +39,11 @@ HALF_TURNS = tuple(n for turns in range(1, LONGEST + 1) for n in ((turns, 2 * tu
 SHORT = 3  # turns of those that are asked for wherever the motion comes back
 #: how much nearer a motion comes back after more turns than after fewer, where it is asked for a longer subharmonic
 NEARER_BACK = 0.1
+#: of the largest |u|, to which a motion comes back that may settle; turns at most from one look to the next
+COMES_BACK, ASKED_AGAIN = 0.01, 8
+#: distance from a stable motion, over A, that needs no proof of going there; by how much a state is nearer by which the
+#: map is seen to be linear, and by how much of each other two ways differ at most where it is
+ARRIVED, NEARER, UNLIKE = 1e-8, 0.1, 0.5
 
 
 def lengths(system: EquationOfMotion) -> tuple[int, ...]:

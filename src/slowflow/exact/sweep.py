@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slowflow.answer import Table
-from slowflow.exact import compiled
 from slowflow.exact.continuation import FOLDS, Path, Point, is_same, least_scale
 from slowflow.exact.motion import Forced, stops
 from slowflow.exact.shooting import (
@@ -24,7 +23,6 @@ from slowflow.exact.shooting import (
     at_rest,
     calmed,
     check_numbers,
-    from_start,
     lengths,
     settle,
 )
@@ -35,7 +33,6 @@ from slowflow_support.errors import Refused
 
 Array = NDArray[np.float64]
 
-AT_ONCE = 4096  # frequencies that C is given at a time: as many rows are made
 #: largest step along a branch that is followed from frequency to frequency: it is bent as its tangents say
 STEP = 0.1
 #: of its amplitude, by which a motion that Newton's iteration found twice may differ
@@ -148,20 +145,9 @@ def _visited(
     A, rests, spent = np.empty(frequencies.size), np.empty(frequencies.size, int), np.empty(frequencies.size, int)
     settled = np.zeros(frequencies.size, bool)
     motions: list[SteadyState | None] = [None] * frequencies.size
-    i = 0
-    while i < frequencies.size:
-        packed = np.array(tries, dtype=np.intc).tobytes()
-        rows = compiled.sweep(system, frequencies[i : i + AT_ONCE], F_0, u, v, packed, most_turns)
-        if len(rows):
-            passed = slice(i, i + len(rows))
-            A[passed], spent[passed], rests[passed] = rows[:, 2:].T
-            settled[passed] = True
-            motions[passed] = _cycles(system, frequencies[passed], F_0, rows, tries)
-            u, v = rows[-1, :2].tolist()
-            i += len(rows)
-            continue
+    for i, Omega in enumerate(frequencies.tolist()):
         with limited():
-            forced = Forced(system, float(frequencies[i]), F_0)
+            forced = Forced(system, Omega, F_0)
             end = settle(forced, 0.0, u, v, tries, most_turns)
             if end.adrift is not None:
                 end = calmed(forced, 0.0, end, most_turns)
@@ -173,18 +159,7 @@ def _visited(
             rests[i] = stops(end.phases)
         else:
             A[i], rests[i], motions[i] = end.found.A, end.found.stops, end.found
-        i += 1
     return Visited(A, rests, spent, settled, motions)
-
-
-def _cycles(
-    system: EquationOfMotion, Omega: Array, F_0: float, rows: Array, tries: tuple[int, ...]
-) -> list[SteadyState | None]:
-    """The motions of which C gives a state each."""
-    return [
-        from_start(Forced(system, at, F_0), 0.0, u, tries[0], v)
-        for at, (u, v) in zip(Omega.tolist(), rows[:, :2].tolist(), strict=True)
-    ]
 
 
 class Branches:

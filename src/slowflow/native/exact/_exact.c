@@ -10,7 +10,6 @@
 #include "interpreted.h"
 #include "polynomials.h"
 #include "shock.h"
-#include "tending.h"
 #include "trace.h"
 
 #define NAME "slowflow._exact.system"
@@ -390,43 +389,6 @@ static PyObject *trace(PyObject *self, PyObject *arguments)
     return result;
 }
 
-/* (frequencies, steps): how many of the first ones a sweep passes in the usual way, see tending.h; for each u, v, A,
- * turns and stops in a row of `rows`. */
-static PyObject *sweep(PyObject *self, PyObject *arguments)
-{
-    (void)self;
-    PyObject *capsule, *result = NULL;
-    Py_buffer Omega, tries, rows;
-    double F_0, u, v;
-    long most, steps = 0, done = 0;
-    if (!PyArg_ParseTuple(arguments, "Oy*dddy*lw*", &capsule, &Omega, &F_0, &u, &v, &tries, &most, &rows))
-        return NULL;
-    const sf_system *const system = PyCapsule_GetPointer(capsule, NAME);
-    const long n = (long)(Omega.len / (Py_ssize_t)sizeof(double)), count = (long)(tries.len / (Py_ssize_t)sizeof(int));
-    sf_tending room = {.passed = malloc(((size_t)most + 1) * sizeof *room.passed)};
-    sf_tended *const out = malloc(((size_t)n + 1) * sizeof *out);
-    if (room.passed == NULL || out == NULL)
-        PyErr_NoMemory();
-    else if (system != NULL && !(rows.len == 5 * Omega.len && most > 0))
-        PyErr_SetString(PyExc_ValueError, "rows that do not fit the frequencies of a sweep");
-    else if (system != NULL) {
-        Py_BEGIN_ALLOW_THREADS
-        done = sf_sweep(system, Omega.buf, n, F_0, u, v, tries.buf, (int)count, most, &room, out, &steps);
-        Py_END_ALLOW_THREADS
-        for (long i = 0; i < done; i++) {
-            const double row[5] = {out[i].u, out[i].v, out[i].A, (double)out[i].turns, (double)out[i].stops};
-            memcpy((double *)rows.buf + 5 * i, row, sizeof row);
-        }
-        result = Py_BuildValue("ll", done, steps);
-    }
-    sf_free_tending(&room);
-    free(out);
-    PyBuffer_Release(&Omega);
-    PyBuffer_Release(&tries);
-    PyBuffer_Release(&rows);
-    return result;
-}
-
 /* An odd force of which each piece has the same constants, p[0] and p[1] by side; those that end at 0 are left out.
  * `piece` has room for 2 pieces - 1, `edge` for one more. */
 static sf_system odd_system(const sf_law *const *law, Py_ssize_t pieces, const double *ends, const double *const p[2],
@@ -528,8 +490,6 @@ static PyMethodDef methods[] = {
      "system, phases, half_turns, starts_from_rest, F_0, course, point, has_before, step, travelled, first, steps, "
      "rows -> "
      "points, spent, has_before, step, travelled."},
-    {"sweep", sweep, METH_VARARGS,
-     "system, frequencies, F_0, u, v, half_turns, most turns, rows -> frequencies passed, spent."},
     {"shocks", shocks, METH_VARARGS,
      "laws, constants, ends, damping, arcs, begin, after, steps of one integration, of all, outcomes, numbers -> "
      "None."},
