@@ -361,4 +361,4 @@ def test_c_refuses_what_does_not_fit():
             system, b"\0" * 8, 1, np.zeros(9), 0.1, 0, np.zeros(9), 0.0, 0, 5, 1e-13, 100, np.zeros(99), np.zeros(9)
         )
     with pytest.raises(ValueError, match="PyCapsule"):
-        EXACT.follow(3, 1.0, 0.1, 0.0, 0.0, 0.0, 1.0, False, 0, 0, 100, False)
+        EXACT.follow(3, 1.0, 0.1, 0.0, 0.0, 0.0, 1.0, False, 0, 0, 100)

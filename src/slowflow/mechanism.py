@@ -319,13 +319,6 @@ class EquationOfMotion:
         """Amplitude of the force at an amplitude F_0 of the excitation."""
         return float(inertia.force(Omega, F_0)) if self.inertial else F_0
 
-    def forcing_slopes(self, *, Omega: float, F_0: float) -> tuple[float, float]:
-        """Its derivatives by Omega and by F_0."""
-        if not self.inertial:
-            return 0.0, 1.0
-        by_Omega, by_F_0 = inertia.force_slopes(Omega, F_0)
-        return float(by_Omega), float(by_F_0)
-
 
 def followed(force: Force, name: str) -> Force:
     """A force as its motions are followed, by laws that hold wherever these go.

@@ -21,7 +21,7 @@ from scipy.integrate import solve_ivp
 from slowflow.exact import EquationOfMotion, Force, compiled
 from slowflow.exact.cycle import Border, Cycle, Equations
 from slowflow.exact.motion import Forced, Phase, break_away, edge_ahead, signature
-from slowflow_kernels import motion
+from slowflow_kernels import inertia, motion
 from slowflow_kernels.exact_conventions import FAR, GRAZING, MOST_PHASES, TOLERANCE, Event
 
 TURN = 2 * math.pi
@@ -312,7 +312,7 @@ def equations(cycle: Cycle, integrator: Any, z: Any, F_0: float) -> Equations:
     residual[k + 1] = float(np.sum(z[2:-1])) - math.pi * cycle.half_turns
     jacobian[k + 1, 2:-2] = 1.0
     if system.inertial:
-        slopes = system.forcing_slopes(Omega=Omega, F_0=F_0)
+        slopes = inertia.force_slopes(Omega, F_0)
         for by in (jacobian, of_A, *(border.gradient for border in borders)):
             by[..., -2] += slopes[0] * by[..., -1]
             by[..., -1] *= slopes[1]

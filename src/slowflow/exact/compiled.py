@@ -187,7 +187,6 @@ def follow(
     state: tuple[float, float, float],
     end: float,
     start: tuple[int, int] | None,
-    last_only: bool = False,
 ) -> tuple[int, Iterator[tuple[Any, ...]]]:
     """The outcome and the phases of `motion.follow`, each as its fields in order."""
     outcome, steps, phases = EXACT.follow(
@@ -199,7 +198,6 @@ def follow(
         start is not None,
         *(start or (0, 0)),
         steps_left(),
-        last_only,
     )
     spend(steps)
     return outcome, PHASE.iter_unpack(phases)

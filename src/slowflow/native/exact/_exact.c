@@ -263,9 +263,9 @@ static PyObject *follow(PyObject *self, PyObject *arguments)
     PyObject *capsule;
     sf_forced forced = {0};
     double theta, u, v, end;
-    int given, start[2], last;
-    if (!PyArg_ParseTuple(arguments, "Oddddddpiilp", &capsule, &forced.Omega, &forced.F_0, &theta, &u, &v, &end, &given,
-                          &start[0], &start[1], &forced.left, &last))
+    int given, start[2];
+    if (!PyArg_ParseTuple(arguments, "Oddddddpiil", &capsule, &forced.Omega, &forced.F_0, &theta, &u, &v, &end, &given,
+                          &start[0], &start[1], &forced.left))
         return NULL;
     forced.system = PyCapsule_GetPointer(capsule, NAME);
     if (forced.system == NULL)
@@ -276,9 +276,8 @@ static PyObject *follow(PyObject *self, PyObject *arguments)
     Py_BEGIN_ALLOW_THREADS
     outcome = sf_follow(&forced, theta, u, v, end, given ? start : NULL, &phases);
     Py_END_ALLOW_THREADS
-    const long from = last && phases.count ? phases.count - 1 : 0;
-    PyObject *const bytes = PyBytes_FromStringAndSize(phases.count ? (const char *)(phases.at + from) : NULL,
-                                                      (phases.count - from) * (Py_ssize_t)sizeof *phases.at);
+    PyObject *const bytes =
+        PyBytes_FromStringAndSize((const char *)phases.at, phases.count * (Py_ssize_t)sizeof *phases.at);
     free(phases.at);
     return bytes == NULL ? NULL : Py_BuildValue("ilN", (int)outcome, most - forced.left, bytes);
 }
@@ -482,7 +481,7 @@ static PyMethodDef methods[] = {
      "system, region, drive, slip, edge, theta, u, v, end, steps -> outcome, spent, theta, u, v, event, undecided."},
     {"sample", sample, METH_VARARGS, "system, region, drive, theta, u, v, steps, grid, states -> outcome, spent."},
     {"follow", follow, METH_VARARGS,
-     "system, Omega, F_0, theta, u, v, end, started, slip, region, steps, last only -> outcome, spent, phases."},
+     "system, Omega, F_0, theta, u, v, end, started, slip, region, steps -> outcome, spent, phases."},
     {"newton", newton, METH_VARARGS,
      "system, phases, half_turns, z, F_0, extra, row, value, border, most, tolerance, steps, equations, along -> "
      "outcome, spent, A, monodromy, borders."},
