@@ -325,7 +325,7 @@ class Model:
 
     @cached_property
     def abreast(self) -> int:
-        """How many designs it is of, see `averaged.reference.abreast`."""
+        """How many designs it is of: the search on NumPy asks."""
         return 1
 
     def take(self, of: Any) -> Model:

@@ -157,7 +157,6 @@ class Question:
     at_once: int
     by_inertia: bool = True
     by_laws: bool = False
-    abreast: Callable[[ModuleType], Callable[..., tuple[Any, ...]]] | None = None
 
 
 DETACHMENT = Question(
@@ -171,7 +170,6 @@ ONSET = Question(
     outputs("saddle_node_onset"),
     lambda native: native.many_onset,
     2**14,
-    abreast=lambda columns: columns.onset,
 )
 SADDLE_NODES = Question(
     _saddle_nodes,
@@ -179,21 +177,18 @@ SADDLE_NODES = Question(
     lambda native: native.many_saddle_nodes,
     2**12,
     by_laws=True,
-    abreast=lambda columns: columns.saddle_nodes,
 )
 AMPLITUDES = Question(
     _amplitudes,
     outputs("amplitudes"),
     lambda native: native.many_amplitudes,
     2**11,
-    abreast=lambda columns: columns.amplitudes,
 )
 PEAK = Question(
     _peak,
     outputs("peak"),
     lambda native: native.many_peak,
     2**13,
-    abreast=lambda columns: columns.peak,
 )
 PROVED_FOLDS = Question(
     None,

@@ -51,10 +51,6 @@ from slowflow_kernels.conventions import Status
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_support.errors import Refused
 
-#: on NumPy, designs that are sorted by their kinds at once, and of a kind those that go abreast: so few that arrays
-#: take some tens of megabytes
-AT_ONCE, ABREAST = 1024, 256
-
 
 def _undecided(columns: list[npt.NDArray[Any]]) -> npt.NDArray[np.bool_]:
     """Where doubles do not tell a number, by the last columns of an answer."""
@@ -407,7 +403,8 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             for output, value in zip(told, NO_PROOF, strict=True):
                 output[...] = value
         else:
-            self._on_numpy(question, list(np.broadcast_arrays(*values.values())), places, outputs)
+            each = list(np.broadcast_arrays(*values.values()))
+            self._ask_singly(question, np.ones(shape, dtype=bool), each, places, outputs)
         return outputs
 
     def _with_all_laws(self, values: dict[str, npt.NDArray[Any]]) -> list[npt.NDArray[Any]]:
@@ -426,8 +423,8 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         outputs: list[npt.NDArray[Any]],
     ) -> None:
         """Put in single answers, which know of masses that no spring holds, and of what boxes leave unresolved."""
-        size = len(self.values)
-        for index in map(tuple, np.argwhere(wanted)):
+        size, chosen = len(self.values), np.argwhere(wanted)
+        for index in progress.each(map(tuple, chosen), len(chosen), "designs asked singly"):
             numbers = [float(value[index]) for value in values]
             for output, value in zip(outputs, self._one(question, numbers[:size], numbers[size:], places), strict=True):
                 output[index] = value
@@ -461,49 +458,8 @@ class Designs(Unchanging, ManyQuestions[Batch]):
                 for output, value in zip(outputs, blank, strict=True):
                     output[index] = value
 
-    def _on_numpy(
-        self, question: Question, values: list[npt.NDArray[Any]], places: int, outputs: list[npt.NDArray[Any]]
-    ) -> None:
-        """On NumPy: designs that may go abreast together, others one by one; values beyond theirs are F_0 and Omega."""
-        shape, total = values[0].shape, values[0].size
-        flat = [output.reshape(total, *output.shape[len(shape) :]) for output in outputs]
-        tally = progress.Tally(total)
-        for start in range(0, total, AT_ONCE):
-            rows = np.array([value.flat[start : start + AT_ONCE] for value in values], dtype=float)
-            self._block(question, rows, places, [output[start : start + AT_ONCE] for output in flat], tally)
-
-    def _block(
-        self, question: Question, rows: Floats, places: int, outputs: list[npt.NDArray[Any]], tally: progress.Tally
-    ) -> None:
-        """The same of some designs, whose numbers are the columns of `rows`."""
-        from slowflow.averaged.reference import abreast, columns  # which take time to load
-
-        together: dict[Any, list[int]] = {}
-        models: dict[int, Model] = {}
-        size = len(self.values)
-        for number, row in enumerate(rows.T.tolist()):
-            answer = self._one(question, row[:size], row[size:], places)
-            if isinstance(answer, Model):
-                models[number] = answer
-                together.setdefault(abreast.kind(answer), []).append(number)
-                continue
-            for output, value in zip(outputs, answer, strict=True):
-                output[number] = value
-            tally.add(1)
-        for numbers in together.values():
-            for first in range(0, len(numbers), ABREAST):
-                some = numbers[first : first + ABREAST]
-                assert question.abreast is not None
-                designs = abreast.Abreast([models[number] for number in some])
-                found = question.abreast(columns)(designs, *rows[size:, some], places)
-                for output, column in zip(outputs, found, strict=True):
-                    output[some] = column
-                tally.add(len(some))
-
     def _one(self, question: Question, given: list[float], asked: list[float], places: int) -> Any:
-        """One design's answer, with a status in place of an exception; or the design, where it may go abreast."""
-        from slowflow.averaged.reference import abreast
-
+        """One design's answer, with a status in place of an exception."""
         assert question.one is not None
         blank = question.one(None, *asked, places)[:-1]
         try:
@@ -513,8 +469,6 @@ class Designs(Unchanging, ManyQuestions[Batch]):
                 validate.frequencies("Omega", asked[1])
             if asked and model.sticks(validate.number("F_0", asked[0], above=0.0)):
                 return (*blank, Status.STICKS)
-            if question.abreast is not None and abreast.may_go(model):
-                return model
             return question.one(oscillator, *asked, places)
         except ValueError:
             return (*blank, Status.INVALID)

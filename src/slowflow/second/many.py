@@ -205,7 +205,6 @@ def _in_lanes(question: asked.Question, one: asked.One, name: str, at_once: int)
         batch=lambda native: getattr(native, name),
         at_once=at_once,
         by_inertia=False,
-        abreast=None,
     )
 
 

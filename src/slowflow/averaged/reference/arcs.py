@@ -6,19 +6,15 @@ a pair of arcs may meet and end, or the lowest may end at Omega = 0; all others 
 
 from __future__ import annotations
 
-from abc import abstractmethod
-from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
-from typing import Any, Protocol, Self
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.averaged.reference.abreast import Abreast
 from slowflow.averaged.reference.roots import Quartics, taken
-from slowflow.averaged.reference.steps import Steps, Wanted, alone
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow_zeta0
 from slowflow_kernels.conventions import COINCIDE, HARDLY, NO_WIDTH
@@ -154,44 +150,6 @@ class Roots:
         return lower, float(w1[0] if lower else w2[0])
 
 
-class OfRoots(Wanted):
-    """A function of the frequencies along the amplitude at places, which are columns of one length."""
-
-    def __init__(self, roots: Along, *columns: Any) -> None:
-        self.roots, self.columns = roots, columns
-
-    @staticmethod
-    @abstractmethod
-    def found(roots: Along, of: Ints, *columns: Any) -> Any:
-        """Its values, an array; `of`: of which of the designs abreast the places are."""
-
-    def alone(self, model: Model) -> Any:
-        return self.found(self.roots, np.zeros(len(self.columns[0]), np.intp), *self.columns)
-
-    def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
-        sizes = [len(one.columns[0]) for one in all_of_them]
-        roots = Roots(model, np.array([one.roots.F_0 for one in all_of_them]))
-        of = np.repeat(np.arange(len(sizes)), sizes)
-        found = self.found(roots, of, *map(np.concatenate, zip(*(one.columns for one in all_of_them), strict=True)))
-        return np.split(found, np.cumsum(sizes)[:-1])
-
-
-class Count(OfRoots):
-    """`Along.count`, at A."""
-
-    @staticmethod
-    def found(roots: Along, of: Ints, *columns: Any) -> Any:
-        return roots.take(of).count(*columns)
-
-
-class OmegaAt(OfRoots):
-    """`Along.at`, at A, of so many, by number."""
-
-    @staticmethod
-    def found(roots: Along, of: Ints, *columns: Any) -> Any:
-        return roots.take(of).at(*columns)
-
-
 def merged(events: list[Event]) -> list[Event]:
     """The events, but one where the lower pair meets next to the end of one of its arcs at Omega = 0.
 
@@ -223,19 +181,15 @@ class Graph:
     _ends: dict[tuple[int, int], list[float]]
 
     @classmethod
+    @np.errstate(all="ignore")
     def of(cls, roots: Along, events: list[Event]) -> Graph:
         """Of the frequencies along the amplitude, and the events there."""
-        return alone(roots.model, cls.in_steps(roots, events))
-
-    @classmethod
-    def in_steps(cls, roots: Along, events: list[Event]) -> Steps[Graph]:
-        """The same, see `steps`."""
         graph = cls()
         graph.roots, graph.events = roots, events
-        graph.counts = yield from graph._counted()
+        graph.counts = graph._counted()
         graph.arcs = [Arc(k, n, i) for k, n in enumerate(graph.counts) for i in range(n)]
         graph._first = np.concatenate(([0], np.cumsum(graph.counts))).astype(int).tolist()
-        graph._ends = yield from graph._at_events()
+        graph._ends = graph._at_events()
         graph._link_all()
         return graph
 
@@ -249,13 +203,13 @@ class Graph:
                 self._end(i, 0, 0.0, self.events[0].Omega)
         self._end_all(len(self.events) - 1, len(self.events) - 2, 1)
 
-    def _counted(self) -> Steps[list[int]]:
+    def _counted(self) -> list[int]:
         """Numbers of roots; where an interval is too narrow to hold an amplitude, the event's gain tells."""
         A = np.array([event.A for event in self.events])
         low, high = A[:-1], A[1:]
         middle = 0.5 * (low + high)
         wide = (middle > low + NO_WIDTH * low) & (middle < high)
-        shown = yield Count(self.roots, np.where(wide | (low == 0), middle, low))
+        shown = self.roots.count(np.where(wide | (low == 0), middle, low))
         counts: list[int] = []
         for k, count in enumerate(shown.tolist()):
             if wide[k]:
@@ -280,7 +234,7 @@ class Graph:
         apart = min(event.A - self.events[k - 1].A, self.events[k + 1].A - event.A) > HARDLY * event.A
         return apart and counts[-1] - counts[-2] != event.gain
 
-    def _at_events(self) -> Steps[dict[tuple[int, int], list[float]]]:
+    def _at_events(self) -> dict[tuple[int, int], list[float]]:
         """At each event the roots that go through it or end there: by its number and by how many they are."""
         last = len(self.events) - 1
         asked: list[tuple[int, int]] = []
@@ -295,7 +249,7 @@ class Graph:
         )
         if not asked:
             return {}
-        found = yield OmegaAt(self.roots, A.astype(float), count.astype(np.intp), index.astype(np.intp))
+        found = self.roots.at(A.astype(float), count.astype(np.intp), index.astype(np.intp))
         Omega = iter(found.tolist())
         return {(k, n): [next(Omega) for _ in range(n)] for k, n in asked}
 

@@ -8,7 +8,6 @@ import numpy as np
 
 from slowflow.averaged import words
 from slowflow.averaged.reference import dissipated, inertia
-from slowflow.averaged.reference.abreast import Abreast
 from slowflow.averaged.reference.cells import cells_of, samples_at
 from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.averaged.reference.intervals import Bools
@@ -133,14 +132,6 @@ def _exceeds_from(model: Model, A: Floats, most: Floats, of: Ints) -> Bools:
     slope = cells_of(model, at, far, at).h_A
     rises = np.where(at.h > 0, slope.lo >= 0, slope.hi <= 0)
     return np.asarray(rises & (np.abs(at.h) > most))
-
-
-@np.errstate(all="ignore")
-def amplitude_bounds(model: Abreast, F_0: Floats) -> list[tuple[float, str]]:
-    """`amplitude_bound` of each of designs abreast; inf where none is found."""
-    if model.undamped:
-        return [words.cut(one, F) for one, F in zip(model.each, F_0.tolist(), strict=True)]
-    return [(A_max, "") for A_max in first_bounds(model, F_0).tolist()]
 
 
 def _bound_of_free(model: Model, F_0: float, lowest: float) -> tuple[float, str]:

@@ -8,15 +8,13 @@ amplitude above, without passing zero.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 
 from slowflow.averaged import words
 from slowflow.averaged.reference import dissipated, doubt
-from slowflow.averaged.reference.abreast import Abreast
 from slowflow.averaged.reference.along import FoldAt, omega_by_share
 from slowflow.averaged.reference.arcs import Arc, Graph, Roots
 from slowflow.averaged.reference.bounds import amplitude_bound
@@ -27,7 +25,6 @@ from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.locus import Stations, of_locus
 from slowflow.averaged.reference.roots import Ints, fold_roots, response_roots, taken
 from slowflow.averaged.reference.search import GIVEN_UP, Zeros, find_zeros_abreast
-from slowflow.averaged.reference.steps import Wanted
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import SaddleNodes
 from slowflow_kernels import slow_flow
@@ -45,33 +42,15 @@ NEXT_TO_REST = 2.0**-200
 
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega, of one Omega by rising A, of one A the corner first."""
-    return FoldsUpTo(F_0, *amplitude_bound(model, F_0)).alone(model)
+    return folds_up_to(model, F_0, *amplitude_bound(model, F_0))
 
 
-@dataclass(frozen=True)
-class FoldsUpTo(Wanted):
+def folds_up_to(model: Model, F_0: float, A_max: float, remark: str) -> SaddleNodes:
     """The same, up to the amplitude that `amplitude_bound` gives, with its remark."""
-
-    F_0: float
-    A_max: float
-    remark: str
-
-    def alone(self, model: Model) -> SaddleNodes:
-        found = folds_abreast(model, self.F_0, self.A_max)
-        if found.given_up.any():
-            raise NotSettled(GIVEN_UP)
-        return _told(model, self.F_0, found, self.remark)
-
-    def together(self, model: Abreast, all_of_them: Sequence[Self]) -> list[Any]:
-        F_0, A_max = (np.array([getattr(one, name) for one in all_of_them]) for name in ("F_0", "A_max"))
-        found = folds_abreast(model, F_0, A_max)
-        begins = np.searchsorted(found.of, np.arange(model.abreast + 1)).tolist()
-        return [
-            NotSettled(GIVEN_UP)
-            if found.given_up[k]
-            else _told(one, wanted.F_0, found.take(slice(*begins[k : k + 2]), slice(k, k + 1)), wanted.remark)
-            for k, (one, wanted) in enumerate(zip(model.each, all_of_them, strict=True))
-        ]
+    found = folds_abreast(model, F_0, A_max)
+    if found.given_up.any():
+        raise NotSettled(GIVEN_UP)
+    return _told(model, F_0, found, remark)
 
 
 def _told(model: Model, F_0: float, found: Folds, remark: str) -> SaddleNodes:

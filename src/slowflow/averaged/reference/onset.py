@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from slowflow.averaged import words
-from slowflow.averaged.reference import dissipated, dissipated_points, steps
+from slowflow.averaged.reference import dissipated, dissipated_points
 from slowflow.averaged.reference.along import (
     Asked,
     Cusp,
@@ -35,8 +35,6 @@ from slowflow.averaged.reference.locus import of_cusps, of_isolas
 from slowflow.averaged.reference.minima import cusp_is_minimum, isola_is_minimum
 from slowflow.averaged.reference.roots import Ints, fold_roots, peak_roots, taken
 from slowflow.averaged.reference.search import GIVEN_UP, find_zeros, find_zeros_abreast
-from slowflow.averaged.reference.steps import Steps
-from slowflow.averaged.reference.wanted import Above, At, Bound, Search
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound
@@ -103,15 +101,11 @@ class _Best:
         self.rest = float(np.min(np.where(counts, level, math.inf), initial=self.rest))
 
 
+@np.errstate(all="ignore")
 def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
-    return steps.alone(model, onset_in_steps(model))
-
-
-def onset_in_steps(model: Model) -> Steps[SaddleNodeOnset]:
-    """The same, see `steps`."""
     if model.zeta == 0 and not model.laws.any:
-        return (yield from _onset_without_viscous_damping(model))
+        return _onset_without_viscous_damping(model)
     come_down, base = next_to_rest(model)
     # of a preload they have R next to 0 and A Omega^2 next to it, as Omega tends to inf
     if come_down or (model.inertial and model.preload > 0):
@@ -119,7 +113,7 @@ def onset_in_steps(model: Model) -> Steps[SaddleNodeOnset]:
         return SaddleNodeOnset(None, None, None, "", message, _status=Status.UNBOUNDED)
     if _comes_down_to_play(model) or _comes_down_to_rest(model):
         return SaddleNodeOnset(None, None, None, "", words.NO_LOWEST.format(model.m), _status=Status.UNBOUNDED)
-    best = yield from _lowest(model, base)
+    best = _lowest(model, base)
     if _hardly_jumps(model) or (best.undecided and _is_beside_breakpoint(model, best)):
         raise NotSettled(words.unresolved_onset(model))
     if best.open or (model.inertial and _falls_at_breakpoint(model, best)):
@@ -214,7 +208,7 @@ def _is_beside_breakpoint(model: Model, best: _Best) -> bool:
     return not best.kind or (best.kind != "corner" and any(near))
 
 
-def _onset_without_viscous_damping(model: Model) -> Steps[SaddleNodeOnset]:
+def _onset_without_viscous_damping(model: Model) -> SaddleNodeOnset:
     """zeta = 0: folds lie at Omega^2 = -h_A and their level is that of R = k.
 
     Where k tends to 0 on the way, as to A = 0 with a stiffness that is not negative next to it, or as A grows where
@@ -232,17 +226,17 @@ def _onset_without_viscous_damping(model: Model) -> Steps[SaddleNodeOnset]:
         raise NotSettled(words.unresolved_onset(model))
     if model.inertial:
         return no_lowest if saddle_nodes(model, 2 * model.m + 1.0).A.size else none
-    best, at = _Best(), (yield At(0.0))
+    best, at = _Best(), samples_at(model, 0.0)
     first = at
     for i, b in enumerate((*model.breakpoints, ENDLESS)):
-        last = yield At(b)
+        last = samples_at(model, b)
         if any(one[0] != 0 for end in (first, last) for one in (end.h_AA, end.h_AAA)):
             piece = Stretch(first, last, first.A)
             from_0 = at.k[0] == 0 and _moves_from(piece, at.h_A[0]) and not (i > 0 and model.jumps[i - 1] != 0)
-            if from_0 or (yield from _tends_to_friction(model, piece, best)):
+            if from_0 or _tends_to_friction(model, piece, best):
                 return no_lowest
         if i < len(model.breakpoints):
-            at, first = last, (yield Above(i))
+            at, first = last, sample_above(model, i)
             if _tends_to_friction_on(model, at, first, model.jumps[i], best):
                 return no_lowest
     beyond = samples_at(model, BEYOND)
@@ -265,9 +259,9 @@ def _of_undamped(model: Model) -> list[Asked]:
     return [Stiffness(model), Undamped(model)]
 
 
-def _tends_to_friction(model: Model, piece: Stretch, best: _Best) -> Steps[bool]:
+def _tends_to_friction(model: Model, piece: Stretch, best: _Best) -> bool:
     """Whether k vanishes inside of a piece; if not, the least levels there."""
-    ends, turns = yield Search(_of_undamped, (), [piece])
+    ends, turns = find_zeros(model, _of_undamped(model), [piece])
     if (turns.channel == 1).any():
         return True
     at = samples_at(model, turns.A)
@@ -302,16 +296,16 @@ def _tends_to_friction_on(model: Model, at: Samples, above: Samples, jump: float
     return False
 
 
-def _lowest(model: Model, base: float) -> Steps[_Best]:
+def _lowest(model: Model, base: float) -> _Best:
     """Of all pieces and breakpoints, from an amplitude on; first what leaves less to search."""
-    best, first = _Best(), (yield At(base))
+    best, first = _Best(), samples_at(model, base)
     if (
         model.preload > 0
     ):  # R, -preload next to A = 0, vanishes at frequencies that tend to inf there, and F_0 tends to m
         best.rest = model.m
     bounded = []
     for i, (b, jump) in enumerate(zip(model.breakpoints, model.jumps, strict=True)):
-        at, above = (yield At(b)), (yield Above(i))
+        at, above = samples_at(model, b), sample_above(model, i)
         if model.laws.any:
             _consider_corner(model, i, best)
         else:
@@ -322,8 +316,8 @@ def _lowest(model: Model, base: float) -> Steps[_Best]:
             bounded.append(stretch)
         first = above
     if bounded:
-        yield from _consider_pieces(model, bounded, best)
-    yield from _consider_last(model, first, best)
+        _consider_pieces(model, bounded, best)
+    _consider_last(model, first, best)
     return best
 
 
@@ -335,15 +329,15 @@ def _of_inertia(model: Model) -> list[Asked]:
     return [InertiaIsola(model), Cusp(model)]
 
 
-def _consider_pieces(model: Model, pieces: list[Stretch], best: _Best) -> Steps[None]:
+def _consider_pieces(model: Model, pieces: list[Stretch], best: _Best) -> None:
     """Where the level may be least inside of pieces: cusps, isola points, ends."""
     if model.laws.any:
         _consider_boxes(model, pieces, best)
         return
     if model.inertial:  # at Omega = 0 the level is infinite
-        isolas, cusps = yield Search(_of_inertia, (), pieces)
+        isolas, cusps = find_zeros(model, _of_inertia(model), pieces)
     else:
-        ends, isolas, cusps = yield Search(_of_force, (best.F_SN,), pieces)
+        ends, isolas, cusps = find_zeros(model, _of_force(model, best.F_SN), pieces)
         best.undecided |= bool(ends.undecided.any())
         turns = ends.A[ends.channel == 1]
         if turns.size:
@@ -476,7 +470,7 @@ def _consider_breakpoint(model: Model, at: Samples, jump: float, h_AA_above: flo
         best.consider_ends(model, at.A, slow_flow.level(0.0, at.A, m, zeta, at.h))
 
 
-def _consider_last(model: Model, first: Samples, best: _Best) -> Steps[None]:
+def _consider_last(model: Model, first: Samples, best: _Best) -> None:
     """The piece without an end.
 
     It is looked through as far as a state at the best forcing can lie, or at forcings raised until there is one; where
@@ -486,7 +480,7 @@ def _consider_last(model: Model, first: Samples, best: _Best) -> Steps[None]:
     F_0 = best.F_SN if best.kind else RAISE * max(model.m, FIRST_F_0)
     for number in range(RAISES + FAR_RAISES):
         try:
-            A_max, cut = yield Bound(F_0)
+            A_max, cut = amplitude_bound(model, F_0)
             if cut and not model.inertial and model.levels_off:
                 raise OutOfRange(words.unbounded(model, None))
         except OverflowError:
@@ -495,19 +489,19 @@ def _consider_last(model: Model, first: Samples, best: _Best) -> Steps[None]:
             unbounded, F_0 = F_0, 0.5 * (looked_through + F_0)
             continue
         if A_max > first.A[0]:  # what lies below has been looked through
-            last = yield At(A_max)
+            last = samples_at(model, A_max)
             if first.A[0] == first.h[0] == 0 and last.h_AA[0] == last.h_AAA[0] == first.h_AAA[0] == 0:
                 return  # linear
-            yield from _consider_pieces(model, [Stretch(first, last, base)], best)
+            _consider_pieces(model, [Stretch(first, last, base)], best)
             first = last
         if cut:  # where the response does not close folds of any amplitude may be lower
-            best.open = not best.kind or bool((yield Bound(best.F_SN))[1])
+            best.open = not best.kind or bool(amplitude_bound(model, best.F_SN)[1])
             return
         if best.F_SN <= F_0:
             return
         looked_through = F_0
         if number >= RAISES - 1 and not best.kind:
-            if A_max >= model.reach or _has_settled(first, (yield At(ENDLESS * first.A[0]))):
+            if A_max >= model.reach or _has_settled(first, samples_at(model, ENDLESS * first.A[0])):
                 return
         F_0 = best.F_SN if best.kind else (RAISE if number < RAISES else FAR_RAISE) * F_0
         if F_0 >= unbounded:

@@ -17,17 +17,15 @@ import numpy as np
 
 from slowflow.answer import joined
 from slowflow.averaged import words
-from slowflow.averaged.reference import dissipated, dissipated_points, doubt, inertia, steps
+from slowflow.averaged.reference import dissipated, dissipated_points, doubt, inertia
 from slowflow.averaged.reference.along import Asked, InertiaPeak, Peak, Rest
-from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, OfRoots, OmegaAt, Roots, merged
+from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.averaged.reference.cells import amid, stretches_up_to
-from slowflow.averaged.reference.folds import FoldsUpTo
+from slowflow.averaged.reference.folds import folds_up_to
 from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.roots import Ints, Quartics
 from slowflow.averaged.reference.search import find_zeros
-from slowflow.averaged.reference.steps import Steps
-from slowflow.averaged.reference.wanted import Bound, Pieces, Search
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates
 from slowflow_kernels import dissipation, frequencies, slow_flow
@@ -85,25 +83,21 @@ class Skeleton:
 
 
 @lru_cache(maxsize=16)
+@np.errstate(all="ignore")
 def skeleton(model: Model, F_0: float, lowest: float = 0.0) -> Skeleton:
     """Segments and how they hang together, for F_0 > m; kept, as states at one frequency after another ask for it.
 
     lowest -- as in `amplitude_bound`
     """
-    return steps.alone(model, _skeleton(model, F_0, lowest))
-
-
-def _skeleton(model: Model, F_0: float, lowest: float) -> Steps[Skeleton]:
-    """The same, see `steps`."""
-    A_max, remark = yield Bound(F_0, lowest)
+    A_max, remark = amplitude_bound(model, F_0, lowest)
     roots = _along(model, F_0)
-    folds = yield FoldsUpTo(F_0, A_max, remark)
+    folds = folds_up_to(model, F_0, A_max, remark)
     try:
-        events, undecided = yield from _events(model, F_0, A_max)
-        graph = yield from Graph.in_steps(roots, events)
+        events, undecided = _events(model, F_0, A_max)
+        graph = Graph.of(roots, events)
     except ArithmeticError as failure:
         raise NotSettled(words.unresolved(model, F_0)) from failure
-    on_arc = yield from _arcs_of_folds(roots, graph, folds)
+    on_arc = _arcs_of_folds(roots, graph, folds)
     curves = []
     for tour in graph.tours:
         curve: list[tuple[Segment, bool]] = []
@@ -115,7 +109,7 @@ def _skeleton(model: Model, F_0: float, lowest: float) -> Steps[Skeleton]:
         curves.append(curve)
     undecided |= Remark.UNDECIDED in folds.remarks
     closed = [tour.closed for tour in graph.tours]
-    return Skeleton(roots, folds, (yield from _with_stability(roots, curves)), closed, undecided, remark)
+    return Skeleton(roots, folds, _with_stability(roots, curves), closed, undecided, remark)
 
 
 def _along(model: Model, F_0: float) -> Along:
@@ -129,7 +123,7 @@ def _peaks_and_rest(model: Model, F_0: Any) -> list[Asked]:
     return [Peak(model, F_0), Rest(model, F_0)]
 
 
-def _events(model: Model, F_0: float, A_max: float) -> Steps[tuple[list[Event], bool]]:
+def _events(model: Model, F_0: float, A_max: float) -> tuple[list[Event], bool]:
     """Where the number of roots may change, by rising A: peaks, static states, breakpoints.
 
     And whether doubles leave some open.
@@ -138,8 +132,8 @@ def _events(model: Model, F_0: float, A_max: float) -> Steps[tuple[list[Event], 
         return dissipated_points.response_events(model, F_0, A_max)
     if model.inertial:
         return _events_of_inertia(model, F_0, A_max)
-    pieces = yield Pieces(A_max)
-    peaks, static = yield Search(_peaks_and_rest, (F_0,), pieces)
+    pieces = stretches_up_to(model, A_max)
+    peaks, static = find_zeros(model, _peaks_and_rest(model, F_0), pieces)
     # where F is biquadratic in Omega with a minimum inside, it is a second root that comes from Omega = 0
     with np.errstate(all="ignore"):
         (w1, _), _ = (at_rest := Quartics(static.A, *model.averaged(static.A)[:2], model.m, model.zeta, F_0)).critical
@@ -193,12 +187,12 @@ def _events_of_inertia(model: Model, F_0: float, A_max: float) -> tuple[list[Eve
 def are_events_undecided(model: Model, F_0: float) -> bool:
     """Whether doubles leave open which peaks and static states a response curve has; of a force."""
     try:
-        return steps.alone(model, _events(model, F_0, amplitude_bound(model, F_0)[0]))[1]
+        return _events(model, F_0, amplitude_bound(model, F_0)[0])[1]
     except ArithmeticError:
         return True
 
 
-def _arcs_of_folds(roots: Along, graph: Graph, folds: SaddleNodes) -> Steps[dict[int, list[tuple[float, float]]]]:
+def _arcs_of_folds(roots: Along, graph: Graph, folds: SaddleNodes) -> dict[int, list[tuple[float, float]]]:
     """The folds (A, Omega) on each arc: of those that reach a fold's amplitude the one that is nearest."""
     pairs = [
         (f, number)
@@ -210,7 +204,7 @@ def _arcs_of_folds(roots: Along, graph: Graph, folds: SaddleNodes) -> Steps[dict
         return {}
     of, numbers = (np.array(column, dtype=np.intp) for column in zip(*pairs, strict=True))
     count, index = (np.array([getattr(graph.arcs[n], name) for n in numbers]) for name in ("count", "index"))
-    off = np.abs((yield OmegaAt(roots, folds.A[of], count, index)) - folds.Omega[of])
+    off = np.abs(roots.at(folds.A[of], count, index) - folds.Omega[of])
     found: dict[int, list[tuple[float, float]]] = {}
     for f in np.unique(of):
         own = np.flatnonzero(of == f)
@@ -218,25 +212,17 @@ def _arcs_of_folds(roots: Along, graph: Graph, folds: SaddleNodes) -> Steps[dict
     return found
 
 
-def _with_stability(roots: Along, curves: list[list[tuple[Segment, bool]]]) -> Steps[list[list[tuple[Segment, bool]]]]:
+def _with_stability(roots: Along, curves: list[list[tuple[Segment, bool]]]) -> list[list[tuple[Segment, bool]]]:
     """The same with each segment's stability: a state is stable where F_A is positive (30)."""
     segments = [segment for curve in curves for segment, _ in curve]
     if not segments:
         return curves
-    stable = iter((yield Stability(roots, segments)).tolist())
+    stable = iter(_are_stable(roots, segments).tolist())
     return [[(replace(segment, stable=next(stable)), upward) for segment, upward in curve] for curve in curves]
 
 
-class Stability(OfRoots):
-    """Which segments are stable."""
-
-    @staticmethod
-    def found(roots: Along, of: Ints, *columns: Any) -> Any:
-        return _are_stable(roots.take(of), *columns)
-
-
 def _are_stable(own: Along, segments: Sequence[Segment]) -> Bools:
-    """The same; each of its own design, where some are abreast."""
+    """Which segments are stable."""
     count, index = _numbers(segments)
     A = np.array([0.5 * (segment.low[0] + segment.high[0]) for segment in segments])
     Omega = own.at(A, count, index)
@@ -269,14 +255,14 @@ def _end(step: tuple[Segment, bool], first: bool) -> tuple[float, float]:
     return segment.low if upward == first else segment.high
 
 
-def states_at(found: Skeleton, Omega: Floats) -> Steps[tuple[Floats, Floats, np.ndarray]]:
+def states_at(found: Skeleton, Omega: Floats) -> tuple[Floats, Floats, np.ndarray]:
     """Every state at each of the given frequencies: Omega, A, stable; by the order of `Omega`, then by rising A."""
     hits: list[tuple[int, Segment]] = []
     for segment in found.segments:
         low, high = segment.range
         hits += [(int(q), segment) for q in np.flatnonzero((low <= Omega) & (Omega <= high))]
     which = np.array([q for q, _ in hits], dtype=np.intp)
-    A = yield Amplitudes(found.roots, [segment for _, segment in hits], Omega[which])
+    A = solve_segments(found.roots, [segment for _, segment in hits], Omega[which])
     stable = np.array([segment.stable for _, segment in hits], dtype=bool)
     is_end = np.array([Omega[q] in segment.range for q, segment in hits], dtype=bool)
     order = np.lexsort((A, which))
@@ -303,15 +289,6 @@ def _order_same(which: Any, A: Floats, stable: Any) -> None:
         lowest = i == 0 or which[i - 1] != which[i]
         stable[i] = lowest or not stable[i - 1]
         stable[i + 1] = not stable[i]
-
-
-class Amplitudes(OfRoots):
-    """`solve_segments`, of segments at Omega."""
-
-    @staticmethod
-    def found(roots: Along, of: Ints, *columns: Any) -> Any:
-        segments, Omega = columns
-        return solve_segments(roots, segments, Omega, of)
 
 
 @np.errstate(all="ignore")
@@ -525,17 +502,7 @@ def _weights(segments: list[Segment]) -> Floats:
 def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
     found = skeleton(model, F_0, float(Omega.min(initial=np.inf)) if model.lets_go else 0.0)
-    return steps.alone(model, _states(model, Omega, F_0, found))
-
-
-def amplitudes_in_steps(model: Model, Omega: Floats, F_0: float) -> Steps[SteadyStates]:
-    """The same of a mass that a spring holds, see `steps`."""
-    found = yield from _skeleton(model, F_0, 0.0)
-    return (yield from _states(model, Omega, F_0, found))
-
-
-def _states(model: Model, Omega: Floats, F_0: float, found: Skeleton) -> Steps[SteadyStates]:
-    at, A, stable = yield from states_at(found, Omega)
+    at, A, stable = states_at(found, Omega)
     with np.errstate(all="ignore"):
         in_doubt = doubt.is_at_fold(model, F_0, Omega, found.folds.Omega, found.folds.A)
     undecided = Omega if found.undecided else Omega[in_doubt]
