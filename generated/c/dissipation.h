@@ -215,6 +215,7 @@ SF_KERNEL double dissipation_Omega_A_by_inertia(double Omega, double A, double I
 /* F at Omega = 0 by its halves h - c and h + c, c^2 = F_0^2 - I_0^2; and the slope of each.
    Equation from (24). Domain: F_0 > I_0.
    Operations: 12 structured, 10 common subexpressions, 10 power chains
+   Measured, error / u (1 + kappa): 0.51
  */
 SF_KERNEL void dissipation_static(double F_0, double I_0, double I_0A, double h, double h_A, double *out)
 {

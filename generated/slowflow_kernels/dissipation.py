@@ -422,6 +422,7 @@ def static(F_0, I_0, I_0A, h, h_A):
 
     Equation from (24). Domain: F_0 > I_0. Shape: 4 results, each the arguments that it depends on, broadcast.
     Operations: 12 structured, 10 common subexpressions, 10 power chains.
+    Measured, error / u (1 + kappa): 0.51
     """
     c = np.sqrt((F_0 - I_0) * (F_0 + I_0))
     t0 = I_0 * I_0A / c
