@@ -10,8 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
 
-from slowflow import Duffing, Isolator, scenes
+from slowflow import Duffing, Isolator, loads, scenes
 from slowflow_kernels.conventions import Status
 from slowflow_support.errors import Refused
 from tests.sampling import fewer
@@ -42,6 +43,35 @@ def test_isolation_of_a_linear_mount_is_the_closed_form(excitation, zeta, level_
     assert found.Omega == pytest.approx(expected, rel=near)
     assert many.Omega[0] == pytest.approx(expected, rel=near)
     assert found.level_dB == level_dB and not found.at_fold
+
+
+def test_zeros_of_many_functions_are_those_of_scipy_to_the_bit():
+    rng = np.random.default_rng(2)
+    a, b, c = rng.uniform(-3, 3, (3, 200))
+
+    def f(x, which=slice(None)):
+        return np.sin(a[which] * x) + b[which] * x**3 + c[which] * np.abs(x - 0.3)
+
+    low, high = rng.uniform(-2, 0, 200), rng.uniform(0, 2, 200)
+    found, near = loads.zeros(f, low, high), {"xtol": 4 * np.finfo(float).tiny, "rtol": 4 * EPS}
+    opposite = np.flatnonzero(f(low) * f(high) < 0)
+    assert opposite.size > 50
+    for k in opposite.tolist():
+        assert found[k] == brentq(lambda x, k=k: float(f(np.array([x]), k)[0]), low[k], high[k], **near)
+    same = f(low) * f(high) > 0
+    assert (np.abs(f(found)) == np.minimum(np.abs(f(low)), np.abs(f(high))))[same].all()
+
+
+def test_a_fold_just_below_the_frequency_hides_no_crossing_between_two_points_of_a_sparse_curve():
+    """The truncation makes it: the branch goes on, from a fold that is not stable to a point that transmits less."""
+    given = {"lam": 1, "r": 3.429915195234352, "delta_h": 0.007162401664523088}
+    given |= {"mu": 0.001103126706865959, "zeta": 0.004221581988793708}
+    F_0, level_dB = 0.16455221143994167, -3.0
+    one = Isolator(**given)
+    many = Isolator.many(**given).isolation(F_0, level_dB=level_dB)
+    assert not many.at_fold and max(one.saddle_nodes(F_0).Omega) < many.Omega
+    assert passed(one, float(many.Omega), F_0) == pytest.approx(level_dB, abs=1e-9)
+    assert many.Omega == pytest.approx(one.isolation(F_0, level_dB).Omega, rel=1e-13)
 
 
 def random_design(rng: np.random.Generator, excitation: str) -> tuple[Isolator | Duffing, float]:

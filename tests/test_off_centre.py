@@ -19,7 +19,7 @@ import sympy
 from scipy.optimize import brentq
 from scipy.spatial import cKDTree
 
-from slowflow import Duffing, Isolator, Oscillator, derive, loads
+from slowflow import Duffing, Isolator, Oscillator, derive
 from slowflow.averaged.reference.intervals import Interval
 from slowflow.isolator import ROD_SPRING
 from slowflow.model import Model
@@ -774,7 +774,7 @@ def test_from_the_isolation_frequency_on_less_than_the_force_is_transmitted(load
 @pytest.mark.slow
 def test_what_transmits_the_force_beyond_the_isolation_found_is_seen_by_the_proof(loaded, monkeypatch):
     """Points of the response that pass over its last stretch do not make the answer: more are taken, or it says so."""
-    true, begins = loaded.isolation(0.04), loads.begins
+    true, begins = loaded.isolation(0.04), OffCentre._begins
     assert Remark.UNDECIDED not in true.remarks and not true.message
     low, high = loaded.off_centre._transmits_beyond(replace(true, Omega=0.97 * true.Omega))
     assert low < true.Omega < high
@@ -783,9 +783,9 @@ def test_what_transmits_the_force_beyond_the_isolation_found_is_seen_by_the_proo
         return replace(begins(*given), Omega=0.97 * true.Omega)
 
     answers = iter((early, begins))
-    monkeypatch.setattr(loads, "begins", lambda *given: next(answers)(*given))
+    monkeypatch.setattr(OffCentre, "_begins", lambda *given: next(answers)(*given))
     assert loaded.isolation(0.04).Omega == pytest.approx(true.Omega, rel=1e-12)
-    monkeypatch.setattr(loads, "begins", early)
+    monkeypatch.setattr(OffCentre, "_begins", early)
     assert loaded.isolation(0.04).remarks & Remark.UNDECIDED and "undecided" in loaded.isolation(0.04).message
     values = {name: [value] for name, value in {**TABLE_1, "load": 0.03}.items()}
     many = Isolator.many(**values).isolation(0.04)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -19,8 +20,8 @@ from slowflow.averaged.batches import Batch, Codes, first_end
 from slowflow.averaged.many import Designs
 from slowflow.averaged.questions import Averaged
 from slowflow.averaged.remarks import gives_way, stay_centred
-from slowflow.mechanism import Floats
-from slowflow.model import THROUGHOUT
+from slowflow.mechanism import Floats, Mechanism
+from slowflow.model import THROUGHOUT, held
 from slowflow.results import Remark
 from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import Status
@@ -28,12 +29,8 @@ from slowflow_kernels.conventions import Status
 Flags = npt.NDArray[np.bool_]
 Ints = npt.NDArray[np.intp]
 
-#: amplitudes, from this share of the highest peak up to it, between which what transmits the force is looked for
-LEAST, AMPLITUDES = 1e-4, 128
-#: decibels for which there are as many amplitudes more
-PER_GRID = 40
-#: designs at once, for their amplitudes to stay in the processor's cache, and halvings that leave only rounding
-AT_ONCE, HALVINGS = 1024, 60
+#: points of a response curve where motions stay centred, and where they may not; designs at once
+SAMPLES, AT_ONCE = (64, loads.SAMPLES), 1024
 
 #: bands of this share of their frequency may be rounding
 NARROW = 1e-12
@@ -165,55 +162,56 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
 def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1) -> Batch:
     """See `slowflow.designs.Designs.isolation`.
 
-    The states that transmit that share of the force are the zeros of one function of A, see `loads.isolation`; the last
-    of them that is stable, or the last fold of a motion that transmits more, is where isolation begins. What is said of
-    the response is known of its peak and folds, where no motion leaves the centre in between.
+    `loads.isolated` of response curves; designs with other damping than mu and zeta, and those without a peak, are
+    asked singly.
     """
-    peaks, folds = designs.peak(F_0, workers=workers), designs.saddle_nodes(F_0, workers=workers)
+    peaks = designs.peak(F_0, workers=workers)
     given = validate.real_array("level_dB", 0.0 if level_dB is None else level_dB)
     shape = validate.common_shape({**designs.values, "F_0": np.asarray(F_0), "level_dB": given})
     dB, forcing = (np.broadcast_to(np.asarray(one, dtype=float), shape) for one in (given, F_0))
-    Omega, A, at_fold = np.full(shape, np.nan), np.full(shape, np.nan), np.zeros(shape, np.int8)
+    inertial, mu, zeta = designs.excitation != "force", *(np.asarray(designs.values[one]) for one in ("mu", "zeta"))
     with np.errstate(all="ignore"):  # a number outside its domain has a status
-        levels, m = loads.Level.of(dB), np.asarray(slow_flow.friction(designs.values["mu"]))
+        levels, m = loads.Level.of(dB), np.asarray(slow_flow.friction(mu))
         status = np.where(np.isfinite(dB) & (dB <= 0), peaks.status, Status.INVALID).astype(np.int8)
         # friction alone passes on more, at any frequency
-        floor = (dB < 0) & (m >= levels.ratio * forcing) & (status == Status.OK) & (designs.excitation == "force")
-        status[floor] = Status.NONE
-        plain = (status == Status.OK) & (folds.status == Status.OK) & (not designs.laws)
-        said = (peaks.remarks | folds.remarks) & ~np.uint16(Remark.OF_TRUNCATION)  # which a fold is, not the response
+        floor = (dB < 0) & (m >= levels.ratio * forcing) & (status == Status.OK) & (not inertial)
         parameters = tuple(np.asarray(value) for value in designs.mechanism.coefficients(*designs.design))
-        plain &= stay_centred(designs.mechanism, parameters) & (said & (Remark.UNDECIDED | Remark.BY_BALLS) == 0)
-    if designs.excitation != "force":  # at low frequencies friction all but holds the mass
-        said = said | np.where(np.asarray(designs.values["mu"]) > 0, np.uint16(Remark.NEAR_STICKING), np.uint16(0))
-    said = np.array(np.broadcast_to(said, shape))  # of a single design too, as others are put in
-    spread = {name: np.broadcast_to(value, shape)[plain] for name, value in designs.values.items()}
-    highest = np.broadcast_to(peaks.A, shape)[plain]
-    of_folds = [np.broadcast_to(one, (*shape, one.shape[-1]))[plain] for one in (folds.Omega, folds.A)]
-    F, level = forcing[plain], loads.Level(*(one[plain] for one in levels))
-    columns = [np.empty(F.size), np.empty(F.size), np.empty(F.size, bool)]
-    grids = 1 - np.floor(level.dB / PER_GRID).astype(int)
-    for size in np.unique(grids):
-        alike = np.flatnonzero(grids == size)
-        for few in progress.parts(alike.size, AT_ONCE, "isolation"):
-            part = alike[few]
-            own = {name: np.asarray(value[part], dtype=float) for name, value in spread.items()}
-            here = F[part], loads.Level(*(one[part] for one in level)), highest[part], *(one[part] for one in of_folds)
-            for column, values in zip(columns, _isolated(designs, own, AMPLITUDES * int(size), *here), strict=True):
-                column[part] = values
-    Omega[plain], A[plain], at_fold[plain] = columns
-    # no zero where one was looked for
-    searched = np.isin(status, (Status.OK, Status.UNBOUNDED, Status.NONE)) & np.isnan(Omega) & ~floor
-    for at, one in _singly(designs, F_0, searched, loads.isolation, dB):
+        # where motions may leave the centre between two points, more of these tell where
+        samples = np.broadcast_to(np.where(stay_centred(designs.mechanism, parameters), *SAMPLES), shape)
+        known = ((zeta > 0) | (not inertial)) & (not designs.laws)
+    status[floor] = Status.NONE
+    # without a peak no motion on a base that shakes exceeds F_0
+    highest = np.broadcast_to(np.where(peaks.status == Status.NONE, F_0, peaks.A), shape)
+    known = known & np.isin(status, (Status.OK, Status.NONE) if inertial else Status.OK) & ~floor
+    found: dict[str, Any] = {"Omega": np.full(shape, np.nan), "A": np.full(shape, np.nan)}
+    found |= {"at_fold": np.zeros(shape, np.int8), "status": status}
+    said = np.zeros(shape, np.uint16)
+    asked = np.array(np.isin(status, (Status.OK, Status.UNBOUNDED, Status.NONE)) & ~floor & ~known)
+    for points in SAMPLES:
+        rows = np.argwhere(known & (samples == points))
+        for part in progress.parts(len(rows), AT_ONCE, "isolation"):
+            at = tuple(rows[part].T) or (np.newaxis,)  # a single design has no axis
+            values = {name: np.broadcast_to(value, shape)[at] for name, value in designs.values.items()}
+            few = Designs(designs.mechanism, values, designs.excitation, designs.rubs)
+            level = loads.Level(*(one[at][:, np.newaxis] for one in levels))
+            numbers = forcing[at][:, np.newaxis], level, highest[at][:, np.newaxis]
+            curves, *columns = _isolated(few, *numbers, points, workers)
+            for name, column in zip(("at_fold", "Omega", "A"), columns, strict=True):
+                found[name][at] = column
+            status[at] = np.where(np.isnan(found["Omega"][at]), Status.NONE, Status.OK)
+            said[at], asked[at] = curves.remarks, curves.status != Status.OK
+            if inertial:  # at low frequencies friction all but holds the mass
+                moves = (values["mu"] > 0) & (curves.points > 0)
+                said[at] |= np.where(moves, np.uint16(Remark.NEAR_STICKING), np.uint16(0))
+    for at, one in _singly(designs, F_0, asked, loads.isolation, dB):
         status[at] = Status.UNRESOLVED if one is None else Status.NONE if one.Omega is None else Status.OK
         said[at] = 0 if one is None else one.remarks
-        if one is not None and one.Omega is not None:
-            Omega[at], at_fold[at] = one.Omega, one.at_fold
-            A[at] = np.nan if one.A is None else one.A
-    said = np.where(np.isin(status, (Status.OK, Status.NONE)) & ~floor, said, np.uint16(0))
-    found = {"Omega": Omega, "A": A, "at_fold": at_fold, "status": status}
-    asked = {"F_0": F_0} if level_dB is None else {"F_0": F_0, "level_dB": level_dB}
-    return Batch("isolation", found, designs, asked, remarks=said)
+        found["at_fold"][at] = one is not None and one.at_fold
+        for name in ("Omega", "A"):
+            value = getattr(one, name, None)
+            found[name][at] = np.nan if value is None else value
+    at_level = {} if level_dB is None else {"level_dB": level_dB}
+    return Batch("isolation", found, designs, {"F_0": F_0, **at_level}, remarks=said)
 
 
 def spectrum(designs: Designs, Omega: Any, F_0: Any, workers: int = 1) -> Batch:
@@ -289,69 +287,69 @@ def _sides(
     return loads.on_both_sides(folds.Omega[of], Omega)
 
 
+@dataclass(frozen=True)
+class _Flows:
+    """The slow flows of designs with mu and zeta, in columns with an axis of one: what `Model` has of one design."""
+
+    mechanism: Mechanism
+    parameters: tuple[Floats, ...]
+    damping: tuple[Floats, ...]
+    inertial: bool
+
+    @classmethod
+    def of(cls, designs: Designs) -> _Flows:
+        damping = np.asarray(slow_flow.friction(designs.values["mu"])), designs.values["zeta"]
+        every = (*damping, *designs.mechanism.coefficients(*designs.design))
+        m, zeta, *parameters = (np.broadcast_to(value, designs.shape)[:, np.newaxis] for value in every)
+        return cls(designs.mechanism, tuple(parameters), (m, zeta), designs.excitation != "force")
+
+    def take(self, rows: Any) -> _Flows:
+        """Those of some designs."""
+        parameters, damping = (tuple(one[rows] for one in columns) for columns in (self.parameters, self.damping))
+        return replace(self, parameters=parameters, damping=damping)
+
+    @property
+    def preload(self) -> Floats:
+        return -np.asarray(self.mechanism.at_rest(*self.parameters)[0]) * self.mechanism.odd
+
+    @property
+    def held(self) -> Floats:
+        return held(self.damping[0], self.preload)
+
+    def averaged(self, A: Floats) -> tuple[Floats, ...]:
+        h, *slopes = self.mechanism.averaged(A, *self.parameters)
+        return np.asarray(h), *slopes
+
+    def alike(self, Omega: Floats, A: Floats) -> tuple[Floats, ...]:
+        return self.damping
+
+    def force(self, F_0: Floats, Omega: Floats) -> Floats:
+        return np.asarray(inertia.force(Omega, F_0)) if self.inertial else F_0
+
+    def sine(self, Omega: Floats, A: Floats) -> Floats:
+        return np.asarray(slow_flow.I(Omega, A, *self.damping))
+
+    def F_A(self, Omega: Floats, A: Floats) -> Floats:
+        (h, h_A, *_), (m, zeta) = self.averaged(A), self.damping
+        return np.asarray(slow_flow.F_A(Omega, A, m, zeta, h, h_A))
+
+    def level(self, Omega: Floats, A: Floats) -> Floats:
+        kernels: Any = inertia if self.inertial else slow_flow
+        return np.asarray(kernels.level(Omega, A, *self.damping, self.averaged(A)[0]))
+
+
 def _isolated(
-    designs: Designs,
-    values: dict[str, Floats],
-    amplitudes: int,
-    F_0: Floats,
-    level: loads.Level,
-    highest: Floats,
-    Omega: Floats,
-    A: Floats,
-) -> tuple[Floats, Floats, Flags]:
-    """Where isolation begins, the amplitude there, whether at a fold; NaN where that is not told. Folds Omega, A."""
-    inertial = designs.excitation != "force"
-    kernel = inertia.isolation if inertial else slow_flow.isolation
-    # smaller motions of a base transmit that at any frequency
-    least = F_0 * np.sqrt(level.reduction) if inertial else np.zeros(F_0.size)
-    *design, mu, zeta = values.values()
-    parameters = tuple(np.asarray(value) for value in designs.mechanism.coefficients(*design))
-    m = slow_flow.friction(mu)
-
-    def full(A: Floats, at: Any) -> tuple[Floats, Floats, Floats]:
-        """Omega at which a motion of that amplitude transmits that share of what drives it, h, and h by A."""
-        h, h_A, *_ = designs.mechanism.averaged(A, *(value[at] for value in parameters))
-        found = kernel(A, F_0[at], level.reduction[at], h)
-        return np.where(A <= least[at], np.inf, found), h, h_A
-
-    def excess(A: Floats, at: Any) -> Floats:
-        """What is transmitted less that share: the sign counts."""
-        at_A, h, _ = full(A, at)
-        passed: Floats = slow_flow.transmissibility(at_A, A, 1.0, m[at], zeta[at], h)
-        if inertial:
-            passed = passed / inertia.force(at_A, 1.0)
-        return np.asarray(passed - level.ratio[at] * F_0[at])
-
-    every = (slice(None), np.newaxis)
-    with np.errstate(all="ignore"):  # where h is not negative there is no such frequency
-        share = np.geomspace(LEAST, 1.0, amplitudes) * level.ratio[every] ** np.linspace(2.0, 0.0, amplitudes)
-        grid = least[every] + (highest - least)[every] * share
-        above = excess(grid, every) > 0
-        which, k = np.nonzero(above[:, 1:] != above[:, :-1])
-        low, high = grid[which, k], grid[which, k + 1]
-        rises = above[which, k + 1]
-        for _ in range(HALVINGS):
-            middle = 0.5 * (low + high)
-            beyond = (excess(middle, which) > 0) == rises
-            low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
-        roots = 0.5 * (low + high)
-        at_roots, h, h_A = full(roots, which)
-        stable = slow_flow.F_A(at_roots, roots, m[which], zeta[which], h, h_A) > 0
-        best, of_A = np.full(F_0.size, np.nan), np.full(F_0.size, np.nan)
-        order = np.argsort(at_roots[stable])  # the last that is put in is the highest
-        best[which[stable][order]], of_A[which[stable][order]] = at_roots[stable][order], roots[stable][order]
-        transmits = np.where(Omega <= full(A, every)[0], Omega, -math.inf)
-        last = transmits.argmax(axis=1)
-        rows = np.arange(F_0.size)
-        at_fold = transmits[rows, last] > np.where(np.isnan(best), math.inf, best)
-        # the grid has to begin below all of them
-        told = ~above[:, 0]
-    Omega_last, A_last = Omega[rows, last], A[rows, last]
-    return (
-        np.where(told, np.where(at_fold, Omega_last, best), np.nan),
-        np.where(told, np.where(at_fold, A_last, of_A), np.nan),
-        at_fold & told,
-    )
+    few: Designs, F_0: Floats, level: loads.Level, A_max: Floats, samples: int, workers: int
+) -> tuple[Any, ...]:
+    """Response curves, and `loads.isolated` of them."""
+    with np.errstate(all="ignore"):  # amplitudes behind the last point
+        of = _Flows.of(few)
+        last = loads.highest(of, A_max, F_0, level, samples)[:, 0]
+        found = few.response(F_0[:, 0], Omega=last, samples=samples, workers=workers)
+        points = slice(max(1, int(found.points.max())))
+        columns: Any = found.Omega, found.A, found.stable == 1, found.branch, found.isola == 1
+        Omega, A, *flags = (one[:, points] for one in columns)
+        return found, *loads.isolated(of.take, loads.Curves((Omega, A), *flags), F_0, level)
 
 
 def _singly(designs: Designs, F_0: Any, wanted: Flags, ask: Callable[..., Any], *beside: Floats) -> Any:

@@ -93,12 +93,14 @@ def _peak(oscillator: Any, F_0: float, _: int) -> tuple[Any, ...]:
     return found.A, found.Omega, Status.OK
 
 
-def curves(samples: int, window: tuple[float, float]) -> Question:
-    """The question about response curves of so many samples in a window of Omega."""
+def curves(samples: int, window: tuple[float, float] | None = None) -> Question:
+    """The question about response curves of so many samples in a window of Omega; without, up to an Omega of each."""
     n = samples + MORE_POINTS[AVERAGING]
 
-    def one(oscillator: Any, F_0: float, places: int) -> tuple[Any, ...]:
-        found = oscillator and oscillator.curve(F_0, samples=samples, Omega=window, allowance=Allowance(0))
+    def one(oscillator: Any, F_0: float, *last: Any) -> tuple[Any, ...]:
+        *up_to, places = last
+        shown = window or (0.0, *up_to)
+        found = oscillator and oscillator.curve(F_0, samples=samples, Omega=shown, allowance=Allowance(0))
         *folds, undecided, status = _saddle_nodes(oscillator, F_0, places)
         undecided = undecided or (bool(found) and Remark.UNDECIDED in found.remarks)
         size = len(found) if found else 0
@@ -114,6 +116,8 @@ def curves(samples: int, window: tuple[float, float]) -> Question:
     def batch(native: ModuleType) -> Callable[[Any], Callable[..., Any]]:
         def of_record(record: Any) -> Callable[..., Any]:
             solve = native.many_frequency_response(record)
+            if window is None:
+                return lambda *given, out: solve(*given[:-1], float(samples), 0.0, given[-1], out=out)
             return lambda *given, out: solve(*given, float(samples), *window, out=out)
 
         return of_record

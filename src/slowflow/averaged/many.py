@@ -241,17 +241,26 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         self, F_0: Any, *, samples: int, Omega: tuple[float, float], places: int, workers: int
     ) -> Batch:
         samples, window = validate.curve(samples, Omega)
+        return self._curves(samples, window, F_0, places, workers)
+
+    def response(self, F_0: Any, *, Omega: Any, samples: int, places: int = 16, workers: int = 1) -> Batch:
+        """`frequency_response` up to an Omega of each design."""
+        return self._curves(samples, None, F_0, places, workers, Omega)
+
+    def _curves(
+        self, samples: int, window: tuple[float, float] | None, F_0: Any, places: int, workers: int, *up_to: Any
+    ) -> Batch:
         question = curves(samples, window)
         in_doubles = question.one
-        columns = self.ask(question, workers, F_0, places)
+        columns = self.ask(question, workers, F_0, places, *up_to)
 
-        def of_one(one: Averaged, F: float) -> tuple[Remark, tuple[Any, ...]]:
+        def of_one(one: Averaged, F: float, *at: float) -> tuple[Remark, tuple[Any, ...]]:
             assert in_doubles is not None  # only proofs have none
-            remarked = one.curve(F, samples=samples, Omega=window).remarks
-            *values, undecided, status = in_doubles(one, F, places)
+            remarked = one.curve(F, samples=samples, Omega=window or (0.0, at[0])).remarks
+            *values, undecided, status = in_doubles(one, F, *at, places)
             return remarked, (*values, undecided and Remark.BY_BALLS not in remarked, status)
 
-        by_balls = self._decide(of_one, columns, _undecided(columns), F_0)
+        by_balls = self._decide(of_one, columns, _undecided(columns), F_0, *up_to)
         found, A, stable, *_ = columns
         self._leave_out_what_drifts(found, A, stable)
         return self._batch("frequency_response", columns, {"by_balls": by_balls}, F_0=F_0)

@@ -604,7 +604,7 @@ class OffCentre(Unchanging):
         share = None
         if level.dB:
             steepest = (1 + COARSE) * backbone
-            highest = loads.last_passed(self._flow, F_0, level, steepest)
+            highest = float(loads.last_passed(self._flow, F_0, level, steepest))
             share = Share(float(level.ratio), highest, steepest)
         found = self._begins(F_0, 0.0, highest, level)
         if found.Omega is None or not (left := self._transmits_beyond(found, share)):
@@ -626,9 +626,15 @@ class OffCentre(Unchanging):
     def _begins(self, F_0: float, low: float, high: float, level: loads.Level) -> loads.Isolation:
         """Where isolation begins on points of the response between two frequencies."""
         curve = self._curve(F_0, loads.SAMPLES, low, high)
-        passes, at = partial(self._transmits, curve, float(level.ratio)), ("Omega", "A", "B")
-        made, transmits = partial(self._isolation, level), curve.transmissibility >= level.ratio
-        return loads.begins(made, curve, transmits, passes, F_0, str(level), at)
+        transmits, ratio = curve.transmissibility[np.newaxis] >= level.ratio, float(level.ratio)
+
+        def passes(_: Ints, *between: Ints) -> tuple[Floats, ...]:
+            pairs, none = np.transpose(between).tolist(), (-math.inf, 0.0, 0.0)
+            found = [self._transmits(curve, ratio, *pair) if curve.stable[pair[0]] else none for pair in pairs]
+            return tuple(np.array(found).reshape(-1, 3).T)
+
+        found = loads.begins(loads.Curves.of(curve, curve.mean), transmits, passes)
+        return loads.told(partial(self._isolation, level), curve, level, *(column.item() for column in found))
 
     def _transmits_beyond(self, found: loads.Isolation, share: Share | None = None) -> tuple[float, float] | None:
         """Between which frequencies beyond that one F_0 may be transmitted; None where it is proved that it is not."""
