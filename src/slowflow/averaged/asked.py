@@ -122,7 +122,8 @@ def curves(samples: int, window: tuple[float, float] | None = None) -> Question:
 
         return of_record
 
-    return Question(one, outputs("frequency_response", points=n), batch, min(2**12, max(1, 2**22 // n)))
+    at_once = min(2**12, max(1, 2**22 // n))
+    return Question(one, outputs("frequency_response", points=n), batch, at_once, by_laws=True)
 
 
 def outputs(question: str, system: str = AVERAGING, points: int = 0) -> Callable[[int], list[tuple[Any, ...]]]:
@@ -187,12 +188,14 @@ AMPLITUDES = Question(
     outputs("amplitudes"),
     lambda native: native.many_amplitudes,
     2**11,
+    by_laws=True,
 )
 PEAK = Question(
     _peak,
     outputs("peak"),
     lambda native: native.many_peak,
     2**13,
+    by_laws=True,
 )
 PROVED_FOLDS = Question(
     None,

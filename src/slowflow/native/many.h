@@ -36,7 +36,8 @@ static void sf_read_numbers_at(const sf_mechanism *mechanism, char **args, const
         out->damping[i] = sf_input(args, steps, mechanism->design_size + i, k);
 }
 
-/* Design k as the solvers take it; 0 if a number lies outside its domain, or sf_prepare refuses it.
+/* Design k as the solvers take it; 0 if a number lies outside its domain, or sf_prepare refuses it, or
+ * with other laws of damping it has no answer.
  * jumps: whether it is asked what the force loses at its breakpoints, which takes longer than some answers. */
 static int sf_design_at(const sf_mechanism *mechanism, char **args, const ptrdiff_t *steps, ptrdiff_t k, int jumps,
                         sf_model *model) {
@@ -44,7 +45,7 @@ static int sf_design_at(const sf_mechanism *mechanism, char **args, const ptrdif
     sf_read_numbers_at(mechanism, args, steps, k, &at);
     if (!mechanism->parameters_of(mechanism, at.design, model->p) || !mechanism->damping_of(at.damping, model->damping))
         return 0;
-    return sf_prepare(mechanism, jumps ? at.design : NULL, model);
+    return sf_prepare(mechanism, jumps ? at.design : NULL, model) && (!sf_has_laws(model) || sf_allows_laws(model));
 }
 
 /* Design k as it was given; 0 where no proof is possible. */
@@ -387,8 +388,7 @@ static void sf_answer_folds(const sf_mechanism *mechanism, char **args, const pt
         if (sf_has_laws(&model)) {
             /* only a jump that rounds to 0 is looked at in the design */
             const int is_given = sf_is_continuous(&model) && sf_given_at(mechanism, args, steps, k, &given);
-            if (sf_allows_laws(&model))
-                status = sf_law_folds(&model, is_given ? &given : NULL, F_0, &room->work, &found);
+            status = sf_law_folds(&model, is_given ? &given : NULL, F_0, &room->work, &found);
         } else if (!(exact != NULL && sf_told_folds(&model, &given.exactly, F_0, room, &found, &status))) {
             const int is_given = sf_given_at(mechanism, args, steps, k, &given);
             status = sf_settled_folds(&model, is_given ? &given : NULL, F_0, room, &found);

@@ -240,6 +240,10 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
         at.I = sfi_both(at.I, sfi_of(-HUGE_VAL, force.hi));
         if (sf_is_none(at.I))
             return 0;
+        if (stationary && forced) /* next to Omega = 0, where h vanishes too, this tells */
+            at.I = sfi_both(at.I, dissipation_intervals_R_of_response(force, of->R));
+        if (sf_is_none(at.I))
+            return 0;
         if (stationary)
             of->R = sf_stationary_R(search, strip, of, at.I);
         if (stationary && forced && search->far)
