@@ -28,17 +28,8 @@ SHOWN, ACROSS = 30, 16
 NAMED = 14
 
 
-class _WhenRead:
-    """A field that an answer has not got yet: `_later` of it makes all of these when the first is read."""
-
-    def __set_name__(self, owner: type, name: str) -> None:
-        self.name = name
-
-    def __get__(self, one: Any, kind: Any = None) -> Any:
-        if one is None or "_later" not in one.__dict__:  # of a class, so that dataclasses take it for no default
-            raise AttributeError(self.name)
-        one.__dict__.update(one._later(one))
-        return one.__dict__[self.name]
+#: fields that an answer need not have yet: `_later` of it makes all of them when the first is read
+WHEN_READ = ("message", "remarks", "untruncated")
 
 
 class Answer:
@@ -50,7 +41,16 @@ class Answer:
     in_words: ClassVar[Words] = MappingProxyType({})
 
     if not TYPE_CHECKING:
-        message, remarks, untruncated = _WhenRead(), _WhenRead(), _WhenRead()
+
+        def __getattr__(self, name: str) -> Any:
+            if name in WHEN_READ and "_later" in self.__dict__:
+                self.__dict__.update(self._later(self))
+                if name in self.__dict__:
+                    return self.__dict__[name]
+            return self.__getattribute__(name)  # of a property that is not there in its own words
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *(one.name for one in dataclasses.fields(self))]  # type: ignore[arg-type]
 
     @classmethod
     def _made(cls, *, message: str | Callable[[], str], **found: Any) -> Self:

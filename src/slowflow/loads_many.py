@@ -345,7 +345,7 @@ def _isolated(
     with np.errstate(all="ignore"):  # amplitudes behind the last point
         of = _Flows.of(few)
         last = loads.highest(of, A_max, F_0, level, samples)[:, 0]
-        found = few.response(F_0[:, 0], Omega=last, samples=samples, workers=workers)
+        found = few._response_up_to(F_0[:, 0], Omega=last, samples=samples, workers=workers)
         points = slice(max(1, int(found.points.max())))
         columns: Any = found.Omega, found.A, found.stable == 1, found.branch, found.isola == 1
         Omega, A, *flags = (one[:, points] for one in columns)

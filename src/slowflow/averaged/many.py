@@ -243,7 +243,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         samples, window = validate.curve(samples, Omega)
         return self._curves(samples, window, F_0, places, workers)
 
-    def response(self, F_0: Any, *, Omega: Any, samples: int, places: int = 16, workers: int = 1) -> Batch:
+    def _response_up_to(self, F_0: Any, *, Omega: Any, samples: int, places: int = 16, workers: int = 1) -> Batch:
         """`frequency_response` up to an Omega of each design."""
         return self._curves(samples, None, F_0, places, workers, Omega)
 

@@ -265,11 +265,12 @@ static inline void sf_ask_rest(const sf_model *model, double F_0, const sf_sampl
         sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
         dissipation_static(F_0, rest[0], rest[1], at->h, at->h_A, halves);
         out->edge = at->h > 0 ? 1 : at->h < 0 ? -1 : 0;
+        out->exists[0] = out->exists[1] = !isnan(halves[0]);
     } else {
         slow_flow_rest(F_0, model->m, at->h, at->h_A, halves);
         halves[3] = halves[2];
+        out->exists[0] = out->exists[1] = 1;
     }
-    out->exists[0] = out->exists[1] = !isnan(halves[0]);
     out->y[0] = halves[0], out->y[1] = halves[1];
     out->dy[0] = halves[2], out->dy[1] = halves[3];
 }
