@@ -420,6 +420,18 @@ def test_without_damping_the_folds_are_those_of_the_closed_form():
 
 
 @pytest.mark.both_backends
+def test_the_fold_locus_goes_by_an_amplitude_at_which_nothing_pulls():
+    """Where h = 0 a fold at Omega = 0 is born beside the one that the locus follows, which is not there."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of the negative stiffness at rest
+        one = Isolator(lam=2, r=1.9814162218754052, delta_h=0.2722727716275526, mu=0.001944368707139919)
+    locus = one.fold_locus(samples=400)
+    for branch in np.unique(locus.branch):
+        Omega = locus.Omega[(locus.branch == branch) & (locus.A < 0.6)]
+        assert np.abs(np.diff(Omega)).max(initial=0.0) < 0.02
+
+
+@pytest.mark.both_backends
 def test_the_fold_locus_passes_the_folds_of_every_forcing():
     oscillator = isolator()
     points = oscillator.fold_locus(samples=200)

@@ -185,8 +185,8 @@ static void sf_link(const sf_curve *curve, sf_graph *graph, int k) {
     }
     for (i = 0; i < graph->count[poor]; i++) {
         const int other = first_rich + (i < gone ? i : i + lost);
-        /* where one ends at Omega = 0 and another begins they meet */
-        const int is_at_rest = i == 0 && lost == 0 && event->kind == SF_TO_ZERO;
+        /* by other laws, where one ends at Omega = 0 and another begins they meet; without, one goes by */
+        const int is_at_rest = i == 0 && lost == 0 && event->kind == SF_TO_ZERO && sf_has_laws(curve->model);
         const double Omega = is_at_rest ? 0 : sf_branch_at(curve, &at, graph->count[poor], i);
         sf_end(graph, first_poor + i, 1 - rich_end, event->A, Omega);
         sf_end(graph, other, rich_end, event->A, Omega);

@@ -291,7 +291,8 @@ class Graph:
             self._meet(pair, rich_end, pair + 1, rich_end)
         for i in range(fewer):
             other = first_rich + (i if i < gone else i + lost)
-            at_rest = i == lost == 0 and event.kind == Kind.TO_ZERO
+            # by other laws, where one ends at Omega = 0 and another begins they meet; without, one goes by
+            at_rest = i == lost == 0 and event.kind == Kind.TO_ZERO and self.roots.model.laws.any
             Omega = 0.0 if at_rest else self._ends[k, fewer][i]
             self._end(first_poor + i, 1 - rich_end, event.A, Omega)
             self._end(other, rich_end, event.A, Omega)
