@@ -152,8 +152,6 @@ class Question:
     at_once -- designs that take no more than some tenths of a second: until then Ctrl-C is not heard
     by_inertia -- whether the compiled solvers answer it of an excitation by inertia too
     by_laws -- whether they answer it of other laws of damping too
-    abreast -- from what answers designs that go abreast on NumPy the answer to this question, from these designs, F_0
-               and Omega as arrays, and places; None where each is asked by itself
     """
 
     one: One | None
