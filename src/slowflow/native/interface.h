@@ -8,14 +8,15 @@
 
 typedef void (*sf_many)(char **args, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data);
 
+/* Makes a record of words and numbers, with the damping and the excitation of another one. */
+typedef sf_status (*sf_record_of)(const sf_mechanism *like, const char *name, const int *words, ptrdiff_t count,
+                                const double *numbers, ptrdiff_t length, sf_mechanism **record);
+
 /* The record of every mechanism that the package ships, and what makes one of a program, and of polynomials. */
 typedef struct {
     const sf_mechanism *const *all;
     int count;
-    sf_status (*of_program)(const sf_mechanism *like, const char *name, const int *words, ptrdiff_t count,
-                            const double *numbers, ptrdiff_t length, const sf_mechanism **record);
-    sf_status (*of_samples)(const sf_mechanism *like, const char *name, const int *words, ptrdiff_t count,
-                            const double *numbers, ptrdiff_t length, sf_mechanism **record);
+    sf_record_of of_program, of_samples;
     void (*free_samples)(const sf_mechanism *record);
 } sf_records;
 

@@ -643,7 +643,7 @@ static inline void sf_read_all(sf_reader *from, sf_mechanism *record, sf_program
  *
  * like: a record of any odd force, whose damping and excitation it takes */
 static sf_status sf_read_program(const sf_mechanism *like, const char *name, const int *words, ptrdiff_t count,
-                                 const double *numbers, ptrdiff_t length, const sf_mechanism **record)
+                                 const double *numbers, ptrdiff_t length, sf_mechanism **record)
 {
     sf_reader from = {words, words + count, numbers, numbers + length, NULL, SF_READ};
     sf_mechanism *made = sf_room_for(&from, 1, sizeof *made);

@@ -8,6 +8,7 @@
 #ifndef SF_SAMPLED_FORCE_H
 #define SF_SAMPLED_FORCE_H
 
+#include "chebyshev.h"
 #include "program.h"
 #include "sampled.h"
 #include "sampled_intervals.h"
@@ -34,17 +35,6 @@ struct sf_sampled {
     sf_bent bent;
 };
 
-/* Clenshaw's recurrence, x on [-1, 1] */
-static double sf_chebyshev(int size, const double *c, double x) {
-    double low = size > 1 ? c[size - 2] : c[0], high = size > 1 ? c[size - 1] : 0;
-    int i;
-    for (i = size - 3; i >= 0; i--) {
-        const double next = c[i] - high;
-        high = low + high * 2 * x, low = next;
-    }
-    return low + high * x;
-}
-
 /* The derivatives from `first` to `last` of a piece, by Leibniz's rule. */
 static void sf_smooth_at(const sf_smooth *of, double v, int first, int last, double *out) {
     const double x = 2 * v / of->length - 1;
@@ -53,7 +43,7 @@ static void sf_smooth_at(const sf_smooth *of, double v, int first, int last, dou
     for (k = 1; k <= of->power; k++)
         powers[k] = powers[k - 1] * v;
     for (k = first > of->power ? first - of->power : 0; k <= last; k++)
-        q[k] = sf_chebyshev(of->sizes[k], of->of[k], x);
+        q[k] = sf_chebyshev(of->of[k], of->sizes[k] - 1, x);
     for (k = first; k <= last; k++) {
         double factor = 1, sum = 0;
         for (j = 0; j <= k && j <= of->power; j++) {

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 
+#include "chebyshev.h"
 #include "exact_conventions.h"
 #include "step.h"
 
@@ -51,17 +52,6 @@ static double sf_polynomial_seam(const sf_law *self, double u, double direction,
             return side * place;
     }
     return both && !outward ? 0.0 : HUGE_VAL;
-}
-
-/* Clenshaw's sum */
-static double sf_chebyshev(const double *sums, int degree, double x)
-{
-    double one = 0.0, other = 0.0;
-    for (int k = degree; k > 0; k--) {
-        const double next = sums[k] + 2.0 * x * one - other;
-        other = one, one = next;
-    }
-    return sums[0] + x * one - other;
 }
 
 /* f or its slope at u, by the rule of Horner for the power */

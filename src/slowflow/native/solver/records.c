@@ -103,59 +103,47 @@ static PyObject *with_laws(PyObject *cache, PyObject *capsule)
     return sf_kept(cache, capsule, new_variant, &damped);
 }
 
-/* Words are C ints and numbers doubles, as bytes. */
-static PyObject *program(PyObject *self, PyObject *args)
-{
-    const sf_mechanism *record;
-    const char *name, *words, *numbers;
-    Py_ssize_t count, length;
-    (void)self;
-    if (!PyArg_ParseTuple(args, "sy#y#", &name, &words, &count, &numbers, &length))
-        return NULL;
-    switch (sf_here()->records->of_program(sf_here()->records->all[0], name, (const int *)(const void *)words,
-                                    count / (Py_ssize_t)sizeof(int), (const double *)(const void *)numbers,
-                                    length / (Py_ssize_t)sizeof(double), &record)) {
-    case SF_OK:
-        return PyCapsule_New((void *)record, SF_RECORD, NULL);
-    case SF_TOO_MANY:
-        Py_RETURN_NONE;
-    case SF_NO_MEMORY:
-        return PyErr_NoMemory();
-    default:
-        return PyErr_Format(PyExc_ValueError, "%s: its words and numbers are no program", name);
-    }
-}
-
 static void free_samples(PyObject *capsule)
 {
     sf_here()->records->free_samples(PyCapsule_GetPointer(capsule, SF_RECORD));
 }
 
-static PyObject *samples(PyObject *self, PyObject *args)
+/* A record from words, C ints, and numbers, doubles, as bytes; what: they are to be. */
+static PyObject *read_record(PyObject *args, sf_record_of read, const char *what, PyCapsule_Destructor let_go)
 {
     sf_mechanism *record;
     const char *name, *words, *numbers;
     Py_ssize_t count, length;
-    int inertial, with_laws;
-    (void)self;
-    if (!PyArg_ParseTuple(args, "sy#y#pp", &name, &words, &count, &numbers, &length, &inertial, &with_laws))
+    int inertial = 0, with_laws = 0;
+    if (!PyArg_ParseTuple(args, "sy#y#|pp", &name, &words, &count, &numbers, &length, &inertial, &with_laws))
         return NULL;
-    switch (sf_here()->records->of_samples(sf_here()->records->all[0], name, (const int *)(const void *)words,
-                                    count / (Py_ssize_t)sizeof(int), (const double *)(const void *)numbers,
-                                    length / (Py_ssize_t)sizeof(double), &record)) {
+    switch (read(sf_here()->records->all[0], name, (const int *)(const void *)words, count / (Py_ssize_t)sizeof(int),
+                 (const double *)(const void *)numbers, length / (Py_ssize_t)sizeof(double), &record)) {
     case SF_OK:
         if (inertial)
             sf_excite_by_inertia(record);
         if (with_laws)
             sf_add_laws(record);
-        return PyCapsule_New(record, SF_RECORD, free_samples);
+        return PyCapsule_New(record, SF_RECORD, let_go);
     case SF_TOO_MANY:
         Py_RETURN_NONE;
     case SF_NO_MEMORY:
         return PyErr_NoMemory();
     default:
-        return PyErr_Format(PyExc_ValueError, "%s: its words and numbers are no polynomials", name);
+        return PyErr_Format(PyExc_ValueError, "%s: its words and numbers are no %s", name, what);
     }
+}
+
+static PyObject *program(PyObject *self, PyObject *args)
+{
+    (void)self;
+    return read_record(args, sf_here()->records->of_program, "program", NULL);
+}
+
+static PyObject *samples(PyObject *self, PyObject *args)
+{
+    (void)self;
+    return read_record(args, sf_here()->records->of_samples, "polynomials", free_samples);
 }
 
 /* What the capsule of a model points to; it keeps its record. */
