@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 
 import numpy as np
 import pytest
@@ -175,3 +176,10 @@ def test_curves_of_many_designs_off_the_centre_have_what_single_ones_pass_on():
     single = Isolator(**given, load=0.02).frequency_response(0.04, samples=30)
     for name in ("phi", "transmissibility", "transmissibility_dB"):
         assert np.array_equal(getattr(curves, name)[0, : len(single)], getattr(single, name))
+
+
+def test_all_of_next_to_no_force_is_passed_on_without_a_warning():
+    """4 mu/(pi F_0) is beyond the range of doubles."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert Duffing(1.0, 0.1, mu=0.1).transmissibility_floor(1e-310) == 1.0

@@ -330,7 +330,9 @@ class Averaged:
         if self.model.inertial:
             A = float(dissipation.full_by_inertia(F_0, self.model.d))
             return float(dissipation.I(1.0, A, 0.0, 0.0, self.model.d)) / F_0
-        return min(1.0, float(slow_flow.transmissibility(1.0, 0.0, F_0, self.model.m, self.zeta, self.model.preload)))
+        with np.errstate(over="ignore"):  # a share of next to no force
+            share = slow_flow.transmissibility(1.0, 0.0, F_0, self.model.m, self.zeta, self.model.preload)
+        return min(1.0, float(share))
 
     def closes(self, F_0: float) -> bool:
         """Whether the response at F_0 is known to have a highest amplitude. Raises ValueError for F_0 <= 0.
