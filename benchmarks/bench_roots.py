@@ -1,6 +1,6 @@
 """Omega roots of one response quartic: scenes in, time per quartic and error in u (1 + kappa) of each method out.
 
-Methods: the C solver (with a clone for fma, and without), the installed ufunc, the NumPy solver, a loop over
+Methods: the C solver (with a clone for fma, and without), the installed ufunc, a loop over
 `numpy.roots` and batched companion eigenvalues, and Boost.Math's quartic and ACM's Algorithm 1010 where they are at
 hand, the last four on the expanded coefficients of (24). All methods are timed in turn in every round, each after a
 call that warms the caches for it, and the medians are compared.
@@ -19,8 +19,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks import acm1010, boost
-from slowflow import backend
-from slowflow.averaged.reference.roots import numpy_response_roots, response_roots
+from slowflow.frequencies import response_roots
 from tests.native.roots import build, why_not
 from tests.oracles.frequencies import U, relative_error, roots, stress_cases
 
@@ -60,13 +59,8 @@ def companion_eigenvalues(rows: np.ndarray) -> np.ndarray:
 
 
 def installed(rows: np.ndarray) -> np.ndarray:
-    """What `slowflow.averaged.reference.roots` runs: compiled where it was built."""
+    """What `slowflow.frequencies` runs."""
     return response_roots(*rows.T)[0]
-
-
-def structured(rows: np.ndarray) -> np.ndarray:
-    """The NumPy path of slowflow."""
-    return numpy_response_roots(*rows.T)[0]
 
 
 def positive(found: np.ndarray) -> np.ndarray:
@@ -98,8 +92,7 @@ def rows(count: int = 5000, repeats: int = 7, seed: int = 3) -> list[dict[str, A
                 solve = build(Path(directory), clones)
                 methods[name] = lambda parameters, solve=solve: solve("response", parameters)[0]
         methods |= {
-            f"installed: {backend.NAME}": installed,
-            "NumPy": structured,
+            "installed": installed,
             "companion eigenvalues, batched": companion_eigenvalues,
             "numpy.roots loop": numpy_roots_loop,
         }

@@ -27,10 +27,10 @@ from benchmarks.document import quantity
 from benchmarks.remote import ROOT
 from slowflow import backend
 from slowflow.averaged.asked import AMPLITUDES, ONSET, PEAK, SADDLE_NODES, Question
-from slowflow.averaged.reference.roots import response_roots
 from slowflow.exact import compiled
 from slowflow.exact.compiled import by_rising_u
 from slowflow.exact.motion import TURN
+from slowflow.frequencies import response_roots
 from slowflow.paper import example
 from slowflow.paper.example import TABLE_1
 from slowflow.validate import WINDOW

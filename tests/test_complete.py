@@ -11,7 +11,7 @@ import pytest
 
 from slowflow import Duffing, Isolator, backend
 from slowflow.averaged.reference import bounds
-from slowflow.averaged.reference.roots import fold_roots, response_roots
+from slowflow.frequencies import fold_roots, response_roots
 from slowflow.paper import example
 from slowflow.paper.example import TABLE_1
 from slowflow.results import Remark

@@ -12,7 +12,7 @@ import pytest
 import sympy as sp
 
 from slowflow import backend, derive
-from slowflow.averaged.reference.intervals import Interval
+from slowflow.intervals import Interval
 from slowflow.off_centre.means import Steps
 from tests.off_centre_cases import check_folds_and_states, check_onset
 from tests.sampling import part

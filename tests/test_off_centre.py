@@ -20,7 +20,7 @@ from scipy.optimize import brentq
 from scipy.spatial import cKDTree
 
 from slowflow import Duffing, Isolator, Oscillator, derive
-from slowflow.averaged.reference.intervals import Interval
+from slowflow.intervals import Interval
 from slowflow.isolator import ROD_SPRING
 from slowflow.model import Model
 from slowflow.off_centre.answers import states_move

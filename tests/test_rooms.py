@@ -32,7 +32,7 @@ FLOORS = (
     ("gradient",),
     ("answer", "loaded"),
     ("model", "table", "transmitted"),
-    ("validate", "page"),
+    ("validate", "page", "intervals", "frequencies"),
     ("mechanism", "sampled", "backend", "pictures", "plausible", "progress", "unchanging", "version"),
     ("text",),
 )

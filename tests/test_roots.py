@@ -1,4 +1,4 @@
-"""Omega at a given amplitude, NumPy and C: exact counts and errors in u (1 + kappa) against certified roots."""
+"""Omega at a given amplitude: exact counts and errors in u (1 + kappa) against certified roots."""
 
 from __future__ import annotations
 
@@ -9,15 +9,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from slowflow import backend
-from slowflow.averaged.reference.roots import (
-    fold_roots,
-    numpy_fold_roots,
-    numpy_peak_roots,
-    numpy_response_roots,
-    peak_roots,
-    response_roots,
-)
+from slowflow.frequencies import fold_roots, peak_roots, response_roots
 from tests.native.roots import Solver, build, why_not
 from tests.oracles.frequencies import KINDS, U, relative_error, roots, stress_cases
 
@@ -26,26 +18,17 @@ from tests.oracles.frequencies import KINDS, U, relative_error, roots, stress_ca
 # may reach 3/4.
 BOUND = 0.75 * U
 
-SOLVE = {"response": numpy_response_roots, "fold": numpy_fold_roots, "peak": numpy_peak_roots}
-INSTALLED = {"response": response_roots, "fold": fold_roots, "peak": peak_roots}
+SOLVE = {"response": response_roots, "fold": fold_roots, "peak": peak_roots}
 FAMILIES = [(kind, name) for kind in KINDS for name in stress_cases(kind, 1, 0)]
 
 
-def numpy_solver(kind: str, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def installed_solver(kind: str, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return SOLVE[kind](*rows.T)
 
 
-def installed_solver(kind: str, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    return INSTALLED[kind](*rows.T)
-
-
-@pytest.fixture(scope="session", params=["numpy", "installed", "C", "C clones"])
+@pytest.fixture(scope="session", params=["installed", "C", "C clones"])
 def solver(request, tmp_path_factory) -> Solver:
-    if request.param == "numpy":
-        return numpy_solver
     if request.param == "installed":
-        if backend.SOLVER is None:
-            pytest.skip("the installed solver is NumPy's")
         return installed_solver
     clones = request.param == "C clones"
     reason = why_not(clones)
@@ -174,7 +157,7 @@ ANY = st.one_of(*(st.tuples(st.just(kind), row) for kind, row in ROWS.items()))
 @settings(max_examples=400)
 @given(ANY)
 @example(("response", (1.0, -3.0, 4.0, 2.0**-60, 5.0)))  # F(0) = 0, and F hardly rises to its maximum
-def test_numpy_agrees_with_the_certified_roots(case):
+def test_any_case_agrees_with_the_certified_roots(case):
     kind, parameters = case
     exact = roots(kind, parameters)
     Omega, count = SOLVE[kind](*parameters)

@@ -17,7 +17,7 @@ from scipy.integrate import solve_ivp
 from slowflow import derive
 from slowflow.averaged.reference.cells import samples_at
 from slowflow.averaged.reference.enclosed import enclosed
-from slowflow.averaged.reference.intervals import Elementary
+from slowflow.intervals import Elementary
 from slowflow.validate import NotAvailable
 from slowflow_support.errors import NotSettled
 

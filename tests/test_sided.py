@@ -15,8 +15,8 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from slowflow import Duffing, backend, derive, exact
-from slowflow.averaged.reference.intervals import Interval
 from slowflow.exact.motion import Forced, follow
+from slowflow.intervals import Interval
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.results import Remark
 from slowflow.validate import NotAvailable

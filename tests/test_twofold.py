@@ -10,7 +10,7 @@ import sympy as sp
 
 from derivations.emit import compensated
 from derivations.emit.compensated import Exact, magnitude
-from slowflow.averaged.reference import roots
+from slowflow import frequencies as roots
 from slowflow_kernels import frequencies
 from slowflow_support import twofold
 
@@ -34,10 +34,10 @@ def near_roots(name, count):
     h, m = -np.exp(random.uniform(-6, 1, count)), np.exp(random.uniform(-9, -2, count))
     if name == "response":
         F_0 = m + np.exp(random.uniform(-7, 1, count))
-        given, found = (A, F_0, m, zeta, h), roots.numpy_response_roots(A, h, m, zeta, F_0)[0][:, 0]
+        given, found = (A, F_0, m, zeta, h), roots.response_roots(A, h, m, zeta, F_0)[0][:, 0]
     else:
         h_A = random.uniform(-3, 1, count)
-        given, found = (A, m, zeta, h, h_A), roots.numpy_fold_roots(A, h, h_A, m, zeta)[0][:, 0]
+        given, found = (A, m, zeta, h, h_A), roots.fold_roots(A, h, h_A, m, zeta)[0][:, 0]
     Omega = np.where(np.isnan(found), random.uniform(0.1, 2, count), found)
     Omega = np.nextafter(Omega, random.choice([0, 9], count))
     return np.array((Omega, *given))

@@ -1,6 +1,6 @@
 /* Elementary functions of closed intervals of doubles: in go intervals, out comes one that holds every value.
  *
- * Where an argument leaves a function's domain nothing is known: NaN. As slowflow/averaged/reference/intervals.py.
+ * Where an argument leaves a function's domain nothing is known: NaN. As slowflow/intervals.py.
  */
 #ifndef SF_ELEMENTARY_H
 #define SF_ELEMENTARY_H

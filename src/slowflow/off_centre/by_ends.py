@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.averaged.reference.intervals import Interval
+from slowflow.intervals import Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints
 from slowflow.off_centre.ends import Charts, Local

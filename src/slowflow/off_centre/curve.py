@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow.averaged.reference.intervals import Bools
+from slowflow.intervals import Bools
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints
 from slowflow.off_centre.flow import Flow

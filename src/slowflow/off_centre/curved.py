@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow.averaged.reference.intervals import Bools, Elementary, Interval
+from slowflow.intervals import Bools, Elementary, Interval
 from slowflow.model import Floats
 
 #: nodes of Gauss's rule on each panel, and its most panels between two ends

@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.averaged.reference.intervals import Bools, Interval
+from slowflow.intervals import Bools, Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints
 from slowflow.off_centre.means import ALL, DOUBT, Steps

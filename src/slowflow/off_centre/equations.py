@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.averaged.reference.intervals import Interval
+from slowflow.intervals import Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints
 from slowflow.off_centre.means import ALL, Means, Steps

@@ -1,7 +1,7 @@
 """What excites and what dissipates off the centre: in goes a model, out comes what the slow flow has beside f_0 and h.
 
 The mean displacement has no part in it: with h and h_A along the balance of the mean, frequencies, levels and stability
-are those about the centre, whatever the damping and the excitation (`slowflow.averaged.reference.dissipated`). With
+are those about the centre, whatever the damping and the excitation (`slowflow.frequencies`). With
 p = -h/A, e = -h_A - p and y = Omega^2 - p a fold has y (e - y) A = I I_A, with y of the sign of e, and R = A y.
 """
 
@@ -12,9 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.averaged.reference.dissipated import Quartics
-from slowflow.averaged.reference.intervals import Bools, Interval
-from slowflow.averaged.reference.roots import fold_roots, peak_roots, response_roots
+from slowflow.frequencies import fold_roots, law_peak_roots, law_roots, peak_roots, response_roots
+from slowflow.intervals import Bools, Interval
 from slowflow.model import Floats, Model
 from slowflow_kernels import dissipation, inertia, slow_flow
 
@@ -125,30 +124,28 @@ class Flow:
 
     # ==== Frequencies =================================================================================================
 
-    def _quartics(self, A: Floats, h: Floats, h_A: Floats, F_0: float) -> Quartics:
-        return Quartics(_Known(self, h, h_A), F_0, A)
+    @property
+    def _damping(self) -> tuple[float, ...]:
+        return self.m, self.zeta, self.eta, self.d
 
     def frequencies(self, A: Floats, h: Floats, F_0: float) -> Floats:
         """Every Omega at which these are steady states at F_0, (n, k) with NaN where there are less."""
         if self.plain:
             return response_roots(A, h, self.m, self.zeta, np.array([F_0]))[0]
-        return _all(self._quartics(A, h, 0 * h, F_0))
+        return law_roots(A, h, 0.0, self._damping, F_0, self.inertial)
 
     def fold_frequencies(self, A: Floats, h: Floats, h_A: Floats) -> Floats:
         """Every Omega at which F_A vanishes, likewise."""
         if not (self.eta or self.d):
             return fold_roots(A, h, h_A, self.m, self.zeta)[0]
-        return _all(self._quartics(A, h, h_A, -1.0))
+        return law_roots(A, h, h_A, self._damping, -1.0, self.inertial)
 
     def stationary(self, A: Floats, h: Floats) -> Floats:
         """Every Omega at which the level is stationary, likewise, and the end at which it may be least: 0 or inf."""
         if self.plain:
             found = peak_roots(A, h, self.m, self.zeta)[0]
         else:
-            one = self._quartics(A, h, 0 * h, 0.0)
-            found = np.stack((one.w1, one.w2), axis=1)
-            with np.errstate(divide="ignore"):
-                found = 1 / found if one.by_x else found
+            found = law_peak_roots(A, h, self._damping, self.inertial)
         end = np.full((A.size, 1), np.inf if self.inertial else 0.0)
         return np.concatenate((end, found), axis=1)
 
@@ -282,47 +279,6 @@ class Flow:
         of_I = zip(Omega[::-1], (A.lo, A.hi), strict=True)
         I = [np.where(at > 0, self.sine(at, one) / at**2, np.inf) for at, one in of_I]
         return (A.lo * low) ** 2 + I[0] ** 2, (A.hi * high) ** 2 + I[1] ** 2
-
-
-@dataclass(frozen=True)
-class _Known:
-    """What `Quartics` asks a model for, with h and h_A at the amplitudes that it is asked at."""
-
-    flow: Flow
-    h: Floats
-    h_A: Floats
-
-    @property
-    def zeta(self) -> float:
-        return self.flow.zeta
-
-    @property
-    def d(self) -> float:
-        return self.flow.d
-
-    @property
-    def inertial(self) -> bool:
-        return self.flow.inertial
-
-    def averaged(self, A: Floats) -> tuple[Floats, Floats]:
-        return self.h, self.h_A
-
-    def at_rest(self, A: Floats, beyond: Any = None) -> tuple[Any, Any]:
-        return self.flow.m + self.flow.eta * A, self.flow.eta + 0 * A
-
-    def F_A(self, Omega: Floats, A: Floats, beyond: Any = None) -> Floats:
-        return np.asarray(self.flow.F_A(Omega, A, self.h, self.h_A))
-
-
-def _all(quartics: Quartics) -> Floats:
-    """Every root of each, (n, 3), NaN where there are less."""
-    count = quartics.shown.sum(axis=0)
-    found = np.full((count.size, 3), np.nan)
-    for index in range(3):
-        some = index < count
-        if some.any():
-            found[some, index] = quartics.roots(count, np.minimum(index, np.maximum(count - 1, 0)))[some]
-    return found
 
 
 def _lowest(level: Floats, Omega: Floats) -> tuple[Floats, Floats]:

@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from slowflow import validate
-from slowflow.averaged.reference.intervals import Elementary, Interval
+from slowflow.intervals import Elementary, Interval
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats
 from slowflow.off_centre.curved import Curved, Part

@@ -21,7 +21,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
-from slowflow.averaged.reference.intervals import Bools
+from slowflow.intervals import Bools
 from slowflow.model import Floats
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ORDERS, Steps

@@ -25,7 +25,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slowflow.averaged.reference.intervals import Bools, Interval
+from slowflow.intervals import Bools, Interval
 from slowflow.model import Floats
 from slowflow.off_centre.flow import ROUNDED, Flow
 from slowflow.off_centre.means import Steps

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from slowflow.averaged.reference.intervals import Bools, Interval
+from slowflow.intervals import Bools, Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import MOST_BOXES, TOO_MANY, Ints, solve
 from slowflow.off_centre.by_ends import EndedEdge, resists

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slowflow.averaged.reference.intervals import Interval
+from slowflow.intervals import Interval
 from slowflow.model import Floats
 from slowflow.off_centre.curved import Part
 from slowflow.text import Sentence

@@ -27,8 +27,8 @@ import numpy as np
 
 from slowflow.averaged.reference.cells import Cells, Samples, doubtful
 from slowflow.averaged.reference.doubt import is_fold_close
-from slowflow.averaged.reference.intervals import Bools, Interval
 from slowflow.averaged.reference.roots import Quartics, critical_points, fold_roots, peak_roots, taken
+from slowflow.intervals import Bools, Interval
 from slowflow.model import Floats, Model
 from slowflow_kernels import (
     inertia,

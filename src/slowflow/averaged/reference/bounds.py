@@ -10,8 +10,8 @@ from slowflow.averaged import words
 from slowflow.averaged.reference import dissipated, inertia
 from slowflow.averaged.reference.cells import cells_of, samples_at
 from slowflow.averaged.reference.enclosed import enclosed
-from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.roots import Ints, peak_roots, response_roots, taken
+from slowflow.intervals import Bools
 from slowflow.model import Floats, Model
 from slowflow_kernels import dissipation, slow_flow
 from slowflow_kernels.conventions import COARSEST, ENDLESS, FINE_RUNGS, RUNGS

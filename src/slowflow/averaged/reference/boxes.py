@@ -28,7 +28,7 @@ from slowflow.averaged.reference.cells import (
     samples_at,
     stretches_up_to,
 )
-from slowflow.averaged.reference.intervals import Bools, Interval
+from slowflow.intervals import Bools, Interval
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow_kernels import dissipation, dissipation_intervals, slow_flow, slow_flow_intervals
 from slowflow_kernels.conventions import CLOSE, FIRST, NARROW, Status

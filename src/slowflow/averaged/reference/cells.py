@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 from slowflow.averaged.reference.enclosed import enclosed
-from slowflow.averaged.reference.intervals import Interval
 from slowflow.averaged.reference.roots import Ints, taken
+from slowflow.intervals import Interval
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow, slow_flow_intervals
 from slowflow_kernels.conventions import CANCELLED, DOUBT, FAR_ABOVE

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from slowflow.averaged.reference.enclosed import interval_like
-from slowflow.averaged.reference.intervals import Bools, Elementary
+from slowflow.intervals import Bools, Elementary
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
 from slowflow.text import Sentence, told

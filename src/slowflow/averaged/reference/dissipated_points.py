@@ -14,8 +14,8 @@ from slowflow.averaged.reference.arcs import Event, Kind, merged
 from slowflow.averaged.reference.boxes import Points, points_of, slopes_at
 from slowflow.averaged.reference.cells import Stretch, doubtful, samples_at, stretches_up_to
 from slowflow.averaged.reference.dissipated import Quartics
-from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.search import find_zeros
+from slowflow.intervals import Bools
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import DOUBT, HARDLY

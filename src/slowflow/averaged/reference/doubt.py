@@ -11,9 +11,9 @@ import numpy as np
 
 from slowflow.averaged.reference.cells import Samples
 from slowflow.averaged.reference.excited import frequencies_abreast, stationary_abreast
-from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.minima import cusp_bend
 from slowflow.averaged.reference.roots import Ints, taken
+from slowflow.intervals import Bools
 from slowflow.model import Floats, Model
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import CLOSE, STEEP, TOLD_APART

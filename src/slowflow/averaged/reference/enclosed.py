@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.averaged.reference.intervals import Elementary, Interval
+from slowflow.intervals import Elementary, Interval
 from slowflow.model import Floats, Model
 from slowflow_kernels.quadrature_conventions import ANGLE, CONTACT_SUMS, HALVED, LARGEST_SUM, PARTS
 

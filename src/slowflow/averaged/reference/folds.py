@@ -21,10 +21,10 @@ from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.averaged.reference.boxes import points_of
 from slowflow.averaged.reference.cells import Samples, samples_at, stretches_up_to
 from slowflow.averaged.reference.excited import frequencies_abreast, frequencies_at
-from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.locus import Stations, of_locus
 from slowflow.averaged.reference.roots import Ints, fold_roots, response_roots, taken
 from slowflow.averaged.reference.search import GIVEN_UP, Zeros, find_zeros_abreast
+from slowflow.intervals import Bools
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import SaddleNodes
 from slowflow_kernels import slow_flow

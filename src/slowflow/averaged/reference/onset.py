@@ -30,11 +30,11 @@ from slowflow.averaged.reference.boxes import points_of
 from slowflow.averaged.reference.cells import Samples, Stretch, sample_above, samples_at, stretches_up_to
 from slowflow.averaged.reference.excited import stationary_at
 from slowflow.averaged.reference.folds import saddle_nodes
-from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.locus import of_cusps, of_isolas
 from slowflow.averaged.reference.minima import cusp_is_minimum, isola_is_minimum
 from slowflow.averaged.reference.roots import Ints, fold_roots, peak_roots, taken
 from slowflow.averaged.reference.search import GIVEN_UP, find_zeros, find_zeros_abreast
+from slowflow.intervals import Bools
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import Detachment, SaddleNodeOnset
 from slowflow.results import Peak as PeakFound

@@ -23,9 +23,9 @@ from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, Roots, m
 from slowflow.averaged.reference.bounds import amplitude_bound
 from slowflow.averaged.reference.cells import amid, stretches_up_to
 from slowflow.averaged.reference.folds import folds_up_to
-from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.roots import Ints, Quartics
 from slowflow.averaged.reference.search import find_zeros
+from slowflow.intervals import Bools
 from slowflow.model import Floats, Model
 from slowflow.results import FrequencyResponse, Remark, SaddleNodes, SteadyStates
 from slowflow_kernels import dissipation, frequencies, slow_flow

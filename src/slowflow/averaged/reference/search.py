@@ -18,8 +18,8 @@ import numpy as np
 
 from slowflow.averaged.reference.along import NOWHERE, THROUGHOUT, Asked, Channels, Ranges
 from slowflow.averaged.reference.cells import Samples, Stretch, amid, between, cells_of, joined, samples_at
-from slowflow.averaged.reference.intervals import Bools
 from slowflow.averaged.reference.roots import Ints
+from slowflow.intervals import Bools
 from slowflow.model import Floats, Model
 from slowflow_kernels.conventions import AT_ROOT, FIRST, MOST_CELLS, NARROW, SLOW
 from slowflow_support.errors import NotSettled

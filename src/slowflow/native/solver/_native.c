@@ -17,7 +17,7 @@ static const struct {
     const char *name, *signature, *doc;
     int inputs, outputs;
     sf_gufunc_loop *loop;
-    char types[8];
+    char types[10];
 } gufuncs[] = {
     {"response_roots", "(),(),(),(),()->(3),()", "A, h, m, zeta, F_0 -> Omega, number of roots.", 5, 2,
      sf_response_roots_loop, {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32}},
@@ -25,6 +25,13 @@ static const struct {
      sf_fold_roots_loop, {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32}},
     {"peak_roots", "(),(),(),()->(2),()", "A, h, m, zeta -> Omega, number of roots.", 4, 2,
      sf_peak_roots_loop, {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_INT32}},
+    {"law_roots", "(),(),(),(),(),(),(),(),()->(3)", "A, h, h_A, m, zeta, eta, d, F_0, inertial -> Omega.", 9, 1,
+     sf_law_roots_loop,
+     {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE,
+      NPY_DOUBLE}},
+    {"law_peak_roots", "(),(),(),(),(),(),()->(2)", "A, h, m, zeta, eta, d, inertial -> Omega.", 7, 1,
+     sf_law_peak_roots_loop,
+     {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE}},
     {"interval_product", "(),(),(),()->(),()", "lo, hi, lo, hi -> lo, hi", 4, 2, sf_interval_product_loop,
      {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE}},
     {"interval_square", "(),()->(),()", "lo, hi -> lo, hi", 2, 2, sf_interval_square_loop,

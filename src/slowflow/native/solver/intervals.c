@@ -1,4 +1,4 @@
-/* Arithmetic on intervals over NumPy's operands, as averaged/reference/intervals.py has it, to the last bit.
+/* Arithmetic on intervals over NumPy's operands, as slowflow/intervals.py takes it.
  *
  * Otherwise than in interval.h 0 times what is not known is 0, and ends that are no numbers do not hide others: the
  * search in boxes asks for that. Of a few boxes NumPy takes most of its time between its operations.
@@ -48,9 +48,9 @@ void sf_interval_square_loop(char **operands, const ptrdiff_t *dimensions, const
         const double lo = IN(0), hi = IN(1);
         const int known = lo <= hi;
         const double least = lo > 0 ? lo : hi < 0 ? -hi : 0, most = -lo > hi ? -lo : hi;
-        const double low = wider(least * least, -ULP) - LEAST * (least * least != 0);
+        const double low = wider(least * least, -ULP) - LEAST * (least != 0);
         OUT(2) = !known ? NAN : low < 0 ? 0 : low;
-        OUT(3) = known ? wider(most * most, ULP) + LEAST * (most * most != 0) : NAN;
+        OUT(3) = known ? wider(most * most, ULP) + LEAST * (most != 0) : NAN;
     }
     fesetenv(&before);
 }

@@ -10,6 +10,7 @@
 typedef void sf_gufunc_loop(char **operands, const ptrdiff_t *dimensions, const ptrdiff_t *steps, void *data);
 
 sf_gufunc_loop sf_response_roots_loop, sf_fold_roots_loop, sf_peak_roots_loop;
+sf_gufunc_loop sf_law_roots_loop, sf_law_peak_roots_loop;
 sf_gufunc_loop sf_interval_product_loop, sf_interval_square_loop, sf_interval_inverse_loop;
 
 /* The solvers for this processor. */

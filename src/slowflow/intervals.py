@@ -5,7 +5,7 @@ infinity is 0, as infinity stands for arbitrarily large numbers. As in native/in
 nearest and then moved by more than an ulp, so that no rounding mode is switched.
 
 A search in boxes asks of a few intervals at a time, and NumPy takes most of that time between its operations: what
-takes many of them is compiled where solvers are (native/solver/intervals.c), with the same bits.
+takes many of them is compiled (native/solver/intervals.c).
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.backend import SOLVER
-from slowflow.model import Floats
+from slowflow.backend import solver
 
+Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 #: an ulp outwards of the lower and of the upper end, and what a product that is no double may have lost
@@ -29,19 +29,6 @@ def _wider(ends: Floats) -> Floats:
     """The ends of sums and roots, an ulp outwards: they are exact where they are subnormal."""
     found: Floats = ends + _ULP * np.abs(ends)
     return found
-
-
-def _product(product: Floats, zero: Bools) -> Floats:
-    """The ends of what holds the products of ends (2, 2, n), each moved by itself; `zero`: a factor is.
-
-    Where 0 meets what is infinite or not known, or products are too small for doubles.
-    """
-    doubt = 2.0**-52 * np.abs(product) + 2.0**-1022
-    below, above = product - doubt, product + doubt
-    below[zero] = above[zero] = 0.0
-    ends = np.array((np.fmin.reduce(below, axis=(0, 1)), np.fmax.reduce(above, axis=(0, 1))))
-    ends[:, (np.isnan(product) & ~zero).any(axis=(0, 1))] = np.nan
-    return ends
 
 
 class Interval:
@@ -99,21 +86,9 @@ class Interval:
 
     def __mul__(self, other: Any) -> Interval:
         if not isinstance(other, Interval):
-            product = (self.ends if other >= 0 else self.ends[::-1]) * other
-            return type(self)(_wider(product) + _LEAST * (product != 0))
-        if SOLVER is not None:
-            return type(self)(np.array(SOLVER.interval_product(*self.ends, *other.ends)))
-        a, b = self.ends[:, np.newaxis], other.ends
-        products = a * b
-        # an infinite product has no lower end, or no upper one, of its own: the others have, or it is not known
-        ends = np.array((np.minimum.reduce(products, axis=(0, 1)), np.maximum.reduce(products, axis=(0, 1))))
-        least = _LEAST
-        if np.count_nonzero(products) < products.size or np.count_nonzero(ends == ends) < ends.size:
-            zero = (a == 0) | (b == 0)
-            if np.count_nonzero((np.abs(products) < 2.0**-1021) != zero):
-                return type(self)(_product(products, zero))
-            least = _LEAST * (ends != 0)
-        return type(self)(ends + (_ULP * np.abs(ends) + least))
+            ends = self.ends if other >= 0 else self.ends[::-1]
+            return type(self)(_wider(ends * other) + _LEAST * ((ends != 0) & (other != 0)))
+        return type(self)(np.array(solver().interval_product(*self.ends, *other.ends)))
 
     __radd__, __rmul__ = __add__, __mul__
 
@@ -126,25 +101,11 @@ class Interval:
 
     def _inverse(self) -> Interval:
         """1 over an interval on one side of 0, which it may touch; anything over one that holds 0 inside."""
-        if SOLVER is not None:
-            return type(self)(np.array(SOLVER.interval_inverse(*self.ends)))
-        lo, hi = self.ends
-        inverse = 1 / self.ends[::-1]
-        inverse = _wider(inverse) + _LEAST
-        low = np.where(hi > 0, np.where(lo >= 0, np.maximum(inverse[0], 0.0), -np.inf), inverse[0])
-        high = np.where(lo < 0, np.where(hi <= 0, np.minimum(inverse[1], 0.0), np.inf), inverse[1])
-        low, high = np.where(hi == 0, -np.inf, low), np.where(lo == 0, np.inf, high)
-        return type(self)(np.where(lo <= hi, np.array((low, high)), np.nan))
+        return type(self)(np.array(solver().interval_inverse(*self.ends)))
 
     def square(self) -> Interval:
         """The square, which is not negative."""
-        if SOLVER is not None:
-            return type(self)(np.array(SOLVER.interval_square(*self.ends)))
-        lo, hi = self.ends
-        least, most = np.maximum(np.maximum(lo, -hi), 0.0), np.maximum(-lo, hi)
-        squares = np.array((least * least, most * most))
-        squares = _wider(squares) + _LEAST * (squares != 0)
-        return type(self)(np.where(lo <= hi, np.maximum(squares, 0.0), np.nan))
+        return type(self)(np.array(solver().interval_square(*self.ends)))
 
     def sqrt(self) -> Interval:
         """The root of the part that is not negative."""
