@@ -167,6 +167,7 @@ DETACHMENT = Question(
     outputs("detachment"),
     lambda native: native.many_detachment,
     2**18,
+    by_laws=True,
 )
 ONSET = Question(
     _onset,

@@ -98,12 +98,12 @@ def onset(model: Model) -> SaddleNodeOnset:
 
 def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
-    status, F_cr, Omega_cr, u_cr = backend.solver().detachment(model.native)
+    status, F_cr, Omega_cr, u_cr = backend.solver().detachment(model.searched)
     if status == Status.NO_BOUND:
         raise OutOfRange(words.BEYOND_RANGE.format(model.breakpoints[0]))
     if status == Status.NONE:
         ends = model.breakpoints
-        said = words.NOT_REACHED.format(ends[0], ends[0]) if ends else words.NO_DETACHMENT
+        said = words.NOT_REACHED.format(ends[0], model.full_level(ends[0])) if ends else words.NO_DETACHMENT
         return Detachment(None, None, None, said)
     return Detachment._made(F_cr=F_cr, Omega_cr=Omega_cr, u_cr=u_cr, message="", remarks=NOTHING)
 

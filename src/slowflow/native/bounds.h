@@ -22,8 +22,11 @@ static double sf_last_stationary(const sf_model *model, const sf_sample *at) {
 
 /* The lowest F_0 for which A is a steady state: the minimum of its level over Omega >= 0, and where it lies. */
 static double sf_least_forcing(const sf_model *model, const sf_sample *at, double *Omega) {
-    const double last = sf_last_stationary(model, at);
-    const double at_rest = sf_level(model, at, 0), level = sf_level(model, at, last);
+    double last, at_rest, level;
+    if (sf_has_laws(model))
+        return sf_least_by_laws(model, at, Omega);
+    last = sf_last_stationary(model, at);
+    at_rest = sf_level(model, at, 0), level = sf_level(model, at, last);
     *Omega = level < at_rest ? last : 0;
     return level < at_rest ? level : at_rest;
 }

@@ -83,7 +83,7 @@ static int sf_is_static_top(const sf_model *model, double F_0, const sf_sample *
         return 0;
     n = sf_law_stationary(model, &at, w);
     for (i = 0; i < n; i++)
-        if (slow_flow_level(w[i], A, sf_law_I(model, A, w[i]), 0, at.h) < F_0 * (1 - SF_CLOSE))
+        if (sf_law_level(model, &at, w[i]) < F_0 * (1 - SF_CLOSE))
             return 0;
     return 1;
 }

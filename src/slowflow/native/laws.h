@@ -88,6 +88,11 @@ static inline double sf_law_I(const sf_model *model, double A, double w) {
     return dissipation_I(w, A, rest[0], model->zeta, model->d);
 }
 
+/* As sf_level. */
+static inline double sf_law_level(const sf_model *model, const sf_sample *at, double w) {
+    return (sf_inertial(model) ? inertia_level : slow_flow_level)(w, at->A, sf_law_I(model, at->A, w), 0, at->h);
+}
+
 static inline double sf_law_F_A(const sf_model *model, const sf_sample *at, double w, int beyond) {
     double rest[4];
     sf_rest_at(model, at->A, beyond, rest);
@@ -269,6 +274,30 @@ static inline int sf_law_stationary(const sf_model *model, const sf_sample *at, 
         Omega[n - 1] = 1 / Omega[0], Omega[0] = low;
     }
     return n;
+}
+
+/* The amplitude of an excitation by inertia under which A is what the response tends to as Omega tends to inf. */
+static inline double sf_full_level(const sf_model *model, const sf_sample *at) {
+    double rest[4], far[3];
+    sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
+    dissipation_far_by_inertia(0, at->A, 0, rest[0], model->zeta, model->d, at->h, far);
+    return sqrt(far[0]);
+}
+
+/* As sf_least_forcing; infinite where an excitation by inertia only tends to it. */
+static inline double sf_least_by_laws(const sf_model *model, const sf_sample *at, double *Omega) {
+    double w[3], full = HUGE_VAL, least = HUGE_VAL;
+    int i, n = sf_law_stationary(model, at, w);
+    if (sf_inertial(model))
+        full = sf_full_level(model, at);
+    else
+        w[n++] = 0;
+    for (i = 0; i < n; i++) {
+        const double level = sf_law_level(model, at, w[i]);
+        if (level < fmin(full, least))
+            least = level, *Omega = w[i];
+    }
+    return least;
 }
 
 /* Whether doubles hold squares of coefficients of the quartics up to an amplitude, and (d F_0)^2; and F_0^4. */

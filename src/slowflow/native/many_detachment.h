@@ -27,7 +27,7 @@ typedef struct {
 } sf_detaching;
 
 static int sf_detach_together(const sf_mechanism *mechanism) {
-    return mechanism->on_first_end_in_pairs != NULL && !mechanism->inertial;
+    return mechanism->on_first_end_in_pairs != NULL && !mechanism->inertial && !sf_takes_laws(mechanism);
 }
 
 /* Design k becomes a member; 0 where it is left to sf_settled_detachment. */

@@ -463,7 +463,7 @@ static sf_status sf_settled_onset(const sf_model *model, const sf_exactly *exact
 static sf_status sf_settled_detachment(const sf_model *model, const sf_exactly *exactly, double *F_cr, double *Omega_cr,
                                        double *u_cr) {
     const sf_status status = sf_detachment(model, F_cr, Omega_cr, u_cr);
-    if (status == SF_OK)
+    if (status == SF_OK && !sf_has_laws(model))
         sf_settle_level_on(exactly, 0, *Omega_cr, F_cr);
     return status;
 }
