@@ -34,7 +34,7 @@ FLOORS = (
     ("model", "table", "transmitted"),
     ("validate", "page", "intervals", "frequencies"),
     ("mechanism", "sampled", "backend", "pictures", "plausible", "progress", "unchanging", "version"),
-    ("text",),
+    ("text", "callbacks"),
 )
 FLOOR = {room: number for number, rooms in enumerate(reversed(FLOORS)) for room in rooms}
 FILES = sorted((SOURCE / "slowflow").rglob("*.py"))

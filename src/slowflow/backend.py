@@ -25,9 +25,11 @@ from typing import Any
 
 import numpy as np
 
+from slowflow import callbacks
 from slowflow_support.backend import NATIVE, BackendWarning
+from slowflow_support.errors import Refused
 from slowflow_support.quadrature import COMPILED
-from slowflow_support.record import Mechanism
+from slowflow_support.record import Mechanism, stated_by_module
 
 __all__ = [
     "EXACT",
@@ -41,6 +43,12 @@ __all__ = [
     "solver",
 ]
 
+ENCLOSED = "{}: enclosed is not allowed in a record that is typed: only what is derived is known on intervals"
+NO_ROOM = (
+    "{} is not allowed: its force has {} numbers of a design (at most {}), {} parameters (at most {}) and {} "
+    "breakpoints (at most {})"
+)
+TOO_LONG = "{} is not allowed: its formulas are too long to be interpreted; with compile = True they are compiled"
 #: a share of a parameter that is no rounding of its last digits
 CANCELLED = 2.0**-49
 
@@ -79,6 +87,21 @@ def record_of(mechanism: Mechanism, inertial: bool = False, laws: bool = False) 
         return None
     record = SOLVER.inertial(record) if inertial else record
     return SOLVER.with_laws(record) if laws else record
+
+
+def check_room(mechanism: Mechanism, *, interpreted: bool = True) -> None:
+    """Raises ValueError for an odd force beyond what the compiled solvers have room for.
+
+    interpreted -- whether its programs have to be read too
+    """
+    if SOLVER is None or not mechanism.odd:
+        return
+    sizes = len(mechanism.design), len(mechanism.parameters), len(mechanism.pieces) - 1
+    pairs = tuple(zip(sizes, SOLVER.MOST, strict=True))
+    if any(size > most for size, most in pairs):
+        raise Refused(NO_ROOM.format(mechanism.name, *(number for pair in pairs for number in pair)))
+    if interpreted and mechanism.is_generated and record_of(mechanism) is None:
+        raise Refused(TOO_LONG.format(mechanism.name))
 
 
 def _interpreted(mechanism: Mechanism) -> Any:
@@ -140,8 +163,16 @@ def compiled_model(
 ) -> Any:
     """One oscillator as the compiled solvers take it, None where they have no record of its mechanism, or refuse it."""
     laws = len(damping) > 2
+    check_room(mechanism)
     if SOLVER is not None and mechanism.samples is not None:
         record = SOLVER.samples(mechanism.name, *mechanism.samples(*parameters), inertial, laws)
+    elif SOLVER is not None and mechanism.odd and not mechanism.is_generated:
+        stated = stated_by_module(mechanism)
+        derived = stated is not None and mechanism.enclosed == stated.enclosed
+        if mechanism.enclosed is not None and not derived:
+            raise Refused(ENCLOSED.format(mechanism.name))
+        bounds = None if mechanism.enclosed is None or stated is None else record_of(stated)
+        record = callbacks.record(SOLVER, mechanism, inertial, laws, bounds)
     else:
         record = record_of(mechanism, inertial, laws)
     return None if SOLVER is None or record is None else SOLVER.model(record, parameters, damping, design)

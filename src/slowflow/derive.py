@@ -125,8 +125,7 @@ class Derived(Stated):
         return names
 
     def __repr__(self) -> str:
-        interpreted = backend.record_of(self.record) is not None
-        how = "compiled" if self.compiled else "interpreted" if interpreted else "on NumPy"
+        how = "compiled" if self.compiled else "interpreted" if backend.SOLVER is not None else "on NumPy"
         if _is_summed(self.record):
             how += ", by quadrature"
         if not self.record.odd:
@@ -259,7 +258,9 @@ def _sampled(
     )
     stated = sampled.Stated(name, tuple(functions), tuple(ends), tuple(names), float(given.reach(reach)))
     titled = title or f"{name}, stated by Python functions"
-    return Sampled(sampled.record(stated, titled[0].upper() + titled[1:], of_record, reach_reason))
+    record = sampled.record(stated, titled[0].upper() + titled[1:], of_record, reach_reason)
+    backend.check_room(record)
+    return Sampled(record)
 
 
 def _made_odd(force: Any) -> str:
@@ -291,9 +292,9 @@ def _derived(stated: Any, compile: bool, beside: str = "") -> Derived:
     importlib.invalidate_caches()
     printed = importlib.import_module(f"slowflow_derived.{module}")
     record: Mechanism = printed.MECHANISM
+    backend.check_room(record, interpreted=not compile)
     if compile and record.name not in _attached:
         _attach(printed, _compiled(folder, module))
-    backend.record_of(record)
     return Derived(record, folder, stated, beside)
 
 

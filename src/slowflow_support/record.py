@@ -262,6 +262,11 @@ class Mechanism:
         return {name: value for name, value in own.items() if value != getattr(other, name)}
 
 
+def stated_by_module(mechanism: Mechanism) -> Mechanism | None:
+    """The record as the module of its force states it, None where none does."""
+    return _record_in(mechanism._module)
+
+
 def _record_in(module: str) -> Mechanism | None:
     """The record that a module states as MECHANISM."""
     found = getattr(sys.modules.get(module), "MECHANISM", None)

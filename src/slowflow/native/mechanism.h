@@ -17,10 +17,10 @@
 
 enum {
     SF_FORM = 12, /* of the record below; one of another form is refused */
-    SF_MOST_DESIGN = 16,
+    SF_MOST_DESIGN = 32,
     SF_MOST_DAMPING = 5,
-    SF_MOST_PARAMETERS = 16,
-    SF_MOST_BREAKS = 4
+    SF_MOST_PARAMETERS = 64,
+    SF_MOST_BREAKS = 16
 };
 
 typedef struct sf_mechanism sf_mechanism;

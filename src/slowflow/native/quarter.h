@@ -12,7 +12,7 @@
 #include "quadrature_conventions.h"
 #include "twofold.h"
 
-enum { SF_MOST_SUMS = 96 };
+enum { SF_MOST_SUMS = 256 };
 #define SF_QUARTER 1.57079632679489662
 
 /* At u less where the piece begins, and at the sine and the cosine of the angle, u = A sine. */
@@ -124,8 +124,10 @@ static inline int sf_moves_as_rounding(const sf_quarter *of, int wanted, const s
 static inline int sf_settled_part(const sf_quarter *of, int wanted, const sf_part *on, double A, const double *p,
                                   double *sums)
 {
-    double before[SF_MOST_SUMS] = {0}, sizes[SF_MOST_SUMS];
+    double before[SF_MOST_SUMS], sizes[SF_MOST_SUMS];
     int panels, k;
+    for (k = 0; k < wanted; k++)
+        before[k] = 0;
     for (panels = 1; panels <= SF_MOST_PANELS; panels *= 2) {
         int apart = panels == 1;
         sf_panels(of, wanted, on, A, p, panels, sums, sizes);

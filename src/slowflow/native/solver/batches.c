@@ -62,7 +62,7 @@ static const question inertial_gradients = {
 static const question averages = {
     "many_averages", "(),(),(),()", "A, parameters -> h, h_A, h_AA, h_AAA", 0, 4, {D, D, D, D}};
 
-enum { MOST_OPERANDS = SF_MOST_DESIGN + SF_MOST_DAMPING + 4 + 12 };
+enum { MOST_OPERANDS = SF_MOST_PARAMETERS + SF_MOST_DAMPING + 4 + 12 };
 
 /* What NumPy keeps pointers to, for as long as the process lives. */
 typedef struct {

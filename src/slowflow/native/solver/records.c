@@ -1,11 +1,16 @@
 /* Records and models as capsules: in go a mechanism's name or a capsule and numbers, out comes a capsule.
  *
  *   RECORDS                                     name -> record, of the mechanisms that were compiled in
+ *   MOST                                        the most numbers of a design, parameters and breakpoints of a record
  *   program(name, words, numbers)               a record that interprets them; ValueError where they are no program,
  *                                               None where the force is beyond what a record has room for
  *   samples(name, words, numbers, inertial, with_laws)
  *                                               a record of one design of a force that is known by its values, let go
  *                                               with the last oscillator that was made of it; likewise
+ *   called(name, sizes, reach, harmonics_up_to, addresses, keep, inertial, with_laws, enclosed)
+ *                                               a record that calls functions at addresses, 0 for those that are not
+ *                                               known, and keeps what these live in; enclosed: a record whose bounds
+ *                                               hold for it, or None
  *   parameters_of(record, design)               the parameters of a design; ValueError where it is outside its domain
  *   inertial(record)                            the same mechanism excited by inertia, F_0 Omega^2; zeta > 0
  *   with_laws(record)                           the same mechanism with damping by any law: mu, zeta, eta, c_2, and
@@ -146,6 +151,63 @@ static PyObject *samples(PyObject *self, PyObject *args)
     return read_record(args, sf_here()->records->of_samples, "polynomials", free_samples);
 }
 
+/* A function at an address, as what a record has in its place. */
+#define SF_AT(record, name, address) memcpy(&(record)->name, &(address), sizeof (record)->name)
+
+static int has_no_parameters_of(const sf_mechanism *self, const double *design, double *p)
+{
+    (void)self, (void)design, (void)p;
+    return 0;
+}
+
+static void free_called(PyObject *capsule)
+{
+    free(PyCapsule_GetPointer(capsule, SF_RECORD));
+    Py_XDECREF(PyCapsule_GetContext(capsule));
+}
+
+static PyObject *called(PyObject *self, PyObject *args)
+{
+    PyObject *keep, *enclosed;
+    const char *name;
+    Py_ssize_t at[7];
+    int sizes[3], inertial, with_laws;
+    double reach, up_to;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "s(iii)dd(nnnnnnn)OppO", &name, &sizes[0], &sizes[1], &sizes[2], &reach, &up_to, &at[0],
+                          &at[1], &at[2], &at[3], &at[4], &at[5], &at[6], &keep, &inertial, &with_laws, &enclosed))
+        return NULL;
+    const sf_mechanism *bounds = enclosed == Py_None ? NULL : sf_record_in(enclosed);
+    if (enclosed != Py_None && bounds == NULL)
+        return NULL;
+    const sf_mechanism *like = sf_here()->records->all[0];
+    sf_mechanism *made = calloc(1, sizeof *made + strlen(name) + 1);
+    if (made == NULL)
+        return PyErr_NoMemory();
+    made->form = SF_FORM, made->name = strcpy((char *)(made + 1), name);
+    made->design_size = sizes[0], made->parameters = sizes[1], made->breakpoints = sizes[2];
+    made->reach = reach, made->harmonics_up_to = up_to, made->parameters_of = has_no_parameters_of;
+    made->damping_size = like->damping_size, made->damping_of = like->damping_of;
+    made->is_forcing = like->is_forcing, made->dissipation = like->dissipation, made->level = like->level;
+    made->mean_offset = like->mean_offset;
+    SF_AT(made, ends, at[0]), SF_AT(made, jumps, at[1]), SF_AT(made, kinks, at[2]), SF_AT(made, averaged, at[3]);
+    SF_AT(made, averaged_2, at[4]), SF_AT(made, intercept, at[5]), SF_AT(made, harmonics, at[6]);
+    if (bounds != NULL)
+        made->bent = bounds->bent, made->program = bounds->program;
+    if (inertial)
+        sf_excite_by_inertia(made);
+    if (with_laws)
+        sf_add_laws(made);
+    PyObject *found = PyCapsule_New(made, SF_RECORD, free_called);
+    if (found == NULL) {
+        free(made);
+        return NULL;
+    }
+    Py_INCREF(keep);
+    PyCapsule_SetContext(found, keep);
+    return found;
+}
+
 /* What the capsule of a model points to; it keeps its record. */
 typedef struct {
     sf_model model;
@@ -264,6 +326,9 @@ static PyMethodDef functions[] = {
     {"prepared", prepared, METH_O, "(oscillator) -> 4 mu/pi, breakpoints, jumps at these; none at 0"},
     {"program", program, METH_VARARGS, "(name, words, numbers) -> a record that interprets them, or None"},
     {"samples", samples, METH_VARARGS, "(name, words, numbers, inertial, with_laws) -> a record of polynomials, or None"},
+    {"called", called, METH_VARARGS,
+     "(name, sizes, reach, harmonics_up_to, addresses, keep, inertial, with_laws, enclosed) -> a record that calls "
+     "functions"},
     {"parameters_of", parameters_of, METH_VARARGS, "(record, design) -> parameters"},
     {"model", new_model, METH_VARARGS, "(record, parameters, damping, design) -> an oscillator"},
     {NULL, NULL, 0, NULL},
@@ -293,7 +358,10 @@ int sf_add_records(PyObject *module)
     PyObject *records = PyDict_New();
     if (records == NULL)
         return -1;
-    int failed = PyModule_AddFunctions(module, functions) < 0 || add_variants(module);
+    PyObject *most = Py_BuildValue("iii", SF_MOST_DESIGN, SF_MOST_PARAMETERS, SF_MOST_BREAKS);
+    int failed = most == NULL || PyModule_AddObjectRef(module, "MOST", most) < 0 ||
+                 PyModule_AddFunctions(module, functions) < 0 || add_variants(module);
+    Py_XDECREF(most);
     for (int i = 0; i < shipped->count && !failed; i++) {
         PyObject *capsule = PyCapsule_New((void *)shipped->all[i], SF_RECORD, NULL);
         failed = capsule == NULL || PyDict_SetItemString(records, shipped->all[i]->name, capsule) < 0;
