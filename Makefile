@@ -29,8 +29,6 @@ DEVELOPED := .venv/developed
 # what was derived anew, before it is in generated/
 DERIVED := build/derived
 NATIVE := $(wildcard src/slowflow/native/*.[ch] src/slowflow/native/*/*.[ch] generated/c/*.h generated/native/*.[ch])
-# What tests are meant to run on, and fail without: what is compiled
-MEANT = $(if $(filter 1,$(SLOWFLOW_PURE)),numpy,native)
 PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 
 .PHONY: paper figures test test-fast test-all mutate derive $(DERIVED) check lint corpus bench validity stress explorer docs links dist clean
@@ -46,17 +44,15 @@ figures: $(INSTALLED) $(COMPILED)
 	$(BIN)/slowflow figures --out output
 
 test: $(DEVELOPED) lint
-	SLOWFLOW_BACKEND=$(MEANT) $(BIN)/slowflow info
-	SLOWFLOW_BACKEND=$(MEANT) $(PYTEST) -m "not night"
-	SLOWFLOW_BACKEND=numpy $(PYTEST) -m "both_backends and not night" --part 4
+	$(BIN)/slowflow info
+	$(PYTEST) -m "not night"
 
 test-fast: $(DEVELOPED)
-	SLOWFLOW_BACKEND=$(MEANT) $(PYTEST) -m "not slow and not night"
+	$(PYTEST) -m "not slow and not night"
 
 test-all: export SLOWFLOW_TESTS = all
 test-all: $(DEVELOPED) lint
-	SLOWFLOW_BACKEND=$(MEANT) $(PYTEST)
-	SLOWFLOW_BACKEND=numpy $(PYTEST) -m both_backends
+	$(PYTEST)
 
 mutate: $(DEVELOPED)
 	$(BIN)/python -m tests.mutants
@@ -131,14 +127,14 @@ dist: $(INSTALLED)
 # What is imported is compiled to bytecode then; all of SymPy would take longer than the derivation. The C is left to the
 # next rule, which pip need not be waited for, and which leaves the processors to it and to the derivation.
 $(INSTALLED): .venv/pyvenv.cfg pyproject.toml setup.py
-	SLOWFLOW_PURE=1 $(PIP) --no-compile --no-build-isolation --editable ".[paper]"
+	SLOWFLOW_COMPILE=later $(PIP) --no-compile --no-build-isolation --editable ".[paper]"
 	@touch $@
 
 # A failure is an error. Without a C compiler that of ziglang, 90 MB from PyPI, compiles.
 CC_OF_PYTHON := import os, shlex, sysconfig; print(shlex.split(os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc")[0])
 $(COMPILED): .venv/pyvenv.cfg setup.py $(NATIVE)
 	@rm -f $@
-	@command -v "$$($(BIN)/python -c '$(CC_OF_PYTHON)')" > /dev/null || test -n "$$CC$$SLOWFLOW_PURE" || \
+	@command -v "$$($(BIN)/python -c '$(CC_OF_PYTHON)')" > /dev/null || test -n "$$CC" || \
 		{ echo "no C compiler here: installing ziglang, which has one"; $(PIP) --no-compile $$(grep -o 'ziglang==[0-9.]*' pyproject.toml); }
 	nice $(BIN)/python -B setup.py --quiet build_ext --inplace
 	@find src -name '_exact*.so' -exec touch $@ ';'

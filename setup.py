@@ -3,9 +3,9 @@
 All else says pyproject.toml.
 
 What is built is compiled, or the build fails. On Linux without a C compiler, and without CC in the environment, it is
-compiled by that of `ziglang`, from PyPI: an isolated build takes it, the Makefile installs it. SLOWFLOW_PURE=1 asks for
-a package that runs on NumPy; a wheel's name says so. The C is committed: building it needs NumPy's headers and nothing
-that derives or renders.
+compiled by that of `ziglang`, from PyPI: an isolated build takes it, the Makefile installs it. SLOWFLOW_COMPILE=later
+leaves compiling to another command, as the Makefile does. The C is committed: building it needs NumPy's headers and
+nothing that derives or renders.
 
 To the solver's extension a further source is added by putting it into src/slowflow/native/solver/.
 """
@@ -31,7 +31,7 @@ from setuptools.errors import BaseError, CompileError, LinkError
 NATIVE = Path("src/slowflow/native")
 GENERATED = Path("generated")
 HEADERS = sorted(str(path) for folder in (NATIVE, GENERATED) for path in folder.rglob("*.h"))
-PURE = os.environ.get("SLOWFLOW_PURE") == "1"
+LATER = os.environ.get("SLOWFLOW_COMPILE") == "later"
 # Without GIL there is no stable ABI yet.
 STABLE_ABI = not sysconfig.get_config_var("Py_GIL_DISABLED")
 # IEEE arithmetic: the same digits from every build; loops may vectorise past errno and traps. The ends of an interval
@@ -67,7 +67,7 @@ def compiles(command):
 
 def lacks_compiler():
     """Whether a build has to take one from PyPI: where CC says which one it is to be, that is it."""
-    if PURE or sys.platform != "linux" or "CC" in os.environ:
+    if LATER or sys.platform != "linux" or "CC" in os.environ:
         return False
     return not compiles(shlex.split(sysconfig.get_config_var("CC") or "cc"))
 
@@ -102,8 +102,7 @@ class Build(build_ext):
             raise SystemExit(
                 f"slowflow: the extension modules could not be compiled ({error}), see above. This needs a C compiler "
                 "and the headers of Python (on Debian: apt install gcc python3-dev; a compiler is in PyPI's ziglang "
-                "too, pip install ziglang). With SLOWFLOW_PURE=1 in the environment the package is built without: the "
-                "same answers, slower."
+                "too, pip install ziglang)."
             ) from error
 
     def build_extensions(self):
@@ -189,7 +188,7 @@ setup(
     long_description=readme(Path("README.md").read_text(encoding="utf-8"), SOURCE),
     long_description_content_type="text/markdown",
     ext_modules=[]
-    if PURE
+    if LATER
     else [
         extension("slowflow_kernels._native", [NATIVE / "kernels.c", *(GENERATED / "native").glob("*.c")]),
         extension("slowflow._native", (NATIVE / "solver").glob("*.c")),
@@ -198,5 +197,5 @@ setup(
     # which pip installs beside those of pyproject.toml
     setup_requires=PROJECT["optional-dependencies"]["explorer"] if LACKS_COMPILER and not FROM_PYPI else [],
     cmdclass={"build_ext": Build},
-    options={"bdist_wheel": {"py_limited_api": "cp311"}} if STABLE_ABI and not PURE else {},
+    options={"bdist_wheel": {"py_limited_api": "cp311"}} if STABLE_ABI else {},
 )

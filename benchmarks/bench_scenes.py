@@ -14,7 +14,6 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import backend
 from slowflow.averaged import solvers
 from slowflow.model import Model
 from slowflow.paper.example import TABLE_1, isolator
@@ -42,7 +41,7 @@ def paired(general: Callable[[], Any], scene: Callable[[], Any], repeats: int) -
 
 def rows(repeats: int | None = None) -> list[dict[str, Any]]:
     """One row for each skip and question: names, seconds without and with it, ratio."""
-    repeats = repeats or (300 if backend.SOLVER is not None else 15)
+    repeats = repeats or 300
     whole = isolator().model
     mu, zeta = whole.mu, whole.zeta
     no_preload = Model(rod_spring.MECHANISM, rod_spring.coefficients(TABLE_1["lam"], TABLE_1["r"], 0.0), mu, zeta)
@@ -91,7 +90,7 @@ def rows(repeats: int | None = None) -> list[dict[str, Any]]:
 
 
 def main() -> None:
-    print(f"{'skip':24}{'question':20}{'without':>10}{'with':>10}{'ratio':>7}   backend: {backend.NAME}")
+    print(f"{'skip':24}{'question':20}{'without':>10}{'with':>10}{'ratio':>7}")
     for row in rows():
         without, with_ = (f"{1e6 * row[key]:.0f} us" for key in ("without", "with"))
         print(f"{row['skip']:24}{row['question']:20}{without:>10}{with_:>10}{row['ratio']:7.2f}")

@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from slowflow import Isolator, backend
+from slowflow import Isolator
 from slowflow.averaged.many import Designs
 from slowflow.paper.example import TABLE_1, isolator
 
@@ -70,7 +70,7 @@ def single() -> dict[str, tuple[Callable[[], Any], float | None]]:
 def batches(count: int, seed: int) -> dict[str, tuple[Callable[[], Any], int, float | None]]:
     """Questions to many isolators, their number, and the target in designs a second."""
     jobs: dict[str, tuple[Callable[[], Any], int, float | None]] = {}
-    drawn = min(count, 20 if backend.SOLVER is None else 2000)  # some 25 kB each
+    drawn = min(count, 2000)  # some 25 kB each
     few = random_designs(drawn, seed)
     jobs["curves, 1000 points, random"] = (lambda: few.frequency_response(F_0), drawn, 15e3)
     for name, designs in (("Table 1", table_1_designs(count)), ("random", random_designs(count, seed))):
@@ -84,9 +84,7 @@ def batches(count: int, seed: int) -> dict[str, tuple[Callable[[], Any], int, fl
 
 
 def rows(count: int = 100_000, repeats: int = 7, seed: int = 5) -> list[dict[str, Any]]:
-    """One dictionary for each job: its median time, the spread, the rate and the target; on NumPy a smaller batch."""
-    if backend.SOLVER is None:
-        count = min(count, 512)
+    """One dictionary for each job: its median time, the spread, the rate and the target."""
     jobs: dict[str, tuple[Callable[[], Any], int, float | None]] = {}
     for name, (job, seconds) in single().items():
         jobs[name] = (job, 1, None if seconds is None else 1 / seconds)
@@ -95,7 +93,7 @@ def rows(count: int = 100_000, repeats: int = 7, seed: int = 5) -> list[dict[str
     for _ in range(repeats):
         for name, (job, number, _target) in jobs.items():
             job()
-            calls = 20 if number == 1 and backend.SOLVER is not None else 1
+            calls = 20 if number == 1 else 1
             start = time.perf_counter()
             for _ in range(calls):
                 job()
@@ -103,7 +101,6 @@ def rows(count: int = 100_000, repeats: int = 7, seed: int = 5) -> list[dict[str
     return [
         {
             "job": name,
-            "backend": backend.NAME,
             "designs": number,
             "seconds": float(np.median(taken[name])),
             "fastest": min(taken[name]),

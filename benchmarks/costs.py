@@ -1,6 +1,6 @@
 """How long each question of a scene takes: times of random designs, which `slowflow explain` estimates from.
 
-    python -m benchmarks.costs    writes src/slowflow/measured/costs.py, of both backends, in some ten minutes
+    python -m benchmarks.costs    writes src/slowflow/measured/costs.py, in some ten minutes
 
 A design is a mount of usual numbers from a fixed seed. Its time is that of the processor, which other programs on the
 machine change least. What a time is counted by, as a frequency or a row of a spectrum, `Asked.count` says.
@@ -8,12 +8,8 @@ machine change least. What a time is counted by, as a frequency or a row of a sp
 
 from __future__ import annotations
 
-import json
-import os
 import random
 import statistics
-import subprocess
-import sys
 import tempfile
 import time
 import warnings
@@ -30,7 +26,6 @@ from slowflow_support.errors import SlowflowError
 
 #: designs of each kind; seconds after which no further design is asked
 DESIGNS, SEED, PATIENCE = 15, 35, 6.0
-BACKENDS = ("native", "numpy")
 WHERE = Path("src/slowflow/measured/costs.py")
 #: what a mount has besides, by kind
 KINDS = {"plain": "", "laws": "eta = 0.02\nc_2 = 20.0", "load": "load = {load:.4f}"}
@@ -53,7 +48,7 @@ preload = 0.05
 """
 SPECTRUM = "[spectrum]\nf = [{f:.3f}, 2.2, 5.0]\nF = [{F:.3f}, {F:.3f}, 2.0]\n"
 SHOCK = "[shock]\nacceleration = [{a:.2f}]\nduration = [{duration:.4f}]\n"
-DOCUMENT = '''"""Seconds that questions take, by backend: of a plain oscillator, with more laws of damping, loaded.
+DOCUMENT = '''"""Seconds that questions take: of a plain oscillator, with more laws of damping, loaded.
 
 Written by `python -m benchmarks.costs`; never edit. Medians of random mounts; nine of ten answers took between
 1/SPREAD and SPREAD times as long.
@@ -66,7 +61,7 @@ from collections.abc import Mapping
 
 MACHINE = "{processor}"
 SPREAD = {spread}
-COSTS: Mapping[str, Mapping[str, tuple[float, float, float]]] = {{
+COSTS: Mapping[str, tuple[float, float, float]] = {{
 {rows}
 }}
 '''
@@ -107,7 +102,7 @@ def once(of: Scene, asked: Asked) -> float:
 
 
 def entries() -> Iterator[tuple[str, str, list[float]]]:
-    """Entry, kind, and the times of designs, on the backend in use."""
+    """Entry, kind, and the times of designs."""
     for question in QUESTIONS:
         for kind in KINDS:
             drawn, times, begun = random.Random(SEED), {}, time.monotonic()
@@ -127,26 +122,19 @@ def entries() -> Iterator[tuple[str, str, list[float]]]:
 
 
 def main() -> None:
-    """Print the times of this backend as JSON, or write those of both."""
+    """Write the times."""
     warnings.simplefilter("ignore")
-    if sys.argv[1:] == ["--here"]:
-        print(json.dumps(list(entries())))
-        return
-    spreads, rows = [], []
-    for backend in BACKENDS:
-        environment = {**os.environ, "SLOWFLOW_BACKEND": backend} if backend == "numpy" else dict(os.environ)
-        command = [sys.executable, "-m", "benchmarks.costs", "--here"]
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
-        table: dict[str, dict[str, float]] = {}
-        for entry, kind, found in json.loads(done.stdout):
-            middle = statistics.median(found)
-            table.setdefault(entry, {})[kind] = middle
-            spreads += [max(one / middle, middle / one) for one in found]
-        rows.append(f'    "{backend}": {{')
-        for entry, kinds in table.items():
-            # a question that a kind has no answer to costs nothing
-            rows.append(f'        "{entry}": ({", ".join(f"{kinds.get(kind, 0.0):.2g}" for kind in KINDS)}),')
-        rows.append("    },")
+    table: dict[str, dict[str, float]] = {}
+    spreads = []
+    for entry, kind, found in entries():
+        middle = statistics.median(found)
+        table.setdefault(entry, {})[kind] = middle
+        spreads += [max(one / middle, middle / one) for one in found]
+    # a question that a kind has no answer to costs nothing
+    rows = [
+        f'    "{entry}": ({", ".join(f"{kinds.get(kind, 0.0):.2g}" for kind in KINDS)}),'
+        for entry, kinds in table.items()
+    ]
     text = DOCUMENT.format(
         processor=processor(), spread=f"{statistics.quantiles(spreads, n=10)[-1]:.1f}", rows="\n".join(rows)
     )

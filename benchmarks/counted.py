@@ -148,7 +148,7 @@ def _added(whole: float, parts: list[float]) -> str:
 def _loop(question: Question, inputs: np.ndarray, designs: Any) -> Callable[[], Any]:
     """The compiled loop of a question alone, on arrays that are there."""
     assert question.batch is not None  # all of these are compiled
-    solve = question.batch(backend.solver())(backend.record_of(designs.mechanism, inertial=False))
+    solve = question.batch(backend.SOLVER)(backend.record_of(designs.mechanism, inertial=False))
     size = inputs.shape[1]
     given = inputs[: solve.nin]
     out = tuple(np.empty((size, *inner), kind) for inner, kind in question.outputs(PLACES_OF_ONE))
@@ -188,7 +188,7 @@ def _of_second(library: Any) -> str:
     marks = [*first.saddle_nodes(certified.F_0).Omega, first.peak(certified.F_0).Omega]
     around = (min(marks) / BEYOND, max(marks) * BEYOND)
     design, compiled, told = np.array(list(TABLE_1.values())), 0.0, []
-    solver, asked = backend.solver(), (first.model.native, certified.F_0)
+    solver, asked = backend.SOLVER, (first.model.native, certified.F_0)
     for name, wanted, drawn, ask_compiled in (
         (
             "its points",

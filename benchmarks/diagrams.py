@@ -15,9 +15,7 @@ from benchmarks.document import quantity
 U = 2.0**-53
 #: colour-blind safe; a method keeps its colour in every picture
 COLOURS = {
-    "slowflow, native": "#0072B2",
-    "slowflow, NumPy path": "#56B4E9",
-    "slowflow, numpy": "#0072B2",
+    "slowflow": "#0072B2",
     "numpy.roots": "#D55E00",
     "bracketing": "#009E73",
     "the paper's recipe": "#CC79A7",
@@ -27,7 +25,7 @@ COLOURS = {
     "Radau, events": "#000000",
     "AUTO-07p by bifpy": "#882255",
 }
-MARKERS = dict(zip(COLOURS, "oso^DvPsdX<", strict=True))
+MARKERS = dict(zip(COLOURS, "oo^DvPsdX", strict=True))
 #: offset of a text in points, and which of its ends is there
 BELOW, ABOVE = ((0, -7), "center", "top"), ((0, 7), "center", "bottom")
 LEFT, RIGHT = ((-8, 0), "right", "center"), ((9, 0), "left", "center")
@@ -47,9 +45,7 @@ ON_TOP = ("bracketing",)
 SIDES = {
     "bracketing": ((-8, 3), "right", "center"),
     "numpy.roots": ((4, 18), "center", "bottom"),
-    "F_SN: slowflow, native": ((-8, 2), "right", "bottom"),
-    "F_SN: slowflow, NumPy path": ((0, 8), "center", "bottom"),
-    "F_cr: slowflow, NumPy path": ((7, -12), "left", "center"),
+    "F_SN: slowflow": ((-8, 2), "right", "bottom"),
 }
 STYLE = {"svg.hashsalt": "slowflow", "font.size": 9, "axes.spines.top": False, "axes.spines.right": False}
 
@@ -148,7 +144,7 @@ def _sizes(ax: Axes, rows: list[dict[str, Any]], unit: str, title: str) -> None:
 def _stops(ax: Axes, rows: list[dict[str, Any]]) -> None:
     ax.set(xlabel="stops a turn", ylabel="microseconds", title="one periodic motion, linear, by its stops")
     ax.title.set_fontsize(10)
-    method = "slowflow, native"
+    method = "slowflow"
     stops, seconds = np.array([(row["stops"], row["seconds"]) for row in rows]).T
     ax.plot(stops, 1e6 * seconds, "-", marker=MARKERS[method], color=COLOURS[method], ms=4, lw=1.3)
     ax.set_ylim(bottom=0)

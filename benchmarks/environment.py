@@ -1,4 +1,4 @@
-"""What a measurement ran on: versions, processor, backend; nothing that names a machine or a folder."""
+"""What a measurement ran on: versions, processor; nothing that names a machine or a folder."""
 
 from __future__ import annotations
 
@@ -22,12 +22,9 @@ def processor() -> str:
 def describe() -> dict[str, str | int]:
     """Topics and their values."""
     versions = {name: importlib.metadata.version(name) for name in ("numpy", "scipy", "sympy")}
-    build = {}
-    if backend.KERNELS is not None:
-        build = {"compiler": backend.KERNELS.BUILD["compiler"], "kernels run": backend.KERNELS.BUILD["chosen"]}
+    build = {"compiler": backend.KERNELS.BUILD["compiler"], "kernels run": backend.KERNELS.BUILD["chosen"]}
     return {
         "slowflow": __version__,
-        "backend": backend.NAME,
         "python": platform.python_version(),
         **versions,
         **build,

@@ -166,7 +166,7 @@ def _counted(package: str, code: str, times: int) -> int:
     command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", sys.executable, "-c"]
     # threads of a linear algebra library wait by counting
     found = os.pathsep.join((package, str(ROOT)))
-    env = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "PYTHONPATH": found, "SLOWFLOW_BACKEND": "native"}
+    env = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "PYTHONPATH": found}
     done = subprocess.run(
         [*command, COUNTED.format(code), str(times)], capture_output=True, text=True, check=True, cwd=package, env=env
     )
@@ -231,39 +231,6 @@ def _missed_by(row: dict[str, Any]) -> float:
     return row["measured"] / row["target"] if row["at_most"] else row["target"] / row["measured"]
 
 
-CALLED = """
-import cProfile, pstats, time
-import numpy as np
-from slowflow.paper import example
-def added(count, times=20_000):
-    x, start = np.linspace(0.1, 0.3, count), time.perf_counter()
-    for _ in range(times):
-        x + x
-    return (time.perf_counter() - start) / times
-operation = added(64)
-numbers = 64 * (added(2048) - operation) / (2048 - 64)
-example.isolator().frequency_response(0.04)
-profile, iso = cProfile.Profile(), example.isolator()
-start = time.perf_counter()
-iso.frequency_response(0.04)
-taken, iso = time.perf_counter() - start, example.isolator()
-profile.runcall(iso.frequency_response, 0.04)
-print(operation, numbers, pstats.Stats(profile).total_calls, taken)
-"""
-
-
-def on_numpy() -> list[str]:
-    """What a curve without compiled code consists of."""
-    env = {**os.environ, "SLOWFLOW_BACKEND": "numpy", "PYTHONPATH": str(ROOT)}
-    done = subprocess.run([sys.executable, "-c", CALLED], capture_output=True, text=True, check=True, env=env)
-    operation, numbers, calls, taken = map(float, done.stdout.split())
-    return [
-        f"one response curve without compiled code takes {quantity(taken, 's')}, asked 9.5 ms: {calls:,.0f} calls of "
-        f"Python, and operations on short arrays: a sum of 64 doubles takes {quantity(operation, 's')}, its numbers "
-        f"{quantity(numbers, 's')} of it; batches share the rest, a single design has it to itself"
-    ]
-
-
 def of(rows: list[dict[str, Any]]) -> list[str]:
     """Sentences about the limits of the targets that are missed."""
     kinds = {row["limit"] for row in rows if not row["reached"]}
@@ -272,8 +239,6 @@ def of(rows: list[dict[str, Any]]) -> list[str]:
         out += imports()
     if "kernel" in kinds:
         out += traffic()
-    if "NumPy" in kinds:
-        out += on_numpy()
     if kinds & {"quartic", "kernel", *WORK}:
         out += libm()
     return [*out, *counted.of(kinds), *instructions(kinds & WORK.keys())]

@@ -21,7 +21,6 @@ from benchmarks import bench_exact, bench_kernels, bench_roots, certified, footp
 from benchmarks.bench_solver import random_designs
 from benchmarks.document import quantity
 from benchmarks.remote import ROOT, Remote, in_turn
-from slowflow import backend
 from slowflow.paper.example import isolator
 
 
@@ -45,7 +44,6 @@ UNSOLVED = 5
 #: designs whose curves are drawn at once, 30 kB each
 CURVES = 1000
 #: designs of a batch without compiled code, one of the powers of ten of `benchmarks.jobs`
-ON_NUMPY = 1000
 SMALL = Size(200, 20000, 2, 1, 10**4, 10**3, 3, 10**6)
 
 
@@ -99,7 +97,7 @@ def quartics(size: Size) -> list[Target]:
     """The installed solver in the scene where it does worst."""
     rows = bench_roots.rows(size.quartics, size.rounds)
     of = {(row["scene"], row["method"]): row for row in rows}
-    ours = f"installed: {backend.NAME}"
+    ours = "installed"
     slowest = max((of[scene, ours] for scene in bench_roots.SCENES), key=lambda row: row["ns"])
     out = []
     job = "Ω roots of one quartic"
@@ -111,7 +109,7 @@ def quartics(size: Size) -> list[Target]:
         Target(
             f"{job}, slowest of {len(bench_roots.SCENES)} scenes",
             *(40e-9, slowest["ns"] * 1e-9, "s", True),
-            f"NumPy path {quantity(of[slowest['scene'], 'NumPy']['ns'] * 1e-9, 's')}",
+            "",
             *(error, "quartic", sound),
         )
     )
@@ -148,7 +146,7 @@ def _of_peer(name: str, rows: list[dict[str, Any]], size: Size) -> str:
 def kernels(size: Size) -> list[Target]:
     """H and H' together, attached and detached."""
     rows = bench_kernels.rows(size.points, size.rounds)
-    ours = "native" if any(row["method"] == "native" for row in rows) else "NumPy"
+    ours = "native"
     out = []
     for regime, at_most in (("attached", 2e-9), ("detached", 20e-9)):
         of = {(row["scene"], row["method"]): row for row in rows if row["scene"].startswith(regime)}
@@ -161,7 +159,7 @@ def kernels(size: Size) -> list[Target]:
             Target(
                 f"{job}, slowest of {len(scenes)} scenes" if len(scenes) > 1 else job,
                 *(at_most, of[slowest, ours]["ns"] * 1e-9, "s", True),
-                f"NumPy path {quantity(of[slowest, 'NumPy']['ns'] * 1e-9, 's')}",
+                f"as NumPy has it {quantity(of[slowest, 'NumPy']['ns'] * 1e-9, 's')}",
                 *(error, "kernel"),
             )
         )
@@ -178,67 +176,47 @@ def kernels(size: Size) -> list[Target]:
     return out
 
 
-def both(jobs: Iterable[tuple[str, str | None]], rounds: int) -> dict[str, dict[str, dict[str, Any]]]:
-    """Answers to jobs on the backend in use and on NumPy, each in a process of its own, asked in turn.
-
-    A job is a pair of names, as a batch may be smaller for NumPy, or None there. Keys: the first name, then "here" and
-    "NumPy".
-    """
-    remotes = {"here": Remote("benchmarks.jobs"), "NumPy": Remote("benchmarks.jobs", SLOWFLOW_BACKEND="numpy")}
+def answered(jobs: Iterable[str], rounds: int) -> dict[str, dict[str, Any]]:
+    """Answers to jobs, by name, from a process of its own that is asked in turn."""
+    remote = Remote("benchmarks.jobs")
     try:
-        asked = {
-            f"{names[0]}|{where}": (remote, name)
-            for names in jobs
-            for (where, remote), name in zip(remotes.items(), names, strict=True)
-            if name is not None
-        }
-        answers, failures = in_turn(asked, rounds)
+        answers, failures = in_turn({name: (remote, name) for name in jobs}, rounds)
     finally:
-        for remote in remotes.values():
-            remote.stop()
+        remote.stop()
     if failures:
         raise RuntimeError(f"jobs failed: {failures}")
-    out: dict[str, dict[str, dict[str, Any]]] = {}
-    for key, answer in answers.items():
-        name, where = key.split("|")
-        out.setdefault(name, {})[where] = answer
-    return out
+    return answers
 
 
 def curves(size: Size) -> list[Target]:
     """The response curve with its folds, the fold locus with its cusps."""
-    answers = both([("curve", "curve"), ("locus", "locus")], size.rounds)
+    answers = answered(["curve", "locus"], size.rounds)
     curve, locus = answers["curve"], answers["locus"]
     folds = [
         certified.relative_error(value, exact)
-        for found, wanted in zip(curve["here"]["folds"], certified.folds(), strict=True)
+        for found, wanted in zip(curve["folds"], certified.folds(), strict=True)
         for value, exact in zip(found, wanted, strict=True)
     ]
     table_1 = certified.Table1()
-    on_locus = [table_1.fold_error(Omega, A) for Omega, A in locus["here"]["some"]]
+    on_locus = [table_1.fold_error(Omega, A) for Omega, A in locus["some"]]
     cusp = [
-        certified.relative_error(value, exact)
-        for value, exact in zip(locus["here"]["cusp"], certified.onset(), strict=True)
+        certified.relative_error(value, exact) for value, exact in zip(locus["cusp"], certified.onset(), strict=True)
     ]
     return [
         Target(
-            f"whole response curve, {curve['here']['points']} points, stability, folds",
-            *(0.5e-3, curve["here"]["seconds"], "s", True),
-            f"NumPy path {quantity(curve['NumPy']['seconds'], 's')}",
+            f"whole response curve, {curve['points']} points, stability, folds",
+            *(0.5e-3, curve["seconds"], "s", True),
+            "",
             f"folds {max(folds):.1e} relative",
             "curve",
             max(folds) <= 1e-13,
         ),
         Target(
-            f"fold locus, {locus['here']['points']} points, and cusps",
-            *(0.5e-3, locus["here"]["seconds"], "s", True),
-            f"NumPy path {quantity(locus['NumPy']['seconds'], 's')}",
+            f"fold locus, {locus['points']} points, and cusps",
+            *(0.5e-3, locus["seconds"], "s", True),
+            "",
             f"points {max(on_locus):.2g} u(1+κ), cusp {max(cusp):.1e} relative",
             "locus",
-        ),
-        Target(
-            "the response curve without compiled code",
-            *(9.5e-3, curve["NumPy"]["seconds"], "s", True, "", "", "NumPy"),
         ),
     ]
 
@@ -246,11 +224,8 @@ def curves(size: Size) -> list[Target]:
 def batches(size: Size) -> list[Target]:
     """Critical forcings of many designs on one core."""
     count = {"detachment": size.detachments, "saddle_node_onset": size.onsets}
-    names: list[tuple[str, str | None]] = [
-        (f"random {name} {n}", f"random {name} {ON_NUMPY}") for name, n in count.items()
-    ]
-    names += [(f"Table 1 {name} {n}", None) for name, n in count.items()]
-    answers = both([*names, ("certified detachment", None), ("certified onset", None)], min(size.rounds, 3))
+    names = [f"{kind} {name} {n}" for kind in ("random", "Table 1") for name, n in count.items()]
+    answers = answered([*names, "certified detachment", "certified onset"], min(size.rounds, 3))
     known = certified.designs()
     out = []
     for (name, n), (title, least, key, exact) in zip(
@@ -262,28 +237,20 @@ def batches(size: Size) -> list[Target]:
         strict=True,
     ):
         answer, near = answers[f"random {name} {n}"], answers[f"Table 1 {name} {n}"]
-        rate, slower = n / answer["here"]["seconds"], ON_NUMPY / answer["NumPy"]["seconds"]
+        rate = n / answer["seconds"]
         errors = [
             max(certified.relative_error(value, digits) for value, digits in zip(found, row, strict=True))
-            for found, row in zip(answers[key]["here"]["found"], exact, strict=True)
+            for found, row in zip(answers[key]["found"], exact, strict=True)
         ]
         out.append(
             Target(
                 f"{title}, {n} random designs, one core",
                 *(least, rate, "a second", False),
-                f"NumPy path {quantity(slower, 'a second')}; "
-                f"Table 1 with λ from 2 to 4 {quantity(n / near['here']['seconds'], 'a second')}",
+                f"Table 1 with λ from 2 to 4 {quantity(n / near['seconds'], 'a second')}",
                 f"{max(errors):.1e} relative, {len(exact)} certified isolators",
-                *(name, answer["here"]["status"] < UNSOLVED),
+                *(name, answer["status"] < UNSOLVED),
             )
         )
-    alone = f"random saddle_node_onset {count['saddle_node_onset']}"
-    out.append(
-        Target(
-            f"F_SN without compiled code, a design, of {ON_NUMPY}",
-            *(4.8e-3, answers[alone]["NumPy"]["seconds"] / ON_NUMPY, "s", True, "", "", "NumPy"),
-        )
-    )
     return out
 
 
@@ -293,10 +260,10 @@ def cores(size: Size) -> list[Target]:
     asked = {"saddle_node_onset": "F_SN", "saddle_nodes": "folds", "peak": "peaks", "amplitudes": "states"}
     workers = sorted({1, *(2**power for power in range(there.bit_length())), there})
     names = {(question, n): f"cores {question} {size.onsets} {n}" for question in asked for n in workers}
-    answers = both([(name, None) for name in names.values()], min(size.rounds, 5))
+    answers = answered(names.values(), min(size.rounds, 5))
     out = []
     for question, title in asked.items():
-        taken = {n: answers[names[question, n]]["here"]["least"] for n in workers}
+        taken = {n: answers[names[question, n]]["least"] for n in workers}
         each = ", ".join(f"{n}: {quantity(size.onsets / seconds, 'a second')}" for n, seconds in taken.items())
         out.append(
             Target(
@@ -316,24 +283,22 @@ def rates(size: Size) -> list[Target]:
         "peak": ("highest peak at F_0", 1e6),
         "amplitudes": ("states at (Ω, F_0)", 2e6),
     }
-    names: list[tuple[str, str | None]] = [
-        (f"random {name} {size.onsets}", f"random {name} {ON_NUMPY}") for name in wanted
-    ]
+    names = [f"random {name} {size.onsets}" for name in wanted]
     drawn = min(size.onsets, CURVES)
     drawing = f"random frequency_response {drawn}"
-    answers = both([*names, (drawing, None), ("curve", None)], min(size.rounds, 3))
+    answers = answered([*names, drawing, "curve"], min(size.rounds, 3))
     out = []
     for name, (title, least) in wanted.items():
         answer = answers[f"random {name} {size.onsets}"]
         out.append(
             Target(
                 f"{title}, {size.onsets} random designs, one core",
-                *(least, size.onsets / answer["here"]["seconds"], "a second", False),
-                f"NumPy path {quantity(ON_NUMPY / answer['NumPy']['seconds'], 'a second')}",
-                *("", name, answer["here"]["status"] < UNSOLVED),
+                *(least, size.onsets / answer["seconds"], "a second", False),
+                "",
+                *("", name, answer["status"] < UNSOLVED),
             )
         )
-    curve, curves = answers["curve"]["here"], answers[drawing]["here"]
+    curve, curves = answers["curve"], answers[drawing]
     out.append(
         Target(
             f"whole curves of {drawn} random designs, 1000 points, stability, folds, one core",
@@ -387,26 +352,25 @@ def second(size: Size) -> list[Target]:
     """The second approximation: a curve with its folds, and batches."""
     shares = {"saddle_node_onset": 1.0, "detachment": 1.0, "saddle_nodes": 0.01, "peak": 0.01}
     counts = {name: 10 ** round(np.log10(size.onsets * share)) for name, share in shares.items()}
-    names: list[tuple[str, str | None]] = [(f"second {name} {count}", None) for name, count in counts.items()]
-    answers = both([("second curve", "second curve"), ("curve", None), *names], min(size.rounds, 3))
-    curve, first = answers["second curve"], answers["curve"]["here"]
+    names = [f"second {name} {count}" for name, count in counts.items()]
+    answers = answered(["second curve", "curve", *names], min(size.rounds, 3))
+    curve, first = answers["second curve"], answers["curve"]
     known = json.loads((ROOT / "tests" / "data" / "second.json").read_text())["table 1"]["folds"]
     with workdps(certified.DIGITS):
         errors = [
             certified.relative_error(value, mpf(digits))
-            for found, wanted in zip(curve["here"]["folds"], known, strict=True)
+            for found, wanted in zip(curve["folds"], known, strict=True)
             for value, digits in zip(found, wanted, strict=True)
         ]
     many = ", ".join(
-        f"{name} {quantity(count / answers[f'second {name} {count}']['here']['seconds'], 'a second')}"
+        f"{name} {quantity(count / answers[f'second {name} {count}']['seconds'], 'a second')}"
         for name, count in counts.items()
     )
     return [
         Target(
-            f"second approximation: curve, {curve['here']['points']} points, stability, folds",
-            *(0.4e-3, curve["here"]["seconds"], "s", True),
-            f"NumPy path {quantity(curve['NumPy']['seconds'], 's')}; averaging's {quantity(first['seconds'], 's')}; "
-            f"random designs: {many}",
+            f"second approximation: curve, {curve['points']} points, stability, folds",
+            *(0.4e-3, curve["seconds"], "s", True),
+            f"averaging's {quantity(first['seconds'], 's')}; random designs: {many}",
             *(f"folds {max(errors):.1e} relative, 30 digits", "second", max(errors) <= 1e-13),
         )
     ]

@@ -20,36 +20,30 @@ from benchmarks.bench_exact import by_stops
 from benchmarks.peers import bifpy
 from benchmarks.peers.__main__ import interpreter
 from benchmarks.remote import Failure, Remote, in_turn
-from slowflow import backend
 
 MISSED = 0.01
-OURS = {"here": f"slowflow, {backend.NAME}", "NumPy": "slowflow, NumPy path"}
+OURS = "slowflow"
 TITLES = {
     "response": "response at 1000 amplitudes: {} roots Ω",
     "folds": "both folds at F₀ = 0.04",
     "onset": "onset: lowest F₀ that has a fold",
 }
 #: how far a method's time is followed, in amplitudes and in designs
-AMPLITUDES = {**dict.fromkeys(OURS.values(), 6), METHODS[0]: 4, METHODS[1]: 4}
-DESIGNS = {
-    OURS["here"]: {"detachment": 6, "saddle_node_onset": 5},
-    OURS["NumPy"]: {"detachment": 2, "saddle_node_onset": 1},
-}
+AMPLITUDES = {OURS: 6, METHODS[0]: 4, METHODS[1]: 4}
+DESIGNS = {"detachment": 6, "saddle_node_onset": 5}
 QUESTIONS = {"detachment": "F_cr", "saddle_node_onset": "F_SN"}
 
 
 class Processes:
-    """Both paths of slowflow and the other methods, each in a process."""
+    """slowflow and the other methods, each in a process."""
 
     def __init__(self) -> None:
-        self.paths = {"here": Remote("benchmarks.jobs"), "NumPy": Remote("benchmarks.jobs", SLOWFLOW_BACKEND="numpy")}
-        if backend.NAME == "numpy":
-            self.paths.pop("NumPy").stop()
+        self.ours = Remote("benchmarks.jobs")
         self.others = Remote("benchmarks.baselines")
 
     def stop(self) -> None:
         """End them."""
-        for remote in (*self.paths.values(), self.others):
+        for remote in (self.ours, self.others):
             remote.stop()
 
 
@@ -89,7 +83,7 @@ def measure(rounds: int, before: dict[str, Any]) -> dict[str, Any]:
 
 def precision(processes: Processes, rounds: int) -> list[dict[str, Any]]:
     """One dictionary for each scene."""
-    asked = {f"{scene} | {OURS[k]} | ": (remote, scene) for scene in TITLES for k, remote in processes.paths.items()}
+    asked = {f"{scene} | {OURS} | ": (processes.ours, scene) for scene in TITLES}
     asked |= {job: (processes.others, job) for job in processes.others.jobs if job.split(" | ")[0] in TITLES}
     answers, failures = in_turn(asked, rounds)
     if failures:
@@ -160,15 +154,12 @@ def with_earlier(scene: dict[str, Any], before: dict[str, Any]) -> dict[str, Any
 def scaling(processes: Processes, rounds: int) -> dict[str, list[dict[str, Any]]]:
     """Seconds by number of amplitudes (the response at them), and by number of designs (F_cr, F_SN)."""
     asked: dict[str, tuple[Remote, str]] = {}
-    for k, remote in processes.paths.items():
-        for power in range(AMPLITUDES[OURS[k]] + 1):
-            asked[f"amplitudes | {OURS[k]} | {10**power}"] = remote, f"response {10**power}"
-        for question, last in DESIGNS[OURS[k]].items():
-            for power in range(last + 1):
-                asked[f"designs | {QUESTIONS[question]}: {OURS[k]} | {10**power}"] = (
-                    remote,
-                    f"random {question} {10**power}",
-                )
+    for power in range(AMPLITUDES[OURS] + 1):
+        asked[f"amplitudes | {OURS} | {10**power}"] = processes.ours, f"response {10**power}"
+    for question, last in DESIGNS.items():
+        for power in range(last + 1):
+            job = f"designs | {QUESTIONS[question]}: {OURS} | {10**power}"
+            asked[job] = processes.ours, f"random {question} {10**power}"
     for method in METHODS[:2]:
         for power in range(AMPLITUDES[method] + 1):
             asked[f"amplitudes | {method} | {10**power}"] = processes.others, f"response {10**power} | {method}"

@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from slowflow import backend, derive
+from slowflow import derive
 
 u, soft, hard, gap = sp.symbols("u soft hard gap")
 stop = derive.mechanism(
@@ -13,7 +13,7 @@ stop = derive.mechanism(
         "hard": {"above": 0, "doc": "stiffness of the stop", "unit": "k_v"},
         "gap": {"above": 0, "doc": "way to the stop", "unit": "L"},
     },
-    compile=backend.SOLVER is not None,
+    compile=True,
 )
 mount = stop(soft=0.6, hard=8.0, gap=0.2, mu=0.005, zeta=0.03)
 onset, detachment, folds = mount.saddle_node_onset(), mount.detachment(), mount.saddle_nodes(0.05)

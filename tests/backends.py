@@ -1,9 +1,8 @@
-"""The generated kernels on a backend of one's choice, beside those in use: its name in, modules by name out."""
+"""The generated kernels compiled, or as NumPy has them, beside those in use: a name in, modules by name out."""
 
 from __future__ import annotations
 
 import importlib
-import os
 import sys
 from types import ModuleType
 
@@ -16,16 +15,15 @@ def _forget() -> dict[str, ModuleType]:
     return {name: sys.modules.pop(name) for name in list(sys.modules) if name.startswith(RELOADED)}
 
 
-def load(backend: str) -> dict[str, ModuleType]:
-    """Import all kernels once more, on "numpy" or "native". Raises ImportError where the latter is not built."""
-    before, wanted = _forget(), os.environ.get("SLOWFLOW_BACKEND")
-    os.environ["SLOWFLOW_BACKEND"] = backend
+def load(how: str) -> dict[str, ModuleType]:
+    """Import all kernels once more, on "numpy" or "native"."""
+    before = _forget()
     try:
+        support = importlib.import_module("slowflow_support.backend")
+        if how == "numpy":
+            support.NATIVE = None
         names = importlib.import_module("slowflow_kernels").MODULES
         return {name: importlib.import_module(f"slowflow_kernels.{name}") for name in names}
     finally:
         _forget()
         sys.modules.update(before)
-        del os.environ["SLOWFLOW_BACKEND"]
-        if wanted is not None:
-            os.environ["SLOWFLOW_BACKEND"] = wanted

@@ -10,7 +10,7 @@ import os
 import secrets
 import sys
 import tempfile
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -22,8 +22,6 @@ from derivations.emit.catalogue.every_module import all_modules
 from derivations.emit.form import Module
 from derivations.emit.views import Code, programs
 from derivations.results import Results, derive
-from slowflow.backend import EXACT
-from slowflow_support.errors import BuildFailed
 from tests import sampling
 from tests.native import headers
 from tests.sampling import part
@@ -52,11 +50,6 @@ def pytest_configure(config: pytest.Config) -> None:
         config.option.hypothesis_seed = str(secrets.randbits(32))
 
 
-def pytest_addoption(parser: pytest.Parser) -> None:
-    """--part N: one in N of the tests that were selected, others after each commit."""
-    parser.addoption("--part", type=int, default=1, metavar="N", help="run one in N of what is selected")
-
-
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
     """What repeats the part that was run, or the seed of a run of all."""
     seed = f"--hypothesis-seed={config.getoption('--hypothesis-seed')}"
@@ -66,7 +59,7 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Of cases marked `part` one in so many, and of all --part.
+    """Of cases marked `part` one in so many.
 
     Files that ask for the derivation come first: one worker has all of them, and derives for all of them.
     """
@@ -75,7 +68,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         if (marked := item.get_closest_marker("part")) is not None:
             cases.setdefault((item.nodeid.partition("[")[0], *marked.args), []).append(item)
     left_out = {item for (name, of), every in cases.items() for item in set(every) - set(part(every, of, name))}
-    items[:] = part([item for item in items if item not in left_out], config.getoption("--part"))
+    items[:] = [item for item in items if item not in left_out]
     derive = {item.path for item in items if "results" in getattr(item, "fixturenames", ())}
     items.sort(key=lambda item: item.path not in derive)
 
@@ -133,25 +126,3 @@ def c_kernels(once: Once) -> Callable[..., np.ndarray]:
     if headers.COMPILER is None:
         pytest.skip("no C compiler (cc) on the path: the C headers are not tried")
     return headers.load(once("headers", headers.build))
-
-
-def _skipped_without_compiled_motions() -> Generator[None, object, object]:
-    """Without compiled code nothing is followed in time: what needs that is skipped."""
-    try:
-        return (yield)
-    except BuildFailed:
-        if EXACT is None:
-            pytest.skip("exact motions are not compiled")
-        raise
-
-
-@pytest.hookimpl(wrapper=True)
-def pytest_pyfunc_call() -> Generator[None, object, object]:
-    """A test that needs them."""
-    return (yield from _skipped_without_compiled_motions())
-
-
-@pytest.hookimpl(wrapper=True)
-def pytest_fixture_setup() -> Generator[None, object, object]:
-    """What is made for tests and needs them."""
-    return (yield from _skipped_without_compiled_motions())

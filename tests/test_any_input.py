@@ -131,7 +131,6 @@ oscillators |= st.tuples(st.just(Duffing), st.fixed_dictionaries(DUFFINGS))
 
 
 @pytest.mark.slow
-@pytest.mark.both_backends
 @often
 @given(oscillators, st.lists(any_of(AVERAGED), min_size=1, max_size=3))
 def test_an_answer_or_a_refusal_in_words(made, asked):
@@ -174,7 +173,6 @@ def test_a_picture_and_a_measured_error_are_answered_or_refused_in_words(made, a
 
 
 @pytest.mark.slow
-@pytest.mark.both_backends
 @settings(often, max_examples=fewer(150, 5))
 @given(st.fixed_dictionaries(BATCHES), st.lists(any_of(OF_BATCHES), min_size=1, max_size=2))
 def test_a_batch_has_numbers_or_a_status(given_numbers, asked):

@@ -276,7 +276,6 @@ def test_without_viscous_damping_what_is_born_is_proved_for_any_stiffness_at_res
 
 
 @pytest.mark.slow
-@pytest.mark.both_backends
 @pytest.mark.parametrize("delta_h", [1e-10, 1e-20, 1e-67])
 @pytest.mark.parametrize("mu", [0.0, 0.01])
 def test_undamped_folds_next_to_the_corner_have_a_frequency(delta_h, mu):

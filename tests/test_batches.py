@@ -10,14 +10,12 @@ from functools import partial
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, backend
+from slowflow import Duffing, Isolator
 from slowflow.averaged import many as batches
 from slowflow.results import Remark
 from slowflow_kernels.conventions import FoldKind, Status
 from tests import batch_questions
 from tests.interrupts import ENDING, interrupted
-
-native_only = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
 
 ASK = {
     "detachment": lambda designs, **more: designs.detachment(**more),
@@ -32,7 +30,6 @@ def columns(answer):
     return {name: value for name, value in answer._content().items()}
 
 
-@native_only
 @pytest.mark.parametrize("question", ASK)
 def test_threads_and_parts_give_the_same_bits(question, monkeypatch):
     """Designs of two and three axes, one of them broadcast; parts that end in the middle of an axis."""
@@ -64,7 +61,6 @@ def test_a_map_for_workers_is_refused_with_the_reason(more):
         Isolator.many(lam=3, r=[1.0], delta_h=0.1, **more).detachment(workers=map)
 
 
-@native_only
 @pytest.mark.parametrize(
     "question",
     [
@@ -102,7 +98,6 @@ def test_ctrl_c_ends_a_batch(question):
     assert interrupted(program) == ENDING
 
 
-@native_only
 @pytest.mark.parametrize("workers", [1, 2])
 def test_few_designs_are_begun_after_ctrl_c(workers):
     """However long a batch takes: of 20,000 designs, in parts of four, those of parts that are all but under way."""
@@ -133,7 +128,6 @@ def test_few_designs_are_begun_after_ctrl_c(workers):
         assert len(begun) == 3
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize(
     "kind", [np.float32, np.int64, np.longdouble, ">f8", "strided", "unaligned", "read-only", "Fortran", "empty"]
 )
@@ -160,7 +154,6 @@ def test_arrays_of_any_kind_are_taken_as_their_numbers(kind):
             assert one.shape == other.shape and one.tobytes() == other.tobytes()
 
 
-@native_only
 @pytest.mark.parametrize("force", ["truncated", "untruncated"])
 def test_a_batch_with_a_design_whose_breakpoint_is_at_rest_is_asked_for_proofs_without_an_exception(force):
     """delta_h = 0: it has no folds, or nothing is proved of it; balls took its force for one of one piece."""
@@ -192,7 +185,6 @@ def same_curves(designs, oscillators, F_0, **asked):
     return found
 
 
-@native_only
 @pytest.mark.parametrize(
     ("make", "more"),
     [(Isolator, {}), (Isolator, {"force": "untruncated"}), (Isolator, {"excitation": "base"}), (Duffing, {})],
@@ -215,7 +207,6 @@ def test_curves_of_many_have_every_bit_of_single_ones(make, more):
     assert make is Isolator or (found.remarks & Remark.LEAVES_CENTRE).any()
 
 
-@pytest.mark.both_backends
 def test_curves_of_many_say_where_there_are_none():
     """One that is all right, one that sticks, one that is none; with places for fewer folds than it has."""
     many = Isolator.many(lam=3, r=2.03, delta_h=0.082, mu=0.012, zeta=[0.02, 0.02, -1.0])
@@ -237,7 +228,6 @@ def test_curves_of_many_say_where_there_are_none():
     np.testing.assert_array_equal(columns["A"], one.frequency_response(0.04, samples=30).A)
 
 
-@pytest.mark.both_backends
 def test_a_response_whose_amplitudes_are_beyond_doubles_is_refused_and_in_a_batch_has_a_status():
     """Its spring and damper are so weak that the first amplitude to bound it is infinite: once that passed for one."""
     alpha, beta, zeta, F_0 = 5.606793145963986e-165, 8.671754066100369e-116, 6.603238163424822e-186, 1.6766505645178e122
@@ -249,7 +239,6 @@ def test_a_response_whose_amplitudes_are_beyond_doubles_is_refused_and_in_a_batc
     assert found.status.tolist() == [Status.NO_BOUND, Status.OK] and found.points[0] == 0
 
 
-@native_only
 @pytest.mark.parametrize("force", ["truncated", "untruncated", "cubic"])
 def test_designs_that_go_together_are_answered_as_each_alone(force):
     """To the last bit, states from next to a fold, where a proof decides, to far from it; a block and a rest."""
@@ -290,7 +279,6 @@ def test_designs_that_go_together_are_answered_as_each_alone(force):
             assert (onset.F_SN, onset.Omega, onset.A) == (onsets.F_SN[k], onsets.Omega[k], onsets.A[k])
 
 
-@native_only
 def test_onsets_of_a_batch_are_those_of_each_alone_where_damping_is_weak():
     """To the last bit: the slopes of Newton's method have few digits there, and its end depends on its beginning."""
     designs = {
@@ -310,7 +298,6 @@ def test_onsets_of_a_batch_are_those_of_each_alone_where_damping_is_weak():
         assert (alone.F_SN, alone.Omega, alone.A) == (together.F_SN[k], together.Omega[k], together.A[k])
 
 
-@native_only
 @pytest.mark.parametrize("force", ["truncated", "untruncated"])
 def test_detachment_of_a_block_is_that_of_each_alone(force):
     """To the last bit, at a block's borders, beside rows that are no design or never detach, and those that go alone as
@@ -369,7 +356,6 @@ BEYOND_DOUBLES = {
 }
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("zeta", [0.0, 0.02])
 @pytest.mark.parametrize("case", BEYOND_DOUBLES)
 @pytest.mark.parametrize("question", batch_questions.ALL)

@@ -14,7 +14,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, backend, cli
+from slowflow import Duffing, Isolator, cli
 from slowflow.averaged import proofs, solvers, words
 from slowflow.averaged.balls.given import Given, averages_of
 from slowflow.paper import example
@@ -31,7 +31,6 @@ CASES = [
 ]
 #: no fold is expected anywhere: proofs do not rest on what the solvers find
 NOWHERE = np.empty(0)
-compiled = pytest.mark.skipif(backend.SOLVER is None, reason="proofs need the compiled solvers")
 
 
 def oscillator(case):
@@ -55,7 +54,6 @@ def check_folds(proof, folds):
         assert (kind, corner) == (fold["kind"], fold["corner"])
 
 
-@compiled
 def test_enclosures_hold_the_certified_folds_and_states_of_every_reference_case():
     asked = doubtful = 0
     for _, _, case in CASES:
@@ -77,7 +75,6 @@ def test_enclosures_hold_the_certified_folds_and_states_of_every_reference_case(
     assert doubtful < 0.01 * asked
 
 
-@compiled
 def test_enclosures_hold_the_certified_onsets_and_detachments():
     for _, _, case in CASES:
         model = oscillator(case).model
@@ -95,7 +92,6 @@ def test_enclosures_hold_the_certified_onsets_and_detachments():
             assert holds(found.A, case["u_cr"])
 
 
-@compiled
 def test_enclosures_are_narrow():
     """In units of rounding times the condition number that the reference states."""
     widest = 0.0
@@ -119,7 +115,6 @@ def level_ulps(F_SN):
 
 
 @pytest.mark.slow
-@compiled
 def test_beside_a_double_fold_what_is_proved_is_true():
     """At F_SN two folds meet: a few ulps above there are two, below none."""
     decided = undecided = 0
@@ -139,7 +134,6 @@ def test_beside_a_double_fold_what_is_proved_is_true():
     assert undecided > 100
 
 
-@compiled
 def test_a_fold_that_the_solvers_miss_is_noticed(monkeypatch):
     found = example.isolator().saddle_nodes(0.04, certify=True)
     assert found.proof.proved
@@ -151,7 +145,6 @@ def test_a_fold_that_the_solvers_miss_is_noticed(monkeypatch):
     )
 
 
-@compiled
 def test_a_tampered_enclosure_is_noticed():
     (case,) = (case for name, _, case in CASES if name == "table_1")
     forcing = case["forcings"][0]
@@ -163,7 +156,6 @@ def test_a_tampered_enclosure_is_noticed():
             check_folds(dataclasses.replace(proof, A=A), forcing["folds"])
 
 
-@compiled
 @pytest.mark.parametrize("steps", [0, 1, -1, 7, -100])
 def test_the_numbers_that_were_given_are_certified_not_parameters_that_were_rounded(steps):
     """alpha = 1 - lam r delta_h next to 0: doubles lose most digits on the way, the enclosure holds the exact fold."""
@@ -195,7 +187,6 @@ def test_the_numbers_that_were_given_are_certified_not_parameters_that_were_roun
             assert mpmath.mpf(A[0]) <= a <= mpmath.mpf(A[1])
 
 
-@compiled
 def test_a_random_isolators_folds_are_proved_and_as_many_as_the_solvers_find():
     rng = np.random.default_rng(20260725)
     proved = 0
@@ -218,9 +209,6 @@ def test_a_random_isolators_folds_are_proved_and_as_many_as_the_solvers_find():
 
 def test_where_there_is_no_proof_the_answer_says_why():
     iso = example.isolator()
-    if backend.SOLVER is None:
-        assert proofs.folds_in_doubles(iso.model, 0.04, NOWHERE).message == words.NO_SOLVERS
-        return
     on_a_base = iso.replace(excitation="base").model
     assert proofs.folds_in_doubles(on_a_base, 0.04, NOWHERE).message == words.NO_INTERVALS
     undamped = iso.replace(zeta=0.0).certify(0.04)
@@ -245,7 +233,6 @@ def test_bad_input_is_refused(bad):
 
 
 @pytest.mark.slow
-@compiled
 @pytest.mark.parametrize(
     ("lam", "r", "delta_h", "mu", "zeta", "F_0"),
     [
@@ -274,7 +261,6 @@ def test_folds_next_to_a_corner_are_told_from_those_on_it(lam, r, delta_h, mu, z
         assert flint.arb(A[0]) <= fold.A <= flint.arb(A[1])
 
 
-@compiled
 @pytest.mark.parametrize("mu", [0.0, 1e-3])
 def test_the_state_far_above_resonance_is_proved(mu):
     """There R = A Omega^2 + h is next to A Omega^2, so that A is next to sqrt(F_0^2 - m^2)/Omega^2 (23)."""
@@ -285,7 +271,6 @@ def test_the_state_far_above_resonance_is_proved(mu):
     assert found.A[0] == pytest.approx([expected, expected], rel=1e-12)
 
 
-@compiled
 def test_a_certificate_is_an_answer_like_others():
     one, other = (example.isolator().certify(0.04, Omega=0.9) for _ in range(2))
     assert one == other
@@ -298,7 +283,6 @@ def test_a_certificate_is_an_answer_like_others():
         one.saddle_nodes.A[0, 0] = 0.0
 
 
-@compiled
 def test_two_folds_whose_amplitudes_are_one_double_are_proved():
     """On the corner and less than an ulp above it: F_A in balls changes its sign twice there."""
     values = {"lam": 3.0, "r": 204.63518445472744, "delta_h": 7.559766221401877e-08, "mu": 0.08546135485983754}
@@ -319,7 +303,6 @@ def test_two_folds_whose_amplitudes_are_one_double_are_proved():
     assert signs == [True, False, True]
 
 
-@compiled
 def test_the_command_line_prints_the_certificate(capsys, monkeypatch):
     assert cli.main(["certify", "0.04", "--Omega", "0.9"]) == 0
     printed = capsys.readouterr().out.splitlines()

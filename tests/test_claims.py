@@ -11,14 +11,12 @@ from benchmarks import claims, claims_page, validity
 from derivations.ledger import figures, measured
 from derivations.ledger.rows import FALSE, LOOSE, TRUE
 from slowflow import Isolator
-from slowflow.backend import EXACT
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state
 from slowflow.paper import example
 from tests.oracles.exact_reference import ScipyIntegrator, again
 
 NUMBERS = measured.load()
 ROOT = Path(__file__).parents[1]
-pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
 LINEAR = {row["ratio"]: row for row in NUMBERS["figure_2a"]["rows"]}
 TABLE_2 = {row["forcing"]: row for row in NUMBERS["figure_7a"]["rows"]}
 

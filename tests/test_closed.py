@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-from slowflow import backend, derive
+from slowflow import derive
 from slowflow.results import Remark
 from tests.oracles.errors import U, error
 
@@ -33,10 +33,7 @@ COMPILED = [
     pytest.param(
         True,
         id="compiled",
-        marks=[
-            pytest.mark.slow,
-            pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not there"),
-        ],
+        marks=pytest.mark.slow,
     ),
 ]
 

@@ -9,7 +9,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, backend
+from slowflow import Duffing, Isolator
 from slowflow.averaged.reference import bounds
 from slowflow.frequencies import fold_roots, response_roots
 from slowflow.paper import example
@@ -18,10 +18,8 @@ from slowflow.results import Remark
 from tests.oracles.answers import Nearby
 from tests.test_solver_paths import random_designs
 
-pytestmark = pytest.mark.both_backends
-
 #: designs; NumPy takes a hundred times as long for each
-MANY = 80 if backend.SOLVER is None else 1000
+MANY = 1000
 
 
 def dense(model, A_max):
@@ -262,7 +260,6 @@ NEXT_TO_REST = (
 )
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("numbers", NEXT_TO_REST)
 def test_isola_points_next_to_rest_are_there_with_all_their_digits(numbers):
     """With A by Omega^2 = h_A = -alpha - 9/4 beta A^2, F_Omega/(4 A) is a function of Omega alone; 60 digits."""
@@ -288,7 +285,6 @@ def test_isola_points_next_to_rest_are_there_with_all_their_digits(numbers):
         assert found.kind.tolist()[1] == "merger"
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize(
     "numbers", [(1.0, 2e-6, 2.4537712839029615e-23, 3.1e-18), (1.0, 1e-3, 0.0, 1e-15), (2.0, 0.5, 1e-20, 1e-14)]
 )
@@ -319,7 +315,6 @@ def test_an_onset_at_weak_damping_is_the_cusp_that_is_there(numbers):
     assert many.F_SN == found.F_SN
 
 
-@pytest.mark.both_backends
 def test_an_onset_at_weak_damping_is_not_the_corner_above_it():
     """The cusp's forcing as balls prove it; the corner's was given, 10^5 times as high, and folds below it denied."""
     numbers = {"lam": 0.00042405072756133977, "r": 0.011652400350826778, "delta_h": 0.1727202645945281}
@@ -514,7 +509,6 @@ def test_next_to_no_preload_the_oscillator_is_linear(delta_h):
     assert oscillator.peak(0.1).A == pytest.approx(linear.peak(0.1).A, rel=1e-12)
 
 
-@pytest.mark.both_backends
 def test_an_undamped_isolator_has_the_fold_on_u_cr_where_that_rounds_to_the_reach():
     """1 - u_cr is 1.3e-24: amplitudes were looked at up to 1 and the breakpoint passed over, "no saddle node"."""
     iso = Isolator(lam=3, r=0.08375893991500209, delta_h=0.9999999999983609, mu=0.0008087995494863725, zeta=0)

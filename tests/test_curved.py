@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from slowflow import backend, derive
+from slowflow import derive
 from slowflow.intervals import Interval
 from slowflow.off_centre.means import Steps
 from tests.off_centre_cases import check_folds_and_states, check_onset
@@ -20,21 +20,20 @@ from tests.sampling import part
 u, k, g, q, d, p, z = sp.symbols("u k g q d p z")
 ABOVE = {"above": 0}
 DAMPED = {"mu": 0.005, "zeta": 0.03}
-COMPILED = backend.EXACT is not None
 
 
 @pytest.fixture(scope="module")
 def cushion():
     """Free on the left and up to a gap, then ever stiffer."""
     pieces = [(u, g), (u + q * (sp.exp((u - g) / d) - 1), None)]
-    return derive.mechanism("cushion", pieces, {"q": ABOVE, "d": ABOVE, "g": {}}, odd=False, compile=COMPILED)
+    return derive.mechanism("cushion", pieces, {"q": ABOVE, "d": ABOVE, "g": {}}, odd=False, compile=True)
 
 
 @pytest.fixture(scope="module")
 def magnet():
     """A magnet that repels at u = d, which no motion comes to."""
     pieces = [(u + q / (d - u) ** 2 - q / d**2, None)]
-    return derive.mechanism("magnet", pieces, {"q": ABOVE, "d": ABOVE}, odd=False, compile=COMPILED)
+    return derive.mechanism("magnet", pieces, {"q": ABOVE, "d": ABOVE}, odd=False, compile=True)
 
 
 @pytest.fixture(scope="module")
@@ -370,7 +369,6 @@ def test_places_of_rest_move_as_the_force_and_its_slope_do(request, name):
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not COMPILED, reason="not compiled")
 @pytest.mark.parametrize("Omega", [1.15, 1.3])
 def test_exact_motions_are_what_averaging_says_to_its_order(cushion, Omega):
     """Every stable state has a motion of the equation of motion next to it, with its mean."""
@@ -384,7 +382,6 @@ def test_exact_motions_are_what_averaging_says_to_its_order(cushion, Omega):
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not COMPILED, reason="not compiled")
 def test_motions_against_a_magnet_are_those_of_its_average(magnet):
     oscillator = magnet(q=0.01, d=0.5, load=0.05, **DAMPED)
     (state,) = (one for one in oscillator.amplitudes(Omega=0.9, F_0=0.03) if one.stable)

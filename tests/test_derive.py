@@ -25,7 +25,7 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from slowflow import Duffing, SlowflowError, backend, derive, include
+from slowflow import Duffing, SlowflowError, derive, include
 from slowflow.cli import main
 
 u, k_1, k_2, gap, alpha, beta = sp.symbols("u k_1 k_2 gap alpha beta")
@@ -38,8 +38,6 @@ STOP = {
 }
 NUMBERS = {"k_1": 0.8, "k_2": 6.0, "gap": 0.2, "mu": 0.01, "zeta": 0.02}
 pytestmark = pytest.mark.usefixtures("folder")
-
-COMPILED = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
 
 
 @pytest.fixture(scope="module")
@@ -116,7 +114,6 @@ def test_every_question_is_answered(stop):
 
 
 @pytest.mark.slow
-@COMPILED
 def test_the_compiled_solvers_give_the_same_answers(stop, compiled):
     assert not stop.compiled
     assert compiled.compiled
@@ -134,7 +131,6 @@ FREQUENCY = {"k_1": 2, "k_2": 2, "mu": 2, "zeta": 1, "F_0": 2, "Omega": 1, "F_SN
 
 
 @pytest.mark.slow
-@COMPILED
 def test_gradients_hold_what_other_units_say(stop, compiled):
     """Euler's theorem, on both paths; attached, on the stop, and where the stop is."""
     for osc in (stop(**NUMBERS), compiled(**NUMBERS)):
@@ -324,7 +320,6 @@ def test_a_coefficient_is_the_double_that_was_given(folder):
         assert f"{number!r}" in cubic.document()
 
 
-@COMPILED
 @pytest.mark.slow
 @pytest.mark.parametrize("digits", [HARD[0], "0.14142135623730950488016887"], ids=["double", "longer"])
 def test_a_corner_is_proved_where_the_spring_ends(folder, digits):
@@ -354,7 +349,7 @@ def test_what_depends_on_time_is_refused_with_the_reason(folder):
 )
 def test_a_force_that_was_not_written_odd_says_what_stands_for_it(folder, force, told):
     made = derive.mechanism("even", [(force, None)], {"beta": ABOVE_0})
-    how = "on NumPy" if backend.SOLVER is None else "interpreted"
+    how = "interpreted"
     assert repr(made).endswith(f"{how}; {told}" if told else how)
     assert made(beta=0.5, zeta=0.02).force([-0.3]) == -made(beta=0.5, zeta=0.02).force([0.3])
 
@@ -384,7 +379,6 @@ def test_what_is_derived_once_is_not_derived_again(stop, monkeypatch):
 
 
 @pytest.mark.slow
-@COMPILED
 def test_c_is_printed_where_it_is_compiled(folder):
     """A program needs none; what is compiled later is derived again, and is the same mechanism."""
     given = {**STOP, "name": "stop_twice"}
@@ -576,7 +570,6 @@ def test_numbers_outside_their_domain_are_refused(stop):
         stop(k_1=1.0, gap=0.1)
 
 
-@COMPILED
 def test_a_compiler_that_fails_says_so(folder, monkeypatch):
     for compiler, words in (("false", "failed"), ("no-such-compiler", "does not run")):
         monkeypatch.setenv("CC", compiler)
@@ -585,7 +578,6 @@ def test_a_compiler_that_fails_says_so(folder, monkeypatch):
     assert not list(folder.glob("not_compiled*.so"))
 
 
-@COMPILED
 def test_a_library_is_compiled_anew_where_the_headers_have_changed(tmp_path, monkeypatch):
     """An older library would hand the solvers a record of another form."""
     compiler = tmp_path / "cc"

@@ -22,7 +22,7 @@ from scipy.integrate import quad
 
 from docs import api
 from docs.site import docstrings
-from slowflow import Remark, backend, cli, scenes
+from slowflow import Remark, cli, scenes
 from slowflow.averaged.questions import Averaged
 from slowflow.results import State
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
@@ -264,8 +264,6 @@ def test_examples_of_the_list_run(path: str, tmp_path: Path, monkeypatch: pytest
     """An example of a class gives one, that of a function or a method names it; none warns."""
     for package in ("matplotlib", *EXAMPLES_NEED.get(path, ())):
         pytest.importorskip(package, reason=f"an extra is not installed: {package}")
-    if backend.SOLVER is None and path.startswith("slowflow.sizing"):
-        pytest.skip("designs by the thousand take minutes on NumPy")
     monkeypatch.chdir(tmp_path)
     Path("scene.toml").write_text(scenes.STARTER, encoding="utf-8")
     examples = dict(api.EXAMPLES[path])

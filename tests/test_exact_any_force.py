@@ -28,7 +28,6 @@ from tests.test_taylor import CONSTANTS, a, b, fake_module, slope_of
 from tests.test_taylor import FORCES as EVERY
 
 pytestmark = [
-    pytest.mark.skipif(EXACT is None, reason="not compiled"),
     pytest.mark.skipif(headers.COMPILER is None, reason="no C compiler (cc) on the path"),
 ]
 

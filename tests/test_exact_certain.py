@@ -6,12 +6,10 @@ from pathlib import Path
 import pytest
 
 from slowflow import Duffing, Isolator
-from slowflow.backend import EXACT
 from slowflow.exact import exact_response, steady_state
 from tests.oracles.exact_cases import table_1
 
 CASES = json.loads((Path(__file__).parent / "data" / "exact_motions.json").read_text())
-pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
 
 
 def system_of(case):

@@ -22,7 +22,6 @@ from slowflow_kernels.exact_conventions import Event
 from tests.oracles.exact_cases import random_cases, random_motions
 from tests.oracles.exact_reference import Compiled, ScipyIntegrator, again
 
-pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
 OURS = Compiled()
 
 LAM, R, DELTA_H = 3.0, 0.6, 0.25

@@ -12,7 +12,6 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator, derive
-from slowflow.backend import EXACT
 from slowflow.exact import (
     EquationOfMotion,
     Force,
@@ -34,7 +33,6 @@ from tests.oracles import exact_brute, exact_linear, exact_reference
 from tests.oracles.exact_cases import isolator, random_cases, table_1
 from tests.sampling import part
 
-pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
 INTEGRATORS = [exact_reference.ScipyIntegrator()]
 try:
     from tests.oracles.exact_heyoka import HeyokaIntegrator
@@ -88,8 +86,8 @@ def test_random_isolators_by_scipy(states):
         assert np.max(np.abs(turned)) <= 1e-9
 
 
-def test_own_functions_of_u_are_followed_by_polynomials_of_their_values(monkeypatch):
-    """To the digits of the series of the same force; without compiled code it is said that there is none."""
+def test_own_functions_of_u_are_followed_by_polynomials_of_their_values():
+    """To the digits of the series of the same force."""
     law = Law(lambda u: u + u**3, lambda u: 1 + 3 * u**2)
     own = EquationOfMotion(Force((Piece(law, ()),), ()), 0.01, 0.02)
     other = Duffing(1.0, 1.0, 0.01, 0.02).equation_of_motion()
@@ -98,9 +96,6 @@ def test_own_functions_of_u_are_followed_by_polynomials_of_their_values(monkeypa
         assert found.cycle.signature == expected.cycle.signature
         assert found.A == pytest.approx(expected.A, rel=1e-13)
         assert np.max(np.abs(found.multipliers - expected.multipliers)) <= 1e-12
-    monkeypatch.setattr(compiled, "EXACT", compiled.NotCompiled())
-    with pytest.raises(RuntimeError, match="which this installation of slowflow has not"):
-        steady_state(EquationOfMotion(linear(), 0.01, 0.03), Omega=0.5, F_0=0.1)
 
 
 def test_residual_of_random_isolators(states):

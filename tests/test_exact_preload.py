@@ -8,13 +8,11 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from slowflow import Oscillator, derive
-from slowflow.backend import EXACT
 from tests.oracles.exact_reference import ScipyIntegrator, again
 
 u, c, k, hard, gap = sp.symbols("u c k hard gap")
 ABOVE_0 = {"above": 0}
 C, K, MU, ZETA = 0.05, 1.0, 0.01, 0.05
-pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
 
 
 @pytest.fixture(scope="module", params=[False, True], ids=["interpreted", "compiled"])

@@ -11,15 +11,12 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import root
 
 from slowflow import Duffing, Isolator, exact
-from slowflow.backend import EXACT
 from slowflow.exact import work
 from slowflow.paper.example import isolator
 from slowflow_kernels import duffing as duffing_kernels
 from slowflow_support.errors import NotSettled
 from tests.interrupts import ENDING, interrupted
 from tests.oracles import exact_brute
-
-pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
 
 
 def test_each_averaged_state_leads_to_a_motion_beside_it():

@@ -8,7 +8,6 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar, root
 
 from slowflow import Duffing, Isolator
-from slowflow.backend import EXACT
 from slowflow.exact import EquationOfMotion, exact_response, linear, response, steady_state, sweep
 from slowflow.exact.continuation import FOLDS
 from slowflow.exact.sweep import _is_stable as is_stable_branch
@@ -18,7 +17,6 @@ from tests.oracles.exact_reference import ScipyIntegrator, again
 from tests.oracles.exact_scipy import half_turn
 from tests.sampling import part
 
-pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
 FORCINGS = (0.025, 0.03, 0.0301, 0.04, 0.05)
 # (untruncated force?, F_0): each force once by SciPy, with and without detachment
 CURVES = [(exact, F_0) for exact in (False, True) for F_0 in FORCINGS]

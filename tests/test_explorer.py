@@ -22,7 +22,7 @@ import pytest
 
 from explorer.__main__ import HERE, MOST, PAGE, ROOT, digest
 from explorer.about import EXCITED_BY, LIBRARY, MOUNT, MOUNT_FORCE, PRESETS, designs, messages
-from slowflow import Duffing, Isolator, Remark, backend, derive
+from slowflow import Duffing, Isolator, Remark, derive
 from slowflow.oscillator import Oscillator
 from slowflow.paper import example
 
@@ -145,14 +145,12 @@ def test_the_page_is_made_again_byte_for_byte() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(backend.SOLVER is None, reason="the page has the digits of the compiled solvers")
 @pytest.mark.filterwarnings("ignore:delta_h")
 def test_its_numbers_are_those_of_the_package(browser: Any) -> None:
     hold(browser, [(one.model.mechanism.name, one, F_0) for one, F_0 in cases()])
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(backend.SOLVER is None, reason="the page has the digits of the compiled solvers")
 def test_its_numbers_of_the_library_are_those_of_what_is_derived_and_compiled(browser: Any) -> None:
     pytest.importorskip("flint", reason="what derives is not installed")
     found = [one for one in designs() if one.oscillator.model.mechanism.name != one.mechanism]

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator
-from slowflow.backend import EXACT
 from slowflow.paper import published
 from slowflow.paper.example import TABLE_1, isolator
 
@@ -79,7 +78,6 @@ def test_figure_1b_is_the_published_force(drawn):
     )
 
 
-@pytest.mark.skipif(EXACT is None, reason="not compiled: curves take too long")
 def test_figure_2a_has_den_hartogs_points_on_the_exact_curve():
     ax = mpl.figure.Figure().subplots()
     figures.figure_2a(ax, ratios=(0.3, 0.6))
@@ -94,7 +92,6 @@ def test_figure_2a_has_den_hartogs_points_on_the_exact_curve():
         assert np.max(np.abs(np.interp(Omega[on], x[order], y[order]) / A[on] - 1)) <= 1e-3
 
 
-@pytest.mark.skipif(EXACT is None, reason="not compiled: curves take too long")
 def test_figure_2b_draws_published_points_over_the_exact_ones():
     ax = mpl.figure.Figure().subplots()
     figures.figure_2b(ax, ratios=(0.1,))
@@ -259,10 +256,7 @@ def test_figure_7_draws_states_and_their_phase(drawn):
 def test_the_command_draws_every_figure_and_says_what_was_chosen(tmp_path, capsys):
     from slowflow.cli import main
 
-    names = ("7a", "7b") if EXACT is None else tuple(figures.FIGURES)
-    if EXACT is None:
-        assert figures.draw(tmp_path, names)
-        return
+    names = tuple(figures.FIGURES)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert main(["figures", "-o", str(tmp_path)]) == 0
@@ -395,7 +389,6 @@ def test_a_map_of_designs_has_each_value_at_its_place():
         onsets.plot_map("r", "mu", "F_SN")
 
 
-@pytest.mark.skipif(EXACT is None, reason="not compiled: curves take too long")
 def test_an_exact_curve_draws_its_folds_and_where_the_mass_stops():
     found = Duffing(1.0, 0.0, 0.5, 0.02).exact_response(1.0, Omega=(0.4, 0.9))
     assert (found.stops > 0).any()

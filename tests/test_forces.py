@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from slowflow import Duffing, backend, derive
+from slowflow import Duffing, derive
 from slowflow.averaged.reference.cells import samples_at
 from slowflow.averaged.reference.enclosed import enclosed
 from slowflow.model import held
@@ -23,7 +23,6 @@ from slowflow_kernels.conventions import Status
 u, k, c, p, gap, end = sp.symbols("u k c p gap end")
 ABOVE_0 = {"above": 0}
 DAMPING = {"mu": 0.01, "zeta": 0.03}
-COMPILED = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
 #: pieces for u > 0 and their numbers
 FORCES = {
     "pendulum": ([(k * sp.sin(u), None)], {"k": 1.3}),
@@ -186,7 +185,7 @@ def test_no_state_is_missed_or_made_up(oscillator, name):
 
 
 #: with a power of u that is a number; by whether it is compiled
-STIFF = [False, pytest.param(True, marks=COMPILED)]
+STIFF = [False, True]
 
 
 def stiff_at_rest(compile):
@@ -289,7 +288,6 @@ def test_quotients_that_cancel_at_rest_keep_their_digits():
 
 
 @pytest.mark.slow
-@pytest.mark.both_backends
 def test_no_state_on_a_base_that_shakes_is_missed_or_made_up(oscillator):
     """Against signs on a grid far beyond what bounds the response; sums that do not settle there are not asked."""
     one = oscillator("soft_stop").replace(excitation="base")
@@ -369,7 +367,7 @@ def test_many_designs_are_single_ones(derived):
 @pytest.mark.slow
 def test_what_it_is_and_how_it_is_derived_is_said(derived):
     made = derived("soft_stop")
-    assert repr(made).endswith(f"{'on NumPy' if backend.SOLVER is None else 'interpreted'}, by quadrature")
+    assert repr(made).endswith("interpreted, by quadrature")
     text = made.document()
     assert text.count("$$") % 2 == 0
     assert r"\int_0^{\pi/2} f''(A \sin t) \sin^3 t" in text and "For $u_{1} < A$:" in text
@@ -393,7 +391,6 @@ def test_a_parameter_may_be_called_as_something_in_the_derivation_or_in_printed_
     assert polynomial(L=2.0, **DAMPING).force(0.5) == 2.0 * 0.5 + 0.5**3
 
 
-@pytest.mark.both_backends
 def test_the_fold_locus_of_a_preload_passes_through_its_folds(oscillator):
     """It begins at A = 0, where no frequency is known."""
     one = oscillator("preload")
@@ -412,7 +409,7 @@ def test_a_dead_zone_has_an_onset():
     """Where there is no force at all there is nothing to search; beyond the onset there are two folds more."""
     pieces, parameters = [(0, gap), (k * (u - gap), None)], {"k": ABOVE_0, "gap": ABOVE_0}
     found = []
-    for compiled in (False, backend.SOLVER is not None):
+    for compiled in (False, True):
         zone = derive.mechanism(f"zone_{compiled}", pieces, parameters, compile=compiled)
         one = zone(k=1.0, gap=0.1, **DAMPING)
         found.append(one.saddle_node_onset().F_SN)
@@ -455,8 +452,6 @@ def test_a_response_is_cut_at_the_reach():
 @pytest.mark.parametrize("compiled", [False, pytest.param(True, marks=pytest.mark.slow)])
 def test_it_is_told_whether_the_response_to_a_force_closes(compiled):
     """A force that gives way: the response closes where a peak ends it below the reach, and not where none does."""
-    if compiled and backend.SOLVER is None:
-        pytest.skip("the compiled solvers are not there")
     stated = f"gives_way_{compiled}", [(k * sp.sin(u), None)], {"k": ABOVE_0}
     one = derive.mechanism(*stated, reach=3.1, compile=compiled)(k=1.3, **DAMPING)
     for F_0 in (0.05, 0.2):
@@ -536,8 +531,6 @@ def test_small_motions_with_a_preload_are_not_missed(compiled):
     """Where h is not 0 at rest h/A has no bound: without friction the peak is a root of (k - zeta^2) A^2 + 4c/pi A =
     (F_0/(2 zeta))^2; a preload that pushes outwards balances the spring at A = -4c/(pi k), from where folds begin.
     """
-    if compiled and backend.SOLVER is None:
-        pytest.skip("the compiled solvers are not there")
     made = derive.mechanism(f"pushed_{compiled}", [(c + k * u, None)], {"c": {}, "k": ABOVE_0}, compile=compiled)
     for p_, zeta, F_0 in ((0.01, 0.2, 0.002), (0.05, 0.05, 1e-4), (0.1, 0.5, 0.03), (0.001, 0.02, 0.02)):
         one = made(c=math.pi / 4 * p_, k=1.0, zeta=zeta)
@@ -588,8 +581,6 @@ def test_without_a_spring_no_mean_is_singled_out_either(excitation):
 @pytest.mark.parametrize("compiled", [False, True])
 def test_ends_that_do_not_rise_with_the_numbers_given_are_refused(compiled):
     """The second stop inside the first, both at one place, and a gap below 0: no piece lies there."""
-    if compiled and backend.SOLVER is None:
-        pytest.skip("the compiled solvers are not there")
     stops = derive.mechanism(
         f"two_stops_{compiled}", [(u, gap - k), (2 * u, c), (3 * u, None)], dict.fromkeys(("gap", "k", "c"), ABOVE_0),
         compile=compiled,
@@ -624,8 +615,6 @@ def test_a_breakpoint_that_is_not_there_for_these_numbers_is_refused_by_its_piec
 @pytest.mark.slow
 def test_the_compiled_solvers_know_what_a_preload_does_to_the_onset(preloaded):
     """Of a linear spring folds come down to 4 mu/pi; of a hardening one too, beside a cusp; without zeta k passes 0."""
-    if backend.SOLVER is None:
-        pytest.skip("the compiled solvers are not there")
     numbers = {"c": ABOVE_0, "k": ABOVE_0}
     for pieces in ([(c + k * u, None)], [(c + u + k * u**3, None)]):
         alike = [derive.mechanism(f"c{one}", pieces, numbers, compile=one) for one in (False, True)]
@@ -679,7 +668,7 @@ def test_a_force_whose_terms_cancel_at_rest_keeps_its_digits_there(force, value)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("compile", [False, pytest.param(True, marks=COMPILED)])
+@pytest.mark.parametrize("compile", [False, True])
 def test_a_logarithmic_spring_holds_motions_of_any_size(compile):
     """c u + k log(1 + u): far out the logarithm lost its digits, or was infinite, and no amplitude was a bound."""
     made = derive.mechanism(

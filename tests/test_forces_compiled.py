@@ -22,10 +22,6 @@ from tests.native.records import Interval, doubles, opened
 from tests.oracles import exact_reference
 from tests.test_forces import ABOVE_0, CASES, DAMPING, FORCES, MORE, c, k, u
 
-pytestmark = [
-    pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use"),
-]
-
 
 def on_numpy(made):
     """The same force by a record that is not the generated one, which nothing in C answers for."""

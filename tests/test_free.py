@@ -34,7 +34,6 @@ def state(Omega, mu=0.0, zeta=0.0, eta=0.0, c_2=0.0):
         return found
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("law", LAWS)
 def test_states_are_the_roots(law):
     free = Duffing(0, 0, **LAWS[law])
@@ -46,7 +45,6 @@ def test_states_are_the_roots(law):
 
 
 @pytest.mark.slow
-@pytest.mark.both_backends
 @pytest.mark.parametrize("law", LAWS)
 def test_the_curve_begins_where_the_window_does_or_says_where_it_is_cut(law):
     free = Duffing(0, 0, **LAWS[law])
@@ -64,7 +62,6 @@ def test_the_curve_begins_where_the_window_does_or_says_where_it_is_cut(law):
         assert whole.A.max() == 5 and Remark.CUT in whole.remarks
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("law", LAWS)
 def test_its_amplitude_only_falls_with_the_frequency(law):
     free = Duffing(0, 0, **LAWS[law])
@@ -132,7 +129,6 @@ def states_at(Omega, F, mu):
     return A[:-1][signs[1:] != signs[:-1]]
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("mu", [0.0, 0.02, 0.03, 0.05])
 def test_the_onset_is_found_below_the_forcing_that_the_spring_does_not_hold(yielding, mu):
     """F = F_A = F_AA = 0 there, by 40 digits; a hundredth lower there is one state at each frequency, higher three."""
@@ -160,7 +156,6 @@ def test_the_onset_is_found_below_the_forcing_that_the_spring_does_not_hold(yiel
     assert yielding.many(k=K, g=G, mu=[mu], **DAMPED).saddle_node_onset().F_SN[0] == found.F_SN
 
 
-@pytest.mark.both_backends
 def test_beyond_it_curves_are_drawn_in_a_window_and_the_rest_says_where_it_is_cut(yielding):
     mount = yielding(k=K, g=G, mu=0.0, **DAMPED)
     curve = mount.frequency_response(0.2, Omega=(0.3, 1.5), samples=100)

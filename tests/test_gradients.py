@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from mpmath import mp
 
-from slowflow import Duffing, Isolator, backend, moves
+from slowflow import Duffing, Isolator, moves
 from slowflow.paper import example
 from slowflow_kernels.conventions import MovesStatus, Pinned
 from tests.oracles.answers import Nearby
@@ -315,24 +315,7 @@ def test_springs_that_share_their_stiffness_move_an_answer_by_its_product():
                     np.testing.assert_allclose(of.lam * moves[x, "lam"], of.r * moves[x, "r"], rtol=1e-13, atol=1e-15)
 
 
-# ---- both paths, many designs
-
-
-def test_numpy_and_compiled_code_give_the_same(monkeypatch):
-    if backend.SOLVER is None:
-        pytest.skip("both paths are there only with the compiled solvers")
-    answers = []
-    for of in [*random_oscillators(2), *(oscillator(case) for case in CASES[:20])]:
-        at = 1.5 * (of.saddle_node_onset().F_SN or F_0)
-        answers += [of.saddle_nodes(at), of.saddle_node_onset(), of.detachment(), of.peak(at)]
-        answers += [of.frequency_response(at, samples=50), of.peak(1e-9), of.isolation(at)]
-    mine = [answer.gradient() for answer in answers]
-    monkeypatch.setattr(backend, "SOLVER", None)
-    for one, answer in zip(mine, answers, strict=True):
-        other = answer.gradient()
-        np.testing.assert_array_equal(one.status, other.status)
-        size = np.abs(one.slopes).max(initial=1e-300, where=~np.isnan(one.slopes))
-        np.testing.assert_allclose(one.slopes, other.slopes, rtol=1e-9, atol=1e-12 * size)
+# ---- many designs
 
 
 @pytest.mark.parametrize("force", ["truncated", "untruncated"])

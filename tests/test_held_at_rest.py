@@ -85,7 +85,6 @@ def test_a_mass_that_friction_holds_rides_with_the_floor():
     assert "no steady state" not in averaged.message
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("excitation", ["force", "base"])
 def test_a_batch_has_what_single_answers_have_of_masses_that_friction_holds(excitation):
     Omega, F_0 = np.array([0.4, 0.9, 1.4]), 0.012
@@ -125,7 +124,6 @@ def test_a_softly_thrown_mass_comes_to_rest_elsewhere():
     assert 0 < found.A <= 0.05 + 0.01 and found.stops == 1
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("excitation", ["force", "base"])
 @pytest.mark.parametrize("load", [0.0, 0.1])
 def test_a_curve_of_a_mass_that_is_held_throughout_has_no_point_and_says_why(excitation, load):
@@ -152,7 +150,6 @@ def test_a_curve_that_begins_held_by_static_friction_has_no_point_and_says_why()
     assert np.interp(0.9, beside.Omega, beside.A) == pytest.approx(moving.A, rel=1e-3)
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize(("excitation", "F_0", "low"), [("force", 0.02, 0.79), ("base", 0.03, 0.6)])
 def test_the_second_approximation_has_masses_at_rest_as_averaging_has_them(excitation, F_0, low):
     """At rest there are no harmonics: what is passed on is what drives the mass."""

@@ -10,7 +10,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, backend, derive
+from slowflow import Duffing, Isolator, derive
 from slowflow.averaged import solvers
 from slowflow.averaged.reference import answers
 from slowflow.paper import example
@@ -20,7 +20,6 @@ from slowflow_kernels.conventions import Status
 
 CASES = json.loads((Path(__file__).parent / "data" / "inertia.json").read_text())
 U = 2.0**-53
-COMPILED = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
 #: errors in u (1 + kappa)
 FOLD, STATE, CUSP = 4.0, 2.0, 16.0
 
@@ -59,7 +58,7 @@ def test_folds_are_the_certified_ones_and_no_others():
         ("dead_zone", {"delta": 0.2}),
     ],
 )
-@pytest.mark.parametrize("compile", [False, pytest.param(True, marks=COMPILED)])
+@pytest.mark.parametrize("compile", [False, True])
 def test_beside_a_kink_the_number_of_folds_is_known(name, numbers, compile):
     """There h_AA is infinite, but F_A > 0 at all frequencies: a cusp within a double of the kink was not ruled out."""
     made = derive.library(name, compile=compile)
@@ -147,7 +146,6 @@ def test_every_state_is_found_that_a_fine_grid_of_amplitudes_shows():
             assert (found == 0).any() == (Y * Omega**2 <= model.m)
 
 
-@pytest.mark.both_backends
 def test_folds_at_the_corner_of_a_heavily_damped_mount_come_ever_lower_as_the_frequency_rises():
     design = {"lam": 3.0, "r": 2.9, "delta_h": 0.0912, "mu": 0.003, "zeta": 0.734, "excitation": "unbalance"}
     iso = Isolator(**design)
@@ -162,7 +160,6 @@ def test_folds_at_the_corner_of_a_heavily_damped_mount_come_ever_lower_as_the_fr
         assert answers.onset(iso.model).F_SN is None
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("zeta", [1e-20, 1e-50, 1e-111])
 def test_a_locus_that_begins_at_rest_has_no_folds_there(zeta):
     """Where damping is next to none it begins below any amplitude that is looked at: folds at Omega = inf, A = 1e-323.
@@ -545,7 +542,6 @@ STEEP_ISOLAS = [
 ]
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize(("alpha", "beta", "mu", "zeta"), STEEP_ISOLAS)
 def test_isola_points_have_the_frequency_of_40_digits_where_it_turns_quickly_with_the_amplitude(alpha, beta, mu, zeta):
     """They are stationary points of the level of (24), R^2 + I^2 over Omega^4."""
@@ -564,7 +560,6 @@ def test_isola_points_have_the_frequency_of_40_digits_where_it_turns_quickly_wit
             assert abs(Omega / sure[0] - 1) < 1e-14 and abs(A / sure[1] - 1) < 1e-14
 
 
-@pytest.mark.both_backends
 def test_a_base_that_hardly_shakes_sticks_at_any_frequency_without_a_warning():
     """Omega^2 = 4 mu/(pi F_0) is beyond the range of doubles."""
     iso = Isolator(lam=3, r=2, delta_h=0.08, mu=0.01, zeta=0.05, excitation="base")

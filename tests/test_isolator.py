@@ -14,9 +14,6 @@ from slowflow.averaged import solvers
 from slowflow.paper.example import isolator
 from slowflow_kernels import motion, slow_flow
 
-pytestmark = pytest.mark.both_backends
-
-
 # ---- refusals ------------------------------------------------------------------------------------------------------
 
 

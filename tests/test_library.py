@@ -16,7 +16,6 @@ from derivations.oscillator import oscillator
 from derivations.restoring import restoring
 from derivations.symbols import A
 from slowflow import derive
-from slowflow.backend import EXACT
 from slowflow.cli import main
 from slowflow.exact import steady_state, sweep
 from tests.oracles.exact_reference import ScipyIntegrator, again
@@ -104,7 +103,6 @@ def test_states_on_both_sides_of_the_bend_have_the_mean_and_the_first_harmonic_o
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(EXACT is None, reason="not compiled")
 @pytest.mark.parametrize("by", ["scipy", "heyoka"])
 def test_their_exact_motions_are_those_of_independent_integrators_at_one_thread_and_at_sixteen(by):
     """On both sides of the bend: to 1e-10 times the motion's condition, and of all threads the same digits.

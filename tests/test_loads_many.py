@@ -89,7 +89,6 @@ def test_at_rest_many_are_what_each_is(asked):
     assert single.k_0 == 1.0 and single.rests_within == pytest.approx(0.01) and single.u_cr is None
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("force", ["truncated", "untruncated"])
 def test_at_rest_many_have_a_stroke_that_no_base_motion_reaches(force):
     """It was NaN where the detachment has no forcing."""

@@ -7,13 +7,12 @@ import warnings
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, backend
+from slowflow import Duffing, Isolator
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 from slowflow_support.errors import Refused, SlowflowError
 from tests.batch_questions import ALL, ask, columns
 
 # on NumPy a batch is single answers, in seconds each
-pytestmark = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
 
 #: of an answer's status: there is one, also where it has no number
 ANSWERED = (Status.OK, Status.NONE, Status.UNBOUNDED)

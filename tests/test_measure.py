@@ -8,15 +8,12 @@ from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator, derive
 from slowflow.averaged.questions import Averaged
-from slowflow.backend import EXACT
 from slowflow.exact import steady_state
 from slowflow.exact.measure import AT_REST, BORN, NO_MOTION, TAKEN, states
 from slowflow.paper.example import isolator
 from slowflow.results import NOT_ASKED, SteadyStates
 from slowflow_kernels import den_hartog
 from tests.oracles.exact_reference import ScipyIntegrator, again
-
-pytestmark = pytest.mark.skipif(EXACT is None, reason="not compiled")
 
 
 def test_the_error_of_a_linear_oscillator_is_that_beside_den_hartogs_amplitude():

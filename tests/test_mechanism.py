@@ -31,7 +31,6 @@ def _doubled_coefficients(alpha, beta):
     return alpha, 2 * beta
 
 
-@pytest.mark.both_backends
 def test_a_record_that_was_changed_answers_for_itself():
     """Of the same name as a compiled one; its own functions count, singly, in batches and after pickle."""
     of_force = {"averaged": _doubled, "harmonics": _doubled_harmonics, "intercept": _doubled_intercept}
@@ -81,7 +80,6 @@ def _with_a_step_at_rest(A, alpha, beta):
     return h - np.where(np.asarray(A, dtype=float) > 0, 0.0, 0.25), *slopes
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize(
     ("averaged", "said"),
     [
@@ -99,7 +97,6 @@ def test_a_record_that_does_not_hold_at_rest_is_refused(averaged, said):
     assert Oscillator.many(wrong, **numbers).saddle_node_onset().status == Status.INVALID
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("delta_h", [0.0, 1e-300, 0.3, 1 - 1e-12])
 def test_a_record_that_was_changed_elsewhere_is_not_refused(delta_h):
     """Of delta_h = 0 the first piece has no extent; next to 1 that piece is as steep as 1/(1 - delta_h)."""

@@ -6,7 +6,6 @@ import random
 
 import pytest
 
-from slowflow import backend
 from tests.mutants.__main__ import NOTICED, edits, judged
 
 SAMPLE = 20
@@ -19,7 +18,6 @@ def test_every_edit_is_of_a_file_and_changes_it():
 
 @pytest.mark.slow
 @pytest.mark.night
-@pytest.mark.skipif(backend.SOLVER is None, reason="some of them are in the compiled solvers")
 def test_twenty_plausible_errors_are_noticed_by_the_tests_that_they_name():
     """Others in each run; one whose text is gone from its file has to be replaced."""
     found = judged(random.SystemRandom().sample(edits(), SAMPLE), quick=True)

@@ -8,7 +8,6 @@ from __future__ import annotations
 import importlib
 import inspect
 import math
-import os
 import pickle
 import platform
 import pydoc
@@ -28,7 +27,6 @@ import pytest
 
 from derivations.emit.arctangent import series
 from slowflow import frequencies as roots
-from slowflow.backend import KERNELS, SOLVER
 from slowflow.paper.example import DESIGN
 from slowflow_kernels import MODULES, rod_spring, slow_flow
 from slowflow_support import backend as support
@@ -36,7 +34,6 @@ from tests import backends
 from tests.native import clones
 from tests.oracles.kernels import is_of_gradients
 
-native_only = pytest.mark.skipif(KERNELS is None, reason="the compiled kernels are not in use")
 U = 2.0**-53
 #: modules without compiled loops: they serve any kind of number, or arrays as they are, or NumPy's solvers alone
 GENERIC = ("frequencies", "motion", "off_centre", "dissipation", "sensitivities", "sampled")
@@ -91,7 +88,6 @@ def outputs(result) -> list[np.ndarray]:
     return list(result) if isinstance(result, tuple) else [result]
 
 
-@native_only
 def first_ends(module, given):
     """Where the first piece of the force ends, at each point; None where there is no end, or no parameter of it."""
     mechanism = getattr(module, "MECHANISM", None)
@@ -151,7 +147,6 @@ def test_same_numbers_as_numpy(on_numpy, name):
                 assert np.allclose(x, y, rtol=1e-9, atol=1e-12, equal_nan=True), (kernel, k)
 
 
-@native_only
 def test_every_kernel_is_compiled(on_numpy):
     """All but those without outputs, that are asked once an answer, or that only call others."""
     for name, reference in on_numpy.items():
@@ -168,7 +163,6 @@ def test_every_kernel_is_compiled(on_numpy):
                 assert code.co_filename.endswith("backend.py"), f"{name}.{kernel} runs on NumPy"
 
 
-@pytest.mark.both_backends
 def test_kernels_keep_their_names_arguments_and_words():
     """The same signature, docstring and keywords, compiled or not; and the same errors."""
     assert str(inspect.signature(slow_flow.F)) == "(Omega, A, F_0, m, zeta, h)"
@@ -191,7 +185,6 @@ def test_kernels_keep_their_names_arguments_and_words():
         slow_flow.R(0.9, 0.3, -0.2, f=1)
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("name", MODULES)
 def test_help_of_each_kernel_states_the_shape_it_gives(name):
     """Arguments of shapes (2, 1) and (3,) in turn, so that "as the arguments broadcast" is (2, 3)."""
@@ -224,7 +217,6 @@ def test_help_of_each_kernel_states_the_shape_it_gives(name):
             assert all(np.broadcast_shapes(shape, common) == common for shape in shapes), kernel
 
 
-@pytest.mark.both_backends
 def test_compositions_are_the_slow_flow_of_h():
     """A mechanism's functions equal the calls by hand, bit for bit, across the regimes."""
     given = arguments(rod_spring_signature, 5)
@@ -247,7 +239,6 @@ def rod_spring_signature(Omega, A, F_0, mu, zeta, alpha, beta, gamma, u_cr):
     """Names of arguments only."""
 
 
-@pytest.mark.both_backends
 def test_broadcasting_scalars_and_empty_arrays():
     p = rod_spring.coefficients(*DESIGN)
     assert isinstance(rod_spring.H(0.1, *p), float)
@@ -267,7 +258,6 @@ def test_broadcasting_scalars_and_empty_arrays():
         rod_spring.h(np.ones(3), np.ones(4), *p[1:])
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("size", [1, 2, 7, 255, 256, 257, 1000])
 def test_strides(size):
     """Reversed, sliced and transposed arrays give what contiguous copies give."""
@@ -278,7 +268,6 @@ def test_strides(size):
             assert np.array_equal(new, old)
 
 
-@native_only
 @pytest.mark.parametrize("size", [1, 100, 1000])
 def test_out_and_in_place(size):
     p = rod_spring.coefficients(*DESIGN)
@@ -301,7 +290,6 @@ def test_out_and_in_place(size):
     assert np.array_equal(rod_spring.force(A, *p, out=np.zeros(size), where=where), np.where(where, alone, 0))
 
 
-@pytest.mark.both_backends
 def test_nan_passes_in_silence_and_invalid_arguments_do_not():
     """A NaN is no reason to warn, in any place of a block; the root of a negative number is."""
     p = rod_spring.coefficients(*DESIGN)
@@ -319,7 +307,6 @@ def test_nan_passes_in_silence_and_invalid_arguments_do_not():
             slow_flow.backbone(0.0, -1.0)
 
 
-@pytest.mark.both_backends
 def test_subnormal_numbers_stay():
     """A library built with fast-math would flush them for the whole process, or for threads started later."""
     seen = []
@@ -336,7 +323,6 @@ def test_subnormal_numbers_stay():
     assert seen == [True] * 4
 
 
-@native_only
 @pytest.mark.parametrize("call", ["kernels", "solver"])
 def test_others_run_meanwhile(call):
     """The interpreter is free during a call: this thread goes on counting while another one computes."""
@@ -407,7 +393,6 @@ def test_clones_are_built_whatever_is_included_before():
 
 
 @pytest.mark.slow
-@native_only
 def test_the_installed_clone_is_one_of_them(tmp_path):
     """The extension module's choice gives the bits of the baseline, built here."""
     if not targets():
@@ -498,33 +483,13 @@ def test_root_solvers_broadcast_as_gufuncs():
         assert roots.response_roots(np.nan, 1.0, 1.0, 1.0, 1.0)[1] == -1
 
 
-@pytest.mark.parametrize(
-    ("wanted", "says"), [("numpy", "backend       numpy"), ("native", "backend       native"), ("fast", "Refused")]
-)
-def test_the_environment_chooses(wanted, says):
-    if wanted == "native" and SOLVER is None:
-        pytest.skip("the compiled code is not in use")
-    command = [sys.executable, "-W", "error", "-c", "from slowflow.cli import main; main(['info'])"]
-    done = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "SLOWFLOW_BACKEND": wanted})
-    assert says in done.stdout + done.stderr
-
-
-def test_without_compiled_code_one_warning_says_so():
-    """Simulated: the extension modules are not found."""
-    hide = (
-        "import sys; sys.modules['slowflow_kernels._native'] = None\n"
-        "import warnings\n"
-        "with warnings.catch_warnings(record=True) as said:\n"
-        "    warnings.simplefilter('always')\n"
-        "    import slowflow\n"
-        "    from slowflow import backend\n"
-        "assert [w.category for w in said] == [backend.BackendWarning], said\n"
-        "assert 'C compiler' in str(said[0].message)\n"
-        "assert backend.NAME == 'numpy'\n"
-    )
-    without = {name: value for name, value in os.environ.items() if name != "SLOWFLOW_BACKEND"}
-    done = subprocess.run([sys.executable, "-c", hide], capture_output=True, text=True, env=without)
-    assert done.returncode == 0, done.stderr
+@pytest.mark.parametrize("module", ["slowflow_kernels._native", "slowflow._native", "slowflow._exact"])
+def test_without_compiled_code_the_import_says_what_to_do(module):
+    """Simulated: an extension module is not found."""
+    code = f"import sys; sys.modules['{module}'] = None; import slowflow"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert done.returncode == 1
+    assert "slowflow is not compiled here" in done.stderr and "make derive" in done.stderr
 
 
 def test_a_build_for_another_processor_is_told(monkeypatch):
@@ -534,7 +499,6 @@ def test_a_build_for_another_processor_is_told(monkeypatch):
     def refused(name):
         raise ImportError(why)
 
-    monkeypatch.delenv("SLOWFLOW_BACKEND", raising=False)
     monkeypatch.setattr(support.importlib, "import_module", refused)
-    with pytest.warns(support.BackendWarning, match=why):
-        assert support._choose() is None
+    with pytest.raises(ImportError, match=why):
+        support.loaded("slowflow._native")

@@ -20,7 +20,6 @@ from derivations.oscillator import oscillator
 from derivations.restoring import restoring
 from derivations.resultants import saddle_node_onset
 from derivations.slow_flow import SCENES, slow_flow
-from slowflow import backend
 
 ROOT = Path(__file__).parents[1]
 NOT_COPIED = shutil.ignore_patterns(".*", "build", "output", "*.egg-info", "__pycache__", "*.so")
@@ -36,9 +35,8 @@ def derived(folder: Path) -> None:
             shutil.copy(ROOT / part, folder / part)
     shutil.copy(Path(bilinear.__file__), folder / "derivations" / "mechanisms")
     run(folder, "-m", "derivations")
-    if backend.SOLVER is not None:
-        # what it answers is asked here, not how fast
-        run(folder, "setup.py", "-q", "build_ext", "--inplace", CFLAGS="-O0")
+    # what it answers is asked here, not how fast
+    run(folder, "setup.py", "-q", "build_ext", "--inplace", CFLAGS="-O0")
 
 
 @pytest.fixture(scope="module")
@@ -66,15 +64,7 @@ def run(folder: Path, *command: str, **environment: str) -> str:
 @pytest.mark.slow
 @pytest.mark.night
 def test_every_question_is_answered_by_the_compiled_solvers(project):
-    if backend.SOLVER is None:
-        pytest.skip("the compiled solvers are not in use")
     assert run(project, "-m", "tests.mechanisms.questions") == "compiled\n"
-
-
-@pytest.mark.slow
-@pytest.mark.night
-def test_every_question_is_answered_on_numpy(project):
-    assert run(project, "-m", "tests.mechanisms.questions", SLOWFLOW_BACKEND="numpy") == "NumPy\n"
 
 
 @pytest.mark.slow

@@ -7,12 +7,10 @@ import warnings
 import numpy as np
 import pytest
 
-from slowflow import Duffing, backend
+from slowflow import Duffing
 from slowflow_kernels.conventions import Status
 from tests.batch_questions import OFF_CENTRE, ask, columns
 from tests.test_many_as_each import ANSWERED, of_single
-
-pytestmark = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
 
 #: what dissipates, by what excites: an excitation by inertia takes some damping beside friction
 DAMPING = {"viscous": {}, "friction alone": {"zeta": 0.0}, "structural": {"eta": 0.05}, "quadratic": {"c_2": 0.2}}

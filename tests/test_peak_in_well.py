@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from slowflow import Duffing, backend, derive
+from slowflow import Duffing, derive
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 
@@ -70,13 +70,8 @@ def assert_is_scanned(peak, expected):
 
 
 @pytest.mark.parametrize("mu", [0.0, 1e-6, 0.005, 0.01, 0.02])
-@BOTH
-def test_the_peak_of_a_softening_spring_moves_with_friction_without_a_jump(monkeypatch, mu, backed):
+def test_the_peak_of_a_softening_spring_moves_with_friction_without_a_jump(mu):
     """It was 0.313, 1.123, 1.125 and 0.176 at mu of 0, 1e-6, 0.01 and 0.02: a top of the curve that is not stable."""
-    if not backed:
-        monkeypatch.setattr(backend, "SOLVER", None)
-    elif backend.SOLVER is None:
-        pytest.skip("the compiled solvers are not in use")
     one = Duffing(1.0, -1.0, mu=mu, zeta=0.1)
     peak, expected = one.peak(0.06), scanned(cubic, 1.0, 0.06, mu, 0.1)
     assert_is_scanned(peak, expected)
@@ -122,8 +117,6 @@ def test_by_other_laws_of_damping_too(damping, F_0):
 @pytest.mark.parametrize("compiled", [False, pytest.param(True, marks=pytest.mark.slow)])
 def test_of_a_force_of_ones_own_in_pieces_too(compiled):
     """A spring that a second one pulls apart beyond u = 0.4, with the top at 0.4 + 0.4/0.5 = 1.2."""
-    if compiled and backend.SOLVER is None:
-        pytest.skip("the compiled solvers are not in use")
     u, k = sp.symbols("u k", positive=True)
     stated = [(k * u, sp.Rational(2, 5)), (sp.Rational(3, 5) - u / 2, None)]
     made = derive.mechanism(f"pulled_apart_{compiled}", stated, {"k": {"above": 0}}, compile=compiled)

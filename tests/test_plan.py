@@ -13,8 +13,6 @@ from slowflow.off_centre import plan as off_centre
 from slowflow.paper.example import TABLE_1, isolator
 from slowflow_kernels import duffing, rod_spring
 
-pytestmark = pytest.mark.both_backends
-
 
 def runs(made):
     return {step.name: step.runs for step in made.steps}
@@ -126,9 +124,6 @@ def test_a_mechanism_that_is_derived_but_not_compiled_is_solved_all_the_same():
 
 
 def test_an_error_inside_the_compiled_path_is_not_taken_for_a_missing_mechanism(monkeypatch):
-    if backend.SOLVER is None:
-        pytest.skip("no compiled solvers")
-
     def broken(*_):
         return [][0]
 

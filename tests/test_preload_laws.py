@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from slowflow import backend, derive
+from slowflow import derive
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 
@@ -200,9 +200,7 @@ def test_at_low_frequencies_an_excitation_by_inertia_leaves_the_mass_at_rest(spr
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "compile", [False, pytest.param(True, marks=pytest.mark.skipif(backend.SOLVER is None, reason="not compiled"))]
-)
+@pytest.mark.parametrize("compile", [False, True])
 def test_batches_have_single_answers(compile):
     made = derive.mechanism(
         "preloaded_cubic", [(c + u + k * u**3, None)], {"c": ABOVE_0, "k": ABOVE_0}, compile=compile

@@ -22,8 +22,6 @@ from tests.native.headers import COMPILER
 from tests.native.records import Doubles, Interval, Self, doubles, opened
 from tests.test_forces import FORCES
 
-pytestmark = [pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")]
-
 u, k, c, gap = sp.symbols("u k c gap")
 ABOVE_0 = {"above": 0}
 #: averages in closed form: one piece, three, a jump of the force, one whose h_AAA is not shown to be monotone; and the

@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 
-from slowflow import Isolator, backend, progress
+from slowflow import Isolator, progress
 from slowflow.averaged import many as batches
 from tests.batch_questions import ALL, OFF_CENTRE, ask
 
@@ -50,7 +50,6 @@ def test_every_question_off_the_centre_says_so(question, always):
     assert_counts(told(lambda: ask(designs, question, np.full(3, 0.02))), 3)
 
 
-@pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
 @pytest.mark.parametrize("workers", [1, 3])
 def test_each_part_of_a_batch_is_counted_once(workers, always, monkeypatch):
     """Of two axes, the second of which is cut into four, four and two, in whatever order threads end."""

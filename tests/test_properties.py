@@ -13,7 +13,7 @@ from flint import arb, ctx
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from slowflow import Duffing, Isolator, backend
+from slowflow import Duffing, Isolator
 from slowflow.averaged import compiled, words
 from slowflow.averaged.reference import folds, onset, response
 from slowflow_kernels import duffing, duffing_balls, rod_spring, rod_spring_balls
@@ -24,7 +24,6 @@ from tests.batch_questions import AVERAGED, ask
 from tests.test_many_as_each import assert_is_that_of_each
 from tests.test_solver_paths import assert_alike
 
-native_only = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
 #: averages of an oscillator by its force, and the same in balls
 AVERAGES = {
     "": (duffing, duffing_balls),
@@ -66,7 +65,6 @@ def scaled_alike(one, other, length, frequency, F_0, Omega):
 
 
 @pytest.mark.slow
-@pytest.mark.both_backends
 @drawn
 @given(duffings, st.floats(0.01, 1.0), st.floats(0.2, 2.5), st.integers(-20, 20), st.integers(-10, 10))
 def test_units_of_length_and_time_are_free(numbers, F_0, Omega, p, q):
@@ -81,7 +79,6 @@ def test_units_of_length_and_time_are_free(numbers, F_0, Omega, p, q):
     scaled_alike(Duffing(**numbers), other, s, c, F_0, Omega)
 
 
-@pytest.mark.both_backends
 @drawn
 @given(duffings, st.floats(0.02, 1.0))
 def test_the_number_of_states_changes_by_two_at_each_fold(numbers, F_0):
@@ -95,7 +92,6 @@ def test_the_number_of_states_changes_by_two_at_each_fold(numbers, F_0):
     assert all(abs(a - b) == 2 for a, b in itertools.pairwise(counts))
 
 
-@pytest.mark.both_backends
 @settings(drawn, max_examples=20)
 @given(st.floats(1.0, 5.0), st.floats(0.5, 3.0), st.floats(0.1, 0.9), st.floats(0.002, 0.05), st.floats(0.01, 0.1))
 def test_nothing_jumps_at_the_detachment_of_the_untruncated_force(lam, r, share, mu, zeta):
@@ -136,7 +132,6 @@ def made(numbers):
 
 
 @pytest.mark.slow
-@native_only
 @settings(drawn, max_examples=25)
 @given(duffings | isolators, st.floats(1e-3, 1.0), st.floats(0.2, 2.5))
 def test_compiled_answers_are_those_of_numpy(numbers, above, Omega):
@@ -152,7 +147,6 @@ def test_compiled_answers_are_those_of_numpy(numbers, above, Omega):
     )
 
 
-@native_only
 @drawn
 @given(duffings | isolators, st.floats(1e-3, 1.0), st.sampled_from(AVERAGED))
 def test_a_batch_of_one_is_the_single_answer(numbers, F_0, question):
@@ -166,7 +160,6 @@ def test_a_batch_of_one_is_the_single_answer(numbers, F_0, question):
     assert_is_that_of_each(ask(of.many(**lists, **named), question, np.array([F_0])), [single], question)
 
 
-@pytest.mark.both_backends
 @drawn
 @given(duffings | isolators, st.floats(1e-3, 1.0), st.floats(0.2, 2.5), st.sampled_from(["mu", "zeta"]))
 def test_a_scene_without_a_damper_is_the_general_one_with_next_to_none(numbers, above, Omega, without):
@@ -220,7 +213,6 @@ def test_derivatives_of_an_average_are_those_of_its_ball(numbers, A):
             assert abs(arb(float(value)) - derivative) <= 4 * (ball.rad() + abs(derivative) * arb(2) ** -53), (k, value)
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("law", [{}, {"eta": 0.05}])
 @pytest.mark.parametrize("octaves", [-150, 50, 70, 150])
 def test_an_onset_goes_with_the_unit_of_length(law, octaves):
@@ -231,7 +223,6 @@ def test_an_onset_goes_with_the_unit_of_length(law, octaves):
     assert [other.F_SN / s, other.Omega, other.A / s] == pytest.approx([one.F_SN, one.Omega, one.A], rel=1e-12)
 
 
-@pytest.mark.both_backends
 def test_what_is_too_small_or_too_large_for_doubles_is_refused():
     for s in (2.0**-400, 2.0**420):
         for law in ({}, {"eta": 0.05}):
@@ -245,7 +236,6 @@ def test_what_is_too_small_or_too_large_for_doubles_is_refused():
             question()
 
 
-@native_only
 def test_a_forcing_next_to_the_largest_double_is_answered_in_words():
     """By NumPy it is refused, in words too."""
     assert "unbounded" in Duffing(0.0, 1.0).amplitudes(Omega=1.0, F_0=1.7e308).message

@@ -17,7 +17,6 @@ from slowflow_kernels import duffing, slow_flow
 from tests.native import records, roots
 from tests.oracles.stated import Stated
 
-pytestmark = pytest.mark.skipif(backend.SOLVER is None, reason="no compiled solvers")
 NATIVE = backend.SOLVER
 MECHANISMS = {mechanism.name: mechanism for mechanism in all_mechanisms()}
 INSIDE = {"lam": 3.0, "r": 2.0, "delta_h": 0.1, "alpha": 0.5, "beta": 0.7, "mu": 0.012, "zeta": 0.02, "F_0": 0.04}

@@ -14,14 +14,12 @@ from pathlib import Path
 import mpmath
 import pytest
 
-from slowflow import Duffing, Isolator, backend
+from slowflow import Duffing, Isolator
 from slowflow.averaged import parts
 from slowflow.paper.example import isolator
 from slowflow_kernels.conventions import Status
 from slowflow_support.errors import NotSettled
 from tests.interrupts import ENDING, interrupted
-
-native_only = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
 
 EVERYTHING = """
 from slowflow import Duffing, Isolator
@@ -76,7 +74,6 @@ with multiprocessing.get_context("fork").Pool(2) as pool:
 
 
 @pytest.mark.slow
-@native_only
 def test_ctrl_c_ends_a_long_answer():
     program = (
         "import numpy as np; from slowflow.paper.example import isolator\n"
@@ -87,7 +84,6 @@ def test_ctrl_c_ends_a_long_answer():
 
 
 @pytest.mark.slow
-@native_only
 def test_ctrl_c_ends_a_batch_whose_designs_take_far_longer_than_others():
     """Minutes of the second approximation: half a millisecond a design, where an onset takes some microseconds."""
     program = (
@@ -125,7 +121,6 @@ LONG = {
 
 
 @pytest.mark.slow
-@native_only
 @pytest.mark.parametrize("what", LONG)
 @pytest.mark.part(4)
 def test_ctrl_c_ends_what_takes_minutes(what):
@@ -144,7 +139,6 @@ CALLS_A_ROUND = 8
 
 
 @pytest.mark.slow
-@native_only
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the resident size is read from /proc")
 def test_no_memory_is_kept():
     """Oscillators, answers and refusals by the ten thousand: the process stays as large as it was after the first."""
@@ -254,7 +248,6 @@ HARD = {
 
 
 @pytest.mark.slow
-@native_only
 @pytest.mark.parametrize("place", HARD)
 def test_a_motion_within_its_residual_or_a_refusal(place):
     """At hard places, slow frequencies among them, an answer solves the equation of motion; none takes a minute."""
@@ -273,7 +266,6 @@ def test_a_motion_within_its_residual_or_a_refusal(place):
 
 
 @pytest.mark.slow
-@pytest.mark.both_backends
 @pytest.mark.parametrize(
     ("force", "delta_h"),
     [
@@ -302,7 +294,6 @@ def test_a_preload_next_to_none_moves_nothing(force, delta_h):
         assert len(iso.saddle_nodes(F_0)) == 0
 
 
-@pytest.mark.both_backends
 @pytest.mark.filterwarnings("ignore:.*negative stiffness")
 @pytest.mark.parametrize("r", [1e180, 1e250])
 def test_a_detachment_beyond_the_range_of_doubles_is_refused(r):
@@ -314,7 +305,6 @@ def test_a_detachment_beyond_the_range_of_doubles_is_refused(r):
     assert many.status.tolist() == [Status.NO_BOUND, Status.OK]
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("F_0", [1e60, 1e120])
 def test_a_force_whose_powers_leave_the_range_of_doubles_is_said_to_be_one(F_0):
     """It is answered, or refused in these words: branches were said to coincide, which are far apart."""
@@ -332,7 +322,6 @@ def test_a_force_whose_powers_leave_the_range_of_doubles_is_said_to_be_one(F_0):
         assert "leave the range of doubles" in str(refusal)
 
 
-@native_only
 @pytest.mark.parametrize("force", ["truncated", "untruncated"])
 @pytest.mark.parametrize("gap", [1e-2, 1e-4, 1e-8, 2.0**-52])
 def test_a_motion_next_to_the_largest_preload_is_within_its_residual_or_refused(force, gap):

@@ -11,7 +11,7 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from slowflow import Duffing, Isolator, Oscillator, backend, derive
+from slowflow import Duffing, Isolator, Oscillator, derive
 from slowflow.averaged import proofs
 from slowflow.certificate import DOUBLES
 from slowflow.exact import shooting
@@ -20,8 +20,6 @@ from slowflow.results import Remark
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import Status
 from tests.oracles import averaged, counts
-
-pytestmark = pytest.mark.both_backends
 
 #: an onset that only the truncation makes, negative stiffness at rest, the paper's isolator rubbing, one that sticks,
 #: negative stiffness with an onset
@@ -196,7 +194,6 @@ def test_states_beyond_the_well_are_not_stable_and_beside_a_peak_they_are_said(z
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(backend.SOLVER is None, reason="thousands of exact motions take compiled code")
 def test_of_states_beyond_the_well_the_equation_of_motion_has_none_but_next_to_its_top():
     """Of more than 1,000 that (30) holds for stable; next to the top averaging errs by 5 %."""
     rng = np.random.default_rng(5)
@@ -342,7 +339,6 @@ def test_the_force_and_its_stiffness_at_any_displacement():
 
 
 @pytest.mark.slow
-@pytest.mark.both_backends
 @pytest.mark.parametrize("above", [1e-7, 1e-8, 1e-12])
 def test_an_onset_is_not_refused_for_the_other_force_whose_onset_is_unresolved(above):
     """Next to delta_h = 1: the corner of the truncated force was refused singly, and given in batches."""
@@ -361,7 +357,6 @@ def test_an_onset_is_not_refused_for_the_other_force_whose_onset_is_unresolved(a
     assert found.F_SN == pytest.approx(4 * 0.01 / math.pi + 2 * 0.05 * u_cr * Omega, rel=max(above, 1e-14))
 
 
-@pytest.mark.both_backends
 def test_where_a_response_is_cut_is_said_in_codes_by_the_batch_too():
     """It was said in words only: a batch has none, and eight bits held eight codes."""
     undamped, ends_open = {"mu": 0.01, "zeta": 0.0}, {"mu": 0.0, "zeta": 0.05, "excitation": "unbalance"}

@@ -70,7 +70,6 @@ def test_the_largest_displacement_is_one_order_closer(Omega):
         assert abs(better.A[0] / exact - 1) < 0.03 * beta * abs(averaged.A[0] / exact - 1)
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("ratio", [0.05, 0.2, 0.3])
 @pytest.mark.parametrize("Omega", [0.5, 0.8, 1.2, 2.0])
 def test_for_a_linear_spring_it_is_den_hartogs_solution(Omega, ratio):
@@ -147,7 +146,6 @@ def test_without_damping_any_force_reaches_the_breakpoint():
     assert 1e-3 < 1 - better.Omega_cr / averaged.Omega_cr < 1e-2
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("force", FORCES)
 @pytest.mark.parametrize("mu", [0.0, 0.012])
 def test_answers_belong_together(force, mu):
@@ -175,7 +173,6 @@ def test_answers_belong_together(force, mu):
     assert low < u_cr < high
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("force", FORCES)
 @pytest.mark.parametrize(
     "changes", [{}, {"mu": 0.0}, {"zeta": 0.005, "delta_h": 0.13, "mu": 0.0}, {"zeta": 0.1, "delta_h": 0.03}]
@@ -324,7 +321,6 @@ def test_a_breakpoint_that_is_too_large_is_refused():
     assert Isolator(**design).second_approximation.frequency_response(0.04, Omega=(0.5, 1.5)).A.size > 900
 
 
-@pytest.mark.both_backends
 def test_the_corner_of_the_truncated_force_keeps_its_pair_of_folds():
     """Just above F_cr the first approximation has a fold on the corner, and one close above it."""
     iso = isolator(zeta=0.1, delta_h=0.03)
@@ -437,7 +433,6 @@ def random_oscillators(count=12):
         yield Duffing(1.0, rng.uniform(-0.2, 2.0), mu, zeta), 4 * mu / np.pi + rng.uniform(0.02, 0.2)
 
 
-@pytest.mark.skipif(backend.SOLVER is None, reason="the solvers are not compiled")
 def test_compiled_and_numpy_find_the_same_curves_folds_states_and_peaks():
     """The same number of folds and states, equal to 1e-12; points of one curve on the other's balance."""
     seen = 0
@@ -461,7 +456,6 @@ def test_compiled_and_numpy_find_the_same_curves_folds_states_and_peaks():
     assert seen > 20
 
 
-@pytest.mark.skipif(backend.SOLVER is None, reason="the solvers are not compiled")
 def test_folds_asked_for_at_once_are_those_of_averagings_folds_and_peak_step_by_step():
     """Their numbers, what is lost and what is said; where doubles do not tell averaging's there is no short way."""
     seen = 0
@@ -473,11 +467,10 @@ def test_folds_asked_for_at_once_are_those_of_averagings_folds_and_peak_step_by_
     assert seen > 30
     undecided = isolator(mu=0.0, delta_h=0.03)
     F_0 = undecided.saddle_node_onset().F_SN
-    asked = backend.solver().saddle_nodes(undecided.model.native, F_0)[-1]
+    asked = backend.SOLVER.saddle_nodes(undecided.model.native, F_0)[-1]
     assert asked == (compiled.saddle_nodes(Balance(undecided.model), F_0) is None)
 
 
-@pytest.mark.skipif(backend.SOLVER is None, reason="the solvers are not compiled")
 def test_points_far_from_folds_and_peak_are_not_needed_for_them():
     """The whole curve's folds and peak come of a fraction of its points."""
     seen = 0
@@ -494,7 +487,6 @@ def test_points_far_from_folds_and_peak_are_not_needed_for_them():
     assert seen > 100
 
 
-@pytest.mark.skipif(backend.SOLVER is None, reason="the solvers are not compiled")
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="fresh memory is filled by glibc")
 def test_a_curve_does_not_depend_on_what_memory_held():
     """Points still to be sought passed for settled where their places held huge numbers, and were left out."""
@@ -516,7 +508,6 @@ def test_a_curve_does_not_depend_on_what_memory_held():
     assert len(told) == 1
 
 
-@pytest.mark.skipif(backend.SOLVER is None, reason="the solvers are not compiled")
 def test_compiled_and_numpy_find_the_same_critical_forcings():
     found = 0
     for oscillator, _ in random_oscillators(20):
@@ -537,7 +528,6 @@ def test_compiled_and_numpy_find_the_same_critical_forcings():
     assert found > 20
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("name", ["table 1", "duffing"])
 def test_states_and_folds_have_the_digits_of_an_independent_solution(name):
     """Of tests/oracles/second.py, which knows no derivation: h_n by quadrature, friction's sum in closed form."""
@@ -555,7 +545,6 @@ def test_states_and_folds_have_the_digits_of_an_independent_solution(name):
         assert abs(mpf(fold.A) / mpf(u_max) - 1) < 1e-13
 
 
-@pytest.mark.both_backends
 def test_the_peak_is_the_highest_point_of_the_curve():
     """Of one drawn finely about it; where it has no answer it says why."""
     for oscillator, F_0 in ((isolator(), 0.04), (isolator(mu=0.0), 0.03), (Duffing(1.0, 0.5, 0.01, 0.02), 0.1)):
@@ -578,7 +567,6 @@ def test_the_peak_is_the_highest_point_of_the_curve():
     assert unbounded.A is None and unbounded.message
 
 
-@pytest.mark.both_backends
 def test_many_designs_have_the_answers_of_each():
     """The same digits, and a status where a single answer has words; with workers too."""
     rng = np.random.default_rng(5)
@@ -608,7 +596,6 @@ def test_many_designs_have_the_answers_of_each():
     assert np.count_nonzero(folds.status == Status.OK) == n - 1
 
 
-@pytest.mark.both_backends
 def test_states_and_curves_of_many_designs_are_those_of_each():
     """The same digits, and what is left out is said of each."""
     design = {"lam": 3.0, "r": 2.0, "delta_h": np.array([0.05, 0.08, 0.1, -1.0]), "mu": 0.012, "zeta": 0.02}

@@ -12,14 +12,13 @@ import numpy as np
 import pytest
 
 from benchmarks.stress import answers
-from slowflow import Duffing, Isolator, backend
+from slowflow import Duffing, Isolator
 from slowflow.averaged import solvers
 from slowflow_kernels.conventions import Status
 from slowflow_support.errors import NotSettled
 from tests.native.pairs import OPERATIONS, Pairs, build
 from tests.oracles import averaged
 
-compiled = pytest.mark.skipif(backend.SOLVER is None, reason="only the compiled solvers settle")
 #: of an operation in double-double, relatively
 ERROR = Fraction(1, 2**100)
 
@@ -82,7 +81,6 @@ def test_averages_in_pairs_have_twenty_digits_and_more(pairs):
                     assert abs(ball(value) - held) <= scale * float(2.0**-62)
 
 
-@compiled
 @pytest.mark.parametrize("mechanism", [pytest.param("rod_spring", marks=pytest.mark.slow), "duffing"])
 def test_answers_are_right_to_one_rounding_of_their_condition(mechanism):
     """Seeded oscillators and forcings at hard places, which `make stress` does not ask.
@@ -107,7 +105,6 @@ def test_answers_are_right_to_one_rounding_of_their_condition(mechanism):
 
 
 @pytest.mark.slow
-@compiled
 @pytest.mark.parametrize("mechanism", ["rod_spring", "rod_spring_untruncated"])
 def test_peaks_and_folds_next_to_a_breakpoint_are_right_to_one_rounding_of_their_condition(mechanism):
     """From an ulp above F_cr on, where slopes are as steep as 1/sqrt(A - u_cr); seen 45,134 u (1 + kappa) off."""
@@ -130,7 +127,6 @@ def test_peaks_and_folds_next_to_a_breakpoint_are_right_to_one_rounding_of_their
     assert asked > 60
 
 
-@compiled
 def test_a_fold_does_not_leave_its_piece_of_the_force():
     """Next to F_SN at the corner, zeta all but 0: by the formula below u_cr a fold would lie above it."""
     with pytest.warns(UserWarning, match="negative stiffness"):
@@ -144,7 +140,6 @@ def test_a_fold_does_not_leave_its_piece_of_the_force():
                 assert np.isclose(Omega, fold.Omega, rtol=1e-13).any()
 
 
-@compiled
 def test_folds_of_a_curve_of_states_and_of_a_batch_are_those_of_the_question():
     for oscillator, F_0 in (
         (Isolator(lam=3, r=2, delta_h=0.1, mu=0.01, zeta=0.02), 0.04),
@@ -158,7 +153,6 @@ def test_folds_of_a_curve_of_states_and_of_a_batch_are_those_of_the_question():
             assert A in solvers.amplitudes(oscillator.model, np.array([Omega]), F_0).A
 
 
-@compiled
 def test_states_at_the_frequency_of_a_peak_lie_between_the_doubles_beside_them():
     """There the curve's segments end, whose ends are not states at that very frequency; exact where mu = 0."""
     rng = np.random.default_rng(7)
@@ -180,7 +174,6 @@ def test_states_at_the_frequency_of_a_peak_lie_between_the_doubles_beside_them()
 
 
 #: answers that erred by more than u (1 + kappa) before averages of both forces were settled wherever they lie, F_cr too
-@compiled
 @pytest.mark.parametrize(
     ("mechanism", "kind", "at"),
     [
@@ -282,7 +275,6 @@ def test_answers_that_erred_most_are_right_to_their_condition(mechanism, kind, a
     assert error <= 1
 
 
-@compiled
 def test_a_peak_without_preload_is_the_exact_one_rounded_in_batches_too():
     """A piece that ends at u = 0 is none: in batches pairs were not asked then, every other peak was a double off."""
     rng = np.random.default_rng(2)
@@ -302,7 +294,6 @@ def test_a_peak_without_preload_is_the_exact_one_rounded_in_batches_too():
             assert (found.A[i], found.Omega[i]) == (float(A), float(Omega))
 
 
-@compiled
 def test_states_without_preload_are_the_exact_ones_rounded_in_batches_too():
     """A breakpoint at 0 was taken for one that can't be told from 0: 29 of 300 states of a batch were a double off."""
     rng = np.random.default_rng(5)
@@ -319,7 +310,6 @@ def test_states_without_preload_are_the_exact_ones_rounded_in_batches_too():
             assert found.A[i, 0] == float((mpmath.sqrt(half_b**2 - a * c) - half_b) / a)
 
 
-@compiled
 def test_a_linear_oscillator_has_no_folds_in_batches_either():
     """Next to 4 mu/pi a batch said that doubles don't tell, of what a single answer knows to have none."""
     sticks = 4 * np.float64(0.01) / math.pi

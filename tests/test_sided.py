@@ -14,7 +14,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from slowflow import Duffing, backend, derive, exact
+from slowflow import Duffing, derive, exact
 from slowflow.exact.motion import Forced, follow
 from slowflow.intervals import Interval
 from slowflow.off_centre.means import ORDERS, Steps
@@ -29,14 +29,13 @@ from tests.test_off_centre import mean
 u, k, g, p, q, a, b = sp.symbols("u k g p q a b")
 ABOVE = {"above": 0}
 DAMPED = {"mu": 0.005, "zeta": 0.03}
-COMPILED = backend.EXACT is not None
 
 
 @pytest.fixture(scope="module")
 def stop():
     """A stop on the right alone, behind a gap."""
     pieces = [(u, g), (u + k * (u - g), None)]
-    return derive.mechanism("one_sided_stop", pieces, {"k": ABOVE, "g": {}}, odd=False, compile=COMPILED)
+    return derive.mechanism("one_sided_stop", pieces, {"k": ABOVE, "g": {}}, odd=False, compile=True)
 
 
 @pytest.fixture(scope="module")
@@ -48,7 +47,7 @@ def patched():
         (u - q * u**2 + u**3, 0.25),
         (sp.Rational(3, 2) * (u - 0.25) + 0.25 - q * 0.25**2 + 0.25**3, None),
     ]
-    return derive.mechanism("patched", pieces, {"p": {}, "q": {}}, odd=False, compile=COMPILED)
+    return derive.mechanism("patched", pieces, {"p": {}, "q": {}}, odd=False, compile=True)
 
 
 @pytest.mark.parametrize(("A", "B"), [(0.05, 0.1), (0.3, 0.0), (0.6, 0.1), (0.2, -0.5), (0.1, 0.6), (0.3, -0.25)])
@@ -311,7 +310,6 @@ def test_a_force_of_four_pieces_is_followed_through_all_of_them(patched):
     assert state.A == pytest.approx(A, rel=0.05)
 
 
-@pytest.mark.skipif(not COMPILED, reason="not compiled")
 def test_compiled_motions_off_the_centre_are_scipys(stop, patched):
     """Switches, amplitudes, multipliers of pieces on both sides of the centre and on one; a start at a jump."""
     for oscillator, Omega, F_0 in (
@@ -329,7 +327,6 @@ def test_compiled_motions_off_the_centre_are_scipys(stop, patched):
             assert [way.u_end for way in ways] == pytest.approx([ways[0].u_end] * 2, abs=1e-9)
 
 
-@pytest.mark.skipif(not COMPILED, reason="not compiled")
 @pytest.mark.slow
 def test_an_exact_curve_off_the_centre_jumps_where_a_sweep_does_and_is_that_of_the_mirror_image(stop):
     """The stop on the other side too, whose pieces are numbered the other way; near the averaged folds."""

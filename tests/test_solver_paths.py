@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, backend
+from slowflow import Duffing, Isolator
 from slowflow.averaged import compiled, remarks
 from slowflow.averaged.reference import folds, locus, onset, response
 from slowflow.paper.example import TABLE_1, isolator
@@ -22,7 +22,6 @@ from slowflow_kernels.conventions import FoldKind
 
 DATA = Path(__file__).parent / "data"
 UNIT = 2.0**-53
-compiled_only = pytest.mark.skipif(backend.SOLVER is None, reason="no compiled solvers")
 
 
 def cases():
@@ -57,7 +56,6 @@ def error(value, text, record=None, name=None):
 UNITS = 16
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize(("name", "oscillator", "record"), CASES, ids=[case[0] for case in CASES])
 def test_everything_agrees_with_the_certified_reference(name, oscillator, record):
     found, exact = oscillator.saddle_node_onset(), record["onset"]
@@ -136,7 +134,6 @@ def check_states(oscillator, found, exact):
 # ---- compiled against NumPy ----------------------------------------------------------------------------------------
 
 
-@compiled_only
 @pytest.mark.parametrize(("name", "oscillator", "record"), CASES[2::4], ids=[case[0] for case in CASES[2::4]])
 def test_compiled_and_numpy_give_the_same(name, oscillator, record):
     model, F_0 = oscillator.model, given(record["forcings"][0]["F_0"])
@@ -167,7 +164,6 @@ def of_every_kind(seed, n):
 
 
 @pytest.mark.slow
-@compiled_only
 def test_compiled_and_numpy_find_the_same_for_designs_of_every_kind():
     at = np.linspace(0.2, 1.9, 9)
     with warnings.catch_warnings():
@@ -185,7 +181,6 @@ def test_compiled_and_numpy_find_the_same_for_designs_of_every_kind():
 
 
 @pytest.mark.slow
-@compiled_only
 def test_compiled_and_numpy_draw_the_same_fold_locus():
     """As many branches, and as many points but for one at an end; NumPy had 563 in 4 branches for 305 in 2."""
     with warnings.catch_warnings():
@@ -237,7 +232,6 @@ def random_designs(seed, n):
 # ---- many designs --------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.both_backends
 def test_many_designs_are_the_single_ones():
     lam, zeta = np.array([1.0, 2.0, 3.0]), np.array([[0.02], [0.5]])
     parameters = {**TABLE_1, "lam": lam, "zeta": zeta}
@@ -270,7 +264,6 @@ def test_many_designs_are_the_single_ones():
     assert not any(answer.status.any() for answer in (detachment, onset, peak, nodes, states))
 
 
-@pytest.mark.both_backends
 def test_states_of_many_that_leave_the_centre_or_have_no_place_say_so():
     """Negative stiffness at rest: a small motion about u = 0 does not last, though the averaged equations hold it."""
     alpha, Omega = np.array([-0.2, 1.0]), np.array([[0.3], [1.2], [-1.0]])
@@ -287,7 +280,6 @@ def test_states_of_many_that_leave_the_centre_or_have_no_place_say_so():
     assert set(few.columns()) >= {"Omega", "F_0", "A_0", "stable_0"}
 
 
-@pytest.mark.both_backends
 def test_a_bad_design_gets_a_status_and_spoils_no_other():
     many = Isolator.many(**{**TABLE_1, "lam": [3, -1, math.nan, 3, 3], "zeta": [0.02, 0.02, 0.02, -1, 0]})
     assert many.detachment().status.tolist() == [0, 1, 1, 1, 0]
@@ -301,14 +293,12 @@ def test_a_bad_design_gets_a_status_and_spoils_no_other():
     assert Duffing.many(1.0, 1.0).detachment().status == 3
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("wrong", ["three", [1, "x"], None, [[1, 2], [3]], 1j])
 def test_what_is_no_array_of_numbers_is_refused(wrong):
     with pytest.raises(ValueError, match="lam"):
         Isolator.many(**{**TABLE_1, "lam": wrong})
 
 
-@pytest.mark.both_backends
 def test_shapes_that_do_not_broadcast_are_named():
     with pytest.raises(ValueError, match=r"lam \(2,\).*zeta \(3,\)"):
         Isolator.many(**{**TABLE_1, "lam": [1, 2], "zeta": [0.1, 0.2, 0.3]})
@@ -316,7 +306,6 @@ def test_shapes_that_do_not_broadcast_are_named():
         Isolator.many(**{**TABLE_1, "lam": [1, 2]}).peak([0.1, 0.2, 0.3])
 
 
-@compiled_only
 def test_a_batch_allocates_its_answers_and_no_more():
     n = 1_000_000
     lam = np.broadcast_to(np.linspace(1, 4, 1000), (1000, 1000))
@@ -337,7 +326,6 @@ def neighbours(value):
 
 
 @pytest.mark.slow
-@pytest.mark.both_backends
 @pytest.mark.parametrize("zeta", [1e-9, 1e-4, 0.02, 1.5])
 @pytest.mark.parametrize("mu", [0.0, 0.012])
 @pytest.mark.parametrize("share", [0.5, 1.0, 1.2])
@@ -367,10 +355,9 @@ def assert_on_curve(oscillator, curve):
     assert (np.abs(np.hypot(R, I) - curve.F_0)[away] <= 1e-12 * (terms + curve.F_0)[away]).all()
 
 
-@pytest.mark.both_backends
 def test_stability_changes_at_folds_and_nowhere_else():
     rng = np.random.default_rng(4)
-    rows = random_designs(3, 50 if backend.SOLVER is None else 500)
+    rows = random_designs(3, 500)
     for lam, r, delta_h, mu, zeta, F_0 in rows[rows[:, 2] * rows[:, 0] * rows[:, 1] < 1]:
         oscillator = Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta)
         F_0 = max(F_0, 1.001 * oscillator.sticking_forcing) * rng.uniform(1, 2)
@@ -383,7 +370,6 @@ def test_stability_changes_at_folds_and_nowhere_else():
         assert changes == len(oscillator.saddle_nodes(F_0))
 
 
-@pytest.mark.both_backends
 def test_softening_has_folds_down_to_the_friction_limit():
     oscillator = Duffing(1.0, -0.3, mu=0.01, zeta=0.05)
     m, onset = oscillator.sticking_forcing, oscillator.saddle_node_onset()
@@ -394,7 +380,6 @@ def test_softening_has_folds_down_to_the_friction_limit():
     assert np.isfinite(oscillator.frequency_response(1.0001 * m).A).all()
 
 
-@pytest.mark.both_backends
 def test_a_small_loop_of_the_fold_locus_keeps_its_cusp():
     # alpha slightly below 0: the locus leaves Omega = 0 where h_A = 0, turns at a cusp and comes back where h = 0
     with warnings.catch_warnings():
@@ -408,7 +393,6 @@ def test_a_small_loop_of_the_fold_locus_keeps_its_cusp():
         assert len(oscillator.saddle_nodes(share * cusps.F_0[0])) == count
 
 
-@pytest.mark.both_backends
 def test_without_damping_the_folds_are_those_of_the_closed_form():
     oscillator = Duffing(1.0, 0.5)
     F_0 = 0.3
@@ -419,7 +403,6 @@ def test_without_damping_the_folds_are_those_of_the_closed_form():
     assert found.Omega.tolist() == pytest.approx([math.sqrt(1 + 9 / 8 * A * A)], rel=1e-14)
 
 
-@pytest.mark.both_backends
 def test_the_fold_locus_goes_by_an_amplitude_at_which_nothing_pulls():
     """Where h = 0 a fold at Omega = 0 is born beside the one that the locus follows, which is not there."""
     with warnings.catch_warnings():
@@ -431,7 +414,6 @@ def test_the_fold_locus_goes_by_an_amplitude_at_which_nothing_pulls():
         assert np.abs(np.diff(Omega)).max(initial=0.0) < 0.02
 
 
-@pytest.mark.both_backends
 def test_the_fold_locus_passes_the_folds_of_every_forcing():
     oscillator = isolator()
     points = oscillator.fold_locus(samples=200)
@@ -449,7 +431,6 @@ def test_the_fold_locus_passes_the_folds_of_every_forcing():
     assert oscillator.cusps().F_0.min() == pytest.approx(oscillator.saddle_node_onset().F_SN, rel=1e-13)
 
 
-@pytest.mark.both_backends
 def test_without_viscous_damping_the_fold_locus_is_that_of_the_closed_form():
     """Omega^2 = -h_A = 1 + 9/8 A^2 from A = 0 on, at the forcing R = h - A h_A = 3/4 A^3."""
     locus = Duffing(1.0, 0.5).fold_locus(samples=20, A_max=1.0)
@@ -458,7 +439,6 @@ def test_without_viscous_damping_the_fold_locus_is_that_of_the_closed_form():
     np.testing.assert_allclose(locus.F_0, 0.75 * locus.A**3, rtol=1e-12, atol=1e-16)
 
 
-@pytest.mark.both_backends
 def test_a_mechanism_without_end_needs_an_amplitude():
     with pytest.raises(ValueError, match="A_max"):
         Duffing(1.0, 0.5, 0.01, 0.02).fold_locus()

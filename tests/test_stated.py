@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-from slowflow import backend, derive
+from slowflow import derive
 from slowflow.results import Remark
 from tests.oracles.errors import U, error
 
@@ -93,8 +93,6 @@ def ways(question):
 
 def oscillators(derived, name, compiled):
     """Those of a force with their cases."""
-    if compiled and backend.SOLVER is None:
-        pytest.skip("the compiled solvers are not there")
     for case in CASES:
         if case["force"] == name:
             numbers = {key: value[1] for key, value in case["parameters"].items()}

@@ -12,7 +12,6 @@ from scipy.integrate import quad
 
 from slowflow import Duffing, derive
 from slowflow.averaged.sustained import free_motions
-from slowflow.backend import EXACT
 from slowflow.exact import shooting
 from slowflow.isolator import DUFFING
 from slowflow.results import Remark
@@ -94,7 +93,6 @@ def test_sustained_motions_across_two_wells_have_no_top():
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(EXACT is None, reason="takes minutes without the compiled integrator")
 def test_sustained_states_have_exact_motions_and_others_have_none():
     """Random softening springs: motions by shooting from many phases; few are told that have one nearby."""
     rng = np.random.default_rng(35)

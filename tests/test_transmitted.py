@@ -26,7 +26,6 @@ def exact(oscillator, Omega, F_0, of):
     return oscillator.steady_state(Omega=Omega, F_0=F_0).transmitted(of)
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("way", [second, exact])
 @pytest.mark.parametrize("excitation", EXCITATIONS)
 def test_a_linear_mount_passes_on_a_pure_wave(excitation, way):
@@ -50,7 +49,6 @@ def test_a_linear_mount_passes_on_a_pure_wave(excitation, way):
         way(osc, Omega, F_0, "forces")
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("Omega", [0.6, 0.9, 1.5, 4.0])
 def test_with_friction_alone_the_wave_is_den_hartogs(Omega):
     """His motion over half a cycle, whose spring and friction are passed on: u - mu while the mass moves down."""
@@ -101,7 +99,6 @@ def test_with_springs_and_friction_the_wave_is_near_that_of_exact_motions(excita
         assert abs(pure / passed.peak - 1) > 0.05
 
 
-@pytest.mark.both_backends
 def test_a_whole_curve_passes_on_what_its_states_do_and_many_what_each_does():
     delta_h, F_0 = np.array([0.08, 0.1, -1.0]), 0.04
     design = {"lam": 3.0, "r": 2.0, "mu": 0.012, "zeta": 0.02, "excitation": "base"}

@@ -20,8 +20,6 @@ from slowflow_kernels import rod_spring, rod_spring_untruncated
 from tests.oracles import kernels
 from tests.oracles.answers import Nearby
 
-pytestmark = pytest.mark.both_backends
-
 DIGITS = 30
 STEP = mpf(10) ** -10
 BOUND = 1e-12

@@ -7,13 +7,10 @@ import pytest
 
 from benchmarks import validity
 from slowflow import Duffing, Isolator
-from slowflow.backend import EXACT, SOLVER
 from slowflow.measured import table as validity_table
 from slowflow.measured.validity import near_sticking
 from slowflow.paper.example import isolator
 from slowflow_support.errors import NotSettled
-
-pytestmark = pytest.mark.both_backends
 
 
 def test_the_table_has_a_size_for_every_bin():
@@ -41,7 +38,6 @@ def test_the_table_is_the_measured_one():
     assert validity.TABLE.read_text(encoding="utf-8") == validity.table(numbers)
 
 
-@pytest.mark.skipif(SOLVER is None, reason="the answers are compared elsewhere, these numbers take 10 s")
 def test_every_critical_forcing_is_compared():
     """A dot in the figure is a corner's onset that the untruncated force does not have; averaging (5) agrees."""
     numbers = json.loads(validity.RESULTS.read_text(encoding="utf-8"))
@@ -70,7 +66,6 @@ def test_a_zero_is_found_between_0p7_and_1p7(zero):
         assert found is None if not 0.7 < zero < 1.7 else found == pytest.approx(zero, abs=2e-5)
 
 
-@pytest.mark.skipif(EXACT is None, reason="not compiled: each curve takes 10 s")
 @pytest.mark.parametrize("ratio", [0.0, 0.25, 0.42, 0.53, 0.62, 0.68])
 def test_errors_told_for_designs_that_were_not_measured(ratio):
     """95 of 100 exact amplitudes lie within what is told; here at least 85, on two designs between those measured."""

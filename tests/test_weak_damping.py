@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 import slowflow
-from slowflow import backend
 from slowflow.averaged import solvers
 
 
@@ -102,14 +101,12 @@ NEXT_TO_REST = (
 )
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize(("design", "cusp"), NEXT_TO_REST)
 def test_a_cusp_next_to_rest_is_found_with_its_frequency(design, cusp):
     found = slowflow.Duffing(*design).cusps(A_max=1.5 * cusp[2])[0]
     assert (found.F_0, found.Omega, found.A) == pytest.approx(cusp, rel=1e-13, abs=0) and not found.minimum
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("excitation", ["base", "unbalance"])
 @pytest.mark.parametrize(
     ("design", "F_0", "folds"),
@@ -167,7 +164,6 @@ def test_folds_by_inertia_have_their_digits(design, F_0, folds, excitation):
     assert many.undecided == 0
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize(
     ("design", "F_0", "Omega"),
     [
@@ -190,7 +186,6 @@ def test_an_isola_point_by_inertia_beside_a_zero_of_h_is_found(design, F_0, Omeg
     assert mount.saddle_node_onset().F_SN is None
 
 
-@pytest.mark.both_backends
 def test_the_onset_by_inertia_below_amplitudes_at_which_h_is_all_but_a_cube():
     onset = slowflow.Duffing(
         -0.0005733252201321912, 0.06208677058945224, 0.0, 0.10773897290215424, excitation="base"
@@ -201,7 +196,6 @@ def test_the_onset_by_inertia_below_amplitudes_at_which_h_is_all_but_a_cube():
     )
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("excitation", ["force", "base"])
 @pytest.mark.parametrize(
     ("design", "F_0", "Omega", "A"),
@@ -233,7 +227,6 @@ def test_a_cusp_next_to_Omega_0_has_its_digits(design, F_0, Omega, A, excitation
         assert (onset.F_SN, onset.Omega, onset.A) == pytest.approx((level, Omega, A), rel=1e-13, abs=0)
 
 
-@pytest.mark.both_backends
 def test_a_peak_by_inertia_beside_a_zero_of_h_is_found():
     """The branches that meet there are the ones that the states lie on."""
     mount = slowflow.Duffing(
@@ -251,7 +244,6 @@ def test_a_peak_by_inertia_beside_a_zero_of_h_is_found():
     assert states.A == pytest.approx([0.7552664571615544, 23.377677392673924, 24.132943849835478], rel=1e-14)
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize(
     ("design", "F_0", "Omega", "A"),
     [
@@ -278,7 +270,6 @@ def test_a_peak_by_inertia_that_is_below_F_0_by_rounding_leaves_the_states(desig
 
 
 @pytest.mark.slow
-@pytest.mark.both_backends
 @pytest.mark.parametrize("mu", [0.0, 1e-9])
 @pytest.mark.parametrize("zeta", [1e-6, 1e-12, 1e-20, 1e-30, 1e-50])
 def test_the_fold_locus_of_a_force_has_the_digits_of_its_level(zeta, mu):
@@ -305,7 +296,6 @@ def test_the_fold_locus_of_a_force_has_the_digits_of_its_level(zeta, mu):
     assert checked == {True, False}
 
 
-@pytest.mark.both_backends
 @pytest.mark.parametrize("mu", [0.0, 0.0625])
 @pytest.mark.parametrize("zeta", [1e-16, 1e-17, 1e-18, 1e-20, 1e-25])
 def test_a_softening_fold_next_to_no_damping_has_its_frequency_and_the_curve_all_its_branches(mu, zeta):
@@ -331,7 +321,6 @@ def test_a_softening_fold_next_to_no_damping_has_its_frequency_and_the_curve_all
         np.testing.assert_allclose(np.abs((Omega**2 - 2 + 0.75 * at**2) * at), k, rtol=1e-13)
 
 
-@pytest.mark.skipif(backend.SOLVER is None, reason="NumPy has doubles alone")
 @pytest.mark.parametrize("zeta", [1e-14, 1e-12, 1e-10, 1e-8])
 def test_an_isola_point_next_to_no_damping_is_off_by_its_rounding(zeta):
     """Newton's method in Omega and A divided by a difference of which nothing was left: A was off by 13 u.

@@ -20,9 +20,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import slowflow_kernels
-from slowflow import backend
 from slowflow.paper.example import TABLE_1
-from slowflow.version import __version__
 from tests.conftest import Once
 
 pytestmark = pytest.mark.slow
@@ -47,7 +45,7 @@ from slowflow import backend, derive
 u, b, k, d = sp.symbols("u b k d")
 about = {name: {"above": 0} for name in ("b", "k", "d")}
 PIECES
-how = {"reach": 1.0} if hasattr(pieces[0][0], "__code__") else {"compile": backend.SOLVER is not None}
+how = {"reach": 1.0} if hasattr(pieces[0][0], "__code__") else {"compile": True}
 made = derive.mechanism("pad", pieces, about, **how)
 numbers = {"k": 3.0, "d": 0.2, "zeta": 0.02}
 one = made(b=2.0, mu=0.005, **numbers)
@@ -126,11 +124,11 @@ def built(folder: Path, **environment: str) -> subprocess.CompletedProcess[str]:
 
 @pytest.fixture(scope="module")
 def wheel(once: Once) -> Path:
-    """A wheel of the sources; where nothing compiles here, one that runs on NumPy."""
+    """A wheel of the sources."""
 
     def build(folder: Path) -> None:
         # what is in it is asked here, not how fast it is
-        done = built(folder, SLOWFLOW_PURE="1" if backend.SOLVER is None else "0", CFLAGS="-O1")
+        done = built(folder, CFLAGS="-O1")
         assert done.returncode == 0, done.stdout + done.stderr
 
     (found,) = once("wheel", build).glob("*.whl")
@@ -138,15 +136,11 @@ def wheel(once: Once) -> Path:
 
 
 @pytest.mark.night
-def test_without_a_compiler_a_wheel_says_so_and_a_pure_one_bears_its_name(tmp_path: Path) -> None:
+def test_without_a_compiler_no_wheel_is_built(tmp_path: Path) -> None:
     (tmp_path / "none").mkdir()
     done = built(tmp_path / "none", CC="false")
     assert done.returncode != 0 and not list((tmp_path / "none").glob("*.whl"))
-    assert "needs a C compiler" in done.stdout + done.stderr and "SLOWFLOW_PURE=1" in done.stdout + done.stderr
-    (tmp_path / "pure").mkdir()
-    done = built(tmp_path / "pure", CC="false", SLOWFLOW_PURE="1")
-    (found,) = (tmp_path / "pure").glob("*.whl")
-    assert found.name == f"slowflow-{__version__}-py3-none-any.whl"
+    assert "needs a C compiler" in done.stdout + done.stderr
 
 
 def environment(folder: Path, wheel: Path, distributions: tuple[str, ...]) -> Path:
@@ -211,8 +205,6 @@ def test_with_matplotlib_figures_scenes_and_reports_are_made(wheel: Path, tmp_pa
     assert done.returncode == 0, done.stderr
     drawn = sorted(path.name for path in (tmp_path / "empty" / "here").iterdir())
     assert drawn == ["fig_7a.png", "fig_7a.svg", "fig_7b.png", "fig_7b.svg"]
-    if backend.SOLVER is None:  # exact curves take too long
-        return
     # in one program, which starts once
     scenes = sorted((ROOT / "scenes").glob("*.toml"))
     code = "import sys; from slowflow.cli import main; print([main(command.split()) for command in sys.argv[1:]])"
@@ -238,7 +230,7 @@ def test_a_stranger_derives_a_mechanism_in_an_empty_folder(stranger: Path, tmp_p
     done = run([stranger / "python", "-W", "ignore", "-c", TRIAL.replace("PIECES", pieces)], tmp_path)
     assert done.returncode == 0, done.stderr
     told = json.loads(done.stdout)
-    assert told["compiled"] == (backend.SOLVER is not None and kind != "functions of Python")
+    assert told["compiled"] == (kind != "functions of Python")
     folds, others = turns(functools.partial(force, b=2.0)), turns(functools.partial(force, b=2.5))
     assert folds(told["F_SN"] * 0.97) == []
     assert len(told["folds"]) == 2
@@ -320,14 +312,10 @@ def integrated(
 
 
 def test_the_wheel_is_compiled_and_typed(installed: Path, tmp_path: Path) -> None:
-    """As here: a machine without a compiler makes a wheel that runs on NumPy."""
-    code = (
-        "import slowflow, pathlib; from slowflow import backend; folder = pathlib.Path(slowflow.__file__).parents[1]\n"
-    )
-    told = "print(backend.NAME, folder, *folder.glob('slowflow*/py.typed'), *folder.glob('slowflow_kernels/*.pyi'))"
+    code = "import slowflow, pathlib; folder = pathlib.Path(slowflow.__file__).parents[1]\n"
+    told = "print(folder, *folder.glob('slowflow*/py.typed'), *folder.glob('slowflow_kernels/*.pyi'))"
     done = run([installed / "python", "-W", "ignore", "-c", code + told], tmp_path)
-    name, folder, *typed = done.stdout.split()
-    assert name == ("numpy" if backend.SOLVER is None else "native")
+    folder, *typed = done.stdout.split()
     assert Path(folder).is_relative_to(installed.parent)
     marked = {Path(path).parent.name for path in typed if path.endswith("py.typed")}
     assert marked == {"slowflow", "slowflow_kernels", "slowflow_support"}

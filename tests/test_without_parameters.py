@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from slowflow import Duffing, backend, derive
+from slowflow import Duffing, derive
 
 u, k, gap = sp.symbols("u k gap")
 STOP = sp.Rational(1, 5)
@@ -18,12 +18,11 @@ FORCES = {
 }
 DAMPING = {"mu": 0.01, "zeta": 0.03}
 F_0 = 0.06
-COMPILED = pytest.mark.skipif(backend.SOLVER is None, reason="the compiled solvers are not in use")
 #: name and whether it is compiled; each is derived twice
 ASKED = [
     ("cubic", False),
     *(pytest.param(name, False, marks=pytest.mark.slow) for name in ("stop", "pendulum")),
-    *(pytest.param(name, True, marks=[COMPILED, pytest.mark.slow]) for name in FORCES),
+    *(pytest.param(name, True, marks=pytest.mark.slow) for name in FORCES),
 ]
 
 
@@ -64,7 +63,7 @@ def test_gradients_are_by_damping_and_the_forcing_alone(name, compile):
             assert found[of, which] == pytest.approx(expected[of, which], rel=1e-9)
 
 
-@pytest.mark.parametrize("compile", [False, pytest.param(True, marks=COMPILED)])
+@pytest.mark.parametrize("compile", [False, True])
 def test_batches_are_over_damping(compile):
     made, _, _ = pair("cubic", compile)
     zeta = np.array([0.03, 0.05])

@@ -8,7 +8,7 @@ WHAT = "whole curve with stability and folds, one call; F_A = 0 solved by level 
 def prepare():
     """Variants by name; see `benchmarks.remote`."""
     from benchmarks.peers.problem import DELTA_H, F_0, LAM, MU, OMEGA_MAX, OMEGA_MIN, R_STIFF, ZETA, answer
-    from slowflow import Isolator, backend
+    from slowflow import Isolator
 
     def curve(samples):
         # anew each time, since an isolator remembers some of its answers
@@ -17,7 +17,4 @@ def prepare():
         folds = iso.saddle_nodes(F_0)
         return found.A.size, zip(folds.Omega, folds.A, strict=True)
 
-    return {
-        f"{backend.NAME}, {samples} samples": (lambda samples=samples: curve(samples), answer)
-        for samples in (300, 1000)
-    }
+    return {f"native, {samples} samples": (lambda samples=samples: curve(samples), answer) for samples in (300, 1000)}

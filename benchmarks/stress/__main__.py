@@ -5,7 +5,6 @@ say of kernels, derivations/emit/measured.json. Less than twenty minutes on two 
 measures these anew and keeps the rest of the last results, `--draw` keeps all; `--size 0.1` takes a tenth of the
 points. Counts against proofs are ten million, a million isolators among them. What was measured is kept as soon as a
 part is through.
-`--only "folds on NumPy" --size 34` is a million of these, and is kept beside smaller ones.
 """
 
 from __future__ import annotations
@@ -17,7 +16,6 @@ import math
 import multiprocessing
 import os
 import sys
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -28,9 +26,9 @@ from benchmarks.stress import answers, baseline, counts, headers, instead, kerne
 from tests.oracles.kernels import scene_of
 
 #: what can be measured apart
-OF_COUNTS = ("counts", "counts on NumPy", "counts against proofs", "folds on NumPy")
+OF_COUNTS = ("counts", "counts against proofs")
 #: of shares that are summed
-AGAINST_PROOFS = ("counts against proofs", "folds on NumPy")
+AGAINST_PROOFS = ("counts against proofs",)
 PARTS = ("answers", *OF_COUNTS, "proofs", "roots", "instead", "kernels", "extremes")
 #: shares into which answers and counts are cut
 SHARES = 8
@@ -43,12 +41,6 @@ STATES = {
     "rod_spring": 250, "rod_spring, zeta = 0": 50, "rod_spring, alpha = 0": 50,
     "rod_spring_untruncated": 50, "duffing": 3_200, "duffing, zeta = 0": 250, "duffing, alpha = 0": 250,
 }  # fmt: skip
-#: the same without compiled code, of fewer shares each: one takes one to two ms, and a process some seconds to start
-ON_NUMPY = {
-    "rod_spring": 6_000, "rod_spring, zeta = 0": 1_000, "rod_spring, alpha = 0": 1_000,
-    "rod_spring_untruncated": 1_000, "duffing": 4_000, "duffing, zeta = 0": 1_000, "duffing, alpha = 0": 1_000,
-}  # fmt: skip
-SHARES_ON_NUMPY = 2
 #: points shown of each kernel and kind in a picture
 SHOWN = 40
 Job = tuple[Callable[..., Any], tuple[Any, ...]]
@@ -71,20 +63,11 @@ def jobs(size: float) -> dict[str, list[Job]]:
             for mechanism in counts.ORACLES
             for part in range(SHARES)
         ],
-        "counts on NumPy": [
-            (counts.on_numpy, (mechanism, 100, many(4 if mechanism == "rod_spring" else 12)))
-            for mechanism in counts.ORACLES
-        ],
         "counts against proofs": [
             (count, (kind, part, many(number)))
             for count, numbers in ((scale.folds, FOLDS), (scale.states, STATES))
             for kind, number in numbers.items()
             for part in range(SHARES)
-        ],
-        "folds on NumPy": [
-            (scale.folds_on_numpy, (kind, part, many(number)))
-            for kind, number in ON_NUMPY.items()
-            for part in range(SHARES_ON_NUMPY)
         ],
         "proofs": [(proofs.stress, (part, many(125))) for part in range(SHARES)],
         "roots": [(roots.stress, (kind, family, many(4000, 50), many(1500))) for kind, family in roots.jobs()],
@@ -132,12 +115,6 @@ def joined(what: str, found: list[Any]) -> list[Any]:
     return scale.summed(found) if what in AGAINST_PROOFS else found
 
 
-def most_on_numpy(before: dict[str, Any] | None, found: list[Any]) -> dict[str, Any]:
-    """The largest run yet of what takes long."""
-    asked = [sum(t["asked"] for t in run) for run in (before["found"] if before else [], found)]
-    return before if before and asked[0] > asked[1] else {"when": f"{time.strftime('%Y-%m-%d')}", "found": found}
-
-
 def plain(value: Any) -> Any:
     """JSON without infinities, numbers of pictures with three digits."""
     if isinstance(value, dict):
@@ -170,8 +147,6 @@ def main() -> None:
         for what, found, cost in measure(options.size, options.only):
             known[what] = plain(joined(what, found))
             known["cost"] = {**known.get("cost", {}), what: cost}
-            if what == "folds on NumPy":
-                known["most folds on NumPy"] = most_on_numpy(known.get("most folds on NumPy"), known[what])
             baseline.save(results, known)
     baseline.write(known)
     headers.write()

@@ -11,11 +11,7 @@ with balls.
 from __future__ import annotations
 
 import functools
-import json
 import math
-import os
-import subprocess
-import sys
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -39,7 +35,6 @@ ORACLES = {"rod_spring": RodSpring, "duffing": Duffing}
 FORCINGS = {"states": 150, "folds": 60}
 FREQUENCIES = 4
 #: share of the forcings that is asked without compiled code, which takes a hundred times longer
-ON_NUMPY = 0.1
 #: share of what doubles leave undecided that balls are asked, which take tens of milliseconds
 ASKED_OF_BALLS = 0.1
 #: what is counted: cases, those next to a level, those that doubles say they do not decide, of them next to a level,
@@ -132,14 +127,6 @@ def stress(
     return {"mechanism": mechanism, "names": NAMES[mechanism], **table}
 
 
-def on_numpy(mechanism: str, part: int, oscillators: int) -> dict[str, Any]:
-    """The same in a process of its own that does without compiled code."""
-    command = [sys.executable, "-m", "benchmarks.stress.counts", mechanism, str(part), str(oscillators)]
-    environment = {**os.environ, "SLOWFLOW_BACKEND": "numpy"}
-    done = subprocess.run(command, capture_output=True, text=True, check=True, env=environment)
-    return dict(json.loads(done.stdout))
-
-
 def _one(row: dict[str, Any], kind: str, iso: Any, at: Point, truth: Any, again: bool, compared: bool) -> None:
     F_0, Omega = at[-2:]
     try:
@@ -181,7 +168,3 @@ def _asked_again(row: dict[str, Any], kind: str, iso: Any, at: Point, number: in
     row["wrong by balls"] += not still and given != number
     if not still and given == number and math.isfinite(units):
         row["hard"].append((units, "balls", at, number))
-
-
-if __name__ == "__main__":
-    print(json.dumps(stress(sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), ON_NUMPY, compared=False)))

@@ -200,14 +200,14 @@ def decided(total: Numbers) -> int:
     return int(total["cases"] - total["beside"] - total["said"] + total["said beside"])
 
 
-def by_count(found: list[Numbers], backend: str = "") -> Rows:
+def by_count(found: list[Numbers]) -> Rows:
     """States and folds of each mechanism."""
     rows = []
     for kind in ("states", "folds"):
         for mechanism, total in summed(found, kind).items():
             rows.append(
                 (
-                    f"{mechanism}, {kind}{backend}",
+                    f"{mechanism}, {kind}",
                     f"{total['cases']:,}",
                     f"{len(total['wrong'])} of {decided(total):,}",
                     f"{total['wrong beside']:,} of {total['beside'] - total['said beside']:,}",
@@ -222,14 +222,9 @@ def by_count(found: list[Numbers], backend: str = "") -> Rows:
     return rows
 
 
-def scale_lines(found: list[Numbers], most: Numbers | None) -> list[str]:
+def scale_lines(found: list[Numbers]) -> list[str]:
     """Counts against proofs, and some of the cases that differ or that nothing proves."""
     rows = [(f"{t['mechanism']}, {t['kind']}", *(f"{t[name]:,}" for name in scale.COUNTED)) for t in found]
-    if most and most["found"] != [t for t in found if t["kind"] == "folds on NumPy"]:
-        rows += [
-            (f"{t['mechanism']}, {t['kind']}, run of {most['when']}", *(f"{t[name]:,}" for name in scale.COUNTED))
-            for t in most["found"]
-        ]
     named = []
     for t in found:
         names = answers.NAMES[t["mechanism"].split(",")[0]]
@@ -242,9 +237,6 @@ def scale_lines(found: list[Numbers], most: Numbers | None) -> list[str]:
         "some frequencies lie beside folds, from an ulp on. Doubles alone answer. *Differ* are those of which another",
         "number is proved and which do not say that doubles do not decide. Where only the proof is at a loss balls",
         "agree with the answer wherever they were asked (`tests/test_undecided.py`).",
-        "Without compiled code an answer takes one to two ms, in batches:",
-        '`python -m benchmarks.stress --only "folds on NumPy" --size 34` asks a million; the largest run so far has',
-        "rows of its own.",
         "",
         *table(SCALE, rows),
         "",
@@ -387,13 +379,6 @@ def in_short(numbers: Numbers) -> list[str]:
     many, differ, of_many, unproved = (
         sum(t[name] for t in numbers["counts against proofs"]) for name in ("asked", "differ", "undecided", "unproved")
     )
-    on_numpy, most = numbers["folds on NumPy"], numbers.get("most folds on NumPy")
-    larger = (
-        f", and of the largest run, of {most['when']}, {sum(t['differ'] for t in most['found']):,} of "
-        f"{sum(t['asked'] for t in most['found']):,}"
-        if most
-        else ""
-    )
     lines = [
         f"- **Kernels, target {kernels.TARGET:g} u (1 + κ)**: {len(found) - len(beyond)} of {len(found)} keep to it; "
         + (f"{len(beyond)} miss it, named below." if beyond else "none misses it."),
@@ -406,8 +391,6 @@ def in_short(numbers: Numbers) -> list[str]:
         f"these balls were asked {balls:,}: they leave {open_:,} open and have {wrong_balls:,} wrong. Of {many:,} more "
         f"{differ:,} differ from a proof in intervals without a word, {of_many:,} ({of_many / many:.1%}) say that they "
         f"are undecided, and for {unproved:,} there is no proof.",
-        f"- **Folds on NumPy**, target none missing or false of 10^6: {sum(t['differ'] for t in on_numpy):,} of "
-        f"{sum(t['asked'] for t in on_numpy):,} differ from a proof without a word{larger}.",
         f"- **Proofs, target 99 % of folds by doubles alone, at most twice the time**: "
         f"{share(numbers['proofs'][0], 'folds', 'alone')} at {numbers['proofs'][0]['ratio']:.2f} times the time of "
         f"`saddle_nodes`, median; with balls {balls_share(numbers['proofs'][0])}.",
@@ -519,10 +502,10 @@ def page(numbers: Numbers) -> str:
         f"{counts.ASKED_OF_BALLS:.0%} of them, by a seeded draw, were asked again as users ask, with balls. zeta is",
         "from 1e-4 to 0.5, as the proof needs some damping.",
         "",
-        *table(COUNTS, by_count(numbers["counts"]) + by_count(numbers["counts on NumPy"], " (NumPy)")),
+        *table(COUNTS, by_count(numbers["counts"])),
         "",
         *wrong_lines(numbers),
-        *scale_lines(numbers["counts against proofs"] + numbers["folds on NumPy"], numbers.get("most folds on NumPy")),
+        *scale_lines(numbers["counts against proofs"]),
         "## Proofs at run time",
         "",
         *proof_lines(numbers["proofs"][0]),

@@ -10,10 +10,6 @@ that claim a number where doubles prove none.
 from __future__ import annotations
 
 import dataclasses
-import io
-import os
-import subprocess
-import sys
 import warnings
 from collections.abc import Callable
 from typing import Any
@@ -106,31 +102,10 @@ def folds(kind: str, part: int, number: int) -> Tally:
     return _folds(kind, "folds", [SEED, part, len(kind), 0], number, in_use)
 
 
-def folds_on_numpy(kind: str, part: int, number: int) -> Tally:
-    """The same of other oscillators, whose folds a process of its own finds that does without compiled code."""
-    return _folds(kind, "folds on NumPy", [SEED, part, len(kind), 2], number, without_compiled)
-
-
 def in_use(kind: str, numbers: Numbers, F_0: draws.Floats) -> list[npt.NDArray[Any]]:
     """Number of folds, whether it is said to be undecided, status: by the solvers that are in use."""
     *_, given, undecided, status = KINDS[kind].batch(numbers).ask(SADDLE_NODES, 1, F_0, 12)
     return [given, undecided, status]
-
-
-def without_compiled(kind: str, numbers: Numbers, F_0: draws.Floats) -> list[npt.NDArray[Any]]:
-    """The same."""
-    asked = io.BytesIO()
-    np.save(asked, np.stack([*numbers, F_0]))
-    command = [sys.executable, "-m", "benchmarks.stress.scale", kind]
-    environment = {**os.environ, "SLOWFLOW_BACKEND": "numpy"}
-    done = subprocess.run(command, input=asked.getvalue(), capture_output=True, check=True, env=environment)
-    return list(np.load(io.BytesIO(done.stdout)))
-
-
-def answer() -> None:
-    """What that process does: numbers in by stdin, answers out by stdout."""
-    *numbers, F_0 = np.load(io.BytesIO(sys.stdin.buffer.read()))
-    np.save(sys.stdout.buffer, np.array(in_use(sys.argv[1], tuple(numbers), F_0), int))
 
 
 def _folds(kind: str, what: str, seed: list[int], number: int, answers: Callable[..., list[npt.NDArray[Any]]]) -> Tally:
@@ -200,7 +175,3 @@ def summed(found: list[Tally]) -> list[Tally]:
         kinds = dict.fromkeys(name for name, _ in total["named"])
         total["named"] = [one for kind in kinds for one in [n for n in total["named"] if n[0] == kind][:NAMED]]
     return list(totals.values())
-
-
-if __name__ == "__main__":
-    answer()

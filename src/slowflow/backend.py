@@ -1,22 +1,15 @@
-"""Which code runs: compiled or NumPy; in goes SLOWFLOW_BACKEND, out come the extension modules, or None.
+"""The compiled code, and what it takes: in go mechanisms and numbers, out come records and oscillators.
 
-    KERNELS   compiled kernels (slowflow_kernels._native)
-    SOLVER    compiled solvers (slowflow._native)
-    EXACT     the compiled equation of motion (slowflow._exact)
-    record_of, parameters_of, compiled_model   what the solvers take: a mechanism's record, and one oscillator
-    solver    the compiled solvers, where they are known to be there
-
-`slowflow_kernels` decides, once, at its first import: SLOWFLOW_BACKEND=native demands what is compiled,
-SLOWFLOW_BACKEND=numpy leaves it alone, and without it the compiled code runs where it was built.
+KERNELS   compiled kernels (slowflow_kernels._native)
+SOLVER    compiled solvers (slowflow._native)
+EXACT     the compiled equation of motion (slowflow._exact)
+record_of, parameters_of, compiled_model   what the solvers take: a mechanism's record, and one oscillator
 """
 
 from __future__ import annotations
 
-import importlib
 import json
-import os
 import sys
-import warnings
 from array import array
 from collections.abc import Callable
 from pathlib import Path
@@ -26,22 +19,10 @@ from typing import Any
 import numpy as np
 
 from slowflow import callbacks
-from slowflow_support.backend import NATIVE, BackendWarning
+from slowflow_support.backend import NATIVE, loaded
 from slowflow_support.errors import Refused
 from slowflow_support.quadrature import COMPILED
 from slowflow_support.record import Mechanism, stated_by_module
-
-__all__ = [
-    "EXACT",
-    "KERNELS",
-    "NAME",
-    "SOLVER",
-    "BackendWarning",
-    "compiled_model",
-    "parameters_of",
-    "record_of",
-    "solver",
-]
 
 ENCLOSED = "{}: enclosed is not allowed in a record that is typed: only what is derived is known on intervals"
 NO_ROOM = (
@@ -53,23 +34,9 @@ TOO_LONG = "{} is not allowed: its formulas are too long to be interpreted; with
 CANCELLED = 2.0**-49
 
 
-def _loaded(name: str, what: str) -> ModuleType | None:
-    """An extension module of ours where the kernels are compiled too."""
-    if NATIVE is None:
-        return None
-    try:
-        return importlib.import_module(name)
-    except ImportError as error:
-        if os.environ.get("SLOWFLOW_BACKEND") == "native":
-            raise
-        warnings.warn(f"{what}: {error}", BackendWarning, stacklevel=2)
-        return None
-
-
-KERNELS: ModuleType | None = NATIVE
-SOLVER: ModuleType | None = _loaded("slowflow._native", "slowflow runs on NumPy: its compiled solvers do not load")
-EXACT: ModuleType | None = _loaded("slowflow._exact", "exact motions are not there: the compiled ones do not load")
-NAME = "numpy" if KERNELS is None else "native" if SOLVER is not None else "native kernels, solvers on numpy"
+KERNELS: Any = NATIVE
+SOLVER: Any = loaded("slowflow._native")
+EXACT: Any = loaded("slowflow._exact")
 
 
 def record_of(mechanism: Mechanism, inertial: bool = False, laws: bool = False) -> Any:
@@ -78,7 +45,7 @@ def record_of(mechanism: Mechanism, inertial: bool = False, laws: bool = False) 
     inertial -- whether it is excited by inertia
     laws     -- whether it takes other laws of damping: mu, zeta, eta, c_2, and whether friction ends at a breakpoint
     """
-    if SOLVER is None or not mechanism.is_generated:
+    if not mechanism.is_generated:
         return None
     if mechanism.name not in SOLVER.RECORDS:
         SOLVER.RECORDS[mechanism.name] = _interpreted(mechanism)
@@ -94,7 +61,7 @@ def check_room(mechanism: Mechanism, *, interpreted: bool = True) -> None:
 
     interpreted -- whether its programs have to be read too
     """
-    if SOLVER is None or not mechanism.odd:
+    if not mechanism.odd:
         return
     sizes = len(mechanism.design), len(mechanism.parameters), len(mechanism.pieces) - 1
     pairs = tuple(zip(sizes, SOLVER.MOST, strict=True))
@@ -106,7 +73,6 @@ def check_room(mechanism: Mechanism, *, interpreted: bool = True) -> None:
 
 def _interpreted(mechanism: Mechanism) -> Any:
     """A record from the program beside the mechanism's module; None where there is none, or the force has no room."""
-    assert SOLVER is not None
     module = sys.modules[mechanism.pieces[0].force.__module__]
     place = Path(module.__file__ or "").with_suffix(".json")
     if not place.exists():
@@ -121,7 +87,7 @@ def _interpreted(mechanism: Mechanism) -> Any:
 
 def sum_in_C(module: ModuleType, record: Any) -> None:
     """Lets a record answer for its module's averages where these are quadratures."""
-    if SOLVER is not None and hasattr(module, "averaged_of"):
+    if hasattr(module, "averaged_of"):
         averages = SOLVER.many_averages(record)
         COMPILED[module.averaged_of] = lambda numbers: np.stack(averages(*numbers))
 
@@ -141,7 +107,7 @@ def parameters_of(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[floa
     has, or from balls, with python-flint.
     """
     record = record_of(mechanism)
-    if SOLVER is not None and record is not None:
+    if record is not None:
         found: tuple[float, ...] = SOLVER.parameters_of(record, design)
         return found
     with np.errstate(all="ignore"):
@@ -164,9 +130,9 @@ def compiled_model(
     """One oscillator as the compiled solvers take it, None where they have no record of its mechanism, or refuse it."""
     laws = len(damping) > 2
     check_room(mechanism)
-    if SOLVER is not None and mechanism.samples is not None:
+    if mechanism.samples is not None:
         record = SOLVER.samples(mechanism.name, *mechanism.samples(*parameters), inertial, laws)
-    elif SOLVER is not None and mechanism.odd and not mechanism.is_generated:
+    elif mechanism.odd and not mechanism.is_generated:
         stated = stated_by_module(mechanism)
         derived = stated is not None and mechanism.enclosed == stated.enclosed
         if mechanism.enclosed is not None and not derived:
@@ -175,17 +141,10 @@ def compiled_model(
         record = callbacks.record(SOLVER, mechanism, inertial, laws, bounds)
     else:
         record = record_of(mechanism, inertial, laws)
-    return None if SOLVER is None or record is None else SOLVER.model(record, parameters, damping, design)
+    return None if record is None else SOLVER.model(record, parameters, damping, design)
 
 
 def prepared(native: Any) -> tuple[float, tuple[float, ...], tuple[float, ...]]:
     """4 mu/pi, the breakpoints and the jumps at these of an oscillator as the compiled solvers take it."""
-    found: tuple[float, tuple[float, ...], tuple[float, ...]] = solver().prepared(native)
+    found: tuple[float, tuple[float, ...], tuple[float, ...]] = SOLVER.prepared(native)
     return found
-
-
-def solver() -> ModuleType:
-    """The compiled solvers, where a model is known to have been made by them."""
-    if SOLVER is None:
-        raise RuntimeError("the compiled solvers are not there")
-    return SOLVER

@@ -32,22 +32,18 @@ SHORT = 0.01
 
 
 def info() -> dict[str, str]:
-    """What runs here, by topic: backend, versions, how the extensions were built, where they are."""
+    """What runs here, by topic: versions, how the extensions were built, where they are."""
     lines = {
-        "backend": backend.NAME,
         "slowflow": f"{slowflow.__version__}, {Path(slowflow.__file__).parent}",
         "python": f"{platform.python_version()} ({platform.python_implementation()})",
         **{package: importlib.metadata.version(package) for package in ("numpy", "scipy")},
         "machine": f"{platform.system()} {platform.machine()}",
     }
     for what, module in (("kernels", backend.KERNELS), ("solvers", backend.SOLVER)):
-        if module is None:
-            lines[what] = "NumPy"
-        else:
-            build = module.BUILD
-            lines[what] = f"{build['compiler']}, {build['abi']}, {module.__file__}"
-            lines[f"{what} run"] = f"{build['chosen']}; built for {build['builds'].replace('arch=', '')}"
-            lines["processor"] = build["processor"]
+        build = module.BUILD
+        lines[what] = f"{build['compiler']}, {build['abi']}, {module.__file__}"
+        lines[f"{what} run"] = f"{build['chosen']}; built for {build['builds'].replace('arch=', '')}"
+        lines["processor"] = build["processor"]
     return lines
 
 
@@ -160,7 +156,7 @@ def told(asked: Asked, answer: Answer) -> dict[str, Any]:
 def provenance(scene: Scene) -> dict[str, Any]:
     """What answers were made from and by."""
     known = info()
-    made = {name: known[name] for name in ("backend", "python", "numpy", "scipy", "machine")}
+    made = {name: known[name] for name in ("python", "numpy", "scipy", "machine")}
     return {
         "made_by": {"slowflow": slowflow.__version__, **made},
         "scene": {"file": scene.path.name, "sha256": scene.sha256, "content": dict(scene.content)},
@@ -296,7 +292,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     )
     parser.add_argument("--version", action="version", version=f"slowflow {slowflow.__version__}")
     commands = parser.add_subparsers(dest="command", required=True)
-    commands.add_parser("info", help="the backend in use, versions, how the compiled code was built")
+    commands.add_parser("info", help="versions, how the compiled code was built")
     paper = commands.add_parser("paper", help="Table 2 published / derived / verdict, the ledger's findings, Fig. 7")
     paper.add_argument("-o", "--out", type=Path, default=Path("output"), help="folder for the figures")
     figures = commands.add_parser("figures", help="Figs. 1b to 7b of the paper, drawn from the derivation")

@@ -26,7 +26,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from slowflow.backend import solver
+from slowflow.backend import SOLVER
 
 Floats = NDArray[np.float64]
 Counts = NDArray[np.int32]
@@ -40,7 +40,7 @@ def response_roots(A: ArrayLike, h: ArrayLike, m: ArrayLike, zeta: ArrayLike, F_
     padded with NaN, and the number of roots, shape (...), -1 outside the domain (see the module); nothing is raised but
     for arguments that do not broadcast.  With F_0 < m there is no root.
     """
-    found: tuple[Floats, Counts] = solver().response_roots(A, h, m, zeta, F_0)
+    found: tuple[Floats, Counts] = SOLVER.response_roots(A, h, m, zeta, F_0)
     return found
 
 
@@ -49,7 +49,7 @@ def fold_roots(A: ArrayLike, h: ArrayLike, h_A: ArrayLike, m: ArrayLike, zeta: A
 
     h_A is the derivative of h, of either sign and any finite size.  Otherwise as in `response_roots`.
     """
-    found: tuple[Floats, Counts] = solver().fold_roots(A, h, h_A, m, zeta)
+    found: tuple[Floats, Counts] = SOLVER.fold_roots(A, h, h_A, m, zeta)
     return found
 
 
@@ -58,7 +58,7 @@ def peak_roots(A: ArrayLike, h: ArrayLike, m: ArrayLike, zeta: ArrayLike) -> tup
 
     Returns Omega, shape (..., 2), and the number of roots; otherwise as in `response_roots`.
     """
-    found: tuple[Floats, Counts] = solver().peak_roots(A, h, m, zeta)
+    found: tuple[Floats, Counts] = SOLVER.peak_roots(A, h, m, zeta)
     return found
 
 
@@ -69,11 +69,11 @@ def law_roots(
 
     damping -- m, zeta, eta, d, dimensionless; inertial -- whether F_0 Omega^2 excites
     """
-    found: Floats = solver().law_roots(A, h, h_A, *damping, F_0, inertial)
+    found: Floats = SOLVER.law_roots(A, h, h_A, *damping, F_0, inertial)
     return found
 
 
 def law_peak_roots(A: ArrayLike, h: ArrayLike, damping: tuple[float, ...], inertial: bool) -> Floats:
     """All Omega > 0 at which the level of an amplitude is stationary: shape (..., 2), rising; see `law_roots`."""
-    found: Floats = solver().law_peak_roots(A, h, *damping, inertial)
+    found: Floats = SOLVER.law_peak_roots(A, h, *damping, inertial)
     return found

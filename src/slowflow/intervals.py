@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.backend import solver
+from slowflow.backend import SOLVER
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -88,7 +88,7 @@ class Interval:
         if not isinstance(other, Interval):
             ends = self.ends if other >= 0 else self.ends[::-1]
             return type(self)(_wider(ends * other) + _LEAST * ((ends != 0) & (other != 0)))
-        return type(self)(np.array(solver().interval_product(*self.ends, *other.ends)))
+        return type(self)(np.array(SOLVER.interval_product(*self.ends, *other.ends)))
 
     __radd__, __rmul__ = __add__, __mul__
 
@@ -101,11 +101,11 @@ class Interval:
 
     def _inverse(self) -> Interval:
         """1 over an interval on one side of 0, which it may touch; anything over one that holds 0 inside."""
-        return type(self)(np.array(solver().interval_inverse(*self.ends)))
+        return type(self)(np.array(SOLVER.interval_inverse(*self.ends)))
 
     def square(self) -> Interval:
         """The square, which is not negative."""
-        return type(self)(np.array(solver().interval_square(*self.ends)))
+        return type(self)(np.array(SOLVER.interval_square(*self.ends)))
 
     def sqrt(self) -> Interval:
         """The root of the part that is not negative."""

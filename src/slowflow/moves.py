@@ -107,7 +107,7 @@ def _moves(given: Given, kind: Any, at: tuple[Any, Any, Any], rows: int, columns
     if given.mechanism.by_parameter is None:
         raise validate.NotAvailable((OF_FUNCTIONS if given.mechanism.told else OF_RECORD).format(given.mechanism.name))
     record = backend.record_of(given.mechanism) if given.rubs is None else None
-    if backend.SOLVER is not None and record is not None:
+    if record is not None:
         forced = given.excitation == "force"
         asked = backend.SOLVER.many_gradients if forced else backend.SOLVER.many_inertial_gradients
         # an array without axes would come back as a number

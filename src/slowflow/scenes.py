@@ -45,7 +45,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from slowflow import backend, plausible, validate
+from slowflow import plausible, validate
 from slowflow.answer import Answer
 from slowflow.averaged import plan
 from slowflow.averaged.plan import Plan
@@ -309,7 +309,7 @@ class Scene:
     def seconds(self, asked: Asked) -> float:
         """About how long it takes, by what such questions took when they were measured."""
         oscillator: Any = self.oscillator.oscillator if isinstance(self.oscillator, Physical) else self.oscillator
-        plain, laws, load = costs.COSTS["numpy" if backend.SOLVER is None else "native"][asked.cost]
+        plain, laws, load = costs.COSTS[asked.cost]
         each = load if oscillator.load != 0 else laws if oscillator.model.laws.any else plain
         # what was not measured, as a shock with eta, which is refused, takes at most what the others take
         return (each or max(plain, laws, load)) * asked.count()

@@ -1,6 +1,6 @@
 """What the generated modules of `slowflow_kernels` stand on, written by hand: NumPy in, nothing of slowflow's.
 
-backend    compiled kernels where they are built, NumPy's otherwise
+backend    the compiled kernels, in the place of NumPy's
 broadcast  arguments as floats, one shape for all outputs, regimes by mask
 twofold    sums and products with their rounding errors
 errors     the errors raised on purpose

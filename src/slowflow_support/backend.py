@@ -1,16 +1,12 @@
-"""Compiled kernels where they are built, NumPy's otherwise: decided once, at the first import.
+"""The compiled kernels, in the place of NumPy's: loaded once, at the first import.
 
-In:  the environment. SLOWFLOW_BACKEND=native demands the compiled kernels, SLOWFLOW_BACKEND=numpy leaves them alone;
-     without it they are used if they are there, and a `BackendWarning` says so if they are not.
-Out: `NATIVE`, the extension module or None, and wrappers that give its ufuncs the names and forms of the kernels.
+Out: `NATIVE`, the extension module, and wrappers that give its ufuncs the names and forms of the kernels.
 """
 
 from __future__ import annotations
 
 import functools
 import importlib
-import os
-import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import ModuleType
 from typing import Any
@@ -18,42 +14,26 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from slowflow_support.errors import Refused, WrongType
+from slowflow_support.errors import WrongType
 
 #: the compiled kernels: an extension module, which imports nothing but NumPy
 EXTENSION = "slowflow_kernels._native"
 
 
-class BackendWarning(RuntimeWarning):
-    """The compiled kernels are not built."""
-
-
-def _choose() -> ModuleType | None:
-    """The extension module, or None."""
-    wanted = os.environ.get("SLOWFLOW_BACKEND", "")
-    if wanted not in ("", "native", "numpy"):
-        raise Refused(f"SLOWFLOW_BACKEND is {wanted!r}; it may be 'native' or 'numpy'")
-    if wanted == "numpy":
-        return None
+def loaded(name: str) -> ModuleType:
+    """An extension module of slowflow. Raises ImportError where it is not built, or not for this processor."""
     try:
-        return importlib.import_module(EXTENSION)
+        return importlib.import_module(name)
     except ImportError as error:
-        if wanted == "native":
-            raise ImportError(f"SLOWFLOW_BACKEND=native, but the compiled kernels do not load: {error}") from error
-        # a build for another processor says so by itself
-        why = "are not built here (they need a C compiler at installation)"
-        if not isinstance(error, ModuleNotFoundError):
-            why = f"do not load here ({error})"
-        warnings.warn(
-            f"slowflow runs on NumPy: its compiled kernels {why}. "
-            "The answers are the same and take longer. SLOWFLOW_BACKEND=numpy silences this.",
-            BackendWarning,
-            stacklevel=2,
-        )
-        return None
+        raise ImportError(f"{NOT_BUILT} ({error})", name=name) from error
 
 
-NATIVE = _choose()
+NOT_BUILT = (
+    "slowflow is not compiled here: `make derive` compiles a checkout, `pip install` a package; either takes a C "
+    "compiler, on Linux from PyPI where there is none"
+)
+#: tests leave it out, to compare with the kernels as NumPy has them
+NATIVE: ModuleType | None = loaded(EXTENSION)
 
 
 def compiled(kernels: Sequence[Callable[..., Any]], ufuncs: Sequence[np.ufunc]) -> tuple[Callable[..., Any], ...]:

@@ -31,7 +31,7 @@ NUMBERS = Path("output") / "corpus.npz"
 def machine() -> str:
     """Bits are promised for one machine and one build: other libraries of elementary functions round otherwise."""
     runs = info()
-    levels = ", ".join(runs.get(f"{part} run", runs["backend"]).partition(";")[0] for part in ("kernels", "solvers"))
+    levels = ", ".join(runs[f"{part} run"].partition(";")[0] for part in ("kernels", "solvers"))
     return f"{platform.machine()}, {levels}, libc {platform.libc_ver()[1]}, NumPy {np.__version__}"
 
 

@@ -13,7 +13,6 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar
 
-from slowflow import backend
 from slowflow.oscillator import Oscillator
 from slowflow_kernels import bilinear
 
@@ -135,4 +134,4 @@ if __name__ == "__main__":
     averaged(spring)
     exact(spring)
     batches(spring)
-    print("compiled" if spring.model.native is not None and backend.EXACT is not None else "NumPy")
+    print("compiled" if spring.model.native is not None else "NumPy")

@@ -53,7 +53,7 @@ def remark_of(model: Model, F_0: float) -> str:
         return words.cut(model, F_0)[1]
     if not model.inertial and model.mechanism.enclosed is None:
         return ""
-    status, A_max = backend.solver().amplitude_bound(model.searched, F_0)
+    status, A_max = backend.SOLVER.amplitude_bound(model.searched, F_0)
     if status != Status.UNBOUNDED:
         return ""
     return words.does_not_close(A_max)[1] if model.inertial else words.cut_at_reach(model)[1]
@@ -61,12 +61,12 @@ def remark_of(model: Model, F_0: float) -> str:
 
 def closes(model: Model, F_0: float) -> bool:
     """Whether the response at F_0 > m is known to have a highest amplitude, for zeta > 0."""
-    return bool(backend.solver().amplitude_bound(model.native, F_0)[0] == Status.OK)
+    return bool(backend.SOLVER.amplitude_bound(model.native, F_0)[0] == Status.OK)
 
 
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
     """Every fold at F_0 > m, in every regime, by rising Omega."""
-    status, Omega, A, up, corner, undecided = backend.solver().saddle_nodes(model.searched, F_0)
+    status, Omega, A, up, corner, undecided = backend.SOLVER.saddle_nodes(model.searched, F_0)
     check(status, model, F_0)
     message, cut = words.of_folds(model, F_0, A.size > 0 or undecided, remark_of(model, F_0))
     codes = words.beside(undecided, cut)
@@ -76,7 +76,7 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
 
 def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
-    status, F_SN, Omega, A, kind, at_rest = backend.solver().onset(model.native)
+    status, F_SN, Omega, A, kind, at_rest = backend.SOLVER.onset(model.native)
     if status == Status.OK:
         onset = {"F_SN": F_SN, "Omega": Omega, "A": A, "kind": ONSET_KINDS[kind], "untruncated": None}
         found = SaddleNodeOnset._made(**onset, message="", remarks=NOTHING)
@@ -98,7 +98,7 @@ def onset(model: Model) -> SaddleNodeOnset:
 
 def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
-    status, F_cr, Omega_cr, u_cr = backend.solver().detachment(model.searched)
+    status, F_cr, Omega_cr, u_cr = backend.SOLVER.detachment(model.searched)
     if status == Status.NO_BOUND:
         raise OutOfRange(words.BEYOND_RANGE.format(model.breakpoints[0]))
     if status == Status.NONE:
@@ -110,7 +110,7 @@ def detachment(model: Model) -> Detachment:
 
 def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
     """The highest peak at F_0 > m with an amplitude up to `most`."""
-    status, A, Omega = backend.solver().peak(model.searched, F_0, most)
+    status, A, Omega = backend.SOLVER.peak(model.searched, F_0, most)
     check(status, model, F_0)
     if status == Status.STICKS:
         return Peak(None, None, F_0, words.sticks(model, F_0), _status=Status.STICKS)
@@ -124,14 +124,14 @@ def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
 
 def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max."""
-    status, Omega, A, F_0, branch, _ = backend.solver().fold_locus(model.native, A_max, samples)
+    status, Omega, A, F_0, branch, _ = backend.SOLVER.fold_locus(model.native, A_max, samples)
     check(status, model)
     return FoldLocus(Omega, A, F_0, branch, "" if A.size else words.no_locus(model, A_max))
 
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The cusps and the isola points up to A_max."""
-    status, _, _, _, _, found = backend.solver().fold_locus(model.native, A_max, 0)
+    status, _, _, _, _, found = backend.SOLVER.fold_locus(model.native, A_max, 0)
     check(status, model)
     table = np.array(found, dtype=float).reshape(-1, 7)
     isola = table[:, 3] == 1
@@ -144,7 +144,7 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
 
 def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
     """About `samples` points along every branch in the window, and its ends, folds, peaks and corners."""
-    answer = backend.solver().frequency_response(model.searched, F_0, samples, *window)
+    answer = backend.SOLVER.frequency_response(model.searched, F_0, samples, *window)
     status, Omega, A, stable, branch, isola, undecided = answer
     check(status, model, F_0)
     moves = A > 0
@@ -159,7 +159,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
 
 def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
-    status, at, A, stable, undecided = backend.solver().steady_states(model.searched, F_0, Omega)
+    status, at, A, stable, undecided = backend.SOLVER.steady_states(model.searched, F_0, Omega)
     check(status, model, F_0)
     remark = remark_of(model, F_0)
     message = partial(words.of_states, model, F_0, remark, Omega, at, undecided)

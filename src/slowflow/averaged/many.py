@@ -389,7 +389,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             record = backend.record_of(self.mechanism, self.excitation != "force", bool(self.laws))
         if record is not None and self.excitation != "force" and self._have_preload:
             record = None
-        if question.batch is not None and backend.SOLVER is not None and record is not None:
+        if question.batch is not None and record is not None:
             solve = question.batch(backend.SOLVER)(record)
             numbers = self._with_all_laws(values) if self.laws else list(values.values())
             # what the solvers do not take as it is, long doubles

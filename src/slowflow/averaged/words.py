@@ -88,7 +88,6 @@ MOVES_EXACTLY = Sentence(
 ASKED_ENOUGH = "balls were asked {} times, and at others not"
 
 #: of proofs
-NO_SOLVERS = "not certified: that needs the compiled solvers"
 NOT_COMPILED = "not certified: that needs the program of this force, which a Python function has not"
 NO_DESIGN = "not certified: the numbers that the parameters follow from are not known"
 NO_INTERVALS = "not certified: the average of this force is not known on intervals of doubles"

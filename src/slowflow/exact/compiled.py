@@ -29,18 +29,9 @@ from slowflow.mechanism import EquationOfMotion, Force, Law, Piece
 from slowflow.sampled import rows
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import FAR
-from slowflow_support.errors import BuildFailed, NotSettled
+from slowflow_support.errors import NotSettled
 
-
-class NotCompiled:
-    """What stands for compiled code that is not there: raises BuildFailed for whatever is asked of it."""
-
-    def __getattr__(self, name: str) -> Any:
-        raise BuildFailed(NOT_COMPILED)
-
-
-NOT_COMPILED = "exact motions are followed by compiled code, which this installation of slowflow has not"
-EXACT: Any = backend.EXACT or NotCompiled()
+EXACT = backend.EXACT
 Array = npt.NDArray[np.float64]
 PHASE = struct.Struct("@iiddddddi?0d")  # a phase as C has it, in the order of `motion.Phase`
 KEPT = 64  # oscillators in C, of which a curve asks one again and again

@@ -28,8 +28,7 @@ DEPTHS = (AVERAGING, SECOND)
 
 def made_by(mechanism: Mechanism) -> dict[str, str]:
     """Which slowflow computes here, and how: two that differ may differ in the last place."""
-    compiled = backend.record_of(mechanism) is not None
-    return {"slowflow": __version__, "backend": backend.NAME if compiled else "numpy"}
+    return {"slowflow": __version__, "compiled": str(backend.record_of(mechanism) is not None)}
 
 
 @dataclass(frozen=True)

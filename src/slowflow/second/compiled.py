@@ -17,7 +17,7 @@ from slowflow_support.errors import NotSettled
 def serves(balance: Balance) -> bool:
     """Whether the compiled solvers have the model with its harmonics."""
     native = balance.model.native
-    return native is not None and not balance.model.inertial and backend.solver().has_second(native)
+    return native is not None and not balance.model.inertial and backend.SOLVER.has_second(native)
 
 
 def along(
@@ -25,7 +25,7 @@ def along(
 ) -> Curve:
     """The curve that the first approximation's of about `samples` points in a window moves to, as far as wanted."""
     model = balance.model
-    status, columns, native = backend.solver().second_curve(model.native, F_0, wanted, samples, *window)
+    status, columns, native = backend.SOLVER.second_curve(model.native, F_0, wanted, samples, *window)
     averaged.check(status, model, F_0)
     Omega, A, u_max, A_1, phi, stable, part, closed, (lost, *left) = columns
     first = averaged.remark_of(model, F_0)
@@ -37,7 +37,7 @@ def along(
 def saddle_nodes(balance: Balance, F_0: float) -> Folds | None:
     """Every fold beside averaging's and its highest peak; None where there is neither, or doubles do not tell."""
     model = balance.model
-    status, undecided, found, lost, tried, left = backend.solver().second_saddle_nodes(model.native, F_0)
+    status, undecided, found, lost, tried, left = backend.SOLVER.second_saddle_nodes(model.native, F_0)
     if status != Status.OK or undecided or not left[1]:
         return None
     of_curve = told(averaged.remark_of(model, F_0), *left)
@@ -46,7 +46,7 @@ def saddle_nodes(balance: Balance, F_0: float) -> Folds | None:
 
 def folds(balance: Balance, curve: Curve, F_0: float) -> Folds:
     """Every fold between points of the curve."""
-    status, found, lost, tried = backend.solver().second_folds(balance.model.native, F_0, curve.native)
+    status, found, lost, tried = backend.SOLVER.second_folds(balance.model.native, F_0, curve.native)
     if status != Status.OK:
         raise NotSettled(words.unresolved(balance.model, F_0))
     return told_of_folds([Fold(*fold) for fold in found], lost, tried, curve.message, F_0)
@@ -54,23 +54,23 @@ def folds(balance: Balance, curve: Curve, F_0: float) -> Folds:
 
 def states(balance: Balance, curve: Curve, Omega: Floats, F_0: float) -> list[State]:
     """Every state where the curve passes one of the frequencies, by their order, then by rising A."""
-    found = backend.solver().second_states(balance.model.native, F_0, curve.native, Omega)
+    found = backend.SOLVER.second_states(balance.model.native, F_0, curve.native, Omega)
     return [State(Omega, u_max, A_1, phi, stable != 0) for Omega, u_max, A_1, phi, stable in found]
 
 
 def peak(balance: Balance, curve: Curve, F_0: float) -> tuple[float, float] | None:
     """The highest point between points of the curve, u_max and its Omega."""
-    status, u_max, Omega = backend.solver().second_peak(balance.model.native, F_0, curve.native)
+    status, u_max, Omega = backend.SOLVER.second_peak(balance.model.native, F_0, curve.native)
     return (u_max, Omega) if status == Status.OK else None
 
 
 def cusp(balance: Balance, F_SN: float, Omega: float, A: float) -> tuple[float, float, float] | None:
     """The cusp that averaging's moves to: F_SN, Omega, u_max."""
-    status, *found = backend.solver().second_onset(balance.model.native, F_SN, Omega, A)
+    status, *found = backend.SOLVER.second_onset(balance.model.native, F_SN, Omega, A)
     return (found[0], found[1], found[2]) if status == Status.OK else None
 
 
 def detachment(balance: Balance, F_cr: float, Omega_cr: float, u_cr: float) -> tuple[float, float] | None:
     """The lowest forcing whose largest displacement is u_cr, and its frequency, beside averaging's."""
-    status, *found = backend.solver().second_detachment(balance.model.native, F_cr, Omega_cr, u_cr)
+    status, *found = backend.SOLVER.second_detachment(balance.model.native, F_cr, Omega_cr, u_cr)
     return (found[0], found[1]) if status == Status.OK else None

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slowflow import backend, validate
+from slowflow import validate
 from slowflow.answer import frozen
 from slowflow.averaged.batches import Batch, first_end
 from slowflow.designs import Designs
@@ -111,7 +111,7 @@ class Subject:
         self._check_varied(varied)
         # laws of damping beside mu and zeta that some design has
         self.laws = {*isolator.model.laws.said, *(name for name in LAWS if name in varied)}
-        self.one_by_one = self.loaded or bool(self.laws) or backend.SOLVER is None
+        self.one_by_one = self.loaded or bool(self.laws)
         letter = "Omega" if self.mount is None else "f"
         others = ABOUT_THE_CENTRE if self.loaded else UNDER_A_LOAD
         others = others | (OF_INERTIA if self.loaded or self.excitation == "force" else {})

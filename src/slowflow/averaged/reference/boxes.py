@@ -361,7 +361,7 @@ def _compiled(model: Model, system: str, pieces: Sequence[Stretch], level: float
     """The same by the compiled search; None where that leaves boxes undecided."""
     ends = ([piece.first.A[0] for piece in pieces], [piece.last.A[0] for piece in pieces])
     bases = [float(piece.base[0]) for piece in pieces]
-    found = backend.solver().law_points(model.searched, COMPILED[system], level, *ends, bases)
+    found = backend.SOLVER.law_points(model.searched, COMPILED[system], level, *ends, bases)
     status, number, A, Omega, doubt = found
     if status != Status.OK or doubt.size:
         return None
