@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from slowflow import derive
+from slowflow import Duffing, derive
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 
@@ -211,3 +211,14 @@ def test_batches_have_single_answers(compile):
         alone = single.amplitudes(Omega=1.3, F_0=0.08)
         assert found.A[0][: len(alone)] == pytest.approx(alone.A, rel=1e-14)
         assert found.status.tolist() == [Status.OK, Status.INVALID]
+
+
+def test_a_response_by_inertia_that_closes_is_not_cut():
+    """A cubic spring of which only intervals are known: it was taken for one that has states of any amplitude."""
+    s = sp.Symbol("s")
+    force = [(u + k * u**3 + s * sp.tanh(u), None)]
+    summed = derive.mechanism("summed_cubic", force, {"k": ABOVE_0, "s": {"least": 0}})
+    numbers = {"mu": 0.05, "zeta": 0.5, "excitation": "base"}
+    found = summed(k=1.8, s=0.0, **numbers).peak(0.4)
+    known = Duffing(alpha=1.0, beta=1.8, **numbers).peak(0.4)
+    assert (found.message, found.A) == ("", pytest.approx(known.A, rel=1e-12))

@@ -171,8 +171,7 @@ class Model:
             self._check_inertia()
         damping = self.mu, self.zeta
         native, known = None, (self.mechanism, self.parameters)
-        # the compiled solvers know no preload under an excitation by inertia
-        if not (self.laws.any or (self.inertial and self.mechanism.odd and self.preload != 0)):
+        if not self.laws.any:
             native = backend.compiled_model(*known, damping, self.design, self.inertial)
         m, breakpoints, jumps = self._prepared() if native is None else backend.prepared(native)
         flow = general_flow if self.laws.any else flow_of(*damping)

@@ -387,7 +387,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         record = None
         if (question.by_laws or not self.laws) and (self.excitation == "force" or question.by_inertia):
             record = backend.record_of(self.mechanism, self.excitation != "force", bool(self.laws))
-        if record is not None and self.excitation != "force" and self._have_preload:
+        if record is not None and self.excitation != "force" and not question.by_laws and self._have_preload:
             record = None
         if question.batch is not None and record is not None:
             solve = question.batch(backend.SOLVER)(record)
@@ -445,7 +445,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
 
     @property
     def _have_preload(self) -> bool:
-        """Whether a force jumps at u = 0, of which the compiled solvers have no answer under inertia."""
+        """Whether a force jumps at u = 0, of which under inertia is known what is known of other laws of damping."""
         with np.errstate(all="ignore"):  # a number outside its domain has a status
             parameters = self._parameters
             return bool(np.any(np.nan_to_num(self.mechanism.averaged(0.0, *parameters)[0]) != 0))

@@ -22,10 +22,11 @@ def _reference() -> ModuleType:
 
 
 def _either(on_compiled: Question, on_numpy: Callable[[], Question], laws: bool = False) -> Question:
-    """laws -- whether what is compiled answers for other laws of damping too."""
+    """laws -- whether what is compiled answers for other laws too, and so for a preload under inertia."""
 
     def ask(model: Model, *arguments: Any) -> Any:
-        if (model.searched if laws else model.native) is not None:
+        plain = laws or not (model.inertial and model.mechanism.odd and model.preload != 0)
+        if plain and (model.searched if laws else model.native) is not None:
             try:
                 return on_compiled(model, *arguments)
             except ArithmeticError as error:

@@ -57,11 +57,14 @@ static int sf_excludes(const sf_model *model, double F_0, double most, double A,
     return A > F_0 && values[0] > 0;
 }
 
+typedef int (*sf_excluding)(const sf_model *, double, double, double, sf_interval);
+
 /* The same where it is h that is known between two amplitudes: up to the reach, or an endless amplitude.
  *
- * excludes -- whether no state is where h lies within these bounds; most -- what |h| is at most at a state */
-static int sf_bounds_bent_by(const sf_model *model, double F_0, double A, double most,
-                             int (*excludes)(const sf_model *, double, double, double, sf_interval)) {
+ * excludes -- whether no state is where h lies within these bounds; most -- what |h| is at most at a state; step -- from
+ * each of these amplitudes to the next */
+static int sf_bounds_bent_by(const sf_model *model, double F_0, double A, double most, sf_excluding excludes,
+                             double step) {
     const double end = fmin(model->reach, SF_ENDLESS * fmax(A, 1));
     double next;
     int i;
@@ -69,7 +72,7 @@ static int sf_bounds_bent_by(const sf_model *model, double F_0, double A, double
         return 0;
     for (; A < end; A = next) {
         sf_interval bent[2];
-        next = fmin(2 * A, end);
+        next = fmin(step * A, end);
         for (i = model->breaks - 1; i >= 0; i--)
             if (A < model->b[i] && model->b[i] < next)
                 next = model->b[i];
@@ -81,7 +84,7 @@ static int sf_bounds_bent_by(const sf_model *model, double F_0, double A, double
 }
 
 static int sf_bounds_bent(const sf_model *model, double F_0, double A) {
-    return sf_bounds_bent_by(model, F_0, A, slow_flow_most_restoring(A, F_0, model->m, model->zeta), sf_excludes);
+    return sf_bounds_bent_by(model, F_0, A, slow_flow_most_restoring(A, F_0, model->m, model->zeta), sf_excludes, 2);
 }
 
 /* Whether an excitation by inertia has no state above F_0 from A on: what excludes states at an amplitude is positive
@@ -126,6 +129,20 @@ static sf_status sf_cut_at_reach(const sf_model *model, double F_0, double *A_ma
     return sf_count(&q) > 0 ? SF_UNBOUNDED : SF_OK;
 }
 
+/* from amplitude to amplitude: a cube of A, as h may grow, changes by less than the half that is left of zeta^2 A */
+#define SF_FINE_STEP 1.0905
+
+/* Under an excitation by inertia an amplitude from which on h on finer intervals excludes states; infinite where none
+ * is found. */
+static double sf_bent_by_inertia(const sf_model *model, double F_0, sf_excluding excludes) {
+    double A = model->breaks > 0 ? fmax(F_0, 2 * model->b[model->breaks - 1]) : F_0;
+    int i;
+    for (i = 0; i < SF_RUNGS && A < HUGE_VAL; i++, A *= 2)
+        if (sf_bounds_bent_by(model, F_0, A, HUGE_VAL, excludes, SF_FINE_STEP))
+            return A;
+    return HUGE_VAL;
+}
+
 /* An amplitude above that of every steady state at F_0 or less, for zeta > 0, in steps that grow; SF_UNBOUNDED where a
  * response does not close, with an amplitude at which to cut it. */
 static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A_max) {
@@ -149,6 +166,10 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
     }
     if (bent && !sf_inertial(model) && cut < HUGE_VAL)
         return sf_cut_at_reach(model, F_0, A_max);
+    if (bent && sf_inertial(model) && (A = sf_bent_by_inertia(model, F_0, sf_excludes)) < HUGE_VAL) {
+        *A_max = A;
+        return SF_OK;
+    }
     *A_max = cut;
     return sf_inertial(model) ? SF_UNBOUNDED : SF_NO_BOUND;
 }
@@ -215,7 +236,7 @@ static int sf_law_excludes(const sf_model *model, double F_0, double most, doubl
 }
 
 static int sf_law_bounds_bent(const sf_model *model, double F_0, double A) {
-    return sf_bounds_bent_by(model, F_0, A, sf_most_by_laws(model, F_0, A), sf_law_excludes);
+    return sf_bounds_bent_by(model, F_0, A, sf_most_by_laws(model, F_0, A), sf_law_excludes, 2);
 }
 
 /* How many frequencies an amplitude has. */
@@ -272,6 +293,8 @@ static sf_status sf_bound_by_laws(const sf_model *model, double F_0, double *A_m
         if (i >= SF_FINE_RUNGS && step < SF_COARSEST)
             step *= 2;
     }
+    if (bent && inertial && !(by_damping < HUGE_VAL))
+        by_damping = sf_bent_by_inertia(model, F_0, sf_law_excludes);
     *A_max = by_damping;
     if (by_damping < HUGE_VAL) {
         status = SF_OK;

@@ -38,26 +38,6 @@ typedef struct {
     sf_interval A, h, h_A, h_AA, h_AAA, k, k_A;
 } sf_cell;
 
-/* An amplitude that stands for 0 where kernels take 0 for a part of a piece that ends there. */
-#define SF_NEXT_TO_REST 0x1p-100
-
-/* For a question that has no k in it: here that is a difference, which may be all rounding. */
-static inline void sf_sample_without_k_at(const sf_model *model, double A, sf_sample *at) {
-    double tangent[2];
-    at->A = A == 0 && model->breaks < model->mechanism->breakpoints ? SF_NEXT_TO_REST : A;
-    model->mechanism->averaged(model->mechanism, 1, &at->A, model->p, at->averages);
-    if (at->A != A) { /* what tends to 0 has |f - A f_A| <= A |f_A| next to it */
-        int i;
-        for (i = 0; i < 3; i++) {
-            const double rise = at->A * at->averages[i + 1];
-            at->averages[i] = fabs(at->averages[i] - rise) > fabs(rise) ? at->averages[i] : 0;
-        }
-        at->A = A;
-    }
-    slow_flow_intercept(A, at->h, at->h_A, at->h_AA, tangent);
-    at->k = A > 0 ? tangent[0] : at->h; /* a slope that is infinite at rest takes nothing off h */
-}
-
 static inline void sf_sample_at(const sf_model *model, double A, sf_sample *at) {
     sf_sample_without_k_at(model, A, at);
     if (fabs(at->k) < SF_CANCELLED * fabs(at->h))

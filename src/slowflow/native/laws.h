@@ -26,7 +26,7 @@ static inline int sf_has_laws(const sf_model *model) {
     (void)model;
     return 0;
 #else
-    return model->eta != 0 || model->d != 0 || model->released != 0;
+    return model->by_laws;
 #endif
 }
 
@@ -54,11 +54,12 @@ static inline void sf_add_laws(sf_mechanism *record) {
     record->damping_of = record->inertial ? sf_inertial_laws_damping_of : sf_laws_damping_of;
 }
 
-/* Whether they have an answer: a force that jumps at u = 0 and pushes outwards, or is infinitely stiff there, has none. */
+/* Whether they have an answer: a force that jumps at u = 0 and pushes outwards has none, and one that is infinitely
+ * stiff there none by other laws. */
 static inline int sf_allows_laws(const sf_model *model) {
     sf_sample at;
     sf_sample_without_k_at(model, 0, &at);
-    return at.h <= 0 && fabs(at.h_A) < HUGE_VAL;
+    return at.h <= 0 && (fabs(at.h_A) < HUGE_VAL || !(model->eta != 0 || model->d != 0 || model->released != 0));
 }
 
 /* Whether the force jumps at none of some breakpoint, by its numbers. */

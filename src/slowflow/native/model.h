@@ -22,7 +22,8 @@
  * see laws.h, 0 where the record takes none; breaks: number of breakpoints b > 0,
  * by rising size; jump: force just below less force just above; kink: the same of its slope and of its curvature;
  * reach:
- * the mechanism's, infinite where of its pieces a linear one is left; in_doubt: whether the sign of a jump is lost, as
+ * the mechanism's, infinite where of its pieces a linear one is left; by_laws: whether laws.h answers for it: there are
+ * other laws, or a preload under an excitation by inertia; in_doubt: whether the sign of a jump is lost, as
  * where the jump is below the range of doubles */
 typedef struct {
     const sf_mechanism *mechanism;
@@ -34,7 +35,7 @@ typedef struct {
         };
     };
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[SF_MOST_BREAKS][2];
-    int breaks, in_doubt;
+    int breaks, in_doubt, by_laws;
     double reach;
 } sf_model;
 
@@ -73,6 +74,35 @@ static inline unsigned sf_jumps_of(const sf_mechanism *mechanism, const double *
     return in_doubt;
 }
 
+/* An amplitude that stands for 0 where kernels take 0 for a part of a piece that ends there. */
+#define SF_NEXT_TO_REST 0x1p-100
+
+/* For a question that has no k in it: here that is a difference, which may be all rounding. */
+static inline void sf_sample_without_k_at(const sf_model *model, double A, sf_sample *at) {
+    double tangent[2];
+    at->A = A == 0 && model->breaks < model->mechanism->breakpoints ? SF_NEXT_TO_REST : A;
+    model->mechanism->averaged(model->mechanism, 1, &at->A, model->p, at->averages);
+    if (at->A != A) { /* what tends to 0 has |f - A f_A| <= A |f_A| next to it */
+        int i;
+        for (i = 0; i < 3; i++) {
+            const double rise = at->A * at->averages[i + 1];
+            at->averages[i] = fabs(at->averages[i] - rise) > fabs(rise) ? at->averages[i] : 0;
+        }
+        at->A = A;
+    }
+    slow_flow_intercept(A, at->h, at->h_A, at->h_AA, tangent);
+    at->k = A > 0 ? tangent[0] : at->h; /* a slope that is infinite at rest takes nothing off h */
+}
+
+/* Whether the force jumps at u = 0, and inertia excites the mass. */
+static inline int sf_has_preload_by_inertia(const sf_model *model) {
+    sf_sample at;
+    if (!model->mechanism->inertial)
+        return 0;
+    sf_sample_without_k_at(model, 0, &at);
+    return at.h != 0;
+}
+
 /* The share of h by which it is rounded where it is proportional to A. */
 #define SF_LINEAR 0x1p-50
 
@@ -84,6 +114,7 @@ static inline int sf_prepare(const sf_mechanism *mechanism, const double *design
     int i;
     if (mechanism->damping_size < SF_MOST_DAMPING)
         model->eta = model->d = model->released = 0;
+    model->by_laws = model->eta != 0 || model->d != 0 || model->released != 0;
     if (!(model->m <= SF_LARGEST))
         return 0;
     for (i = 0; i < mechanism->parameters; i++)
@@ -91,8 +122,10 @@ static inline int sf_prepare(const sf_mechanism *mechanism, const double *design
             return 0;
     model->mechanism = mechanism;
     model->breaks = model->in_doubt = 0, model->reach = mechanism->reach;
-    if (mechanism->breakpoints == 0)
+    if (mechanism->breakpoints == 0) {
+        model->by_laws = model->by_laws || sf_has_preload_by_inertia(model);
         return model->released == 0;
+    }
     mechanism->ends(mechanism, model->p, b);
     in_doubt = sf_jumps_of(mechanism, design, model->p, jump);
     if (mechanism->kinks != NULL)
@@ -108,6 +141,7 @@ static inline int sf_prepare(const sf_mechanism *mechanism, const double *design
             model->jump[model->breaks++] = jump[i];
         }
     }
+    model->by_laws = model->by_laws || sf_has_preload_by_inertia(model);
     /* friction that ends at a breakpoint needs one */
     if (model->released != 0 && model->breaks == 0)
         return 0;
