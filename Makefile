@@ -38,10 +38,10 @@ PYTEST := $(BIN)/python -m pytest -n auto --dist worksteal
 unexport PYTHONDONTWRITEBYTECODE
 
 paper: derive
-	$(BIN)/slowflow paper --out output
+	$(BIN)/python -m examples.paper --out output
 
 figures: $(INSTALLED) $(COMPILED)
-	$(BIN)/slowflow figures --out output
+	$(BIN)/python -m examples.paper --figures --out output
 
 test: $(DEVELOPED) lint
 	$(BIN)/slowflow info

@@ -18,7 +18,7 @@ import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
 from benchmarks import certified, jobs
-from slowflow.paper.example import DESIGN, TABLE_1
+from slowflow.example import DESIGN, TABLE_1
 from slowflow_kernels import rod_spring, slow_flow
 
 F_0, ZETA = certified.F_0, TABLE_1["zeta"]

@@ -20,12 +20,12 @@ import numpy as np
 from scipy.optimize import minimize_scalar, root
 
 from benchmarks import document, environment, footprint
+from examples.paper.smoothed import direct_integration
+from slowflow import example
 from slowflow.exact import EquationOfMotion, Response, compiled, exact_response, linear, steady_state, sweep
 from slowflow.exact.compiled import Drive
 from slowflow.exact.motion import TURN, Forced, follow
-from slowflow.paper import example
-from slowflow.paper.example import TABLE_1
-from slowflow.paper.smoothed import direct_integration
+from slowflow.example import TABLE_1
 from slowflow_kernels import den_hartog
 from tests.oracles import exact_linear, exact_reference
 from tests.oracles.exact_cases import isolator, table_1
@@ -193,7 +193,7 @@ def measured() -> list[Row]:
 
 def first_answer() -> list[Row]:
     """A fresh process, from its start to a periodic motion."""
-    code = "from slowflow.paper.example import isolator; isolator().steady_state(Omega=0.9, F_0=0.04)"
+    code = "from slowflow.example import isolator; isolator().steady_state(Omega=0.9, F_0=0.04)"
     footprint.fresh(code)  # bytecode written, files in the cache
     times = []
     for _ in range(3):

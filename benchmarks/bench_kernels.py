@@ -24,7 +24,7 @@ from derivations.mechanisms import all_mechanisms
 from derivations.oscillator import oscillator
 from derivations.restoring import FAR, restoring
 from derivations.symbols import A
-from slowflow.paper.example import DESIGN
+from slowflow.example import DESIGN
 from tests import backends
 
 U = 2.0**-53

@@ -23,7 +23,7 @@ import numpy as np
 
 from slowflow import Isolator
 from slowflow.averaged.many import Designs
-from slowflow.paper.example import TABLE_1, isolator
+from slowflow.example import TABLE_1, isolator
 
 F_0 = 0.04
 

@@ -16,7 +16,7 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from slowflow.paper.example import TABLE_1
+from slowflow.example import TABLE_1
 
 DATA = Path(__file__).resolve().parents[1] / "tests" / "data"
 F_0 = 0.04

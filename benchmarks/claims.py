@@ -17,10 +17,10 @@ from typing import Any
 import numpy as np
 
 from benchmarks import validity
+from examples.paper.smoothed import direct_integration
 from slowflow import Isolator
 from slowflow.exact import EquationOfMotion, Response, exact_response, linear, steady_state
-from slowflow.paper.example import TABLE_1, isolator
-from slowflow.paper.smoothed import direct_integration
+from slowflow.example import TABLE_1, isolator
 from slowflow_kernels import den_hartog
 
 RESULTS = Path(__file__).with_name("results") / "claims.json"

@@ -25,14 +25,13 @@ from benchmarks import bench_exact, certified, jobs
 from benchmarks.bench_roots import SCENES
 from benchmarks.document import quantity
 from benchmarks.remote import ROOT
-from slowflow import backend
+from slowflow import backend, example
 from slowflow.averaged.asked import AMPLITUDES, ONSET, PEAK, SADDLE_NODES, Question
 from slowflow.exact import compiled
 from slowflow.exact.compiled import by_rising_u
 from slowflow.exact.motion import TURN
+from slowflow.example import TABLE_1
 from slowflow.frequencies import response_roots
-from slowflow.paper import example
-from slowflow.paper.example import TABLE_1
 from slowflow.validate import WINDOW
 from slowflow_kernels import slow_flow
 from slowflow_kernels.second_conventions import BEYOND, Wanted

@@ -18,8 +18,8 @@ from benchmarks import certified
 from benchmarks.bench_solver import random_designs, table_1_designs
 from benchmarks.remote import processor
 from slowflow import Isolator
+from slowflow.example import isolator
 from slowflow.frequencies import response_roots
-from slowflow.paper.example import isolator
 from slowflow_kernels import rod_spring
 
 Job = tuple[Callable[[], Any], Callable[[Any], dict[str, Any]]]

@@ -73,7 +73,7 @@ double fused(long n) {
 COUNTED = """
 import sys
 from benchmarks import jobs
-from slowflow.paper import example
+from slowflow import example
 iso, count = example.isolator(), int(sys.argv[1])
 many = jobs.FAMILIES["random"](200)
 for _ in range(count):

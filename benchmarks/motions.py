@@ -21,10 +21,10 @@ from typing import Any
 import numpy as np
 from scipy.integrate import solve_ivp
 
+from examples.paper.smoothed import direct_integration
 from slowflow.exact import steady_state
 from slowflow.exact.motion import TURN, Forced, follow
-from slowflow.paper.example import TABLE_1, isolator
-from slowflow.paper.smoothed import direct_integration
+from slowflow.example import TABLE_1, isolator
 
 OMEGA, F_0, TURNS, LAST = 0.9, 0.04, 200, 4
 MU, ZETA = TABLE_1["mu"], TABLE_1["zeta"]

@@ -21,7 +21,7 @@ from benchmarks import bench_exact, bench_kernels, bench_roots, certified, footp
 from benchmarks.bench_solver import random_designs
 from benchmarks.document import quantity
 from benchmarks.remote import ROOT, Remote, in_turn
-from slowflow.paper.example import isolator
+from slowflow.example import isolator
 
 
 @dataclass(frozen=True)

@@ -19,11 +19,10 @@ import numpy as np
 from scipy.optimize import brentq
 
 from benchmarks import validity_page
-from slowflow import Isolator
+from slowflow import Isolator, example
 from slowflow.exact import Response, SteadyState, exact_response
+from slowflow.example import TABLE_1
 from slowflow.mechanism import EquationOfMotion, Force
-from slowflow.paper import example
-from slowflow.paper.example import TABLE_1
 from slowflow.second import SecondApproximation
 from slowflow_kernels import slow_flow
 from slowflow_support.errors import NotSettled

@@ -13,8 +13,8 @@ import numpy as np
 from benchmarks import claims_page
 from derivations.ledger import figures as judged
 from derivations.ledger import measured
-from slowflow import pictures
-from slowflow.paper import example, figures
+from examples.paper import figures
+from slowflow import example, pictures
 
 mpl.use("Agg")
 import matplotlib.pyplot as plt
@@ -247,7 +247,7 @@ def overlay_7a() -> Any:
 
 
 def of_the_paper(name: str) -> Any:
-    """A figure of the paper, as `slowflow figures` draws it."""
+    """A figure of the paper, as `make figures` draws it."""
     figure, ax = plt.subplots(figsize=(8, 5), layout="constrained")
     figures.FIGURES[name].draw(ax)
     return figure

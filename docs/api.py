@@ -64,7 +64,7 @@ MODULES = (
     "slowflow.transmitted",
     "slowflow.mechanism",
     "slowflow.derive",
-    "slowflow.paper.example",
+    "slowflow.example",
 )
 HEAD = """# API
 

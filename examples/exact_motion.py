@@ -1,6 +1,6 @@
 """How good is averaging? The same jumps and the same state averaged, in the second approximation, and exactly."""
 
-from slowflow.paper import example
+from slowflow import example
 
 F_0, WINDOW = 0.04, (0.8, 1.05)
 

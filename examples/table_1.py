@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slowflow.paper import example
+from slowflow import example
 
 F_0 = 0.04
 

@@ -13,10 +13,10 @@ from typing import Any, NamedTuple
 from slowflow import Duffing, Isolator, derive
 from slowflow.averaged import words
 from slowflow.averaged.remarks import NEAR_STICKING_BELOW, WORDS
+from slowflow.example import TABLE_1
 from slowflow.isolator import ROD_SPRING
 from slowflow.measured import table, validity
 from slowflow.oscillator import Oscillator
-from slowflow.paper.example import TABLE_1
 from slowflow.physical import Physical
 from slowflow.quantities import Scales
 from slowflow.table import COLUMNS

@@ -15,8 +15,8 @@ import pytest
 
 from slowflow import Duffing, Isolator, answer
 from slowflow.averaged.batches import Batch
+from slowflow.example import isolator
 from slowflow.oscillator import Oscillator
-from slowflow.paper.example import isolator
 from slowflow.results import SteadyStates
 from slowflow.sizing import fit, front, meet, tolerances
 from slowflow.text import Sentence

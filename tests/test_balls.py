@@ -11,13 +11,12 @@ import mpmath
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator
+from slowflow import Duffing, Isolator, example
 from slowflow.averaged import proofs, solvers, words
 from slowflow.averaged.balls import answers
 from slowflow.averaged.balls.enclosure import Enclosure
 from slowflow.averaged.balls.given import Given, averages_of
 from slowflow.certificate import DOUBLES
-from slowflow.paper import example
 from slowflow.results import Remark
 from tests.test_certified import CASES, check_folds, holds, level_ulps, oscillator
 

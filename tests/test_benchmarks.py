@@ -17,7 +17,7 @@ from benchmarks.peers.__main__ import with_earlier
 from benchmarks.remote import Remote, in_turn
 from slowflow.exact import compiled
 from slowflow.exact.motion import TURN
-from slowflow.paper.example import DESIGN, TABLE_1
+from slowflow.example import DESIGN, TABLE_1
 from slowflow_kernels import rod_spring, slow_flow
 
 P = tuple(float(x) for x in rod_spring.coefficients(*DESIGN))

@@ -14,10 +14,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, cli
+from slowflow import Duffing, Isolator, cli, example
 from slowflow.averaged import proofs, solvers, words
 from slowflow.averaged.balls.given import Given, averages_of
-from slowflow.paper import example
 from tests.native.intervals import ELEMENTARY, HELD, OPERATIONS, Intervals, build
 from tests.oracles import averaged
 

@@ -10,9 +10,8 @@ import pytest
 from benchmarks import claims, claims_page, validity
 from derivations.ledger import figures, measured
 from derivations.ledger.rows import FALSE, LOOSE, TRUE
-from slowflow import Isolator
+from slowflow import Isolator, example
 from slowflow.exact import EquationOfMotion, exact_response, linear, steady_state
-from slowflow.paper import example
 from tests.oracles.exact_reference import ScipyIntegrator, again
 
 NUMBERS = measured.load()

@@ -9,11 +9,10 @@ import mpmath
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator
+from slowflow import Duffing, Isolator, example
 from slowflow.averaged.reference import bounds
+from slowflow.example import TABLE_1
 from slowflow.frequencies import fold_roots, response_roots
-from slowflow.paper import example
-from slowflow.paper.example import TABLE_1
 from slowflow.results import Remark
 from tests.oracles.answers import Nearby
 from tests.test_solver_paths import random_designs

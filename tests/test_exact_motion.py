@@ -27,7 +27,7 @@ from slowflow.exact import (
 )
 from slowflow.exact.compiled import Drive
 from slowflow.exact.motion import Forced, follow
-from slowflow.paper.example import TABLE_1
+from slowflow.example import TABLE_1
 from slowflow_kernels import den_hartog
 from tests.oracles import exact_brute, exact_linear, exact_reference
 from tests.oracles.exact_cases import isolator, random_cases, table_1

@@ -12,7 +12,7 @@ from scipy.optimize import root
 
 from slowflow import Duffing, Isolator, exact
 from slowflow.exact import work
-from slowflow.paper.example import isolator
+from slowflow.example import isolator
 from slowflow_kernels import duffing as duffing_kernels
 from slowflow_support.errors import NotSettled
 from tests.interrupts import ENDING, interrupted
@@ -372,7 +372,7 @@ def test_threads_answer_as_one_thread_does(threads):
     code = f"""
 from concurrent.futures import ThreadPoolExecutor
 from slowflow import Duffing, Isolator
-from slowflow.paper.example import isolator
+from slowflow.example import isolator
 table_1 = isolator()
 shared = [table_1.steady_state(Omega=.9, F_0=.04)] * 2
 def ask(i):

@@ -11,7 +11,7 @@ from slowflow import Duffing, Isolator
 from slowflow.exact import EquationOfMotion, exact_response, linear, response, steady_state, sweep
 from slowflow.exact.continuation import FOLDS
 from slowflow.exact.sweep import _is_stable as is_stable_branch
-from slowflow.paper.example import TABLE_1
+from slowflow.example import TABLE_1
 from tests.oracles.exact_cases import isolator, random_cases, table_1
 from tests.oracles.exact_reference import ScipyIntegrator, again
 from tests.oracles.exact_scipy import half_turn

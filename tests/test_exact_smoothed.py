@@ -2,8 +2,8 @@
 
 import pytest
 
+from examples.paper.smoothed import direct_integration
 from slowflow.exact import EquationOfMotion, linear, steady_state
-from slowflow.paper.smoothed import direct_integration
 from tests.oracles.exact_cases import table_1
 
 

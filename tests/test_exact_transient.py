@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator, derive, exact
 from slowflow.exact import EquationOfMotion, half_sine, linear, record, transient
-from slowflow.paper.example import isolator
+from slowflow.example import isolator
 from slowflow.results import Remark
 from slowflow_kernels.conventions import Status
 

@@ -22,9 +22,8 @@ import pytest
 
 from explorer.__main__ import HERE, MOST, PAGE, ROOT, digest
 from explorer.about import EXCITED_BY, LIBRARY, MOUNT, MOUNT_FORCE, PRESETS, designs, messages
-from slowflow import Duffing, Isolator, Remark, derive
+from slowflow import Duffing, Isolator, Remark, derive, example
 from slowflow.oscillator import Oscillator
-from slowflow.paper import example
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 ASK = """([name, numbers, F_0, excitation]) => {

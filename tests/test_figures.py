@@ -1,19 +1,21 @@
 """The paper's figures: what is drawn is held against published formulas, minima found otherwise, and closed forms."""
 
 import math
+import sys
 import warnings
 
 import numpy as np
 import pytest
 
+from derivations.ledger import published
 from slowflow import Duffing, Isolator
-from slowflow.paper import published
-from slowflow.paper.example import TABLE_1, isolator
+from slowflow.example import TABLE_1, isolator
 
 mpl = pytest.importorskip("matplotlib")
 
+from examples.paper import figures  # noqa: E402
+from examples.paper.__main__ import main  # noqa: E402
 from slowflow import pictures  # noqa: E402
-from slowflow.paper import figures  # noqa: E402
 
 
 @pytest.fixture(scope="module")
@@ -253,13 +255,13 @@ def test_figure_7_draws_states_and_their_phase(drawn):
 
 
 @pytest.mark.slow
-def test_the_command_draws_every_figure_and_says_what_was_chosen(tmp_path, capsys):
-    from slowflow.cli import main
+def test_the_command_draws_every_figure_and_says_what_was_chosen(tmp_path, capsys, monkeypatch):
 
     names = tuple(figures.FIGURES)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert main(["figures", "-o", str(tmp_path)]) == 0
+        monkeypatch.setattr(sys, "argv", ["paper", "--figures", "-o", str(tmp_path)])
+        main()
     assert sorted(path.name for path in tmp_path.iterdir()) == sorted(
         f"fig_{name}.{suffix}" for name in names for suffix in ("png", "svg")
     )

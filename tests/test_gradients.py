@@ -11,8 +11,7 @@ import numpy as np
 import pytest
 from mpmath import mp
 
-from slowflow import Duffing, Isolator, moves
-from slowflow.paper import example
+from slowflow import Duffing, Isolator, example, moves
 from slowflow_kernels.conventions import MovesStatus, Pinned
 from tests.oracles.answers import Nearby
 from tests.oracles.definitions import points as drawn

@@ -14,8 +14,7 @@ import numpy as np
 import pytest
 
 from docs.site import docstrings, printed
-from slowflow import cli
-from slowflow.paper import example
+from slowflow import cli, example
 from slowflow_kernels import rod_spring
 
 DOCS = Path(__file__).parents[1] / "docs"

@@ -10,10 +10,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator, derive
+from slowflow import Duffing, Isolator, derive, example
 from slowflow.averaged import solvers
 from slowflow.averaged.reference import answers
-from slowflow.paper import example
 from slowflow.results import Remark
 from slowflow_kernels import den_hartog
 from slowflow_kernels.conventions import Status

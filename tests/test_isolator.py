@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from slowflow import Duffing, Isolator
 from slowflow.averaged import solvers
-from slowflow.paper.example import isolator
+from slowflow.example import isolator
 from slowflow_kernels import motion, slow_flow
 
 # ---- refusals ------------------------------------------------------------------------------------------------------

@@ -36,6 +36,7 @@ TABLES = {
     "quadrature_conventions",
     "scaling",
     "scenes",
+    "table_1",
 }
 # kernels on intervals and in balls hold these values: tests/test_intervals.py, tests/test_ball_kernels.py
 MODULES = sorted({path.stem for path in PACKAGE.glob("*.py") if not path.stem.startswith("_")} - TABLES)
@@ -119,7 +120,7 @@ def test_what_python_never_calls_is_listed():
     """Whether a name is called is told by its being an attribute, an import or a word of another generated function."""
     page = (HERE.parent / "docs" / "kernels.md").read_text()
     listed = set(re.findall(r"`([A-Za-z_0-9]+)(?:\([^`]*\))?`", page))
-    trees = [ast.parse(path.read_text()) for path in (HERE.parent / "src").rglob("*.py")]
+    trees = [ast.parse(path.read_text()) for part in ("src", "examples") for path in (HERE.parent / part).rglob("*.py")]
     named = {one for tree in trees for node in ast.walk(tree) for one in names_of(node)}
     for path in PACKAGE.glob("[!_]*.py"):
         tree = ast.parse(path.read_text())

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from decimal import Decimal
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -19,7 +20,8 @@ import sympy as sp
 from flint import arb
 
 from derivations import ledger, symbols
-from derivations.ledger import balls, entries, proofs, render, source
+from derivations.ledger import balls, entries, proofs, render
+from derivations.ledger import published as PUBLISHED
 from derivations.ledger.facts import Facts
 from derivations.ledger.findings import Contradiction, check_averages, check_formulas, key
 from derivations.ledger.formulas import Subject, subjects
@@ -28,8 +30,7 @@ from derivations.ledger.rows import ALLOWED, AMBIGUOUS, DIFFERS, FALSE, IDENTICA
 from derivations.results import Results
 from tests.oracles.averaged import RodSpring
 
-PUBLISHED = source.load()
-SOURCE = ast.parse(source.PUBLISHED.read_text(encoding="utf-8"))
+SOURCE = ast.parse(Path(PUBLISHED.__file__).read_text(encoding="utf-8"))
 FUNCTIONS = {node.name: node for node in SOURCE.body if isinstance(node, ast.FunctionDef)}
 NAMES = [formula.function.__name__ for formula in PUBLISHED.FORMULAS]
 

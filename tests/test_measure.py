@@ -10,7 +10,7 @@ from slowflow import Duffing, Isolator, derive
 from slowflow.averaged.questions import Averaged
 from slowflow.exact import steady_state
 from slowflow.exact.measure import AT_REST, BORN, NO_MOTION, TAKEN, states
-from slowflow.paper.example import isolator
+from slowflow.example import isolator
 from slowflow.results import NOT_ASKED, SteadyStates
 from slowflow_kernels import den_hartog
 from tests.oracles.exact_reference import ScipyIntegrator, again

@@ -27,7 +27,7 @@ import pytest
 
 from derivations.emit.arctangent import series
 from slowflow import frequencies as roots
-from slowflow.paper.example import DESIGN
+from slowflow.example import DESIGN
 from slowflow_kernels import MODULES, rod_spring, slow_flow
 from slowflow_support import backend as support
 from tests import backends

@@ -20,6 +20,7 @@ from scipy.optimize import brentq
 from scipy.spatial import cKDTree
 
 from slowflow import Duffing, Isolator, Oscillator, derive
+from slowflow.example import TABLE_1, isolator
 from slowflow.intervals import Interval
 from slowflow.isolator import ROD_SPRING
 from slowflow.model import Model
@@ -27,7 +28,6 @@ from slowflow.off_centre.answers import states_move
 from slowflow.off_centre.ends import Charts
 from slowflow.off_centre.means import ORDERS, Steps
 from slowflow.off_centre.questions import OffCentre
-from slowflow.paper.example import TABLE_1, isolator
 from slowflow.results import Remark, SteadyStates
 from slowflow_kernels.conventions import Status
 from slowflow_support.errors import NotSettled

@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator
-from slowflow.paper.example import TABLE_1
+from slowflow.example import TABLE_1
 from slowflow.sizing import tolerances
 from slowflow.validate import NotAvailable
 from tests.off_centre_cases import check_folds_and_states, made

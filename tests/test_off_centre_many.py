@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, derive
-from slowflow.paper.example import TABLE_1
+from slowflow.example import TABLE_1
 from slowflow.results import Remark
 from slowflow_kernels.conventions import FoldKind, MovesStatus, OnsetKind, Status
 

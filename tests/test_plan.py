@@ -8,9 +8,9 @@ import pytest
 
 from slowflow import Duffing, backend
 from slowflow.averaged import plan, solvers
+from slowflow.example import TABLE_1, isolator
 from slowflow.model import Model
 from slowflow.off_centre import plan as off_centre
-from slowflow.paper.example import TABLE_1, isolator
 from slowflow_kernels import duffing, rod_spring
 
 

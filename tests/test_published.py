@@ -1,4 +1,4 @@
-"""In: the transcription `slowflow.published`. Out: whether it is complete, consistent and evaluates alike.
+"""In: the transcription `derivations.ledger.published`. Out: whether it is complete, consistent and evaluates alike.
 
 Nothing here judges the paper: that is the ledger's work. No derivation is used.
 """
@@ -18,8 +18,8 @@ import numpy as np
 import pytest
 import sympy
 
-from slowflow.paper import published
-from slowflow.paper.published import FORMULAS, Formula, Resultant
+from derivations.ledger import published
+from derivations.ledger.published import FORMULAS, Formula, Resultant
 
 SYMPY = SimpleNamespace(
     sin=sympy.sin,

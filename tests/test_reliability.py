@@ -16,7 +16,7 @@ import pytest
 
 from slowflow import Duffing, Isolator
 from slowflow.averaged import parts
-from slowflow.paper.example import isolator
+from slowflow.example import isolator
 from slowflow_kernels.conventions import Status
 from slowflow_support.errors import NotSettled
 from tests.interrupts import ENDING, interrupted
@@ -62,7 +62,7 @@ def test_a_fork_answers_as_its_parent_does():
     """In a process of its own: a fork of the test runner would answer in its place."""
     program = """
 import multiprocessing
-from slowflow.paper.example import isolator
+from slowflow.example import isolator
 def answers(oscillator):
     return repr((oscillator.saddle_node_onset(), oscillator.saddle_nodes(0.04), oscillator.peak(0.04)))
 oscillator = isolator()
@@ -76,7 +76,7 @@ with multiprocessing.get_context("fork").Pool(2) as pool:
 @pytest.mark.slow
 def test_ctrl_c_ends_a_long_answer():
     program = (
-        "import numpy as np; from slowflow.paper.example import isolator\n"
+        "import numpy as np; from slowflow.example import isolator\n"
         "grid = np.linspace(0.1, 2.0, 3 * 10**7); print('asked', flush=True)\n"
         "isolator().amplitudes(Omega=grid, F_0=0.04); print('answered', flush=True)"
     )
@@ -127,7 +127,7 @@ def test_ctrl_c_ends_what_takes_minutes(what):
     # SciPy, which some ask for first, is not what is interrupted: its modules say so in words of their own
     program = (
         "import numpy as np, scipy.optimize; from slowflow import Isolator\n"
-        "from slowflow.paper.example import isolator\n"
+        "from slowflow.example import isolator\n"
         "batch = dict(lam=3, r=2, delta_h=0.08, mu=0.01, zeta=np.linspace(0.02, 0.1, 10**5))\n"
         f"print('asked', flush=True); {LONG[what]}; print('answered', flush=True)"
     )
@@ -145,7 +145,7 @@ def test_no_memory_is_kept():
     program = """
 import numpy as np
 from slowflow import Duffing, Isolator
-from slowflow.paper.example import TABLE_1
+from slowflow.example import TABLE_1
 from slowflow_support.errors import Refused
 def resident():
     with open("/proc/self/statm") as file:

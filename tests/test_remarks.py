@@ -15,7 +15,7 @@ from slowflow import Duffing, Isolator, Oscillator, derive
 from slowflow.averaged import proofs
 from slowflow.certificate import DOUBLES
 from slowflow.exact import shooting
-from slowflow.paper.example import TABLE_1
+from slowflow.example import TABLE_1
 from slowflow.results import Remark
 from slowflow_kernels import duffing
 from slowflow_kernels.conventions import Status

@@ -17,7 +17,7 @@ import pytest
 import slowflow
 from slowflow import Isolator, cli, files, scenes
 from slowflow.averaged import solvers
-from slowflow.paper.example import isolator
+from slowflow.example import isolator
 from slowflow.sizing import tolerances
 from slowflow.sizing.subject import IN_A_SHOCK, IN_A_SPECTRUM
 

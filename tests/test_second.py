@@ -19,7 +19,7 @@ from derivations.second_approximation import friction_sum
 from slowflow import Duffing, Isolator, backend
 from slowflow.answer import joined
 from slowflow.averaged.questions import Averaged
-from slowflow.paper.example import isolator
+from slowflow.example import isolator
 from slowflow.second import compiled, reference
 from slowflow.second.balance import Balance
 from slowflow.second.curve import along

@@ -11,7 +11,7 @@ from scipy.stats import norm, uniform
 from scipy.stats import t as student
 
 from slowflow import Duffing, Isolator, progress
-from slowflow.paper.example import isolator
+from slowflow.example import isolator
 from slowflow.sizing import fit, front, meet, sobol, tolerances
 from slowflow.sizing.slopes import slopes
 from slowflow.sizing.subject import Subject

@@ -16,7 +16,7 @@ import pytest
 from slowflow import Duffing, Isolator
 from slowflow.averaged import compiled, remarks
 from slowflow.averaged.reference import folds, locus, onset, response
-from slowflow.paper.example import TABLE_1, isolator
+from slowflow.example import TABLE_1, isolator
 from slowflow.results import Remark
 from slowflow_kernels.conventions import FoldKind
 

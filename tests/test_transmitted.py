@@ -8,8 +8,7 @@ import warnings
 import numpy as np
 import pytest
 
-from slowflow import Duffing, Isolator
-from slowflow.paper import example
+from slowflow import Duffing, Isolator, example
 from slowflow_kernels import den_hartog
 
 EXCITATIONS = ("force", "base", "unbalance")

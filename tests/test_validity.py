@@ -7,9 +7,9 @@ import pytest
 
 from benchmarks import validity
 from slowflow import Duffing, Isolator
+from slowflow.example import isolator
 from slowflow.measured import table as validity_table
 from slowflow.measured.validity import near_sticking
-from slowflow.paper.example import isolator
 from slowflow_support.errors import NotSettled
 
 

@@ -1,9 +1,10 @@
 """The ledger: every published formula, table entry, number and sentence held against the derivation.
 
-In:  the derivation's `Results`; published.py, loaded by path; benchmarks/results/claims.json, what was measured.
-Out: LEDGER.md and ledger.json.
+In:  the derivation's `Results`; published.py; benchmarks/results/claims.json, what was measured.
+Out: LEDGER.md and ledger.json, and the numbers of Table 1 for the runtime.
 
-    source     published.py as a module of its own, with an exact namespace
+    published  every formula, table, number and sentence, typed from the paper
+    source     an exact namespace for its functions
     proofs     an expression as a quotient of polynomials over the rationals: zero or not
     formulas   which derived expression stands against which published function
     judging    the verdict on one published function
@@ -22,7 +23,7 @@ Out: LEDGER.md and ledger.json.
 from __future__ import annotations
 
 from ..results import Results
-from . import balls, claims, entries, render, source, truncation
+from . import balls, claims, entries, published, render, truncation
 from .facts import Facts
 from .findings import check_averages, check_formulas, findings
 from .rows import Row
@@ -42,15 +43,16 @@ def all_rows(facts: Facts) -> list[Row]:
 
 
 def files(results: Results) -> dict[str, str]:
-    """LEDGER.md and ledger.json, by name."""
+    """LEDGER.md, ledger.json and table_1.py, by name."""
     with balls.precision():
-        facts = Facts(results, source.load())
+        facts = Facts(results, published)
         rows = all_rows(facts)
         table_2 = entries.table_2(rows, facts)
         found = findings(facts, rows)
         cost = truncation.cost(facts)
     return {
         "LEDGER.md": render.markdown(rows, found, table_2, cost),
-        # beside the kernels, so that it ships with them: `slowflow paper` reads it
+        # beside the kernels, so that they ship with them
         "slowflow_kernels/ledger.json": render.machine_readable(rows, found, table_2, cost),
+        "slowflow_kernels/table_1.py": render.table_1(published.TABLE_1),
     }

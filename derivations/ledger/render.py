@@ -1,9 +1,10 @@
-"""In: rows, findings, Table 2, the cost of truncation. Out: the text of LEDGER.md and of ledger.json."""
+"""In: rows, findings, Table 2, the cost of truncation. Out: the text of LEDGER.md, ledger.json and table_1.py."""
 
 from __future__ import annotations
 
 import json
 from dataclasses import asdict
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -86,6 +87,19 @@ def machine_readable(
         "rows": [asdict(row) for row in rows],
     }
     return "{\n" + ",\n".join(f"{_text(name)}: {_lines(entries)}" for name, entries in record.items()) + "\n}\n"
+
+
+def table_1(published: dict[str, Fraction]) -> str:
+    """The published numbers of the example, as doubles."""
+    numbers = "".join(f'    "{name}": {float(value)!r},\n' for name, value in published.items())
+    return f'''"""Table 1 of the paper: lam, r, delta_h, mu, zeta, each the double next to the published fraction.
+
+Written by `make derive`; never edit.
+"""
+
+TABLE_1: dict[str, float] = {{
+{numbers}}}
+'''
 
 
 def _lines(entries: Any) -> str:

@@ -1,4 +1,4 @@
-"""The command line: scenes, proofs, the paper. In go arguments, out come text, files and an exit code (`main`)."""
+"""The command line: scenes and proofs. In go arguments, out come text, files and an exit code (`main`)."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def add_certify(commands: Any) -> None:
 def certify(given: argparse.Namespace) -> int:
     """Print a certificate; 0 if all of it is proved, 2 if a number is not allowed."""
     # here, not above: `slowflow info` needs none of it
-    from slowflow.paper import example
+    from slowflow import example
 
     names = (domain.name for domain in (*ROD_SPRING.design, *DAMPING))
     changes = {name: value for name in names if (value := getattr(given, name)) is not None}
@@ -293,10 +293,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--version", action="version", version=f"slowflow {slowflow.__version__}")
     commands = parser.add_subparsers(dest="command", required=True)
     commands.add_parser("info", help="versions, how the compiled code was built")
-    paper = commands.add_parser("paper", help="Table 2 published / derived / verdict, the ledger's findings, Fig. 7")
-    paper.add_argument("-o", "--out", type=Path, default=Path("output"), help="folder for the figures")
-    figures = commands.add_parser("figures", help="Figs. 1b to 7b of the paper, drawn from the derivation")
-    figures.add_argument("-o", "--out", type=Path, default=Path("output"), help="folder for the figures")
     add_certify(commands)
     add_scenes(commands)
     derive = commands.add_parser("derive", help="kernels, C and derivation of mechanisms that a Python program states")
@@ -341,45 +337,9 @@ def print_info(given: argparse.Namespace) -> int:
     return 0
 
 
-def print_paper(given: argparse.Namespace) -> int:
-    """Print the report on the paper, and draw Fig. 7."""
-    # here, not above: `slowflow info` needs none of it
-    from slowflow.paper.report import read_ledger, report
-
-    for line in report(read_ledger()):
-        print(line)
-    draw(given.out, ("7a", "7b"))
-    return 0
-
-
-def draw_figures(given: argparse.Namespace) -> int:
-    """Draw every figure of the paper, and say with which parameters; 1 without Matplotlib."""
-    if not draw(given.out):
-        return 1
-    from slowflow.paper.figures import FIGURES
-
-    for name, figure in FIGURES.items():
-        print(f"Fig. {name}: {figure.caption}{f'; chosen here: {figure.chosen}' if figure.chosen else ''}")
-    return 0
-
-
-def draw(folder: Path, names: Sequence[str] = ()) -> bool:
-    """Draw figures of the paper, all without names, and say which files they are in; False without Matplotlib."""
-    if find_spec("matplotlib") is None:
-        print("Figures: not drawn, since matplotlib is not installed: pip install 'slowflow[plot]'")
-        return False
-    from slowflow.paper import figures
-
-    with progress.shown():
-        print("Figures:", *figures.draw(folder, names or tuple(figures.FIGURES)))
-    return True
-
-
 COMMANDS = {
     "derive": derive_mechanisms,
     "info": print_info,
-    "paper": print_paper,
-    "figures": draw_figures,
     "certify": certify,
     "check": check_scenes,
     "run": run_scene,

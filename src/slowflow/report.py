@@ -7,8 +7,10 @@ oscillator has no answer to, as one under a load or with another law of damping,
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from html import escape
+from importlib import resources
 from typing import Any
 
 import numpy as np
@@ -18,7 +20,6 @@ from slowflow import files, page, pictures
 from slowflow.answer import Answer, head
 from slowflow.isolator import Isolator
 from slowflow.measured.validity import IN_PYTHON
-from slowflow.paper.report import read_ledger
 from slowflow.physical import Physical
 from slowflow.quantities import SHEET, SHOWN, UNITS, Quantities, in_shown
 from slowflow.results import Remark
@@ -659,3 +660,10 @@ def _beside(answer: Answer, kept: Iterable[str]) -> dict[str, Any]:
     """The forcing of an answer, where it is no column of it."""
     known = answer.to_dict()
     return {name: known[name] for name in pictures.AMPLITUDES if name in known and name not in kept}
+
+
+def read_ledger() -> dict[str, Any]:
+    """The ledger for programs, as the derivation wrote it beside the kernels."""
+    text = resources.files("slowflow_kernels").joinpath("ledger.json").read_text(encoding="utf-8")
+    ledger: dict[str, Any] = json.loads(text)
+    return ledger

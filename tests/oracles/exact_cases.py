@@ -7,7 +7,7 @@ import numpy as np
 
 from slowflow import Duffing, Isolator
 from slowflow.exact import EquationOfMotion
-from slowflow.paper.example import TABLE_1
+from slowflow.example import TABLE_1
 from tests.oracles import exact_brute
 
 

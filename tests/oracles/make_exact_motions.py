@@ -16,7 +16,7 @@ from pathlib import Path
 
 from flint import arb, arb_mat, ctx
 
-from slowflow.paper.example import TABLE_1
+from slowflow.example import TABLE_1
 
 BITS, TERMS, DIGITS = 320, 100, 40
 NOTHING = arb(2) ** -290

@@ -20,7 +20,7 @@ from typing import Any
 
 from flint import arb
 
-from slowflow.paper import published
+from derivations.ledger import published
 from tests.oracles.averaged import BITS, CORNER, Duffing, Number, Oscillator, Point, RodSpring, digits
 from tests.oracles.certified_roots import precision
 from tests.oracles.conditioning import Condition, Conditioning

@@ -15,7 +15,7 @@ from typing import Any
 
 from mpmath import mp
 
-from slowflow.paper.example import TABLE_1
+from slowflow.example import TABLE_1
 
 mp.dps = 34
 

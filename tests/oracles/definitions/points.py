@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from flint import fmpq
 from mpmath import mp, mpf
 
-from slowflow.paper import published
+from derivations.ledger import published
 from tests.oracles.definitions.forces import rod_coefficients
 
 DIGITS = 40

@@ -6,15 +6,13 @@ disagree the report fails.
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from importlib import resources
 from typing import Any
 
+from slowflow import example
 from slowflow.isolator import Isolator
-from slowflow.paper import example
 from slowflow.results import SaddleNodes
 from slowflow_support.errors import NotSettled
 
@@ -86,10 +84,3 @@ def report(ledger: dict[str, Any]) -> Iterator[str]:
     yield "Findings:"
     for number, finding in enumerate(ledger["findings"], start=1):
         yield f"  {number:2d}. {finding['title']}"
-
-
-def read_ledger() -> dict[str, Any]:
-    """The ledger for programs, as the derivation wrote it beside the kernels."""
-    text = resources.files("slowflow_kernels").joinpath("ledger.json").read_text(encoding="utf-8")
-    ledger: dict[str, Any] = json.loads(text)
-    return ledger

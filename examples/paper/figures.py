@@ -18,12 +18,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.lines import Line2D
 
-from slowflow import pictures, progress
+from slowflow import example, pictures, progress
 from slowflow.exact.response import exact_response
+from slowflow.example import TABLE_1
 from slowflow.isolator import Duffing, Isolator
 from slowflow.mechanism import EquationOfMotion, linear
-from slowflow.paper import example
-from slowflow.paper.example import TABLE_1
 from slowflow.pictures import COLOURS, STABLE, label, ramp
 from slowflow_kernels import den_hartog
 

@@ -1,14 +1,11 @@
-"""The paper's example: in goes Table 1 as `published` has it, out come its numbers as doubles and its isolator."""
+"""The paper's example: its isolator, and the numbers of Table 1 that it is made of."""
 
 from __future__ import annotations
 
 from typing import Any
 
 from slowflow.isolator import Isolator
-from slowflow.paper import published
-
-#: lam, r, delta_h, mu, zeta, each the double next to the published fraction
-TABLE_1: dict[str, float] = {name: float(value) for name, value in published.TABLE_1.items()}
+from slowflow_kernels.table_1 import TABLE_1
 
 #: lam, r and delta_h, as `slowflow_kernels.rod_spring.coefficients` takes them
 DESIGN: tuple[float, float, float] = (TABLE_1["lam"], TABLE_1["r"], TABLE_1["delta_h"])

@@ -1,0 +1,30 @@
+"""Table 2 published, derived and judged, with Fig. 7; with --figures each figure of the paper, and what was chosen."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from examples.paper.figures import FIGURES, draw
+from examples.paper.report import report
+from slowflow import progress
+from slowflow.report import read_ledger
+
+
+def main() -> None:
+    """Print and draw."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("-o", "--out", type=Path, default=Path("output"), help="folder for the figures")
+    parser.add_argument("--figures", action="store_true", help="draw Figs. 1b to 7b, all of them")
+    given = parser.parse_args()
+    if not given.figures:
+        for line in report(read_ledger()):
+            print(line)
+    with progress.shown():
+        print("Figures:", *draw(given.out, tuple(FIGURES) if given.figures else ("7a", "7b")))
+    for name, figure in FIGURES.items() if given.figures else ():
+        print(f"Fig. {name}: {figure.caption}{f'; chosen here: {figure.chosen}' if figure.chosen else ''}")
+
+
+if __name__ == "__main__":
+    main()
