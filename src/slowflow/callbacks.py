@@ -68,7 +68,7 @@ def record(solver: ModuleType, mechanism: Mechanism, inertial: bool, laws: bool,
         "averaged": along(mechanism.averaged, 4),
         "averaged_2": along(mechanism.averaged, 2),
         "intercept": _AT(intercept),
-        "harmonics": along(mechanism.harmonics, 8) if mechanism.harmonics_up_to > 0 else None,
+        "harmonics": along(mechanism.harmonics, 8),
     }
     addresses = tuple(0 if one is None else ctypes.cast(one, ctypes.c_void_p).value for one in functions.values())
     sizes = len(mechanism.design), size, breakpoints

@@ -150,7 +150,6 @@ class Question:
     batch   -- from the compiled solvers what gives the generalised ufunc of a record; None where designs are asked
                one by one
     at_once -- designs that take no more than some tenths of a second: until then Ctrl-C is not heard
-    by_inertia -- whether the compiled solvers answer it of an excitation by inertia too
     by_laws -- whether they answer it of other laws of damping too
     """
 
@@ -158,7 +157,6 @@ class Question:
     outputs: Callable[[int], list[tuple[tuple[int, ...], type]]]
     batch: Callable[[ModuleType], Callable[[Any], Callable[..., Any]]] | None
     at_once: int
-    by_inertia: bool = True
     by_laws: bool = False
 
 

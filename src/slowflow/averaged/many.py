@@ -385,7 +385,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
             outputs[-2][...] = DOUBLES
             told = [*outputs[:-2], outputs[-1]]
         record = None
-        if (question.by_laws or not self.laws) and (self.excitation == "force" or question.by_inertia):
+        if question.by_laws or not self.laws:
             record = backend.record_of(self.mechanism, self.excitation != "force", bool(self.laws))
         if record is not None and self.excitation != "force" and not question.by_laws and self._have_preload:
             record = None

@@ -2,7 +2,7 @@
  *
  * Each point takes the shortest way. The distance counts ln A, R/F_0, in which the curve keeps away from itself however
  * sharp its peak is over Omega, and ln Omega, for where R hardly depends on that. What is no small correction is left
- * out. The balance is generated; it is the one of slowflow/second/, where the same is done on NumPy.
+ * out. The balance is generated.
  *
  * A way is smooth along the curve: every sixteenth point goes its own, those between start from where they are
  * expected.
@@ -130,7 +130,7 @@ static void sf_second_look(const sf_second *second, const sf_first *first, long 
             Omega[i] = moved->Omega[at], A[i] = moved->A[at];
         }
         sf_second_known(second->model, SF_LANES, A, known);
-        sf_second_balances(SF_LANES, Omega, A, second->F_0, second->model->m, second->model->zeta, known, out);
+        sf_lane_balances(second, SF_LANES, Omega, A, known, out);
         for (i = 0; i < n; i++) {
             const long at = sf_anchor(from, to, k + i);
             if (!sf_is_kept(second, first, moved, at, known[i], out[SF_LANES + i], out[i]))
@@ -275,10 +275,11 @@ static void sf_second_told(const sf_second *second, int n, const double *Omega, 
                            double *out) {
     int i;
     if (second->wanted == SF_EVERY_POINT) {
-        sf_second_answers(n, Omega, A, second->F_0, second->model->m, second->model->zeta, known, out);
+        sf_second_answers(n, Omega, A, second->F_0, sf_inertial(second->model), second->model->m, second->model->zeta,
+                          known, out);
         return;
     }
-    sf_second_balances(n, Omega, A, second->F_0, second->model->m, second->model->zeta, known, out);
+    sf_lane_balances(second, n, Omega, A, known, out);
     for (i = 0; i < n; i++)
         out[2 * n + i] = NAN;
 }
@@ -317,7 +318,7 @@ static long sf_second_across(const sf_second *second, double b, const sf_second_
         under_way[i] = 1;
     sf_second_known(second->model, n, lanes.A, known);
     for (k = 0; k < SF_STEPS && open > 0; k++) {
-        sf_second_balances(n, lanes.Omega, lanes.A, second->F_0, second->model->m, second->model->zeta, known, at);
+        sf_lane_balances(second, n, lanes.Omega, lanes.A, known, at);
         for (i = 0; i < lanes.n; i++) {
             const double step = sf_clipped(at[4 * n + i] / (at[6 * n + i] * lanes.Omega[i]));
             if (!under_way[i])

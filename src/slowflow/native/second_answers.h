@@ -234,8 +234,7 @@ static sf_second_status sf_second_cusp(const sf_model *model, const sf_onset *fi
     if (!(moved <= SF_DONE && fabs(x[0] - from[0]) <= SF_SMALL && fabs(x[1] - from[1]) <= SF_SMALL))
         return SF_FAR_SECOND;
     sf_second_known(model, 1, &A, k);
-    second_approximation_detachment(Omega, A, model->m, model->zeta, k[0], k[1], k[2], k[4], k[5], k[6], k[8], k[9],
-                                    k[10], balance);
+    sf_second_level(model, Omega, A, k, balance);
     out->F_SN = balance[0];
     if (!(fabs(log(out->F_SN / first->F_SN)) <= SF_SMALL && sf_second_is_small(&second, Omega, A)))
         return SF_FAR_SECOND;
@@ -252,8 +251,7 @@ static double sf_second_reaching(const sf_model *model, double u, double Omega, 
     for (i = 0; i < SF_STEPS; i++) {
         double k[SF_KNOWN];
         sf_second_known(model, 1, &A, k);
-        second_approximation_detachment(Omega, A, model->m, model->zeta, k[0], k[1], k[2], k[4], k[5], k[6], k[8], k[9],
-                                        k[10], balance);
+        sf_second_level(model, Omega, A, k, balance);
         if (fabs(u / balance[1] - 1) <= SF_ROUNDING)
             break;
         A *= u / balance[1];
@@ -315,8 +313,7 @@ static double sf_amplitude_near(const sf_second_near *near, double Omega, double
         A *= sf_grown(-step);
     }
     sf_second_known(near->second->model, 1, &A, k);
-    second_approximation_detachment(Omega, A, near->second->model->m, near->second->model->zeta, k[0], k[1], k[2], k[4],
-                                    k[5], k[6], k[8], k[9], k[10], balance);
+    sf_second_level(near->second->model, Omega, A, k, balance);
     return fabs(step) <= SF_DONE ? A : NAN;
 }
 

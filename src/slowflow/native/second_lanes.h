@@ -4,6 +4,8 @@
 
 #include <stddef.h>
 
+#include "inertia.h"
+
 enum {
     SF_VECTOR = 8,   /* a number of states is a multiple of it */
     SF_KNOWN = 12,   /* rows of averages: h, h_3 and h_5, each with three derivatives */
@@ -13,11 +15,20 @@ enum {
                         ln A and to ln Omega, each with its sf_short_exp */
 };
 
-/* Row k of the n states begins at known[k * n], and at out[k * n]; no row of phi is written by the first. */
-void sf_second_balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, double m, double zeta,
-                        const double *known, double *out);
-void sf_second_answers(ptrdiff_t n, const double *Omega, const double *A, double F_0, double m, double zeta,
-                       const double *known, double *out);
+/* d/dOmega of the square of the force of an excitation by inertia. */
+static inline double sf_force_squared_slope(double Omega, double F_0) {
+    double slopes[2];
+    inertia_force_slopes(Omega, F_0, slopes);
+    return 2 * inertia_force(Omega, F_0) * slopes[0];
+}
+
+/* Row k of the n states begins at known[k * n], and at out[k * n]; no row of phi is written by the first.
+ *
+ * inertial: whether the force is F_0 Omega^2 */
+void sf_second_balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, double m,
+                        double zeta, const double *known, double *out);
+void sf_second_answers(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, double m,
+                       double zeta, const double *known, double *out);
 
 /* exp(x) to rounding up to |x| = SF_SHORT */
 #define SF_SHORT 1e-3

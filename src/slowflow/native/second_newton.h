@@ -28,8 +28,25 @@ static void sf_second_known(const sf_model *model, ptrdiff_t n, const double *A,
 }
 
 static void sf_second_of(const sf_second *second, double Omega, double A, const double *known, sf_balance *out) {
-    second_approximation_response(Omega, A, second->F_0, second->model->m, second->model->zeta, known[0], known[1],
-                                  known[2], known[4], known[5], known[6], known[8], known[9], known[10], out->values);
+    const double force = sf_force(second->model, second->F_0, Omega);
+    second_approximation_response(Omega, A, force, second->model->m, second->model->zeta, known[0], known[1], known[2],
+                                  known[4], known[5], known[6], known[8], known[9], known[10], out->values);
+    if (sf_inertial(second->model))
+        out->F_Omega -= sf_force_squared_slope(Omega, second->F_0);
+}
+
+/* The amplitude of the excitation for which this is a steady state, u_max, and what vanishes where that amplitude is
+ * least. */
+static void sf_second_level(const sf_model *model, double Omega, double A, const double *k, double out[3]) {
+    (sf_inertial(model) ? second_approximation_detachment_by_inertia : second_approximation_detachment)(
+        Omega, A, model->m, model->zeta, k[0], k[1], k[2], k[4], k[5], k[6], k[8], k[9], k[10], out);
+}
+
+/* The same at whole vectors of states. */
+static inline void sf_lane_balances(const sf_second *second, int n, const double *Omega, const double *A,
+                                    const double *known, double *out) {
+    sf_second_balances(n, Omega, A, second->F_0, sf_inertial(second->model), second->model->m, second->model->zeta,
+                       known, out);
 }
 
 static void sf_second_at(const sf_second *second, double Omega, double A, sf_balance *out) {
@@ -103,7 +120,7 @@ static void sf_second_match(const sf_second *second, int n, const double *known,
     int i, k;
     for (k = 0; k < SF_MATCHING; k++) {
         int open = 0;
-        sf_second_balances(n, lanes->Omega, lanes->A, second->F_0, second->model->m, second->model->zeta, known, out);
+        sf_lane_balances(second, n, lanes->Omega, lanes->A, known, out);
         sf_second_matches(n, lanes->Omega, lanes->R, way, second->F_0, out, matches);
         sf_take_steps(n, matches, matches + n, lanes->Omega);
         for (i = 0; i < n; i++) {
@@ -126,7 +143,7 @@ static void sf_second_settle(const sf_second *second, sf_lanes *lanes, int match
         sf_second_known(second->model, n, lanes->A, known);
         if (match)
             sf_second_match(second, n, known, lanes);
-        sf_second_balances(n, lanes->Omega, lanes->A, F_0, second->model->m, second->model->zeta, known, out);
+        sf_lane_balances(second, n, lanes->Omega, lanes->A, known, out);
         sf_second_newton(n, lanes->Omega, lanes->A, F_0, out, newton);
         sf_take_steps(count, x, x + n, lanes->A);
         sf_take_steps(count, z, z + n, lanes->Omega);

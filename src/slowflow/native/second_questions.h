@@ -8,12 +8,22 @@
 
 #include "second_answers.h"
 
+/* Takes out points at which the mass is at rest, as where the response to an excitation by inertia begins; how many are
+ * left. */
+static long sf_moving(long n, double *Omega, double *A, long long *branch) {
+    long i, left = 0;
+    for (i = 0; i < n; i++)
+        if (A[i] > 0)
+            Omega[left] = Omega[i], A[left] = A[i], branch[left++] = branch[i];
+    return left;
+}
+
 /* The curve in a window, of about so many samples, from the skeleton of room; NULL if there is no memory, or beyond the
  * range of doubles how far averaging's extends. */
 static sf_second_curve *sf_second_shown(const sf_model *model, double F_0, sf_wanted wanted, double samples, double low,
                                         double high, sf_room *room, sf_status *status) {
     sf_work *work = &room->work;
-    const long n = sf_show(model, F_0, low, high, samples, work);
+    long n = sf_show(model, F_0, low, high, samples, work);
     double *Omega = malloc((size_t)(2 * (n < 0 ? 0 : n) + 1) * sizeof *Omega);
     long long *branch = malloc((size_t)((n < 0 ? 0 : n) + 1) * sizeof *branch);
     unsigned char *flags = malloc((size_t)((n < 0 ? 0 : n) + work->shown.curves + 1));
@@ -21,10 +31,13 @@ static sf_second_curve *sf_second_shown(const sf_model *model, double F_0, sf_wa
     *status = n < 0 ? SF_NO_BOUND : SF_NO_MEMORY;
     if (n >= 0 && Omega != NULL && branch != NULL && flags != NULL) {
         int i;
-        sf_draw(model, F_0, samples, &work->shown, Omega, Omega + n, flags, branch);
+        double *A = Omega + n;
+        unsigned char *closed = flags + n;
+        sf_draw(model, F_0, samples, &work->shown, Omega, A, flags, branch);
         for (i = 0; i < work->shown.curves; i++)
-            flags[n + i] = (unsigned char)work->shown.closed[i];
-        curve = sf_second_follow(model, F_0, wanted, n, Omega, Omega + n, branch, flags + n);
+            closed[i] = (unsigned char)work->shown.closed[i];
+        n = sf_moving(n, Omega, A, branch);
+        curve = sf_second_follow(model, F_0, wanted, n, Omega, A, branch, closed);
         if (curve != NULL)
             *status = SF_OK;
     }

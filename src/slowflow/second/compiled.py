@@ -1,4 +1,7 @@
-"""Answers of the second approximation on the compiled solvers: the same functions as in `reference`."""
+"""Answers of the second approximation: in goes a model with its curve, or averaging's answer, out come numbers.
+
+None where an answer is no correction of averaging's.
+"""
 
 from __future__ import annotations
 
@@ -6,25 +9,17 @@ from slowflow import backend
 from slowflow.answer import joined
 from slowflow.averaged import compiled as averaged
 from slowflow.averaged import words
-from slowflow.model import Floats
-from slowflow.second.balance import Balance
+from slowflow.model import Floats, Model
 from slowflow.second.found import Curve, Fold, Folds, State, told, told_of_folds
 from slowflow_kernels.conventions import Status
 from slowflow_kernels.second_conventions import Wanted
 from slowflow_support.errors import NotSettled
 
 
-def serves(balance: Balance) -> bool:
-    """Whether the compiled solvers have the model with its harmonics."""
-    native = balance.model.native
-    return native is not None and not balance.model.inertial and backend.SOLVER.has_second(native)
-
-
 def along(
-    balance: Balance, F_0: float, samples: int, window: tuple[float, float], wanted: Wanted = Wanted.EVERY_POINT
+    model: Model, F_0: float, samples: int, window: tuple[float, float], wanted: Wanted = Wanted.EVERY_POINT
 ) -> Curve:
     """The curve that the first approximation's of about `samples` points in a window moves to, as far as wanted."""
-    model = balance.model
     status, columns, native = backend.SOLVER.second_curve(model.native, F_0, wanted, samples, *window)
     averaged.check(status, model, F_0)
     Omega, A, u_max, A_1, phi, stable, part, closed, (lost, *left) = columns
@@ -34,9 +29,8 @@ def along(
     return Curve(Omega, A, u_max, A_1, phi, stable, part, isola, message, lost > 0, native)
 
 
-def saddle_nodes(balance: Balance, F_0: float) -> Folds | None:
+def saddle_nodes(model: Model, F_0: float) -> Folds | None:
     """Every fold beside averaging's and its highest peak; None where there is neither, or doubles do not tell."""
-    model = balance.model
     status, undecided, found, lost, tried, left = backend.SOLVER.second_saddle_nodes(model.native, F_0)
     if status != Status.OK or undecided or not left[1]:
         return None
@@ -44,33 +38,33 @@ def saddle_nodes(balance: Balance, F_0: float) -> Folds | None:
     return told_of_folds([Fold(*fold) for fold in found], lost, tried, of_curve, F_0)
 
 
-def folds(balance: Balance, curve: Curve, F_0: float) -> Folds:
+def folds(model: Model, curve: Curve, F_0: float) -> Folds:
     """Every fold between points of the curve."""
-    status, found, lost, tried = backend.SOLVER.second_folds(balance.model.native, F_0, curve.native)
+    status, found, lost, tried = backend.SOLVER.second_folds(model.native, F_0, curve.native)
     if status != Status.OK:
-        raise NotSettled(words.unresolved(balance.model, F_0))
+        raise NotSettled(words.unresolved(model, F_0))
     return told_of_folds([Fold(*fold) for fold in found], lost, tried, curve.message, F_0)
 
 
-def states(balance: Balance, curve: Curve, Omega: Floats, F_0: float) -> list[State]:
+def states(model: Model, curve: Curve, Omega: Floats, F_0: float) -> list[State]:
     """Every state where the curve passes one of the frequencies, by their order, then by rising A."""
-    found = backend.SOLVER.second_states(balance.model.native, F_0, curve.native, Omega)
+    found = backend.SOLVER.second_states(model.native, F_0, curve.native, Omega)
     return [State(Omega, u_max, A_1, phi, stable != 0) for Omega, u_max, A_1, phi, stable in found]
 
 
-def peak(balance: Balance, curve: Curve, F_0: float) -> tuple[float, float] | None:
+def peak(model: Model, curve: Curve, F_0: float) -> tuple[float, float] | None:
     """The highest point between points of the curve, u_max and its Omega."""
-    status, u_max, Omega = backend.SOLVER.second_peak(balance.model.native, F_0, curve.native)
+    status, u_max, Omega = backend.SOLVER.second_peak(model.native, F_0, curve.native)
     return (u_max, Omega) if status == Status.OK else None
 
 
-def cusp(balance: Balance, F_SN: float, Omega: float, A: float) -> tuple[float, float, float] | None:
+def cusp(model: Model, F_SN: float, Omega: float, A: float) -> tuple[float, float, float] | None:
     """The cusp that averaging's moves to: F_SN, Omega, u_max."""
-    status, *found = backend.SOLVER.second_onset(balance.model.native, F_SN, Omega, A)
+    status, *found = backend.SOLVER.second_onset(model.native, F_SN, Omega, A)
     return (found[0], found[1], found[2]) if status == Status.OK else None
 
 
-def detachment(balance: Balance, F_cr: float, Omega_cr: float, u_cr: float) -> tuple[float, float] | None:
+def detachment(model: Model, F_cr: float, Omega_cr: float, u_cr: float) -> tuple[float, float] | None:
     """The lowest forcing whose largest displacement is u_cr, and its frequency, beside averaging's."""
-    status, *found = backend.SOLVER.second_detachment(balance.model.native, F_cr, Omega_cr, u_cr)
+    status, *found = backend.SOLVER.second_detachment(model.native, F_cr, Omega_cr, u_cr)
     return (found[0], found[1]) if status == Status.OK else None

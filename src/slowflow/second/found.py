@@ -1,4 +1,4 @@
-"""What the solvers of the second approximation find: curves, folds, states, as both paths give them."""
+"""What the solvers of the second approximation find: curves, folds and states."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Curve:
     Omega, A        -- A as in the kernels, A_1 + a_3 + a_5
     u_max, A_1, phi -- largest displacement, first harmonic's amplitude and phase
     lost            -- whether points of the first approximation's are left out
-    native          -- the same as the compiled solvers take it, None on NumPy
+    native          -- the same as the compiled solvers take it
     """
 
     Omega: Floats
@@ -39,8 +39,8 @@ class Curve:
     branch: npt.NDArray[np.intp]
     isola: tuple[bool, ...]
     message: str
-    lost: bool = False
-    native: Any = None
+    lost: bool
+    native: Any
 
 
 class Fold(NamedTuple):

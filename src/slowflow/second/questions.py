@@ -9,8 +9,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from functools import cached_property
-from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,9 +22,8 @@ from slowflow.averaged.plan import Plan, Step
 from slowflow.measured import validity
 from slowflow.model import Floats
 from slowflow.results import Detachment, Peak, Remark, SaddleNodeOnset, SteadyStates
-from slowflow.second import solvers
+from slowflow.second import compiled
 from slowflow.second.answers import SecondFolds, SecondResponse, SecondStates
-from slowflow.second.balance import Balance
 from slowflow.second.found import Curve, Folds, State
 from slowflow.text import Sentence, text
 from slowflow_kernels.second_conventions import BEYOND, SAMPLES, Wanted
@@ -103,10 +100,6 @@ class SecondApproximation:
             if u_cr > mechanism.harmonics_up_to:
                 raise Refused(NOT_DERIVED.format(u_cr, mechanism.harmonics_up_to))
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        # its solvers are a module, which cannot be pickled: they are found again
-        return SecondApproximation, (self.first,)
-
     def __getattr__(self, name: str) -> Any:
         """Raises AttributeError, with the reason where averaging answers the question of that name."""
         why = f": {UNANSWERED[name]}" if name in UNANSWERED else ""
@@ -138,7 +131,7 @@ class SecondApproximation:
             columns = (none, none, none, none, np.empty(0, bool))
             said, rest = self._remarked(words.sticks(model, F_0), none, none), (np.empty(0, np.intp), ())
             return SecondResponse(*columns, said, *rest, F_0=F_0, force=none, _model=model)
-        curve = self._solvers.along(self._balance, F_0, samples, window)
+        curve = compiled.along(self.first.model, F_0, samples, window)
         Omega_, u_max, A_1, phi, stable, branch = self._with_peak(curve, F_0, samples)
         if not model.stays_centred:
             stable = stable & self._stay(Omega_, u_max)
@@ -166,7 +159,7 @@ class SecondApproximation:
         found: list[State] = []
         if wanted.size and first.A.size:
             curve = self._around(F_0, wanted, Wanted.EVERY_POINT)
-            found = self._solvers.states(self._balance, curve, wanted, float(F_0))
+            found = compiled.states(self.first.model, curve, wanted, float(F_0))
         at, u_max, A_1, phi, stable = np.array(found).reshape(-1, 5).T
         fewer = int(np.count_nonzero(_counts(wanted, at) < _counts(wanted, first.Omega)))
         message = joined(first.message, FEWER.format(fewer, wanted.size) if fewer else "")
@@ -199,7 +192,7 @@ class SecondApproximation:
         them, in 600 points, not proved. What lies where the harmonics are not small is left out, in words.
         """
         F_0 = validate.number("F_0", F_0, above=0.0)
-        of_curve = None if self.first.model.sticks(F_0) else self._solvers.saddle_nodes(self._balance, F_0)
+        of_curve = None if self.first.model.sticks(F_0) else compiled.saddle_nodes(self.first.model, F_0)
         found, lost, message = of_curve or self._folds_by_steps(F_0)
         at, u_max, A_1, up, corner = np.array(found).reshape(-1, 5).T
         # what a sweep leaves for a larger amplitude has its stable side below
@@ -215,7 +208,7 @@ class SecondApproximation:
         if first.Omega == 0:
             return Peak(None, None, first.F_0, NO_PEAK.format(AT_REST))
         curve = self._around(first.F_0, np.array([first.Omega]), Wanted.TOP_ONLY)
-        found = self._solvers.peak(self._balance, curve, first.F_0)
+        found = compiled.peak(self.first.model, curve, first.F_0)
         if found is None:
             return Peak(None, None, first.F_0, joined(NO_PEAK.format(LEFT_OUT), curve.message))
         u_max, Omega = found
@@ -228,7 +221,7 @@ class SecondApproximation:
             return first
         if first.kind != "cusp":
             return SaddleNodeOnset(None, None, None, "", NO_CUSP.format(first.kind))
-        found = self._solvers.cusp(self._balance, first.F_SN, first.Omega, first.A)
+        found = compiled.cusp(self.first.model, first.F_SN, first.Omega, first.A)
         if found is None:
             return SaddleNodeOnset(None, None, None, "", FAR)
         F_SN, Omega, u_max = found
@@ -241,7 +234,7 @@ class SecondApproximation:
             return first
         if first.Omega_cr == 0:
             return Detachment(None, None, first.u_cr, STATIC)
-        found = self._solvers.detachment(self._balance, first.F_cr, first.Omega_cr, first.u_cr)
+        found = compiled.detachment(self.first.model, first.F_cr, first.Omega_cr, first.u_cr)
         if found is None:
             return Detachment(None, None, first.u_cr, FAR)
         F_cr, Omega_cr = found
@@ -254,7 +247,7 @@ class SecondApproximation:
         if not marks:
             return Folds([], 0, first.message)
         curve = self._around(F_0, np.array(marks), Wanted.FOLDS_ONLY)
-        return self._solvers.folds(self._balance, curve, F_0)  # type: ignore[no-any-return]
+        return compiled.folds(self.first.model, curve, F_0)
 
     def _with_peak(self, curve: Curve, F_0: float, samples: int) -> tuple[Any, ...]:
         """The columns of a curve, with its highest point where few samples leave that between two of them.
@@ -266,13 +259,13 @@ class SecondApproximation:
         if not (first and curve.Omega.size and curve.Omega.min() < first < curve.Omega.max()):
             return columns
         beside = self._around(F_0, np.array([first]), Wanted.TOP_ONLY)
-        u_max, Omega = self._solvers.peak(self._balance, beside, F_0) or (0.0, 0.0)
+        u_max, Omega = compiled.peak(self.first.model, beside, F_0) or (0.0, 0.0)
         highest = int(curve.u_max.argmax())
         behind = highest > 0 and (curve.Omega[highest - 1] < Omega) == (Omega < curve.Omega[highest])
         ends = curve.Omega[max(highest - 1, 0) : highest + 2]
         if not (u_max > HIGHER * curve.u_max[highest] and ends.min() < Omega < ends.max()):
             return columns
-        there = self._solvers.states(self._balance, beside, np.array([Omega]), F_0)
+        there = compiled.states(self.first.model, beside, np.array([Omega]), F_0)
         top = min(there, key=lambda one: abs(one.u_max - u_max), default=None)
         if top is None or not top.u_max > HIGHER * curve.u_max[highest]:
             return columns
@@ -302,16 +295,7 @@ class SecondApproximation:
     def _around(self, F_0: float, Omega: Floats, wanted: Wanted) -> Curve:
         """The curve that holds some frequencies and what may lie beside them."""
         shown = (float(Omega.min()) / BEYOND, float(Omega.max()) * BEYOND)
-        curve: Curve = self._solvers.along(self._balance, F_0, SAMPLES, shown, wanted)
-        return curve
-
-    @cached_property
-    def _balance(self) -> Balance:
-        return Balance(self.first.model)
-
-    @cached_property
-    def _solvers(self) -> ModuleType:
-        return solvers.of(self._balance)
+        return compiled.along(self.first.model, F_0, SAMPLES, shown, wanted)
 
 
 def _counts(wanted: Floats, values: Floats) -> npt.NDArray[np.intp]:

@@ -263,14 +263,6 @@ static PyObject *second_detachment(PyObject *self, PyObject *args)
     return Py_BuildValue("idd", (int)status, F_cr, Omega_cr);
 }
 
-/* Whether the record knows the spring's harmonics. */
-static PyObject *has_second(PyObject *self, PyObject *given)
-{
-    (void)self;
-    const sf_model *model = sf_model_in(given);
-    return model == NULL ? NULL : PyBool_FromLong(model->mechanism->harmonics != NULL);
-}
-
 static PyMethodDef functions[] = {
     {"second_curve", second_curve, METH_VARARGS,
      "(model, F_0, wanted, samples, low, high) -> status, (Omega, A, u_max, A_1, phi, stable, part, closed parts, (lost, "
@@ -284,7 +276,6 @@ static PyMethodDef functions[] = {
     {"second_peak", second_peak, METH_VARARGS, "(model, F_0, curve) -> status, u_max, Omega"},
     {"second_onset", second_onset, METH_VARARGS, "(model, F_SN, Omega, A) of a cusp -> status, F_SN, Omega, u_max"},
     {"second_detachment", second_detachment, METH_VARARGS, "(model, F_cr, Omega_cr, u_cr) -> status, F_cr, Omega_cr"},
-    {"has_second", has_second, METH_O, "(model) -> whether the spring's harmonics are known"},
     {NULL, NULL, 0, NULL},
 };
 

@@ -5,8 +5,8 @@
 #include "second_approximation.h"
 #include "second_conventions.h"
 
-/* The loop of both; `phase` is known when it is compiled. */
-#define OVER_STATES(phase)                                                                                             \
+/* The loop of both; `phase` and `by_inertia` are known when it is compiled. */
+#define OVER_STATES(phase, by_inertia)                                                                                 \
     const double *restrict h = known, *restrict h_A = known + n, *restrict h_AA = known + 2 * n;                       \
     const double *restrict h_3 = known + 4 * n, *restrict h_3_A = known + 5 * n, *restrict h_3_AA = known + 6 * n;     \
     const double *restrict h_5 = known + 8 * n, *restrict h_5_A = known + 9 * n, *restrict h_5_AA = known + 10 * n;    \
@@ -17,26 +17,36 @@
     SF_INDEPENDENT                                                                                                     \
     for (ptrdiff_t i = 0; i < n; i++) {                                                                                \
         double values[SF_BALANCE];                                                                                     \
-        second_approximation_response(Omega[i], A[i], F_0, m, zeta, h[i], h_A[i], h_AA[i], h_3[i], h_3_A[i],           \
-                                      h_3_AA[i], h_5[i], h_5_A[i], h_5_AA[i], values);                                 \
+        second_approximation_response(Omega[i], A[i], (by_inertia) ? inertia_force(Omega[i], F_0) : F_0, m, zeta, h[i], \
+                                      h_A[i], h_AA[i], h_3[i], h_3_A[i], h_3_AA[i], h_5[i], h_5_A[i], h_5_AA[i],       \
+                                      values);                                                                         \
         u_max[i] = values[0], A_1[i] = values[1];                                                                      \
         if (phase)                                                                                                     \
             phi[i] = values[2];                                                                                        \
-        R[i] = values[3], F[i] = values[4], F_A[i] = values[5], F_Omega[i] = values[6], R_A[i] = values[7];            \
+        R[i] = values[3], F[i] = values[4], F_A[i] = values[5], R_A[i] = values[7];                                    \
+        F_Omega[i] = values[6] - ((by_inertia) ? sf_force_squared_slope(Omega[i], F_0) : 0);                           \
         R_Omega[i] = values[8];                                                                                        \
     }                                                                                                                  \
     (void)phi
 
-SF_WIDE void sf_second_balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, double m, double zeta,
-                                const double *known, double *out)
+SF_WIDE void sf_second_balances(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, double m,
+                                double zeta, const double *known, double *out)
 {
-    OVER_STATES(0);
+    if (inertial) {
+        OVER_STATES(0, 1);
+    } else {
+        OVER_STATES(0, 0);
+    }
 }
 
-SF_WIDE void sf_second_answers(ptrdiff_t n, const double *Omega, const double *A, double F_0, double m, double zeta,
-                               const double *known, double *out)
+SF_WIDE void sf_second_answers(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, double m,
+                                double zeta, const double *known, double *out)
 {
-    OVER_STATES(1);
+    if (inertial) {
+        OVER_STATES(1, 1);
+    } else {
+        OVER_STATES(1, 0);
+    }
 }
 
 static inline double larger(double a, double b)

@@ -8,15 +8,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
 from slowflow.model import Floats, Model
 from slowflow_kernels import inertia
 from slowflow_kernels import second_approximation as kernels
-from slowflow_kernels.second_conventions import HARMONICS, SMALL
-
-Flags = npt.NDArray[np.bool_]
 
 
 class Values(NamedTuple):
@@ -67,13 +61,3 @@ class Balance:
             Omega, A, self.model.force(F_0, Omega), m, zeta, *self.model.averaged(A), *self.model.harmonics(A)
         )
         return values
-
-    def off_resonance(self, Omega: Any, A: Any) -> Flags:
-        """Where the third harmonic is above its resonance."""
-        return np.asarray(np.abs(self.model.averaged(A)[0]) < kernels.RESONANCE * A * Omega**2)
-
-    def is_small(self, Omega: Any, A: Any) -> Flags:
-        """Where the harmonics are a correction: the force's, and friction's, which take u_max below A."""
-        at = self.response(Omega, A, 1.0)
-        small = (np.abs(at.A_1 / A - 1.0) < HARMONICS) & (np.abs(at.u_max / A - 1.0) < SMALL)
-        return np.asarray(self.off_resonance(Omega, A) & small)
