@@ -1035,3 +1035,31 @@ def test_states_by_inertia_born_next_to_rest_are_all_there(excitation):
         found = one.amplitudes(Omega=Omega, F_0=F_0)
         assert not found.Omega_undecided.size and len(turns) == 3
         np.testing.assert_allclose(found.A, A[turns], rtol=3e-5)
+
+
+@pytest.mark.parametrize("rubs", ["throughout", "attached"])
+def test_the_onset_by_inertia_is_the_least_level_where_that_is_below_all_cusps(rubs):
+    """An isola point of weak damping: the least level of all amplitudes beyond the stop, on a grid and beside it."""
+    osc = derive.library("elastic_stop")(
+        kappa=5.6,
+        delta=0.58,
+        mu=0.0,
+        zeta=0.0028,
+        eta=0.0,
+        c_2=0.0 if rubs == "attached" else 1e-9,
+        rubs=rubs,
+        excitation="base",
+    )
+
+    def level(Omega, A):
+        return np.hypot(*balances(osc, Omega, A)) / Omega**2
+
+    found = osc.saddle_node_onset()
+    assert found.kind == "isola"
+    Omega, A = np.meshgrid(np.linspace(0.8, 2.4, 1601), np.linspace(0.6, 2.0, 1401))
+    assert found.F_SN == pytest.approx(level(found.Omega, found.A), rel=1e-12)
+    assert found.F_SN <= level(Omega, A).min() * (1 + 1e-12)
+    beside = [level(found.Omega * (1 + x), found.A * (1 + y)) for x in (-1e-3, 0, 1e-3) for y in (-1e-3, 0, 1e-3)]
+    assert np.argmin(beside) == 4
+    assert not len(osc.saddle_nodes(found.F_SN * 0.999))
+    assert len(osc.saddle_nodes(found.F_SN * 1.001)) == 2

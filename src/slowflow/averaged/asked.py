@@ -172,6 +172,7 @@ ONSET = Question(
     outputs("saddle_node_onset"),
     lambda native: native.many_onset,
     2**14,
+    by_laws=True,
 )
 SADDLE_NODES = Question(
     _saddle_nodes,

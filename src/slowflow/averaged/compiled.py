@@ -76,7 +76,7 @@ def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
 
 def onset(model: Model) -> SaddleNodeOnset:
     """The lowest forcing that has a fold, in whatever regime it lies."""
-    status, F_SN, Omega, A, kind, at_rest = backend.SOLVER.onset(model.native)
+    status, F_SN, Omega, A, kind, at_rest = backend.SOLVER.onset(model.searched)
     if status == Status.OK:
         onset = {"F_SN": F_SN, "Omega": Omega, "A": A, "kind": ONSET_KINDS[kind], "untruncated": None}
         found = SaddleNodeOnset._made(**onset, message="", remarks=NOTHING)
@@ -84,14 +84,9 @@ def onset(model: Model) -> SaddleNodeOnset:
     if status == Status.UNRESOLVED:
         raise NotSettled(words.unresolved_onset(model))
     check(status, model)
-    if status == Status.UNBOUNDED:
-        said = words.OPEN if model.zeta > 0 else words.NO_LOWEST.format(model.m)
-        if model.zeta > 0 and not model.inertial:
-            from slowflow.averaged.reference.onset import next_to_rest  # which takes SciPy
-
-            with np.errstate(all="ignore"):
-                come_down, _ = next_to_rest(model)
-            said = words.STIFF_AT_REST.format(model.m) if come_down else said
+    if status == Status.UNBOUNDED:  # at_rest is what the level comes down to
+        no_lowest = words.STIFF_AT_REST if model.zeta > 0 else words.NO_LOWEST
+        said = no_lowest.format(model.m) if at_rest < math.inf else words.OPEN
         return SaddleNodeOnset(None, None, None, "", said, _status=Status.UNBOUNDED)
     return words.with_folds_at_rest(model, SaddleNodeOnset(None, None, None, "", words.NO_ONSET), at_rest)
 

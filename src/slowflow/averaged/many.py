@@ -67,9 +67,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
     excitation -- what F_0 is the amplitude of, the same for all: "force", "base" or "unbalance"
     rubs      -- where dry friction acts, the same for all: "throughout" or "attached"
 
-    With eta, c_2 or rubs="attached" onsets and detachment are answered one by one on NumPy, as single ones are: some
-    hundredths of a second each. Raises TypeError for a name that is missing or unknown, ValueError for such laws with
-    another excitation.
+    Raises TypeError for a name that is missing or unknown.
     """
 
     mechanism: Mechanism

@@ -46,6 +46,6 @@ detachment = _either(compiled.detachment, lambda: _reference().detachment, laws=
 extrema = _either(compiled.extrema, lambda: _reference().extrema)
 fold_locus = _either(compiled.fold_locus, lambda: _reference().fold_locus)
 frequency_response = _either(compiled.frequency_response, lambda: _reference().frequency_response, laws=True)
-onset = _either(compiled.onset, lambda: _reference().onset)
+onset = _either(compiled.onset, lambda: _reference().onset, laws=True)
 peak = _either(compiled.peak, lambda: _reference().peak, laws=True)
 saddle_nodes = _either(compiled.saddle_nodes, lambda: _reference().saddle_nodes, laws=True)

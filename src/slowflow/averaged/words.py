@@ -17,7 +17,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow.answer import joined
-from slowflow.model import Floats, Model
+from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import NOTHING, Peak, Remark, SaddleNodeOnset
 from slowflow.text import Sentence, text, together
 from slowflow_kernels import dissipation, inertia, slow_flow, slow_flow_zeta0
@@ -235,6 +235,13 @@ def unresolved_onset(model: Model) -> str:
     """That rounding may decide where folds are born, and next to which amplitudes."""
     if model.zeta == 0 and model.preload > 0:
         return PRELOAD_UNDAMPED
+    if model.laws.c_2 > 0 and model.laws.eta == 0:
+        alone = model.zeta + model.m == 0
+        plays = [b for b in model.breakpoints if model.averaged(b)[0] == model.averaged(b)[1] == 0]
+        if plays and (alone or (model.laws.rubs != THROUGHOUT and not model.inertial)):
+            return SLIDES_FREE.format(plays[-1], 0.0)
+        if alone and model.inertial:
+            return BALANCED
     other = _or_not_known(model)
     if not model.breakpoints:
         return "the onset is unresolved: folds are born within rounding of each other" + other

@@ -78,9 +78,24 @@ static inline sf_asked sf_asked_of(sf_question question, const sf_model *model, 
 
 /* ==== At a sample ================================================================================================= */
 
-/* h over A at A = 0 */
-static inline void sf_ask_stiffness(const sf_sample *at, sf_answer *out) {
-    out->exists[0] = out->exists[1] = 1;
+/* Whether I_0 changes with A on the piece that begins at or below A, as by other laws of damping. */
+static inline int sf_has_sloping_rest(const sf_model *model, double A) {
+    return sf_has_laws(model) && (model->eta > 0 || (model->released != 0 && A >= model->b[0]));
+}
+
+/* h over A at A = 0; where I_0 changes with A, F_A at Omega = 0 */
+static inline void sf_ask_stiffness(const sf_asked *asked, const sf_sample *at, sf_answer *out) {
+    const sf_model *model = asked->model;
+    double rest[4];
+    out->exists[0] = 1;
+    if (sf_has_sloping_rest(model, asked->first->A)) {
+        sf_rest_at(model, at->A, model->breaks > 0 && asked->first->A >= model->b[0], rest);
+        out->y[0] = dissipation_F_A(0, at->A, rest[0], rest[1], model->zeta, model->d, at->h, at->h_A);
+        out->dy[0] =
+            dissipation_F_AA(0, at->A, rest[0], rest[1], rest[2], model->zeta, model->d, at->h, at->h_A, at->h_AA);
+        return;
+    }
+    out->exists[1] = 1;
     out->y[0] = at->A > 0 ? at->h : at->h_A, out->dy[0] = at->h_A;
     out->y[1] = at->h_A, out->dy[1] = at->h_AA;
 }
@@ -347,7 +362,7 @@ static inline void sf_ask(const sf_asked *asked, int open, const sf_sample *at, 
     }
     switch (asked->question) {
     case SF_STIFFNESS:
-        sf_ask_stiffness(at, out);
+        sf_ask_stiffness(asked, at, out);
         break;
     case SF_FOLD_AT:
         sf_ask_fold(asked, at, out);

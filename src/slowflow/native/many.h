@@ -228,8 +228,8 @@ static void sf_answer_onset(const sf_mechanism *mechanism, char **args, const pt
     if (work != NULL && sf_design_at(mechanism, args, steps, k, 1, &model))
         status = sf_settled_onset(&model, sf_exactly_at(mechanism, args, steps, k, &exactly) ? &exactly : NULL, work,
                                   &found);
-    sf_write_onset(args, steps, mechanism->design_size + mechanism->damping_size, k, &found, sf_is_rest_below(&found),
-                   status);
+    sf_write_onset(args, steps, mechanism->design_size + mechanism->damping_size, k, &found,
+                   status != SF_UNBOUNDED && sf_is_rest_below(&found), status);
 }
 
 /* Whether design k begins the search of a block as its member d. */

@@ -6,6 +6,7 @@
 #ifndef SF_ONSET_H
 #define SF_ONSET_H
 
+#include "law_folds.h"
 #include "law_peaks.h"
 
 /* |u| at most in a motion of an amplitude. */
@@ -27,6 +28,12 @@ static sf_status sf_detachment(const sf_model *model, double *F_cr, double *Omeg
     /* by inertia tended to as Omega tends to inf; of a force squares are beyond the range of doubles */
     return sf_inertial(model) ? SF_NONE : SF_NO_BOUND;
 }
+
+/* where a piece may be known to be left: at this share of its length, at the share of that, and so on */
+enum { SF_MOST_LEAVING = 14 };
+#define SF_LEAVING 0x1p-4
+/* to either side of a frequency at which folds on a breakpoint may begin */
+#define SF_BESIDE_FOLDS 0x1p-30
 
 static void sf_consider(double level, double Omega, double A, sf_onset_kind kind, sf_onset *best) {
     if (level < best->F_SN)
@@ -51,17 +58,106 @@ static void sf_consider_zero(const sf_model *model, const sf_zero *zero, const s
                     zero->question == SF_CUSP ? SF_CUSP_KIND : SF_ISOLA_KIND, best);
 }
 
+/* A piece without what lies next to the end of a play, where F_A is positive at any frequency: there both functions of a
+ * system vanish together at Omega = 0, and boxes would be cut for ever. F_A/2 is R R_A >= -Omega^2 max(A |h_A|, |h|) and
+ * I I_A, of which one part goes as Omega^2, too, and the others are positive. Unresolved where that part is 0, or what it
+ * outweighs lies between two doubles, and where the level does not change with Omega. piece: its number */
+static sf_status sf_leave_play(const sf_model *model, int piece, sf_stretch *of) {
+    const sf_sample first = of->first;
+    const double base = piece > 0 ? model->b[piece - 1] : 0;
+    const int is_stationary = sf_inertial(model) && model->zeta + model->m == 0;
+    double least[5], beyond = of->last.A - base;
+    int i;
+    if (model->eta > 0)
+        return SF_OK;
+    if (is_stationary && (first.h > 0 || (piece == 0 && first.h_A > 0)))
+        return SF_UNRESOLVED;
+    if (!(piece > 0 && first.h == 0 && first.h_A == 0))
+        return SF_OK;
+    dissipation_fold_quartic(base, model->m, 0, model->zeta, model->d, 0, 0, least);
+    if (!(least[2] > 0 && first.h_AA < 0) || (model->released && model->m > 0))
+        return model->d > 0 && (is_stationary || !sf_inertial(model)) ? SF_UNRESOLVED : SF_OK;
+    for (i = 0; i < SF_MOST_LEAVING; i++, beyond *= SF_LEAVING) {
+        sf_sample *at = &of->first;
+        sf_sample_at(model, base + beyond, at);
+        /* h_AAA is monotone, of one sign at both ends: h_AA is negative between as there, and h_A and h fall from 0 */
+        if (at->h_AA < 0 && !sf_opposite(at->h_AAA, first.h_AAA) && fmax(at->A * -at->h_A, -at->h) <= least[2] / 2)
+            return SF_OK;
+    }
+    return SF_UNRESOLVED;
+}
+
+/* All points of a system on a piece at which the level is lower than the best so far; a least one that is none is no lower
+ * than the one of its curve. */
+static sf_status sf_consider_points(const sf_model *model, sf_law_system system, int piece, const sf_stretch *of,
+                                    sf_law_search *search, sf_onset *best) {
+    int i;
+    sf_begin_search(model, system, best->F_SN, search);
+    sf_begin_piece(search, piece);
+    sf_search_points(search, &of->first, &of->last);
+    best->undecided |= search->found.undecided > 0;
+    for (i = 0; i < search->found.n; i++) {
+        const double Omega = search->found.at[i].Omega;
+        sf_sample at;
+        sf_sample_at(model, search->found.at[i].A, &at);
+        sf_consider(sf_law_level(model, &at, Omega), Omega, at.A, system == SF_LAW_CUSPS ? SF_CUSP_KIND : SF_ISOLA_KIND,
+                    best);
+    }
+    return search->found.status;
+}
+
+/* Where the fold locus ends at Omega = 0: where h vanishes, and so R, I is what is left. */
+static void sf_consider_end_by_laws(const sf_model *model, double A, sf_onset *best) {
+    sf_sample at;
+    double rest[4];
+    sf_sample_at(model, A, &at);
+    sf_rest_at(model, A, sf_is_beyond(model, A), rest);
+    if (fabs(at.h) < fabs(A * at.h_A))
+        best->rest = fmin(best->rest, rest[0]);
+    else if (model->zeta * rest[0] > 0 || dissipation_F_OmegaOmega(0, A, rest[0], model->zeta, model->d, at.h) >= 0)
+        best->rest = fmin(best->rest, sf_law_level(model, &at, 0));
+}
+
+/* As sf_consider_piece. Fewer levels are asked for once the cusps are known. */
+static sf_status sf_consider_piece_by_laws(const sf_model *model, const sf_stretch *piece, sf_work *work, sf_onset *best) {
+    sf_stretch left = *piece;
+    sf_status status;
+    int i, number = 0, is_known;
+    while (number < model->breaks && model->b[number] <= piece->first.A)
+        number++;
+    status = sf_leave_play(model, number, &left);
+    if (status != SF_OK)
+        return status;
+    if (!sf_inertial(model)) { /* at Omega = 0 the level is infinite */
+        sf_clear_zeros(&work->zeros);
+        sf_ask_all(model, SF_STIFFNESS, 0, &left, &work->zeros);
+        best->undecided |= work->zeros.undecided;
+        for (i = 0; i < work->zeros.n; i++)
+            sf_consider_end_by_laws(model, work->zeros.at[i].A, best);
+        if (work->zeros.status != SF_OK)
+            return work->zeros.status;
+    }
+    is_known = sf_consider_points(model, SF_LAW_ISOLAS, number, &left, &work->points, best) == SF_OK;
+    status = sf_consider_points(model, SF_LAW_CUSPS, number, &left, &work->points, best);
+    return is_known || status != SF_OK ? status
+                                       : sf_consider_points(model, SF_LAW_ISOLAS, number, &left, &work->points, best);
+}
+
 /* Where the level may be least inside a piece: cusps, isola points, ends. Where h_A is negative on all of it, and so h
  * behind its beginning, nothing ends at Omega = 0 and there are no isola points; where h_AA and k have one sign, no
  * cusps (sf_range_cusp). */
-static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf_zeros *zeros, sf_onset *best) {
+static sf_status sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf_work *work, sf_onset *best) {
+    sf_zeros *zeros = &work->zeros;
     sf_asked cusps = sf_asked_of(SF_CUSP, model, 0);
     double most = best->F_SN;
     sf_known first, last;
     sf_cell cell;
     int i;
     if (!sf_has_force(piece))
-        return;
+        return SF_OK;
+    if (sf_has_laws(model))
+        return sf_consider_piece_by_laws(model, piece, work, best);
+    sf_clear_zeros(zeros);
     sf_know(&piece->first, &first);
     sf_know(&piece->last, &last);
     sf_make_slopes(model, &piece->first, &piece->last, &first, &last, &cell);
@@ -81,6 +177,7 @@ static void sf_consider_piece(const sf_model *model, const sf_stretch *piece, sf
         sf_sample_at(model, zeros->at[i].A, &at);
         sf_consider_zero(model, &zeros->at[i], &at, best);
     }
+    return zeros->status;
 }
 
 /* Whether the level falls towards the point (b, w) of the fold locus along the piece below. */
@@ -145,6 +242,30 @@ static void sf_consider_bend(const sf_model *model, const sf_sample *at, const s
     }
 }
 
+/* The same by other laws of damping. Folds sit on it where the sign of F_A changes across it: that begins and ends where
+ * F_A vanishes on one side, or R where the force jumps; between, the level may be stationary. */
+static void sf_consider_corner_by_laws(const sf_model *model, int k, const sf_sample *at, sf_onset *best) {
+    double w[9];
+    int i, side, n;
+    if (!sf_has_law_corner(model, k))
+        return;
+    n = sf_law_frequencies(model, at, SF_OF_FOLDS, 0, 0, w);
+    n += sf_law_stationary(model, at, w + n);
+    if (model->jump[k] == 0)
+        n += sf_law_frequencies(model, at, SF_OF_FOLDS, 0, 1, w + n);
+    else if (at->h < 0)
+        w[n++] = slow_flow_backbone(at->A, at->h);
+    for (i = 0; i < n; i++) {
+        int beside = 0;
+        for (side = -1; side <= 1; side += 2) {
+            const double near = w[i] * (1 + side * SF_BESIDE_FOLDS);
+            beside |= (sf_law_F_A(model, at, near, 0) > 0) != sf_law_is_stable_above(model, k, at, near);
+        }
+        if (w[i] > 0 && beside)
+            sf_consider(sf_law_level(model, at, w[i]), w[i], at->A, SF_CORNER_KIND, best);
+    }
+}
+
 /* Whether the force is as it is far away; not where it is still nearly its slope at rest, and bends farther on. */
 static int sf_has_settled(const sf_model *model, const sf_sample *at) {
     sf_sample far;
@@ -156,14 +277,14 @@ static int sf_has_settled(const sf_model *model, const sf_sample *at) {
  * one; where the force levels off, up to the forcing beyond which no amplitude bounds the response. */
 static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first, sf_work *work, sf_onset *best) {
     double F_0 = best->F_SN, A_max, looked_through = model->m, unbounded = HUGE_VAL;
-    sf_status bounded = SF_OK;
+    sf_status bounded = SF_OK, status;
     sf_stretch piece;
     int i;
     piece.last = *first;
     if (!(F_0 < HUGE_VAL))
         F_0 = SF_RAISE * fmax(model->m, SF_FIRST_F_0);
     for (i = 0; i < SF_RAISES + SF_FAR_RAISES; i++) {
-        bounded = sf_amplitude_bound(model, F_0, &A_max);
+        bounded = sf_range_at(model, F_0, &A_max);
         if (bounded == SF_NO_BOUND && i < SF_RAISES && F_0 - looked_through > SF_NEAR_BOUND * looked_through) {
             unbounded = F_0, F_0 = 0.5 * (looked_through + F_0);
             continue;
@@ -175,13 +296,12 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
             sf_sample_at(model, A_max, &piece.last);
             if (first->A == 0 && first->h == 0 && piece.last.h_AA == 0 && piece.last.h_AAA == 0 && first->h_AAA == 0)
                 return SF_NONE; /* linear */
-            sf_clear_zeros(&work->zeros);
-            sf_consider_piece(model, &piece, &work->zeros, best);
-            if (work->zeros.status != SF_OK)
-                return work->zeros.status;
+            status = sf_consider_piece(model, &piece, work, best);
+            if (status != SF_OK)
+                return status;
         }
         if (bounded == SF_UNBOUNDED) /* where the response does not close folds of any amplitude may be lower */
-            return best->F_SN < HUGE_VAL ? sf_amplitude_bound(model, best->F_SN, &A_max) : bounded;
+            return best->F_SN < HUGE_VAL ? sf_range_at(model, best->F_SN, &A_max) : bounded;
         if (best->F_SN <= F_0)
             return SF_OK;
         looked_through = F_0;
@@ -336,13 +456,15 @@ static int sf_is_beside_break(const sf_model *model, const sf_onset *best) {
 
 /* Whether folds of an excitation by inertia on a breakpoint come lower than the best as Omega tends to inf. There F_A
  * and R are positive, so that folds sit on it where the force jumps by J < 0; and where the level of that amplitude
- * only falls, it falls to the amplitude. */
+ * only falls, it falls to the amplitude, or by quadratic damping to what is above it. */
 static int sf_falls_at_break(const sf_model *model, const sf_onset *best) {
+    double w[2];
     int k;
     for (k = 0; k < model->breaks; k++) {
         sf_sample at;
         sf_sample_at(model, model->b[k], &at);
-        if (model->jump[k] < 0 && model->b[k] < best->F_SN && sf_least_x(model, &at) == 0)
+        if (model->jump[k] < 0 && sf_full_level(model, &at) < best->F_SN &&
+            (sf_has_laws(model) ? sf_law_stationary(model, &at, w) == 0 : sf_least_x(model, &at) == 0))
             return 1;
     }
     return 0;
@@ -369,13 +491,15 @@ static void sf_begin_onset(const sf_model *model, const sf_piece_ends *ends, sf_
     int k;
     best->F_SN = best->rest = HUGE_VAL;
     best->Omega = best->A = NAN, best->kind = SF_NO_KIND, best->undecided = 0;
-    if (model->zeta == 0)
+    if (model->zeta == 0 && !sf_has_laws(model))
         return;
     if (ends->rest.h <
         0) /* R, -preload next to A = 0, vanishes at frequencies that tend to infinity there, and F_0 tends to m */
         best->rest = model->m;
     for (k = 0; k < model->breaks; k++) {
-        if (sf_inertial(model))
+        if (sf_has_laws(model))
+            sf_consider_corner_by_laws(model, k, &ends->on[k], best);
+        else if (sf_inertial(model))
             sf_consider_inertial(model, &ends->on[k], model->jump[k], best);
         else if (model->jump[k] != 0)
             sf_consider_jump(model, &ends->on[k], model->jump[k], best);
@@ -384,10 +508,35 @@ static void sf_begin_onset(const sf_model *model, const sf_piece_ends *ends, sf_
     }
 }
 
-/* No onset, for the reason that a status gives. */
-static sf_status sf_without_onset(sf_status status, sf_onset *best) {
+/* No onset, for the reason that a status gives. limit: what the level of folds comes down to, if that is known */
+static sf_status sf_without_onset(sf_status status, double limit, sf_onset *best) {
     best->F_SN = best->Omega = best->A = NAN, best->kind = SF_NO_KIND;
+    if (status == SF_UNBOUNDED)
+        best->rest = limit;
     return status;
+}
+
+/* Whether there are folds at any forcing above m, by quadratic damping alone.
+ *
+ * By a force next to where a play ends: |h_A| exceeds |h|/A there, so that R R_A = -a A Omega^4 where
+ * Omega^2 = |h_A|/(1 + a) and h is left out; I I_A is 2 d^2 A^3 Omega^4. For a small Omega they do outweigh each other
+ * either way as a changes: F_A vanishes between, at a level that is of the size of Omega^2.
+ *
+ * By any excitation where no stiffness holds the mass at rest: next to A = 0 either h_AA < 0, or |h_A| is convex:
+ * |h|/(A |h_A|) is at most a half, or tends to it. So R R_A is -a (1 - (1 + a)/2) A Omega^4 or less where
+ * Omega^2 = |h_A|/(1 + a), and beside it I I_A vanishes with A^2. The level is less than (A + d A^2) Omega^2. */
+static int sf_comes_down(const sf_model *model, const sf_piece_ends *ends) {
+    sf_stretch piece;
+    int k;
+    if (!(model->d > 0) || model->zeta + model->m + model->eta > 0)
+        return 0;
+    for (k = 0; k < model->breaks && !sf_inertial(model); k++)
+        if (ends->above[k].h == 0 && ends->above[k].h_A == 0 && ends->above[k].h_AA < 0)
+            return 1;
+    piece.first = ends->rest;
+    sf_sample_at(model, model->breaks > 0 ? fmin(model->b[0], 1) : 1, &piece.last);
+    return model->mechanism->bent == NULL && piece.first.h == 0 && piece.first.h_A == 0 &&
+           fabs(piece.first.h_AA) < HUGE_VAL && sf_moves_from(&piece, 0);
 }
 
 /* The amplitude from which on there may be folds, beside a force that is infinitely stiff at u = 0, as under a power
@@ -425,27 +574,30 @@ static double sf_first_with_folds(const sf_model *model, const sf_sample *rest) 
 static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, int pieces, sf_work *work,
                               sf_onset *best)
 {
-    const double from = model->zeta == 0 ? 0 : sf_first_with_folds(model, &ends->rest);
+    const int undamped = model->zeta == 0 && !sf_has_laws(model);
+    const double from = undamped ? 0 : sf_first_with_folds(model, &ends->rest);
     sf_sample rest = ends->rest;
     sf_stretch piece;
     sf_status status;
     int k;
-    if (model->zeta == 0) {
+    if (undamped) {
         status = sf_onset_undamped(model, work, best);
-        return best->kind == SF_NO_KIND ? sf_without_onset(status, best) : status;
+        return best->kind == SF_NO_KIND ? sf_without_onset(status, model->m, best) : status;
     }
-    if (from < 0)
-        return sf_without_onset(SF_UNBOUNDED, best);
+    if (from < 0 || sf_comes_down(model, ends))
+        return sf_without_onset(SF_UNBOUNDED, model->m, best);
+    /* of a preload they have R next to 0 and A Omega^2 next to it, as Omega tends to infinity */
+    if (sf_inertial(model) && ends->rest.h < 0)
+        return sf_without_onset(SF_UNBOUNDED, HUGE_VAL, best);
     if (from > 0)
         sf_sample_at(model, from, &rest);
     if (model->in_doubt) /* whether a corner is the lowest is the sign of a jump */
-        return sf_without_onset(SF_UNRESOLVED, best);
+        return sf_without_onset(SF_UNRESOLVED, 0, best);
     for (k = pieces; k < model->breaks; k++) {
         piece.first = k > 0 ? ends->above[k - 1] : rest, piece.last = ends->on[k];
-        sf_clear_zeros(&work->zeros);
-        sf_consider_piece(model, &piece, &work->zeros, best);
-        if (work->zeros.status != SF_OK)
-            return sf_without_onset(work->zeros.status, best);
+        status = sf_consider_piece(model, &piece, work, best);
+        if (status != SF_OK)
+            return sf_without_onset(status, 0, best);
     }
     status = sf_onset_in_last(model, model->breaks > 0 ? &ends->above[model->breaks - 1] : &rest, work, best);
     if (best->undecided && sf_is_beside_break(model, best))
@@ -454,7 +606,7 @@ static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, 
         status = SF_UNBOUNDED;
     if (status == SF_OK && best->kind == SF_NO_KIND)
         status = SF_NONE;
-    return status == SF_OK ? status : sf_without_onset(status, best);
+    return status == SF_OK ? status : sf_without_onset(status, HUGE_VAL, best);
 }
 
 static sf_status sf_find_onset(const sf_model *model, sf_work *work, sf_onset *best) {

@@ -17,6 +17,7 @@
 
 enum {
     SF_MOST_BOXES = 20000, /* looked at, after which the search is given up */
+    SF_MOST_OF_LOCUS = 200000, /* the same of cusps and isola points, on a piece that may have no end */
     SF_NEWTON_STEPS = 40,
     SF_NARROWINGS = 2
 };
@@ -133,7 +134,7 @@ static void sf_limit_by_damping(const sf_law_search *search, const sf_strip *str
     const sf_laws_within *laws = &search->laws;
     const sf_interval A = strip->cell.A;
     sf_interval most = sf_all();
-    if (!(search->F_0 < HUGE_VAL))
+    if (!(search->F_0 < HUGE_VAL) || search->far != sf_inertial(search->model))
         return;
     if (search->far)
         most = dissipation_intervals_velocity(search->force, sfi_mul(laws->d, sfi_square(A)), sfi_mul(laws->zeta, A),
@@ -217,7 +218,7 @@ static int sf_may_be_product(sf_interval product, sf_interval one, sf_interval o
 /* Narrows R and w to what the functions demand of them where both vanish; 0 where that is nothing. */
 static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip, sf_unknowns *of) {
     const sf_cell *cell = &strip->cell;
-    const sf_interval force = search->force;
+    sf_interval force = search->force;
     const int folded = sf_is_folded(search), forced = sf_is_forced(search), stationary = sf_is_stationary(search);
     /* where I I_A >= 0 R and its slope differ in sign: -h/A and -h_A enclose Omega^2, and R lies between 0 and k */
     const int apart = folded && strip->rest[1].lo >= 0;
@@ -235,11 +236,17 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
         if (sf_is_none(of->w))
             return 0;
         square = sfi_square(of->w);
+        if (search->far != sf_inertial(search->model))
+            force = sfi_mul(search->force, square);
         sf_balances_at(search, strip, of->w, &at);
         of->R = sfi_both(sfi_both(of->R, sfi_of(-force.hi, force.hi)), at.R);
         at.I = sfi_both(at.I, sfi_of(-HUGE_VAL, force.hi));
         if (sf_is_none(at.I))
             return 0;
+        if (!forced && force.hi < HUGE_VAL) {
+            const sf_interval most = dissipation_intervals_R_of_response(sfi_point(force.hi), at.I);
+            of->R = sfi_both(of->R, sfi_of(-most.hi, most.hi));
+        }
         if (stationary && forced) /* next to Omega = 0, where h vanishes too, this tells */
             at.I = sfi_both(at.I, dissipation_intervals_R_of_response(force, of->R));
         if (sf_is_none(at.I))
@@ -252,11 +259,27 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
             return 0;
         if (stationary && search->far && sf_has_level_slope(search, strip, of->w))
             return 0;
+        if (folded && stationary) {
+            /* R_A is what F_A = 0 makes of the R that a stationary level leaves; where h vanishes too, it tells */
+            const sf_interval zeta = search->far ? sfi_mul(search->laws.zeta, cell->A) : search->laws.zeta;
+            const sf_interval grows = search->far ? strip->rest[0] : sfi_mul(search->laws.d, cell->A);
+            const sf_interval share = sfi_inverse(sfi_add(grows, sfi_div(zeta, of->w)));
+            const sf_interval far = sfi_both(sfi_mul(cell->h, at.I_A),
+                                             sfi_mul(sfi_sub(of->R, cell->A), sfi_div(at.I_A, square)));
+            const sf_interval slope = search->far ? sfi_mul(far, share)
+                                                  : sfi_add(sfi_times(2, square), sfi_mul(strip->rest[1], share));
+            at.R_A = sfi_both(slope, at.R_A);
+            if (sf_is_none(at.R_A))
+                return 0;
+        }
         if (folded) {
             const sf_interval P = sfi_neg(sfi_mul(at.I, at.I_A)); /* R R_A */
             const sf_interval K = search->far ? sfi_mul(cell->k, square) : cell->k;
             if (sf_rises_from_rest(search, strip, search->far ? sfi_inverse(of->w) : of->w, 
                                    search->far ? sfi_div(at.I_A, square) : at.I_A))
+                return 0;
+            /* R R_A is least where R is K/2 */
+            if (!forced && sfi_add(sfi_times(0.25, sfi_square(K)), sfi_mul(cell->A, P)).hi < 0)
                 return 0;
             if (apart) {
                 of->R = sfi_both(of->R, sf_with_0(K));
@@ -513,6 +536,9 @@ static int sf_moves_by_other(const sf_law_search *search, const sf_law_box *box,
         return of_u[0] > SF_MUCH_MORE * of_A[0] && of_u[1] > SF_MUCH_MORE * of_A[1];
     if (is_A_bounded || is_u_bounded)
         return is_A_bounded;
+    if (!sf_is_forced(search) && search->base > 0)
+        return height * (box->b.at.A - search->base) * SF_MUCH_MORE * SF_MUCH_MORE >
+               width * sfi_most(sf_size_of(u), SF_LOW * SF_LOW);
     return height * box->b.at.A > width * sfi_most(sf_size_of(u), box->by_w || !sf_is_forced(search) ? SF_LOW : search->F_0);
 }
 
@@ -551,8 +577,13 @@ static double sf_cut_other(sf_interval u) {
     return (1 - SF_ASKEW) * u.lo + SF_ASKEW * u.hi;
 }
 
-/* All points of a system on a piece of the force from `first` to `last`. */
-static void sf_search_points(sf_law_search *search, const sf_sample *first, const sf_sample *last) {
+/* Whether boxes next to an amplitude are undecided as it is. */
+static int sf_is_in_doubt(const sf_law_points *found, double A) {
+    return found->undecided > 0 && fabs(found->doubt[found->undecided - 1] - A) <= SF_CLOSE * A;
+}
+
+/* All points of a system on a piece of the force from `first` to `last`, with w up to `most`. */
+static void sf_search_points_up_to(sf_law_search *search, const sf_sample *first, const sf_sample *last, double most) {
     sf_law_points *found = &search->found;
     int top = 0;
     search->end = last->A;
@@ -563,7 +594,7 @@ static void sf_search_points(sf_law_search *search, const sf_sample *first, cons
         sf_sample_at(search->model, SF_NEXT_TO_PRELOAD * last->A, &search->pending[0].a.at);
     sf_know(&search->pending[0].a.at, &search->pending[0].a.known);
     sf_know(&search->pending[0].b.at, &search->pending[0].b.known);
-    search->pending[0].of.R = sf_all(), search->pending[0].of.w = sfi_of(0, HUGE_VAL);
+    search->pending[0].of.R = sf_all(), search->pending[0].of.w = sfi_of(0, most);
     for (top = 1; top > 0;) {
         sf_law_box *box = &search->pending[top - 1], *next = box + 1;
         const double a = box->a.at.A, b = box->b.at.A, middle = sf_amid(search->base, a, b);
@@ -571,7 +602,7 @@ static void sf_search_points(sf_law_search *search, const sf_sample *first, cons
         int other, is_thin;
         sf_interval *u;
         double at;
-        if (found->boxes++ > SF_MOST_BOXES || found->status != SF_OK) {
+        if (found->boxes++ > (sf_is_forced(search) ? SF_MOST_BOXES : SF_MOST_OF_LOCUS) || found->status != SF_OK) {
             found->status = SF_UNRESOLVED;
             return;
         }
@@ -581,7 +612,7 @@ static void sf_search_points(sf_law_search *search, const sf_sample *first, cons
         }
         u = sf_second_unknown(box), at = sf_cut_other(*u);
         is_thin = !(at > u->lo && at < u->hi) || u->hi - u->lo <= SF_THIN * sf_size_of(*u);
-        if (!inside && is_thin) {
+        if (!inside && (is_thin || (!sf_is_forced(search) && sf_is_in_doubt(found, b)))) {
             if (found->undecided < SF_MOST_POINTS)
                 found->doubt[found->undecided++] = b;
             top--;
@@ -600,6 +631,19 @@ static void sf_search_points(sf_law_search *search, const sf_sample *first, cons
         }
         top++;
     }
+}
+
+/* All of them. Neither F_A nor F_AA knows of the excitation: cusps are looked for up to Omega = 1, and beyond by
+ * 1/Omega. */
+static void sf_search_points(sf_law_search *search, const sf_sample *first, const sf_sample *last) {
+    const int far = search->far;
+    if (search->system != SF_LAW_CUSPS) {
+        sf_search_points_up_to(search, first, last, HUGE_VAL);
+        return;
+    }
+    for (search->far = 0; search->far < 2; search->far++)
+        sf_search_points_up_to(search, first, last, 1);
+    search->far = far;
 }
 
 static void sf_begin_search(const sf_model *model, sf_law_system system, double F_0, sf_law_search *search) {

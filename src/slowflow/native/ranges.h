@@ -243,6 +243,19 @@ static inline void sf_range_stiffness(const sf_cell *cell, sf_range out[2]) {
     sf_range_simple(cell->h_A, cell->h_AA, flat ? SF_NOWHERE : SF_THROUGHOUT, &out[1]);
 }
 
+static inline void sf_range_stiffness_by_laws(const sf_model *model, const sf_cell *cell, sf_range out[2]) {
+    const sf_interval h_A = cell->h_A;
+    sf_laws_within laws;
+    sf_interval rest[4], slope;
+    sf_hold_laws(model, model->breaks > 0 && cell->A.lo >= model->b[0], &laws);
+    sf_rest_within(&laws, cell->A, rest);
+    slope = sfi_add(sfi_add(sfi_square(h_A), sfi_mul(cell->h, cell->h_AA)),
+                    sfi_add(sfi_square(rest[1]), sfi_mul(rest[0], rest[2])));
+    sf_range_simple(sfi_times(2, sfi_add(sfi_mul(cell->h, h_A), sfi_mul(rest[0], rest[1]))), sfi_times(2, slope),
+                    SF_THROUGHOUT, &out[0]);
+    out[1].where = SF_NOWHERE;
+}
+
 static inline void sf_range_undamped(const sf_cell *cell, sf_range out[2]) {
     const sf_where where = sf_where_positive(sfi_neg(cell->h_A));
     const sf_interval unknown = sfi_of(-HUGE_VAL, HUGE_VAL);
@@ -499,7 +512,10 @@ static inline void sf_find_range(const sf_asked *asked, const sf_known *a, const
     }
     switch (asked->question) {
     case SF_STIFFNESS:
-        sf_range_stiffness(cell, out);
+        if (sf_has_sloping_rest(model, cell->A.lo))
+            sf_range_stiffness_by_laws(model, cell, out);
+        else
+            sf_range_stiffness(cell, out);
         break;
     case SF_FOLD_AT:
         sf_range_fold(&asked->terms, cell, out);

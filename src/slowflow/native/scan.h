@@ -343,8 +343,8 @@ static void sf_find_zeros(const sf_asked *asked, const sf_stretch *piece, sf_zer
     sf_probe low, high;
     search.asked.first = &piece->first;
     low.at = piece->first, high.at = piece->last;
-    sf_ask(asked, open, &low.at, &low.answer);
-    sf_ask(asked, open, &high.at, &high.answer);
+    sf_ask(&search.asked, open, &low.at, &low.answer);
+    sf_ask(&search.asked, open, &high.at, &high.answer);
     if (low.at.A == 0 && (sf_begins_above_rest(asked->question, &low.at) ||
                           (low.answer.exists[0] && low.answer.y[0] == 0) ||
                           (low.answer.exists[1] && low.answer.y[1] == 0)))

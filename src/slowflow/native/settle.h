@@ -455,7 +455,7 @@ static int sf_settle_onset(const sf_model *model, const sf_exactly *exactly, sf_
 
 static sf_status sf_settled_onset(const sf_model *model, const sf_exactly *exactly, sf_work *work, sf_onset *out) {
     const sf_status status = sf_find_onset(model, work, out);
-    if (status == SF_OK)
+    if (status == SF_OK && !sf_has_laws(model))
         sf_settle_onset(model, exactly, out);
     return status;
 }
