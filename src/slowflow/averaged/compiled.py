@@ -26,6 +26,7 @@ from slowflow.results import (
     SaddleNodes,
     SteadyStates,
 )
+from slowflow_kernels import dissipation
 from slowflow_kernels.conventions import OnsetKind, Status
 from slowflow_support.errors import NotSettled, OutOfRange
 
@@ -43,19 +44,25 @@ def check(status: int, model: Model, F_0: float | None = None) -> None:
     if status == Status.NO_MEMORY:
         raise MemoryError
     if status == Status.NO_BOUND:
+        if model.inertial and model.free and model.zeta == model.m == model.laws.eta == 0 and F_0 is not None:
+            raise NotSettled(words.everywhere(float(dissipation.full_by_inertia(F_0, model.d))))
         raise OutOfRange(words.unbounded(model, F_0))
     if status in (Status.TOO_MANY, Status.UNRESOLVED):
         raise NotSettled("the response is unresolved" if F_0 is None else words.unresolved(model, F_0))
 
 
-def remark_of(model: Model, F_0: float) -> str:
+def remark_of(model: Model, F_0: float, lowest: float = 0.0) -> str:
+    """Where a response is cut, in words; lowest: the lowest Omega that is asked for."""
     if model.zeta == 0 and not model.laws.any:
         return words.cut(model, F_0)[1]
-    if not model.inertial and model.mechanism.enclosed is None:
+    goes = model.lets_go and not model.inertial
+    if (lowest > 0 and goes) or not (goes or model.inertial or model.mechanism.enclosed is not None):
         return ""
     status, A_max = backend.SOLVER.amplitude_bound(model.searched, F_0)
     if status != Status.UNBOUNDED:
         return ""
+    if goes:
+        return words.cut_towards_rest(model, F_0)[1]
     return words.does_not_close(A_max)[1] if model.inertial else words.cut_at_reach(model)[1]
 
 
@@ -95,6 +102,8 @@ def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
     status, F_cr, Omega_cr, u_cr = backend.SOLVER.detachment(model.searched)
     if status == Status.NO_BOUND:
+        if model.inertial and model.free and model.zeta == model.m == model.laws.eta == 0 and F_0 is not None:
+            raise NotSettled(words.everywhere(float(dissipation.full_by_inertia(F_0, model.d))))
         raise OutOfRange(words.BEYOND_RANGE.format(model.breakpoints[0]))
     if status == Status.NONE:
         ends = model.breakpoints
@@ -145,7 +154,7 @@ def frequency_response(model: Model, F_0: float, samples: int, window: tuple[flo
     moves = A > 0
     if not moves.all():  # where the response to an excitation by inertia begins the mass is at rest
         Omega, A, stable, branch = Omega[moves], A[moves], stable[moves], branch[moves]
-    remark = remark_of(model, F_0)
+    remark = remark_of(model, F_0, window[0])
     message = remark if A.size else joined(remark, words.empty_window(model, F_0, window))
     columns = {"Omega": Omega, "A": A, "stable": stable, "branch": branch, "isola": isola, "Omega_undecided": NO_NUMBER}
     codes = words.beside(undecided, remark)
@@ -156,7 +165,7 @@ def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
     """Every steady state at each frequency, by the order of Omega, then by rising A."""
     status, at, A, stable, undecided = backend.SOLVER.steady_states(model.searched, F_0, Omega)
     check(status, model, F_0)
-    remark = remark_of(model, F_0)
+    remark = remark_of(model, F_0, float(np.min(Omega, initial=np.inf)))
     message = partial(words.of_states, model, F_0, remark, Omega, at, undecided)
     columns = {"Omega": at, "A": A, "stable": stable, "Omega_undecided": undecided}
     codes = words.beside(undecided.size > 0, remark)

@@ -273,11 +273,15 @@ static inline void sf_ask_undamped(const sf_sample *at, sf_answer *out) {
 }
 
 /* h^2 + m^2 = F_0^2 has two smooth halves; by other laws of damping I_0 takes the place of m, and they end where it is
- * F_0 */
+ * F_0: where nothing pulls the first is I_0 less F_0 */
 static inline void sf_ask_rest(const sf_model *model, double F_0, const sf_sample *at, sf_answer *out) {
     double halves[4], rest[4];
     if (sf_has_laws(model)) {
         sf_rest_at(model, at->A, sf_is_beyond(model, at->A), rest);
+        if (at->h == 0 && at->h_A == 0) {
+            out->exists[0] = 1, out->y[0] = rest[0] - F_0, out->dy[0] = rest[1];
+            return;
+        }
         dissipation_static(F_0, rest[0], rest[1], at->h, at->h_A, halves);
         out->edge = at->h > 0 ? 1 : at->h < 0 ? -1 : 0;
         out->exists[0] = out->exists[1] = !isnan(halves[0]);

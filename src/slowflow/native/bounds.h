@@ -174,6 +174,46 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
     return sf_inertial(model) ? SF_UNBOUNDED : SF_NO_BOUND;
 }
 
+/* multiple of the last breakpoint from which on a force that levels off does not rise any more */
+#define SF_NEAR_ENDLESS 0x1p20
+
+/* The averaged force of a mass that no spring holds is proportional to A, and 0. */
+static int sf_is_free(const sf_model *model) {
+    sf_sample at;
+    if (model->breaks > 0)
+        return 0;
+    sf_sample_without_k_at(model, fmin(1, 0.5 * model->mechanism->reach), &at);
+    return at.h == 0 && at.h_A == 0 && at.h_AA == 0;
+}
+
+/* Whether a spring is there whose force does not grow far away, of which averages in closed form know. */
+static int sf_levels_off(const sf_model *model) {
+    const double last = model->breaks > 0 ? fmax(1, model->b[model->breaks - 1]) : 1;
+    sf_sample near, far;
+    if (model->mechanism->bent != NULL || model->mechanism->reach < HUGE_VAL)
+        return 0;
+    sf_sample_without_k_at(model, SF_NEAR_ENDLESS * last, &near);
+    sf_sample_without_k_at(model, SF_ENDLESS * last, &far);
+    return fabs(far.h) <= fabs(near.h) * (1 + 1 / SF_NEAR_ENDLESS);
+}
+
+/* Whether some force at Omega = 0 moves the mass as far as one likes. */
+static int sf_lets_go(const sf_model *model) {
+    return !sf_inertial(model) && (sf_is_free(model) || sf_levels_off(model));
+}
+
+/* As sf_range_at, of a mass that the spring does not hold: damping limits its motions at Omega, and none at 0. */
+static sf_status sf_bound_by_damping(const sf_model *model, double F_0, double *A_max) {
+    const double last = model->breaks > 0 ? model->b[model->breaks - 1] : 0;
+    if (model->lowest == 0) {
+        *A_max = SF_STATIC_MULTIPLE * fmax(F_0, last);
+        return SF_UNBOUNDED;
+    }
+    *A_max = 2 * dissipation_limit_envelope(model->lowest, F_0, model->m, model->zeta, 0, model->d);
+    *A_max = fmax(*A_max, 2 * last);
+    return SF_OK;
+}
+
 /* ==== Other laws of damping ===================================================================================== */
 
 /* What |h| is at most at a state of an amplitude: the frequencies that damping leaves to it fall as the amplitude
@@ -256,15 +296,6 @@ static int sf_law_is_far(const sf_model *model, double F_0, double A) {
     return SF_STATIC_MULTIPLE * shares <= 1 && less.A > F_0 && sf_law_count(model, &less, F_0) == 2;
 }
 
-/* The averaged force of a mass that no spring holds is proportional to A, and 0. */
-static int sf_is_free(const sf_model *model) {
-    sf_sample at;
-    if (model->breaks > 0)
-        return 0;
-    sf_sample_without_k_at(model, fmin(1, 0.5 * model->mechanism->reach), &at);
-    return at.h == 0 && at.h_A == 0 && at.h_AA == 0;
-}
-
 /* An amplitude above that of every steady state at F_0, as sf_amplitude_bound; SF_NO_BOUND also where numbers up to it
  * leave the range of doubles. */
 static sf_status sf_bound_by_laws(const sf_model *model, double F_0, double *A_max) {
@@ -274,7 +305,8 @@ static sf_status sf_bound_by_laws(const sf_model *model, double F_0, double *A_m
     double A = F_0, step = 2, cut = model->reach, by_damping = HUGE_VAL;
     sf_status status = SF_NO_BOUND;
     int i;
-    if (sf_is_free(model) && model->eta == 0)
+    const int is_free = sf_is_free(model) && model->eta == 0;
+    if (is_free && inertial && model->zeta == 0 && model->m == 0)
         return SF_NO_BOUND;
     if (inertial && model->d > 0)
         by_damping = 2 * dissipation_quadratic_bound(F_0, model->d);
@@ -282,7 +314,7 @@ static sf_status sf_bound_by_laws(const sf_model *model, double F_0, double *A_m
         by_damping = 2 * (F_0 - sf_friction_throughout(model)) / model->eta;
     if (model->breaks > 0)
         A = fmax(A, 2 * model->b[model->breaks - 1]);
-    for (i = 0; i < SF_RUNGS && A < by_damping; i++) {
+    for (i = 0; i < SF_RUNGS && A < by_damping && !(is_free && !inertial); i++) {
         if (A < HUGE_VAL && bounds(model, F_0, A)) {
             by_damping = A;
             break;
@@ -309,6 +341,8 @@ static sf_status sf_bound_by_laws(const sf_model *model, double F_0, double *A_m
         *A_max = cut;
         sf_sample_at(model, cut, &at);
         status = inertial || sf_law_count(model, &at, F_0) > 0 ? SF_UNBOUNDED : SF_OK;
+    } else if (model->eta == 0 && sf_lets_go(model)) {
+        status = sf_bound_by_damping(model, F_0, A_max);
     }
     return status != SF_NO_BOUND && !sf_laws_are_in_range(model, F_0, *A_max) ? SF_NO_BOUND : status;
 }
@@ -320,8 +354,10 @@ static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
     int i;
     if (sf_has_laws(model))
         return sf_bound_by_laws(model, F_0, A_max);
-    if (model->zeta > 0)
-        return sf_amplitude_bound(model, F_0, A_max);
+    if (model->zeta > 0) {
+        const sf_status status = sf_amplitude_bound(model, F_0, A_max);
+        return status == SF_NO_BOUND && sf_lets_go(model) ? sf_bound_by_damping(model, F_0, A_max) : status;
+    }
     *A_max = model->reach;
     if (*A_max < HUGE_VAL)
         return SF_OK;

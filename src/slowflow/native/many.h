@@ -471,7 +471,7 @@ static void sf_answer_states(const sf_mechanism *mechanism, char **args, const p
     if (mechanism->is_forcing(F_0) && Omega > 0 && Omega <= SF_HIGHEST_OMEGA &&
         sf_design_at(mechanism, args, steps, k, 1, &model)) {
         const sf_given *exact = sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL;
-        room->followed = 0;
+        room->followed = 0, model.lowest = Omega;
         status = sf_of_search(sf_states(&model, exact, F_0, room, Omega, &n, A, stable, &undecided));
     }
     sf_write_states(args, dimensions, steps, forcing + 2, k, n, A, stable, undecided, status);

@@ -83,6 +83,7 @@ static void sf_loop_curves(char **args, const ptrdiff_t *dimensions, const ptrdi
         int folds = 0, undecided = 0;
         if (is_room && mechanism->is_forcing(F_0) && sf_design_at(mechanism, args, steps, k, 1, &model)) {
             const sf_given *exact = sf_given_at(mechanism, args, steps, k, &given) ? &given : NULL;
+            model.lowest = low;
             status = sf_of_search(sf_make_skeleton(&model, exact, F_0, room));
             if (status == SF_OK) {
                 n = sf_show(&model, F_0, low, high, samples, &room->work);

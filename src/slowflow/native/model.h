@@ -23,7 +23,8 @@
  * by rising size; jump: force just below less force just above; kink: the same of its slope and of its curvature;
  * reach:
  * the mechanism's, infinite where of its pieces a linear one is left; by_laws: whether laws.h answers for it: there are
- * other laws, or a preload under an excitation by inertia; in_doubt: whether the sign of a jump is lost, as
+ * other laws, or a preload under an excitation by inertia; lowest: the lowest Omega that is asked for, which bounds the
+ * states of a mass that no spring holds; in_doubt: whether the sign of a jump is lost, as
  * where the jump is below the range of doubles */
 typedef struct {
     const sf_mechanism *mechanism;
@@ -36,7 +37,7 @@ typedef struct {
     };
     double b[SF_MOST_BREAKS], jump[SF_MOST_BREAKS], kink[SF_MOST_BREAKS][2];
     int breaks, in_doubt, by_laws;
-    double reach;
+    double reach, lowest;
 } sf_model;
 
 /* k = h - A h_A */
@@ -121,7 +122,7 @@ static inline int sf_prepare(const sf_mechanism *mechanism, const double *design
         if (!(fabs(model->p[i]) <= SF_LARGEST))
             return 0;
     model->mechanism = mechanism;
-    model->breaks = model->in_doubt = 0, model->reach = mechanism->reach;
+    model->breaks = model->in_doubt = 0, model->reach = mechanism->reach, model->lowest = 0;
     if (mechanism->breakpoints == 0) {
         model->by_laws = model->by_laws || sf_has_preload_by_inertia(model);
         return model->released == 0;

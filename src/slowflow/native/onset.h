@@ -663,7 +663,7 @@ static sf_status sf_peak(const sf_model *model, double F_0, double most, sf_work
         return SF_STICKS;
     if (model->zeta == 0)
         return SF_UNBOUNDED;
-    status = sf_amplitude_bound(model, F_0, &work->A_max);
+    status = sf_range_at(model, F_0, &work->A_max);
     if (status != SF_OK)
         return status;
     work->A_max = fmin(work->A_max, most);

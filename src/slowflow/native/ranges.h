@@ -367,6 +367,11 @@ static inline void sf_range_rest_by_laws(const sf_model *model, double F_0, cons
     int i;
     sf_hold_laws(model, model->breaks > 0 && cell->A.lo >= model->b[0], &laws);
     sf_rest_within(&laws, cell->A, rest);
+    if (cell->h.lo == 0 && cell->h.hi == 0 && cell->h_A.lo == 0 && cell->h_A.hi == 0) {
+        sf_range_simple(sfi_sub(rest[0], sfi_point(F_0)), rest[1], SF_THROUGHOUT, &out[0]);
+        sf_range_simple(sfi_point(1), sfi_point(0), SF_NOWHERE, &out[1]);
+        return;
+    }
     where = sf_where_positive(sfi_sub(sfi_point(F_0), rest[0]));
     rest[0].hi = sfi_least(rest[0].hi, F_0);
     dissipation_intervals_static(sfi_point(F_0), rest[0], rest[1], cell->h, cell->h_A, halves);

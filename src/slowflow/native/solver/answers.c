@@ -267,6 +267,13 @@ static PyObject *closed_flags(const sf_skeleton *shown)
 }
 
 /* (model, F_0, samples, low, high) -> status, Omega, A, stable, branch, closed, undecided */
+/* A model that is asked for frequencies from the lowest on. */
+static const sf_model *asked_from(const sf_model *model, double lowest, sf_model *own)
+{
+    *own = *model, own->lowest = lowest;
+    return own;
+}
+
 static PyObject *frequency_response(PyObject *self, PyObject *args)
 {
     PyObject *given;
@@ -283,6 +290,8 @@ static PyObject *frequency_response(PyObject *self, PyObject *args)
     if (model == NULL || (room = new_room()) == NULL)
         return NULL;
     room->work.shown.curves = 0;
+    sf_model own;
+    model = asked_from(model, low, &own);
     Py_BEGIN_ALLOW_THREADS
     status = sf_here()->skeleton(model, sf_given_in(given), F_0, room);
     if (status == SF_OK)
@@ -402,7 +411,13 @@ static PyObject *steady_states(PyObject *self, PyObject *args)
         return NULL;
     }
     room->followed = 0, room->proofs = 0;
-    if (all_states(model, sf_given_in(given), F_0, room, PyArray_DATA(array), PyArray_DIM(array, 0), &found,
+    const double *at = PyArray_DATA(array);
+    const npy_intp n = PyArray_DIM(array, 0);
+    double lowest = n > 0 ? at[0] : 0;
+    for (npy_intp i = 1; i < n; i++)
+        lowest = fmin(lowest, at[i]);
+    sf_model own;
+    if (all_states(asked_from(model, lowest, &own), sf_given_in(given), F_0, room, at, n, &found,
                    &status) == 0) {
         PyObject *items[] = {array_of(found.n, NPY_DOUBLE, found.Omega, sizeof *found.Omega),
                              array_of(found.n, NPY_DOUBLE, found.A, sizeof *found.A),
