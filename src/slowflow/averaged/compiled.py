@@ -102,8 +102,6 @@ def detachment(model: Model) -> Detachment:
     """The lowest forcing for which the first breakpoint is a steady state (34)."""
     status, F_cr, Omega_cr, u_cr = backend.SOLVER.detachment(model.searched)
     if status == Status.NO_BOUND:
-        if model.inertial and model.free and model.zeta == model.m == model.laws.eta == 0 and F_0 is not None:
-            raise NotSettled(words.everywhere(float(dissipation.full_by_inertia(F_0, model.d))))
         raise OutOfRange(words.BEYOND_RANGE.format(model.breakpoints[0]))
     if status == Status.NONE:
         ends = model.breakpoints

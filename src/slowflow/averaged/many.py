@@ -385,8 +385,6 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         record = None
         if question.by_laws or not self.laws:
             record = backend.record_of(self.mechanism, self.excitation != "force", bool(self.laws))
-        if record is not None and self.excitation != "force" and not question.by_laws and self._have_preload:
-            record = None
         if question.batch is not None and record is not None:
             solve = question.batch(backend.SOLVER)(record)
             numbers = self._with_all_laws(values) if self.laws else list(values.values())
@@ -440,13 +438,6 @@ class Designs(Unchanging, ManyQuestions[Batch]):
     def _parameters(self) -> tuple[npt.NDArray[Any], ...]:
         """What the force takes, of all designs; a number outside its domain, which has a status, may warn."""
         return tuple(np.asarray(value) for value in self.mechanism.coefficients(*self.design))
-
-    @property
-    def _have_preload(self) -> bool:
-        """Whether a force jumps at u = 0, of which under inertia is known what is known of other laws of damping."""
-        with np.errstate(all="ignore"):  # a number outside its domain has a status
-            parameters = self._parameters
-            return bool(np.any(np.nan_to_num(self.mechanism.averaged(0.0, *parameters)[0]) != 0))
 
     def _refuse_undefined(
         self, one: One, values: list[npt.NDArray[Any]], beside: int, places: int, outputs: list[Any]

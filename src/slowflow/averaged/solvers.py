@@ -22,11 +22,10 @@ def _reference() -> ModuleType:
 
 
 def _either(on_compiled: Question, on_numpy: Callable[[], Question], laws: bool = False) -> Question:
-    """laws -- whether what is compiled answers for other laws too, and so for a preload under inertia."""
+    """laws -- whether what is compiled answers for other laws of damping too."""
 
     def ask(model: Model, *arguments: Any) -> Any:
-        plain = laws or not (model.inertial and model.mechanism.odd and model.preload != 0)
-        if plain and (model.searched if laws else model.native) is not None:
+        if (model.searched if laws else model.native) is not None:
             try:
                 return on_compiled(model, *arguments)
             except ArithmeticError as error:
