@@ -350,14 +350,12 @@ static sf_status sf_bound_by_laws(const sf_model *model, double F_0, double *A_m
 /* Where to stop at F_0: above every steady state, or, undamped, at the mechanism's reach or a multiple of F_0 that is
  * doubled until the fold, whose R is k, has passed F_0 or has ended for good; or, with SF_UNBOUNDED, where a response
  * is cut that does not close. */
-static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
+static sf_status sf_range_by_spring(const sf_model *model, double F_0, double *A_max) {
     int i;
     if (sf_has_laws(model))
         return sf_bound_by_laws(model, F_0, A_max);
-    if (model->zeta > 0) {
-        const sf_status status = sf_amplitude_bound(model, F_0, A_max);
-        return status == SF_NO_BOUND && sf_lets_go(model) ? sf_bound_by_damping(model, F_0, A_max) : status;
-    }
+    if (model->zeta > 0)
+        return sf_amplitude_bound(model, F_0, A_max);
     *A_max = model->reach;
     if (*A_max < HUGE_VAL)
         return SF_OK;
@@ -373,6 +371,13 @@ static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
             break;
     }
     return SF_OK;
+}
+
+/* The same, also of a mass that viscous damping alone limits. */
+static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
+    const sf_status status = sf_range_by_spring(model, F_0, A_max);
+    return status == SF_NO_BOUND && !sf_has_laws(model) && sf_lets_go(model) ? sf_bound_by_damping(model, F_0, A_max)
+                                                                             : status;
 }
 
 #endif

@@ -284,7 +284,7 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
     if (!(F_0 < HUGE_VAL))
         F_0 = SF_RAISE * fmax(model->m, SF_FIRST_F_0);
     for (i = 0; i < SF_RAISES + SF_FAR_RAISES; i++) {
-        bounded = sf_range_at(model, F_0, &A_max);
+        bounded = sf_range_by_spring(model, F_0, &A_max);
         if (bounded == SF_NO_BOUND && i < SF_RAISES && F_0 - looked_through > SF_NEAR_BOUND * looked_through) {
             unbounded = F_0, F_0 = 0.5 * (looked_through + F_0);
             continue;
@@ -301,7 +301,7 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
                 return status;
         }
         if (bounded == SF_UNBOUNDED) /* where the response does not close folds of any amplitude may be lower */
-            return best->F_SN < HUGE_VAL ? sf_range_at(model, best->F_SN, &A_max) : bounded;
+            return best->F_SN < HUGE_VAL ? sf_range_by_spring(model, best->F_SN, &A_max) : bounded;
         if (best->F_SN <= F_0)
             return SF_OK;
         looked_through = F_0;
