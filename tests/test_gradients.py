@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 from mpmath import mp
 
-from slowflow import Duffing, Isolator, example, moves
+from slowflow import Duffing, Isolator, example
+from slowflow.off_centre.moves import System
 from slowflow_kernels.conventions import MovesStatus, Pinned
 from tests.oracles.answers import Nearby
 from tests.oracles.definitions import points as drawn
@@ -128,9 +129,9 @@ def test_the_one_rule_solves_the_conditions_of_every_kind_of_answer(kind, force)
     names, pinned = f"{sensitivities.AT} {sensitivities.CAUSES}", Pinned[kind.upper()]
     at = drawn.points(random.Random(kind + force), names, 6)
     Omega, A, F_0, *x = np.array(at).T
-    damps = moves.Dissipates(tuple(x[:4]), x[4], x[5], np.array(x[13:18])[:, np.newaxis])
+    damps = tuple(x[:4]), x[4], x[5], np.array(x[13:18])[:, np.newaxis]
     of_h, given = np.array(x[10:13])[:, np.newaxis], np.array(x[18:])[:, np.newaxis]
-    system = moves.System(A, Omega, F_0, force == "inertia", damps, tuple(x[6:10]), of_h, given)
+    system = System(A, Omega, F_0, force == "inertia", *damps, tuple(x[6:10]), of_h, given)
     moved, meets = system.solved(pinned)
     assert not meets.any()
     for k, point in enumerate(at):

@@ -78,6 +78,44 @@ SF_KERNEL void dissipation_released(double A, double m, double eta, double u_cr,
     out[3] = -6.0 * t0 / A4;
 }
 
+/* What m, then eta, does to I_0, I_0A and I_0AA: friction acts throughout.
+   Equation from (19). Domain: A > 0.
+   Operations: 0 structured, 0 common subexpressions, 0 power chains
+   Proved, error / u (1 + kappa): 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+ */
+SF_KERNEL void dissipation_rest_moves(double A, double *out)
+{
+    out[0] = 1.0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = A;
+    out[4] = 1.0;
+    out[5] = 0.0;
+}
+
+/* What m, then eta, then u_cr does to them where friction acts for |u| < u_cr only.
+   Equation from (19). Domain: A >= u_cr > 0.
+   Operations: 14 structured, 12 common subexpressions, 11 power chains
+   Proved, error / u (1 + kappa): 0.67, 0.76, 0.81, 0.0, 0.0, 0.0, 0.67, 0.76, 0.81
+ */
+SF_KERNEL void dissipation_released_moves(double A, double m, double u_cr, double *out)
+{
+    const double t0 = 1.0 / A;
+    const double A2 = A * A;
+    const double t1 = 1.0 / A2;
+    const double A3 = A * A2;
+    const double t2 = 2.0 / A3;
+    out[0] = t0 * u_cr;
+    out[1] = -t1 * u_cr;
+    out[2] = t2 * u_cr;
+    out[3] = A;
+    out[4] = 1.0;
+    out[5] = 0.0;
+    out[6] = m * t0;
+    out[7] = -m * t1;
+    out[8] = m * t2;
+}
+
 /* Sine balance, -F_0 sin phi at a fixed point.
    Equation (23). Domain: Omega > 0, A > 0.
    Operations: 9 structured, 9 common subexpressions, 9 power chains

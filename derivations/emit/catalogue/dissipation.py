@@ -42,7 +42,7 @@ IN_C = {
     *("quadratic", "restoring", "at_rest", "released", "I", "I_A", "far", "F", "F_A", "F_AA"),
     *("response_quartic", "fold_quartic", "far_by_inertia", "structural_bound", "quadratic_bound", "least_scaled"),
     *("static", "limit_envelope", "R_of_peak", "F_A_halved", "F_OmegaOmega", "Omega_A", "Omega_A_by_inertia"),
-    "full_by_inertia",
+    *("full_by_inertia", "rest_moves", "released_moves"),
 }
 ENCLOSED = {
     *("at_rest", "released", "I", "I_A", "far", "R_of_response", "R_of_peak", "R_where_stationary"),

@@ -8,6 +8,7 @@
 #define SF_GRADIENT_H
 
 #include "interface.h"
+#include "laws.h"
 #include "many.h"
 #include "sensitivities.h"
 
@@ -20,34 +21,26 @@ enum {
     SF_MOST_COLUMNS = SF_MOST_DESIGN + SF_MOST_DAMPING + 2
 };
 
-/* What each number that a user gives does. */
+/* What each number that a user gives does: to h and two derivatives, to I_0 and two derivatives, ... */
 typedef struct {
-    double h[3][SF_MOST_COLUMNS], m[SF_MOST_COLUMNS], zeta[SF_MOST_COLUMNS], end[SF_MOST_COLUMNS];
-    double forcing[SF_MOST_COLUMNS], frequency[SF_MOST_COLUMNS];
+    double h[3][SF_MOST_COLUMNS], rest[3][SF_MOST_COLUMNS], zeta[SF_MOST_COLUMNS], d[SF_MOST_COLUMNS];
+    double end[SF_MOST_COLUMNS], forcing[SF_MOST_COLUMNS], frequency[SF_MOST_COLUMNS];
 } sf_causes;
 
-/* An answer: where it is, what it is, and by what it is excited: its force, and what follows from that. */
+/* An answer: where it is, what it is, and by what it is excited: its force, and what follows from that; I_0 and three
+ * derivatives, and whether these are taken beyond where friction ends. */
 typedef struct {
     sf_pinned kind;
     int inertial;
     double Omega, F_0, excited[SF_EXCITED], R;
     sf_sample at;
+    int beyond;
+    double rest[4];
 } sf_pinned_answer;
 
 /* Whether a value has lost its sign to rounding, as far as a share of its size says. */
 static inline int sf_vanishes(double value, double size, double share) {
     return !(fabs(value) > share * size);
-}
-
-/* Which of the answers on a breakpoint an onset there is: whatever comes next to vanishing. */
-static sf_pinned sf_pinned_on_break(const double *slopes, double R, double size_of_R) {
-    const double values[] = {slopes[0], slopes[1], R}, sizes[] = {slopes[SF_SIZES], slopes[SF_SIZES + 1], size_of_R};
-    static const sf_pinned kinds[] = {SF_CORNER_END_PINNED, SF_CORNER_TOP_PINNED, SF_CORNER_BACKBONE_PINNED};
-    int best = 0, i;
-    for (i = 1; i < 3; i++)
-        if (fabs(values[i]) * sizes[best] < fabs(values[best]) * sizes[i])
-            best = i;
-    return kinds[best];
 }
 
 static int sf_is_on_break(sf_pinned kind) {
@@ -56,12 +49,14 @@ static int sf_is_on_break(sf_pinned kind) {
 }
 
 /* Whether an answer that is on no breakpoint has come to one. States and peaks ask for h_A, which jumps there where the
- * force does; the others for h_AA, which grows without bound next to it too. */
+ * force does, and for I_0A, which jumps where friction ends; the others for h_AA, which grows without bound next to it
+ * too. */
 static int sf_comes_to_break(const sf_model *model, sf_pinned kind, double A) {
     const int first = kind == SF_STATE_PINNED || kind == SF_PEAK_PINNED;
     int k;
     for (k = 0; k < model->breaks; k++)
-        if (fabs(A - model->b[k]) <= (first ? SF_SAME : SF_COINCIDE) * model->b[k] && (!first || model->jump[k] != 0))
+        if (fabs(A - model->b[k]) <= (first ? SF_SAME : SF_COINCIDE) * model->b[k] &&
+            (!first || model->jump[k] != 0 || (k == 0 && model->released && model->m > 0)))
             return 1;
     return 0;
 }
@@ -79,18 +74,53 @@ static int sf_nearest_break(const sf_model *model, double A) {
     return best;
 }
 
-/* The slopes of the conditions at an answer by A, Omega and F_0, and their sizes. */
-static inline void sf_slopes_at(const sf_pinned_answer *answer, const sf_model *model, double slopes[2 * SF_SIZES])
+/* The slopes of the conditions at an answer by A, Omega and F_0, and their sizes. laws: whether there may be others than
+ * mu and zeta, a constant of each call. */
+SF_ALWAYS void sf_slopes_at(int laws, const sf_pinned_answer *answer, const sf_model *model, double slopes[2 * SF_SIZES])
 {
     const sf_sample *at = &answer->at;
-    const double *square = answer->excited + 3;
-    sensitivities_slopes(answer->Omega, at->A, answer->R, model->m, 0, 0, 0, model->zeta, 0, at->h, at->h_A, at->h_AA,
-                         at->h_AAA, square[0], square[1], square[2], square[3], slopes);
+    const double *square = answer->excited + 3, *rest = answer->rest;
+    sensitivities_slopes(answer->Omega, at->A, answer->R, rest[0], laws ? rest[1] : 0, laws ? rest[2] : 0,
+                         laws ? rest[3] : 0, model->zeta, laws ? model->d : 0, at->h, at->h_A, at->h_AA, at->h_AAA,
+                         square[0], square[1], square[2], square[3], slopes);
+}
+
+/* Which of the answers on breakpoint k an onset there is: whatever comes next to vanishing. Folds leave it where F_A
+ * vanishes, R where the force jumps, or F_A beyond where friction ends. */
+static void sf_pin_on_break(const sf_model *model, int k, const double *slopes, double size_of_R,
+                            sf_pinned_answer *answer)
+{
+    const int ends = model->released && model->jump[k] == 0;
+    double beyond[2 * SF_SIZES];
+    sf_pinned_answer past = *answer;
+    double values[] = {slopes[0], slopes[1], answer->R}, sizes[] = {slopes[SF_SIZES], slopes[SF_SIZES + 1], size_of_R};
+    int best = 0, i;
+    if (ends) {
+        past.beyond = 1;
+        sf_rest_at(model, past.at.A, 1, past.rest);
+        sf_slopes_at(1, &past, model, beyond);
+        values[2] = beyond[0], sizes[2] = beyond[SF_SIZES];
+    }
+    if (answer->kind == SF_CORNER_FOLD_PINNED) {
+        for (i = 0; i < 3; i += 2)
+            if (sf_vanishes(values[i], sizes[i], SF_CLOSE))
+                answer->kind = SF_CORNER_END_PINNED;
+        return;
+    }
+    for (i = 1; i < 3; i++)
+        if (fabs(values[i]) * sizes[best] < fabs(values[best]) * sizes[i])
+            best = i;
+    if (best == 1)
+        answer->kind = SF_CORNER_TOP_PINNED;
+    else if (best == 2 && !ends)
+        answer->kind = SF_CORNER_BACKBONE_PINNED;
+    else if (best == 2)
+        *answer = past;
 }
 
 /* The moves of A, Omega and F_0 with number j go to column j. Returns 0 where an answer meets another. The kind is a
- * constant of each call: what it does not ask for is not computed. */
-static inline int sf_solve(sf_pinned kind, const sf_pinned_answer *answer, const sf_model *model, const sf_causes *of,
+ * constant of each call, as laws is: what it does not ask for is not computed. */
+SF_ALWAYS int sf_solve(sf_pinned kind, int laws, const sf_pinned_answer *answer, const sf_model *model, const sf_causes *of,
                            int columns, double moved[SF_UNKNOWNS][SF_MOST_COLUMNS])
 {
     static const signed char systems[][9] = SF_SYSTEMS;
@@ -98,7 +128,7 @@ static inline int sf_solve(sf_pinned kind, const sf_pinned_answer *answer, const
     const sf_sample *at = &answer->at;
     double slopes[2 * SF_SIZES], determinant = 1;
     int i, j, k;
-    sf_slopes_at(answer, model, slopes);
+    sf_slopes_at(laws, answer, model, slopes);
     slopes[vanishing[0]] = slopes[vanishing[1]] = 0;
     for (i = 0; i < 3 - 2 * together; i++) {
         const double *pivot = slopes + 3 * rows[i] + unknowns[i];
@@ -114,8 +144,10 @@ static inline int sf_solve(sf_pinned kind, const sf_pinned_answer *answer, const
     }
     for (j = 0; j < columns; j++) {
         double right[SF_CONDITIONS], found[SF_UNKNOWNS] = {0, 0, 0};
-        sensitivities_right(answer->Omega, at->A, answer->R, model->m, 0, 0, model->zeta, 0, at->h_A, at->h_AA,
-                            of->h[0][j], of->h[1][j], of->h[2][j], of->m[j], 0, 0, of->zeta[j], 0, of->forcing[j],
+        sensitivities_right(answer->Omega, at->A, answer->R, answer->rest[0], laws ? answer->rest[1] : 0,
+                            laws ? answer->rest[2] : 0, model->zeta, laws ? model->d : 0, at->h_A, at->h_AA,
+                            of->h[0][j], of->h[1][j], of->h[2][j], of->rest[0][j], laws ? of->rest[1][j] : 0,
+                            laws ? of->rest[2][j] : 0, of->zeta[j], laws ? of->d[j] : 0, of->forcing[j],
                             of->frequency[j], of->end[j], right);
         for (i = 0; i < 3; i++) {
             const double *slope = slopes + 3 * rows[i];
@@ -143,7 +175,9 @@ static SF_FLAT int sf_move(const sf_pinned_answer *answer, const sf_model *model
                            double moved[SF_UNKNOWNS][SF_MOST_COLUMNS])
 {
 #define SF_SOLVE(kind)                                                                                                 \
-    case kind: return sf_solve(kind, answer, model, of, columns, moved);
+    case kind:                                                                                                         \
+        return sf_takes_laws(model->mechanism) ? sf_solve(kind, 1, answer, model, of, columns, moved)                  \
+                                               : sf_solve(kind, 0, answer, model, of, columns, moved);
     switch (answer->kind) {
         SF_SOLVE(SF_STATE_PINNED)
         SF_SOLVE(SF_FOLD_PINNED)
@@ -161,13 +195,33 @@ static SF_FLAT int sf_move(const sf_pinned_answer *answer, const sf_model *model
 }
 
 /* What the damping, the forcing and the frequency do, which is the same everywhere: columns are the numbers of the
- * design first, then mu, zeta, F_0 and Omega. */
+ * design first, then mu, zeta, of other laws eta and c_2, then F_0 and Omega. */
 static void sf_begin_causes(const sf_mechanism *mechanism, sf_causes *out)
 {
-    const int design = mechanism->design_size;
+    const int design = mechanism->design_size, next = design + (sf_takes_laws(mechanism) ? 4 : 2);
     memset(out, 0, sizeof *out);
-    out->m[design] = slow_flow_friction(1); /* to which it is proportional */
-    out->zeta[design + 1] = out->forcing[design + 2] = out->frequency[design + 3] = 1;
+    out->rest[0][design] = slow_flow_friction(1); /* to which it is proportional */
+    out->zeta[design + 1] = out->forcing[next] = out->frequency[next + 1] = 1;
+    if (sf_takes_laws(mechanism))
+        out->d[design + 3] = dissipation_quadratic(1);
+}
+
+/* What friction, structural damping and, where friction ends, the breakpoint do to I_0 at an answer. */
+static void sf_causes_of_rest(const sf_model *model, const sf_pinned_answer *answer, const double *of_end,
+                              sf_causes *out)
+{
+    const int design = model->mechanism->design_size, released = model->released && answer->beyond;
+    double of[9] = {0};
+    int i, j;
+    if (released)
+        dissipation_released_moves(fmax(answer->at.A, model->b[0]), model->m, model->b[0], of);
+    else
+        dissipation_rest_moves(answer->at.A, of);
+    for (i = 0; i < 3; i++) {
+        out->rest[i][design] = slow_flow_friction(1) * of[i], out->rest[i][design + 2] = of[3 + i];
+        for (j = 0; j < design; j++)
+            out->rest[i][j] = released ? of[6 + i] * of_end[j] : 0;
+    }
 }
 
 /* What the numbers of the design do at an answer. */
@@ -218,29 +272,33 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
             return SF_NOTHING_MOVES;
         piece = sf_nearest_break(model, A);
         A = model->b[piece];
-        /* breakpoints of no width are left out of the model, and lie below the others */
-        piece += mechanism->breakpoints - model->breaks;
     } else if (sf_comes_to_break(model, answer->kind, A)) {
         return SF_TURNS_MOVES;
     }
     sf_sample_at(model, A, &answer->at);
+    answer->beyond = sf_is_beyond(model, A);
+    sf_rest_at(model, A, answer->beyond, answer->rest);
     (answer->inertial ? sensitivities_by_inertia : sensitivities_by_force)(w, F_0, answer->excited);
     answer->R = slow_flow_R(w, A, at->h), size_of_R = slow_flow_R(w, A, fabs(at->h));
     if (sf_finds_forcing(answer->kind) && sf_vanishes(answer->excited[0], size_of_R, SF_MEETING))
         return SF_BOUNDLESS_MOVES; /* neither friction nor damping: a level at 0 rises with either */
     if (answer->kind == SF_CORNER_FOLD_PINNED || answer->kind == SF_CORNER_END_PINNED) {
         double slopes[2 * SF_SIZES];
-        sf_slopes_at(answer, model, slopes);
-        if (answer->kind == SF_CORNER_END_PINNED)
-            answer->kind = sf_pinned_on_break(slopes, answer->R, size_of_R);
-        else if (sf_vanishes(slopes[0], slopes[SF_SIZES], SF_CLOSE) || sf_vanishes(answer->R, size_of_R, SF_CLOSE))
+        const int is_fold = answer->kind == SF_CORNER_FOLD_PINNED;
+        sf_slopes_at(1, answer, model, slopes);
+        sf_pin_on_break(model, piece, slopes, size_of_R, answer);
+        if (is_fold && answer->kind != SF_CORNER_FOLD_PINNED)
             return SF_TURNS_MOVES;
     }
     if (answer->kind == SF_CORNER_BACKBONE_PINNED)
         answer->R = 0;
     averaged[0] = at->h, averaged[1] = at->h_A, averaged[2] = at->h_AA;
     mechanism->by_parameter(mechanism, at->A, averaged, model->p, of_parameter);
-    sf_causes_of(model, piece, of_parameter, of_design, of);
+    /* breakpoints of no width are left out of the model, and lie below the others */
+    sf_causes_of(model, piece + mechanism->breakpoints - model->breaks, of_parameter, of_design, of);
+    if (sf_takes_laws(mechanism))
+        sf_causes_of_rest(
+            model, answer, of_design + (mechanism->parameters + mechanism->breakpoints - model->breaks) * mechanism->design_size, of);
     if (!sf_move(answer, model, of, columns, moved))
         return SF_MEETS_MOVES;
     for (i = 0; i < SF_UNKNOWNS; i++)
@@ -248,9 +306,9 @@ static sf_moves_status sf_gradient(const sf_model *model, const double *of_desig
             out[i > 0 ? rows - SF_UNKNOWNS + i : 0][j] = moved[i][j];
     for (j = 0; j < columns && rows == SF_STATE_MOVES; j++) {
         double found[2];
-        sensitivities_of_state(w, at->A, model->m, 0, model->zeta, 0, at->h, at->h_A, answer->excited[0],
-                               answer->excited[1], answer->excited[2], of->h[0][j], of->m[j], of->zeta[j], 0,
-                               moved[0][j], moved[1][j], moved[2][j], found);
+        sensitivities_of_state(w, at->A, answer->rest[0], answer->rest[1], model->zeta, model->d, at->h, at->h_A,
+                               answer->excited[0], answer->excited[1], answer->excited[2], of->h[0][j], of->rest[0][j],
+                               of->zeta[j], of->d[j], moved[0][j], moved[1][j], moved[2][j], found);
         out[1][j] = found[0], out[2][j] = found[1];
     }
     for (i = 0; i < rows; i++)
@@ -278,7 +336,7 @@ static void sf_loop_gradients(char **args, const ptrdiff_t *dimensions, const pt
         const double A = sf_input(args, steps, first + 2, k);
         sf_pinned_answer answer = {(sf_pinned)sf_input(args, steps, first + 3, k), inertial,
                                    sf_input(args, steps, first + 1, k), sf_input(args, steps, first, k), {0}, 0,
-                                   {0}};
+                                   {0}, 0, {0}};
         sf_moves_status status = SF_NOTHING_MOVES;
         if (mechanism->by_parameter != NULL && A > 0 && A < HUGE_VAL && answer.Omega >= 0 && answer.Omega < HUGE_VAL &&
             answer.F_0 >= 0 && answer.F_0 < HUGE_VAL) {
