@@ -66,9 +66,29 @@ def remark_of(model: Model, F_0: float, lowest: float = 0.0) -> str:
     return words.does_not_close(A_max)[1] if model.inertial else words.cut_at_reach(model)[1]
 
 
+def amplitude_bound(model: Model, F_0: float) -> float:
+    """An amplitude above that of every steady state at F_0, or where the response is cut.
+
+    Raises OverflowError where no such amplitude is found.
+    """
+    if model.zeta == 0 and not model.laws.any:
+        return words.cut(model, F_0)[0]
+    status, A_max = backend.SOLVER.amplitude_bound(model.searched, F_0)
+    check(status, model, F_0)
+    return float(A_max)
+
+
+def are_events_close(model: Model, F_0: float) -> bool:
+    """Whether doubles leave open which peaks and static states a response curve has; of a force."""
+    try:
+        return bool(backend.SOLVER.are_events_close(model.native, F_0, amplitude_bound(model, F_0)))
+    except ArithmeticError:
+        return True
+
+
 def closes(model: Model, F_0: float) -> bool:
-    """Whether the response at F_0 > m is known to have a highest amplitude, for zeta > 0."""
-    return bool(backend.SOLVER.amplitude_bound(model.native, F_0)[0] == Status.OK)
+    """Whether the response at F_0 > m is known to have a highest amplitude, for zeta > 0 or other laws of damping."""
+    return bool(backend.SOLVER.amplitude_bound(model.searched, F_0)[0] == Status.OK)
 
 
 def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:

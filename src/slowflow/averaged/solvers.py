@@ -26,12 +26,7 @@ def _either(on_compiled: Question, on_numpy: Callable[[], Question], laws: bool 
 
     def ask(model: Model, *arguments: Any) -> Any:
         if (model.searched if laws else model.native) is not None:
-            try:
-                return on_compiled(model, *arguments)
-            except ArithmeticError as error:
-                # by other laws of damping what the boxes leave unresolved NumPy's search may tell
-                if not (model.laws.any or (model.lets_go and isinstance(error, OverflowError))):
-                    raise
+            return on_compiled(model, *arguments)
         # a solver tries values that it then discards: the warnings that these raise are no fault of the arguments
         with np.errstate(all="ignore"):
             return on_numpy()(model, *arguments)
@@ -40,7 +35,7 @@ def _either(on_compiled: Question, on_numpy: Callable[[], Question], laws: bool 
 
 
 amplitudes = _either(compiled.amplitudes, lambda: _reference().amplitudes, laws=True)
-closes = _either(compiled.closes, lambda: _reference().closes)
+closes = _either(compiled.closes, lambda: _reference().closes, laws=True)
 detachment = _either(compiled.detachment, lambda: _reference().detachment, laws=True)
 extrema = _either(compiled.extrema, lambda: _reference().extrema)
 fold_locus = _either(compiled.fold_locus, lambda: _reference().fold_locus)

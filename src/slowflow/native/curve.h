@@ -346,6 +346,15 @@ static sf_status sf_make_skeleton(const sf_model *model, const sf_given *given, 
     return SF_OK;
 }
 
+/* Whether doubles leave open which peaks and static states up to A_max a response curve has; of a force, without other
+ * laws. */
+static int sf_are_events_close(const sf_model *model, double F_0, double A_max, sf_work *work) {
+    work->A_max = A_max;
+    sf_stretches_up_to(model, work->A_max, &work->pieces);
+    sf_response_graph(model, F_0, work);
+    return work->response.close || work->response.status != SF_OK;
+}
+
 /* ==== Points ====================================================================================================== */
 
 /* An amplitude below the state at Omega of the branch that comes from A = 0, Omega = inf. */

@@ -584,6 +584,8 @@ static sf_status sf_end_onset(const sf_model *model, const sf_piece_ends *ends, 
         status = sf_onset_undamped(model, work, best);
         return best->kind == SF_NO_KIND ? sf_without_onset(status, model->m, best) : status;
     }
+    if (!sf_has_laws(model) && sf_is_free(model))
+        return sf_without_onset(SF_NONE, HUGE_VAL, best);
     if (from < 0 || sf_comes_down(model, ends))
         return sf_without_onset(SF_UNBOUNDED, model->m, best);
     /* of a preload they have R next to 0 and A Omega^2 next to it, as Omega tends to infinity */

@@ -20,6 +20,7 @@ const sf_solvers SF_SOLVERS = {
     sf_fold_locus,
     sf_extrema,
     sf_range_at,
+    sf_are_events_close,
     sf_make_skeleton,
     sf_show,
     sf_draw,

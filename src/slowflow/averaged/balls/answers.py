@@ -33,7 +33,7 @@ from slowflow.averaged.balls.questions import (
     lowest_undamped,
     tends_to_friction,
 )
-from slowflow.averaged.reference.bounds import amplitude_bound
+from slowflow.averaged.compiled import amplitude_bound
 from slowflow.certificate import Proved, ProvedFolds, ProvedForcing, ProvedStates
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
@@ -134,7 +134,7 @@ def _of_forcing(
         if not F_0 > given.m.hi:
             return answer(False, words.BALLS_IN_DOUBT.format(ctx.prec, " whether the mass moves"), Found(), 0.0, False)
         try:
-            A_max, _ = amplitude_bound(model, F_0)
+            A_max = amplitude_bound(model, F_0)
         except OverflowError:
             return None
         found, bounded = ask(Asked(given, F_0), A_max), is_bounded(given, arb(F_0), A_max)
@@ -183,7 +183,7 @@ def onset(model: Model) -> ProvedForcing | None:
     """F_SN, and that no fold is born at a lower forcing; or that there is none, or none that is the lowest."""
     try:
         F_SN = solvers.onset(model).F_SN if model.zeta > 0 else None
-        A_max = math.nan if F_SN is None else amplitude_bound(model, F_SN * (1 + ABOVE_ONSET))[0]
+        A_max = math.nan if F_SN is None else amplitude_bound(model, F_SN * (1 + ABOVE_ONSET))
     except ArithmeticError:  # unresolved, or beyond the range of doubles
         F_SN, A_max = None, math.nan
 

@@ -208,6 +208,22 @@ static PyObject *amplitude_bound(PyObject *self, PyObject *args)
     return Py_BuildValue("id", (int)status, A_max);
 }
 
+static PyObject *are_events_close(PyObject *self, PyObject *args)
+{
+    PyObject *given;
+    double F_0, A_max;
+    sf_work *work;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "Odd", &given, &F_0, &A_max))
+        return NULL;
+    const sf_model *model = sf_model_in(given);
+    if (model == NULL || (work = new_work()) == NULL)
+        return NULL;
+    const int close = sf_here()->are_events_close(model, F_0, A_max, work);
+    free(work);
+    return PyBool_FromLong(close);
+}
+
 static PyObject *extrema_list(const sf_model *model, const sf_exactly *exactly, const sf_zeros *extrema)
 {
     PyObject *list = PyList_New(0);
@@ -442,6 +458,8 @@ static PyMethodDef functions[] = {
     {"detachment", detachment, METH_VARARGS, "(model,) -> status, F_cr, Omega_cr, u_cr"},
     {"peak", peak, METH_VARARGS, "(model, F_0, most) -> status, A, Omega"},
     {"amplitude_bound", amplitude_bound, METH_VARARGS, "(model, F_0) -> status, A_max"},
+    {"are_events_close", are_events_close, METH_VARARGS,
+     "(model, F_0, A_max) -> whether doubles leave open which peaks and static states a curve has"},
     {"fold_locus", fold_locus, METH_VARARGS, "(model, A_max, samples) -> status, Omega, A, F_0, branch, extrema"},
     {"frequency_response", frequency_response, METH_VARARGS,
      "(model, F_0, samples, low, high) -> status, Omega, A, stable, branch, closed, undecided"},
