@@ -35,9 +35,9 @@ from slowflow.averaged.asked import (
     states_in_places,
 )
 from slowflow.averaged.batches import Batch, Codes
+from slowflow.averaged.defined import check_defined, may_be_undefined
 from slowflow.averaged.parts import blocks, share
 from slowflow.averaged.questions import Averaged
-from slowflow.averaged.reference.defined import check_defined, may_be_undefined
 from slowflow.averaged.sustained import Damping
 from slowflow.certificate import DOUBLES
 from slowflow.mechanism import Mechanism

@@ -19,7 +19,7 @@ import numpy as np
 from slowflow import validate
 from slowflow.answer import joined
 from slowflow.averaged import pairs, plan, proofs, remarks, solvers, words
-from slowflow.averaged.reference.defined import check_defined
+from slowflow.averaged.defined import check_defined
 from slowflow.certificate import Certificate, ProvedFolds
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import (

@@ -9,10 +9,9 @@ integrals is generated. A contact's are over shares of what A exceeds its begin 
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
+from slowflow.averaged.defined import interval_like
 from slowflow.intervals import Elementary, Interval
 from slowflow.model import Floats, Model
 from slowflow_kernels.quadrature_conventions import ANGLE, CONTACT_SUMS, HALVED, LARGEST_SUM, PARTS
@@ -84,13 +83,6 @@ def _shares(length: float) -> Floats:
     """Of a piece of that length."""
     halved = int(np.clip(np.ceil(np.log2(length)), 0, HALVED)) if length > 0 else 0
     return np.concatenate(([0.0], _SHARES[1] * 0.5 ** np.arange(halved, 0, -1), _SHARES[1:]))
-
-
-def interval_like(value: Any, like: Interval) -> Interval:
-    """A value that may be a number."""
-    if not isinstance(value, Interval):
-        value = Interval.point(float(value))
-    return Interval(np.broadcast_to(value.ends, like.ends.shape))
 
 
 def _root(end: float, low: Floats, high: Floats) -> Elementary:

@@ -13,8 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.averaged.reference.enclosed import interval_like
-from slowflow.intervals import Bools, Elementary
+from slowflow.intervals import Bools, Elementary, Interval
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
 from slowflow.text import Sentence, told
@@ -89,6 +88,13 @@ def may_be_undefined(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Bools
                 known = np.isfinite(interval_like(force, beyond).ends).all(axis=0).reshape(-1, PARTS)
                 found[part] |= (~known & (end > begin)).any(axis=1) & np.isfinite(last[:, 0])
     return found.reshape(shape)
+
+
+def interval_like(value: Any, like: Interval) -> Interval:
+    """A value that may be a number."""
+    if not isinstance(value, Interval):
+        value = Interval.point(float(value))
+    return Interval(np.broadcast_to(value.ends, like.ends.shape))
 
 
 def _own(model: Model) -> tuple[str, ...]:
