@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-from itertools import pairwise
 from pathlib import Path
 
 import mpmath as mp
@@ -12,13 +11,12 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from slowflow import Duffing, derive
-from slowflow.averaged.reference.cells import samples_at
-from slowflow.averaged.reference.enclosed import enclosed
+from slowflow import Duffing, backend, derive
 from slowflow.model import held
 from slowflow.results import Remark
 from slowflow_kernels import slow_flow
 from slowflow_kernels.conventions import Status
+from tests.native.records import Interval, doubles, opened
 
 u, k, c, p, gap, end = sp.symbols("u k c p gap end")
 ABOVE_0 = {"above": 0}
@@ -151,21 +149,6 @@ def test_h_less_its_tangent_at_rest_is_the_difference_that_it_stands_for(oscilla
     h, h_A, *_ = model.averaged(A)
     found = model.mechanism.intercept(A, *model.parameters)
     np.testing.assert_allclose(found, h - A * h_A, rtol=1e-12, atol=1e-14)
-
-
-@pytest.mark.parametrize("name", slow_beside(FORCES, FEW))
-def test_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it(oscillator, name):
-    """Between any two amplitudes of a piece; h_AAAA by differences of h_AAA."""
-    model = oscillator(name).model
-    edges = sorted({1e-3, *model.breakpoints, 0.1, 0.3, 0.31, 0.8, 1.5, 3.0})
-    for low, high in pairwise(edges):
-        h, bend = (one.ends[:, 0] for one in enclosed(model, np.array([low]), np.array([high])))
-        inside = np.linspace(low, high, 12)[1:-1]
-        at = samples_at(model, inside)
-        assert np.all(h[0] <= at.h) and np.all(at.h <= h[1])
-        slopes = np.diff(at.h_AAA) / np.diff(inside)
-        slack = 1e-9 * (1 + np.abs(slopes))
-        assert np.all(bend[0] <= slopes + slack) and np.all(slopes - slack <= bend[1])
 
 
 @pytest.mark.slow
@@ -748,8 +731,10 @@ def test_far_out_an_enclosure_narrows_as_what_it_encloses(derived):
     """1 - tanh takes (4/pi) pi^2/24/(k A)^2 off h, to the order of A^-4; cosh in its derivatives exceeds doubles."""
     stiffness, A = 3.0, 2.0 ** np.array([7, 13])
     model = derived("saturating")(k=stiffness, **DAMPING).model
-    (_, bend), (_, further) = (enclosed(model, A[i : i + 1], 1.001 * A[i : i + 1]) for i in (0, 1))
-    value = 20 * np.pi / stiffness**2
-    for one, at in ((bend, A[0]), (further, A[1])):
-        assert one.lo[0] * at**6 < value < one.hi[0] * at**6
-    np.testing.assert_allclose(further.ends * A[1] ** 6, bend.ends * A[0] ** 6, rtol=0.01)
+    record, p, found = opened(backend.record_of(model.mechanism)), doubles(model.parameters), (Interval * 2)()
+    scaled = []
+    for at in A:
+        record.ask("bent", Interval(at, 1.001 * at), p, found)
+        scaled.append(np.array([found[1].lo, found[1].hi]) * at**6)
+        assert scaled[-1][0] < 20 * np.pi / stiffness**2 < scaled[-1][1]
+    np.testing.assert_allclose(*scaled, rtol=0.01)

@@ -14,12 +14,11 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from slowflow import derive
-from slowflow.averaged.reference.cells import samples_at
-from slowflow.averaged.reference.enclosed import enclosed
+from slowflow import backend, derive
 from slowflow.intervals import Elementary
 from slowflow.validate import NotAvailable
 from slowflow_support.errors import NotSettled
+from tests.native.records import Interval, doubles, opened
 
 CASES = json.loads((Path(__file__).parent / "data" / "stated.json").read_text())
 DAMPING = {"mu": 0.01, "zeta": 0.03}
@@ -132,17 +131,20 @@ def test_a_cubic_force_has_no_stiffness_at_rest_and_a_play_none_up_to_its_gap():
 def test_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it():
     for name, numbers in (("soft_stop", {"c": 3.0, "k": 6.0, "gap": 0.2}), ("wave", {"k": 0.2, "c": 3.0})):
         model = mechanism(name)(**numbers, **DAMPING).model
+        samples = model.mechanism.samples(*model.parameters)
+        capsule = backend.SOLVER.samples(name, *samples, False, False)
+        record, p, found = opened(capsule), doubles(model.parameters), (Interval * 2)()
         edges = [1e-3, 0.1, 0.2, 0.3, 0.31, 0.8, 1.5, 3.0]
         for low, high in pairwise(edges):
-            h, bend = (one.ends[:, 0] for one in enclosed(model, np.array([low]), np.array([high])))
+            record.ask("bent", Interval(low, high), p, found)
             inside = np.linspace(low, high, 14)[1:-1]
-            at = samples_at(model, inside)
-            assert np.all((h[0] <= at.h) & (at.h <= h[1]))
-            slopes = np.diff(at.h_AAA) / np.diff(inside)
+            h, _, _, h_AAA = model.averaged(inside)
+            assert np.all((found[0].lo <= h) & (h <= found[0].hi))
+            slopes = np.diff(h_AAA) / np.diff(inside)
             doubt = 1e-8 * np.abs(slopes).max()
-            assert np.all((bend[0] <= slopes + doubt) & (slopes - doubt <= bend[1]))
-        h, _ = enclosed(model, np.array([3.0]), np.array([3.2]))
-        assert np.isnan(h.ends).all()  # beyond the reach
+            assert np.all((found[1].lo <= slopes + doubt) & (slopes - doubt <= found[1].hi))
+        record.ask("bent", Interval(3.0, 3.2), p, found)
+        assert not np.isfinite([found[0].lo, found[0].hi]).any()  # beyond the reach
 
 
 def test_a_piece_is_within_its_bounds():
