@@ -418,12 +418,16 @@ def _searched(of_R: sp.Expr, value: sp.Expr, F: sp.Expr, halved: sp.Expr, peak: 
             f"by_{w}": ((none, R_A, one), (one, by_frequency[R], none)),
         }
         for named, lines in directions.items():
-            for system, values in (
-                ("folds", (F, halved)),
-                ("peaks", (F, stationary[named])),
-                ("cusps", (halved, bend)),
-                ("isolas", (halved, stationary[named])),
-            ):
+            found = {
+                "folds": (F, halved),
+                "peaks": (F, stationary[named]),
+                "cusps": (halved, bend),
+                "isolas": (halved, stationary[named]),
+            }
+            if w == Omega:
+                turn = sp.expand(sum(sp.diff(halved, one) * rise for one, rise in by_frequency.items()) / (2 * Omega))
+                found["turns"] = (halved, turn)
+            for system, values in found.items():
                 slopes = tuple(slope_of(each, *line) for each in values for line in lines)
                 result[f"{system}_{'far_' if w == x else ''}{named}"] = System(values, slopes)
     return result

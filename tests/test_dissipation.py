@@ -1063,3 +1063,17 @@ def test_the_onset_by_inertia_is_the_least_level_where_that_is_below_all_cusps(r
     assert np.argmin(beside) == 4
     assert not len(osc.saddle_nodes(found.F_SN * 0.999))
     assert len(osc.saddle_nodes(found.F_SN * 1.001)) == 2
+
+
+@pytest.mark.parametrize("excitation", ["force", "base"])
+def test_the_fold_locus_holds_points_at_which_the_level_is_stationary_along_the_amplitude(excitation):
+    """By the work over a cycle. With alpha < 0 it begins where h_A = 0, and a second branch where h = 0."""
+    osc = Duffing(-0.5, 1.0, mu=0.01, c_2=0.3, excitation=excitation)
+    locus = osc.fold_locus(A_max=1.0, samples=100)
+    assert locus.A.min() == pytest.approx(math.sqrt(2) / 3, rel=1e-12) and np.unique(locus.branch).size == 2
+    assert np.count_nonzero((locus.A > 0.5) & (locus.A < 0.8)) > 5
+    inside = (locus.Omega > 0.01) & (locus.A < 1)
+    A, Omega, step = locus.A[inside], locus.Omega[inside], 1e-6
+    level = [np.hypot(*balances(osc, Omega, A + off)) for off in (-step, 0, step)]
+    assert np.allclose(level[1] / (Omega**2 if excitation == "base" else 1), locus.F_0[inside], rtol=1e-9)
+    assert np.allclose(level[0], level[2], rtol=0, atol=1e-3 * step)

@@ -76,6 +76,21 @@ static inline void dissipation_intervals_static(sf_interval F_0, sf_interval I_0
     out[3] = sfi_sub(h_A, t0);
 }
 
+/* D/Omega^2 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D.
+   Equation from (30). Domain: x >= 0, A > 0. */
+static inline sf_interval dissipation_intervals_turn_share(sf_interval x, sf_interval A, sf_interval I_0, sf_interval I_0A, sf_interval zeta, sf_interval d)
+{
+    const sf_interval A2 = sfi_square(A);
+    const sf_interval t0 = sfi_mul(A2, d);
+    const sf_interval x2 = sfi_square(x);
+    const sf_interval x3 = sfi_mul(x, x2);
+    const sf_interval A3 = sfi_mul(A, A2);
+    return sfi_add(sfi_add(sfi_add(sfi_times(4.0, sfi_mul(A3, sfi_square(d))), sfi_times(9.0,
+        sfi_mul(sfi_mul(t0, x), zeta))), sfi_mul(x2, sfi_add(sfi_add(sfi_times(2.0, sfi_mul(sfi_mul(A, I_0), d)),
+        sfi_times(4.0, sfi_mul(A, sfi_square(zeta)))), sfi_mul(I_0A, t0)))), sfi_mul(x3, sfi_add(sfi_mul(sfi_mul(A,
+        I_0A), zeta), sfi_mul(I_0, zeta))));
+}
+
 /* The size of R where F = 0.
    Equation (24). Domain: Omega >= 0, A > 0. */
 static inline sf_interval dissipation_intervals_R_of_response(sf_interval F_0, sf_interval I_)
@@ -259,6 +274,46 @@ static inline void dissipation_intervals_isolas_by_R(sf_interval Omega, sf_inter
     out[5] = sfi_add(sfi_add(sfi_neg(sfi_mul(t10, t9)), sfi_mul(t2, t6)), sfi_point(1.0));
 }
 
+/* F_A/2 and F_AOmega/(4 Omega); derivatives by A and by R of the first, then of the second.
+   Equation from (30). Domain: Omega > 0, A > 0. */
+static inline void dissipation_intervals_turns_by_R(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
+{
+    (void)(F_0);
+    (void)(I_0);
+    (void)(I_0A);
+    (void)(I_0AAA);
+    (void)(h);
+    (void)(h_A);
+    (void)(h_AAA);
+    const sf_interval t0 = sfi_mul(A, d);
+    const sf_interval t1 = sfi_times(2.0, t0);
+    const sf_interval t2 = sfi_inverse(Omega);
+    const sf_interval t3 = sfi_mul(t2, zeta);
+    const sf_interval t4 = sfi_mul(A, I_A);
+    const sf_interval t5 = sfi_inverse(A);
+    const sf_interval t6 = sfi_mul(R_A, t5);
+    const sf_interval t7 = sfi_sub(h_AA, t6);
+    const sf_interval t8 = sfi_mul(Omega, t0);
+    const sf_interval t9 = sfi_mul(t2, sfi_add(t8, zeta));
+    const sf_interval t10 = sfi_sub(I_A, sfi_mul(R_A, t9));
+    const sf_interval t11 = sfi_times(2.0, d);
+    const sf_interval t12 = sfi_mul(t2, sfi_add(sfi_times(2.0, t8), zeta));
+    const sf_interval Omega2 = sfi_square(Omega);
+    const sf_interval t13 = sfi_sub(sfi_add(I_0AA, sfi_mul(Omega2, t11)), sfi_mul(t12, t6));
+    const sf_interval Omega3 = sfi_mul(Omega, Omega2);
+    const sf_interval t14 = sfi_div(sfi_times(0.5, sfi_mul(zeta, sfi_add(I_, t4))), Omega3);
+    const sf_interval t15 = sfi_add(t1, t3);
+    const sf_interval t16 = sfi_add(t0, t3);
+    out[0] = sfi_add(sfi_mul(I_, I_A), sfi_mul(R, R_A));
+    out[1] = sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(sfi_mul(sfi_square(A), I_A), d), sfi_mul(A, R_A)),
+        sfi_mul(I_, t1)), sfi_mul(I_, t3)), R), sfi_mul(t3, t4));
+    out[2] = sfi_add(sfi_add(sfi_mul(I_, t13), sfi_mul(I_A, t10)), sfi_mul(R, t7));
+    out[3] = sfi_add(sfi_add(sfi_add(sfi_mul(sfi_mul(I_, t12), t5), sfi_mul(I_A, t9)), sfi_mul(R, t5)), R_A);
+    out[4] = sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(sfi_mul(A, t13), t16), sfi_mul(A,
+        t7)), sfi_mul(I_, t11)), sfi_mul(I_A, t1)), sfi_mul(I_A, t3)), R_A), sfi_mul(t10, t15)), sfi_mul(t14, t6));
+    out[5] = sfi_add(sfi_add(sfi_sub(sfi_mul(t12, t16), sfi_mul(t14, t5)), sfi_mul(t15, t9)), sfi_point(2.0));
+}
+
 /* F and F_A/2; derivatives by A and by Omega of the first, then of the second.
    Equation from (24), (30). Domain: Omega > 0, A > 0. */
 static inline void dissipation_intervals_folds_by_Omega(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
@@ -365,6 +420,43 @@ static inline void dissipation_intervals_isolas_by_Omega(sf_interval Omega, sf_i
     out[4] = sfi_add(sfi_add(sfi_add(sfi_mul(I_0A, sfi_add(t0, t2)), R_A), sfi_mul(t3, t8)), t4);
     out[5] = sfi_add(sfi_sub(sfi_mul(sfi_mul(sfi_square(A), d), t8), sfi_div(sfi_mul(I_0, zeta), t5)),
         sfi_times(2.0, t6));
+}
+
+/* F_A/2 and F_AOmega/(4 Omega); derivatives by A and by Omega of the first, then of the second.
+   Equation from (30). Domain: Omega > 0, A > 0. */
+static inline void dissipation_intervals_turns_by_Omega(sf_interval Omega, sf_interval A, sf_interval F_0, sf_interval I_0, sf_interval I_0A, sf_interval I_0AA, sf_interval I_0AAA, sf_interval zeta, sf_interval d, sf_interval h, sf_interval h_A, sf_interval h_AA, sf_interval h_AAA, sf_interval R, sf_interval I_, sf_interval R_A, sf_interval I_A, sf_interval *out)
+{
+    (void)(F_0);
+    (void)(I_0);
+    (void)(I_0A);
+    (void)(I_0AAA);
+    (void)(h);
+    (void)(h_A);
+    (void)(h_AAA);
+    const sf_interval t0 = sfi_mul(A, R_A);
+    const sf_interval t1 = sfi_mul(A, d);
+    const sf_interval t2 = sfi_times(2.0, t1);
+    const sf_interval t3 = sfi_div(zeta, Omega);
+    const sf_interval t4 = sfi_mul(A, I_A);
+    const sf_interval t5 = sfi_square(Omega);
+    const sf_interval t6 = sfi_times(2.0, d);
+    const sf_interval t7 = sfi_add(I_0AA, sfi_mul(t5, t6));
+    const sf_interval t8 = sfi_mul(Omega, t1);
+    const sf_interval t9 = sfi_add(sfi_times(2.0, t8), zeta);
+    const sf_interval t10 = sfi_add(t8, zeta);
+    const sf_interval t11 = sfi_add(t2, t3);
+    const sf_interval t12 = sfi_mul(A, sfi_add(t1, t3));
+    const sf_interval t13 = sfi_div(zeta, t5);
+    out[0] = sfi_add(sfi_mul(I_, I_A), sfi_mul(R, R_A));
+    out[1] = sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(sfi_mul(sfi_square(A), I_A), d), sfi_mul(I_, t2)),
+        sfi_mul(I_, t3)), R), t0), sfi_mul(t3, t4));
+    out[2] = sfi_add(sfi_add(sfi_add(sfi_mul(I_, t7), sfi_square(I_A)), sfi_mul(R, h_AA)), sfi_square(R_A));
+    out[3] = sfi_times(2.0, sfi_add(sfi_add(sfi_add(sfi_mul(I_, t9), sfi_mul(Omega, R)), sfi_mul(Omega, t0)),
+        sfi_mul(t10, t4)));
+    out[4] = sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(A, h_AA), sfi_mul(I_, t6)), sfi_mul(I_A,
+        t11)), sfi_mul(I_A, t2)), sfi_mul(I_A, t3)), sfi_times(2.0, R_A)), sfi_mul(t12, t7));
+    out[5] = sfi_sub(sfi_add(sfi_sub(sfi_add(sfi_times(4.0, sfi_mul(A, Omega)), sfi_times(2.0, sfi_mul(sfi_mul(A,
+        t10), t11))), sfi_mul(I_, t13)), sfi_times(2.0, sfi_mul(t12, t9))), sfi_mul(t13, t4));
 }
 
 /* F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.

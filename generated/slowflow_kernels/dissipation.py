@@ -34,7 +34,7 @@ __all__ = [
     "isolas_far_by_R", "isolas_far_by_x", "least_F_A", "least_scaled", "limit_envelope", "peaks", "peaks_by_Omega",
     "peaks_by_R", "peaks_by_inertia", "peaks_far_by_R", "peaks_far_by_x", "quadratic", "quadratic_bound",
     "released", "released_moves", "response_quartic", "rest", "rest_moves", "restoring", "stability", "static",
-    "stiffness", "structural_bound", "turn_share", "turns",
+    "stiffness", "structural_bound", "turn_share", "turns", "turns_by_Omega", "turns_by_R",
 ]
 
 
@@ -1144,6 +1144,42 @@ def isolas_by_R(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, 
     )
 
 
+def turns_by_R(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+    """F_A/2 and F_AOmega/(4 Omega); derivatives by A and by R of the first, then of the second.
+
+    Equation from (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
+    broadcast.
+    Operations: 144 structured, 78 common subexpressions, 77 power chains.
+    """
+    t0 = A * d
+    t1 = 2.0 * t0
+    t2 = 1.0 / Omega
+    t3 = t2 * zeta
+    t4 = A * I_A
+    t5 = 1.0 / A
+    t6 = R_A * t5
+    t7 = h_AA - t6
+    t8 = Omega * t0
+    t9 = t2 * (t8 + zeta)
+    t10 = I_A - R_A * t9
+    t11 = 2.0 * d
+    t12 = t2 * (2.0 * t8 + zeta)
+    Omega2 = Omega * Omega
+    t13 = I_0AA + Omega2 * t11 - t12 * t6
+    Omega3 = Omega * Omega2
+    t14 = 0.5 * zeta * (I + t4) / Omega3
+    t15 = t1 + t3
+    t16 = t0 + t3
+    return (
+        I * I_A + R * R_A,
+        A * A * I_A * d + A * R_A + I * t1 + I * t3 + R + t3 * t4,
+        I * t13 + I_A * t10 + R * t7,
+        I * t12 * t5 + I_A * t9 + R * t5 + R_A,
+        A * t13 * t16 + A * t7 + I * t11 + I_A * t1 + I_A * t3 + R_A + t10 * t15 + t14 * t6,
+        t12 * t16 - t14 * t5 + t15 * t9 + 2.0,
+    )
+
+
 def folds_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
     """F and F_A/2; derivatives by A and by Omega of the first, then of the second.
 
@@ -1240,6 +1276,37 @@ def isolas_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_
         2.0 * (A * I_A * (t3 + zeta) + I * (t7 + zeta) + Omega * R + R_A * t6),
         I_0A * (t0 + t2) + R_A + t3 * t8 + t4,
         A * A * d * t8 - I_0 * zeta / t5 + 2.0 * t6,
+    )
+
+
+def turns_by_Omega(Omega, A, F_0, I_0, I_0A, I_0AA, I_0AAA, zeta, d, h, h_A, h_AA, h_AAA, R, I, R_A, I_A):
+    """F_A/2 and F_AOmega/(4 Omega); derivatives by A and by Omega of the first, then of the second.
+
+    Equation from (30). Domain: Omega > 0, A > 0. Shape: 6 results, each the arguments that it depends on,
+    broadcast.
+    Operations: 110 structured, 72 common subexpressions, 72 power chains.
+    """
+    t0 = A * R_A
+    t1 = A * d
+    t2 = 2.0 * t1
+    t3 = zeta / Omega
+    t4 = A * I_A
+    t5 = Omega * Omega
+    t6 = 2.0 * d
+    t7 = I_0AA + t5 * t6
+    t8 = Omega * t1
+    t9 = 2.0 * t8 + zeta
+    t10 = t8 + zeta
+    t11 = t2 + t3
+    t12 = A * (t1 + t3)
+    t13 = zeta / t5
+    return (
+        I * I_A + R * R_A,
+        A * A * I_A * d + I * t2 + I * t3 + R + t0 + t3 * t4,
+        I * t7 + I_A * I_A + R * h_AA + R_A * R_A,
+        2.0 * (I * t9 + Omega * R + Omega * t0 + t10 * t4),
+        A * h_AA + I * t6 + I_A * t11 + I_A * t2 + I_A * t3 + 2.0 * R_A + t12 * t7,
+        4.0 * A * Omega + 2.0 * A * t10 * t11 - I * t13 + 2.0 * t12 * t9 - t13 * t4,
     )
 
 

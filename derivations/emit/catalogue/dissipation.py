@@ -42,11 +42,12 @@ IN_C = {
     *("quadratic", "restoring", "at_rest", "released", "I", "I_A", "far", "F", "F_A", "F_AA"),
     *("response_quartic", "fold_quartic", "far_by_inertia", "structural_bound", "quadratic_bound", "least_scaled"),
     *("static", "limit_envelope", "R_of_peak", "F_A_halved", "F_OmegaOmega", "Omega_A", "Omega_A_by_inertia"),
-    *("full_by_inertia", "rest_moves", "released_moves"),
+    *("full_by_inertia", "rest_moves", "released_moves", "F_AOmegaOmega"),
+    *("cusp_bend", "isola_bend", "cusp_bend_by_inertia", "isola_bend_by_inertia"),
 }
 ENCLOSED = {
     *("at_rest", "released", "I", "I_A", "far", "R_of_response", "R_of_peak", "R_where_stationary"),
-    *("far_by_inertia", "F_A_scaled", "I_scaled", "static"),
+    *("far_by_inertia", "F_A_scaled", "I_scaled", "static", "turn_share"),
     *("rest_intercept", "released_intercept", "sine_intercept", "sine_intercept_far", "velocity"),
 }
 #: what each system is, in words
@@ -68,6 +69,7 @@ SEARCHED = {
     "peaks": ("F and what vanishes where the level is stationary", "(24)"),
     "cusps": ("F_A/2 and F_AA/2", "(30), (33)"),
     "isolas": ("F_A/2 and what vanishes where the level is stationary", "(30)"),
+    "turns": ("F_A/2 and F_AOmega/(4 Omega)", "(30)"),
 }
 
 

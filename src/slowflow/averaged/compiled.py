@@ -146,14 +146,14 @@ def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
 
 def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max."""
-    status, Omega, A, F_0, branch, _ = backend.SOLVER.fold_locus(model.native, A_max, samples)
+    status, Omega, A, F_0, branch, _ = backend.SOLVER.fold_locus(model.searched, A_max, samples)
     check(status, model)
     return FoldLocus(Omega, A, F_0, branch, "" if A.size else words.no_locus(model, A_max))
 
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The cusps and the isola points up to A_max."""
-    status, _, _, _, _, found = backend.SOLVER.fold_locus(model.native, A_max, 0)
+    status, _, _, _, _, found = backend.SOLVER.fold_locus(model.searched, A_max, 0)
     check(status, model)
     table = np.array(found, dtype=float).reshape(-1, 7)
     isola = table[:, 3] == 1

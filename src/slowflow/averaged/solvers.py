@@ -37,8 +37,8 @@ def _either(on_compiled: Question, on_numpy: Callable[[], Question], laws: bool 
 amplitudes = _either(compiled.amplitudes, lambda: _reference().amplitudes, laws=True)
 closes = _either(compiled.closes, lambda: _reference().closes, laws=True)
 detachment = _either(compiled.detachment, lambda: _reference().detachment, laws=True)
-extrema = _either(compiled.extrema, lambda: _reference().extrema)
-fold_locus = _either(compiled.fold_locus, lambda: _reference().fold_locus)
+extrema = compiled.extrema
+fold_locus = compiled.fold_locus
 frequency_response = _either(compiled.frequency_response, lambda: _reference().frequency_response, laws=True)
 onset = _either(compiled.onset, lambda: _reference().onset, laws=True)
 peak = _either(compiled.peak, lambda: _reference().peak, laws=True)

@@ -423,6 +423,22 @@ static inline int sf_is_minimum(const sf_model *model, sf_question question, con
     return slow_flow_cusp_bend(w, at->A, zeta, at->h_AA, at->h_AAA, sf_cusp_tangent(w, at->A, m, zeta, at->h_AA)) > 0;
 }
 
+/* By other laws of damping: whether the level has a minimum along the fold locus, and at an isola point F a saddle. */
+static inline int sf_is_law_minimum(const sf_model *model, sf_question question, const sf_sample *at, double w,
+                                    int *saddle) {
+    const double A = at->A, zeta = model->zeta, d = model->d;
+    double rest[4], bend[2];
+    sf_rest_at(model, A, sf_is_beyond(model, A), rest);
+    *saddle = 0;
+    if (question == SF_CUSP)
+        return (sf_inertial(model) ? dissipation_cusp_bend_by_inertia : dissipation_cusp_bend)(
+                   w, A, rest[0], rest[1], rest[2], rest[3], zeta, d, at->h, at->h_A, at->h_AA, at->h_AAA) > 0;
+    (sf_inertial(model) ? dissipation_isola_bend_by_inertia : dissipation_isola_bend)(
+        w, A, rest[0], rest[1], rest[2], zeta, d, at->h, at->h_A, at->h_AA, bend);
+    *saddle = bend[0] < 0;
+    return bend[1] > 0;
+}
+
 /* The channels that a question has, 1 and 2. */
 static inline int sf_channels(sf_question question) {
     return question == SF_ISOLA || question == SF_FOLD_AT || question == SF_STATE ? 1 : 3;

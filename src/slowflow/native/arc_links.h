@@ -34,8 +34,10 @@ static int sf_fold_count(const sf_model *model, const sf_sample *at) {
 
 static double sf_fold_branch(const sf_model *model, const sf_sample *at, int count, int index) {
     sf_isolated q;
-    if (sf_has_laws(model))
+    if (sf_has_laws(model) && at->A > 0)
         return sf_law_branch_at(model, at, -1, count, index);
+    if (model->eta != 0 || model->d != 0 || model->released) /* at A = 0 there is no quartic */
+        return NAN;
     /* at A = 0, where the quartic is none, what damping is too weak to hide begins at the stiffness there */
     if (model->zeta == 0 || (at->A == 0 && fabs(at->h_A) < HUGE_VAL))
         return slow_flow_zeta0_undamped_Omega(fmin(at->h_A, 0));

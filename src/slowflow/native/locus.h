@@ -9,6 +9,7 @@
 
 #include "arc_links.h"
 #include "bounds.h"
+#include "points.h"
 
 /* by how much more than I the terms of R may be, as a share of I, or if squares of roundings are to count */
 #define SF_FEW_LOST 4
@@ -22,9 +23,38 @@ static void sf_ask_all(const sf_model *model, sf_question question, double F_0, 
     sf_find_zeros(&asked, piece, found);
 }
 
+/* By other laws of damping, in boxes. */
+static void sf_ask_boxes(const sf_model *model, sf_question question, const sf_stretch *piece, sf_law_search *search,
+                         sf_zeros *found) {
+    const sf_law_system system = question == SF_CUSP ? SF_LAW_CUSPS : question == SF_ISOLA ? SF_LAW_ISOLAS : SF_LAW_TURNS;
+    int i, number = 0;
+    while (number < model->breaks && model->b[number] <= piece->first.A)
+        number++;
+    sf_begin_search(model, system, HUGE_VAL, search);
+    sf_begin_piece(search, number);
+    sf_search_points(search, &piece->first, &piece->last);
+    found->undecided |= search->found.undecided > 0;
+    if (search->found.status != SF_OK)
+        found->status = search->found.status;
+    for (i = 0; i < search->found.n; i++) {
+        const double A = search->found.at[i].A, w = search->found.at[i].Omega;
+        sf_zero zero = {A, w, 0, question, 0, 0};
+        double rest[4];
+        sf_sample at;
+        sf_sample_at(model, A, &at);
+        sf_rest_at(model, A, number > 0, rest);
+        zero.channel = !(dissipation_F_AOmegaOmega(w, A, rest[0], rest[1], model->zeta, model->d, at.h, at.h_A) < 0);
+        zero.rising = sf_law_F_AA(model, &at, w) > 0;
+        sf_add_zero(found, zero);
+    }
+}
+
 /* Cusps and isola points of a piece, added to those found; and for zeta = 0 where the locus touches the backbone. */
-static void sf_extrema_on(const sf_model *model, const sf_stretch *piece, sf_zeros *found) {
-    if (model->zeta == 0) {
+static void sf_extrema_on(const sf_model *model, const sf_stretch *piece, sf_law_search *search, sf_zeros *found) {
+    if (sf_has_laws(model)) {
+        sf_ask_boxes(model, SF_ISOLA, piece, search, found);
+        sf_ask_boxes(model, SF_CUSP, piece, search, found);
+    } else if (model->zeta == 0) {
         sf_ask_all(model, SF_UNDAMPED, 0, piece, found);
     } else {
         sf_ask_all(model, SF_ISOLA, 0, piece, found);
@@ -33,14 +63,16 @@ static void sf_extrema_on(const sf_model *model, const sf_stretch *piece, sf_zer
 }
 
 /* undecided: whether rounding may hide some at which the level turns */
-static void sf_locus_zeros(const sf_model *model, const sf_stretch *piece, sf_zeros *found) {
+static void sf_locus_zeros(const sf_model *model, const sf_stretch *piece, sf_law_search *search, sf_zeros *found) {
     int undecided;
     sf_clear_zeros(found);
     sf_ask_all(model, SF_STIFFNESS, 0, piece, found);
     found->undecided = 0;
-    sf_extrema_on(model, piece, found);
+    sf_extrema_on(model, piece, search, found);
     undecided = found->undecided;
-    if (model->zeta > 0)
+    if (sf_has_laws(model))
+        sf_ask_boxes(model, SF_TURN, piece, search, found);
+    else if (model->zeta > 0)
         sf_ask_all(model, SF_TURN, 0, piece, found);
     found->undecided = undecided;
     sf_sort_zeros(found);
@@ -77,7 +109,7 @@ static sf_status sf_extrema(const sf_model *model, double A_max, sf_work *work) 
         if (!sf_has_force(piece))
             continue;
         sf_clear_zeros(&work->zeros);
-        sf_extrema_on(model, piece, &work->zeros);
+        sf_extrema_on(model, piece, &work->points, &work->zeros);
         sf_sort_zeros(&work->zeros);
         for (k = 0; k < work->zeros.n; k++)
             sf_add_zero(&work->extrema, work->zeros.at[k]);
@@ -100,7 +132,7 @@ static sf_status sf_fold_locus(const sf_model *model, double A_max, sf_work *wor
         const sf_stretch *piece = &work->pieces.at[i];
         if (!sf_has_force(piece))
             continue;
-        sf_locus_zeros(model, piece, &work->zeros);
+        sf_locus_zeros(model, piece, &work->points, &work->zeros);
         sf_add_event(graph, i == 0 ? 0 : nextafter(piece->first.A, HUGE_VAL), 0, SF_CUT, 0);
         for (k = 0; k < work->zeros.n; k++) {
             const sf_zero *zero = &work->zeros.at[k];
@@ -247,6 +279,8 @@ static double sf_locus_level(const sf_model *model, const sf_sample *at, double 
     double slopes[3], other;
     if (sf_inertial(model) && at->A == 0)
         return 0;
+    if (sf_has_laws(model))
+        return sf_law_level(model, at, w);
     if (model->zeta == 0 || !(w > 0 && at->k * at->k > 0 && fabs(at->k) < HUGE_VAL))
         return sf_level(model, at, w);
     inertia_fold_slopes(w, at->A, model->m, model->zeta, at->k, slopes);
@@ -395,11 +429,16 @@ static sf_extremum sf_extremum_at(const sf_model *model, const sf_zero *zero) {
     sf_sample_at(model, zero->A, &at);
     out.Omega = zero->Omega;
     out.A = zero->A;
+    out.isola = zero->question == SF_ISOLA;
+    out.few_digits = 0;
+    if (sf_has_laws(model)) {
+        out.F_0 = sf_law_level(model, &at, out.Omega);
+        out.minimum = sf_is_law_minimum(model, zero->question, &at, out.Omega, &out.saddle);
+        return out;
+    }
     out.F_0 = sf_extremum_level(model, zero, &at);
     out.minimum = sf_is_minimum(model, zero->question, &at, out.Omega);
     out.saddle = zero->question == SF_ISOLA && sf_is_saddle(model, &at, out.Omega);
-    out.isola = zero->question == SF_ISOLA;
-    out.few_digits = 0;
     return out;
 }
 

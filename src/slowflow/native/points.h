@@ -38,6 +38,10 @@ enum {
 #define SF_AROUND_LEAST 0x1p-44
 /* what of a piece is left out next to rest, with a preload */
 #define SF_NEXT_TO_PRELOAD 0x1p-60
+/* how far above a corner no cell of turns and cusps is cut: derivatives of h, which come from infinity there, are less
+ * known on less; and of R how wide a box in it is not cut any more */
+#define SF_NEXT_TO_CORNER 0x1p-40
+#define SF_THIN_AT_CORNER 0x1p-20
 
 /* What is known on a cell: over: h/A; rest: I_0 and derivatives; level: I_0 - A I_0A */
 typedef struct {
@@ -275,7 +279,7 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
         if (folded) {
             const sf_interval P = sfi_neg(sfi_mul(at.I, at.I_A)); /* R R_A */
             const sf_interval K = search->far ? sfi_mul(cell->k, square) : cell->k;
-            if (sf_rises_from_rest(search, strip, search->far ? sfi_inverse(of->w) : of->w, 
+            if (sf_rises_from_rest(search, strip, search->far ? sfi_inverse(of->w) : of->w,
                                    search->far ? sfi_div(at.I_A, square) : at.I_A))
                 return 0;
             /* R R_A is least where R is K/2 */
@@ -299,6 +303,22 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
                                                  sfi_times(2, sfi_mul(search->laws.d, search->far ? sfi_point(1) : square)));
                 const sf_interval rest = sfi_add(sfi_add(sfi_square(at.R_A), sfi_square(at.I_A)), sfi_mul(at.I, bend));
                 of->R = sfi_both(of->R, sf_ratio(sfi_neg(rest), sfi_mul(cell->h_AA, scale)));
+            }
+            if (search->system == SF_LAW_TURNS) {
+                const sf_laws_within *laws = &search->laws;
+                const sf_interval x = sfi_inverse(of->w);
+                const sf_interval share = dissipation_intervals_turn_share(x, cell->A, strip->rest[0], strip->rest[1],
+                                                                           laws->zeta, laws->d);
+                const sf_interval beside = sfi_mul(share, square);
+                sf_interval far[4];
+                of->R = sfi_both(of->R, sfi_neg(sfi_add(sfi_mul(cell->A, at.R_A), beside)));
+                at.R_A = sfi_both(at.R_A, sfi_neg(sfi_div(sfi_add(of->R, beside), cell->A)));
+                /* both functions without h_A, over powers of Omega */
+                dissipation_intervals_far(x, cell->A, strip->rest[0], strip->rest[1], laws->zeta, laws->d, cell->h,
+                                          cell->h_A, far);
+                if (sfi_has_sign(sfi_sub(sfi_mul(far[0], sfi_add(far[0], share)),
+                                         sfi_mul(cell->A, sfi_mul(far[2], far[3])))))
+                    return 0;
             }
             at.R_A = sfi_both(at.R_A, sf_ratio(P, of->R));
             at.R_A = sfi_both(at.R_A, sf_slope_of(search, strip, of->R));
@@ -332,18 +352,17 @@ typedef void sf_functions_on(sf_interval w, sf_interval A, sf_interval F_0, sf_i
                              sf_interval R_A, sf_interval I_A, sf_interval *out);
 
 /* Of each system, of a force and of inertia, by R and by w: both functions and their slopes by A and by the other
- * unknown, of the first and then of the second. */
+ * unknown, of the first and then of the second. Turns know of neither. */
+#define SF_NEAR(of) {dissipation_##of##_by_R, dissipation_##of##_by_Omega}
+#define SF_FAR(of) {dissipation_##of##_far_by_R, dissipation_##of##_far_by_x}
 #define SF_FORMS(of)                                                                                                   \
-    {                                                                                                                  \
-        {dissipation_##of##_by_R, dissipation_##of##_by_Omega}, {                                                      \
-            dissipation_##of##_far_by_R, dissipation_##of##_far_by_x                                                   \
-        }                                                                                                              \
-    }
-#define SF_FORMS_ON(of) SF_FORMS(intervals_##of)
-static sf_functions_of *const sf_at_points[SF_LAW_SYSTEMS][2][2] = {SF_FORMS(folds), SF_FORMS(peaks), SF_FORMS(cusps),
-                                                                    SF_FORMS(isolas)};
-static sf_functions_on *const sf_on_boxes[SF_LAW_SYSTEMS][2][2] = {SF_FORMS_ON(folds), SF_FORMS_ON(peaks),
-                                                                   SF_FORMS_ON(cusps), SF_FORMS_ON(isolas)};
+    {{SF_NEAR(of##folds), SF_FAR(of##folds)},                                                                          \
+     {SF_NEAR(of##peaks), SF_FAR(of##peaks)},                                                                          \
+     {SF_NEAR(of##cusps), SF_FAR(of##cusps)},                                                                          \
+     {SF_NEAR(of##isolas), SF_FAR(of##isolas)},                                                                        \
+     {SF_NEAR(of##turns), {NULL, NULL}}}
+static sf_functions_of *const sf_at_points[SF_LAW_SYSTEMS][2][2] = SF_FORMS();
+static sf_functions_on *const sf_on_boxes[SF_LAW_SYSTEMS][2][2] = SF_FORMS(intervals_);
 
 /* On a box, of which u is the other unknown. */
 static void sf_functions_within(const sf_law_search *search, const sf_strip *strip, int by_w, sf_interval u,
@@ -532,11 +551,14 @@ static int sf_moves_by_other(const sf_law_search *search, const sf_law_box *box,
     const double of_u[] = {sf_size_of(f[3]) * height, sf_size_of(f[5]) * height};
     const int is_A_bounded = of_A[0] < HUGE_VAL && of_A[1] < HUGE_VAL;
     const int is_u_bounded = of_u[0] < HUGE_VAL && of_u[1] < HUGE_VAL;
+    const int is_unlimited = search->F_0 == HUGE_VAL && search->system != SF_LAW_ISOLAS;
     if (is_A_bounded && is_u_bounded)
         return of_u[0] > SF_MUCH_MORE * of_A[0] && of_u[1] > SF_MUCH_MORE * of_A[1];
     if (is_A_bounded || is_u_bounded)
         return is_A_bounded;
-    if (!sf_is_forced(search) && search->base > 0)
+    if (is_unlimited && u.hi == HUGE_VAL)
+        return width < SF_NARROW_CELL * box->b.at.A;
+    if (!sf_is_forced(search) && !is_unlimited && search->base > 0)
         return height * (box->b.at.A - search->base) * SF_MUCH_MORE * SF_MUCH_MORE >
                width * sfi_most(sf_size_of(u), SF_LOW * SF_LOW);
     return height * box->b.at.A > width * sfi_most(sf_size_of(u), box->by_w || !sf_is_forced(search) ? SF_LOW : search->F_0);
@@ -556,14 +578,14 @@ static int sf_look_at_box(sf_law_search *search, sf_law_box *box, double middle,
     if (!sf_narrow_unknowns(search, &strip, &box->of))
         return 0;
     box->by_w = sf_is_R_large(search, &strip, box->of.R);
-    if (box->a.at.A > 0 && inside &&
+    if (box->a.at.A > 0 && (inside || box->b.at.A <= search->blurred) &&
         (sfi_has_sign(box->of.R) || box->b.at.A - box->a.at.A < SF_NARROW_CELL * box->a.at.A)) {
         const sf_interval u = *sf_second_unknown(box);
         sf_interval f[6];
         sf_functions_within(search, &strip, box->by_w, u, f);
         if (sfi_has_sign(f[0]) || sfi_has_sign(f[1]))
             return 0;
-        if (sfi_has_sign(sf_determinant(f)) && sf_settle_point(search, box, middle))
+        if (inside && sfi_has_sign(sf_determinant(f)) && sf_settle_point(search, box, middle))
             return 0;
         *other = sf_moves_by_other(search, box, u, f);
     }
@@ -587,6 +609,11 @@ static void sf_search_points_up_to(sf_law_search *search, const sf_sample *first
     sf_law_points *found = &search->found;
     int top = 0;
     search->end = last->A;
+    if ((search->system == SF_LAW_TURNS && isinf(first->h_A)) ||
+        (search->system == SF_LAW_CUSPS && search->F_0 == HUGE_VAL && isinf(first->h_AA)))
+        search->blurred = (1 + SF_NEXT_TO_CORNER) * first->A;
+    else
+        search->blurred = 0;
     search->pending[0].a.at = *first, search->pending[0].b.at = *last;
     /* with a preload what lies next to rest is left out: there A Omega^2 is all that counts, and F has no fold but where
      * F_0 is m, or what holds the mass, to rounding */
@@ -598,7 +625,8 @@ static void sf_search_points_up_to(sf_law_search *search, const sf_sample *first
     for (top = 1; top > 0;) {
         sf_law_box *box = &search->pending[top - 1], *next = box + 1;
         const double a = box->a.at.A, b = box->b.at.A, middle = sf_amid(search->base, a, b);
-        const int inside = middle > a && middle < b && b - a > SF_NARROW * b;
+        const int inside = middle > a && middle < b && b - a > SF_NARROW * b && b > search->blurred;
+        const double thin = b > search->blurred ? SF_THIN : SF_THIN_AT_CORNER;
         int other, is_thin;
         sf_interval *u;
         double at;
@@ -611,7 +639,7 @@ static void sf_search_points_up_to(sf_law_search *search, const sf_sample *first
             continue;
         }
         u = sf_second_unknown(box), at = sf_cut_other(*u);
-        is_thin = !(at > u->lo && at < u->hi) || u->hi - u->lo <= SF_THIN * sf_size_of(*u);
+        is_thin = !(at > u->lo && at < u->hi) || (u->hi < HUGE_VAL && u->hi - u->lo <= thin * sf_size_of(*u));
         if (!inside && (is_thin || (!sf_is_forced(search) && sf_is_in_doubt(found, b)))) {
             if (found->undecided < SF_MOST_POINTS)
                 found->doubt[found->undecided++] = b;
@@ -633,11 +661,11 @@ static void sf_search_points_up_to(sf_law_search *search, const sf_sample *first
     }
 }
 
-/* All of them. Neither F_A nor F_AA knows of the excitation: cusps are looked for up to Omega = 1, and beyond by
- * 1/Omega. */
+/* All of them. Neither F_A nor F_AA knows of the excitation: cusps up to a level are looked for up to Omega = 1, and
+ * beyond by 1/Omega. */
 static void sf_search_points(sf_law_search *search, const sf_sample *first, const sf_sample *last) {
     const int far = search->far;
-    if (search->system != SF_LAW_CUSPS) {
+    if (search->system != SF_LAW_CUSPS || !(search->F_0 < HUGE_VAL)) {
         sf_search_points_up_to(search, first, last, HUGE_VAL);
         return;
     }
@@ -648,7 +676,7 @@ static void sf_search_points(sf_law_search *search, const sf_sample *first, cons
 
 static void sf_begin_search(const sf_model *model, sf_law_system system, double F_0, sf_law_search *search) {
     search->model = model, search->system = system, search->F_0 = F_0, search->force = sfi_point(F_0);
-    search->far = sf_inertial(model);
+    search->far = sf_inertial(model) && system != SF_LAW_TURNS && !(system == SF_LAW_CUSPS && F_0 == HUGE_VAL);
     search->found.n = search->found.boxes = search->found.undecided = 0, search->found.status = SF_OK;
 }
 

@@ -7,8 +7,15 @@
 enum { SF_MOST_POINTS = 64, SF_MOST_PENDING = 256 };
 
 /* F = F_A = 0; F = F_Omega = 0, or where the level of an excitation by inertia is stationary; F_A = F_AA = 0; F_A = 0 where
- * the level is stationary */
-typedef enum { SF_LAW_FOLDS, SF_LAW_PEAKS, SF_LAW_CUSPS, SF_LAW_ISOLAS, SF_LAW_SYSTEMS } sf_law_system;
+ * the level is stationary; F_A = F_AOmega = 0 */
+typedef enum {
+    SF_LAW_FOLDS,
+    SF_LAW_PEAKS,
+    SF_LAW_CUSPS,
+    SF_LAW_ISOLAS,
+    SF_LAW_TURNS,
+    SF_LAW_SYSTEMS
+} sf_law_system;
 
 /* Omega, or under an excitation by inertia 1/Omega: w; R, or R/Omega^2 */
 typedef struct {
@@ -42,12 +49,13 @@ typedef struct {
     int by_w;
 } sf_law_box;
 
-/* F_0: the forcing, or of cusps and isola points the highest level that is asked for; base, end: of the piece; far:
+/* F_0: the forcing, or of cusps and isola points the highest level that is asked for; base, end: of the piece; blurred:
+ * the amplitude up to which no cell is cut; far:
  * whether all is over Omega^2; part: number of what is looked through */
 typedef struct {
     const sf_model *model;
     sf_law_system system;
-    double F_0, base, end;
+    double F_0, base, end, blurred;
     int far, part;
     sf_laws_within laws;
     sf_interval force;

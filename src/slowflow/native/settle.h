@@ -473,7 +473,7 @@ static sf_extremum sf_settled_extremum(const sf_model *model, const sf_exactly *
     const int is_isola = zero->question == SF_ISOLA, wanted = is_isola ? 2 : 4;
     const sf_step step = is_isola ? slow_flow_pairs_isola_step : slow_flow_pairs_cusp_step;
     const sf_settling begin = {sfp_point(out.Omega), sfp_point(out.A), sfp_point(out.F_0)};
-    if (exactly == NULL || zero->question == SF_UNDAMPED)
+    if (exactly == NULL || zero->question == SF_UNDAMPED || sf_has_laws(model))
         return out;
     if (!sf_settle_numbers(step, SF_MOVES_ALL, wanted, exactly, model, &out.Omega, &out.A, &out.F_0))
         out.few_digits = sf_is_off_by(step, SF_MOVES_ALL, wanted, exactly, model, &begin) > SF_FEW_ROUNDINGS;

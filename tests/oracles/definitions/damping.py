@@ -209,7 +209,8 @@ def searched_system(system, far, unknown):
             still = R + zeta * rest / w + place * (2 * zeta**2 + d * rest + d * place * w * (3 * zeta + d * place * w))
         level = both(2 * square - F_0**2)
         fold, cusp, peak = both(square, 1), both(square, 2), both(still)
-        pair = {"folds": (level, fold), "peaks": (level, peak), "cusps": (fold, cusp), "isolas": (fold, peak)}[system]
+        pairs = {"folds": (level, fold), "peaks": (level, peak), "cusps": (fold, cusp), "isolas": (fold, peak)}
+        pair = pairs.get(system) or (fold, both(square.by(0).by(1) / (2 * w)))
         return [pair[0][0], pair[1][0], *pair[0][1:], *pair[1][1:]]
 
     return of
@@ -443,6 +444,13 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
         for system in ("folds", "peaks", "cusps", "isolas")
     },
     "static": ("F_0 I_0 I_0A h h_A", static_halves),
+    **{
+        f"turns_by_{unknown}": (
+            "Omega A F_0 I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA R I R_A I_A",
+            searched_system("turns", False, unknown),
+        )
+        for unknown in ("R", "Omega")
+    },
 }
 
 

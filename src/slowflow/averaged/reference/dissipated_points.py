@@ -5,7 +5,7 @@ Where the number of frequencies changes along the amplitude boxes find: peaks, s
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -156,45 +156,6 @@ def _bends(model: Model, peaks: Points, F_0: float) -> Bools:
     return np.asarray(slopes_at(model, "peaks_by_inertia", peaks, F_0)[3] > 0)
 
 
-@dataclass(frozen=True)
-class Stations:
-    """What happens along the fold locus, by rising A."""
-
-    found: list[Event]
-
-    @classmethod
-    def of(cls, model: Model, A_max: float) -> Stations:
-        """Up to an amplitude."""
-        pieces = [piece for piece in stretches_up_to(model, A_max) if piece.has_force]
-        stiffness, cusps, isolas, turns = (
-            points_of(model, system, pieces) for system in ("stiffness", "cusps", isolas_of(model), "turns")
-        )
-        with np.errstate(all="ignore"):
-            low, rising = _F_AOmegaOmega(model, turns.Omega, turns.A) < 0, model.F_AA(turns.Omega, turns.A) > 0
-        found: list[Event] = []
-        for number, piece in enumerate(pieces):
-            inside = [
-                Event(float(points.A[i]), float(points.Omega[i]), Kind.THROUGH)
-                for points in (cusps, isolas)
-                for i in np.flatnonzero(points.piece == number)
-            ]
-            inside += [
-                Event(float(stiffness.A[i]), 0.0, Kind.TO_ZERO) for i in np.flatnonzero(stiffness.piece == number)
-            ]
-            for i in np.flatnonzero(turns.piece == number):
-                kind, gain = (Kind.PAIR_LOW if low[i] else Kind.PAIR_HIGH), 2 if rising[i] == low[i] else -2
-                inside.append(Event(float(turns.A[i]), float(turns.Omega[i]), kind, gain))
-            base = float(piece.base[0])
-            first = base if number == 0 else float(np.nextafter(base, np.inf))
-            ends = (Event(A, 0.0, Kind.CUT) for A in (first, float(piece.last.A[0])))
-            found += [next(ends), *sorted(inside, key=lambda event: event.A), next(ends)]
-        return cls(merged(found))
-
-    def events(self) -> list[Event]:
-        """By rising A."""
-        return self.found
-
-
 def is_top(model: Model, peaks: Points, F_0: float) -> Bools:
     """Whether two frequencies that are there below these peaks meet in them, and F rises: stable motions end."""
     with np.errstate(all="ignore"):
@@ -212,28 +173,7 @@ def rises_from_rest(model: Model, A: Floats) -> Bools:
     return np.asarray((model.zeta * I_0 > 0) | (_F_OmegaOmega(model, np.zeros_like(A), A) >= 0))
 
 
-def is_minimum(model: Model, Omega: Floats, A: Floats) -> Bools:
-    """Whether the level has a minimum along the fold locus at these cusps."""
-    kernel = dissipation.cusp_bend_by_inertia if model.inertial else dissipation.cusp_bend
-    bend = kernel(Omega, A, *model.at_rest(A), model.zeta, model.d, *model.averaged(A))
-    return np.asarray(bend > 0)
-
-
-def at_isola(model: Model, Omega: Floats, A: Floats) -> tuple[Bools, Bools]:
-    """Whether F has a saddle at these isola points, and whether the level has a minimum along the fold locus."""
-    rest, known = model.at_rest(A)[:3], model.averaged(A)[:3]
-    kernel = dissipation.isola_bend_by_inertia if model.inertial else dissipation.isola_bend
-    determinant, bend = kernel(Omega, A, *rest, model.zeta, model.d, *known)
-    return np.asarray(determinant < 0), np.asarray(bend > 0)
-
-
 def _F_OmegaOmega(model: Model, Omega: Floats, A: Floats) -> Floats:
     return np.asarray(
         dissipation.F_OmegaOmega(Omega, A, model.at_rest(A)[0], model.zeta, model.d, model.averaged(A)[0])
     )
-
-
-def _F_AOmegaOmega(model: Model, Omega: Floats, A: Floats) -> Floats:
-    I_0, I_0A, *_ = model.at_rest(A)
-    h, h_A, *_ = model.averaged(A)
-    return np.asarray(dissipation.F_AOmegaOmega(Omega, A, I_0, I_0A, model.zeta, model.d, h, h_A))

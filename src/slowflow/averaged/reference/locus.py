@@ -11,10 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from slowflow.averaged import words
-from slowflow.averaged.reference import dissipated, dissipated_points
 from slowflow.averaged.reference.along import Asked, Cusp, InertiaIsola, Isola, Stiffness, Turn, Undamped
-from slowflow.averaged.reference.arcs import Along, Event, Graph, Kind, Roots, merged
-from slowflow.averaged.reference.boxes import points_of
+from slowflow.averaged.reference.arcs import Event, Graph, Kind, Roots, merged
 from slowflow.averaged.reference.cells import Stretch, samples_at, stretches_up_to
 from slowflow.averaged.reference.doubt import have_cusps_few_digits
 from slowflow.averaged.reference.minima import cusp_is_minimum, is_saddle, isola_is_minimum
@@ -87,9 +85,8 @@ class Stations:
 
 def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
     """About `samples` points of the fold locus up to A_max, in order along each branch."""
-    roots: Along = dissipated.Roots(model, -1.0) if model.laws.any else Roots(model, -1.0)
-    stations = (dissipated_points.Stations if model.laws.any else Stations).of(model, A_max)
-    graph = Graph.of(roots, stations.events())
+    roots = Roots(model, -1.0)
+    graph = Graph.of(roots, Stations.of(model, A_max).events())
     arcs = graph.arcs
     if not arcs:
         none = np.empty(0)
@@ -128,8 +125,6 @@ def of_locus(model: Model, Omega: Floats, A: Floats) -> Floats:
     begins without friction and no Omega is known.
     """
     level = np.asarray(model.level(Omega, A))
-    if model.laws.any:
-        return level
     if model.inertial:
         level = np.where(A > 0, level, 0.0)
     if model.zeta == 0:
@@ -156,8 +151,6 @@ def of_isolas(model: Model, Omega: Floats, A: Floats) -> Floats:
 
 def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
     """The cusps and the isola points up to A_max."""
-    if model.laws.any:
-        return _extrema_in_boxes(model, A_max)
     # without the locus, whose turns are beyond doubles where damping is weak: there its two branches all but cross
     asked = _of_extrema(model) if model.zeta > 0 else [Undamped(model)]
     at, *isolas = find_zeros(model, asked, _with_force(model, A_max))
@@ -171,18 +164,3 @@ def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
         birth = np.where(isola_is_minimum(model, Omega, A), "birth", "death")
         kind = np.where(is_saddle(model, Omega, A), "merger", birth)
     return cusps, IsolaPoints(F_0, Omega, A, kind, "" if A.size else words.NO_ISOLA.format(A_max))
-
-
-def _extrema_in_boxes(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
-    """The same by other laws of damping."""
-    pieces = _with_force(model, A_max)
-    cusps, isolas = (points_of(model, system, pieces) for system in ("cusps", dissipated_points.isolas_of(model)))
-    with np.errstate(all="ignore"):
-        levels = [model.level(points.Omega, points.A) for points in (cusps, isolas)]
-        minimum = dissipated_points.is_minimum(model, cusps.Omega, cusps.A)
-        saddle, birth = dissipated_points.at_isola(model, isolas.Omega, isolas.A)
-    kind = np.where(saddle, "merger", np.where(birth, "birth", "death"))
-    return (
-        Cusps(levels[0], cusps.Omega, cusps.A, minimum, "" if len(cusps) else words.NO_CUSP.format(A_max)),
-        IsolaPoints(levels[1], isolas.Omega, isolas.A, kind, "" if len(isolas) else words.NO_ISOLA.format(A_max)),
-    )
