@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, derive, example
-from slowflow.averaged import solvers
 from slowflow.averaged.reference import answers
 from slowflow.results import Remark
 from slowflow_kernels import den_hartog
@@ -110,21 +109,6 @@ def test_an_onset_is_where_folds_come():
         if onset.F_SN is not None:
             assert len(osc.saddle_nodes(onset.F_SN * (1 - 1e-6))) == 0
             assert len(osc.saddle_nodes(onset.F_SN * (1 + 1e-4))) >= 2
-
-
-@pytest.mark.slow
-def test_compiled_solvers_and_those_on_numpy_agree():
-    for case in CASES[::3]:
-        osc, F_0 = oscillator(case), case["F_0"][1]
-        model = osc.model
-        with np.errstate(all="ignore"):
-            others = answers.saddle_nodes(model, F_0), answers.peak(model, F_0), answers.onset(model)
-        # tops beyond a well too, which are no peaks
-        folds, peak, onset = osc.saddle_nodes(F_0), solvers.peak(model, F_0), osc.saddle_node_onset()
-        assert folds.kind.tolist() == others[0].kind.tolist()
-        assert np.allclose(folds.A, others[0].A, rtol=1e-12, atol=0)
-        assert (peak.A, onset.F_SN) == pytest.approx((others[1].A, others[2].F_SN), rel=1e-11)
-        assert onset.kind == others[2].kind
 
 
 def test_every_state_is_found_that_a_fine_grid_of_amplitudes_shows():

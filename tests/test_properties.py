@@ -14,15 +14,13 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from slowflow import Duffing, Isolator
-from slowflow.averaged import compiled, words
-from slowflow.averaged.reference import folds, onset, response
+from slowflow.averaged import words
 from slowflow_kernels import duffing, duffing_balls, rod_spring, rod_spring_balls
 from slowflow_kernels import rod_spring_untruncated as untruncated
 from slowflow_kernels import rod_spring_untruncated_balls as untruncated_balls
 from slowflow_support.errors import SlowflowError
 from tests.batch_questions import AVERAGED, ask
 from tests.test_many_as_each import assert_is_that_of_each
-from tests.test_solver_paths import assert_alike
 
 #: averages of an oscillator by its force, and the same in balls
 AVERAGES = {
@@ -62,6 +60,16 @@ def scaled_alike(one, other, length, frequency, F_0, Omega):
     others = other.amplitudes(Omega=Omega * frequency, F_0=F_0 * force)
     assert states.stable.tolist() == others.stable.tolist()
     np.testing.assert_allclose(states.A * length, others.A, rtol=1e-7)
+
+
+def assert_alike(one, other, fields, tolerance):
+    """As many, at the same places: their digits are held elsewhere, to what they are conditioned."""
+    for field in fields:
+        a, b = getattr(one, field), getattr(other, field)
+        if a is None or b is None:
+            assert a is b, (one, other)
+        else:
+            np.testing.assert_allclose(a, b, rtol=tolerance, atol=1e-2 * tolerance, err_msg=f"{one} {other}")
 
 
 @pytest.mark.slow
@@ -129,22 +137,6 @@ def made(numbers):
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", message=".*negative stiffness at rest")
         return Duffing(**numbers) if "alpha" in numbers else Isolator(**numbers)
-
-
-@pytest.mark.slow
-@settings(drawn, max_examples=25)
-@given(duffings | isolators, st.floats(1e-3, 1.0), st.floats(0.2, 2.5))
-def test_compiled_answers_are_those_of_numpy(numbers, above, Omega):
-    model = made(numbers).model
-    F_0 = model.m + above
-    assert_alike(compiled.onset(model), onset.onset(model), ("F_SN", "Omega", "A"), NEARLY)
-    assert_alike(compiled.detachment(model), onset.detachment(model), ("F_cr", "Omega_cr"), NEARLY)
-    assert_alike(compiled.saddle_nodes(model, F_0), folds.saddle_nodes(model, F_0), ("Omega", "A"), NEARLY)
-    assert_alike(compiled.peak(model, F_0), onset.peak(model, F_0), ("Omega", "A"), NEARLY)
-    at = np.array([Omega])
-    assert_alike(
-        compiled.amplitudes(model, at, F_0), response.amplitudes(model, at, F_0), ("Omega", "A", "stable"), NEARLY
-    )
 
 
 @drawn

@@ -14,8 +14,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator
-from slowflow.averaged import compiled, remarks
-from slowflow.averaged.reference import folds, locus, onset, response
+from slowflow.averaged import remarks
 from slowflow.example import TABLE_1, isolator
 from slowflow.results import Remark
 from slowflow_kernels.conventions import FoldKind
@@ -129,92 +128,6 @@ def check_states(oscillator, found, exact):
     for k, state in enumerate(exact):
         assert error(found.A[k], state["A"], state, "A") <= UNITS
         assert found.phi[k] == pytest.approx(float(state["phi"]), rel=1e-9)
-
-
-# ---- compiled against NumPy ----------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(("name", "oscillator", "record"), CASES[2::4], ids=[case[0] for case in CASES[2::4]])
-def test_compiled_and_numpy_give_the_same(name, oscillator, record):
-    model, F_0 = oscillator.model, given(record["forcings"][0]["F_0"])
-    for question in ("onset", "detachment"):
-        one, other = (getattr(path, question)(model) for path in (compiled, onset))
-        assert_same(one, other, 1e-12)
-    if F_0 > model.m:
-        assert_same(compiled.saddle_nodes(model, F_0), folds.saddle_nodes(model, F_0), 1e-11)
-        assert_same(compiled.peak(model, F_0), onset.peak(model, F_0), 1e-11)
-        curves = (path.frequency_response(model, F_0, 80, (0.0, 2.0)) for path in (compiled, response))
-        assert_same(*curves, 1e-9)
-        at = np.linspace(0.3, 1.7, 7)
-        assert_same(compiled.amplitudes(model, at, F_0), response.amplitudes(model, at, F_0), 1e-10)
-    for one, other in zip(compiled.extrema(model, 1.0), locus.extrema(model, 1.0), strict=True):
-        assert_same(one, other, 1e-11)
-
-
-def of_every_kind(seed, n):
-    """Random isolators of either force, and Duffing oscillators that harden, soften, or have a negative stiffness."""
-    rng = np.random.default_rng(seed)
-    for lam, r, delta_h, mu, zeta, F_0 in random_designs(seed, n):
-        for force in ("truncated", "untruncated"):
-            yield Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta, force=force), F_0
-        friction = rng.choice([0.0, 10 ** rng.uniform(-4, -1)])
-        damping = 0.0 if rng.random() < 0.1 else 10 ** rng.uniform(-4, 0.2)
-        oscillator = Duffing(rng.uniform(-1, 3), rng.uniform(-1, 1), friction, damping)
-        yield oscillator, oscillator.sticking_forcing + 10 ** rng.uniform(-2, 0.5)
-
-
-@pytest.mark.slow
-def test_compiled_and_numpy_find_the_same_for_designs_of_every_kind():
-    at = np.linspace(0.2, 1.9, 9)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        designs = [(oscillator.model, F_0) for oscillator, F_0 in of_every_kind(11, 60)]
-    for model, F_0 in designs:
-        assert_alike(compiled.onset(model), onset.onset(model), ("F_SN", "Omega", "A"), 1e-8)
-        for one, other in zip(compiled.extrema(model, 1.5), locus.extrema(model, 1.5), strict=True):
-            assert_alike(one, other, ("F_0", "Omega", "A"), 1e-8)
-        if F_0 > model.m:
-            assert_alike(compiled.saddle_nodes(model, F_0), folds.saddle_nodes(model, F_0), ("Omega", "A"), 1e-7)
-            assert_alike(compiled.peak(model, F_0), onset.peak(model, F_0), ("Omega", "A"), 1e-8)
-            states = (path.amplitudes(model, at, F_0) for path in (compiled, response))
-            assert_alike(*states, ("Omega", "A", "stable"), 1e-7)
-
-
-@pytest.mark.slow
-def test_compiled_and_numpy_draw_the_same_fold_locus():
-    """As many branches, and as many points but for one at an end; NumPy had 563 in 4 branches for 305 in 2."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        models = [oscillator.model for oscillator, _ in of_every_kind(13, 15)]
-    for model in models:
-        one, other = (path.fold_locus(model, 1.5, 100) for path in (compiled, locus))
-        assert np.unique(one.branch).size == np.unique(other.branch).size, model
-        assert abs(one.A.size - other.A.size) <= 1, model
-
-
-def assert_alike(one, other, fields, tolerance):
-    """As many, at the same places: their digits are held elsewhere, to what they are conditioned."""
-    for field in fields:
-        a, b = getattr(one, field), getattr(other, field)
-        if a is None or b is None:
-            assert a is b, (one, other)
-        else:
-            np.testing.assert_allclose(a, b, rtol=tolerance, atol=1e-2 * tolerance, err_msg=f"{one} {other}")
-
-
-def assert_same(one, other, tolerance):
-    """Two answers of one class, numbers to a relative tolerance (near Omega = 0: absolute), all else exactly."""
-    assert type(one) is type(other)
-    for field in one.__dataclass_fields__:
-        a, b = getattr(one, field), getattr(other, field)
-        if field == "_model":
-            continue
-        if isinstance(a, float) or (isinstance(a, np.ndarray) and a.dtype.kind == "f"):
-            np.testing.assert_allclose(a, b, rtol=tolerance, atol=1e-7 if field == "Omega" else 0, err_msg=field)
-        elif isinstance(a, np.ndarray):
-            np.testing.assert_array_equal(a, b, err_msg=field)
-        else:
-            assert a == b, field
 
 
 def random_designs(seed, n):

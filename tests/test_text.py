@@ -26,7 +26,7 @@ SYMBOLS = re.compile(r"\b(?:F_0|F_SN|F_cr|Omega|mu|mu_s|tau|u|u_0|u_cr)\b")
 #: function of one's own is refused for, in the terms that it is stated in
 OWN = ("pictures.py", "table.py", "derive.py", "sampled/")
 #: sentences that are never shown with units: a plan of rounding, help of the command line, a defect's message
-PLAIN = ("averaged/reference/arcs.py", "averaged/balls/questions.py", "cli.py", "report.py")
+PLAIN = ("averaged/balls/questions.py", "cli.py", "report.py")
 
 
 def strings(path):

@@ -15,7 +15,7 @@ import numpy as np
 
 from benchmarks.stress import search
 from benchmarks.stress.search import Found, Point
-from slowflow.averaged.reference import roots
+from slowflow import frequencies
 from tests.oracles.frequencies import KINDS, U, relative_error, stress_cases
 from tests.oracles.frequencies import roots as certified
 
@@ -28,9 +28,9 @@ NAMES = {
 SEED = 11
 Solver = Callable[..., tuple[np.ndarray, np.ndarray]]
 INSTALLED: dict[str, Solver] = {
-    "response": roots.response_roots,
-    "fold": roots.fold_roots,
-    "peak": roots.peak_roots,
+    "response": frequencies.response_roots,
+    "fold": frequencies.fold_roots,
+    "peak": frequencies.peak_roots,
 }
 
 

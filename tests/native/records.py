@@ -8,6 +8,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from tests.native.roots import FLAGS, HEADERS, HERE, ROOT, WARNINGS
 
 INCLUDES = [f"-I{folder}" for folder in (HEADERS, ROOT / "generated" / "c", ROOT / "generated" / "native")]
@@ -95,3 +97,10 @@ def opened(record: Any) -> Mechanism:
 def doubles(values: Sequence[float]) -> Any:
     """A C array."""
     return (ctypes.c_double * len(values))(*values)
+
+
+def bent(record: Any, model: Any, low: float, high: float) -> Any:
+    """h and h_AAAA between two amplitudes of a piece, as a record encloses them: (2, 2), lower and upper ends."""
+    found = (Interval * 2)()
+    opened(record).ask("bent", Interval(low, high), doubles(model.parameters), found)
+    return np.array([(one.lo, one.hi) for one in found])
