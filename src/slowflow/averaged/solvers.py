@@ -26,7 +26,12 @@ def _either(on_compiled: Question, on_numpy: Callable[[], Question], laws: bool 
 
     def ask(model: Model, *arguments: Any) -> Any:
         if (model.searched if laws else model.native) is not None:
-            return on_compiled(model, *arguments)
+            try:
+                return on_compiled(model, *arguments)
+            except ArithmeticError:
+                # what boxes leave unresolved next to an end of a piece NumPy's search may tell
+                if not model.laws.any:
+                    raise
         # a solver tries values that it then discards: the warnings that these raise are no fault of the arguments
         with np.errstate(all="ignore"):
             return on_numpy()(model, *arguments)
