@@ -341,8 +341,6 @@ static sf_status sf_bound_by_laws(const sf_model *model, double F_0, double *A_m
         *A_max = cut;
         sf_sample_at(model, cut, &at);
         status = inertial || sf_law_count(model, &at, F_0) > 0 ? SF_UNBOUNDED : SF_OK;
-    } else if (model->eta == 0 && sf_lets_go(model)) {
-        status = sf_bound_by_damping(model, F_0, A_max);
     }
     return status != SF_NO_BOUND && !sf_laws_are_in_range(model, F_0, *A_max) ? SF_NO_BOUND : status;
 }
@@ -373,11 +371,15 @@ static sf_status sf_range_by_spring(const sf_model *model, double F_0, double *A
     return SF_OK;
 }
 
-/* The same, also of a mass that viscous damping alone limits. */
+/* The same, also of a mass that damping at Omega alone limits. */
 static sf_status sf_range_at(const sf_model *model, double F_0, double *A_max) {
-    const sf_status status = sf_range_by_spring(model, F_0, A_max);
-    return status == SF_NO_BOUND && !sf_has_laws(model) && sf_lets_go(model) ? sf_bound_by_damping(model, F_0, A_max)
-                                                                             : status;
+    sf_status status = sf_range_by_spring(model, F_0, A_max);
+    if (status == SF_NO_BOUND && model->eta == 0 && sf_lets_go(model)) {
+        status = sf_bound_by_damping(model, F_0, A_max);
+        if (sf_has_laws(model) && !sf_laws_are_in_range(model, F_0, *A_max))
+            status = SF_NO_BOUND;
+    }
+    return status;
 }
 
 #endif

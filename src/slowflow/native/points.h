@@ -302,6 +302,10 @@ static int sf_narrow_unknowns(const sf_law_search *search, const sf_strip *strip
                 const sf_interval bend = sfi_add(sfi_mul(strip->rest[2], scale),
                                                  sfi_times(2, sfi_mul(search->laws.d, search->far ? sfi_point(1) : square)));
                 const sf_interval rest = sfi_add(sfi_add(sfi_square(at.R_A), sfi_square(at.I_A)), sfi_mul(at.I, bend));
+                /* next to a jump folds go to Omega = inf, where that is all that tells: no part of F_AA is negative */
+                if (rest.lo >= 0 &&
+                    ((of->R.lo > 0 && cell->h_AA.lo > 0) || (of->R.hi < 0 && cell->h_AA.hi < 0)))
+                    return 0;
                 of->R = sfi_both(of->R, sf_ratio(sfi_neg(rest), sfi_mul(cell->h_AA, scale)));
             }
             if (search->system == SF_LAW_TURNS) {
