@@ -175,7 +175,7 @@ def test_answers_belong_together(force, mu):
 
 @pytest.mark.parametrize("force", FORCES)
 @pytest.mark.parametrize(
-    "changes", [{}, {"mu": 0.0}, {"zeta": 0.02, "delta_h": 0.13, "mu": 0.0}, {"zeta": 0.1, "delta_h": 0.03}]
+    "changes", [{}, {"mu": 0.0}, {"zeta": 0.005, "delta_h": 0.13, "mu": 0.0}, {"zeta": 0.1, "delta_h": 0.03}]
 )
 def test_the_balance_is_met_on_the_curve(force, changes):
     """Its points solve the second approximation, each branch without a gap, also across u_cr."""
@@ -187,7 +187,7 @@ def test_the_balance_is_met_on_the_curve(force, changes):
     curve = compiled.along(iso.model, F_0, 1000, shown)
     _, _, _, _, F, *_ = balance.response(curve.Omega, curve.A, F_0)
     assert np.abs(F).max() < 1e-10 * F_0**2
-    assert curve.A.size >= first.A.size - 2 * curve.lost
+    assert not curve.message and curve.A.size >= first.A.size
     x, y = np.diff(np.log(curve.Omega)), np.diff(np.log(curve.A))
     assert np.all(np.hypot(x, y)[np.diff(curve.branch) == 0] < 0.1)
     assert np.count_nonzero(curve.stable[1:] != curve.stable[:-1]) == len(second.saddle_nodes(F_0))

@@ -202,10 +202,14 @@ static void sf_second_stretch(const sf_second *second, const sf_first *first, lo
                 sf_enter_lane(second, (int)i, Omega[j], A[j], R[j], 0, &lanes, moved);
     }
     sf_second_settle(second, &lanes, 0, moved);
-    for (i = from; i < to; i++) /* what has not come from there goes its own way */
-        if (!(moved->step[i] < 0) && !sf_is_settled(second, moved, i) &&
-            sf_off_resonance(first->Omega[i], first->A[i], first->h[i]))
-            sf_enter_lane(second, (int)i, first->Omega[i], first->A[i], first->R[i], 1, &lanes, moved);
+    /* what has not come from there goes its own way, and what has left its neighbours: its steps crossed a corner */
+    for (k = 0; k + 1 < anchors; k++) {
+        const long start = sf_anchor(from, to, k), end = sf_anchor(from, to, k + 1);
+        for (i = start + 1; i < end; i++)
+            if (!(moved->step[i] < 0) && sf_off_resonance(first->Omega[i], first->A[i], first->h[i]) &&
+                !(sf_are_parallel(second, first, moved, start, i) && sf_are_parallel(second, first, moved, i, end)))
+                sf_enter_lane(second, (int)i, first->Omega[i], first->A[i], first->R[i], 1, &lanes, moved);
+    }
     sf_second_settle(second, &lanes, 1, moved);
 }
 
