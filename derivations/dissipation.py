@@ -39,8 +39,8 @@ steepest = sp.Symbol("steepest", nonnegative=True)
 #: I at Omega = 0 and its derivatives by A; 8 c_2/(3 pi)
 I_0, I_0A, I_0AA, I_0AAA = REST = sp.symbols("I_0 I_0A I_0AA I_0AAA", real=True)
 d = sp.Symbol("d", nonnegative=True)
-#: dI/dA and dR/dA; what F_AOmega has beside R and A R_A; h/A, I_0/A and I/A
-I_A, R_A, beside = sp.symbols("I_A R_A beside", real=True)
+#: dI/dA and dR/dA; h/A, I_0/A and I/A
+I_A, R_A = sp.symbols("I_A R_A", real=True)
 h_over_A, I_0_over_A, I_over_A = sp.symbols("h_over_A I_0_over_A I_over_A", real=True)
 #: 1/Omega
 x = sp.Symbol("x", positive=True)
@@ -73,12 +73,11 @@ class Dissipation:
     F         -- response (24), in R and I
     F_A, ...  -- its derivatives
     F_A_halved -- F_A/2 by R, I and their slopes
-    R_of_response, R_of_peak, R_of_fold -- what R, or its size, is where F, F_Omega or F_A vanishes, in I;
+    R_of_response, R_of_peak -- what R, or its size, is where F or F_Omega vanishes, in I;
                  R_of_peak_by_rest, in I_0
-    h_A_of_turn -- what h_A is where F_AOmega vanishes, in R and `beside`
-    least_F_A -- 4 A times the least F_A/2 that any R leaves, in I and I_A
     I_scaled, F_A_scaled -- I/A, and F_A/(2 A) by I/A and h/A, which stay as A falls to 0
-    least_scaled -- what least_F_A/A^2 is not below there: a number and the factor of A^2, where |k| <= A^2 |h_AA|/2
+    least_scaled -- what 4/A times the least F_A/2 is not below there: a number and the factor of A^2, where
+                 |k| <= A^2 |h_AA|/2
     Omega_A   -- slope of the response
     trace     -- -2 A Omega times the trace of the Jacobian (28)
     stability -- 4 Omega^2 times its determinant (30)
@@ -100,8 +99,8 @@ class Dissipation:
     full_by_inertia -- the amplitude that a response tends to as Omega grows
     structural_bound -- above A, where |h| grows by s dA at most, no state lies where these are positive: and its slope
     quadratic_bound -- the amplitude that no state under an excitation by inertia exceeds, by d
-    systems   -- by what they are
-    searched  -- some of them in R, I and their slopes R_A, I_A along A at a given Omega. `by_R`: A and R are the
+    searched  -- systems of two functions, by what they are, in R, I and their slopes R_A, I_A along A at a given
+                 Omega. `by_R`: A and R are the
                  unknowns, Omega^2 = (R - h)/A, in which nothing cancels where R is small; `by_Omega`: A and Omega are.
                  `far`: of an excitation by inertia, all over Omega^2, x = 1/Omega, x^2 = (R - A)/h
     sine_intercept -- I - A I_A, where the tangent of I at a given Omega meets A = 0, by that of I_0
@@ -126,9 +125,6 @@ class Dissipation:
     R_of_response: sp.Expr
     R_of_peak: sp.Expr
     R_of_peak_by_rest: sp.Expr
-    R_of_fold: sp.Expr
-    h_A_of_turn: sp.Expr
-    least_F_A: sp.Expr
     I_scaled: sp.Expr
     F_A_scaled: sp.Expr
     least_scaled: tuple[sp.Expr, sp.Expr]
@@ -156,7 +152,6 @@ class Dissipation:
     full_by_inertia: sp.Expr
     structural_bound: tuple[sp.Expr, ...]
     quadratic_bound: sp.Expr
-    systems: dict[str, System]
     searched: dict[str, System]
     sine_intercept: sp.Expr
     velocity: sp.Expr
@@ -247,7 +242,6 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
     trace = _trace(averaged, flow, value)
     # a product by parts would cancel where the forcing is small
     by_inertia = F.subs(F_0, F_0 * Omega**2)
-    apart = {by_inertia: sp.expand(by_inertia)}
     static = F.subs(whole).subs(Omega, 0)
     product = sp.factor(h**2 - static)
     root = sp.Symbol("c", nonnegative=True)
@@ -281,9 +275,6 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
         R_of_response=sp.sqrt(R**2 - sp.expand(F)),
         R_of_peak=R_of_peak,
         R_of_peak_by_rest=R - peak,
-        R_of_fold=sp.solve(halved, R)[0].subs(R_A, slope_of_R),
-        h_A_of_turn=_h_A_of_turn(slope_of_R),
-        least_F_A=least_F_A,
         I_scaled=sp.expand(value.subs(I_0, A * I_0_over_A) / A),
         F_A_scaled=_F_A_scaled(halved, flow.R),
         least_scaled=_least_scaled(least_F_A, value),
@@ -313,25 +304,6 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
         full_by_inertia=_full(by_inertia.subs(whole)),
         structural_bound=_structural_bound(),
         quadratic_bound=_quadratic_bound(value),
-        systems={
-            # squares as squares: on intervals these are not negative
-            name: System(
-                values,
-                tuple(sp.factor_terms(by(apart.get(one, one))) for one in values for by in (by_amplitude, by_Omega)),
-            )
-            for name, values in (
-                ("folds", (F, F_A)),
-                ("peaks", (F, peak)),
-                ("cusps", (F_A, F_AA)),
-                ("isolas", (F_A, peak)),
-                ("turns", (F_A, turn)),
-                ("rest", (F,)),
-                ("stiffness", (F_A,)),
-                ("folds_by_inertia", (by_inertia, F_A)),
-                ("peaks_by_inertia", (by_inertia, least)),
-                ("isolas_by_inertia", (F_A, least)),
-            )
-        },
         searched=_searched(flow.R, value, F, halved, peak),
         sine_intercept=sp.expand(value - A * by_A(value)).subs(I_0, level + A * I_0A),
         velocity=_velocity(value),
@@ -429,6 +401,8 @@ def _searched(of_R: sp.Expr, value: sp.Expr, F: sp.Expr, halved: sp.Expr, peak: 
                 found["turns"] = (halved, turn)
             for system, values in found.items():
                 slopes = tuple(slope_of(each, *line) for each in values for line in lines)
+                if system == "turns":  # in which R_A less R_A is left otherwise
+                    slopes = tuple(sp.factor_terms(sp.expand(one)) for one in slopes)
                 result[f"{system}_{'far_' if w == x else ''}{named}"] = System(values, slopes)
     return result
 
@@ -490,12 +464,6 @@ def _least_F_A(halved: sp.Expr) -> sp.Expr:
     if not sp.diff(by_R, R, 2).is_positive:
         raise ArithmeticError(f"F_A/2 has no least value in R: {by_R}")
     return sp.expand(4 * A * by_R.subs(R, sp.solve(sp.diff(by_R, R), R)[0]))
-
-
-def _h_A_of_turn(slope_of_R: sp.Expr) -> sp.Expr:
-    """R + A R_A + beside = 0."""
-    (found,) = sp.solve(slope_of_R - R_A, h_A)
-    return found.subs(R_A, -(R + beside) / A)
 
 
 def _F_A_scaled(halved: sp.Expr, value: sp.Expr) -> sp.Expr:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, example
-from slowflow.averaged import compiled
+from slowflow.averaged import solvers
 from slowflow.example import TABLE_1
 from slowflow.frequencies import fold_roots, response_roots
 from slowflow.results import Remark
@@ -47,7 +47,7 @@ def assert_folds_of_samples(oscillator, F_0):
     found = oscillator.saddle_nodes(F_0)
     # next to u_cr a fold may be nearer than a rounding: it follows from the one on the corner
     smooth = np.sort(found.A[~np.isin(found.A, oscillator.model.breakpoints)])
-    for A, level, count in dense(oscillator.model, compiled.amplitude_bound(oscillator.model, F_0)):
+    for A, level, count in dense(oscillator.model, solvers.amplitude_bound(oscillator.model, F_0)):
         same = count[1:] == count[:-1]
         off = level - F_0
         crossed = ((off[1:] < 0) != (off[:-1] < 0)).sum(axis=-1, where=~np.isnan(off[1:]) & ~np.isnan(off[:-1]))
@@ -99,7 +99,7 @@ def test_the_onset_is_the_lowest_minimum_that_dense_samples_show_and_two_folds_a
         onset = oscillator.saddle_node_onset()
         lowest = math.inf if onset.F_SN is None else onset.F_SN
         top = max(10 * oscillator.sticking_forcing, 1.0) if onset.F_SN is None else 2 * onset.F_SN
-        for _, level, count in dense(oscillator.model, compiled.amplitude_bound(oscillator.model, top)):
+        for _, level, count in dense(oscillator.model, solvers.amplitude_bound(oscillator.model, top)):
             same = (count[2:] == count[1:-1]) & (count[1:-1] == count[:-2])
             minimum = (level[1:-1] < level[2:]) & (level[1:-1] < level[:-2]) & same[:, np.newaxis]
             assert (level[1:-1][minimum] >= lowest * (1 - 1e-12)).all(), oscillator
@@ -114,7 +114,7 @@ def test_above_the_peak_dense_samples_show_no_other():
     rows = random_designs(2, MANY)
     for oscillator, F_0 in oscillators(rows[rows[:, 0] * rows[:, 1] * rows[:, 2] < 1]):
         model, peak = oscillator.model, oscillator.peak(F_0)
-        A = np.linspace(peak.A * (1 + 1e-9), max(2 * peak.A, compiled.amplitude_bound(model, F_0)), 2000)
+        A = np.linspace(peak.A * (1 + 1e-9), max(2 * peak.A, solvers.amplitude_bound(model, F_0)), 2000)
         _, count = response_roots(A, model.averaged(A)[0], model.m, model.zeta, F_0)
         assert (count <= 1).all() and (np.diff(count) <= 0).all(), (oscillator, F_0)
         beside = np.array([peak.A * (1 - 1e-9)])

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, derive, example
-from slowflow.averaged.reference import answers
+from slowflow.averaged import solvers
 from slowflow.results import Remark
 from slowflow_kernels import den_hartog
 from slowflow_kernels.conventions import Status
@@ -140,7 +140,7 @@ def test_folds_at_the_corner_of_a_heavily_damped_mount_come_ever_lower_as_the_fr
     assert found[0].Omega[0] < found[1].Omega[0] < found[2].Omega[0]
     assert len(iso.saddle_nodes(iso.u_cr * (1 - 1e-3))) == 0
     with np.errstate(all="ignore"):
-        assert answers.onset(iso.model).F_SN is None
+        assert solvers.onset(iso.model).F_SN is None
 
 
 @pytest.mark.parametrize("zeta", [1e-20, 1e-50, 1e-111])

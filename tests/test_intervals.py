@@ -3,6 +3,7 @@
 import importlib
 import inspect
 import json
+import shutil
 from fractions import Fraction
 from pathlib import Path
 
@@ -11,17 +12,22 @@ import numpy as np
 import pytest
 
 from slowflow.intervals import Interval
+from tests.native import intervals
 
-MODULES = (
-    *("slow_flow_intervals", "slow_flow_mu0_intervals", "slow_flow_zeta0_intervals"),
-    *("inertia_intervals", "dissipation_intervals", "sampled_intervals"),
-)
+#: in Python, where balls go by them, and in C
+MODULES = ("slow_flow_intervals", "slow_flow_mu0_intervals", "slow_flow_zeta0_intervals")
+IN_C = (*MODULES, "inertia_intervals", "dissipation_intervals", "sampled_intervals")
 FUNCTIONS = [
     (module, name) for module in MODULES for name in importlib.import_module(f"slowflow_kernels.{module}").__all__
 ]
 ORACLE = json.loads((Path(__file__).parent / "data" / "kernel_oracle.json").read_text())
 #: those that are evaluated at points too; the rest is there on intervals only
-AT_POINTS = [(module, name) for module, name in FUNCTIONS if name in ORACLE[module.removesuffix("_intervals")]]
+AT_POINTS = [
+    (how, module, name)
+    for how, functions in (("Python", FUNCTIONS), ("C", intervals.prototypes(IN_C)))
+    for module, name in functions
+    if name in ORACLE[module.removesuffix("_intervals")]
+]
 
 
 def function_of(module, name):
@@ -164,40 +170,54 @@ def test_a_generated_function_holds_its_values_on_intervals(module, name):
                     assert interval.lo[k] <= value.value <= interval.hi[k], (name, k)
 
 
-def enclosures(module, kernel, boxes):
-    found = function_of(module, kernel)(*boxes)
-    found = found if isinstance(found, tuple) else (found,)
-    return [one if isinstance(one, Interval) else Interval.point(one) for one in found]
+@pytest.fixture(scope="module")
+def compiled(once):
+    """The generated functions in C."""
+    if shutil.which("gcc") is None:
+        pytest.skip("no gcc on the path")
+    return intervals.generated(once("generated intervals", lambda folder: intervals.build_generated(folder, IN_C)))
 
 
-@pytest.mark.parametrize(("module", "kernel"), AT_POINTS)
-def test_the_exact_values_at_a_point_are_held(module, kernel):
+@pytest.fixture
+def enclosures(compiled):
+    """Of a function in Python or in C, at boxes (arguments, 2): its outputs, (outputs, 2)."""
+
+    def found(how, module, kernel, boxes):
+        if how == "C":
+            return compiled(module, kernel, boxes)
+        values = function_of(module, kernel)(*(Interval.of(*box) for box in np.array(boxes)[..., np.newaxis]))
+        values = values if isinstance(values, tuple) else (values,)
+        return np.array([one.ends[:, 0] if isinstance(one, Interval) else (one, one) for one in values])
+
+    return found
+
+
+@pytest.mark.parametrize(("how", "module", "kernel"), AT_POINTS)
+def test_the_exact_values_at_a_point_are_held(enclosures, how, module, kernel):
     for row in ORACLE[module.removesuffix("_intervals")][kernel]:
-        found = enclosures(module, kernel, [Interval.point(x) for x in row["at"]])
-        assert len(found) == len(row["is"])
-        for interval, value, scale in zip(found, row["is"], row["scale"], strict=True):
-            lo, hi = Fraction(float(interval.lo[0])), Fraction(float(interval.hi[0]))
+        found = enclosures(how, module, kernel, [(x, x) for x in row["at"]])
+        assert np.isfinite(found[: len(row["is"])]).all()
+        for (low, high), value, scale in zip(found, row["is"], row["scale"], strict=how == "Python"):
             printed = Fraction(scale) / 10**38  # the oracle has 40 digits
-            assert lo - printed <= Fraction(value) <= hi + printed
+            assert Fraction(low) - printed <= Fraction(value) <= Fraction(high) + printed
             # and little else: as many roundings as there are operations
-            assert hi - lo <= Fraction(1, 2**44) * Fraction(scale)
+            assert Fraction(high) - Fraction(low) <= Fraction(1, 2**44) * Fraction(scale)
 
 
-@pytest.mark.parametrize(("module", "kernel"), AT_POINTS)
-def test_the_values_all_over_a_box_are_held(module, kernel):
+@pytest.mark.parametrize(("how", "module", "kernel"), AT_POINTS)
+def test_the_values_all_over_a_box_are_held(enclosures, how, module, kernel):
     rng = np.random.default_rng(20261121)
     plain = getattr(importlib.import_module(f"slowflow_kernels.{module.removesuffix('_intervals')}"), kernel)
     for row in ORACLE[module.removesuffix("_intervals")][kernel]:
         at = np.array(row["at"])
         for width in (1e-6, 1e-2, 0.3):
             other = at * (1 + width)
-            boxes = [Interval.hull(np.array([a]), np.array([b])) for a, b in zip(at, other, strict=True)]
             inside = at[:, np.newaxis] + (other - at)[:, np.newaxis] * rng.random((len(at), 40))
             with np.errstate(all="ignore"):  # outside of its domain a value is NaN
                 found = plain(*inside)
                 values = np.broadcast_arrays(*(found if isinstance(found, tuple) else np.atleast_2d(found)))
-                held_in = enclosures(module, kernel, boxes)
-            for interval, value, size in zip(held_in, values, row["scale"], strict=True):
+                held_in = enclosures(how, module, kernel, np.sort(np.stack((at, other), axis=1), axis=1))
+            for (low, high), value, size in zip(held_in, values, row["scale"], strict=how == "Python"):
                 rounding = 2.0**-48 * (np.abs(value) + float(size))
-                held = (interval.lo[0] <= value + rounding) & (value - rounding <= interval.hi[0])
+                held = ~(low > value + rounding) & ~(value - rounding > high)
                 assert (held | np.isnan(value)).all()

@@ -360,7 +360,7 @@ class Module:
     @property
     def on_intervals(self) -> tuple[Kernel, ...]:
         """What Python has on intervals with elementary functions."""
-        return (*(self.enclosed.kernels if self.enclosed else ()), *(self.off_centre.held if self.off_centre else ()))
+        return (*(self.enclosed.terms if self.enclosed else ()), *(self.off_centre.held if self.off_centre else ()))
 
     @property
     def looped(self) -> tuple[Kernel | Selection | Composition, ...]:

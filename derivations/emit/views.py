@@ -143,6 +143,7 @@ class Calls:
 def programs(module: Module, asked: Iterable[Kernel] | None = None) -> Code:
     """The straight-line code of every branch, by kernel: of all of a module, or of those that are asked for."""
     every = (*module.kernels, *module.cells, *module.settled, *module.balls, *module.held, *module.on_intervals)
+    every += module.enclosed.contacts + module.enclosed.closing if module.enclosed else ()
     return {
         kernel.name: tuple(straight_line(branch.lets, branch.outputs, kernel.arguments) for branch in kernel.branches)
         for kernel in (every if asked is None else asked)

@@ -285,33 +285,40 @@ static inline void dissipation_intervals_turns_by_R(sf_interval Omega, sf_interv
     (void)(h);
     (void)(h_A);
     (void)(h_AAA);
-    const sf_interval t0 = sfi_mul(A, d);
-    const sf_interval t1 = sfi_times(2.0, t0);
-    const sf_interval t2 = sfi_inverse(Omega);
-    const sf_interval t3 = sfi_mul(t2, zeta);
-    const sf_interval t4 = sfi_mul(A, I_A);
-    const sf_interval t5 = sfi_inverse(A);
-    const sf_interval t6 = sfi_mul(R_A, t5);
-    const sf_interval t7 = sfi_sub(h_AA, t6);
-    const sf_interval t8 = sfi_mul(Omega, t0);
-    const sf_interval t9 = sfi_mul(t2, sfi_add(t8, zeta));
-    const sf_interval t10 = sfi_sub(I_A, sfi_mul(R_A, t9));
-    const sf_interval t11 = sfi_times(2.0, d);
-    const sf_interval t12 = sfi_mul(t2, sfi_add(sfi_times(2.0, t8), zeta));
+    const sf_interval t0 = sfi_mul(R, R_A);
+    const sf_interval t1 = sfi_mul(A, R_A);
+    const sf_interval t2 = sfi_times(2.0, d);
+    const sf_interval t3 = sfi_mul(I_, t2);
+    const sf_interval t4 = sfi_square(A);
+    const sf_interval t5 = sfi_mul(I_A, d);
+    const sf_interval t6 = sfi_div(zeta, Omega);
+    const sf_interval t7 = sfi_mul(I_, t6);
+    const sf_interval t8 = sfi_mul(I_A, t6);
+    const sf_interval t9 = sfi_inverse(A);
     const sf_interval Omega2 = sfi_square(Omega);
-    const sf_interval t13 = sfi_sub(sfi_add(I_0AA, sfi_mul(Omega2, t11)), sfi_mul(t12, t6));
+    const sf_interval t10 = sfi_mul(t7, t9);
+    const sf_interval t11 = sfi_mul(A, t5);
+    const sf_interval t12 = sfi_mul(A, t6);
     const sf_interval Omega3 = sfi_mul(Omega, Omega2);
-    const sf_interval t14 = sfi_div(sfi_times(0.5, sfi_mul(zeta, sfi_add(I_, t4))), Omega3);
-    const sf_interval t15 = sfi_add(t1, t3);
-    const sf_interval t16 = sfi_add(t0, t3);
-    out[0] = sfi_add(sfi_mul(I_, I_A), sfi_mul(R, R_A));
-    out[1] = sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(sfi_mul(sfi_square(A), I_A), d), sfi_mul(A, R_A)),
-        sfi_mul(I_, t1)), sfi_mul(I_, t3)), R), sfi_mul(t3, t4));
-    out[2] = sfi_add(sfi_add(sfi_mul(I_, t13), sfi_mul(I_A, t10)), sfi_mul(R, t7));
-    out[3] = sfi_add(sfi_add(sfi_add(sfi_mul(sfi_mul(I_, t12), t5), sfi_mul(I_A, t9)), sfi_mul(R, t5)), R_A);
-    out[4] = sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(sfi_mul(A, t13), t16), sfi_mul(A,
-        t7)), sfi_mul(I_, t11)), sfi_mul(I_A, t1)), sfi_mul(I_A, t3)), R_A), sfi_mul(t10, t15)), sfi_mul(t14, t6));
-    out[5] = sfi_add(sfi_add(sfi_sub(sfi_mul(t12, t16), sfi_mul(t14, t5)), sfi_mul(t15, t9)), sfi_point(2.0));
+    const sf_interval t13 = sfi_div(sfi_times(0.5, zeta), Omega3);
+    const sf_interval t14 = sfi_mul(I_A, t13);
+    const sf_interval t15 = sfi_mul(sfi_square(d), t4);
+    const sf_interval t16 = sfi_times(4.0, t15);
+    const sf_interval t17 = sfi_div(sfi_times(2.0, sfi_square(zeta)), Omega2);
+    const sf_interval t18 = sfi_times(6.0, d);
+    const sf_interval t19 = sfi_mul(sfi_mul(I_, t13), t9);
+    out[0] = sfi_add(sfi_mul(I_, I_A), t0);
+    out[1] = sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(A, t3), sfi_mul(A, t8)), R), t1), sfi_mul(t4, t5)),
+        t7);
+    out[2] = sfi_sub(sfi_sub(sfi_sub(sfi_sub(sfi_sub(sfi_add(sfi_add(sfi_add(sfi_mul(I_, I_0AA), sfi_times(2.0,
+        sfi_mul(sfi_mul(I_, Omega2), d))), sfi_square(I_A)), sfi_mul(R, h_AA)), sfi_mul(R_A, t10)), sfi_mul(R_A,
+        t3)), sfi_mul(R_A, t8)), sfi_mul(t0, t9)), sfi_mul(t1, t5));
+    out[3] = sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(R, t9), R_A), t10), t11), t3), t8);
+    out[4] = sfi_add(sfi_add(sfi_add(sfi_sub(sfi_add(sfi_sub(sfi_sub(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(sfi_mul(sfi_mul(A,
+        Omega), t2), zeta), sfi_mul(A, h_AA)), sfi_mul(sfi_mul(I_0AA, d), t4)), sfi_mul(I_0AA, t12)), sfi_times(2.0,
+        sfi_mul(Omega2, t15))), sfi_mul(R_A, t14)), sfi_mul(R_A, t16)), sfi_mul(R_A, t17)), sfi_mul(R_A, t19)),
+        sfi_mul(sfi_mul(t1, t18), t6)), sfi_times(4.0, t11)), t3), sfi_times(2.0, t8));
+    out[5] = sfi_add(sfi_sub(sfi_add(sfi_add(sfi_sub(sfi_mul(t12, t18), t14), t16), t17), t19), sfi_point(2.0));
 }
 
 /* F and F_A/2; derivatives by A and by Omega of the first, then of the second.
@@ -434,29 +441,35 @@ static inline void dissipation_intervals_turns_by_Omega(sf_interval Omega, sf_in
     (void)(h_A);
     (void)(h_AAA);
     const sf_interval t0 = sfi_mul(A, R_A);
-    const sf_interval t1 = sfi_mul(A, d);
-    const sf_interval t2 = sfi_times(2.0, t1);
-    const sf_interval t3 = sfi_div(zeta, Omega);
-    const sf_interval t4 = sfi_mul(A, I_A);
-    const sf_interval t5 = sfi_square(Omega);
-    const sf_interval t6 = sfi_times(2.0, d);
-    const sf_interval t7 = sfi_add(I_0AA, sfi_mul(t5, t6));
-    const sf_interval t8 = sfi_mul(Omega, t1);
-    const sf_interval t9 = sfi_add(sfi_times(2.0, t8), zeta);
-    const sf_interval t10 = sfi_add(t8, zeta);
-    const sf_interval t11 = sfi_add(t2, t3);
-    const sf_interval t12 = sfi_mul(A, sfi_add(t1, t3));
-    const sf_interval t13 = sfi_div(zeta, t5);
+    const sf_interval t1 = sfi_times(2.0, d);
+    const sf_interval t2 = sfi_mul(I_, t1);
+    const sf_interval t3 = sfi_mul(A, t2);
+    const sf_interval A2 = sfi_square(A);
+    const sf_interval t4 = sfi_mul(A2, d);
+    const sf_interval t5 = sfi_mul(I_A, t4);
+    const sf_interval t6 = sfi_inverse(Omega);
+    const sf_interval t7 = sfi_mul(I_, zeta);
+    const sf_interval t8 = sfi_mul(I_A, zeta);
+    const sf_interval t9 = sfi_mul(A, t8);
+    const sf_interval t10 = sfi_square(Omega);
+    const sf_interval t11 = sfi_times(4.0, A);
+    const sf_interval t12 = sfi_mul(A, zeta);
+    const sf_interval t13 = sfi_square(d);
+    const sf_interval t14 = sfi_inverse(t10);
+    const sf_interval A3 = sfi_mul(A, A2);
     out[0] = sfi_add(sfi_mul(I_, I_A), sfi_mul(R, R_A));
-    out[1] = sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(sfi_mul(sfi_square(A), I_A), d), sfi_mul(I_, t2)),
-        sfi_mul(I_, t3)), R), t0), sfi_mul(t3, t4));
-    out[2] = sfi_add(sfi_add(sfi_add(sfi_mul(I_, t7), sfi_square(I_A)), sfi_mul(R, h_AA)), sfi_square(R_A));
-    out[3] = sfi_times(2.0, sfi_add(sfi_add(sfi_add(sfi_mul(I_, t9), sfi_mul(Omega, R)), sfi_mul(Omega, t0)),
-        sfi_mul(t10, t4)));
-    out[4] = sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(A, h_AA), sfi_mul(I_, t6)), sfi_mul(I_A,
-        t11)), sfi_mul(I_A, t2)), sfi_mul(I_A, t3)), sfi_times(2.0, R_A)), sfi_mul(t12, t7));
-    out[5] = sfi_sub(sfi_add(sfi_sub(sfi_add(sfi_times(4.0, sfi_mul(A, Omega)), sfi_times(2.0, sfi_mul(sfi_mul(A,
-        t10), t11))), sfi_mul(I_, t13)), sfi_times(2.0, sfi_mul(t12, t9))), sfi_mul(t13, t4));
+    out[1] = sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(R, t0), t3), t5), sfi_mul(t6, t7)), sfi_mul(t6, t9));
+    out[2] = sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(I_, I_0AA), sfi_square(I_A)), sfi_mul(R, h_AA)),
+        sfi_square(R_A)), sfi_mul(t10, t2));
+    out[3] = sfi_times(2.0, sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(Omega, R), sfi_mul(Omega, t0)),
+        sfi_mul(Omega, t3)), sfi_mul(Omega, t5)), t7), t9));
+    out[4] = sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_add(sfi_mul(A, h_AA), sfi_times(2.0,
+        sfi_mul(sfi_mul(A2, t10), t13))), sfi_mul(sfi_mul(I_0AA, t12), t6)), sfi_mul(I_0AA, t4)),
+        sfi_mul(sfi_mul(I_A, d), t11)), sfi_mul(sfi_mul(Omega, t1), t12)), sfi_times(2.0, R_A)), t2), sfi_times(2.0,
+        sfi_mul(t6, t8)));
+    out[5] = sfi_add(sfi_sub(sfi_sub(sfi_add(sfi_add(sfi_times(8.0, sfi_mul(sfi_mul(A3, Omega), t13)),
+        sfi_mul(Omega, t11)), sfi_mul(sfi_mul(t11, t6), sfi_square(zeta))), sfi_mul(t14, t7)), sfi_mul(t14, t9)),
+        sfi_times(12.0, sfi_mul(t4, zeta)));
 }
 
 /* F and F_A/2 of an excitation by inertia, over powers of Omega, x = 1/Omega; derivatives by A and by R of the first, then of the second.

@@ -23,11 +23,3 @@ DENSE = 3
 NEXT_TO_ZERO = 3.8725919148493183e-121
 # of the quarter cycle, of each piece, in which an average by quadrature is enclosed
 PARTS = 24
-# how often the first of them is halved at most
-HALVED = 64
-# relative error of an angle in an enclosure
-ANGLE = 3.5527136788005009e-15
-# of an enclosure, beyond which it is not known
-LARGEST_SUM = 9.7453140113999991e+288
-# integrals of a contact in an enclosure
-CONTACT_SUMS = 5

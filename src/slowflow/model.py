@@ -148,8 +148,7 @@ class Model:
     m          -- 4 mu/pi, friction's share of I (23)
     flow       -- generated slow flow of the scene; `flow.SCENE` tells it in words
     breakpoints, jumps -- where the pieces of the force end, and the force just below less the force just above
-    native     -- the same as the compiled solvers take it, None where they have no record of the mechanism
-    searched   -- the same where other laws of damping leave them the search for folds only
+    native     -- the same as the compiled solvers take it; None of a force that is not odd
     """
 
     mechanism: Mechanism
@@ -164,24 +163,24 @@ class Model:
     breakpoints: tuple[float, ...] = field(init=False)
     jumps: tuple[float, ...] = field(init=False)
     native: Any = field(init=False, compare=False, repr=False)
-    searched: Any = field(init=False, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         if self.inertial:
             self._check_inertia()
-        damping = self.mu, self.zeta
-        native, known = None, (self.mechanism, self.parameters)
-        if not self.laws.any:
-            native = backend.compiled_model(*known, damping, self.design, self.inertial)
+        if self.laws.rubs != THROUGHOUT and self.zeta == self.laws.eta == self.laws.c_2 == 0:
+            raise Refused(self.laws.told() + " is not allowed without zeta, eta or c_2: nothing would dissipate beyond")
+        laws: tuple[float, ...] = ()
+        if self.laws.any:
+            laws = self.laws.eta, self.laws.c_2, float(self.laws.rubs != THROUGHOUT)
+        damping = self.mu, self.zeta, *laws
+        native = backend.compiled_model(self.mechanism, self.parameters, damping, self.design, self.inertial)
         m, breakpoints, jumps = self._prepared() if native is None else backend.prepared(native)
-        flow = general_flow if self.laws.any else flow_of(*damping)
-        self.__dict__.update(flow=flow, m=m, breakpoints=breakpoints, jumps=jumps, native=native, searched=native)
+        flow = general_flow if self.laws.any else flow_of(self.mu, self.zeta)
+        self.__dict__.update(flow=flow, m=m, breakpoints=breakpoints, jumps=jumps, native=native)
         if not self.mechanism.is_generated:
             check_at_rest(self.mechanism, self.parameters)
         if self.laws.any:
             self._check_laws()
-            of_laws = (*damping, self.laws.eta, self.laws.c_2, float(self.laws.rubs != THROUGHOUT))
-            self.__dict__["searched"] = backend.compiled_model(*known, of_laws, self.design, self.inertial)
 
     # before the parameters are known to be numbers of ordinary size
     @np.errstate(all="ignore")
@@ -204,12 +203,8 @@ class Model:
         self._check_preload(laws)
         if odd and not math.isfinite(self.mechanism.pieces[0].slope(0.0, *self.parameters)):
             raise Refused(STIFF.format(laws, self.mechanism.name))
-        if self.laws.rubs == THROUGHOUT:
-            return
-        if not self.breakpoints:
+        if self.laws.rubs != THROUGHOUT and not self.breakpoints:
             raise Refused(laws + f" is not allowed for {self.mechanism.name}: its force has one piece, nothing leaves")
-        if self.zeta == self.laws.eta == self.laws.c_2 == 0:
-            raise Refused(laws + " is not allowed without zeta, eta or c_2: nothing would dissipate beyond")
 
     @np.errstate(all="ignore")
     def _prepared(self) -> tuple[float, tuple[float, ...], tuple[float, ...]]:
@@ -322,20 +317,6 @@ class Model:
         pairs = zip(ends, zip(flat[::2], flat[1::2], strict=True), strict=True)
         return tuple(pair for end, pair in pairs if end > 0)
 
-    @cached_property
-    def abreast(self) -> int:
-        """How many designs it is of: the search on NumPy asks."""
-        return 1
-
-    def take(self, of: Any) -> Model:
-        """What kernels take at samples that are of these designs: of one design they take its own."""
-        return self
-
-    @cached_property
-    def undamped(self) -> bool:
-        """Whether there is no viscous damping."""
-        return self.zeta == 0
-
     @property
     def inertial(self) -> bool:
         """Whether the force is the amplitude of the excitation times Omega^2."""
@@ -393,15 +374,6 @@ class Model:
         """d2F/dA2 (24), likewise."""
         h, h_A, h_AA, _ = self.averaged(A)
         return np.asarray(self.curve.F_AA(Omega, A, *self._damping(A, 3), h, h_A, h_AA))
-
-    def Omega_A(self, Omega: Any, A: Any) -> Floats:
-        """dOmega/dA along the response (24), likewise."""
-        h, h_A, _, _ = self.averaged(A)
-        if self.inertial and self.laws.any:
-            # mypy takes a starred argument for all that are left
-            return np.asarray(dissipation.Omega_A_by_inertia(Omega, A, *self._damping(A, 2), h, h_A))  # type: ignore[call-arg]
-        kernels: Any = inertia if self.inertial else dissipation if self.laws.any else general_flow
-        return np.asarray(kernels.Omega_A(Omega, A, *self._damping(A, 2), h, h_A))
 
     def full_level(self, A: float) -> float:
         """The amplitude of an excitation by inertia under which A is what the response tends to as Omega grows."""

@@ -86,24 +86,6 @@ class Law(NamedTuple):
     whole: Any = None
 
 
-class Enclosed(NamedTuple):
-    """What holds an average on intervals of the amplitude, for a force of which no more is known.
-
-    terms   -- of each piece, at (around, A, u less its begin, sine, *parameters): what stands under the integrals of h
-               and h_AAAA
-    closing -- by how many breakpoints are exceeded, at (around, A, sqrt(A^2 - b^2) for each of these, both integrals,
-               *parameters): h and h_AAAA
-    contacts -- of each contact at (around, A, the share y of what A exceeds its begin by, *parameters): what its own
-               five integrals, which follow the two, are over dy/sqrt(1 - y)
-    begins  -- the number of the breakpoint at which each begins
-    """
-
-    terms: tuple[Function, ...]
-    closing: tuple[Function, ...]
-    contacts: tuple[Function, ...] = ()
-    begins: tuple[int, ...] = ()
-
-
 class Curved(NamedTuple):
     """What the means of a force of any kind are summed from, where motions are off the centre.
 
@@ -149,7 +131,8 @@ class Mechanism:
                    two there are no gradients
     kinks       -- of the parameters: what slope and curvature of the force lose at each breakpoint; None where the
                    force or its slope jumps at all of them
-    enclosed    -- what holds the average on intervals; None where h_AAA is proved to be monotone on each piece
+    enclosed    -- of each piece, at (around, A, u less its begin, sine, *parameters) on intervals: what stands under
+                   the integrals of the average; None where h_AAA is proved to be monotone on each piece
     steps       -- of the parameters: f and its derivatives just above u = 0, as many as the force has; their gains at
                    each breakpoint; and those of the last piece, by its formula, at u = 0. None where a piece is no
                    polynomial. Of a force that is not odd: those of each piece by its formula at u = 0, and their gains
@@ -186,7 +169,7 @@ class Mechanism:
     by_parameter: Function | None = None
     by_design: Function | None = None
     kinks: Function | None = None
-    enclosed: Enclosed | None = None
+    enclosed: tuple[Function, ...] | None = None
     steps: Function | None = None
     curved: Curved | None = None
     odd: bool = True

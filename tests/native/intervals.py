@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import re
 import subprocess
 from collections.abc import Sequence
 from pathlib import Path
@@ -10,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.native.roots import FLAGS, HERE, INCLUDES
+from tests.native.roots import FLAGS, HERE, INCLUDES, ROOT
 
 ELEMENTARY = (
     *("exp", "log", "root", "cbrt", "sin", "cos", "tan", "sinh", "cosh", "tanh"),
@@ -67,3 +68,51 @@ class Intervals:
 
 def _pointer(array: np.ndarray) -> Any:
     return array.ctypes.data_as(ctypes.c_void_p)
+
+
+#: generated functions on intervals: the module, its name, arguments, whether it fills an array of outputs
+PROTOTYPE = re.compile(r"^static inline (sf_interval|void) (\w+_intervals)_(\w+)\(([^)]*)\)$", re.MULTILINE)
+MOST_OUTPUTS = 24
+
+
+def prototypes(modules: Sequence[str]) -> dict[tuple[str, str], list[str]]:
+    """Names of arguments by module and function, of those that take intervals alone."""
+    found = {}
+    for module in modules:
+        text = (ROOT / "generated" / "native" / f"{module}.h").read_text(encoding="utf-8")
+        for _, prefix, name, arguments in PROTOTYPE.findall(text):
+            declared = [one.split() for one in arguments.split(", ")]
+            inputs = [names[-1] for names in declared if names[-1] != "*out"]
+            if prefix == module and all(names[0] == "sf_interval" for names in declared):
+                found[module, name] = inputs
+    return found
+
+
+def build_generated(directory: Path, modules: Sequence[str]) -> None:
+    """The shared library of all generated functions on intervals of these modules."""
+    lines = [f'#include "{header}"' for header in ("interval.h", *(f"{module}.h" for module in modules))]
+    for (module, name), inputs in prototypes(modules).items():
+        call = f"{module}_{name}({', '.join(f'in[{k}]' for k in range(len(inputs)))}"
+        text = (ROOT / "generated" / "native" / f"{module}.h").read_text(encoding="utf-8")
+        fills = f"static inline void {module}_{name}(" in text
+        body = f"{call}, out);" if fills else f"out[0] = {call});"
+        lines.append(f"void called_{module}_{name}(const sf_interval *in, sf_interval *out) {{ {body} }}")
+    source = directory / "generated_intervals.c"
+    source.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    command = ["gcc", "-std=c11", *FLAGS, "-O1", *INCLUDES, "-shared", "-fPIC", str(source), "-lm"]
+    done = subprocess.run([*command, "-o", str(directory / "generated_intervals.so")], capture_output=True, text=True)
+    if done.returncode:
+        raise RuntimeError(done.stderr)
+
+
+def generated(directory: Path) -> Any:
+    """(module, function, boxes (arguments, 2)) -> intervals (outputs, 2), NaN behind the last."""
+    loaded = ctypes.CDLL(str(directory / "generated_intervals.so"))
+
+    def called(module: str, name: str, boxes: Any) -> np.ndarray:
+        given = np.ascontiguousarray(boxes, dtype=np.float64)
+        out = np.full((MOST_OUTPUTS, 2), np.nan)
+        getattr(loaded, f"called_{module}_{name}")(_pointer(given), _pointer(out))
+        return out
+
+    return called

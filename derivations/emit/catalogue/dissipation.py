@@ -11,7 +11,6 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ...along import k
 from ...dissipation import (
     I_0,
     I_A,
@@ -21,7 +20,6 @@ from ...dissipation import (
     I_0_over_A,
     I_over_A,
     System,
-    beside,
     d,
     h_over_A,
     level,
@@ -50,20 +48,7 @@ ENCLOSED = {
     *("far_by_inertia", "F_A_scaled", "I_scaled", "static", "turn_share"),
     *("rest_intercept", "released_intercept", "sine_intercept", "sine_intercept_far", "velocity"),
 }
-#: what each system is, in words
-SYSTEMS = {
-    "folds": ("F and F_A", "(24), (30)"),
-    "peaks": ("F and F_Omega/(4 A Omega)", "(24)"),
-    "cusps": ("F_A and F_AA", "(30), (33)"),
-    "isolas": ("F_A and F_Omega/(4 A Omega)", "(30)"),
-    "turns": ("F_A and F_AOmega/Omega, less constant factors", "(30)"),
-    "rest": ("F, for Omega = 0", "(24)"),
-    "stiffness": ("F_A, for Omega = 0", "(30)"),
-    "folds_by_inertia": ("F and F_A by inertia", "(24), (30)"),
-    "peaks_by_inertia": ("F and -Omega^5/4 dlevel^2/dOmega by inertia", "(24)"),
-    "isolas_by_inertia": ("F_A and -Omega^5/4 dlevel^2/dOmega by inertia", "(30)"),
-}
-#: the same as the compiled search takes them, see `Dissipation.searched`
+#: what each system of the search is, in words, see `Dissipation.searched`
 SEARCHED = {
     "folds": ("F and F_A/2", "(24), (30)"),
     "peaks": ("F and what vanishes where the level is stationary", "(24)"),
@@ -130,7 +115,6 @@ def dissipation_module(results: Results) -> Module:
                 "I_0, I at Omega = 0, and three derivatives by A: friction acts throughout.",
                 "from (19)",
                 amplitude,
-                searched=True,
             ),
             plain(
                 "released",
@@ -139,7 +123,6 @@ def dissipation_module(results: Results) -> Module:
                 "The same where friction acts for |u| < u_cr only.",
                 "from (19)",
                 "A >= u_cr > 0",
-                searched=True,
             ),
             plain(
                 "rest_moves",
@@ -157,8 +140,8 @@ def dissipation_module(results: Results) -> Module:
                 "from (19)",
                 "A >= u_cr > 0",
             ),
-            replace(at_point("I", of.I, "Sine balance, -F_0 sin phi at a fixed point.", "(23)"), searched=True),
-            replace(at_point("I_A", of.I_A, "dI/dA.", "(23)"), searched=True),
+            at_point("I", of.I, "Sine balance, -F_0 sin phi at a fixed point.", "(23)"),
+            at_point("I_A", of.I_A, "dI/dA.", "(23)"),
             plain(
                 "far",
                 (x, A, *REST[:2], zeta, d, h, h_A),
@@ -166,7 +149,6 @@ def dissipation_module(results: Results) -> Module:
                 "R, R_A, I and I_A over Omega^2, at x = 1/Omega.",
                 "(23)",
                 "x >= 0, A > 0",
-                searched=True,
             ),
             at_point("F", of.F, "Zero at a steady state.", "(24)"),
             at_point("F_A", of.F_A, "dF/dA; positive where stable.", "(24), (30)"),
@@ -192,7 +174,6 @@ def dissipation_module(results: Results) -> Module:
                 "from (24)",
                 "F_0 > I_0",
                 lets=of.static_lets,
-                searched=True,
             ),
             plain(
                 "response_quartic",
@@ -225,15 +206,12 @@ def dissipation_module(results: Results) -> Module:
                 "D/Omega^2 at x = 1/Omega, where F_AOmega/(4 Omega) = R + A R_A + D.",
                 "from (30)",
                 "x >= 0, A > 0",
-                searched=True,
             ),
             *searched_kernels(of),
             *inertial_kernels(of, slopes, in_derivatives),
-            *(system(name, *of.systems[name].values, *of.systems[name].slopes) for name in of.systems),
             *(searched_system(name, of.searched[name]) for name in of.searched),
         ),
     )
-    # solvers on NumPy ask these of many amplitudes at once, which compiled loops would not do faster
     return replace(
         found,
         kernels=tuple(
@@ -274,7 +252,6 @@ def inertial_kernels(of: Dissipation, slopes: Slopes, in_derivatives: Callable[.
             "F/Omega^4 at x = 1/Omega; and -Omega^3/4 dlevel^2/dOmega, less Omega times the third.",
             "(24)",
             "x >= 0, A > 0",
-            searched=True,
         ),
         in_derivatives(
             "cusp_bend_by_inertia",
@@ -322,22 +299,13 @@ def searched_kernels(of: Dissipation) -> list[Kernel]:
             "Where a level by inertia is stationary, x = 1/Omega: what is not negative, lower and higher R/Omega^2.",
             "from (24)",
         ),
-        (of.R_of_fold, "R_of_fold", (Omega, h_A, I, I_A), "R where F_A = 0.", "from (30)"),
-        (
-            of.h_A_of_turn,
-            "h_A_of_turn",
-            (Omega, A, R, beside),
-            "h_A where F_AOmega = 0; beside is Omega^2 `turn_share`.",
-            "from (30)",
-        ),
-        (of.least_F_A, "least_F_A", (A, k, I, I_A), "4 A times the least F_A/2 that any R leaves.", "from (30)"),
         (of.I_scaled, "I_scaled", (Omega, A, I_0_over_A, zeta, d), "I/A, by I_0/A.", "(23)"),
         (of.F_A_scaled, "F_A_scaled", (Omega, h_over_A, h_A, I_over_A, I_A), "F_A/(2 A), by h/A and I/A.", "(30)"),
     )
-    least = "Of what `least_F_A` over A^2 is not below where |k| <= A^2 |h_AA|/2, friction on all of the cycle: 1, A^2."
+    least = "Of what 4/A times the least F_A/2 is not below where |k| <= A^2 |h_AA|/2, friction throughout: 1, A^2."
     return [
         *(
-            plain(name, arguments, value, doc, equation, "Omega >= 0, A > 0", searched=True)
+            plain(name, arguments, value, doc, equation, "Omega >= 0, A > 0")
             for value, name, arguments, doc, equation in stated
         ),
         plain("least_scaled", (Omega, zeta, eta, d, h_AA), of.least_scaled, least, "from (30)", "Omega >= 0"),
@@ -397,19 +365,4 @@ def searched_system(name: str, system: System) -> Kernel:
         f"{doc}{over}; derivatives by A and by {unknown} of the first, then of the second.",
         f"from {equation}",
         "Omega > 0, A > 0",
-    )
-
-
-def system(name: str, *outputs: sp.Expr) -> Kernel:
-    """Functions and their slopes, with R and I as they are known."""
-    arguments = [*needed(outputs), R, I]
-    doc, equation = SYSTEMS[name]
-    return plain(
-        name,
-        arguments,
-        outputs,
-        f"{doc}; derivatives by A and by Omega" + ("." if len(outputs) == 3 else " of the first, then of the second."),
-        f"from {equation}",
-        "Omega > 0, A > 0",
-        searched=True,
     )

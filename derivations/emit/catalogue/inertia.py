@@ -24,7 +24,7 @@ def inertia_module(results: Results) -> Module:
     flow, of = results.flows[""], results.inertia
     of_flow = partial(of_R_and_I, flow)
     damped = (m, zeta)
-    wanted = {"enclosed": True, "searched": True}
+    wanted = {"enclosed": True}
 
     def on_locus(name: str, value: sp.Expr, doc: str) -> Kernel:
         needs = value.subs({R: flow.R, I: flow.I}).free_symbols

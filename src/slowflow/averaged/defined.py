@@ -45,7 +45,7 @@ def check_defined(model: Model) -> None:
 
         def are_known(edges: Floats, number: int = number, begin: float = begin) -> Bools:
             beyond = Elementary(np.array([edges[:-1] - begin, edges[1:] - begin]))
-            found = record.terms[number](Elementary.point, one, beyond, one, *given)[0]
+            found = record[number](Elementary.point, one, beyond, one, *given)[0]
             return np.asarray(np.isfinite(interval_like(found, beyond).ends).all(axis=0))
 
         def at(u: float, number: int = number) -> float:
@@ -84,7 +84,7 @@ def may_be_undefined(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Bools
             for number, (begin, end) in enumerate(pairwise(edges)):
                 at = (end - begin) * shares
                 beyond = Elementary(np.array([at[:, :-1].ravel(), at[:, 1:].ravel()]))
-                force = mechanism.enclosed.terms[number](Elementary.point, one, beyond, one, *of)[0]
+                force = mechanism.enclosed[number](Elementary.point, one, beyond, one, *of)[0]
                 known = np.isfinite(interval_like(force, beyond).ends).all(axis=0).reshape(-1, PARTS)
                 found[part] |= (~known & (end > begin)).any(axis=1) & np.isfinite(last[:, 0])
     return found.reshape(shape)

@@ -18,7 +18,7 @@ import numpy.typing as npt
 
 from slowflow import backend
 from slowflow.answer import joined
-from slowflow.averaged import compiled, solvers, words
+from slowflow.averaged import solvers, words
 from slowflow.certificate import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
@@ -163,7 +163,7 @@ def decided_states(found: SteadyStates, model: Model, asked: Floats, F_0: float,
         return found
     Omega, A, stable = _with_proved(found, asked, proved)
     undecided = found.Omega_undecided[~np.isin(found.Omega_undecided, list(proved))]
-    cut = compiled.remark_of(model, F_0) if Remark.CUT in found.remarks else ""
+    cut = solvers.remark_of(model, F_0) if Remark.CUT in found.remarks else ""
     message = words.of_states(model, F_0, cut, asked, Omega, undecided)
     if words.sticks(model, F_0) in (proof.message for proof in proved.values()):
         message = words.sticks(model, F_0)
@@ -192,7 +192,7 @@ def decided_curve(
     points = set(zip(found.Omega.tolist(), found.A.tolist(), strict=True))
     if not points.issuperset(zip(folds.Omega[inside].tolist(), folds.A[inside].tolist(), strict=True)):
         return found
-    if compiled.are_events_close(model, F_0):
+    if solvers.are_events_close(model, F_0):
         return found
     return dataclasses.replace(found, remarks=(found.remarks & ~Remark.UNDECIDED) | Remark.BY_BALLS)
 
@@ -247,7 +247,7 @@ def decided_cusps(found: Cusps, model: Model, A_max: float) -> Cusps:
 
 def nothing_decided(model: Model, asked: Floats, F_0: float) -> SteadyStates:
     """States of which doubles tell nothing."""
-    none, cut = np.empty(0), compiled.remark_of(model, F_0)
+    none, cut = np.empty(0), solvers.remark_of(model, F_0)
     at, codes = np.unique(asked), words.beside(True, cut)
     message = words.of_states(model, F_0, cut, asked, none, at)
     return SteadyStates(none, none, _NO_FLAG, F_0, message, model, Omega_undecided=at, remarks=codes)

@@ -1,50 +1,191 @@
-"""The solvers in use: the same questions, on compiled code where a model has it, on NumPy elsewhere.
+"""The questions about one oscillator: in go a model and numbers, out come answers of the compiled solvers."""
 
-Which of them is decided when the model is made, see `Model.native`. Those on NumPy are loaded where they are needed.
-"""
+from __future__ import annotations
 
-from collections.abc import Callable
-from types import ModuleType
-from typing import Any, TypeVar, cast
+import math
+from functools import partial
 
 import numpy as np
 
-from slowflow.averaged import compiled
-from slowflow.model import Model
+from slowflow import backend
+from slowflow.answer import joined
+from slowflow.averaged import words
+from slowflow.model import Floats, Model
+from slowflow.results import (
+    NOTHING,
+    Cusps,
+    Detachment,
+    FoldLocus,
+    FrequencyResponse,
+    IsolaPoints,
+    Peak,
+    SaddleNodeOnset,
+    SaddleNodes,
+    SteadyStates,
+)
+from slowflow_kernels import dissipation
+from slowflow_kernels.conventions import OnsetKind, Status
+from slowflow_support.errors import NotSettled, OutOfRange
 
-Question = TypeVar("Question", bound=Callable[..., Any])
-
-
-def _reference() -> ModuleType:
-    from slowflow.averaged.reference import answers
-
-    return answers
-
-
-def _either(on_compiled: Question, on_numpy: Callable[[], Question], laws: bool = False) -> Question:
-    """laws -- whether what is compiled answers for other laws of damping too."""
-
-    def ask(model: Model, *arguments: Any) -> Any:
-        if (model.searched if laws else model.native) is not None:
-            try:
-                return on_compiled(model, *arguments)
-            except ArithmeticError:
-                # what boxes leave unresolved next to an end of a piece NumPy's search may tell
-                if not model.laws.any:
-                    raise
-        # a solver tries values that it then discards: the warnings that these raise are no fault of the arguments
-        with np.errstate(all="ignore"):
-            return on_numpy()(model, *arguments)
-
-    return cast(Question, ask)
+#: the words for kinds of folds, by whether a sweep leaves them upwards
+FOLD_KINDS = np.array(["jump-down", "jump-up"])
+NO_NUMBER = np.empty(0)
+#: the words for its kinds
+ONSET_KINDS = {kind.value: kind.name.lower() for kind in OnsetKind}
 
 
-amplitudes = _either(compiled.amplitudes, lambda: _reference().amplitudes, laws=True)
-closes = _either(compiled.closes, lambda: _reference().closes, laws=True)
-detachment = _either(compiled.detachment, lambda: _reference().detachment, laws=True)
-extrema = compiled.extrema
-fold_locus = compiled.fold_locus
-frequency_response = _either(compiled.frequency_response, lambda: _reference().frequency_response, laws=True)
-onset = _either(compiled.onset, lambda: _reference().onset, laws=True)
-peak = _either(compiled.peak, lambda: _reference().peak, laws=True)
-saddle_nodes = _either(compiled.saddle_nodes, lambda: _reference().saddle_nodes, laws=True)
+def check(status: int, model: Model, F_0: float | None = None) -> None:
+    """Raises what there is to raise where there is no answer."""
+    if status == Status.OK:
+        return
+    if status == Status.NO_MEMORY:
+        raise MemoryError
+    if status == Status.NO_BOUND:
+        if model.inertial and model.free and model.zeta == model.m == model.laws.eta == 0 and F_0 is not None:
+            raise NotSettled(words.everywhere(float(dissipation.full_by_inertia(F_0, model.d))))
+        # where there is a bound, up to it squares leave the range of doubles
+        is_bounded = F_0 is not None and backend.SOLVER.amplitude_bound(model.native, F_0)[1] < math.inf
+        raise OutOfRange(words.beyond_range(model, F_0) if is_bounded else words.unbounded(model, F_0))
+    if status in (Status.TOO_MANY, Status.UNRESOLVED):
+        raise NotSettled("the response is unresolved" if F_0 is None else words.unresolved(model, F_0))
+
+
+def remark_of(model: Model, F_0: float, lowest: float = 0.0) -> str:
+    """Where a response is cut, in words; lowest: the lowest Omega that is asked for."""
+    if model.zeta == 0 and not model.laws.any:
+        return words.cut(model, F_0)[1]
+    goes = model.lets_go and not model.inertial
+    if (lowest > 0 and goes) or not (goes or model.inertial or model.mechanism.enclosed is not None):
+        return ""
+    status, A_max = backend.SOLVER.amplitude_bound(model.native, F_0)
+    if status != Status.UNBOUNDED:
+        return ""
+    if goes:
+        return words.cut_towards_rest(model, F_0)[1]
+    return words.does_not_close(A_max)[1] if model.inertial else words.cut_at_reach(model)[1]
+
+
+def amplitude_bound(model: Model, F_0: float) -> float:
+    """An amplitude above that of every steady state at F_0, or where the response is cut.
+
+    Raises OverflowError where no such amplitude is found.
+    """
+    if model.zeta == 0 and not model.laws.any:
+        return words.cut(model, F_0)[0]
+    status, A_max = backend.SOLVER.amplitude_bound(model.native, F_0)
+    check(status, model, F_0)
+    return float(A_max)
+
+
+def are_events_close(model: Model, F_0: float) -> bool:
+    """Whether doubles leave open which peaks and static states a response curve has; of a force."""
+    try:
+        return bool(backend.SOLVER.are_events_close(model.native, F_0, amplitude_bound(model, F_0)))
+    except ArithmeticError:
+        return True
+
+
+def closes(model: Model, F_0: float) -> bool:
+    """Whether the response at F_0 > m is known to have a highest amplitude, for zeta > 0 or other laws of damping."""
+    return bool(backend.SOLVER.amplitude_bound(model.native, F_0)[0] == Status.OK)
+
+
+def saddle_nodes(model: Model, F_0: float) -> SaddleNodes:
+    """Every fold at F_0 > m, in every regime, by rising Omega."""
+    status, Omega, A, up, corner, undecided = backend.SOLVER.saddle_nodes(model.native, F_0)
+    check(status, model, F_0)
+    message, cut = words.of_folds(model, F_0, A.size > 0 or undecided, remark_of(model, F_0))
+    codes = words.beside(undecided, cut)
+    columns = {"Omega": Omega, "A": A, "kind": FOLD_KINDS.take(up), "corner": corner}
+    return SaddleNodes._made(**columns, F_0=F_0, message=message, remarks=codes, _model=model)
+
+
+def onset(model: Model) -> SaddleNodeOnset:
+    """The lowest forcing that has a fold, in whatever regime it lies."""
+    status, F_SN, Omega, A, kind, at_rest = backend.SOLVER.onset(model.native)
+    if status == Status.OK:
+        onset = {"F_SN": F_SN, "Omega": Omega, "A": A, "kind": ONSET_KINDS[kind], "untruncated": None}
+        found = SaddleNodeOnset._made(**onset, message="", remarks=NOTHING)
+        return words.with_folds_at_rest(model, found, at_rest)
+    if status == Status.UNRESOLVED:
+        raise NotSettled(words.unresolved_onset(model))
+    check(status, model, at_rest if model.laws.any else None)  # the forcing that no amplitude bounds
+    if status == Status.UNBOUNDED:  # at_rest is what the level comes down to
+        no_lowest = words.STIFF_AT_REST if model.zeta > 0 else words.NO_LOWEST
+        said = no_lowest.format(model.m) if at_rest < math.inf else words.OPEN
+        return SaddleNodeOnset(None, None, None, "", said, _status=Status.UNBOUNDED)
+    return words.with_folds_at_rest(model, SaddleNodeOnset(None, None, None, "", words.NO_ONSET), at_rest)
+
+
+def detachment(model: Model) -> Detachment:
+    """The lowest forcing for which the first breakpoint is a steady state (34)."""
+    status, F_cr, Omega_cr, u_cr = backend.SOLVER.detachment(model.native)
+    if status == Status.NO_BOUND:
+        raise OutOfRange(words.BEYOND_RANGE.format(model.breakpoints[0]))
+    if status == Status.NONE:
+        ends = model.breakpoints
+        said = words.NOT_REACHED.format(ends[0], model.full_level(ends[0])) if ends else words.NO_DETACHMENT
+        return Detachment(None, None, None, said)
+    return Detachment._made(F_cr=F_cr, Omega_cr=Omega_cr, u_cr=u_cr, message="", remarks=NOTHING)
+
+
+def peak(model: Model, F_0: float, most: float = math.inf) -> Peak:
+    """The highest peak at F_0 > m with an amplitude up to `most`."""
+    status, A, Omega = backend.SOLVER.peak(model.native, F_0, most)
+    if status == Status.UNRESOLVED and A > 0:
+        raise NotSettled(words.peak_at_doubles(F_0, A))
+    check(status, model, F_0)
+    if status == Status.STICKS:
+        return Peak(None, None, F_0, words.sticks(model, F_0), _status=Status.STICKS)
+    if status == Status.UNBOUNDED:
+        said = remark_of(model, F_0) if model.zeta > 0 or model.laws.any else words.NO_PEAK
+        return Peak(None, None, F_0, said, _status=Status.UNBOUNDED)
+    if status == Status.NONE:
+        return words.no_top(model, F_0, most)
+    return Peak._made(A=A, Omega=Omega, F_0=F_0, message="", remarks=NOTHING)
+
+
+def fold_locus(model: Model, A_max: float, samples: int) -> FoldLocus:
+    """About `samples` points of the fold locus up to A_max."""
+    status, Omega, A, F_0, branch, _ = backend.SOLVER.fold_locus(model.native, A_max, samples)
+    check(status, model)
+    return FoldLocus(Omega, A, F_0, branch, "" if A.size else words.no_locus(model, A_max))
+
+
+def extrema(model: Model, A_max: float) -> tuple[Cusps, IsolaPoints]:
+    """The cusps and the isola points up to A_max."""
+    status, _, _, _, _, found = backend.SOLVER.fold_locus(model.native, A_max, 0)
+    check(status, model)
+    table = np.array(found, dtype=float).reshape(-1, 7)
+    isola = table[:, 3] == 1
+    F_0, Omega, A, _, minimum, _, few = table[~isola].T
+    cusps = Cusps(F_0, Omega, A, minimum == 1, **words.of_points(A, few == 1, words.NO_CUSP.format(A_max)))
+    F_0, Omega, A, _, minimum, saddle, few = table[isola].T
+    kind = np.where(saddle == 1, "merger", np.where(minimum == 1, "birth", "death"))
+    return cusps, IsolaPoints(F_0, Omega, A, kind, **words.of_points(A, few == 1, words.NO_ISOLA.format(A_max)))
+
+
+def frequency_response(model: Model, F_0: float, samples: int, window: tuple[float, float]) -> FrequencyResponse:
+    """About `samples` points along every branch in the window, and its ends, folds, peaks and corners."""
+    answer = backend.SOLVER.frequency_response(model.native, F_0, samples, *window)
+    status, Omega, A, stable, branch, isola, undecided = answer
+    check(status, model, F_0)
+    moves = A > 0
+    if not moves.all():  # where the response to an excitation by inertia begins the mass is at rest
+        Omega, A, stable, branch = Omega[moves], A[moves], stable[moves], branch[moves]
+    remark = remark_of(model, F_0, window[0])
+    message = remark if A.size else joined(remark, words.empty_window(model, F_0, window))
+    columns = {"Omega": Omega, "A": A, "stable": stable, "branch": branch, "isola": isola, "Omega_undecided": NO_NUMBER}
+    codes = words.beside(undecided, remark)
+    return FrequencyResponse._made(**columns, F_0=F_0, message=message, remarks=codes, _model=model)
+
+
+def amplitudes(model: Model, Omega: Floats, F_0: float) -> SteadyStates:
+    """Every steady state at each frequency, by the order of Omega, then by rising A."""
+    status, at, A, stable, undecided = backend.SOLVER.steady_states(model.native, F_0, Omega)
+    check(status, model, F_0)
+    remark = remark_of(model, F_0, float(np.min(Omega, initial=np.inf)))
+    message = partial(words.of_states, model, F_0, remark, Omega, at, undecided)
+    columns = {"Omega": at, "A": A, "stable": stable, "Omega_undecided": undecided}
+    codes = words.beside(undecided.size > 0, remark)
+    return SteadyStates._made(**columns, F_0=F_0, message=message, remarks=codes, _model=model)

@@ -27,8 +27,6 @@ typedef struct {
     sf_status (*peak)(const sf_model *, const sf_exactly *, double F_0, double most, sf_work *, double *A,
                       double *Omega);
     sf_status (*saddle_nodes)(const sf_model *, const sf_given *, double F_0, sf_room *, sf_folds *);
-    void (*law_points)(const sf_model *, sf_law_system, double F_0, int n, const double *first, const double *last,
-                       const double *base, sf_law_search *);
     sf_status (*fold_locus)(const sf_model *, double A_max, sf_work *);
     sf_status (*extrema)(const sf_model *, double A_max, sf_work *);
     sf_status (*range)(const sf_model *, double F_0, double *A_max);

@@ -88,11 +88,12 @@ static int sf_is_static_top(const sf_model *model, double F_0, const sf_sample *
     return 1;
 }
 
-/* The highest peak as sf_peak has it: where a pair of frequencies ends that is there below. */
+/* The highest peak as sf_peak has it: where a pair of frequencies ends that is there below. With SF_UNRESOLVED A is the
+ * highest amplitude at which doubles do not tell whether there is one, if it is known. */
 static sf_status sf_law_peak(const sf_model *model, double F_0, double most, sf_work *work, double *A, double *Omega) {
     const sf_law_points *peaks = &work->points.found;
     sf_status status = sf_range_at(model, F_0, &work->A_max);
-    double highest = 0;
+    double highest = 0, doubt = 0;
     int i, k;
     if (status != SF_OK)
         return status;
@@ -117,11 +118,13 @@ static sf_status sf_law_peak(const sf_model *model, double F_0, double most, sf_
                 highest = work->zeros.at[k].A, *Omega = 0;
     }
     for (i = 0; i < peaks->undecided; i++)
-        if (peaks->doubt[i] > highest)
-            return SF_UNRESOLVED;
+        doubt = fmax(doubt, peaks->doubt[i]);
+    if (highest > 0 || doubt > 0)
+        *A = fmax(highest, doubt);
+    if (doubt > highest)
+        return SF_UNRESOLVED;
     if (highest == 0)
         return !sf_inertial(model) && F_0 <= model->m && !(most < HUGE_VAL) ? SF_STICKS : SF_NONE;
-    *A = highest;
     return SF_OK;
 }
 

@@ -289,8 +289,10 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
             unbounded = F_0, F_0 = 0.5 * (looked_through + F_0);
             continue;
         }
-        if (bounded != SF_OK && bounded != SF_UNBOUNDED)
+        if (bounded != SF_OK && bounded != SF_UNBOUNDED) {
+            best->rest = F_0;
             return bounded;
+        }
         if (A_max > piece.last.A) { /* what lies below has been looked through */
             piece.first = piece.last;
             sf_sample_at(model, A_max, &piece.last);
@@ -312,6 +314,7 @@ static sf_status sf_onset_in_last(const sf_model *model, const sf_sample *first,
         if (F_0 >= unbounded)
             F_0 = 0.5 * (looked_through + unbounded);
     }
+    best->rest = unbounded;
     return unbounded < HUGE_VAL ? SF_NO_BOUND : SF_UNRESOLVED;
 }
 

@@ -23,6 +23,8 @@ enum {
 };
 /* of R, relatively: a box that is no wider is not cut any more */
 #define SF_THIN 0x1p-50
+/* of F_0: the same next to a jump of the force */
+#define SF_THIN_AT_JUMP 0x1p-24
 /* a cell so narrow is tried where the sign of R is not known */
 #define SF_NARROW_CELL 0x1p-6
 /* where R is cut, not in the middle: what vanishes there would lie on the edges of two boxes */
@@ -443,6 +445,25 @@ typedef struct {
     sf_interval u;
 } sf_surroundings;
 
+/* Where Krawczyk's operator maps a box to, both from a place in it: off: the functions there, times `inverse`, of slopes
+ * there; on: the slopes on the box. */
+static void sf_map_box(const double inverse[4], const sf_interval off[2], const sf_interval on[6],
+                       const sf_interval box[2], sf_interval image[2]) {
+    int i, k;
+    for (i = 0; i < 2; i++) {
+        image[i] = sfi_neg(off[i]);
+        for (k = 0; k < 2; k++) {
+            const sf_interval slope = sfi_add(sfi_mul(sfi_point(inverse[2 * i]), on[2 + k]),
+                                              sfi_mul(sfi_point(inverse[2 * i + 1]), on[4 + k]));
+            image[i] = sfi_add(image[i], sfi_mul(sfi_sub(sfi_point(i == k), slope), box[k]));
+        }
+    }
+}
+
+static sf_interval sf_times_row(const double *inverse, const sf_interval at[6]) {
+    return sfi_add(sfi_mul(sfi_point(inverse[0]), at[0]), sfi_mul(sfi_point(inverse[1]), at[1]));
+}
+
 /* Whether a box around a point, which is made, is proved to hold exactly one: Krawczyk's operator, with the slopes at
  * the point, maps it into itself. */
 static int sf_prove_point(const sf_law_search *search, const double f[6], sf_law_point *point,
@@ -450,16 +471,16 @@ static int sf_prove_point(const sf_law_search *search, const double f[6], sf_law
     const double determinant = f[2] * f[5] - f[3] * f[4];
     const double inverse[4] = {f[5] / determinant, -f[3] / determinant, -f[4] / determinant, f[2] / determinant};
     const sf_interval A = sfi_point(point->A), u = sfi_point(point->u);
-    sf_interval at[6], on[6], off[2], box[2];
+    sf_interval at[6], on[6], off[2], box[2], image[2];
     sf_strip strip;
     sf_node node;
     double extent[2];
-    int i, k;
+    int i;
     sf_node_at(search, point->A, &node);
     sf_make_strip(search, &node, &node, &strip);
     sf_functions_within(search, &strip, point->by_w, u, at);
     for (i = 0; i < 2; i++) {
-        off[i] = sfi_add(sfi_mul(sfi_point(inverse[2 * i]), at[0]), sfi_mul(sfi_point(inverse[2 * i + 1]), at[1]));
+        off[i] = sf_times_row(inverse + 2 * i, at);
         extent[i] = SF_AROUND * sf_size_of(off[i]);
     }
     extent[0] = sfi_most(extent[0], SF_AROUND_LEAST * point->A);
@@ -473,17 +494,39 @@ static int sf_prove_point(const sf_law_search *search, const double f[6], sf_law
     sf_make_strip(search, &around->a, &around->b, &strip);
     sf_functions_within(search, &strip, point->by_w, around->u, on);
     box[0] = sfi_sub(strip.cell.A, A), box[1] = sfi_sub(around->u, u);
-    for (i = 0; i < 2; i++) {
-        sf_interval image = sfi_neg(off[i]);
-        for (k = 0; k < 2; k++) {
-            const sf_interval slope = sfi_add(sfi_mul(sfi_point(inverse[2 * i]), on[2 + k]),
-                                              sfi_mul(sfi_point(inverse[2 * i + 1]), on[4 + k]));
-            image = sfi_add(image, sfi_mul(sfi_sub(sfi_point(i == k), slope), box[k]));
-        }
-        if (!(image.lo > box[i].lo && image.hi < box[i].hi))
+    sf_map_box(inverse, off, on, box, image);
+    for (i = 0; i < 2; i++)
+        if (!(image[i].lo > box[i].lo && image[i].hi < box[i].hi))
             return 0;
-    }
     return 1;
+}
+
+/* Whether a box with these slopes, whose determinant has a sign, is proved to hold none, as next to a point outside: the
+ * operator maps it off itself. */
+static int sf_is_left(const sf_law_search *search, const sf_law_box *box, double middle, sf_interval u,
+                      const sf_interval on[6]) {
+    const sf_interval centre = sfi_point(0.5 * (u.lo + u.hi));
+    const sf_interval off_centre[2] = {sfi_sub(sfi_of(box->a.at.A, box->b.at.A), sfi_point(middle)), sfi_sub(u, centre)};
+    sf_interval at[6], off[2], image[2];
+    double slope[6], inverse[4], determinant;
+    sf_strip strip;
+    sf_node node;
+    int i;
+    sf_node_at(search, middle, &node);
+    sf_make_strip(search, &node, &node, &strip);
+    sf_functions_within(search, &strip, box->by_w, centre, at);
+    for (i = 2; i < 6; i++)
+        slope[i] = 0.5 * (at[i].lo + at[i].hi);
+    determinant = slope[2] * slope[5] - slope[3] * slope[4];
+    inverse[0] = slope[5] / determinant, inverse[1] = -slope[3] / determinant;
+    inverse[2] = -slope[4] / determinant, inverse[3] = slope[2] / determinant;
+    off[0] = sf_times_row(inverse, at), off[1] = sf_times_row(inverse + 2, at);
+    sf_map_box(inverse, off, on, off_centre, image);
+    for (i = 0; i < 2; i++)
+        if (sf_size_of(image[0]) < HUGE_VAL && sf_size_of(image[1]) < HUGE_VAL &&
+            (image[i].lo > off_centre[i].hi || image[i].hi < off_centre[i].lo))
+            return 1;
+    return 0;
 }
 
 static void sf_add_point(sf_law_points *found, const sf_law_point *point) {
@@ -589,7 +632,9 @@ static int sf_look_at_box(sf_law_search *search, sf_law_box *box, double middle,
         sf_functions_within(search, &strip, box->by_w, u, f);
         if (sfi_has_sign(f[0]) || sfi_has_sign(f[1]))
             return 0;
-        if (inside && sfi_has_sign(sf_determinant(f)) && sf_settle_point(search, box, middle))
+        if (inside && sfi_has_sign(sf_determinant(f)) &&
+            (sf_settle_point(search, box, middle) ||
+             ((box->by_w || sf_square_of(search, &strip, u).lo >= 0) && sf_is_left(search, box, middle, u, f))))
             return 0;
         *other = sf_moves_by_other(search, box, u, f);
     }
@@ -644,7 +689,10 @@ static void sf_search_points_up_to(sf_law_search *search, const sf_sample *first
         }
         u = sf_second_unknown(box), at = sf_cut_other(*u);
         is_thin = !(at > u->lo && at < u->hi) || (u->hi < HUGE_VAL && u->hi - u->lo <= thin * sf_size_of(*u));
-        if (!inside && (is_thin || (!sf_is_forced(search) && sf_is_in_doubt(found, b)))) {
+        /* next to a jump F_A bounds no R from below, and F has its square only */
+        is_thin |= isinf(box->a.at.h_A) && sf_is_forced(search) && !box->by_w &&
+                   u->hi - u->lo <= SF_THIN_AT_JUMP * search->F_0;
+        if (!inside && (is_thin || sf_is_in_doubt(found, b))) {
             if (found->undecided < SF_MOST_POINTS)
                 found->doubt[found->undecided++] = b;
             top--;
@@ -690,33 +738,14 @@ static void sf_begin_piece(sf_law_search *search, int piece) {
     sf_hold_laws(search->model, piece, &search->laws);
 }
 
-/* All points of a system on n parts of pieces that begin at `base`: from amplitudes `first`, at a breakpoint from the limit
- * above it, to `last`. */
-static void sf_law_points_on(const sf_model *model, sf_law_system system, double F_0, int n, const double *first,
-                             const double *last, const double *base, sf_law_search *search) {
-    int i, k;
-    sf_begin_search(model, system, F_0, search);
-    for (k = 0; k < n && search->found.status == SF_OK; k++) {
-        sf_sample from, to;
-        for (i = 0; i < model->breaks && model->b[i] <= base[k]; i++)
-            continue;
-        sf_begin_piece(search, i);
-        search->part = k;
-        sf_sample_at(model, first[k], &from), sf_sample_at(model, last[k], &to);
-        if (i > 0 && first[k] == model->b[i - 1])
-            sf_tend_from_above(model, i - 1, &from);
-        sf_search_points(search, &from, &to);
-    }
-}
-
 /* All points of the pieces up to an amplitude. */
 static void sf_search_pieces(const sf_model *model, sf_law_system system, double F_0, const sf_stretches *pieces,
                              sf_law_search *search) {
     int i;
     sf_begin_search(model, system, F_0, search);
     for (i = 0; i < pieces->n && search->found.status == SF_OK; i++) {
-        /* where there is no spring all of F rises with Omega: at Omega = 0 it is flat to the fourth power */
-        if (system == SF_LAW_PEAKS && !search->far && !sf_has_force(&pieces->at[i]))
+        /* where there is no spring F rises with Omega, or falls over Omega^4: next to where it is flat, to the fourth power */
+        if (system == SF_LAW_PEAKS && !sf_has_force(&pieces->at[i]))
             continue;
         sf_begin_piece(search, i);
         sf_search_points(search, &pieces->at[i].first, &pieces->at[i].last);

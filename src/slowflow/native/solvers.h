@@ -16,7 +16,6 @@ const sf_solvers SF_SOLVERS = {
     sf_settled_detachment,
     sf_settled_peak,
     sf_settled_folds,
-    sf_law_points_on,
     sf_fold_locus,
     sf_extrema,
     sf_range_at,

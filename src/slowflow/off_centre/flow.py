@@ -115,12 +115,8 @@ class Flow:
         """Slope of F by Omega at a state: that of the squared level, times Omega^4 under an excitation by inertia."""
         if not self.inertial:
             return dissipation.F_Omega(Omega, A, self.m + self.eta * A, self.zeta, self.d, h)
-        return -4.0 * self._least(Omega, A, h) / Omega
-
-    def _least(self, Omega: Any, A: Any, h: Any) -> Any:
-        R, I = slow_flow.R(Omega, A, h), self.sine(Omega, A)
-        rest = self.m + self.eta * A
-        return dissipation.peaks_by_inertia(Omega, A, 0.0, rest, 0.0, self.zeta, self.d, h, 0.0, R, I)[1]
+        _, stays, grows = dissipation.far_by_inertia(1 / Omega, A, 0.0, self.m + self.eta * A, self.zeta, self.d, h)
+        return -4.0 * Omega * (stays + Omega * grows)
 
     # ==== Frequencies =================================================================================================
 

@@ -14,16 +14,8 @@ import numpy as np
 
 from slowflow.sampled.force import Force, Stated
 from slowflow.sampled.polynomial import Floats
-from slowflow_kernels import sampled_intervals
-from slowflow_support.record import Enclosed, Law, Mechanism, Parameter
+from slowflow_support.record import Law, Mechanism, Parameter
 
-#: what a breakpoint adds, by the lowest order of what is lost there
-BENT_ENDS = (
-    sampled_intervals.bent_end_0,
-    sampled_intervals.bent_end_1,
-    sampled_intervals.bent_end_2,
-    sampled_intervals.bent_end_3,
-)
 REACHED = "averaging does not ask the function for what lies beyond"
 
 
@@ -127,19 +119,8 @@ class Asked:
 
     # --- on intervals ---
 
-    def enclosed_terms(self, around: Any, A: Any, beyond: Any, sine: Any, *given: Any) -> Any:
-        value, fourth = self._of(given).bounds(self.number, beyond)
-        return sampled_intervals.bent_terms(sine, value, fourth)
-
-    def enclosed_closing(self, around: Any, A: Any, *numbers: Any) -> Any:
-        """The number is how many breakpoints are exceeded; their roots come before the sums."""
-        h, bend = numbers[self.number : self.number + 2]
-        force = self._of(numbers[self.number + 2 :])
-        for end, lost in list(zip(force.ends, force.lost, strict=True))[: self.number]:
-            lowest = next((order for order, one in enumerate(lost) if one != 0), None)
-            if lowest is not None and end > 0:
-                bend = bend + BENT_ENDS[lowest](A, *(A.point(one) for one in (end, *lost[lowest:])))
-        return h, bend
+    def enclosed(self, around: Any, A: Any, beyond: Any, sine: Any, *given: Any) -> Any:
+        return self._of(given).bounds(self.number, beyond)
 
     def _of(self, given: Sequence[Any]) -> Force:
         return self.stated.force(tuple(float(one.ends[0, 0]) for one in given))
@@ -172,10 +153,7 @@ def record(stated: Stated, title: str, design: tuple[Parameter, ...], reach_reas
         reach_reason=reach_reason or REACHED,
         truncated=False,
         load_untruncated=None,
-        enclosed=Enclosed(
-            tuple(Asked(stated, Asked.enclosed_terms, k) for k in range(count)),
-            tuple(Asked(stated, Asked.enclosed_closing, k) for k in range(count)),
-        ),
+        enclosed=tuple(Asked(stated, Asked.enclosed, k) for k in range(count)),
         told=Asked(stated, Asked.told),
         samples=Asked(stated, Asked.samples),
     )

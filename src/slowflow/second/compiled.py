@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from slowflow import backend
 from slowflow.answer import joined
-from slowflow.averaged import compiled as averaged
+from slowflow.averaged import solvers as averaged
 from slowflow.averaged import words
 from slowflow.model import Floats, Model
 from slowflow.second.found import Curve, Fold, Folds, State, told, told_of_folds

@@ -8,7 +8,7 @@ import random
 from mpmath import mp, mpf
 
 from tests.oracles.definitions.points import Function, entry, points
-from tests.oracles.definitions.series import stated, variables
+from tests.oracles.definitions.series import variables
 from tests.oracles.definitions.slow_flow import balances, near
 
 
@@ -104,19 +104,6 @@ def dissipated_slope(order, names, halved=False):
         return [laws.F().derivative(*order) / (2 * laws.A.value if halved else 1)]
 
     return slope
-
-
-def dissipated_system(first, second, names):
-    """Two functions, or one, and their slopes."""
-    by_inertia = "least" in (first, second) or "inertia" in first
-    both = [name for name in (first.removesuffix(" by inertia"), second) if name]
-    order = 1 + max(WITHIN.get(name, 0) for name in both)
-
-    def system(*x):
-        laws = Laws(names, x, order, by_inertia)
-        return stated(*(getattr(laws, name)() for name in both))
-
-    return system
 
 
 def quartic_of(half, names):
@@ -378,18 +365,6 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
     "fold_quartic": (names := "A I_0 I_0A zeta d h h_A", quartic_of(True, names)),
     "turn_share": ("x A I_0 I_0A zeta d", turn_beside),
     "limit_envelope": ("Omega F_0 m zeta eta d", lambda *x: [largest_held(*x)]),
-    **{
-        name: (names, dissipated_system(first, second, names))
-        for name, first, second, names in (
-            ("folds", "F", "F_A", "Omega A F_0 I_0A I_0AA zeta d h_A h_AA R I"),
-            ("peaks", "F", "peak", "Omega A F_0 I_0 I_0A zeta d h_A R I"),
-            ("cusps", "F_A", "F_AA", "Omega A I_0A I_0AA I_0AAA zeta d h_A h_AA h_AAA R I"),
-            ("isolas", "F_A", "peak", "Omega A I_0 I_0A I_0AA zeta d h_A h_AA R I"),
-            ("turns", "F_A", "bend", "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA R I"),
-            ("rest", "F", "", "Omega A F_0 I_0A zeta d h_A R I"),
-            ("stiffness", "F_A", "", "Omega A I_0A I_0AA zeta d h_A h_AA R I"),
-        )
-    },
     "rest_moves": ("A", rest_moves),
     "released_moves": ("A m u_cr", rest_moves),
     "I_A": ("Omega A I_0A zeta d", dissipated_balance("Omega A I_0A zeta d", 1)),
@@ -400,9 +375,6 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
     "F_A_halved": ("R R_A I I_A", lambda R, R_A, I, I_A: [slope_of_sum(((R, R_A), (I, I_A))) / 2]),
     "R_of_response": ("F_0 I", lambda F_0, I: [mp.sqrt(mpf(F_0) ** 2 - mpf(I) ** 2)]),
     "R_of_peak": ("Omega A zeta d I", lambda *x: [vanishing_R(*x)]),
-    "R_of_fold": ("Omega h_A I I_A", lambda w, h_A, I, I_A: [-I * I_A / mp.diff(lambda a: a * w**2 + h_A * a, 1)]),
-    "h_A_of_turn": ("Omega A R beside", lambda w, A, R, D: [mp.findroot(lambda s: R + A * (w**2 + s) + D, mpf(1))]),
-    "least_F_A": ("A k I I_A", least_slope),
     "I_scaled": ("Omega A I_0_over_A zeta d", lambda w, A, r, *laws: [law_balances(w, A, r * A, *laws, 0)[1] / A]),
     "F_A_scaled": ("Omega h_over_A h_A I_over_A I_A", scaled_slope),
     "least_scaled": ("Omega zeta eta d h_AA", least_from_rest),
@@ -426,14 +398,6 @@ DISSIPATION: dict[str, tuple[str, Function]] = {
         ],
     ),
     "quadratic_bound": ("F_0 d", lambda F_0, d: [mp.findroot(lambda a: d * a**2 - F_0, mp.sqrt(F_0 / d))]),
-    **{
-        name: (names, dissipated_system(first, second, names))
-        for name, first, second, names in (
-            ("folds_by_inertia", "F by inertia", "F_A", "Omega A F_0 I_0A I_0AA zeta d h_A h_AA R I"),
-            ("peaks_by_inertia", "F by inertia", "least", "Omega A F_0 I_0 I_0A zeta d h h_A R I"),
-            ("isolas_by_inertia", "F_A", "least", "Omega A I_0 I_0A I_0AA zeta d h h_A h_AA R I"),
-        )
-    },
     **{
         f"{system}_{'far_' if far else ''}by_{unknown}": (
             f"{'x' if far else 'Omega'} A F_0 I_0 I_0A I_0AA I_0AAA zeta d h h_A h_AA h_AAA R I R_A I_A",
@@ -466,7 +430,5 @@ def dissipation_table(rng: random.Random) -> dict:
                 x[1] *= 0.25
             elif kernel == "R_where_stationary":  # far from rest
                 x[0] *= 0.125
-            elif kernel == "R_of_fold":  # Omega^2 + h_A > 0 on boxes too
-                x[1] = abs(x[1])
         table[kernel] = [entry(f, x) for x in chosen]
     return table

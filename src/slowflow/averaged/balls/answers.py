@@ -33,7 +33,7 @@ from slowflow.averaged.balls.questions import (
     lowest_undamped,
     tends_to_friction,
 )
-from slowflow.averaged.compiled import amplitude_bound
+from slowflow.averaged.solvers import amplitude_bound
 from slowflow.certificate import Proved, ProvedFolds, ProvedForcing, ProvedStates
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model

@@ -96,52 +96,6 @@ static PyObject *saddle_nodes(PyObject *self, PyObject *args)
     return result;
 }
 
-/* Contiguous doubles, or NULL. */
-static PyArrayObject *doubles_of(PyObject *values)
-{
-    return (PyArrayObject *)PyArray_FROMANY(values, NPY_DOUBLE, 1, 1, NPY_ARRAY_IN_ARRAY);
-}
-
-/* (model, system, F_0, first, last, base) -> status, part, A, Omega, A where undecided */
-static PyObject *law_points(PyObject *self, PyObject *args)
-{
-    PyObject *given, *first, *last, *base, *result = NULL;
-    int system;
-    double F_0;
-    sf_law_search *search = NULL;
-    PyArrayObject *parts[3] = {NULL, NULL, NULL};
-    (void)self;
-    if (!PyArg_ParseTuple(args, "OidOOO", &given, &system, &F_0, &first, &last, &base))
-        return NULL;
-    const sf_model *model = sf_model_in(given);
-    if (model == NULL)
-        return NULL;
-    parts[0] = doubles_of(first), parts[1] = doubles_of(last), parts[2] = doubles_of(base);
-    if (parts[0] != NULL && parts[1] != NULL && parts[2] != NULL && (search = malloc(sizeof *search)) == NULL)
-        PyErr_NoMemory();
-    if (search != NULL) {
-        const sf_law_points *found = &search->found;
-        double *A, *Omega, *doubt;
-        npy_int64 *part;
-        Py_BEGIN_ALLOW_THREADS
-        sf_here()->law_points(model, (sf_law_system)system, F_0, (int)PyArray_DIM(parts[0], 0), PyArray_DATA(parts[0]),
-                              PyArray_DATA(parts[1]), PyArray_DATA(parts[2]), search);
-        Py_END_ALLOW_THREADS
-        PyObject *items[] = {new_array(found->n, NPY_INT64, &part), new_array(found->n, NPY_DOUBLE, &A),
-                             new_array(found->n, NPY_DOUBLE, &Omega), new_array(found->undecided, NPY_DOUBLE, &doubt)};
-        if (items[0] && items[1] && items[2] && items[3]) {
-            for (int i = 0; i < found->n; i++)
-                part[i] = found->at[i].part, A[i] = found->at[i].A, Omega[i] = found->at[i].Omega;
-            memcpy(doubt, found->doubt, (size_t)found->undecided * sizeof *doubt);
-        }
-        result = answer(found->status, items, 4);
-    }
-    for (int i = 0; i < 3; i++)
-        Py_XDECREF((PyObject *)parts[i]);
-    free(search);
-    return result;
-}
-
 static PyObject *onset(PyObject *self, PyObject *args)
 {
     PyObject *given;
@@ -452,8 +406,6 @@ static PyObject *steady_states(PyObject *self, PyObject *args)
 
 static PyMethodDef functions[] = {
     {"saddle_nodes", saddle_nodes, METH_VARARGS, "(model, F_0) -> status, Omega, A, up, corner, undecided"},
-    {"law_points", law_points, METH_VARARGS,
-     "(model, system, F_0, first, last, base) -> status, part, A, Omega, A where undecided"},
     {"onset", onset, METH_VARARGS, "(model,) -> status, F_SN, Omega, A, kind, lowest level at rest"},
     {"detachment", detachment, METH_VARARGS, "(model,) -> status, F_cr, Omega_cr, u_cr"},
     {"peak", peak, METH_VARARGS, "(model, F_0, most) -> status, A, Omega"},
