@@ -4,6 +4,7 @@ import json
 from collections import Counter
 from pathlib import Path
 
+import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
@@ -12,6 +13,7 @@ from scipy.optimize import brentq
 
 from slowflow import Duffing, Isolator
 from slowflow.example import TABLE_1
+from slowflow.off_centre.flow import Flow
 from slowflow.sizing import tolerances
 from slowflow.validate import NotAvailable
 from tests.off_centre_cases import check_folds_and_states, made
@@ -329,3 +331,18 @@ def test_the_onset_of_a_base_goes_to_that_about_the_centre_with_the_load(load):
     found = Duffing(1.0, 0.5, zeta=0.05, load=load, excitation="base").saddle_node_onset()
     assert found.kind == "cusp"
     assert found.F_SN == pytest.approx(at_centre.F_SN, rel=1e-12 + 2 * load**2)
+
+
+@pytest.mark.parametrize("inertial", [False, True])
+def test_the_level_rises_with_the_frequency_as_its_square_does(inertial):
+    """F_Omega at a state is d(level^2)/dOmega, of an excitation by inertia times Omega^4, with each law of damping."""
+    m, zeta, eta, d = 0.03, 0.04, 0.05, 0.06
+    flow = Flow(m, zeta, eta, d, inertial)
+    A, h, at = 0.4, -0.3, 0.9
+
+    def squared(w):
+        R, I = A * w**2 + h, m + eta * A + 2 * zeta * A * w + d * (A * w) ** 2
+        return (R**2 + I**2) / (w**4 if inertial else 1)
+
+    expected = mp.diff(squared, at) * (at**4 if inertial else 1)
+    assert float(flow.F_Omega(at, A, h)) == pytest.approx(float(expected), rel=1e-13)

@@ -12,7 +12,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from slowflow import Duffing, Isolator, Oscillator, derive
-from slowflow.averaged import proofs
+from slowflow.averaged import proofs, remarks
 from slowflow.certificate import DOUBLES
 from slowflow.exact import shooting
 from slowflow.example import TABLE_1
@@ -396,3 +396,22 @@ def test_a_force_that_was_not_written_odd_says_at_each_answer_what_stands_for_it
         assert Remark.MIRRORED not in plain.peak(0.1).remarks
     power = derive.mechanism("a_power", [(u + a * u**p, None)], {**given, "p": {"above": 1}})
     assert Remark.MIRRORED not in power(a=0.5, p=2.5, mu=0.01, zeta=0.03).peak(0.1).remarks
+
+
+def test_a_motion_turns_beyond_a_well_only_where_the_spring_pushes_on_the_more_the_farther():
+    """u - 5/2 u^3 + u^5 pulls up to 1/sqrt(2), pushes up to sqrt(2), and the most at u^2 = (15 + sqrt(145))/20."""
+    u, b, c = sp.symbols("u b c")
+    made = derive.mechanism("pushes_between", [(u - b * u**3 + c * u**5, None)], {"b": {"above": 0}, "c": {"above": 0}})
+    A = np.array([0.5, 0.7, 0.72, 1.0, 1.2, 1.4, 1.5])
+    force, slope = A - 2.5 * A**3 + A**5, 1 - 7.5 * A**2 + 5 * A**4
+    found = remarks.turns_beyond(made.record, made(b=2.5, c=1.0, mu=0.0, zeta=0.1).model.parameters, A)
+    assert found.tolist() == ((force < 0) & (slope < 0)).tolist() == [False, False, True, True, False, False, False]
+
+
+def test_a_force_that_drops_at_a_breakpoint_does_not_harden():
+    """f(u)/u rises on either side and falls at the drop: motions about u = 0 may leave it."""
+    u, drop, gap = sp.symbols("u drop gap")
+    numbers = {"drop": {"above": 0}, "gap": {"above": 0}}
+    made = derive.mechanism("drops_at_a_gap", [(u, gap), (u - drop, None)], numbers)
+    one = made(drop=0.05, gap=0.2, mu=0.0, zeta=0.1)
+    assert not one.model.hardens and not one.model.stays_centred
