@@ -40,7 +40,7 @@ EXACT: Any = loaded("slowflow._exact")
 
 
 def record_of(mechanism: Mechanism, inertial: bool = False, laws: bool = False) -> Any:
-    """The compiled record of a mechanism, None where there is none of this very one: its solvers are NumPy's then.
+    """The compiled record of a mechanism, None where there is none of this very one.
 
     inertial -- whether it is excited by inertia
     laws     -- whether it takes other laws of damping: mu, zeta, eta, c_2, and whether friction ends at a breakpoint

@@ -65,8 +65,8 @@ class Oscillator(Unchanging, Averaged):
     load      -- what rests on it beyond what the vertical spring holds at the centre, over k_v L. It takes the motion
         off the centre: what has no answer there, see `off_centre`, raises ValueError
 
-    With eta, c_2 or rubs="attached" onset, detachment and fold locus are answered on NumPy, in some tenths of a second.
-    There are no proofs, no second approximation, and with eta > 0, which is stated at a frequency, no shocks.
+    With eta, c_2 or rubs="attached" there are no proofs and no second approximation, and with eta > 0, which is stated
+    at a frequency, no shocks.
 
     It does not change. Each of these numbers, and each parameter of the force, can be read under its name; `replace`
     makes another oscillator. Raises ValueError for a number outside its domain, TypeError for a name that is missing

@@ -1,7 +1,7 @@
 """The averaged questions about one oscillator: in goes its slow flow as numbers, out come curves, folds, forcings.
 
 Everything is dimensionless, as in (4): displacement in rod lengths, force in k_v L, frequency in sqrt(k_v/m). What runs
-for a question, and what is skipped, `plan` decides; `solvers` has the solvers, compiled or on NumPy.
+for a question, and what is skipped, `plan` decides; `solvers` has the compiled solvers.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""What both paths say beside an averaged answer, or in its place: in go numbers, out come words.
-
-The compiled path and the one on NumPy cannot differ in what is said here.
-"""
+"""What is said beside an averaged answer, or in its place: in go numbers, out come words."""
 
 from __future__ import annotations
 

@@ -2,8 +2,8 @@
 
 The answers are those of `slowflow.averaged.batches`, with the largest displacement as A. A design has the status
 `Status.NONE` where the second approximation has no answer though averaging may have one, as where its harmonics are not
-small, and `Status.INVALID` also where the harmonics of its force are not derived. Designs that are excited by inertia
-are answered one by one, on NumPy; states and curves of all designs one by one, some milliseconds each.
+small, and `Status.INVALID` also where the harmonics of its force are not derived. States
+and curves are answered one by one, some milliseconds each.
 """
 
 from __future__ import annotations

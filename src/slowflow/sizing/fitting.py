@@ -52,7 +52,7 @@ DECADES = (-2.5, -0.3)
 OTHER_START = "a search from the given start ends with a sum of squares of {:.3g}, from another one with {:.3g}"
 OPEN = "the points do not determine {}: an interval has no end within 1/1000 to 1000 times what the search began with"
 LINEAR = (
-    "the intervals are those of the equations made linear: with other laws of damping, and on NumPy, designs take too "
+    "the intervals are those of the equations made linear: with other laws of damping designs take too "
     "long for those of the profile likelihood"
 )
 ABSENT = "the fitted design has no such motion, or jump, at {} of the {} points"
@@ -147,7 +147,7 @@ def fit(
     are too narrow. They know of noise alone, not that averaging is an approximation, which may move a number by a
     percent. They are those of the profile likelihood, with Student's t: of 100 fits each of one to four numbers
     91 to 96 % held the number, on curves that jump 88 to 97 %, see docs/howto/tolerances.md. With other laws of
-    damping, and on NumPy, they are those of the equations made linear. A number that the points do not bound has an
+    damping they are those of the equations made linear. A number that the points do not bound has an
     interval that ends at 0 or inf, and the message names it. It also says where a search from the given start ends in a
     minimum that is not the lowest found; six starts are tried, which does not prove that there is no lower one.
 

@@ -170,7 +170,7 @@ def tolerances(
     shock   -- a half sine of the base: its peak and its duration, in m/s^2 and s of a mount
     spectrum -- a load spectrum, (f, F) of a mount, (Omega, F_0) of an isolator: as many numbers of each
     answers -- which of those that `slowflow.sizing` lists; by default all that forcing, frequency and shock allow
-    samples, seed -- how many designs are tried, by default 10,000, and which. Under a load and on NumPy each takes up
+    samples, seed -- how many designs are tried, by default 10,000, and which. Under a load each takes up
                to tenths of a second: by default there are 100 then, and the ends of bands accordingly rough
 
     Raises ValueError for what is not allowed.
@@ -214,7 +214,7 @@ def sobol(
 ) -> Sobol:
     """Which tolerance matters most: Sobol' indices, from samples times (numbers + 2) designs.
 
-    Arguments as in `tolerances`; `samples` a power of two, by default 1024, under a load and on NumPy 32. Raises
+    Arguments as in `tolerances`; `samples` a power of two, by default 1024, under a load 32. Raises
     ValueError for what is not allowed, ImportError without SALib.
     """
     subject = Subject(of, _within(within))
