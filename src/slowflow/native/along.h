@@ -80,7 +80,7 @@ static inline sf_asked sf_asked_of(sf_question question, const sf_model *model, 
 
 /* Whether I_0 changes with A on the piece that begins at or below A, as by other laws of damping. */
 static inline int sf_has_sloping_rest(const sf_model *model, double A) {
-    return sf_has_laws(model) && (model->eta > 0 || (model->released != 0 && A >= model->b[0]));
+    return sf_has_laws(model) && (model->eta > 0 || (model->released != 0 && model->m > 0 && A >= model->b[0]));
 }
 
 /* h over A at A = 0; where I_0 changes with A, F_A at Omega = 0 */

@@ -16,8 +16,7 @@
 #include "points_work.h"
 
 enum {
-    SF_MOST_BOXES = 20000, /* looked at, after which the search is given up */
-    SF_MOST_OF_LOCUS = 200000, /* the same of cusps and isola points, on a piece that may have no end */
+    SF_MOST_BOXES = 200000, /* looked at, after which the search is given up */
     SF_NEWTON_STEPS = 40,
     SF_NARROWINGS = 2
 };
@@ -679,7 +678,7 @@ static void sf_search_points_up_to(sf_law_search *search, const sf_sample *first
         int other, is_thin;
         sf_interval *u;
         double at;
-        if (found->boxes++ > (sf_is_forced(search) ? SF_MOST_BOXES : SF_MOST_OF_LOCUS) || found->status != SF_OK) {
+        if (found->boxes++ > SF_MOST_BOXES || found->status != SF_OK) {
             found->status = SF_UNRESOLVED;
             return;
         }
