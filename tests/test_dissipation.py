@@ -1020,6 +1020,27 @@ def test_a_peak_within_rounding_of_where_the_force_jumps_is_undecided_and_what_i
     assert [cam.peak(0.03 * (1 + share)).A for share in (-1e-7, 1e-7)] == pytest.approx([0.6, 0.6], rel=1e-6)
 
 
+def test_a_mass_without_a_spring_on_a_shaken_base_follows_it_by_structural_damping():
+    """A^2 Omega^4 + (eta A)^2 = (F_0 Omega^2)^2, which was refused next to Omega = inf."""
+    one, Omega = Duffing(0.0, 0.0, eta=0.05, excitation="base"), np.array([0.1, 0.3, 1.0])
+    assert one.amplitudes(Omega=Omega, F_0=0.5).A == pytest.approx(0.5 * Omega**2 / np.hypot(Omega**2, 0.05), rel=1e-14)
+    assert "tends to 0.5 from below" in one.peak(0.5).message and len(one.saddle_nodes(0.5)) == 0
+    drawn = one.frequency_response(0.5, samples=20)
+    assert drawn.A == pytest.approx(0.5 * drawn.Omega**2 / np.hypot(drawn.Omega**2, 0.05), rel=1e-12)
+
+
+@pytest.mark.filterwarnings("ignore:.*negative stiffness")
+@pytest.mark.parametrize("force", ["truncated", "untruncated"])
+def test_a_shaken_mass_that_quadratic_damping_alone_holds_has_its_states_wherever_friction_of_no_size_ends(force):
+    """Where h = 0 two frequencies come from 0: it was said that two go there."""
+    mount = {"lam": 3.532657672855806, "r": 3.4573848332310257, "delta_h": 0.23163298586429906, "force": force}
+    other, one = (Isolator(**mount, excitation="base", c_2=0.13, rubs=rubs) for rubs in ("throughout", "attached"))
+    Omega = [0.5, 0.9, 0.95, 1.5, 2.8]
+    found, known = (osc.amplitudes(Omega=Omega, F_0=0.15) for osc in (one, other))
+    np.testing.assert_array_equal(found.Omega, known.Omega)
+    np.testing.assert_allclose(found.A, known.A, rtol=1e-13)
+
+
 @pytest.mark.filterwarnings("ignore:.*negative stiffness")
 @pytest.mark.parametrize("excitation", ["base", "unbalance"])
 def test_states_by_inertia_born_next_to_rest_are_all_there(excitation):
