@@ -44,7 +44,7 @@ def check(status: int, model: Model, F_0: float | None = None) -> None:
         if model.inertial and model.free and model.zeta == model.m == model.laws.eta == 0 and F_0 is not None:
             raise NotSettled(words.everywhere(float(dissipation.full_by_inertia(F_0, model.d))))
         # where there is a bound, up to it squares leave the range of doubles
-        if F_0 is not None and backend.SOLVER.amplitude_bound(model.native, F_0)[1] < math.inf:
+        if model.laws.any and F_0 is not None and backend.SOLVER.amplitude_bound(model.native, F_0)[1] < math.inf:
             raise OutOfRange(words.beyond_range(model, F_0))
         raise OutOfRange(words.unbounded(model, F_0))
     if status in (Status.TOO_MANY, Status.UNRESOLVED):
