@@ -6,6 +6,7 @@ import pickle
 import warnings
 from itertools import pairwise
 
+import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
@@ -1098,3 +1099,42 @@ def test_the_fold_locus_holds_points_at_which_the_level_is_stationary_along_the_
     level = [np.hypot(*balances(osc, Omega, A + off)) for off in (-step, 0, step)]
     assert np.allclose(level[1] / (Omega**2 if excitation == "base" else 1), locus.F_0[inside], rtol=1e-9)
     assert np.allclose(level[0], level[2], rtol=0, atol=1e-3 * step)
+
+
+def test_a_fold_next_to_a_corner_has_its_digits_beyond_it():
+    """Its distance to u_cr is 1.2e-9 of it, on which F_A varies: 3 % of that were lost. F = F_A = 0 to 40 digits."""
+    iso = Isolator(
+        **{"lam": 3.7717373236322995, "r": 1.630328335463974, "delta_h": 0.04886540010773157, "mu": 0.0},
+        **{"zeta": 0.0013893927374917711, "eta": 0.006533200587555808, "excitation": "base"},
+    )
+    F_0, (alpha, beta, gamma, u_cr) = 0.3026089574529983, map(mp.mpf, iso.model.parameters)
+
+    def F(beyond, w):
+        A = u_cr + beyond
+        inside = mp.acos(u_cr / A)
+
+        def of(force, low, high):
+            return mp.quad(lambda t: force(A * mp.cos(t)) * mp.cos(t), [low, high])
+
+        h = (
+            -4
+            / mp.pi
+            * (of(lambda u: u, 0, inside) + of(lambda u: u * (alpha + u**2 * (beta + gamma * u**2)), inside, mp.pi / 2))
+        )
+        I = iso.model.laws.eta * A + 2 * iso.zeta * A * w
+        return (A * w**2 + h) ** 2 + I**2 - (F_0 * w**2) ** 2
+
+    found = iso.saddle_nodes(F_0)
+    (k,) = np.flatnonzero(~found.corner)
+    with mp.workdps(40):
+        start = (mp.mpf(found.A[k]) - u_cr) / u_cr * 1e9, mp.mpf(found.Omega[k])
+        exact_fold = mp.findroot(
+            lambda x, w: (F(x * u_cr / 1e9, w) * 1e6, mp.diff(lambda y: F(y * u_cr / 1e9, w), x) * 1e9),
+            start,
+            tol=1e-20,
+            verify=False,
+        )
+        beyond, Omega = exact_fold[0] * u_cr / 1e9, exact_fold[1]
+    # a rounding of A is 1.5e-7 of what is beyond u_cr
+    assert found.A[k] - iso.u_cr == pytest.approx(float(beyond), rel=3e-7)
+    assert found.Omega[k] == pytest.approx(float(Omega), rel=1e-14)

@@ -419,7 +419,7 @@ static int sf_approach_point(const sf_law_search *search, sf_law_point *point, d
     int i;
     for (i = 0; i < SF_NEWTON_STEPS; i++) {
         sf_sample at;
-        double determinant, by_A, by_u, off;
+        double determinant, by_A, by_u, off, beyond;
         sf_sample_at(search->model, point->A, &at);
         sf_functions_at(search, &at, point, f);
         determinant = f[2] * f[5] - f[3] * f[4];
@@ -427,8 +427,9 @@ static int sf_approach_point(const sf_law_search *search, sf_law_point *point, d
         off = fmax(fabs(by_A) / point->A, fabs(by_u) / (fabs(point->u) + fabs(at.h) * SF_DOUBT));
         if (!(off < HUGE_VAL))
             return 0;
-        /* as far as roundings let it come */
-        if (off <= 0x1p-52 || (off <= 0x1p-30 && off >= 0.5 * last))
+        /* as far as roundings let it come; next to a breakpoint functions vary on the scale of what is beyond it */
+        beyond = fmax(point->A - search->base, 0x1p-22 * point->A);
+        if (off <= 0x1p-52 || (off <= 0x1p-30 && off >= 0.5 * last && fabs(by_A) <= 0x1p-30 * beyond))
             return 1;
         last = off;
         point->A -= by_A, point->u -= by_u;
