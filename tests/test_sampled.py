@@ -18,7 +18,7 @@ from slowflow import backend, derive
 from slowflow.intervals import Elementary
 from slowflow.validate import NotAvailable
 from slowflow_support.errors import NotSettled
-from tests.native.records import Interval, doubles, opened
+from tests.native.records import bent
 
 CASES = json.loads((Path(__file__).parent / "data" / "stated.json").read_text())
 DAMPING = {"mu": 0.01, "zeta": 0.03}
@@ -132,19 +132,17 @@ def test_an_interval_of_amplitudes_encloses_the_average_and_what_bends_it():
     for name, numbers in (("soft_stop", {"c": 3.0, "k": 6.0, "gap": 0.2}), ("wave", {"k": 0.2, "c": 3.0})):
         model = mechanism(name)(**numbers, **DAMPING).model
         samples = model.mechanism.samples(*model.parameters)
-        capsule = backend.SOLVER.samples(name, *samples, False, False)
-        record, p, found = opened(capsule), doubles(model.parameters), (Interval * 2)()
+        record = backend.SOLVER.samples(name, *samples, False, False)
         edges = [1e-3, 0.1, 0.2, 0.3, 0.31, 0.8, 1.5, 3.0]
         for low, high in pairwise(edges):
-            record.ask("bent", Interval(low, high), p, found)
+            of_h, bend = bent(record, model, low, high)
             inside = np.linspace(low, high, 14)[1:-1]
             h, _, _, h_AAA = model.averaged(inside)
-            assert np.all((found[0].lo <= h) & (h <= found[0].hi))
+            assert np.all((of_h[0] <= h) & (h <= of_h[1]))
             slopes = np.diff(h_AAA) / np.diff(inside)
             doubt = 1e-8 * np.abs(slopes).max()
-            assert np.all((found[1].lo <= slopes + doubt) & (slopes - doubt <= found[1].hi))
-        record.ask("bent", Interval(3.0, 3.2), p, found)
-        assert not np.isfinite([found[0].lo, found[0].hi]).any()  # beyond the reach
+            assert np.all((bend[0] <= slopes + doubt) & (slopes - doubt <= bend[1]))
+        assert not np.isfinite(bent(record, model, 3.0, 3.2)[0]).any()  # beyond the reach
 
 
 def test_a_piece_is_within_its_bounds():

@@ -112,18 +112,16 @@ class Laws:
 NO_LAWS = Laws()
 
 
-def at_rest(A: Any, m: Any, eta: Any, u_cr: Any = None, beyond: Any = None) -> tuple[Floats, Floats, Floats, Floats]:
+def at_rest(A: Any, m: Any, eta: Any, u_cr: Any = None) -> tuple[Floats, Floats, Floats, Floats]:
     """The part of I (23) that knows no frequency, and three derivatives by A; shapes that broadcast.
 
-    u_cr   -- where dry friction ends, None where it acts throughout
-    beyond -- whether amplitudes are taken as beyond u_cr; by default where they are
+    u_cr -- where dry friction ends, None where it acts throughout
     """
     within: tuple[Floats, ...] = dissipation.at_rest(A, m, eta)
     if u_cr is None:
         return within  # type: ignore[return-value]
-    passed = np.asarray(A) > u_cr if beyond is None else beyond
     released = dissipation.released(np.maximum(A, u_cr), m, eta, u_cr)
-    return tuple(np.where(passed, two, one) for one, two in zip(within, released, strict=True))  # type: ignore[return-value]
+    return tuple(np.where(np.asarray(A) > u_cr, two, one) for one, two in zip(within, released, strict=True))  # type: ignore[return-value]
 
 
 def held(m: Any, preload: Any) -> Floats:
@@ -331,10 +329,10 @@ class Model:
         """8 c_2/(3 pi), the factor of A^2 Omega^2 in I."""
         return float(dissipation.quadratic(self.laws.c_2))
 
-    def at_rest(self, A: Any, beyond: Any = None) -> tuple[Floats, Floats, Floats, Floats]:
+    def at_rest(self, A: Any) -> tuple[Floats, Floats, Floats, Floats]:
         """See `at_rest`; friction ends at the first breakpoint."""
         u_cr = None if self.laws.rubs == THROUGHOUT else self.breakpoints[0]
-        return at_rest(A, self.m, self.laws.eta, u_cr, beyond)
+        return at_rest(A, self.m, self.laws.eta, u_cr)
 
     def sine(self, Omega: Any, A: Any) -> Floats:
         """I, the sine balance (23), -F_0 sin phi at a steady state; shapes that broadcast."""
@@ -351,19 +349,16 @@ class Model:
         """The kernels of the response's slopes, by what dissipates; they take what `_damping` gives."""
         return dissipation if self.laws.any else self.flow
 
-    def _damping(self, A: Any, orders: int, beyond: Any = None) -> tuple[Any, ...]:
+    def _damping(self, A: Any, orders: int) -> tuple[Any, ...]:
         """What kernels of `curve` take between A and h: m, zeta, or derivatives of I_0 below `orders`, zeta, d."""
         if not self.laws.any:
             return self.m, self.zeta
-        return *self.at_rest(A, beyond)[:orders], self.zeta, self.d
+        return *self.at_rest(A)[:orders], self.zeta, self.d
 
-    def F_A(self, Omega: Any, A: Any, beyond: Any = None) -> Floats:
-        """dF/dA (24), positive where a steady state is stable (30), at (Omega, A), shapes that broadcast.
-
-        beyond -- as in `at_rest`
-        """
+    def F_A(self, Omega: Any, A: Any) -> Floats:
+        """dF/dA (24), positive where a steady state is stable (30), at (Omega, A), shapes that broadcast."""
         h, h_A, _, _ = self.averaged(A)
-        return np.asarray(self.curve.F_A(Omega, A, *self._damping(A, 2, beyond), h, h_A))
+        return np.asarray(self.curve.F_A(Omega, A, *self._damping(A, 2), h, h_A))
 
     def stability(self, Omega: Any, A: Any) -> Floats:
         """The left side of (30), likewise."""

@@ -27,13 +27,13 @@ LIBRARY = "intervals.so"
 
 def build(directory: Path) -> None:
     """The shared library, for one worker of a test run or several."""
+    _compiled([str(HERE / "intervals_driver.c")], directory / LIBRARY)
+
+
+def _compiled(sources: Sequence[str], library: Path) -> None:
     # arithmetic is strict: -O1 gives the same digits as -O3, which takes twice the time
-    command = ["gcc", "-std=c11", *FLAGS, "-O1", *INCLUDES, "-shared", "-fPIC"]
-    done = subprocess.run(
-        [*command, str(HERE / "intervals_driver.c"), "-o", str(directory / LIBRARY), "-lm"],
-        capture_output=True,
-        text=True,
-    )
+    command = ["gcc", "-std=c11", *FLAGS, "-O1", *INCLUDES, "-shared", "-fPIC", *sources, "-o", str(library), "-lm"]
+    done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode:
         raise RuntimeError(done.stderr)
 
@@ -70,39 +70,34 @@ def _pointer(array: np.ndarray) -> Any:
     return array.ctypes.data_as(ctypes.c_void_p)
 
 
-#: generated functions on intervals: the module, its name, arguments, whether it fills an array of outputs
+#: generated functions on intervals: what they return, the module, their names, arguments
 PROTOTYPE = re.compile(r"^static inline (sf_interval|void) (\w+_intervals)_(\w+)\(([^)]*)\)$", re.MULTILINE)
 MOST_OUTPUTS = 24
 
 
-def prototypes(modules: Sequence[str]) -> dict[tuple[str, str], list[str]]:
-    """Names of arguments by module and function, of those that take intervals alone."""
+def prototypes(modules: Sequence[str]) -> dict[tuple[str, str], tuple[int, bool]]:
+    """By module and function, of those that take intervals alone: how many, and whether an array takes the outputs."""
     found = {}
     for module in modules:
         text = (ROOT / "generated" / "native" / f"{module}.h").read_text(encoding="utf-8")
-        for _, prefix, name, arguments in PROTOTYPE.findall(text):
+        for returned, prefix, name, arguments in PROTOTYPE.findall(text):
             declared = [one.split() for one in arguments.split(", ")]
-            inputs = [names[-1] for names in declared if names[-1] != "*out"]
-            if prefix == module and all(names[0] == "sf_interval" for names in declared):
-                found[module, name] = inputs
+            if prefix == module and all(kind == "sf_interval" for kind, _ in declared):
+                fills = returned == "void"
+                found[module, name] = len(declared) - fills, fills
     return found
 
 
 def build_generated(directory: Path, modules: Sequence[str]) -> None:
     """The shared library of all generated functions on intervals of these modules."""
     lines = [f'#include "{header}"' for header in ("interval.h", *(f"{module}.h" for module in modules))]
-    for (module, name), inputs in prototypes(modules).items():
-        call = f"{module}_{name}({', '.join(f'in[{k}]' for k in range(len(inputs)))}"
-        text = (ROOT / "generated" / "native" / f"{module}.h").read_text(encoding="utf-8")
-        fills = f"static inline void {module}_{name}(" in text
+    for (module, name), (count, fills) in prototypes(modules).items():
+        call = f"{module}_{name}({', '.join(f'in[{k}]' for k in range(count))}"
         body = f"{call}, out);" if fills else f"out[0] = {call});"
         lines.append(f"void called_{module}_{name}(const sf_interval *in, sf_interval *out) {{ {body} }}")
     source = directory / "generated_intervals.c"
     source.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    command = ["gcc", "-std=c11", *FLAGS, "-O1", *INCLUDES, "-shared", "-fPIC", str(source), "-lm"]
-    done = subprocess.run([*command, "-o", str(directory / "generated_intervals.so")], capture_output=True, text=True)
-    if done.returncode:
-        raise RuntimeError(done.stderr)
+    _compiled([str(source)], directory / "generated_intervals.so")
 
 
 def generated(directory: Path) -> Any:

@@ -123,7 +123,7 @@ def curves(samples: int, window: tuple[float, float] | None = None) -> Question:
         return of_record
 
     at_once = min(2**12, max(1, 2**22 // n))
-    return Question(one, outputs("frequency_response", points=n), batch, at_once, by_laws=True)
+    return Question(one, outputs("frequency_response", points=n), batch, at_once)
 
 
 def outputs(question: str, system: str = AVERAGING, points: int = 0) -> Callable[[int], list[tuple[Any, ...]]]:
@@ -150,14 +150,12 @@ class Question:
     batch   -- from the compiled solvers what gives the generalised ufunc of a record; None where designs are asked
                one by one
     at_once -- designs that take no more than some tenths of a second: until then Ctrl-C is not heard
-    by_laws -- whether they answer it of other laws of damping too
     """
 
     one: One | None
     outputs: Callable[[int], list[tuple[tuple[int, ...], type]]]
     batch: Callable[[ModuleType], Callable[[Any], Callable[..., Any]]] | None
     at_once: int
-    by_laws: bool = False
 
 
 DETACHMENT = Question(
@@ -165,35 +163,30 @@ DETACHMENT = Question(
     outputs("detachment"),
     lambda native: native.many_detachment,
     2**18,
-    by_laws=True,
 )
 ONSET = Question(
     _onset,
     outputs("saddle_node_onset"),
     lambda native: native.many_onset,
     2**14,
-    by_laws=True,
 )
 SADDLE_NODES = Question(
     _saddle_nodes,
     outputs("saddle_nodes"),
     lambda native: native.many_saddle_nodes,
     2**12,
-    by_laws=True,
 )
 AMPLITUDES = Question(
     _amplitudes,
     outputs("amplitudes"),
     lambda native: native.many_amplitudes,
     2**11,
-    by_laws=True,
 )
 PEAK = Question(
     _peak,
     outputs("peak"),
     lambda native: native.many_peak,
     2**13,
-    by_laws=True,
 )
 PROVED_FOLDS = Question(
     None,

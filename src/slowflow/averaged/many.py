@@ -382,9 +382,7 @@ class Designs(Unchanging, ManyQuestions[Batch]):
         if question.one is None:  # a proof: bits of its arithmetic, before the status
             outputs[-2][...] = DOUBLES
             told = [*outputs[:-2], outputs[-1]]
-        record = None
-        if question.by_laws or not self.laws:
-            record = backend.record_of(self.mechanism, self.excitation != "force", bool(self.laws))
+        record = backend.record_of(self.mechanism, self.excitation != "force", bool(self.laws))
         if question.batch is not None and record is not None:
             solve = question.batch(backend.SOLVER)(record)
             numbers = self._with_all_laws(values) if self.laws else list(values.values())

@@ -27,9 +27,8 @@ static void sf_ask_all(const sf_model *model, sf_question question, double F_0, 
 static void sf_ask_boxes(const sf_model *model, sf_question question, const sf_stretch *piece, sf_law_search *search,
                          sf_zeros *found) {
     const sf_law_system system = question == SF_CUSP ? SF_LAW_CUSPS : question == SF_ISOLA ? SF_LAW_ISOLAS : SF_LAW_TURNS;
-    int i, number = 0;
-    while (number < model->breaks && model->b[number] <= piece->first.A)
-        number++;
+    const int number = sf_piece_from(model, piece->first.A);
+    int i;
     sf_begin_search(model, system, HUGE_VAL, search);
     sf_begin_piece(search, number);
     sf_search_points(search, &piece->first, &piece->last);

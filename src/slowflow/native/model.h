@@ -75,6 +75,14 @@ static inline unsigned sf_jumps_of(const sf_mechanism *mechanism, const double *
     return in_doubt;
 }
 
+/* Number of the piece that begins at an amplitude, or holds it. */
+static inline int sf_piece_from(const sf_model *model, double A) {
+    int number = 0;
+    while (number < model->breaks && model->b[number] <= A)
+        number++;
+    return number;
+}
+
 /* An amplitude that stands for 0 where kernels take 0 for a part of a piece that ends there. */
 #define SF_NEXT_TO_REST 0x1p-100
 

@@ -122,9 +122,8 @@ static void sf_consider_end_by_laws(const sf_model *model, double A, sf_onset *b
 static sf_status sf_consider_piece_by_laws(const sf_model *model, const sf_stretch *piece, sf_work *work, sf_onset *best) {
     sf_stretch left = *piece;
     sf_status status;
-    int i, number = 0, is_known;
-    while (number < model->breaks && model->b[number] <= piece->first.A)
-        number++;
+    const int number = sf_piece_from(model, piece->first.A);
+    int i, is_known;
     status = sf_leave_play(model, number, &left);
     if (status != SF_OK)
         return status;
