@@ -259,6 +259,11 @@ CONVENTIONS = (
             Number("FINE_RUNGS", 12, "bounds that are tried on an amplitude, each twice the last"),
             Number("RUNGS", 100, "and in all, in steps that double too"),
             Number("COARSEST", sp.Integer(10**4), "until they exceed this"),
+            Number(
+                "NEAR_ENDLESS",
+                sp.Integer(2**20),
+                "multiple of the last breakpoint from which on a force that levels off does not rise any more",
+            ),
             Number("ENDLESS", sp.Integer(2**60), "stands for an infinite amplitude, and an infinite multiple of one"),
             Number("DOUBT", sp.Rational(1, 2**48), "relative error that is taken for granted in a kernel's value"),
             Number("CANCELLED", sp.Rational(1, 4), "share of its first term below which a sum of two has lost digits"),

@@ -81,6 +81,8 @@ typedef enum {
 #define SF_RUNGS 100
 /* until they exceed this */
 #define SF_COARSEST 10000.0
+/* multiple of the last breakpoint from which on a force that levels off does not rise any more */
+#define SF_NEAR_ENDLESS 1048576.0
 /* stands for an infinite amplitude, and an infinite multiple of one */
 #define SF_ENDLESS 1.152921504606847e+18
 /* relative error that is taken for granted in a kernel's value */

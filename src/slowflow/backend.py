@@ -129,7 +129,6 @@ def compiled_model(
 ) -> Any:
     """One oscillator as the compiled solvers take it, None where they have no record of its mechanism, or refuse it."""
     laws = len(damping) > 2
-    check_room(mechanism)
     if mechanism.samples is not None:
         record = SOLVER.samples(mechanism.name, *mechanism.samples(*parameters), inertial, laws)
     elif mechanism.odd and not mechanism.is_generated:
@@ -137,11 +136,15 @@ def compiled_model(
         derived = stated is not None and mechanism.enclosed == stated.enclosed
         if mechanism.enclosed is not None and not derived:
             raise Refused(ENCLOSED.format(mechanism.name))
+        check_room(mechanism)
         bounds = None if mechanism.enclosed is None or stated is None else record_of(stated)
         record = callbacks.record(SOLVER, mechanism, inertial, laws, bounds)
     else:
         record = record_of(mechanism, inertial, laws)
-    return None if record is None else SOLVER.model(record, parameters, damping, design)
+    if record is None:
+        check_room(mechanism)
+        return None
+    return SOLVER.model(record, parameters, damping, design)
 
 
 def prepared(native: Any) -> tuple[float, tuple[float, ...], tuple[float, ...]]:

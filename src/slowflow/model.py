@@ -21,7 +21,7 @@ from slowflow.mechanism import Floats, Mechanism, Parameter, check_at_rest
 from slowflow.text import Sentence, text, told
 from slowflow_kernels import dissipation, inertia
 from slowflow_kernels import slow_flow as general_flow
-from slowflow_kernels.conventions import ENDLESS, LARGEST
+from slowflow_kernels.conventions import ENDLESS, LARGEST, NEAR_ENDLESS
 from slowflow_kernels.domains import DAMPING, DISSIPATION, RUBS
 from slowflow_kernels.scenes import flow_of
 from slowflow_support.errors import Refused, WrongType
@@ -65,8 +65,6 @@ def check_names(mechanism: Mechanism, values: Mapping[str, Any], beside: tuple[P
 
 #: where dry friction acts unless it is said
 THROUGHOUT = next(iter(RUBS))
-#: multiple of the last breakpoint from which on a force that levels off does not rise any more
-NEAR_ENDLESS = 2.0**20
 
 
 @dataclass(frozen=True)

@@ -174,9 +174,6 @@ static sf_status sf_amplitude_bound(const sf_model *model, double F_0, double *A
     return sf_inertial(model) ? SF_UNBOUNDED : SF_NO_BOUND;
 }
 
-/* multiple of the last breakpoint from which on a force that levels off does not rise any more */
-#define SF_NEAR_ENDLESS 0x1p20
-
 /* The averaged force of a mass that no spring holds is proportional to A, and 0. */
 static int sf_is_free(const sf_model *model) {
     sf_sample at;
