@@ -447,6 +447,29 @@ def test_a_response_turns_at_the_corner_that_a_jump_makes_as_the_balance_does():
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize(
+    ("numbers", "F_0"),
+    [
+        ((2.744, 3.541, 0.007266, 0.01044, 0.04059, 0.08436), 0.05886),
+        ((1.440, 1.452, 0.007009, 0.01246, 0.05942, 0.006675), 0.03905),
+        ((1.100, 3.499, 0.009474, 0.009012, 0.05908, 0.001816), 0.09667),
+    ],
+)
+def test_a_response_goes_through_the_kink_of_a_force_that_jumps_by_little(numbers, F_0):
+    """Its two folds are 1e-12 to 1e-9 apart; between other frequencies it has as many points as there are states."""
+    lam, r, delta_h, mu, zeta, load = numbers
+    one = Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta, load=load)
+    folds, found = one.saddle_nodes(F_0=F_0), one.frequency_response(F_0=F_0)
+    near = np.diff(folds.Omega) < 1e-8 * folds.Omega[:-1]
+    assert near.any()
+    for Omega, A in zip(folds.Omega, folds.A, strict=True):
+        assert ((found.Omega == Omega) & (found.A == A)).any()
+    same = np.diff(found.branch) == 0
+    for Omega in (0.5, 0.9, *(folds.Omega[:-1] + np.diff(folds.Omega) / 2)[~near], 1.5, 2.0):
+        crossed = (found.Omega[:-1] < Omega) != (found.Omega[1:] < Omega)
+        assert int((crossed & same).sum()) == len(one.amplitudes(Omega=float(Omega), F_0=F_0))
+
+
 def test_two_wells_have_their_responses_beside_that_about_the_centre():
     well = Duffing(-0.5, 1.0, 0.0, 0.05)
     found, centred = (of.frequency_response(0.05, Omega=(0.1, 1.8)) for of in (well.off_centre, well))

@@ -30,6 +30,9 @@ FIRST, CUTS = 6, 12
 PASSES = 24
 #: folds nearer to one another than this, relatively, are taken for one frequency, as those of mirrored motions are
 TOGETHER = 1e-12
+#: folds of one curve so near, in Omega, A and B beside its amplitude, are a kink: a force that jumps by little turns it
+#: there and back, and no frequency between them is asked for, as doubles may not tell the states apart there
+KINK = 1e-7
 #: what nearer by far is, and what near is beside the largest amplitude
 BY_FAR, NEAR = 0.1, 0.02
 #: how much nearer to a fold what meets in it is than what does not
@@ -130,7 +133,7 @@ class _Skeleton:
 
     def build(self, low: float, high: float) -> None:
         """Links all states between two frequencies."""
-        groups = _groups(self.folds[0])
+        groups = _groups(self.folds)
         ends = [low, *(float(self.folds[0, group].mean()) for group in groups), high]
         parts: list[_Part] = []
         last = None
@@ -185,9 +188,12 @@ class _Skeleton:
     def _link(self, part: _Part) -> bool:
         """Links what is on one arc, if that is told of all states on both sides."""
         a, b = self.x[part.a], self.x[part.b]
-        if abs(a.shape[1] - b.shape[1]) != 2 * len(part.folds):
+        is_kink = self._is_kink(part.folds)
+        if abs(a.shape[1] - b.shape[1]) != (0 if is_kink else 2 * len(part.folds)):
             return False
         pairs = self._pairs(part, a, b)
+        if is_kink:
+            return self._link_kink(part, pairs)
         if len(pairs) < min(a.shape[1], b.shape[1]):
             return False
         more, at = (0, part.a) if a.shape[1] > b.shape[1] else (1, part.b)
@@ -205,6 +211,30 @@ class _Skeleton:
         for i, j in pairs:
             self._join(Node(part.a, i), Node(part.b, j))
         return True
+
+    def _is_kink(self, folds: tuple[int, ...]) -> bool:
+        """Whether these are the two of a kink, and no mirrored ones."""
+        return len(folds) == 2 and _is_near(*self.folds[:, folds].T, KINK)
+
+    def _link_kink(self, part: _Part, pairs: list[tuple[int, int]]) -> bool:
+        """Links the state that comes to a kink on either side through its folds, and all others as they are paired."""
+        ends = [self._nearest(self.x[at], part.folds[0]) for at in (part.a, part.b)]
+        others = [pair for pair in pairs if pair[0] != ends[0] and pair[1] != ends[1]]
+        if None in ends or len(others) != self.x[part.a].shape[1] - 1:
+            return False
+        # between the folds there are two states more: a curve goes to the second, back to the first, and on
+        first, second = (Node(-1, fold) for fold in part.folds)
+        way = [Node(part.a, ends[0]), second, first, Node(part.b, ends[1])]
+        for one, two in (*pairwise(way), *((Node(part.a, i), Node(part.b, j)) for i, j in others)):
+            self._join(one, two)
+        return True
+
+    def _nearest(self, x: Floats, fold: int) -> Any:
+        """The state that is nearer to a fold than all others, None where another one is near too."""
+        apart = np.abs(x - self.folds[1:, fold, np.newaxis]).max(axis=0)
+        order = np.argsort(apart)
+        told = apart.size == 1 or (apart.size > 1 and apart[order[0]] < MEET * apart[order[1]])
+        return int(order[0]) if told else None
 
     def _meeting(self, x: Floats, fold: int) -> list[int]:
         """The two states that meet in a fold: those that are nearer than all others; none where these are near too."""
@@ -269,15 +299,23 @@ class _Skeleton:
         return self.Omega[node.at], A, B
 
 
-def _groups(Omega: Floats) -> list[list[int]]:
-    """Numbers of folds by rising frequency, those of one frequency together."""
+def _groups(folds: Floats) -> list[list[int]]:
+    """Numbers of folds by rising frequency: those of one frequency together, and the two of a kink."""
     found: list[list[int]] = []
-    for k in np.argsort(Omega, kind="stable").tolist():
-        if found and Omega[k] - Omega[found[-1][0]] <= TOGETHER * Omega[k]:
+    for k in np.argsort(folds[0], kind="stable").tolist():
+        last = folds[:, found[-1][0]] if found else None
+        if last is not None and folds[0, k] - last[0] <= TOGETHER * folds[0, k]:
+            found[-1].append(k)
+        elif last is not None and len(found[-1]) == 1 and _is_near(folds[:, k], last, KINK):
             found[-1].append(k)
         else:
             found.append([k])
     return found
+
+
+def _is_near(one: Floats, other: Floats, share: float) -> bool:
+    """Whether two folds are near beside Omega, and beside A."""
+    return bool((np.abs(one - other) <= share * one[[0, 1, 1]]).all())
 
 
 def _first(low: float, high: float, after_fold: bool, before_fold: bool) -> list[float]:
