@@ -214,7 +214,7 @@ class _Skeleton:
 
     def _is_kink(self, folds: tuple[int, ...]) -> bool:
         """Whether these are the two of a kink, and no mirrored ones."""
-        return len(folds) == 2 and _is_near(*self.folds[:, folds].T, KINK)
+        return len(folds) == 2 and _is_near(self.folds[:, folds[0]], self.folds[:, folds[1]], KINK)
 
     def _link_kink(self, part: _Part, pairs: list[tuple[int, int]]) -> bool:
         """Links the state that comes to a kink on either side through its folds, and all others as they are paired."""
