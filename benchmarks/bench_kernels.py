@@ -21,8 +21,8 @@ import numpy as np
 import sympy as sp
 
 from derivations.mechanisms import all_mechanisms
-from derivations.oscillator import oscillator
-from derivations.restoring import FAR, restoring
+from derivations.paper.equation_of_motion import oscillator
+from derivations.paper.restoring_force import FAR, restoring
 from derivations.symbols import A
 from slowflow.example import DESIGN
 from tests import backends

@@ -1,12 +1,12 @@
 """The pipeline: `python -m derivations [--out DIR] [--check] [--from DIR]`.
 
     1. derive   mechanisms/*.py                  -> Results: exact expressions           (derivations.results)
-    2. choose   Results                          -> Modules of Kernels                   (derivations.emit.catalogue)
-    3. passes   a kernel's lets and outputs      -> straight-line Programs               (derivations.emit.passes)
-    4. print    Programs                         -> NumPy and C source, loops in C       (derivations.emit.targets)
+    2. choose   Results                          -> Modules of Kernels                   (derivations.codegen.catalogue)
+    3. passes   a kernel's lets and outputs      -> straight-line Programs               (derivations.codegen.passes)
+    4. print    Programs                         -> NumPy and C source, loops in C       (derivations.codegen.targets)
     5. judge    Results, published.py            -> LEDGER.md, ledger.json               (derivations.ledger)
-    6. record   Results, sources                 -> MANIFEST.json                        (derivations.emit.write)
-    7. write    file name -> text                -> files in DIR; stale files go         (derivations.emit.write)
+    6. record   Results, sources                 -> MANIFEST.json                        (derivations.codegen.write)
+    7. write    file name -> text                -> files in DIR; stale files go         (derivations.codegen.write)
 
 With --check, two fresh processes under different hash seeds do 1 to 7 in a temporary folder; both must equal DIR, first
 in their set of files, then in every byte.
@@ -22,7 +22,7 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .emit.write import MANIFEST, differences, manifest, on_disk, write
+from .codegen.write import MANIFEST, differences, manifest, on_disk, write
 
 if TYPE_CHECKING:
     from .results import Results
@@ -35,8 +35,8 @@ def generate(results: Results | None = None) -> dict[str, str]:
     """Stages 1 to 6: every generated file, by name. Results that are there already are not derived once more."""
     # here, not above: who only writes or compares files does without SymPy, whose import takes longer
     from . import ledger
-    from .emit.catalogue.every_module import all_modules
-    from .emit.targets.render import render
+    from .codegen.catalogue.every_module import all_modules
+    from .codegen.targets.render import render
     from .results import derive
 
     results = results or derive()

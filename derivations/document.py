@@ -3,7 +3,7 @@
 In:  a `Mechanism`, and its steps of the derivation, or its `Quadrature`.
 Out: Markdown with LaTeX: equation of motion, force, parameters, slow flow, the average in each regime, response, folds.
 
-What stands here is what `emit/` prints for programs, before its passes: the expressions are the same objects.
+What stands here is what `codegen/` prints for programs, before its passes: the expressions are the same objects.
 """
 
 from __future__ import annotations
@@ -13,18 +13,18 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import sympy as sp
 
-from . import resultants
-from .averaging import Averaged
-from .emit.prose import in_markdown
+from .asymmetric.sided import Sided
+from .codegen.prose import in_markdown
+from .forces.of_mechanism import OfMechanism
+from .forces.quadrature import Quadrature, sums
 from .given import in_decimals, in_text
 from .mechanisms import DAMPING, FORCING, Mechanism, Parameter
-from .of_mechanism import OfMechanism
-from .quadrature import Quadrature, sums
-from .restoring import ORDERS, Regime
-from .resultants import Elimination
-from .sided import Sided
-from .slow_flow import SlowFlow
-from .slow_flow import m as friction
+from .paper import critical_forcings
+from .paper.averaging import Averaged
+from .paper.critical_forcings import Elimination
+from .paper.restoring_force import ORDERS, Regime
+from .paper.slow_flow import SlowFlow
+from .paper.slow_flow import m as friction
 from .symbols import A, Omega, sigma, u
 
 #: a number with a decimal point, and what is said where there is one
@@ -307,14 +307,14 @@ def eliminated(derived: OfMechanism, flow: SlowFlow) -> Iterator[str]:
         yield "Roots are candidates: elimination adds some, so each is tried in the equations that it came from."
         yield "Folds at a forcing, $F = F_A = 0$:"
         yield ""
-        yield from polynomial(resultants.saddle_nodes(flow, whole), "a")
+        yield from polynomial(critical_forcings.saddle_nodes(flow, whole), "a")
         yield "Where two folds are born, $F_A = F_{AA} = 0$, and the lowest forcing that has any may be:"
         yield ""
-        yield from polynomial(resultants.saddle_node_onset(flow, whole), "b", number="33")
+        yield from polynomial(critical_forcings.saddle_node_onset(flow, whole), "b", number="33")
     if whole.breakpoints:
         yield f"The lowest forcing that reaches $A = {latex(whole.breakpoints[0])}$, where $F = F_\\Omega = 0$:"
         yield ""
-        yield from polynomial(resultants.detachment(flow), "d", number="34")
+        yield from polynomial(critical_forcings.detachment(flow), "d", number="34")
 
 
 def polynomial(found: Elimination, letter: str, number: str = "") -> Iterator[str]:

@@ -1,7 +1,7 @@
 """A mechanism that is stated in a running program: from pieces of a force to the sources of its kernels and its record.
 
 In:  a name, the pieces of u + F_k(u) as SymPy expressions, the parameters.
-Out: `stated`, the `Mechanism` that a file of `mechanisms/` would hold; `sources`, what `emit/` prints for it alone: a
+Out: `stated`, the `Mechanism` that a file of `mechanisms/` would hold; `sources`, what `codegen/` prints for it: a
      Python module, and C headers with a record that the compiled solvers take; `told`, its derivation as a document;
      `written`, both as files.
 
@@ -27,25 +27,25 @@ import sympy as sp
 from slowflow_support.errors import NotSettled, Refused
 
 from . import given as given_by
-from .averaging import averaged
-from .emit.catalogue.bent import with_bends
-from .emit.catalogue.mechanism import mechanism_module, with_proofs
-from .emit.catalogue.quadrature import quadrature_module
-from .emit.catalogue.sided import sided_module
-from .emit.form import Module
-from .emit.measured import LIVE
-from .emit.provenance import tools, versions
-from .emit.targets import numpy, program
-from .emit.views import programs
-from .emit.write import MANIFEST, write
+from .asymmetric.sided import Sided
+from .asymmetric.sided import check as check_sided
+from .codegen.catalogue.bent import with_bends
+from .codegen.catalogue.mechanism import mechanism_module, with_proofs
+from .codegen.catalogue.quadrature import quadrature_module
+from .codegen.catalogue.sided import sided_module
+from .codegen.form import Module
+from .codegen.measured import LIVE
+from .codegen.provenance import tools, versions
+from .codegen.targets import numpy, program
+from .codegen.views import programs
+from .codegen.write import MANIFEST, write
+from .forces.monotone import not_shown, smooth_end
+from .forces.of_mechanism import OfMechanism, of_mechanism
+from .forces.quadrature import FUNCTIONS, Quadrature, singular_at, v
 from .mechanisms import DAMPING, DISSIPATION, FORCING, UNIT, Mechanism, Parameter, Piece
-from .monotone import not_shown, smooth_end
-from .of_mechanism import OfMechanism, of_mechanism
-from .oscillator import oscillator, without_poles_that_cancel
-from .quadrature import FUNCTIONS, Quadrature, singular_at, v
-from .sided import Sided
-from .sided import check as check_sided
-from .slow_flow import slow_flow
+from .paper.averaging import averaged
+from .paper.equation_of_motion import oscillator, without_poles_that_cancel
+from .paper.slow_flow import slow_flow
 from .symbols import u
 from .vanishing import reduced, vanishes
 
@@ -98,7 +98,7 @@ class Sources:
 
         One source defines `slowflow_record`, the last `slowflow_laws`, the pieces of the force as Taylor recurrences.
         """
-        from .emit.targets import c, interval, pair  # here, not above: NumPy answers without
+        from .codegen.targets import c, interval, pair  # here, not above: NumPy answers without
 
         motion = {f"{self.module.name}_motion.c": c.motion(self.module)}
         if not self.odd:
@@ -111,7 +111,7 @@ class Sources:
     @property
     def exported(self) -> dict[str, str]:
         """A source that gives each of its C functions a symbol, and the list of them; none where no header is in C."""
-        from .emit.targets import c  # here, not above: NumPy answers without
+        from .codegen.targets import c  # here, not above: NumPy answers without
 
         header = f"{self.module.name}.h"
         return c.exported({header: self.compiled[header]}) if self.odd else {}

@@ -1,7 +1,7 @@
 """All steps of the derivation, run once for every mechanism and scene.
 
 In:  the mechanisms.
-Out: `Results`, what `emit/` prints and `ledger/` judges.
+Out: `Results`, what `codegen/` prints and `ledger/` judges.
 """
 
 from __future__ import annotations
@@ -9,27 +9,27 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from . import resultants
-from .along import Along, along
-from .averaging import Averaged, averaged
-from .bounds import Bounds, bounds
-from .den_hartog import DenHartog, den_hartog
-from .dissipation import Dissipation, dissipation
-from .frequencies import Frequencies, frequencies
-from .gradients import Gradients, gradients
-from .inertia import Inertia, inertia
+from .asymmetric.off_centre import Climb, OffCentre, climb, off_centre
+from .extensions.dissipation import Dissipation, dissipation
+from .extensions.inertia import Inertia, inertia
+from .extensions.motion import Motion, Smoothed, motion, smoothed
+from .extensions.second_approximation import SecondApproximation, second_approximation
+from .extensions.switching import Switching, switching
+from .extensions.wave import Wave, wave
+from .forces.of_mechanism import OfMechanism, of_mechanism
+from .forces.sampled import Sampled, sampled
 from .mechanisms import Mechanism, all_mechanisms
-from .motion import Motion, Smoothed, motion, smoothed
-from .newton import Step, steps
-from .of_mechanism import OfMechanism, of_mechanism
-from .off_centre import Climb, OffCentre, climb, off_centre
-from .resultants import Elimination
-from .sampled import Sampled, sampled
-from .second_approximation import SecondApproximation, second_approximation
-from .slopes import Slopes, slopes
-from .slow_flow import SCENES, SlowFlow, slow_flow
-from .switching import Switching, switching
-from .wave import Wave, wave
+from .paper import critical_forcings
+from .paper.averaging import Averaged, averaged
+from .paper.critical_forcings import Elimination
+from .paper.den_hartog import DenHartog, den_hartog
+from .paper.slow_flow import SCENES, SlowFlow, slow_flow
+from .systems.along import Along, along
+from .systems.bounds import Bounds, bounds
+from .systems.frequencies import Frequencies, frequencies
+from .systems.gradients import Gradients, gradients
+from .systems.newton import Step, steps
+from .systems.slopes import Slopes, slopes
 
 
 @dataclass(frozen=True)
@@ -108,7 +108,7 @@ def derive(mechanisms: Sequence[Mechanism] | None = None) -> Results:
         climb(),
         sampled(),
         steps(flows[""], damped),
-        {scene: resultants.detachment(flow) for scene, flow in flows.items()},
+        {scene: critical_forcings.detachment(flow) for scene, flow in flows.items()},
         second_approximation(equations, flows[""]),
         wave(),
         den_hartog(),

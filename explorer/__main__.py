@@ -19,8 +19,8 @@ import tempfile
 from pathlib import Path
 
 from derivations import live
+from derivations.asymmetric.sided import Sided
 from derivations.library import stated
-from derivations.sided import Sided
 from explorer import one_end
 from explorer.about import LIBRARY, about
 
@@ -41,7 +41,8 @@ def sources() -> list[Path]:
     """All that the page is made of but for the package's data and what is derived: its parts, what the library states,
     and the headers that explorer.c includes."""
     parts = [path for path in sorted(HERE.iterdir()) if path.suffix in {".c", ".py", ".html", ".css", ".js"}]
-    parts += [ROOT / f"derivations/library/{name}.py" for _, name, *_ in LIBRARY] + [ROOT / "derivations/one_end.py"]
+    parts += [ROOT / f"derivations/library/{name}.py" for _, name, *_ in LIBRARY]
+    parts.append(ROOT / "derivations/asymmetric/one_end.py")
     headers: set[Path] = set()
     left = [HERE / "explorer.c"]
     while left:

@@ -1,6 +1,6 @@
 """C of a mechanism with two linear pieces, as of a stop on one side: a record along the balance of the mean.
 
-In:  what `derivations.one_end` has of it.
+In:  what `derivations.asymmetric.one_end` has of it.
 Out: text, to stand behind the generated records: `NAME_of_library`, `NAME_force(u, p)` and `NAME_place(p)`, the u where
      the stop is. p holds k, g, end, rest and side.
 """
@@ -10,8 +10,8 @@ from __future__ import annotations
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
 
-from derivations import one_end
-from derivations.sided import Sided
+from derivations.asymmetric import one_end
+from derivations.asymmetric.sided import Sided
 
 TEMPLATE = """
 static const double NAME_pi = PI;

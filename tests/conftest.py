@@ -18,9 +18,9 @@ import pytest
 from filelock import FileLock
 from hypothesis import settings
 
-from derivations.emit.catalogue.every_module import all_modules
-from derivations.emit.form import Module
-from derivations.emit.views import Code, programs
+from derivations.codegen.catalogue.every_module import all_modules
+from derivations.codegen.form import Module
+from derivations.codegen.views import Code, programs
 from derivations.results import Results, derive
 from tests import sampling
 from tests.native import headers

@@ -14,16 +14,16 @@ import sympy as sp
 from mpmath import mp, mpf
 from sympy.codegen.cfunctions import hypot
 
-from derivations.averaging import averaged
-from derivations.emit.bytecode import kept_beside
-from derivations.emit.passes import operations, straight_line
-from derivations.emit.targets.c import LANGUAGE
-from derivations.emit.targets.c.printer import CPrinter
-from derivations.emit.targets.numpy.printer import NumpyPrinter
-from derivations.emit.targets.printing import Unprintable, literal
-from derivations.emit.views import printed
-from derivations.repeated import Output, Repeated
-from derivations.slow_flow import slow_flow
+from derivations.codegen.bytecode import kept_beside
+from derivations.codegen.passes import operations, straight_line
+from derivations.codegen.targets.c import LANGUAGE
+from derivations.codegen.targets.c.printer import CPrinter
+from derivations.codegen.targets.numpy.printer import NumpyPrinter
+from derivations.codegen.targets.printing import Unprintable, literal
+from derivations.codegen.views import printed
+from derivations.forces.repeated import Output, Repeated
+from derivations.paper.averaging import averaged
+from derivations.paper.slow_flow import slow_flow
 from derivations.symbols import A
 from tests.native import headers
 from tests.sampling import part

@@ -11,10 +11,10 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from derivations.emit.compensated import copysign
-from derivations.emit.targets.c import taylor
-from derivations.emit.targets.program import motion
-from derivations.emit.views import templates
+from derivations.codegen.compensated import copysign
+from derivations.codegen.targets.c import taylor
+from derivations.codegen.targets.program import motion
+from derivations.codegen.views import templates
 from derivations.symbols import u
 from slowflow import derive, include
 from slowflow.backend import EXACT
@@ -46,7 +46,7 @@ STATES = [(0.4, 0.35, -0.2, 1.9), (1.0, 0.8, 0.4, 0.3), (0.2, 0.1, 0.0, 2.2), (0
 def pieces(tmp_path_factory):
     """(a, b) -> a piece of each force, by name."""
     folder = tmp_path_factory.mktemp("laws")
-    environment = templates(headers.HEADERS.parents[1] / "derivations" / "emit" / "targets" / "c")
+    environment = templates(headers.HEADERS.parents[1] / "derivations" / "codegen" / "targets" / "c")
     modules = [fake_module(name, force) for name, force in {**EVERY, **FORCES}.items()]
     text = taylor.text(modules, environment)
     (folder / "laws.c").write_text(f"{text}\nconst sf_law *const slowflow_laws = sf_laws;\n")

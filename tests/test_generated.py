@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from derivations import __main__ as pipeline
-from derivations.emit.write import MANIFEST, differences, on_disk, write
+from derivations.codegen.write import MANIFEST, differences, on_disk, write
 from tests import sampling
 
 ROOT = Path(__file__).parents[1]

@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from derivations.conventions import C_ALONE, CONVENTIONS
+from derivations.codegen.conventions import C_ALONE, CONVENTIONS
 from tests import backends
 from tests.native import headers
 

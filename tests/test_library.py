@@ -12,8 +12,8 @@ import pytest
 import sympy as sp
 
 from derivations import library
-from derivations.oscillator import oscillator
-from derivations.restoring import restoring
+from derivations.paper.equation_of_motion import oscillator
+from derivations.paper.restoring_force import restoring
 from derivations.symbols import A
 from slowflow import derive
 from slowflow.cli import main

@@ -6,9 +6,9 @@ import mpmath
 import pytest
 import sympy as sp
 
+from derivations.forces.monotone import prove_monotone
 from derivations.mechanisms import Mechanism, Parameter, Piece, all_mechanisms
-from derivations.monotone import prove_monotone
-from derivations.oscillator import oscillator
+from derivations.paper.equation_of_motion import oscillator
 
 x = sp.Symbol("x", real=True)
 k_v, L, b_1, b_2, k = sp.symbols("k_v L b_1 b_2 k", positive=True)

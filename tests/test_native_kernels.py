@@ -25,7 +25,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from derivations.emit.arctangent import series
+from derivations.codegen.arctangent import series
 from slowflow import frequencies as roots
 from slowflow.example import DESIGN
 from slowflow_kernels import MODULES, rod_spring, slow_flow

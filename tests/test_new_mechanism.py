@@ -12,14 +12,14 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-from derivations.averaging import averaged
+from derivations.forces.of_mechanism import of_mechanism
 from derivations.library import bilinear
 from derivations.mechanisms import Piece
-from derivations.of_mechanism import of_mechanism
-from derivations.oscillator import oscillator
-from derivations.restoring import restoring
-from derivations.resultants import saddle_node_onset
-from derivations.slow_flow import SCENES, slow_flow
+from derivations.paper.averaging import averaged
+from derivations.paper.critical_forcings import saddle_node_onset
+from derivations.paper.equation_of_motion import oscillator
+from derivations.paper.restoring_force import restoring
+from derivations.paper.slow_flow import SCENES, slow_flow
 
 ROOT = Path(__file__).parents[1]
 NOT_COPIED = shutil.ignore_patterns(".*", "build", "output", "*.egg-info", "__pycache__", "*.so")

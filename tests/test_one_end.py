@@ -13,7 +13,7 @@ sp: Any = pytest.importorskip("sympy")
 mp.dps = 40
 
 stated = pytest.importorskip("slowflow_derivation.library").stated
-one_end = pytest.importorskip("slowflow_derivation.one_end")
+one_end = pytest.importorskip("slowflow_derivation.asymmetric.one_end")
 
 
 @cache

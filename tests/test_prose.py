@@ -18,11 +18,11 @@ import sympy as sp
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from slowflow_derivation import live
+from slowflow_derivation.codegen.bytecode import kept_beside
+from slowflow_derivation.codegen.prose import in_markdown
+from slowflow_derivation.codegen.targets import numpy
+from slowflow_derivation.codegen.views import programs
 from slowflow_derivation.document import parameters
-from slowflow_derivation.emit.bytecode import kept_beside
-from slowflow_derivation.emit.prose import in_markdown
-from slowflow_derivation.emit.targets import numpy
-from slowflow_derivation.emit.views import programs
 
 from slowflow import derive, include
 

@@ -10,10 +10,10 @@ import pytest
 import sympy as sp
 from mpmath import mp, mpf
 
-from derivations.den_hartog import S, U, V, den_hartog, without_cancellation
-from derivations.harmonics import HARMONICS, of_polynomials
-from derivations.restoring import FAR, moment_parts, moment_series, odd_moment, quarter_moment, restoring
-from derivations.restoring import average as average_of
+from derivations.forces.harmonics import HARMONICS, of_polynomials
+from derivations.paper.den_hartog import S, U, V, den_hartog, without_cancellation
+from derivations.paper.restoring_force import FAR, moment_parts, moment_series, odd_moment, quarter_moment, restoring
+from derivations.paper.restoring_force import average as average_of
 from derivations.symbols import F_0, A, Omega, mu, tau, u
 from tests.test_emit import evaluated
 

@@ -1,4 +1,4 @@
-"""The rooms of src/slowflow: imports run one way, down, and what is heavy or above is not imported from below."""
+"""The rooms of src/slowflow and of derivations: imports run one way, down, and what is heavy is not imported below."""
 
 import ast
 import functools
@@ -37,6 +37,21 @@ FLOORS = (
     ("text", "callbacks"),
 )
 FLOOR = {room: number for number, rooms in enumerate(reversed(FLOORS)) for room in rooms}
+#: the same of the derivation: the paper needs mechanisms and symbols, and nothing that comes after it
+DERIVING = (
+    ("__main__",),
+    ("ledger", "live"),
+    ("document",),
+    ("codegen",),
+    ("results", "library"),
+    ("asymmetric",),
+    ("extensions",),
+    ("systems", "forces"),
+    ("paper",),
+    ("mechanisms",),
+    ("symbols", "vanishing", "given", "__init__"),
+)
+DERIVATION = SOURCE.parent / "derivations"
 FILES = sorted((SOURCE / "slowflow").rglob("*.py"))
 
 
@@ -77,6 +92,19 @@ def test_imports_run_down(path):
             # a name of the package itself, such as __version__, is its face's
             room = rest.split(".")[0] if rest.split(".")[0] in FLOOR else "__init__"
             assert room == here or FLOOR[room] < FLOOR[here], f"{path.name} imports {module}"
+
+
+@pytest.mark.parametrize("path", sorted(DERIVATION.rglob("*.py")), ids=lambda path: str(path.relative_to(DERIVATION)))
+def test_the_derivation_needs_only_what_comes_before(path):
+    """At the top of a file, inside a function, or for types alone."""
+    floor = {room: number for number, rooms in enumerate(reversed(DERIVING)) for room in rooms}
+    parts = path.relative_to(DERIVATION).parts
+    here = parts[0].removesuffix(".py")
+    found = [node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.ImportFrom)]
+    for node in found:
+        if node.level == len(parts):  # of the package itself
+            rooms = [node.module.split(".")[0]] if node.module else [name.name for name in node.names]
+            assert all(room == here or floor[room] < floor[here] for room in rooms), f"{path.name}: {ast.unparse(node)}"
 
 
 def test_no_import_goes_round():

@@ -10,8 +10,8 @@ import pytest
 import sympy as sp
 
 from benchmarks.stress import headers
-from derivations.emit import measured, proved, rounding
-from derivations.emit.passes import straight_line
+from derivations.codegen import measured, proved, rounding
+from derivations.codegen.passes import straight_line
 from tests.oracles import kernels as exact
 
 DATA = Path(__file__).parent / "data"

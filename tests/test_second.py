@@ -16,7 +16,7 @@ import pytest
 from mpmath import mp, mpf
 from scipy.optimize import brentq
 
-from derivations.second_approximation import friction_sum
+from derivations.extensions.second_approximation import friction_sum
 from slowflow import Duffing, Isolator, backend
 from slowflow.answer import joined
 from slowflow.averaged.questions import Averaged

@@ -9,10 +9,10 @@ import pytest
 import sympy as sp
 from sympy.codegen.cfunctions import log1p
 
-from derivations.emit.compensated import copysign
-from derivations.emit.form import Law
-from derivations.emit.targets.c import taylor
-from derivations.emit.views import templates
+from derivations.codegen.compensated import copysign
+from derivations.codegen.form import Law
+from derivations.codegen.targets.c import taylor
+from derivations.codegen.views import templates
 from derivations.symbols import u
 from tests.native import headers
 
@@ -90,7 +90,7 @@ def stepped(tmp_path_factory):
     if headers.COMPILER is None:
         pytest.skip("no C compiler (cc) on the path")
     folder = tmp_path_factory.mktemp("taylor")
-    environment = templates(headers.HEADERS.parents[1] / "derivations" / "emit" / "targets" / "c")
+    environment = templates(headers.HEADERS.parents[1] / "derivations" / "codegen" / "targets" / "c")
     modules = [fake_module(name, force) for name, force in FORCES.items()]
     (folder / "taylor.h").write_text(taylor.text(modules, environment))
     drive = ", ".join(repr(STATE[key]) for key in ("Omega", "F_0", "zeta", "friction", "quadratic"))

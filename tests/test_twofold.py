@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from derivations.emit import compensated
-from derivations.emit.compensated import Exact, magnitude
+from derivations.codegen import compensated
+from derivations.codegen.compensated import Exact, magnitude
 from slowflow import frequencies as roots
 from slowflow_kernels import frequencies
 from slowflow_support import twofold

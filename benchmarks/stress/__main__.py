@@ -1,7 +1,7 @@
 """`make stress`: search for the worst errors, count what is missed, write docs/stability.md and the baseline.
 
 Out: benchmarks/results/stability.json, docs/stability.md and its pictures, tests/data/stability.json, and what headers
-say of kernels, derivations/emit/measured.json. Less than twenty minutes on two slow cores. `--only answers counts`
+say of kernels, derivations/codegen/measured.json. Less than twenty minutes on two slow cores. `--only answers counts`
 measures these anew and keeps the rest of the last results, `--draw` keeps all; `--size 0.1` takes a tenth of the
 points. Counts against proofs are ten million, a million isolators among them. What was measured is kept as soon as a
 part is through.

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import numpy as np
 
-from derivations.restoring import FAR
+from derivations.paper.restoring_force import FAR
 from tests.oracles.definitions.points import RANGES
 
 Point = dict[str, float]

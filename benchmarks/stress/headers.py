@@ -1,4 +1,4 @@
-"""What headers say of kernels that are measured: the worst points in, derivations/emit/measured.json out.
+"""What headers say of kernels that are measured: the worst points in, derivations/codegen/measured.json out.
 
 `make derive` puts it beside the kernels that have no proved bound. Errors are rounded up to two digits.
 """
@@ -9,8 +9,8 @@ import decimal
 import json
 
 from benchmarks.stress import baseline, domains, kernels
-from derivations.emit import measured
-from derivations.emit.measured import Measured
+from derivations.codegen import measured
+from derivations.codegen.measured import Measured
 
 
 def shown(error: float) -> str:

@@ -11,7 +11,7 @@ import matplotlib as mpl
 
 from benchmarks.document import environment_lines, table
 from benchmarks.stress import answers, counts, domains, kernels, proofs, roots, scale
-from derivations.emit.proved import stored
+from derivations.codegen.proved import stored
 
 mpl.use("Agg")
 import matplotlib.pyplot as plt
@@ -458,8 +458,8 @@ def page(numbers: Numbers) -> str:
         "",
         "### Proved",
         "",
-        "Where a kernel is a polynomial, or one over monomials, its bound may be proved for all arguments, as long",
-        "as nothing overflows or underflows: `derivations/emit/rounding.py` says how, `tests/test_rounding.py` holds",
+        "Where a kernel is a polynomial, or one over monomials, its bound may be proved for all arguments, as long as",
+        "nothing overflows or underflows: `derivations/codegen/rounding.py` says how, `tests/test_rounding.py` holds",
         f"that the bounds are of the programs as they are. {len(stored())} regimes of kernels have one for some or",
         "all of their outputs, in the order of these, `-` for those that have none; all else here is measured.",
         "",

@@ -16,7 +16,7 @@ from typing import Any
 import sympy as sp
 from flint import acb, arb, arb_poly, arb_series, ctx, fmpq
 
-from ..elliptic import R_D
+from ..forces.elliptic import R_D
 
 #: working precision: about 60 digits, of which the tables show 12
 BITS = 200

@@ -14,7 +14,7 @@ import sympy as sp
 from flint import arb
 
 from ..mechanisms.rod_spring import delta_h, lam, r
-from ..slow_flow import I, R, m
+from ..paper.slow_flow import I, R, m
 from ..symbols import F_0, A, Omega, mu, u, zeta
 from . import figures, measured
 from .balls import evaluate, rounded, sign, significant

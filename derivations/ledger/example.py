@@ -17,8 +17,8 @@ from typing import Any
 import sympy as sp
 from flint import arb, arb_series
 
+from ..paper.slow_flow import I, R, m
 from ..results import Results
-from ..slow_flow import I, R, m
 from ..symbols import F_0, A, Omega, h, h_A, h_AA, zeta
 from .balls import evaluate, isolate, polynomial_zeros, rational, sign
 from .formulas import MECHANISM

@@ -15,9 +15,9 @@ from typing import Any
 import sympy as sp
 from flint import arb
 
-from ..averaging import cycle_integral
-from ..den_hartog import U, V
 from ..mechanisms.rod_spring import delta_h, lam, r
+from ..paper.averaging import cycle_integral
+from ..paper.den_hartog import U, V
 from ..results import Results
 from ..symbols import F_0, A, Omega, h, mu, psi, tau, u, zeta
 from .balls import evaluate, isolate, polynomial_zeros, rational, rounded, sign

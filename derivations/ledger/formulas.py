@@ -15,15 +15,16 @@ from typing import Any
 
 import sympy as sp
 
-from .. import averaging, symbols
-from .. import oscillator as osc
-from ..averaging import DISPLACEMENT, VELOCITY, G, H
-from ..den_hartog import S, U, V
+from .. import symbols
 from ..mechanisms.rod_spring import Delta_h, delta_h, k_h, lam, r
-from ..restoring import Restoring
-from ..resultants import Elimination
+from ..paper import averaging
+from ..paper import equation_of_motion as osc
+from ..paper.averaging import DISPLACEMENT, VELOCITY, G, H
+from ..paper.critical_forcings import Elimination
+from ..paper.den_hartog import S, U, V
+from ..paper.restoring_force import Restoring
+from ..paper.slow_flow import I, R, m
 from ..results import Results
-from ..slow_flow import I, R, m
 from ..symbols import F_0, A, Omega, epsilon, h, h_A, mu, phi, psi, sigma, tau, zeta
 
 #: the mechanism whose equations the paper publishes

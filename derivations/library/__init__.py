@@ -13,8 +13,8 @@ import pkgutil
 
 from slowflow_support.errors import Refused
 
+from ..asymmetric.sided import Sided
 from ..mechanisms import Mechanism
-from ..sided import Sided
 
 
 def names() -> list[str]:

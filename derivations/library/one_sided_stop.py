@@ -14,8 +14,8 @@ Out: `MECHANISM`, a `Sided`.
 
 import sympy as sp
 
+from ..asymmetric.sided import Sided
 from ..mechanisms import Parameter
-from ..sided import Sided
 from ..symbols import u
 
 kappa = sp.Symbol("kappa", positive=True)

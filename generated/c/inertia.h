@@ -1,12 +1,12 @@
 /* Excitation by inertia, F_0 Omega^2: a base that shakes, an unbalance.
 
    Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/oscillator.py, derivations/averaging.py, derivations/slow_flow.py, derivations/inertia.py
+   Input: none but the equation of motion in derivations/paper/equation_of_motion.py, derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/extensions/inertia.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/emit/rounding.py).
+   where nothing overflows or underflows (derivations/codegen/rounding.py).
    Others are measured: the worst error of all outputs that was found, by a search for it with A 0.01 to 1, F_0 0.03
    to 0.1, Omega 0.3 to 2, cubic up to 1 of either sign, fall 0.001 to 1, force 0.001 to 0.1, h 0.001 to 1 of either
    sign, h_A up to 2 of either sign, h_AA up to 5 of either sign, h_AAA up to 20 of either sign, holds 0.001 to 0.1,

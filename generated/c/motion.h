@@ -1,12 +1,12 @@
 /* The equation of motion of any mechanism, in the values of its force.
 
    Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/oscillator.py, derivations/motion.py, derivations/switching.py
+   Input: none but the equation of motion in derivations/paper/equation_of_motion.py, derivations/extensions/motion.py, derivations/extensions/switching.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/emit/rounding.py).
+   where nothing overflows or underflows (derivations/codegen/rounding.py).
    Others are measured: the worst error of all outputs that was found, by a search for it with A 0.01 to 1, A_1 0.01
    to 1, F_0 0.03 to 0.1, Omega 0.3 to 2, after up to 1 of either sign, before up to 1 of either sign, beyond 0.001
    to 0.1, by_theta up to 1 of either sign, by_u up to 1 of either sign, cosine up to 0.99 of either sign, eta 0.005

@@ -1,12 +1,12 @@
 /* The average of a force that is known by its values and those of its derivatives, u = A sine.
 
    Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/quadrature.py, derivations/sampled.py
+   Input: none but the equation of motion in derivations/forces/quadrature.py, derivations/forces/sampled.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/emit/rounding.py).
+   where nothing overflows or underflows (derivations/codegen/rounding.py).
    Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, b
    1e-09 to 1000, cosine 1e-09 to 1, f 1e-09 to 1000 of either sign or 0, f_u 1e-09 to 1000 of either sign or 0,
    f_uu 1e-09 to 1000 of either sign or 0, f_uuu 1e-09 to 1000 of either sign or 0, f_uuuu 1e-09 to 1000 of either

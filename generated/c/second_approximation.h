@@ -1,12 +1,12 @@
 /* Second approximation of any mechanism, with higher harmonics, in A = A_1 + a_3 + a_5.
 
    Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/second_approximation.py, derivations/wave.py
+   Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/extensions/second_approximation.py, derivations/extensions/wave.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/emit/rounding.py).
+   where nothing overflows or underflows (derivations/codegen/rounding.py).
    Others are measured: the worst error of all outputs that was found, by a search for it with A 0.01 to 1, A_1 0.01
    to 1, F_0 0.03 to 0.1, Omega 0.3 to 2, a_3 up to 0.02 of either sign, a_5 up to 0.01 of either sign, cosine up to
    0.99 of either sign, h 0.001 to 1 of either sign, h_3 up to 0.02 of either sign, h_3_A up to 0.2 of either sign,

@@ -1,12 +1,12 @@
 /* Slow flow of any mechanism, in h = H - A and its derivatives, in the scene mu = 0 and zeta = 0.
 
    Written by `make derive`; never edit.
-   Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/offset.py, derivations/along.py, derivations/slopes.py, derivations/bounds.py, derivations/newton.py, derivations/resultants.py
+   Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/asymmetric/offset.py, derivations/systems/along.py, derivations/systems/slopes.py, derivations/systems/bounds.py, derivations/systems/newton.py, derivations/paper/critical_forcings.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
    Everything is dimensionless. C99. `p` holds the mechanism's parameters in their order, `out` takes the outputs.
    Operations are counted after each pass. Bounds of rounding errors, output by output, are proved for all arguments
-   where nothing overflows or underflows (derivations/emit/rounding.py).
+   where nothing overflows or underflows (derivations/codegen/rounding.py).
    Others are measured: the worst error of all outputs that was found, by a search for it with A 1e-09 to 1000, h
    1e-12 to 1000 of either sign or 0, m 1e-12 to 1 or 0, zeta 1e-12 to 1 or 0.
    u = 2^-53, kappa is the relative condition number of an output in all arguments. */

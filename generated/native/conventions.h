@@ -1,7 +1,7 @@
 /* What the solvers of averaged motions have in common, in C and in Python.
 
    Written by `make derive`; never edit.
-   Input: derivations/conventions.py */
+   Input: derivations/codegen/conventions.py */
 
 #ifndef CONVENTIONS_H
 #define CONVENTIONS_H

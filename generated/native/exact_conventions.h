@@ -1,7 +1,7 @@
 /* What the integrators of the equation of motion have in common, in C and in Python.
 
    Written by `make derive`; never edit.
-   Input: derivations/conventions.py */
+   Input: derivations/codegen/conventions.py */
 
 #ifndef EXACT_CONVENTIONS_H
 #define EXACT_CONVENTIONS_H

@@ -1,7 +1,7 @@
 /* The arctangent of a pair.
 
    Written by `make derive`; never edit.
-   Input: none but the series in derivations/emit/arctangent.py
+   Input: none but the series in derivations/codegen/arctangent.py
    Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6 */
 
 #ifndef PAIR_ANGLES_H

@@ -1,7 +1,7 @@
 """Den Hartog's exact solution of the linear oscillator with dry friction, without stops.
 
 Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/den_hartog.py
+Input: none but the equation of motion in derivations/paper/den_hartog.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each

@@ -1,7 +1,7 @@
 """The quartics whose roots are the frequencies at an amplitude: F of the response, F_A/2 of the folds.
 
 Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/frequencies.py
+Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/systems/frequencies.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless, for floats and arrays of them as they are. Each docstring gives equation number and domain.

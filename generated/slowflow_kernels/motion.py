@@ -1,7 +1,7 @@
 """The equation of motion of any mechanism, in the values of its force.
 
 Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/oscillator.py, derivations/motion.py, derivations/switching.py
+Input: none but the equation of motion in derivations/paper/equation_of_motion.py, derivations/extensions/motion.py, derivations/extensions/switching.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's

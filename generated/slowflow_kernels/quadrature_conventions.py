@@ -1,7 +1,7 @@
 """What integrals over the quarter cycle and their enclosures have in common, in C and in Python.
 
 Written by `make derive`; never edit.
-Input: derivations/conventions.py
+Input: derivations/codegen/conventions.py
 """
 
 

@@ -1,7 +1,7 @@
 """What the dimensionless numbers of every oscillator are measured in, by name (4): powers of k_v, L and m.
 
 Written by `make derive`; never edit.
-Input: derivations/oscillator.py, derivations/inertia.py, derivations/scaling.py
+Input: derivations/paper/equation_of_motion.py, derivations/extensions/inertia.py, derivations/extensions/scaling.py
 """
 
 from slowflow_support.record import Scale

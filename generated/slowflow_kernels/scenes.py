@@ -1,7 +1,7 @@
 """The slow flow of an oscillator, by which of its damping terms vanish: in go mu and zeta, out comes a module.
 
 Written by `make derive`; never edit.
-Input: derivations/slow_flow.py
+Input: derivations/paper/slow_flow.py
 """
 
 from functools import cache

@@ -1,7 +1,7 @@
 """Second approximation of any mechanism, with higher harmonics, in A = A_1 + a_3 + a_5.
 
 Written by `make derive`; never edit.
-Input: none but the equation of motion in derivations/averaging.py, derivations/slow_flow.py, derivations/second_approximation.py, derivations/wave.py
+Input: none but the equation of motion in derivations/paper/averaging.py, derivations/paper/slow_flow.py, derivations/extensions/second_approximation.py, derivations/extensions/wave.py
 Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 
 Everything is dimensionless. Arguments broadcast; outputs have their common shape, NumPy scalars for scalars. Each

@@ -26,7 +26,7 @@ from pathlib import Path
 from flint import fmpq
 from mpmath import mp, mpf
 
-from derivations.emit.catalogue.flow import OWN
+from derivations.codegen.catalogue.flow import OWN
 from derivations.mechanisms import all_mechanisms
 from tests.oracles.definitions.along import BESIDE_FOLDS, DAMPED, LOCI, SLOPES, UNDAMPED
 from tests.oracles.definitions.averaged_force import (

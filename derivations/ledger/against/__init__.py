@@ -19,11 +19,11 @@ from typing import Any
 
 import sympy as sp
 
-from ...averaging import Averaged, averaged
+from ...forces.of_mechanism import OfMechanism, of_mechanism
 from ...library import stated
 from ...mechanisms import duffing
-from ...of_mechanism import OfMechanism, of_mechanism
-from ...slow_flow import SlowFlow, slow_flow
+from ...paper.averaging import Averaged, averaged
+from ...paper.slow_flow import SlowFlow, slow_flow
 from ..formulas import DIFFERENCE, Reading, Subject
 from ..judging import judge
 from ..literature import Publication

@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from ...slow_flow import I, R
+from ...paper.slow_flow import I, R
 from ...symbols import F_0, A, Omega, h, zeta
 from ..proofs import canonical
 from ..rows import DIFFERS, LOOSE

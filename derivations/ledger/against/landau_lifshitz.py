@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 from flint import arb
 
-from ...slow_flow import I, R
+from ...paper.slow_flow import I, R
 from ...symbols import F_0, A, Omega, h, zeta
 from ..balls import evaluate, rational, significant
 from ..proofs import canonical

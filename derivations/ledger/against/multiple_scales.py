@@ -9,8 +9,8 @@ from typing import Any
 import sympy as sp
 from flint import acb, arb
 
-from ...averaging import H
-from ...slow_flow import I, R
+from ...paper.averaging import H
+from ...paper.slow_flow import I, R
 from ...symbols import F_0, A, Omega, h, phi
 from ...symbols import mu as friction
 from ...symbols import sigma as of_Omega

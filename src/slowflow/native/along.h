@@ -16,7 +16,7 @@
  * For an excitation by inertia SF_ISOLA and SF_PEAK are asked where the level of an amplitude is least, which is known
  * in closed form, and SF_REST has no zeros.
  *
- * The functions are generated, for numbers and for intervals: derivations/along.py eliminates Omega.
+ * The functions are generated, for numbers and for intervals: derivations/systems/along.py eliminates Omega.
  */
 #ifndef SF_ALONG_H
 #define SF_ALONG_H

@@ -1,7 +1,7 @@
 /* Cells: in goes what is known at two amplitudes of one piece of the force, out comes what h and its derivatives are on
  * all of the interval between.
  *
- * On each piece h_AAA is monotone: the derivation proves it (derivations/monotone.py). So its values at the ends bound
+ * On each piece h_AAA is monotone: the derivation proves it (derivations/forces/monotone.py). So its values at the ends bound
  * it, and what is known of a slope bounds the function between two of its values. Of a force of which that is not
  * proved it is h_AAAA that is known. Where the force or its slope jumps, the
  * derivatives of h tend to infinity as A falls to the breakpoint: that is the sample at the beginning of a piece.
@@ -192,7 +192,7 @@ static inline double sf_kappa(const sf_sample *at) { return at->k / (at->A * at-
 
 /* rho = A h_AAA/h_AA and kappa = k/(A^2 h_AA), which vary by little where h is nearly a power of A; 0 where they are
  * not known to. From the first amplitude on |h_AA| rises as h_AAA lets it, and kappa stays between what it is there and
- * -1/(2 + rho), with the slope -(1 + kappa (2 + rho))/A (derivations/along.py). */
+ * -1/(2 + rho), with the slope -(1 + kappa (2 + rho))/A (derivations/systems/along.py). */
 static inline int sf_scaled(const sf_cell *cell, sf_interval *rho, sf_interval *kappa) {
     const sf_sample *a = cell->first, *b = cell->last;
     const sf_interval slope = cell->h_AA.hi < 0 ? sfi_neg(cell->h_AAA) : cell->h_AAA;

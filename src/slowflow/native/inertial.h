@@ -3,7 +3,7 @@
  *
  * The level of an amplitude, the F_0 for which it is a steady state at Omega, falls from inf at Omega = 0 to its least
  * and rises from there to A as Omega tends to inf; or it only falls to A. So an amplitude below F_0 has one frequency,
- * and one above it two or none (derivations/inertia.py).
+ * and one above it two or none (derivations/extensions/inertia.py).
  */
 #ifndef SF_INERTIAL_H
 #define SF_INERTIAL_H

@@ -4,7 +4,7 @@
  *   I = I_0 + 2 zeta A Omega + d (A Omega)^2
  *
  * I_0 is friction, on all of the way or up to the first breakpoint, and structural damping. F and F_A/2 are quartics in
- * Omega whose coefficients of Omega, Omega^3 and Omega^4 are not negative (derivations/dissipation.py): they have at
+ * Omega whose coefficients of Omega, Omega^3 and Omega^4 are not negative (derivations/extensions/dissipation.py): they have at
  * most two positive critical points, a maximum and then a minimum. Under an excitation by inertia F over Omega^4 is such
  * a quartic in 1/Omega.
  */

@@ -1,7 +1,7 @@
 /* Answers to their last digit: in goes an answer as the solvers found it, out comes the double next to the exact one
  * of the oscillator as it was given.
  *
- * Newton's method on the equations that define the answer (derivations/newton.py), their values in double-double,
+ * Newton's method on the equations that define the answer (derivations/systems/newton.py), their values in double-double,
  * their slopes in doubles: one step, but next to a double root or a breakpoint. An answer is left alone where the
  * first step is not small beside it, or the slopes change along it by too much: there it may lead to another answer.
  */

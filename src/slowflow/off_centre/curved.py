@@ -3,8 +3,8 @@
 In:  the pieces of the force as `Curved` of a record has them, and how they are summed.
 Out: moments <r^(n) cos^p psi> along u = B + A cos psi: values, and intervals that hold them on boxes.
 
-r' is continuous (derivations/curved.py): moments of r and r' have slopes without terms from moving angles, and those of
-r'' only where r'' jumps.
+r' is continuous (derivations/asymmetric/curved.py): moments of r and r' have slopes without terms from moving angles,
+and those of r'' only where r'' jumps.
 
 Values are sums by Gauss's rule between the angles at which the motion passes an end, on 2, 4, 8, ... panels until twice
 as many change nothing. On a box the force and its derivatives are evaluated on intervals of u, panel by panel of the

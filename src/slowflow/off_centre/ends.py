@@ -6,7 +6,8 @@ Out: `Local`: A, c_0 = <f>, s_0 = <f cos psi> and the slopes of c_0 by x and y, 
 Where a motion just passes a step, what the force gains there shares in c_1 as 1/sqrt(distance), and no box in A and B
 is narrow enough. Lines through the steps cut the plane of the ends into rectangles, the charts. In each the same steps
 are passed, and only those at its own lower edge of B + A and upper edge of B - A are near: with x and y the distances
-from these, or their roots where the force jumps, everything is smooth up to the edges (derivations/off_centre.py).
+from these, or their roots where the force jumps, everything is smooth up to the edges
+(derivations/asymmetric/off_centre.py).
 
 U_k and V_k = L_k +- M_k are the means of (A cos psi - a)^k/k! with 1 +- cos psi. Both rise with either end of the
 motion, so that the values at two corners hold them.

@@ -1,6 +1,6 @@
 """Means over a cycle of a force and its derivatives, c_n = <f^(n)> and s_n = <f^(n) cos psi>, along u = B + A cos psi.
 
-In:  the force as a sum of steps (derivations/off_centre.py), A and B: numbers, or boxes.
+In:  the force as a sum of steps (derivations/asymmetric/off_centre.py), A and B: numbers, or boxes.
 Out: c_n and s_n: values, or intervals that hold all values on each box.
 
 Every step adds D_k L_(k-n) to c_n. L_k and M_k are positive and monotone in A and in the step's place a for k >= 1, as

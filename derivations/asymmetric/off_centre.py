@@ -1,0 +1,545 @@
+"""Beside (11)-(30): motions off the centre, u = B + A cos psi, under a static load or where a force is not odd.
+
+In:  the equation of motion as `averaging` has it, with the load beside F_0 cos; the force f stays an open function.
+Out: `OffCentre`: the balance of the mean, h and its derivatives along it, and what vanishes at states and at folds, all
+     in the means c_n of f^(n) and s_n of f^(n) cos psi over a cycle;
+     `Moved`: what a parameter of the force or the load does to h along the balance, for the gradients of answers;
+     `steps` and `Climb`: these means of a piecewise polynomial in closed form, in every regime alike.
+
+Averaged as in (19), with B beside A cos psi, the equation of motion leaves the balance
+
+    f_0(A, B) = c_0 - load = 0
+
+and h = -2 s_0 in the place of (20). Under the integral sign, by parts in psi for the last of them,
+
+    d c_n/dB = c_(n+1)    d c_n/dA = d s_n/dB = s_(n+1)    d s_n/dA = c_(n+1) - s_n/A
+
+so that these means are closed under differentiation. Along the balance dB/dA = -s_1/c_1; where c_1 vanishes the balance
+turns back, and what is asked there is multiplied by c_1.
+
+A piecewise polynomial is the sum of its steps: a force that is 0 up to u = b and has the derivatives D_0, D_1, ... just
+above it. With a = b - B it adds D_k to f^(k), and to c_n the sum of D_k L_(k-n), to s_n that of D_k M_(k-n), where
+
+    L_k = (1/pi) int_0^psi (A cos t - a)^k/k! dt      M_k = the same with cos t      cos psi = a/A
+
+for k >= 0; those for k < 0 are derivatives of L_0 and M_0 by B. psi = 0 where the motion stays below the step, pi where
+it stays above: then they are polynomials. The first piece is a step at u = 0 that all of the motion is above.
+
+Just past a step c_1 and s_1 go as 1/sqrt(distance). In coordinates of the motion's ends nothing does: of x for B + A
+and y for B - A, each the root of how far that end is past a step, or the end itself,
+
+    (B + A)_x = 2 X    (B - A)_y = -2 Y    c_x = X (c_1 + s_1)    c_y = -Y (c_1 - s_1)    A_x = X    A_y = Y
+
+where X = x or 1/2. `Ended` has what vanishes at states and at folds in these.
+
+What dissipates and what excites has no part in the balance. It comes in as I and as the amplitude of the force G, which
+is F_0, or F_2 Omega^2 of an excitation by inertia. With R for the frequency, A Omega^2 = R - h, nothing cancels next to
+a resonance, where R is small:
+
+    F = R^2 + I^2 - G^2    A F_A/2 = G^2 + I (A I_A - I) + R (A h_A - h) on F = 0
+
+and A I_A - I is d (A Omega)^2 - m: neither viscous nor structural damping is in it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import sympy as sp
+
+from ..extensions.dissipation import I_0, I_A, Dissipation
+from ..paper.averaging import Averaged, F_k, cycle_integral, psi
+from ..paper.slow_flow import I, R, SlowFlow, m, turn
+from ..symbols import F_0, A, Omega, h, mu, sigma, u, zeta
+
+Let = tuple[sp.Symbol, sp.Expr]
+
+B, load = sp.symbols("B load", real=True)
+#: what a fold needs of f: its first three derivatives
+ORDERS = 3
+c = sp.symbols(f"c_0:{ORDERS + 1}", real=True)
+s = sp.symbols(f"s_0:{ORDERS + 1}", real=True)
+#: phase: R = 2 t F_0/(1 + t^2), I = (1 - t^2) F_0/(1 + t^2), all with I >= 0 for |t| <= 1
+t = sp.Symbol("t", real=True)
+
+#: amplitude of the force on the mass; what it is of an excitation by inertia over Omega^2
+force, F_2 = sp.symbols("force F_2", nonnegative=True)
+#: Omega^2, A Omega, A I_A - I
+square, speed, drift = sp.symbols("square speed drift", real=True)
+
+#: h - A h_A along the balance; the least size that it has at a fold
+intercept, least = sp.symbols("intercept least", real=True)
+
+#: the step's place seen from B, sqrt(A^2 - a^2), the angle at which it is passed
+a, root, angle = sp.symbols("a root angle", real=True)
+k = sp.Symbol("k", integer=True)
+#: L_(k-2), L_(k-1), M_(k-2), M_(k-1)
+L_2, L_1, M_2, M_1 = sp.symbols("L_2 L_1 M_2 M_1", real=True)
+#: what resists along the balance, (c_1^2 - s_1^2)/c_1; h_A = 2 s_0/A - 2 resists
+resists = sp.Symbol("resists", real=True)
+L_k, M_k = sp.symbols("L_k M_k", real=True)
+#: of a step that the motion passes: what the force gains there, and side a/A; c_1 and s_1 of all others
+D_0, edge = sp.symbols("D_0 edge", real=True)
+C_1, S_1 = sp.symbols("C_1 S_1", real=True)
+
+#: what a parameter does to the means and to the load at fixed A and B, and to an end of a piece
+c_p = sp.symbols(f"c_0:{ORDERS}_p", real=True)
+s_p = sp.symbols(f"s_0:{ORDERS}_p", real=True)
+load_p, end_p = sp.symbols("load_p end_p", real=True)
+#: 1 where a motion comes to an end at B + A, -1 where it does at B - A
+side = sp.Symbol("side", real=True)
+
+#: of coordinates x and y of a motion's ends: A_x and A_y, with their slopes; those of c_0, and of each by its own one
+X, Y = sp.symbols("X Y", nonnegative=True)
+X_x, Y_y, c_x, c_y, c_xx, c_yy = sp.symbols("X_x Y_y c_x c_y c_xx c_yy", real=True)
+
+_f = sp.Function("f")
+_DISPLACED = B + A * sp.cos(psi)
+
+
+@dataclass(frozen=True)
+class Moved:
+    """What a parameter does, in c and s and in what it does to these.
+
+    lets, values -- B_p and its derivatives along the balance, and with them B_p, h_p, h_Ap, h_AAp at a fixed A
+    at_end       -- A_p of a motion that comes to an end of a piece, which moves by end_p, and the balance with it
+    """
+
+    lets: tuple[Let, ...]
+    values: tuple[sp.Expr, ...]
+    at_end: sp.Expr
+
+
+@dataclass(frozen=True)
+class Ended:
+    """What vanishes, in coordinates x and y of a motion's ends.
+
+    state -- f_0 and F, and their slopes by x and y in turn
+    along -- along the balance, where it goes as (-c_y, c_x): A's slope, and what F_A gains there by R; c_1 has the sign
+             of the first
+    fold  -- at a forcing, in x, y and R, in the lets of `OffCentre.by_R`: f_0, F along the balance, F; and slopes
+    """
+
+    state: tuple[sp.Expr, ...]
+    along: tuple[sp.Expr, sp.Expr]
+    fold: tuple[sp.Expr, ...]
+
+
+@dataclass(frozen=True)
+class Phases:
+    """At a forcing.
+
+    balance -- R and I of a motion by t
+    turns   -- what vanishes at a fold, in k = h - A h_A along the balance: a quadratic in t
+    lesser  -- its lesser root, in the least size that k has at a fold
+    by_I, by_R -- Omega of a motion by I; Omega^2 by R
+    """
+
+    balance: tuple[sp.Expr, sp.Expr]
+    turns: sp.Expr
+    lesser: sp.Expr
+    by_I: sp.Expr
+    by_R: sp.Expr
+
+
+@dataclass(frozen=True)
+class OffCentre:
+    """Of any mechanism, in c and s.
+
+    lets, averaged -- B_A, B_AA, B_AAA and with them h, h_A, h_AA, h_AAA along the balance, for c_1 other than 0
+    state    -- f_0 and F, and their slopes by A and B in turn, in R, I, I_A and the force
+    by_R     -- what is known at a given R, of any damping and excitation
+    fold     -- at a forcing, in A, B and R, in these: f_0, F_A along the balance times A c_1/2, and F; and their slopes
+                by A, B and R in turn
+    fold_by_t -- of a force with viscous damping and friction, in A, B and t: f_0, F_A along the balance times c_1, and
+                whether R and I belong to one Omega; and their slopes by A, B and t in turn
+    turns    -- the second of these over c_1, in s_0 and `resists`: it stays finite where the force jumps
+    past     -- `resists` where the motion passes a step at which the force gains D_0: root may be 0
+    beside   -- `resists` of an odd force without a load, where B is not 0: with c_3 and s_2 at some B between
+    moved    -- what a parameter does to B and h
+    ended    -- states and folds by the motion's ends
+    phases   -- states and folds by t
+    versine  -- the mean of (1 - cos psi)^(k + 1) over that of (1 - cos psi)^k
+    """
+
+    lets: tuple[Let, ...]
+    averaged: tuple[sp.Expr, ...]
+    state: tuple[sp.Expr, ...]
+    by_R: tuple[Let, ...]
+    fold: tuple[sp.Expr, ...]
+    fold_by_t: tuple[sp.Expr, ...]
+    turns: sp.Expr
+    past: sp.Expr
+    beside: sp.Expr
+    moved: Moved
+    ended: Ended
+    phases: Phases
+    versine: sp.Expr
+
+
+@dataclass(frozen=True)
+class Climb:
+    """The means over what is above a step.
+
+    begin -- L_-1, L_0, M_-1, M_0 where the motion passes the step, in A, a, root, angle
+    up    -- L_k and M_k from the two below each, wherever the step lies
+    down  -- L_(k-2) and M_(k-2) from the two above each, where the motion passes the step
+    """
+
+    begin: tuple[sp.Expr, ...]
+    up: tuple[sp.Expr, ...]
+    down: tuple[sp.Expr, ...]
+
+
+def _vanishes(expression: sp.Expr, words: str) -> None:
+    if sp.simplify(sp.expand(expression)) != 0:
+        raise ArithmeticError(f"{words}: {expression} is not zero")
+
+
+def _by_B(expression: sp.Expr) -> sp.Expr:
+    """d/dB of an expression in c and s."""
+    chain = (*pairwise(c), *pairwise(s), *pairwise(c_p), *pairwise(s_p))
+    return sp.diff(expression, B) + sum(sp.diff(expression, mean) * slope for mean, slope in chain)
+
+
+def _by_A(expression: sp.Expr) -> sp.Expr:
+    """d/dA of the same."""
+    chain = []
+    for of_one, of_cosine in ((c, s), (c_p, s_p)):
+        chain += zip(of_one, of_cosine[1:], strict=False)
+        chain += ((mean, above - mean / A) for mean, above in zip(of_cosine, of_one[1:], strict=False))
+    return sp.diff(expression, A) + sum(sp.diff(expression, mean) * slope for mean, slope in chain)
+
+
+def check_means() -> None:
+    """The four slopes above, from the integrals' own; what is a whole derivative by psi has no mean."""
+    value, slope = _f(_DISPLACED), sp.diff(_f(_DISPLACED), B).doit()
+    by_A = sp.diff(value, A).doit()
+    _vanishes(by_A - slope * sp.cos(psi), "d c_0/dA = s_1")
+    _vanishes(sp.diff(value * sp.cos(psi), B).doit() - slope * sp.cos(psi), "d s_0/dB = s_1")
+    # A times (d s_0/dA - c_1) + s_0
+    apart = A * (by_A * sp.cos(psi) - slope) + value * sp.cos(psi)
+    apart -= sp.diff(value * sp.sin(psi), psi).doit()
+    _vanishes(sp.expand_trig(apart).subs(sp.sin(psi) ** 2, 1 - sp.cos(psi) ** 2), "d s_0/dA = c_1 - s_0/A")
+
+
+def check_balance(averaged: Averaged) -> None:
+    """Of the equation of motion nothing but f and the load has a mean over a cycle."""
+    halves = ((averaged.perturbation[0], 0, sp.pi), (averaged.perturbation[1], sp.pi, 2 * sp.pi))
+    others = sum(cycle_integral(half.subs({F_k: 0, sigma: 0}), start, end) for half, start, end in halves)
+    _vanishes(others, "the mean of forcing, damping and friction")
+
+
+def off_centre(averaged: Averaged, flow: SlowFlow, laws: Dissipation) -> OffCentre:
+    """All of it."""
+    check_means()
+    check_balance(averaged)
+    # (20): H = -(1/pi) int F_k cos psi, of which s_0 is half the negative
+    _vanishes(averaged.restoring_integrand + F_k * sp.cos(psi) / sp.pi, "h = -2 s_0")
+    of_h = {h: -2 * s[0]}
+    f_0 = c[0] - load
+    R_value, I_value = flow.R.subs(of_h), flow.I
+
+    lets, chain = _along_balance(f_0, of_h[h])
+    F = R**2 + I**2 - force**2
+    _vanishes((F - flow.F).subs(force, F_0), "F by the force")
+    # in R, I and I_A, which a kernel has first
+    slopes = tuple(2 * (R * by(R_value) + I * of_I) for by, of_I in ((_by_A, I_A), (_by_B, 0)))
+    state = (f_0, F, s[1], c[1], *slopes)
+    by_t = tuple(2 * (R * by(R_value) + I * sp.diff(I_value, one)) for by, one in ((_by_A, A), (_by_B, B)))
+    fold_by_t = _fold(R_value, I_value, f_0, by_t)
+    by_R = _by_R(laws)
+    fold = _fold_by_R(by_R, f_0, c[1], c[1] * s[0] - A * (c[1] ** 2 - s[1] ** 2) / 2, (_by_A, _by_B))
+    _check_fold_by_R(by_R, fold[1], (c[1], -s[1]), (_by_A, _by_B))
+    along_balance = 2 * s[0] / A - 2 * resists
+    phases = _phases(flow)
+    turns = sp.expand(phases.turns.subs(intercept, of_h[h] - A * along_balance))
+    of_means = {resists: (c[1] ** 2 - s[1] ** 2) / c[1]}
+    _vanishes(along_balance.subs(of_means) - chain[1].subs(lets), "h_A along the balance")
+    _vanishes(c[1] * turns.subs(of_means) - fold_by_t[1], "F_A along the balance")
+    return OffCentre(
+        lets,
+        chain,
+        state,
+        by_R,
+        fold,
+        fold_by_t,
+        turns,
+        _past(of_means[resists]),
+        _beside(of_means[resists]),
+        moved(),
+        _ended(R_value, by_R, f_0),
+        phases,
+        _versine(),
+    )
+
+
+def _versine() -> sp.Expr:
+    """By parts: the derivative of sin(psi) w^k, w = 1 - cos(psi), has no mean."""
+    w, power = sp.symbols("w power", positive=True)
+    over = 1 - sp.cos(psi)
+    whole = sp.expand(sp.diff(sp.sin(psi) * over**power, psi) / over**power)
+    of_w = sp.cancel(sp.expand(whole.subs(sp.sin(psi) ** 2, w * (2 - w)).subs(sp.cos(psi), 1 - w)))
+    rise, fall = (sp.Poly(of_w, w).coeff_monomial(w**n) for n in (0, 1))
+    _vanishes(of_w - rise - fall * w, "by parts")
+    return sp.factor(-rise / fall).subs(power, k)
+
+
+def _phases(flow: SlowFlow) -> Phases:
+    """With R and I of F = 0 and k for h - A h_A a fold is a line in R and I: F_0^2 - m I = k R."""
+    balance = (_CIRCLE[R], _CIRCLE[I])
+    line = sp.cancel((F_0**2 - m * I - intercept * R).subs(_CIRCLE) * (1 + t**2) / F_0)
+    turns = sp.collect(sp.expand(line), t)
+    lesser = (F_0 - m) / (intercept + sp.sqrt((intercept - least) * (intercept + least)))
+    _vanishes(turns.subs(t, lesser).subs(least, sp.sqrt(F_0**2 - m**2)), "the fold's t")
+    square = sp.solve(R - flow.R.subs(Omega**2, turn), turn)[0]
+    return Phases(balance, turns, lesser, sp.solve(I - flow.I, Omega)[0], square)
+
+
+def _past(of_means: sp.Expr) -> sp.Expr:
+    """`resists` by the root: the step's own share D_0 L_-1 of c_1, which has no bound, stands in no difference."""
+    L = 1 / (sp.pi * root)
+    whole = of_means.subs({c[1]: C_1 + D_0 * L, s[1]: S_1 + edge * D_0 * L})
+    # the square of the share by the root, that of cos psi where the step is passed
+    square = 1 - root**2 / A**2
+    found = (root * D_0**2 / (sp.pi * A**2) + 2 * D_0 * (C_1 - edge * S_1) + sp.pi * root * (C_1**2 - S_1**2)) / (
+        D_0 + sp.pi * root * C_1
+    )
+    _vanishes(
+        sp.expand(sp.cancel(whole - found) * (D_0 + sp.pi * root * C_1)).subs(edge**2, square), "resists past a step"
+    )
+    return found
+
+
+def _beside(of_means: sp.Expr) -> sp.Expr:
+    """`resists` where f_0 = B g(A, B^2) vanishes with g.
+
+    Then c_1 = 2 B^2 dg/dB^2 and s_1 = B dg/dA. As f_0 = int c_1 dB from 0, g is the mean of c_1 over the B between, its
+    slope by A that of s_2, and that by B^2 the mean of c_3 with weights whose sum is 1/6.
+    """
+    share, second = sp.symbols("share second", positive=True)
+    # c_1 of B is even: its slope c_2 at B share is the integral of c_3 from 0
+    weight = sp.integrate(share * sp.integrate(1, (second, 0, share)), (share, 0, 1)) / 2
+    return sp.expand(of_means.subs({c[1]: 2 * B**2 * weight * c[3], s[1]: B * s[2]}))
+
+
+def _along_balance(f_0: sp.Expr, value: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
+    """B_A, B_AA, B_AAA from f_0 = 0 by implicit differentiation; a value and its derivatives in A with these."""
+    slopes = sp.symbols("B_A B_AA B_AAA", real=True)
+
+    def along(expression: sp.Expr) -> sp.Expr:
+        chain = pairwise(slopes)
+        known = sum(sp.diff(expression, one) * following for one, following in chain)
+        return _by_A(expression) + slopes[0] * _by_B(expression) + known
+
+    lets, balance, derivatives = [], f_0, [value]
+    for slope in slopes:
+        balance = along(balance)
+        derivatives.append(sp.expand(along(derivatives[-1])))
+        (solved,) = sp.solve(balance, slope)
+        lets.append((slope, solved))
+    return tuple(lets), tuple(derivatives)
+
+
+def moved() -> Moved:
+    """By implicit differentiation of the balance, once by the parameter and then along it."""
+    f_0, value = c[0] - load, -2 * s[0]
+
+    def by_p(expression: sp.Expr) -> sp.Expr:
+        """At fixed A and B."""
+        direct = (*zip(c, c_p, strict=False), *zip(s, s_p, strict=False), (load, load_p))
+        return sum(sp.diff(expression, symbol) * move for symbol, move in direct)
+
+    slopes = sp.symbols("B_A B_AA", real=True)
+    moves = sp.symbols("B_p B_Ap B_AAp", real=True)
+
+    def along(expression: sp.Expr) -> sp.Expr:
+        chain = (*pairwise(slopes), *pairwise(moves))
+        known = sum(sp.diff(expression, one) * following for one, following in chain)
+        return _by_A(expression) + slopes[0] * _by_B(expression) + known
+
+    (first, second, _), (_, h_A, _, _) = _along_balance(f_0, value)
+    lets = [first, second]
+    balance = by_p(f_0) + moves[0] * _by_B(f_0)
+    values = [by_p(value) + moves[0] * _by_B(value)]
+    for move in moves:
+        (solved,) = sp.solve(balance, move)
+        lets.append((move, solved))
+        balance = along(balance)
+        if move is not moves[-1]:
+            values.append(sp.expand(along(values[-1])))
+    # the other way: h_A along the balance, then by the parameter
+    explicit = h_A.subs([first])
+    by_parameter = by_p(explicit) + moves[0] * _by_B(explicit)
+    _vanishes((by_parameter - values[1]).subs(reversed(lets)), "h_A by the parameter")
+    at_end = sp.Symbol("A_p")
+    (edge,) = sp.solve(by_p(f_0) + at_end * _by_A(f_0) + side * (end_p - at_end) * _by_B(f_0), at_end)
+    return Moved(tuple(lets), (moves[0], *values), edge)
+
+
+def _by_ends() -> tuple[Callable[[sp.Expr], sp.Expr], Callable[[sp.Expr], sp.Expr]]:
+    """d/dx and d/dy, for coordinates of a motion's ends, of an expression in A, c_0, s_0 and the slopes of c_0."""
+    c_xy = -(Y * c_x + X * c_y) / (2 * A)
+    chains = (
+        ((A, X), (X, X_x), (c[0], c_x), (s[0], c_x - X * s[0] / A), (c_x, c_xx), (c_y, c_xy)),
+        ((A, Y), (Y, Y_y), (c[0], c_y), (s[0], -c_y - Y * s[0] / A), (c_x, c_xy), (c_y, c_yy)),
+    )
+    # by A and B: B + A and B - A move by 2 X and by -2 Y
+    of_means = {c_x: X * (c[1] + s[1]), c_y: -Y * (c[1] - s[1])}
+    for chain, by_A, by_B in zip(chains, (X, Y), (X, -Y), strict=True):
+        for value, slope in chain:
+            if value in (c[0], s[0]):
+                _vanishes(slope.subs(of_means) - by_A * _by_A(value) - by_B * _by_B(value), "slopes by the ends")
+    mixed = of_means[c_x]
+    _vanishes(c_xy.subs(of_means) - Y * (_by_A(mixed) - _by_B(mixed)), "the mixed slope of c_0")
+
+    def by(chain: tuple[tuple[sp.Symbol, sp.Expr], ...]) -> Callable[[sp.Expr], sp.Expr]:
+        return lambda expression: sum(sp.diff(expression, value) * slope for value, slope in chain)
+
+    return by(chains[0]), by(chains[1])
+
+
+def _by_R(laws: Dissipation) -> tuple[Let, ...]:
+    """What is known at a given R, in order."""
+    known = sp.expand(laws.I.subs(I_0, laws.at_rest[0].subs(mu, sp.pi * m / 4)))
+    value = sp.expand(known.subs(Omega, speed / A))
+    beside = sp.expand(sp.expand(A * sp.diff(known, A) - known).subs(Omega, speed / A))
+    return (
+        (square, (R + 2 * s[0]) / A),
+        (speed, sp.sqrt(A * (R + 2 * s[0]))),
+        (force, F_0 + F_2 * square),
+        (I, value),
+        (drift, beside),
+    )
+
+
+By = Callable[[sp.Expr], sp.Expr]
+
+
+def _along_R(by_R: tuple[Let, ...], by: By) -> By:
+    """A slope, of an expression in what is known at R too, by what `by` is the slope by."""
+    chain = {}
+    for one, value in by_R:
+        inside = sp.expand(value**2) if one is speed else value
+        slope = by(inside) + sum(sp.diff(inside, known) * moved for known, moved in chain.items())
+        chain[one] = sp.expand(slope) / (2 * speed) if one is speed else slope
+    return lambda expression: by(expression) + sum(sp.diff(expression, one) * slope for one, slope in chain.items())
+
+
+def _fold_by_R(by_R: tuple[Let, ...], f_0: sp.Expr, A_t: sp.Expr, gain: sp.Expr, by: tuple[By, By]) -> Any:
+    """What vanishes at a fold, and its slopes by two coordinates and R.
+
+    A_t, gain -- along the balance A's slope, and that of (A h_A - h)/4, which A_t is a factor of
+    """
+    values = (f_0, A_t * (force**2 + I * drift) + 4 * gain * R, R**2 + I**2 - force**2)
+    by_each = [_along_R(by_R, one) for one in (*by, lambda expression: sp.diff(expression, R))]
+    return (*values, *(one(value) for value in values for one in by_each))
+
+
+def _check_fold_by_R(by_R: tuple[Let, ...], turns: sp.Expr, to: Any, by: tuple[By, By]) -> None:
+    """On F = 0 the second is A/2 times the slope of F at a given Omega, where the balance goes `to`."""
+    of_Omega = {one: value.subs(speed, A * Omega) for one, value in by_R}
+    R_value = A * Omega**2 - 2 * s[0]
+    slope = A * (to[0] * by[0](R_value**2 + of_Omega[I] ** 2) + to[1] * by[1](R_value**2 + of_Omega[I] ** 2)) / 2
+    on_F = turns.subs(force**2, R**2 + I**2).subs({I: of_Omega[I], drift: of_Omega[drift]}).subs(R, R_value)
+    _vanishes(slope - on_F, "F along the balance, by R")
+
+
+def _ended(R_value: sp.Expr, by_R: tuple[Let, ...], f_0: sp.Expr) -> Ended:
+    """As `state` and `fold` by A and B, by the chain rule."""
+    both = _by_ends()
+    slopes = tuple(2 * (R * by(R_value) + I * I_A * by(A)) for by in both)
+    F = R**2 + I**2 - force**2
+    # along the balance
+    A_t = -c_y * X + c_x * Y
+    gain = s[0] * A_t + A * c_x * c_y
+    of_means = {c_x: X * (c[1] + s[1]), c_y: -Y * (c[1] - s[1])}
+    _vanishes(A_t.subs(of_means) - 2 * X * Y * c[1], "A rises along the balance where c_1 is positive")
+    fold = _fold_by_R(by_R, f_0, A_t, gain, both)
+    _check_fold_by_R(by_R, fold[1], (-c_y, c_x), both)
+    return Ended((f_0, F, *(by(f_0) for by in both), *slopes), (A_t, gain), fold)
+
+
+#: R and I of a motion at F_0
+_CIRCLE = {R: 2 * t * F_0 / (1 + t**2), I: (1 - t) * (1 + t) * F_0 / (1 + t**2)}
+
+
+def _one_Omega() -> sp.Expr:
+    """What vanishes where R and I are of one Omega."""
+    return (F_0 * (1 - t**2) - m * (1 + t**2)) ** 2 - 4 * zeta**2 * A * (1 + t**2) * (
+        2 * F_0 * t + 2 * s[0] * (1 + t**2)
+    )
+
+
+def _fold(R_value: sp.Expr, I_value: sp.Expr, f_0: sp.Expr, slopes: tuple[sp.Expr, sp.Expr]) -> tuple[sp.Expr, ...]:
+    """A fold turns along the balance: c_1 F_A - s_1 F_B = 0. With R and I of F = 0 it needs no Omega."""
+    turns = A * (c[1] * slopes[0] - s[1] * slopes[1]) / 2
+    # A Omega^2 = R - h and 2 zeta A Omega = I - m
+    intercept = sp.expand(c[1] * -2 * s[0] - A * (c[1] * _by_A(-2 * s[0]) - s[1] * _by_B(-2 * s[0])))
+    line = c[1] * (F_0**2 - m * I) - intercept * R
+    of_Omega = {R: R_value, I: I_value}
+    _vanishes((turns - line).subs(F_0**2, R**2 + I**2).subs(of_Omega), "a fold as a line in R and I")
+    one_Omega = (I - m) ** 2 - 4 * zeta**2 * A * (R + 2 * s[0])
+    _vanishes(one_Omega.subs(of_Omega), "R and I of one Omega")
+    _vanishes((R**2 + I**2).subs(_CIRCLE) - F_0**2, "R and I at F_0")
+    values = (
+        f_0,
+        sp.collect(sp.expand(sp.cancel(line.subs(_CIRCLE) * (1 + t**2) / F_0)), c[1]),
+        _one_Omega(),
+    )
+    _vanishes(values[2] - (one_Omega.subs(_CIRCLE) * (1 + t**2) ** 2), "R and I of one Omega, in t")
+    by = (_by_A, _by_B, lambda expression: sp.diff(expression, t))
+    return (*values, *(sp.expand(one(value)) for value in values for one in by))
+
+
+def climb() -> Climb:
+    """L and M by recursion: what is integrated is a whole derivative, which vanishes at both ends of its range."""
+    theta, power = sp.symbols("theta power", positive=True)
+    over = A * sp.cos(theta) - a
+    # A sin(theta) (A cos(theta) - a)^(k-1), its derivative over (A cos(theta) - a)^(k-2)
+    derivative = A * sp.cos(theta) * over - (power - 1) * A**2 * sp.sin(theta) ** 2
+    found = power * over**2 + (2 * power - 1) * a * over - (power - 1) * (A**2 - a**2)
+    _vanishes((derivative - found).subs(sp.sin(theta) ** 2, 1 - sp.cos(theta) ** 2), "the recursion of L")
+    # with the factorials: k^2 L_k = -(2 k - 1) a L_(k-1) + (A^2 - a^2) L_(k-2); M_(k-1) is the slope of L_k by A
+    up = (
+        ((A - a) * (A + a) * L_2 - (2 * k - 1) * a * L_1) / k**2,
+        ((A - a) * (A + a) * M_2 - (2 * k + 1) * a * M_1 + 2 * A * L_1) / (k + 1) ** 2,
+    )
+    # the same two the other way: of L for k, of M for k with L_(k-1) known
+    down = (
+        (k**2 * L_k + (2 * k - 1) * a * L_1) / root**2,
+        ((k + 1) ** 2 * M_k + (2 * k + 1) * a * M_1 - 2 * A * L_1) / root**2,
+    )
+    passes = sp.sqrt(A**2 - a**2)
+    first = sp.acos(a / A) / sp.pi
+    other = sp.integrate(sp.cos(theta), (theta, 0, angle)).subs(angle, sp.acos(a / A)) / sp.pi
+    begin = (1 / (sp.pi * root), angle / sp.pi, a / (sp.pi * A * root), root / (sp.pi * A))
+    inside = {A: sp.Rational(7, 5), a: sp.Rational(2, 3)}
+    for value, exact in zip(begin, (-sp.diff(first, a), first, -sp.diff(other, a), other), strict=True):
+        apart = value.subs({angle: sp.acos(a / A), root: passes}) - exact
+        if sp.simplify(apart.subs(inside)) != 0:
+            raise ArithmeticError(f"{value} is not where the recursion begins")
+    return Climb(begin, up, down)
+
+
+def steps(
+    pieces: Sequence[sp.Expr], breakpoints: Sequence[sp.Symbol], jumps: Sequence[sp.Expr]
+) -> tuple[tuple[sp.Expr, ...], ...]:
+    """Of the pieces of a force f and its derivatives: the first at 0, gains at each breakpoint, the last at 0.
+
+    What f itself gains is its jump with the other sign: 0 for one that is continuous, not a difference of its pieces.
+    By the last a motion is bounded that is large beside the breakpoints: the others cancel there.
+    """
+    highest = max(sp.degree(piece, u) for piece in pieces)
+
+    def derivatives(f: sp.Expr, at: sp.Expr) -> list[sp.Expr]:
+        return [sp.horner(sp.diff(f, u, order), u).subs(u, at) for order in range(highest + 1)]
+
+    gains = [
+        (-jump, *derivatives(above - below, b)[1:])
+        for below, above, b, jump in zip(pieces, pieces[1:], breakpoints, jumps, strict=False)
+    ]
+    return tuple(derivatives(pieces[0], sp.Integer(0))), *gains, tuple(derivatives(pieces[-1], sp.Integer(0)))

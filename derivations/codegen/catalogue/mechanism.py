@@ -1,0 +1,729 @@
+"""The kernels of a mechanism: its averages, its force, its resultants, and the slow flow with its own h put in.
+
+In:  `Results` and the slow flow's module.
+Out: `mechanism_module`; `with_proofs`, the module with what proofs and compiled solvers ask besides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from ...asymmetric.off_centre import steps
+from ...extensions.second_approximation import OF_HARMONIC
+from ...forces import elliptic
+from ...forces.elliptic import evaluable, parts
+from ...forces.of_mechanism import OfMechanism
+from ...mechanisms import Mechanism, Parameter
+from ...paper.equation_of_motion import Dimensionless
+from ...paper.restoring_force import Case, Restoring, average, forms
+from ...paper.slow_flow import m
+from ...symbols import F_0, A, mu, u, zeta
+from ..compensated import copysign
+from ..form import (
+    AVERAGED,
+    NAMES,
+    Branch,
+    Composition,
+    Kernel,
+    Law,
+    Let,
+    Module,
+    Record,
+    Selection,
+    by_even_power,
+    plain,
+)
+
+if TYPE_CHECKING:
+    from ...extensions.scaling import Scale
+
+#: What is emitted for each mechanism, and for whom.
+#:
+#: For the solvers, by the record: `averaged`, `averaged_2`, `intercept`, `harmonics`, `coefficients`,
+#: `breakpoints`, `jumps`, `hardening`, `by_parameter`, `by_design`, and the pieces of the force with their slopes.
+#: For users, who import them: `force`, the resultants `saddle_node_onset` (33) and `saddle_nodes`, and, thin because
+#: each only calls another:
+#:     h, H and derivatives     out of `averaged`, `averaged_2` and `averaged_H`
+#:     functions of the slow flow, polynomials in Omega and (34), with the mechanism's h put in
+COMPOSED = (
+    *("F", "F_A", "level", "phase", "jacobian", "stability", "transmissibility"),
+    *("backbone", "limit_envelope", "equivalent_damping"),
+    *("response_quartic", "fold_quartic", "peak_cubic", "detachment"),
+)
+
+
+def mechanism_module(mechanisms: Mapping[str, OfMechanism], name: str, flow: Module | None) -> Module:
+    """The module of one mechanism among others; composed with the slow flow where that is given."""
+    derived = mechanisms[name]
+    mechanism = derived.oscillator.mechanism
+    if not mechanism.reach.is_extended_real or mechanism.reach.free_symbols:
+        raise ArithmeticError(f"{name}: the reach has to be a number in the dimensionless displacement")
+    pieces, table = piece_kernels(derived, name)
+    averages = together(derived) if is_spelled_out(derived) else one_by_one(derived, alone=flow is None)
+    return Module(
+        name=name,
+        title=mechanism.title[0].upper() + mechanism.title[1:],
+        inputs=(f"mechanisms/{name}.py",),
+        kernels=(
+            *averages.kernels,
+            harmonics_kernel(derived),
+            *gradient_kernels(derived),
+            *data_kernels(derived),
+            *pieces,
+            force_kernel(derived, pieces[::2]),
+            *resultant_kernels(derived),
+        ),
+        selections=(*averages.selections, *selections(averages, compiled=not is_spelled_out(derived))),
+        compositions=tuple(compositions(flow, mechanism, averages.pair, compiled=not is_spelled_out(derived)))
+        if flow
+        else (),
+        flow=flow.name if flow else "",
+        record=record(mechanisms, derived, table, alone=flow is None),
+    )
+
+
+def with_proofs(module: Module, derived: OfMechanism) -> Module:
+    """The same with what compiled solvers and balls ask of it besides."""
+    return replace(
+        module,
+        cells=cell_kernels(derived),
+        settled=closely(derived),
+        held=held_kernels(derived),
+        balls=ball_kernels(derived),
+    )
+
+
+@dataclass(frozen=True)
+class Averages:
+    """What gives h and three derivatives, h and h_A, H and H_A, h - A h_A; and the kernels and selections these are."""
+
+    whole: Kernel | Selection
+    pair: Kernel | Selection
+    beside: Kernel | Selection | None
+    intercept: Kernel | Selection
+
+    @property
+    def kernels(self) -> list[Kernel]:
+        own = [one.source if isinstance(one, Selection) else one for one in self._named]
+        return list(dict.fromkeys(own))
+
+    @property
+    def selections(self) -> list[Selection]:
+        return [one for one in self._named if isinstance(one, Selection)]
+
+    @property
+    def _named(self) -> tuple[Kernel | Selection, ...]:
+        return self.whole, self.pair, *([] if self.beside is None else [self.beside]), self.intercept
+
+
+def is_spelled_out(derived: OfMechanism) -> bool:
+    """Whether the average is an algorithm in many steps, of which fewer derivatives save little.
+
+    What calls it is no loop of its own either: that would be as long as the algorithm, for each of twenty functions.
+    """
+    return bool(derived.whole.cases)
+
+
+def cases_of(restoring: Restoring) -> tuple[Case, ...]:
+    """The forms of an average to evaluate; at a breakpoint the lower regime holds."""
+    return restoring.cases or tuple(
+        Case(name, guards, restoring.far_regimes[passed, far] if far else restoring.regimes[passed])
+        for name, guards, passed, far in forms(restoring.breakpoints)
+    )
+
+
+def regime_branches(restoring: Restoring, count: int) -> tuple[Branch, ...]:
+    """The regimes of an average and its first derivatives as branches."""
+    return branches(cases_of(restoring), count)
+
+
+def branches(cases: Sequence[Case], count: int | None = None) -> tuple[Branch, ...]:
+    """The first outputs of each case; a single one needs no name."""
+    several = len(cases) > 1
+    return tuple(
+        Branch(
+            c.name if several else "",
+            c.guards,
+            c.regime.lets,
+            tuple(c.regime.derivatives[:count]),
+            passed=len(c.regime.passed),
+            remainders=c.regime.remainders,
+        )
+        for c in cases
+    )
+
+
+def averaged_kernel(derived: OfMechanism, name: str, outputs: Sequence[str], cases: tuple[Branch, ...]) -> Kernel:
+    """Some of h, H and their derivatives together."""
+    parameters = derived.oscillator.mechanism.parameters
+    return Kernel(
+        name,
+        (A, *parameters),
+        cases,
+        f"{', '.join(outputs)} together.",
+        "(20)-(22), (31)",
+        "A >= 0",
+        parameters=len(parameters),
+        returns="tuple",
+    )
+
+
+#: names of h and of H with its derivatives; the further ones of H are those of h
+OF_H, OF_BESIDE = tuple("h" + name for name in NAMES), ("H", "H_A")
+
+
+def one_by_one(derived: OfMechanism, *, alone: bool = False) -> Averages:
+    """A kernel for each: what is not asked for is not computed. H by itself, because h + A loses a small H's digits.
+
+    alone -- for solvers, which do not ask for H
+    """
+
+    def named(name: str, outputs: tuple[str, ...], restoring: Restoring) -> Kernel:
+        return averaged_kernel(derived, name, outputs, regime_branches(restoring, len(outputs)))
+
+    whole, pair = named("averaged", OF_H, derived.whole), named("averaged_2", OF_H[:2], derived.whole)
+    beside = None if alone else named("averaged_H", OF_BESIDE, derived.beside_vertical)
+    intercept = averaged_kernel(derived, "intercept", (), intercept_branches(derived))
+    return Averages(whole, pair, beside, replace(intercept, doc=INTERCEPT, returns="scalar"))
+
+
+def together(derived: OfMechanism) -> Averages:
+    """One kernel for all: h and H are ends of the same steps."""
+    whole, beside = (
+        regime_branches(restoring, count)
+        for restoring, count in ((derived.whole, len(OF_H)), (derived.beside_vertical, len(OF_BESIDE)))
+    )
+    if [branch.lets for branch in whole] != [branch.lets for branch in beside]:
+        raise ArithmeticError("h and H are no ends of the same steps")
+    cases = tuple(
+        replace(one, outputs=(*one.outputs, *other.outputs, *last.outputs))
+        for one, other, last in zip(whole, beside, intercept_branches(derived), strict=True)
+    )
+    names = (*OF_H, *OF_BESIDE, "h - A h_A")
+    kernel = averaged_kernel(derived, "averaged_all", names, cases)
+
+    def some(name: str, outputs: Sequence[str]) -> Selection:
+        chosen = tuple(names.index(output) for output in outputs)
+        return Selection(name, kernel, chosen, f"{', '.join(outputs)} together.", kernel.equation)
+
+    intercept = replace(some("intercept", names[-1:]), doc=INTERCEPT)
+    return Averages(some("averaged", OF_H), some("averaged_2", OF_H[:2]), some("averaged_H", OF_BESIDE), intercept)
+
+
+#: what `intercept` is
+INTERCEPT = "h - A h_A, where the tangent of h meets A = 0; linear terms are none."
+
+
+def intercept_branches(derived: OfMechanism) -> tuple[Branch, ...]:
+    """h - A h_A, in a form of its own."""
+    cases = zip(regime_branches(derived.whole, 0), cases_of(derived.whole), strict=True)
+    return tuple(replace(branch, outputs=(case.regime.intercept,)) for branch, case in cases)
+
+
+def cell_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
+    """What a proof asks for on intervals: parameters and what the force loses at its breakpoints; h and h - A h_A.
+
+    What it loses is a difference of larger numbers in the parameters, but not in the design: a number of its own.
+    """
+    whole, mechanism = derived.whole, derived.oscillator.mechanism
+    design = tuple(parameter.symbol for parameter in mechanism.design)
+    named = tuple(sp.Symbol(f"jump_{k}", real=True) for k in range(1, len(whole.breakpoints) + 1))
+    values = definitions_of(derived)
+    ends = [(end, values[end]) for end in whole.breakpoints if values[end] != end]
+    lost = [
+        end * sp.factor(sp.simplify((jump / end).subs(values)))
+        for end, jump in zip(whole.breakpoints, whole.jumps, strict=True)
+    ]
+    parameters = mechanism.parameters
+    given = plain(
+        "given",
+        design,
+        (*(name if name in whole.breakpoints else values[name] for name in parameters), *lost),
+        "The parameters from the design, and what the force loses at each breakpoint.",
+        "(5)-(7)",
+        "any design",
+        lets=ends,
+        paired=True,
+    )
+    if is_spelled_out(derived):
+        return given, kink_kernel(derived), *closely(derived)
+    regimes = [(form, average(whole.pieces, whole.breakpoints, *form[2:], named)) for form in forms(whole.breakpoints)]
+    cases = tuple(
+        Branch(
+            name if whole.breakpoints else "",
+            guards,
+            regime.lets,
+            (*regime.derivatives, regime.intercept),
+            passed=passed,
+            remainders=regime.remainders,
+        )
+        for (name, guards, passed, _), regime in regimes
+    )
+    return (
+        given,
+        replace(
+            averaged_kernel(derived, "known", (*OF_H, "h - A h_A"), cases),
+            arguments=(A, *parameters, *named),
+            parameters=len(parameters) + len(named),
+            paired=True,
+        ),
+    )
+
+
+def pieces_of(derived: OfMechanism) -> tuple[sp.Expr, sp.Expr, sp.Expr, elliptic.Corner]:
+    """Of a force that is not truncated: a, b of its first piece, its second's slope, and where the first ends."""
+    ((name, value),) = derived.oscillator.breakpoints.items()
+    (a, b), (rest, _) = (parts(piece) for piece in derived.whole.pieces)
+    return a, b, rest, elliptic.corner(name, value)
+
+
+def closely(derived: OfMechanism) -> tuple[Kernel, ...]:
+    """The average of a force that is not truncated, piece by piece: on intervals, and in double-double."""
+    if not is_spelled_out(derived):
+        return ()
+    a, b, rest, end = pieces_of(derived)
+    of_parts = elliptic.detached_closely(b, rest, end)
+    known = averaged_kernel(derived, "attached", (*OF_H, "h - A h_A"), ())
+    below = f"{known.doc} Where A does not exceed the breakpoint"
+    few, steep = (
+        Branch("", (), regime.lets, (*regime.derivatives, regime.intercept), remainders=regime.remainders)
+        for regime in elliptic.attached_closely(a, b)
+    )
+    return (
+        replace(known, branches=(few,), doc=f"{below}, nor {elliptic.FEW}."),
+        replace(known, name="attached_steep", branches=(steep,), doc=f"{below}."),
+        plain(
+            "detached",
+            (A, *of_parts.names, *derived.oscillator.mechanism.parameters),
+            of_parts.whole,
+            "The same where it does, from the parts.",
+            known.equation,
+            known.domain,
+            parameters=known.parameters,
+        ),
+    )
+
+
+def held_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
+    """What of it is computed to more digits: where A exceeds the breakpoint, in closed form."""
+    if not is_spelled_out(derived):
+        return ()
+    _, b, rest, end = pieces_of(derived)
+    of_parts = elliptic.detached_closely(b, rest, end)
+    parameters = derived.oscillator.mechanism.parameters
+    return (
+        plain(
+            "ends",
+            (of_parts.beyond, *parameters),
+            of_parts.ends,
+            "A; sqrt(1 - u_cr^2); sine, cosine and angle of where the first piece ends.",
+            "(5)",
+            "beyond > 0",
+            lets=of_parts.lets,
+            parameters=len(parameters),
+        ),
+        plain(
+            "parts",
+            (*of_parts.ends, *of_parts.carlson),
+            of_parts.integral,
+            "The average without the last piece, over b: h, h_A, h_AA, h_AAA, h - A h_A by Carlson's integrals.",
+            "(20)-(22), (31)",
+            "A > u_cr",
+            lets=of_parts.integral_lets,
+        ),
+    )
+
+
+def kink_kernel(derived: OfMechanism) -> Kernel:
+    """What the slope of a force that is not truncated loses where its springs leave."""
+    *_, end = pieces_of(derived)
+    height = sp.Symbol("c", positive=True)
+    below, above = (sp.diff(piece, u).subs(elliptic.ROOT, height).subs(u, end.name) for piece in derived.whole.pieces)
+    parameters = derived.oscillator.mechanism.parameters
+    return plain(
+        "kinks",
+        parameters,
+        (below - above,),
+        "What the slope of the force loses at each breakpoint.",
+        "(5)",
+        "any parameters",
+        lets=((end.name, end.value), (height, end.height)),
+        parameters=len(parameters),
+        paired=True,
+    )
+
+
+def ball_kernels(derived: OfMechanism) -> tuple[Kernel, ...]:
+    """What a proof asks for where an average is an algorithm that only approaches it: closed forms, for balls."""
+    if not is_spelled_out(derived):
+        return ()
+    whole, parameters = derived.whole, derived.oscillator.mechanism.parameters
+    a, b, rest, end = pieces_of(derived)
+    regimes = elliptic.in_balls(a, b, rest, end)
+    cases = tuple(
+        Branch(
+            f"passed_{passed}", ((A, end.name),), regime.lets, (*regime.derivatives, regime.intercept), passed=passed
+        )
+        for passed, regime in enumerate(regimes)
+    )
+    return (
+        plain(
+            "at_rest",
+            parameters,
+            elliptic.at_rest(whole.pieces[0]),
+            f"{', '.join(map(str, AVERAGED))}, h - A h_A at A = 0.",
+            "(20)-(22), (31)",
+            "any parameters",
+        ),
+        replace(averaged_kernel(derived, "known", (*OF_H, "h - A h_A"), cases), arguments=(A, *parameters)),
+    )
+
+
+def definitions_of(derived: OfMechanism) -> dict[sp.Symbol, sp.Expr]:
+    """Each parameter in the design's numbers."""
+    mechanism = derived.oscillator.mechanism
+    if tuple(parameter.symbol for parameter in mechanism.design) == tuple(mechanism.ratios):
+        return derived.oscillator.definitions | {ratio: ratio for ratio in mechanism.instead}
+    return {name: name for name in mechanism.parameters}
+
+
+def selections(averages: Averages, *, compiled: bool) -> list[Selection]:
+    """h and H with their derivatives, one by one."""
+    slope = ("", "d/dA of ", "d2/dA2 of ", "d3/dA3 of ")
+    result = []
+    for letter, count, what in (
+        ("h", len(NAMES), "the averaged restoring force h = H - A"),
+        ("H", 3, "the averaged force H beside the vertical spring"),
+    ):
+        cheapest = averages.pair if letter == "h" else averages.beside
+        if cheapest is None:
+            continue
+        for order in range(count):
+            source = cheapest if order < cheapest.width else averages.whole
+            text = slope[order] + what + "." if order else what[0].upper() + what[1:] + "."
+            equation = "(20)-(22)" if order == 0 else "(31)" if order == 1 else "from (31)"
+            result.append(Selection(letter + NAMES[order], source, (order,), text, equation, compiled))
+    return result
+
+
+def harmonics_kernel(derived: OfMechanism) -> Kernel:
+    """The higher harmonics of the force and their derivatives, together."""
+    parameters = derived.oscillator.mechanism.parameters
+    listed = ", ".join(str(symbol) for family in OF_HARMONIC.values() for symbol in family)
+    return Kernel(
+        "harmonics",
+        (A, *parameters),
+        branches(derived.harmonics.cases),
+        f"Higher harmonics of the force, as h is its first: {listed}.",
+        "beyond (20)",
+        derived.harmonics.domain,
+        parameters=len(parameters),
+        returns="tuple",
+    )
+
+
+def gradient_kernels(derived: OfMechanism) -> tuple[Kernel, Kernel]:
+    """How the average changes with the parameters of the force, and these with the design."""
+    mechanism = derived.oscillator.mechanism
+    parameters, design = mechanism.parameters, tuple(parameter.symbol for parameter in mechanism.design)
+    definitions = definitions_of(derived)
+    followed = [definitions[name] for name in (*parameters, *mechanism.breakpoints)]
+    return (
+        Kernel(
+            "by_parameter",
+            (A, *AVERAGED[:3], *parameters),
+            branches(derived.by_parameter),
+            "d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.",
+            "from (20)-(22), (31)",
+            "A > 0",
+            parameters=len(parameters),
+            returns="tuple",
+            looped=False,
+        ),
+        plain(
+            "by_design",
+            design,
+            [sp.factor(sp.diff(value, number)) for value in followed for number in design],
+            "d/d of each number of the design: of each parameter in turn, then of each breakpoint.",
+            "(5), (7)",
+            "any design that has a breakpoint" if mechanism.breakpoints else "any design",
+            looped=False,
+        ),
+    )
+
+
+def force_kernel(derived: OfMechanism, pieces: Sequence[Kernel]) -> Kernel:
+    """The piecewise force out of its pieces; at a breakpoint the lower piece holds.
+
+    Where that is steep beside the next, which it meets there, the next: a double next to the breakpoint is not at it.
+    """
+    mechanism = derived.oscillator.mechanism
+    ends = derived.oscillator.breakpoints.values()
+    guards = [*(((sp.Abs(u), end),) for end in ends), ()]
+    if is_spelled_out(derived):
+        guards, pieces = [*(((end, sp.Abs(u)),) for end in ends), ()], pieces[::-1]
+    branches = tuple(
+        Branch(piece.name, guard, piece.branches[0].lets, piece.branches[0].outputs, kernel=piece.name)
+        for guard, piece in zip(guards, pieces, strict=True)
+    )
+    stands_for = ", truncated" if is_truncated(derived) else ", untruncated" if is_spelled_out(derived) else ""
+    return Kernel(
+        "force",
+        (u, *mechanism.parameters),
+        branches,
+        f"Whole dimensionless restoring force u + F_k(u){stands_for}.",
+        "(3), (6)" if stands_for == ", truncated" else "(3), (5)",
+        f"|u| < {mechanism.reach}" if is_spelled_out(derived) else "any u",
+        parameters=len(mechanism.parameters),
+    )
+
+
+def odd(piece: sp.Expr) -> tuple[list[Let], sp.Expr]:
+    """A polynomial piece, stated for u > 0, on both sides: even powers change their sign with u, which is a let."""
+    side = sp.Symbol("side", real=True)
+    terms = {power: coefficient * u**power for (power,), coefficient in sp.Poly(piece, u).terms()}
+    even = sum((term for power, term in terms.items() if power % 2 == 0), sp.Integer(0))
+    if even == 0:
+        return [], sp.horner(piece, u)
+    return [(side, copysign(1, u))], sp.horner(sp.expand(piece - even), u) + side * sp.horner(even, u)
+
+
+def force_slope(force: sp.Expr) -> tuple[list[Let], sp.Expr]:
+    """df/du of a piece of a force; its square roots as lets."""
+    if force.is_polynomial(u):
+        return [], sp.horner(sp.diff(sp.expand(force), u), u)
+    under = sorted({power.base for power in force.atoms(sp.Pow) if power.exp.is_Rational and power.exp.q == 2}, key=str)
+    roots = {base: sp.Symbol(f"root_{k}", positive=True) for k, base in enumerate(under, start=1)}
+    named = force.replace(
+        lambda part: part.is_Pow and part.base in roots, lambda part: roots[part.base] ** (2 * part.exp)
+    )
+    slope = sp.diff(named, u) + sum(
+        sp.diff(named, root) * sp.diff(base, u) / (2 * root) for base, root in roots.items()
+    )
+    return [(root, sp.sqrt(base)) for base, root in roots.items()], slope
+
+
+def data_kernels(derived: OfMechanism) -> list[Kernel]:
+    """Parameters from ratios, breakpoints, jumps, and the force itself."""
+    dimensionless = derived.oscillator
+    mechanism = dimensionless.mechanism
+    parameters = mechanism.parameters
+    count = len(parameters)
+    whole = derived.whole
+    design = tuple(parameter.symbol for parameter in mechanism.design)
+    definitions = definitions_of(derived)
+    kernels = [
+        plain(
+            "coefficients",
+            design,
+            tuple(definitions[name] for name in parameters),
+            f"The parameters {', '.join(map(str, parameters))} from the design.",
+            "(5), (7)",
+            "any design",
+        )
+    ]
+    for name, values, doc, equation in (
+        (
+            "breakpoints",
+            tuple(dimensionless.breakpoints.values()),
+            "The |u| at which a piece of the force ends.",
+            "(5)",
+        ),
+        (
+            "jumps",
+            whole.jumps,
+            "What the force loses at each breakpoint: f below less f above.",
+            "(6)" if is_truncated(derived) else "(5)",
+        ),
+        (
+            "hardening",
+            hardening(whole),
+            "The force over the displacement, f(u)/u, rises with |u| where none of these is negative.",
+            "from (3)",
+        ),
+        *steps_of(derived),
+    ):
+        kernel = plain(name, parameters, values, doc, equation, "any parameters", parameters=count)
+        kernel = replace(kernel, looped=name != "steps")
+        exact = name == "breakpoints" and bool(values)
+        kernels.append(replace(kernel, enclosed=exact, paired=exact))
+    return kernels
+
+
+DOC_OF_STEPS = (
+    "f and its derivatives just above 0, their gains at each breakpoint, and the last piece's by its formula at 0."
+)
+
+
+def is_stepped(derived: OfMechanism) -> bool:
+    """Whether the force is a sum of steps in powers of u, and continuous at u = 0: then it is known off the centre."""
+    pieces = derived.whole.pieces
+    return all(piece.is_polynomial(u) for piece in pieces) and pieces[0].subs(u, 0) == 0
+
+
+def steps_of(derived: OfMechanism) -> list[tuple[str, tuple[sp.Expr, ...], str, str]]:
+    """The force as a sum of steps, where its pieces are polynomials."""
+    if not is_stepped(derived):
+        return []
+    rows = steps(derived.whole.pieces, derived.whole.breakpoints, derived.whole.jumps)
+    values = tuple(value for row in rows for value in row)
+    return [("steps", values, DOC_OF_STEPS, "(3), (5)")]
+
+
+def piece_kernels(derived: OfMechanism, module: str) -> tuple[list[Kernel], tuple[Law, ...]]:
+    """The pieces of the force and their slopes, one by one, for the equation of motion; and the laws of a module."""
+    parameters = derived.oscillator.mechanism.parameters
+    equation = "(3), (6)" if is_truncated(derived) else "(3), (5)"
+    kernels, table = [], []
+    for k, piece in enumerate(derived.whole.pieces, start=1):
+        lets, printed = ([], evaluable(piece)) if is_spelled_out(derived) else odd(piece)
+        name, name_of_slope = f"force_{k}", f"force_{k}_u"
+        what = f"iece {k} of the whole restoring force u + F_k(u)."
+        texts = (equation, "where it holds")
+        roots, slope = force_slope(printed)
+        arguments = (u, *parameters)
+        kernels.append(plain(name, arguments, printed, "P" + what, *texts, lets=lets, generic=True))
+        kernels.append(
+            plain(name_of_slope, arguments, slope, "d/du of p" + what, *texts, lets=[*lets, *roots], generic=True)
+        )
+        table.append(Law(name, name_of_slope, f"{module}.{name}"))
+    return kernels, tuple(table)
+
+
+def hardening(whole: Restoring) -> tuple[sp.Expr, ...]:
+    """What must not be negative for f(u)/u to rise with |u|: the slope's terms piece by piece, then the jumps.
+
+    Of a polynomial piece d/du (f/u) is the sum of (d - 1) c_d u^(d - 2). Others are u (a + b (1/sqrt(1 - u^2) - 1)).
+    """
+    terms: list[sp.Expr] = []
+    for piece in whole.pieces:
+        if piece.is_polynomial(u):
+            terms += [c * sp.sign(d - 1) for (d,), c in reversed(sp.Poly(piece, u).terms()) if d != 1]
+        else:
+            terms.append(sp.factor(parts(piece)[1]))
+    return (*(term for term in terms if term != 0), *(-jump for jump in whole.jumps if jump != 0))
+
+
+def described(dimensionless: Dimensionless) -> tuple[Parameter, ...]:
+    """The parameters of the kernels, each with one line and the unit of the dimensional quantity."""
+    mechanism = dimensionless.mechanism
+    given = {parameter.symbol: parameter for parameter in mechanism.design}
+    several = len(mechanism.pieces) > 1
+    result = []
+    for number, names in enumerate(mechanism.coefficients, start=1):
+        where = f"of piece {number} of the force" if several else "of the force"
+        for power, name in names.items():
+            unit = "k_v" if power == 1 else f"k_v/L^{power - 1}"
+            doc = f"coefficient of u{f'^{power}' if power > 1 else ''} in the Taylor series {where}"
+            result.append(given.get(name, Parameter(name, doc, unit)))
+    ends = (
+        Parameter(name, f"|u| at which piece {number} of the force ends", "L")
+        for number, name in enumerate(() if mechanism.instead else mechanism.breakpoints, start=1)
+    )
+    return (*result, *ends, *(given[ratio] for ratio in mechanism.instead))
+
+
+def scales(mechanism: Mechanism) -> tuple[Scale, ...]:
+    """What the design's numbers are measured in."""
+    from ...extensions.scaling import (
+        of_design,  # here, not above: who derives a mechanism alone has no numbers in SI units
+    )
+
+    return of_design(mechanism)
+
+
+def record(
+    mechanisms: Mapping[str, OfMechanism], derived: OfMechanism, pieces: tuple[Law, ...], *, alone: bool
+) -> Record:
+    """What the record says that no kernel does; alone for solvers, which do not ask for scales."""
+    mechanism = derived.oscillator.mechanism
+    truncated = is_truncated(derived)
+    twins = [
+        name
+        for name, other in mechanisms.items()
+        if truncated
+        and other.oscillator.mechanism.order == sp.oo
+        and other.oscillator.mechanism.pieces == mechanism.pieces
+    ]
+    return Record(
+        mechanism,
+        described(derived.oscillator),
+        pieces,
+        derived.harmonics.most,
+        truncated,
+        twins[0] if twins else "",
+        () if alone else scales(mechanism),
+        is_stepped(derived),
+    )
+
+
+def is_truncated(derived: OfMechanism) -> bool:
+    """Whether a Taylor polynomial stands for the force."""
+    order = derived.oscillator.mechanism.order
+    forces = derived.oscillator.exact
+    return order != sp.oo and not all(force.is_polynomial(u) and sp.degree(force, u) <= order for force in forces)
+
+
+def resultant_kernels(derived: OfMechanism) -> list[Kernel]:
+    """Coefficients of the resultants, where there are any."""
+    if not derived.saddle_nodes:
+        return []
+    parameters = derived.oscillator.mechanism.parameters
+    first = derived.whole.breakpoints[:1]
+    # the resultants hold for the first regime: its breakpoint does not enter
+    domain = f"roots with 0 < A <= {first[0]}" if first else "roots with A > 0"
+    excess = sp.Symbol("excess", real=True)
+    by_excess = {power: in_excess(value, excess) for power, value in derived.saddle_nodes.reduced.items()}
+    return [
+        plain(
+            "saddle_node_onset",
+            (m, zeta, *parameters),
+            by_even_power(derived.saddle_node_onset),
+            "Reduced resultant of F_A and F_AA: coefficients of A^0, A^2, ...; its roots are candidates for the onset.",
+            "(33)",
+            domain,
+            parameters=len(parameters),
+            returns="stack",
+        ),
+        plain(
+            "saddle_nodes",
+            (F_0, m, zeta, *parameters),
+            by_even_power(replace(derived.saddle_nodes, reduced=by_excess)),
+            "Reduced resultant of F and F_A: coefficients of A^0, A^2, ...; its roots are candidates for folds.",
+            "from (24), (30)",
+            domain,
+            lets=((excess, (F_0 - m) * (F_0 + m)),),
+            parameters=len(parameters),
+            returns="stack",
+        ),
+    ]
+
+
+def in_excess(value: sp.Expr, excess: sp.Symbol) -> sp.Expr:
+    """A polynomial in F_0^2 by what this exceeds m^2 by, of which it has high powers: it is small next to sticking."""
+    terms = sp.Poly(value, F_0).terms()
+    if any(power % 2 for (power,), _ in terms):
+        raise ArithmeticError("a resultant that is not even in F_0")
+    return sum(coefficient * (excess + m**2) ** (power // 2) for (power,), coefficient in terms)
+
+
+def compositions(
+    flow: Module, mechanism: Mechanism, average: Kernel | Selection, *, compiled: bool
+) -> list[Composition]:
+    """The slow flow's functions with the mechanism's h put in; m = 4 mu/pi."""
+    by_name = {kernel.name: kernel for kernel in flow.kernels}
+    result = []
+    for name in COMPOSED:
+        inner = by_name[name]
+        own = [mu if argument == m else argument for argument in inner.arguments if argument not in AVERAGED]
+        averages = [argument for argument in inner.arguments if argument in AVERAGED]
+        if not set(averages) <= set(AVERAGED[: average.width]):
+            raise ArithmeticError(f"{name} needs more derivatives of h than {average.name} gives")
+        parameters = mechanism.parameters if averages else ()
+        used = average if averages else None
+        result.append(Composition(name, (*own, *parameters), inner, used, len(parameters), compiled or not averages))
+    return result

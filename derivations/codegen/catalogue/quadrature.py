@@ -1,0 +1,353 @@
+"""The kernels of a mechanism whose average is a quadrature: integrands, what stands around them, the force, its data.
+
+In:  a `Mechanism` and its `Quadrature`.
+Out: `quadrature_module`.
+
+The parameters are the design's numbers, and nothing is named between: a force of any kind has no coefficients. Their
+names are users', so kernels have them with a line behind them, which nothing else in printed code has.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from ...asymmetric.curved import of_odd
+from ...asymmetric.off_centre import steps
+from ...extensions.second_approximation import OF_HARMONIC
+from ...forces.contact import Contact, y
+from ...forces.quadrature import BROKEN, DENSE, Quadrature, c, s, sums, v
+from ...mechanisms import UNIT, Mechanism
+from ...paper.restoring_force import ORDERS
+from ...symbols import A, u
+from ..compensated import copysign
+from ..form import AVERAGED, Branch, Enclosed, Kernel, Law, Let, Module, Record, Sums, plain
+from .mechanism import DOC_OF_STEPS, INTERCEPT
+from .sided import curved_kernels
+
+#: of an odd force that is stated for u > 0
+SIDE, SIZE = sp.Symbol("side", real=True), sp.Symbol("size", nonnegative=True)
+SIDES = ((SIDE, copysign(1, u)), (SIZE, sp.Abs(u)))
+#: sums are named by the terms under their integrals
+ANY = "any parameters"
+
+
+def quadrature_module(name: str, mechanism: Mechanism, average: Quadrature) -> Module:
+    """The module of one mechanism that is stated in a program."""
+    stated = mechanism
+    mechanism, average = renamed(mechanism, average)
+    pieces, laws = piece_kernels(mechanism, average, name)
+    averages = (*average_sums(mechanism, average), parameter_sums(mechanism, average))
+    beside = of_odd(average, mechanism.parameters)
+    terms = None if beside is None else curved_kernels(beside, mechanism.parameters)
+    return Module(
+        name=name,
+        title=stated.title[0].upper() + stated.title[1:],
+        inputs=("live.py", "forces/quadrature.py", *(["asymmetric/curved.py"] if terms else [])),
+        kernels=(
+            *data_kernels(mechanism, average),
+            *step_kernels(mechanism, average),
+            *pieces,
+            *(terms.kernels if terms else ()),
+            *(kernel for one in averages for kernel in (*one.terms, one.closing)),
+        ),
+        record=Record(stated, stated.design or (UNIT,), laws, sp.oo, False, "", (), stepped=is_stepped(average)),
+        native=False,
+        sums=averages,
+        enclosed=enclosed(mechanism, average),
+        off_centre=terms,
+    )
+
+
+def renamed(mechanism: Mechanism, average: Quadrature) -> tuple[Mechanism, Quadrature]:
+    """The same with the parameters as kernels call them."""
+    names = {given: sp.Symbol(f"{given.name}_", **given.assumptions0) for given in mechanism.parameters}
+    design = tuple(replace(parameter, symbol=names[parameter.symbol]) for parameter in mechanism.design)
+    pieces = tuple(piece.xreplace(names) for piece in average.pieces)
+    ends = {name: end.xreplace(names) for name, end in average.breakpoints.items()}
+    return replace(mechanism, design=design, instead=tuple(names.values())), Quadrature(pieces, ends)
+
+
+def average_sums(mechanism: Mechanism, average: Quadrature) -> tuple[Sums, ...]:
+    """`averaged`, `intercept` and `harmonics`."""
+    parameters = mechanism.parameters
+    regimes = [average.regime(count) for count in range(len(average.pieces))]
+    listed = ", ".join(str(symbol) for family in OF_HARMONIC.values() for symbol in family)
+    found = []
+    for number, (name, doc, equation) in enumerate(
+        (
+            ("averaged", ", ".join(map(str, AVERAGED)) + " together.", "(20)-(22), (31)"),
+            ("intercept", INTERCEPT, "from (20)"),
+            ("harmonics", f"Higher harmonics of the force, as h is its first: {listed}.", "beyond (20)"),
+        )
+    ):
+        of_pieces = [average.integrands(piece)[number] for piece in average.from_begin]
+        of_contacts = [average.of_contact(contact)[number] for contact in average.contacts]
+        terms = under_the_integrals(name, equation, average, parameters, of_pieces, of_contacts)
+        outputs = [(one.averaged, (one.intercept,), one.harmonics)[number] for one in regimes]
+        given = tuple(sums(terms[0].width))
+        closing = Kernel(
+            f"{name}_of",
+            (A, *given, *parameters),
+            branches(average, [(one.lets, values) for one, values in zip(regimes, outputs, strict=True)]),
+            f"`{name}` in the sums of its integrals over the pieces.",
+            equation,
+            "A >= 0",
+            parameters=len(parameters),
+            returns="tuple",
+        )
+        scalar = name == "intercept"
+        found.append(Sums(name, terms, closing, doc, equation, graded(average), begins(average), scalar))
+    return tuple(found)
+
+
+def under_the_integrals(
+    name: str,
+    equation: str,
+    average: Quadrature,
+    parameters: tuple[sp.Symbol, ...],
+    of_pieces: Sequence[tuple[sp.Expr, ...]],
+    of_contacts: Sequence[tuple[sp.Expr, ...]],
+) -> tuple[Kernel, ...]:
+    """The kernels of integrands, one for each piece and for each contact: to the sums of the others these add 0.
+
+    The sums of the pieces come first, then those of each contact.
+    """
+    own = len(of_pieces[0])
+    width = own + sum(map(len, of_contacts))
+    listed = [
+        (f"{name}_terms_{k}", f"piece {k} of the force", values, 0, []) for k, values in enumerate(of_pieces, start=1)
+    ]
+    for k, (contact, values) in enumerate(zip(average.contacts, of_contacts, strict=True), start=1):
+        what = f"what begins with piece {contact.begins + 1} as a power {contact.power}"
+        listed.append((f"{name}_contact_{k}", what, values, own, contact.lets))
+        own += len(values)
+    return tuple(
+        plain(
+            called,
+            (v, s, c, *parameters),
+            (*(sp.Integer(0),) * first, *values, *(sp.Integer(0),) * (width - first - len(values))),
+            f"Under the integrals of `{name}` on {what}, which u = A sine is beyond the begin of.",
+            equation,
+            "where the piece holds",
+            lets=lets,
+            parameters=len(parameters),
+            generic=True,
+        )
+        for called, what, values, first, lets in listed
+    )
+
+
+def graded(average: Quadrature) -> tuple[int, ...]:
+    """Of each piece and each contact."""
+    first = BROKEN if average.is_broken else DENSE
+    return (first, *(DENSE,) * (len(average.pieces) - 1), *(BROKEN,) * len(average.contacts))
+
+
+def begins(average: Quadrature) -> tuple[int, ...]:
+    """The number of the breakpoint at which each contact begins, from 0 on."""
+    return tuple(contact.begins - 1 for contact in average.contacts)
+
+
+def parameter_sums(mechanism: Mechanism, average: Quadrature) -> Sums:
+    """How h, h_A and h_AA change with each parameter."""
+    parameters = mechanism.parameters
+    doc, equation = "d/dp of h, h_A and h_AA at a fixed A, for each parameter p in turn.", "from (20)-(22), (31)"
+    of_pieces = [
+        tuple(value for parameter in parameters for value in average.changes(k, parameter))
+        for k in range(len(average.pieces))
+    ]
+    of_contacts = [
+        tuple(value for parameter in parameters for value in average.changes_of(contact, parameter))
+        for contact in average.contacts
+    ]
+    terms = under_the_integrals("by_parameter", equation, average, parameters, of_pieces, of_contacts)
+    cases, wide = [], 3 * len(parameters)
+    places = [wide * k for k in range(1, len(average.contacts) + 1)]
+    for count in range(len(average.pieces)):
+        values = [
+            average.changed(count, parameter, 3 * place, [first + 3 * place for first in places])
+            for place, parameter in enumerate(parameters)
+        ]
+        cases.append((average.regime(count).lets, tuple(value for one in values for value in one)))
+    closing = Kernel(
+        "by_parameter_of",
+        (A, *sums(terms[0].width), *parameters),
+        branches(average, cases),
+        "`by_parameter` in the sums of its integrals over the pieces.",
+        equation,
+        "A > 0",
+        parameters=len(parameters),
+        returns="tuple",
+    )
+    return Sums("by_parameter", terms, closing, doc, equation, graded(average), begins(average), beside=AVERAGED[:3])
+
+
+def branches(average: Quadrature, cases: list[tuple[tuple[Let, ...], tuple[sp.Expr, ...]]]) -> tuple[Branch, ...]:
+    """One for each number of breakpoints that the amplitude exceeds."""
+    ends = [*average.breakpoints.values()]
+    return tuple(
+        Branch(
+            f"passed_{count}" if ends else "",
+            ((A, ends[count]),) if count < len(ends) else (),
+            lets,
+            outputs,
+            passed=count,
+        )
+        for count, (lets, outputs) in enumerate(cases)
+    )
+
+
+def data_kernels(mechanism: Mechanism, average: Quadrature) -> list[Kernel]:
+    """Parameters from the design, breakpoints, jumps, kinks."""
+    parameters = mechanism.parameters
+    losses = average.losses
+    followed = (*parameters, *average.breakpoints.values())
+    given = tuple(parameter.symbol for parameter in mechanism.design)
+    return [
+        plain(
+            "by_design",
+            given,
+            tuple(sp.diff(value, number) for value in followed for number in given),
+            "d/d of each number of the design: of each parameter in turn, then of each breakpoint.",
+            "(5)",
+            "any design",
+        ),
+        plain("coefficients", given, given or (sp.Integer(1),), "The parameters are the design.", "(4)", "any design"),
+        *(
+            plain(name, parameters, values, doc, equation, ANY, parameters=len(parameters))
+            for name, values, doc, equation in (
+                (
+                    "breakpoints",
+                    tuple(average.breakpoints.values()),
+                    "The |u| at which a piece of the force ends.",
+                    "(5)",
+                ),
+                (
+                    "jumps",
+                    tuple(lost[0] for lost in losses),
+                    "What the force loses at each breakpoint: f below less f above.",
+                    "(5)",
+                ),
+                (
+                    "hardening",
+                    (sp.Integer(-1),),
+                    "The force over the displacement, f(u)/u, is not known to rise.",
+                    "from (3)",
+                ),
+            )
+        ),
+        kink_kernel(parameters, average),
+    ]
+
+
+def kink_kernel(parameters: tuple[sp.Symbol, ...], average: Quadrature) -> Kernel:
+    """What tells where derivatives of h are infinite above a breakpoint."""
+    doc = "What its slope and its curvature lose at each breakpoint, as broken powers about them do too."
+    values = tuple(value for lost in average.kinks for value in lost)
+    return plain("kinks", parameters, values, doc, "(5)", ANY, parameters=len(parameters))
+
+
+def is_stepped(average: Quadrature) -> bool:
+    """Whether the force is a sum of steps in powers of u, and continuous at u = 0: then it is known off the centre."""
+    return all(piece.is_polynomial(u) for piece in average.pieces) and average.pieces[0].subs(u, 0) == 0
+
+
+def step_kernels(mechanism: Mechanism, average: Quadrature) -> list[Kernel]:
+    """The force as a sum of steps, where it is one."""
+    if not is_stepped(average):
+        return []
+    rows = steps(average.pieces, tuple(average.breakpoints.values()), tuple(lost[0] for lost in average.losses))
+    values, given = tuple(value for row in rows for value in row), mechanism.parameters
+    return [replace(plain("steps", given, values, DOC_OF_STEPS, "(3), (5)", ANY, parameters=len(given)), looped=False)]
+
+
+def piece_kernels(mechanism: Mechanism, average: Quadrature, module: str) -> tuple[list[Kernel], tuple[Law, ...]]:
+    """The pieces of the force and their slopes on both sides of u = 0, for the equation of motion; laws of a module."""
+    parameters = mechanism.parameters
+    kernels, laws = [], []
+    for k, piece in enumerate(average.pieces, start=1):
+        name, slope = f"force_{k}", f"force_{k}_u"
+        contacts = [contact for contact in average.contacts if contact.begins == k - 1]
+        if contacts:
+            lets, printed, inclined = from_contact(average.smooth[k - 1], contacts)
+        else:
+            lets, printed, inclined = on_both_sides(piece)
+        what = f"iece {k} of the whole restoring force u + F_k(u)."
+        for one, value, text in ((name, printed, "P" + what), (slope, inclined, "d/du of p" + what)):
+            kernels.append(
+                plain(one, (u, *parameters), value, text, "(3), (5)", "where it holds", lets=lets, generic=True)
+            )
+        laws.append(Law(name, slope, f"{module}.{name}", contacts[0].begin if contacts else None))
+    return kernels, tuple(laws)
+
+
+def on_both_sides(piece: sp.Expr) -> tuple[list[Let], sp.Expr, sp.Expr]:
+    """A piece and its slope, stated for u > 0: as it is where it is odd, by the size of u and its side elsewhere."""
+    inclined = sp.powsimp(sp.diff(piece, u))
+    if sp.expand(piece.subs(u, -u) + piece) == 0:
+        return [], piece, inclined
+    return list(SIDES), SIDE * piece.subs(u, SIZE), inclined.subs(u, SIZE)
+
+
+def from_contact(smooth: sp.Expr, contacts: Sequence[Contact]) -> tuple[list[Let], sp.Expr, sp.Expr]:
+    """The same of a piece with contacts, which are 0 below where they begin: integrators step there."""
+    (begin,) = {contact.begin for contact in contacts}
+    excess = SIZE - begin
+    touching = sp.Add(*(v**contact.power * contact.factor for contact in contacts))
+    inclined = sp.diff(smooth, u).subs(u, SIZE) + sp.powsimp(sp.expand(sp.diff(touching, v)))
+    lets = [*SIDES, (v, (excess + sp.Abs(excess, evaluate=False)) / 2)]
+    return lets, SIDE * (smooth.subs(u, SIZE) + touching), inclined
+
+
+def enclosed(mechanism: Mechanism, average: Quadrature) -> Enclosed:
+    """What holds h and h_AAAA on an interval of amplitudes."""
+    parameters = mechanism.parameters
+    about = ("(20), (31)", "on intervals")
+    terms = tuple(
+        plain(
+            f"enclosed_terms_{k}",
+            (A, v, s, *parameters),
+            average.bent(piece),
+            f"Under the integrals of h and h_AAAA on piece {k} of the force, which u = A sine is beyond the begin of.",
+            *about,
+            parameters=len(parameters),
+            generic=True,
+        )
+        for k, piece in enumerate(average.from_begin, start=1)
+    )
+    contacts = tuple(
+        plain(
+            f"enclosed_contact_{k}",
+            (A, y, *parameters),
+            contact.between,
+            f"Over dy/sqrt(1 - y), what begins with piece {contact.begins + 1} as a power {contact.power}, and four "
+            "derivatives; y is the share of what A exceeds its begin by.",
+            *about,
+            lets=contact.lets_between,
+            parameters=len(parameters),
+            generic=True,
+        )
+        for k, contact in enumerate(average.contacts, start=1)
+    )
+    given = sums(2 + sum(contact.width for contact in contacts))
+    closing = []
+    for count in range(len(average.pieces)):
+        known = dict(list(average.breakpoints.items())[:count])
+        numbers = {b: value for b, value in known.items() if value.is_number}
+        roots = tuple(sp.Symbol(f"root_{k}", nonnegative=True) for k in range(1, count + 1))
+        closing.append(
+            plain(
+                f"enclosed_of_{count}",
+                (A, *roots, *given, *parameters),
+                tuple(value.xreplace(numbers) for value in average.bends(count)),
+                f"h and h_A{'A' * ORDERS} in the integrals and sqrt(A^2 - b^2), beyond {count} breakpoints.",
+                *about,
+                lets=[(b, value) for b, value in known.items() if b not in numbers and b != value],
+                parameters=len(parameters),
+                generic=True,
+            )
+        )
+    return Enclosed(terms, tuple(closing), contacts, begins(average))

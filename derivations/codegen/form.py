@@ -1,0 +1,423 @@
+"""What a kernel is: the forms in which the catalogue states functions, and in which the targets take them.
+
+In:  exact SymPy expressions, and what is known of them: arguments, equation number, domain.
+Out: `Kernel`, a function of numbers, regime by regime; `Selection` and `Composition`, which call another; `Module`, a
+     file of them.
+
+Arguments come in one order everywhere: Omega, A, F_0, m or mu, zeta, h, h_A, h_AA, h_AAA, the mechanism's parameters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from ..paper.slow_flow import SCENES, m
+from ..symbols import h, h_A, h_AA, h_AAA
+from .prose import Prose
+
+if TYPE_CHECKING:
+    from ..asymmetric.sided import Sided
+    from ..extensions.scaling import Scale
+    from ..mechanisms import Mechanism, Parameter
+    from ..paper.critical_forcings import Elimination
+
+Let = tuple[sp.Symbol, sp.Expr]
+
+AVERAGED = (h, h_A, h_AA, h_AAA)
+
+#: name of the slow flow's module with all damping terms
+GENERAL = "slow_flow"
+
+#: of h or H and its derivatives
+NAMES = ("", "_A", "_AA", "_AAA")
+
+
+@dataclass(frozen=True)
+class Branch:
+    """One regime of a kernel.
+
+    name    -- for the generated code
+    kernel  -- name of another kernel of the same arguments that computes it; "" where it is printed with this one
+    passed  -- how many breakpoints the amplitude exceeds, where that is what makes the regime
+    remainders -- lets that stand for a series cut short, each with a bound of its relative error
+    guards  -- pairs (left, right): the branch holds where every left <= right and no earlier branch does
+    lets    -- intermediate quantities in order
+    outputs -- expressions in the arguments and the lets
+    """
+
+    name: str
+    guards: tuple[tuple[sp.Expr, sp.Expr], ...]
+    lets: tuple[Let, ...]
+    outputs: tuple[sp.Expr, ...]
+    kernel: str = ""
+    passed: int = 0
+    remainders: tuple[Let, ...] = ()
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """A generated function of real numbers.
+
+    parameters -- how many of the last arguments are the mechanism's parameters
+    returns    -- "scalar", "tuple" or "stack" (one array, coefficients along its first axis)
+    equation   -- number in the paper, or what it is derived from
+    domain     -- where it holds
+    generic    -- in Python for any kind of number that has arithmetic, and NumPy's functions where it calls them:
+                  floats, complex numbers, arrays, an integrator's symbols
+    enclosed   -- whether it is wanted on intervals too, in C
+    searched   -- and on intervals of any arithmetic, in Python
+    looped     -- whether Python may have it as a compiled loop over arrays of floats: asked once an answer, it need not
+    in_c       -- whether anything in C calls it, where a module is in C at all
+    paired     -- and in double-double, in C, and in balls, in Python
+    to_pairs   -- of one in double-double: the lets that are wanted so, what is left to do being done in doubles; all
+                  of it where there are none
+    """
+
+    name: str
+    arguments: tuple[sp.Symbol, ...]
+    branches: tuple[Branch, ...]
+    doc: str
+    equation: str
+    domain: str
+    parameters: int = 0
+    returns: str = "scalar"
+    generic: bool = False
+    enclosed: bool = False
+    searched: bool = False
+    looped: bool = True
+    in_c: bool = True
+    paired: bool = False
+    to_pairs: tuple[sp.Symbol, ...] = ()
+
+    @property
+    def width(self) -> int:
+        return len(self.branches[0].outputs)
+
+    @property
+    def compiled(self) -> bool:
+        """Whether Python has it as a loop over arrays of floats."""
+        return self.width > 0 and self.looped and not self.generic
+
+
+@dataclass(frozen=True)
+class Selection:
+    """A function that takes some outputs of another with the same arguments.
+
+    source   -- the other one; it returns a tuple
+    chosen   -- numbers of the outputs taken
+    compiled -- whether Python has it as a loop over arrays of floats, which computes these alone
+    """
+
+    name: str
+    source: Kernel | Selection
+    chosen: tuple[int, ...]
+    doc: str
+    equation: str
+    compiled: bool = False
+
+    @property
+    def arguments(self) -> tuple[sp.Symbol, ...]:
+        return self.source.arguments
+
+    @property
+    def domain(self) -> str:
+        return self.source.domain
+
+    @property
+    def parameters(self) -> int:
+        return self.source.parameters
+
+    @property
+    def width(self) -> int:
+        return len(self.chosen)
+
+    @property
+    def returns(self) -> str:
+        return "scalar" if self.width == 1 else "tuple"
+
+
+@dataclass(frozen=True)
+class Composition:
+    """A function that calls `inner` of the slow flow with m = friction(mu) and h, h_A, ... of the mechanism put in.
+
+    average  -- what gives h and its first derivatives; None where the inner kernel takes none
+    compiled -- whether Python has it as one loop over arrays of floats
+    """
+
+    name: str
+    arguments: tuple[sp.Symbol, ...]
+    inner: Kernel
+    average: Kernel | Selection | None
+    parameters: int = 0
+    compiled: bool = False
+
+    @property
+    def doc(self) -> str:
+        return self.inner.doc
+
+    @property
+    def equation(self) -> str:
+        return self.inner.equation
+
+    @property
+    def domain(self) -> str:
+        return self.inner.domain
+
+    @property
+    def width(self) -> int:
+        return self.inner.width
+
+    @property
+    def returns(self) -> str:
+        return self.inner.returns
+
+
+@dataclass(frozen=True)
+class Law:
+    """One piece of a force as a mechanism's record has it, by names.
+
+    force, slope -- of the generic kernels
+    name         -- of the law itself, the same in every language: by it Python finds the Taylor recurrences in C
+    begins       -- where it begins as a broken power of what |u| exceeds that by; None elsewhere
+    """
+
+    force: str
+    slope: str
+    name: str
+    begins: sp.Expr | None = None
+
+
+@dataclass(frozen=True)
+class Record:
+    """What the generated record of a mechanism holds beside the module's kernels.
+
+    mechanism       -- where it comes from
+    parameters      -- what its kernels take, in their order
+    pieces          -- of the force, by rising |u|
+    harmonics_up_to -- the largest breakpoint for which the harmonics hold
+    truncated       -- whether the force is a Taylor polynomial that stands for another
+    untruncated     -- name of the mechanism with that other force; "" where there is none
+    scales          -- what the design's numbers are measured in
+    stepped         -- whether the force is known as a sum of steps
+    odd             -- whether the force is; averages about the centre are of such ones only
+    """
+
+    mechanism: Mechanism | Sided
+    parameters: tuple[Parameter, ...]
+    pieces: tuple[Law, ...]
+    harmonics_up_to: sp.Expr
+    truncated: bool
+    untruncated: str
+    scales: tuple[Scale, ...]
+    stepped: bool = False
+    odd: bool = True
+
+
+@dataclass(frozen=True)
+class TwofoldKernel:
+    """A generated function in double-double, for floats and arrays as they are; see `compensated`.
+
+    lets, values -- what to evaluate, in structured form
+    lows    -- which arguments come with a low part, and its name
+    returns -- "rounded": one value, as a double; "pairs": high, low for each; "distilled": one value, a sum of products
+               of two doubles, with a certain sign
+    beside  -- outputs in plain doubles that follow, in the arguments and the lets
+    """
+
+    name: str
+    arguments: tuple[sp.Symbol, ...]
+    lets: tuple[Let, ...]
+    values: tuple[sp.Expr, ...]
+    doc: str
+    equation: str
+    domain: str
+    lows: dict[sp.Symbol, sp.Symbol] = field(default_factory=dict)
+    returns: str = "rounded"
+    beside: tuple[sp.Expr, ...] = ()
+
+
+@dataclass(frozen=True)
+class Sums:
+    """A function of A that closes integrals over the quarter cycle, summed by `slowflow_support.quadrature`.
+
+    terms   -- of each piece of the force, the generic kernel of what stands under the integrals
+               then of each contact, from where it begins up to A
+    closing -- the kernel of A, the integrals and the parameters that gives the outputs
+    graded  -- of each of these the power of what is divided into panels that its angle is
+    begins  -- the number of the breakpoint at which each contact begins
+    scalar  -- whether it gives a number
+    beside  -- arguments after A that it has no use for
+    """
+
+    name: str
+    terms: tuple[Kernel, ...]
+    closing: Kernel
+    doc: str
+    equation: str
+    graded: tuple[int, ...]
+    begins: tuple[int, ...] = ()
+    scalar: bool = False
+    beside: tuple[sp.Symbol, ...] = ()
+
+    @property
+    def parameters(self) -> tuple[sp.Symbol, ...]:
+        """Of the mechanism."""
+        return self.closing.arguments[len(self.closing.arguments) - self.closing.parameters :]
+
+
+@dataclass(frozen=True)
+class Enclosed:
+    """What holds the average on an interval of amplitudes, by names of kernels on intervals.
+
+    terms   -- of each piece of the force, what stands under the integrals of h and h_AAAA
+    closing -- both in the integrals, by how many breakpoints the amplitude exceeds
+    contacts -- of each contact what M and its derivatives are integrals of
+    begins  -- the number of the breakpoint at which each begins
+    """
+
+    terms: tuple[Kernel, ...]
+    closing: tuple[Kernel, ...]
+    contacts: tuple[Kernel, ...] = ()
+    begins: tuple[int, ...] = ()
+
+    @property
+    def kernels(self) -> tuple[Kernel, ...]:
+        """All of them."""
+        return self.terms + self.contacts + self.closing
+
+
+@dataclass(frozen=True)
+class OffCentreTerms:
+    """What the means of a force that is no polynomial are summed from, where motions are off the centre.
+
+    gained -- the kernel of its gains
+    pieces -- of each piece with its derivatives
+    held   -- the same of each piece on intervals
+    gained_by, moved -- of what each parameter does to the gains, and to each piece
+    """
+
+    gained: Kernel
+    pieces: tuple[Kernel, ...]
+    held: tuple[Kernel, ...]
+    gained_by: Kernel
+    moved: tuple[tuple[Kernel, ...], ...]
+
+    @property
+    def kernels(self) -> tuple[Kernel, ...]:
+        """All that are of numbers."""
+        return self.gained, *self.pieces, self.gained_by, *(one for piece in self.moved for one in piece)
+
+
+@dataclass(frozen=True)
+class Module:
+    """One generated module.
+
+    inputs     -- file names below `derivations/` that it is derived from
+    flow       -- name of the slow-flow module that compositions call
+    borrowed   -- names that a scene's module has from others, because nothing changes in them, by module
+    constants  -- Python constants (name, value)
+    twofolds   -- kernels in double-double
+    record     -- of a mechanism's own module
+    cells      -- kernels that are wanted on intervals, and nowhere on doubles
+    settled    -- kernels that are wanted in double-double only
+    balls      -- kernels that are wanted in balls only
+    held       -- kernels that are wanted in double-double with a bound of their error, and in no other way
+    native     -- whether its loops over arrays are compiled into the package
+    in_c       -- whether anything in C calls it: loops over arrays, or a solver
+    sums       -- averages by quadrature
+    enclosed   -- what holds the average on intervals; None where h_AAA is proved to be monotone
+    off_centre -- what means off the centre are summed from; None where they are sums over steps, or not known
+    """
+
+    name: str
+    title: str
+    inputs: tuple[str, ...]
+    kernels: tuple[Kernel, ...]
+    selections: tuple[Selection, ...] = ()
+    compositions: tuple[Composition, ...] = ()
+    flow: str = ""
+    borrowed: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    constants: dict[str, object] = field(default_factory=dict)
+    twofolds: tuple[TwofoldKernel, ...] = ()
+    record: Record | None = None
+    cells: tuple[Kernel, ...] = ()
+    settled: tuple[Kernel, ...] = ()
+    balls: tuple[Kernel, ...] = ()
+    held: tuple[Kernel, ...] = ()
+    native: bool = True
+    in_c: bool = True
+    sums: tuple[Sums, ...] = ()
+    enclosed: Enclosed | None = None
+    off_centre: OffCentreTerms | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "title", Prose(self.title))
+
+    @property
+    def on_intervals(self) -> tuple[Kernel, ...]:
+        """What Python has on intervals with elementary functions."""
+        return (*(self.enclosed.terms if self.enclosed else ()), *(self.off_centre.held if self.off_centre else ()))
+
+    @property
+    def looped(self) -> tuple[Kernel | Selection | Composition, ...]:
+        """What is compiled into loops over arrays."""
+        return tuple(one for one in (*self.kernels, *self.selections, *self.compositions) if one.compiled)
+
+    @property
+    def in_balls(self) -> tuple[Kernel, ...]:
+        """What is printed in balls."""
+        return (*(one for one in (*self.kernels, *self.cells) if one.paired), *self.balls)
+
+
+def plain(
+    name: str,
+    arguments: Sequence[sp.Symbol],
+    outputs: sp.Expr | Sequence[sp.Expr],
+    doc: str,
+    equation: str,
+    domain: str = "Omega > 0, A > 0",
+    lets: Sequence[Let] = (),
+    **keywords: object,
+) -> Kernel:
+    """A kernel with one branch."""
+    single = isinstance(outputs, sp.Expr)
+    if not single:
+        keywords.setdefault("returns", "tuple")
+    branch = Branch("", (), tuple(lets), (outputs,) if single else tuple(outputs))
+    return Kernel(name, tuple(arguments), (branch,), doc, equation, domain, **keywords)
+
+
+def by_even_power(elimination: Elimination) -> tuple[sp.Expr, ...]:
+    """Coefficients of the reduced resultant by even power of its unknown, constant first, zeros included."""
+    odd = [power for power in elimination.reduced if power % 2]
+    if odd:
+        raise ArithmeticError(f"odd powers {odd} of {elimination.unknown} in a resultant that should be even")
+    top = max(elimination.reduced)
+    return tuple(in_factors(elimination.reduced.get(power, sp.Integer(0))) for power in range(0, top + 1, 2))
+
+
+def in_factors(value: sp.Expr) -> sp.Expr:
+    """A polynomial by its factors, and these by powers of m, each with a coefficient that is factored in turn.
+
+    Expanded powers of a small difference lose its digits.
+    """
+    factors = []
+    for factor in sp.Mul.make_args(sp.factor(value)):
+        base, exponent = factor.as_base_exp()
+        factors.append((sp.collect(sp.expand(base), m, sp.factor) if base.is_Add else base) ** exponent)
+    return sp.Mul(*factors)
+
+
+def suffix(scene: str) -> str:
+    """Of a module's name."""
+    return f"_{scene}" if scene else ""
+
+
+def in_words(scene: str) -> str:
+    """What vanishes in a scene."""
+    vanishing = [f"{symbol} = 0" for symbol in SCENES[scene]]
+    return f", in the scene {' and '.join(vanishing)}" if vanishing else ""

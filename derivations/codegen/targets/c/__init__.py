@@ -1,0 +1,131 @@
+"""C99: a header of inline functions for each generated module, the arctangent that they share, records and series.
+
+In:  `Module`s with the straight-line code of their kernels.
+Out: a dict from file name (below `generated/`) to text.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import sympy as sp
+
+from ....forces.quadrature import rule
+from ... import measured
+from ...arctangent import estrin, series
+from ...conventions import CONVENTIONS
+from ...form import Module
+from ...provenance import tools
+from ...views import (
+    Calls,
+    Code,
+    KernelView,
+    Language,
+    composition_view,
+    regimes,
+    repeated_views,
+    selection_view,
+    sources,
+    templates,
+    twofold_view,
+    view,
+)
+from ..printing import literal, stated
+from . import records, taylor
+from .printer import CPrinter
+
+LANGUAGE = Language(CPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
+
+
+def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
+    """Every file of this language."""
+    environment = templates(Path(__file__).parent)
+    result = {"c/angles.h": environment.get_template("angles.h.jinja").render(tools=tools(), **angles())}
+    with_symbols = headers(modules, code)
+    result |= with_symbols | exported(with_symbols)
+    for conventions in CONVENTIONS:
+        result[f"native/{conventions.name}.h"] = environment.get_template("conventions.h.jinja").render(
+            conventions=conventions, show=stated
+        )
+    result["native/records.h"] = records.text(modules)
+    result["native/taylor.h"] = taylor.text(modules, environment)
+    return result
+
+
+def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
+    """The header of each module."""
+    environment = templates(Path(__file__).parent)
+    result = {}
+    for module in (one for one in modules if one.in_c):
+        views = [view(one, code[module.name][one.name], LANGUAGE) for one in module.kernels if one.in_c]
+        result[f"c/{module.name}.h"] = environment.get_template("header.h.jinja").render(
+            module=module,
+            kernels=views,
+            repeated=repeated_views(code[module.name], LANGUAGE),
+            twofolds=[twofold_view(kernel, LANGUAGE) for kernel in module.twofolds],
+            selections=[selection_view(selection) for selection in module.selections],
+            compositions=[composition_view(composition, calls(module)) for composition in module.compositions],
+            includes=includes(module, views),
+            regimes=regimes(module),
+            numbers=numbers(module),
+            measured=measured.of(module),
+            rule=[(literal(node), literal(weight)) for node, weight in rule()] if module.sums else [],
+            tools=tools(),
+            **sources(module),
+        )
+    return result
+
+
+def exported(printed: Mapping[str, str]) -> dict[str, str]:
+    """A source that gives each function of these headers a symbol, and the list of them, by file name.
+
+    The list is read off the headers' text: what it holds is what a compiler finds there.
+    """
+    environment = templates(Path(__file__).parent)
+    names = [Path(file).stem for file in printed]
+    functions = [
+        (name, " ".join(prototype.split()))
+        for text in printed.values()
+        for prototype, name in re.findall(r"^(?:SF_KERNEL|SF_TWOFOLD) (\w+ (\w+)\([^()]*\))\n{", text, re.MULTILINE)
+    ]
+    folder = Path(next(iter(printed))).parent
+    return {
+        str(folder / "exported.c"): environment.get_template("exported.c.jinja").render(names=names, tools=tools()),
+        str(folder / "exported.def"): environment.get_template("exported.def.jinja").render(functions=functions),
+    }
+
+
+def motion(module: Module) -> str:
+    """A source with the recurrences of one force, for a library of its own."""
+    return taylor.of_one(module, templates(Path(__file__).parent))
+
+
+def calls(module: Module) -> Calls:
+    """How a header's compositions call other functions."""
+    return Calls(f"{module.flow}_friction(mu)", f"{module.flow}_{{}}".format, tuple(f"average[{k}]" for k in range(4)))
+
+
+def includes(module: Module, views: Sequence[KernelView]) -> list[str]:
+    """Headers of ours that a C header needs."""
+    angles = "angles" if any(view.uses_angles for view in views) else ""
+    twofold = "twofold" if module.twofolds else ""
+    quarter = "quarter" if module.sums else ""
+    return [name for name in (angles, twofold, quarter, module.flow) if name]
+
+
+def numbers(module: Module) -> dict[str, str]:
+    """Numbers that every caller of a header needs; what a mechanism has of them stands in its record."""
+    return {name: literal(value) for name, value in module.constants.items() if isinstance(value, sp.Expr)}
+
+
+def angles() -> dict[str, object]:
+    """What the arctangent's template needs."""
+    polynomial = series()
+    parts: dict[str, str] = {}
+    for name, value in (("pi", sp.pi), ("half_pi", sp.pi / 2)):
+        parts[name] = literal(value)
+        parts[name + "_low"] = literal(value - sp.Rational(float(parts[name])))
+    lines = estrin(tuple(literal(coefficient) for coefficient in polynomial.coefficients), "w")
+    return {"lines": lines, "bound": f"{float(polynomial.bound):.2g}", **parts}

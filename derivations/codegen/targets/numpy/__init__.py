@@ -1,0 +1,222 @@
+"""NumPy: a Python module for each generated module, with its signatures beside it, and the package around them.
+
+In:  `Module`s with the straight-line code of their kernels.
+Out: a dict from file name (below `generated/`) to text.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import jinja2
+import sympy as sp
+
+from ....forces.quadrature import rule
+from ....mechanisms import DAMPING, DISSIPATION, EXCITATIONS, RUBS, Parameter
+from ....paper.slow_flow import SCENES
+from ... import measured
+from ...form import AVERAGED, GENERAL, Composition, Kernel, Module, Selection, TwofoldKernel, suffix
+from ...prose import in_python
+from ...provenance import tools
+from ...views import (
+    WIDTH,
+    Calls,
+    Code,
+    Language,
+    composition_view,
+    regimes,
+    repeated_views,
+    selection_view,
+    sources,
+    templates,
+    twofold_view,
+    view,
+    wrapped,
+)
+from ..interval.printer import EnclosurePrinter
+from ..printing import literal, stated
+from .printer import NumpyPrinter
+
+if TYPE_CHECKING:
+    from ....extensions.scaling import Scale
+
+LANGUAGE = Language(NumpyPrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
+ENCLOSED = Language(EnclosurePrinter(), conjunction=" & ", wrap_in_parentheses=True, names={})
+CALLS = Calls("flow.friction(mu)", "flow.{}".format, tuple("average" + symbol.name[1:] for symbol in AVERAGED))
+
+
+def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
+    """Every file of this language."""
+    # here, not above: one module does without
+    from ....extensions.scaling import of_every_excitation, of_every_law, of_every_oscillator
+    from ...conventions import C_ALONE, CONVENTIONS
+
+    environment = _environment()
+    result = {f"slowflow_kernels/{module.name}.py": text(module, code[module.name]) for module in modules}
+    result |= {f"slowflow_kernels/{module.name}.pyi": signatures(module) for module in modules}
+    # what type checkers look for, before they believe a package's annotations
+    result["slowflow_kernels/py.typed"] = ""
+    result["slowflow_kernels/domains.py"] = environment.get_template("domains.py.jinja").render(
+        damping=DAMPING, dissipation=DISSIPATION, rubs=RUBS, excitations=EXCITATIONS
+    )
+    result["slowflow_kernels/scaling.py"] = environment.get_template("scaling.py.jinja").render(
+        scales={number.name: scale for number, scale in (of_every_oscillator() | of_every_law()).items()},
+        excited=of_every_excitation(),
+    )
+    for conventions in CONVENTIONS:
+        width = max((len(word.name) for table in conventions.tables for word in table.words), default=0)
+        result[f"slowflow_kernels/{conventions.name}.py"] = environment.get_template("conventions.py.jinja").render(
+            conventions=conventions, c_alone=C_ALONE, width=width, show=stated
+        )
+    result["slowflow_kernels/scenes.py"] = environment.get_template("scenes.py.jinja").render(
+        scenes=[(GENERAL + suffix(scene), vanishing) for scene, vanishing in most_first(SCENES)], general=GENERAL
+    )
+    result["slowflow_kernels/__init__.py"] = environment.get_template("init.py.jinja").render(modules=modules)
+    return result
+
+
+def asked(module: Module) -> tuple[Kernel, ...]:
+    """The kernels that a module's text has."""
+    return (*module.kernels, *module.on_intervals)
+
+
+def text(module: Module, code: Code) -> str:
+    """One module."""
+    return (
+        _environment()
+        .get_template("module.py.jinja")
+        .render(
+            module=module,
+            kernels=[view(kernel, code[kernel.name], LANGUAGE) for kernel in module.kernels],
+            repeated=repeated_views(code, LANGUAGE),
+            twofolds=[twofold_view(kernel, LANGUAGE) for kernel in module.twofolds],
+            selections=[selection_view(selection) for selection in module.selections],
+            compositions=[composition_view(composition, CALLS) for composition in module.compositions],
+            exported=exported(module),
+            borrowed={other: sorted(names, key=in_import) for other, names in sorted(module.borrowed.items())},
+            regimes=regimes(module),
+            measured=measured.of(module),
+            enclosed=[view(kernel, code[kernel.name], ENCLOSED) for kernel in module.on_intervals],
+            rule=[(literal(node), literal(weight)) for node, weight in rule()] if module.sums else [],
+            has_balls=module.native and bool(module.in_balls),
+            constants={name: constant(value) for name, value in module.constants.items()},
+            **compiled(module),
+            tools=tools(),
+            **sources(module),
+        )
+    )
+
+
+def signatures(module: Module) -> str:
+    """What stands beside a module for type checkers and editors: compiled kernels have no signature to be read."""
+    named = (*module.kernels, *module.twofolds, *module.selections, *module.compositions)
+    return (
+        _environment()
+        .get_template("module.pyi.jinja")
+        .render(
+            module=module,
+            exported=exported(module),
+            borrowed={other: sorted(names, key=in_import) for other, names in sorted(module.borrowed.items())},
+            constants={name: kind(value) for name, value in module.constants.items()},
+            functions=[(one.name, taken(one), given(one)) for one in named],
+        )
+    )
+
+
+def taken(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
+    """Its arguments with what they may be: generic ones take any kind of number."""
+    what = "ArrayLike" if getattr(function, "looped", True) and not getattr(function, "generic", False) else "Any"
+    return ", ".join(f"{argument.name}: {what}" for argument in function.arguments)
+
+
+def given(function: Kernel | TwofoldKernel | Selection | Composition) -> str:
+    """What it returns."""
+    if isinstance(function, TwofoldKernel):
+        shown = twofold_view(function, LANGUAGE)
+        width, alone = len(shown["outputs"]), bool(shown["distilled"]) or len(shown["outputs"]) == 1
+    else:
+        width, alone = function.width, function.returns == "scalar"
+    if function.returns == "stack":
+        return "Floats"
+    return "Any" if alone else f"tuple[{', '.join(['Any'] * width) or '()'}]"
+
+
+def kind(value: object) -> str:
+    """The type of a constant."""
+    return "tuple[str, ...]" if isinstance(value, tuple) else "float" if isinstance(value, sp.Expr) else "str"
+
+
+def _environment() -> jinja2.Environment:
+    environment = templates(Path(__file__).parent)
+    environment.filters["constant"] = constant
+    environment.filters["wrapped"] = lambda value: wrapped(value, len("return"), LANGUAGE)
+    environment.filters["parameter"] = parameter
+    environment.filters["scale"] = scale
+    return environment
+
+
+def most_first(scenes: dict[str, dict[sp.Symbol, sp.Expr]]) -> list[tuple[str, list[str]]]:
+    """Scenes and the names of what vanishes in them, the most first: where all of it vanishes, so does each part."""
+    named = [(scene, [symbol.name for symbol in vanishing]) for scene, vanishing in scenes.items()]
+    return sorted(named, key=lambda one: -len(one[1]))
+
+
+def compiled(module: Module) -> dict[str, list[str]]:
+    """Names of what is compiled in the order in which the extension module gives them, and which need a wrapper."""
+    looped = module.looped if module.native else ()
+    stacks = [one.name for one in looped if one.returns == "stack"]
+    singles = [one.name for one in looped if one.returns == "tuple" and one.width == 1]
+    return {
+        "ufuncs": [one.name for one in looped],
+        "stacks": stacks,
+        "singles": singles,
+        "backend": [
+            "NATIVE",
+            *(["coefficients_of"] if stacks else []),
+            "compiled",
+            *(["in_tuple"] if singles else []),
+        ],
+    }
+
+
+def exported(module: Module) -> list[str]:
+    """Public names of a Python module, sorted as in an import."""
+    own = [
+        *module.constants,
+        *(one.name for one in (*module.kernels, *module.twofolds, *module.selections, *module.compositions)),
+        *(name for names in module.borrowed.values() for name in names),
+        *(["MECHANISM"] if module.record else []),
+    ]
+    return sorted(own, key=in_import)
+
+
+def in_import(name: str) -> tuple[bool, bool, str]:
+    """Where a name stands in an import: constants, then what begins with a capital, then the rest."""
+    return not (name.isupper() and len(name) > 1), not name[0].isupper(), name
+
+
+def constant(value: object) -> str:
+    """A constant as Python source."""
+    if isinstance(value, sp.Expr):
+        return 'float("inf")' if value == sp.oo else repr(float(value))
+    if isinstance(value, tuple):
+        items = ", ".join(map(constant, value))
+        return f"({items}{',' if len(value) == 1 else ''})"
+    return f'"{in_python(str(value))}"'
+
+
+def parameter(stated: Parameter) -> str:
+    """The arguments of a record's `Parameter`."""
+    bounds = {bound: getattr(stated, bound) for bound in ("above", "least", "below", "most")}
+    texts = [constant(text) for text in (stated.symbol.name, stated.doc, stated.unit)]
+    limits = [f"{bound}={constant(sp.sympify(limit))}" for bound, limit in bounds.items() if limit is not None]
+    line = ", ".join((*texts, *limits))
+    return line if len(line) + len("    Parameter(),") <= WIDTH else ",\n        ".join((*texts, *limits))
+
+
+def scale(derived: Scale) -> str:
+    """A record's `Scale`."""
+    powers = ", ".join(repr(float(power)) for power in derived.powers)
+    return f'Scale("{derived.letter.name}", {float(derived.factor)!r}, ({powers}))'

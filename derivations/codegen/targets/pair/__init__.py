@@ -1,0 +1,148 @@
+"""Kernels in double-double: a C header for each module that has any, and their arctangent.
+
+In:  `Module`s with the straight-line code of their kernels; of these the kernels that say `paired`, and `settled`.
+Out: a dict from file name (below `generated/`) to text.
+
+The C calls native/pair.h, which is runtime code. A kernel that says which lets are to be pairs computes what follows
+from these in doubles. Where a kernel has a series cut short for a double far from a breakpoint, the closed form is
+taken until the series has a pair's digits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import sympy as sp
+
+from ....paper.restoring_force import FAR_IN_PAIRS, OF_A_PAIR
+from ....symbols import A
+from ...arctangent import PAIRS_CUT, in_pairs
+from ...form import Kernel, Module
+from ...passes import Program
+from ...provenance import tools
+from ...views import BranchView, Code, KernelView, Language, Line, sources, templates, view, wrapped
+from .. import interval
+from ..c.printer import CPrinter
+from ..printing import literal
+from .printer import PairPrinter, parts
+
+C = Language(PairPrinter(), conjunction=" && ", wrap_in_parentheses=False, names={"I": "I_"})
+DOUBLES = CPrinter()
+
+#: what the template, which is that of intervals, says of pairs
+ABOUT = {
+    "number": "sf_pair",
+    "inline": "TWOFOLD_INLINE",
+    "arithmetic": "pair_angles",
+    "how": "in double-double",
+    "meaning": "`out` takes the outputs, where there are several.",
+}
+
+
+def files(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
+    """Every file."""
+    angle = templates(Path(__file__).parent).get_template("angles.h.jinja").render(tools=tools(), **angles())
+    return {"native/pair_angles.h": angle} | headers(modules, code)
+
+
+def headers(modules: Sequence[Module], code: dict[str, Code]) -> dict[str, str]:
+    """The header of each module."""
+    result = {}
+    header = templates(Path(interval.__file__).parent).get_template("header.h.jinja")
+    for module in modules:
+        paired = [*(one for one in (*module.kernels, *module.cells) if one.paired), *module.settled]
+        if paired:
+            kernels = [near(kernel, code[module.name]) for kernel in paired]
+            result[f"native/{name_of(module)}.h"] = header.render(
+                prefix=name_of(module),
+                module=module,
+                kernels=kernels,
+                choices={one.kernel.name: choice(one) for one in kernels if len(one.branches) > 1},
+                tools=tools(),
+                **ABOUT,
+                **sources(module),
+            )
+    return result
+
+
+def name_of(module: Module) -> str:
+    """Of a module's functions on pairs, and of their file."""
+    return f"{module.name}_pairs"
+
+
+def choice(printed: KernelView) -> list[tuple[str, str]]:
+    """The condition and the name of each branch; the last holds where no other does."""
+    found = []
+    for shown, branch in zip(printed.branches, printed.kernel.branches, strict=True):
+        far = [f"{right}.high > {literal(FAR_IN_PAIRS)} * {left}.high" for left, right in branch.guards]
+        found.append((" && ".join([f"passed == {branch.passed}", *far]), shown.name))
+    return found
+
+
+def by_far(kernel: Kernel, code: Code) -> tuple[Kernel, list[Program]]:
+    """As `closed`, after the branches of each number of breakpoints whose series have a pair's digits."""
+    nearer, programs = closed(kernel, code)
+    ends = [right for branch in kernel.branches for _, right in branch.guards if right.is_Symbol]
+    all_far = {f"passed_{count}_far_{count}": end for count, end in enumerate(ends, start=1)}
+    beyond, other = interval.beyond_breakpoints(kernel, code[kernel.name])
+    both = [*zip(nearer.branches, programs, strict=True)]
+    for branch, program in zip(beyond.branches, other, strict=True):
+        if branch.name in all_far:
+            guarded = replace(branch, guards=((all_far[branch.name], A),))
+            place = next(k for k, (one, _) in enumerate(both) if one.passed == branch.passed)
+            both.insert(place, (guarded, program))
+    return replace(nearer, branches=tuple(one for one, _ in both)), [one for _, one in both]
+
+
+def closed(kernel: Kernel, code: Code) -> tuple[Kernel, list[Program]]:
+    """A kernel without branches in which a series is cut short; the others differ in breakpoints passed."""
+    kept = [k for k, one in enumerate(kernel.branches) if all(bound <= OF_A_PAIR for _, bound in one.remainders)]
+    programs = [code[kernel.name][k] for k in kept]
+    kernel = replace(kernel, branches=tuple(kernel.branches[k] for k in kept))
+    if len(kept) > 1:
+        kernel, programs = interval.beyond_breakpoints(kernel, programs)
+    return replace(kernel, branches=tuple(replace(branch, guards=()) for branch in kernel.branches)), programs
+
+
+def near(kernel: Kernel, code: Code) -> KernelView:
+    """The same printed."""
+    kernel, programs = by_far(kernel, code)
+    printed = view(kernel, programs, C)
+    if not kernel.to_pairs:
+        return printed
+    branches = (rest_in_doubles(*both, kernel) for both in zip(printed.branches, programs, strict=True))
+    return replace(printed, branches=tuple(branches))
+
+
+def rest_in_doubles(printed: BranchView, program: Program, kernel: Kernel) -> BranchView:
+    """The same branch, but what the lets that are to be pairs do not need."""
+    needed = set(kernel.to_pairs)
+    for symbol, value in reversed(program.lets):
+        if symbol in needed:
+            needed |= value.free_symbols
+    pairs = {*kernel.arguments, *needed}
+    high = {symbol: sp.Symbol(f"{C.names.get(symbol.name, symbol.name)}.high") for symbol in pairs}
+    show = DOUBLES.doprint
+
+    def line(one: Line, symbol: sp.Symbol, value: sp.Expr) -> Line:
+        if symbol in needed:
+            return one
+        return Line(one.name, wrapped(show(value.xreplace(high)), len(one.name) + 3, C), "double")
+
+    lets = tuple(line(one, *let) for one, let in zip(printed.lets, program.lets, strict=True))
+    outputs = tuple(show(output.xreplace(high)) for output in program.outputs)
+    return replace(printed, lets=lets, outputs=outputs)
+
+
+def angles() -> dict[str, object]:
+    """What the arctangent's template needs."""
+    table, first, others = in_pairs()
+    return {
+        "cut": PAIRS_CUT,
+        "table": [parts(angle) for angle in table],
+        "first": [parts(coefficient) for coefficient in reversed(first)],
+        "others": [parts(coefficient)[0] for coefficient in reversed(others)],
+        "half_pi": parts(sp.pi / 2),
+    }

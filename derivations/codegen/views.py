@@ -1,0 +1,408 @@
+"""Kernels as a template needs them: printed line by line, with what each branch and output depends on.
+
+In:  a `Kernel` with the straight-line `Program`s of its branches, a `Selection` or `Composition`; a `Language`.
+Out: `KernelView`, or a dict for what only calls others.
+"""
+
+from __future__ import annotations
+
+import functools
+import itertools
+import textwrap
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import jinja2
+import sympy as sp
+
+from ..forces.repeated import Output
+from ..paper.restoring_force import FAR
+from ..paper.slow_flow import m
+from .bytecode import kept_beside
+from .compensated import Exact, twofold
+from .form import AVERAGED, Branch, Composition, Kernel, Module, Selection, TwofoldKernel
+from .passes import Let, Program, program_of, straight_line
+from .prose import Prose, escaped
+from .proved import in_words
+from .provenance import digest
+
+#: the straight-line code of every branch, by kernel
+Code = dict[str, tuple[Program, ...]]
+
+DERIVATIONS = Path(__file__).parents[1]
+WIDTH = 116
+
+
+@dataclass(frozen=True)
+class Line:
+    """One assignment, printed; wrapped where it is long.
+
+    number   -- its type, where that is not the kernel's own
+    function -- what is called, if it is one that is printed beside the kernels: `name` are all its outputs then, and
+                `value` its arguments
+    """
+
+    name: str
+    value: str
+    number: str = ""
+    function: str = ""
+
+
+@dataclass(frozen=True)
+class RepeatedView:
+    """What kernels of a module repeat, as a template needs it."""
+
+    name: str
+    doc: str
+    arguments: tuple[str, ...]
+    lets: tuple[Line, ...]
+    outputs: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class BranchView:
+    """A branch as a template needs it.
+
+    name     -- where it holds
+    function -- what computes it, after the module's prefix
+    printed  -- whether that function is printed with this kernel
+    proved   -- bounds of its outputs' rounding errors, where they are proved
+    """
+
+    name: str
+    function: str
+    printed: bool
+    guard: str
+    lets: tuple[Line, ...]
+    outputs: tuple[str, ...]
+    unused: tuple[str, ...]
+    counts: dict[str, int]
+    proved: str
+
+
+@dataclass(frozen=True)
+class KernelView:
+    """A kernel as a template needs it. `partial` says of each output whether it lacks an argument."""
+
+    kernel: Kernel
+    arguments: tuple[str, ...]
+    branches: tuple[BranchView, ...]
+    partial: bool
+    outputs_partial: tuple[bool, ...]
+    unused: tuple[str, ...]
+    guard_names: tuple[str, ...]
+
+    @property
+    def doc(self) -> str:
+        return self.kernel.doc
+
+    @property
+    def proved(self) -> bool:
+        """Whether every output has a proved bound in every regime."""
+        return all(branch.proved and "-" not in branch.proved for branch in self.branches)
+
+    @property
+    def uses_angles(self) -> bool:
+        """Whether it calls the generated arctangent."""
+        texts = (text for branch in self.branches for text in (*branch.outputs, *(line.value for line in branch.lets)))
+        return any("angles_" in text for text in texts)
+
+
+@dataclass(frozen=True)
+class Language:
+    """How a language writes expressions.
+
+    printer     -- its printer
+    conjunction -- between two conditions
+    wrap_in_parentheses -- whether a long right-hand side may only break inside of brackets
+    names       -- what it calls the symbols whose names it takes for something else
+    """
+
+    printer: sp.printing.printer.Printer
+    conjunction: str
+    wrap_in_parentheses: bool
+    names: dict[str, str]
+
+
+@dataclass(frozen=True)
+class Calls:
+    """How a language calls other functions within a composition.
+
+    friction -- m from mu
+    inner    -- the slow flow's function, from its name
+    averages -- what h, h_A, ... are called
+    """
+
+    friction: str
+    inner: Callable[[str], str]
+    averages: tuple[str, ...]
+
+
+def programs(module: Module, asked: Iterable[Kernel] | None = None) -> Code:
+    """The straight-line code of every branch, by kernel: of all of a module, or of those that are asked for."""
+    every = (*module.kernels, *module.cells, *module.settled, *module.balls, *module.held, *module.on_intervals)
+    every += module.enclosed.contacts + module.enclosed.closing if module.enclosed else ()
+    return {
+        kernel.name: tuple(straight_line(branch.lets, branch.outputs, kernel.arguments) for branch in kernel.branches)
+        for kernel in (every if asked is None else asked)
+    }
+
+
+@functools.cache
+def templates(folder: Path) -> jinja2.Environment:
+    """The templates below `folder`, which is a target's, each compiled once; what they use undefined is an error."""
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(folder / "templates"),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+        finalize=_shown,
+        bytecode_cache=kept_beside(folder / "templates", Path(__file__)),
+    )
+    environment.filters["fill"] = _filled
+    environment.filters["tuple"] = lambda names: f"({', '.join(names)}{',' if len(names) == 1 else ''})"
+    return environment
+
+
+@jinja2.pass_context
+def _shown(context: jinja2.runtime.Context, value: object) -> object:
+    """What a template prints of a value: of what people wrote, text in its language."""
+    return escaped(value, str(context.name)) if isinstance(value, Prose) else value
+
+
+@jinja2.pass_context
+def _filled(context: jinja2.runtime.Context, text: str, indent: int, first: int = 0) -> str:
+    """`fill`, of the text as it is printed."""
+    return fill(str(_shown(context, text)), indent, first)
+
+
+def _stated(name: str) -> bool:
+    """Whether a file states a mechanism."""
+    return name.startswith("mechanisms/")
+
+
+def sources(module: Module) -> dict[str, object]:
+    """For a header: the mechanism's file with its hash, or the steps of the derivation."""
+    return {
+        "inputs": {f"derivations/{name}": digest(DERIVATIONS / name) for name in module.inputs if _stated(name)},
+        "steps": [f"derivations/{name}" for name in module.inputs if not _stated(name)],
+    }
+
+
+def regimes(module: Module) -> str:
+    """What the names of the regimes mean, where there are any."""
+    if not any("far" in branch.name for kernel in module.kernels for branch in kernel.branches):
+        return ""
+    return f"Regimes: passed_n where A exceeds n breakpoints, far_k where it exceeds k of them {FAR} times."
+
+
+def fill(text: str, indent: int, first: int = 0) -> str:
+    """A paragraph wrapped at the line length, continued at `indent`, its first line `first` wide already."""
+    whole = textwrap.TextWrapper(
+        WIDTH,
+        initial_indent=" " * first,
+        subsequent_indent=" " * indent,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+    return whole.fill(text)[first:]
+
+
+def view(kernel: Kernel, code: Sequence[Program], language: Language) -> KernelView:
+    """A kernel printed for one language."""
+    renamed = [language.names.get(argument.name, argument.name) for argument in kernel.arguments]
+    branches, used_anywhere, used_by_guards = [], set(), set()
+    reached = [True] * kernel.width
+    for branch, program in zip(kernel.branches, code, strict=True):
+        used = used_arguments(program, kernel)
+        for k, names in enumerate(used):
+            reached[k] = reached[k] and names == set(kernel.arguments)
+        guard_symbols = set().union(*(side.free_symbols for pair in branch.guards for side in pair))
+        used_by_guards |= guard_symbols
+        used_here = set().union(*used) | guard_symbols
+        used_anywhere |= used_here
+        branches.append(branch_view(branch, program, kernel, set().union(*used), language))
+    return KernelView(
+        kernel,
+        tuple(renamed),
+        tuple(branches),
+        not all(reached),
+        tuple(not full for full in reached),
+        tuple(name for name, symbol in zip(renamed, kernel.arguments, strict=True) if symbol not in used_anywhere),
+        tuple(name for name, symbol in zip(renamed, kernel.arguments, strict=True) if symbol in used_by_guards),
+    )
+
+
+def used_arguments(program: Program, kernel: Kernel) -> list[set[sp.Symbol]]:
+    """Which arguments each output depends on."""
+    depends: dict[sp.Symbol, set[sp.Symbol]] = {argument: {argument} for argument in kernel.arguments}
+
+    def of(expression: sp.Expr) -> set[sp.Symbol]:
+        return set().union(*(depends[symbol] for symbol in expression.free_symbols))
+
+    for symbol, value in program.lets:
+        depends[symbol] = of(value)
+    return [of(output) for output in program.outputs]
+
+
+def branch_view(
+    branch: Branch, program: Program, kernel: Kernel, used: set[sp.Symbol], language: Language
+) -> BranchView:
+    """A branch printed for one language."""
+    show = language.printer.doprint
+    lines = printed(program.lets, language)
+    guard = language.conjunction.join(f"({show(left)} <= {show(right)})" for left, right in branch.guards)
+    if len(branch.guards) == 1:
+        guard = guard[1:-1]
+    return BranchView(
+        branch.name,
+        branch.kernel or (f"{kernel.name}_{branch.name}" if branch.name else kernel.name),
+        not branch.kernel,
+        guard,
+        lines,
+        tuple(show(output) for output in program.outputs),
+        tuple(named(argument, language) for argument in kernel.arguments if argument not in used),
+        program.counts,
+        in_words(program, kernel.arguments),
+    )
+
+
+def named(symbol: sp.Symbol, language: Language) -> str:
+    """What a language calls a symbol."""
+    return language.names.get(symbol.name, symbol.name)
+
+
+def printed(lets: Sequence[Let], language: Language) -> tuple[Line, ...]:
+    """Lets as lines; the outputs of one call are one line."""
+    lines = []
+    calls = itertools.groupby(lets, lambda let: (let[1].repeated, let[1].args) if isinstance(let[1], Output) else let)
+    for _, together in calls:
+        symbols, (value, *others) = zip(*together, strict=True)
+        if not isinstance(value, Output):
+            name = named(symbols[0], language)
+            lines.append(Line(name, wrapped(language.printer.doprint(value), len(name) + 3, language)))
+            continue
+        if [one.number for one in (value, *others)] != list(range(len(value.repeated.outputs))):
+            raise ArithmeticError(f"not every output of {value.repeated.name} is used, or not in their order")
+        lines.append(
+            Line(
+                ", ".join(named(symbol, language) for symbol in symbols),
+                ", ".join(map(language.printer.doprint, value.args)),
+                function=value.repeated.name,
+            )
+        )
+    return tuple(lines)
+
+
+def repeated_views(code: Code, language: Language) -> list[RepeatedView]:
+    """What the kernels of a module repeat, printed, by name."""
+    found = {
+        value.repeated.name: value.repeated
+        for programs_ in code.values()
+        for program in programs_
+        for _, value in program.lets
+        if isinstance(value, Output)
+    }
+    views = []
+    for name, one in sorted(found.items()):
+        program = program_of(one)
+        outputs = zip((symbol.name for symbol, _ in one.outputs), program.outputs, strict=True)
+        views.append(
+            RepeatedView(
+                name,
+                one.doc,
+                tuple(named(argument, language) for argument in one.arguments),
+                printed(program.lets, language),
+                tuple((output, language.printer.doprint(value)) for output, value in outputs),
+            )
+        )
+    return views
+
+
+def wrapped(value: str, used: int, language: Language) -> str:
+    """A long right-hand side over several lines, broken at spaces; `used` columns stand before it."""
+    if not language.wrap_in_parentheses:
+        return fill(value, 8, used + len("    const double "))
+    if len(value) + used + 8 <= WIDTH:
+        return value
+    return f"(\n        {fill(value, 8, 8)}\n    )"
+
+
+def twofold_view(kernel: TwofoldKernel, language: Language) -> dict[str, object]:
+    """A kernel in double-double as a template needs it; `op` says which lines are exact sums and products."""
+    show = language.printer.doprint
+    code = twofold(kernel)
+    known = {line.high if isinstance(line, Exact) else line[0] for line in code.lines}
+    beside = straight_line((), kernel.beside, {*kernel.arguments, *known})
+
+    def plain(symbol: sp.Symbol, value: sp.Expr) -> dict[str, str]:
+        name = named(symbol, language)
+        return {"op": "", "name": name, "value": wrapped(show(value), len(name) + 3, language)}
+
+    lines = [
+        {
+            "op": line.op,
+            "name": named(line.high, language),
+            "low": line.low.name,
+            "left": show(line.left),
+            "right": show(line.right),
+        }
+        if isinstance(line, Exact)
+        else plain(*line)
+        for line in code.lines
+    ]
+    exact = Counter(line.op.removeprefix("two_") for line in code.lines if isinstance(line, Exact))
+    return {
+        "kernel": kernel,
+        "arguments": [named(argument, language) for argument in kernel.arguments],
+        "lines": [*lines, *(plain(symbol, value) for symbol, value in beside.lets)],
+        "distilled": [show(part) for part in code.distilled],
+        "outputs": [show(output) for output in (*code.outputs, *beside.outputs)],
+        "exact": " and ".join(f"{count} {op}{'s' if count > 1 else ''}" for op, count in sorted(exact.items())),
+    }
+
+
+def composition_view(composition: Composition, calls: Calls) -> dict[str, object]:
+    """A composition as a template needs it: what to compute first, and the call of the inner kernel."""
+    arguments = [argument.name for argument in composition.arguments]
+    split = len(arguments) - composition.parameters
+    average = composition.average
+    given = AVERAGED[: average.width] if average else ()
+    local = {symbol.name: name for symbol, name in zip(AVERAGED, calls.averages, strict=True)}
+    local[m.name] = calls.friction
+    return {
+        "name": composition.name,
+        "doc": composition.doc,
+        "equation": composition.equation,
+        "domain": composition.domain,
+        "plain": arguments[:split],
+        "packed": arguments[split:],
+        "averages": [local[symbol.name] if symbol in composition.inner.arguments else "_" for symbol in given],
+        "average_function": average.name if average else "",
+        "inner": calls.inner(composition.inner.name),
+        "passed": [local.get(argument.name, argument.name) for argument in composition.inner.arguments],
+        "width": composition.width,
+        "returns": composition.returns,
+    }
+
+
+def selection_view(selection: Selection) -> dict[str, object]:
+    """A selection as a template needs it."""
+    arguments = [argument.name for argument in selection.arguments]
+    return {
+        "name": selection.name,
+        "doc": selection.doc,
+        "equation": selection.equation,
+        "domain": selection.domain,
+        "arguments": arguments,
+        "plain": arguments[: len(arguments) - selection.parameters],
+        "packed": arguments[len(arguments) - selection.parameters :],
+        "source": selection.source.name,
+        "width": selection.source.width,
+        "chosen": selection.chosen,
+        "returns": selection.returns,
+    }

@@ -1,0 +1,92 @@
+"""Step 2, equations (8)-(20): variation of parameters and averaging over one cycle (Krylov, Bogoliubov, Mitropolsky).
+
+In:  the shape of the equation of motion; the restoring force stays an open function F_k.
+Out: `Averaged`: the amplitude and phase equations before and after averaging. What the mechanism contributes is one
+     number for each amplitude, H = -(1/pi) int_0^{2 pi} F_k(A cos psi) cos psi dpsi, the definition behind (20).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+from sympy.simplify.fu import TR8
+
+from ..symbols import F_0, A, Omega, epsilon, mu, phi, psi, sigma, zeta
+
+A_dot, phi_dot = sp.symbols("A_dot phi_dot", real=True)
+G = sp.Symbol("G", real=True)
+F_k = sp.Symbol("F_k", real=True)
+H = sp.Symbol("H", real=True)
+
+DISPLACEMENT = A * sp.cos(psi)
+VELOCITY = -A * Omega * sp.sin(psi)
+
+
+@dataclass(frozen=True)
+class Averaged:
+    """The slow flow, for A' and for A phi' (11)-(20).
+
+    compatibility -- (13): what A' and phi' must satisfy so that u' keeps the form of (11); equals 0
+    motion        -- (15): the equation of motion in A', phi'; equals 0
+    unaveraged    -- (17): A' and A phi', in G
+    perturbation  -- (9) at (11): G, with F_k for the restoring force and sign(u') by half-cycle, as a pair
+    slow_flow     -- (19): A' and A phi' averaged, in H and sigma; epsilon = 1
+    restoring_integrand -- (20): H is the integral of this over a cycle
+    """
+
+    compatibility: sp.Expr
+    motion: sp.Expr
+    unaveraged: tuple[sp.Expr, sp.Expr]
+    perturbation: tuple[sp.Expr, sp.Expr]
+    slow_flow: tuple[sp.Expr, sp.Expr]
+    restoring_integrand: sp.Expr
+
+
+def variation_of_parameters() -> tuple[sp.Expr, sp.Expr, tuple[sp.Expr, sp.Expr]]:
+    """(11)-(17): A and phi vary in u = A cos psi, u' = -A Omega sin psi, psi' = Omega + phi'; solved for A', A phi'."""
+
+    def along_the_motion(expression: sp.Expr) -> sp.Expr:
+        return sp.diff(expression, A) * A_dot + sp.diff(expression, psi) * (Omega + phi_dot)
+
+    compatibility = sp.expand(along_the_motion(DISPLACEMENT) - VELOCITY)
+    motion = sp.expand(along_the_motion(VELOCITY) + Omega**2 * DISPLACEMENT - epsilon * G)
+    solution = sp.solve([compatibility, motion], [A_dot, phi_dot], dict=True)[0]
+    return compatibility, motion, (sp.trigsimp(solution[A_dot]), sp.trigsimp(A * solution[phi_dot]))
+
+
+def cycle_integral(integrand: sp.Expr, start: sp.Expr, end: sp.Expr) -> sp.Expr:
+    """Exact integral over psi of a polynomial in sines and cosines: products become sums of multiple angles first."""
+    linear = sp.expand(TR8(sp.expand(integrand, trig=True)))
+    return sp.expand(sum(sp.integrate(term, (psi, start, end)) for term in sp.Add.make_args(linear)))
+
+
+def averaged() -> Averaged:
+    """All of step 2."""
+    compatibility, motion, unaveraged = variation_of_parameters()
+    forcing = F_0 * sp.cos(psi - phi)
+
+    def perturbation(sign_of_velocity: int) -> sp.Expr:
+        return forcing - 2 * zeta * VELOCITY - mu * sign_of_velocity - F_k + sigma * DISPLACEMENT
+
+    # u' = -A Omega sin psi: negative over the first half of the cycle, positive over the second
+    halves = ((perturbation(-1), 0, sp.pi), (perturbation(1), sp.pi, 2 * sp.pi))
+    restoring_integrand = -F_k * sp.cos(psi) / sp.pi
+
+    slow_flow = []
+    for rate, harmonic, mechanism_term in zip(unaveraged, (sp.sin(psi), sp.cos(psi)), (0, H), strict=True):
+        weight = sp.cancel(rate / (G * harmonic)).subs(epsilon, 1)
+        if weight.has(psi):
+            raise ArithmeticError(f"{rate} is not proportional to {harmonic}")
+        known = sum(cycle_integral(half.subs(F_k, 0) * harmonic, start, end) for half, start, end in halves)
+        # An odd force along A cos psi is even in psi: its sine component vanishes, its cosine component is
+        # -F_k cos psi, which integrates to pi H.
+        slow_flow.append(sp.factor_terms(sp.expand(weight * (known + sp.pi * mechanism_term) / (2 * sp.pi))))
+    return Averaged(
+        compatibility,
+        motion,
+        unaveraged,
+        (halves[0][0], halves[1][0]),
+        (slow_flow[0], slow_flow[1]),
+        restoring_integrand,
+    )

@@ -1,0 +1,109 @@
+"""Step 5, equations (33) and (34): the critical forcings by elimination of Omega.
+
+In:  the slow flow and the averaged force of the first regime (a polynomial in A).
+Out: `Elimination`: a resultant with its coefficients by power, the powers that vanish, content and factors.
+
+A root of a resultant is a candidate only: elimination adds roots (Omega negative or complex, A negative), so each one
+has to be tried in the system that it came from.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+
+from ..symbols import F_0, A, Omega, h, h_A, h_AA
+from .restoring_force import Restoring
+from .slow_flow import I, R, SlowFlow
+
+
+@dataclass(frozen=True)
+class Elimination:
+    """A resultant in Omega, as a polynomial in one quantity.
+
+    unknown      -- the quantity
+    coefficients -- by power of the unknown, exact, content divided out; powers that vanish identically are absent
+    reduced      -- the same for the product of the factors that hold a root to look for: each factor once, without
+                    powers of the unknown itself and without factors free of it
+    content      -- the rational factor divided out
+    factors      -- (factor, multiplicity) over the rationals, all symbols kept
+    degree       -- in the unknown
+    """
+
+    unknown: sp.Symbol
+    coefficients: dict[int, sp.Expr]
+    reduced: dict[int, sp.Expr]
+    content: sp.Rational
+    factors: tuple[tuple[sp.Expr, int], ...]
+
+    @property
+    def degree(self) -> int:
+        return max(self.coefficients)
+
+    def whole(self) -> sp.Expr:
+        """The polynomial without its content."""
+        return sum(value * self.unknown**power for power, value in self.coefficients.items())
+
+
+def _to_flint(expression: sp.Expr, symbols: Sequence[sp.Symbol], ring: fmpq_mpoly_ctx) -> fmpq_mpoly:
+    terms = sp.Poly(expression, *symbols).terms()
+    return ring.from_dict({powers: fmpq(int(value.p), int(value.q)) for powers, value in terms})
+
+
+def _to_sympy(polynomial: fmpq_mpoly, symbols: Sequence[sp.Symbol]) -> sp.Expr:
+    terms = {tuple(powers): sp.Rational(int(c.p), int(c.q)) for powers, c in polynomial.to_dict().items()}
+    return sp.Poly.from_dict(terms, *symbols).as_expr()
+
+
+def eliminate(first: sp.Expr, second: sp.Expr, variable: sp.Symbol, unknown: sp.Symbol) -> Elimination:
+    """Res_variable(first, second) of two polynomials with rational coefficients, ordered by the unknown."""
+    others = sorted((first.free_symbols | second.free_symbols) - {variable, unknown}, key=lambda symbol: symbol.name)
+    symbols = (variable, unknown, *others)
+    ring = fmpq_mpoly_ctx.get([symbol.name for symbol in symbols], Ordering.lex)
+    resultant = _to_flint(first, symbols, ring).resultant(_to_flint(second, symbols, ring), variable.name)
+    if resultant == 0:
+        # the two vanish together whatever the unknown is: no value of it stands out
+        return Elimination(unknown, {0: sp.Integer(0)}, {0: sp.Integer(0)}, sp.Rational(0), ())
+    constant, factored = resultant.factor()
+    factors = sorted(((_to_sympy(f, symbols), int(k)) for f, k in factored), key=lambda pair: sp.srepr(pair[0]))
+    telling = ring.constant(1)
+    for factor, _ in factored:
+        if factor.degrees()[1] and len(factor) > 1:
+            telling *= factor
+    return Elimination(
+        unknown,
+        _by_power(_to_sympy(resultant / constant, symbols), unknown),
+        _by_power(_to_sympy(telling, symbols), unknown),
+        sp.Rational(int(constant.p), int(constant.q)),
+        tuple(factors),
+    )
+
+
+def _by_power(polynomial: sp.Expr, unknown: sp.Symbol) -> dict[int, sp.Expr]:
+    return {power: value for (power,), value in sorted(sp.Poly(polynomial, unknown).terms())}
+
+
+def _expanded(flow: SlowFlow, expression: sp.Expr) -> sp.Expr:
+    return sp.expand(expression.subs({R: flow.R, I: flow.I}))
+
+
+def saddle_node_onset(flow: SlowFlow, restoring: Restoring) -> Elimination:
+    """(33): Res_Omega(F_A, F_AA) with the first regime's averaged force; its roots A_s are candidates for the onset."""
+    derivatives = restoring.regimes[0].derivatives
+    in_A = {h: derivatives[0], h_A: derivatives[1], h_AA: derivatives[2]}
+    return eliminate(*(_expanded(flow, F).subs(in_A).expand() for F in (flow.F_A, flow.F_AA)), Omega, A)
+
+
+def saddle_nodes(flow: SlowFlow, restoring: Restoring) -> Elimination:
+    """Res_Omega(F, F_A) with the averaged force of the first regime: every fold at one F_0 is among its roots in A."""
+    derivatives = restoring.regimes[0].derivatives
+    in_A = {h: derivatives[0], h_A: derivatives[1]}
+    return eliminate(*(_expanded(flow, F).subs(in_A).expand() for F in (flow.F, flow.F_A)), Omega, A)
+
+
+def detachment(flow: SlowFlow) -> Elimination:
+    """(34): Res_Omega(F, F_Omega) as a polynomial in F_0, for A = u_cr and its h; its roots are candidates for F_cr."""
+    return eliminate(_expanded(flow, flow.F), _expanded(flow, flow.F_Omega), Omega, F_0)

@@ -1,0 +1,124 @@
+"""Steps 4 and on: Newton's method on the equations that define an answer, one step in closed form.
+
+In:  `SlowFlow`, and the isola points of `Damped`; the mechanism stays an open h(A).
+Out: `steps`, by the kind of answer what its unknowns change by, in R, I and the derivatives of h: J step = -f, where f
+     is what should vanish and J its Jacobian. Beside it `turn`, the share by which the slope of one of the equations
+     changes along the step: where that is no small number the step is not the last.
+
+    state        F = 0               A at Omega and F_0
+    fold         F = F_A = 0         Omega and A at F_0
+    peak         F = F_Omega = 0     Omega and A at F_0
+    cusp         F_A = F_AA = 0      Omega and A, and F_0 from F = 0
+    isola        F_A = F_Omega = 0   Omega and A, and F_0 from F = 0: by F_A without I, which is 2 R times `turns`, and
+                                     by F without R, or what rounding leaves of R decides where damping is next to none
+    corner       F = 0               Omega at F_0, A being a breakpoint
+    ridge        F_Omega = 0         Omega at an amplitude
+    level        F = 0               F_0 at Omega and A: Omega need be right to first order only where F_Omega = 0
+
+With f to more digits than a double has, a step from an answer that is nearly right leaves its rounding alone; of J a
+few digits are enough.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..paper.slow_flow import I, SlowFlow, slope
+from ..symbols import F_0, A, Omega
+from .along import Damped
+
+
+@dataclass(frozen=True)
+class Step:
+    """In the derivatives of F.
+
+    lets    -- these derivatives, and those of what stands for them, in R, I, h and the derivatives of h
+    values  -- those of them that should vanish
+    changes -- of the unknowns, in the order of `EQUATIONS`
+    turn    -- as above; 0 where the slope is no equation of any answer
+    """
+
+    lets: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    values: tuple[sp.Symbol, ...]
+    changes: tuple[sp.Expr, ...]
+    turn: sp.Expr
+
+
+#: by the answer: what vanishes, that from which F_0 is had last; in which unknowns; which of it turns first
+EQUATIONS = {
+    "state": (("F",), (A,), "F"),
+    "fold": (("F", "F_A"), (Omega, A), "F_A"),
+    "peak": (("F", "F_Omega"), (Omega, A), "F"),
+    "cusp": (("F_A", "F_AA", "F"), (Omega, A, F_0), "F_AA"),
+    "isola": (("turns", "F_Omega", "excess"), (Omega, A, F_0), "F_A"),
+    "corner": (("F",), (Omega,), "F"),
+    "ridge": (("F_Omega",), (Omega,), "F_Omega"),
+    "level": (("F",), (F_0,), ""),
+}
+#: derivatives of these along A and along Omega
+ALONG = {
+    "F": ("F_A", "F_Omega"),
+    "F_A": ("F_AA", "F_AOmega"),
+    "F_AA": ("F_AAA", "F_AAOmega"),
+    "F_Omega": ("F_AOmega", "F_OmegaOmega"),
+    "turns": ("turns_A", "turns_Omega"),
+    "excess": ("excess_A", "excess_Omega"),
+}
+
+
+def steps(flow: SlowFlow, damped: Damped) -> dict[str, Step]:
+    """By the kind of answer."""
+    known = _known(flow, damped)
+    return {kind: _step(known, *stated) for kind, stated in EQUATIONS.items()}
+
+
+def _known(flow: SlowFlow, damped: Damped) -> dict[str, sp.Expr]:
+    """F, what stands for it and for F_A at an isola point, which are free of R, and their derivatives, by name."""
+
+    def along(expression: sp.Expr, unknown: sp.Symbol) -> sp.Expr:
+        if unknown == A:
+            return slope(expression, {I: sp.diff(flow.I, A)})
+        return sp.diff(expression, Omega) + sp.diff(expression, I) * sp.diff(flow.I, Omega)
+
+    known = {"turns": damped.isola_turns, "excess": damped.isola_excess}
+    for name, expression in list(known.items()):
+        for unknown, slope_of_it in zip((A, Omega), ALONG[name], strict=True):
+            known[slope_of_it] = sp.factor_terms(along(expression, unknown))
+    return {**vars(flow), **known}
+
+
+def _step(known: dict[str, sp.Expr], equations: tuple[str, ...], unknowns: tuple[sp.Symbol, ...], turning: str) -> Step:
+    """By Cramer's rule, the derivatives being names; F_0, which is in one equation alone, from the others."""
+
+    def slope_of(equation: str, unknown: sp.Symbol) -> str:
+        return ALONG[equation][unknown == Omega]
+
+    names: dict[str, sp.Symbol] = {}
+
+    def named(name: str) -> sp.Symbol:
+        return names.setdefault(name, sp.Symbol(name, real=True))
+
+    moved = [unknown for unknown in unknowns if unknown != F_0]
+    values = sp.Matrix([named(name) for name in equations[: len(moved)]])
+    jacobian = sp.Matrix([[named(slope_of(name, unknown)) for unknown in moved] for name in equations[: len(moved)]])
+    determinant = jacobian.det()
+    changes = []
+    for column in range(len(moved)):
+        replaced = jacobian.copy()
+        replaced[:, column] = -values
+        changes.append(replaced.det() / determinant)
+    vanish = [*values]
+    if F_0 in unknowns:
+        last = equations[-1]
+        vanish.append(named(last))
+        left = vanish[-1] + sum(named(slope_of(last, x)) * change for x, change in zip(moved, changes, strict=True))
+        changes.append(-left / sp.diff(known[last], F_0))
+    first = slope_of(turning, moved[-1]) if turning else ""
+    turn = sp.Integer(0)
+    if first in ALONG:
+        turned = sum(named(slope_of(first, x)) * change for x, change in zip(moved, changes, strict=False))
+        turn = turned / named(first)
+    lets = tuple((symbol, known[name]) for name, symbol in names.items())
+    return Step(lets, tuple(vanish), tuple(changes), turn)
