@@ -218,6 +218,49 @@ def test_by_the_ends_of_the_motion_boxes_hold_the_means_of_every_point_and_their
 
 
 @pytest.mark.slow
+def test_by_the_ends_of_the_motion_far_and_next_to_a_step_means_are_those_of_exact_integrals():
+    """Where a motion hardly passes a step, or is hundreds of times as large as all, differences keep no digits."""
+    one = Isolator(lam=3.0, r=2.0, delta_h=0.08, mu=0.01, zeta=0.05, load=0.05)
+    steps = Steps(one.model.mechanism, one.model.parameters, 0.05)
+    charts = Charts(steps)
+    lines = [mpmath.mpf(float(line)) for line in np.unique(steps.sides[1:] * steps.places[1:])]
+
+    def slope(u, order):
+        piece = steps.pieces[sum(line < u for line in lines)]
+        powers = enumerate(piece[order:].tolist())
+        return mpmath.fsum(mpmath.mpf(D) * u**k / mpmath.factorial(k) for k, D in powers)
+
+    (chart,) = np.flatnonzero(charts.rooted.all(axis=0) & (charts.upper - charts.lower == 2))
+    places = [(x, y) for x in (1e-9, 0.4, 6.0, 20.4, 130.0) for y in (1e-9, 1e-3, 0.7, 90.0)]
+    with mpmath.workdps(40):
+        for x, y in places:
+            found = charts.on(*(Interval(np.full((2, 1), at)) for at in (x, y)), np.array([chart]))
+            top = mpmath.mpf(x) ** 2 + mpmath.mpf(float(charts.place[0, chart]))
+            bottom = mpmath.mpf(float(charts.place[1, chart])) - mpmath.mpf(y) ** 2
+            A, B = (top - bottom) / 2, (top + bottom) / 2
+            cuts = [0, *(mpmath.acos((line - B) / A) for line in lines[::-1]), mpmath.pi]
+
+            def mean(order, weight, A=A, B=B, cuts=cuts):
+                return (
+                    mpmath.quad(lambda t: slope(B + A * mpmath.cos(t), order) * weight(mpmath.cos(t)), cuts) / mpmath.pi
+                )
+
+            # of what f gains at each line the mean with 1 +- cos
+            gains = [
+                (steps.gains[1, 0] / (mpmath.pi * mpmath.sqrt(A**2 - (line - B) ** 2)), (line - B) / A)
+                for line in lines
+            ]
+            P, Q = (
+                mean(1, lambda c, s=s: 1 + s * c) + mpmath.fsum(gain * (1 + s * c) for gain, c in gains)
+                for s in (1, -1)
+            )
+            exact = {"c_0": mean(0, lambda c: 1), "s_0": mean(0, lambda c: c), "c_x": x * P, "c_y": -y * Q}
+            for name, value in exact.items():
+                (low,), (high,) = getattr(found, name).ends
+                assert low <= value <= high, (x, y, name)
+                assert high - low <= 1e-12 * (1 + A**5) * (1 + abs(value)), (x, y, name)
+
+
 def test_off_the_centre_validity_says_that_nothing_was_measured(loaded):
     none = loaded.replace(load=0.45).detachment()
     answers = (loaded.amplitudes(Omega=0.9, F_0=0.04), loaded.saddle_nodes(0.04), loaded.detachment(), none)

@@ -41,6 +41,7 @@ BOX: dict[str, Limits] = {
     "p": (1e-9, 1e3, True, False),
     "q": (1e-12, 1e3, False, True),
     "p_A": (1e-9, 1e6, True, True),
+    "span": (1e-9, 1e3, True, True),
     "root": (1e-9, 1e3, True, False),
     "k": (1e-9, 1e3, True, False),
     "k_A": (1e-9, 1e6, True, True),

@@ -75,6 +75,8 @@ intercept, least = sp.symbols("intercept least", real=True)
 
 #: the step's place seen from B, sqrt(A^2 - a^2), the angle at which it is passed
 a, root, angle = sp.symbols("a root angle", real=True)
+#: A^2 - a^2: of how far both ends of a motion are past the step the product, which A and a, rounded, do not give there
+span = sp.Symbol("span", real=True)
 k = sp.Symbol("k", integer=True)
 #: L_(k-2), L_(k-1), M_(k-2), M_(k-1)
 L_2, L_1, M_2, M_1 = sp.symbols("L_2 L_1 M_2 M_1", real=True)
@@ -505,8 +507,8 @@ def climb() -> Climb:
     _vanishes((derivative - found).subs(sp.sin(theta) ** 2, 1 - sp.cos(theta) ** 2), "the recursion of L")
     # with the factorials: k^2 L_k = -(2 k - 1) a L_(k-1) + (A^2 - a^2) L_(k-2); M_(k-1) is the slope of L_k by A
     up = (
-        ((A - a) * (A + a) * L_2 - (2 * k - 1) * a * L_1) / k**2,
-        ((A - a) * (A + a) * M_2 - (2 * k + 1) * a * M_1 + 2 * A * L_1) / (k + 1) ** 2,
+        (span * L_2 - (2 * k - 1) * a * L_1) / k**2,
+        (span * M_2 - (2 * k + 1) * a * M_1 + 2 * A * L_1) / (k + 1) ** 2,
     )
     # the same two the other way: of L for k, of M for k with L_(k-1) known
     down = (

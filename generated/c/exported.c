@@ -12,6 +12,7 @@
 #include "slow_flow_mu0_zeta0.h"
 #include "frequencies.h"
 #include "inertia.h"
+#include "off_centre.h"
 #include "dissipation.h"
 #include "sensitivities.h"
 #include "sampled.h"

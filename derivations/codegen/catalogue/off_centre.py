@@ -45,6 +45,7 @@ from ...asymmetric.off_centre import (
     s,
     s_p,
     side,
+    span,
     t,
 )
 from ...extensions.dissipation import I_A, d
@@ -57,16 +58,15 @@ from ..form import Module, plain
 def off_centre_module(results: Results) -> Module:
     """In the means c_n of f^(n) and s_n of f^(n) cos psi over a cycle, and what gives these of a step of the force."""
     flow, of, climb = results.flows[""], results.off_centre, results.climb
-    generic = {"generic": True}
+    generic = {"generic": True, "in_c": False}
     wanted = {**generic, "searched": True}
     of_R = [(R, flow.R.subs(h, -2 * s[0]))]
     known = (F_0, F_2, m, eta, zeta, d, load)
-    above = (k, A, a, L_2, L_1, M_2, M_1)
+    above = (k, A, a, span, L_2, L_1, M_2, M_1)
     return Module(
         name="off_centre",
         title="Motions off the centre, u = B + A cos psi, by the means of the force and its derivatives over a cycle",
         inputs=("paper/averaging.py", "paper/slow_flow.py", "asymmetric/off_centre.py"),
-        in_c=False,
         kernels=(
             plain(
                 "averaged",
@@ -231,16 +231,16 @@ def off_centre_module(results: Results) -> Module:
                 "L_-1, L_0, M_-1, M_0 of a step at B + a that the motion passes at psi = angle.",
                 "the mean of (3)",
                 "root = sqrt(A^2 - a^2)",
-                **generic,
+                generic=True,
             ),
             plain(
                 "up",
                 above,
                 climb.up,
-                "L_k and M_k from the two below each.",
+                "L_k and M_k from the two below each; span = A^2 - a^2.",
                 "the mean of (3)",
                 "k >= 1",
-                **generic,
+                generic=True,
             ),
             plain(
                 "down",

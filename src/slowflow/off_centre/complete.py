@@ -31,6 +31,8 @@ BELOW, ABOVE = 4, 8
 PARTS = 8
 #: frequencies that are looked at together
 TOGETHER = 64
+#: the amplitude of an onset beside the size of the problem below which folds tend to rest, as next to a preload
+TENDED = 2.0**-64
 #: |B| up to which a motion without a load is about the centre, where all others are told from it by more
 AT_CENTRE = 1e-12
 #: no bound of B, and so none of what is to be looked at
@@ -96,6 +98,8 @@ class Complete:
             best = min(known, key=lambda fold: fold.F_0, default=None)
             if best is not None and not best.kind:
                 raise NotSettled(text(ENDLESS))
+            if best is not None and best.A < TENDED * self._steps.size:
+                raise NotSettled("folds of ever lower forcing go on to ever smaller amplitudes")
             if best is not None and best.A > self.A_max(best.F_0):
                 raise NotSettled("folds of ever lower forcing go on to ever larger amplitudes")
             F_0 = math.inf if best is None else best.F_0

@@ -563,10 +563,11 @@ def _fill(A: Floats, a: Floats, L: Floats, M: Floats, highest: int, *, whole: bo
                 L_2, M_2 = off_centre.down(k, of, at, root, L_1, L_k, M_1, M_k)
                 L[ORDERS + k - 2, passes], M[ORDERS + k - 2, passes] = L_2, M_2
         above = np.ones(A.shape, dtype=bool) if whole else a <= -A
+        span = (A - a) * (A + a)
         L[ORDERS, above] = 1.0
         for k in range(1, highest + 1):
             L_2, L_1, M_2, M_1 = (ladder[ORDERS + j] for ladder in (L, M) for j in (k - 2, k - 1))
-            L[ORDERS + k], M[ORDERS + k] = off_centre.up(k, A, a, L_2, L_1, M_2, M_1)
+            L[ORDERS + k], M[ORDERS + k] = off_centre.up(k, A, a, span, L_2, L_1, M_2, M_1)
         if not whole:
             below = a >= A
             L[:, below] = M[:, below] = 0.0

@@ -29,8 +29,8 @@ from slowflow_support.errors import NotSettled, OutOfRange
 BELOW, PARTS = 5, 4
 #: how small cells are beside their amplitude, which amplitude is small beside the problem, rounds of cuts
 FINE, SMALL, ROUNDS = 2.0**-4, 2.0**-8, 16
-#: amplitudes beyond it are not followed, as their squares are beyond the range of doubles
-FARTHEST = 2.0**500
+#: amplitudes beyond it are not followed, and less than it is rest, as their squares are beyond the range of doubles
+FARTHEST, LEAST = 2.0**500, 2.0**-500
 TOO_FAR = Sentence(
     "motions off the centre are unresolved: amplitudes may be as large as {A:.3g}, beyond the range of doubles"
 )
@@ -171,7 +171,7 @@ class Sheets:
         load = self.steps.load
         f, f_0 = middle.c_0 - load, here.c_0 - load
         moved = here.c_x * r[0], here.c_y * r[1]
-        empty = f_0.has_sign | (f + moved[0] + moved[1]).has_sign | (here.A.hi <= 0)
+        empty = f_0.has_sign | (f + moved[0] + moved[1]).has_sign | (here.A.hi <= LEAST)
         found = []
         for i, slope in enumerate((here.c_x, here.c_y)):
             at = Interval(np.stack((centre[i], centre[i])))

@@ -209,10 +209,10 @@ OFF_CENTRE: dict[str, tuple[str, Function]] = {
         lambda A, a, r, psi: [1 / (mp.pi * r), psi / mp.pi, a / A / (mp.pi * r), r / (mp.pi * A)],
     ),
     "up": (
-        "k A a L_2 L_1 M_2 M_1",
-        lambda k, A, a, L_2, L_1, M_2, M_1: [
-            ((A**2 - a**2) * L_2 - (2 * k - 1) * a * L_1) / k**2,
-            ((A**2 - a**2) * M_2 - (2 * k + 1) * a * M_1 + 2 * A * L_1) / (k + 1) ** 2,
+        "k A a span L_2 L_1 M_2 M_1",
+        lambda k, A, a, span, L_2, L_1, M_2, M_1: [
+            (span * L_2 - (2 * k - 1) * a * L_1) / k**2,
+            (span * M_2 - (2 * k + 1) * a * M_1 + 2 * A * L_1) / (k + 1) ** 2,
         ],
     ),
     "down": (

@@ -64,6 +64,7 @@ RANGES = {
     **{"force": (0.03, 0.1), "force_Omega": (-0.2, 0.2), "force_F": (0.5, 2.0)},
     **{f"S_{name}": (-1.0, 1.0) for name in ("Omega", "OmegaOmega", "F", "FOmega")},
     "root": (-1.0, 1.0),
+    "span": (-1.0, 1.0),
     "p": (-1.0, 0.1),
     "q": (0.0001, 0.003),
     # k = h - A h_A, in size above F_0 and A |T|
