@@ -120,8 +120,6 @@ RUNGS = 100
 NEAR_ENDLESS = 1048576.0
 # stands for an infinite amplitude, and an infinite multiple of one
 ENDLESS = 1.152921504606847e+18
-# relative error that is taken for granted in a kernel's value
-DOUBT = 3.5527136788005009e-15
 # where a search begins that cannot begin at A = 0
 FIRST = 6.2230152778611417e-61
 # of a curve's points: the length that each part has beside its own
