@@ -53,7 +53,7 @@ import sympy as sp
 from ..extensions.dissipation import I_0, I_A, Dissipation
 from ..paper.averaging import Averaged, F_k, cycle_integral, psi
 from ..paper.slow_flow import I, R, SlowFlow, m, turn
-from ..symbols import F_0, A, Omega, h, mu, sigma, u, zeta
+from ..symbols import F_0, A, Omega, h, mu, sigma, u
 
 Let = tuple[sp.Symbol, sp.Expr]
 
@@ -62,16 +62,10 @@ B, load = sp.symbols("B load", real=True)
 ORDERS = 3
 c = sp.symbols(f"c_0:{ORDERS + 1}", real=True)
 s = sp.symbols(f"s_0:{ORDERS + 1}", real=True)
-#: phase: R = 2 t F_0/(1 + t^2), I = (1 - t^2) F_0/(1 + t^2), all with I >= 0 for |t| <= 1
-t = sp.Symbol("t", real=True)
-
 #: amplitude of the force on the mass; what it is of an excitation by inertia over Omega^2
 force, F_2 = sp.symbols("force F_2", nonnegative=True)
 #: Omega^2, A Omega, A I_A - I
 square, speed, drift = sp.symbols("square speed drift", real=True)
-
-#: h - A h_A along the balance; the least size that it has at a fold
-intercept, least = sp.symbols("intercept least", real=True)
 
 #: the step's place seen from B, sqrt(A^2 - a^2), the angle at which it is passed
 a, root, angle = sp.symbols("a root angle", real=True)
@@ -83,9 +77,6 @@ L_2, L_1, M_2, M_1 = sp.symbols("L_2 L_1 M_2 M_1", real=True)
 #: what resists along the balance, (c_1^2 - s_1^2)/c_1; h_A = 2 s_0/A - 2 resists
 resists = sp.Symbol("resists", real=True)
 L_k, M_k = sp.symbols("L_k M_k", real=True)
-#: of a step that the motion passes: what the force gains there, and side a/A; c_1 and s_1 of all others
-D_0, edge = sp.symbols("D_0 edge", real=True)
-C_1, S_1 = sp.symbols("C_1 S_1", real=True)
 
 #: what a parameter does to the means and to the load at fixed A and B, and to an end of a piece
 c_p = sp.symbols(f"c_0:{ORDERS}_p", real=True)
@@ -131,23 +122,6 @@ class Ended:
 
 
 @dataclass(frozen=True)
-class Phases:
-    """At a forcing.
-
-    balance -- R and I of a motion by t
-    turns   -- what vanishes at a fold, in k = h - A h_A along the balance: a quadratic in t
-    lesser  -- its lesser root, in the least size that k has at a fold
-    by_I, by_R -- Omega of a motion by I; Omega^2 by R
-    """
-
-    balance: tuple[sp.Expr, sp.Expr]
-    turns: sp.Expr
-    lesser: sp.Expr
-    by_I: sp.Expr
-    by_R: sp.Expr
-
-
-@dataclass(frozen=True)
 class OffCentre:
     """Of any mechanism, in c and s.
 
@@ -156,14 +130,10 @@ class OffCentre:
     by_R     -- what is known at a given R, of any damping and excitation
     fold     -- at a forcing, in A, B and R, in these: f_0, F_A along the balance times A c_1/2, and F; and their slopes
                 by A, B and R in turn
-    fold_by_t -- of a force with viscous damping and friction, in A, B and t: f_0, F_A along the balance times c_1, and
-                whether R and I belong to one Omega; and their slopes by A, B and t in turn
-    turns    -- the second of these over c_1, in s_0 and `resists`: it stays finite where the force jumps
-    past     -- `resists` where the motion passes a step at which the force gains D_0: root may be 0
     beside   -- `resists` of an odd force without a load, where B is not 0: with c_3 and s_2 at some B between
     moved    -- what a parameter does to B and h
     ended    -- states and folds by the motion's ends
-    phases   -- states and folds by t
+    frequency -- Omega of a motion by I; Omega^2 by R
     versine  -- the mean of (1 - cos psi)^(k + 1) over that of (1 - cos psi)^k
     """
 
@@ -172,13 +142,10 @@ class OffCentre:
     state: tuple[sp.Expr, ...]
     by_R: tuple[Let, ...]
     fold: tuple[sp.Expr, ...]
-    fold_by_t: tuple[sp.Expr, ...]
-    turns: sp.Expr
-    past: sp.Expr
     beside: sp.Expr
     moved: Moved
     ended: Ended
-    phases: Phases
+    frequency: tuple[sp.Expr, sp.Expr]
     versine: sp.Expr
 
 
@@ -243,7 +210,7 @@ def off_centre(averaged: Averaged, flow: SlowFlow, laws: Dissipation) -> OffCent
     _vanishes(averaged.restoring_integrand + F_k * sp.cos(psi) / sp.pi, "h = -2 s_0")
     of_h = {h: -2 * s[0]}
     f_0 = c[0] - load
-    R_value, I_value = flow.R.subs(of_h), flow.I
+    R_value = flow.R.subs(of_h)
 
     lets, chain = _along_balance(f_0, of_h[h])
     F = R**2 + I**2 - force**2
@@ -251,30 +218,22 @@ def off_centre(averaged: Averaged, flow: SlowFlow, laws: Dissipation) -> OffCent
     # in R, I and I_A, which a kernel has first
     slopes = tuple(2 * (R * by(R_value) + I * of_I) for by, of_I in ((_by_A, I_A), (_by_B, 0)))
     state = (f_0, F, s[1], c[1], *slopes)
-    by_t = tuple(2 * (R * by(R_value) + I * sp.diff(I_value, one)) for by, one in ((_by_A, A), (_by_B, B)))
-    fold_by_t = _fold(R_value, I_value, f_0, by_t)
     by_R = _by_R(laws)
     fold = _fold_by_R(by_R, f_0, c[1], c[1] * s[0] - A * (c[1] ** 2 - s[1] ** 2) / 2, (_by_A, _by_B))
     _check_fold_by_R(by_R, fold[1], (c[1], -s[1]), (_by_A, _by_B))
     along_balance = 2 * s[0] / A - 2 * resists
-    phases = _phases(flow)
-    turns = sp.expand(phases.turns.subs(intercept, of_h[h] - A * along_balance))
     of_means = {resists: (c[1] ** 2 - s[1] ** 2) / c[1]}
     _vanishes(along_balance.subs(of_means) - chain[1].subs(lets), "h_A along the balance")
-    _vanishes(c[1] * turns.subs(of_means) - fold_by_t[1], "F_A along the balance")
     return OffCentre(
         lets,
         chain,
         state,
         by_R,
         fold,
-        fold_by_t,
-        turns,
-        _past(of_means[resists]),
         _beside(of_means[resists]),
         moved(),
         _ended(R_value, by_R, f_0),
-        phases,
+        (sp.solve(I - flow.I, Omega)[0], sp.solve(R - flow.R.subs(Omega**2, turn), turn)[0]),
         _versine(),
     )
 
@@ -288,32 +247,6 @@ def _versine() -> sp.Expr:
     rise, fall = (sp.Poly(of_w, w).coeff_monomial(w**n) for n in (0, 1))
     _vanishes(of_w - rise - fall * w, "by parts")
     return sp.factor(-rise / fall).subs(power, k)
-
-
-def _phases(flow: SlowFlow) -> Phases:
-    """With R and I of F = 0 and k for h - A h_A a fold is a line in R and I: F_0^2 - m I = k R."""
-    balance = (_CIRCLE[R], _CIRCLE[I])
-    line = sp.cancel((F_0**2 - m * I - intercept * R).subs(_CIRCLE) * (1 + t**2) / F_0)
-    turns = sp.collect(sp.expand(line), t)
-    lesser = (F_0 - m) / (intercept + sp.sqrt((intercept - least) * (intercept + least)))
-    _vanishes(turns.subs(t, lesser).subs(least, sp.sqrt(F_0**2 - m**2)), "the fold's t")
-    square = sp.solve(R - flow.R.subs(Omega**2, turn), turn)[0]
-    return Phases(balance, turns, lesser, sp.solve(I - flow.I, Omega)[0], square)
-
-
-def _past(of_means: sp.Expr) -> sp.Expr:
-    """`resists` by the root: the step's own share D_0 L_-1 of c_1, which has no bound, stands in no difference."""
-    L = 1 / (sp.pi * root)
-    whole = of_means.subs({c[1]: C_1 + D_0 * L, s[1]: S_1 + edge * D_0 * L})
-    # the square of the share by the root, that of cos psi where the step is passed
-    square = 1 - root**2 / A**2
-    found = (root * D_0**2 / (sp.pi * A**2) + 2 * D_0 * (C_1 - edge * S_1) + sp.pi * root * (C_1**2 - S_1**2)) / (
-        D_0 + sp.pi * root * C_1
-    )
-    _vanishes(
-        sp.expand(sp.cancel(whole - found) * (D_0 + sp.pi * root * C_1)).subs(edge**2, square), "resists past a step"
-    )
-    return found
 
 
 def _beside(of_means: sp.Expr) -> sp.Expr:
@@ -463,38 +396,6 @@ def _ended(R_value: sp.Expr, by_R: tuple[Let, ...], f_0: sp.Expr) -> Ended:
     fold = _fold_by_R(by_R, f_0, A_t, gain, both)
     _check_fold_by_R(by_R, fold[1], (-c_y, c_x), both)
     return Ended((f_0, F, *(by(f_0) for by in both), *slopes), (A_t, gain), fold)
-
-
-#: R and I of a motion at F_0
-_CIRCLE = {R: 2 * t * F_0 / (1 + t**2), I: (1 - t) * (1 + t) * F_0 / (1 + t**2)}
-
-
-def _one_Omega() -> sp.Expr:
-    """What vanishes where R and I are of one Omega."""
-    return (F_0 * (1 - t**2) - m * (1 + t**2)) ** 2 - 4 * zeta**2 * A * (1 + t**2) * (
-        2 * F_0 * t + 2 * s[0] * (1 + t**2)
-    )
-
-
-def _fold(R_value: sp.Expr, I_value: sp.Expr, f_0: sp.Expr, slopes: tuple[sp.Expr, sp.Expr]) -> tuple[sp.Expr, ...]:
-    """A fold turns along the balance: c_1 F_A - s_1 F_B = 0. With R and I of F = 0 it needs no Omega."""
-    turns = A * (c[1] * slopes[0] - s[1] * slopes[1]) / 2
-    # A Omega^2 = R - h and 2 zeta A Omega = I - m
-    intercept = sp.expand(c[1] * -2 * s[0] - A * (c[1] * _by_A(-2 * s[0]) - s[1] * _by_B(-2 * s[0])))
-    line = c[1] * (F_0**2 - m * I) - intercept * R
-    of_Omega = {R: R_value, I: I_value}
-    _vanishes((turns - line).subs(F_0**2, R**2 + I**2).subs(of_Omega), "a fold as a line in R and I")
-    one_Omega = (I - m) ** 2 - 4 * zeta**2 * A * (R + 2 * s[0])
-    _vanishes(one_Omega.subs(of_Omega), "R and I of one Omega")
-    _vanishes((R**2 + I**2).subs(_CIRCLE) - F_0**2, "R and I at F_0")
-    values = (
-        f_0,
-        sp.collect(sp.expand(sp.cancel(line.subs(_CIRCLE) * (1 + t**2) / F_0)), c[1]),
-        _one_Omega(),
-    )
-    _vanishes(values[2] - (one_Omega.subs(_CIRCLE) * (1 + t**2) ** 2), "R and I of one Omega, in t")
-    by = (_by_A, _by_B, lambda expression: sp.diff(expression, t))
-    return (*values, *(sp.expand(one(value)) for value in values for one in by))
 
 
 def climb() -> Climb:

@@ -7,24 +7,22 @@ Tools: sympy 1.14.0, python-flint 0.9.0, jinja2 3.1.6
 Everything is dimensionless, for any kind of number that has arithmetic: floats, complex numbers, arrays, an integrator's
 symbols. Each docstring gives equation number, domain and the operations after each pass.
 Rounding errors are in u (1 + kappa), u = 2^-53: proved ones hold wherever nothing overflows or underflows, measured
-ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, B 1e-09 to 1000, C_1
-1e-09 to 1000 of either sign or 0, D_0 1e-09 to 1000 of either sign or 0, F_0 1e-09 to 1000, F_2 1e-09 to 1000 or 0,
-I 1e-12 to 1000 or 0, I_A 1e-09 to 1000 of either sign or 0, L_1 1e-09 to 1000 of either sign or 0, L_2 1e-09 to
-1000 of either sign or 0, L_k 1e-09 to 1000 of either sign or 0, M_1 1e-09 to 1000 of either sign or 0, M_2 1e-09 to
-1000 of either sign or 0, M_k 1e-09 to 1000 of either sign or 0, Omega 0.001 to 1000, R 1e-09 to 1e+06 of either
-sign or 0, S_1 1e-09 to 1000 of either sign or 0, X 1e-09 to 1000, X_x 1e-09 to 1000 of either sign or 0, Y 1e-09 to
+ones are the worst of all outputs that was found, by a search for it with A 1e-09 to 1000, B 1e-09 to 1000, F_0
+1e-09 to 1000, F_2 1e-09 to 1000 or 0, I 1e-12 to 1000 or 0, I_A 1e-09 to 1000 of either sign or 0, L_1 1e-09 to
+1000 of either sign or 0, L_2 1e-09 to 1000 of either sign or 0, L_k 1e-09 to 1000 of either sign or 0, M_1 1e-09 to
+1000 of either sign or 0, M_2 1e-09 to 1000 of either sign or 0, M_k 1e-09 to 1000 of either sign or 0, Omega 0.001
+to 1000, R 1e-09 to 1e+06 of either sign or 0, X 1e-09 to 1000, X_x 1e-09 to 1000 of either sign or 0, Y 1e-09 to
 1000, Y_y 1e-09 to 1000 of either sign or 0, a 1e-09 to 1000 of either sign or 0, angle 1e-09 to 3.142, c_0 1e-09 to
 1000 of either sign or 0, c_0_p 1e-09 to 1000 of either sign or 0, c_1 1e-09 to 1000 of either sign or 0, c_1_p
 1e-09 to 1000 of either sign or 0, c_2 1e-09 to 1000 of either sign or 0, c_2_p 1e-09 to 1000 of either sign or 0,
 c_3 1e-09 to 1000 of either sign or 0, c_x 1e-09 to 1000 of either sign or 0, c_xx 1e-09 to 1000 of either sign or
-0, c_y 1e-09 to 1000 of either sign or 0, c_yy 1e-09 to 1000 of either sign or 0, d 1e-12 to 1000 or 0, edge 1e-09
-to 1 of either sign or 0, end_p 1e-09 to 1000 of either sign or 0, eta 1e-12 to 1 or 0, force 1e-09 to 1000, h 1e-12
-to 1000 of either sign or 0, intercept 1e-09 to 1000, k 1 to 1000 of either sign or 0, least 1e-09 to 1000, load
-1e-09 to 1000 of either sign or 0, load_p 1e-09 to 1000 of either sign or 0, m 1e-12 to 1 or 0, resists 1e-09 to
-1000 of either sign or 0, root 1e-09 to 1000, s_0 1e-09 to 1000 of either sign or 0, s_0_p 1e-09 to 1000 of either
-sign or 0, s_1 1e-09 to 1000 of either sign or 0, s_1_p 1e-09 to 1000 of either sign or 0, s_2 1e-09 to 1000 of
-either sign or 0, s_2_p 1e-09 to 1000 of either sign or 0, s_3 1e-09 to 1000 of either sign or 0, side 1 to 1 of
-either sign, span 1e-09 to 1000 of either sign or 0, t 1e-09 to 1 of either sign or 0, zeta 1e-12 to 1 or 0.
+0, c_y 1e-09 to 1000 of either sign or 0, c_yy 1e-09 to 1000 of either sign or 0, d 1e-12 to 1000 or 0, end_p 1e-09
+to 1000 of either sign or 0, eta 1e-12 to 1 or 0, force 1e-09 to 1000, h 1e-12 to 1000 of either sign or 0, k 1 to
+1000 of either sign or 0, load 1e-09 to 1000 of either sign or 0, load_p 1e-09 to 1000 of either sign or 0, m 1e-12
+to 1 or 0, root 1e-09 to 1000, s_0 1e-09 to 1000 of either sign or 0, s_0_p 1e-09 to 1000 of either sign or 0, s_1
+1e-09 to 1000 of either sign or 0, s_1_p 1e-09 to 1000 of either sign or 0, s_2 1e-09 to 1000 of either sign or 0,
+s_2_p 1e-09 to 1000 of either sign or 0, s_3 1e-09 to 1000 of either sign or 0, side 1 to 1 of either sign, span
+1e-09 to 1000 of either sign or 0, zeta 1e-12 to 1 or 0.
 """
 
 # a formatter would spread each polynomial over a page
@@ -34,9 +32,8 @@ import numpy as np
 
 
 __all__ = [
-    "averaged", "balance_by_phase", "begin", "beside", "down", "ended_along", "ended_fold", "ended_state", "fold",
-    "fold_by_t", "fold_phase", "frequency_by_phase", "moved", "moved_at_end", "past", "state", "turns", "up",
-    "versine",
+    "averaged", "begin", "beside", "down", "ended_along", "ended_fold", "ended_state", "fold", "frequency_by_phase",
+    "moved", "moved_at_end", "state", "up", "versine",
 ]
 
 
@@ -159,64 +156,6 @@ def fold(R, A, F_0, F_2, m, eta, zeta, d, load, c_0, c_1, c_2, s_0, s_1, s_2):
     )
 
 
-def fold_by_t(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
-    """What vanishes at a fold at F_0 with cos phi = -2 t/(1 + t^2): the balance, F_A along it times c_1 and a positive number, R and I of one Omega; slopes of each by A, B and t.
-
-    Equation (24), (30) and the mean of (3). Domain: A > 0, |t| <= 1. Shape: 12 results, each the arguments that it
-    depends on, broadcast.
-    Operations: 233 structured, 137 common subexpressions, 134 power chains.
-    Proved, error / u (1 + kappa): 1.01, 11.51, -, 0.0, 0.0, 0.0, -, 13.01, 4.01, 6.34, 1.01, 45.68
-    Measured, error / u (1 + kappa): 1.3
-    """
-    t0 = c_1 * c_1
-    t1 = 4.0 * t
-    t2 = t0 * t1
-    t3 = s_1 * s_1
-    t4 = t1 * t3
-    t5 = 8.0 * s_0
-    t6 = t * t5
-    t7 = t * t
-    t8 = F_0 * t7
-    t9 = m * t7
-    t10 = t7 + 1.0
-    t11 = zeta * zeta
-    t12 = 2.0 * t
-    t13 = F_0 * t12
-    t14 = 4.0 * A
-    t15 = 8.0 * c_1
-    t16 = t * t15
-    t17 = A * t16
-    t18 = 8.0 * s_1
-    t19 = A * t * t18
-    t20 = A * t11
-    t21 = t15 * t20
-    t22 = 8.0 * F_0
-    t23 = t11 * t22
-    t24 = t * t7
-    t25 = 16.0 * t20 * t7
-    t26 = t7 * t7
-    t27 = t18 * t20
-    t28 = F_0 * F_0
-    t29 = m * m
-    t30 = 32.0 * s_0 * t20
-    t31 = F_0 * (1.0 - t7) - m * t10
-    return (
-        c_0 - load,
-        -A * t2 + A * t4 + c_1 * (F_0 - m + t6 + t8 + t9),
-        -t10 * t11 * t14 * (2.0 * s_0 * t10 + t13) + t31 * t31,
-        s_1,
-        c_1,
-        0.0,
-        F_0 * s_2 + c_2 * t19 - m * s_2 - s_2 * t17 + s_2 * t6 + s_2 * t8 + s_2 * t9 + t2 - t4 - c_1 * t6 / A,
-        F_0 * c_2 - c_2 * m - c_2 * t17 + c_2 * t6 + c_2 * t8 + c_2 * t9 + s_1 * t16 + s_2 * t19,
-        c_1 * m * t12 + c_1 * t13 + c_1 * t5 - t0 * t14 + t14 * t3,
-        -c_1 * t25 - t * t23 - t21 * t26 - t21 - t23 * t24,
-        -s_1 * t25 - t26 * t27 - t27,
-        8.0 * F_0 * m * t24 + 4.0 * t * t29 - t * t30 - t1 * t28 - t20 * t22 - 24.0 * t20 * t8 + 4.0 * t24 * t28 +
-        4.0 * t24 * t29 - t24 * t30,
-    )
-
-
 def ended_state(Omega, A, force, I, I_A, load, c_0, s_0, c_x, c_y, X, Y):
     """What vanishes at a steady state, by coordinates x and y of the motion's ends: the balance of the mean and F; slopes of each by x and y.
 
@@ -326,41 +265,6 @@ def ended_fold(R, A, F_0, F_2, m, eta, zeta, d, load, c_0, s_0, c_x, c_y, c_xx, 
     )
 
 
-def turns(t, A, F_0, m, resists, s_0):
-    """The second of what vanishes at a fold over c_1; resists = (c_1^2 - s_1^2)/c_1.
-
-    Equation (30). Domain: A > 0, |t| <= 1. Shape: the arguments that it depends on, broadcast.
-    Operations: 14 structured, 13 common subexpressions, 13 power chains.
-    Proved, error / u (1 + kappa): 8.51
-    """
-    t0 = t * t
-    return -4.0 * A * resists * t + F_0 * t0 + F_0 + m * t0 - m + 8.0 * s_0 * t
-
-
-def balance_by_phase(t, F_0):
-    """R and I of a motion with cos phi = -2 t/(1 + t^2).
-
-    Equation (23). Domain: |t| <= 1. Shape: 2 results, each the arguments that it depends on, broadcast.
-    Operations: 12 structured, 9 common subexpressions, 9 power chains.
-    Measured, error / u (1 + kappa): 1.3
-    """
-    t0 = F_0 / (t * t + 1.0)
-    return (
-        2.0 * t * t0,
-        t0 * (1.0 - t) * (t + 1.0),
-    )
-
-
-def fold_phase(F_0, m, intercept, least):
-    """The lesser t where that vanishes, by the least intercept of a fold (`slow_flow.least_restoring`).
-
-    Equation (30). Domain: F_0 >= m, intercept >= least. Shape: the arguments that it depends on, broadcast.
-    Operations: 7 structured, 7 common subexpressions, 7 power chains.
-    Measured, error / u (1 + kappa): 1.1
-    """
-    return (F_0 - m) / (intercept + np.sqrt((intercept - least) * (intercept + least)))
-
-
 def frequency_by_phase(A, R, I, m, zeta, h):
     """Omega of a motion by I; and its square by R.
 
@@ -383,21 +287,6 @@ def versine(k):
     Measured, error / u (1 + kappa): 0.48
     """
     return (2.0 * k + 1.0) / (k + 1.0)
-
-
-def past(A, root, edge, D_0, C_1, S_1):
-    """(c_1^2 - s_1^2)/c_1 where the motion passes a step at which the force gains D_0, with C_1 and S_1 of all else; edge = a/A, of the other sign on the left.
-
-    Equation the mean of (3). Domain: A > 0, 0 <= root <= A, D_0 + pi root C_1 other than 0. Shape: the arguments
-    that it depends on, broadcast.
-    Operations: 20 structured, 19 common subexpressions, 19 power chains.
-    Measured, error / u (1 + kappa): 1.7
-    """
-    t0 = 3.1415926535897931 * root
-    return (
-        (2.0 * D_0 * (C_1 - S_1 * edge) + t0 * (C_1 * C_1 - S_1 * S_1) + 0.31830988618379069 * D_0 * D_0 * root / (A
-        * A)) / (C_1 * t0 + D_0)
-    )
 
 
 def beside(B, c_3, s_2):

@@ -13,87 +13,10 @@ the methods `square` and `sqrt`.
 
 __all__ = [
     "beside",
-    "down",
     "ended_along",
     "ended_fold",
     "ended_state",
-    "fold_by_t",
-    "past",
-    "state",
-    "turns",
 ]
-
-
-def state(Omega, A, force, I, I_A, load, c_0, c_1, s_0, s_1):
-    """What vanishes at a steady state: the balance of the mean and F; slopes of each by A and B.
-
-    Equation (24) and the mean of (3). Domain: A > 0.
-    """
-    t0 = 2.0 * s_0
-    t1 = Omega.square()
-    R = A * t1 - t0
-    return (
-        c_0 - load,
-        I.square() + R.square() - force.square(),
-        s_1,
-        c_1,
-        2.0 * I * I_A + 2.0 * R * (-2.0 * c_1 + t1 + t0 / A),
-        -4.0 * R * s_1,
-    )
-
-
-def fold_by_t(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
-    """What vanishes at a fold at F_0 with cos phi = -2 t/(1 + t^2): the balance, F_A along it times c_1 and a positive number, R and I of one Omega; slopes of each by A, B and t.
-
-    Equation (24), (30) and the mean of (3). Domain: A > 0, |t| <= 1.
-    """
-    t0 = c_1.square()
-    t1 = 4.0 * t
-    t2 = t0 * t1
-    t3 = s_1.square()
-    t4 = t1 * t3
-    t5 = 8.0 * s_0
-    t6 = t * t5
-    t7 = t.square()
-    t8 = F_0 * t7
-    t9 = m * t7
-    t10 = t7 + 1.0
-    t11 = zeta.square()
-    t12 = 2.0 * t
-    t13 = F_0 * t12
-    t14 = 4.0 * A
-    t15 = 8.0 * c_1
-    t16 = t * t15
-    t17 = A * t16
-    t18 = 8.0 * s_1
-    t19 = A * t * t18
-    t20 = A * t11
-    t21 = t15 * t20
-    t22 = 8.0 * F_0
-    t23 = t11 * t22
-    t24 = t * t7
-    t25 = 16.0 * t20 * t7
-    t26 = t7.square()
-    t27 = t18 * t20
-    t28 = F_0.square()
-    t29 = m.square()
-    t30 = 32.0 * s_0 * t20
-    t31 = F_0 * (1.0 - t7) - m * t10
-    return (
-        c_0 - load,
-        -A * t2 + A * t4 + c_1 * (F_0 - m + t6 + t8 + t9),
-        -t10 * t11 * t14 * (2.0 * s_0 * t10 + t13) + t31.square(),
-        s_1,
-        c_1,
-        0.0,
-        F_0 * s_2 + c_2 * t19 - m * s_2 - s_2 * t17 + s_2 * t6 + s_2 * t8 + s_2 * t9 + t2 - t4 - c_1 * t6 / A,
-        F_0 * c_2 - c_2 * m - c_2 * t17 + c_2 * t6 + c_2 * t8 + c_2 * t9 + s_1 * t16 + s_2 * t19,
-        c_1 * m * t12 + c_1 * t13 + c_1 * t5 - t0 * t14 + t14 * t3,
-        -c_1 * t25 - t * t23 - t21 * t26 - t21 - t23 * t24,
-        -s_1 * t25 - t26 * t27 - t27,
-        8.0 * F_0 * m * t24 + 4.0 * t * t29 - t * t30 - t1 * t28 - t20 * t22 - 24.0 * t20 * t8 + 4.0 * t24 * t28 +
-        4.0 * t24 * t29 - t24 * t30,
-    )
 
 
 def ended_state(Omega, A, force, I, I_A, load, c_0, s_0, c_x, c_y, X, Y):
@@ -195,29 +118,6 @@ def ended_fold(R, A, F_0, F_2, m, eta, zeta, d, load, c_0, s_0, c_x, c_y, c_xx, 
     )
 
 
-def turns(t, A, F_0, m, resists, s_0):
-    """The second of what vanishes at a fold over c_1; resists = (c_1^2 - s_1^2)/c_1.
-
-    Equation (30). Domain: A > 0, |t| <= 1.
-    """
-    t0 = t.square()
-    return (
-        -4.0 * A * resists * t + F_0 * t0 + F_0 + m * t0 - m + 8.0 * s_0 * t
-    )
-
-
-def past(A, root, edge, D_0, C_1, S_1):
-    """(c_1^2 - s_1^2)/c_1 where the motion passes a step at which the force gains D_0, with C_1 and S_1 of all else; edge = a/A, of the other sign on the left.
-
-    Equation the mean of (3). Domain: A > 0, 0 <= root <= A, D_0 + pi root C_1 other than 0.
-    """
-    t0 = 3.1415926535897931 * root
-    return (
-        (2.0 * D_0 * (C_1 - S_1 * edge) + t0 * (C_1.square() - S_1.square()) + 0.31830988618379069 * D_0.square() *
-        root / (A.square())) / (C_1 * t0 + D_0)
-    )
-
-
 def beside(B, c_3, s_2):
     """(c_1^2 - s_1^2)/c_1 of an odd force without a load where f_0 = 0 and B is not 0, with c_3 and s_2 of some B between 0 and there.
 
@@ -225,18 +125,4 @@ def beside(B, c_3, s_2):
     """
     return (
         0.33333333333333331 * B.square() * c_3 - 3.0 * s_2.square() / c_3
-    )
-
-
-def down(k, A, a, root, L_1, L_k, M_1, M_k):
-    """L_(k-2) and M_(k-2) from the two above each.
-
-    Equation the mean of (3). Domain: root > 0.
-    """
-    t0 = 1.0 / (root.square())
-    t1 = 2.0 * k
-    t2 = k + 1.0
-    return (
-        t0 * (L_1 * a * (t1 - 1.0) + L_k * k.square()),
-        t0 * (-2.0 * A * L_1 + M_1 * a * (t1 + 1.0) + M_k * t2.square()),
     )

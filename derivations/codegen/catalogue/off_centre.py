@@ -7,14 +7,11 @@ Out: `off_centre_module`.
 from __future__ import annotations
 
 from ...asymmetric.off_centre import (
-    C_1,
-    D_0,
     F_2,
     L_1,
     L_2,
     M_1,
     M_2,
-    S_1,
     B,
     I,
     L_k,
@@ -32,21 +29,16 @@ from ...asymmetric.off_centre import (
     c_xx,
     c_y,
     c_yy,
-    edge,
     end_p,
     force,
-    intercept,
     k,
-    least,
     load,
     load_p,
-    resists,
     root,
     s,
     s_p,
     side,
     span,
-    t,
 )
 from ...extensions.dissipation import I_A, d
 from ...paper.slow_flow import m
@@ -86,7 +78,7 @@ def off_centre_module(results: Results) -> Module:
                 "(24) and the mean of (3)",
                 "A > 0",
                 lets=of_R,
-                **wanted,
+                **generic,
             ),
             plain(
                 "fold",
@@ -98,16 +90,6 @@ def off_centre_module(results: Results) -> Module:
                 "A > 0, R + 2 s_0 > 0",
                 lets=of.by_R,
                 **generic,
-            ),
-            plain(
-                "fold_by_t",
-                (t, A, F_0, m, zeta, load, *c[:3], *s[:3]),
-                of.fold_by_t,
-                "What vanishes at a fold at F_0 with cos phi = -2 t/(1 + t^2): the balance, F_A along it times c_1 and "
-                "a positive number, R and I of one Omega; slopes of each by A, B and t.",
-                "(24), (30) and the mean of (3)",
-                "A > 0, |t| <= 1",
-                **wanted,
             ),
             plain(
                 "ended_state",
@@ -141,36 +123,9 @@ def off_centre_module(results: Results) -> Module:
                 **wanted,
             ),
             plain(
-                "turns",
-                (t, A, F_0, m, resists, s[0]),
-                of.turns,
-                "The second of what vanishes at a fold over c_1; resists = (c_1^2 - s_1^2)/c_1.",
-                "(30)",
-                "A > 0, |t| <= 1",
-                **wanted,
-            ),
-            plain(
-                "balance_by_phase",
-                (t, F_0),
-                of.phases.balance,
-                "R and I of a motion with cos phi = -2 t/(1 + t^2).",
-                "(23)",
-                "|t| <= 1",
-                **generic,
-            ),
-            plain(
-                "fold_phase",
-                (F_0, m, intercept, least),
-                of.phases.lesser,
-                "The lesser t where that vanishes, by the least intercept of a fold (`slow_flow.least_restoring`).",
-                "(30)",
-                "F_0 >= m, intercept >= least",
-                **generic,
-            ),
-            plain(
                 "frequency_by_phase",
                 (A, R, I, m, zeta, h),
-                (of.phases.by_I, of.phases.by_R),
+                of.frequency,
                 "Omega of a motion by I; and its square by R.",
                 "(23)",
                 "A > 0, zeta > 0",
@@ -184,16 +139,6 @@ def off_centre_module(results: Results) -> Module:
                 "the mean of (3)",
                 "k >= 0",
                 **generic,
-            ),
-            plain(
-                "past",
-                (A, root, edge, D_0, C_1, S_1),
-                of.past,
-                "(c_1^2 - s_1^2)/c_1 where the motion passes a step at which the force gains D_0, with C_1 and S_1 of "
-                "all else; edge = a/A, of the other sign on the left.",
-                "the mean of (3)",
-                "A > 0, 0 <= root <= A, D_0 + pi root C_1 other than 0",
-                **wanted,
             ),
             plain(
                 "beside",
@@ -231,6 +176,7 @@ def off_centre_module(results: Results) -> Module:
                 "L_-1, L_0, M_-1, M_0 of a step at B + a that the motion passes at psi = angle.",
                 "the mean of (3)",
                 "root = sqrt(A^2 - a^2)",
+                enclosed=True,
                 generic=True,
             ),
             plain(
@@ -249,7 +195,8 @@ def off_centre_module(results: Results) -> Module:
                 "L_(k-2) and M_(k-2) from the two above each.",
                 "the mean of (3)",
                 "root > 0",
-                **wanted,
+                enclosed=True,
+                **generic,
             ),
         ),
     )

@@ -12,11 +12,12 @@
 
 #include "elementary.h"
 #include "off_centre.h"
+#include "off_centre_intervals.h"
 
 enum {
     SF_MOST_LINES = 32,  /* steps of a force, on both sides */
     SF_MOST_POWERS = 64, /* of u, in a piece */
-    SF_OF_MOTION = 12    /* intervals that are known of a box */
+    SF_OF_MOTION = 14    /* intervals that are known of a box */
 };
 
 /* by how much each step of a recursion errs by itself, over the sum of its terms: its own eight roundings, and those of
@@ -28,9 +29,9 @@ enum {
 #define SF_TINY_ROOT 0x1p-400
 
 /* What is known of a box, in the order in which the loop gives it: X and Y are A_x and A_y, X_x and Y_y their slopes,
- * c_x ... those of c_0. */
+ * c_x ... those of c_0. c_3 = <f'''> and s_2 = <f'' cos psi>, next to B = 0. */
 typedef struct {
-    sf_interval A, B, c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y;
+    sf_interval A, B, c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y, c_3, s_2;
 } sf_ended;
 
 /* The charts of a force. Rows of powers hold derivatives at u = 0 from the 0th on.
@@ -150,9 +151,9 @@ static inline void sf_weigh(sf_weighted *sum, double weight, sf_interval held) {
     sum->size += fabs(weight) * sfi_most(fabs(held.lo), fabs(held.hi));
 }
 
-/* c_0, s_0, P_1, Q_1, P_2, Q_2: P_n and Q_n are the means of f^(n) with 1 + cos psi and with 1 - cos psi, but for what
- * f and f' gain at steps. */
-enum { SF_C_0, SF_S_0, SF_P_1, SF_Q_1, SF_P_2, SF_Q_2, SF_SUMS };
+/* c_0, s_0, P_1, Q_1, P_2, Q_2, c_3: P_n and Q_n are the means of f^(n) with 1 + cos psi and with 1 - cos psi, but for
+ * what f and its derivatives gain at steps. */
+enum { SF_C_0, SF_S_0, SF_P_1, SF_Q_1, SF_P_2, SF_Q_2, SF_C_3, SF_SUMS };
 
 /* Adds a step with gains D to the sums. One on the left is that of -f(-u), in which 1 + cos psi and 1 - cos psi change.
  * turn: 1 for a step on the right, else what D is multiplied with there, but for odd powers with its negative; from:
@@ -174,6 +175,8 @@ static void sf_add_step(const double *D, int from, int right, double turn, const
             sf_weigh(&sums[SF_P_1], gain, P[k - 1]), sf_weigh(&sums[SF_Q_1], gain, Q[k - 1]);
         if (k >= 2)
             sf_weigh(&sums[SF_P_2], side * gain, P[k - 2]), sf_weigh(&sums[SF_Q_2], side * gain, Q[k - 2]);
+        if (k >= 3)
+            sf_weigh(&sums[SF_C_3], gain, ladder->L[k - 3]);
     }
 }
 
@@ -190,7 +193,7 @@ static void sf_add_piece(const double *D, sf_interval top, sf_interval bottom, s
     straight[SF_C_0] = sfi_add(sfi_mul(sfi_times(0.5, sfi_add(top, bottom)), slope), sfi_point(D[0]));
     straight[SF_S_0] = sfi_mul(sfi_times(0.5, A), slope);
     straight[SF_P_1] = straight[SF_Q_1] = slope;
-    straight[SF_P_2] = straight[SF_Q_2] = sfi_point(0);
+    straight[SF_P_2] = straight[SF_Q_2] = straight[SF_C_3] = sfi_point(0);
 }
 
 /* The sums of so many terms, with their roundings, and what a straight line has. */
@@ -234,6 +237,26 @@ static void sf_share(const sf_near *own, const sf_near *other, sf_interval A, do
                                      sfi_mul(sfi_mul(X, of_force), sfi_point(2 * sign * D_1))));
 }
 
+/* What a step's gains of f, f' and f'' share in c_3 and s_2 where all of the motions pass it. One on the left is that of
+ * -f(-u), of which derivatives and the cosine change their signs. */
+static void sf_share_beside(const double *D, int highest, int right, sf_interval over, sf_interval under, sf_ended *out) {
+    const sf_interval A = sfi_times(0.5, sfi_add(over, under)), a = sfi_times(0.5, sfi_sub(under, over));
+    const sf_interval root = sfi_sqrt(sfi_mul(over, under)), none = sfi_point(0);
+    sf_interval begin[4], down[2], last[2];
+    double gain[3];
+    int k;
+    for (k = 0; k < 3; k++)
+        gain[k] = k > highest ? 0 : right || k % 2 == 0 ? D[k] : -D[k];
+    if (gain[0] == 0 && gain[1] == 0 && gain[2] == 0)
+        return;
+    off_centre_intervals_begin(A, a, root, none, begin);
+    off_centre_intervals_down(none, A, a, root, begin[0], none, begin[2], begin[3], down);
+    off_centre_intervals_down(sfi_point(-1), A, a, root, down[0], begin[0], down[1], begin[2], last);
+    out->c_3 = sfi_add(out->c_3, sfi_add(sfi_mul(sfi_point(gain[2]), begin[0]),
+                                         sfi_add(sfi_mul(sfi_point(gain[1]), down[0]), sfi_mul(sfi_point(gain[0]), last[0]))));
+    out->s_2 = sfi_add(out->s_2, sfi_add(sfi_mul(sfi_point(gain[1]), begin[2]), sfi_mul(sfi_point(gain[0]), down[1])));
+}
+
 /* ==== On a box =================================================================================================== */
 
 static const sf_interval sf_any_number = {-HUGE_VAL, HUGE_VAL};
@@ -269,14 +292,15 @@ static double sf_share_inside(const sf_charts *of, sf_interval top, sf_interval 
 /* The sums of a motion that is large beside all steps: by the last piece's odd part alone, and what the force has beside
  * it as something bounded. There steps cancel, and with them what is known of their sum. */
 static void sf_sum_large(const sf_charts *of, sf_interval top, sf_interval bottom, sf_interval A, sf_interval *out) {
-    const int order[SF_SUMS] = {0, 0, 1, 1, 2, 2}, highest = of->highest;
+    const int order[SF_SUMS] = {0, 0, 1, 1, 2, 2, 2}, highest = of->highest;
     const double size = sfi_most(fabs(top.hi), fabs(bottom.lo)) * (1 + 0x1p-50), inside = sf_share_inside(of, top, bottom);
     sf_weighted sums[SF_SUMS] = {{0, 0, 0}};
     sf_interval straight[SF_SUMS];
     int i;
     sf_add_piece(of->last, top, bottom, A, highest, sums, straight);
     sf_sum_up(sums, 2 * highest, straight, out);
-    for (i = 0; i < SF_SUMS; i++) {
+    out[SF_C_3] = sf_any_number;
+    for (i = 0; i < SF_C_3; i++) {
         /* the mean of the weight's size, and the most that it is */
         const double mean = i == SF_S_0 ? 2 / SFI_PI : 1, most = i < SF_P_1 ? 1 : 2, beside = of->beside[order[i]];
         const double even = sf_far(of->even, order[i], highest, size);
@@ -291,7 +315,8 @@ static void sf_sum_large(const sf_charts *of, sf_interval top, sf_interval botto
 /* c_0 ... c_yy from the sums and shares. */
 static void sf_end_up(const sf_interval *sum, const sf_interval *share, sf_ended *out) {
     const sf_interval s_1 = sfi_times(0.5, sfi_sub(sum[SF_P_1], sum[SF_Q_1])), bent = sfi_div(s_1, out->A);
-    out->c_0 = sum[SF_C_0], out->s_0 = sum[SF_S_0];
+    out->c_0 = sum[SF_C_0], out->s_0 = sum[SF_S_0], out->c_3 = sum[SF_C_3];
+    out->s_2 = sfi_times(0.5, sfi_sub(sum[SF_P_2], sum[SF_Q_2]));
     out->c_x = sfi_add(sfi_mul(out->X, sum[SF_P_1]), share[0]);
     out->c_y = sfi_neg(sfi_add(sfi_mul(out->Y, sum[SF_Q_1]), share[1]));
     out->c_xx = sfi_add(sfi_add(sfi_mul(out->X_x, sum[SF_P_1]),
@@ -360,6 +385,14 @@ static void sf_on_ends(const sf_charts *of, sf_interval x, sf_interval y, int ch
     for (i = 0; nowhere && i < SF_SUMS; i++)
         sum[i] = sf_any_number;
     sf_end_up(sum, share, out);
+    if (!(out->B.lo <= 0 && out->B.hi >= 0)) /* nobody asks */
+        out->c_3 = out->s_2 = sf_any_number;
+    for (line = lower; line < upper && out->B.lo <= 0 && out->B.hi >= 0; line++) {
+        const int right = line >= base;
+        const sf_interval above = sfi_add(past_x, sfi_point(place_x - of->line[line])),
+                          below = sfi_add(past_y, sfi_point(of->line[line] - place_y));
+        sf_share_beside(of->gain + line * (highest + 1), highest, right, right ? above : below, right ? below : above, out);
+    }
     if (out->A.lo > of->large) {
         sf_ended nearer = *out;
         sf_sum_large(of, top, bottom, out->A, sum);

@@ -17,6 +17,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from slowflow.intervals import Interval
 from slowflow.model import Floats
 from slowflow_support.errors import NotSettled
 
@@ -52,6 +53,11 @@ class Equations(Protocol):
     def at(self, x: Floats, of: Ints) -> tuple[Floats, Floats]:
         """Values (d, n) and slopes (d, d, n) at points (d, n)."""
         ...
+
+
+def interval_of(x: Floats, r: Floats) -> Interval:
+    """x +- r; not rounded outwards: neighbouring boxes are made of the same ends."""
+    return Interval(np.array((x - r, x + r)))
 
 
 @dataclass(frozen=True, eq=False)

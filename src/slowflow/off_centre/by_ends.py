@@ -15,9 +15,8 @@ import numpy as np
 
 from slowflow.intervals import Interval
 from slowflow.model import Floats
-from slowflow.off_centre.boxes import Ints
+from slowflow.off_centre.boxes import Ints, interval_of
 from slowflow.off_centre.ends import Charts, Local
-from slowflow.off_centre.equations import ends_of, interval_of, numbers_of
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import ALL
 from slowflow_kernels import off_centre, off_centre_intervals
@@ -28,6 +27,26 @@ NEAR = 2.0**-8
 
 def _point(values: Floats) -> Interval:
     return Interval(np.stack((values, values)))
+
+
+def _square(rows: Any, d: int) -> tuple[Any, Any]:
+    """Values and slopes from a kernel's outputs."""
+    values, slopes = rows[:d], rows[d:]
+    return values, [slopes[d * i : d * (i + 1)] for i in range(d)]
+
+
+def ends_of(rows: Any, d: int, n: int) -> tuple[Floats, Floats]:
+    """Values (2, d, n) and slopes (d, d, 2, n) from a kernel's outputs on intervals."""
+    values, slopes = _square(
+        [row.ends + np.zeros((2, n)) if isinstance(row, Interval) else np.full((2, n), row) for row in rows], d
+    )
+    return np.stack(values, axis=1), np.stack([np.stack(row, axis=1) for row in slopes], axis=1)
+
+
+def numbers_of(rows: Any, d: int, n: int) -> tuple[Floats, Floats]:
+    """Values (d, n) and slopes (d, d, n) from a kernel's outputs."""
+    values, slopes = _square([row + np.zeros(n) for row in rows], d)
+    return np.stack(values), np.stack([np.stack(row) for row in slopes])
 
 
 class ByEnds:
@@ -117,7 +136,10 @@ class EndedState(ByEnds):
 
 
 class EndedFold(ByEnds):
-    """At forcings."""
+    """At forcings; of an odd force without a load those off the centre, as motions about it have solvers of their own.
+
+    Where these lose their stability others begin, and all equations vanish: there is no fold of the others there.
+    """
 
     unknowns = 3
 
@@ -131,7 +153,11 @@ class EndedFold(ByEnds):
         found = off_centre_intervals.ended_fold(xy[2], here.A, *forcing, *known, self._load, *of_means)
         holds = np.stack((np.full_like(x, -np.inf), np.full_like(x, np.inf)))
         # R (h - A h_A) = G^2 + I (A I_A - I)
-        intercept = (here.A * resists(here)[0] - here.s_0) * 4.0
+        along = resists(here)[0]
+        if self.charts.has_centre:
+            about, single, beside = beside_centre(here)
+            along = along.where(single, beside)
+        intercept = (here.A * along - here.s_0) * 4.0
         square = Interval(np.maximum((xy[2] + here.s_0 * 2.0).ends, 0.0))
         of_speed = square * here.A
         force, speed = forcing[0] + forcing[1] * (square / here.A), of_speed.sqrt()
@@ -139,7 +165,10 @@ class EndedFold(ByEnds):
         by_line = (force.square() + moves * (of_speed * self.flow.d - self.flow.m)) / intercept
         most = (force.square() - moves.square()).sqrt().hi
         holds[0, 2], holds[1, 2] = np.fmax(by_line.lo, -most), np.fmin(by_line.hi, most)
-        return *_of_motions(*ends_of(found, 3, of.size), here, r), holds
+        values, slopes = _of_motions(*ends_of(found, 3, of.size), here, r)
+        if self.charts.has_centre:
+            values[:, 0, about & single] = 1.0
+        return values, slopes, holds
 
     def by_motion(self, z: Floats, of: Ints) -> tuple[Floats, Floats]:
         """See `ByEnds`."""
@@ -178,6 +207,34 @@ class EndedEdge:
         """See `boxes.Equations`."""
         values, slopes = self.on(x, np.zeros_like(x), of)
         return 0.5 * (values[0] + values[1]), 0.5 * (slopes[0] + slopes[1])
+
+
+def along_balance(charts: Charts, here: Local) -> tuple[Interval, Interval]:
+    """`resists` and A's slope; of an odd force without a load next to where motions leave the centre, of both kinds."""
+    found, A_t = resists(here)
+    if charts.has_centre:
+        _, single, beside = beside_centre(here)
+        c_1 = _stiffness(here) * 0.5
+        hull = np.array((np.minimum(beside.lo, c_1.lo), np.maximum(beside.hi, c_1.hi)))
+        found = found.where(single, Interval(np.where(np.isfinite(hull).all(axis=0), hull, ALL)))
+    return found, A_t
+
+
+def beside_centre(here: Local) -> tuple[Any, Any, Interval]:
+    """Which boxes touch B = 0, in which c_1 has a sign, and `resists` of motions off the centre in the others.
+
+    Of an odd force without a load. Where f_0/B vanishes, c_1 between 0 and B has no sign: where it has one next to the
+    centre, no motion is off it.
+    """
+    touches = (here.B.lo <= 0) & (here.B.hi >= 0)
+    single = ~touches | _stiffness(here).has_sign
+    beside = off_centre_intervals.beside(here.B, here.c_3, here.s_2) * 0.5
+    return touches, single, Interval(np.where(here.c_3.has_sign, beside.ends, ALL))
+
+
+def _stiffness(here: Local) -> Interval:
+    """c_1"""
+    return (here.c_x / here.X - here.c_y / here.Y) * 0.5
 
 
 def resists(here: Local) -> tuple[Interval, Interval]:

@@ -8,25 +8,22 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from itertools import pairwise
-from typing import Any
 
 import numpy as np
 
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import Ints, Solutions, solve
 from slowflow.off_centre.by_ends import EndedFold, EndedState
-from slowflow.off_centre.equations import Fold
 from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import Steps
 from slowflow.off_centre.onset import Lowest, Search
 from slowflow.off_centre.sheets import FARTHEST, TOO_FAR, Corner, Sheets
 from slowflow.text import text
-from slowflow_kernels import off_centre, slow_flow
+from slowflow_kernels import slow_flow
 from slowflow_support.errors import NotSettled, OutOfRange, Refused
 
-#: octaves of the amplitude that are looked at apart from the first, below and above the size of the problem
-BELOW, ABOVE = 4, 8
+#: octaves of the amplitude that are looked at above the size of the problem
+ABOVE = 8
 #: parts of the range of B that are looked at first
 PARTS = 8
 #: frequencies that are looked at together
@@ -54,7 +51,7 @@ class Complete:
     @property
     def has_centre(self) -> bool:
         """Whether motions about the centre are there, which have solvers of their own: an odd force and no load."""
-        return self._steps.load == 0 and self._steps.odd
+        return bool(self.sheets.charts.has_centre)
 
     def states(self, Omega: Floats, F_0: float) -> tuple[Floats, Ints, Ints]:
         """All states at any number of frequencies, by A and B, the number of each, those that may have others."""
@@ -67,10 +64,12 @@ class Complete:
 
     def folds(self, F_0: Floats) -> Solutions:
         """All folds at some forcings but those on corners, by A, B and R."""
-        if self.has_centre:
-            return self._beside_centre(F_0)
         boxes = self.sheets.folds(max(map(self.A_max, F_0.tolist())), F_0, self._flow)
-        return self._solved(EndedFold(self.sheets.charts, self._flow, F_0), *boxes)
+        found = self._solved(EndedFold(self.sheets.charts, self._flow, F_0), *boxes)
+        # the equations go on to negative squares of Omega, as if it were 0 there
+        A, B, R = found.x
+        moves = R + 2 * self._steps.at(A, B, 0).s[0] > 0
+        return replace(found, x=found.x[:, moves], of=found.of[moves])
 
     def corners(self, F_0: float) -> tuple[Floats, list[str], Floats]:
         """The folds where a motion just touches a jump of the force, their kinds, and where there may be others."""
@@ -172,49 +171,6 @@ class Complete:
         most = min(most, self._grown)
         boxes = self.sheets.states(most, Omega, F_0, self._flow)
         return self._solved(EndedState(self.sheets.charts, self._flow, Omega, F_0), *boxes)
-
-    def _beside_centre(self, F_0: Floats) -> Solutions:
-        """The same of an odd force without a load: where motions about the centre lose their stability others begin."""
-        low: list[Any] = []
-        high: list[Any] = []
-        of: list[int] = []
-        for i, forcing in enumerate(F_0.tolist()):
-            plane_low, plane_high = self._plane(forcing)
-            phases = self._phases(forcing)
-            for a, b in zip(plane_low.T, plane_high.T, strict=True):
-                low += [(*a, t) for t in phases[:-1]]
-                high += [(*b, t) for t in phases[1:]]
-            of += [i] * (len(low) - len(of))
-        equations = Fold(self._steps, self._flow.m, self._flow.zeta, F_0)
-        found = solve(equations, np.array(low).T, np.array(high).T, np.array(of, dtype=np.intp))
-        return replace(found, x=self._by_R(found.x, F_0[found.of]))
-
-    def _by_R(self, x: Floats, F_0: Floats) -> Floats:
-        """R in the place of t."""
-        return np.stack((*x[:2], off_centre.balance_by_phase(x[2], F_0)[0]))
-
-    def _add(self, edges: Floats, low: list[Any], high: list[Any]) -> None:
-        """Boxes of A between neighbouring edges and of all B that the balance may have there."""
-        for a, b in pairwise(edges.tolist()):
-            bound = self.offset_bound(b)
-            parts = np.linspace(-bound, bound, PARTS + 1)
-            low += [(a, part) for part in parts[:-1]]
-            high += [(b, part) for part in parts[1:]]
-
-    def _plane(self, F_0: float) -> tuple[Floats, Floats]:
-        """Boxes of A and B that hold what may be at F_0 up to `A_max`."""
-        low: list[Any] = []
-        high: list[Any] = []
-        edges = self.A_max(F_0) * 0.5 ** np.arange(ABOVE + BELOW, -1, -1)
-        self._add(np.concatenate(([0.0], edges)), low, high)
-        return np.array(low).T, np.array(high).T
-
-    def _phases(self, F_0: float) -> Floats:
-        """Ends of parts of all t."""
-        # I >= m: beyond it the phase belongs to no Omega
-        least = slow_flow.least_restoring(F_0, self._flow.m)
-        most = float(off_centre.fold_phase(F_0, self._flow.m, least, least)) * (1 + 2.0**-40)
-        return np.linspace(-most, most, 5)
 
     def _solved(self, equations: EndedState | EndedFold, low: Floats, high: Floats, of: Ints) -> Solutions:
         """Solutions by A and B, and by the number of the frequency or forcing."""

@@ -34,6 +34,8 @@ PANELS = 40
 TOGETHER = 1 << 20
 #: roundings outwards
 _OUT = np.array([[-(2.0**-48)], [2.0**-48]])
+#: ends of an interval that holds all numbers
+_ANY = np.array([[-np.inf], [np.inf]])
 
 _AT, _WEIGHTS = np.polynomial.legendre.leggauss(NODES)
 _SHARE = np.linspace(0.0, 1.0, PANELS + 1)
@@ -52,7 +54,7 @@ def _weights(weight: Any) -> Floats:
 
 #: of moments with (1 + cos)^i (1 - cos)^j, on boxes of both ends, and with cos^p, on boxes of A and B
 _BY_ENDS = {(i, j): _weights(lambda c, i=i, j=j: (1 + c) ** i * (1 - c) ** j) for i in range(4) for j in range(4 - i)}
-_OF_COSINE = {p: _weights(lambda c, p=p: c**p) for p in range(4)}
+_OF_COSINE = {p: _weights(lambda c, p=p: c**p) for p in range(2)}
 _TURNED = {1: _weights(lambda c: c * (1 + c)), -1: _weights(lambda c: c * (1 - c))}
 
 
@@ -109,7 +111,7 @@ def _interval(value: Any, like: Interval) -> Interval:
 
 
 class Ended(NamedTuple):
-    """Moments on boxes of both ends of the motion: c_0, s_0, c_1 +- s_1, and of r'' with (1 +- cos)^2."""
+    """Moments on boxes of both ends of the motion: c_0, s_0, c_1 +- s_1, of r'' with (1 +- cos)^2; c_3 and s_2."""
 
     c_0: Interval
     s_0: Interval
@@ -117,6 +119,8 @@ class Ended(NamedTuple):
     Q_1: Interval
     P_P: Interval
     Q_Q: Interval
+    c_3: Interval
+    s_2: Interval
 
 
 class Curved:
@@ -247,6 +251,7 @@ class Curved:
         near = [c_0, s_0, c_1 + s_1, c_1 - s_1, c_2 + 2 * s_2 + q_2, c_2 - q_2, c_2 - 2 * s_2 + q_2]
         doubt = DOUBT * np.stack([sizes[0], sizes[0], *[2 * sizes[2]] * 2, *[4 * sizes[4]] * 3])
         at = [Interval(np.stack((one - off, one + off))) for one, off in zip(near, doubt, strict=True)]
+        at += [Interval(np.tile(_ANY, (1, c_0.size))) for _ in range(2)]
         wide = np.flatnonzero((radius[0] > 0) | (radius[1] > 0))
         if wide.size:
             some = [one.take(wide) for one in at]
@@ -255,7 +260,7 @@ class Curved:
             )
             for one, found in zip(at, held, strict=True):
                 one.ends[:, wide] = found.ends
-        return Ended(at[0], at[1], at[2], at[3], at[4], at[6])
+        return Ended(*at[:5], *at[6:])
 
     def _around(
         self, top: Interval, bottom: Interval, centre: list[Floats], radius: list[Floats], at: list[Interval]
@@ -276,14 +281,19 @@ class Curved:
 
         slopes = {pair: direct(third, *pair) for pair in ((3, 0), (2, 1), (1, 2), (0, 3))}
         squares = {}
-        for (i, j), value in zip(((2, 0), (1, 1), (0, 2)), at[4:], strict=True):
+        for (i, j), value in zip(((2, 0), (1, 1), (0, 2)), at[4:7], strict=True):
             moved = near(value, slopes[i + 1, j], slopes[i, j + 1]) + self._jumps(top, bottom, centre, i, j)
             squares[i, j] = direct(second, i, j).both(moved)
         P_1 = direct(first, 1, 0).both(near(at[2], squares[2, 0], squares[1, 1]))
         Q_1 = direct(first, 0, 1).both(near(at[3], squares[1, 1], squares[0, 2]))
         c_0 = direct(r, 0, 0).both(near(at[0], P_1, Q_1))
         s_0 = _mean(r, _OF_COSINE[1]).both(near(at[1], *(_mean(first, _TURNED[side]) for side in (1, -1))))
-        return [c_0, s_0, P_1, Q_1, squares[2, 0], squares[1, 1], squares[0, 2]]
+        # where r'' jumps within a motion the mean of its slope has no bound
+        bent = np.zeros(c_0.lo.size, dtype=bool)
+        for end in self.ends[self.bends != 0].tolist():
+            bent |= (bottom.lo <= end) & (end <= top.hi)
+        c_3 = Interval(np.where(bent, _ANY, _mean(third, _OF_COSINE[0]).ends))
+        return [c_0, s_0, P_1, Q_1, *squares.values(), c_3, _mean(second, _OF_COSINE[1])]
 
     def _jumps(self, top: Interval, bottom: Interval, centre: list[Floats], i: int, j: int) -> Interval:
         """What jumps of r'' move its moment with (1 + cos)^i (1 - cos)^j by between the middle of a box and elsewhere.
@@ -298,38 +308,6 @@ class Curved:
             both = bend * np.stack((low - here, high - here))
             found += np.sort(both, axis=0) + 2.0**-46 * abs(bend) * np.array([[-1.0], [1.0]])
         return Interval(found)
-
-    def on(self, A: Interval, B: Interval, orders: int) -> tuple[list[Interval], list[Interval]]:
-        """c_n and s_n on boxes of A >= 0 and B, n up to `orders`; the third not where r'' jumps."""
-        with np.errstate(all="ignore"):
-            return self._on(A, B, orders)
-
-    def _on(self, A: Interval, B: Interval, orders: int) -> tuple[list[Interval], list[Interval]]:
-        n = A.lo.size
-        edges = A.ends[:, np.newaxis] * _COSINE[:, np.newaxis]
-        low, high = B.lo + edges.min(axis=0), B.hi + edges.max(axis=0)
-        panels = self._on_panels(np.minimum(low[:-1], low[1:]), np.maximum(high[:-1], high[1:]))
-        centre = [0.5 * (one.lo + one.hi) for one in (A, B)]
-        radius = [np.maximum(one.hi - at, at - one.lo) * (1 + 2.0**-50) for one, at in zip((A, B), centre, strict=True)]
-        asked = [(k, p) for k in range(min(orders, 2) + 1) for p in (0, 1)]
-        values, sizes = self._moments(centre[0], centre[1], asked)
-        # where r'' jumps within a motion its slopes have no bound
-        extent = (B - A).lo, (A + B).hi
-        turns = [
-            (extent[0] <= end) & (end <= extent[1]) for end, bend in zip(self.ends, self.bends, strict=True) if bend
-        ]
-        bent = np.logical_or.reduce(turns) if turns else np.zeros(n, dtype=bool)
-        found: dict[tuple[int, int], Interval] = {}
-        for p in (0, 1):
-            third = _mean(panels[3], _OF_COSINE[p])
-            found[3, p] = Interval(np.where(bent, np.array([[-np.inf], [np.inf]]), third.ends))
-        for row, (k, p) in reversed(list(enumerate(asked))):
-            by_B, by_A = (_mean(panels[k + 1], _OF_COSINE[p + q]) for q in (0, 1))
-            moves = (_size(by_A) * radius[0] + _size(by_B) * radius[1]) * (1 + 2.0**-48)
-            moves = np.where(bent & (k == 2), np.inf, moves) + DOUBT * sizes[row]
-            near = Interval(np.stack((values[row] - moves, values[row] + moves)))
-            found[k, p] = _mean(panels[k], _OF_COSINE[p]).both(near)
-        return [found[k, 0] for k in range(orders + 1)], [found[k, 1] for k in range(orders + 1)]
 
     def slope(self, u: Interval) -> Interval:
         """r' on intervals of u."""

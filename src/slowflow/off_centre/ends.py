@@ -42,7 +42,7 @@ _OUTWARDS = np.array([[-(2.0**-50)], [2.0**-50]])
 
 @dataclass(frozen=True, eq=False)
 class Local:
-    """On boxes: X and Y are A_x and A_y, X_x and Y_y their slopes; c_x ... those of c_0."""
+    """On boxes: X and Y are A_x and A_y, X_x and Y_y their slopes; c_x ... those of c_0; c_3 and s_2 next to B = 0."""
 
     A: Interval
     B: Interval
@@ -56,6 +56,8 @@ class Local:
     Y: Interval
     X_x: Interval
     Y_y: Interval
+    c_3: Interval
+    s_2: Interval
 
     def take(self, which: Any) -> Local:
         """Some of the boxes."""
@@ -95,6 +97,8 @@ class Charts:
         )
         self.passes = i > k
         jumps = np.append(self._gains[:, 0], 0.0) != 0
+        #: where the force jumps
+        self.jumps = lines[jumps[:-1]]
         self.rooted = self.passes & np.stack((jumps[i - 1], jumps[k]))
         self.place = np.where(self.passes, np.stack((edges[i], edges[k + 1])), 0.0)
         with np.errstate(invalid="ignore"):
@@ -104,6 +108,8 @@ class Charts:
         self.high[self.rooted] = np.sqrt(self.high[self.rooted])
         if lines.size > MOST_LINES or steps.highest >= MOST_POWERS:
             raise Refused(TOO_LARGE.format(lines.size, steps.highest, (MOST_LINES, MOST_POWERS - 1)))
+        #: whether motions about the centre are there
+        self.has_centre = steps.load == 0 and steps.odd
         self._packed = self._pack()
 
     def _pack(self) -> Floats:
@@ -111,7 +117,7 @@ class Charts:
         steps, n = self.steps, self.steps.highest + 1
         bounded = (np.zeros(n), np.zeros(n), np.zeros(n), np.zeros(3))
         if math.isfinite(self._large):
-            bounded = steps._last - steps._even, steps._even, steps._sizes, np.array(steps._beside[:3])
+            bounded = steps._last - steps._even, steps._even, steps._sizes, np.array(steps._beside)
         rows = (self._at, self._gains, steps.pieces, *bounded, self.upper, self.lower, self.place, self.rooted)
         sizes = (self._at.size, steps.highest, self.passes.size, self._large)
         return np.concatenate([sizes, *(np.ravel(row) for row in rows)]).astype(float)
@@ -132,6 +138,8 @@ class Charts:
             "c_y": -(Y * r.Q_1),
             "c_xx": found.X_x * r.P_1 + X.square() * r.P_P,
             "c_yy": Y.square() * r.Q_Q - found.Y_y * r.Q_1,
+            "c_3": r.c_3,
+            "s_2": r.s_2,
         }
         return replace(found, **{name: getattr(found, name) + value for name, value in gained.items()})
 

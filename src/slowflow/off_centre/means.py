@@ -1,11 +1,7 @@
 """Means over a cycle of a force and its derivatives, c_n = <f^(n)> and s_n = <f^(n) cos psi>, along u = B + A cos psi.
 
-In:  the force as a sum of steps (derivations/asymmetric/off_centre.py), A and B: numbers, or boxes.
-Out: c_n and s_n: values, or intervals that hold all values on each box.
-
-Every step adds D_k L_(k-n) to c_n. L_k and M_k are positive and monotone in A and in the step's place a for k >= 1, as
-(A cos psi - a)^k over what is above the step is, and L_0 and M_0 are in a/A: so their values at two corners of a box
-hold them on all of it, as tightly as can be.
+In:  the force as a sum of steps (derivations/asymmetric/off_centre.py), A and B.
+Out: c_n and s_n. Every step adds D_k L_(k-n) to c_n, and D_k M_(k-n) to s_n. On boxes `ends` holds them.
 """
 
 from __future__ import annotations
@@ -16,19 +12,18 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from itertools import combinations, pairwise
-from operator import add
 from typing import Any
 
 import numpy as np
 
 from slowflow import validate
-from slowflow.intervals import Elementary, Interval
+from slowflow.intervals import Elementary
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats
 from slowflow.off_centre.curved import Curved, Part
 from slowflow.off_centre.smooth import SINGULAR, Beyond, check, outwards
 from slowflow.text import Sentence, text
-from slowflow_kernels import off_centre, off_centre_intervals
+from slowflow_kernels import off_centre
 from slowflow_support.errors import NotSettled
 
 NO_MEANS = Sentence("{name:s}: motions off the centre are not derived for a force {what:s}")
@@ -49,16 +44,10 @@ SMALL = 4.0
 
 @dataclass(frozen=True, eq=False)
 class Means:
-    """c_n and s_n for n = 0, 1, ...: `Interval`s or arrays of numbers.
-
-    ladders -- on boxes: lower and upper ends of L_j and M_j of every step
-    beside  -- on boxes: what c_1 and s_1 have of no step
-    """
+    """c_n and s_n for n = 0, 1, ..., arrays of numbers."""
 
     c: tuple[Any, ...]
     s: tuple[Any, ...]
-    ladders: Any = None
-    beside: Any = (0.0, 0.0)
 
 
 IN_PLAY = Sentence(
@@ -167,11 +156,8 @@ class Steps:
         self.pieces = np.array([*(mirrored * row for row in right[: None if first.any() else 0 : -1]), *right])
         #: the odd part of the last piece, which holds everywhere but for what is bounded
         self._last = rows[-1]
-        self._base = np.zeros((ORDERS + 1, ORDERS + self.highest + 1))
-        for n in range(ORDERS + 1):
-            self._base[n, ORDERS - n : ORDERS - n + self.highest + 1] = np.where(odd, rows[-1], 0.0)
         self._even = np.where(odd, 0.0, rows[-1])
-        self._beside = [self._bound(n) for n in range(ORDERS + 1)]
+        self._beside = [self._bound(n) for n in range(ORDERS)]
         #: of derivatives the size of the terms that they are made of, at breakpoints too
         most, far = np.abs(rows).max(axis=0), float(ends.max(initial=0.0))
         sizes = [
@@ -327,190 +313,6 @@ class Steps:
             _fill(A, a[step], L[step], M[step], self.highest, whole=False)
         return L, M
 
-    def on(self, A: Interval, B: Interval, orders: int) -> Means:
-        """On boxes of A >= 0 and B."""
-        ends = self._bounds(A, B)
-        # the share of the cycle that is neither above the last breakpoint on the right nor below that on the left
-        last = [self.places.size // 2, self.places.size - 1]
-        inside = np.clip(1.0 - ends[0, 0, last, ORDERS].sum(axis=0), 0.0, 1.0)
-        c, s = (
-            tuple(
-                self._held(weights[k], ends[family]).both(self._roughly(A, B, k, ends[family], family, inside))
-                for k in range(orders + 1)
-            )
-            for family, weights in enumerate((self._of_c, self._of_s))
-        )
-        if self.curved is None:
-            return Means(c, s, ends)
-        others = self.curved.on(A, B, orders)
-        beside = tuple(one[1] for one in others) if orders else (0.0, 0.0)
-        with np.errstate(invalid="ignore"):
-            c, s = (tuple(map(add, *both)) for both in zip((c, s), others, strict=True))
-        return Means(c, s, ends, beside)
-
-    def _bounds(self, A: Interval, B: Interval) -> Floats:
-        """L_j and M_j of every step on boxes: (families, ends, steps, j, n)."""
-        ends = np.zeros((2, 2, self.places.size, ORDERS + self.highest + 1, A.lo.size))
-        self._first(A, B, ends[:, :, 0])
-        for step in range(1, self.places.size):
-            moved = B.ends if self.sides[step] > 0 else -B.ends[::-1]
-            self._step(A, Interval(self.places[step] - moved[::-1]), ends[:, :, step])
-        return ends
-
-    def resists(self, A: Interval, B: Interval, means: Means) -> tuple[Interval, Interval]:
-        """(c_1^2 - s_1^2)/c_1 on the boxes of `on`, which stays finite where a motion comes to a jump of the force.
-
-        Twice: where a box has motions that do not reach one jump and others that do, the one and the other; there are
-        none between, but for those that just touch it.
-        """
-        ends = _along(means.c[1], means.s[1]).ends
-        short, past = ends.copy(), ends.copy()
-        for step in range(1, self.places.size):
-            below_zero = means.ladders[0, :, step, ORDERS - 1]
-            some = np.flatnonzero((below_zero[1] > 0) & (self.gains[step, 0] != 0))
-            if not some.size:
-                continue
-            rest = means.ladders[..., some].copy()
-            rest[:, :, step, :ORDERS] = 0.0
-            beside = (one.take(some) if isinstance(one, Interval) else one for one in means.beside)
-            shares = (self._held(of[1], one) for of, one in ((self._of_c, rest[0]), (self._of_s, rest[1])))
-            C, S = map(add, shares, beside)
-            side, A_ = self.sides[step], A.take(some)
-            a = self.places[step] - B.take(some) * side
-            root = Interval(np.sqrt(np.maximum(((A_ - a) * (A_ + a)).ends, 0.0)) * (1 + np.array([[-DOUBT], [DOUBT]])))
-            x = Interval(np.clip((a / A_ * side).ends, -1.0, 1.0))
-            D_0 = Interval.point(self.gains[step, 0])
-            beyond = off_centre_intervals.past(A_, root, x, D_0, C, S)
-            known = (D_0 + root * C * np.pi).has_sign
-            within = np.where(known & np.isfinite(beyond.ends).all(axis=0), beyond.ends, ALL)
-            passes = below_zero[0, some] > 0
-            for found, held in ((short, np.where(passes, within, _along(C, S).ends)), (past, within)):
-                found[:, some] = np.fmax(found[0, some], held[0]), np.fmin(found[1, some], held[1])
-        return Interval(short), Interval(past)
-
-    def _roughly(self, A: Interval, B: Interval, n: int, ends: Floats, family: int, inside: Floats) -> Interval:
-        """c_n or s_n by the base alone, and what the force has beside it as something bounded, `inside` most of it.
-
-        The steps of a motion that is large beside the breakpoints cancel, and with them what is known of their sum.
-        """
-        if self.places.size == 1 or not self.odd or self.curved is not None:
-            return Interval(np.full((2, A.lo.size), ALL))
-        jumps = (self._of_c, self._of_s)[family][n].copy()
-        jumps[:, ORDERS:] = 0.0
-        base = self._held(self._base[n], ends[:, 0])
-        size = A.hi + np.maximum(np.abs(B.lo), np.abs(B.hi))
-
-        def far(derivatives: Floats) -> Floats:
-            """Of a polynomial with these at 0, of any signs, what its n-th derivative does not exceed."""
-            terms = (abs(derivatives[k]) / math.factorial(k - n) * size ** (k - n) for k in range(n, derivatives.size))
-            return np.asarray(0 * size + sum(terms))
-
-        cosine = 2 / np.pi if family else 1.0  # the mean of its size
-        even = far(self._even)
-        bound = np.maximum(self._beside[n], even) * cosine
-        # nearer, but for steps that, rounded, do not add up to the last piece: of large motions that is more
-        nearer = self._beside[n] * np.minimum(inside, cosine) + even * cosine + DOUBT * far(self._sizes)
-        bound = np.minimum(bound, nearer) * (1 + 2.0**-40)
-        known = base + Interval(np.array((-bound, bound)))
-        return known + self._held(jumps, ends) if jumps.any() else known
-
-    def _held(self, weights: Floats, ends: Floats) -> Interval:
-        """The weighted sum of what lies between ends."""
-        used = weights != 0
-        w, low, high = weights[used], ends[0][used], ends[1][used]
-        rises, falls = np.maximum(w, 0.0), np.minimum(w, 0.0)
-        with np.errstate(invalid="ignore"):
-            if not (np.isfinite(low).all() and np.isfinite(high).all()):  # 0 times infinity is 0 here
-                below, above = (
-                    np.where(w[:, np.newaxis] > 0, *pair) * w[:, np.newaxis] for pair in ((low, high), (high, low))
-                )
-                lo, hi = below.sum(axis=0), above.sum(axis=0)
-            else:
-                lo, hi = rises @ low + falls @ high, rises @ high + falls @ low
-            size = np.abs(w) @ np.maximum(np.abs(low), np.abs(high))
-        slack = np.where(np.isfinite(size), (w.size + 2) * 2.0**-52 * size, 0.0)
-        return Interval(
-            np.array((np.where(np.isnan(lo), -np.inf, lo - slack), np.where(np.isnan(hi), np.inf, hi + slack)))
-        )
-
-    def _doubt(self, A: Floats, a: Floats) -> Floats:
-        """By how much L_k and M_k may err for k = 0, 1, ...: (highest + 1, n)."""
-        k = np.arange(self.highest + 1)[:, np.newaxis]
-        factorials = np.cumprod(np.maximum(np.arange(self.highest + 1), 1))[:, np.newaxis]
-        return np.asarray(DOUBT * (A + np.abs(a)) ** k / factorials)
-
-    def _first(self, A: Interval, B: Interval, ends: Floats) -> None:
-        """Of the first piece: L_k is even in B for even k, M_k for odd k; both rise with A and with B > 0."""
-        least = np.maximum(np.maximum(B.lo, -B.hi), 0.0)
-        most = np.maximum(-B.lo, B.hi)
-        shape = (self.highest + ORDERS + 1, A.lo.size)
-
-        def at(A_at: Floats, B_at: Floats) -> tuple[Floats, Floats]:
-            L, M = np.zeros(shape), np.zeros(shape)
-            _fill(A_at, -B_at, L, M, self.highest, whole=True)
-            doubt = self._doubt(A_at, B_at)
-            return np.stack((L, M)), np.concatenate((np.zeros((ORDERS, A_at.size)), doubt))
-
-        even = [at(A.lo, least), at(A.hi, most)]
-        # odd ones rise with A where B > 0, and fall where B < 0
-        odd = [at(np.where(B.lo >= 0, A.lo, A.hi), B.lo), at(np.where(B.hi >= 0, A.hi, A.lo), B.hi)]
-        for k in range(self.highest + 1):
-            for family, parity in ((0, k % 2), (1, (k + 1) % 2)):
-                for end, sign in ((0, -1.0), (1, 1.0)):
-                    value, doubt = (odd if parity else even)[end]
-                    ends[family, end, ORDERS + k] = value[family, ORDERS + k] + sign * doubt[ORDERS + k]
-
-    def _step(self, A: Interval, a: Interval, ends: Floats) -> None:
-        """Of a step at a breakpoint."""
-        for end, sign, A_at, a_at in ((0, -1.0, A.lo, a.hi), (1, 1.0, A.hi, a.lo)):
-            L, M = np.zeros(ends.shape[2:]), np.zeros(ends.shape[2:])
-            _fill(A_at, a_at, L, M, self.highest, whole=False)
-            doubt = sign * np.where(A_at > a_at, self._doubt(A_at, a_at), 0.0)
-            ends[0, end, ORDERS:] = np.maximum(L[ORDERS:] + doubt, 0.0)
-            ends[1, end, ORDERS:] = np.maximum(M[ORDERS:] + doubt, 0.0)
-        nearest, farthest = np.maximum(np.maximum(a.lo, -a.hi), 0.0), np.maximum(-a.lo, a.hi)
-        never = (A.hi <= nearest) & (nearest > 0)
-        always = A.lo > farthest
-        with np.errstate(divide="ignore", invalid="ignore"):
-            # L_0 falls with a/A, and is 0 or 1 where the motion does not pass the step
-            corners = (np.where(a.hi > 0, A.lo, A.hi), a.hi), (np.where(a.lo > 0, A.hi, A.lo), a.lo)
-            for end, sign, (A_at, a_at) in zip((0, 1), (-1.0, 1.0), corners, strict=True):
-                passes = np.abs(a_at) < A_at
-                share = np.arctan2(np.sqrt(np.maximum((A_at - a_at) * (A_at + a_at), 0.0)), a_at) / np.pi
-                share = np.where(passes, share + sign * DOUBT, np.where(a_at < 0, 1.0, 0.0))
-                ends[0, end, ORDERS] = np.where((A_at == 0) & (a_at == 0), end, np.clip(share, 0.0, 1.0))
-            # M_0 = sqrt(1 - (a/A)^2)/pi where the motion passes the step
-            low = np.sqrt(np.maximum(1.0 - (farthest / A.lo) ** 2, 0.0)) / np.pi
-            high = np.sqrt(np.maximum(1.0 - (nearest / A.hi) ** 2, 0.0)) / np.pi
-            ends[1, 0, ORDERS] = np.where(always, np.maximum(low - DOUBT, 0.0), 0.0)
-            ends[1, 1, ORDERS] = np.where(never, 0.0, high + DOUBT)
-        if not self._needs_below_zero:
-            return
-        unknown = ~(never | always)
-        if always.any():
-            some = np.flatnonzero(always)
-            A_, a_ = A.take(some), a.take(some)
-            root = ((A_ - a_) * (A_ + a_)).sqrt()
-            L_0, M_0 = (Interval(ends[family, :, ORDERS][:, some]) for family in (0, 1))
-            L_1 = Interval(_hull_of_inverse(root))
-            M_1 = L_1 * (a_ / A_)
-            ends[0, :, ORDERS - 1, some], ends[1, :, ORDERS - 1, some] = L_1.ends.T, M_1.ends.T
-            for k in range(0, 1 - ORDERS, -1):
-                L_2, M_2 = off_centre_intervals.down(Interval.point(k), A_, a_, root, L_1, L_0, M_1, M_0)
-                ends[0, :, ORDERS + k - 2, some], ends[1, :, ORDERS + k - 2, some] = L_2.ends.T, M_2.ends.T
-                L_0, L_1, M_0, M_1 = L_1, L_2, M_1, M_2
-        if unknown.any():
-            some = np.flatnonzero(unknown)
-            ends[:, 0, :ORDERS, some], ends[:, 1, :ORDERS, some] = -np.inf, np.inf
-            ends[0, 0, ORDERS - 1, some] = 0.0
-            ends[1, 0, ORDERS - 1, some] = np.where(a.lo[some] >= 0, 0.0, -np.inf)
-            ends[1, 1, ORDERS - 1, some] = np.where(a.hi[some] <= 0, 0.0, np.inf)
-
-    @property
-    def _needs_below_zero(self) -> bool:
-        """Whether the force or a derivative that is asked for jumps at a breakpoint."""
-        return bool(np.any(self.gains[1:, :ORDERS]))
-
 
 def _lines(ends: Floats, gains: Floats) -> Floats:
     """What steps that gain so much, and so much slope, at these ends are on each piece by rising u: a + b u."""
@@ -535,17 +337,6 @@ def _about(derivatives: Floats, at: float) -> Floats:
     n = derivatives.size
     power = [at**k / math.factorial(k) for k in range(n)]
     return np.array([sum(derivatives[j] * power[j - k] for j in range(k, n)) for k in range(n)])
-
-
-def _along(C: Interval, S: Interval) -> Interval:
-    """C - S^2/C; all numbers where C has no sign."""
-    return Interval(np.where(C.has_sign, (C - S.square() / C).ends, ALL))
-
-
-def _hull_of_inverse(root: Interval) -> Floats:
-    """L_-1 = 1/(pi root)"""
-    with np.errstate(divide="ignore"):
-        return np.array(((1 - DOUBT) / (np.pi * root.hi), (1 + DOUBT) / (np.pi * root.lo)))
 
 
 def _fill(A: Floats, a: Floats, L: Floats, M: Floats, highest: int, *, whole: bool) -> None:

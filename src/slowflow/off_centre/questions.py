@@ -193,9 +193,8 @@ class OffCentre(Unchanging):
         self._steps.check_balanced()
         edges = np.concatenate((np.linspace(-bound, bound, PARTS + 1), self._steps.places * self._steps.sides))
         edges = np.unique(edges[(edges >= -bound) & (edges <= bound)])
-        found = solve(
-            Resting(self._steps), edges[np.newaxis, :-1], edges[np.newaxis, 1:], np.zeros(edges.size - 1, int)
-        )
+        resting = Resting(self._complete.sheets.charts)
+        found = solve(resting, edges[np.newaxis, :-1], edges[np.newaxis, 1:], np.zeros(edges.size - 1, int))
         (u,) = found.x
         u = np.sort(u)
         stiffness = self._steps.at(np.zeros(u.size), u, 1).c[1]

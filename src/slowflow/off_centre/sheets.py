@@ -18,7 +18,7 @@ import numpy as np
 from slowflow.intervals import Bools, Interval
 from slowflow.model import Floats
 from slowflow.off_centre.boxes import MOST_BOXES, TOO_MANY, Ints, solve
-from slowflow.off_centre.by_ends import EndedEdge, resists
+from slowflow.off_centre.by_ends import EndedEdge, along_balance, resists
 from slowflow.off_centre.ends import Charts, above_diagonal
 from slowflow.off_centre.flow import ROUNDED, Flow
 from slowflow.off_centre.means import ALL, Steps
@@ -200,7 +200,7 @@ class Sheets:
             beside = self.charts.stiffness(x.take(resting), y.take(resting), chart[resting])
             ends[:, resting] = known.both(beside).ends
             p = Interval(ends)
-        bent, A_t = resists(here)
+        bent, A_t = along_balance(self.charts, here)
         return empty, Cells(chart, low, high, here.A, here.B, p, bent * 4.0 - p * 2.0, A_t)
 
     def _covered(self, A_max: float) -> Cells:

@@ -134,24 +134,6 @@ def off_fold(R, A, F_0, F_2, m, eta, zeta, d, load, c_0, c_1, c_2, s_0, s_1, s_2
     return stated(mean - load, at * turns - mean.by(1) * F, F)
 
 
-def off_fold_by_t(t, A, F_0, m, zeta, load, c_0, c_1, c_2, s_0, s_1, s_2):
-    """R and I by t, A Omega^2 and 2 zeta A Omega from these apart: F_A along the balance, then that they agree."""
-    at, B, t = variables((A, 0, t), 2)
-    mean, first = means_with(A, (c_0, c_1, c_2), (s_0, s_1, s_2), at, B)
-    R, I = 2 * t * F_0 / (1 + t**2), (1 - t**2) * F_0 / (1 + t**2)
-    inertia, damping = R + 2 * first, I - m
-    half_F_A = R * (inertia / at - 2 * first.by(0)) + I * damping / at
-    turns = mean.by(1) * half_F_A - mean.by(0) * R * -2 * first.by(1)
-    agrees = damping**2 - 4 * zeta**2 * at * inertia
-    return stated(mean - load, at * turns * (1 + t**2) / F_0, agrees * (1 + t**2) ** 2)
-
-
-def off_past(A, root, edge, D_0, C, S):
-    """The step's share L of c_1, and edge L of s_1, where edge^2 = 1 - (root/A)^2 in the squares."""
-    L = D_0 / (mp.pi * root)
-    return [(C**2 - S**2 + 2 * L * (C - edge * S) + (L * root / A) ** 2) / (C + L)]
-
-
 def by_ends(A, c_0, s_0, c_x, c_y, X, Y, c_xx=0, c_yy=0, X_x=0, Y_y=0):
     """A, and the means of a force and of its share in cos psi, by x and y: B + A and B - A move by 2 X and by -2 Y.
 
@@ -199,11 +181,6 @@ OFF_CENTRE: dict[str, tuple[str, Function]] = {
     "averaged": ("A c_1 c_2 c_3 s_0 s_1 s_2 s_3", off_averaged),
     "state": ("Omega A force I I_A load c_0 c_1 s_0 s_1", off_state),
     "fold": ("R A F_0 F_2 m eta zeta d load c_0 c_1 c_2 s_0 s_1 s_2", off_fold),
-    "fold_by_t": ("t A F_0 m zeta load c_0 c_1 c_2 s_0 s_1 s_2", off_fold_by_t),
-    "turns": (
-        "t A F_0 m resists s_0",
-        lambda t, A, F_0, m, e, s_0: [(F_0 - m) + (F_0 + m) * t**2 - 2 * t * (-2 * s_0 - A * (2 * s_0 / A - 2 * e))],
-    ),
     "begin": (
         "A a root angle",
         lambda A, a, r, psi: [1 / (mp.pi * r), psi / mp.pi, a / A / (mp.pi * r), r / (mp.pi * A)],
@@ -222,21 +199,12 @@ OFF_CENTRE: dict[str, tuple[str, Function]] = {
             ((k + 1) ** 2 * M_k + (2 * k + 1) * a * M_1 - 2 * A * L_1) / r**2,
         ],
     ),
-    "past": ("A root edge D_0 C_1 S_1", off_past),
     "beside": ("B c_3 s_2", lambda B, c_3, s_2: [(lambda c, s: (c + s) * (c - s) / c)(B**2 * c_3 / 3, B * s_2)]),
     "moved": ("A c_1 c_2 c_3 s_1 s_2 s_3 c_0_p c_1_p c_2_p s_0_p s_1_p s_2_p load_p", off_moved),
     "moved_at_end": ("side c_1 s_1 c_0_p load_p end_p", off_moved_at_end),
     "ended_state": ("Omega A force I I_A load c_0 s_0 c_x c_y X Y", ended_state),
     "ended_along": ("A s_0 c_x c_y X Y", ended_along),
     "ended_fold": ("R A F_0 F_2 m eta zeta d load c_0 s_0 c_x c_y c_xx c_yy X Y X_x Y_y", ended_fold),
-    "balance_by_phase": (
-        "t F_0",  # F_0 exp(i angle), t the tangent of half of what is left to a right angle
-        lambda t, F_0: [F_0 * mp.sin(2 * mp.atan(t)), F_0 * mp.cos(2 * mp.atan(t))],
-    ),
-    "fold_phase": (
-        "F_0 m intercept least",
-        lambda F_0, m, k, least: [(F_0 - m) / (k + mp.sqrt(k**2 - least**2))],
-    ),
     "frequency_by_phase": (
         "A R I m zeta h",
         lambda A, R, I, m, zeta, h: [

@@ -32,7 +32,7 @@ static const struct {
     {"law_peak_roots", "(),(),(),(),(),(),()->(2)", "A, h, m, zeta, eta, d, inertial -> Omega.", 7, 1,
      sf_law_peak_roots_loop,
      {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE}},
-    {"ends", "(n),(),(),(),(),()->(12),(12)", "charts, lo and hi of x, of y, chart -> lower ends, upper ends.", 6, 2,
+    {"ends", "(n),(),(),(),(),()->(14),(14)", "charts, lo and hi of x, of y, chart -> lower ends, upper ends.", 6, 2,
      sf_ends_loop,
      {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE}},
     {"interval_product", "(),(),(),()->(),()", "lo, hi, lo, hi -> lo, hi", 4, 2, sf_interval_product_loop,
