@@ -11,7 +11,7 @@ from typing import NamedTuple
 import pytest
 from flint import arb, arb_series, ctx
 
-from slowflow.averaged.balls.given import bits_lost
+from slowflow.averaged.balls.search import bits_lost
 
 HERE = Path(__file__).parent
 ORACLE = json.loads((HERE / "data" / "kernel_oracle.json").read_text())

@@ -13,9 +13,8 @@ import pytest
 
 from slowflow import Duffing, Isolator, example
 from slowflow.averaged import proofs, solvers, words
-from slowflow.averaged.balls import answers
-from slowflow.averaged.balls.enclosure import Enclosure
-from slowflow.averaged.balls.given import Given, averages_of
+from slowflow.averaged.balls import questions as answers
+from slowflow.averaged.balls.search import AT_0, Enclosure, Given, averages_of
 from slowflow.certificate import DOUBLES
 from slowflow.results import Remark
 from tests.test_certified import CASES, check_folds, holds, level_ulps, oscillator
@@ -126,9 +125,9 @@ def test_averages_in_balls_are_those_of_the_force(A):
     with mpmath.workdps(30), flint.ctx.workprec(300):
         given = Given(model, averages_of(model.mechanism))
         piece = int(A > model.breakpoints[0])
-        beyond = (flint.arb(A) - given.beginning(piece).middle).mid()
+        beyond = (flint.arb(A) - given.beyond(piece, AT_0).middle).mid()
         low, at, high = (given.at(piece, beyond + shift) for shift in (-step, 0, step))
-        h = average(design, mpmath.mpf((given.beginning(piece).middle + beyond).str(60, radius=False)))
+        h = average(design, mpmath.mpf((given.beyond(piece, AT_0).middle + beyond).str(60, radius=False)))
         assert abs(mpmath.mpf(at.h.middle.str(50, radius=False)) / h - 1) < 1e-28
         for name, slope in (("h", "h_A"), ("h_A", "h_AA"), ("h_AA", "h_AAA"), ("k", None)):
             difference = (getattr(high, name).middle - getattr(low, name).middle) / (2 * step)

@@ -16,7 +16,7 @@ import pytest
 
 from slowflow import Duffing, Isolator, cli, example
 from slowflow.averaged import proofs, solvers, words
-from slowflow.averaged.balls.given import Given, averages_of
+from slowflow.averaged.balls.search import Given, averages_of
 from tests.native.intervals import ELEMENTARY, HELD, OPERATIONS, Intervals, build
 from tests.oracles import averaged
 

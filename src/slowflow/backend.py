@@ -11,7 +11,6 @@ from __future__ import annotations
 import json
 import sys
 from array import array
-from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -30,8 +29,6 @@ NO_ROOM = (
     "breakpoints (at most {})"
 )
 TOO_LONG = "{} is not allowed: its formulas are too long to be interpreted; with compile = True they are compiled"
-#: a share of a parameter that is no rounding of its last digits
-CANCELLED = 2.0**-49
 
 
 KERNELS: Any = NATIVE
@@ -92,32 +89,17 @@ def sum_in_C(module: ModuleType, record: Any) -> None:
         COMPILED[module.averaged_of] = lambda numbers: np.stack(averages(*numbers))
 
 
-def _as_doubles(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[float, ...] | None:
-    return None
-
-
-#: a design's parameters by more digits, or None; `slowflow.averaged.proofs`, which has balls, puts its own here
-more_digits: Callable[[Mechanism, tuple[float, ...]], tuple[float, ...] | None] = _as_doubles
-
-
 def parameters_of(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[float, ...]:
     """The parameters of a design within its domain, from the compiled record where there is one.
 
-    A difference of nearly equal numbers, as a stiffness next to 0, has a double's digits: from pairs, which the record
-    has, or from balls, with python-flint.
+    A difference of nearly equal numbers, as a stiffness next to 0, has a double's digits: from the record's pairs.
     """
     record = record_of(mechanism)
     if record is not None:
         found: tuple[float, ...] = SOLVER.parameters_of(record, design)
         return found
     with np.errstate(all="ignore"):
-        rounded = tuple(map(float, mechanism.coefficients(*design)))
-    exact = more_digits(mechanism, design)
-    if exact is None:
-        return rounded
-    # as native/records.h says it: what is 0 to rounding, or has its sign by rounding, stays so
-    pairs = zip(rounded, exact, strict=True)
-    return tuple(right if one * right > 0 and abs(one - right) > CANCELLED * abs(one) else one for one, right in pairs)
+        return tuple(map(float, mechanism.coefficients(*design)))
 
 
 def compiled_model(

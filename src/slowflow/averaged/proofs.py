@@ -20,7 +20,6 @@ from slowflow import backend
 from slowflow.answer import joined
 from slowflow.averaged import solvers, words
 from slowflow.certificate import DOUBLES, Proved, ProvedFolds, ProvedForcing, ProvedStates
-from slowflow.mechanism import Mechanism
 from slowflow.model import Floats, Model
 from slowflow.results import Cusps, FrequencyResponse, Remark, SaddleNodeOnset, SaddleNodes, SteadyStates
 from slowflow_kernels.conventions import SAME, OnsetKind, Status
@@ -81,12 +80,12 @@ def _remarks(
 
 
 def in_balls() -> Any:
-    """What proves in balls, `slowflow.averaged.balls.answers`; None without python-flint."""
+    """What proves in balls, `slowflow.averaged.balls.questions`; None without python-flint."""
     if importlib.util.find_spec("flint") is None:
         return None
-    from slowflow.averaged.balls import answers
+    from slowflow.averaged.balls import questions
 
-    return answers
+    return questions
 
 
 def _decided(found: Answer, model: Model, ask: Callable[[Any], Answer | None]) -> Answer:
@@ -98,15 +97,6 @@ def _decided(found: Answer, model: Model, ask: Callable[[Any], Answer | None]) -
         return dataclasses.replace(found, message=joined(found.message, words.NO_BALLS))
     decided = ask(balls)
     return found if decided is None else decided
-
-
-def _more_digits(mechanism: Mechanism, design: tuple[float, ...]) -> tuple[float, ...] | None:
-    """A design's parameters by balls; None without python-flint, and of a force that has no form in balls."""
-    balls = None if mechanism.load_balls is None else in_balls()
-    return None if balls is None else balls.parameters(mechanism, design)
-
-
-backend.more_digits = _more_digits
 
 
 def saddle_nodes(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
