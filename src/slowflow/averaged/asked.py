@@ -158,45 +158,10 @@ class Question:
     at_once: int
 
 
-DETACHMENT = Question(
-    _detachment,
-    outputs("detachment"),
-    lambda native: native.many_detachment,
-    2**18,
-)
-ONSET = Question(
-    _onset,
-    outputs("saddle_node_onset"),
-    lambda native: native.many_onset,
-    2**14,
-)
-SADDLE_NODES = Question(
-    _saddle_nodes,
-    outputs("saddle_nodes"),
-    lambda native: native.many_saddle_nodes,
-    2**12,
-)
-AMPLITUDES = Question(
-    _amplitudes,
-    outputs("amplitudes"),
-    lambda native: native.many_amplitudes,
-    2**11,
-)
-PEAK = Question(
-    _peak,
-    outputs("peak"),
-    lambda native: native.many_peak,
-    2**13,
-)
-PROVED_FOLDS = Question(
-    None,
-    outputs("certify"),
-    lambda native: native.many_proved_saddle_nodes,
-    2**10,
-)
-PROVED_STATES = Question(
-    None,
-    outputs("certify"),
-    lambda native: native.many_proved_amplitudes,
-    2**10,
-)
+DETACHMENT = Question(_detachment, outputs("detachment"), lambda native: native.many_detachment, 2**18)
+ONSET = Question(_onset, outputs("saddle_node_onset"), lambda native: native.many_onset, 2**14)
+SADDLE_NODES = Question(_saddle_nodes, outputs("saddle_nodes"), lambda native: native.many_saddle_nodes, 2**12)
+AMPLITUDES = Question(_amplitudes, outputs("amplitudes"), lambda native: native.many_amplitudes, 2**11)
+PEAK = Question(_peak, outputs("peak"), lambda native: native.many_peak, 2**13)
+PROVED_FOLDS = Question(None, outputs("certify"), lambda native: native.many_proved_saddle_nodes, 2**10)
+PROVED_STATES = Question(None, outputs("certify"), lambda native: native.many_proved_amplitudes, 2**10)
