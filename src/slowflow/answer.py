@@ -9,6 +9,8 @@ from __future__ import annotations
 import dataclasses
 import importlib
 import operator
+import sys
+from collections import namedtuple
 from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar, Self
@@ -183,6 +185,13 @@ class Single(Answer):
 
 #: of a field that only answers under a load have, and that only the others have
 LOADED, UNLOADED = MappingProxyType({"loaded": True}), MappingProxyType({"loaded": False})
+
+
+def entry(name: str, columns: str, doc: str) -> Any:
+    """The named tuple that an entry of a table is, of the columns that are named; in the module that calls."""
+    made: Any = namedtuple(name, columns, module=sys._getframe(1).f_globals.get("__name__"))  # type: ignore[misc]
+    made.__doc__ = doc
+    return made
 
 
 class Table(Answer):

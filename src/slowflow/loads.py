@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import moves, validate
-from slowflow.answer import LOADED, Single, Table, Words, joined, sentences
+from slowflow.answer import LOADED, Single, Table, Words, entry, joined, sentences
 from slowflow.averaged import remarks, solvers, words
 from slowflow.averaged.questions import Averaged
 from slowflow.gradient import NO_GRADIENT, Gradient
@@ -120,12 +120,9 @@ class Margins(Composed, Single):
     remarks: Remark
 
 
-class Band(NamedTuple):
-    """A band of frequencies with several stable motions, as in `Hysteresis`."""
-
-    Omega_low: float
-    Omega_high: float
-    motions: int
+Band = entry(
+    "Band", "Omega_low Omega_high motions", "A band of frequencies with several stable motions, as in `Hysteresis`."
+)
 
 
 @dataclass(frozen=True, eq=False)

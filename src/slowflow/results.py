@@ -10,13 +10,13 @@ from collections.abc import Callable
 from dataclasses import field
 from enum import IntFlag
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 import numpy as np
 import numpy.typing as npt
 
 from slowflow import moves, validate
-from slowflow.answer import LOADED, UNLOADED, Single, Table, frozen
+from slowflow.answer import LOADED, UNLOADED, Single, Table, entry, frozen
 from slowflow.certificate import ProvedFolds
 from slowflow.gradient import Gradient
 from slowflow.measured.validity import Validity, of_states, off_centre
@@ -72,113 +72,25 @@ def _nothing() -> Remark:
     return NOTHING
 
 
-class State(NamedTuple):
-    """A steady state, as in `SteadyStates`."""
-
-    Omega: float
-    A: float
-    phi: float
-    stable: bool
-
-
-class CurvePoint(NamedTuple):
-    """A point of a response curve, as in `FrequencyResponse`."""
-
-    Omega: float
-    A: float
-    phi: float
-    stable: bool
-    branch: int
-
-
-class SaddleNode(NamedTuple):
-    """A fold, as in `SaddleNodes`."""
-
-    Omega: float
-    A: float
-    kind: str
-    corner: bool
-
-
-class OffsetState(NamedTuple):
-    """A steady state with its mean, as in `SteadyStates` under a load."""
-
-    Omega: float
-    A: float
-    B: float
-    phi: float
-    stable: bool
-
-
-class OffsetPoint(NamedTuple):
-    """A point of a response curve with its mean, as in `FrequencyResponse` under a load."""
-
-    Omega: float
-    A: float
-    B: float
-    phi: float
-    stable: bool
-    branch: int
-
-
-class OffsetFold(NamedTuple):
-    """A fold with its mean, as in `SaddleNodes` under a load."""
-
-    Omega: float
-    A: float
-    B: float
-    kind: str
-    corner: bool
-
-
-class LocusPoint(NamedTuple):
-    """A point of the fold locus, as in `FoldLocus`."""
-
-    Omega: float
-    A: float
-    F_0: float
-    branch: int
-
-
-class Cusp(NamedTuple):
-    """A cusp of the fold locus, as in `Cusps`."""
-
-    F_0: float
-    Omega: float
-    A: float
-    minimum: bool
-
-
-class IsolaPoint(NamedTuple):
-    """A point where an isolated curve is born, dies or merges, as in `IsolaPoints`."""
-
-    F_0: float
-    Omega: float
-    A: float
-    kind: str
-
-
-class MeasuredState(NamedTuple):
-    """One entry of `Measured`."""
-
-    Omega: float
-    A: float
-    error: float
-    stable: bool
-    stops: int
-    found: bool
-    reason: str
-
-
-class MeasuredFold(NamedTuple):
-    """One entry of `MeasuredFolds`."""
-
-    Omega: float
-    A: float
-    error: float
-    error_of_A: float
-    found: bool
-    reason: str
+State = entry("State", "Omega A phi stable", "A steady state, as in `SteadyStates`.")
+CurvePoint = entry("CurvePoint", "Omega A phi stable branch", "A point of a response curve, as in `FrequencyResponse`.")
+SaddleNode = entry("SaddleNode", "Omega A kind corner", "A fold, as in `SaddleNodes`.")
+OffsetState = entry(
+    "OffsetState", "Omega A B phi stable", "A steady state with its mean, as in `SteadyStates` under a load."
+)
+OffsetPoint = entry(
+    "OffsetPoint",
+    "Omega A B phi stable branch",
+    "A point of a response curve with its mean, as in `FrequencyResponse` under a load.",
+)
+OffsetFold = entry("OffsetFold", "Omega A B kind corner", "A fold with its mean, as in `SaddleNodes` under a load.")
+LocusPoint = entry("LocusPoint", "Omega A F_0 branch", "A point of the fold locus, as in `FoldLocus`.")
+Cusp = entry("Cusp", "F_0 Omega A minimum", "A cusp of the fold locus, as in `Cusps`.")
+IsolaPoint = entry(
+    "IsolaPoint", "F_0 Omega A kind", "A point where an isolated curve is born, dies or merges, as in `IsolaPoints`."
+)
+MeasuredState = entry("MeasuredState", "Omega A error stable stops found reason", "One entry of `Measured`.")
+MeasuredFold = entry("MeasuredFold", "Omega A error error_of_A found reason", "One entry of `MeasuredFolds`.")
 
 
 @dataclass(frozen=True, eq=False)

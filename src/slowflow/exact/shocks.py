@@ -3,27 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
 
-from slowflow.answer import Table
+from slowflow.answer import Table, entry
 from slowflow.exact.transient import half_sine, transient
 from slowflow.mechanism import EquationOfMotion, Floats
 
 Flags = npt.NDArray[np.bool_]
 
 
-class Shock(NamedTuple):
-    """One pulse of a `ShockSpectrum`."""
-
-    acceleration: float
-    duration: float
-    A: float
-    a_max: float
-    ratio: float
-    detaches: bool
+Shock = entry("Shock", "acceleration duration A a_max ratio detaches", "One pulse of a `ShockSpectrum`.")
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,7 +15,7 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.answer import Table
+from slowflow.answer import Table, entry
 from slowflow.exact.continuation import FOLDS, Path, Point, is_same, least_scale
 from slowflow.exact.motion import Forced, stops
 from slowflow.exact.shooting import (
@@ -44,14 +44,7 @@ FINER, OFTEN = 8, 3
 MEETS = 1e-4
 
 
-class SweepPoint(NamedTuple):
-    """One frequency of a `Sweep`."""
-
-    Omega: float
-    A: float
-    stops: int
-    turns: int
-    settled: bool
+SweepPoint = entry("SweepPoint", "Omega A stops turns settled", "One frequency of a `Sweep`.")
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,13 +6,13 @@ The answers are those of `slowflow.results`, with B and the load.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, ClassVar, NamedTuple, NoReturn
+from typing import Any, ClassVar, NoReturn
 
 import numpy as np
 import numpy.typing as npt
 
 from slowflow import validate
-from slowflow.answer import Table
+from slowflow.answer import Table, entry
 from slowflow.gradient import Gradient
 from slowflow.loads import Isolation, Level
 from slowflow.model import Floats, Model
@@ -24,12 +24,7 @@ from slowflow_kernels.conventions import Pinned
 WITHIN = "no gradient is derived where the mean turns back at the peak"
 
 
-class Rest(NamedTuple):
-    """A place of rest, as in `RestPositions`."""
-
-    u: float
-    stiffness: float
-    stable: bool
+Rest = entry("Rest", "u stiffness stable", "A place of rest, as in `RestPositions`.")
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,48 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
 
 from slowflow import validate
-from slowflow.answer import Table, frozen
+from slowflow.answer import Table, entry, frozen
 from slowflow.model import Floats, Model
 from slowflow.results import DRAWN, InDecibels
 from slowflow.transmitted import Transmitted, asked, in_motion
 from slowflow_kernels import motion
 
-
-class SecondState(NamedTuple):
-    """A steady state in the second approximation, as in `SecondStates`."""
-
-    Omega: float
-    A: float
-    A_1: float
-    phi: float
-    stable: bool
-
-
-class SecondCurvePoint(NamedTuple):
-    """A point of a response curve in the second approximation, as in `SecondResponse`."""
-
-    Omega: float
-    A: float
-    A_1: float
-    phi: float
-    stable: bool
-    branch: int
-
-
-class SecondFold(NamedTuple):
-    """A fold in the second approximation, as in `SecondFolds`."""
-
-    Omega: float
-    A: float
-    A_1: float
-    kind: str
-    corner: bool
+SecondState = entry(
+    "SecondState", "Omega A A_1 phi stable", "A steady state in the second approximation, as in `SecondStates`."
+)
+SecondCurvePoint = entry(
+    "SecondCurvePoint",
+    "Omega A A_1 phi stable branch",
+    "A point of a response curve in the second approximation, as in `SecondResponse`.",
+)
+SecondFold = entry("SecondFold", "Omega A A_1 kind corner", "A fold in the second approximation, as in `SecondFolds`.")
 
 
 #: why averaging's answers have these, and those of the second approximation have not

@@ -10,7 +10,7 @@ import contextlib
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
@@ -18,7 +18,7 @@ from scipy.optimize import least_squares
 from scipy.stats import t as student
 
 from slowflow import validate
-from slowflow.answer import Table, joined
+from slowflow.answer import Table, entry, joined
 from slowflow.averaged.asked import AMPLITUDES, SADDLE_NODES
 from slowflow.mechanism import Floats
 from slowflow.plausible import Implausible
@@ -62,15 +62,7 @@ ABSENT = "the fitted design has no such motion, or jump, at {} of the {} points"
 Residuals = Callable[[Floats], Floats]
 
 
-class Fitted(NamedTuple):
-    """A row of `Fit`."""
-
-    parameter: str
-    unit: str
-    value: float
-    error: float
-    low: float
-    high: float
+Fitted = entry("Fitted", "parameter unit value error low high", "A row of `Fit`.")
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,14 +10,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import numpy as np
 from scipy.optimize import differential_evolution, minimize
 from scipy.stats import qmc
 
 from slowflow import progress, validate
-from slowflow.answer import Answer, Table, frozen, head, in_text
+from slowflow.answer import Answer, Table, entry, frozen, head, in_text
 from slowflow.mechanism import Floats
 from slowflow.physical import Physical
 from slowflow.quantities import SHEET, in_shown
@@ -85,11 +85,7 @@ class Met(Answer):
         return self.units
 
 
-class Compromise(NamedTuple):
-    """A row of `Front`: the two answers."""
-
-    one: float
-    other: float
+Compromise = entry("Compromise", "one other", "A row of `Front`: the two answers.")
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
 from scipy.stats import qmc
 
 from slowflow import progress, validate
-from slowflow.answer import Table, frozen, in_text, optional
+from slowflow.answer import Table, entry, frozen, in_text, optional
 from slowflow.mechanism import Floats
 from slowflow.quantities import PINT, in_shown, si
 from slowflow.sizing.subject import Load, Subject
@@ -31,16 +31,7 @@ FEW_AT_ONCE, FEW_SAMPLES, FEW_OF_INDICES = 5, 100, 32
 MISSING = "{} has no answer for {:.2g} of the samples, which its band leaves out"
 
 
-class Tolerance(NamedTuple):
-    """A row of `Tolerances`."""
-
-    answer: str
-    unit: str
-    nominal: float
-    low: float
-    median: float
-    high: float
-    share: float
+Tolerance = entry("Tolerance", "answer unit nominal low median high share", "A row of `Tolerances`.")
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,15 +72,7 @@ class Tolerances(Table):
         return replace(self, unit=shown, samples=samples, **bands)
 
 
-class Index(NamedTuple):
-    """A row of `Sobol`."""
-
-    answer: str
-    parameter: str
-    first: float
-    first_error: float
-    total: float
-    total_error: float
+Index = entry("Index", "answer parameter first first_error total total_error", "A row of `Sobol`.")
 
 
 @dataclass(frozen=True, eq=False)
