@@ -64,4 +64,19 @@ SF_KERNEL void off_centre_up(double k, double A, double a, double span, double L
     out[1] = (2.0 * A * L_1 - M_1 * a * (t0 + 1.0) + M_2 * span) / (t1 * t1);
 }
 
+/* L_(k-2) and M_(k-2) from the two above each.
+   Equation the mean of (3). Domain: root > 0.
+   Operations: 22 structured, 21 common subexpressions, 21 power chains
+   Proved, error / u (1 + kappa): 14.01, -
+   Measured, error / u (1 + kappa): 0.72
+ */
+SF_KERNEL void off_centre_down(double k, double A, double a, double root, double L_1, double L_k, double M_1, double M_k, double *out)
+{
+    const double t0 = 1.0 / (root * root);
+    const double t1 = 2.0 * k;
+    const double t2 = k + 1.0;
+    out[0] = t0 * (L_1 * a * (t1 - 1.0) + L_k * k * k);
+    out[1] = t0 * (-2.0 * A * L_1 + M_1 * a * (t1 + 1.0) + M_k * t2 * t2);
+}
+
 #endif

@@ -196,7 +196,7 @@ def off_centre_module(results: Results) -> Module:
                 "the mean of (3)",
                 "root > 0",
                 enclosed=True,
-                **generic,
+                generic=True,
             ),
         ),
     )

@@ -17,13 +17,13 @@ from typing import Any
 import numpy as np
 
 from slowflow import validate
+from slowflow.backend import SOLVER
 from slowflow.intervals import Elementary
 from slowflow.mechanism import Mechanism
 from slowflow.model import Floats
 from slowflow.off_centre.curved import Curved, Part
 from slowflow.off_centre.smooth import SINGULAR, Beyond, check, outwards
 from slowflow.text import Sentence, text
-from slowflow_kernels import off_centre
 from slowflow_support.errors import NotSettled
 
 NO_MEANS = Sentence("{name:s}: motions off the centre are not derived for a force {what:s}")
@@ -305,13 +305,10 @@ class Steps:
 
     def _ladders(self, A: Floats, B: Floats) -> tuple[Floats, Floats]:
         """L_j and M_j of every step, j from -ORDERS on: (steps, j, n)."""
-        shape = (self.places.size, ORDERS + self.highest + 1, A.size)
-        L, M = np.zeros(shape), np.zeros(shape)
         a = self.places[:, np.newaxis] - self.sides[:, np.newaxis] * B
-        _fill(A, a[0], L[0], M[0], self.highest, whole=True)
-        for step in range(1, self.places.size):
-            _fill(A, a[step], L[step], M[step], self.highest, whole=False)
-        return L, M
+        whole, room = np.arange(self.places.size)[:, np.newaxis] == 0, np.empty(ORDERS + self.highest + 1)
+        L, M = SOLVER.step_means(A, a, whole, ORDERS, room)
+        return L.transpose(0, 2, 1), M.transpose(0, 2, 1)
 
 
 def _lines(ends: Floats, gains: Floats) -> Floats:
@@ -337,28 +334,3 @@ def _about(derivatives: Floats, at: float) -> Floats:
     n = derivatives.size
     power = [at**k / math.factorial(k) for k in range(n)]
     return np.array([sum(derivatives[j] * power[j - k] for j in range(k, n)) for k in range(n)])
-
-
-def _fill(A: Floats, a: Floats, L: Floats, M: Floats, highest: int, *, whole: bool) -> None:
-    """L_j and M_j of a step, j from -ORDERS up, into rows of L and M; all of the motion is above it if `whole`."""
-    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-        passes = np.zeros(A.shape, dtype=bool) if whole else np.abs(a) < A
-        if passes.any():
-            at, of = a[passes], A[passes]
-            root = np.sqrt((of - at) * (of + at))
-            begin = off_centre.begin(of, at, root, np.arctan2(root, at))
-            for row, (ladder, j) in zip(begin, ((L, -1), (L, 0), (M, -1), (M, 0)), strict=True):
-                ladder[ORDERS + j, passes] = row
-            for k in range(0, 1 - ORDERS, -1):
-                L_k, L_1, M_k, M_1 = (ladder[ORDERS + j, passes] for ladder in (L, M) for j in (k, k - 1))
-                L_2, M_2 = off_centre.down(k, of, at, root, L_1, L_k, M_1, M_k)
-                L[ORDERS + k - 2, passes], M[ORDERS + k - 2, passes] = L_2, M_2
-        above = np.ones(A.shape, dtype=bool) if whole else a <= -A
-        span = (A - a) * (A + a)
-        L[ORDERS, above] = 1.0
-        for k in range(1, highest + 1):
-            L_2, L_1, M_2, M_1 = (ladder[ORDERS + j] for ladder in (L, M) for j in (k - 2, k - 1))
-            L[ORDERS + k], M[ORDERS + k] = off_centre.up(k, A, a, span, L_2, L_1, M_2, M_1)
-        if not whole:
-            below = a >= A
-            L[:, below] = M[:, below] = 0.0

@@ -32,6 +32,8 @@ static const struct {
     {"law_peak_roots", "(),(),(),(),(),(),()->(2)", "A, h, m, zeta, eta, d, inertial -> Omega.", 7, 1,
      sf_law_peak_roots_loop,
      {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE}},
+    {"step_means", "(),(),(),(),(n)->(n),(n)", "A, a, whether whole, negative k, room -> L_k, M_k.", 5, 2,
+     sf_step_means_loop, {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE}},
     {"ends", "(n),(),(),(),(),()->(14),(14)", "charts, lo and hi of x, of y, chart -> lower ends, upper ends.", 6, 2,
      sf_ends_loop,
      {NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE, NPY_DOUBLE}},
