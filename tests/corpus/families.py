@@ -5,13 +5,16 @@ A family is a generator of (question, answer) pairs at a size: the number of des
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from slowflow import Duffing, Isolator, SlowflowError, derive
 from tests.batch_questions import OFF_CENTRE, SECOND, ask
+from tests.oracles.draws import drawn_isolators, forcings
 
 Pairs = Iterator[tuple[str, Any]]
 
@@ -146,6 +149,45 @@ def at_the_onset(n: int) -> Pairs:
             yield "saddle_nodes", answer(lambda one=one, F_0=F_0: one.saddle_nodes(F_0))
 
 
+def undecided(n: int) -> Pairs:
+    """Counts at hard places: designs next to quasi-zero stiffness, forcings next to those at which counts change."""
+    rng = np.random.default_rng(72)
+    lam, r, delta_h, mu, zeta = drawn_isolators(rng, n)
+    many = Isolator.many(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta)
+    F_0 = forcings(rng, many, mu)
+    yield "saddle_nodes", answer(lambda: many.saddle_nodes(F_0))
+    yield "amplitudes", answer(lambda: many.amplitudes(Omega=0.9, F_0=F_0))
+    yield "certify", answer(lambda: many.certify(F_0, Omega=0.9))
+
+
+def grid(stored: bool) -> Callable[[int], Pairs]:
+    """Maps over two named axes, in memory or in stores."""
+
+    def pairs(n: int) -> Pairs:
+        import xarray
+
+        r, share = (
+            xarray.DataArray(values, dims=name, coords={name: values})
+            for name, values in (("r", np.linspace(0.5, 3.0, n)), ("share", np.linspace(0.1, 1.1, n)))
+        )
+        r = r.chunk({"r": 16}) if stored else r
+        designs = Isolator.many(lam=2, r=r, delta_h=share / (2 * r), mu=0.012, zeta=0.02)
+        asked = {"detachment": {}, "saddle_node_onset": {}, "saddle_nodes": {"F_0": 0.05}, "isolation": {"F_0": 0.05}}
+        with tempfile.TemporaryDirectory() as folder:
+            for name, given in asked.items():
+                if stored:
+                    store = str(Path(folder) / f"{name}.zarr")
+                    found = answer(lambda name=name, given=given, store=store: designs.store(store, name, **given))
+                else:
+                    found = answer(lambda name=name, given=given: getattr(designs, name)(**given))
+                for column in () if isinstance(found, SlowflowError) else sorted(found.data_vars):
+                    yield f"{name}.{column}", found[column].values
+                if isinstance(found, SlowflowError):
+                    yield name, found
+
+    return pairs
+
+
 def derived(compile: bool) -> Callable[[int], Pairs]:
     """Forces derived at run time; as many of them as the size says, three designs each."""
 
@@ -210,6 +252,9 @@ FAMILIES: dict[str, Family] = {
     "exact isolator": Family(single(Isolator, isolators, 41, EXACT), 250, 2),
     "exact duffing": Family(single(Duffing, duffings, 42, EXACT), 250, 2),
     "at the onset": Family(at_the_onset, 700, 5),
+    "undecided": Family(undecided, 100_000, 200),
+    "grid": Family(grid(stored=False), 40, 3),
+    "store": Family(grid(stored=True), 20, 2),
     "derived": Family(derived(compile=False), 8, 1),
     "derived compiled": Family(derived(compile=True), 8, 0),
 }
