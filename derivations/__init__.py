@@ -18,5 +18,6 @@ Each room needs only rooms above it:
     document      the derivation of one mechanism as a document; `live`, of one that a program states
     ledger/       the published formulas, their proofs and verdicts
 
+`python -m derivations.walkthrough` prints the paper, equation by equation, with its proofs: begin there.
 `python -m derivations` runs all of it and writes `generated/`.
 """

@@ -125,9 +125,10 @@ def in_sections(
     return text + DECIMALS if DECIMAL.search(text) else text
 
 
-def latex(expression: sp.Expr) -> str:
-    """LaTeX of one expression, long fractions as decimals."""
-    return str(sp.latex(in_decimals(expression), full_prec=False))
+def latex(expression: sp.Expr, names: Mapping[sp.Symbol, str] | None = None) -> str:
+    """LaTeX of one expression, long fractions as decimals; SymPy knows no Greek letter lam."""
+    spelt = {symbol: r"\lambda" for symbol in expression.free_symbols if symbol.name == "lam"} | dict(names or {})
+    return str(sp.latex(in_decimals(expression), full_prec=False, inv_trig_style="full", symbol_names=spelt))
 
 
 def display(*equations: tuple[str, sp.Expr | str], number: str = "") -> Iterator[str]:

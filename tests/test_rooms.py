@@ -40,6 +40,7 @@ FLOOR = {room: number for number, rooms in enumerate(reversed(FLOORS)) for room 
 #: the same of the derivation: the paper needs mechanisms and symbols, and nothing that comes after it
 DERIVING = (
     ("__main__",),
+    ("walkthrough",),
     ("ledger", "live"),
     ("document",),
     ("codegen",),

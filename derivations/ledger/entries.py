@@ -17,6 +17,7 @@ from .facts import MESH, Facts
 from .formulas import Subject, stiffness
 from .proofs import canonical
 from .rows import AMBIGUOUS, DIFFERS, IDENTICAL, INPUT, Row
+from .typeset import mathml
 
 # ---- formulas -----------------------------------------------------------------------------------------------------
 
@@ -45,7 +46,7 @@ def formula_rows(facts: Facts) -> list[Row]:
                     quantity=formula.quantity + (f" [{formula.reading}]" if formula.reading else ""),
                     published=judgement.published,
                     derived=judgement.derived,
-                    mathml=judgement.mathml,
+                    mathml=tuple(map(mathml, judgement.printed)),
                     verdict=verdict,
                     difference=judgement.difference,
                     evidence=" ".join(part.rstrip(".") + "." for part in evidence if part),

@@ -50,7 +50,7 @@ class Subject:
     given   -- values of its arguments, where they are not the symbols of the same names
     how     -- difference: published - derived must vanish;  squares: so must the difference of the squares, both being
                positive at `sample`;  cosines: both are angles in [0, pi], their cosines must agree;  fields: a record
-    shown   -- the derived quantity for readers, where the form itself would not tell
+    shown   -- the derived quantity for readers by its name, where the form itself would not tell
     sample  -- a point at which the square roots are real
     literal -- the text is not damaged here: this reading is what the paper prints
     remark  -- for readers, whatever the verdict
@@ -59,7 +59,7 @@ class Subject:
     forms: tuple[Reading, ...]
     given: dict[str, sp.Expr] = field(default_factory=dict)
     how: str = DIFFERENCE
-    shown: str = ""
+    shown: dict[str, sp.Expr] = field(default_factory=dict)
     sample: dict[sp.Symbol, sp.Rational] = field(default_factory=dict)
     literal: bool = False
     remark: str = ""
@@ -165,13 +165,13 @@ def _oscillator(results: Results) -> dict[str, Subject]:
         "dimensionless_quantities": same(
             (0,) * 9,
             given=names,
-            shown=", ".join(f"{name} = {sp.sstr(value)}" for name, value in names.items()),
+            shown=names,
             remark="The groups are the coefficients of (1) after the scaling; each definition, solved, must give zero.",
         ),
         "F_k_scaling": same(
             0,
             given={"F_k_u": s["F_k_x"] / (k_v * length)},
-            shown="F_k_x/(L*k_v)",
+            shown={"F_k_u": s["F_k_x"] / (k_v * length)},
             remark="The factor that (1) takes on when inertia and vertical stiffness become 1.",
         ),
         "F_k": same(rod.exact),
@@ -205,8 +205,7 @@ def _averaging(results: Results) -> dict[str, Subject]:
         "rescaling": same(
             (0,) * 5,
             given={**bars, "sigma": (Omega**2 - 1) / epsilon},
-            shown="zeta_bar = epsilon*zeta, mu_bar = epsilon*mu, F_0_bar = epsilon*F_0, F_k_bar = epsilon*F_k, sigma = "
-            "(Omega**2 - 1)/epsilon",
+            shown={**bars, "sigma": (Omega**2 - 1) / epsilon},
             remark="A choice; with it (3) takes the form (8), (9).",
         ),
         "period": same(sp.periodicity(sp.cos(Omega * tau), tau)),
@@ -214,23 +213,23 @@ def _averaging(results: Results) -> dict[str, Subject]:
         "psi": same(
             psi,
             given={"phi": psi - Omega * tau + (angle - (psi - phi))},
-            shown="Omega*tau + phi",
+            shown={"": Omega * tau + phi},
             remark="The forcing is cos(ψ − φ) in the derivation.",
         ),
-        "velocity_condition": same(0, given={"u_dot": velocity}, shown=f"u_dot = {sp.sstr(velocity)}"),
+        "velocity_condition": same(0, given={"u_dot": velocity}, shown={"u_dot": velocity}),
         "variation_condition": same(mean.compatibility),
         "acceleration_condition": same(
             0,
             given={"u": DISPLACEMENT, "u_ddot": acceleration},
-            shown=f"u_ddot = {sp.sstr(sp.expand(acceleration))}",
+            shown={"u_ddot": sp.expand(acceleration)},
         ),
         "forced_condition": same(-mean.motion, remark="Equated to zero; the derivation has it times −1."),
         "linear_system": same((mean.compatibility, sp.expand(-mean.motion / Omega))),
         "modulation": same(mean.unaveraged),
         "averaged_modulation_integrand": same(tuple(rate / (2 * sp.pi) for rate in mean.unaveraged)),
         "Gamma": same(tuple(epsilon * rate for rate in mean.slow_flow), given={"H_i": H}),
-        "H_i_integrand_plus": same(integrand, shown=sp.sstr(integrand)),
-        "H_i_integrand_minus": same(integrand, shown=sp.sstr(integrand)),
+        "H_i_integrand_plus": same(integrand),
+        "H_i_integrand_minus": same(integrand),
     }
 
 
@@ -296,7 +295,7 @@ def _restoring(results: Results) -> dict[str, Subject]:
     sample = {A: sp.Integer(2), u_cr: sp.Integer(1)}
     return {
         "H_1": same(averages.regimes[0].derivatives[0]),
-        "detachment_angle": same(0, given={"psi_0": psi_0}, shown=f"psi_0 = {sp.sstr(psi_0)}"),
+        "detachment_angle": same(0, given={"psi_0": psi_0}, shown={"psi_0": psi_0}),
         "H_2": same(detached_derivative(results, 0), ANGLE),
         "dH_2_dA_inverse_A": Subject((slope,), given=on_circle),
         "dH_2_dA_A": Subject((slope,), given=on_circle),
@@ -334,7 +333,7 @@ def _slow_flow(results: Results) -> dict[str, Subject]:
             0,
             NOTATION,
             given={"A_c": A, "H_i": h + A, "Omega": flow.backbone},
-            shown=f"Omega = {sp.sstr(flow.backbone)}",
+            shown={"Omega": flow.backbone},
         ),
         "A_L": same(flow.limit_envelope.subs(friction), FRICTION),
         "F_0_sticking": same(sp.solve(flow.limit_envelope, F_0)[0].subs(friction), FRICTION),
@@ -346,13 +345,13 @@ def _slow_flow(results: Results) -> dict[str, Subject]:
         "characteristic_equation": same(
             sp.expand(characteristic),
             given={"trace": flow.jacobian.trace(), "determinant": flow.jacobian.det()},
-            shown="det(eigenvalue*1 - D_q_Gamma)",
+            shown={"": sp.Symbol("det(eigenvalue*1 - D_q_Gamma)")},
         ),
         "stability_boundary": same(
             flow.stability.subs(whole).subs(friction),
             f"{NOTATION}, {FRICTION}",
             given=slope,
-            shown=f"{sp.sstr(flow.stability)}, R = {sp.sstr(flow.R)}, I = {sp.sstr(flow.I)}",
+            shown={"": flow.stability, "R": flow.R, "I": flow.I},
         ),
         "zeta_eq": same(flow.equivalent_damping.subs(friction), FRICTION),
     }
@@ -437,7 +436,7 @@ def _smoothing(results: Results) -> dict[str, Subject]:
             motion, remark="(3) and (5), untruncated, with sign → Φ_1, |u| ≤ u_cr → Φ_2."
         ),
         "smoothed_equation_of_motion_x": same(motion, literal=True),
-        "Phi_1": same(step.rewrite(sp.exp), "tanh in exponentials", shown=sp.sstr(step)),
+        "Phi_1": same(step.rewrite(sp.exp), "tanh in exponentials", shown={"": step}),
         **{f"Phi_2_{name}": same(window, remark="Difference of two logistic steps.") for name in names},
     }
 

@@ -17,7 +17,6 @@ from .formulas import Reading, Subject
 from .proofs import Quotient, canonical, nonzero_somewhere
 from .rows import DIFFERS, IDENTICAL, REWRITTEN
 from .source import EXACT
-from .typeset import mathml
 
 
 @dataclass(frozen=True)
@@ -29,7 +28,8 @@ class Judgement:
     rewriting  -- what was used to make them equal
     difference -- published less derived, in lowest terms, where it is not zero
     factor     -- published divided by derived, if that is a number
-    mathml     -- the published expressions, set
+    printed    -- the published expressions
+    found      -- the derived ones, by name where they have one
     """
 
     verdict: str
@@ -38,7 +38,8 @@ class Judgement:
     rewriting: str = ""
     difference: str = ""
     factor: str = ""
-    mathml: tuple[str, ...] = ()
+    printed: tuple[sp.Expr, ...] = ()
+    found: tuple[tuple[str, sp.Expr], ...] = ()
 
 
 def _flat(value: Any) -> Iterator[sp.Expr]:
@@ -89,10 +90,12 @@ def _judge_form(
 ) -> Judgement:
     published = _values(function, subject.given | form.given, known)
     derived = list(_flat(form.derived))
-    plain = _text(_values(function, {}, known))
-    shown = subject.shown or _text(derived)
+    printed = _values(function, {}, known)
+    found = tuple(subject.shown.items()) or tuple(("", value) for value in derived)
+    told = ", ".join(f"{name} = {value}" if name else sp.sstr(value) for name, value in subject.shown.items())
+    judged = Judgement(DIFFERS, _text(printed), told or _text(derived), printed=tuple(printed), found=found)
     if len(published) != len(derived):
-        return Judgement(DIFFERS, plain, shown, difference=f"{len(published)} entries for {len(derived)}")
+        return replace(judged, difference=f"{len(published)} entries for {len(derived)}")
     used = {form.rewriting} if form.rewriting else set()
     differences = []
     for one, other in zip(published, derived, strict=True):
@@ -102,10 +105,10 @@ def _judge_form(
         differences.append(quotient)
         used |= set(quotient.relations) | ({rewriting} if rewriting else set())
     if all(quotient.is_zero for quotient in differences):
-        return Judgement(REWRITTEN if used else IDENTICAL, plain, shown, "; ".join(sorted(used)))
+        return replace(judged, verdict=REWRITTEN if used else IDENTICAL, rewriting="; ".join(sorted(used)))
     factor = _factor(published, derived) if subject.how == formulas.DIFFERENCE else ""
     prefix = {formulas.SQUARES: "of the squares: ", formulas.COSINES: "of the cosines: "}.get(subject.how, "")
-    return Judgement(DIFFERS, plain, shown, difference=prefix + "; ".join(q.text() for q in differences), factor=factor)
+    return replace(judged, difference=prefix + "; ".join(q.text() for q in differences), factor=factor)
 
 
 def _judge_fields(function: Callable[..., Any], subject: Subject) -> Judgement:
@@ -127,5 +130,4 @@ def judge(function: Callable[..., Any], subject: Subject) -> Judgement:
         return _judge_fields(function, subject)
     known = formulas.shared_symbols()
     judgements = [_judge_form(function, subject, form, known) for form in subject.forms]
-    found = next((j for j in judgements if j.verdict != DIFFERS), judgements[0])
-    return replace(found, mathml=tuple(map(mathml, _values(function, {}, known))))
+    return next((j for j in judgements if j.verdict != DIFFERS), judgements[0])

@@ -1,11 +1,10 @@
 """Pages that follow from the project, and links that lead out of the site: in goes the project, out comes docs/_made.
 
-The derivation runs, `derivations.document` tells each mechanism's; beside its equations stand the ledger's verdicts.
+The derivation runs: `derivations.walkthrough` is the paper's, `derivations.document` that of each mechanism.
 """
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import shutil
@@ -81,15 +80,15 @@ def inside(app: Any, name: str, source: list[str]) -> None:
 
 
 def derivation(folder: Path) -> None:
-    """A page for each mechanism, with the paper's verdicts on the paper's own."""
-    from derivations import library
+    """The paper equation by equation, and a page for each mechanism."""
+    from derivations import library, walkthrough
     from derivations.live import told
     from derivations.mechanisms import all_mechanisms
 
-    names = []
-    rows = json.loads((ROOT / "generated/slowflow_kernels/ledger.json").read_text(encoding="utf-8"))["rows"]
+    (folder / "walkthrough.md").write_text(walkthrough.derived(), encoding="utf-8")
+    names = ["walkthrough"]
     for mechanism in (*all_mechanisms(), *map(library.stated, library.names())):
-        (folder / f"{mechanism.name}.md").write_text(judged(told(mechanism), rows), encoding="utf-8")
+        (folder / f"{mechanism.name}.md").write_text(told(mechanism), encoding="utf-8")
         names.append(mechanism.name)
     (folder / "index.md").write_text(
         (Path(__file__).parent / "derivation.txt").read_text(encoding="utf-8")
@@ -98,27 +97,6 @@ def derivation(folder: Path) -> None:
         + "\n```\n",
         encoding="utf-8",
     )
-
-
-def judged(text: str, rows: list[dict[str, str]]) -> str:
-    """After each numbered equation what the ledger has of the paper's equation with that number."""
-
-    def beside(match: re.Match[str]) -> str:
-        numbers = {f"({number.strip()})" for number in match[1].split(",")}
-        found = [row for row in rows if row["kind"] == "formula" and row["where"] in numbers]
-        lines = [
-            f"- {row['where']}, {row['quantity'].replace('_', chr(92) + '_')}: **{row['verdict']}**" for row in found
-        ]
-        body = "\n".join(lines)
-        return (
-            f"{match[0]}\n:::{{admonition}} The paper's, in the [ledger](../ledger.md)\n{body}\n:::\n"
-            if lines
-            else match[0]
-        )
-
-    # SymPy knows no Greek letter by that name
-    text = re.sub(r"(?<![A-Za-z\\])lam(?![A-Za-z])", r"\\lambda", text)
-    return re.sub(r"\$\$\n(?:(?!\$\$).)*?\\tag\{([^}]*)\}\n\$\$\n", beside, text, flags=re.DOTALL)
 
 
 def told_later(module: str) -> list[str]:
