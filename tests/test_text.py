@@ -41,7 +41,8 @@ def strings(path):
             documents = isinstance(above, ast.Expr) or "__doc__" in ast.unparse(
                 getattr(above, "targets", [ast.Pass()])[0]
             )
-            if not documents:
+            names = isinstance(above, ast.Call) and ast.unparse(above.func) == "entry"  # columns, and a docstring
+            if not (documents or names):
                 yield node.value
 
 
