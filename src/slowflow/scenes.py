@@ -42,6 +42,7 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -53,7 +54,7 @@ from slowflow.isolator import DUFFING, ROD_SPRING, Duffing, Isolator
 from slowflow.measured import costs
 from slowflow.physical import Physical
 from slowflow.quantities import EXCITED, SHOWN, UNITS
-from slowflow.table import COLUMNS
+from slowflow.table import COLUMNS, SHOCKS
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_support.errors import SceneError
 
@@ -96,24 +97,19 @@ questions = [
 class Question:
     """What a scene may ask.
 
-    of      -- the method of an oscillator that answers it
-    forced  -- whether it is asked at each forcing
-    at      -- whether it is asked at the frequencies
-    window, samples, level -- whether it takes these
-    spectrum -- whether it is asked at the pairs of [spectrum]
-    within  -- whether it is asked of the tolerances in [tolerances]
-    shock   -- whether it is asked of the pulses in [shock]
+    of    -- the method of an oscillator that answers it
+    takes -- the names of what it takes without dimensions, but of a frequency that it need not be given "window"
     """
 
     of: Callable[[Isolator | Duffing | Physical], Callable[..., Answer]]
-    forced: bool = True
-    at: bool = False
-    window: bool = False
-    samples: bool = False
-    level: bool = False
-    spectrum: bool = False
-    within: bool = False
-    shock: bool = False
+    takes: frozenset[str] = frozenset()
+
+
+def _named(name: str) -> Question:
+    """The question that the method of this name answers."""
+    given = inspect.signature(getattr(Isolator, name)).parameters.values()
+    takes = ("window" if one.name == "Omega" and one.default is not one.empty else one.name for one in given)
+    return Question(attrgetter(name), frozenset(takes))
 
 
 def _tolerances(of: Isolator | Duffing | Physical) -> Callable[..., Answer]:
@@ -123,26 +119,14 @@ def _tolerances(of: Isolator | Duffing | Physical) -> Callable[..., Answer]:
     return partial(tolerances, of)
 
 
+ASKED_OF_ONE = (
+    *("at_rest", "rest", "saddle_node_onset", "detachment", "saddle_nodes", "peak", "margins", "hysteresis"),
+    *("isolation", "amplitudes", "frequency_response", "spectrum"),
+)
 QUESTIONS: Mapping[str, Question] = {
-    "at_rest": Question(lambda of: of.at_rest, forced=False),
-    "rest": Question(lambda of: of.rest, forced=False),
-    "saddle_node_onset": Question(lambda of: of.saddle_node_onset, forced=False),
-    "detachment": Question(lambda of: of.detachment, forced=False),
-    "saddle_nodes": Question(lambda of: of.saddle_nodes),
-    "peak": Question(lambda of: of.peak),
-    "margins": Question(lambda of: of.margins),
-    "hysteresis": Question(lambda of: of.hysteresis),
-    "isolation": Question(lambda of: of.isolation, level=True),
-    "amplitudes": Question(lambda of: of.amplitudes, at=True),
-    "frequency_response": Question(lambda of: of.frequency_response, window=True, samples=True),
-    "spectrum": Question(lambda of: of.spectrum, forced=False, spectrum=True),
-    "tolerances": Question(_tolerances, forced=False, within=True),
-    "transient": Question(lambda of: of.transient, forced=False, shock=True),
-    "shock_spectrum": Question(lambda of: of.shock_spectrum, forced=False, shock=True),
-    "exact_response": Question(lambda of: of.exact_response, window=True),
-    "fold_locus": Question(lambda of: of.fold_locus, forced=False, samples=True),
-    "cusps": Question(lambda of: of.cusps, forced=False),
-    "isola_points": Question(lambda of: of.isola_points, forced=False),
+    **{name: _named(name) for name in ASKED_OF_ONE},
+    "tolerances": Question(_tolerances),
+    **{name: _named(name) for name in (*SHOCKS, "exact_response", "fold_locus", "cusps", "isola_points")},
 }
 
 
@@ -388,30 +372,30 @@ class _Reader:
             if name not in QUESTIONS:
                 said = f"= {name!r} is not allowed: it must be one of {', '.join(QUESTIONS)}"
                 raise self._error("ask", "questions", said, name, QUESTIONS)
-            question = QUESTIONS[name]
-            for key, wanted in ((kind.forcing, question.forced), (kind.frequency, question.at)):
-                if wanted and key not in ask:
-                    raise self._error("ask", "", f"{key} is missing: {name} needs it")
-            arguments: dict[str, Any] = {}
-            if question.at:
-                arguments[kind.frequency] = self._positive(kind.frequency)
-            if question.spectrum:
-                arguments = self._spectrum(name, kind)
-            if question.within:
+            if name == "tolerances":
                 yield from self._tolerances(name, kind)
-                continue
-            if question.window and "window" in ask:
-                arguments[kind.frequency] = self._tried("ask", ask, lambda: validate.window("window", ask["window"]))
-            if question.samples and "samples" in ask:
-                arguments["samples"] = ask["samples"]
-            if question.shock:
+            elif name == "spectrum":
+                yield Asked(name, self._spectrum(name, kind))
+            elif name in SHOCKS:
                 yield from self._shocks(name, kind)
-                continue
-            levels = self._levels(ask) if question.level and "level_dB" in ask else [{}]
-            for forcing in self._positive(kind.forcing) if question.forced else [None]:
-                for level in levels:
-                    own = {} if forcing is None else {kind.forcing: forcing}
-                    yield Asked(name, {**own, **arguments, **level})
+            else:
+                yield from self._plain(name, kind, ask)
+
+    def _plain(self, name: str, kind: Kind, ask: Mapping[str, Any]) -> Iterator[Asked]:
+        """A question at what [ask] has of that which it takes."""
+        takes = QUESTIONS[name].takes
+        for key, wanted in ((kind.forcing, "F_0"), (kind.frequency, "Omega")):
+            if wanted in takes and key not in ask:
+                raise self._error("ask", "", f"{key} is missing: {name} needs it")
+        arguments: dict[str, Any] = {kind.frequency: self._positive(kind.frequency)} if "Omega" in takes else {}
+        if "window" in takes and "window" in ask:
+            arguments[kind.frequency] = self._tried("ask", ask, lambda: validate.window("window", ask["window"]))
+        if "samples" in takes and "samples" in ask:
+            arguments["samples"] = ask["samples"]
+        levels = self._levels(ask) if "level_dB" in takes and "level_dB" in ask else [{}]
+        for forcing in self._positive(kind.forcing) if "F_0" in takes else [None]:
+            for level in levels:
+                yield Asked(name, {**({} if forcing is None else {kind.forcing: forcing}), **arguments, **level})
 
     def _levels(self, ask: Mapping[str, Any]) -> list[dict[str, float]]:
         """Transmissibilities in decibels."""
