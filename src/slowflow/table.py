@@ -1,15 +1,19 @@
+# mypy: disable-error-code="empty-body"
 """The table of questions: of each its name, what it takes, and the columns of its answer, by system.
 
-A row holds data only. From it follow the question's method for many designs and for a grid, the columns of its answer
-with type, axis, meaning and kind of unit, the layout of a store, and what is called otherwise in SI units.
+A row stands over the method that asks it of many designs, whose name, arguments and text are its own, and holds the
+columns of the answer. From it follow the same of a grid, the type, axis, meaning and kind of unit of each column, the
+layout of a store, and what is called otherwise in SI units.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import functools
+import inspect
+from collections.abc import Callable, Mapping
 from enum import IntEnum
 from types import MappingProxyType
-from typing import Any, Generic, NamedTuple, TypeVar
+from typing import Any, Generic, NamedTuple, TypeVar, cast
 
 import numpy as np
 
@@ -161,128 +165,54 @@ class Question(NamedTuple):
         return {name: (axis, np.dtype(COLUMNS[name].type)) for name, axis in {**columns, **own}.items()}
 
 
-def _columns(text: str) -> Mapping[str, str]:
-    """Axes by name of columns that are written "name" or "name:axis"."""
-    return MappingProxyType({name: axis for name, _, axis in (one.partition(":") for one in text.split())})
-
-
-def _same(text: str, *systems: str) -> dict[str, Mapping[str, str]]:
+def _same(columns: str, *systems: str) -> dict[str, str]:
     """These columns for each of the systems."""
-    return dict.fromkeys(systems, _columns(text))
+    return dict.fromkeys(systems, columns)
 
 
-_PLACES = {"places": 6}
 _CURVE = "Omega:point A:point stable:point branch:point isola:point points"
 _FOLDS_OF_IT = "fold_Omega:place fold_A:place fold_kind:place count undecided status"
 _TRANSIENT = "A tau_A a_max tau_a detaches tau_detaches rests u_end status"
 
-QUESTIONS: Mapping[str, Question] = MappingProxyType(
-    {
-        one.name: one
-        for one in (
-            Question(
-                "detachment",
-                _same("F_cr Omega_cr u_cr status", AVERAGING, SECOND) | {OFFSET: _columns("F_cr Omega_cr A B status")},
-            ),
-            Question(
-                "saddle_node_onset",
-                _same("F_SN Omega A kind at_rest status", AVERAGING, SECOND)
-                | {OFFSET: _columns("F_SN Omega A B kind status")},
-                kinds=OnsetKind,
-            ),
-            Question(
-                "saddle_nodes",
-                _same("Omega:place A:place kind:place count undecided status", AVERAGING, SECOND)
-                | {OFFSET: _columns("Omega:place A:place B:place kind:place count undecided status")},
-                takes=("F_0",),
-                options=_PLACES,
-                kinds=FoldKind,
-            ),
-            Question(
-                "amplitudes",
-                {
-                    AVERAGING: _columns("A:place stable:place count undecided status"),
-                    SECOND: _columns("A:place A_1:place phi:place stable:place count undecided status"),
-                    OFFSET: _columns(
-                        "A:place B:place phi:place transmissibility:place stable:place count undecided status"
-                    ),
-                },
-                takes=("F_0", "Omega"),
-                options=_PLACES,
-            ),
-            Question(
-                "frequency_response",
-                {
-                    AVERAGING: _columns(f"{_CURVE} {_FOLDS_OF_IT}"),
-                    SECOND: _columns(
-                        "Omega:point A:point A_1:point phi:point stable:point branch:point isola:point points "
-                        "undecided status"
-                    ),
-                    OFFSET: _columns(f"{_CURVE} {_FOLDS_OF_IT} B:point phi:point transmissibility:point"),
-                },
-                takes=("F_0",),
-                options={"samples": 1000, "Omega": validate.WINDOW, **_PLACES},
-            ),
-            Question(
-                "peak",
-                _same("A Omega status", AVERAGING, SECOND) | {OFFSET: _columns("A B Omega u_max Omega_max status")},
-                takes=("F_0",),
-            ),
-            Question("certify", _same("count proved bits status", AVERAGING), takes=("F_0",), may=("Omega",)),
-            Question("rest", _same("u:place stiffness:place count status", OFFSET), options={"places": 3}),
-            Question("at_rest", _same("Omega_0 k_0 u_cr break_loose rests_within sticking status", AVERAGING)),
-            Question(
-                "margins",
-                _same("F_SN F_cr of_SN of_cr kind folds detaches sticks Omega_sticks onset status", AVERAGING, OFFSET),
-                takes=("F_0",),
-                kinds=OnsetKind,
-            ),
-            Question(
-                "hysteresis",
-                _same("Omega_low:place Omega_high:place motions:place count status", AVERAGING, OFFSET),
-                takes=("F_0",),
-                options={"places": 3},
-            ),
-            Question(
-                "isolation",
-                {AVERAGING: _columns("Omega A at_fold status"), OFFSET: _columns("Omega A at_fold status B")},
-                takes=("F_0",),
-                may=("level_dB",),
-            ),
-            Question(
-                "spectrum",
-                _same(
-                    "A:row transmissibility_dB:row motions:row crosses:row detaches:row sticks:row status:row",
-                    AVERAGING,
-                    OFFSET,
-                ),
-                takes=("Omega", "F_0"),
-                along={"Omega": "row", "F_0": "row"},
-            ),
-            Question(
-                "transient",
-                {AVERAGING: _columns(_TRANSIENT), OFFSET: _columns(f"{_TRANSIENT} stands")},
-                takes=("acceleration",),
-                may=("duration", "tau"),
-                options={"after": None},
-                along={"tau": "instant", "acceleration": "instant"},
-            ),
-            Question(
-                "shock_spectrum",
-                {
-                    AVERAGING: _columns("A a_max ratio detaches status"),
-                    OFFSET: _columns("A a_max ratio detaches status stands"),
-                },
-                takes=("acceleration", "duration"),
-            ),
-        )
-    }
-)
-
-#: those about motions in time, which a pulse or a record of the base excites
-SHOCKS = tuple(name for name, row in QUESTIONS.items() if "acceleration" in row.takes)
+_ROWS: dict[str, Question] = {}
+#: the questions by name, each as the method of `ManyQuestions` declares it that asks it
+QUESTIONS: Mapping[str, Question] = MappingProxyType(_ROWS)
 
 Found = TypeVar("Found", covariant=True)
+Method = TypeVar("Method", bound=Callable[..., Any])
+
+
+def asks(
+    columns: Mapping[str, str], *, along: Mapping[str, str] = MappingProxyType({}), kinds: type[IntEnum] | None = None
+) -> Callable[[Method], Method]:
+    """Make a question's row of columns by system and of the method below, which has its name, arguments and text.
+
+    columns -- of each system, written "name" or "name:axis"
+    """
+
+    def declared(method: Method) -> Method:
+        name, (_, *given) = method.__name__, inspect.signature(method).parameters.values()
+        positional = [one.name for one in given if one.kind is one.POSITIONAL_OR_KEYWORD]
+        defaults = {one.name: one.default for one in given if one.default is not one.empty}
+        takes = tuple(one.name for one in given if one.name not in defaults)
+        may = tuple(one.name for one in given if one.default is None and one.annotation == "Any")
+        options = {one: value for one, value in defaults.items() if one not in (*may, "workers")}
+        axes = {
+            system: {one: axis for one, _, axis in (column.partition(":") for column in text.split())}
+            for system, text in columns.items()
+        }
+        _ROWS[name] = Question(name, axes, takes, may, options, along, kinds)
+
+        @functools.wraps(method)
+        def ask(self: Any, /, *arguments: Any, **named: Any) -> Any:
+            method(self, *arguments, **named)  # does nothing but refuse what it does not take
+            for one, value in zip(positional, arguments):  # noqa: B905
+                named[one] = value
+            return self._ask(name, **{**defaults, **named})
+
+        return cast("Method", ask)
+
+    return declared
 
 
 class Unanswered:
@@ -311,13 +241,17 @@ class ManyQuestions(Generic[Found]):
         """The answer to a question by its name, from what its method takes."""
         raise NotImplementedError
 
+    @asks(_same("F_cr Omega_cr u_cr status", AVERAGING, SECOND) | {OFFSET: "F_cr Omega_cr A B status"})
     def detachment(self, *, workers: int = 1) -> Found:
         """The lowest forcing that reaches u_cr, its frequency, and u_cr (34): .F_cr .Omega_cr .u_cr.
 
         With a load the motion that comes to a breakpoint, .A and .B, on either side. `Status.NONE` without one.
         """
-        return self._ask("detachment", workers=workers)
 
+    @asks(
+        _same("F_SN Omega A kind at_rest status", AVERAGING, SECOND) | {OFFSET: "F_SN Omega A B kind status"},
+        kinds=OnsetKind,
+    )
     def saddle_node_onset(self, *, workers: int = 1) -> Found:
         """The lowest forcing that has a fold (33): .F_SN .Omega .A .kind .at_rest; with a load .B.
 
@@ -328,8 +262,12 @@ class ManyQuestions(Generic[Found]):
         What doubles do not tell is asked of balls, as of single designs; of the first 20 designs. With a load
         `Status.UNRESOLVED` where the onset is undecided.
         """
-        return self._ask("saddle_node_onset", workers=workers)
 
+    @asks(
+        _same("Omega:place A:place kind:place count undecided status", AVERAGING, SECOND)
+        | {OFFSET: "Omega:place A:place B:place kind:place count undecided status"},
+        kinds=FoldKind,
+    )
     def saddle_nodes(self, F_0: Any, *, places: int = 6, workers: int = 1) -> Found:
         """Every fold at F_0, by rising Omega (24), (30): .Omega .A .kind .count .undecided; with a load .B.
 
@@ -340,9 +278,15 @@ class ManyQuestions(Generic[Found]):
 
         What doubles leave undecided is asked of balls, as of single designs, see `certify`; of the first 200 designs.
         """
-        return self._ask("saddle_nodes", workers=workers, F_0=F_0, places=places)
 
-    def amplitudes(self, *, Omega: Any, F_0: Any, places: int = 6, workers: int = 1) -> Found:
+    @asks(
+        {
+            AVERAGING: "A:place stable:place count undecided status",
+            SECOND: "A:place A_1:place phi:place stable:place count undecided status",
+            OFFSET: "A:place B:place phi:place transmissibility:place stable:place count undecided status",
+        }
+    )
+    def amplitudes(self, *, F_0: Any, Omega: Any, places: int = 6, workers: int = 1) -> Found:
         """Every steady state at (Omega, F_0), by rising A (24), (30): .A .phi .stable .count .undecided .transmissibility.
 
         A      -- 0 where friction holds the mass at rest, with `Status.STICKS` if nothing else is there; in the second
@@ -353,8 +297,15 @@ class ManyQuestions(Generic[Found]):
 
         Undecided ones as of `saddle_nodes`.
         """  # noqa: E501
-        return self._ask("amplitudes", workers=workers, F_0=F_0, places=places, Omega=Omega)
 
+    @asks(
+        {
+            AVERAGING: f"{_CURVE} {_FOLDS_OF_IT}",
+            SECOND: "Omega:point A:point A_1:point phi:point stable:point branch:point isola:point points "
+            "undecided status",
+            OFFSET: f"{_CURVE} {_FOLDS_OF_IT} B:point phi:point transmissibility:point",
+        }
+    )
     def frequency_response(
         self,
         F_0: Any,
@@ -375,17 +326,16 @@ class ManyQuestions(Generic[Found]):
         isola  -- 1 where that curve is closed
         fold_Omega, fold_A, fold_kind, count -- as of `saddle_nodes`; not in the second approximation
         """  # noqa: E501
-        given = {"F_0": F_0, "samples": samples, "Omega": Omega, "places": places}
-        return self._ask("frequency_response", workers=workers, **given)
 
+    @asks(_same("A Omega status", AVERAGING, SECOND) | {OFFSET: "A B Omega u_max Omega_max status"})
     def peak(self, F_0: Any, *, workers: int = 1) -> Found:
         """The highest peak at F_0, isolas included: .A .Omega, which is 0 where A only falls with Omega.
 
         Of a spring that gives way that within the well. `Status.UNBOUNDED` where nothing ends a response, within it. With
         a load .B, and .u_max at .Omega_max of the motion that goes farthest.
         """  # noqa: E501
-        return self._ask("peak", workers=workers, F_0=F_0)
 
+    @asks({AVERAGING: "count proved bits status"})
     def certify(self, F_0: Any, *, Omega: Any = None, workers: int = 1) -> Found:
         """How many folds at F_0, or states at (Omega, F_0), are proved: .count .proved .bits; of motions about the centre.
 
@@ -396,19 +346,22 @@ class ManyQuestions(Generic[Found]):
         (`pip install 'slowflow[proofs]'`), some hundredths of a second each; these do not share `workers`.
         `Status.UNRESOLVED` where no proof is possible: of a force whose averages are known in neither.
         """  # noqa: E501
-        return self._ask("certify", workers=workers, F_0=F_0, Omega=Omega)
 
+    @asks({OFFSET: "u:place stiffness:place count status"})
     def rest(self, *, places: int = 3, workers: int = 1) -> Found:
         """Where the mass stands under a load, by rising u: .u .stiffness .count."""
-        return self._ask("rest", workers=workers, places=places)
 
+    @asks({AVERAGING: "Omega_0 k_0 u_cr break_loose rests_within sticking status"})
     def at_rest(self, *, workers: int = 1) -> Found:
         """What holds whatever the forcing: .Omega_0 .k_0 .u_cr, and by friction .break_loose .rests_within .sticking.
 
         As of a single `at_rest`: NaN where there is no frequency or no stroke; rests_within may be inf.
         """
-        return self._ask("at_rest", workers=workers)
 
+    @asks(
+        _same("F_SN F_cr of_SN of_cr kind folds detaches sticks Omega_sticks onset status", AVERAGING, OFFSET),
+        kinds=OnsetKind,
+    )
     def margins(self, F_0: Any, *, workers: int = 1) -> Found:
         """How far F_0 is from F_SN and F_cr: .of_SN .of_cr .folds .detaches .sticks .Omega_sticks .onset.
 
@@ -420,15 +373,15 @@ class ManyQuestions(Generic[Found]):
         onset    -- the status of the onset
         status   -- that of the folds, or of the onset, the detachment or the peak where one of these is not known
         """
-        return self._ask("margins", workers=workers, F_0=F_0)
 
+    @asks(_same("Omega_low:place Omega_high:place motions:place count status", AVERAGING, OFFSET))
     def hysteresis(self, F_0: Any, *, places: int = 3, workers: int = 1) -> Found:
         """Bands of frequencies with several stable motions at F_0, by rising frequency: .Omega_low .Omega_high .motions.
 
         count -- how many bands there are, also where they are more than places
         """  # noqa: E501
-        return self._ask("hysteresis", workers=workers, F_0=F_0, places=places)
 
+    @asks({AVERAGING: "Omega A at_fold status", OFFSET: "Omega A at_fold status B"})
     def isolation(self, F_0: Any, *, level_dB: Any = None, workers: int = 1) -> Found:
         """The frequency from which on less than F_0 is transmitted: .Omega .A .at_fold; with a load .B.
 
@@ -436,8 +389,15 @@ class ManyQuestions(Generic[Found]):
 
         0 and NaN where every motion transmits less; NaN where there is no such frequency, `Status.NONE`.
         """  # noqa: E501
-        return self._ask("isolation", workers=workers, F_0=F_0, level_dB=level_dB)
 
+    @asks(
+        _same(
+            "A:row transmissibility_dB:row motions:row crosses:row detaches:row sticks:row status:row",
+            AVERAGING,
+            OFFSET,
+        ),
+        along={"Omega": "row", "F_0": "row"},
+    )
     def spectrum(self, *, Omega: Any, F_0: Any, workers: int = 1) -> Found:
         """A load spectrum, one tone at a time: .A .transmissibility_dB .motions .crosses .detaches .sticks.
 
@@ -445,8 +405,8 @@ class ManyQuestions(Generic[Found]):
         the designs. Answers have the axes of the designs, then that of the rows. `Status.NONE` where no motion is
         stable, and of what fails that of the states, or of the folds on the way.
         """
-        return self._ask("spectrum", workers=workers, Omega=Omega, F_0=F_0)
 
+    @asks({AVERAGING: _TRANSIENT, OFFSET: f"{_TRANSIENT} stands"}, along={"tau": "instant", "acceleration": "instant"})
     def transient(
         self, *, acceleration: Any, duration: Any = None, tau: Any = None, after: float | None = None, workers: int = 1
     ) -> Found:
@@ -458,13 +418,15 @@ class ManyQuestions(Generic[Found]):
         number of stable places of rest, of which it begins at that nearest to the centre, in hundredths of a second a
         design.
         """
-        given = {"acceleration": acceleration, "duration": duration, "tau": tau, "after": after}
-        return self._ask("transient", workers=workers, **given)
 
+    @asks({AVERAGING: "A a_max ratio detaches status", OFFSET: "A a_max ratio detaches status stands"})
     def shock_spectrum(self, *, acceleration: Any, duration: Any, workers: int = 1) -> Found:
         """What a half sine of the base does: .A .a_max .ratio .detaches; with a load .stands, as of `transient`.
 
         Raises ValueError for structural damping. Designs with other laws of damping are followed one by one, in
         milliseconds each.
         """
-        return self._ask("shock_spectrum", workers=workers, acceleration=acceleration, duration=duration)
+
+
+#: those about motions in time, which a pulse or a record of the base excites
+SHOCKS = tuple(name for name, row in QUESTIONS.items() if "acceleration" in row.takes)
