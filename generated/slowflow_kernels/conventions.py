@@ -114,10 +114,6 @@ HIGHEST_OMEGA = 1e+40
 LARGEST = 1.0000000000000001e+300
 # an undamped response without a reach is cut at this times F_0
 STATIC_MULTIPLE = 100.0
-# and in all, in steps that double too
-RUNGS = 100
-# multiple of the last breakpoint from which on a force that levels off does not rise any more
-NEAR_ENDLESS = 1048576.0
 # stands for an infinite amplitude, and an infinite multiple of one
 ENDLESS = 1.152921504606847e+18
 # where a search begins that cannot begin at A = 0

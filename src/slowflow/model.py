@@ -21,7 +21,7 @@ from slowflow.mechanism import Floats, Mechanism, Parameter, check_at_rest
 from slowflow.text import Sentence, text, told
 from slowflow_kernels import dissipation, inertia
 from slowflow_kernels import slow_flow as general_flow
-from slowflow_kernels.conventions import ENDLESS, LARGEST, NEAR_ENDLESS
+from slowflow_kernels.conventions import LARGEST
 from slowflow_kernels.domains import DAMPING, DISSIPATION, RUBS
 from slowflow_kernels.scenes import flow_of
 from slowflow_support.errors import Refused, WrongType
@@ -256,23 +256,12 @@ class Model:
         return bool(self.averaged(min(1.0, 0.5 * self.mechanism.reach))[2] == 0)
 
     @cached_property
-    def free(self) -> bool:
-        """Whether no spring holds the mass at any amplitude."""
-        return self.linear and bool(self.averaged(0.0)[1] == 0)
+    def spring(self) -> str:
+        """Whether a spring "holds" the mass far away, "none" does, or one "levels off", by averages in closed form.
 
-    @property
-    def lets_go(self) -> bool:
-        """Whether the spring's force is known to be bounded: some at Omega = 0 moves the mass as far as one likes."""
-        return self.free or self.levels_off
-
-    @cached_property
-    def levels_off(self) -> bool:
-        """Whether a spring is there whose force does not grow far away, of which averages in closed form know."""
-        if self.free or self.mechanism.enclosed is not None or np.isfinite(self.mechanism.reach):
-            return False
-        with np.errstate(all="ignore"):
-            near, far = np.abs(self.averaged(max((1.0, *self.breakpoints)) * np.array([NEAR_ENDLESS, ENDLESS]))[0])
-        return bool(far <= near * (1 + 1 / NEAR_ENDLESS))
+        Where none does, some force at Omega = 0 moves the mass as far as one likes.
+        """
+        return str(backend.SOLVER.spring(self.native))
 
     @cached_property
     def preload(self) -> float:

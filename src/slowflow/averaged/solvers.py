@@ -41,7 +41,8 @@ def check(status: int, model: Model, F_0: float | None = None) -> None:
     if status == Status.NO_MEMORY:
         raise MemoryError
     if status == Status.NO_BOUND:
-        if model.inertial and model.free and model.zeta == model.m == model.laws.eta == 0 and F_0 is not None:
+        alone = model.inertial and model.zeta == model.m == model.laws.eta == 0
+        if alone and model.spring == "none" and F_0 is not None:
             raise NotSettled(words.everywhere(float(dissipation.full_by_inertia(F_0, model.d))))
         # where there is a bound, up to it squares leave the range of doubles
         if model.laws.any and F_0 is not None and backend.SOLVER.amplitude_bound(model.native, F_0)[1] < math.inf:
@@ -55,7 +56,7 @@ def remark_of(model: Model, F_0: float, lowest: float = 0.0) -> str:
     """Where a response is cut, in words; lowest: the lowest Omega that is asked for."""
     if model.zeta == 0 and not model.laws.any:
         return words.cut(model, F_0)[1]
-    goes = model.lets_go and not model.inertial
+    goes = not model.inertial and model.spring != "holds"
     if (lowest > 0 and goes) or not (goes or model.inertial or model.mechanism.enclosed is not None):
         return ""
     status, A_max = backend.SOLVER.amplitude_bound(model.native, F_0)

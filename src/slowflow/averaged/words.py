@@ -13,12 +13,13 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from slowflow import backend
 from slowflow.answer import joined
 from slowflow.model import THROUGHOUT, Floats, Model
 from slowflow.results import NOTHING, Peak, Remark, SaddleNodeOnset
 from slowflow.text import Sentence, text, together
-from slowflow_kernels import dissipation, inertia, slow_flow, slow_flow_zeta0
-from slowflow_kernels.conventions import CLOSE, RUNGS, STATIC_MULTIPLE, Status
+from slowflow_kernels import dissipation, inertia
+from slowflow_kernels.conventions import CLOSE, STATIC_MULTIPLE, Status
 
 #: frequencies that a message names
 MOST_NAMED = 3
@@ -155,7 +156,7 @@ def of_folds(model: Model, F_0: float, told: bool, cut: str) -> tuple[str | Call
     told -- whether there are folds, or may be. Where there are none, cutting an undamped response leaves none out: it
         ends where what is beyond has no fold
     """
-    leaves_out = model.inertial or (model.zeta > 0 and model.levels_off)
+    leaves_out = model.inertial or (model.zeta > 0 and model.spring == "levels off")
     kept = cut if told or leaves_out else ""
     return kept if told or kept else partial(NO_FOLD.format, F_0), kept
 
@@ -264,29 +265,16 @@ PEAK_AT = Sentence("the peak is unresolved at {F_0 = :.17g}: there may be one wi
 
 
 def cut(model: Model, F_0: float) -> tuple[float, str]:
-    """Where the response is cut that has no viscous damping and is unbounded for F_0 > m (27), and a remark.
-
-    That is at the mechanism's reach, or at a multiple of the static deflection, doubled until the fold Omega^2 = -h_A,
-    whose R is k, has passed F_0 or has ended for good.
-    """
-    if np.isfinite(model.reach):
-        return model.reach, CUT.format(model.reach, f", {model.mechanism.reach_reason}")
-    A_max = max(STATIC_MULTIPLE * F_0, 2 * max(model.breakpoints, default=0.0))
-    for _ in range(0 if model.inertial else RUNGS):
-        h, h_A, h_AA, h_AAA = map(float, model.averaged(A_max))
-        with np.errstate(over="ignore", invalid="ignore"):  # beyond the range of doubles it has passed, or is not known
-            k = slow_flow.intercept(A_max, h, h_A, h_AA)[0]
-            passed = slow_flow_zeta0.undamped_level(model.m, k) > F_0 if h_A < 0 else h_AA >= 0
-        if passed or h_AA == h_AAA == 0:
-            break
-        A_max *= 2
-    return A_max, CUT.format(A_max, "")
+    """Where the response is cut that has no viscous damping and is unbounded for F_0 > m (27), and a remark."""
+    A_max = backend.SOLVER.undamped_cut(model.native, F_0)
+    return A_max, CUT.format(A_max, f", {model.mechanism.reach_reason}" if math.isfinite(model.reach) else "")
 
 
 def cut_towards_rest(model: Model, F_0: float) -> tuple[float, str]:
     """Where the response is cut of a mass that no spring holds, or one whose force levels off, and a remark."""
     A_max = float(STATIC_MULTIPLE * max(F_0, *model.breakpoints, 0.0))
-    why = "no spring holds the mass" if model.free else "the spring's force, which levels off, does not hold the mass"
+    free = model.spring == "none"
+    why = "no spring holds the mass" if free else "the spring's force, which levels off, does not hold the mass"
     return A_max, CUT_TOWARDS_REST.format(why, A_max)
 
 

@@ -194,6 +194,11 @@ static int sf_levels_off(const sf_model *model) {
     return fabs(far.h) <= fabs(near.h) * (1 + 1 / SF_NEAR_ENDLESS);
 }
 
+/* What a spring does to the mass far away, in a word. */
+static const char *sf_spring(const sf_model *model) {
+    return sf_is_free(model) ? "none" : sf_levels_off(model) ? "levels off" : "holds";
+}
+
 /* Whether some force at Omega = 0 moves the mass as far as one likes. */
 static int sf_lets_go(const sf_model *model) {
     return !sf_inertial(model) && (sf_is_free(model) || sf_levels_off(model));
@@ -342,29 +347,35 @@ static sf_status sf_bound_by_laws(const sf_model *model, double F_0, double *A_m
     return status != SF_NO_BOUND && !sf_laws_are_in_range(model, F_0, *A_max) ? SF_NO_BOUND : status;
 }
 
-/* Where to stop at F_0: above every steady state, or, undamped, at the mechanism's reach or a multiple of F_0 that is
- * doubled until the fold, whose R is k, has passed F_0 or has ended for good; or, with SF_UNBOUNDED, where a response
- * is cut that does not close. */
-static sf_status sf_range_by_spring(const sf_model *model, double F_0, double *A_max) {
+/* Where a response is cut that is unbounded without viscous damping: at the mechanism's reach, or at a multiple of the
+ * static deflection, doubled until the fold Omega^2 = -h_A, whose R is k, has passed F_0 or has ended for good. */
+static double sf_undamped_cut(const sf_model *model, double F_0) {
+    double A = model->reach;
     int i;
-    if (sf_has_laws(model))
-        return sf_bound_by_laws(model, F_0, A_max);
-    if (model->zeta > 0)
-        return sf_amplitude_bound(model, F_0, A_max);
-    *A_max = model->reach;
-    if (*A_max < HUGE_VAL)
-        return SF_OK;
-    *A_max = SF_STATIC_MULTIPLE * F_0;
+    if (A < HUGE_VAL)
+        return A;
+    A = SF_STATIC_MULTIPLE * F_0;
     if (model->breaks > 0)
-        *A_max = fmax(*A_max, 2 * model->b[model->breaks - 1]);
-    for (i = 0; !sf_inertial(model) && i < SF_RUNGS; i++, *A_max *= 2) {
+        A = fmax(A, 2 * model->b[model->breaks - 1]);
+    for (i = 0; !sf_inertial(model) && i < SF_RUNGS; i++, A *= 2) {
         sf_sample at;
-        sf_sample_at(model, *A_max, &at);
+        sf_sample_at(model, A, &at);
         if (at.h_A < 0 ? slow_flow_zeta0_undamped_level(model->m, at.k) > F_0 : at.h_AA >= 0)
             break;
         if (at.h_AA == 0 && at.h_AAA == 0)
             break;
     }
+    return A;
+}
+
+/* Where to stop at F_0: above every steady state, or, with SF_UNBOUNDED, where a response is cut that does not close;
+ * undamped ones are cut too. */
+static sf_status sf_range_by_spring(const sf_model *model, double F_0, double *A_max) {
+    if (sf_has_laws(model))
+        return sf_bound_by_laws(model, F_0, A_max);
+    if (model->zeta > 0)
+        return sf_amplitude_bound(model, F_0, A_max);
+    *A_max = sf_undamped_cut(model, F_0);
     return SF_OK;
 }
 

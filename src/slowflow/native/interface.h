@@ -30,6 +30,8 @@ typedef struct {
     sf_status (*fold_locus)(const sf_model *, double A_max, sf_work *);
     sf_status (*extrema)(const sf_model *, double A_max, sf_work *);
     sf_status (*range)(const sf_model *, double F_0, double *A_max);
+    double (*undamped_cut)(const sf_model *, double F_0);
+    const char *(*spring)(const sf_model *);
     int (*are_events_close)(const sf_model *, double F_0, double A_max, sf_work *);
     sf_status (*skeleton)(const sf_model *, const sf_given *, double F_0, sf_room *);
     long (*show)(const sf_model *, double F_0, double low, double high, double samples, sf_work *);

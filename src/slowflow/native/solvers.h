@@ -19,6 +19,8 @@ const sf_solvers SF_SOLVERS = {
     sf_fold_locus,
     sf_extrema,
     sf_range_at,
+    sf_undamped_cut,
+    sf_spring,
     sf_are_events_close,
     sf_make_skeleton,
     sf_show,

@@ -162,6 +162,24 @@ static PyObject *amplitude_bound(PyObject *self, PyObject *args)
     return Py_BuildValue("id", (int)status, A_max);
 }
 
+static PyObject *undamped_cut(PyObject *self, PyObject *args)
+{
+    PyObject *given;
+    double F_0;
+    (void)self;
+    if (!PyArg_ParseTuple(args, "Od", &given, &F_0))
+        return NULL;
+    const sf_model *model = sf_model_in(given);
+    return model == NULL ? NULL : PyFloat_FromDouble(sf_here()->undamped_cut(model, F_0));
+}
+
+static PyObject *spring(PyObject *self, PyObject *given)
+{
+    (void)self;
+    const sf_model *model = sf_model_in(given);
+    return model == NULL ? NULL : PyUnicode_FromString(sf_here()->spring(model));
+}
+
 static PyObject *are_events_close(PyObject *self, PyObject *args)
 {
     PyObject *given;
@@ -410,6 +428,8 @@ static PyMethodDef functions[] = {
     {"detachment", detachment, METH_VARARGS, "(model,) -> status, F_cr, Omega_cr, u_cr"},
     {"peak", peak, METH_VARARGS, "(model, F_0, most) -> status, A, Omega"},
     {"amplitude_bound", amplitude_bound, METH_VARARGS, "(model, F_0) -> status, A_max"},
+    {"undamped_cut", undamped_cut, METH_VARARGS, "(model, F_0) -> A_max"},
+    {"spring", spring, METH_O, "(model) -> whether a spring holds the mass, none does, or one that levels off"},
     {"are_events_close", are_events_close, METH_VARARGS,
      "(model, F_0, A_max) -> whether doubles leave open which peaks and static states a curve has"},
     {"fold_locus", fold_locus, METH_VARARGS, "(model, A_max, samples) -> status, Omega, A, F_0, branch, extrema"},
