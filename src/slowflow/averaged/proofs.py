@@ -53,8 +53,6 @@ class Allowance:
 
 def _asked(proof: Callable[[ModuleType], Callable[..., Any]], model: Model, *numbers: Any) -> tuple[Any, str]:
     """What one of the compiled solvers' proofs gives, or why there is none."""
-    if model.native is None:
-        return None, words.NOT_COMPILED
     if not model.has_design:
         return None, words.NO_DESIGN
     answer = proof(backend.SOLVER)(model.native, *numbers)

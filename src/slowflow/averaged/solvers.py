@@ -72,8 +72,6 @@ def amplitude_bound(model: Model, F_0: float) -> float:
 
     Raises OverflowError where no such amplitude is found.
     """
-    if model.zeta == 0 and not model.laws.any:
-        return words.cut(model, F_0)[0]
     status, A_max = backend.SOLVER.amplitude_bound(model.native, F_0)
     check(status, model, F_0)
     return float(A_max)

@@ -86,7 +86,6 @@ MOVES_EXACTLY = Sentence(
 ASKED_ENOUGH = "balls were asked {} times, and at others not"
 
 #: of proofs
-NOT_COMPILED = "not certified: that needs the program of this force, which a Python function has not"
 NO_DESIGN = "not certified: the numbers that the parameters follow from are not known"
 NO_INTERVALS = "not certified: the average of this force is not known on intervals of doubles"
 NO_BALLS = "balls of more digits may decide: pip install 'slowflow[proofs]'"
