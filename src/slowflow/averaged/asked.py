@@ -1,4 +1,4 @@
-"""The questions about many designs: what an answer is made of, and each of one design where it is not compiled.
+"""The questions about many designs: what an answer is made of, and how one design is asked.
 
 In:  an averaged oscillator, None for a blank answer, with F_0, Omega and places. Out: a number, or an array of places,
      for each column, a status last. By doubles alone: what these leave undecided a batch asks balls afterwards.
