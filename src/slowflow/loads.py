@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import partial
 from itertools import pairwise
 from typing import Any, ClassVar, NamedTuple, TypeVar
@@ -22,11 +22,12 @@ from slowflow.averaged.questions import Averaged
 from slowflow.gradient import NO_GRADIENT, Gradient
 from slowflow.mechanism import Floats, Law, Mechanism
 from slowflow.model import THROUGHOUT, Model
-from slowflow.results import MeasuredPoint, Measures, Moves, OfPoint, Remark, of_model
+from slowflow.results import MeasuredPoint, OfPoint, Remark
 from slowflow.text import Sentence, text
 from slowflow.transmitted import in_motion
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import ENDLESS, HIGHEST_OMEGA
+from slowflow_support.frozen import dataclass
 
 Flags = npt.NDArray[np.bool_]
 Ints = npt.NDArray[np.intp]
@@ -165,9 +166,6 @@ class Isolation(OfPoint, Single):
     level_dB: float = field(default=0.0, kw_only=True)
     B: float | None = field(default=None, kw_only=True, metadata=LOADED)
     load: float | None = field(default=None, kw_only=True, metadata=LOADED)
-    _model: Model | None = field(default=None, kw_only=True, repr=False)
-    _moves: Moves | None = field(default=None, kw_only=True, repr=False)
-    _asked: Measures | None = field(default=None, kw_only=True, repr=False)
 
     def _content(self) -> dict[str, Any]:
         found = super()._content()
@@ -191,10 +189,8 @@ class Isolation(OfPoint, Single):
 
         Where isolation begins at no frequency that moves there is none, and `.status` and `.message` say so.
         """
-        if self._moves is not None:
-            return self._moves(self)
         at = self.Omega, self.A, self.F_0, self.at_fold, Level.of(self.level_dB).ratio
-        return moves.of_isolation(of_model(self._model), *at)
+        return self._moved(moves.of_isolation, *at)
 
 
 class Load(NamedTuple):

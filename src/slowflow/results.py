@@ -190,13 +190,27 @@ Moves = Callable[[Any], Gradient]
 NOT_MEASURED = "off the centre states and folds are measured, as amplitudes(...).measure(): this answer is neither"
 
 
-class OfPoint:
+@dataclass(frozen=True, eq=False)
+class Moving:
+    """What averaged answers share, about whatever mean: what measures them, and under a load how their numbers move."""
+
+    _asked: Measures | None = field(default=None, kw_only=True, repr=False)
+    _moves: Moves | None = field(default=None, kw_only=True, repr=False)
+
+    def _moved(self: Any, of: Callable[..., Gradient], *numbers: Any) -> Gradient:
+        """The gradient, without a load by a function of whose answer it is, and of its numbers."""
+        found: Gradient = self._moves(self) if self._moves else of(of_model(self._model), *numbers)
+        return found
+
+
+@dataclass(frozen=True, eq=False)
+class OfPoint(Moving):
     """What a peak, an onset and a detachment share: each is held against one of the equation of motion."""
 
     if TYPE_CHECKING:
         load: float | None
-        _asked: Measures | None
-        _model: Model | None
+
+    _model: Model | None = field(default=None, kw_only=True, repr=False)
 
     def _measured(self, force: str | None, of: str = "") -> MeasuredPoint:
         if self.load is not None:
@@ -234,9 +248,16 @@ class Transmits(Protocol):
 class WithMean:
     """What states and folds share: about a mean, which is 0 without a load."""
 
+    entry: ClassVar[Any]
+    with_mean: ClassVar[Any]
+
     if TYPE_CHECKING:
         A: Floats
         B: Floats | None
+
+    def _entry_of(self) -> Any:
+        """The named tuple that an entry is: with the mean, under a load."""
+        return self.entry if self.B is None else self.with_mean
 
     @property
     def mean(self) -> Floats:
@@ -255,7 +276,7 @@ class InDecibels:
 
 
 @dataclass(frozen=True, eq=False)
-class SteadyStates(WithMean, InDecibels, Table):
+class SteadyStates(Moving, WithMean, InDecibels, Table):
     """Steady states, one entry each: flat arrays of one length.
 
     Omega, A -- frequency and amplitude, dimensionless; A = 0 where friction holds the mass at rest
@@ -271,6 +292,7 @@ class SteadyStates(WithMean, InDecibels, Table):
     """
 
     entry: ClassVar[Any] = State
+    with_mean: ClassVar[Any] = OffsetState
     beside: ClassVar[tuple[str, ...]] = ("transmissibility_dB",)
 
     Omega: Floats
@@ -283,15 +305,9 @@ class SteadyStates(WithMean, InDecibels, Table):
     Omega_undecided: Floats = field(default_factory=lambda: np.empty(0), kw_only=True)
     remarks: Remark = field(default_factory=_nothing, kw_only=True)
     _model: Model = field(repr=False)
-    _asked: Measures | None = field(default=None, kw_only=True, repr=False)
-    _moves: Moves | None = field(default=None, kw_only=True, repr=False)
     #: under a load, h along the balance of the mean, and the flow of which it is a number
     _h: Floats | None = field(default=None, kw_only=True, repr=False)
     _flow: Any = field(default=None, kw_only=True, repr=False)
-
-    def _entry_of(self) -> Any:
-        """`OffsetState` with the mean, under a load."""
-        return OffsetState if self.B is not None else State
 
     def _beside_of(self) -> tuple[str, ...]:
         """`u_max` too, under a load."""
@@ -361,10 +377,7 @@ class SteadyStates(WithMean, InDecibels, Table):
         `.message` say so. Under a load B and the load take part; raises NotAvailable where it is not known how the
         force moves with the design.
         """
-        if self._moves is not None:
-            return self._moves(self)
-        given = of_model(self._model)
-        return moves.of_states(given, self.Omega, self.A, self.F_0, self.phi, self.transmissibility)
+        return self._moved(moves.of_states, self.Omega, self.A, self.F_0, self.phi, self.transmissibility)
 
     def measure(self, force: str | None = None) -> Measured:
         """How far each state is from the equation of motion (3): measured here and now, some 0.2 ms for each.
@@ -390,15 +403,12 @@ class FrequencyResponse(SteadyStates):
     """
 
     entry: ClassVar[Any] = CurvePoint
+    with_mean: ClassVar[Any] = OffsetPoint
 
     F_0: float
     branch: npt.NDArray[np.intp]
     isola: tuple[bool, ...]
     picture: ClassVar[str] = "response"
-
-    def _entry_of(self) -> Any:
-        """`OffsetPoint` with the mean, under a load."""
-        return OffsetPoint if self.B is not None else CurvePoint
 
     def plot(self, ax: Any = None, *, of: str = "A") -> Any:
         """Draw the curve into Matplotlib axes, or new ones, and return these; stable is solid, unstable dashed.
@@ -413,7 +423,7 @@ class FrequencyResponse(SteadyStates):
 
 
 @dataclass(frozen=True, eq=False)
-class SaddleNodes(WithMean, Table):
+class SaddleNodes(Moving, WithMean, Table):
     """Folds of the response curve at one forcing, by rising Omega: arrays of one length.
 
     kind   -- "jump-up": a sweep leaves the fold for a larger amplitude; "jump-down": for a smaller one
@@ -424,6 +434,7 @@ class SaddleNodes(WithMean, Table):
     """
 
     entry: ClassVar[Any] = SaddleNode
+    with_mean: ClassVar[Any] = OffsetFold
 
     Omega: Floats
     A: Floats
@@ -436,12 +447,6 @@ class SaddleNodes(WithMean, Table):
     remarks: Remark = field(default_factory=_nothing, kw_only=True)
     proof: ProvedFolds | None = field(default=None, kw_only=True, metadata=UNLOADED)
     _model: Model = field(repr=False)
-    _asked: Measures | None = field(default=None, kw_only=True, repr=False)
-    _moves: Moves | None = field(default=None, kw_only=True, repr=False)
-
-    def _entry_of(self) -> Any:
-        """`OffsetFold` with the mean, under a load."""
-        return OffsetFold if self.B is not None else SaddleNode
 
     @cached_property
     def validity(self) -> Validity:
@@ -456,9 +461,7 @@ class SaddleNodes(WithMean, Table):
         Where a fold meets another, at a cusp or an isola point, or comes to a breakpoint or leaves it, it has no
         gradient, and `.status` and `.message` say so. Under a load as `SteadyStates.gradient`.
         """
-        if self._moves is not None:
-            return self._moves(self)
-        return moves.of_folds(of_model(self._model), self.Omega, self.A, self.F_0, self.corner)
+        return self._moved(moves.of_folds, self.Omega, self.A, self.F_0, self.corner)
 
     def measure(self, force: str | None = None) -> MeasuredFolds:
         """How far each fold is from one of the equation of motion (3): measured here and now, some ms for each.
@@ -501,9 +504,6 @@ class SaddleNodeOnset(OfPoint, Single):
     message: str
     untruncated: SaddleNodeOnset | None = field(default_factory=lambda: None, kw_only=True, metadata=UNLOADED)
     remarks: Remark = field(default_factory=_nothing, kw_only=True)
-    _model: Model | None = field(default=None, kw_only=True, repr=False)
-    _asked: Measures | None = field(default=None, kw_only=True, repr=False)
-    _moves: Moves | None = field(default=None, kw_only=True, repr=False)
     #: where there is none, what batches say
     _status: Status = field(default=Status.NONE, kw_only=True, repr=False)
 
@@ -528,10 +528,8 @@ class SaddleNodeOnset(OfPoint, Single):
         onsets at one forcing, which it does not look for, it is that of the one which is given. Under a load B and the
         load take part, and on a corner that a jump of the force makes there is none.
         """
-        if self._moves is not None:
-            return self._moves(self)
         kind = OnsetKind[self.kind.upper() or "NO"]
-        return moves.of_onset(of_model(self._model), self.F_SN, self.Omega, self.A, kind)
+        return self._moved(moves.of_onset, self.F_SN, self.Omega, self.A, kind)
 
 
 @dataclass(frozen=True, eq=False)
@@ -628,9 +626,6 @@ class Peak(OfPoint, Single):
     load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     message: str
     remarks: Remark = field(default_factory=_nothing, kw_only=True)
-    _model: Model | None = field(default=None, kw_only=True, repr=False)
-    _asked: Measures | None = field(default=None, kw_only=True, repr=False)
-    _moves: Moves | None = field(default=None, kw_only=True, repr=False)
     #: whether the mean turns back there
     _turns: bool = field(default=False, kw_only=True, repr=False)
     #: where there is none, what batches say
@@ -659,9 +654,7 @@ class Peak(OfPoint, Single):
         and the load take part, and u_max if it is that motion's; where the mean turns back there, NotAvailable is
         raised.
         """
-        if self._moves is not None:
-            return self._moves(self)
-        return moves.of_peak(of_model(self._model), self.A, self.Omega, self.F_0)
+        return self._moved(moves.of_peak, self.A, self.Omega, self.F_0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -680,9 +673,6 @@ class Detachment(OfPoint, Single):
     load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     message: str
     remarks: Remark = field(default_factory=_nothing, kw_only=True)
-    _model: Model | None = field(default=None, kw_only=True, repr=False)
-    _asked: Measures | None = field(default=None, kw_only=True, repr=False)
-    _moves: Moves | None = field(default=None, kw_only=True, repr=False)
 
     @property
     def validity(self) -> Validity:
@@ -699,6 +689,4 @@ class Detachment(OfPoint, Single):
 
     def gradient(self) -> Gradient:
         """How F_cr, Omega_cr and u_cr move with the parameters, exactly; under a load A and B instead of u_cr."""
-        if self._moves is not None:
-            return self._moves(self)
-        return moves.of_detachment(of_model(self._model), self.F_cr, self.Omega_cr, self.u_cr)
+        return self._moved(moves.of_detachment, self.F_cr, self.Omega_cr, self.u_cr)
