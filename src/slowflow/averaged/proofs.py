@@ -10,7 +10,6 @@ from __future__ import annotations
 import dataclasses
 import importlib.util
 from collections.abc import Callable
-from types import ModuleType
 from typing import Any, TypeVar
 
 import numpy as np
@@ -51,11 +50,11 @@ class Allowance:
         return self.left >= 0
 
 
-def _asked(proof: Callable[[ModuleType], Callable[..., Any]], model: Model, *numbers: Any) -> tuple[Any, str]:
+def _asked(proof: Callable[..., Any], model: Model, *numbers: Any) -> tuple[Any, str]:
     """What one of the compiled solvers' proofs gives, or why there is none."""
     if not model.has_design:
         return None, words.NO_DESIGN
-    answer = proof(backend.SOLVER)(model.native, *numbers)
+    answer = proof(model.native, *numbers)
     return answer, "" if answer is not None else words.NO_INTERVALS
 
 
@@ -205,11 +204,8 @@ def decided_onset(model: Model, allowance: Allowance) -> SaddleNodeOnset | None:
     # that none is born is proved of amplitudes up to one that stands for infinite ones, and no forcing bounds them
     if proof is None or not (proof.proved and proof.kind):
         return None
-    rest = balls.at_rest(model, proof.F_0[1])
-    if rest is None or not rest.proved:
-        return None
     # whether folds at rest lie below it has to be proved as well
-    low, high = rest.F_0 if rest.F_0.size else (np.inf, np.inf)
+    low, high = balls.at_rest(model, proof.F_0[1])
     on_end = [b for b in model.breakpoints if proof.kind == "corner" and proof.A[0] <= b <= proof.A[1]]
     ends = np.array((proof.F_0, proof.Omega, proof.A))
     F_SN, Omega, A = _middle(ends, np.array((np.nan, np.nan, on_end[0])) if on_end else None).tolist()
@@ -287,7 +283,7 @@ def detachment(model: Model) -> ProvedForcing:
 
 def folds_in_doubles(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
     """`saddle_nodes` by doubles alone."""
-    answer, reason = _asked(lambda solver: solver.certify_folds, model, F_0, expected)
+    answer, reason = _asked(backend.SOLVER.certify_folds, model, F_0, expected)
     if answer is None:
         return ProvedFolds(False, reason, DOUBLES, _NONE, _NONE, _KINDS[:0], _NO_FLAG, 0.0, False, _NONE)
     status, Omega, A, corner, sign, doubt, A_max, bounded, room = answer
@@ -297,7 +293,7 @@ def folds_in_doubles(model: Model, F_0: float, expected: Floats) -> ProvedFolds:
 
 def states_in_doubles(model: Model, Omega: float, F_0: float) -> ProvedStates:
     """`amplitudes` by doubles alone."""
-    answer, reason = _asked(lambda solver: solver.certify_states, model, F_0, Omega)
+    answer, reason = _asked(backend.SOLVER.certify_states, model, F_0, Omega)
     if answer is None:
         return ProvedStates(False, reason, DOUBLES, _NONE, _NO_FLAG, 0.0, False, _NONE)
     status, _, A, _, sign, doubt, A_max, bounded, room = answer
@@ -308,7 +304,7 @@ def states_in_doubles(model: Model, Omega: float, F_0: float) -> ProvedStates:
 
 def onset_in_doubles(model: Model) -> ProvedForcing:
     """`onset` by doubles alone."""
-    answer, reason = _asked(lambda solver: solver.certify_onset, model)
+    answer, reason = _asked(backend.SOLVER.certify_onset, model)
     if answer is None:
         return _no_forcing(reason)
     status, *ends, proved = answer
@@ -323,7 +319,7 @@ def onset_in_doubles(model: Model) -> ProvedForcing:
 
 def detachment_in_doubles(model: Model) -> ProvedForcing:
     """`detachment` by doubles alone."""
-    answer, reason = _asked(lambda solver: solver.certify_detachment, model)
+    answer, reason = _asked(backend.SOLVER.certify_detachment, model)
     if answer is None:
         return _no_forcing(reason)
     if answer[0] == Status.NONE:

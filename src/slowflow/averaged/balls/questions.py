@@ -530,17 +530,18 @@ def cusps(model: Model, A_max: float) -> ProvedCusps | None:
     return _decided(model, ask)
 
 
-def at_rest(model: Model, F_SN: float) -> ProvedForcing | None:
-    """The lowest level at which the fold locus ends at Omega = 0; proved and of no number if it nowhere does.
+def at_rest(model: Model, F_SN: float) -> tuple[float, float]:
+    """What holds the lowest level at which the fold locus ends at Omega = 0, infinite if it nowhere does.
 
-    Not proved where states at F_SN may have amplitudes beyond the one that stands for infinite ones.
+    From 0 on where that is not decided, or states at F_SN may lie beyond the amplitude that stands for infinite ones.
     """
-
-    def ask(given: Given) -> ProvedForcing:
+    averages = averages_of(model.mechanism)
+    if averages is None:
+        return 0.0, math.inf
+    with _DIGITS, ctx.workprec(BITS[-1]):
+        given = Given(model, averages)
         level = lowest_at_rest(given)
         if level is None or not given.is_bounded(arb(F_SN), ENDLESS):
-            return _forcing(False, _in_doubt())
-        at = given.at(0, ZERO)._replace(A=AT_0)
-        return _forcing(True, "", Point(AT_0, at, 1, level) if level.lo < INFINITE else None)
-
-    return _decided(model, ask)
+            return 0.0, math.inf
+        low, high = _pairs([level])[0].tolist()
+        return low, high
