@@ -114,11 +114,13 @@ class Ended:
     along -- along the balance, where it goes as (-c_y, c_x): A's slope, and what F_A gains there by R; c_1 has the sign
              of the first
     fold  -- at a forcing, in x, y and R, in the lets of `OffCentre.by_R`: f_0, F along the balance, F; and slopes
+    slopes -- of s_0 by x and y, and of c_x by y
     """
 
     state: tuple[sp.Expr, ...]
     along: tuple[sp.Expr, sp.Expr]
     fold: tuple[sp.Expr, ...]
+    slopes: tuple[sp.Expr, ...]
 
 
 @dataclass(frozen=True)
@@ -395,7 +397,8 @@ def _ended(R_value: sp.Expr, by_R: tuple[Let, ...], f_0: sp.Expr) -> Ended:
     _vanishes(A_t.subs(of_means) - 2 * X * Y * c[1], "A rises along the balance where c_1 is positive")
     fold = _fold_by_R(by_R, f_0, A_t, gain, both)
     _check_fold_by_R(by_R, fold[1], (-c_y, c_x), both)
-    return Ended((f_0, F, *(by(f_0) for by in both), *slopes), (A_t, gain), fold)
+    moved = (both[0](s[0]), both[1](s[0]), both[1](c_x))
+    return Ended((f_0, F, *(by(f_0) for by in both), *slopes), (A_t, gain), fold, moved)
 
 
 def climb() -> Climb:

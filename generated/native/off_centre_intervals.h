@@ -11,6 +11,17 @@
 
 #include "interval.h"
 
+/* Slopes of s_0 by coordinates x and y of the motion's ends, and of c_x by y.
+   Equation the mean of (3). Domain: A > 0. */
+static inline void off_centre_intervals_ended_slopes(sf_interval A, sf_interval s_0, sf_interval c_x, sf_interval c_y, sf_interval X, sf_interval Y, sf_interval *out)
+{
+    const sf_interval t0 = sfi_inverse(A);
+    const sf_interval t1 = sfi_mul(s_0, t0);
+    out[0] = sfi_add(sfi_neg(sfi_mul(X, t1)), c_x);
+    out[1] = sfi_sub(sfi_neg(sfi_mul(Y, t1)), c_y);
+    out[2] = sfi_times(0.5, sfi_mul(t0, sfi_sub(sfi_neg(sfi_mul(X, c_y)), sfi_mul(Y, c_x))));
+}
+
 /* L_-1, L_0, M_-1, M_0 of a step at B + a that the motion passes at psi = angle.
    Equation the mean of (3). Domain: root = sqrt(A^2 - a^2). */
 static inline void off_centre_intervals_begin(sf_interval A, sf_interval a, sf_interval root, sf_interval angle, sf_interval *out)

@@ -112,6 +112,16 @@ def off_centre_module(results: Results) -> Module:
                 **wanted,
             ),
             plain(
+                "ended_slopes",
+                (A, s[0], c_x, c_y, X, Y),
+                of.ended.slopes,
+                "Slopes of s_0 by coordinates x and y of the motion's ends, and of c_x by y.",
+                "the mean of (3)",
+                "A > 0",
+                enclosed=True,
+                **generic,
+            ),
+            plain(
                 "ended_fold",
                 (R, A, *known, c[0], s[0], c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y),
                 of.ended.fold,

@@ -336,8 +336,8 @@ static int sf_middle_piece(const sf_charts *of, sf_interval top, sf_interval bot
     return piece > (int)of->upper[chart] ? (int)of->upper[chart] : piece;
 }
 
-/* On a box within the limits of its chart: of one that touches A = 0 the part in which A is not negative. */
-static void sf_on_ends(const sf_charts *of, sf_interval x, sf_interval y, int chart, sf_ended *out) {
+/* By the values at corners alone. */
+static void sf_on_all(const sf_charts *of, sf_interval x, sf_interval y, int chart, sf_ended *out) {
     const int lower = (int)of->lower[chart], upper = (int)of->upper[chart], highest = of->highest;
     const int root_x = of->rooted[0][chart] != 0, root_y = of->rooted[1][chart] != 0;
     const double place_x = of->place[0][chart], place_y = of->place[1][chart];
@@ -401,6 +401,34 @@ static void sf_on_ends(const sf_charts *of, sf_interval x, sf_interval y, int ch
         out->c_x = sf_both(out->c_x, nearer.c_x), out->c_y = sf_both(out->c_y, nearer.c_y);
         out->c_xx = sf_both(out->c_xx, nearer.c_xx), out->c_yy = sf_both(out->c_yy, nearer.c_yy);
     }
+}
+
+/* A value next to the middle of a box, by its slopes on all of it. */
+static sf_interval sf_from_middle(sf_interval middle, sf_interval by_x, sf_interval r_x, sf_interval by_y, sf_interval r_y) {
+    return sfi_add(middle, sfi_add(sfi_mul(by_x, r_x), sfi_mul(by_y, r_y)));
+}
+
+/* The same by what is known in the middle: off by the square of the box, where pieces and steps cancel. */
+static void sf_tighten(const sf_ended *middle, sf_interval r_x, sf_interval r_y, sf_ended *out) {
+    sf_interval slopes[3];
+    off_centre_intervals_ended_slopes(out->A, out->s_0, out->c_x, out->c_y, out->X, out->Y, slopes);
+    out->c_x = sf_both(out->c_x, sf_from_middle(middle->c_x, out->c_xx, r_x, slopes[2], r_y));
+    out->c_y = sf_both(out->c_y, sf_from_middle(middle->c_y, slopes[2], r_x, out->c_yy, r_y));
+    off_centre_intervals_ended_slopes(out->A, out->s_0, out->c_x, out->c_y, out->X, out->Y, slopes);
+    out->c_0 = sf_both(out->c_0, sf_from_middle(middle->c_0, out->c_x, r_x, out->c_y, r_y));
+    out->s_0 = sf_both(out->s_0, sf_from_middle(middle->s_0, slopes[0], r_x, slopes[1], r_y));
+}
+
+/* On a box within the limits of its chart: of one that touches A = 0 the part in which A is not negative. */
+static void sf_on_ends(const sf_charts *of, sf_interval x, sf_interval y, int chart, sf_ended *out) {
+    const double at_x = 0.5 * (x.lo + x.hi), at_y = 0.5 * (y.lo + y.hi);
+    sf_ended middle;
+    sf_on_all(of, x, y, chart, out);
+    if (x.lo == x.hi && y.lo == y.hi)
+        return;
+    sf_on_all(of, sfi_point(at_x), sfi_point(at_y), chart, &middle);
+    if (middle.A.lo > 0)
+        sf_tighten(&middle, sfi_sub(x, sfi_point(at_x)), sfi_sub(y, sfi_point(at_y)), out);
 }
 
 #endif

@@ -215,7 +215,11 @@ def _refined(equations: Equations, x: Floats, of: Ints, scale: Floats) -> Floats
     last = np.full(of.size, np.inf)
     for _ in range(12):
         values, slopes = equations.at(x, of)
-        step = np.linalg.solve(slopes.transpose(2, 0, 1), values.T[..., np.newaxis])[..., 0].T
+        J = slopes.transpose(2, 0, 1)
+        # of numbers that underflow nothing is left to solve
+        told = np.linalg.det(J / np.maximum(np.abs(J).max(axis=(1, 2), keepdims=True), 2.0**-1000)) != 0
+        J = np.where(told[:, np.newaxis, np.newaxis], J, np.eye(len(x)))
+        step = np.where(told, np.linalg.solve(J, values.T[..., np.newaxis])[..., 0].T, 0.0)
         length = np.max(np.abs(step) / scale, axis=0)
         goes = (length < last) & (length > 0)
         if not goes.any():

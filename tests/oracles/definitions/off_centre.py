@@ -164,6 +164,30 @@ def ended_along(A, s_0, c_x, c_y, X, Y):
     return [at.derivative(1), A**2 / 4 * (-2 * first / at).derivative(1)]
 
 
+def ended_slopes(A, s_0, c_x, c_y, X, Y):
+    """Of s_0 by x and by y, and of c_x by y: the force has these at (A, 0), and A and B move with both ends."""
+    B = mpf(0)
+    c_1, s_1 = (c_x / X - c_y / Y) / 2, (c_x / X + c_y / Y) / 2
+    means = force_with(A, (B, c_1), (s_0, s_1))
+
+    def at(x, y):
+        return A + X * x + Y * y, X * x - Y * y
+
+    def first(x, y):
+        radius, middle = at(x, y)
+        return mp.fdot(means(radius)[1], powers(middle, len(means(radius)[1]))) if middle else means(radius)[1][0]
+
+    def mean(x, y):
+        radius, middle = at(x, y)
+        return mp.fdot(means(radius)[0], powers(middle, len(means(radius)[0]))) if middle else means(radius)[0][0]
+
+    return [
+        mp.diff(first, (0, 0), (1, 0)),
+        mp.diff(first, (0, 0), (0, 1)),
+        mp.diff(mean, (0, 0), (1, 1)),
+    ]
+
+
 def ended_fold(R, A, F_0, F_2, m, eta, zeta, d, load, *rest):
     """As `off_fold`, along the balance by the ends."""
     c_0, s_0, c_x, c_y, c_xx, c_yy, X, Y, X_x, Y_y = rest
@@ -204,6 +228,7 @@ OFF_CENTRE: dict[str, tuple[str, Function]] = {
     "moved_at_end": ("side c_1 s_1 c_0_p load_p end_p", off_moved_at_end),
     "ended_state": ("Omega A force I I_A load c_0 s_0 c_x c_y X Y", ended_state),
     "ended_along": ("A s_0 c_x c_y X Y", ended_along),
+    "ended_slopes": ("A s_0 c_x c_y X Y", ended_slopes),
     "ended_fold": ("R A F_0 F_2 m eta zeta d load c_0 s_0 c_x c_y c_xx c_yy X Y X_x Y_y", ended_fold),
     "frequency_by_phase": (
         "A R I m zeta h",
