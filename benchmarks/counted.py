@@ -32,6 +32,7 @@ from slowflow.exact.compiled import by_rising_u
 from slowflow.exact.motion import TURN
 from slowflow.example import TABLE_1
 from slowflow.frequencies import response_roots
+from slowflow.table import QUESTIONS
 from slowflow.validate import WINDOW
 from slowflow_kernels import slow_flow
 from slowflow_kernels.second_conventions import BEYOND, Wanted
@@ -150,7 +151,7 @@ def _loop(question: Question, inputs: np.ndarray, designs: Any) -> Callable[[], 
     solve = question.batch(backend.SOLVER)(backend.record_of(designs.mechanism, inertial=False))
     size = inputs.shape[1]
     given = inputs[: solve.nin]
-    out = tuple(np.empty((size, *inner), kind) for inner, kind in question.outputs(PLACES_OF_ONE))
+    out = tuple(QUESTIONS[question.name].blank(question.system, (size,), place=PLACES_OF_ONE).values())
 
     def blocks() -> None:
         for start in range(0, size, question.at_once):

@@ -23,6 +23,7 @@ from slowflow.averaged.remarks import gives_way, stay_centred
 from slowflow.mechanism import Floats, Mechanism
 from slowflow.model import THROUGHOUT, held
 from slowflow.results import Remark
+from slowflow.table import AVERAGING, QUESTIONS
 from slowflow_kernels import dissipation, inertia, slow_flow
 from slowflow_kernels.conventions import Status
 
@@ -130,9 +131,9 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
     """See `slowflow.designs.Designs.hysteresis`."""
     folds = designs.saddle_nodes(F_0, workers=workers)
     shape = folds.status.shape
-    low, high = (np.full((*shape, places), np.nan) for _ in range(2))
-    motions, count = np.zeros((*shape, places), np.int8), np.zeros(shape, np.int8)
-    status = np.where(folds.status == Status.TOO_MANY, Status.OK, folds.status).astype(np.int8)
+    columns = QUESTIONS["hysteresis"].blank(AVERAGING, shape, place=places)
+    low, high, motions, count, status = columns.values()
+    status[...] = np.where(folds.status == Status.TOO_MANY, Status.OK, folds.status)
     zeta = np.broadcast_to(designs.values["zeta"], shape)
     own = Remark.LEAVES_CENTRE | Remark.NEGATIVE_STIFFNESS | Remark.HELD_AT_REST | Remark.UNDECIDED
     said = (folds.remarks & own) != 0
@@ -155,7 +156,6 @@ def hysteresis(designs: Designs, F_0: Any, places: int = 3, workers: int = 1) ->
         low[at][:n], high[at][:n] = found.Omega_low[:n], found.Omega_high[:n]
         motions[at][:n] = found.motions[:n]
     status[(count > places) & (status == Status.OK)] = Status.TOO_MANY
-    columns = {"Omega_low": low, "Omega_high": high, "motions": motions, "count": count, "status": status}
     return Batch("hysteresis", columns, designs, {"F_0": F_0}, remarks=folds.remarks)
 
 
@@ -183,8 +183,7 @@ def isolation(designs: Designs, F_0: Any, level_dB: Any = None, workers: int = 1
     # without a peak no motion on a base that shakes exceeds F_0
     highest = np.broadcast_to(np.where(peaks.status == Status.NONE, F_0, peaks.A), shape)
     known = known & np.isin(status, (Status.OK, Status.NONE) if inertial else Status.OK) & ~floor
-    found: dict[str, Any] = {"Omega": np.full(shape, np.nan), "A": np.full(shape, np.nan)}
-    found |= {"at_fold": np.zeros(shape, np.int8), "status": status}
+    found = {**QUESTIONS["isolation"].blank(AVERAGING, shape), "status": status}
     said = np.zeros(shape, np.uint16)
     asked = np.array(np.isin(status, (Status.OK, Status.UNBOUNDED, Status.NONE)) & ~floor & ~known)
     for points in SAMPLES:

@@ -16,6 +16,7 @@ from types import MappingProxyType
 from typing import Any, Generic, NamedTuple, TypeVar, cast
 
 import numpy as np
+import numpy.typing as npt
 
 from slowflow import validate
 from slowflow_kernels.conventions import FoldKind, OnsetKind
@@ -35,6 +36,7 @@ class Column(NamedTuple):
     kind -- of which kind of unit, a key of `quantities.UNITS`; "amplitude" is that of the excitation, "" is none
     si   -- its name with a unit, where that is another one
     type -- in batches
+    none -- what is in an empty place there; NaN of doubles
     """
 
     name: str
@@ -42,6 +44,11 @@ class Column(NamedTuple):
     kind: str = ""
     si: str = ""
     type: type = float
+    none: int = 0
+
+    def blank(self, shape: tuple[int, ...]) -> npt.NDArray[Any]:
+        """Empty places."""
+        return np.full(shape, np.nan if self.type is float else self.none, self.type)
 
 
 #: by name; what several questions have is the same
@@ -107,7 +114,7 @@ COLUMNS: Mapping[str, Column] = MappingProxyType(
             Column("rests", "1 where friction holds the mass at the end", type=np.int8),
             Column("stands", "number of stable places of rest", type=np.int8),
             Column("at_fold", "1 where a motion that transmits more ends there in a fold", type=np.int8),
-            Column("branch", "number of the connected curve, from 0; -1 behind the last point", type=np.int16),
+            Column("branch", "number of the connected curve, from 0; -1 behind the last point", type=np.int16, none=-1),
             Column("isola", "1 where that curve is closed", type=np.int8),
             Column("points", "number of points", type=np.intc),
             Column("fold_Omega", "frequency of a fold", "frequency"),
@@ -157,6 +164,11 @@ class Question(NamedTuple):
     options: Mapping[str, Any] = MappingProxyType({})
     along: Mapping[str, str] = MappingProxyType({})
     kinds: type[IntEnum] | None = None
+
+    def blank(self, system: str, shape: tuple[int, ...], **lengths: int) -> dict[str, npt.NDArray[Any]]:
+        """The columns of designs of a shape, with nothing in them, from the lengths of the axes behind theirs."""
+        inner = {"": (), **{axis: (length,) for axis, length in lengths.items()}}
+        return {name: COLUMNS[name].blank((*shape, *inner[axis])) for name, axis in self.columns[system].items()}
 
     def layout(self, system: str) -> dict[str, tuple[str, np.dtype[Any]]]:
         """The axis and the type of each column, by name; remarks last."""

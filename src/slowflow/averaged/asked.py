@@ -16,7 +16,7 @@ import numpy as np
 from slowflow.averaged import solvers
 from slowflow.averaged.proofs import Allowance
 from slowflow.results import Remark
-from slowflow.table import AVERAGING, COLUMNS, MORE_POINTS, QUESTIONS
+from slowflow.table import AVERAGING, MORE_POINTS
 from slowflow_kernels.conventions import FoldKind, OnsetKind, Status
 
 One = Callable[..., tuple[Any, ...]]
@@ -123,18 +123,7 @@ def curves(samples: int, window: tuple[float, float] | None = None) -> Question:
         return of_record
 
     at_once = min(2**12, max(1, 2**22 // n))
-    return Question(one, outputs("frequency_response", points=n), batch, at_once)
-
-
-def outputs(question: str, system: str = AVERAGING, points: int = 0) -> Callable[[int], list[tuple[Any, ...]]]:
-    """From the number of places the shape behind the designs' and the type of each column of an answer."""
-
-    def of(places: int) -> list[tuple[Any, ...]]:
-        lengths = {"place": (places,), "point": (points,), "": ()}
-        layout = QUESTIONS[question].columns[system].items()
-        return [(lengths[axis], COLUMNS[name].type) for name, axis in layout]
-
-    return of
+    return Question("frequency_response", one, batch, at_once, points=n)
 
 
 #: count, whether it is proved, status, without the compiled solvers
@@ -145,23 +134,27 @@ NO_PROOF = (0, 0, Status.UNRESOLVED)
 class Question:
     """A question about many designs.
 
+    name    -- that of its row
     one     -- the answer of one design; None of a proof, which only the compiled solvers give in doubles
-    outputs -- shape behind the designs' and type of each part of the answer, from the number of places
     batch   -- from the compiled solvers what gives the generalised ufunc of a record; None where designs are asked
                one by one
     at_once -- designs that take no more than some tenths of a second: until then Ctrl-C is not heard
+    system  -- by what it is answered
+    points  -- of a curve
     """
 
+    name: str
     one: One | None
-    outputs: Callable[[int], list[tuple[tuple[int, ...], type]]]
     batch: Callable[[ModuleType], Callable[[Any], Callable[..., Any]]] | None
     at_once: int
+    system: str = AVERAGING
+    points: int = 0
 
 
-DETACHMENT = Question(_detachment, outputs("detachment"), lambda native: native.many_detachment, 2**18)
-ONSET = Question(_onset, outputs("saddle_node_onset"), lambda native: native.many_onset, 2**14)
-SADDLE_NODES = Question(_saddle_nodes, outputs("saddle_nodes"), lambda native: native.many_saddle_nodes, 2**12)
-AMPLITUDES = Question(_amplitudes, outputs("amplitudes"), lambda native: native.many_amplitudes, 2**11)
-PEAK = Question(_peak, outputs("peak"), lambda native: native.many_peak, 2**13)
-PROVED_FOLDS = Question(None, outputs("certify"), lambda native: native.many_proved_saddle_nodes, 2**10)
-PROVED_STATES = Question(None, outputs("certify"), lambda native: native.many_proved_amplitudes, 2**10)
+DETACHMENT = Question("detachment", _detachment, lambda native: native.many_detachment, 2**18)
+ONSET = Question("saddle_node_onset", _onset, lambda native: native.many_onset, 2**14)
+SADDLE_NODES = Question("saddle_nodes", _saddle_nodes, lambda native: native.many_saddle_nodes, 2**12)
+AMPLITUDES = Question("amplitudes", _amplitudes, lambda native: native.many_amplitudes, 2**11)
+PEAK = Question("peak", _peak, lambda native: native.many_peak, 2**13)
+PROVED_FOLDS = Question("certify", None, lambda native: native.many_proved_saddle_nodes, 2**10)
+PROVED_STATES = Question("certify", None, lambda native: native.many_proved_amplitudes, 2**10)

@@ -43,7 +43,7 @@ from slowflow.certificate import DOUBLES
 from slowflow.mechanism import Mechanism
 from slowflow.model import THROUGHOUT, Floats, Laws, Model, check_names, held
 from slowflow.results import Remark
-from slowflow.table import AVERAGING, QUESTIONS, ManyQuestions, Unanswered
+from slowflow.table import AVERAGING, COLUMNS, QUESTIONS, ManyQuestions, Unanswered
 from slowflow.text import text
 from slowflow.unchanging import Unchanging
 from slowflow_kernels import inertia, slow_flow
@@ -377,7 +377,9 @@ class Designs(Unchanging, ManyQuestions[Batch]):
                 )
         values = {**self.values, **{name: validate.real_array(name, value) for name, value in at.items()}}
         shape = validate.common_shape(values)
-        outputs: list[npt.NDArray[Any]] = [np.empty((*shape, *inner), kind) for inner, kind in question.outputs(places)]
+        inner = {"": (), "place": (places,), "point": (question.points,)}
+        columns = QUESTIONS[question.name].columns[question.system].items()
+        outputs: list[Any] = [np.empty((*shape, *inner[axis]), COLUMNS[name].type) for name, axis in columns]
         told = outputs
         if question.one is None:  # a proof: bits of its arithmetic, before the status
             outputs[-2][...] = DOUBLES

@@ -31,7 +31,7 @@ from slowflow.off_centre.flow import Flow
 from slowflow.off_centre.means import NO_MEANS, NOT_SMOOTH
 from slowflow.off_centre.questions import OffCentre
 from slowflow.results import Remark
-from slowflow.table import AVERAGING, COLUMNS, MORE_POINTS, OFFSET, QUESTIONS, SHOCKS, ManyQuestions, Unanswered
+from slowflow.table import AVERAGING, MORE_POINTS, OFFSET, QUESTIONS, SHOCKS, ManyQuestions, Unanswered
 from slowflow.unchanging import Unchanging
 from slowflow.validate import NotAvailable
 from slowflow_kernels.conventions import MovesStatus, OnsetKind, Status
@@ -182,9 +182,9 @@ class OffCentreDesigns(Unchanging, ManyQuestions[Batch]):
         shape = validate.common_shape({**rows.values, **asked})
         numbers = [np.broadcast_to(value, shape[:-1]) for value in self.values.values()]
         tones = [np.broadcast_to(value, shape).astype(float) for value in asked.values()]
-        columns: dict[str, Any] = {name: np.full(shape, np.nan) for name in ("A", "transmissibility_dB")}
-        columns |= {name: np.zeros(shape, np.int8) for name in ("motions", "crosses", "detaches", "sticks")}
-        status, said = np.full(shape, Status.INVALID, np.int8), np.zeros(shape, np.uint16)
+        columns = QUESTIONS["spectrum"].blank(OFFSET, shape[:-1], row=shape[-1])
+        said = np.zeros(shape, np.uint16)
+        (status := columns.pop("status"))[...] = Status.INVALID
         for place in progress.each(np.ndindex(shape[:-1]), math.prod(shape[:-1])):
             own = tuple(float(value[place]) for value in numbers)
             for run in _runs(*(tone[place] for tone in tones)):
@@ -255,13 +255,7 @@ class OffCentreDesigns(Unchanging, ManyQuestions[Batch]):
         shape = validate.common_shape(values)
         lengths = {"place": several, "point": points}
         inner = QUESTIONS[question].columns[OFFSET]
-        columns: dict[str, Any] = {
-            name: np.full((*shape, *([lengths[axis]] if axis else [])), NOTHING.get(name, 0), COLUMNS[name].type)
-            for name, axis in inner.items()
-        }
-        for column in columns.values():
-            if column.dtype == float:
-                column[...] = np.nan
+        columns = QUESTIONS[question].blank(OFFSET, shape, **lengths)
         said = np.zeros(shape, np.uint16)
         given = np.broadcast_arrays(*values.values())
         at_centre = np.zeros(shape, dtype=bool)
@@ -358,8 +352,6 @@ def check_polynomial(mechanism: Mechanism) -> None:
 AS_CENTRED = {"A": "u_cr", "u_max": "A", "Omega_max": "Omega"}
 #: questions about the centre that many designs have
 CENTRED = frozenset(("at_rest", "certify", "second_approximation"))
-#: what there is in an empty place, if not 0 or NaN
-NOTHING = {"branch": -1}
 COMPOSED = ("margins", "hysteresis", "isolation")
 
 
@@ -446,7 +438,8 @@ def _shocked(single: OffCentre) -> tuple[EquationOfMotion, int]:
     return system, 1 if begins_at_centre else int(single.rest().stable.sum())
 
 
-def _of_shock(single: OffCentre, found: Any, stands: int, *names: str) -> Found:
+def _of_shock(question: str, single: OffCentre, found: Any, stands: int) -> Found:
+    names = [name for name in QUESTIONS[question].columns[AVERAGING] if name != "status"]
     columns = {name: np.nan if (value := getattr(found, name)) is None else value for name in names}
     beyond = found.A > single.model.reach
     return {**columns, "stands": stands}, Status.OK, Remark.BEYOND_REACH if beyond else Remark(0)
@@ -455,23 +448,21 @@ def _of_shock(single: OffCentre, found: Any, stands: int, *names: str) -> Found:
 def _transient(after: float | None, single: OffCentre, acceleration: float, duration: float) -> Found:
     system, stands = _shocked(single)
     found = questions.transient(single, system, acceleration, duration, None, after)
-    return _of_shock(single, found, stands, *TRANSIENT)
+    return _of_shock("transient", single, found, stands)
 
 
 def _record(after: float | None, tau: Floats, acceleration: Floats, single: OffCentre, which: float) -> Found:
     system, stands = _shocked(single)
     row = int(which)
     found = questions.transient(single, system, acceleration[row], None, tau[row], after)
-    return _of_shock(single, found, stands, *TRANSIENT)
+    return _of_shock("transient", single, found, stands)
 
 
 def _shock(single: OffCentre, acceleration: float, duration: float) -> Found:
     system, stands = _shocked(single)
     (pulse,) = questions.shocks(single, system, acceleration, duration)
-    return _of_shock(single, pulse, stands, "A", "a_max", "ratio", "detaches")
+    return _of_shock("shock_spectrum", single, pulse, stands)
 
 
-#: columns of `Transients`
-TRANSIENT = ("A", "tau_A", "a_max", "tau_a", "detaches", "tau_detaches", "rests", "u_end")
 #: questions that are answered otherwise than by what a single answer has
 ONE: Mapping[str, Callable[..., Found]] = {"amplitudes": _states, "margins": _margins}

@@ -192,22 +192,17 @@ def _curves(samples: int, window: tuple[float, float]) -> asked.Question:
             column[:size] = of
         return *columns, size, lost, Status.OK
 
-    return asked.Question(_second(one), asked.outputs("frequency_response", SECOND, points=n), None, 1)
+    return asked.Question("frequency_response", _second(one), None, 1, SECOND, n)
 
 
 def _in_lanes(question: asked.Question, one: asked.One, name: str, at_once: int) -> asked.Question:
     """The same question of the second approximation: by itself, or by that function of the compiled solvers."""
-    return replace(
-        question,
-        one=_second(one),
-        batch=lambda native: getattr(native, name),
-        at_once=at_once,
-    )
+    return replace(question, one=_second(one), batch=lambda native: getattr(native, name), at_once=at_once)
 
 
 #: by name
 ASKED: Mapping[str, asked.Question] = {
-    "amplitudes": asked.Question(_second(_amplitudes), asked.outputs("amplitudes", SECOND), None, at_once=1),
+    "amplitudes": asked.Question("amplitudes", _second(_amplitudes), None, 1, SECOND),
     "detachment": _in_lanes(asked.DETACHMENT, _detachment, "many_second_detachment", 2**13),
     "saddle_node_onset": _in_lanes(asked.ONSET, _onset, "many_second_onset", 2**13),
     "saddle_nodes": _in_lanes(asked.SADDLE_NODES, _saddle_nodes, "many_second_saddle_nodes", 2**9),
