@@ -5,7 +5,7 @@ Out: exact SymPy expressions, which `codegen/` prints as kernels and `ledger/` c
 
 Each room needs only rooms above it:
 
-    symbols       the paper's letters
+    symbols       the paper's letters; `claims`, what is proved on the way
     mechanisms/   equations of motion (1), (2), one file each
     paper/        equations (1)-(38), section by section
     forces/       averaged restoring forces of every kind

@@ -50,7 +50,7 @@ DERIVING = (
     ("systems", "forces"),
     ("paper",),
     ("mechanisms",),
-    ("symbols", "vanishing", "given", "__init__"),
+    ("symbols", "vanishing", "given", "claims", "__init__"),
 )
 DERIVATION = SOURCE.parent / "derivations"
 FILES = sorted((SOURCE / "slowflow").rglob("*.py"))

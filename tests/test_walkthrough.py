@@ -7,6 +7,8 @@ import pytest
 import sympy as sp
 
 from derivations import walkthrough
+from derivations.claims import PROVED, Unproved, claim
+from derivations.claims import page as proved_page
 from derivations.ledger import balls, entries, published
 from derivations.ledger.facts import Facts
 from derivations.ledger.findings import Contradiction
@@ -80,3 +82,20 @@ def test_a_wrong_derivation_is_told_by_its_equation(results: Results) -> None:
 
 def test_a_name_is_set_as_the_paper_has_it() -> None:
     assert walkthrough.symbols(sp.Symbol("u_ddot") + sp.Symbol("lam")) == r"\lambda + u''"
+
+
+def test_a_claim_that_fails_names_its_equation_both_sides_and_the_difference() -> None:
+    x = sp.Symbol("x")
+    with pytest.raises(
+        Unproved, match=r"\(30\): not shown: a square\n +left +x\*\*2\n +right +x\n +difference x\*\(x - 1\)"
+    ):
+        claim("a square", x**2, x, eq="(30)")
+    with pytest.raises(Unproved, match="beside the paper: not shown: a sign"):
+        claim("a sign", False)
+    assert "a square" not in proved_page()
+
+
+def test_what_is_proved_on_the_way_is_kept(results: Results) -> None:
+    assert PROVED["paper.slow_flow"]["F_A = 8 A Omega^2 det(D_q Gamma)"] == "(30)"
+    assert {"paper.equation_of_motion", "systems.along", "extensions.inertia"} <= PROVED.keys()
+    assert "- (30): `F_A = 8 A Omega^2 det(D_q Gamma)`" in proved_page()

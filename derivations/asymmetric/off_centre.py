@@ -50,6 +50,7 @@ from typing import Any
 
 import sympy as sp
 
+from ..claims import claim
 from ..extensions.dissipation import I_0, I_A, Dissipation
 from ..paper.averaging import Averaged, F_k, cycle_integral, psi
 from ..paper.slow_flow import I, R, SlowFlow, m, turn
@@ -165,11 +166,6 @@ class Climb:
     down: tuple[sp.Expr, ...]
 
 
-def _vanishes(expression: sp.Expr, words: str) -> None:
-    if sp.simplify(sp.expand(expression)) != 0:
-        raise ArithmeticError(f"{words}: {expression} is not zero")
-
-
 def _by_B(expression: sp.Expr) -> sp.Expr:
     """d/dB of an expression in c and s."""
     chain = (*pairwise(c), *pairwise(s), *pairwise(c_p), *pairwise(s_p))
@@ -189,19 +185,19 @@ def check_means() -> None:
     """The four slopes above, from the integrals' own; what is a whole derivative by psi has no mean."""
     value, slope = _f(_DISPLACED), sp.diff(_f(_DISPLACED), B).doit()
     by_A = sp.diff(value, A).doit()
-    _vanishes(by_A - slope * sp.cos(psi), "d c_0/dA = s_1")
-    _vanishes(sp.diff(value * sp.cos(psi), B).doit() - slope * sp.cos(psi), "d s_0/dB = s_1")
+    claim("d c_0/dA = s_1", by_A - slope * sp.cos(psi))
+    claim("d s_0/dB = s_1", sp.diff(value * sp.cos(psi), B).doit() - slope * sp.cos(psi))
     # A times (d s_0/dA - c_1) + s_0
     apart = A * (by_A * sp.cos(psi) - slope) + value * sp.cos(psi)
     apart -= sp.diff(value * sp.sin(psi), psi).doit()
-    _vanishes(sp.expand_trig(apart).subs(sp.sin(psi) ** 2, 1 - sp.cos(psi) ** 2), "d s_0/dA = c_1 - s_0/A")
+    claim("d s_0/dA = c_1 - s_0/A", sp.expand_trig(apart).subs(sp.sin(psi) ** 2, 1 - sp.cos(psi) ** 2))
 
 
 def check_balance(averaged: Averaged) -> None:
     """Of the equation of motion nothing but f and the load has a mean over a cycle."""
     halves = ((averaged.perturbation[0], 0, sp.pi), (averaged.perturbation[1], sp.pi, 2 * sp.pi))
     others = sum(cycle_integral(half.subs({F_k: 0, sigma: 0}), start, end) for half, start, end in halves)
-    _vanishes(others, "the mean of forcing, damping and friction")
+    claim("the mean of forcing, damping and friction", others)
 
 
 def off_centre(averaged: Averaged, flow: SlowFlow, laws: Dissipation) -> OffCentre:
@@ -209,14 +205,14 @@ def off_centre(averaged: Averaged, flow: SlowFlow, laws: Dissipation) -> OffCent
     check_means()
     check_balance(averaged)
     # (20): H = -(1/pi) int F_k cos psi, of which s_0 is half the negative
-    _vanishes(averaged.restoring_integrand + F_k * sp.cos(psi) / sp.pi, "h = -2 s_0")
+    claim("h = -2 s_0", averaged.restoring_integrand + F_k * sp.cos(psi) / sp.pi)
     of_h = {h: -2 * s[0]}
     f_0 = c[0] - load
     R_value = flow.R.subs(of_h)
 
     lets, chain = _along_balance(f_0, of_h[h])
     F = R**2 + I**2 - force**2
-    _vanishes((F - flow.F).subs(force, F_0), "F by the force")
+    claim("F by the force", (F - flow.F).subs(force, F_0))
     # in R, I and I_A, which a kernel has first
     slopes = tuple(2 * (R * by(R_value) + I * of_I) for by, of_I in ((_by_A, I_A), (_by_B, 0)))
     state = (f_0, F, s[1], c[1], *slopes)
@@ -225,7 +221,7 @@ def off_centre(averaged: Averaged, flow: SlowFlow, laws: Dissipation) -> OffCent
     _check_fold_by_R(by_R, fold[1], (c[1], -s[1]), (_by_A, _by_B))
     along_balance = 2 * s[0] / A - 2 * resists
     of_means = {resists: (c[1] ** 2 - s[1] ** 2) / c[1]}
-    _vanishes(along_balance.subs(of_means) - chain[1].subs(lets), "h_A along the balance")
+    claim("h_A along the balance", along_balance.subs(of_means) - chain[1].subs(lets))
     return OffCentre(
         lets,
         chain,
@@ -247,7 +243,7 @@ def _versine() -> sp.Expr:
     whole = sp.expand(sp.diff(sp.sin(psi) * over**power, psi) / over**power)
     of_w = sp.cancel(sp.expand(whole.subs(sp.sin(psi) ** 2, w * (2 - w)).subs(sp.cos(psi), 1 - w)))
     rise, fall = (sp.Poly(of_w, w).coeff_monomial(w**n) for n in (0, 1))
-    _vanishes(of_w - rise - fall * w, "by parts")
+    claim("by parts", of_w - rise - fall * w)
     return sp.factor(-rise / fall).subs(power, k)
 
 
@@ -311,7 +307,7 @@ def moved() -> Moved:
     # the other way: h_A along the balance, then by the parameter
     explicit = h_A.subs([first])
     by_parameter = by_p(explicit) + moves[0] * _by_B(explicit)
-    _vanishes((by_parameter - values[1]).subs(reversed(lets)), "h_A by the parameter")
+    claim("h_A by the parameter", (by_parameter - values[1]).subs(reversed(lets)))
     at_end = sp.Symbol("A_p")
     (edge,) = sp.solve(by_p(f_0) + at_end * _by_A(f_0) + side * (end_p - at_end) * _by_B(f_0), at_end)
     return Moved(tuple(lets), (moves[0], *values), edge)
@@ -329,9 +325,9 @@ def _by_ends() -> tuple[Callable[[sp.Expr], sp.Expr], Callable[[sp.Expr], sp.Exp
     for chain, by_A, by_B in zip(chains, (X, Y), (X, -Y), strict=True):
         for value, slope in chain:
             if value in (c[0], s[0]):
-                _vanishes(slope.subs(of_means) - by_A * _by_A(value) - by_B * _by_B(value), "slopes by the ends")
+                claim("slopes by the ends", slope.subs(of_means) - by_A * _by_A(value) - by_B * _by_B(value))
     mixed = of_means[c_x]
-    _vanishes(c_xy.subs(of_means) - Y * (_by_A(mixed) - _by_B(mixed)), "the mixed slope of c_0")
+    claim("the mixed slope of c_0", c_xy.subs(of_means) - Y * (_by_A(mixed) - _by_B(mixed)))
 
     def by(chain: tuple[tuple[sp.Symbol, sp.Expr], ...]) -> Callable[[sp.Expr], sp.Expr]:
         return lambda expression: sum(sp.diff(expression, value) * slope for value, slope in chain)
@@ -382,7 +378,7 @@ def _check_fold_by_R(by_R: tuple[Let, ...], turns: sp.Expr, to: Any, by: tuple[B
     R_value = A * Omega**2 - 2 * s[0]
     slope = A * (to[0] * by[0](R_value**2 + of_Omega[I] ** 2) + to[1] * by[1](R_value**2 + of_Omega[I] ** 2)) / 2
     on_F = turns.subs(force**2, R**2 + I**2).subs({I: of_Omega[I], drift: of_Omega[drift]}).subs(R, R_value)
-    _vanishes(slope - on_F, "F along the balance, by R")
+    claim("F along the balance, by R", slope - on_F)
 
 
 def _ended(R_value: sp.Expr, by_R: tuple[Let, ...], f_0: sp.Expr) -> Ended:
@@ -394,7 +390,7 @@ def _ended(R_value: sp.Expr, by_R: tuple[Let, ...], f_0: sp.Expr) -> Ended:
     A_t = -c_y * X + c_x * Y
     gain = s[0] * A_t + A * c_x * c_y
     of_means = {c_x: X * (c[1] + s[1]), c_y: -Y * (c[1] - s[1])}
-    _vanishes(A_t.subs(of_means) - 2 * X * Y * c[1], "A rises along the balance where c_1 is positive")
+    claim("A rises along the balance where c_1 is positive", A_t.subs(of_means) - 2 * X * Y * c[1])
     fold = _fold_by_R(by_R, f_0, A_t, gain, both)
     _check_fold_by_R(by_R, fold[1], (-c_y, c_x), both)
     moved = (both[0](s[0]), both[1](s[0]), both[1](c_x))
@@ -408,7 +404,7 @@ def climb() -> Climb:
     # A sin(theta) (A cos(theta) - a)^(k-1), its derivative over (A cos(theta) - a)^(k-2)
     derivative = A * sp.cos(theta) * over - (power - 1) * A**2 * sp.sin(theta) ** 2
     found = power * over**2 + (2 * power - 1) * a * over - (power - 1) * (A**2 - a**2)
-    _vanishes((derivative - found).subs(sp.sin(theta) ** 2, 1 - sp.cos(theta) ** 2), "the recursion of L")
+    claim("the recursion of L", (derivative - found).subs(sp.sin(theta) ** 2, 1 - sp.cos(theta) ** 2))
     # with the factorials: k^2 L_k = -(2 k - 1) a L_(k-1) + (A^2 - a^2) L_(k-2); M_(k-1) is the slope of L_k by A
     up = (
         (span * L_2 - (2 * k - 1) * a * L_1) / k**2,

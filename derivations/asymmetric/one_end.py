@@ -22,6 +22,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ..claims import claim
 from ..paper.averaging import psi
 from ..symbols import A, u
 from .sided import Sided
@@ -73,8 +74,10 @@ def derive(force: Sided) -> OneEnd:
     M = sp.simplify(sp.integrate(sp.cos(psi) - sp.cos(a), (psi, 0, a)) / sp.pi)
     N = sp.simplify(2 * sp.integrate((sp.cos(psi) - sp.cos(a)) * sp.cos(psi), (psi, 0, a)) / sp.pi)
     slope = 1 + g * a / sp.pi
-    if sp.simplify(sp.diff(sp.cos(a) - g * M, a) + sp.sin(a) * slope) != 0:
-        raise ArithmeticError("the end over the amplitude falls otherwise with the angle of contact")
+    claim(
+        "how the end over the amplitude falls with the angle of contact",
+        sp.diff(sp.cos(a) - g * M, a) + sp.sin(a) * slope,
+    )
     return OneEnd(given, place, M, N, _known(N), g * M, slope, 1 - sp.cos(a) + g * M)
 
 

@@ -24,6 +24,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ..claims import claim
 from ..paper.averaging import VELOCITY, Averaged, cycle_integral
 from ..paper.averaging import H as averaged_force
 from ..paper.slow_flow import I, R, SlowFlow, m, slope
@@ -164,11 +165,6 @@ class Dissipation:
     released_moves: tuple[sp.Expr, ...]
 
 
-def _vanishes(expression: sp.Expr, words: str) -> None:
-    if sp.simplify(sp.expand(expression)) != 0:
-        raise ArithmeticError(f"{words}: {expression} is not zero")
-
-
 def share(force: Callable[[int], sp.Expr], start: sp.Expr = sp.S.Zero) -> sp.Expr:
     """The share in I of a force on the left of (3), by the sign of u': -(1/pi) times its sine component over a cycle.
 
@@ -176,7 +172,7 @@ def share(force: Callable[[int], sp.Expr], start: sp.Expr = sp.S.Zero) -> sp.Exp
     """
     halves = ((-1, start, sp.pi - start), (1, sp.pi + start, 2 * sp.pi - start))
     beside = sum(cycle_integral(force(sign) * sp.cos(psi), low, high) for sign, low, high in halves)
-    _vanishes(beside, "the share in R of a dissipating force")
+    claim("the share in R of a dissipating force", beside)
     found = -sum(cycle_integral(force(sign) * sp.sin(psi), low, high) for sign, low, high in halves) / sp.pi
     return sp.factor(sp.expand(found, trig=True))
 
@@ -190,7 +186,7 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
     """All of it."""
     viscous = share(lambda _: 2 * zeta * VELOCITY)
     friction = share(lambda sign: mu * sp.Integer(sign))
-    _vanishes(viscous + friction.subs(mu, sp.pi * m / 4) - flow.I, "the shares of viscous damping and dry friction")
+    claim("the shares of viscous damping and dry friction", viscous + friction.subs(mu, sp.pi * m / 4) - flow.I)
     structural = share(lambda _: eta / Omega * VELOCITY)
     of_quadratic = share(lambda sign: sign * c_2 * VELOCITY**2)
     attached = share(lambda sign: mu * sp.Integer(sign), psi_0).subs(sp.cos(psi_0), u_cr / A)
@@ -222,11 +218,11 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
     F_AA, F_AOmega = sp.factor_terms(by_amplitude(F_A)), by_Omega(F_A)
     hessian_lets, determinant = hessian(F_AA * by_Omega(F_Omega) - F_AOmega**2, flow.R, value, by_A)
     peak = R + zeta * I_0 / Omega + A * (2 * zeta**2 + d * I_0 + d * A * Omega * (3 * zeta + d * A * Omega))
-    _vanishes((4 * A * Omega * peak - F_Omega).subs(whole), "F_Omega over 4 A Omega")
+    claim("F_Omega over 4 A Omega", (4 * A * Omega * peak - F_Omega).subs(whole))
     linear = sp.Symbol("linear", real=True)
     of_linear = 2 * zeta * by_A(A * I_0)
     bend = sp.Poly(sp.expand((F_AOmega / 2).subs(whole)), Omega)
-    _vanishes(bend.coeff_monomial(1) - of_linear, "F_AOmega at Omega = 0")
+    claim("F_AOmega at Omega = 0", bend.coeff_monomial(1) - of_linear)
     bend_over = sp.expand((bend.as_expr() - bend.coeff_monomial(1)) / Omega)
     bend_over = sp.collect(bend_over, Omega) + linear / Omega
     turn = bend_over.subs(linear, of_linear)
@@ -235,9 +231,9 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
     if share_of_turn.has(h, h_A) or any(power.exp < 0 for power in share_of_turn.atoms(sp.Pow) if power.base == x):
         raise ArithmeticError(f"what F_AOmega has beside R and R_A: {share_of_turn}")
     halved = sp.expand((sp.diff(F, R) * R_A + sp.diff(F, I) * I_A) / 2)
-    _vanishes(halved.subs({R_A: slope_of_R, I_A: by_A(value)}) - F_A / 2, "F_A by R, I and their slopes")
+    claim("F_A by R, I and their slopes", halved.subs({R_A: slope_of_R, I_A: by_A(value)}) - F_A / 2)
     R_of_peak = -sp.expand(sp.cancel(sp.diff(value, Omega) / R_Omega)) * I
-    _vanishes((peak - R + R_of_peak).subs(whole), "R where F_Omega vanishes")
+    claim("R where F_Omega vanishes", (peak - R + R_of_peak).subs(whole))
     least_F_A = _least_F_A(halved)
     trace = _trace(averaged, flow, value)
     # a product by parts would cancel where the forcing is small
@@ -246,12 +242,12 @@ def dissipation(averaged: Averaged, flow: SlowFlow) -> Dissipation:
     product = sp.factor(h**2 - static)
     root = sp.Symbol("c", nonnegative=True)
     halves = (h - root, h + root)
-    _vanishes(sp.expand(sp.Mul(*halves)).subs(root**2, product) - static, "the halves of F at Omega = 0")
+    claim("the halves of F at Omega = 0", sp.expand(sp.Mul(*halves)).subs(root**2, product) - static)
     root_A = sp.cancel(by_A(product) / (2 * root))
     least = h * R + I * (I_0 + zeta * A * Omega)
-    _vanishes(
-        (4 * least + Omega**5 * sp.diff((F + F_0**2).subs(whole) / Omega**4, Omega)).subs(whole),
+    claim(
         "the slope of the level of an excitation by inertia",
+        (4 * least + Omega**5 * sp.diff((F + F_0**2).subs(whole) / Omega**4, Omega)).subs(whole),
     )
     at_rest, released = (chain((one + structural).subs(of_friction)) for one in (friction, attached))
     if sp.diff(factor, c_2) * c_2 != factor:
@@ -342,7 +338,7 @@ def _velocity(value: sp.Expr) -> sp.Expr:
     balance = sp.Poly(sp.expand(value.subs(Omega, v / A)) - I, v)
     constant, linear, second = (balance.coeff_monomial(v**power) for power in range(3))
     found = -2 * constant / (linear + sp.sqrt(linear**2 - 4 * second * constant))
-    _vanishes(balance.as_expr().subs(v, found), "the velocity by I")
+    claim("the velocity by I", balance.as_expr().subs(v, found))
     return sp.simplify(found)
 
 
@@ -416,8 +412,8 @@ def _far_by_inertia(R: sp.Expr, I: sp.Expr, F: sp.Expr, least: sp.Expr) -> tuple
     if grows != zeta * d * A**3 or sp.Poly(stays, x).degree() != 2:
         raise ArithmeticError(f"what vanishes where a level is least: {of_least}")
     whole = sum(sp.expand(one.subs(at_x) * x**2) ** 2 for one in (R, I)) - F_0**2
-    _vanishes(whole - F.subs(at_x) * x**4, "F over Omega^4")
-    _vanishes(whole.subs(x, 0) - (A**2 + d**2 * A**4 - F_0**2), "the leading coefficient of F")
+    claim("F over Omega^4", whole - F.subs(at_x) * x**4)
+    claim("the leading coefficient of F", whole.subs(x, 0) - (A**2 + d**2 * A**4 - F_0**2))
     return whole, sp.collect(stays, x), grows
 
 
@@ -432,7 +428,7 @@ def _R_where_stationary(R_of: sp.Expr, I_of: sp.Expr, least: sp.Expr) -> tuple[s
     higher = (A + sp.sqrt(square)) / 2
     lower = product / higher
     for one in (lower, higher):
-        _vanishes(scaled.subs(Omega, 1 / x).subs(r, one), "R where a level is stationary")
+        claim("R where a level is stationary", scaled.subs(Omega, 1 / x).subs(r, one))
     return square, lower, higher
 
 
@@ -441,7 +437,7 @@ def _full(F: sp.Expr) -> sp.Expr:
     X = sp.Symbol("X", nonnegative=True)
     leading = sp.Poly(sp.expand(F), Omega).coeff_monomial(Omega**4).subs(A, sp.sqrt(X))
     found = 2 * F_0**2 / (1 + sp.sqrt(1 + 4 * d**2 * F_0**2))
-    _vanishes(leading.subs(X, found), "the amplitude as Omega grows")
+    claim("the amplitude as Omega grows", leading.subs(X, found))
     return sp.sqrt(found)
 
 
@@ -454,7 +450,7 @@ def _structural_bound() -> tuple[sp.Expr, ...]:
 def _quadratic_bound(value: sp.Expr) -> sp.Expr:
     """d (A Omega)^2 <= I <= F_0 Omega^2."""
     found = sp.sqrt(F_0 / d)
-    _vanishes(sp.Poly(value, Omega).coeff_monomial(Omega**2).subs(A, found) - F_0, "quadratic damping at its bound")
+    claim("quadratic damping at its bound", sp.Poly(value, Omega).coeff_monomial(Omega**2).subs(A, found) - F_0)
     return found
 
 
@@ -470,7 +466,7 @@ def _F_A_scaled(halved: sp.Expr, value: sp.Expr) -> sp.Expr:
     """F_A/(2 A) by what stays as A falls to 0."""
     over, slope_of_R = sp.expand(value.subs(h, A * h_over_A) / A), by_A(value)
     found = over * slope_of_R + I_over_A * I_A
-    _vanishes(found - halved.subs({R: A * over, R_A: slope_of_R, I: A * I_over_A}) / A, "F_A over 2 A")
+    claim("F_A over 2 A", found - halved.subs({R: A * over, R_A: slope_of_R, I: A * I_over_A}) / A)
     return found
 
 
@@ -509,11 +505,11 @@ def _trace(averaged: Averaged, flow: SlowFlow, value: sp.Expr) -> sp.Expr:
     # the dissipation of the amplitude's equation, by the law that it has there
     own = sp.expand(flow.I)
     A_rate = sp.expand(A_rate + (own - value) / (2 * Omega))
-    _vanishes(-2 * Omega * A_rate - F_0 * sp.sin(phi) - value, "the amplitude's equation")
+    claim("the amplitude's equation", -2 * Omega * A_rate - F_0 * sp.sin(phi) - value)
     whole = by_A(A_rate) + sp.diff(A_phi_rate / A, phi)
     at_fixed_point = sp.expand(whole).subs(F_0 * sp.sin(phi), -value)
     rise = by_A(A * value)
-    _vanishes(-2 * A * Omega * at_fixed_point - rise, "the trace of the Jacobian")
+    claim("the trace of the Jacobian", -2 * A * Omega * at_fixed_point - rise)
     return sp.collect(sp.expand(rise), (A, Omega))
 
 
@@ -522,5 +518,5 @@ def _envelope(value: sp.Expr) -> sp.Expr:
     balance = sp.Poly(sp.expand(value.subs(I_0, m + eta * A) - F_0), A)
     constant, linear, second = (balance.coeff_monomial(A**power) for power in range(3))
     found = -2 * constant / (linear + sp.sqrt(linear**2 - 4 * second * constant))
-    _vanishes(balance.as_expr().subs(A, found), "the limit envelope")
+    claim("the limit envelope", balance.as_expr().subs(A, found))
     return found

@@ -20,6 +20,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ..claims import claim
 from ..mechanisms import EXCITATIONS as stated
 from ..paper.equation_of_motion import F, groups, m, omega, omega_n
 from ..paper.slow_flow import I, R, SlowFlow, reduction, removed, slope
@@ -133,17 +134,12 @@ class Inertia:
     share: sp.Expr
 
 
-def _vanishes(expression: sp.Expr, words: str) -> None:
-    if sp.cancel(sp.expand(expression)) != 0:
-        raise ArithmeticError(f"{words}: {expression} is not zero")
-
-
 def amplitude_of(name: str) -> sp.Expr:
     """The group that F_0 is for an excitation, after a check that its force is F_0 Omega^2 in the sense of (4)."""
     amplitude, dimensional = EXCITATIONS[name]
     of_every = groups(k_v, L)
     force = of_every[F_0].subs(F, dimensional)
-    _vanishes(force - amplitude * (of_every[Omega].subs(omega_n, of_every[omega_n])) ** 2, f"the force of {name}")
+    claim(f"the force of {name}", force - amplitude * (of_every[Omega].subs(omega_n, of_every[omega_n])) ** 2)
     return amplitude
 
 
@@ -158,12 +154,12 @@ def inertia(flow: SlowFlow) -> Inertia:
     G = sp.expand((flow.F + F_0**2).subs(whole))
     F_value = flow.F.subs(F_0, force)
     level = sp.sqrt(R**2 + I**2) / Omega**2
-    _vanishes(F_value.subs(F_0, level), "F at the level")
+    claim("F at the level", F_value.subs(F_0, level))
     of_level = sp.expand(Omega * sp.diff(G, Omega) - 4 * G)
-    _vanishes(Omega**5 * sp.diff(G / Omega**4, Omega) - of_level, "the slope of the level")
+    claim("the slope of the level", Omega**5 * sp.diff(G / Omega**4, Omega) - of_level)
     # without what cancels between G and the derivative
     slope_of_level = -4 * (h * R + I * (friction + zeta * A * Omega))
-    _vanishes(slope_of_level.subs(whole) - of_level, "the slope of the level in R and I")
+    claim("the slope of the level in R and I", slope_of_level.subs(whole) - of_level)
     bend = sp.factor_terms(sp.diff(of_level, Omega))
     quadratic = sp.Poly(of_level, Omega)
     if quadratic.degree() != 2 or sp.expand(G).coeff(Omega, 3) != 0:
@@ -180,7 +176,7 @@ def inertia(flow: SlowFlow) -> Inertia:
     bound, share_lets, share_of_h = _bound(G)
     hessian_lets, of_force = hessian(F_AA * flow.F_OmegaOmega - F_AOmega**2, flow.R, flow.I)
     determinant = of_force - 3 * flow.F_Omega * F_AA / Omega
-    _vanishes((determinant.subs(hessian_lets) - (bend / Omega * F_AA - F_AOmega**2)).subs(whole), "the determinant")
+    claim("the determinant", (determinant.subs(hessian_lets) - (bend / Omega * F_AA - F_AOmega**2)).subs(whole))
     return Inertia(
         force=force,
         force_slopes=(sp.diff(force, Omega), sp.diff(force, F_0)),
@@ -231,7 +227,7 @@ def _isolation(flow: SlowFlow, force: sp.Expr) -> tuple[Let, ...]:
     over = flow.R**2 - h**2 - (removed * force / F_0) ** 2
     (value,) = (root for root in sp.solve(sp.expand(over.subs(Omega, sp.sqrt(turn))), turn) if root != 0)
     apart = -2 * h / (A - removed**2 / A)
-    _vanishes(value - apart, "the frequency of a transmissibility")
+    claim("the frequency of a transmissibility", value - apart)
     return (removed, F_0 * sp.sqrt(reduction)), (turn, apart)
 
 
@@ -242,18 +238,18 @@ def _outer(F_value: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tupl
     if linear_term != 0 or of_x.degree() != 4 or cubic.could_extract_minus_sign():
         raise ArithmeticError(f"more than a cubic term that is not negative beside a quadratic in x^2: {of_x}")
     of_falls, of_over = sp.factor(-second / 2), (A - F_0) * (A + F_0)
-    _vanishes(of_over - constant, "F far above resonance")
+    claim("F far above resonance", of_over - constant)
     # F_0^2 is put in by `square`: of A^2 (h + 2 zeta^2 A)^2 - A^2 square only small terms are left
     of_inner = sp.expand(of_falls**2 - fourth * constant)
     rest_of_it = sp.expand(of_inner - F_0**2 * fourth)
     viscous = sp.factor(rest_of_it - rest_of_it.coeff(zeta, 0))
     inner_value = F_0**2 * square + rest_of_it.coeff(zeta, 0) + viscous
-    _vanishes(inner_value.subs(square, fourth) - of_inner, "what the root is of")
+    claim("what the root is of", inner_value.subs(square, fourth) - of_inner)
     roots = ((falls + spread) / square, over / (spread + falls)), (-over / (spread - falls), (falls - spread) / square)
     for larger, smaller in roots:
         product = (falls**2 - spread**2) / square
-        _vanishes((larger + smaller).subs(over, product) - 2 * falls / square, "the sum of the roots")
-        _vanishes((larger * smaller).subs(over, product) - product / square, "the product of the roots")
+        claim("the sum of the roots", (larger + smaller).subs(over, product) - 2 * falls / square)
+        claim("the product of the roots", (larger * smaller).subs(over, product) - product / square)
     lets = (
         (falls, of_falls),
         (square, fourth),
@@ -269,7 +265,7 @@ def _least(quadratic: sp.Poly) -> tuple[tuple[sp.Expr, ...], sp.Expr]:
     constant, first, second = (quadratic.coeff_monomial(Omega**power) for power in range(3))
     terms = (sp.factor(second / 4), sp.expand(-first), sp.expand(-constant / 4))
     value = 8 * fall / (linear + sp.sqrt(linear**2 + 64 * fall * rest))
-    _vanishes(4 * rest * value**2 + linear * value - 4 * fall, "where the level is least")
+    claim("where the level is least", 4 * rest * value**2 + linear * value - 4 * fall)
     return terms, value
 
 
@@ -286,14 +282,12 @@ def _peak(
     at_x = {Omega: 1 / x}
     of_drag = {drag: friction * x + zeta * A}
     (balanced,) = sp.solve(slope_of_level, R)
-    _vanishes((balanced.subs(at_x) + I * drag / (h * x)).subs(of_drag), "R where the level is least")
+    claim("R where the level is least", (balanced.subs(at_x) + I * drag / (h * x)).subs(of_drag))
     squared = (R**2 + I**2).subs(R, balanced).subs(at_x) * x**4
-    _vanishes(
-        squared - (I * x * root).subs(root, sp.sqrt(x**2 + (drag / h) ** 2)).subs(of_drag) ** 2, "the least level"
-    )
+    claim("the least level", squared - (I * x * root).subs(root, sp.sqrt(x**2 + (drag / h) ** 2)).subs(of_drag) ** 2)
     half_F_A = (flow.F_A / 2).subs(R, balanced).subs(at_x)
     rises = 2 * zeta * x**2 - share * (1 + h_A * x**2)
-    _vanishes(half_F_A * x**3 - (I * rises).subs(share, drag / h).subs(of_drag), "F_A where the level is least")
+    claim("F_A where the level is least", half_F_A * x**3 - (I * rises).subs(share, drag / h).subs(of_drag))
     # dlevel/dA = F_A/(2 level Omega^4), as its derivative by Omega vanishes
     slow = sp.expand(flow.I.subs(at_x) * x)
     lets = ((drag, of_drag[drag]), (share, drag / h), (root, sp.sqrt(x**2 + share**2)))
@@ -311,7 +305,7 @@ def _isola_apart(flow: SlowFlow, value: sp.Expr, of_level: sp.Expr) -> sp.Expr:
     of_h = {cubic: 3 * h - A * h_A, k: h - A * h_A, drag: friction * x + zeta * A}
     vanishing = sp.expand(of_level.subs(Omega, 1 / x) * x**2)
     left = (apart - A * value).subs(of_h)
-    _vanishes(left - of_h[drag] * vanishing / (4 * h), "F_A where the level is least, by k and cubic")
+    claim("F_A where the level is least, by k and cubic", left - of_h[drag] * vanishing / (4 * h))
     return apart / A
 
 
@@ -324,7 +318,7 @@ def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], sp.Expr
         raise ArithmeticError(f"F_A/2 is no quadratic of the sum -k/A of its roots: {quadratic}")
     larger = -k * (1 + root) / (2 * A)
     at_larger = sp.expand(quadratic.as_expr().subs(T, larger))
-    _vanishes(at_larger.subs(root**2, 1 - 4 * A * constant / k**2), "dR/dA on the fold locus")
+    claim("dR/dA on the fold locus", at_larger.subs(root**2, 1 - 4 * A * constant / k**2))
     inner = 1 - 4 * A * constant / k**2
     lets = ((I, flow.I), (part, inner), (root, sp.sqrt((part + sp.Abs(part)) / 2)), (steep, larger))
     force = sp.sqrt((A * other) ** 2 + I**2)
@@ -338,7 +332,7 @@ def _peak_share(flow: SlowFlow, slope_of_level: sp.Expr) -> tuple[tuple[Let, ...
     leading, middle, constant = (sp.factor(term) for term in quadratic.all_coeffs())
     value = -2 * constant / (middle + root)
     square = (middle**2 - root**2) / (4 * constant)
-    _vanishes(square * value**2 + middle * value + constant, "R where the level is least")
+    claim("R where the level is least", square * value**2 + middle * value + constant)
     inner = middle**2 - 4 * leading * constant
     return ((I, flow.I), (part, inner), (root, sp.sqrt((part + sp.Abs(part)) / 2))), value
 
@@ -347,7 +341,7 @@ def _Omega_of_share(flow: SlowFlow) -> tuple[tuple[Let, ...], sp.Expr]:
     """The level is I sqrt(1 + share^2)/Omega^2."""
     viscous = zeta * A
     value = (viscous + sp.sqrt(viscous**2 + of_I * friction)) / of_I
-    _vanishes((of_I * Omega**2 - flow.I).subs(Omega, value), "the frequency of a level")
+    claim("the frequency of a level", (of_I * Omega**2 - flow.I).subs(Omega, value))
     return ((of_I, F_0 / sp.sqrt(1 + share**2)),), value
 
 
@@ -358,7 +352,7 @@ def _bound(G: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[Let, ...], sp.Expr]:
     of_square = sp.expand(sp.expand(smooth / Omega**4).subs(Omega, 1 / sp.sqrt(square)))
     (where,) = sp.solve(sp.diff(of_square, square), square)
     least = of_square.subs(square, where)
-    _vanishes(least - 4 * zeta**2 * A**3 * (-h - zeta**2 * A) / h**2, "the least level without friction")
+    claim("the least level without friction", least - 4 * zeta**2 * A**3 * (-h - zeta**2 * A) / h**2)
     if any(term.could_extract_minus_sign() for term in sp.Add.make_args(sp.expand(G - smooth))):
         raise ArithmeticError("friction does not raise the level everywhere")
     # (|h| - zeta^2 A)/|h| >= 1 - lost leaves level^2 >= 4 zeta^2 (1 - lost) A^3/|h|

@@ -37,6 +37,7 @@ import sympy as sp
 from flint import arb, ctx
 from sympy.codegen.cfunctions import hypot
 
+from ..claims import claim
 from ..forces.elliptic import DIGITS, Let, digits
 from ..forces.harmonics import HARMONICS
 from ..paper.averaging import Averaged, F_k, psi
@@ -153,8 +154,11 @@ def second_approximation(averaged: Averaged, flow: SlowFlow) -> SecondApproximat
     """All of step 5."""
     # (23) calls 4 mu/pi m: friction's harmonics are m/n, and n b_n = -m/(n^2 Omega^2 - K)
     n = sp.Symbol("n", odd=True, positive=True)
-    if sp.expand(n * friction_harmonic(averaged, n) - 4 * mu / sp.pi) != 0:
-        raise ArithmeticError("the harmonics of friction are not m/n")
+    claim(
+        "the n-th harmonic of friction is m/n, n odd",
+        n * friction_harmonic(averaged, n) - 4 * mu / sp.pi,
+        eq="from (19)",
+    )
     chain = _Chain()
     for family in (OF_FIRST, *OF_HARMONIC.values()):
         chain.known(family)
@@ -182,8 +186,11 @@ def second_approximation(averaged: Averaged, flow: SlowFlow) -> SecondApproximat
     R_falls, I_falls = (sp.expand(Omega * chain.slope(of, chain.by_Omega) - 2 * of) for of in (of_R, of_I))
     level_slope = 2 * (R * R_falls + I * I_falls)
     response, level = R**2 + (I - F_0) * (I + F_0), hypot(R, I)
-    if sp.expand(response.subs(F_0, sp.sqrt(sum(part**2 for part in level.args)))) != 0:
-        raise ArithmeticError("F does not vanish at the forcing of a steady state")
+    claim(
+        "F vanishes at the forcing of a steady state",
+        response.subs(F_0, sp.sqrt(sum(part**2 for part in level.args))),
+        eq="(24)",
+    )
     return SecondApproximation(
         tuple(chain.lets),
         {

@@ -40,6 +40,7 @@ from dataclasses import dataclass, replace
 import sympy as sp
 from flint import arb, ctx
 
+from ..claims import claim
 from ..paper.restoring_force import ORDERS, Case, Regime, Restoring, average, slope
 from ..symbols import A, u
 from .repeated import Repeated
@@ -532,8 +533,7 @@ def detached(a: sp.Expr, b: sp.Expr, corner_: Corner, way: str, nodes: int = NOD
         raise ArithmeticError("the force jumps at the breakpoint")
     # f'' = 3 u/Delta^5 and f''' = 3 (1 + 4 u^2)/Delta^7, times sin^3 and sin^4
     for order, expected in ((2, 3 * u / ROOT**5), (3, 3 * (1 + 4 * u**2) / ROOT**7)):
-        if sp.simplify(sp.diff(whole, u, order) - expected) != 0:
-            raise ArithmeticError("the derivatives of u/sqrt(1 - u^2)")
+        claim("the derivatives of u/sqrt(1 - u^2)", sp.diff(whole, u, order) - expected, eq="(5)")
     forms = (
         -A * W,
         -(W - A**2 * V3),
@@ -543,8 +543,7 @@ def detached(a: sp.Expr, b: sp.Expr, corner_: Corner, way: str, nodes: int = NOD
     rest = [a * A, a, 0, 0]
     derivatives = tuple(-(r + 4 / sp.pi * b * form) for r, form in zip(rest, forms, strict=True))
     intercept = 4 / sp.pi * b * A**3 * V3
-    if sp.expand(derivatives[0] - A * derivatives[1] - intercept) != 0:
-        raise ArithmeticError("h - A h_A where the force is detached")
+    claim("h - A h_A where the force is detached", derivatives[0] - A * derivatives[1] - intercept, eq="(31)")
     return Regime((end,), (), tuple(quarter.lets), derivatives, intercept)
 
 
@@ -620,8 +619,7 @@ def _proved_by_second_parameter() -> None:
     forms = _of_second_parameter(f, d, k, sp.sin(theta) * sp.cos(theta), delta)
     for form, power in zip(forms, (2, 4), strict=True):
         slope_ = sp.diff(form, theta) + (sp.diff(form, f) + sp.diff(form, d) * sp.sin(theta) ** 2) / delta
-        if sp.simplify(slope_ - sp.sin(theta) ** power / (2 * delta**3)) != 0:
-            raise ArithmeticError("d/dm of an elliptic integral")
+        claim("d/dm of an elliptic integral", slope_ - sp.sin(theta) ** power / (2 * delta**3))
 
 
 @functools.cache
@@ -815,8 +813,7 @@ def carlson() -> tuple[Series, Series]:
         symmetric = sp.symbols(f"E2:{count + 1}", real=True)
         product = sp.expand(sp.prod(1 + t * one for one in all_of_them)).subs(z, -(x + y) / times)
         values = [sp.expand(product).coeff(t, degree) for degree in range(1, count + 1)]
-        if sp.expand(values[0]) != 0:
-            raise ArithmeticError("what the arguments differ by does not cancel")
+        claim("what the arguments differ by cancels", values[0])
         lets = [(z, -(x + y) / times)]
         lets += [
             (symbol, sp.factor(sp.expand(sp.prod(1 + t * one for one in all_of_them)).coeff(t, degree)))

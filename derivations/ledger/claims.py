@@ -1,7 +1,7 @@
 """In: `Facts`. Out: for every sentence of CLAIMS a verdict and its evidence.
 
 Where a sentence says in words what an equation says, the verdict follows from the proof of that equation; where it
-states a number or a sign, from a certified value, which `needs` asks for: a verdict whose evidence fails is an error.
+states a number or a sign, from a certified value, which is claimed: a verdict whose evidence fails is an error.
 Where it judges a figure, from what was measured (`figures`).
 """
 
@@ -13,6 +13,7 @@ from itertools import pairwise
 import sympy as sp
 from flint import arb
 
+from ..claims import claim
 from ..mechanisms.rod_spring import delta_h, lam, r
 from ..paper.slow_flow import I, R, m
 from ..symbols import F_0, A, Omega, mu, u, zeta
@@ -23,16 +24,6 @@ from .formulas import stiffness
 from .rows import DEFINITION, DIFFERS, FALSE, LOOSE, TRUE, Row
 
 Verdict = tuple[str, str]
-
-
-class Unproved(ArithmeticError):
-    """A sentence's evidence does not hold: its verdict has to be thought over."""
-
-
-def needs(condition: bool, claim: str) -> None:
-    """The evidence that a verdict rests on; without it there is no verdict."""
-    if not condition:
-        raise Unproved(claim)
 
 
 def agree(facts: Facts, *names: str) -> bool:
@@ -60,8 +51,8 @@ def section_2(facts: Facts) -> dict[str, Verdict]:
     definitions = {symbol.name: value for symbol, value in rod.definitions.items()}
     u_cr, alpha = definitions["u_cr"], stiffness(facts.results)
     rising = sp.factor(sp.diff(u_cr**2, delta_h))
-    needs(sp.diff(alpha, delta_h) == -lam * r and alpha.subs(delta_h, 0) == 1, "α falls from 1")
-    needs(rising.equals(2 * (1 - delta_h)), "u_cr rises")
+    claim("α falls from 1", sp.diff(alpha, delta_h) == -lam * r and alpha.subs(delta_h, 0) == 1)
+    claim("u_cr rises", rising.equals(2 * (1 - delta_h)))
     odd = all(sp.expand(piece + piece.subs(u, -u)) == 0 for piece in rod.exact)
     return {
         "spring_tension": (
@@ -99,10 +90,10 @@ def section_2(facts: Facts) -> dict[str, Verdict]:
 
 def section_3_1(facts: Facts) -> dict[str, Verdict]:
     flow, without_friction, without_viscosity = (facts.results.flows[scene] for scene in ("", "mu0", "zeta0"))
-    needs(without_friction.response_quartic[1] == 0, "at μ = 0 the response is biquadratic")
-    needs(without_viscosity.response_quartic[1] == 0, "at ζ = 0 the response is biquadratic")
+    claim("at μ = 0 the response is biquadratic", without_friction.response_quartic[1] == 0)
+    claim("at ζ = 0 the response is biquadratic", without_viscosity.response_quartic[1] == 0)
     quiet = flow.F.subs({R: 0, I: flow.I.subs(A, 0)})
-    needs(sp.expand(quiet - (m**2 - F_0**2)) == 0, "F at A = 0")
+    claim("F at A = 0", sp.expand(quiet - (m**2 - F_0**2)) == 0)
     return {
         "rescaled_equation": by_formula(facts, "(8) with (9), (10)", "averaging_form", "G", "rescaling"),
         "G_period": by_formula(facts, "T = 2π/Ω", "period", remark="Periodic in τ at fixed u, u'."),
@@ -167,13 +158,13 @@ def section_3_2(facts: Facts) -> dict[str, Verdict]:
         trace, determinant = evaluate(jacobian.trace(), values), evaluate(jacobian.det(), values)
         if determinant < 0:
             larger = (trace + (trace**2 - 4 * determinant).sqrt()) / 2
-            needs(sign(trace) < 0 < sign(larger), "trace negative, one eigenvalue positive")
+            claim("trace negative, one eigenvalue positive", sign(trace) < 0 < sign(larger))
             found = f"At F_0 = 0.040, A = 0.35, Ω = {few(frequency)} the trace is {few(trace)} and an eigenvalue "
             f"{few(larger)}."
-    needs(bool(found), "an unstable point")
+    claim("an unstable point", bool(found))
     boundary = flow.stability.subs({R: flow.R, I: flow.I}).subs(m, flow.m)
     share = sp.expand(sp.expand(boundary).coeff(mu))
-    needs(sp.expand(share - 8 * zeta * Omega / (sp.pi * A)) == 0, "friction's term in (30)")
+    claim("friction's term in (30)", sp.expand(share - 8 * zeta * Omega / (sp.pi * A)) == 0)
     fold = facts.fold("0.040", "jump-up")
     size = evaluate(share, {zeta: example.zeta, Omega: fold.Omega, A: fold.A}) * example.m * arb.pi() / 4
     return {
@@ -212,20 +203,20 @@ def section_3_3(facts: Facts) -> dict[str, Verdict]:
     example, onset = facts.example, facts.example.onset
     below = ["0.016", "0.019", "0.0217"]
     above = ["0.025", "F_cr", "0.040", "0.050"]
-    needs(all(not facts.folds(label) for label in below), "no fold below the onset")
-    needs(all(len(facts.folds(label)) == 2 for label in above), "two folds above the onset")
+    claim("no fold below the onset", all(not facts.folds(label) for label in below))
+    claim("two folds above the onset", all(len(facts.folds(label)) == 2 for label in above))
     attached, lowest = facts.preload_of_onset
     least, negative = facts.spurious_onset
     roots = [amplitude for amplitude, _ in example.onset_candidates]
-    needs(len(roots) == 2 and onset.A is not roots[0], "two positive roots of (33)")
+    claim("two positive roots of (33)", len(roots) == 2 and onset.A is not roots[0])
     others = facts.other_onsets
-    needs(all(found[0] < valid for found, valid in others), "the least root is spurious elsewhere too")
-    needs(len(facts.bends_at_onset) == 2, "two positive zeros of F_AA at A_s")
+    claim("the least root is spurious elsewhere too", all(found[0] < valid for found, valid in others))
+    claim("two positive zeros of F_AA at A_s", len(facts.bends_at_onset) == 2)
     spurious, valid, high = facts.detachment_roots
-    needs(valid.overlaps(example.detachment.F_0), "the middle root of (34) is F_cr")
+    claim("the middle root of (34) is F_cr", valid.overlaps(example.detachment.F_0))
     cubic = facts.results.flows[""].peak_cubic
-    needs(cubic[2] == 0 and len(cubic) == 4, "depressed cubic")
-    needs(facts.detachment_in_preload, "c_i polynomial")
+    claim("depressed cubic", cubic[2] == 0 and len(cubic) == 4)
+    claim("c_i polynomial", facts.detachment_in_preload)
     return {
         "jumps_above_F_SN": (
             TRUE,
@@ -289,13 +280,13 @@ def section_3_3(facts: Facts) -> dict[str, Verdict]:
 
 def section_4_1(facts: Facts) -> dict[str, Verdict]:
     S = {w: facts.S_at_least(w) for w in ("0.48", "0.4", "0.34")}
-    needs(all(value > 1 for value in S.values()), "S > 1 below 1/2")
-    needs(facts.S_is_one, "S = 1 above 1/2")
+    claim("S > 1 below 1/2", all(value > 1 for value in S.values()))
+    claim("S = 1 above 1/2", facts.S_is_one)
     errors = {}
     for ratio in ("0.2", "0.5", "0.7"):
         averaged, exact = facts.amplitudes_without_stiffening("0.8", ratio)
         errors[ratio] = averaged / exact - 1
-    needs(abs(errors["0.2"]) < abs(errors["0.5"]) < abs(errors["0.7"]), "the error grows with friction")
+    claim("the error grows with friction", abs(errors["0.2"]) < abs(errors["0.5"]) < abs(errors["0.7"]))
     worst = facts.amplitudes_without_stiffening("0.8", "0.785")
     quoted = ", ".join(f"{rounded(100 * value, 1)} % at μ/F_0 = {ratio}" for ratio, value in errors.items())
     return {
@@ -346,13 +337,13 @@ def section_4_2(facts: Facts) -> dict[str, Verdict]:
     shares = {"F_cr": facts.friction_share(detachment.Omega, detachment.A)} | {
         label: facts.friction_share(p.Omega, p.A) for label, p in facts.peaks.items()
     }
-    needs(all(share > arb("0.4") for share in shares.values()), "friction's share at resonance")
+    claim("friction's share at resonance", all(share > arb("0.4") for share in shares.values()))
     far = {w: facts.friction_share(arb(w), facts.smallest_amplitude(w, "0.050")) for w in ("0.5", "1.5")}
-    needs(all(share > shares["0.050"] for share in far.values()), "larger far from resonance")
+    claim("larger far from resonance", all(share > shares["0.050"] for share in far.values()))
     steps = [b - a for a, b in pairwise(facts.F_cr_curve)]
-    needs(all(a > b > 0 for a, b in pairwise(steps)), "F_cr rises ever more slowly")
-    needs(facts.rises_with_preload, "F_cr rises with the preload")
-    needs(all(not value.has(r) for value in [facts.rod.oscillator.exact_ends[0]]), "u_cr free of r")
+    claim("F_cr rises ever more slowly", all(a > b > 0 for a, b in pairwise(steps)))
+    claim("F_cr rises with the preload", facts.rises_with_preload)
+    claim("u_cr free of r", all(not value.has(r) for value in [facts.rod.oscillator.exact_ends[0]]))
     gains = {share: facts.F_cr_gain(share) for share in ("1", "10", "100")}
     envelope = (
         "F_cr² is the least of R² + I² at A = u_cr, and only I = 2ζu_crΩ + 4μ/π > 0 holds ζ and μ: by the envelope "
@@ -415,14 +406,14 @@ def section_4_2(facts: Facts) -> dict[str, Verdict]:
 def section_4_3(facts: Facts) -> dict[str, Verdict]:
     example = facts.example
     detachment, onset = example.detachment, example.onset
-    needs(rounded(example.u_cr, 4) == "0.3970" and rounded(detachment.F_0, 4) == "0.0300", "u_cr and F_cr")
-    needs(rounded(detachment.Omega, 4) != "0.9288", "Ω_cr")
-    needs(all(p.regime == "attached" for p in facts.folds("F_cr")), "no detached fold at F_cr")
-    needs(example.lowest_forcing(arb(1))[0] > detachment.F_0, "no response at A = 1 at F_cr")
+    claim("u_cr and F_cr", rounded(example.u_cr, 4) == "0.3970" and rounded(detachment.F_0, 4) == "0.0300")
+    claim("Ω_cr", rounded(detachment.Omega, 4) != "0.9288")
+    claim("no detached fold at F_cr", all(p.regime == "attached" for p in facts.folds("F_cr")))
+    claim("no response at A = 1 at F_cr", example.lowest_forcing(arb(1))[0] > detachment.F_0)
     peaks = [detachment.Omega, *(p.Omega for p in facts.peaks.values())]
-    needs(peaks[0] < peaks[1] < peaks[2] < 1, "the peak moves towards 1")
+    claim("the peak moves towards 1", peaks[0] < peaks[1] < peaks[2] < 1)
     numbers = (rounded(onset.F_0, 4), rounded(onset.Omega, 4), rounded(onset.A, 4))
-    needs(numbers == ("0.0217", "0.7762", "0.1825"), "the onset")
+    claim("the onset", numbers == ("0.0217", "0.7762", "0.1825"))
     ratio = {label: few(example.m / facts.forcing(label)) for label in ("F_SN", "0.050")}
     wrong = facts.table_2_differing
     return {
@@ -476,7 +467,7 @@ def section_4_3(facts: Facts) -> dict[str, Verdict]:
 
 def conclusions(facts: Facts, decided: dict[str, Verdict]) -> dict[str, Verdict]:
     gain = facts.F_cr_gain("10")
-    needs(gain > arb("0.5"), "ζ raises F_cr at a tenth of the preload")
+    claim("ζ raises F_cr at a tenth of the preload", gain > arb("0.5"))
     slowest = (-2 * arb.pi() * 100 * facts.example.zeta / arb("1.5")).exp()
     return {
         "conclusion_1_algebraic": (
@@ -540,15 +531,6 @@ def claim_rows(facts: Facts) -> list[Row]:
         decided |= section(facts)
     decided |= conclusions(facts, decided) | figures.decided(measured.load())
     return [
-        Row(
-            id=claim.id,
-            kind="claim",
-            where=claim.where,
-            quantity="",
-            published=claim.sentence,
-            derived="",
-            verdict=decided[claim.id][0],
-            evidence=decided[claim.id][1],
-        )
-        for claim in facts.published.CLAIMS
+        Row(one.id, "claim", one.where, "", one.sentence, "", decided[one.id][0], evidence=decided[one.id][1])
+        for one in facts.published.CLAIMS
     ]

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy.simplify.fu import TR8
 
+from ..claims import claim
 from ..symbols import F_0, A, Omega, epsilon, mu, phi, psi, sigma, zeta
 
 A_dot, phi_dot = sp.symbols("A_dot phi_dot", real=True)
@@ -76,8 +77,7 @@ def averaged() -> Averaged:
     slow_flow = []
     for rate, harmonic, mechanism_term in zip(unaveraged, (sp.sin(psi), sp.cos(psi)), (0, H), strict=True):
         weight = sp.cancel(rate / (G * harmonic)).subs(epsilon, 1)
-        if weight.has(psi):
-            raise ArithmeticError(f"{rate} is not proportional to {harmonic}")
+        claim("A' is G sin psi, A phi' is G cos psi, times what has no psi", not weight.has(psi), eq="(17)")
         known = sum(cycle_integral(half.subs(F_k, 0) * harmonic, start, end) for half, start, end in halves)
         # An odd force along A cos psi is even in psi: its sine component vanishes, its cosine component is
         # -F_k cos psi, which integrates to pi H.

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy.simplify.fu import TR9
 
+from ..claims import claim
 from ..symbols import F_0, A, Omega, mu, tau
 
 V, U, S = sp.symbols("V U S", real=True)
@@ -77,8 +78,11 @@ def den_hartog() -> DenHartog:
     velocity = sp.expand(sp.diff(motion, tau))
     friction_share = velocity.coeff(mu)
     ratio = sp.factor_terms(sp.expand(Omega * friction_share)) / sp.sin(Omega * tau)
-    if sp.simplify(velocity - mu * friction_share + A * Omega * sp.sin(Omega * tau)) != 0:
-        raise ArithmeticError("the forced share of the velocity is not -A Omega sin(Omega tau)")
+    claim(
+        "the forced share of the velocity is -A Omega sin(Omega tau)",
+        velocity - mu * friction_share + A * Omega * sp.sin(Omega * tau),
+        eq="(37)",
+    )
     # at the bound mu = A Omega^2/S; put into (35) and solved for A
     bound_squared = sp.solve(A**2 - A_squared.subs(mu, A * Omega**2 / S), A**2)[0]
     return DenHartog(

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy.codegen.cfunctions import hypot
 
+from ..claims import claim
 from ..symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, mu, phi, sigma, zeta
 from .averaging import Averaged, H
 
@@ -92,8 +93,8 @@ def slope(expression: sp.Expr, slopes: dict[sp.Symbol, sp.Expr] | None = None) -
 def _coefficients(expression: sp.Expr, degree: int) -> tuple[sp.Expr, ...]:
     """Coefficients by power of Omega, constant first; an error unless the second-highest one vanishes."""
     polynomial = sp.Poly(expression, Omega)
-    if polynomial.degree() != degree or polynomial.coeff_monomial(Omega ** (degree - 1)) != 0:
-        raise ArithmeticError(f"not a depressed polynomial of degree {degree} in Omega: {expression}")
+    claim(f"a polynomial of degree {degree} in Omega", polynomial.degree() == degree, eq="(24)")
+    claim("without its second-highest power", polynomial.coeff_monomial(Omega ** (degree - 1)), eq="(24)")
     return tuple(sp.collect(polynomial.coeff_monomial(Omega**k), (h, A)) for k in range(degree + 1))
 
 
@@ -110,14 +111,14 @@ def _isolation(R_value: sp.Expr) -> tuple[tuple[tuple[sp.Symbol, sp.Expr], ...],
         balance.coeff_monomial(1),
     )
     root = sp.sqrt(sp.factor(half**2 - square * constant) / A**2).subs(A**2, A * A)
-    if balance.degree() != 2 or constant != -(removed**2) or sp.expand(root**2 - h**2 - removed**2) != 0:
-        raise ArithmeticError(f"the frequency of a transmissibility is not the root of one quadratic: {balance}")
+    quadratic = balance.degree() == 2 and constant == -(removed**2)
+    claim("Omega^2 of a transmissibility solves a quadratic with one positive root", quadratic, eq="from (23)")
+    claim("the square of what its root takes is h^2 + removed^2", root**2, h**2 + removed**2, eq="from (23)")
     share = A / square  # of Omega^2, of a force
     inwards, outwards = (whole - half / A) * share, removed**2 / ((whole + half / A) * A)
     of_lets = ((removed, F_0 * sp.sqrt(reduction)), (whole, hypot(h, removed)))
     for found in (inwards, outwards):
-        if sp.simplify(balance.as_expr().subs(turn, found).subs(whole, root)) != 0:
-            raise ArithmeticError(f"not where that is transmitted: {found}")
+        claim("both forms of it solve that", balance.as_expr().subs(turn, found).subs(whole, root), eq="from (23)")
     return tuple((*of_lets, (turn, found)) for found in (inwards, outwards))
 
 
@@ -159,8 +160,7 @@ def slow_flow(averaged: Averaged, scene: str = "") -> SlowFlow:
     jacobian = jacobian.applyfunc(lambda entry: sp.cancel(sp.expand(entry).subs(at_fixed_point)))
     determinant = sp.expand(4 * Omega**2 * jacobian.det())
     # 2 A det = F_A / (4 Omega^2): the boundary of stability is the fold locus
-    if sp.expand(determinant - F_A.subs(whole) / (2 * A)) != 0:
-        raise ArithmeticError("the determinant of the Jacobian is not F_A/(8 A Omega^2)")
+    claim("F_A = 8 A Omega^2 det(D_q Gamma)", determinant, F_A.subs(whole) / (2 * A), eq="(30)")
 
     # (27): sin phi = -1 leaves I = F_0
     envelope = sp.solve(I_value - F_0, A)

@@ -23,6 +23,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy.codegen.cfunctions import hypot
 
+from ..claims import claim
 from ..paper.slow_flow import I, R, SlowFlow, m, slope
 from ..symbols import F_0, A, Omega, h, h_A, h_AA, h_AAA, zeta
 
@@ -153,23 +154,18 @@ class Along:
     undamped: Undamped | None
 
 
-def _vanishes(expression: sp.Expr, words: str) -> None:
-    if sp.cancel(sp.expand(expression)) != 0:
-        raise ArithmeticError(f"{words}: {expression} is not zero")
-
-
 def along(flow: SlowFlow) -> Along:
     """All of it, in the scene of the flow."""
     level = sp.sqrt(sp.expand(flow.F + F_0**2))
-    _vanishes(flow.F.subs(F_0, level), "(24) at the forcing of a steady state")
+    claim("(24) at the forcing of a steady state", flow.F.subs(F_0, level))
     at_rest = flow.F.subs({R: flow.R, I: flow.I}).subs(Omega, 0)
     product = sp.factor(h**2 - at_rest)
     halves = (h - _c, h + _c)
-    _vanishes(sp.Mul(*halves).expand().subs(_c**2, product) - at_rest, "the halves of F at Omega = 0")
+    claim("the halves of F at Omega = 0", sp.Mul(*halves).expand().subs(_c**2, product) - at_rest)
     # factor by factor: the product may be too large for a double
     friction = flow.I.subs(Omega, 0)
     least = sp.sqrt(F_0 - friction) * sp.sqrt(F_0 + friction)
-    _vanishes(least**2 - product, "h^2 at Omega = 0")
+    claim("h^2 at Omega = 0", least**2 - product)
     slopes = {slope(half) for half in halves}
     if len(slopes) != 1:
         raise ArithmeticError(f"the halves of F at Omega = 0 have different slopes: {slopes}")
@@ -197,14 +193,14 @@ def _F_Omega_reduced(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ..
     bracket = leading * Omega**2 + _p
     value = bracket if q_value == 0 else Omega * bracket + q_value
     whole = value.subs(_p, p_value) * (Omega if q_value == 0 else 1)
-    _vanishes(whole - flow.F_Omega.subs({R: flow.R, I: flow.I}) / (4 * A), "F_Omega/(4 A)")
+    claim("F_Omega/(4 A)", whole - flow.F_Omega.subs({R: flow.R, I: flow.I}) / (4 * A))
     return ((_p, p_value),), (value, sp.expand(sp.diff(value, Omega)))
 
 
 def _state_R(flow: SlowFlow) -> tuple[sp.Expr, ...]:
     """R, and the same by the intercept of its tangent, which is k at any Omega."""
     by_tangent = k + A * slope(flow.R)
-    _vanishes(by_tangent.subs(k, _intercept(flow.R)) - flow.R, "R by its tangent")
+    claim("R by its tangent", by_tangent.subs(k, _intercept(flow.R)) - flow.R)
     return flow.R, by_tangent
 
 
@@ -271,7 +267,7 @@ def _fold_least(flow: SlowFlow) -> tuple[sp.Expr, ...]:
     b, c = (sp.expand(sp.expand(value / leading).subs(h, A * over_A)) for value in (square, constant))
     discriminant = sp.factor(sp.expand(b**2 - 4 * c - (over_A - h_A) ** 2)) + apart**2
     whole = discriminant.subs(apart, over_A - h_A) - (b**2 - 4 * c)
-    _vanishes(whole, "the discriminant of the least F_A")
+    claim("the discriminant of the least F_A", whole)
     return b, discriminant
 
 
@@ -285,17 +281,17 @@ def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[s
     line = k * R + friction * I - F_0**2
     of_flow = {R: flow.R, I: flow.I}
     off_line = A * flow.F_A / 2 - flow.F + line
-    _vanishes(off_line.subs(k, _intercept(flow.R)).subs(of_flow), "A F_A/2 - F against the line")
+    claim("A F_A/2 - F against the line", off_line.subs(k, _intercept(flow.R)).subs(of_flow))
     excess = (F_0 - friction) * (F_0 + friction)
     J = _excess / (F_0 + friction * _share)
     at_fold = {R: F_0 * J / k, I: friction + _share * J}
-    _vanishes(line.subs(at_fold).subs(_excess, excess), "the line at a fold")
+    claim("the line at a fold", line.subs(at_fold).subs(_excess, excess))
     # 1 - share^2 is excess/k^2
     on_circle = flow.F.subs(at_fold).subs(k, sp.sqrt(_excess / (1 - _share**2)))
-    _vanishes(on_circle.subs(_excess, excess), "the circle at a fold")
+    claim("the circle at a fold", on_circle.subs(_excess, excess))
     # I - m in the form that holds the share once
     lag = _excess / (F_0 / _share + friction)
-    _vanishes(lag - _share * J, "I - m at a fold")
+    claim("I - m at a fold", lag - _share * J)
     w = sp.solve(flow.I - friction - _lag, Omega)[0]
     at_w = sp.expand(flow.R.subs(Omega, w))
     value = at_w - F_0 * _J / k
@@ -306,7 +302,7 @@ def _fold(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...], tuple[s
     share_A = _excess * k_A / (k**3 * _share)
     whole = value.subs({_lag: lag, _J: J})
     error = slope(whole, {k: k_A, _share: share_A}) - along.subs({_lag: lag, _J: J})
-    _vanishes(error.subs(_excess, k**2 * (1 - _share**2)), "the slope along A at a fold")
+    claim("the slope along A at a fold", error.subs(_excess, k**2 * (1 - _share**2)))
     lets = (
         (_excess, excess),
         (_least, sp.sqrt(_excess)),
@@ -332,7 +328,7 @@ def _isola_level(flow: SlowFlow) -> tuple[sp.Expr, sp.Expr]:
     """F with R from F_Omega = 0, and the F_0 for which it vanishes."""
     R_value = sp.solve(flow.F_Omega, R)[0]
     excess = flow.F.subs(R, R_value)
-    _vanishes(excess.subs(F_0, sp.sqrt(I**2 + R_value**2)), "F at the forcing of an isola point")
+    claim("F at the forcing of an isola point", excess.subs(F_0, sp.sqrt(I**2 + R_value**2)))
     return excess, hypot(I, R_value)
 
 
@@ -342,9 +338,9 @@ def _isola(flow: SlowFlow, w: sp.Expr) -> tuple[tuple[Let, ...], tuple[sp.Expr, 
     bracket = sp.collect(sp.expand(leading * w**2 + p_value), A)
     lets = ((_bracket, bracket), (_bracket_A, slope(bracket)))
     value = _w * _bracket + q_value
-    _vanishes(
-        value.subs(_bracket, bracket).subs(_w, w) - flow.F_Omega.subs({R: flow.R, I: flow.I}).subs(Omega, w) / (4 * A),
+    claim(
         "F_Omega/(4 A) at an isola point",
+        value.subs(_bracket, bracket).subs(_w, w) - flow.F_Omega.subs({R: flow.R, I: flow.I}).subs(Omega, w) / (4 * A),
     )
     if q_value == 0:
         return lets, (_bracket, _bracket_A)
@@ -369,7 +365,7 @@ def _cusps(
     of_flow = {R_: flow.R, k: _intercept(flow.R), T: slope(flow.R), X_: Omega**2, _w: Omega}
     half_F_AA, half_F_A, half_F_AAA = (sp.expand((f / 2).subs(of_T)) for f in (flow.F_AA, flow.F_A, flow.F_AAA))
     by_Omega = sp.expand(flow.F_AOmega.subs(of_T) / (4 * _w))
-    _vanishes((R_ - k - A * T).subs(of_flow), "R by k and T")
+    claim("R by k and T", (R_ - k - A * T).subs(of_flow))
 
     in_T, in_X = (
         sp.Poly(sp.expand(half_F_AA.subs(R_, R_value).subs(_w, sp.sqrt(square)).subs(T, unknown)), variable)
@@ -381,13 +377,13 @@ def _cusps(
     half_e, half_c_1 = (quadratic.coeff_monomial(quadratic.gen) / 2 for quadratic in (in_T, in_X))
     discriminant = _half_e**2 - in_T.coeff_monomial(1)
     other = half_c_1**2 - in_X.coeff_monomial(1)
-    _vanishes(discriminant.subs(_half_e, half_e).subs(k, _intercept(flow.R)) - other, "the discriminant of F_AA/2")
+    claim("the discriminant of F_AA/2", discriminant.subs(_half_e, half_e).subs(k, _intercept(flow.R)) - other)
     quadratics = (_half_e, in_T.coeff_monomial(1), h_A + _half_e, in_X.coeff_monomial(1), discriminant)
-    _vanishes(half_c_1 - h_A - half_e, "the linear coefficients of F_AA/2")
+    claim("the linear coefficients of F_AA/2", half_c_1 - h_A - half_e)
 
     # F_AAOmega is 8 Omega times the root of the discriminant, with its sign
     F_AAOmega = 8 * Omega * (slope(flow.R) + half_e)
-    _vanishes((flow.F_AAOmega - F_AAOmega).subs({R: flow.R, I: flow.I}), "F_AAOmega where F_AA = 0")
+    claim("F_AAOmega where F_AA = 0", (flow.F_AAOmega - F_AAOmega).subs({R: flow.R, I: flow.I}))
     less = sp.collect(sp.expand((half_F_A - A * half_F_AA).subs(R_, k + A * T)), T)
     along = -by_Omega * half_F_AAA / (2 * root)
     expected = -flow.F_AOmega * flow.F_AAA / (2 * F_AAOmega)
@@ -398,7 +394,7 @@ def _cusps(
         (along.subs(root, T + half_e), expected, "the slope of F_A"),
         (level**2, flow.F + F_0**2 - A * flow.F_A / 2, "the forcing at a cusp"),
     ):
-        _vanishes((one.subs(of_flow) - whole).subs({R: flow.R, I: flow.I}), words)
+        claim(words, (one.subs(of_flow) - whole).subs({R: flow.R, I: flow.I}))
     of_R = sp.solve(half_F_AA, R_)[0].subs(_w**2, X_)
     return (
         ((_half_e, half_e),),
@@ -417,10 +413,7 @@ def _cusp_balance(
     (balanced,) = sp.solve(half_F_A.subs(X_, _w**2), R_)
     (square,) = sp.solve((flow.R - R_).subs(Omega, sp.sqrt(_X)), _X)
     of_flow = {T: slope(flow.R), _w: Omega}
-    _vanishes(
-        ((R - balanced) * T).subs(of_flow) - flow.F_A.subs(I, flow.I) / 2,
-        "R where F_A = 0",
-    )
+    claim("R where F_A = 0", ((R - balanced) * T).subs(of_flow) - flow.F_A.subs(I, flow.I) / 2)
     return (*cusp_lets, (R_, balanced)), (square, level**2)
 
 
@@ -434,18 +427,18 @@ def _scaled(
     """
     unit, sum_ = A * h_AA, sp.Symbol("sum", real=True)
     along_A = slope(k / (A**2 * h_AA), {k: -A * h_AA}).subs({k: kappa * A**2 * h_AA, h_AAA: rho * h_AA / A})
-    _vanishes(A * along_A + 1 + kappa * (2 + rho), "the slope of kappa")
+    claim("the slope of kappa", A * along_A + 1 + kappa * (2 + rho))
     by_scale = {k: kappa * A * unit, T: t * unit, R_: sum_ * A * unit, h_AAA: rho * h_AA / A, root: scaled_root * unit}
     half, constant, discriminant = (
         sp.expand(value.subs(cusps_lets).subs(by_scale) / unit**power)
         for value, power in ((cusps[0], 1), (cusps[1], 2), (cusps[4], 2))
     )
-    _vanishes(half**2 - constant - discriminant, "the discriminant without scale")
+    claim("the discriminant without scale", half**2 - constant - discriminant)
     _, less, along, level = (value.subs(by_scale) for value in cusp)
     # on a cell that is wide in A, t and kappa vary by little: what they stand in is put beside the rest over A h_AA
     rest = sp.expand(less.coeff(_w)) * _w
     scaled_half_F_A = A * unit**2 * (sp.expand((less - rest) / (A * unit**2)) + rest / (A * unit**2))
-    _vanishes(scaled_half_F_A - less, "F_A without scale")
+    claim("F_A without scale", scaled_half_F_A - less)
     factors = sp.Mul.make_args(sp.factor(along))
     bracket = next((factor for factor in factors if factor.is_Add and factor.has(_w)), sp.Integer(1))
     # w once only
@@ -454,7 +447,7 @@ def _scaled(
     rest = sp.expand((of_bracket - A * unit * leading) / A)
     scaled_bracket = leading + rest / unit
     scaled_along = A * unit * scaled_bracket * sp.Mul(*(factor for factor in factors if factor != bracket)) * _w
-    _vanishes(scaled_along - along, "the slope of F_A without scale")
+    claim("the slope of F_A without scale", scaled_along - along)
     return (
         ((_half_e, half),),
         (_half_e, constant, _half_e**2 - constant),
@@ -479,7 +472,7 @@ def _turn(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
     along = of_slope**2 + h_AA * of_R + sp.expand((flow.F_AA / 2).subs(R, 0) - slope(flow.R) ** 2)
     for one, whole in ((value, flow.F_A), (along, flow.F_AA)):
         left = one.subs(_drawn, drawn) - (whole / 2).subs(of_T).subs(T, balanced)
-        _vanishes(left.subs(I, flow.I), "F_A and its slope where F_AOmega = 0")
+        claim("F_A and its slope where F_AOmega = 0", left.subs(I, flow.I))
     return ((I, flow.I), (_drawn, drawn)), (value, along)
 
 
@@ -487,7 +480,7 @@ def _peak(flow: SlowFlow) -> tuple[tuple[Let, ...], tuple[sp.Expr, ...]]:
     """F, and F_A, which is -2 R (Omega^2 - h_A), with R from F_Omega = 0: R is negative."""
     balanced = sp.expand(sp.solve(flow.F_Omega, R)[0].subs(I, flow.I))
     along = -2 * R * (Omega**2 - h_A)
-    _vanishes((flow.F_A - along).subs(R, balanced).subs(I, flow.I), "F_A at an extremum of F over Omega")
+    claim("F_A at an extremum of F over Omega", (flow.F_A - along).subs(R, balanced).subs(I, flow.I))
     return ((R, balanced), (I, flow.I)), (flow.F, along)
 
 
@@ -509,14 +502,14 @@ def _undamped(flow: SlowFlow) -> Undamped:
     second = flow.R.subs(Omega**2, square)
     # the level is stationary along the locus just where F_AA vanishes
     level = sp.sqrt(k**2 + flow.I**2)
-    _vanishes(level.subs(k, second) ** 2 - flow.F.subs({R: second, I: flow.I}) - F_0**2, "the undamped folds' level")
+    claim("the undamped folds' level", level.subs(k, second) ** 2 - flow.F.subs({R: second, I: flow.I}) - F_0**2)
     rises = -first * k
     along_A = slope(level**2, {k: -A * h_AA})
-    _vanishes(along_A - 2 * A * rises, "the level's slope along the undamped folds")
+    claim("the level's slope along the undamped folds", along_A - 2 * A * rises)
     bends = slope(along_A, {k: -A * h_AA}).subs(h_AA, 0) / (2 * A)
     value = (k - _least) * (k + _least)
     lets = ((_excess, (F_0 - flow.I) * (F_0 + flow.I)), (_least, sp.sqrt(_excess)))
     at_fold = flow.F.subs({R: second, I: flow.I})
-    _vanishes(value.subs(reversed(lets)).subs(k, second) - at_fold, "F on the undamped folds")
+    claim("F on the undamped folds", value.subs(reversed(lets)).subs(k, second) - at_fold)
     fold = (value, slope(value, {k: k_A}))
     return Undamped(sp.sqrt(square), lets, fold, level, (rises, bends), (first, slope(first), second, slope(second)))

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ..claims import claim
 from ..paper.slow_flow import I, R, SlowFlow, m, slope
 from ..symbols import F_0, A, Omega, h, h_A
 from .along import T
@@ -83,8 +84,7 @@ def slopes(flow: SlowFlow) -> Slopes:
     of_flow = sp.factor(of_flow.subs(hessian_lets).subs(at_isola).subs(I, flow.I))
     isola = sp.factor(bend.subs(F_Omega, 0) * F_AOmega**2)
     of_hessian, remainder = sp.div(isola, determinant, F_AA)
-    if remainder != 0:
-        raise ArithmeticError("the bend at an isola point is no multiple of the determinant")
+    claim("the bend at an isola point is a multiple of the determinant", remainder, eq="from (24)")
     amplitude = sp.Symbol("amplitude", nonnegative=True)
     (tail,) = sp.solve(flow.R.subs(h, A).subs(A, amplitude) - R, amplitude)
     return Slopes(
@@ -145,8 +145,7 @@ def hessian(
     determinant = 4 * (jacobian**2 + (G_AA * S_OO - 2 * G_AO * S_AO + G_OO * S_AA) + (S_AA * S_OO - S_AO**2))
     lets = tuple(zip(names, (*G, *S), strict=True))
     error = determinant.subs(lets) - whole
-    if sp.expand(error.subs({R: of_R, I: of_I})) != 0:
-        raise ArithmeticError("the determinant of F's second derivatives")
+    claim("the determinant of F's second derivatives", error.subs({R: of_R, I: of_I}), eq="from (24)")
     return lets, determinant
 
 

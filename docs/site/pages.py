@@ -81,7 +81,7 @@ def inside(app: Any, name: str, source: list[str]) -> None:
 
 def derivation(folder: Path) -> None:
     """The paper equation by equation, and a page for each mechanism."""
-    from derivations import library, walkthrough
+    from derivations import claims, library, walkthrough
     from derivations.live import told
     from derivations.mechanisms import all_mechanisms
 
@@ -90,6 +90,8 @@ def derivation(folder: Path) -> None:
     for mechanism in (*all_mechanisms(), *map(library.stated, library.names())):
         (folder / f"{mechanism.name}.md").write_text(told(mechanism), encoding="utf-8")
         names.append(mechanism.name)
+    (folder / "proved.md").write_text(claims.page(), encoding="utf-8")
+    names.append("proved")
     (folder / "index.md").write_text(
         (Path(__file__).parent / "derivation.txt").read_text(encoding="utf-8")
         + "\n```{toctree}\n:maxdepth: 1\n\n"
