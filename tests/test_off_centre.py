@@ -364,6 +364,69 @@ def check_counts(oscillator, F_0):
 
 
 @pytest.mark.parametrize(
+    ("lam", "r", "delta_h", "mu", "zeta", "F_0"),
+    [
+        (
+            2.0,
+            3.9669428015531714,
+            0.39718172265868795,
+            0.0006320874749241436,
+            0.023793613430806052,
+            0.007074669648016597,
+        ),
+        (
+            3.0,
+            2.7428380903138434,
+            0.31063264564195053,
+            0.0030809331863611723,
+            0.010971020543397292,
+            0.017678984263452133,
+        ),
+        (
+            3.0,
+            3.662330695509826,
+            0.28108370146147277,
+            0.0026839812135887714,
+            0.0034936693892093883,
+            0.005515532439549685,
+        ),
+    ],
+)
+@pytest.mark.filterwarnings("ignore:delta_h")
+def test_a_fold_on_a_corner_under_a_load_has_all_digits(lam, r, delta_h, mu, zeta, F_0):
+    """A and B, rounded, pass the jump by an ulp: h, and Omega with it, was off by 1e-8 to 1e-7."""
+    one = Isolator(lam=lam, r=r, delta_h=delta_h, mu=mu, zeta=zeta, load=0.02)
+    steps, found = one.off_centre._steps, one.saddle_nodes(F_0)
+    assert found.corner.any()
+    with mpmath.workdps(40):
+        rows = steps.pieces[1].tolist()
+        inner = [mpmath.mpf(D) / mpmath.factorial(k) for k, D in enumerate(rows)][::-1]
+        for fold in (one for one, corner in zip(found, found.corner, strict=True) if corner):
+            side = 1 if fold.B + fold.A > -(fold.B - fold.A) else -1
+            edge = side * mpmath.mpf(float(steps.inner[1]))
+
+            def mean(A, order, side=side, edge=edge):
+                def of(t):
+                    return mpmath.polyval(inner, edge - side * A + A * mpmath.cos(t)) * mpmath.cos(t) ** order
+
+                return mpmath.quad(of, [0, mpmath.pi]) / mpmath.pi
+
+            A = mpmath.findroot(lambda A: mean(A, 0) - mpmath.mpf(0.02), fold.A)
+            h, m = -2 * mean(A, 1), 4 * mpmath.mpf(mu) / mpmath.pi
+            friction = 4 * mpmath.mpf(zeta) * A * m
+            quartic = [
+                A**2,
+                0,
+                2 * A * h + (2 * mpmath.mpf(zeta) * A) ** 2,
+                friction,
+                h**2 + m**2 - mpmath.mpf(F_0) ** 2,
+            ]
+            roots = [root.real for root in mpmath.polyroots(quartic, maxsteps=500, extraprec=400) if root.imag == 0]
+            assert min(abs(root - fold.Omega) for root in roots) < 1e-13 * fold.Omega
+            assert abs(A - fold.A) < 1e-13 * fold.A
+
+
+@pytest.mark.parametrize(
     ("design", "F_0"),
     [
         (dict(lam=1, r=1.19222801, delta_h=0.04052388, mu=0.0193985, zeta=0.01414573, load=0.03704693), 0.0855105566),

@@ -19,7 +19,6 @@ from slowflow.off_centre.means import Steps
 from slowflow.off_centre.onset import Lowest, Search
 from slowflow.off_centre.sheets import FARTHEST, TOO_FAR, Corner, Sheets
 from slowflow.text import text
-from slowflow_kernels import slow_flow
 from slowflow_support.errors import NotSettled, OutOfRange, Refused
 
 #: octaves of the amplitude that are looked at above the size of the problem
@@ -72,7 +71,10 @@ class Complete:
         return replace(found, x=found.x[:, moves], of=found.of[moves])
 
     def corners(self, F_0: float) -> tuple[Floats, list[str], Floats]:
-        """The folds where a motion just touches a jump of the force, their kinds, and where there may be others."""
+        """The folds where a motion just touches a jump of the force, their kinds, and where there may be others.
+
+        By A, B and Omega: A and B, rounded, may pass the jump, which moves h by the root of that.
+        """
         found: list[tuple[float, ...]] = []
         kinds: list[str] = []
         corners, open_ = self.sheets.corners(self.A_max(F_0))
@@ -83,7 +85,7 @@ class Complete:
             Omega = self._flow.frequencies(A, np.array([-2 * corner.s_0]), F_0)[0]
             for at in Omega[Omega > 0].tolist():
                 if kind := self._kind_at_corner(corner, at):
-                    found.append((corner.A, corner.B, float(slow_flow.R(at, corner.A, -2 * corner.s_0))))
+                    found.append((corner.A, corner.B, at))
                     kinds.append(kind)
         open_ = np.concatenate((open_, np.zeros((1, open_.shape[1]))))
         return np.array(found).reshape(-1, 3).T, kinds, open_

@@ -667,12 +667,12 @@ class OffCentre(Unchanging):
         return self._complete.A_max(validate.number("F_0", F_0, above=0.0))
 
     def _folds(self, x: Floats, on_corner: Any, F_0: float, said: _Said) -> SaddleNodes:
-        """Folds in A, B and R; of which kind those on a corner are, "" for others."""
+        """Folds in A, B and R, or Omega on a corner; of which kind those are, "" for others."""
         A, B, R = x
         means = self._steps.at(A, B, ORDERS)
         with np.errstate(all="ignore"):
             h, h_A, h_AA, _ = self._along(A, means)
-            Omega = self._frequency(A, R, F_0, h)
+            Omega = np.where(on_corner == "", self._frequency(A, R, F_0, h), R)
             bends = np.asarray(self._flow.F_AA(Omega, A, h, h_A, h_AA))
         kind = np.where(bends < 0, "jump-up", "jump-down")
         kind, corner = np.where(means.c[1] > 0, kind, "unstable"), on_corner != ""
