@@ -28,12 +28,14 @@ VELOCITY = -A * Omega * sp.sin(psi)
 class Averaged:
     """The slow flow, for A' and for A phi' (11)-(20).
 
-    compatibility -- (13): what A' and phi' must satisfy so that u' keeps the form of (11); equals 0
-    motion        -- (15): the equation of motion in A', phi'; equals 0
-    unaveraged    -- (17): A' and A phi', in G
-    perturbation  -- (9) at (11): G, with F_k for the restoring force and sign(u') by half-cycle, as a pair
-    slow_flow     -- (19): A' and A phi' averaged, in H and sigma; epsilon = 1
-    restoring_integrand -- (20): H is the integral of this over a cycle
+    compatibility -- (13): A' cos psi - A phi' sin psi = 0, so that u' keeps the form of (11)
+    motion        -- (15): A' Omega sin psi + A Omega phi' cos psi = -epsilon G, times -1
+    unaveraged    -- (17): A' = -(epsilon/Omega) G sin psi, A phi' = -(epsilon/Omega) G cos psi
+    perturbation  -- (9) at (11): G = F_0 cos(psi - phi) - 2 zeta u' - mu sign(u') - F_k + sigma u; sign(u') by
+                     half-cycle, as a pair
+    slow_flow     -- (19): A' = -(F_0 sin phi + 2 zeta Omega A + 4 mu/pi)/(2 Omega),
+                     A phi' = -(F_0 cos phi + sigma A + H)/(2 Omega)
+    restoring_integrand -- (20): H is the integral of -F_k(A cos psi) cos psi/pi over a cycle
     """
 
     compatibility: sp.Expr

@@ -39,17 +39,17 @@ SCENES: dict[str, dict[sp.Symbol, sp.Expr]] = {
 class SlowFlow:
     """Fixed points, response, stability; the equation each belongs to in brackets.
 
-    m             -- (23): friction's share of I, in mu; everything else is in the symbol m
-    R, I          -- (23): -F_0 cos phi, -F_0 sin phi at a fixed point
-    F             -- (24): response, R^2 + (I - F_0)(I + F_0), in R and I
+    m             -- (23): friction's share of I, 4 mu/pi; everything else is in the symbol m
+    R, I          -- (23): R = A Omega^2 + h = -F_0 cos phi, I = 2 zeta A Omega + m = -F_0 sin phi
+    F             -- (24): response, R^2 + (I - F_0)(I + F_0) = 0, in R and I
     F_A, F_AA, F_AAA, F_Omega, F_AOmega, F_AAOmega, F_OmegaOmega -- its derivatives, in R, I, h and
         the derivatives of h
-    phase         -- (25): phi, in R and I, in its quadrant
-    backbone      -- (26): Omega on the backbone
-    limit_envelope -- (27): A_L
-    jacobian      -- (28): D_q Gamma at a fixed point
-    stability     -- (30): 4 Omega^2 times the determinant of (28); stable where positive
-    equivalent_damping -- (38)
+    phase         -- (25): tan phi = I/R, phi in its quadrant
+    backbone      -- (26): R = 0, Omega^2 = -h/A
+    limit_envelope -- (27): I = F_0, A_L = (F_0 - m)/(2 zeta Omega)
+    jacobian      -- (28): D_q Gamma = [-zeta, R/(2 Omega); -(Omega^2 + h_A)/(2 A Omega), -I/(2 A Omega)]
+    stability     -- (30): 4 Omega^2 det(D_q Gamma) = F_A/(2 A); stable where positive
+    equivalent_damping -- (38): zeta + m/(2 A Omega)
     transmissibility -- amplitude of the transmitted force's fundamental harmonic over F_0
     isolation      -- the frequency at which the square of that is 1 - reduction though the mass moves, by its lets:
         where h pulls inwards, and where it pushes outwards
