@@ -142,6 +142,14 @@ def test_a_record_is_straight_between_its_samples():
     assert np.all(base[tau > 3.0] == 0) and v[0] == 0
 
 
+def test_a_record_goes_through_its_samples():
+    """The arcs begin and end at them, but for rounding."""
+    tau, samples = np.array([0.0, 2.0, 3.0, 3.5, 9.0]), np.array([0.3, -0.7, 0.2, 0.2, -1.1])
+    span, Omega, F, theta = record(tau, samples).T
+    np.testing.assert_allclose(-F * np.cos(theta), samples[:-1], rtol=0, atol=1e-11)
+    np.testing.assert_allclose(-F * np.cos(theta + Omega * span), samples[1:], rtol=0, atol=1e-11)
+
+
 @pytest.mark.parametrize("zeta", [1.0, 2.0])
 def test_a_mass_that_is_damped_so_much_that_it_creeps_back_is_followed_until_it_has(zeta):
     """A linear one: against another integrator; without friction it never rests, and turns once."""

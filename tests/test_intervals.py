@@ -11,7 +11,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from slowflow.intervals import Interval
+from slowflow.intervals import Elementary, Interval
 from tests.native import intervals
 
 #: in Python, where balls go by them, and in C
@@ -53,13 +53,13 @@ def test_operations_hold_the_exact_results_at_the_ends_and_inside():
     apart = b.has_sign
     with np.errstate(all="ignore"):
         found = {"+": a + b, "-": a - b, "*": a * b, "/": a / b, "square": a.square(), "3": 3.0 * a, "1-": 1.0 - a}
-        root = a.square().sqrt()
+        root, turned = a.square().sqrt(), -3.0 * a
     for k in range(n):
         for share in (0, 1, Fraction(1, 3)):
             x, y = (Fraction(float(i.lo[k])) * (1 - share) + Fraction(float(i.hi[k])) * share for i in (a, b))
             assert held(found["+"], k, x + y) and held(found["-"], k, x - y) and held(found["*"], k, x * y)
             assert held(found["square"], k, x * x) and held(root, k, abs(x))
-            assert held(found["3"], k, 3 * x) and held(found["1-"], k, 1 - x)
+            assert held(found["3"], k, 3 * x) and held(turned, k, -3 * x) and held(found["1-"], k, 1 - x)
             assert not apart[k] or held(found["/"], k, x / y)
 
 
@@ -104,6 +104,32 @@ def held_or_infinite(interval, k, value):
         end is None or sign * (value - Fraction(end)) >= 0 for end, sign in zip(known, (1, -1), strict=True)
     )
     return below and above and low != np.inf and high != -np.inf
+
+
+@pytest.mark.parametrize("name", ["sin", "cos", "tan", "acos", "asin", "exp", "cosh", "tanh"])
+def test_elementary_functions_hold_their_values(name):
+    """At the ends and inside, by mpmath; across a pole of tan, and outside the domain, nothing is known."""
+    rng = np.random.default_rng(3)
+    centre, width = rng.uniform(-6, 6, 300), rng.choice([0.0, 1e-3, 0.5, 3.0, 7.0], 300)
+    if name in ("acos", "asin"):
+        centre, width = centre / 6, width / 40
+    low, high = centre - width, centre + width
+    with np.errstate(all="ignore"):
+        found = getattr(Elementary(np.stack((low, high))), name)().ends
+    wide = np.isnan(found).any(axis=0) | np.isinf(found).all(axis=0)
+    if name == "tan":
+        poles = np.floor(low / np.pi + 0.5) != np.floor(high / np.pi + 0.5)
+        assert wide[poles].all() and not wide[~poles].any()
+    elif name in ("acos", "asin"):
+        assert np.array_equal(wide, (low < -1) | (high > 1))
+    else:
+        assert not wide.any()
+    for k in np.flatnonzero(~wide):
+        for share in (0.0, 0.3, 0.5, 1.0):
+            value = getattr(mpmath, name)(mpmath.mpf(low[k]) * (1 - share) + mpmath.mpf(high[k]) * share)
+            assert found[0, k] <= value <= found[1, k]
+        if width[k] == 0:
+            assert found[1, k] - found[0, k] <= 1e-12 * (1 + abs(found[0, k]))
 
 
 class Exact:

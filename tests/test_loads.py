@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from slowflow import Duffing, Isolator
+from slowflow import Duffing, Isolator, derive
 from slowflow.example import isolator
 from slowflow.loads import APART, ISOLA
 from slowflow_kernels.conventions import Status
@@ -63,6 +63,14 @@ def test_motions_that_detach_below_F_cr_are_said_to_be_on_curves_of_their_own():
     ends = [(curve.A[curve.branch == k].min(), curve.A[curve.branch == k].max()) for k in np.unique(curve.branch)]
     assert len(ends) == 2 and ends[0][1] < iso.u_cr < ends[1][0] and curve.isola == (False, True)
     assert APART not in iso.margins(0.43).message
+
+
+def test_unstable_motions_beyond_the_first_end_detach_nothing():
+    """Beyond it the spring pulls back less and less: up there nothing is stable, as long as the peak is below it."""
+    falling = derive.library("bilinear")(kappa=-0.5, delta=1.0, mu=0.0, zeta=0.2)
+    for F_0 in (0.2, 0.5):  # of a peak at F_0 / (2 zeta sqrt(1 - zeta^2))
+        assert falling.frequency_response(F_0).A.max() > 1.0
+        assert falling.margins(F_0).detaches == (F_0 / (0.4 * math.sqrt(0.96)) > 1.0)
 
 
 # ---- at rest -------------------------------------------------------------------------------------------------------

@@ -17,7 +17,7 @@ from scipy.integrate import quad, solve_ivp
 from slowflow import Duffing, Isolator, loads, results
 from slowflow.answer import SHOWN
 from slowflow.plausible import Implausible
-from slowflow.quantities import UNITS, Scales
+from slowflow.quantities import UNITS, Scales, in_shown
 from slowflow.sizing import fit, meet, tolerances
 from slowflow.table import COLUMNS
 from slowflow.text import Sentence
@@ -605,6 +605,22 @@ def test_gradients_in_si_units_are_the_differences_of_mounts(excitation, damping
             assert found[answer, name] * share == pytest.approx(moved, rel=1e-7), (answer, name)
     moved = np.abs(found["A"][0] * [numbers[name] for name in found.by]).sum()
     assert found.condition("A")[0] == pytest.approx(moved / asked(numbers).A[0], rel=1e-13)
+
+
+def test_angles_are_shown_in_degrees_too(mount):
+    states = mount.amplitudes(f=2.0, F=4.0)
+    np.testing.assert_allclose(states.in_units("deg").phi, np.degrees(states.phi))
+
+
+def test_a_velocity_is_how_fast_the_displacement_moves(mount):
+    found = mount.transient(x_0=0.004, v_0=0.03, samples=4001)
+    assert found.v[0] == pytest.approx(0.03, rel=1e-12)
+    np.testing.assert_allclose(np.gradient(found.x, found.t)[1:-1], found.v[1:-1], rtol=0, atol=1e-3)
+
+
+@pytest.mark.parametrize(("unit", "shown"), [("m", ("mm", 1e-3)), ("N", ("N", 1.0)), ("rad/s", ("Hz", math.tau))])
+def test_numbers_are_shown_over_the_size_of_the_usual_unit(unit, shown):
+    assert in_shown(unit) == (shown[0], pytest.approx(shown[1], rel=1e-15))
 
 
 @pytest.mark.slow

@@ -11,9 +11,10 @@ import sympy as sp
 from scipy.integrate import quad
 
 from slowflow import Duffing, derive
-from slowflow.averaged.sustained import free_motions
+from slowflow.averaged.sustained import Damping, free_motions, unsustained
 from slowflow.exact import shooting
 from slowflow.isolator import DUFFING
+from slowflow.model import THROUGHOUT
 from slowflow.results import Remark
 
 SOFTENING = Duffing(1.0, -0.1, zeta=0.022)
@@ -55,6 +56,22 @@ def test_sustained_states_beside_the_top_of_a_well_are_told():
     many = Duffing.many(1.0, -0.1, zeta=[0.022, 0.044])
     assert many.saddle_nodes(0.08).remarks.tolist() == [folds.remarks, Remark.BEYOND_WELL]
     assert many.amplitudes(Omega=0.6, F_0=0.08).remarks.tolist() == [states.remarks, Remark(0)]
+
+
+@pytest.mark.parametrize(("zeta", "inertial"), [(0.3, False), (0.01, True)])
+def test_sustained_states_beside_resonance_take_and_get_what_is_there(zeta, inertial):
+    """A motion hurried to another frequency is as much faster, and what an unbalance supplies grows with its square."""
+    A, Omega = 2.9, np.sqrt(1 - 0.075 * 2.9**2)  # on the backbone: all that is supplied is taken by damping
+    shares = []
+    for a in np.linspace(0.8 * A, 3.155, 40):
+        omega, J, A_1, _ = least_force(a, zeta)
+        beside = np.clip(omega, 0.95 * Omega, 1.05 * Omega)
+        taken = 2 * zeta * J * beside / omega / (np.pi * A_1)
+        given = 2 * zeta * Omega * A * ((beside / Omega) ** 2 if inertial else 1)
+        shares.append(np.hypot(a * (beside**2 - omega**2), taken) / given)
+    assert 0.95 < min(shares) < 0.99
+    damping = Damping(0.0, zeta, 0.0, 0.0, THROUGHOUT, inertial)
+    assert unsustained(DUFFING, (1.0, -0.1), damping, np.array([Omega]), np.array([A])).tolist() == [False]
 
 
 @pytest.mark.parametrize("more", [{}, {"excitation": "unbalance"}, {"c_2": 0.02}, {"mu": 0.005}])
