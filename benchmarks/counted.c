@@ -162,10 +162,10 @@ COUNT_LANES(sf_approach_cusps, sf_cusp_zeros, amplitudes_in_lanes)
 #define sf_approach_cusps counted_sf_approach_cusps
 
 #define COUNT_BALANCES(loop) \
-    static void counted_##loop(ptrdiff_t n, const double *Omega, const double *A, double F_0, double m, double zeta, \
-                               const double *known, double *out) { \
+    static void counted_##loop(ptrdiff_t n, const double *Omega, const double *A, double F_0, int inertial, double m, \
+                               double zeta, const double *known, double *out) { \
         const double start = now(); \
-        loop(n, Omega, A, F_0, m, zeta, known, out); \
+        loop(n, Omega, A, F_0, inertial, m, zeta, known, out); \
         balances_in_lanes.seconds += now() - start, balances_in_lanes.calls++, balances_in_lanes.places += n; \
     }
 COUNT_BALANCES(sf_second_balances)
