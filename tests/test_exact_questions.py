@@ -488,3 +488,12 @@ def test_a_curve_goes_on_where_the_highest_place_of_a_motion_passes_the_centre()
         assert found.A == pytest.approx(curve.A[k], rel=1e-9)
         highest.append(found.series()[1].max())
     assert highest[0] > 0 > highest[1] and curve.Omega[-1] == pytest.approx(1.55)
+
+
+def test_a_curve_does_not_start_from_a_motion_of_another_forcing():
+    iso = isolator()
+    start = iso.steady_state(Omega=0.8, F_0=0.03)
+    with pytest.raises(ValueError, match=r"start must be a steady state at F_0 = 0.031"):
+        iso.exact_response(0.031, start=start)
+    with pytest.raises(ValueError, match=r"start must be a steady state at F_0 = 0.03, Omega in"):
+        iso.exact_response(0.03, start=start, Omega=(0.9, 1.2))
