@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from slowflow import Duffing, Isolator, example
+from slowflow.second.wave import Waves
 from slowflow_kernels import den_hartog
 
 EXCITATIONS = ("force", "base", "unbalance")
@@ -179,3 +180,11 @@ def test_all_of_next_to_no_force_is_passed_on_without_a_warning():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert Duffing(1.0, 0.1, mu=0.1).transmissibility_floor(1e-310) == 1.0
+
+
+@pytest.mark.parametrize(("of", "size"), [("relative", 0.0), ("absolute", 1.0), ("force", 1.0)])
+def test_a_mass_that_friction_holds_goes_with_its_base(of, size):
+    """It does not move against it, and passes the whole wave on."""
+    iso = Isolator(lam=3, r=0.8, delta_h=0.1, mu=0.02, zeta=0.1, excitation="base")
+    rests = Waves(iso.model, np.array([0.05]), np.zeros(1), np.zeros(1), np.array([0.02]))
+    assert np.ravel(rests.transmitted(of)) == pytest.approx([size, size, size * math.sqrt(0.5)])
