@@ -416,3 +416,10 @@ def test_corner_fold_of_the_truncated_force():
         assert abs(frequencies[-1] - point.z[-1]) <= (1e-6 if abs(A - u_cr) < 1e-9 else 1e-9)
     turns = np.flatnonzero(np.diff(np.sign(np.diff(frequencies))))
     assert turns.size == 3
+
+
+def test_multipliers_along_a_curve_have_the_product_of_a_whole_period():
+    """exp(-2 zeta T) without friction, by Liouville's formula, however many half turns a cycle is followed for."""
+    curve = Duffing(1.0, 0.5, 0.0, 0.05).exact_response(0.1, Omega=(0.6, 0.9))
+    expected = np.exp(-2 * 0.05 * 2 * np.pi / curve.Omega)
+    assert np.prod(curve.multipliers, axis=1) == pytest.approx(expected, rel=1e-10)

@@ -498,6 +498,7 @@ def test_a_shock_is_every_pair_of_peaks_and_durations_or_a_record(scene, tmp_pat
     assert run("run", path, "-o", tmp_path / "out", "--quiet", capsys=capsys) == (0, "", "")
     rows = {name: list(rows_of(tmp_path / "out" / f"{name}.csv")) for name in ("transient", "shock_spectrum")}
     mount = scenes.read(path).oscillator
+    assert [one.count() for one in scenes.read(path).asked if one.question == "shock_spectrum"] == [6]
     for one, row in zip(*rows.values(), strict=True):
         given = {"acceleration": float(one["acceleration/(m/s^2)"]), "duration": float(one["duration/ms"]) / 1e3}
         found = mount.transient(**given)
