@@ -1,9 +1,9 @@
 /* Means over a cycle by the motion's ends, B + A and B - A, on boxes: in go charts of a force and a box of x and y in
  * one, out come intervals that hold A, B, c_0 = <f>, s_0 = <f cos psi> and their slopes on all of it.
  *
- * The charts are those of slowflow/off_centre/ends.py, the mathematics derivations/off_centre.py's. U_k and V_k are
- * the means of (A cos psi - a)^k/k! above a step with 1 + cos psi and 1 - cos psi. Both rise with either end of the
- * motion, so that the values at two corners of a box hold them, as tightly as can be.
+ * The charts are those of slowflow/off_centre/ends.py, the mathematics derivations/asymmetric/off_centre.py's. U_k and
+ * V_k are the means of (A cos psi - a)^k/k! above a step with 1 + cos psi and 1 - cos psi. Both rise with either end of
+ * the motion, so that the values at two corners of a box hold them, as tightly as can be.
  */
 #ifndef SF_ENDS_H
 #define SF_ENDS_H
@@ -239,7 +239,9 @@ static void sf_share(const sf_near *own, const sf_near *other, sf_interval A, do
 
 /* What a step's gains of f, f' and f'' share in c_3 and s_2 where all of the motions pass it. One on the left is that of
  * -f(-u), of which derivatives and the cosine change their signs. */
-static void sf_share_beside(const double *D, int highest, int right, sf_interval over, sf_interval under, sf_ended *out) {
+static void sf_share_beside(const double *D, int highest, int right, sf_interval over, sf_interval under,
+                            sf_interval *c_3, sf_interval *s_2)
+{
     const sf_interval A = sfi_times(0.5, sfi_add(over, under)), a = sfi_times(0.5, sfi_sub(under, over));
     const sf_interval root = sfi_sqrt(sfi_mul(over, under)), none = sfi_point(0);
     sf_interval begin[4], down[2], last[2];
@@ -252,9 +254,9 @@ static void sf_share_beside(const double *D, int highest, int right, sf_interval
     off_centre_intervals_begin(A, a, root, none, begin);
     off_centre_intervals_down(none, A, a, root, begin[0], none, begin[2], begin[3], down);
     off_centre_intervals_down(sfi_point(-1), A, a, root, down[0], begin[0], down[1], begin[2], last);
-    out->c_3 = sfi_add(out->c_3, sfi_add(sfi_mul(sfi_point(gain[2]), begin[0]),
-                                         sfi_add(sfi_mul(sfi_point(gain[1]), down[0]), sfi_mul(sfi_point(gain[0]), last[0]))));
-    out->s_2 = sfi_add(out->s_2, sfi_add(sfi_mul(sfi_point(gain[1]), begin[2]), sfi_mul(sfi_point(gain[0]), down[1])));
+    *c_3 = sfi_add(*c_3, sfi_add(sfi_mul(sfi_point(gain[2]), begin[0]),
+                                 sfi_add(sfi_mul(sfi_point(gain[1]), down[0]), sfi_mul(sfi_point(gain[0]), last[0]))));
+    *s_2 = sfi_add(*s_2, sfi_add(sfi_mul(sfi_point(gain[1]), begin[2]), sfi_mul(sfi_point(gain[0]), down[1])));
 }
 
 /* ==== On a box =================================================================================================== */
@@ -344,7 +346,8 @@ static void sf_on_all(const sf_charts *of, sf_interval x, sf_interval y, int cha
     sf_interval past_x, past_y, top, bottom, sum[SF_SUMS], straight[SF_SUMS];
     sf_interval share[4] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
     sf_weighted sums[SF_SUMS] = {{0, 0, 0}};
-    int line, base, nowhere, i;
+    sf_interval c_3 = {0, 0}, s_2 = {0, 0};
+    int line, base, nowhere, beside, i;
     if (lower == upper) {
         const double x_lo = sfi_least(sfi_most(x.lo, -y.hi), x.hi);
         y.lo = sfi_least(sfi_most(y.lo, -x.hi), y.hi), x.lo = x_lo;
@@ -354,6 +357,7 @@ static void sf_on_all(const sf_charts *of, sf_interval x, sf_interval y, int cha
     out->A = sfi_times(0.5, sfi_add(sfi_add(past_x, past_y), sfi_sub(sfi_point(place_x), sfi_point(place_y))));
     out->B = sfi_times(0.5, sfi_add(top, bottom));
     nowhere = out->A.hi < 0;
+    beside = out->B.lo <= 0 && out->B.hi >= 0; /* elsewhere nobody asks for c_3 and s_2 */
     out->A = sfi_of(sfi_most(out->A.lo, 0), sfi_most(out->A.hi, 0));
     out->X = root_x ? x : sfi_point(0.5), out->X_x = sfi_point(root_x);
     out->Y = root_y ? y : sfi_point(0.5), out->Y_y = sfi_point(root_y);
@@ -371,6 +375,8 @@ static void sf_on_all(const sf_charts *of, sf_interval x, sf_interval y, int cha
         sf_ladder ladder;
         sf_make_ladder(right ? over : under, right ? under : over, highest, &ladder);
         sf_add_step(gain, 0, right, 1, &ladder, highest, sums);
+        if (beside)
+            sf_share_beside(gain, highest, right, right ? above : below, right ? below : above, &c_3, &s_2);
         if (gain[0] != 0 || (highest > 0 && gain[1] != 0)) {
             const double D_0 = gain[0] / SFI_PI, D_1 = (highest > 0 ? gain[1] : 0) / SFI_PI;
             const sf_near at_x = {sfi_sqrt(over), out->X, beyond_x, root_x},
@@ -385,14 +391,7 @@ static void sf_on_all(const sf_charts *of, sf_interval x, sf_interval y, int cha
     for (i = 0; nowhere && i < SF_SUMS; i++)
         sum[i] = sf_any_number;
     sf_end_up(sum, share, out);
-    if (!(out->B.lo <= 0 && out->B.hi >= 0)) /* nobody asks */
-        out->c_3 = out->s_2 = sf_any_number;
-    for (line = lower; line < upper && out->B.lo <= 0 && out->B.hi >= 0; line++) {
-        const int right = line >= base;
-        const sf_interval above = sfi_add(past_x, sfi_point(place_x - of->line[line])),
-                          below = sfi_add(past_y, sfi_point(of->line[line] - place_y));
-        sf_share_beside(of->gain + line * (highest + 1), highest, right, right ? above : below, right ? below : above, out);
-    }
+    out->c_3 = beside ? sfi_add(out->c_3, c_3) : sf_any_number, out->s_2 = beside ? sfi_add(out->s_2, s_2) : sf_any_number;
     if (out->A.lo > of->large) {
         sf_ended nearer = *out;
         sf_sum_large(of, top, bottom, out->A, sum);

@@ -198,7 +198,7 @@ class _Skeleton:
             return False
         more, at = (0, part.a) if a.shape[1] > b.shape[1] else (1, part.b)
         x = (a, b)[more]
-        meet = {fold: self._meeting(x, fold) for fold in part.folds}
+        meet = {fold: self._nearest(x, fold, 2) for fold in part.folds}
         if len(part.folds) == 1:
             # those that are left meet there, however near another fold is
             left = set(range(x.shape[1])) - {pair[more] for pair in pairs}
@@ -218,9 +218,11 @@ class _Skeleton:
 
     def _link_kink(self, part: _Part, pairs: list[tuple[int, int]]) -> bool:
         """Links the state that comes to a kink on either side through its folds, and all others as they are paired."""
-        ends = [self._nearest(self.x[at], part.folds[0]) for at in (part.a, part.b)]
+        ends = [i for at in (part.a, part.b) for i in self._nearest(self.x[at], part.folds[0], 1)]
+        if len(ends) != 2:
+            return False
         others = [pair for pair in pairs if pair[0] != ends[0] and pair[1] != ends[1]]
-        if None in ends or len(others) != self.x[part.a].shape[1] - 1:
+        if len(others) != self.x[part.a].shape[1] - 1:
             return False
         # between the folds there are two states more: a curve goes to the second, back to the first, and on
         first, second = (Node(-1, fold) for fold in part.folds)
@@ -229,19 +231,12 @@ class _Skeleton:
             self._join(one, two)
         return True
 
-    def _nearest(self, x: Floats, fold: int) -> Any:
-        """The state that is nearer to a fold than all others, None where another one is near too."""
+    def _nearest(self, x: Floats, fold: int, n: int) -> list[int]:
+        """The n states that are nearer to a fold than all others; none where these are near too."""
         apart = np.abs(x - self.folds[1:, fold, np.newaxis]).max(axis=0)
         order = np.argsort(apart)
-        told = apart.size == 1 or (apart.size > 1 and apart[order[0]] < MEET * apart[order[1]])
-        return int(order[0]) if told else None
-
-    def _meeting(self, x: Floats, fold: int) -> list[int]:
-        """The two states that meet in a fold: those that are nearer than all others; none where these are near too."""
-        apart = np.abs(x - self.folds[1:, fold, np.newaxis]).max(axis=0)
-        order = np.argsort(apart)
-        told = x.shape[1] == 2 or apart[order[1]] < MEET * apart[order[2]]
-        return [int(i) for i in order[:2]] if told else []
+        told = apart.size == n or (apart.size > n and apart[order[n - 1]] < MEET * apart[order[n]])
+        return [int(i) for i in order[:n]] if told else []
 
     def _join(self, one: Node, two: Node) -> None:
         self.links.setdefault(one, []).append(two)

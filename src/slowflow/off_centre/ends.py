@@ -83,15 +83,13 @@ class Charts:
             edges[[0, -1]] = -steps.beyond[1].wall, steps.beyond[0].wall
         self.upper, self.lower = np.array([(i, k) for i in range(edges.size - 1) for k in range(i + 1)]).T
         i, k = self.upper, self.lower
-        self._at, self._line = lines[:, np.newaxis], 1 + np.arange(lines.size)[:, np.newaxis]
+        self._at = lines
         #: what is gained at lines: above the piece that a motion's means begin with by steps on the right, and below it
         #: by steps on the left, which are those of -f(-u)
-        self._mirrored = (-1.0) ** np.arange(steps.highest + 1)
+        mirrored = (-1.0) ** np.arange(steps.highest + 1)
         self._gains = np.zeros((lines.size, steps.highest + 1))
-        for line, side, gain in zip(
-            self._line[:, 0][np.searchsorted(lines, at)], steps.sides[1:], steps.gains[1:], strict=True
-        ):
-            self._gains[line - 1] += gain if side > 0 else self._mirrored * gain
+        for line, side, gain in zip(np.searchsorted(lines, at), steps.sides[1:], steps.gains[1:], strict=True):
+            self._gains[line] += gain if side > 0 else mirrored * gain
         self._large = (
             LARGE * float(np.abs(lines).max()) if lines.size and steps.odd and steps.curved is None else np.inf
         )

@@ -32,8 +32,6 @@ NOT_SMOOTH = "of which a piece is no polynomial, nor known to be smooth up to it
 
 #: derivatives of the force that are asked for at most, as `off_centre.averaged` does
 ORDERS = 3
-#: by how much recursion and angle may err, over (A + |a|)^k/k!: some ten times what is seen against 50 digits
-DOUBT = 2.0**-48
 #: of an interval that holds all numbers
 ALL = np.array([[-np.inf], [np.inf]])
 #: places at which a piece is looked at to bound it
