@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks import acm1010, boost
-from slowflow.frequencies import response_roots
+from slowflow.backend import SOLVER
 from tests.native.roots import build, why_not
 from tests.oracles.frequencies import U, relative_error, roots, stress_cases
 
@@ -59,8 +59,8 @@ def companion_eigenvalues(rows: np.ndarray) -> np.ndarray:
 
 
 def installed(rows: np.ndarray) -> np.ndarray:
-    """What `slowflow.frequencies` runs."""
-    return response_roots(*rows.T)[0]
+    """What the compiled solvers run."""
+    return SOLVER.response_roots(*rows.T)[0]
 
 
 def positive(found: np.ndarray) -> np.ndarray:

@@ -27,11 +27,11 @@ from benchmarks.document import quantity
 from benchmarks.remote import ROOT
 from slowflow import backend, example
 from slowflow.averaged.asked import AMPLITUDES, ONSET, PEAK, SADDLE_NODES, Question
+from slowflow.backend import SOLVER
 from slowflow.exact import compiled
 from slowflow.exact.compiled import by_rising_u
 from slowflow.exact.motion import TURN
 from slowflow.example import TABLE_1
-from slowflow.frequencies import response_roots
 from slowflow.table import QUESTIONS
 from slowflow.validate import WINDOW
 from slowflow_kernels import slow_flow
@@ -239,7 +239,7 @@ def _of_second(library: Any) -> str:
 def _of_quartics(library: Any) -> str:
     """Quartics of the scene that takes longest."""
     blocks = {name: np.ascontiguousarray(rows) for name, rows in stress_cases("response", QUARTICS, 3).items()}
-    took = {name: _seconds(lambda rows=blocks[name]: response_roots(*rows.T)) / QUARTICS for name in SCENES}
+    took = {name: _seconds(lambda rows=blocks[name]: SOLVER.response_roots(*rows.T)) / QUARTICS for name in SCENES}
     slowest = max(SCENES, key=took.__getitem__)
     out = np.zeros(7)
     library.quartics(ctypes.c_long(QUARTICS), *(_pointer(array) for array in (blocks[slowest], out)))

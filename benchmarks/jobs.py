@@ -18,8 +18,8 @@ from benchmarks import certified
 from benchmarks.bench_solver import random_designs, table_1_designs
 from benchmarks.remote import processor
 from slowflow import Isolator
+from slowflow.backend import SOLVER
 from slowflow.example import isolator
-from slowflow.frequencies import response_roots
 from slowflow_kernels import rod_spring
 
 Job = tuple[Callable[[], Any], Callable[[Any], dict[str, Any]]]
@@ -89,7 +89,7 @@ def response(at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Every Omega at each amplitude."""
     iso = isolator()
     h, _ = rod_spring.averaged_2(at, iso.alpha, iso.beta, iso.gamma, iso.u_cr)
-    return response_roots(at, h, iso.sticking_forcing, iso.zeta, certified.F_0)
+    return SOLVER.response_roots(at, h, iso.sticking_forcing, iso.zeta, certified.F_0)
 
 
 def clock(name: str) -> Callable[[], float]:

@@ -11,8 +11,8 @@ import pytest
 
 from slowflow import Duffing, Isolator, example
 from slowflow.averaged import solvers
+from slowflow.backend import SOLVER
 from slowflow.example import TABLE_1
-from slowflow.frequencies import fold_roots, response_roots
 from slowflow.results import Remark
 from tests.oracles.answers import Nearby
 from tests.test_solver_paths import random_designs
@@ -31,7 +31,7 @@ def dense(model, A_max):
 
 def samples(model, A):
     h, h_A, _, _ = model.averaged(A)
-    Omega, count = fold_roots(A, h, h_A, model.m, model.zeta)
+    Omega, count = SOLVER.fold_roots(A, h, h_A, model.m, model.zeta)
     return A, model.flow.level(Omega, A[:, np.newaxis], model.m, model.zeta, h[:, np.newaxis]), count
 
 
@@ -115,10 +115,10 @@ def test_above_the_peak_dense_samples_show_no_other():
     for oscillator, F_0 in oscillators(rows[rows[:, 0] * rows[:, 1] * rows[:, 2] < 1]):
         model, peak = oscillator.model, oscillator.peak(F_0)
         A = np.linspace(peak.A * (1 + 1e-9), max(2 * peak.A, solvers.amplitude_bound(model, F_0)), 2000)
-        _, count = response_roots(A, model.averaged(A)[0], model.m, model.zeta, F_0)
+        _, count = SOLVER.response_roots(A, model.averaged(A)[0], model.m, model.zeta, F_0)
         assert (count <= 1).all() and (np.diff(count) <= 0).all(), (oscillator, F_0)
         beside = np.array([peak.A * (1 - 1e-9)])
-        _, below = response_roots(beside, model.averaged(beside)[0], model.m, model.zeta, F_0)
+        _, below = SOLVER.response_roots(beside, model.averaged(beside)[0], model.m, model.zeta, F_0)
         assert below == count[0] + (1 if peak.Omega == 0 else 2), (oscillator, F_0)
 
 

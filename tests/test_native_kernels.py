@@ -26,7 +26,7 @@ import numpy as np
 import pytest
 
 from derivations.codegen.arctangent import series
-from slowflow import frequencies as roots
+from slowflow.backend import SOLVER as roots
 from slowflow.example import DESIGN
 from slowflow_kernels import MODULES, rod_spring, slow_flow
 from slowflow_support import backend as support

@@ -32,7 +32,7 @@ FLOORS = (
     ("gradient",),
     ("answer", "loaded"),
     ("model", "table", "transmitted"),
-    ("validate", "page", "intervals", "frequencies"),
+    ("validate", "page", "intervals"),
     ("mechanism", "sampled", "backend", "pictures", "plausible", "progress", "unchanging", "version"),
     ("text", "callbacks"),
 )

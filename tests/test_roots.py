@@ -9,7 +9,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from slowflow.frequencies import fold_roots, peak_roots, response_roots
+from slowflow.backend import SOLVER
 from tests.native.roots import Solver, build, why_not
 from tests.oracles.frequencies import KINDS, U, relative_error, roots, stress_cases
 
@@ -18,7 +18,7 @@ from tests.oracles.frequencies import KINDS, U, relative_error, roots, stress_ca
 # may reach 3/4.
 BOUND = 0.75 * U
 
-SOLVE = {"response": response_roots, "fold": fold_roots, "peak": peak_roots}
+SOLVE = {"response": SOLVER.response_roots, "fold": SOLVER.fold_roots, "peak": SOLVER.peak_roots}
 FAMILIES = [(kind, name) for kind in KINDS for name in stress_cases(kind, 1, 0)]
 
 
@@ -58,9 +58,9 @@ def test_every_root_and_no_other(solver, kind, name):
 
 def test_a_quartic_has_the_same_roots_alone_and_among_others():
     rows = np.concatenate([*stress_cases("response", 40, 3).values()])
-    Omega, count = response_roots(*rows.T)
+    Omega, count = SOLVER.response_roots(*rows.T)
     for row, found, number in zip(rows, Omega, count, strict=True):
-        alone, one = response_roots(*row)
+        alone, one = SOLVER.response_roots(*row)
         assert one == number and np.array_equal(alone, found, equal_nan=True)
 
 
@@ -183,13 +183,13 @@ def test_units_of_frequency_and_of_force_do_not_matter(case, i, j):
 
 def test_two_roots_appear_where_the_forcing_passes_a_peak_locus():
     A, h, m, zeta = stress_cases("peak", 4000, 7)["mild"].T
-    peaks, _ = peak_roots(A, h, m, zeta)
+    peaks, _ = SOLVER.peak_roots(A, h, m, zeta)
     needed = np.hypot(A[:, None] * peaks**2 + h[:, None], 2 * zeta[:, None] * A[:, None] * peaks + m[:, None])
     use = (needed[:, 0] - needed[:, 1] > 1e-3 * needed[:, 0]) & (needed[:, 1] > 1e-3)
     use &= needed[:, 0] > np.hypot(h, m) * (1 + 1e-6)  # there F(0) = 0 changes the number too
     assert use.sum() > 1000
     A, h, m, zeta, needed = A[use], h[use], m[use], zeta[use], needed[use]
     for place, change in ((0, -2), (1, 2)):  # the first is a maximum of the forcing needed, the second a minimum
-        above = response_roots(A, h, m, zeta, needed[:, place] * (1 + 1e-9))[1]
-        below = response_roots(A, h, m, zeta, needed[:, place] * (1 - 1e-9))[1]
+        above = SOLVER.response_roots(A, h, m, zeta, needed[:, place] * (1 + 1e-9))[1]
+        below = SOLVER.response_roots(A, h, m, zeta, needed[:, place] * (1 - 1e-9))[1]
         assert (above - below == change).all()

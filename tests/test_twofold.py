@@ -10,7 +10,7 @@ import sympy as sp
 
 from derivations.codegen import compensated
 from derivations.codegen.compensated import Exact, magnitude
-from slowflow import frequencies as roots
+from slowflow.backend import SOLVER as roots
 from slowflow_kernels import frequencies
 from slowflow_support import twofold
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from benchmarks.stress import search
 from benchmarks.stress.search import Found, Point
-from slowflow import frequencies
+from slowflow.backend import SOLVER
 from tests.oracles.frequencies import KINDS, U, relative_error, stress_cases
 from tests.oracles.frequencies import roots as certified
 
@@ -28,9 +28,9 @@ NAMES = {
 SEED = 11
 Solver = Callable[..., tuple[np.ndarray, np.ndarray]]
 INSTALLED: dict[str, Solver] = {
-    "response": frequencies.response_roots,
-    "fold": frequencies.fold_roots,
-    "peak": frequencies.peak_roots,
+    "response": SOLVER.response_roots,
+    "fold": SOLVER.fold_roots,
+    "peak": SOLVER.peak_roots,
 }
 
 

@@ -1,7 +1,7 @@
 """Certified positive roots of F, F_A and F_Omega: binary parameters in, enclosures and condition numbers out.
 
 The coefficients are expanded exactly as rationals and the roots isolated by FLINT, so nothing here shares a step with
-slowflow.frequencies.  The seeded stress cases for tests and benchmarks live here too.
+the compiled solvers.  The seeded stress cases for tests and benchmarks live here too.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@
  * Each root is found by Halley steps kept in their bracket, on the unexpanded form, and corrected by Newton with a
  * residual in double-double.  A sign that rounding could have decided is found again in double-double.
  *
- * Conventions, the same as in slowflow.averaged.reference.roots:
+ * Conventions:
  *   - roots are counted with multiplicity: a curve that touches zero gives its double root twice, as two equal numbers
  *     (three for a triple root), so that branches keep their partner up to the point where they meet;
  *   - "touches" means that the value at the critical point is zero to within the error of double-double, 2^-98 of its

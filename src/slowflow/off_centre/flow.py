@@ -1,7 +1,7 @@
 """What excites and what dissipates off the centre: in goes a model, out comes what the slow flow has beside f_0 and h.
 
 The mean displacement has no part in it: with h and h_A along the balance of the mean, frequencies, levels and stability
-are those about the centre, whatever the damping and the excitation (`slowflow.frequencies`). With
+are those about the centre, whatever the damping and the excitation (native/roots.h and native/laws.h). With
 p = -h/A, e = -h_A - p and y = Omega^2 - p a fold has y (e - y) A = I I_A, with y of the sign of e, and R = A y.
 """
 
@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from slowflow.frequencies import fold_roots, law_peak_roots, law_roots, peak_roots, response_roots
+from slowflow.backend import SOLVER
 from slowflow.intervals import Bools, Interval
 from slowflow.model import Floats, Model
 from slowflow_kernels import dissipation, inertia, slow_flow
@@ -127,21 +127,25 @@ class Flow:
     def frequencies(self, A: Floats, h: Floats, F_0: float) -> Floats:
         """Every Omega at which these are steady states at F_0, (n, k) with NaN where there are less."""
         if self.plain:
-            return response_roots(A, h, self.m, self.zeta, np.array([F_0]))[0]
-        return law_roots(A, h, 0.0, self._damping, F_0, self.inertial)
+            found: Floats = SOLVER.response_roots(A, h, self.m, self.zeta, np.array([F_0]))[0]
+        else:
+            found = SOLVER.law_roots(A, h, 0.0, *self._damping, F_0, self.inertial)
+        return found
 
     def fold_frequencies(self, A: Floats, h: Floats, h_A: Floats) -> Floats:
         """Every Omega at which F_A vanishes, likewise."""
         if not (self.eta or self.d):
-            return fold_roots(A, h, h_A, self.m, self.zeta)[0]
-        return law_roots(A, h, h_A, self._damping, -1.0, self.inertial)
+            found: Floats = SOLVER.fold_roots(A, h, h_A, self.m, self.zeta)[0]
+        else:
+            found = SOLVER.law_roots(A, h, h_A, *self._damping, -1.0, self.inertial)
+        return found
 
     def stationary(self, A: Floats, h: Floats) -> Floats:
         """Every Omega at which the level is stationary, likewise, and the end at which it may be least: 0 or inf."""
         if self.plain:
-            found = peak_roots(A, h, self.m, self.zeta)[0]
+            found = SOLVER.peak_roots(A, h, self.m, self.zeta)[0]
         else:
-            found = law_peak_roots(A, h, self._damping, self.inertial)
+            found = SOLVER.law_peak_roots(A, h, *self._damping, self.inertial)
         end = np.full((A.size, 1), np.inf if self.inertial else 0.0)
         return np.concatenate((end, found), axis=1)
 
