@@ -15,7 +15,7 @@ from slowflow.model import THROUGHOUT, Laws, Model
 from slowflow.oscillator import FORCES, Oscillator
 from slowflow.physical import Physical
 from slowflow.physical_moves import g
-from slowflow.quantities import PINT, SHEET, Scales, si
+from slowflow.quantities import SHEET, Scales, si
 from slowflow.text import text
 from slowflow_kernels import duffing, rod_spring
 from slowflow_kernels.domains import DAMPING, DISSIPATION, EXCITATIONS
@@ -166,29 +166,29 @@ class Isolator(Oscillator):
         motions off the centre are not derived: with the force that is not truncated, or rubs="attached". A number that
         is allowed, and looks as if it were in another unit, as L = 80, is told in a warning.
         """
-        moving = m if load is None else validate.number("load", si("load", load, "kilogram"), above=0.0)
+        moving = m if load is None else validate.number("load", si("load", load, "kg"), above=0.0)
         excited = validate.excitation(excitation, tuple(EXCITATIONS))
         scales = Scales(m=moving, k_v=k_v, L=L, excitation=excited, damping="zeta" if c is None else "c")
-        preset = validate.number("m", si("m", m, "kilogram"), above=0.0)
+        preset = validate.number("m", si("m", m, "kg"), above=0.0)
         beyond = scales.m - preset
         of_springs = {"n": n, "k_h": k_h, "preload": preload}
-        known = {name: si(name, value, PINT[SHEET[name]]) for name, value in of_springs.items()}
+        known = {name: si(name, value, SHEET[name]) for name, value in of_springs.items()}
         of_design = zip(known.items(), ROD_SPRING.design, ROD_SPRING.scales, strict=True)
         lam, r, delta_h = (scales.over(name, value, domain, scale) for (name, value), domain, scale in of_design)
         of_mu, of_zeta = DAMPING
-        mu = scales.over("friction", si("friction", friction, "newton"), of_mu, SCALES["mu"])
+        mu = scales.over("friction", si("friction", friction, "N"), of_mu, SCALES["mu"])
         mu_s = 0.0
         if static_friction is not None:
-            least = si("friction", friction, "newton")
-            static = validate.number("static_friction", si("static_friction", static_friction, "newton"), least=least)
+            least = si("friction", friction, "N")
+            static = validate.number("static_friction", si("static_friction", static_friction, "N"), least=least)
             mu_s = max(mu, static / scales.of(SCALES["mu"]))
         if c is not None and zeta is not None:
             raise Refused("c and zeta say the same: give one of them")
         if c is not None:
-            zeta = scales.over("c", si("c", c, "newton*second/meter"), of_zeta, SCALES["zeta"])
-        zeta = 0.0 if zeta is None else si("zeta", zeta, "dimensionless")
-        quadratic = scales.over("c_2", si("c_2", c_2, PINT[SHEET["c_2"]]), *OF_C_2)
-        laws = Laws.of(si("eta", eta, "dimensionless"), quadratic, rubs)
+            zeta = scales.over("c", si("c", c, "N s/m"), of_zeta, SCALES["zeta"])
+        zeta = 0.0 if zeta is None else si("zeta", zeta, "")
+        quadratic = scales.over("c_2", si("c_2", c_2, SHEET["c_2"]), *OF_C_2)
+        laws = Laws.of(si("eta", eta, ""), quadratic, rubs)
         weight = beyond * g / scales.sizes["force"]
         numbers = {"lam": lam, "r": r, "delta_h": delta_h, "mu": mu, "zeta": zeta, "load": weight}
         numbers |= {"eta": laws.eta, "c_2": laws.c_2, "mu_s": mu_s}
@@ -202,7 +202,7 @@ class Isolator(Oscillator):
         told |= {name: {"c_2": c_2}.get(name, value) for name, value in laws.said.items()}
         told |= {} if static_friction is None else {"static_friction": static_friction}
         told |= {"load": load, "force": force, "excitation": excitation}
-        in_si = {name: si(name, value, PINT[SHEET[name]]) for name, value in told.items() if value is not None}
+        in_si = {name: si(name, value, SHEET[name]) for name, value in told.items() if value is not None}
         return Physical(isolator, dataclasses.replace(scales, sheet=in_si), told)
 
     @classmethod

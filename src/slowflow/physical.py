@@ -1,14 +1,16 @@
 """Oscillators in newtons, metres and hertz: in go a dimensionless one and its `Scales`, out come `Quantities`.
 
-Questions take SI units, or quantities of pint, and are asked of the dimensionless oscillator: `slowflow.quantities` has
-what a number is measured in, and what an answer with units is.
+Questions take SI units, or quantities of pint, and are asked of the dimensionless oscillator: the table of columns has
+the dimensionless name and the kind of each number, `slowflow.quantities` what it is measured in.
 """
 
 from __future__ import annotations
 
 import dataclasses
+import functools
+import inspect
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -18,7 +20,8 @@ from slowflow.answer import joined
 from slowflow.averaged.plan import Plan
 from slowflow.mechanism import Floats
 from slowflow.physical_moves import g
-from slowflow.quantities import DRAWN, EXCITED, UNITS, Quantities, Scales, si, turns
+from slowflow.quantities import DRAWN, SI, UNITS, Quantities, Scales, si, turns
+from slowflow.table import QUANTITIES
 from slowflow.text import in_units
 from slowflow_support.errors import OutOfRange, Refused
 from slowflow_support.frozen import dataclass
@@ -27,8 +30,18 @@ if TYPE_CHECKING:
     from slowflow import physical_answers as answers
     from slowflow.physical_answers import Number, Numbers, Window
 
+#: dimensionless names of what is called otherwise here
+PLAIN = {"F": "F_0", **{column.si: column.name for column in QUANTITIES.values() if column.si}}
+#: what is said of numbers that look as if they were in another unit
+REMARKS = {"f": plausible.of_frequency, "duration": plausible.of_duration}
 #: what A is of a motion that is not about the centre
 LARGEST = "A is the largest |x|, the mean displacement included: x_max of an averaged motion"
+
+
+@functools.cache
+def _takes(question: Any) -> Mapping[str, inspect.Parameter]:
+    """What a dimensionless question takes."""
+    return inspect.signature(question).parameters
 
 
 @dataclass(frozen=True, repr=False)
@@ -79,7 +92,7 @@ class Physical:
         if (first := getattr(self.oscillator, "first", None)) is not None:  # the springs are the same at each depth
             return dataclasses.replace(self, oscillator=first).at_rest()
         m, k_v = self.scales.m, self.scales.k_v
-        found = self._answer(self.oscillator.at_rest)
+        found = self._answer("at_rest")
         beyond = None if found.x_cr is None else k_v * found.x_cr / g
         values = {
             "f_n": self.scales.sizes["frequency"],
@@ -93,8 +106,8 @@ class Physical:
 
     def sag(self, load: Number) -> float:
         """How far from the centre a mass in kg would rest, in m, when k_v is preset for m: the force is (5)."""
-        load = validate.number("load", si("load", load, "kilogram"), above=0.0)
-        preset = float(si("m", self.given["m"], "kilogram"))
+        load = validate.number("load", si("load", load, "kg"), above=0.0)
+        preset = float(si("m", self.given["m"], "kg"))
         return self._resting((load - preset) * g / self.scales.sizes["force"])
 
     def _resting(self, weight: float) -> float:
@@ -111,75 +124,71 @@ class Physical:
 
     def rest(self) -> answers.RestPositions:
         """Every place at which the mass rests without friction: .x .stable .load, see `Oscillator.rest`."""
-        return self._answer(self.oscillator.rest)
+        return self._answer("rest")
 
     def force(self, x: Numbers) -> Floats:
         """The restoring force in N at displacements in m, without the weight that k_v is preset for."""
-        return np.asarray(self._ask(self.oscillator.force, self._length("x", x)) * self.scales.sizes["force"])
+        return np.asarray(self._ask("force", x=x) * self.scales.sizes["force"])
 
     def stiffness(self, x: Numbers) -> Floats:
         """Its slope in N/m."""
-        return np.asarray(self._ask(self.oscillator.stiffness, self._length("x", x)) * self.scales.k_v)
+        return np.asarray(self._ask("stiffness", x=x) * self.scales.sizes["stiffness"])
 
     def saddle_node_onset(self) -> answers.Onset:
         """The lowest force amplitude that has a fold: .F_SN .f .A, see `Averaged.saddle_node_onset`."""
-        return self._answer(self.oscillator.saddle_node_onset)
+        return self._answer("saddle_node_onset")
 
     def detachment(self) -> answers.Detachment:
         """The lowest force amplitude that reaches the stroke: .F_cr .f_cr .x_cr, see `Averaged.detachment`."""
-        return self._answer(self.oscillator.detachment)
+        return self._answer("detachment")
 
     def saddle_nodes(self, F: Number) -> answers.Folds:
         """Where a sweep jumps at the force amplitude F: .f .A .kind .corner, see `Averaged.saddle_nodes`."""
-        return self._answer(self.oscillator.saddle_nodes, self._amplitude(F))
+        return self._answer("saddle_nodes", F=F)
 
     def peak(self, F: Number) -> answers.Peak:
         """The highest peak: .A .f, see `Averaged.peak`; under a load .x_max at .f_max as well, see `OffCentre.peak`."""
-        return self._answer(self.oscillator.peak, self._amplitude(F))
+        return self._answer("peak", F=F)
 
     def amplitudes(self, *, f: Numbers, F: Numbers) -> answers.States:
         """Every steady state at f: .f .A .phi .stable .transmissibility_dB, see `Averaged.amplitudes`.
 
         Under a load .A is the amplitude about the mean displacement .B, and .x_max the largest |x|, |B| + A.
         """
-        Omega, F_0 = self._frequencies(f), self._amplitudes(F)
-        return self._answer(self.oscillator.amplitudes, Omega=Omega, F_0=F_0)
+        return self._answer("amplitudes", f=f, F=F)
 
     def frequency_response(self, F: Number, *, f: Window | None = None, samples: int = 1000) -> answers.Curve:
         """The response curve for frequencies in the window f, of up to twice f_n without: `amplitudes` and .branch."""
-        window = self._window(f)
-        return self._answer(self.oscillator.frequency_response, self._amplitude(F), samples=samples, **window)
+        return self._answer("frequency_response", F=F, f=f, samples=samples)
 
     def fold_locus(self, *, samples: int = 1000, A_max: Number | None = None) -> answers.FoldLocus:
         """The folds of every force amplitude: .f .A .F .branch, see `Averaged.fold_locus`."""
-        return self._answer(self.oscillator.fold_locus, samples=samples, A_max=self._most(A_max))
+        return self._answer("fold_locus", samples=samples, A_max=A_max)
 
     def cusps(self, *, A_max: Number | None = None) -> answers.Cusps:
         """Where two folds come into being or meet: .F .f .A .minimum, see `Averaged.cusps`."""
-        return self._answer(self.oscillator.cusps, A_max=self._most(A_max))
+        return self._answer("cusps", A_max=A_max)
 
     def isola_points(self, *, A_max: Number | None = None) -> answers.IsolaPoints:
         """Where isolated curves are born or merge: .F .f .A .kind, see `Averaged.isola_points`."""
-        return self._answer(self.oscillator.isola_points, A_max=self._most(A_max))
+        return self._answer("isola_points", A_max=A_max)
 
     @property
     def sticking_forcing(self) -> float:
         """The amplitude of the excitation that leaves a mass at rest at every frequency, see `Averaged`."""
-        _, kind, _ = EXCITED[self.scales.excitation]
-        return self.oscillator.sticking_forcing * self.scales.sizes[kind]
+        return self.oscillator.sticking_forcing * self.scales.sizes[self.scales.amplitude]
 
     def transmissibility_floor(self, F: Number) -> float:
         """What the ratio that is transmitted tends to as f rises without end, see `Averaged.transmissibility_floor`."""
-        return self._ask(self.oscillator.transmissibility_floor, self._amplitude(F))
+        return float(self._ask("transmissibility_floor", F=F))
 
     def backbone(self, A: Numbers) -> Floats:
         """f in Hz on the backbone at amplitudes in m, see `Averaged.backbone`."""
-        return np.asarray(self._ask(self.oscillator.backbone, self._length("A", A)) * self.scales.sizes["frequency"])
+        return np.asarray(self._ask("backbone", A=A) * self.scales.sizes["frequency"])
 
     def limit_envelope(self, *, f: Numbers, F: Numbers) -> Floats:
         """The amplitude in m that no response exceeds, see `Averaged.limit_envelope`."""
-        A = self._ask(self.oscillator.limit_envelope, Omega=self._frequencies(f), F_0=self._amplitudes(F))
-        return np.asarray(A * self.scales.sizes["length"])
+        return np.asarray(self._ask("limit_envelope", f=f, F=F) * self.scales.sizes["length"])
 
     def certify(self, F: Number, *, f: Number | None = None) -> answers.Certificate:
         """What is proved at a force amplitude: see `Averaged.certify`.
@@ -187,49 +196,7 @@ class Physical:
         Of the dimensionless numbers as they are: `.answer` has the intervals that are proved, and these are the same
         times what is measured in, rounded.
         """
-        Omega = None if f is None else self._frequency(f)
-        return self._answer(self.oscillator.certify, self._amplitude(F), Omega=Omega)
-
-    def plot(self, F: Numbers, *, f: Window | None = None, of: str = "A", ax: Any = None) -> Any:
-        """Draw the response at one force, or at each of several, into Matplotlib axes, or new ones, and return these.
-
-        f  -- the window of frequencies, up to twice f_n without
-        of -- what is drawn over frequency, in Hz: "A", in mm, under a load .x_max; "phi" or "transmissibility_dB"
-
-        Signs and tints as of `Averaged.plot`. Raises ValueError for another word, ImportError without Matplotlib.
-        """
-        from slowflow import pictures
-
-        validate.choice("of", of, DRAWN)
-        letter, _, unit = EXCITED[self.scales.excitation]
-        forces = validate.several(letter, si(letter, F, unit))
-        answers = ((self.frequency_response(force, f=f), self.saddle_nodes(force)) for force in forces)
-        found = [(curve.in_units(), folds.in_units()) for curve, folds in answers]
-        drawn = pictures.height(found[0][0]) if of == "A" else of
-        ax = pictures.responses(ax, found, drawn)
-        window = validate.WINDOW if f is None else self._window(f)["Omega"]
-        ax.set_xlim(*(end * self.scales.sizes["frequency"] for end in window))
-        if of == "A":
-            length = self.scales.sizes["length"] / UNITS["length"]["mm"]
-            pictures.breakpoints(ax, [length * end for end in self.oscillator.breakpoints], "x")
-        if drawn == "A":
-            pictures.stopping(ax, self.oscillator.mu * length * self.scales.sizes["frequency"] ** 2)
-        pictures.legend(ax, pictures.axis(found[0][0], letter))
-        return ax
-
-    def explain(self, question: str, F: Number | None = None) -> Plan:
-        """What runs for a question and what is skipped, see `Averaged.explain`."""
-        found = self._ask(self.oscillator.explain, question, None if F is None else self._amplitude(F))
-        steps = tuple(dataclasses.replace(step, why=in_units(step.why, self.scales)) for step in found.steps)
-        letter, kind, unit = EXCITED[self.scales.excitation]
-        where = "" if F is None else f" at {letter} = {si(letter, F, unit):g} {next(iter(UNITS[kind]))}"
-        return dataclasses.replace(found, steps=steps, where=where)
-
-    @property
-    def second_approximation(self) -> Physical:
-        """The same questions, those that it answers, with the higher harmonics of force and friction."""
-        with self.scales.in_these_terms():
-            return Physical(self.oscillator.second_approximation, self.scales, self.given)
+        return self._answer("certify", F=F, f=f)
 
     def steady_state(
         self,
@@ -248,12 +215,11 @@ class Physical:
         .A is the largest |x|; under a load that is what `amplitudes` calls .x_max, and .message says so. See
         `Oscillator.steady_state`, which `.answer` is from.
         """
-        at = {"Omega": self._frequency(f), "F_0": self._amplitude(F), "A": self._most(A), **self._begins(x_0, v_0)}
-        found = self._ask(self.oscillator.steady_state, **at)
-        tau, u, v = found.series(samples)
-        said = {name: getattr(found, name) for name in ("Omega", "A", "stops", "stable", "period")}
-        said |= {"F_0": at["F_0"], "message": joined("" if self.oscillator.load == 0 else LARGEST, found.message)}
-        return cast("answers.SteadyState", self.scales.named({**said, "tau": tau, "u": u, "v": v}, found))
+        found = self._ask("steady_state", f=f, F=F, A=A, x_0=x_0, v_0=v_0)
+        said = joined("" if self.oscillator.load == 0 else LARGEST, found.message)
+        series = dict(zip(("tau", "u", "v"), found.series(samples), strict=True))
+        names = ("Omega", "A", "stops", "stable", "period")
+        return cast("answers.SteadyState", self._named(found, (), *names, F_0=found.F_0, message=said, **series))
 
     def exact_response(
         self,
@@ -273,15 +239,12 @@ class Physical:
         if not (start is None or isinstance(start, Quantities)):
             raise Refused(f"start = {start!r} is not allowed: start must be what steady_state gave")
         begun = None if start is None else start.answer
-        at = {**self._window(f), **self._begins(x_0, v_0)}
-        found = self._ask(self.oscillator.exact_response, self._amplitude(F), start=begun, step=step, **at)
-        entry = ("Omega", "A", "stable", "stops")
+        found = self._ask("exact_response", F=F, f=f, start=begun, step=step, x_0=x_0, v_0=v_0)
         columns: dict[str, Any] = {"Omega": float, "A": float, "kind": str, "corner": bool}
         folds = {name: np.array([getattr(one, name) for one in found.folds], of) for name, of in columns.items()}
-        said = {name: getattr(found, name) for name in (*entry, "F_0", "closed", "message", "complete")}
-        curve = self.scales.named(said, found, entry)
+        curve = self._named(found, ("Omega", "A", "stable", "stops"), "F_0", "closed", "message", "complete")
         values = {**curve.values, "folds": self.scales.named(folds, found.folds, tuple(columns))}
-        return cast("answers.Response", Quantities(values, curve.units, found, curve.entry, self.scales))
+        return cast("answers.Response", dataclasses.replace(curve, values=values))
 
     def sweep(self, *, f: Numbers, F: Number, x_0: Number | None = None, v_0: Number = 0.0) -> answers.Sweep:
         """What an experiment sees that steps through frequencies: .f .A .stops .settled, and .jumps in Hz.
@@ -290,12 +253,10 @@ class Physical:
 
         See `Oscillator.sweep`.
         """
-        at = {"Omega": self._frequencies(f), "F_0": self._amplitude(F), **self._begins(x_0, v_0)}
-        found = self._ask(self.oscillator.sweep, **at)
-        entry = ("Omega", "A", "stops", "settled")
-        said = {name: getattr(found, name) for name in (*entry, "F_0", "message")}
+        found = self._ask("sweep", f=f, F=F, x_0=x_0, v_0=v_0)
         jumps = np.array(found.jumps).reshape(-1, 2)
-        return cast("answers.Sweep", self.scales.named({**said, "jumps": jumps}, found, entry))
+        entry = ("Omega", "A", "stops", "settled")
+        return cast("answers.Sweep", self._named(found, entry, "F_0", "message", jumps=jumps))
 
     def transient(
         self,
@@ -319,108 +280,110 @@ class Physical:
 
         See `Oscillator.transient`, which `.answer` is from.
         """
-        pulse = self._begins(x_0, v_0)
-        if acceleration is not None:
-            pulse["acceleration"] = self._acceleration(acceleration)
-        times = {"duration": duration, "tau": t, "after": after}
-        pulse |= {name: self._time(name, value) for name, value in times.items() if value is not None}
-        found = self._ask(self.oscillator.transient, **pulse)
-        said = {field.name: getattr(found, field.name) for field in dataclasses.fields(found) if field.repr}
-        return cast("answers.Transient", self.scales.named({**said, **found.series(samples)._asdict()}, found))
+        pulse = {"acceleration": acceleration, "duration": duration, "t": t, "after": after}
+        found = self._ask("transient", **pulse, x_0=x_0, v_0=v_0)
+        names = (field.name for field in dataclasses.fields(found) if field.repr)
+        return cast("answers.Transient", self._named(found, (), *names, **found.series(samples)._asdict()))
 
     def shock_spectrum(self, *, acceleration: Numbers, duration: Numbers) -> answers.ShockSpectrum:
         """What half sines of the base do: .acceleration .duration .A .a_max .ratio .detaches, a row for each.
 
         In m/s^2 and s, numbers or arrays that broadcast; see `Oscillator.shock_spectrum`.
         """
-        pulses = {"acceleration": self._acceleration(acceleration), "duration": self._time("duration", duration)}
-        return self._answer(self.oscillator.shock_spectrum, **pulses)
+        return self._answer("shock_spectrum", acceleration=acceleration, duration=duration)
 
     def margins(self, F: Number) -> answers.Margins:
         """How far a force amplitude is from F_SN and F_cr: .of_SN .of_cr, see `Oscillator.margins`."""
-        return self._answer(self.oscillator.margins, self._amplitude(F))
+        return self._answer("margins", F=F)
 
     def hysteresis(self, F: Number) -> answers.Hysteresis:
         """Bands with several stable motions: .f_low .f_high .motions, see `Oscillator.hysteresis`."""
-        return self._answer(self.oscillator.hysteresis, self._amplitude(F))
+        return self._answer("hysteresis", F=F)
 
     def isolation(self, F: Number, level_dB: float = 0.0) -> answers.Isolation:
         """The frequency from which on less than F is transmitted: .f .A, see `Oscillator.isolation`."""
-        return self._answer(self.oscillator.isolation, self._amplitude(F), level_dB)
+        return self._answer("isolation", F=F, level_dB=level_dB)
 
     def spectrum(self, *, f: Numbers, F: Numbers) -> answers.Spectrum:
         """A load spectrum, row by row, see `Oscillator.spectrum`."""
-        Omega, F_0 = self._frequencies(f), self._amplitudes(F)
-        return self._answer(self.oscillator.spectrum, Omega=Omega, F_0=F_0)
+        return self._answer("spectrum", f=f, F=F)
 
-    def _answer(self, question: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
-        """The answer in SI units."""
-        return self.scales.quantities(self._ask(question, *arguments, **named))
+    def plot(self, F: Numbers, *, f: Window | None = None, of: str = "A", ax: Any = None) -> Any:
+        """Draw the response at one force, or at each of several, into Matplotlib axes, or new ones, and return these.
 
-    def _ask(self, question: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
-        """The dimensionless answer; refusals are in newtons, metres and hertz, as what was asked for is."""
+        f  -- the window of frequencies, up to twice f_n without
+        of -- what is drawn over frequency, in Hz: "A", in mm, under a load .x_max; "phi" or "transmissibility_dB"
+
+        Signs and tints as of `Averaged.plot`. Raises ValueError for another word, ImportError without Matplotlib.
+        """
+        from slowflow import pictures
+
+        validate.choice("of", of, DRAWN)
+        letter = self.scales.symbol("F_0")
+        forces = validate.several(letter, si(letter, F, SI[self.scales.amplitude]))
+        answers = ((self.frequency_response(force, f=f), self.saddle_nodes(force)) for force in forces)
+        found = [(curve.in_units(), folds.in_units()) for curve, folds in answers]
+        drawn = pictures.height(found[0][0]) if of == "A" else of
+        ax = pictures.responses(ax, found, drawn)
+        window = validate.WINDOW if f is None else self._window(f)
+        ax.set_xlim(*(end * self.scales.sizes["frequency"] for end in window))
+        if of == "A":
+            length = self.scales.sizes["length"] / UNITS["length"]["mm"]
+            pictures.breakpoints(ax, [length * end for end in self.oscillator.breakpoints], "x")
+        if drawn == "A":
+            pictures.stopping(ax, self.oscillator.mu * length * self.scales.sizes["frequency"] ** 2)
+        pictures.legend(ax, pictures.axis(found[0][0], letter))
+        return ax
+
+    def explain(self, question: str, F: Number | None = None) -> Plan:
+        """What runs for a question and what is skipped, see `Averaged.explain`."""
+        found = self._ask("explain", question=question, F=F)
+        steps = tuple(dataclasses.replace(step, why=in_units(step.why, self.scales)) for step in found.steps)
+        letter, unit = self.scales.symbol("F_0"), SI[self.scales.amplitude]
+        where = "" if F is None else f" at {letter} = {si(letter, F, unit):g} {unit}"
+        return dataclasses.replace(found, steps=steps, where=where)
+
+    @property
+    def second_approximation(self) -> Physical:
+        """The same questions, those that it answers, with the higher harmonics of force and friction."""
         with self.scales.in_these_terms():
-            return question(*arguments, **named)
+            return Physical(self.oscillator.second_approximation, self.scales, self.given)
 
     # ---- arguments
 
-    def _amplitude(self, value: Any) -> float:
-        """One amplitude of the excitation."""
-        name, kind, unit = EXCITED[self.scales.excitation]
-        return validate.number(name, si(name, value, unit), above=0.0) / self.scales.sizes[kind]
+    def _answer(self, question: str, /, **given: Any) -> Any:
+        """The answer in SI units."""
+        return self.scales.quantities(self._ask(question, **given))
 
-    def _amplitudes(self, value: Any) -> Any:
-        """One, or an array of them."""
-        name, kind, unit = EXCITED[self.scales.excitation]
-        return self._over(name, si(name, value, unit), kind, above=0.0)
+    def _named(self, found: Any, entry: tuple[str, ...], *names: str, **more: Any) -> Quantities:
+        """Numbers of an answer by name, those of an entry first, in SI units."""
+        return self.scales.named({**{name: getattr(found, name) for name in (*entry, *names)}, **more}, found, entry)
 
-    def _length(self, name: str, value: Any) -> Any:
-        return self._over(name, si(name, value, "meter"), "length")
+    def _ask(self, question: str, /, **given: Any) -> Any:
+        """The dimensionless answer; refusals are in newtons, metres and hertz, as what was asked for is.
 
-    def _begins(self, x_0: Any, v_0: Any) -> dict[str, Any]:
-        """Displacement and velocity at the beginning, as the oscillator takes them."""
-        v = self._over("v_0", si("v_0", v_0, "meter/second"), "speed")
-        return {"u_0": None if x_0 is None else self._length("x_0", x_0), "v_0": v}
+        What the question takes without dimensions, says its method: one number, an array of them or a window.
+        """
+        asked = getattr(self.oscillator, question)
+        takes, at = _takes(getattr(asked, "__func__", asked)), {}
+        for name, value in given.items():
+            plain = PLAIN.get(name, name)
+            shown, kind = self.scales.kind(plain)
+            if value is None and takes[plain].default is not inspect.Parameter.empty:
+                continue
+            if kind and takes[plain].annotation.startswith("tuple"):
+                value = self._window(value)
+            elif kind:
+                value = self._number(shown, value, kind, several=not takes[plain].annotation.startswith("float"))
+            at[plain] = value
+        with self.scales.in_these_terms():
+            return asked(**at)
 
-    def _acceleration(self, value: Any) -> Any:
-        return self._over("acceleration", si("acceleration", value, "meter/second**2"), "acceleration")
-
-    def _time(self, name: str, value: Any) -> Any:
-        found = self._over("t" if name == "tau" else name, si(name, value, "second"), "time")
-        if name == "duration" and np.size(found):
-            longest = float(np.max(found)) * self.scales.sizes["time"]
-            plausible.warn(plausible.of_duration(longest, self.scales.sizes["frequency"]), stacklevel=3)
-        return found
-
-    def _most(self, A: Any) -> Any:
-        return None if A is None else self._length("A", A)
-
-    def _frequency(self, value: Any) -> float:
-        return self._frequencies(validate.number("f", turns("f", value), above=0.0))
-
-    def _frequencies(self, value: Any) -> Any:
-        """One, or an array of them."""
-        f, f_n = turns("f", value), self.scales.sizes["frequency"]
-        Omega = self._over("f", f, "frequency", above=0.0)
-        if np.size(Omega):
-            plausible.warn(plausible.of_frequency(float(np.max(Omega)) * f_n, f_n), stacklevel=3)
-        return Omega
-
-    def _window(self, f: Any) -> dict[str, Any]:
-        """Of frequencies, as the oscillator takes it; nothing where it has its own."""
-        if f is None:
-            return {}
-        try:
-            low, high = f
-        except (TypeError, ValueError):
-            raise Refused(f"f = {f!r} is not allowed: f must be a pair of frequencies (low, high)") from None
-        ends = validate.window("f", (turns("f[0]", low), turns("f[1]", high)))
-        return {"Omega": tuple(end / self.scales.sizes["frequency"] for end in ends)}
-
-    def _over(self, name: str, value: Any, kind: str, above: float = -math.inf) -> Any:
-        """A number as one, or an array, over what it is measured in."""
-        size = self.scales.sizes[kind]
-        if validate.is_single(value):
+    def _number(self, name: str, value: Any, kind: str, *, several: bool) -> Any:
+        """A number, or an array of them, over what it is measured in."""
+        value, size = si(name, value, SI[kind]), self.scales.sizes[kind]
+        above = 0.0 if name in (self.scales.symbol("F_0"), "f") else -math.inf
+        if validate.is_single(value) or not several:
             number: Any = validate.number(name, value, above=above)
         else:
             number = validate.finite_array(name, value) if above < 0 else validate.positive_array(name, value)
@@ -428,4 +391,15 @@ class Physical:
             found = number / size
         if not np.isfinite(found).all():
             raise OutOfRange(f"{name} = {value!r} is too large: over {size:.6g} it leaves the range of doubles")
+        if name in REMARKS and np.size(found):
+            plausible.warn(REMARKS[name](float(np.max(found)) * size, self.scales.sizes["frequency"]), stacklevel=5)
         return found
+
+    def _window(self, f: Any) -> tuple[float, float]:
+        """Of frequencies, as the oscillator takes it."""
+        try:
+            low, high = f
+        except (TypeError, ValueError):
+            raise Refused(f"f = {f!r} is not allowed: f must be a pair of frequencies (low, high)") from None
+        low, high = validate.window("f", (turns("f[0]", low), turns("f[1]", high)))
+        return low / self.scales.sizes["frequency"], high / self.scales.sizes["frequency"]

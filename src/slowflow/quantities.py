@@ -47,19 +47,17 @@ UNITS: Mapping[str, Mapping[str, float]] = MappingProxyType(
 )
 #: those in which answers are shown, one of each kind
 USUAL = ("N", "mm", "Hz", "ms", "mm/s", "m/s^2", "N/m", "rad", "kg", "kg m", "N s^2/m^2")
-#: amplitudes of the excitation: what is called F_0 without dimensions is F, Y or U, of this kind, and this to pint
-EXCITED: Mapping[str, tuple[str, str, str]] = MappingProxyType(
-    {
-        "force": ("F", "force", "newton"),
-        "base": ("Y", "length", "meter"),
-        "unbalance": ("U", "unbalance", "kilogram*meter"),
-    }
+#: amplitudes of the excitation: what is called F_0 without dimensions is F, Y or U, of this kind
+EXCITED: Mapping[str, tuple[str, str]] = MappingProxyType(
+    {"force": ("F", "force"), "base": ("Y", "length"), "unbalance": ("U", "unbalance")}
 )
+#: the unit of each kind in SI
+SI = MappingProxyType({kind: next(iter(units)) for kind, units in UNITS.items()})
 #: and which unit is of which kind
 KIND_OF = {unit: kind for kind, units in UNITS.items() for unit in units}
 #: the unit of each kind in which answers are shown
 SHOWN = MappingProxyType({KIND_OF[unit]: unit for unit in USUAL})
-#: the numbers of a data sheet and their units, "" for what has none, and what pint calls these
+#: the numbers of a data sheet and their units, "" for what has none
 SHEET: Mapping[str, str] = MappingProxyType(
     {
         "m": "kg",
@@ -80,6 +78,7 @@ SHEET: Mapping[str, str] = MappingProxyType(
         "excitation": "",
     }
 )
+#: what pint calls units
 PINT: Mapping[str, str] = MappingProxyType(
     {
         "": "dimensionless",
@@ -89,6 +88,10 @@ PINT: Mapping[str, str] = MappingProxyType(
         "N/m": "newton/meter",
         "N s/m": "newton*second/meter",
         "N s^2/m^2": "newton*second**2/meter**2",
+        "s": "second",
+        "m/s": "meter/second",
+        "m/s^2": "meter/second**2",
+        "kg m": "kilogram*meter",
     }
 )
 #: what only the dimensionless answer has
@@ -273,13 +276,15 @@ def _times(value: Any, size: float) -> Any:
 
 
 def si(name: str, value: Any, unit: str) -> Any:
-    """A number or array in SI units: a plain one as it is, a quantity of pint converted to `unit`."""
+    """A number or array in SI units: a plain one as it is, a quantity of pint converted to `unit`, one of `UNITS`."""
     if not (hasattr(value, "magnitude") and hasattr(value, "to")):
         return value
+    if unit == SI["frequency"]:
+        return turns(name, value)
     try:
-        return value.to(unit).magnitude
+        return value.to(PINT[unit]).magnitude
     except TypeError:  # what pint raises for another dimension
-        measured = "a plain number" if unit == PINT[""] else f"measured in {unit}"
+        measured = f"measured in {PINT[unit]}" if unit else "a plain number"
         raise Refused(f"{name} = {value} is not allowed: {name} must be {measured}") from None
 
 
@@ -299,10 +304,10 @@ def turns(name: str, value: Any) -> Any:
     if not (hasattr(value, "magnitude") and hasattr(value, "to")):
         return value
     if "hertz" in str(value.units):
-        return si(name, value, "hertz")
+        return value.to("hertz").magnitude
     if "radian" not in str(value.to_base_units().units):
         raise Refused(f"{name} = {value} is not allowed: {name} must be in Hz, rpm, or rad/s")
-    return si(name, value, "radian/second") / math.tau
+    return value.to("radian/second").magnitude / math.tau
 
 
 def size(scale: Scale, *, m: Any, k_v: Any, L: Any) -> Any:
@@ -347,7 +352,7 @@ class Scales:
     sheet: Mapping[str, Any] = dataclasses.field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
-        for name, unit in (("m", "kilogram"), ("k_v", "newton/meter"), ("L", "meter")):
+        for name, unit in (("m", "kg"), ("k_v", "N/m"), ("L", "m")):
             self.__dict__[name] = validate.number(name, si(name, getattr(self, name), unit), above=0.0)
         try:
             doubles = all(0 < value < math.inf for value in self.sizes.values())
@@ -360,6 +365,11 @@ class Scales:
     def sizes(self) -> dict[str, float]:
         """What numbers of each kind are measured in."""
         return sizes(m=self.m, k_v=self.k_v, L=self.L)
+
+    @property
+    def amplitude(self) -> str:
+        """Of which kind the amplitude of the excitation is."""
+        return EXCITED[self.excitation][1]
 
     def of(self, scale: Scale) -> float:
         """What one of these numbers is measured in."""
@@ -409,7 +419,7 @@ class Scales:
         column = QUANTITIES.get(name)
         if column is None or column.kind != "amplitude":
             return (name, "") if column is None else (column.si or name, column.kind)
-        letter, kind, _ = EXCITED[self.excitation]
+        letter, kind = EXCITED[self.excitation]
         return letter if name == "F_0" else letter + name[1:], kind
 
     def named(self, found: Mapping[str, Any], answer: Any, entry: tuple[str, ...] = ()) -> Quantities:
@@ -425,5 +435,5 @@ class Scales:
                 values[shown], units[shown] = self.m, SHEET[name]
             elif kind:
                 values[shown] = _times(value, self.sizes[kind])
-                units[shown] = next(iter(UNITS[kind]))
+                units[shown] = SI[kind]
         return Quantities(values, units, answer, tuple(self.kind(name)[0] for name in entry), self)

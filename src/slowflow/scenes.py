@@ -53,7 +53,7 @@ from slowflow.averaged.plan import Plan
 from slowflow.isolator import DUFFING, ROD_SPRING, Duffing, Isolator
 from slowflow.measured import costs
 from slowflow.physical import Physical
-from slowflow.quantities import EXCITED, SHOWN, UNITS
+from slowflow.quantities import EXCITED, SHOWN, SI, UNITS
 from slowflow.table import COLUMNS, SHOCKS
 from slowflow_kernels.domains import DAMPING, DISSIPATION
 from slowflow_support.errors import SceneError
@@ -153,7 +153,7 @@ LETTERS = tuple(letter for letter, *_ in EXCITED.values())
 FORCINGS = (*LETTERS, "F_0")
 #: of which kind the arguments of a mount's questions are
 OF_MOUNT = {one.si or one.name: one.kind for one in COLUMNS.values()}
-OF_MOUNT |= {letter: kind for letter, kind, _ in EXCITED.values()}
+OF_MOUNT |= dict(EXCITED.values())
 #: names of the frequency
 FREQUENCIES = ("f", "Omega")
 #: what a half sine of the base is given by
@@ -217,7 +217,7 @@ class Asked:
         """The units in which a scene has the arguments, by their names; of those in pairs by the names of the parts."""
         pairs = {"shock": OF_A_PULSE, "spectrum": [name for name in self.kinds if name in (*LETTERS, "f")]}
         names = [part for name in self.arguments for part in pairs.get(name, [name])]
-        return {name: next(iter(UNITS[self.kinds[name]])) for name in names if name in self.kinds}
+        return {name: SI[self.kinds[name]] for name in names if name in self.kinds}
 
     def count(self) -> int:
         """How many answers it makes up: one for each frequency, row of a spectrum, pulse of a shock spectrum."""
@@ -512,7 +512,7 @@ class _Reader:
         for key in given:
             if key in (*FORCINGS, *FREQUENCIES) and key not in known:
                 right, of = (kind.forcing, kind.forcing) if key in FORCINGS else (kind.frequency, "f")
-                unit = f", in {next(iter(UNITS[OF_MOUNT[of]]))}" if mount else ", dimensionless"
+                unit = f", in {SI[OF_MOUNT[of]]}" if mount else ", dimensionless"
                 what = "the frequency"
                 if key in FORCINGS:
                     excited = next((name for name, (letter, *_) in EXCITED.items() if letter == right), "")

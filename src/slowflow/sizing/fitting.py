@@ -22,7 +22,7 @@ from slowflow.answer import Table, entry, joined
 from slowflow.averaged.asked import AMPLITUDES, SADDLE_NODES
 from slowflow.mechanism import Floats
 from slowflow.plausible import Implausible
-from slowflow.quantities import EXCITED, SHEET, UNITS, in_shown, si, turns
+from slowflow.quantities import EXCITED, SHEET, SI, in_shown, si, turns
 from slowflow.sizing.subject import Subject, first_jump
 from slowflow_support.errors import NotSettled, Refused
 
@@ -152,7 +152,7 @@ def fit(
     if (A is None) == (jump_up is None and jump_down is None):
         raise Refused("a fit needs either measured amplitudes A, or jump_up or jump_down")
     if subject.mount:
-        F, f, A = si("F", F, EXCITED[subject.excitation][2]), turns("f", f), si("A", A, "meter")
+        F, f, A = si("F", F, SI[subject.amplitude]), turns("f", f), si("A", A, "m")
         jump_up, jump_down = turns("jump_up", jump_up), turns("jump_down", jump_down)
     if A is None:
         measured = _jumps(subject, F if subject.mount else F_0, jump_up, jump_down)
@@ -372,8 +372,8 @@ def _jumps(subject: Subject, forcing: Any, up: Any, down: Any) -> _Measured:
         found = found * np.asarray(units["frequency"])[..., np.newaxis]
         return np.asarray(np.nan_to_num(found)[..., there])
 
-    letter, kind, _ = EXCITED[subject.excitation]
-    names = (f"{letter}/{next(iter(UNITS[kind]))}" if subject.mount else force, f"measured less fitted {frequency}")
+    letter, kind = EXCITED[subject.excitation]
+    names = (f"{letter}/{SI[kind]}" if subject.mount else force, f"measured less fitted {frequency}")
     return _Measured(measured[there], np.broadcast_to(forces, there.shape)[there], of_designs, names)
 
 

@@ -23,7 +23,7 @@ from slowflow.off_centre.many import OffCentreDesigns
 from slowflow.oscillator import Oscillator
 from slowflow.physical import Physical
 from slowflow.physical_moves import WORDS, g
-from slowflow.quantities import EXCITED, PINT, SHEET, UNITS, si, size, sizes, turns
+from slowflow.quantities import EXCITED, SHEET, SI, UNITS, si, size, sizes, turns
 from slowflow.table import COLUMNS
 from slowflow_kernels import inertia, slow_flow
 from slowflow_kernels.conventions import FoldKind, Status
@@ -129,7 +129,7 @@ class Subject:
         base = {name: getattr(self.mount.scales, name) for name in ("m", "k_v", "L")}
         found = dict(base)
         if self.loaded:  # what moves is the load; m is what the vertical spring is preset for
-            found |= {"load": base["m"], "m": float(si("m", self.mount.given["m"], "kilogram"))}
+            found |= {"load": base["m"], "m": float(si("m", self.mount.given["m"], "kg"))}
         for name, scale in self._scales().items():
             if self._word(name) == "zeta":
                 found["zeta"] = isolator.zeta
@@ -137,7 +137,7 @@ class Subject:
                 found[self._word(name)] = getattr(isolator, name) * size(scale, **base)
         if (static := self.mount.given.get(STATIC)) is not None:
             # as it was given: rounded, it may be less than friction
-            found[STATIC] = max(float(si(STATIC, static, "newton")), found["friction"])
+            found[STATIC] = max(float(si(STATIC, static, "N")), found["friction"])
         return found
 
     def _scales(self) -> dict[str, Any]:
@@ -165,18 +165,15 @@ class Subject:
     def unit(self, answer: str) -> str:
         """Of an answer; "" without dimensions."""
         kind = self.kind(answer)
-        return next(iter(UNITS[kind])) if self.mount and kind else ""
+        return SI[kind] if self.mount and kind else ""
 
     def number(self, name: str, value: Any) -> Any:
         """A value of a number of the design, of a mount in SI units if it is a quantity of pint."""
-        return si(name, value, PINT[SHEET[name]]) if self.mount else value
+        return si(name, value, SHEET[name]) if self.mount else value
 
     def limit(self, answer: str, value: Any) -> Any:
         """A value of an answer, of a mount in SI units if it is a quantity of pint."""
-        unit = self.unit(answer)
-        if not self.mount:
-            return value
-        return turns(answer, value) if unit == "Hz" else si(answer, value, PINT.get(unit, unit))
+        return si(answer, value, self.unit(answer)) if self.mount else value
 
     def load(self, F: Any, F_0: Any, f: Any, Omega: Any, shock: Any, spectrum: Any) -> Load:
         """What was given of F and f, of a mount, or F_0 and Omega, of an isolator, a shock and a load spectrum.
@@ -184,7 +181,7 @@ class Subject:
         Raises ValueError for those of the other one.
         """
         of, names = ("a mount", ("F", "f")) if self.mount else ("an isolator", ("F_0", "Omega"))
-        unit = EXCITED[self.excitation][2]
+        unit = SI[self.amplitude]
         F, f = si("F", F, unit), turns("f", f)
         (forcing, frequency), others = ((F, f), (F_0, Omega)) if self.mount else ((F_0, Omega), (F, f))
         for what, name, other in zip(("forcing", "frequency"), names, others, strict=True):
@@ -199,7 +196,7 @@ class Subject:
             _pair("spectrum", spectrum, PAIR.format(*names)),
         )
         if self.mount:
-            pulse = pulse and (si("shock[0]", pulse[0], "meter/second**2"), si("shock[1]", pulse[1], "second"))
+            pulse = pulse and (si("shock[0]", pulse[0], "m/s^2"), si("shock[1]", pulse[1], "s"))
             table = table and (turns("spectrum[0]", table[0]), si("spectrum[1]", table[1], unit))
         if pulse is not None:
             pulse = tuple(validate.number(f"shock[{k}]", value, above=0.0) for k, value in enumerate(pulse))

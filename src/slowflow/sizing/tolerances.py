@@ -17,7 +17,7 @@ from scipy.stats import qmc
 from slowflow import progress, validate
 from slowflow.answer import Table, entry, frozen, in_text, optional
 from slowflow.mechanism import Floats
-from slowflow.quantities import PINT, in_shown, si
+from slowflow.quantities import in_shown, si
 from slowflow.sizing.subject import Load, Subject
 from slowflow_support.errors import Refused
 
@@ -102,7 +102,7 @@ def _drawn(subject: Subject, within: Mapping[str, Any], shares: Floats) -> dict[
             found[name] = np.asarray(off.ppf(share), dtype=float)
         else:
             share_of = f"within[{name!r}]"
-            part = validate.number(share_of, si(share_of, off, PINT[""]), least=0.0, below=1.0)
+            part = validate.number(share_of, si(share_of, off, ""), least=0.0, below=1.0)
             if part and not subject.nominal[name]:
                 raise Refused(f"within[{name!r}] = {part:g} is a share of 0: give a distribution of the value itself")
             found[name] = subject.nominal[name] * (1 + part * (2 * share - 1))
