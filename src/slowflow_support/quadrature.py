@@ -29,6 +29,11 @@ from slowflow_support.errors import NotSettled
 #: numbers that are held at a time
 TOGETHER = 1 << 20
 
+UNSETTLED = (
+    "the average at A = {:.17g} does not settle: the force is all but singular there, or a difference in which its "
+    "digits are lost; what lies beyond a `reach` that is stated with it is not asked for"
+)
+
 Terms = Callable[..., Sequence[Any]]
 
 #: the same integrals in C, by the generated function that closes them: at flat arrays, the outputs along a first axis
@@ -45,7 +50,6 @@ def over_quarter(
     graded: Sequence[int],
     rule: Sequence[tuple[float, float]],
     begins: Sequence[int] = (),
-    rough: Sequence[float] = (),
 ) -> tuple[Any, ...]:
     """The outputs of `closing` at A and parameters that broadcast.
 
@@ -54,7 +58,6 @@ def over_quarter(
     graded -- of each of these the power of what is divided into panels that its angle, from where it begins, is
     rule   -- positive nodes on [-1, 1], which stand for their negatives too, and weights
     begins -- the number of the breakpoint at which each contact begins
-    rough  -- what each integrand is in doubt by, wherever it is; () where rounding is relative to it
 
     Raises ArithmeticError where a sum does not settle: the force is all but singular.
     """
@@ -70,18 +73,17 @@ def over_quarter(
     at = np.array([x for node, _ in reversed(rule) for x in (-node,)] + [node for node, _ in rule])
     weights = np.array([weight for _, weight in reversed(rule)] + [weight for _, weight in rule])
     sums = np.zeros((width, flat[0].size))
-    doubt = np.array(rough).reshape(-1, 1)
     size = max(1, TOGETHER // (width * at.size * MOST_PANELS // 8))
     with np.errstate(all="ignore"):
         for first in range(0, flat[0].size, size):
             part = slice(first, first + size)
             some = [one[part] for one in flat]
-            sums[:, part] = found = _sums(some, breakpoints, terms, width, graded, (at, weights), begins, doubt)
+            sums[:, part] = found = _sums(some, breakpoints, terms, width, graded, (at, weights), begins)
             # a slope at rest that is a quotient of zeros, as of a broken power, is what it is next to it
             lost = np.isnan(found).any(axis=0) & (some[0] == 0)
             if lost.any():
                 beside = [np.full(int(lost.sum()), NEXT_TO_ZERO), *(one[lost] for one in some[1:])]
-                near = _sums(beside, breakpoints, terms, width, graded, (at, weights), begins, doubt)
+                near = _sums(beside, breakpoints, terms, width, graded, (at, weights), begins)
                 sums[:, np.flatnonzero(lost) + first] = np.where(np.isnan(found[:, lost]), near, found[:, lost])
     return tuple(closing(arrays[0], *(one.reshape(shape) for one in sums), *arrays[1:]))
 
@@ -94,7 +96,6 @@ def _sums(
     graded: Sequence[int],
     rule: tuple[Floats, Floats],
     begins: Sequence[int],
-    doubt: Floats,
 ) -> Floats:
     """The sums over the pieces and the contacts, an array (width, n)."""
     A, *parameters = numbers
@@ -119,7 +120,7 @@ def _sums(
         for from_top, there, span in spans:
             wide = there & (span > 0)
             if wide.any():
-                own = _Piece(piece, width, graded[number], from_top, rule, doubt)
+                own = _Piece(piece, width, graded[number], from_top, rule)
                 total[:, wide] += own.settled([one[wide] for one in numbers], low[wide], span[wide])
         low = high
     return total
@@ -135,7 +136,6 @@ class _Piece:
     """One piece of the force, to be integrated over low < t < low + span, or over the `span` below t = pi/2.
 
     terms, width, graded, rule -- as in `over_quarter`
-    doubt    -- of each integrand (width, 1), or empty
     from_top -- whether the angle is counted downwards from pi/2
     """
 
@@ -144,7 +144,6 @@ class _Piece:
     graded: int
     from_top: bool
     rule: tuple[Floats, Floats]
-    doubt: Floats
 
     def settled(self, numbers: list[Floats], low: Floats, span: Floats) -> Floats:
         """The integrals."""
@@ -152,19 +151,13 @@ class _Piece:
         left, before, panels = np.arange(span.size), None, 1
         while left.size:
             if panels > MOST_PANELS:
-                raise NotSettled(
-                    f"the average at A = {numbers[0][left[0]]:.17g} does not settle: "
-                    "the force is all but singular there, or a difference in which its digits are lost; what lies "
-                    "beyond a `reach` that is stated with it is not asked for"
-                )
+                raise NotSettled(UNSETTLED.format(numbers[0][left[0]]))
             some, at = [one[left] for one in numbers], (low[left], span[left])
             value, sizes = self._by(panels, some, *at)
             if before is not None:
                 moved = np.abs(value - before)
                 # an infinite sum stays so
-                apart = (moved > AGREED * sizes + (self.doubt * span[left] if self.doubt.size else 0.0)) & ~(
-                    span[left] <= SHORT_PART
-                )
+                apart = (moved > AGREED * sizes) & ~(span[left] <= SHORT_PART)
                 if panels >= FEWEST_PANELS and apart.any():
                     moves = np.zeros_like(value)
                     for k in range(len(some)):

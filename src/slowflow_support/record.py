@@ -132,7 +132,8 @@ class Mechanism:
     kinks       -- of the parameters: what slope and curvature of the force lose at each breakpoint; None where the
                    force or its slope jumps at all of them
     enclosed    -- of each piece, at (around, A, u less its begin, sine, *parameters) on intervals: what stands under
-                   the integrals of the average; None where h_AAA is proved to be monotone on each piece
+                   the integrals of the average; None where h_AAA is proved to be monotone on each piece; () where
+                   only `samples` bound the force
     steps       -- of the parameters: f and its derivatives just above u = 0, as many as the force has; their gains at
                    each breakpoint; and those of the last piece, by its formula, at u = 0. None where a piece is no
                    polynomial. Of a force that is not odd: those of each piece by its formula at u = 0, and their gains

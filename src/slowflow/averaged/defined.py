@@ -35,7 +35,7 @@ TOGETHER = 1024
 def check_defined(model: Model) -> None:
     """Raises ValueError where a piece of an odd force is infinite, or no number, within the reach that is stated."""
     record = model.mechanism.enclosed
-    if record is None or not model.mechanism.odd or not math.isfinite(model.reach):
+    if not record or not model.mechanism.odd or not math.isfinite(model.reach):
         return
     reach = model.reach
     given = [Elementary.point(value) for value in model.parameters]
@@ -67,7 +67,7 @@ def may_be_undefined(mechanism: Mechanism, parameters: tuple[Any, ...]) -> Bools
     ends = [np.asarray(end, dtype=float) for end in mechanism.breakpoints(*parameters)]
     shape = np.broadcast_shapes(reach.shape, *(np.shape(one) for one in (*parameters, *ends)))
     found = np.zeros(math.prod(shape), dtype=bool)
-    if mechanism.enclosed is None or not mechanism.odd:
+    if not mechanism.enclosed or not mechanism.odd:
         return found.reshape(shape)
     given, bounds, (most,) = (
         [np.broadcast_to(np.asarray(one, dtype=float), shape).reshape(-1, 1) for one in some]

@@ -21,10 +21,10 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 
 from slowflow.sampled.polynomial import CELLS, ORDERS, Floats, Smooth
-from slowflow_kernels import sampled
-from slowflow_kernels.quadrature_conventions import DENSE, NODES
-from slowflow_support.errors import Refused, WrongType
-from slowflow_support.quadrature import over_quarter
+from slowflow_kernels.quadrature_conventions import NODES
+from slowflow_support.backend import loaded
+from slowflow_support.errors import NotSettled, Refused, WrongType
+from slowflow_support.quadrature import UNSETTLED
 
 #: a function stated for u > 0 and u < 0 is odd within this share of itself
 ODD = 1e-9
@@ -122,85 +122,27 @@ class Force:
             words.append(0 if piece is None else piece.of[0].size)
             if piece is not None:
                 words += [piece.power, CELLS]
-                ranges = [part for one in piece.ranges for part in (one.least[0], one.most[0])]
-                numbers += [[piece.length], *piece.of, piece.ranges[0].edges, *ranges]
+                numbers += [[piece.length], *piece.of, piece.edges, *piece.ranges(0), *piece.ranges(ORDERS)]
             numbers += [[end], lost]
         rough = [max(one.rough(order) for one in self.smooth if one is not None) for order in range(ORDERS)]
         return array("i", words).tobytes(), np.concatenate([*numbers, self.line, rough]).tobytes()
 
-    def beyond(self, v: Any, orders: Sequence[int]) -> list[Any]:
-        """The straight line from the reach on, and its derivatives of these orders."""
-        value, slope = self.line
-        all_orders = [value + slope * v, np.full_like(v, slope), np.zeros_like(v), np.zeros_like(v)]
-        return [all_orders[order] for order in orders]
+    @cached_property
+    def _record(self) -> Any:
+        return loaded("slowflow._native").samples(self.stated.name, *self.samples, False, False)
 
-    def summed(
-        self, A: Any, of_pieces: Callable[..., Any], of_end: Callable[..., Any], orders: Sequence[int]
-    ) -> tuple[Any, ...]:
-        """Integrals over the quarter cycle, and what ends that are passed add.
+    def averages(self, A: Any, outputs: int) -> tuple[Any, ...]:
+        """h and three derivatives; h_3 and h_5, each with three derivatives, as 8 outputs; or h - A h_A as one.
 
-        of_pieces -- at sine, cosine and those derivatives of the force that are wanted
-        of_end    -- at amplitudes beyond an end, that end, and what is lost there
-        orders    -- which derivative stands under each integral
+        Raises ArithmeticError where they do not settle.
         """
-        wanted = sorted(set(orders))
-        rough = [max(one.rough(k) for one in self.smooth if one is not None) for k in orders]
-        A = np.asarray(A, dtype=float)
-
-        def terms(of: Callable[[Any, Sequence[int]], list[Any]]) -> Callable[..., Any]:
-            return lambda beyond, sine, cosine: of_pieces(sine, cosine, *of(beyond, wanted))
-
-        def nothing(beyond: Any, orders: Sequence[int]) -> list[Any]:
-            return [np.zeros_like(beyond)] * len(orders)
-
-        pieces = [terms(nothing if one is None else one.at) for one in self.smooth]
-        pieces.append(terms(self.beyond))
-
-        def closing(A: Floats, *sums: Any) -> list[Any]:
-            total = [np.array(one) for one in sums]
-            for end, lost in zip(self.ends, self.lost, strict=True):
-                passed = A > end
-                if end > 0 and passed.any():
-                    for one, more in zip(total, of_end(A[passed], end, lost), strict=True):
-                        one[passed] += more
-            return total
-
-        graded = (DENSE,) * len(pieces)
-        flat = over_quarter(A.ravel(), (), lambda: self.ends, pieces, closing, len(orders), graded, RULE, (), rough)
-        return tuple(one.reshape(A.shape)[()] for one in flat)
-
-    def averaged(self, A: Any) -> Any:
-        """h and three derivatives."""
-        return self.summed(
-            A,
-            lambda sine, cosine, *f: sampled.averaged_terms(sine, *f),
-            lambda A, end, lost: (0.0, *sampled.averaged_end(A, end, *lost[:3])),
-            range(4),
-        )
-
-    def harmonics(self, A: Any) -> Any:
-        """h_3 and h_5, each with three derivatives."""
-
-        def of_end(A: Floats, end: float, lost: tuple[float, ...]) -> Any:
-            found = sampled.harmonics_end(A, end, *lost[:3])
-            return (0.0, *found[:3], 0.0, *found[3:])
-
-        return self.summed(
-            A, lambda sine, cosine, *f: sampled.harmonics_terms(sine, *f), of_end, (*range(4), *range(4))
-        )
-
-    def intercept(self, A: Any) -> Any:
-        """h - A h_A."""
-        A = np.asarray(A, dtype=float)
-        # A^2 stands before the integral
-        (found,) = self.summed(
-            A,
-            lambda sine, cosine, f_uu: (sampled.intercept_terms(1.0, sine, cosine, f_uu),),
-            lambda A, end, lost: (sampled.intercept_end(A, end, *lost[:2]) / A**2,),
-            (2,),
-        )
-        first = next(one for one in self.smooth if one is not None)
-        return A**2 * found + sampled.at_rest(float(first.at(0.0, (0,))[0]))
+        A = np.asarray(A, dtype=float, order="C")
+        found = np.empty((outputs, *A.shape))
+        loaded("slowflow._native").averages(self._record, self.numbers, A, found)
+        lost = np.isfinite(A) & np.isnan(found).any(axis=0)
+        if lost.any():
+            raise NotSettled(UNSETTLED.format(A[lost][0]))
+        return tuple(found)
 
     def value(self, number: int, u: Any, order: int) -> Any:
         """A piece of the force, or its slope, on both sides of u = 0."""
@@ -213,9 +155,10 @@ class Force:
         v = size - begin
         if number + 1 < len(self.smooth):
             return side * piece.at(v, (order,))[0]
-        further = v - piece.length
         (inside,) = piece.at(np.minimum(v, piece.length), (order,))
-        return side * np.where(further > 0, self.beyond(np.maximum(further, 0.0), (order,))[0], inside)
+        value, slope = self.line
+        beyond = value + slope * np.maximum(v - piece.length, 0.0) if order == 0 else slope
+        return side * np.where(v > piece.length, beyond, inside)
 
     def value_throughout(self, number: int, u: Any, order: int) -> Any:
         """The last piece, or its slope, beyond the reach as well; NaN where the function gives nothing smooth there."""
@@ -248,20 +191,6 @@ class Force:
                     below = None
             self.doublings[k] = None if below is None else found
         return self.doublings[k]
-
-    def bounds(self, number: int, v: Any) -> tuple[Any, Any]:
-        """A piece and its fourth derivative on intervals; NaN beyond the reach, where nothing is known."""
-        piece = self.smooth[number]
-        low, high = v.ends
-        if piece is None:
-            return 0.0 * v, 0.0 * v
-        outside = high > piece.length * (1 + 2.0**-40)
-        found = []
-        for one in piece.ranges:
-            ends = one.on(np.maximum(low, 0.0), np.minimum(high, piece.length))
-            ends[:, outside] = np.nan
-            found.append(type(v)(ends))
-        return found[0], found[1]
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -170,10 +169,22 @@ class Smooth:
         kept = np.flatnonzero(np.abs(coefficients) > noise)
         return coefficients[: kept[-1] + 1 if kept.size else 1], power
 
-    @cached_property
-    def ranges(self) -> tuple[_Ranges, _Ranges]:
-        """Of the force, and of its fourth derivative."""
-        return _Ranges(self, 0), _Ranges(self, ORDERS)
+    @property
+    def edges(self) -> Floats:
+        """Those of the parts that `ranges` bounds it on, dense where the piece begins."""
+        return np.asarray(self.length * (np.arange(CELLS + 1) / CELLS) ** 2)
+
+    def ranges(self, order: int) -> tuple[Floats, Floats]:
+        """What a derivative is at least, and at most, on each part."""
+        # on a part it is the polynomial through so many of its values, whose coefficients bound it
+        count = self.of[0].size + self.power
+        places = 0.5 * (1 - np.cos(np.pi * (np.arange(count) + 0.5) / count))
+        edges = self.edges[:, np.newaxis]
+        (values,) = self.at(edges[:-1] + np.diff(edges, axis=0) * places, (order,))
+        coefficients = _cosines(np.broadcast_to(values, (CELLS, count)))
+        middle, beside = 0.5 * coefficients[:, 0], np.abs(coefficients[:, 1:]).sum(axis=1)
+        beside += 4 * count * 2.0**-52 * self.size(order)
+        return middle - beside, middle + beside
 
 
 _LEFT = "what is not smooth at some |u| ends a piece there, and a power that is no whole number is stated as a formula"
@@ -227,37 +238,3 @@ def _cosines(values: Floats) -> Floats:
 
     found: Floats = dct(values, type=2, axis=-1) / values.shape[-1]
     return found
-
-
-class _Ranges:
-    """What a polynomial is on intervals, by what it is on parts, dense where the piece begins."""
-
-    def __init__(self, piece: Smooth, order: int) -> None:
-        edges = piece.length * (np.arange(CELLS + 1) / CELLS) ** 2
-        self.edges = edges
-        # on a part it is the polynomial through so many of its values, whose coefficients bound it
-        count = piece.of[0].size + piece.power
-        places = 0.5 * (1 - np.cos(np.pi * (np.arange(count) + 0.5) / count))
-        (values,) = piece.at(edges[:-1, np.newaxis] + np.diff(edges)[:, np.newaxis] * places, (order,))
-        coefficients = _cosines(np.broadcast_to(values, (CELLS, count)))
-        middle, beside = 0.5 * coefficients[:, 0], np.abs(coefficients[:, 1:]).sum(axis=1)
-        beside += 4 * count * 2.0**-52 * piece.size(order)
-        # of 2^k parts from each on
-        self.least, self.most = [middle - beside], [middle + beside]
-        while self.least[-1].size > 1:
-            step = 2 ** (len(self.least) - 1)
-            self.least.append(np.minimum(self.least[-1][:-step], self.least[-1][step:]))
-            self.most.append(np.maximum(self.most[-1][:-step], self.most[-1][step:]))
-
-    def on(self, low: Floats, high: Floats) -> Floats:
-        """Ends (2, n) of what it is from low to high."""
-        first = np.clip(np.searchsorted(self.edges, low, side="right") - 1, 0, CELLS - 1)
-        last = np.clip(np.searchsorted(self.edges, high, side="left") - 1, first, CELLS - 1)
-        level = np.frexp(last - first + 1)[1] - 1
-        found = np.empty((2, low.size))
-        for k in np.unique(level):
-            here = level == k
-            a, b = first[here], last[here] + 1 - 2**k
-            found[0, here] = np.minimum(self.least[k][a], self.least[k][b])
-            found[1, here] = np.maximum(self.most[k][a], self.most[k][b])
-        return found

@@ -89,14 +89,17 @@ class Asked:
     # --- of the amplitude ---
 
     def averaged(self, A: Any, *given: Any) -> Any:
-        return self._by_design(given, A, of=Force.averaged)
+        return self._averages(A, given, 4)
 
     def harmonics(self, A: Any, *given: Any) -> Any:
-        return self._by_design(given, A, of=Force.harmonics)
+        return self._averages(A, given, 8)
 
     def intercept(self, A: Any, *given: Any) -> Any:
-        (found,) = self._by_design(given, A, of=lambda force, A: (force.intercept(A),))
+        (found,) = self._averages(A, given, 1)
         return found
+
+    def _averages(self, A: Any, given: Sequence[Any], outputs: int) -> Any:
+        return self._by_design(given, A, of=lambda force, A: force.averages(A, outputs))
 
     # --- of a piece ---
 
@@ -116,14 +119,6 @@ class Asked:
         """The piece, or a derivative of it."""
         (found,) = self._by_design(given, u, of=lambda force, u: (of(force, self.number, u, order),))
         return found
-
-    # --- on intervals ---
-
-    def enclosed(self, around: Any, A: Any, beyond: Any, sine: Any, *given: Any) -> Any:
-        return self._of(given).bounds(self.number, beyond)
-
-    def _of(self, given: Sequence[Any]) -> Force:
-        return self.stated.force(tuple(float(one.ends[0, 0]) for one in given))
 
 
 def record(stated: Stated, title: str, design: tuple[Parameter, ...], reach_reason: str) -> Mechanism:
@@ -153,7 +148,7 @@ def record(stated: Stated, title: str, design: tuple[Parameter, ...], reach_reas
         reach_reason=reach_reason or REACHED,
         truncated=False,
         load_untruncated=None,
-        enclosed=tuple(Asked(stated, Asked.enclosed, k) for k in range(count)),
+        enclosed=(),
         told=Asked(stated, Asked.told),
         samples=Asked(stated, Asked.samples),
     )

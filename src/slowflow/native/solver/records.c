@@ -313,6 +313,33 @@ static PyObject *new_model(PyObject *self, PyObject *args)
     return NULL;
 }
 
+/* (record, parameters, A, out): of so many outputs 4 are h and its derivatives, 8 those of the harmonics, 1 h - A h_A. */
+static PyObject *averages(PyObject *self, PyObject *args)
+{
+    PyObject *capsule, *parameters;
+    Py_buffer A, out;
+    double p[SF_MOST_PARAMETERS];
+    (void)self;
+    if (!PyArg_ParseTuple(args, "OO!y*w*", &capsule, &PyTuple_Type, &parameters, &A, &out))
+        return NULL;
+    const sf_mechanism *record = sf_record_in(capsule);
+    if (record != NULL && sf_read_numbers(parameters, record->parameters, record->name, "parameters", p) == 0) {
+        const Py_ssize_t n = A.len / (Py_ssize_t)sizeof(double);
+        if (out.len == 4 * A.len)
+            record->averaged(record, n, A.buf, p, out.buf);
+        else if (out.len == 8 * A.len)
+            record->harmonics(record, n, A.buf, p, out.buf);
+        else if (out.len == A.len)
+            for (Py_ssize_t i = 0; i < n; i++)
+                ((double *)out.buf)[i] = record->intercept(record, ((const double *)A.buf)[i], p);
+        else
+            PyErr_SetString(PyExc_ValueError, "room for other numbers than averages");
+    }
+    PyBuffer_Release(&A);
+    PyBuffer_Release(&out);
+    return PyErr_Occurred() ? NULL : Py_NewRef(Py_None);
+}
+
 static PyObject *prepared(PyObject *self, PyObject *capsule)
 {
     const sf_model *model = sf_model_in(capsule);
@@ -324,6 +351,7 @@ static PyObject *prepared(PyObject *self, PyObject *capsule)
 
 static PyMethodDef functions[] = {
     {"prepared", prepared, METH_O, "(oscillator) -> 4 mu/pi, breakpoints, jumps at these; none at 0"},
+    {"averages", averages, METH_VARARGS, "(record, parameters, A, out) -> None"},
     {"program", program, METH_VARARGS, "(name, words, numbers) -> a record that interprets them, or None"},
     {"samples", samples, METH_VARARGS, "(name, words, numbers, inertial, with_laws) -> a record of polynomials, or None"},
     {"called", called, METH_VARARGS,
