@@ -129,3 +129,14 @@ def test_a_broken_power_behind_a_preload_has_motions_that_scipy_confirms():
         np.testing.assert_allclose(
             np.sort_complex(found.multipliers), np.sort_complex(other.multipliers), rtol=0, atol=1e-10
         )
+
+
+def test_a_detachment_behind_a_preload_is_where_the_first_piece_alone_has_such_a_peak(spring):
+    force = c + k * u
+    pieces = [(force, gap), (force + hard * (u - gap), None)]
+    stop = derive.mechanism("sprung_stop", pieces, dict.fromkeys(("c", "k", "hard", "gap"), ABOVE_0))
+    reach = 0.3
+    found = stop(c=0.01, k=K, hard=3.0, gap=reach, mu=MU, zeta=ZETA).detachment().measure()
+    beside = (0.9 * found.Omega, 1.1 * found.Omega)
+    assert spring.replace(c=0.01).exact_response(found.F_0, Omega=beside).peak.A == pytest.approx(reach, rel=1e-6)
+    assert abs(found.error) < 0.01

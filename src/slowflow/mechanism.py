@@ -10,7 +10,7 @@ numbers and an integrator's symbols. Integrators compile a law once; constants a
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any, Protocol
@@ -22,7 +22,7 @@ from slowflow.text import text
 from slowflow_kernels import duffing, inertia, motion, slow_flow
 from slowflow_support.errors import Refused
 from slowflow_support.frozen import dataclass
-from slowflow_support.record import Function, Law, Mechanism, Parameter
+from slowflow_support.record import Law, Mechanism, Parameter
 
 __all__ = [
     "LINEAR",
@@ -99,19 +99,29 @@ class OneSided(Piece):
 
 @dataclass(frozen=True)
 class Force:
-    """The whole restoring force f(u) = u + F_k(u): piece i holds for breakpoints[i-1] < |u| <= breakpoints[i].
+    """The whole restoring force f(u) = u + F_k(u), piece by piece; a breakpoint belongs to the inner one.
 
-    It may jump at a breakpoint, as the truncated force (6) does at u_cr.
+    pieces, breakpoints -- by rising |u|, as for u > 0: piece i holds for breakpoints[i-1] < |u| <= breakpoints[i].
+                   Where the force jumps at u = 0, as by a preload, the first holds there only, with f = 0 and its
+                   breakpoint at 0: a mass may rest there. Of a force that is not odd they are by rising u
+    odd -- whether it is odd, so that a motion may be the mirror image of itself half a turn later
+
+    It may jump at a breakpoint, as the truncated force (6) does at u_cr. Regions are numbered from the piece about
+    u = 0 on, those at lower u negative.
     """
 
     pieces: tuple[Piece, ...]
     breakpoints: tuple[float, ...]
+    odd: bool = True
 
     def __post_init__(self) -> None:
         if len(self.pieces) != len(self.breakpoints) + 1:
             raise Refused(f"{len(self.pieces)} pieces need {len(self.pieces) - 1} breakpoints")
-        if any(not b > a for a, b in zip((0.0, *self.breakpoints), self.breakpoints, strict=False)):
-            raise Refused(f"breakpoints = {self.breakpoints} must be positive and rise")
+        ends = self.breakpoints[self.innermost :]
+        if self.odd and any(not b > a for a, b in pairwise((0.0, *ends))):
+            raise Refused(f"breakpoints = {ends} must be positive and rise")
+        if not self.odd and any(not b > a for a, b in pairwise(ends)):
+            raise Refused(text("the pieces of the force end at {u = :r}: these must rise", ends))
 
     @staticmethod
     def of(mechanism: Mechanism, parameters: tuple[float, ...]) -> Force:
@@ -119,44 +129,50 @@ class Force:
         pieces = tuple(Piece(law, parameters) for law in mechanism.pieces)
         ends = tuple(float(end) for end in mechanism.breakpoints(*parameters))
         if not mechanism.odd:
-            return SidedForce(pieces, ends)
+            return Force(pieces, ends, odd=False)
         kept = [i for i, end in enumerate(ends) if end != 0.0]
         return Force((*(pieces[i] for i in kept), pieces[-1]), tuple(ends[i] for i in kept))
 
     @property
-    def odd(self) -> bool:
-        """Whether it is odd, so that a motion may be the mirror image of itself half a turn later."""
-        return True
+    def innermost(self) -> int:
+        """The number of the first piece that a mass may move in: 1 of a force that jumps at u = 0."""
+        return int(isinstance(self.pieces[0], OneSided))
 
     @property
     def jump(self) -> float:
         """f(0+), what it jumps to at u = 0: it holds a mass there that friction alone would not."""
-        return 0.0
+        return self.pieces[1].value(0.0) if self.innermost else 0.0
 
     @property
-    def innermost(self) -> int:
-        """The number of the first piece that a mass may move in."""
-        return 0
+    def edges(self) -> tuple[float, ...]:
+        """The u at which each piece but the last ends, by rising u."""
+        return (*(-end for end in reversed(self.breakpoints)), *self.breakpoints) if self.odd else self.breakpoints
+
+    @property
+    def _about(self) -> int:
+        """How many of these lie below the piece about u = 0."""
+        return len(self.breakpoints) if self.odd else sum(b < 0 for b in self.breakpoints)
 
     def beyond(self, slip: int, region: int) -> int:
         """The region into which a mass slips from that one."""
-        return region + slip
+        return region + slip or self.innermost * slip
 
     def region_of(self, u: float) -> int:
-        """The number of the piece that holds u, with the sign of u; a breakpoint belongs to the inner one."""
+        """The number of the piece that holds u, with the sign of u."""
+        if not self.odd:
+            return sum(u > b for b in self.breakpoints) - self._about
         index = sum(abs(u) > b for b in self.breakpoints)
         return index if u > 0 else -index
 
     def piece(self, region: int) -> Piece:
-        """The piece of that number."""
-        return self.pieces[abs(region)]
+        """The piece of that number; where the force jumps at u = 0, on its side."""
+        piece = self.pieces[abs(region) if self.odd else self._about + region]
+        return OneSided(piece.law, piece.constants, region) if self.innermost and abs(region) == 1 else piece
 
     def edge_ahead(self, slip: int, region: int) -> float | None:
         """The breakpoint towards which a mass in that piece slips, with its sign; None if there is none."""
-        outward = slip * region
-        if outward >= 0:
-            return slip * self.breakpoints[outward] if outward < len(self.breakpoints) else None
-        return -slip * self.breakpoints[-outward - 1]
+        ahead, edges = self._about + region - (slip < 0), self.edges
+        return edges[ahead] if 0 <= ahead < len(edges) else None
 
     def value(self, u: float) -> float:
         """f(u), dimensionless."""
@@ -164,101 +180,18 @@ class Force:
 
     def __call__(self, u: Floats) -> Floats:
         """f(u) at displacements of any shape, dimensionless."""
-        return self._by_piece(u, [piece.law.force for piece in self.pieces])
+        return self._by_piece(u, lambda piece, u: piece(u))
 
     def stiffness(self, u: Floats) -> Floats:
         """df/du at displacements of any shape, dimensionless; at a breakpoint that of the inner piece."""
-        return self._by_piece(u, [piece.law.slope for piece in self.pieces])
+        return self._by_piece(u, lambda piece, u: piece.law.slope(u, *piece.constants))
 
-    def _held(self, u: Floats) -> npt.NDArray[np.intp]:
-        """Numbers of the pieces that hold u."""
-        return np.searchsorted(self.breakpoints, np.abs(u), side="left")
-
-    def _by_piece(self, u: Floats, functions: list[Function]) -> Floats:
-        held = self._held(u)
+    def _by_piece(self, u: Floats, function: Callable[[Piece, Floats], Floats]) -> Floats:
+        held = np.searchsorted(self.breakpoints, np.abs(u) if self.odd else u, side="left")
         values = np.empty_like(u)
-        for number, (function, piece) in enumerate(zip(functions, self.pieces, strict=True)):
-            values[held == number] = function(u[held == number], *piece.constants)
+        for number, piece in enumerate(self.pieces):
+            values[held == number] = function(piece, u[held == number])
         return values
-
-
-@dataclass(frozen=True)
-class JumpingForce(Force):
-    """An odd force that jumps at u = 0, as a preload does: region 0 is that place, where a mass may rest.
-
-    pieces -- the first holds there, with f = 0; the others by rising |u|, as they are for u > 0
-    breakpoints -- the first is 0
-    """
-
-    def __post_init__(self) -> None:
-        Force(self.pieces[1:], self.breakpoints[1:])
-
-    @staticmethod
-    def of_sides(force: Force) -> JumpingForce:
-        """That of pieces which jump at u = 0."""
-        first = force.pieces[0]
-        return JumpingForce((OneSided(first.law, first.constants, 0), *force.pieces), (0.0, *force.breakpoints))
-
-    @property
-    def jump(self) -> float:
-        """See `Force`."""
-        return self.pieces[1].value(0.0)
-
-    @property
-    def innermost(self) -> int:
-        """See `Force`."""
-        return 1
-
-    def beyond(self, slip: int, region: int) -> int:
-        """See `Force`."""
-        return region + slip or slip
-
-    def piece(self, region: int) -> Piece:
-        """The piece of that number on its side."""
-        piece = self.pieces[abs(region)]
-        return piece if abs(region) != 1 else OneSided(piece.law, piece.constants, region)
-
-    def __call__(self, u: Floats) -> Floats:
-        """See `Force`; 0 at u = 0."""
-        return np.where(u == 0, 0.0, super().__call__(u))
-
-
-@dataclass(frozen=True)
-class SidedForce(Force):
-    """A force that is not odd: its pieces by rising u, piece i for breakpoints[i-1] < u <= breakpoints[i].
-
-    Regions are numbered from the piece about u = 0 on, those below it negative.
-    """
-
-    def __post_init__(self) -> None:
-        if any(not b > a for a, b in pairwise(self.breakpoints)):
-            raise Refused(text("the pieces of the force end at {u = :r}: these must rise", self.breakpoints))
-
-    @property
-    def odd(self) -> bool:
-        """False."""
-        return False
-
-    @property
-    def _about(self) -> int:
-        """Index of the piece about u = 0, or just below."""
-        return sum(b < 0 for b in self.breakpoints)
-
-    def region_of(self, u: float) -> int:
-        """The number of the piece that holds u; a breakpoint belongs to the one below it."""
-        return sum(u > b for b in self.breakpoints) - self._about
-
-    def piece(self, region: int) -> Piece:
-        """The piece of that number."""
-        return self.pieces[self._about + region]
-
-    def edge_ahead(self, slip: int, region: int) -> float | None:
-        """The breakpoint towards which a mass in that piece slips; None if there is none."""
-        ahead = self._about + region - (slip < 0)
-        return self.breakpoints[ahead] if 0 <= ahead < len(self.breakpoints) else None
-
-    def _held(self, u: Floats) -> npt.NDArray[np.intp]:
-        return np.searchsorted(self.breakpoints, u, side="left")
 
 
 @dataclass(frozen=True)
@@ -328,7 +261,8 @@ def followed(force: Force, name: str) -> Force:
     if any(piece.law.whole for piece in force.pieces):
         force = replace(force, pieces=tuple(Piece(one.law.whole or one.law, one.constants) for one in force.pieces))
     if force.odd and force.value(0.0) != 0:
-        force = JumpingForce.of_sides(force)
+        first = force.pieces[0]
+        force = Force((OneSided(first.law, first.constants, 0), *force.pieces), (0.0, *force.breakpoints))
     with np.errstate(all="ignore"):
         stiffness = force.pieces[force.innermost].slope(0.0) if force.odd else 0.0
     if not math.isfinite(stiffness):

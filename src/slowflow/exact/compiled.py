@@ -25,7 +25,7 @@ import numpy.typing as npt
 
 from slowflow import backend
 from slowflow.exact.work import MOST_STEPS, MOST_WORK, spend, steps_left
-from slowflow.mechanism import EquationOfMotion, Force, Law, Piece
+from slowflow.mechanism import EquationOfMotion, Law, Piece
 from slowflow.sampled import rows
 from slowflow_kernels import motion
 from slowflow_kernels.exact_conventions import FAR
@@ -127,24 +127,16 @@ def of_system(system: EquationOfMotion) -> Any:
 @functools.lru_cache(maxsize=KEPT)
 def _made(system: EquationOfMotion) -> Any:
     force = system.force
-    pieces, edges = by_rising_u(force)
     about = -force.region_of(-math.inf)
-    ends = (-FAR, *edges, FAR)
+    ends = (-FAR, *force.edges, FAR)
     if force.odd:  # each holds on both sides of u = 0
         of = [_law(piece, *ends[about + i : about + i + 2]) for i, piece in enumerate(force.pieces)]
         made = of[:0:-1] + of
     else:
-        made = [_law(piece, *ends[i : i + 2]) for i, piece in enumerate(pieces)]
+        made = [_law(piece, *ends[i : i + 2]) for i, piece in enumerate(force.pieces)]
     laws, constants = zip(*made, strict=True)
     damping = system.mu, system.zeta, system.inertial, system.load, system.c_2, system.released, system.mu_s, system.eta
-    return EXACT.system(laws, constants, edges, about, force.odd, *damping, force.jump)
-
-
-def by_rising_u(force: Force) -> tuple[tuple[Piece, ...], tuple[float, ...]]:
-    """All pieces, and the u at which each but the last ends."""
-    if not force.odd:
-        return force.pieces, force.breakpoints
-    return force.pieces[:0:-1] + force.pieces, (*(-end for end in reversed(force.breakpoints)), *force.breakpoints)
+    return EXACT.system(laws, constants, force.edges, about, force.odd, *damping, force.jump)
 
 
 def advance(

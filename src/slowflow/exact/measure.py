@@ -238,8 +238,9 @@ def detachment(system: EquationOfMotion, found: Any) -> MeasuredPoint:
     """The forcing at which the peak of the exact curve with the first piece alone is u_cr. Raises as `peak`."""
     if not found.Omega_cr:
         return _nothing(found.message if found.Omega_cr is None else AT_REST)
-    attached = replace(system, force=Force(system.force.pieces[:1], ()))
-    u_cr = system.force.breakpoints[0]
+    force, inner = system.force, system.force.innermost
+    attached = replace(system, force=Force(force.pieces[: inner + 1], force.breakpoints[:inner]))
+    u_cr = force.breakpoints[inner]
 
     def highest(F_0: float) -> shooting.SteadyState:
         # where the averaged motion is at resonance; from rest where that leads nowhere
