@@ -38,9 +38,11 @@ class Answer:
     """What all answers share: read-only arrays, equality by content, plain numbers and lists on demand.
 
     in_words -- of some names, what is printed for some numbers
+    has_rows -- whether `columns` has a row for each of several entries, or the one of a single answer
     """
 
     in_words: ClassVar[Words] = MappingProxyType({})
+    has_rows: ClassVar[bool] = False
 
     if not TYPE_CHECKING:
 
@@ -97,11 +99,6 @@ class Answer:
     def _numbers(self) -> set[str]:
         """Names of numbers that may be missing."""
         return {field.name for field in dataclasses.fields(self) if field.type == "float | None"}  # type: ignore[arg-type]
-
-    @property
-    def has_rows(self) -> bool:
-        """Whether `columns` has a row for each of several entries, or the one of a single answer."""
-        return False
 
     def units_of_columns(self) -> Mapping[str, str]:
         """The units of numbers that have one; by default none is known."""
@@ -202,11 +199,7 @@ class Table(Answer):
 
     entry: ClassVar[Any]
     beside: ClassVar[tuple[str, ...]] = ()
-
-    @property
-    def has_rows(self) -> bool:
-        """True."""
-        return True
+    has_rows = True
 
     def _entry_of(self) -> Any:
         """The named tuple that an entry is."""

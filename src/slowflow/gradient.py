@@ -53,6 +53,8 @@ class Gradient(Answer):
     gives a `Slope` for each number and each parameter; of a table, as pandas', each entry has a row of its own.
     """
 
+    has_rows = True
+
     of: tuple[str, ...]
     by: tuple[str, ...]
     slopes: Floats
@@ -76,11 +78,6 @@ class Gradient(Answer):
 
     def __len__(self) -> int:
         return len(self.of) * len(self.by)
-
-    @property
-    def has_rows(self) -> bool:
-        """True."""
-        return True
 
     def columns(self) -> dict[str, Any]:
         """A row for each slope of each entry; an answer with a single entry has none in front."""

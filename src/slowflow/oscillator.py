@@ -78,6 +78,12 @@ class Oscillator(Unchanging, Averaged):
 
     given: dict[str, Any]
     design: tuple[float, ...]
+    eta: float
+    c_2: float
+    rubs: str
+    mu_s: float
+    excitation: str
+    load: float
 
     def __init__(
         self,
@@ -104,11 +110,12 @@ class Oscillator(Unchanging, Averaged):
         given = {"mechanism": mechanism, **own, "mu": model.mu, "zeta": model.zeta, "excitation": excitation}
         # not by attribute: these cannot be set
         self.__dict__.update(zip(mechanism.parameter_names, model.parameters, strict=True))
-        self.__dict__.update(own, design=model.design, given={**given, **laws.said})
+        self.__dict__.update(own, design=model.design, given={**given, **laws.said}, excitation=known_as, load=0.0)
+        self.__dict__.update(eta=laws.eta, c_2=laws.c_2, rubs=laws.rubs, mu_s=model.mu)
         if isinstance(mu_s, np.ndarray) or mu_s != 0:
             if not (static := validate.number("mu_s", mu_s, least=0.0)) >= self.mu:
                 raise Refused(text(LESS_THAN_MU, static, self.mu))
-            self.given["mu_s"] = static
+            self.given["mu_s"] = self.__dict__["mu_s"] = static
         if isinstance(load, np.ndarray) or load != 0 or not mechanism.odd:
             self._put(load)
 
@@ -118,7 +125,7 @@ class Oscillator(Unchanging, Averaged):
         why = off_centre_by(self.model.mechanism, load)
         self._check_rubs(why, self.model.laws)
         if load != 0:
-            self.given["load"] = load
+            self.given["load"] = self.__dict__["load"] = load
         self.__dict__["model"] = Loaded(self.model, load)
         self.off_centre  # noqa: B018  refuses a force that nothing is derived for
 
@@ -128,21 +135,9 @@ class Oscillator(Unchanging, Averaged):
         validate.is_plain(question, "" if laws.rubs == THROUGHOUT else f"rubs = {laws.rubs!r}")
 
     @property
-    def load(self) -> float:
-        """The static load over k_v L."""
-        found: float = self.given.get("load", 0.0)
-        return found
-
-    @property
     def _off_centre_by(self) -> str:
         """What takes motions off the centre, in words; "" for nothing."""
         return off_centre_by(self.model.mechanism, self.load) if isinstance(self.model, Loaded) else ""
-
-    @property
-    def mu_s(self) -> float:
-        """Static friction over k_v L: mu if no other is given."""
-        found: float = self.given.get("mu_s", self.mu)
-        return found
 
     @cached_property
     def _off_centre(self) -> OffCentre:
@@ -191,26 +186,6 @@ class Oscillator(Unchanging, Averaged):
         if question not in plan.STEPS:
             self.at_centre(f"explain({question!r})")
         return plan.plan(question, F_0, self.off_centre.model.unloaded)
-
-    @property
-    def eta(self) -> float:
-        """Loss factor of the vertical spring, dimensionless."""
-        return self.model.laws.eta
-
-    @property
-    def c_2(self) -> float:
-        """Quadratic damping, the factor of |u'|u', over m/L."""
-        return self.model.laws.c_2
-
-    @property
-    def rubs(self) -> str:
-        """Where dry friction acts: "throughout", or "attached", below the first breakpoint."""
-        return self.model.laws.rubs
-
-    @property
-    def excitation(self) -> str:
-        """What F_0 is the amplitude of: "force", "base" or "unbalance"."""
-        return self.model.excitation
 
     def replace(self, **changes: Any) -> Self:
         """Another oscillator with some of the numbers changed that this one was made from, by name."""

@@ -125,6 +125,7 @@ class Quantities(Answer):
                 value.flags.writeable = False
         for name in ("values", "units"):
             self.__dict__[name] = MappingProxyType(dict(getattr(self, name)))
+        self.__dict__["has_rows"] = bool(self.entry)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Quantities, (dict(self.values), dict(self.units), self.answer, self.entry, self.scales, self.chosen)
@@ -170,11 +171,6 @@ class Quantities(Answer):
     def units_beside(self) -> Mapping[str, str]:
         """The units of what `about` says."""
         return {name: unit for name in self.about() if (unit := self.units.get(name, SHEET.get(name, "")))}
-
-    @property
-    def has_rows(self) -> bool:
-        """Whether it has entries."""
-        return bool(self.entry)
 
     def units_of_columns(self) -> Mapping[str, str]:
         """`units`."""

@@ -44,6 +44,8 @@ class Batch(Answer):
     Columns that have an axis behind those of the designs, of places, points or rows, are NaN and 0 behind the last one.
     """
 
+    has_rows = True
+
     if TYPE_CHECKING:  # which of these an answer has, its row tells
         F_SN: Floats
         F_cr: Floats
@@ -181,11 +183,6 @@ class Batch(Answer):
 
     def _asked_at(self) -> dict[str, Any]:
         return {name: np.asarray(value) for name, value in self.asked.items()}
-
-    @property
-    def has_rows(self) -> bool:
-        """True."""
-        return True
 
     def columns(self) -> dict[str, Any]:
         """A row for each design, in the order of the flattened arrays: its numbers, then the answer's.

@@ -69,13 +69,16 @@ def also_loaded(ask: Callable[Concatenate[Any, P], R]) -> Callable[Concatenate[A
 class Averaged:
     """A forced oscillator u'' + 2 zeta u' + mu sign(u') + f(u) = F_0 cos(Omega tau) (3), averaged.
 
-    model -- its slow flow
+    model    -- its slow flow
+    mu, zeta -- dry friction over k_v L, and viscous damping ratio
 
     F_0 is the amplitude of its excitation. Of one by inertia, a base that shakes or an unbalance, it is not the force,
     which is F_0 Omega^2; u is the displacement from the base then.
     """
 
     model: Model
+    mu: float
+    zeta: float
     #: what measures answers against the equation of motion, where that is known
     _equation: Measures | None = None
     #: what answers under a load, where there is one
@@ -84,17 +87,7 @@ class Averaged:
     def __init__(self, model: Model) -> None:
         check_defined(model)
         # not by attribute: what inherits from this cannot be changed
-        self.__dict__["model"] = model
-
-    @property
-    def mu(self) -> float:
-        """Dry friction over k_v L."""
-        return self.model.mu
-
-    @property
-    def zeta(self) -> float:
-        """Viscous damping ratio."""
-        return self.model.zeta
+        self.__dict__.update(model=model, mu=model.mu, zeta=model.zeta)
 
     @property
     def sticking_forcing(self) -> float:

@@ -132,6 +132,8 @@ class SteadyState(Answer):
     message      -- what to bear in mind; empty if there is nothing to say
     """
 
+    has_rows = True
+
     Omega: float
     F_0: float
     A: float
@@ -176,11 +178,6 @@ class SteadyState(Answer):
         theta = self.Omega * self.period * np.arange(samples) / samples
         u, v = self._at(theta)
         return theta / self.Omega, u, v
-
-    @property
-    def has_rows(self) -> bool:
-        """True."""
-        return True
 
     def columns(self, samples: int = 400) -> dict[str, Array]:
         """tau, u and v, as `series` gives them: what `to_pandas` and `to_xarray` have."""
