@@ -13,17 +13,6 @@
 #include "build.h"
 #include "kernels.h"
 
-extern const sf_module sf_module_slow_flow;
-extern const sf_module sf_module_slow_flow_mu0;
-extern const sf_module sf_module_slow_flow_zeta0;
-extern const sf_module sf_module_slow_flow_mu0_zeta0;
-extern const sf_module sf_module_inertia;
-extern const sf_module sf_module_second_approximation;
-extern const sf_module sf_module_den_hartog;
-extern const sf_module sf_module_duffing;
-extern const sf_module sf_module_rod_spring;
-extern const sf_module sf_module_rod_spring_untruncated;
-
 static char all_double[SF_MOST_OPERANDS];
 static PyUFuncGenericFunction run[] = {sf_run};
 
@@ -50,65 +39,24 @@ static PyObject *ufuncs_of(const sf_module *module)
     return ufuncs;
 }
 
-static PyObject *load_slow_flow(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_slow_flow);
-}
+#define LOADS(module) \
+    extern const sf_module sf_module_##module; \
+    static PyObject *load_##module(PyObject *self, PyObject *none) \
+    { \
+        (void)self, (void)none; \
+        return ufuncs_of(&sf_module_##module); \
+    }
 
-static PyObject *load_slow_flow_mu0(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_slow_flow_mu0);
-}
-
-static PyObject *load_slow_flow_zeta0(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_slow_flow_zeta0);
-}
-
-static PyObject *load_slow_flow_mu0_zeta0(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_slow_flow_mu0_zeta0);
-}
-
-static PyObject *load_inertia(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_inertia);
-}
-
-static PyObject *load_second_approximation(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_second_approximation);
-}
-
-static PyObject *load_den_hartog(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_den_hartog);
-}
-
-static PyObject *load_duffing(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_duffing);
-}
-
-static PyObject *load_rod_spring(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_rod_spring);
-}
-
-static PyObject *load_rod_spring_untruncated(PyObject *self, PyObject *none)
-{
-    (void)self, (void)none;
-    return ufuncs_of(&sf_module_rod_spring_untruncated);
-}
+LOADS(slow_flow)
+LOADS(slow_flow_mu0)
+LOADS(slow_flow_zeta0)
+LOADS(slow_flow_mu0_zeta0)
+LOADS(inertia)
+LOADS(second_approximation)
+LOADS(den_hartog)
+LOADS(duffing)
+LOADS(rod_spring)
+LOADS(rod_spring_untruncated)
 
 static PyMethodDef methods[] = {
     {"slow_flow", load_slow_flow, METH_NOARGS, "The compiled kernels of slowflow_kernels.slow_flow."},

@@ -8,43 +8,20 @@
 
 #include "kernels.h"
 
-SF_LOOP(den_hartog_V_loop, 1,
-    const double Omega = in[0][i];
-    values[0] = den_hartog_V(Omega);
-)
-
-SF_LOOP(den_hartog_U_loop, 1,
-    const double Omega = in[0][i];
-    values[0] = den_hartog_U(Omega);
-)
-
-SF_LOOP(den_hartog_S_ratio_loop, 1,
-    const double tau = in[0][i], Omega = in[1][i];
-    values[0] = den_hartog_S_ratio(tau, Omega);
-)
-
-SF_LOOP(den_hartog_amplitude_loop, 1,
-    const double Omega = in[0][i], F_0 = in[1][i], mu = in[2][i];
-    values[0] = den_hartog_amplitude(Omega, F_0, mu);
-)
-
-SF_LOOP(den_hartog_bound_loop, 1,
-    const double Omega = in[0][i], F_0 = in[1][i], S = in[2][i];
-    values[0] = den_hartog_bound(Omega, F_0, S);
-)
-
-SF_LOOP(den_hartog_motion_loop, 1,
-    const double tau = in[0][i], Omega = in[1][i], A = in[2][i], mu = in[3][i];
-    values[0] = den_hartog_motion(tau, Omega, A, mu);
-)
+SF_SCALAR(, den_hartog_V, den_hartog_V, X(0))
+SF_SCALAR(, den_hartog_U, den_hartog_U, X(0))
+SF_SCALAR(, den_hartog_S_ratio, den_hartog_S_ratio, X(0), X(1))
+SF_SCALAR(, den_hartog_amplitude, den_hartog_amplitude, X(0), X(1), X(2))
+SF_SCALAR(, den_hartog_bound, den_hartog_bound, X(0), X(1), X(2))
+SF_SCALAR(, den_hartog_motion, den_hartog_motion, X(0), X(1), X(2), X(3))
 
 static const sf_kernel kernels[] = {
-    {"V", 1, 1, 1, NULL, SF_ONE(den_hartog_V_loop)},
-    {"U", 1, 1, 1, NULL, SF_ONE(den_hartog_U_loop)},
-    {"S_ratio", 2, 1, 1, NULL, SF_ONE(den_hartog_S_ratio_loop)},
-    {"amplitude", 3, 1, 1, NULL, SF_ONE(den_hartog_amplitude_loop)},
-    {"bound", 3, 1, 1, NULL, SF_ONE(den_hartog_bound_loop)},
-    {"motion", 4, 1, 1, NULL, SF_ONE(den_hartog_motion_loop)},
+    {"V", 1, 1, SF_ONE(den_hartog_V)},
+    {"U", 1, 1, SF_ONE(den_hartog_U)},
+    {"S_ratio", 2, 1, SF_ONE(den_hartog_S_ratio)},
+    {"amplitude", 3, 1, SF_ONE(den_hartog_amplitude)},
+    {"bound", 3, 1, SF_ONE(den_hartog_bound)},
+    {"motion", 4, 1, SF_ONE(den_hartog_motion)},
 };
 
 const sf_module sf_module_den_hartog = {"den_hartog", kernels, sizeof kernels / sizeof kernels[0]};

@@ -8,256 +8,82 @@
 
 #include "kernels.h"
 
-SF_LOOP(duffing_averaged_loop, 4,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i]};
-    duffing_averaged(A, p, values);
-)
-
-SF_LOOP(duffing_averaged_2_loop, 2,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i]};
-    duffing_averaged_2(A, p, values);
-)
-
-SF_LOOP(duffing_averaged_H_loop, 2,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i]};
-    duffing_averaged_H(A, p, values);
-)
-
-SF_LOOP(duffing_intercept_loop, 1,
-    const double A = in[0][i], alpha = in[1][i], beta = in[2][i];
-    values[0] = duffing_intercept(A, alpha, beta);
-)
-
-SF_LOOP(duffing_harmonics_loop, 8,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i]};
-    duffing_harmonics(A, p, values);
-)
-
-SF_LOOP(duffing_coefficients_loop, 2,
-    const double alpha = in[0][i], beta = in[1][i];
-    duffing_coefficients(alpha, beta, values);
-)
-
-SF_LOOP(duffing_hardening_loop, 1,
-    const double p[] = {in[0][i], in[1][i]};
-    duffing_hardening(p, values);
-)
-
-SF_LOOP(duffing_force_force_1_loop, 1,
-    const double u = in[0][i], alpha = in[1][i], beta = in[2][i];
-    values[0] = duffing_force_1(u, alpha, beta);
-)
-
-SF_LOOP(duffing_saddle_node_onset_loop, 11,
-    const double m = in[0][i], zeta = in[1][i];
-    const double p[] = {in[2][i], in[3][i]};
-    duffing_saddle_node_onset(m, zeta, p, values);
-)
-
-SF_LOOP(duffing_saddle_nodes_loop, 11,
-    const double F_0 = in[0][i], m = in[1][i], zeta = in[2][i];
-    const double p[] = {in[3][i], in[4][i]};
-    duffing_saddle_nodes(F_0, m, zeta, p, values);
-)
-
-SF_LOOP(duffing_h_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i]};
-    double all[2];
-    duffing_averaged_2(A, p, all);
-    values[0] = all[0];
-)
-
-SF_LOOP(duffing_h_A_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i]};
-    double all[2];
-    duffing_averaged_2(A, p, all);
-    values[0] = all[1];
-)
-
-SF_LOOP(duffing_h_AA_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i]};
-    double all[4];
-    duffing_averaged(A, p, all);
-    values[0] = all[2];
-)
-
-SF_LOOP(duffing_h_AAA_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i]};
-    double all[4];
-    duffing_averaged(A, p, all);
-    values[0] = all[3];
-)
-
-SF_LOOP(duffing_H_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i]};
-    double all[2];
-    duffing_averaged_H(A, p, all);
-    values[0] = all[0];
-)
-
-SF_LOOP(duffing_H_A_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i]};
-    double all[2];
-    duffing_averaged_H(A, p, all);
-    values[0] = all[1];
-)
-
-SF_LOOP(duffing_H_AA_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i]};
-    double all[4];
-    duffing_averaged(A, p, all);
-    values[0] = all[2];
-)
-
-SF_LOOP(duffing_F_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], mu = in[3][i], zeta = in[4][i];
-    const double p[] = {in[5][i], in[6][i]};
-    double average[2];
-    duffing_averaged_2(A, p, average);
-    values[0] = slow_flow_F(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
-)
-
-SF_LOOP(duffing_F_A_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i]};
-    double average[2];
-    duffing_averaged_2(A, p, average);
-    values[0] = slow_flow_F_A(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
-)
-
-SF_LOOP(duffing_level_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i]};
-    double average[2];
-    duffing_averaged_2(A, p, average);
-    values[0] = slow_flow_level(Omega, A, slow_flow_friction(mu), zeta, average[0]);
-)
-
-SF_LOOP(duffing_phase_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i]};
-    double average[2];
-    duffing_averaged_2(A, p, average);
-    values[0] = slow_flow_phase(Omega, A, slow_flow_friction(mu), zeta, average[0]);
-)
-
-SF_LOOP(duffing_jacobian_loop, 4,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i]};
-    double average[2];
-    duffing_averaged_2(A, p, average);
-    slow_flow_jacobian(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1], values);
-)
-
-SF_LOOP(duffing_stability_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i]};
-    double average[2];
-    duffing_averaged_2(A, p, average);
-    values[0] = slow_flow_stability(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
-)
-
-SF_LOOP(duffing_transmissibility_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], mu = in[3][i], zeta = in[4][i];
-    const double p[] = {in[5][i], in[6][i]};
-    double average[2];
-    duffing_averaged_2(A, p, average);
-    values[0] = slow_flow_transmissibility(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
-)
-
-SF_LOOP(duffing_backbone_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i]};
-    double average[2];
-    duffing_averaged_2(A, p, average);
-    values[0] = slow_flow_backbone(A, average[0]);
-)
-
-SF_LOOP(duffing_limit_envelope_loop, 1,
-    const double Omega = in[0][i], F_0 = in[1][i], mu = in[2][i], zeta = in[3][i];
-    values[0] = slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
-)
-
-SF_LOOP(duffing_equivalent_damping_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    values[0] = slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
-)
-
-SF_LOOP(duffing_response_quartic_loop, 4,
-    const double A = in[0][i], F_0 = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i]};
-    double average[2];
-    duffing_averaged_2(A, p, average);
-    slow_flow_response_quartic(A, F_0, slow_flow_friction(mu), zeta, average[0], values);
-)
-
-SF_LOOP(duffing_fold_quartic_loop, 4,
-    const double A = in[0][i], mu = in[1][i], zeta = in[2][i];
-    const double p[] = {in[3][i], in[4][i]};
-    double average[2];
-    duffing_averaged_2(A, p, average);
-    slow_flow_fold_quartic(A, slow_flow_friction(mu), zeta, average[0], average[1], values);
-)
-
-SF_LOOP(duffing_peak_cubic_loop, 3,
-    const double A = in[0][i], mu = in[1][i], zeta = in[2][i];
-    const double p[] = {in[3][i], in[4][i]};
-    double average[2];
-    duffing_averaged_2(A, p, average);
-    slow_flow_peak_cubic(A, slow_flow_friction(mu), zeta, average[0], values);
-)
-
-SF_LOOP(duffing_detachment_loop, 4,
-    const double A = in[0][i], mu = in[1][i], zeta = in[2][i];
-    const double p[] = {in[3][i], in[4][i]};
-    double average[2];
-    duffing_averaged_2(A, p, average);
-    slow_flow_detachment(A, slow_flow_friction(mu), zeta, average[0], values);
-)
+SF_TUPLE(, duffing_averaged, 4, duffing_averaged, X(0), (const double[]){X(1), X(2)})
+SF_TUPLE(, duffing_averaged_2, 2, duffing_averaged_2, X(0), (const double[]){X(1), X(2)})
+SF_TUPLE(, duffing_averaged_H, 2, duffing_averaged_H, X(0), (const double[]){X(1), X(2)})
+SF_SCALAR(, duffing_intercept, duffing_intercept, X(0), X(1), X(2))
+SF_TUPLE(, duffing_harmonics, 8, duffing_harmonics, X(0), (const double[]){X(1), X(2)})
+SF_TUPLE(, duffing_coefficients, 2, duffing_coefficients, X(0), X(1))
+SF_TUPLE(, duffing_hardening, 1, duffing_hardening, (const double[]){X(0), X(1)})
+SF_SCALAR(, duffing_force, duffing_force_1, X(0), X(1), X(2))
+SF_TUPLE(, duffing_saddle_node_onset, 11, duffing_saddle_node_onset, X(0), X(1), (const double[]){X(2), X(3)})
+SF_TUPLE(, duffing_saddle_nodes, 11, duffing_saddle_nodes, X(0), X(1), X(2), (const double[]){X(3), X(4)})
+SF_PART(, duffing_h, 1, 2, duffing_averaged_2, (X(0), (const double[]){X(1), X(2)}, all), values[0] = all[0];)
+SF_PART(, duffing_h_A, 1, 2, duffing_averaged_2, (X(0), (const double[]){X(1), X(2)}, all), values[0] = all[1];)
+SF_PART(, duffing_h_AA, 1, 4, duffing_averaged, (X(0), (const double[]){X(1), X(2)}, all), values[0] = all[2];)
+SF_PART(, duffing_h_AAA, 1, 4, duffing_averaged, (X(0), (const double[]){X(1), X(2)}, all), values[0] = all[3];)
+SF_PART(, duffing_H, 1, 2, duffing_averaged_H, (X(0), (const double[]){X(1), X(2)}, all), values[0] = all[0];)
+SF_PART(, duffing_H_A, 1, 2, duffing_averaged_H, (X(0), (const double[]){X(1), X(2)}, all), values[0] = all[1];)
+SF_PART(, duffing_H_AA, 1, 4, duffing_averaged, (X(0), (const double[]){X(1), X(2)}, all), values[0] = all[2];)
+SF_PART(, duffing_F, 1, 2, duffing_averaged_2, (X(1), (const double[]){X(5), X(6)}, all), values[0] =
+    slow_flow_F(X(0), X(1), X(2), slow_flow_friction(X(3)), X(4), all[0]);)
+SF_PART(, duffing_F_A, 1, 2, duffing_averaged_2, (X(1), (const double[]){X(4), X(5)}, all), values[0] =
+    slow_flow_F_A(X(0), X(1), slow_flow_friction(X(2)), X(3), all[0], all[1]);)
+SF_PART(, duffing_level, 1, 2, duffing_averaged_2, (X(1), (const double[]){X(4), X(5)}, all), values[0] =
+    slow_flow_level(X(0), X(1), slow_flow_friction(X(2)), X(3), all[0]);)
+SF_PART(, duffing_phase, 1, 2, duffing_averaged_2, (X(1), (const double[]){X(4), X(5)}, all), values[0] =
+    slow_flow_phase(X(0), X(1), slow_flow_friction(X(2)), X(3), all[0]);)
+SF_PART(, duffing_jacobian, 4, 2, duffing_averaged_2, (X(1), (const double[]){X(4), X(5)}, all),
+    slow_flow_jacobian(X(0), X(1), slow_flow_friction(X(2)), X(3), all[0], all[1], values);)
+SF_PART(, duffing_stability, 1, 2, duffing_averaged_2, (X(1), (const double[]){X(4), X(5)}, all), values[0] =
+    slow_flow_stability(X(0), X(1), slow_flow_friction(X(2)), X(3), all[0], all[1]);)
+SF_PART(, duffing_transmissibility, 1, 2, duffing_averaged_2, (X(1), (const double[]){X(5), X(6)}, all), values[0] =
+    slow_flow_transmissibility(X(0), X(1), X(2), slow_flow_friction(X(3)), X(4), all[0]);)
+SF_PART(, duffing_backbone, 1, 2, duffing_averaged_2, (X(0), (const double[]){X(1), X(2)}, all), values[0] =
+    slow_flow_backbone(X(0), all[0]);)
+SF_SCALAR(, duffing_limit_envelope, slow_flow_limit_envelope, X(0), X(1), slow_flow_friction(X(2)), X(3))
+SF_SCALAR(, duffing_equivalent_damping, slow_flow_equivalent_damping, X(0), X(1), slow_flow_friction(X(2)), X(3))
+SF_PART(, duffing_response_quartic, 4, 2, duffing_averaged_2, (X(0), (const double[]){X(4), X(5)}, all),
+    slow_flow_response_quartic(X(0), X(1), slow_flow_friction(X(2)), X(3), all[0], values);)
+SF_PART(, duffing_fold_quartic, 4, 2, duffing_averaged_2, (X(0), (const double[]){X(3), X(4)}, all),
+    slow_flow_fold_quartic(X(0), slow_flow_friction(X(1)), X(2), all[0], all[1], values);)
+SF_PART(, duffing_peak_cubic, 3, 2, duffing_averaged_2, (X(0), (const double[]){X(3), X(4)}, all),
+    slow_flow_peak_cubic(X(0), slow_flow_friction(X(1)), X(2), all[0], values);)
+SF_PART(, duffing_detachment, 4, 2, duffing_averaged_2, (X(0), (const double[]){X(3), X(4)}, all),
+    slow_flow_detachment(X(0), slow_flow_friction(X(1)), X(2), all[0], values);)
 
 static const sf_kernel kernels[] = {
-    {"averaged", 3, 4, 1, NULL, SF_ONE(duffing_averaged_loop)},
-    {"averaged_2", 3, 2, 1, NULL, SF_ONE(duffing_averaged_2_loop)},
-    {"averaged_H", 3, 2, 1, NULL, SF_ONE(duffing_averaged_H_loop)},
-    {"intercept", 3, 1, 1, NULL, SF_ONE(duffing_intercept_loop)},
-    {"harmonics", 3, 8, 1, NULL, SF_ONE(duffing_harmonics_loop)},
-    {"coefficients", 2, 2, 1, NULL, SF_ONE(duffing_coefficients_loop)},
-    {"hardening", 2, 1, 1, NULL, SF_ONE(duffing_hardening_loop)},
-    {"force", 3, 1, 1, NULL, SF_ONE(duffing_force_force_1_loop)},
-    {"saddle_node_onset", 4, 11, 1, NULL, SF_ONE(duffing_saddle_node_onset_loop)},
-    {"saddle_nodes", 5, 11, 1, NULL, SF_ONE(duffing_saddle_nodes_loop)},
-    {"h", 3, 1, 1, NULL, SF_ONE(duffing_h_loop)},
-    {"h_A", 3, 1, 1, NULL, SF_ONE(duffing_h_A_loop)},
-    {"h_AA", 3, 1, 1, NULL, SF_ONE(duffing_h_AA_loop)},
-    {"h_AAA", 3, 1, 1, NULL, SF_ONE(duffing_h_AAA_loop)},
-    {"H", 3, 1, 1, NULL, SF_ONE(duffing_H_loop)},
-    {"H_A", 3, 1, 1, NULL, SF_ONE(duffing_H_A_loop)},
-    {"H_AA", 3, 1, 1, NULL, SF_ONE(duffing_H_AA_loop)},
-    {"F", 7, 1, 1, NULL, SF_ONE(duffing_F_loop)},
-    {"F_A", 6, 1, 1, NULL, SF_ONE(duffing_F_A_loop)},
-    {"level", 6, 1, 1, NULL, SF_ONE(duffing_level_loop)},
-    {"phase", 6, 1, 1, NULL, SF_ONE(duffing_phase_loop)},
-    {"jacobian", 6, 4, 1, NULL, SF_ONE(duffing_jacobian_loop)},
-    {"stability", 6, 1, 1, NULL, SF_ONE(duffing_stability_loop)},
-    {"transmissibility", 7, 1, 1, NULL, SF_ONE(duffing_transmissibility_loop)},
-    {"backbone", 3, 1, 1, NULL, SF_ONE(duffing_backbone_loop)},
-    {"limit_envelope", 4, 1, 1, NULL, SF_ONE(duffing_limit_envelope_loop)},
-    {"equivalent_damping", 4, 1, 1, NULL, SF_ONE(duffing_equivalent_damping_loop)},
-    {"response_quartic", 6, 4, 1, NULL, SF_ONE(duffing_response_quartic_loop)},
-    {"fold_quartic", 5, 4, 1, NULL, SF_ONE(duffing_fold_quartic_loop)},
-    {"peak_cubic", 5, 3, 1, NULL, SF_ONE(duffing_peak_cubic_loop)},
-    {"detachment", 5, 4, 1, NULL, SF_ONE(duffing_detachment_loop)},
+    {"averaged", 3, 4, SF_ONE(duffing_averaged)},
+    {"averaged_2", 3, 2, SF_ONE(duffing_averaged_2)},
+    {"averaged_H", 3, 2, SF_ONE(duffing_averaged_H)},
+    {"intercept", 3, 1, SF_ONE(duffing_intercept)},
+    {"harmonics", 3, 8, SF_ONE(duffing_harmonics)},
+    {"coefficients", 2, 2, SF_ONE(duffing_coefficients)},
+    {"hardening", 2, 1, SF_ONE(duffing_hardening)},
+    {"force", 3, 1, SF_ONE(duffing_force)},
+    {"saddle_node_onset", 4, 11, SF_ONE(duffing_saddle_node_onset)},
+    {"saddle_nodes", 5, 11, SF_ONE(duffing_saddle_nodes)},
+    {"h", 3, 1, SF_ONE(duffing_h)},
+    {"h_A", 3, 1, SF_ONE(duffing_h_A)},
+    {"h_AA", 3, 1, SF_ONE(duffing_h_AA)},
+    {"h_AAA", 3, 1, SF_ONE(duffing_h_AAA)},
+    {"H", 3, 1, SF_ONE(duffing_H)},
+    {"H_A", 3, 1, SF_ONE(duffing_H_A)},
+    {"H_AA", 3, 1, SF_ONE(duffing_H_AA)},
+    {"F", 7, 1, SF_ONE(duffing_F)},
+    {"F_A", 6, 1, SF_ONE(duffing_F_A)},
+    {"level", 6, 1, SF_ONE(duffing_level)},
+    {"phase", 6, 1, SF_ONE(duffing_phase)},
+    {"jacobian", 6, 4, SF_ONE(duffing_jacobian)},
+    {"stability", 6, 1, SF_ONE(duffing_stability)},
+    {"transmissibility", 7, 1, SF_ONE(duffing_transmissibility)},
+    {"backbone", 3, 1, SF_ONE(duffing_backbone)},
+    {"limit_envelope", 4, 1, SF_ONE(duffing_limit_envelope)},
+    {"equivalent_damping", 4, 1, SF_ONE(duffing_equivalent_damping)},
+    {"response_quartic", 6, 4, SF_ONE(duffing_response_quartic)},
+    {"fold_quartic", 5, 4, SF_ONE(duffing_fold_quartic)},
+    {"peak_cubic", 5, 3, SF_ONE(duffing_peak_cubic)},
+    {"detachment", 5, 4, SF_ONE(duffing_detachment)},
 };
 
 const sf_module sf_module_duffing = {"duffing", kernels, sizeof kernels / sizeof kernels[0]};

@@ -26,6 +26,72 @@
 #include "rod_spring_untruncated_pairs.h"
 #include "rod_spring_untruncated_held.h"
 
+/* Functions of a record that pass a function of a header on. */
+#define OF_PARAMETERS(member, number, function) \
+    static void member(const sf_mechanism *self, const number *p, number *out) \
+    { \
+        (void)self; \
+        function(p, out); \
+    }
+#define OF_DESIGN(member, number, function, ...) \
+    static void member(const sf_mechanism *self, const double *design, number *out) \
+    { \
+        (void)self; \
+        function(__VA_ARGS__, out); \
+    }
+
+/* Sums over the force, `width` of them in one regime, at n amplitudes: each sum into a row of its own. */
+#define ROWS(member, function, width) \
+    static SF_FLAT void member(ptrdiff_t n, ptrdiff_t apart, const double *A, const double *p, double *out) \
+    { \
+        SF_INDEPENDENT \
+        for (ptrdiff_t i = 0; i < n; i++) { \
+            double h[width]; \
+            function(A[i], p, h); \
+            for (int k = 0; k < (width); k++) \
+                out[k * apart + i] = h[k]; \
+        } \
+    }
+
+/* The same in any regime: all amplitudes by one loop, or those of one regime in a row by that regime's. */
+#define SUMS(member, function, all) \
+    static void member(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out) \
+    { \
+        (void)self; \
+        if (n == 1) \
+            function(A[0], p, out); \
+        else \
+            all; \
+    }
+
+typedef void (*rows)(ptrdiff_t n, ptrdiff_t apart, const double *A, const double *p, double *out);
+
+SF_ALWAYS void records_by_regime(const rows *loops, int (*regime_of)(double A, const double *p), ptrdiff_t n,
+                                     const double *A, const double *p, double *out)
+{
+    for (ptrdiff_t first = 0, end; first < n; first = end) {
+        const int regime = regime_of(A[first], p);
+        for (end = first + 1; end < n && regime_of(A[end], p) == regime; end++)
+            ;
+        loops[regime](end - first, n, A + first, p, out + first);
+    }
+}
+
+/* Designs in pairs: what is made of their parameters p, each into rows of two doubles. */
+#define IN_PAIRS(member, given, ...) \
+    static SF_FLAT void member(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart, const double *design, double *out) \
+    { \
+        (void)self; \
+        SF_INDEPENDENT \
+        for (ptrdiff_t i = 0; i < n; i++) { \
+            sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS]; \
+            given; \
+            __VA_ARGS__ \
+        } \
+    }
+#define NUMBER(k) sfp_point(design[(k) * apart + i])
+#define PUT(k, pair) out[2 * (k) * apart + i] = (pair).high, out[(2 * (k) + 1) * apart + i] = (pair).low
+
 /* mu, zeta -> m, zeta */
 static int records_damping_of(const double *given, double *damping)
 {
@@ -105,79 +171,16 @@ static int rod_spring_untruncated_record_parameters_of(const sf_mechanism *self,
     return 1;
 }
 
-static SF_FLAT void duffing_record_averaged_loop(ptrdiff_t n, ptrdiff_t apart,
-    const double *A, const double *p, double *out)
-{
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[4];
-        duffing_averaged(A[i], p, h);
-        out[i] = h[0];
-        out[apart + i] = h[1];
-        out[2 * apart + i] = h[2];
-        out[3 * apart + i] = h[3];
-    }
-}
+OF_DESIGN(duffing_record_by_design, double, duffing_by_design, design[0], design[1])
+OF_DESIGN(duffing_record_parameters_within, sf_interval, duffing_intervals_given, sfi_point(design[0]), sfi_point(design[1]))
+OF_DESIGN(duffing_record_parameters_in_pairs, sf_pair, duffing_pairs_given, sfp_point(design[0]), sfp_point(design[1]))
 
-static void duffing_record_averaged(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
-{
-    (void)self;
-    if (n == 1) {
-        duffing_averaged(A[0], p, out);
-        return;
-    }
-    duffing_record_averaged_loop(n, n, A, p, out);
-}
-
-static SF_FLAT void duffing_record_averaged_2_loop(ptrdiff_t n, ptrdiff_t apart,
-    const double *A, const double *p, double *out)
-{
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[2];
-        duffing_averaged_2(A[i], p, h);
-        out[i] = h[0];
-        out[apart + i] = h[1];
-    }
-}
-
-static void duffing_record_averaged_2(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
-{
-    (void)self;
-    if (n == 1) {
-        duffing_averaged_2(A[0], p, out);
-        return;
-    }
-    duffing_record_averaged_2_loop(n, n, A, p, out);
-}
-
-static SF_FLAT void duffing_record_harmonics_loop(ptrdiff_t n, ptrdiff_t apart,
-    const double *A, const double *p, double *out)
-{
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[8];
-        duffing_harmonics(A[i], p, h);
-        out[i] = h[0];
-        out[apart + i] = h[1];
-        out[2 * apart + i] = h[2];
-        out[3 * apart + i] = h[3];
-        out[4 * apart + i] = h[4];
-        out[5 * apart + i] = h[5];
-        out[6 * apart + i] = h[6];
-        out[7 * apart + i] = h[7];
-    }
-}
-
-static void duffing_record_harmonics(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
-{
-    (void)self;
-    if (n == 1) {
-        duffing_harmonics(A[0], p, out);
-        return;
-    }
-    duffing_record_harmonics_loop(n, n, A, p, out);
-}
+ROWS(duffing_record_averaged_loop, duffing_averaged, 4)
+SUMS(duffing_record_averaged, duffing_averaged, duffing_record_averaged_loop(n, n, A, p, out))
+ROWS(duffing_record_averaged_2_loop, duffing_averaged_2, 2)
+SUMS(duffing_record_averaged_2, duffing_averaged_2, duffing_record_averaged_2_loop(n, n, A, p, out))
+ROWS(duffing_record_harmonics_loop, duffing_harmonics, 8)
+SUMS(duffing_record_harmonics, duffing_harmonics, duffing_record_harmonics_loop(n, n, A, p, out))
 
 static double duffing_record_intercept(const sf_mechanism *self, double A, const double *p)
 {
@@ -192,18 +195,6 @@ static void duffing_record_by_parameter(const sf_mechanism *self, double A, cons
     duffing_by_parameter(A, h[0], h[1], h[2], p, out);
 }
 
-static void duffing_record_by_design(const sf_mechanism *self, const double *design, double *out)
-{
-    (void)self;
-    duffing_by_design(design[0], design[1], out);
-}
-
-static void duffing_record_parameters_within(const sf_mechanism *self, const double *design, sf_interval *p)
-{
-    (void)self;
-    duffing_intervals_given(sfi_point(design[0]), sfi_point(design[1]), p);
-}
-
 /* h, h_A, h_AA, h_AAA and h - A h_A */
 static void duffing_record_averaged_within(const sf_mechanism *self, int passed, sf_interval A, sf_interval beyond,
                                                            const sf_interval *p, sf_interval *out)
@@ -212,12 +203,6 @@ static void duffing_record_averaged_within(const sf_mechanism *self, int passed,
     (void)(passed);
     (void)(beyond);
     duffing_intervals_known(A, p, out);
-}
-
-static void duffing_record_parameters_in_pairs(const sf_mechanism *self, const double *design, sf_pair *p)
-{
-    (void)self;
-    duffing_pairs_given(sfp_point(design[0]), sfp_point(design[1]), p);
 }
 
 /* h, h_A, h_AA, h_AAA, as many as are wanted: fewer take less time */
@@ -239,23 +224,9 @@ static void duffing_record_averaged_in_pairs(const sf_mechanism *self, int passe
         out[i] = all[i];
 }
 
-/* Parameters and jumps of n designs, two doubles each */
-static SF_FLAT void duffing_record_many_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart,
-                                                           const double *design, double *out)
-{
-    (void)self;
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
-        duffing_pairs_given(sfp_point(design[i]),
-sfp_point(design[apart + i]),
-p);
-        out[0 * apart + i] = p[0].high;
-        out[1 * apart + i] = p[0].low;
-        out[2 * apart + i] = p[1].high;
-        out[3 * apart + i] = p[1].low;
-    }
-}
+/* Parameters and jumps of n designs */
+IN_PAIRS(duffing_record_many_in_pairs, duffing_pairs_given(NUMBER(0), NUMBER(1), p),
+         for (int k = 0; k < 2; k++) PUT(k, p[k]);)
 
 _Static_assert(2 <= SF_MOST_DESIGN && 2 <= SF_MOST_PARAMETERS && 0 <= SF_MOST_BREAKS,
                "duffing needs higher limits in mechanism.h");
@@ -289,239 +260,34 @@ static const sf_mechanism duffing_record = {
     .many_in_pairs = duffing_record_many_in_pairs,
 };
 
-static void rod_spring_record_ends(const sf_mechanism *self, const double *p, double *out)
-{
-    (void)self;
-    rod_spring_breakpoints(p, out);
-}
-
-static void rod_spring_record_jumps(const sf_mechanism *self, const double *p, double *out)
-{
-    (void)self;
-    rod_spring_jumps(p, out);
-}
-
-static void rod_spring_record_ends_within(const sf_mechanism *self, const sf_interval *p, sf_interval *out)
-{
-    (void)self;
-    rod_spring_intervals_breakpoints(p, out);
-}
-
-static void rod_spring_record_ends_in_pairs(const sf_mechanism *self, const sf_pair *p, sf_pair *out)
-{
-    (void)self;
-    rod_spring_pairs_breakpoints(p, out);
-}
+OF_PARAMETERS(rod_spring_record_ends, double, rod_spring_breakpoints)
+OF_PARAMETERS(rod_spring_record_jumps, double, rod_spring_jumps)
+OF_PARAMETERS(rod_spring_record_ends_within, sf_interval, rod_spring_intervals_breakpoints)
+OF_PARAMETERS(rod_spring_record_ends_in_pairs, sf_pair, rod_spring_pairs_breakpoints)
+OF_DESIGN(rod_spring_record_by_design, double, rod_spring_by_design, design[0], design[1], design[2])
+OF_DESIGN(rod_spring_record_parameters_within, sf_interval, rod_spring_intervals_given, sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]))
+OF_DESIGN(rod_spring_record_parameters_in_pairs, sf_pair, rod_spring_pairs_given, sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]))
 
 static inline int rod_spring_record_averaged_regime(double A, const double *p)
 {
     const double u_cr = p[3];
     return A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
 }
-
-static SF_FLAT void rod_spring_record_averaged_loop_0(ptrdiff_t n, ptrdiff_t apart,
-    const double *A, const double *p, double *out)
-{
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[4];
-        rod_spring_averaged_passed_0(A[i], p, h);
-        out[i] = h[0];
-        out[apart + i] = h[1];
-        out[2 * apart + i] = h[2];
-        out[3 * apart + i] = h[3];
-    }
-}
-
-static SF_FLAT void rod_spring_record_averaged_loop_1(ptrdiff_t n, ptrdiff_t apart,
-    const double *A, const double *p, double *out)
-{
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[4];
-        rod_spring_averaged_passed_1(A[i], p, h);
-        out[i] = h[0];
-        out[apart + i] = h[1];
-        out[2 * apart + i] = h[2];
-        out[3 * apart + i] = h[3];
-    }
-}
-
-static SF_FLAT void rod_spring_record_averaged_loop_2(ptrdiff_t n, ptrdiff_t apart,
-    const double *A, const double *p, double *out)
-{
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[4];
-        rod_spring_averaged_passed_1_far_1(A[i], p, h);
-        out[i] = h[0];
-        out[apart + i] = h[1];
-        out[2 * apart + i] = h[2];
-        out[3 * apart + i] = h[3];
-    }
-}
-
-static void rod_spring_record_averaged(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
-{
-    (void)self;
-    if (n == 1) {
-        rod_spring_averaged(A[0], p, out);
-        return;
-    }
-    static void (*const loops[])(ptrdiff_t, ptrdiff_t, const double *, const double *, double *) = {
-        rod_spring_record_averaged_loop_0,
-        rod_spring_record_averaged_loop_1,
-        rod_spring_record_averaged_loop_2,
-    };
-    for (ptrdiff_t first = 0, end; first < n; first = end) {
-        const int regime = rod_spring_record_averaged_regime(A[first], p);
-        for (end = first + 1; end < n && rod_spring_record_averaged_regime(A[end], p) == regime; end++)
-            ;
-        loops[regime](end - first, n, A + first, p, out + first);
-    }
-}
-
-static inline int rod_spring_record_averaged_2_regime(double A, const double *p)
-{
-    const double u_cr = p[3];
-    return A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
-}
-
-static SF_FLAT void rod_spring_record_averaged_2_loop_0(ptrdiff_t n, ptrdiff_t apart,
-    const double *A, const double *p, double *out)
-{
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[2];
-        rod_spring_averaged_2_passed_0(A[i], p, h);
-        out[i] = h[0];
-        out[apart + i] = h[1];
-    }
-}
-
-static SF_FLAT void rod_spring_record_averaged_2_loop_1(ptrdiff_t n, ptrdiff_t apart,
-    const double *A, const double *p, double *out)
-{
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[2];
-        rod_spring_averaged_2_passed_1(A[i], p, h);
-        out[i] = h[0];
-        out[apart + i] = h[1];
-    }
-}
-
-static SF_FLAT void rod_spring_record_averaged_2_loop_2(ptrdiff_t n, ptrdiff_t apart,
-    const double *A, const double *p, double *out)
-{
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[2];
-        rod_spring_averaged_2_passed_1_far_1(A[i], p, h);
-        out[i] = h[0];
-        out[apart + i] = h[1];
-    }
-}
-
-static void rod_spring_record_averaged_2(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
-{
-    (void)self;
-    if (n == 1) {
-        rod_spring_averaged_2(A[0], p, out);
-        return;
-    }
-    static void (*const loops[])(ptrdiff_t, ptrdiff_t, const double *, const double *, double *) = {
-        rod_spring_record_averaged_2_loop_0,
-        rod_spring_record_averaged_2_loop_1,
-        rod_spring_record_averaged_2_loop_2,
-    };
-    for (ptrdiff_t first = 0, end; first < n; first = end) {
-        const int regime = rod_spring_record_averaged_2_regime(A[first], p);
-        for (end = first + 1; end < n && rod_spring_record_averaged_2_regime(A[end], p) == regime; end++)
-            ;
-        loops[regime](end - first, n, A + first, p, out + first);
-    }
-}
-
-static inline int rod_spring_record_harmonics_regime(double A, const double *p)
-{
-    const double u_cr = p[3];
-    return A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
-}
-
-static SF_FLAT void rod_spring_record_harmonics_loop_0(ptrdiff_t n, ptrdiff_t apart,
-    const double *A, const double *p, double *out)
-{
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[8];
-        rod_spring_harmonics_passed_0(A[i], p, h);
-        out[i] = h[0];
-        out[apart + i] = h[1];
-        out[2 * apart + i] = h[2];
-        out[3 * apart + i] = h[3];
-        out[4 * apart + i] = h[4];
-        out[5 * apart + i] = h[5];
-        out[6 * apart + i] = h[6];
-        out[7 * apart + i] = h[7];
-    }
-}
-
-static SF_FLAT void rod_spring_record_harmonics_loop_1(ptrdiff_t n, ptrdiff_t apart,
-    const double *A, const double *p, double *out)
-{
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[8];
-        rod_spring_harmonics_passed_1(A[i], p, h);
-        out[i] = h[0];
-        out[apart + i] = h[1];
-        out[2 * apart + i] = h[2];
-        out[3 * apart + i] = h[3];
-        out[4 * apart + i] = h[4];
-        out[5 * apart + i] = h[5];
-        out[6 * apart + i] = h[6];
-        out[7 * apart + i] = h[7];
-    }
-}
-
-static SF_FLAT void rod_spring_record_harmonics_loop_2(ptrdiff_t n, ptrdiff_t apart,
-    const double *A, const double *p, double *out)
-{
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[8];
-        rod_spring_harmonics_passed_1_far_1(A[i], p, h);
-        out[i] = h[0];
-        out[apart + i] = h[1];
-        out[2 * apart + i] = h[2];
-        out[3 * apart + i] = h[3];
-        out[4 * apart + i] = h[4];
-        out[5 * apart + i] = h[5];
-        out[6 * apart + i] = h[6];
-        out[7 * apart + i] = h[7];
-    }
-}
-
-static void rod_spring_record_harmonics(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
-{
-    (void)self;
-    if (n == 1) {
-        rod_spring_harmonics(A[0], p, out);
-        return;
-    }
-    static void (*const loops[])(ptrdiff_t, ptrdiff_t, const double *, const double *, double *) = {
-        rod_spring_record_harmonics_loop_0,
-        rod_spring_record_harmonics_loop_1,
-        rod_spring_record_harmonics_loop_2,
-    };
-    for (ptrdiff_t first = 0, end; first < n; first = end) {
-        const int regime = rod_spring_record_harmonics_regime(A[first], p);
-        for (end = first + 1; end < n && rod_spring_record_harmonics_regime(A[end], p) == regime; end++)
-            ;
-        loops[regime](end - first, n, A + first, p, out + first);
-    }
-}
+ROWS(rod_spring_record_averaged_loop_0, rod_spring_averaged_passed_0, 4)
+ROWS(rod_spring_record_averaged_loop_1, rod_spring_averaged_passed_1, 4)
+ROWS(rod_spring_record_averaged_loop_2, rod_spring_averaged_passed_1_far_1, 4)
+static const rows rod_spring_record_averaged_loops[] = {rod_spring_record_averaged_loop_0, rod_spring_record_averaged_loop_1, rod_spring_record_averaged_loop_2};
+SUMS(rod_spring_record_averaged, rod_spring_averaged, records_by_regime(rod_spring_record_averaged_loops, rod_spring_record_averaged_regime, n, A, p, out))
+ROWS(rod_spring_record_averaged_2_loop_0, rod_spring_averaged_2_passed_0, 2)
+ROWS(rod_spring_record_averaged_2_loop_1, rod_spring_averaged_2_passed_1, 2)
+ROWS(rod_spring_record_averaged_2_loop_2, rod_spring_averaged_2_passed_1_far_1, 2)
+static const rows rod_spring_record_averaged_2_loops[] = {rod_spring_record_averaged_2_loop_0, rod_spring_record_averaged_2_loop_1, rod_spring_record_averaged_2_loop_2};
+SUMS(rod_spring_record_averaged_2, rod_spring_averaged_2, records_by_regime(rod_spring_record_averaged_2_loops, rod_spring_record_averaged_regime, n, A, p, out))
+ROWS(rod_spring_record_harmonics_loop_0, rod_spring_harmonics_passed_0, 8)
+ROWS(rod_spring_record_harmonics_loop_1, rod_spring_harmonics_passed_1, 8)
+ROWS(rod_spring_record_harmonics_loop_2, rod_spring_harmonics_passed_1_far_1, 8)
+static const rows rod_spring_record_harmonics_loops[] = {rod_spring_record_harmonics_loop_0, rod_spring_record_harmonics_loop_1, rod_spring_record_harmonics_loop_2};
+SUMS(rod_spring_record_harmonics, rod_spring_harmonics, records_by_regime(rod_spring_record_harmonics_loops, rod_spring_record_averaged_regime, n, A, p, out))
 
 static double rod_spring_record_intercept(const sf_mechanism *self, double A, const double *p)
 {
@@ -536,30 +302,12 @@ static void rod_spring_record_by_parameter(const sf_mechanism *self, double A, c
     rod_spring_by_parameter(A, h[0], h[1], h[2], p, out);
 }
 
-static void rod_spring_record_by_design(const sf_mechanism *self, const double *design, double *out)
-{
-    (void)self;
-    rod_spring_by_design(design[0], design[1], design[2], out);
-}
-
-static void rod_spring_record_parameters_within(const sf_mechanism *self, const double *design, sf_interval *p)
-{
-    (void)self;
-    rod_spring_intervals_given(sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]), p);
-}
-
 /* h, h_A, h_AA, h_AAA and h - A h_A */
 static void rod_spring_record_averaged_within(const sf_mechanism *self, int passed, sf_interval A, sf_interval beyond,
                                                            const sf_interval *p, sf_interval *out)
 {
     (void)self;
     rod_spring_intervals_known(passed, A, beyond, p, out);
-}
-
-static void rod_spring_record_parameters_in_pairs(const sf_mechanism *self, const double *design, sf_pair *p)
-{
-    (void)self;
-    rod_spring_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), p);
 }
 
 /* h, h_A, h_AA, h_AAA, as many as are wanted: fewer take less time */
@@ -581,51 +329,16 @@ static void rod_spring_record_averaged_in_pairs(const sf_mechanism *self, int pa
         out[i] = all[i];
 }
 
-/* Parameters and jumps of n designs, two doubles each */
-static SF_FLAT void rod_spring_record_many_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart,
-                                                           const double *design, double *out)
-{
-    (void)self;
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
-        rod_spring_pairs_given(sfp_point(design[i]),
-sfp_point(design[apart + i]),
-sfp_point(design[2 * apart + i]),
-p);
-        out[0 * apart + i] = p[0].high;
-        out[1 * apart + i] = p[0].low;
-        out[2 * apart + i] = p[1].high;
-        out[3 * apart + i] = p[1].low;
-        out[4 * apart + i] = p[2].high;
-        out[5 * apart + i] = p[2].low;
-        out[6 * apart + i] = p[3].high;
-        out[7 * apart + i] = p[3].low;
-        out[8 * apart + i] = p[4].high;
-        out[9 * apart + i] = p[4].low;
-    }
-}
-
-/* The first breakpoint and h on it, two doubles each */
-static SF_FLAT void rod_spring_record_on_first_end_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart,
-                                                                   const double *design, double *out)
-{
-    (void)self;
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS], b[SF_MOST_BREAKS], all[5];
-        rod_spring_pairs_given(sfp_point(design[i]),
-sfp_point(design[apart + i]),
-sfp_point(design[2 * apart + i]),
-p);
-        rod_spring_pairs_breakpoints(p, b);
-        rod_spring_pairs_known(0, b[0], b[0], p, all);
-        out[i] = b[0].high;
-        out[apart + i] = b[0].low;
-        out[2 * apart + i] = all[0].high;
-        out[3 * apart + i] = all[0].low;
-    }
-}
+/* Parameters and jumps of n designs */
+IN_PAIRS(rod_spring_record_many_in_pairs, rod_spring_pairs_given(NUMBER(0), NUMBER(1), NUMBER(2), p),
+         for (int k = 0; k < 5; k++) PUT(k, p[k]);)
+/* The first breakpoint and h on it */
+IN_PAIRS(rod_spring_record_on_first_end_in_pairs, rod_spring_pairs_given(NUMBER(0), NUMBER(1), NUMBER(2), p),
+         sf_pair b[SF_MOST_BREAKS], all[5];
+         rod_spring_pairs_breakpoints(p, b);
+         rod_spring_pairs_known(0, b[0], b[0], p, all);
+         PUT(0, b[0]);
+         PUT(1, all[0]);)
 
 _Static_assert(3 <= SF_MOST_DESIGN && 4 <= SF_MOST_PARAMETERS && 1 <= SF_MOST_BREAKS,
                "rod_spring needs higher limits in mechanism.h");
@@ -662,142 +375,28 @@ static const sf_mechanism rod_spring_record = {
     .on_first_end_in_pairs = rod_spring_record_on_first_end_in_pairs,
 };
 
-static void rod_spring_untruncated_record_ends(const sf_mechanism *self, const double *p, double *out)
-{
-    (void)self;
-    rod_spring_untruncated_breakpoints(p, out);
-}
+OF_PARAMETERS(rod_spring_untruncated_record_ends, double, rod_spring_untruncated_breakpoints)
+OF_PARAMETERS(rod_spring_untruncated_record_jumps, double, rod_spring_untruncated_jumps)
+OF_PARAMETERS(rod_spring_untruncated_record_ends_within, sf_interval, rod_spring_untruncated_intervals_breakpoints)
+OF_PARAMETERS(rod_spring_untruncated_record_ends_in_pairs, sf_pair, rod_spring_untruncated_pairs_breakpoints)
+OF_PARAMETERS(rod_spring_untruncated_record_kinks_within, sf_interval, rod_spring_untruncated_intervals_kinks)
+OF_DESIGN(rod_spring_untruncated_record_by_design, double, rod_spring_untruncated_by_design, design[0], design[1], design[2])
+OF_DESIGN(rod_spring_untruncated_record_parameters_within, sf_interval, rod_spring_untruncated_intervals_given, sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]))
+OF_DESIGN(rod_spring_untruncated_record_parameters_in_pairs, sf_pair, rod_spring_untruncated_pairs_given, sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]))
 
-static void rod_spring_untruncated_record_jumps(const sf_mechanism *self, const double *p, double *out)
-{
-    (void)self;
-    rod_spring_untruncated_jumps(p, out);
-}
-
-static void rod_spring_untruncated_record_ends_within(const sf_mechanism *self, const sf_interval *p, sf_interval *out)
-{
-    (void)self;
-    rod_spring_untruncated_intervals_breakpoints(p, out);
-}
-
-static void rod_spring_untruncated_record_ends_in_pairs(const sf_mechanism *self, const sf_pair *p, sf_pair *out)
-{
-    (void)self;
-    rod_spring_untruncated_pairs_breakpoints(p, out);
-}
-
-static void rod_spring_untruncated_record_kinks_within(const sf_mechanism *self, const sf_interval *p, sf_interval *out)
-{
-    (void)self;
-    rod_spring_untruncated_intervals_kinks(p, out);
-}
-
-static SF_FLAT void rod_spring_untruncated_record_averaged_loop(ptrdiff_t n, ptrdiff_t apart,
-    const double *A, const double *p, double *out)
-{
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[4];
-        rod_spring_untruncated_averaged(A[i], p, h);
-        out[i] = h[0];
-        out[apart + i] = h[1];
-        out[2 * apart + i] = h[2];
-        out[3 * apart + i] = h[3];
-    }
-}
-
-static void rod_spring_untruncated_record_averaged(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
-{
-    (void)self;
-    if (n == 1) {
-        rod_spring_untruncated_averaged(A[0], p, out);
-        return;
-    }
-    rod_spring_untruncated_record_averaged_loop(n, n, A, p, out);
-}
-
-static SF_FLAT void rod_spring_untruncated_record_averaged_2_loop(ptrdiff_t n, ptrdiff_t apart,
-    const double *A, const double *p, double *out)
-{
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[2];
-        rod_spring_untruncated_averaged_2(A[i], p, h);
-        out[i] = h[0];
-        out[apart + i] = h[1];
-    }
-}
-
-static void rod_spring_untruncated_record_averaged_2(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
-{
-    (void)self;
-    if (n == 1) {
-        rod_spring_untruncated_averaged_2(A[0], p, out);
-        return;
-    }
-    rod_spring_untruncated_record_averaged_2_loop(n, n, A, p, out);
-}
-
+ROWS(rod_spring_untruncated_record_averaged_loop, rod_spring_untruncated_averaged, 4)
+SUMS(rod_spring_untruncated_record_averaged, rod_spring_untruncated_averaged, rod_spring_untruncated_record_averaged_loop(n, n, A, p, out))
+ROWS(rod_spring_untruncated_record_averaged_2_loop, rod_spring_untruncated_averaged_2, 2)
+SUMS(rod_spring_untruncated_record_averaged_2, rod_spring_untruncated_averaged_2, rod_spring_untruncated_record_averaged_2_loop(n, n, A, p, out))
 static inline int rod_spring_untruncated_record_harmonics_regime(double A, const double *p)
 {
     const double delta_h = p[2];
     return A <= sqrt(-delta_h * delta_h + 2.0 * delta_h) ? 0 : 1;
 }
-
-static SF_FLAT void rod_spring_untruncated_record_harmonics_loop_0(ptrdiff_t n, ptrdiff_t apart,
-    const double *A, const double *p, double *out)
-{
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[8];
-        rod_spring_untruncated_harmonics_passed_0(A[i], p, h);
-        out[i] = h[0];
-        out[apart + i] = h[1];
-        out[2 * apart + i] = h[2];
-        out[3 * apart + i] = h[3];
-        out[4 * apart + i] = h[4];
-        out[5 * apart + i] = h[5];
-        out[6 * apart + i] = h[6];
-        out[7 * apart + i] = h[7];
-    }
-}
-
-static SF_FLAT void rod_spring_untruncated_record_harmonics_loop_1(ptrdiff_t n, ptrdiff_t apart,
-    const double *A, const double *p, double *out)
-{
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        double h[8];
-        rod_spring_untruncated_harmonics_passed_1(A[i], p, h);
-        out[i] = h[0];
-        out[apart + i] = h[1];
-        out[2 * apart + i] = h[2];
-        out[3 * apart + i] = h[3];
-        out[4 * apart + i] = h[4];
-        out[5 * apart + i] = h[5];
-        out[6 * apart + i] = h[6];
-        out[7 * apart + i] = h[7];
-    }
-}
-
-static void rod_spring_untruncated_record_harmonics(const sf_mechanism *self, ptrdiff_t n, const double *A, const double *p, double *out)
-{
-    (void)self;
-    if (n == 1) {
-        rod_spring_untruncated_harmonics(A[0], p, out);
-        return;
-    }
-    static void (*const loops[])(ptrdiff_t, ptrdiff_t, const double *, const double *, double *) = {
-        rod_spring_untruncated_record_harmonics_loop_0,
-        rod_spring_untruncated_record_harmonics_loop_1,
-    };
-    for (ptrdiff_t first = 0, end; first < n; first = end) {
-        const int regime = rod_spring_untruncated_record_harmonics_regime(A[first], p);
-        for (end = first + 1; end < n && rod_spring_untruncated_record_harmonics_regime(A[end], p) == regime; end++)
-            ;
-        loops[regime](end - first, n, A + first, p, out + first);
-    }
-}
+ROWS(rod_spring_untruncated_record_harmonics_loop_0, rod_spring_untruncated_harmonics_passed_0, 8)
+ROWS(rod_spring_untruncated_record_harmonics_loop_1, rod_spring_untruncated_harmonics_passed_1, 8)
+static const rows rod_spring_untruncated_record_harmonics_loops[] = {rod_spring_untruncated_record_harmonics_loop_0, rod_spring_untruncated_record_harmonics_loop_1};
+SUMS(rod_spring_untruncated_record_harmonics, rod_spring_untruncated_harmonics, records_by_regime(rod_spring_untruncated_record_harmonics_loops, rod_spring_untruncated_record_harmonics_regime, n, A, p, out))
 
 static double rod_spring_untruncated_record_intercept(const sf_mechanism *self, double A, const double *p)
 {
@@ -810,18 +409,6 @@ static void rod_spring_untruncated_record_by_parameter(const sf_mechanism *self,
 {
     (void)self;
     rod_spring_untruncated_by_parameter(A, h[0], h[1], h[2], p, out);
-}
-
-static void rod_spring_untruncated_record_by_design(const sf_mechanism *self, const double *design, double *out)
-{
-    (void)self;
-    rod_spring_untruncated_by_design(design[0], design[1], design[2], out);
-}
-
-static void rod_spring_untruncated_record_parameters_within(const sf_mechanism *self, const double *design, sf_interval *p)
-{
-    (void)self;
-    rod_spring_untruncated_intervals_given(sfi_point(design[0]), sfi_point(design[1]), sfi_point(design[2]), p);
 }
 
 /* What stands for its average where A exceeds the breakpoint, by so much, `parts` of them. */
@@ -858,12 +445,6 @@ static void rod_spring_untruncated_record_averaged_within(const sf_mechanism *se
 }
 
 
-static void rod_spring_untruncated_record_parameters_in_pairs(const sf_mechanism *self, const double *design, sf_pair *p)
-{
-    (void)self;
-    rod_spring_untruncated_pairs_given(sfp_point(design[0]), sfp_point(design[1]), sfp_point(design[2]), p);
-}
-
 /* h, h_A, h_AA, h_AAA, as many as are wanted: fewer take less time */
 static void rod_spring_untruncated_record_averaged_in_pairs(const sf_mechanism *self, int passed, int wanted, sf_pair A, sf_pair beyond,
                                                     const sf_pair *p, sf_pair *out)
@@ -887,49 +468,17 @@ static void rod_spring_untruncated_record_averaged_in_pairs(const sf_mechanism *
         out[i] = all[i];
 }
 
-/* Parameters and jumps of n designs, two doubles each */
-static SF_FLAT void rod_spring_untruncated_record_many_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart,
-                                                           const double *design, double *out)
-{
-    (void)self;
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS];
-        rod_spring_untruncated_pairs_given(sfp_point(design[i]),
-sfp_point(design[apart + i]),
-sfp_point(design[2 * apart + i]),
-p);
-        out[0 * apart + i] = p[0].high;
-        out[1 * apart + i] = p[0].low;
-        out[2 * apart + i] = p[1].high;
-        out[3 * apart + i] = p[1].low;
-        out[4 * apart + i] = p[2].high;
-        out[5 * apart + i] = p[2].low;
-        out[6 * apart + i] = p[3].high;
-        out[7 * apart + i] = p[3].low;
-    }
-}
-
-/* The first breakpoint and h on it, two doubles each, of h NaN where another form is needed */
-static SF_FLAT void rod_spring_untruncated_record_on_first_end_in_pairs(const sf_mechanism *self, ptrdiff_t n, ptrdiff_t apart,
-                                                                   const double *design, double *out)
-{
-    (void)self;
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        sf_pair p[SF_MOST_PARAMETERS + SF_MOST_BREAKS], b[SF_MOST_BREAKS], all[5];
-        rod_spring_untruncated_pairs_given(sfp_point(design[i]),
-sfp_point(design[apart + i]),
-sfp_point(design[2 * apart + i]),
-p);
-        rod_spring_untruncated_pairs_breakpoints(p, b);
-        rod_spring_untruncated_pairs_attached(b[0], p, all);
-        out[i] = b[0].high;
-        out[apart + i] = b[0].low;
-        out[2 * apart + i] = b[0].high < 0.69999999999999996 ? all[0].high : NAN;
-        out[3 * apart + i] = all[0].low;
-    }
-}
+/* Parameters and jumps of n designs */
+IN_PAIRS(rod_spring_untruncated_record_many_in_pairs, rod_spring_untruncated_pairs_given(NUMBER(0), NUMBER(1), NUMBER(2), p),
+         for (int k = 0; k < 4; k++) PUT(k, p[k]);)
+/* The first breakpoint and h on it, of h NaN where another form is needed */
+IN_PAIRS(rod_spring_untruncated_record_on_first_end_in_pairs, rod_spring_untruncated_pairs_given(NUMBER(0), NUMBER(1), NUMBER(2), p),
+         sf_pair b[SF_MOST_BREAKS], all[5];
+         rod_spring_untruncated_pairs_breakpoints(p, b);
+         rod_spring_untruncated_pairs_attached(b[0], p, all);
+         all[0].high = b[0].high < 0.69999999999999996 ? all[0].high : NAN;
+         PUT(0, b[0]);
+         PUT(1, all[0]);)
 
 _Static_assert(3 <= SF_MOST_DESIGN && 3 <= SF_MOST_PARAMETERS && 1 <= SF_MOST_BREAKS,
                "rod_spring_untruncated needs higher limits in mechanism.h");

@@ -8,759 +8,106 @@
 
 #include "kernels.h"
 
-SF_LOOP(rod_spring_averaged_passed_0_loop, 4,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    rod_spring_averaged_passed_0(A, p, values);
-)
-SF_LOOP(rod_spring_averaged_passed_1_loop, 4,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    rod_spring_averaged_passed_1(A, p, values);
-)
-SF_LOOP(rod_spring_averaged_passed_1_far_1_loop, 4,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    rod_spring_averaged_passed_1_far_1(A, p, values);
-)
+#define REGIMES_1(loop, ...) loop(_passed_0, __VA_ARGS__) loop(_passed_1, __VA_ARGS__) loop(_passed_1_far_1, __VA_ARGS__)
+#define REGIMES_2(loop, ...) loop(_force_1, __VA_ARGS__) loop(_force_2, __VA_ARGS__)
 
-static SF_WIDE void rod_spring_averaged_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
-{
-    /* a char may alias the table of arrays */
-    const double *A_ = in[0], *u_cr_ = in[4];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double A = A_[i], u_cr = u_cr_[i];
-        regime[i] = A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
-    }
-}
-
-static const sf_loop rod_spring_averaged_loops[] = {
-    rod_spring_averaged_passed_0_loop, rod_spring_averaged_passed_1_loop, rod_spring_averaged_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_averaged_2_passed_0_loop, 2,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    rod_spring_averaged_2_passed_0(A, p, values);
-)
-SF_LOOP(rod_spring_averaged_2_passed_1_loop, 2,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    rod_spring_averaged_2_passed_1(A, p, values);
-)
-SF_LOOP(rod_spring_averaged_2_passed_1_far_1_loop, 2,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    rod_spring_averaged_2_passed_1_far_1(A, p, values);
-)
-
-static const sf_loop rod_spring_averaged_2_loops[] = {
-    rod_spring_averaged_2_passed_0_loop, rod_spring_averaged_2_passed_1_loop,
-    rod_spring_averaged_2_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_averaged_H_passed_0_loop, 2,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    rod_spring_averaged_H_passed_0(A, p, values);
-)
-SF_LOOP(rod_spring_averaged_H_passed_1_loop, 2,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    rod_spring_averaged_H_passed_1(A, p, values);
-)
-SF_LOOP(rod_spring_averaged_H_passed_1_far_1_loop, 2,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    rod_spring_averaged_H_passed_1_far_1(A, p, values);
-)
-
-static const sf_loop rod_spring_averaged_H_loops[] = {
-    rod_spring_averaged_H_passed_0_loop, rod_spring_averaged_H_passed_1_loop,
-    rod_spring_averaged_H_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_intercept_passed_0_loop, 1,
-    const double A = in[0][i], alpha = in[1][i], beta = in[2][i], gamma = in[3][i], u_cr = in[4][i];
-    values[0] = rod_spring_intercept_passed_0(A, alpha, beta, gamma, u_cr);
-)
-SF_LOOP(rod_spring_intercept_passed_1_loop, 1,
-    const double A = in[0][i], alpha = in[1][i], beta = in[2][i], gamma = in[3][i], u_cr = in[4][i];
-    values[0] = rod_spring_intercept_passed_1(A, alpha, beta, gamma, u_cr);
-)
-SF_LOOP(rod_spring_intercept_passed_1_far_1_loop, 1,
-    const double A = in[0][i], alpha = in[1][i], beta = in[2][i], gamma = in[3][i], u_cr = in[4][i];
-    values[0] = rod_spring_intercept_passed_1_far_1(A, alpha, beta, gamma, u_cr);
-)
-
-static const sf_loop rod_spring_intercept_loops[] = {
-    rod_spring_intercept_passed_0_loop, rod_spring_intercept_passed_1_loop, rod_spring_intercept_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_harmonics_passed_0_loop, 8,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    rod_spring_harmonics_passed_0(A, p, values);
-)
-SF_LOOP(rod_spring_harmonics_passed_1_loop, 8,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    rod_spring_harmonics_passed_1(A, p, values);
-)
-SF_LOOP(rod_spring_harmonics_passed_1_far_1_loop, 8,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    rod_spring_harmonics_passed_1_far_1(A, p, values);
-)
-
-static const sf_loop rod_spring_harmonics_loops[] = {
-    rod_spring_harmonics_passed_0_loop, rod_spring_harmonics_passed_1_loop, rod_spring_harmonics_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_coefficients_loop, 4,
-    const double lam = in[0][i], r = in[1][i], delta_h = in[2][i];
-    rod_spring_coefficients(lam, r, delta_h, values);
-)
-
-SF_LOOP(rod_spring_breakpoints_loop, 1,
-    const double p[] = {in[0][i], in[1][i], in[2][i], in[3][i]};
-    rod_spring_breakpoints(p, values);
-)
-
-SF_LOOP(rod_spring_jumps_loop, 1,
-    const double p[] = {in[0][i], in[1][i], in[2][i], in[3][i]};
-    rod_spring_jumps(p, values);
-)
-
-SF_LOOP(rod_spring_hardening_loop, 3,
-    const double p[] = {in[0][i], in[1][i], in[2][i], in[3][i]};
-    rod_spring_hardening(p, values);
-)
-
-SF_LOOP(rod_spring_force_force_1_loop, 1,
-    const double u = in[0][i], alpha = in[1][i], beta = in[2][i], gamma = in[3][i], u_cr = in[4][i];
-    values[0] = rod_spring_force_1(u, alpha, beta, gamma, u_cr);
-)
-SF_LOOP(rod_spring_force_force_2_loop, 1,
-    const double u = in[0][i], alpha = in[1][i], beta = in[2][i], gamma = in[3][i], u_cr = in[4][i];
-    values[0] = rod_spring_force_2(u, alpha, beta, gamma, u_cr);
-)
-
-static SF_WIDE void rod_spring_force_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
-{
-    /* a char may alias the table of arrays */
-    const double *u_ = in[0], *u_cr_ = in[4];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double u = u_[i], u_cr = u_cr_[i];
-        regime[i] = fabs(u) <= u_cr ? 0 : 1;
-    }
-}
-
-static const sf_loop rod_spring_force_loops[] = {
-    rod_spring_force_force_1_loop, rod_spring_force_force_2_loop
-};
-
-SF_LOOP(rod_spring_saddle_node_onset_loop, 19,
-    const double m = in[0][i], zeta = in[1][i];
-    const double p[] = {in[2][i], in[3][i], in[4][i], in[5][i]};
-    rod_spring_saddle_node_onset(m, zeta, p, values);
-)
-
-SF_LOOP(rod_spring_saddle_nodes_loop, 17,
-    const double F_0 = in[0][i], m = in[1][i], zeta = in[2][i];
-    const double p[] = {in[3][i], in[4][i], in[5][i], in[6][i]};
-    rod_spring_saddle_nodes(F_0, m, zeta, p, values);
-)
-
-SF_LOOP(rod_spring_h_passed_0_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[2];
-    rod_spring_averaged_2_passed_0(A, p, all);
-    values[0] = all[0];
-)
-SF_LOOP(rod_spring_h_passed_1_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[2];
-    rod_spring_averaged_2_passed_1(A, p, all);
-    values[0] = all[0];
-)
-SF_LOOP(rod_spring_h_passed_1_far_1_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[2];
-    rod_spring_averaged_2_passed_1_far_1(A, p, all);
-    values[0] = all[0];
-)
-
-static const sf_loop rod_spring_h_loops[] = {
-    rod_spring_h_passed_0_loop, rod_spring_h_passed_1_loop, rod_spring_h_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_h_A_passed_0_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[2];
-    rod_spring_averaged_2_passed_0(A, p, all);
-    values[0] = all[1];
-)
-SF_LOOP(rod_spring_h_A_passed_1_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[2];
-    rod_spring_averaged_2_passed_1(A, p, all);
-    values[0] = all[1];
-)
-SF_LOOP(rod_spring_h_A_passed_1_far_1_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[2];
-    rod_spring_averaged_2_passed_1_far_1(A, p, all);
-    values[0] = all[1];
-)
-
-static const sf_loop rod_spring_h_A_loops[] = {
-    rod_spring_h_A_passed_0_loop, rod_spring_h_A_passed_1_loop, rod_spring_h_A_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_h_AA_passed_0_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[4];
-    rod_spring_averaged_passed_0(A, p, all);
-    values[0] = all[2];
-)
-SF_LOOP(rod_spring_h_AA_passed_1_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[4];
-    rod_spring_averaged_passed_1(A, p, all);
-    values[0] = all[2];
-)
-SF_LOOP(rod_spring_h_AA_passed_1_far_1_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[4];
-    rod_spring_averaged_passed_1_far_1(A, p, all);
-    values[0] = all[2];
-)
-
-static const sf_loop rod_spring_h_AA_loops[] = {
-    rod_spring_h_AA_passed_0_loop, rod_spring_h_AA_passed_1_loop, rod_spring_h_AA_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_h_AAA_passed_0_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[4];
-    rod_spring_averaged_passed_0(A, p, all);
-    values[0] = all[3];
-)
-SF_LOOP(rod_spring_h_AAA_passed_1_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[4];
-    rod_spring_averaged_passed_1(A, p, all);
-    values[0] = all[3];
-)
-SF_LOOP(rod_spring_h_AAA_passed_1_far_1_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[4];
-    rod_spring_averaged_passed_1_far_1(A, p, all);
-    values[0] = all[3];
-)
-
-static const sf_loop rod_spring_h_AAA_loops[] = {
-    rod_spring_h_AAA_passed_0_loop, rod_spring_h_AAA_passed_1_loop, rod_spring_h_AAA_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_H_passed_0_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[2];
-    rod_spring_averaged_H_passed_0(A, p, all);
-    values[0] = all[0];
-)
-SF_LOOP(rod_spring_H_passed_1_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[2];
-    rod_spring_averaged_H_passed_1(A, p, all);
-    values[0] = all[0];
-)
-SF_LOOP(rod_spring_H_passed_1_far_1_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[2];
-    rod_spring_averaged_H_passed_1_far_1(A, p, all);
-    values[0] = all[0];
-)
-
-static const sf_loop rod_spring_H_loops[] = {
-    rod_spring_H_passed_0_loop, rod_spring_H_passed_1_loop, rod_spring_H_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_H_A_passed_0_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[2];
-    rod_spring_averaged_H_passed_0(A, p, all);
-    values[0] = all[1];
-)
-SF_LOOP(rod_spring_H_A_passed_1_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[2];
-    rod_spring_averaged_H_passed_1(A, p, all);
-    values[0] = all[1];
-)
-SF_LOOP(rod_spring_H_A_passed_1_far_1_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[2];
-    rod_spring_averaged_H_passed_1_far_1(A, p, all);
-    values[0] = all[1];
-)
-
-static const sf_loop rod_spring_H_A_loops[] = {
-    rod_spring_H_A_passed_0_loop, rod_spring_H_A_passed_1_loop, rod_spring_H_A_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_H_AA_passed_0_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[4];
-    rod_spring_averaged_passed_0(A, p, all);
-    values[0] = all[2];
-)
-SF_LOOP(rod_spring_H_AA_passed_1_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[4];
-    rod_spring_averaged_passed_1(A, p, all);
-    values[0] = all[2];
-)
-SF_LOOP(rod_spring_H_AA_passed_1_far_1_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double all[4];
-    rod_spring_averaged_passed_1_far_1(A, p, all);
-    values[0] = all[2];
-)
-
-static const sf_loop rod_spring_H_AA_loops[] = {
-    rod_spring_H_AA_passed_0_loop, rod_spring_H_AA_passed_1_loop, rod_spring_H_AA_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_F_passed_0_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], mu = in[3][i], zeta = in[4][i];
-    const double p[] = {in[5][i], in[6][i], in[7][i], in[8][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_0(A, p, average);
-    values[0] = slow_flow_F(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
-)
-SF_LOOP(rod_spring_F_passed_1_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], mu = in[3][i], zeta = in[4][i];
-    const double p[] = {in[5][i], in[6][i], in[7][i], in[8][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1(A, p, average);
-    values[0] = slow_flow_F(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
-)
-SF_LOOP(rod_spring_F_passed_1_far_1_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], mu = in[3][i], zeta = in[4][i];
-    const double p[] = {in[5][i], in[6][i], in[7][i], in[8][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1_far_1(A, p, average);
-    values[0] = slow_flow_F(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
-)
-
-static SF_WIDE void rod_spring_F_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
-{
-    /* a char may alias the table of arrays */
-    const double *A_ = in[1], *u_cr_ = in[8];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double A = A_[i], u_cr = u_cr_[i];
-        regime[i] = A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
-    }
-}
-
-static const sf_loop rod_spring_F_loops[] = {
-    rod_spring_F_passed_0_loop, rod_spring_F_passed_1_loop, rod_spring_F_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_F_A_passed_0_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_0(A, p, average);
-    values[0] = slow_flow_F_A(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
-)
-SF_LOOP(rod_spring_F_A_passed_1_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1(A, p, average);
-    values[0] = slow_flow_F_A(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
-)
-SF_LOOP(rod_spring_F_A_passed_1_far_1_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1_far_1(A, p, average);
-    values[0] = slow_flow_F_A(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
-)
-
-static SF_WIDE void rod_spring_F_A_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
-{
-    /* a char may alias the table of arrays */
-    const double *A_ = in[1], *u_cr_ = in[7];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double A = A_[i], u_cr = u_cr_[i];
-        regime[i] = A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
-    }
-}
-
-static const sf_loop rod_spring_F_A_loops[] = {
-    rod_spring_F_A_passed_0_loop, rod_spring_F_A_passed_1_loop, rod_spring_F_A_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_level_passed_0_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_0(A, p, average);
-    values[0] = slow_flow_level(Omega, A, slow_flow_friction(mu), zeta, average[0]);
-)
-SF_LOOP(rod_spring_level_passed_1_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1(A, p, average);
-    values[0] = slow_flow_level(Omega, A, slow_flow_friction(mu), zeta, average[0]);
-)
-SF_LOOP(rod_spring_level_passed_1_far_1_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1_far_1(A, p, average);
-    values[0] = slow_flow_level(Omega, A, slow_flow_friction(mu), zeta, average[0]);
-)
-
-static const sf_loop rod_spring_level_loops[] = {
-    rod_spring_level_passed_0_loop, rod_spring_level_passed_1_loop, rod_spring_level_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_phase_passed_0_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_0(A, p, average);
-    values[0] = slow_flow_phase(Omega, A, slow_flow_friction(mu), zeta, average[0]);
-)
-SF_LOOP(rod_spring_phase_passed_1_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1(A, p, average);
-    values[0] = slow_flow_phase(Omega, A, slow_flow_friction(mu), zeta, average[0]);
-)
-SF_LOOP(rod_spring_phase_passed_1_far_1_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1_far_1(A, p, average);
-    values[0] = slow_flow_phase(Omega, A, slow_flow_friction(mu), zeta, average[0]);
-)
-
-static const sf_loop rod_spring_phase_loops[] = {
-    rod_spring_phase_passed_0_loop, rod_spring_phase_passed_1_loop, rod_spring_phase_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_jacobian_passed_0_loop, 4,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_0(A, p, average);
-    slow_flow_jacobian(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1], values);
-)
-SF_LOOP(rod_spring_jacobian_passed_1_loop, 4,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1(A, p, average);
-    slow_flow_jacobian(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1], values);
-)
-SF_LOOP(rod_spring_jacobian_passed_1_far_1_loop, 4,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1_far_1(A, p, average);
-    slow_flow_jacobian(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1], values);
-)
-
-static const sf_loop rod_spring_jacobian_loops[] = {
-    rod_spring_jacobian_passed_0_loop, rod_spring_jacobian_passed_1_loop, rod_spring_jacobian_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_stability_passed_0_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_0(A, p, average);
-    values[0] = slow_flow_stability(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
-)
-SF_LOOP(rod_spring_stability_passed_1_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1(A, p, average);
-    values[0] = slow_flow_stability(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
-)
-SF_LOOP(rod_spring_stability_passed_1_far_1_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1_far_1(A, p, average);
-    values[0] = slow_flow_stability(Omega, A, slow_flow_friction(mu), zeta, average[0], average[1]);
-)
-
-static const sf_loop rod_spring_stability_loops[] = {
-    rod_spring_stability_passed_0_loop, rod_spring_stability_passed_1_loop, rod_spring_stability_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_transmissibility_passed_0_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], mu = in[3][i], zeta = in[4][i];
-    const double p[] = {in[5][i], in[6][i], in[7][i], in[8][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_0(A, p, average);
-    values[0] = slow_flow_transmissibility(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
-)
-SF_LOOP(rod_spring_transmissibility_passed_1_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], mu = in[3][i], zeta = in[4][i];
-    const double p[] = {in[5][i], in[6][i], in[7][i], in[8][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1(A, p, average);
-    values[0] = slow_flow_transmissibility(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
-)
-SF_LOOP(rod_spring_transmissibility_passed_1_far_1_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], F_0 = in[2][i], mu = in[3][i], zeta = in[4][i];
-    const double p[] = {in[5][i], in[6][i], in[7][i], in[8][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1_far_1(A, p, average);
-    values[0] = slow_flow_transmissibility(Omega, A, F_0, slow_flow_friction(mu), zeta, average[0]);
-)
-
-static const sf_loop rod_spring_transmissibility_loops[] = {
-    rod_spring_transmissibility_passed_0_loop, rod_spring_transmissibility_passed_1_loop,
-    rod_spring_transmissibility_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_backbone_passed_0_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_0(A, p, average);
-    values[0] = slow_flow_backbone(A, average[0]);
-)
-SF_LOOP(rod_spring_backbone_passed_1_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1(A, p, average);
-    values[0] = slow_flow_backbone(A, average[0]);
-)
-SF_LOOP(rod_spring_backbone_passed_1_far_1_loop, 1,
-    const double A = in[0][i];
-    const double p[] = {in[1][i], in[2][i], in[3][i], in[4][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1_far_1(A, p, average);
-    values[0] = slow_flow_backbone(A, average[0]);
-)
-
-static const sf_loop rod_spring_backbone_loops[] = {
-    rod_spring_backbone_passed_0_loop, rod_spring_backbone_passed_1_loop, rod_spring_backbone_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_limit_envelope_loop, 1,
-    const double Omega = in[0][i], F_0 = in[1][i], mu = in[2][i], zeta = in[3][i];
-    values[0] = slow_flow_limit_envelope(Omega, F_0, slow_flow_friction(mu), zeta);
-)
-
-SF_LOOP(rod_spring_equivalent_damping_loop, 1,
-    const double Omega = in[0][i], A = in[1][i], mu = in[2][i], zeta = in[3][i];
-    values[0] = slow_flow_equivalent_damping(Omega, A, slow_flow_friction(mu), zeta);
-)
-
-SF_LOOP(rod_spring_response_quartic_passed_0_loop, 4,
-    const double A = in[0][i], F_0 = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_0(A, p, average);
-    slow_flow_response_quartic(A, F_0, slow_flow_friction(mu), zeta, average[0], values);
-)
-SF_LOOP(rod_spring_response_quartic_passed_1_loop, 4,
-    const double A = in[0][i], F_0 = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1(A, p, average);
-    slow_flow_response_quartic(A, F_0, slow_flow_friction(mu), zeta, average[0], values);
-)
-SF_LOOP(rod_spring_response_quartic_passed_1_far_1_loop, 4,
-    const double A = in[0][i], F_0 = in[1][i], mu = in[2][i], zeta = in[3][i];
-    const double p[] = {in[4][i], in[5][i], in[6][i], in[7][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1_far_1(A, p, average);
-    slow_flow_response_quartic(A, F_0, slow_flow_friction(mu), zeta, average[0], values);
-)
-
-static SF_WIDE void rod_spring_response_quartic_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
-{
-    /* a char may alias the table of arrays */
-    const double *A_ = in[0], *u_cr_ = in[7];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double A = A_[i], u_cr = u_cr_[i];
-        regime[i] = A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
-    }
-}
-
-static const sf_loop rod_spring_response_quartic_loops[] = {
-    rod_spring_response_quartic_passed_0_loop, rod_spring_response_quartic_passed_1_loop,
-    rod_spring_response_quartic_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_fold_quartic_passed_0_loop, 4,
-    const double A = in[0][i], mu = in[1][i], zeta = in[2][i];
-    const double p[] = {in[3][i], in[4][i], in[5][i], in[6][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_0(A, p, average);
-    slow_flow_fold_quartic(A, slow_flow_friction(mu), zeta, average[0], average[1], values);
-)
-SF_LOOP(rod_spring_fold_quartic_passed_1_loop, 4,
-    const double A = in[0][i], mu = in[1][i], zeta = in[2][i];
-    const double p[] = {in[3][i], in[4][i], in[5][i], in[6][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1(A, p, average);
-    slow_flow_fold_quartic(A, slow_flow_friction(mu), zeta, average[0], average[1], values);
-)
-SF_LOOP(rod_spring_fold_quartic_passed_1_far_1_loop, 4,
-    const double A = in[0][i], mu = in[1][i], zeta = in[2][i];
-    const double p[] = {in[3][i], in[4][i], in[5][i], in[6][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1_far_1(A, p, average);
-    slow_flow_fold_quartic(A, slow_flow_friction(mu), zeta, average[0], average[1], values);
-)
-
-static SF_WIDE void rod_spring_fold_quartic_regime(ptrdiff_t n, const double *const *in, unsigned char *regime)
-{
-    /* a char may alias the table of arrays */
-    const double *A_ = in[0], *u_cr_ = in[6];
-    SF_INDEPENDENT
-    for (ptrdiff_t i = 0; i < n; i++) {
-        const double A = A_[i], u_cr = u_cr_[i];
-        regime[i] = A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2;
-    }
-}
-
-static const sf_loop rod_spring_fold_quartic_loops[] = {
-    rod_spring_fold_quartic_passed_0_loop, rod_spring_fold_quartic_passed_1_loop,
-    rod_spring_fold_quartic_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_peak_cubic_passed_0_loop, 3,
-    const double A = in[0][i], mu = in[1][i], zeta = in[2][i];
-    const double p[] = {in[3][i], in[4][i], in[5][i], in[6][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_0(A, p, average);
-    slow_flow_peak_cubic(A, slow_flow_friction(mu), zeta, average[0], values);
-)
-SF_LOOP(rod_spring_peak_cubic_passed_1_loop, 3,
-    const double A = in[0][i], mu = in[1][i], zeta = in[2][i];
-    const double p[] = {in[3][i], in[4][i], in[5][i], in[6][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1(A, p, average);
-    slow_flow_peak_cubic(A, slow_flow_friction(mu), zeta, average[0], values);
-)
-SF_LOOP(rod_spring_peak_cubic_passed_1_far_1_loop, 3,
-    const double A = in[0][i], mu = in[1][i], zeta = in[2][i];
-    const double p[] = {in[3][i], in[4][i], in[5][i], in[6][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1_far_1(A, p, average);
-    slow_flow_peak_cubic(A, slow_flow_friction(mu), zeta, average[0], values);
-)
-
-static const sf_loop rod_spring_peak_cubic_loops[] = {
-    rod_spring_peak_cubic_passed_0_loop, rod_spring_peak_cubic_passed_1_loop,
-    rod_spring_peak_cubic_passed_1_far_1_loop
-};
-
-SF_LOOP(rod_spring_detachment_passed_0_loop, 4,
-    const double A = in[0][i], mu = in[1][i], zeta = in[2][i];
-    const double p[] = {in[3][i], in[4][i], in[5][i], in[6][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_0(A, p, average);
-    slow_flow_detachment(A, slow_flow_friction(mu), zeta, average[0], values);
-)
-SF_LOOP(rod_spring_detachment_passed_1_loop, 4,
-    const double A = in[0][i], mu = in[1][i], zeta = in[2][i];
-    const double p[] = {in[3][i], in[4][i], in[5][i], in[6][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1(A, p, average);
-    slow_flow_detachment(A, slow_flow_friction(mu), zeta, average[0], values);
-)
-SF_LOOP(rod_spring_detachment_passed_1_far_1_loop, 4,
-    const double A = in[0][i], mu = in[1][i], zeta = in[2][i];
-    const double p[] = {in[3][i], in[4][i], in[5][i], in[6][i]};
-    double average[2];
-    rod_spring_averaged_2_passed_1_far_1(A, p, average);
-    slow_flow_detachment(A, slow_flow_friction(mu), zeta, average[0], values);
-)
-
-static const sf_loop rod_spring_detachment_loops[] = {
-    rod_spring_detachment_passed_0_loop, rod_spring_detachment_passed_1_loop,
-    rod_spring_detachment_passed_1_far_1_loop
-};
+REGIMES_1(SF_TUPLE, rod_spring_averaged, 4, rod_spring_averaged, X(0), (const double[]){X(1), X(2), X(3), X(4)})
+SF_CHOOSE(rod_spring_averaged, 5, A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2, const double A = X(0), u_cr = X(4))
+REGIMES_1(SF_TUPLE, rod_spring_averaged_2, 2, rod_spring_averaged_2, X(0), (const double[]){X(1), X(2), X(3), X(4)})
+REGIMES_1(SF_TUPLE, rod_spring_averaged_H, 2, rod_spring_averaged_H, X(0), (const double[]){X(1), X(2), X(3), X(4)})
+REGIMES_1(SF_SCALAR, rod_spring_intercept, rod_spring_intercept, X(0), X(1), X(2), X(3), X(4))
+REGIMES_1(SF_TUPLE, rod_spring_harmonics, 8, rod_spring_harmonics, X(0), (const double[]){X(1), X(2), X(3), X(4)})
+SF_TUPLE(, rod_spring_coefficients, 4, rod_spring_coefficients, X(0), X(1), X(2))
+SF_TUPLE(, rod_spring_breakpoints, 1, rod_spring_breakpoints, (const double[]){X(0), X(1), X(2), X(3)})
+SF_TUPLE(, rod_spring_jumps, 1, rod_spring_jumps, (const double[]){X(0), X(1), X(2), X(3)})
+SF_TUPLE(, rod_spring_hardening, 3, rod_spring_hardening, (const double[]){X(0), X(1), X(2), X(3)})
+REGIMES_2(SF_SCALAR, rod_spring_force, rod_spring, X(0), X(1), X(2), X(3), X(4))
+SF_CHOOSE(rod_spring_force, 5, fabs(u) <= u_cr ? 0 : 1, const double u = X(0), u_cr = X(4))
+SF_TUPLE(, rod_spring_saddle_node_onset, 19, rod_spring_saddle_node_onset, X(0), X(1), (const double[]){X(2), X(3),
+    X(4), X(5)})
+SF_TUPLE(, rod_spring_saddle_nodes, 17, rod_spring_saddle_nodes, X(0), X(1), X(2), (const double[]){X(3), X(4),
+    X(5), X(6)})
+REGIMES_1(SF_PART, rod_spring_h, 1, 2, rod_spring_averaged_2, (X(0), (const double[]){X(1), X(2), X(3), X(4)}, all),
+    values[0] = all[0];)
+REGIMES_1(SF_PART, rod_spring_h_A, 1, 2, rod_spring_averaged_2, (X(0), (const double[]){X(1), X(2), X(3), X(4)},
+    all), values[0] = all[1];)
+REGIMES_1(SF_PART, rod_spring_h_AA, 1, 4, rod_spring_averaged, (X(0), (const double[]){X(1), X(2), X(3), X(4)},
+    all), values[0] = all[2];)
+REGIMES_1(SF_PART, rod_spring_h_AAA, 1, 4, rod_spring_averaged, (X(0), (const double[]){X(1), X(2), X(3), X(4)},
+    all), values[0] = all[3];)
+REGIMES_1(SF_PART, rod_spring_H, 1, 2, rod_spring_averaged_H, (X(0), (const double[]){X(1), X(2), X(3), X(4)}, all),
+    values[0] = all[0];)
+REGIMES_1(SF_PART, rod_spring_H_A, 1, 2, rod_spring_averaged_H, (X(0), (const double[]){X(1), X(2), X(3), X(4)},
+    all), values[0] = all[1];)
+REGIMES_1(SF_PART, rod_spring_H_AA, 1, 4, rod_spring_averaged, (X(0), (const double[]){X(1), X(2), X(3), X(4)},
+    all), values[0] = all[2];)
+REGIMES_1(SF_PART, rod_spring_F, 1, 2, rod_spring_averaged_2, (X(1), (const double[]){X(5), X(6), X(7), X(8)}, all),
+    values[0] = slow_flow_F(X(0), X(1), X(2), slow_flow_friction(X(3)), X(4), all[0]);)
+SF_CHOOSE(rod_spring_F, 9, A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2, const double A = X(1), u_cr = X(8))
+REGIMES_1(SF_PART, rod_spring_F_A, 1, 2, rod_spring_averaged_2, (X(1), (const double[]){X(4), X(5), X(6), X(7)},
+    all), values[0] = slow_flow_F_A(X(0), X(1), slow_flow_friction(X(2)), X(3), all[0], all[1]);)
+SF_CHOOSE(rod_spring_F_A, 8, A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2, const double A = X(1), u_cr = X(7))
+REGIMES_1(SF_PART, rod_spring_level, 1, 2, rod_spring_averaged_2, (X(1), (const double[]){X(4), X(5), X(6), X(7)},
+    all), values[0] = slow_flow_level(X(0), X(1), slow_flow_friction(X(2)), X(3), all[0]);)
+REGIMES_1(SF_PART, rod_spring_phase, 1, 2, rod_spring_averaged_2, (X(1), (const double[]){X(4), X(5), X(6), X(7)},
+    all), values[0] = slow_flow_phase(X(0), X(1), slow_flow_friction(X(2)), X(3), all[0]);)
+REGIMES_1(SF_PART, rod_spring_jacobian, 4, 2, rod_spring_averaged_2, (X(1), (const double[]){X(4), X(5), X(6),
+    X(7)}, all), slow_flow_jacobian(X(0), X(1), slow_flow_friction(X(2)), X(3), all[0], all[1], values);)
+REGIMES_1(SF_PART, rod_spring_stability, 1, 2, rod_spring_averaged_2, (X(1), (const double[]){X(4), X(5), X(6),
+    X(7)}, all), values[0] = slow_flow_stability(X(0), X(1), slow_flow_friction(X(2)), X(3), all[0], all[1]);)
+REGIMES_1(SF_PART, rod_spring_transmissibility, 1, 2, rod_spring_averaged_2, (X(1), (const double[]){X(5), X(6),
+    X(7), X(8)}, all), values[0] = slow_flow_transmissibility(X(0), X(1), X(2), slow_flow_friction(X(3)), X(4),
+    all[0]);)
+REGIMES_1(SF_PART, rod_spring_backbone, 1, 2, rod_spring_averaged_2, (X(0), (const double[]){X(1), X(2), X(3),
+    X(4)}, all), values[0] = slow_flow_backbone(X(0), all[0]);)
+SF_SCALAR(, rod_spring_limit_envelope, slow_flow_limit_envelope, X(0), X(1), slow_flow_friction(X(2)), X(3))
+SF_SCALAR(, rod_spring_equivalent_damping, slow_flow_equivalent_damping, X(0), X(1), slow_flow_friction(X(2)), X(3))
+REGIMES_1(SF_PART, rod_spring_response_quartic, 4, 2, rod_spring_averaged_2, (X(0), (const double[]){X(4), X(5),
+    X(6), X(7)}, all), slow_flow_response_quartic(X(0), X(1), slow_flow_friction(X(2)), X(3), all[0], values);)
+SF_CHOOSE(rod_spring_response_quartic, 8, A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2, const double A = X(0), u_cr =
+    X(7))
+REGIMES_1(SF_PART, rod_spring_fold_quartic, 4, 2, rod_spring_averaged_2, (X(0), (const double[]){X(3), X(4), X(5),
+    X(6)}, all), slow_flow_fold_quartic(X(0), slow_flow_friction(X(1)), X(2), all[0], all[1], values);)
+SF_CHOOSE(rod_spring_fold_quartic, 7, A <= u_cr ? 0 : A <= 1.05 * u_cr ? 1 : 2, const double A = X(0), u_cr = X(6))
+REGIMES_1(SF_PART, rod_spring_peak_cubic, 3, 2, rod_spring_averaged_2, (X(0), (const double[]){X(3), X(4), X(5),
+    X(6)}, all), slow_flow_peak_cubic(X(0), slow_flow_friction(X(1)), X(2), all[0], values);)
+REGIMES_1(SF_PART, rod_spring_detachment, 4, 2, rod_spring_averaged_2, (X(0), (const double[]){X(3), X(4), X(5),
+    X(6)}, all), slow_flow_detachment(X(0), slow_flow_friction(X(1)), X(2), all[0], values);)
 
 static const sf_kernel kernels[] = {
-    {"averaged", 5, 4, 3, rod_spring_averaged_regime, rod_spring_averaged_loops},
-    {"averaged_2", 5, 2, 3, rod_spring_averaged_regime, rod_spring_averaged_2_loops},
-    {"averaged_H", 5, 2, 3, rod_spring_averaged_regime, rod_spring_averaged_H_loops},
-    {"intercept", 5, 1, 3, rod_spring_averaged_regime, rod_spring_intercept_loops},
-    {"harmonics", 5, 8, 3, rod_spring_averaged_regime, rod_spring_harmonics_loops},
-    {"coefficients", 3, 4, 1, NULL, SF_ONE(rod_spring_coefficients_loop)},
-    {"breakpoints", 4, 1, 1, NULL, SF_ONE(rod_spring_breakpoints_loop)},
-    {"jumps", 4, 1, 1, NULL, SF_ONE(rod_spring_jumps_loop)},
-    {"hardening", 4, 3, 1, NULL, SF_ONE(rod_spring_hardening_loop)},
-    {"force", 5, 1, 2, rod_spring_force_regime, rod_spring_force_loops},
-    {"saddle_node_onset", 6, 19, 1, NULL, SF_ONE(rod_spring_saddle_node_onset_loop)},
-    {"saddle_nodes", 7, 17, 1, NULL, SF_ONE(rod_spring_saddle_nodes_loop)},
-    {"h", 5, 1, 3, rod_spring_averaged_regime, rod_spring_h_loops},
-    {"h_A", 5, 1, 3, rod_spring_averaged_regime, rod_spring_h_A_loops},
-    {"h_AA", 5, 1, 3, rod_spring_averaged_regime, rod_spring_h_AA_loops},
-    {"h_AAA", 5, 1, 3, rod_spring_averaged_regime, rod_spring_h_AAA_loops},
-    {"H", 5, 1, 3, rod_spring_averaged_regime, rod_spring_H_loops},
-    {"H_A", 5, 1, 3, rod_spring_averaged_regime, rod_spring_H_A_loops},
-    {"H_AA", 5, 1, 3, rod_spring_averaged_regime, rod_spring_H_AA_loops},
-    {"F", 9, 1, 3, rod_spring_F_regime, rod_spring_F_loops},
-    {"F_A", 8, 1, 3, rod_spring_F_A_regime, rod_spring_F_A_loops},
-    {"level", 8, 1, 3, rod_spring_F_A_regime, rod_spring_level_loops},
-    {"phase", 8, 1, 3, rod_spring_F_A_regime, rod_spring_phase_loops},
-    {"jacobian", 8, 4, 3, rod_spring_F_A_regime, rod_spring_jacobian_loops},
-    {"stability", 8, 1, 3, rod_spring_F_A_regime, rod_spring_stability_loops},
-    {"transmissibility", 9, 1, 3, rod_spring_F_regime, rod_spring_transmissibility_loops},
-    {"backbone", 5, 1, 3, rod_spring_averaged_regime, rod_spring_backbone_loops},
-    {"limit_envelope", 4, 1, 1, NULL, SF_ONE(rod_spring_limit_envelope_loop)},
-    {"equivalent_damping", 4, 1, 1, NULL, SF_ONE(rod_spring_equivalent_damping_loop)},
-    {"response_quartic", 8, 4, 3, rod_spring_response_quartic_regime, rod_spring_response_quartic_loops},
-    {"fold_quartic", 7, 4, 3, rod_spring_fold_quartic_regime, rod_spring_fold_quartic_loops},
-    {"peak_cubic", 7, 3, 3, rod_spring_fold_quartic_regime, rod_spring_peak_cubic_loops},
-    {"detachment", 7, 4, 3, rod_spring_fold_quartic_regime, rod_spring_detachment_loops},
+    {"averaged", 5, 4, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_averaged))},
+    {"averaged_2", 5, 2, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_averaged_2))},
+    {"averaged_H", 5, 2, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_averaged_H))},
+    {"intercept", 5, 1, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_intercept))},
+    {"harmonics", 5, 8, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_harmonics))},
+    {"coefficients", 3, 4, SF_ONE(rod_spring_coefficients)},
+    {"breakpoints", 4, 1, SF_ONE(rod_spring_breakpoints)},
+    {"jumps", 4, 1, SF_ONE(rod_spring_jumps)},
+    {"hardening", 4, 3, SF_ONE(rod_spring_hardening)},
+    {"force", 5, 1, SF_SEVERAL(rod_spring_force, REGIMES_2(SF_NAMED, rod_spring_force))},
+    {"saddle_node_onset", 6, 19, SF_ONE(rod_spring_saddle_node_onset)},
+    {"saddle_nodes", 7, 17, SF_ONE(rod_spring_saddle_nodes)},
+    {"h", 5, 1, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_h))},
+    {"h_A", 5, 1, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_h_A))},
+    {"h_AA", 5, 1, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_h_AA))},
+    {"h_AAA", 5, 1, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_h_AAA))},
+    {"H", 5, 1, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_H))},
+    {"H_A", 5, 1, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_H_A))},
+    {"H_AA", 5, 1, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_H_AA))},
+    {"F", 9, 1, SF_SEVERAL(rod_spring_F, REGIMES_1(SF_NAMED, rod_spring_F))},
+    {"F_A", 8, 1, SF_SEVERAL(rod_spring_F_A, REGIMES_1(SF_NAMED, rod_spring_F_A))},
+    {"level", 8, 1, SF_SEVERAL(rod_spring_F_A, REGIMES_1(SF_NAMED, rod_spring_level))},
+    {"phase", 8, 1, SF_SEVERAL(rod_spring_F_A, REGIMES_1(SF_NAMED, rod_spring_phase))},
+    {"jacobian", 8, 4, SF_SEVERAL(rod_spring_F_A, REGIMES_1(SF_NAMED, rod_spring_jacobian))},
+    {"stability", 8, 1, SF_SEVERAL(rod_spring_F_A, REGIMES_1(SF_NAMED, rod_spring_stability))},
+    {"transmissibility", 9, 1, SF_SEVERAL(rod_spring_F, REGIMES_1(SF_NAMED, rod_spring_transmissibility))},
+    {"backbone", 5, 1, SF_SEVERAL(rod_spring_averaged, REGIMES_1(SF_NAMED, rod_spring_backbone))},
+    {"limit_envelope", 4, 1, SF_ONE(rod_spring_limit_envelope)},
+    {"equivalent_damping", 4, 1, SF_ONE(rod_spring_equivalent_damping)},
+    {"response_quartic", 8, 4, SF_SEVERAL(rod_spring_response_quartic, REGIMES_1(SF_NAMED, rod_spring_response_quartic))},
+    {"fold_quartic", 7, 4, SF_SEVERAL(rod_spring_fold_quartic, REGIMES_1(SF_NAMED, rod_spring_fold_quartic))},
+    {"peak_cubic", 7, 3, SF_SEVERAL(rod_spring_fold_quartic, REGIMES_1(SF_NAMED, rod_spring_peak_cubic))},
+    {"detachment", 7, 4, SF_SEVERAL(rod_spring_fold_quartic, REGIMES_1(SF_NAMED, rod_spring_detachment))},
 };
 
 const sf_module sf_module_rod_spring = {"rod_spring", kernels, sizeof kernels / sizeof kernels[0]};

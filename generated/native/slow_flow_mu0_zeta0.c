@@ -8,13 +8,10 @@
 
 #include "kernels.h"
 
-SF_LOOP(slow_flow_mu0_zeta0_detachment_loop, 2,
-    const double A = in[0][i], m = in[1][i], zeta = in[2][i], h = in[3][i];
-    slow_flow_mu0_zeta0_detachment(A, m, zeta, h, values);
-)
+SF_TUPLE(, slow_flow_mu0_zeta0_detachment, 2, slow_flow_mu0_zeta0_detachment, X(0), X(1), X(2), X(3))
 
 static const sf_kernel kernels[] = {
-    {"detachment", 4, 2, 1, NULL, SF_ONE(slow_flow_mu0_zeta0_detachment_loop)},
+    {"detachment", 4, 2, SF_ONE(slow_flow_mu0_zeta0_detachment)},
 };
 
 const sf_module sf_module_slow_flow_mu0_zeta0 = {"slow_flow_mu0_zeta0", kernels, sizeof kernels / sizeof kernels[0]};

@@ -3,6 +3,7 @@
  *   SF_WIDE   before a function whose loop vectorises
  *   SF_FMA    before a function of scalar code that calls fma()
  *   SF_FLAT   before one that is built once, with all that it calls in place: what is called does not vectorise
+ *   SF_ALWAYS before one that is in place wherever it is called
  *   SF_INDEPENDENT  before the for of such a loop: gcc does not heed restrict on local pointers, and gives up on loops
  *                   that need more than ten checks of overlap
  *
@@ -55,8 +56,10 @@
 
 #if defined(__GNUC__)
 #define SF_FLAT __attribute__((flatten))
+#define SF_ALWAYS static inline __attribute__((always_inline))
 #else
 #define SF_FLAT
+#define SF_ALWAYS static inline
 #endif
 
 #if defined(__GNUC__) && !defined(__clang__)

@@ -29,7 +29,10 @@ enum {
 typedef void (*sf_loop)(ptrdiff_t n, const double *const *in, double *const *out);
 typedef void (*sf_choose)(ptrdiff_t n, const double *const *in, unsigned char *regime);
 
-/* The loop of a kernel in one regime: the statements give the `values` of element i of `in`. */
+/* Argument k of element i. */
+#define X(k) in[k][i]
+
+/* The loop of a kernel in one regime: the statements give the `values` of element i. */
 #define SF_LOOP(name, outputs, ...) \
     static SF_WIDE void name(ptrdiff_t n, const double *const *in, double *const *out) \
     { \
@@ -41,8 +44,34 @@ typedef void (*sf_choose)(ptrdiff_t n, const double *const *in, unsigned char *r
         } \
     }
 
-/* The table of a kernel with one loop. */
-#define SF_ONE(loop) ((const sf_loop[]){loop})
+/* Such loops by the function that they call, whose name ends with the regime, empty where there is one: of a number, of
+ * several, and of several, `all` with their arguments, that further statements make the values of. */
+#define SF_SCALAR(regime, kernel, source, ...) \
+    SF_LOOP(kernel##regime##_loop, 1, values[0] = source##regime(__VA_ARGS__);)
+#define SF_TUPLE(regime, kernel, outputs, source, ...) \
+    SF_LOOP(kernel##regime##_loop, outputs, source##regime(__VA_ARGS__, values);)
+#define SF_PART(regime, kernel, outputs, width, source, arguments, ...) \
+    SF_LOOP(kernel##regime##_loop, outputs, double all[width]; source##regime arguments; __VA_ARGS__)
+
+/* The function that chooses a kernel's regime by what is declared of element i. The arrays go into a table of its own,
+ * as a char that is written may alias the one that is given. */
+#define SF_CHOOSE(kernel, inputs, chosen, ...) \
+    static SF_WIDE void kernel##_regime(ptrdiff_t n, const double *const *given, unsigned char *regime) \
+    { \
+        const double *in[inputs]; \
+        for (int k = 0; k < (inputs); k++) \
+            in[k] = given[k]; \
+        SF_INDEPENDENT for (ptrdiff_t i = 0; i < n; i++) { \
+            __VA_ARGS__; \
+            regime[i] = chosen; \
+        } \
+    }
+
+/* What the table says of a kernel's regimes: of one, and of several, which a kernel's function chooses. */
+#define SF_NAMED(regime, kernel) kernel##regime##_loop,
+#define SF_ONE(kernel) 1, NULL, (const sf_loop[]){kernel##_loop}
+#define SF_SEVERAL(kernel, ...) \
+    sizeof((const sf_loop[]){__VA_ARGS__}) / sizeof(sf_loop), kernel##_regime, (const sf_loop[]){__VA_ARGS__}
 
 /* loops: one for each regime; choose: NULL where there is one regime. What it gives says the function that calls it. */
 typedef struct {

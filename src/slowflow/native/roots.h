@@ -33,17 +33,16 @@
 
 #include <math.h>
 
+#include "clones.h"
 #include "conventions.h"
 #include "frequencies.h"
 #include "slow_flow.h"
 #include "slow_flow_zeta0.h"
 
 #if defined(__GNUC__)
-#define SF_ALWAYS static inline __attribute__((always_inline))
 #define SF_RARELY __attribute__((noinline, cold, unused)) static
 #define SF_UNLIKELY(x) __builtin_expect(!!(x), 0)
 #else
-#define SF_ALWAYS static inline
 #define SF_RARELY static inline
 #define SF_UNLIKELY(x) (x)
 #endif

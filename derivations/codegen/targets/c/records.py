@@ -9,7 +9,7 @@ No formula is printed here but the bounds of domains: the records call the heade
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import sympy as sp
@@ -39,6 +39,7 @@ class Sums:
     functions   -- what the header calls its regimes; itself alone where a loop over it is all that there is
     guards      -- C conditions of all regimes but the last
     read        -- numbers of the parameters that the guards read, by name
+    chosen_by   -- the first of the sums with these guards, whose function chooses for all
     """
 
     name: str
@@ -46,6 +47,7 @@ class Sums:
     functions: tuple[str, ...]
     guards: tuple[str, ...] = ()
     read: dict[str, int] = field(default_factory=dict)
+    chosen_by: str = ""
 
 
 @dataclass(frozen=True)
@@ -120,7 +122,9 @@ def spring_of(module: Module) -> Spring:
     exact = (proved, pair.name_of(module), len(mechanism.breakpoints) > 0) if module.cells else ()
     up_to = module.record.harmonics_up_to
     bent = interval.name_of(module) if module.enclosed else ""
-    sums = tuple(sums_of(name, width, module) for name, width in zip(SUMS, (4, 2, 8), strict=True))
+    every = [sums_of(name, width, module) for name, width in zip(SUMS, (4, 2, 8), strict=True)]
+    first: dict[object, str] = {}
+    sums = tuple(replace(one, chosen_by=first.setdefault(one.guards, one.name)) for one in every)
     begins = module.enclosed.begins if module.enclosed else ()
     of_held = held.name_of(module) if module.held else ""
     numbers = (module.name, mechanism, len(mechanism.breakpoints), domain, sums, up_to)

@@ -9,10 +9,10 @@ No formula is printed here: the loops call the headers. A generic kernel takes m
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from ...form import Branch, Composition, Kernel, Module, Selection
+from ...form import Composition, Kernel, Module, Selection
 from ...provenance import tools
 from ...views import composition_view, templates
 from ..c import calls
@@ -23,35 +23,25 @@ MOST_OPERANDS = 32
 
 
 @dataclass(frozen=True)
-class Loop:
-    """The loop of one regime: its name and the statements that give the values of element i."""
-
-    name: str
-    body: tuple[str, ...]
-
-
-@dataclass(frozen=True)
 class Ufunc:
     """A ufunc as the template needs it, with a loop for each regime. What it gives, its function in Python says.
 
-    guards     -- those of all regimes but the last
-    guarded_by -- the arguments that they read, by their numbers
-    regime     -- the function that chooses; where another ufunc chooses by the same arguments, it is that one's
+    loop    -- the macro of kernels.h that makes its loops, and what that takes behind the regime and the ufunc's name
+    regimes -- what stands behind the names of its loops, and of the functions that they call
+    guards  -- those of all regimes but the last
+    read    -- the arguments that these read, by their numbers
+    chosen_by -- the ufunc whose function chooses: itself, or the first that chooses by the same arguments
     """
 
     name: str
     prefix: str
-    inputs: tuple[str, ...]
+    inputs: int
     outputs: int
-    loops: tuple[Loop, ...]
-    guards: tuple[str, ...]
-    guarded_by: dict[str, int]
-    regime: str = "NULL"
-
-    @property
-    def chooses(self) -> bool:
-        """Whether the function that chooses is printed with it."""
-        return self.regime == f"{self.prefix}_regime"
+    loop: list[str]
+    regimes: tuple[str, ...] = ("",)
+    guards: tuple[str, ...] = ()
+    read: dict[str, int] = field(default_factory=dict)
+    chosen_by: str = ""
 
 
 def files(modules: Sequence[Module]) -> dict[str, str]:
@@ -62,41 +52,46 @@ def files(modules: Sequence[Module]) -> dict[str, str]:
     for module in looped:
         ufuncs = sharing_choices([of(one, module) for one in module.looped])
         for ufunc in ufuncs:
-            if len(ufunc.inputs) + ufunc.outputs > MOST_OPERANDS:
+            if ufunc.inputs + ufunc.outputs > MOST_OPERANDS:
                 raise ArithmeticError(f"{ufunc.prefix} has more than {MOST_OPERANDS} arguments and results")
-        text = environment.get_template("module.c.jinja").render(module=module, ufuncs=ufuncs, tools=tools())
+        text = environment.get_template("module.c.jinja").render(
+            module=module,
+            ufuncs=ufuncs,
+            lists=list(dict.fromkeys(one.regimes for one in ufuncs if one.guards)),
+            choice=choice,
+            tools=tools(),
+        )
         result[f"native/{module.name}.c"] = text
     result["native/_native.c"] = environment.get_template("init.c.jinja").render(modules=looped)
     return result
 
 
 def sharing_choices(ufuncs: Sequence[Ufunc]) -> list[Ufunc]:
-    """The ufuncs with the function that chooses their regime, one for all that choose alike."""
+    """The ufuncs with the one whose function chooses their regime, the same for all that choose alike."""
     known: dict[object, str] = {}
     return [
-        replace(
-            ufunc,
-            regime=known.setdefault((ufunc.guards, tuple(ufunc.guarded_by.items())), f"{ufunc.prefix}_regime"),
-        )
-        if ufunc.guards
-        else ufunc
-        for ufunc in ufuncs
+        replace(one, chosen_by=known.setdefault((one.guards, tuple(one.read.items())), one.prefix))
+        if one.guards
+        else one
+        for one in ufuncs
     ]
 
 
-def read(names: Sequence[str], plain: Sequence[str], packed: Sequence[str]) -> list[str]:
-    """Statements that read the arguments of element i, some of them packed as the headers take them."""
-    lines = []
-    if plain:
-        lines.append(f"const double {', '.join(f'{name} = in[{names.index(name)}][i]' for name in plain)};")
-    if packed:
-        lines.append(f"const double p[] = {{{', '.join(f'in[{names.index(name)}][i]' for name in packed)}}};")
-    return lines
+def choice(ufunc: Ufunc) -> str:
+    """What its function that chooses is made of: the number of the regime, and the arguments that it reads."""
+    chosen = "".join(f"{guard} ? {k} : " for k, guard in enumerate(ufunc.guards))
+    read = ", ".join(f"{name} = {element(k)}" for name, k in ufunc.read.items())
+    return f"{chosen}{len(ufunc.guards)}, const double {read}"
 
 
-def give(call: str, returns: str) -> list[str]:
-    """The statement that calls a function of a header, its last argument left open, for the values of element i."""
-    return [f"values[0] = {call});" if returns == "scalar" else f"{call}, values);"]
+def element(k: int) -> str:
+    """Argument k of element i."""
+    return f"X({k})"
+
+
+def packed(first: int, end: int) -> tuple[str, ...]:
+    """Arguments as the headers take parameters."""
+    return (f"(const double[]){{{', '.join(map(element, range(first, end)))}}}",) if first < end else ()
 
 
 def guards_of(kernel: Kernel, names: Sequence[str]) -> tuple[tuple[str, ...], dict[str, int]]:
@@ -112,62 +107,70 @@ def guards_of(kernel: Kernel, names: Sequence[str]) -> tuple[tuple[str, ...], di
 def of(one: Kernel | Selection | Composition, module: Module) -> Ufunc:
     """Anything that is compiled as a ufunc: its regimes are those of the kernel that it is or calls."""
     names = tuple(argument.name for argument in one.arguments)
-    if isinstance(one, Kernel):
-        regimes, bodies = one, of_kernel(one, module)
-    elif isinstance(one, Selection):
-        regimes, bodies = one.source, of_selection(one, module)
-    else:
-        regimes, bodies = one.average, of_composition(one, module)
     prefix = f"{module.name}_{one.name}"
-    branches = regimes.branches if regimes else (Branch("", (), (), ()),)
-    loops = tuple(
-        Loop("_".join([prefix, *filter(None, [branch.name]), "loop"]), tuple(body))
-        for branch, body in zip(branches, bodies, strict=True)
-    )
-    guards = guards_of(regimes, names) if regimes else ((), {})
-    return Ufunc(one.name, prefix, names, one.width, loops, *guards)
+    if isinstance(one, Kernel):
+        called, loop = one, of_kernel(one, module)
+    elif isinstance(one, Selection):
+        called, loop = one.source, of_selection(one, module)
+    else:
+        called, loop = one.average, of_composition(one, module)
+    if called is None:
+        return Ufunc(one.name, prefix, len(names), one.width, loop)
+    return Ufunc(one.name, prefix, len(names), one.width, loop, named(called, module)[1], *guards_of(called, names))
 
 
-def functions(kernel: Kernel, module: Module) -> list[str]:
-    """What the header calls the kernel's regimes."""
-    return [
-        "_".join([module.name, *([branch.kernel] if branch.kernel else filter(None, [kernel.name, branch.name]))])
-        for branch in kernel.branches
-    ]
+def named(kernel: Kernel, module: Module) -> tuple[str, tuple[str, ...]]:
+    """What the header calls a kernel's functions: what they have in common, and what stands behind it by regime."""
+    own = [branch.kernel or "_".join(filter(None, [kernel.name, branch.name])) for branch in kernel.branches]
+    common = "" if any(branch.kernel for branch in kernel.branches) else kernel.name
+    if len(own) == 1:
+        return f"{module.name}_{own[0]}", ("",)
+    if not all(name.startswith(common) for name in own):
+        raise ArithmeticError(f"some regimes of {kernel.name} are kernels of their own, others are not")
+    before = f"{module.name}_{common}" if common else module.name
+    return before, tuple(f"_{name.removeprefix(common).removeprefix('_')}" for name in own)
 
 
-def of_kernel(kernel: Kernel, module: Module) -> list[list[str]]:
-    """Calls of a kernel, regime by regime."""
-    names = [argument.name for argument in kernel.arguments]
-    # the headers take the parameters one by one where a single number comes back
-    split = len(names) if kernel.returns == "scalar" else len(names) - kernel.parameters
-    passed = ", ".join([*names[:split], *(["p"] if names[split:] else [])])
-    given = read(names, names[:split], names[split:])
-    return [[*given, *give(f"{function}({passed}", kernel.returns)] for function in functions(kernel, module)]
+def of_kernel(kernel: Kernel, module: Module) -> list[str]:
+    """A call of a kernel."""
+    every = len(kernel.arguments)
+    if kernel.returns == "scalar":  # the headers take the parameters one by one where a single number comes back
+        return ["SF_SCALAR", named(kernel, module)[0], *map(element, range(every))]
+    split = every - kernel.parameters
+    given = (*map(element, range(split)), *packed(split, every))
+    return ["SF_TUPLE", str(kernel.width), named(kernel, module)[0], *given]
 
 
-def of_selection(selection: Selection, module: Module) -> list[list[str]]:
-    """Calls of its source, of which the compiler leaves out what is not taken."""
-    names = [argument.name for argument in selection.arguments]
-    split = len(names) - selection.parameters
-    given = [*read(names, names[:split], names[split:]), f"double all[{selection.source.width}];"]
-    taken = [f"values[{k}] = all[{number}];" for k, number in enumerate(selection.chosen)]
-    return [
-        [*given, f"{function}({', '.join(names[:split])}, p, all);", *taken]
-        for function in functions(selection.source, module)
-    ]
+def through(average: Kernel | Selection, module: Module, outputs: int, given: Sequence[str], *then: str) -> list[str]:
+    """A call of a function whose results, `all`, are taken further."""
+    call = f"({', '.join((*given, 'all'))})"
+    taken = " ".join(f"{one};" for one in then)
+    return ["SF_PART", str(outputs), str(average.width), named(average, module)[0], call, taken]
 
 
-def of_composition(composition: Composition, module: Module) -> list[list[str]]:
-    """Calls of the slow flow's function, within each regime of the average."""
-    names = [argument.name for argument in composition.arguments]
-    split = len(names) - composition.parameters
-    given = read(names, names[:split], names[split:])
-    seen = composition_view(composition, calls(module))
-    last = give(f"{seen['inner']}({', '.join(seen['passed'])}", composition.returns)
+def of_selection(selection: Selection, module: Module) -> list[str]:
+    """A call of its source, of which the compiler leaves out what is not taken."""
+    every = len(selection.arguments)
+    split = every - selection.parameters
+    taken = (f"values[{k}] = all[{number}]" for k, number in enumerate(selection.chosen))
+    given = (*map(element, range(split)), *packed(split, every))
+    return through(selection.source, module, selection.width, given, *taken)
+
+
+def of_composition(composition: Composition, module: Module) -> list[str]:
+    """A call of the slow flow's function, within each regime of the average."""
+    number = {argument.name: element(k) for k, argument in enumerate(composition.arguments)}
+    every = len(composition.arguments)
+    in_C = calls(module)
+    friction = in_C.friction.replace("(mu)", f"({number.get('mu', '')})")
+    averages = tuple(f"all[{k}]" for k in range(len(in_C.averages)))
+    seen = composition_view(composition, replace(in_C, friction=friction, averages=averages))
+    passed = [number.get(one, one) for one in seen["passed"]]
     if composition.average is None:
-        return [[*given, *last]]
-    before = f"double average[{composition.average.width}];"
-    return [
-        [*given, before, f"{function}(A, p, average);", *last] for function in functions(composition.average, module)
-    ]
+        if composition.returns == "scalar":
+            return ["SF_SCALAR", seen["inner"], *passed]
+        return ["SF_TUPLE", str(composition.width), seen["inner"], *passed]
+    inner = f"{seen['inner']}({', '.join(passed)}"
+    last = f"values[0] = {inner})" if composition.returns == "scalar" else f"{inner}, values)"
+    given = (number["A"], *packed(every - composition.parameters, every))
+    return through(composition.average, module, composition.width, given, last)
