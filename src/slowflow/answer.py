@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 import numpy as np
 import numpy.typing as npt
 
+from slowflow import validate
 from slowflow.text import Text, together
 
 #: what a table has in one place
@@ -178,6 +179,34 @@ class Single(Answer):
 
     def __post_init__(self) -> None:
         pass
+
+
+class Drawn(Answer):
+    """What answers share that have a picture.
+
+    picture  -- its name, of `pictures.PICTURES`
+    can_draw -- which of its numbers may be drawn
+    """
+
+    picture: ClassVar[str]
+    can_draw: ClassVar[Any] = ("A",)
+
+    def plot(self, ax: Any = None, *, of: str = "A") -> Any:
+        """Draw it into Matplotlib axes, or new ones, and return these.
+
+        of -- what is drawn of a response curve: "A", "phi", "transmissibility" or "transmissibility_dB"; under a load
+              "B" too, in the second approximation "A_1"
+
+        Curves over Omega, solid where stable and dashed where not, with bars where an exact motion stops; folds as
+        triangles that point where a sweep jumps, a sweep's jumps as arrows. A fold locus goes on to forcings without a
+        bound: its axes end at four times the least. A shock over tau, tinted beyond u_cr; a shock spectrum as the ratio
+        over the duration. Raises ValueError for another `of`, ImportError without Matplotlib.
+        """
+        from slowflow import pictures
+
+        wanted = validate.choice("of", of, self.can_draw)
+        draw = pictures.PICTURES[self.picture]
+        return draw(ax, self) if self.picture != "response" else pictures.response(ax, self, wanted)
 
 
 #: of a field that only answers under a load have, and that only the others have

@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from slowflow import moves, validate
-from slowflow.answer import LOADED, UNLOADED, Single, Table, entry, frozen
+from slowflow.answer import LOADED, UNLOADED, Drawn, Single, Table, entry, frozen
 from slowflow.certificate import ProvedFolds
 from slowflow.gradient import Gradient
 from slowflow.measured.validity import Validity, of_states, off_centre
@@ -394,7 +394,7 @@ class SteadyStates(Moving, WithMean, InDecibels, Table):
 
 
 @dataclass(frozen=True, eq=False)
-class FrequencyResponse(SteadyStates):
+class FrequencyResponse(Drawn, SteadyStates):
     """A response curve: points in order along each branch.
 
     branch -- number of the connected curve that a point lies on, from 0; isolated curves come last
@@ -410,20 +410,14 @@ class FrequencyResponse(SteadyStates):
     isola: tuple[bool, ...]
     picture: ClassVar[str] = "response"
 
-    def plot(self, ax: Any = None, *, of: str = "A") -> Any:
-        """Draw the curve into Matplotlib axes, or new ones, and return these; stable is solid, unstable dashed.
-
-        of -- what is drawn over Omega: "A", "phi", "transmissibility" or "transmissibility_dB"; under a load "B" too
-
-        Raises ValueError for another one, ImportError without Matplotlib.
-        """
-        from slowflow import pictures
-
-        return pictures.response(ax, self, validate.choice("of", of, DRAWN if self.B is None else ("B", *DRAWN)))
+    @property
+    def can_draw(self) -> tuple[str, ...]:
+        """Which of its numbers `plot` may draw over Omega."""
+        return DRAWN if self.B is None else ("B", *DRAWN)
 
 
 @dataclass(frozen=True, eq=False)
-class SaddleNodes(Moving, WithMean, Table):
+class SaddleNodes(Moving, WithMean, Drawn, Table):
     """Folds of the response curve at one forcing, by rising Omega: arrays of one length.
 
     kind   -- "jump-up": a sweep leaves the fold for a larger amplitude; "jump-down": for a smaller one
@@ -447,6 +441,7 @@ class SaddleNodes(Moving, WithMean, Table):
     remarks: Remark = field(default_factory=_nothing, kw_only=True)
     proof: ProvedFolds | None = field(default=None, kw_only=True, metadata=UNLOADED)
     _model: Model = field(repr=False)
+    picture: ClassVar[str] = "folds"
 
     @cached_property
     def validity(self) -> Validity:
@@ -473,14 +468,6 @@ class SaddleNodes(Moving, WithMean, Table):
         if self._asked is None:
             raise Refused(NOT_ASKED)
         return self._asked.measured_folds(self, force, self.B)
-
-    picture: ClassVar[str] = "folds"
-
-    def plot(self, ax: Any = None) -> Any:
-        """Draw the folds at which a sweep jumps, A over Omega, into Matplotlib axes, or new ones, and return these."""
-        from slowflow import pictures
-
-        return pictures.folds(ax, self)
 
 
 @dataclass(frozen=True, eq=False)
@@ -533,7 +520,7 @@ class SaddleNodeOnset(OfPoint, Single):
 
 
 @dataclass(frozen=True, eq=False)
-class FoldLocus(Table):
+class FoldLocus(Drawn, Table):
     """The saddle nodes of every forcing: points in order along each branch, in arrays of one length.
 
     Omega, A, F_0 -- a fold and the forcing that has it
@@ -548,15 +535,6 @@ class FoldLocus(Table):
     branch: npt.NDArray[np.intp]
     message: str
     picture: ClassVar[str] = "locus"
-
-    def plot(self, ax: Any = None) -> Any:
-        """Draw F_0 over Omega into Matplotlib axes, or new ones, and return these.
-
-        The axes end at four times the least forcing: the locus goes on to forcings and frequencies without a bound.
-        """
-        from slowflow import pictures
-
-        return pictures.locus(ax, self)
 
 
 @dataclass(frozen=True, eq=False)

@@ -17,7 +17,7 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.answer import Table
+from slowflow.answer import Drawn, Table
 from slowflow.exact.continuation import FOLDS, STEP, LostCurve, Path, Point, is_same, least_scale
 from slowflow.exact.cycle import Array
 from slowflow.exact.motion import Forced
@@ -58,7 +58,7 @@ class ResponsePoint(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Response(Table):
+class Response(Drawn, Table):
     """Exact response curve at one F_0; arrays run along the curve, empty where friction holds the mass at rest.
 
     Omega, A     -- frequency, largest |u|
@@ -101,15 +101,6 @@ class Response(Table):
         """
         passed = [self.steady_state(k).transmitted(of) for k in range(len(self))]
         return Transmitted(*np.array(passed).reshape(-1, 3).T)
-
-    def plot(self, ax: Any = None) -> Any:
-        """Draw A over Omega into Matplotlib axes, or new ones, and return these.
-
-        Stable is solid, unstable dashed; bars where the mass stops within the cycle; folds are triangles.
-        """
-        from slowflow import pictures
-
-        return pictures.motions(ax, self)
 
     @functools.cached_property
     def peak(self) -> SteadyState:

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 import numpy.typing as npt
 
-from slowflow.answer import Table, entry
+from slowflow.answer import Drawn, Table, entry
 from slowflow.exact.transient import half_sine, transient
 from slowflow.mechanism import EquationOfMotion, Floats
 
@@ -19,7 +19,7 @@ Shock = entry("Shock", "acceleration duration A a_max ratio detaches", "One puls
 
 
 @dataclass(frozen=True, eq=False)
-class ShockSpectrum(Table):
+class ShockSpectrum(Drawn, Table):
     """What half sines of the base do, pulse by pulse.
 
     acceleration, duration -- of the pulse, over k_v L/m and in tau
@@ -39,12 +39,6 @@ class ShockSpectrum(Table):
     detaches: Flags
     message: str
     picture: ClassVar[str] = "shocks"
-
-    def plot(self, ax: Any = None) -> Any:
-        """Draw the ratio over the duration into Matplotlib axes, or new ones, and return these."""
-        from slowflow import pictures
-
-        return pictures.shocks(ax, self)
 
 
 def shock_spectrum(system: EquationOfMotion, acceleration: Floats, duration: Floats, at: float = 0.0) -> ShockSpectrum:

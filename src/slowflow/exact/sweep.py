@@ -15,7 +15,7 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.answer import Table, entry
+from slowflow.answer import Drawn, Table, entry
 from slowflow.exact.continuation import FOLDS, Path, Point, is_same, least_scale
 from slowflow.exact.motion import Forced, stops
 from slowflow.exact.shooting import (
@@ -48,7 +48,7 @@ SweepPoint = entry("SweepPoint", "Omega A stops turns settled", "One frequency o
 
 
 @dataclass(frozen=True, eq=False)
-class Sweep(Table):
+class Sweep(Drawn, Table):
     """What a stepped sweep shows; arrays in the order of the frequencies.
 
     Omega   -- the frequencies
@@ -73,12 +73,6 @@ class Sweep(Table):
     jumps: tuple[tuple[float, float], ...]
     message: str = ""
     picture: ClassVar[str] = "sweep"
-
-    def plot(self, ax: Any = None) -> Any:
-        """Draw A over Omega into Matplotlib axes, or new ones, and return these; arrows where it jumps."""
-        from slowflow import pictures
-
-        return pictures.sweep(ax, self)
 
 
 def sweep(

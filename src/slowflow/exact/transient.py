@@ -15,7 +15,7 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slowflow.answer import Answer
+from slowflow.answer import Drawn
 from slowflow.exact import compiled
 from slowflow.exact.motion import TURN, Forced, Lost, Phase, follow
 from slowflow.exact.work import limited
@@ -78,7 +78,7 @@ class Series(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Transient(Answer):
+class Transient(Drawn):
     """What a mass does when its base is accelerated, or when it is let go. All dimensionless; accelerations in k_v L/m.
 
     A, tau_A      -- largest |u|, the deflection of the springs, under a load with that at rest, and when it is reached
@@ -122,12 +122,6 @@ class Transient(Answer):
 
     def _phases(self) -> Iterator[tuple[Stretch, Phase]]:
         return ((stretch, phase) for stretch in self.stretches for phase in stretch.phases)
-
-    def plot(self, ax: Any = None) -> Any:
-        """Draw u over tau into Matplotlib axes, or new ones, and return these; tinted beyond u_cr."""
-        from slowflow import pictures
-
-        return pictures.history(ax, self)
 
 
 def half_sine(acceleration: Any, duration: Any) -> Array:

@@ -8,8 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 import numpy.typing as npt
 
-from slowflow import validate
-from slowflow.answer import Table, entry, frozen
+from slowflow.answer import Drawn, Table, entry, frozen
 from slowflow.model import Floats, Model
 from slowflow.results import DRAWN, InDecibels
 from slowflow.transmitted import Transmitted, asked, in_motion
@@ -94,7 +93,7 @@ class SecondStates(InDecibels, SecondTable):
 
 
 @dataclass(frozen=True, eq=False)
-class SecondResponse(SecondStates):
+class SecondResponse(Drawn, SecondStates):
     """A response curve in the second approximation: points in order along each branch.
 
     branch, isola, F_0 -- as in `FrequencyResponse`
@@ -106,16 +105,11 @@ class SecondResponse(SecondStates):
     branch: npt.NDArray[np.intp]
     isola: tuple[bool, ...]
     picture: ClassVar[str] = "response"
-
-    def plot(self, ax: Any = None, *, of: str = "A") -> Any:
-        """Draw the curve as `FrequencyResponse.plot` does; `of` may be "A_1" too."""
-        from slowflow import pictures
-
-        return pictures.response(ax, self, validate.choice("of", of, ("A_1", *DRAWN)))
+    can_draw: ClassVar[tuple[str, ...]] = ("A_1", *DRAWN)
 
 
 @dataclass(frozen=True, eq=False)
-class SecondFolds(SecondTable):
+class SecondFolds(Drawn, SecondTable):
     """Folds of the response curve in the second approximation, by rising Omega: arrays of one length.
 
     Omega, A, A_1 -- as in `SecondStates`; kind and corner as in `SaddleNodes`
@@ -133,9 +127,3 @@ class SecondFolds(SecondTable):
     #: folds that the message says are left out
     _lost: int = field(default=0, kw_only=True, repr=False)
     picture: ClassVar[str] = "folds"
-
-    def plot(self, ax: Any = None) -> Any:
-        """Draw the folds, A over Omega, into Matplotlib axes, or new ones, and return these."""
-        from slowflow import pictures
-
-        return pictures.folds(ax, self)
