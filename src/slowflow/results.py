@@ -219,11 +219,32 @@ class OfPoint(Moving):
             raise Refused(NOT_ASKED)
         return self._asked.measured_point(self, force, of)
 
-    def _validity(self, F_0: float | None, Omega: float | None, A: float | None) -> Validity:
-        """That how far a motion may be from the equation of motion was not measured off the centre."""
+
+@dataclass(frozen=True, eq=False)
+class Point(OfPoint, Single):
+    """A peak, an onset or a detachment.
+
+    at -- names of its forcing, frequency and amplitude
+    """
+
+    at: ClassVar[tuple[str, str, str]]
+
+    @property
+    def validity(self) -> Validity:
+        """Under a load, that how far the motion may be from the equation of motion was not measured."""
         if self.load is None or self._model is None:
             raise validate.NoAttribute("validity is known of states and folds, and under a load: of this it is not")
-        return off_centre(self._model.mu, F_0, Omega, A)
+        return off_centre(self._model.mu, *(getattr(self, name) for name in self.at))
+
+    def measure(self, force: str | None = None) -> MeasuredPoint:
+        """How far it is from that of the equation of motion (3), here and now: tenths of a second where compiled.
+
+        The exact curve is followed from motions beside a peak. An onset is the forcing at which the exact curve beside
+        it becomes vertical, or gets folds at a corner; where an isolated curve is born there is no such forcing. A
+        detachment is the forcing at which the exact curve of the first piece alone has a peak of u_cr. `force` and what
+        is raised as in `SteadyStates.measure`, and ArithmeticError where that takes too many steps.
+        """
+        return self._measured(force)
 
 
 def of_model(model: Model | None) -> moves.Given:
@@ -471,7 +492,7 @@ class SaddleNodes(Moving, WithMean, Drawn, Table):
 
 
 @dataclass(frozen=True, eq=False)
-class SaddleNodeOnset(OfPoint, Single):
+class SaddleNodeOnset(Point):
     """The lowest forcing that has a fold; None and a message where there is none.
 
     kind -- "cusp" (the response gets a vertical inflection), "isola" (an isolated curve is born), "corner" (at a
@@ -481,6 +502,8 @@ class SaddleNodeOnset(OfPoint, Single):
     B, load     -- under a load, the mean displacement, and the load over k_v L; the onset is the lowest forcing for
                    which a stable motion ends at a fold then
     """
+
+    at: ClassVar[tuple[str, str, str]] = ("F_SN", "Omega", "A")
 
     F_SN: float | None
     Omega: float | None
@@ -493,20 +516,6 @@ class SaddleNodeOnset(OfPoint, Single):
     remarks: Remark = field(default_factory=_nothing, kw_only=True)
     #: where there is none, what batches say
     _status: Status = field(default=Status.NONE, kw_only=True, repr=False)
-
-    @property
-    def validity(self) -> Validity:
-        """Under a load, that how far the motion may be from the equation of motion was not measured."""
-        return self._validity(self.F_SN, self.Omega, self.A)
-
-    def measure(self, force: str | None = None) -> MeasuredPoint:
-        """How far it is from that of the equation of motion (3), here and now: tenths of a second where compiled.
-
-        That is the forcing at which the exact curve beside it becomes vertical, or gets folds at a corner; where an
-        isolated curve is born there is no such forcing. `force` and what is raised as in `SteadyStates.measure`, and
-        ArithmeticError where that takes too many steps.
-        """
-        return self._measured(force)
 
     def gradient(self) -> Gradient:
         """How F_SN, Omega and A move with the parameters, exactly; on a breakpoint with that.
@@ -585,7 +594,7 @@ class IsolaPoints(Table):
 
 
 @dataclass(frozen=True, eq=False)
-class Peak(OfPoint, Single):
+class Peak(Point):
     """The highest peak of the response at one forcing, isolas included; None and a message where there is none.
 
     It is a top of the curve at which stable motions end, within the well of a spring that gives way.
@@ -594,6 +603,8 @@ class Peak(OfPoint, Single):
     u_max, Omega_max -- under a load, the largest |u|, |B| + A, which is what a stroke has to hold, and its frequency,
                 which may be that of another motion. Of motions whose mean stiffness is positive, as of stable ones
     """
+
+    at: ClassVar[tuple[str, str, str]] = ("F_0", "Omega", "A")
 
     A: float | None
     B: float | None = field(default=None, kw_only=True, metadata=LOADED)
@@ -611,19 +622,6 @@ class Peak(OfPoint, Single):
     #: whether that is because the response goes on beyond a well
     _escapes: bool = field(default=False, kw_only=True, repr=False)
 
-    @property
-    def validity(self) -> Validity:
-        """Under a load, that how far the motion may be from the equation of motion was not measured."""
-        return self._validity(self.F_0, self.Omega, self.A)
-
-    def measure(self, force: str | None = None) -> MeasuredPoint:
-        """How far it is from that of the equation of motion (3), here and now: tenths of a second where compiled.
-
-        The exact curve is followed from motions beside it. `force` and what is raised as in `SteadyStates.measure`, and
-        ArithmeticError where that takes too many steps.
-        """
-        return self._measured(force)
-
     def gradient(self) -> Gradient:
         """How A and Omega move with the parameters and F_0, exactly; a peak at Omega = 0 stays there.
 
@@ -636,12 +634,14 @@ class Peak(OfPoint, Single):
 
 
 @dataclass(frozen=True, eq=False)
-class Detachment(OfPoint, Single):
+class Detachment(Point):
     """The lowest forcing that reaches u_cr, its frequency, and u_cr; None and a message where there is no u_cr.
 
     A, B, load -- under a load, amplitude and mean displacement of the motion with |B| + A = u_cr, and the load over
                   k_v L
     """
+
+    at: ClassVar[tuple[str, str, str]] = ("F_cr", "Omega_cr", "A")
 
     F_cr: float | None
     Omega_cr: float | None
@@ -651,19 +651,6 @@ class Detachment(OfPoint, Single):
     load: float | None = field(default=None, kw_only=True, metadata=LOADED)
     message: str
     remarks: Remark = field(default_factory=_nothing, kw_only=True)
-
-    @property
-    def validity(self) -> Validity:
-        """Under a load, that how far the motion may be from the equation of motion was not measured."""
-        return self._validity(self.F_cr, self.Omega_cr, self.A)
-
-    def measure(self, force: str | None = None) -> MeasuredPoint:
-        """How far it is from that of the equation of motion (3), here and now: tenths of a second where compiled.
-
-        That is the forcing at which the exact curve of the first piece alone has a peak of u_cr. `force` and what is
-        raised as in `SteadyStates.measure`, and ArithmeticError where that takes too many steps.
-        """
-        return self._measured(force)
 
     def gradient(self) -> Gradient:
         """How F_cr, Omega_cr and u_cr move with the parameters, exactly; under a load A and B instead of u_cr."""
