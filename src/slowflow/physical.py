@@ -122,7 +122,7 @@ class Physical:
 
     # ---- the questions
 
-    def rest(self) -> answers.RestPositions:
+    def rest(self) -> answers.Rows:
         """Every place at which the mass rests without friction: .x .stable .load, see `Oscillator.rest`."""
         return self._answer("rest")
 
@@ -134,19 +134,19 @@ class Physical:
         """Its slope in N/m."""
         return np.asarray(self._ask("stiffness", x=x) * self.scales.sizes["stiffness"])
 
-    def saddle_node_onset(self) -> answers.Onset:
+    def saddle_node_onset(self) -> answers.One:
         """The lowest force amplitude that has a fold: .F_SN .f .A, see `Averaged.saddle_node_onset`."""
         return self._answer("saddle_node_onset")
 
-    def detachment(self) -> answers.Detachment:
+    def detachment(self) -> answers.One:
         """The lowest force amplitude that reaches the stroke: .F_cr .f_cr .x_cr, see `Averaged.detachment`."""
         return self._answer("detachment")
 
-    def saddle_nodes(self, F: Number) -> answers.Folds:
+    def saddle_nodes(self, F: Number) -> answers.AtOne:
         """Where a sweep jumps at the force amplitude F: .f .A .kind .corner, see `Averaged.saddle_nodes`."""
         return self._answer("saddle_nodes", F=F)
 
-    def peak(self, F: Number) -> answers.Peak:
+    def peak(self, F: Number) -> answers.One:
         """The highest peak: .A .f, see `Averaged.peak`; under a load .x_max at .f_max as well, see `OffCentre.peak`."""
         return self._answer("peak", F=F)
 
@@ -157,19 +157,19 @@ class Physical:
         """
         return self._answer("amplitudes", f=f, F=F)
 
-    def frequency_response(self, F: Number, *, f: Window | None = None, samples: int = 1000) -> answers.Curve:
+    def frequency_response(self, F: Number, *, f: Window | None = None, samples: int = 1000) -> answers.AtOne:
         """The response curve for frequencies in the window f, of up to twice f_n without: `amplitudes` and .branch."""
         return self._answer("frequency_response", F=F, f=f, samples=samples)
 
-    def fold_locus(self, *, samples: int = 1000, A_max: Number | None = None) -> answers.FoldLocus:
+    def fold_locus(self, *, samples: int = 1000, A_max: Number | None = None) -> answers.AtEach:
         """The folds of every force amplitude: .f .A .F .branch, see `Averaged.fold_locus`."""
         return self._answer("fold_locus", samples=samples, A_max=A_max)
 
-    def cusps(self, *, A_max: Number | None = None) -> answers.Cusps:
+    def cusps(self, *, A_max: Number | None = None) -> answers.AtEach:
         """Where two folds come into being or meet: .F .f .A .minimum, see `Averaged.cusps`."""
         return self._answer("cusps", A_max=A_max)
 
-    def isola_points(self, *, A_max: Number | None = None) -> answers.IsolaPoints:
+    def isola_points(self, *, A_max: Number | None = None) -> answers.AtEach:
         """Where isolated curves are born or merge: .F .f .A .kind, see `Averaged.isola_points`."""
         return self._answer("isola_points", A_max=A_max)
 
@@ -246,7 +246,7 @@ class Physical:
         values = {**curve.values, "folds": self.scales.named(folds, found.folds, tuple(columns))}
         return cast("answers.Response", dataclasses.replace(curve, values=values))
 
-    def sweep(self, *, f: Numbers, F: Number, x_0: Number | None = None, v_0: Number = 0.0) -> answers.Sweep:
+    def sweep(self, *, f: Numbers, F: Number, x_0: Number | None = None, v_0: Number = 0.0) -> answers.AtOne:
         """What an experiment sees that steps through frequencies: .f .A .stops .settled, and .jumps in Hz.
 
         x_0, v_0 -- as in `steady_state`
@@ -256,7 +256,7 @@ class Physical:
         found = self._ask("sweep", f=f, F=F, x_0=x_0, v_0=v_0)
         jumps = np.array(found.jumps).reshape(-1, 2)
         entry = ("Omega", "A", "stops", "settled")
-        return cast("answers.Sweep", self._named(found, entry, "F_0", "message", jumps=jumps))
+        return cast("answers.AtOne", self._named(found, entry, "F_0", "message", jumps=jumps))
 
     def transient(
         self,
@@ -285,26 +285,26 @@ class Physical:
         names = (field.name for field in dataclasses.fields(found) if field.repr)
         return cast("answers.Transient", self._named(found, (), *names, **found.series(samples)._asdict()))
 
-    def shock_spectrum(self, *, acceleration: Numbers, duration: Numbers) -> answers.ShockSpectrum:
+    def shock_spectrum(self, *, acceleration: Numbers, duration: Numbers) -> answers.Rows:
         """What half sines of the base do: .acceleration .duration .A .a_max .ratio .detaches, a row for each.
 
         In m/s^2 and s, numbers or arrays that broadcast; see `Oscillator.shock_spectrum`.
         """
         return self._answer("shock_spectrum", acceleration=acceleration, duration=duration)
 
-    def margins(self, F: Number) -> answers.Margins:
+    def margins(self, F: Number) -> answers.One:
         """How far a force amplitude is from F_SN and F_cr: .of_SN .of_cr, see `Oscillator.margins`."""
         return self._answer("margins", F=F)
 
-    def hysteresis(self, F: Number) -> answers.Hysteresis:
+    def hysteresis(self, F: Number) -> answers.AtOne:
         """Bands with several stable motions: .f_low .f_high .motions, see `Oscillator.hysteresis`."""
         return self._answer("hysteresis", F=F)
 
-    def isolation(self, F: Number, level_dB: float = 0.0) -> answers.Isolation:
+    def isolation(self, F: Number, level_dB: float = 0.0) -> answers.One:
         """The frequency from which on less than F is transmitted: .f .A, see `Oscillator.isolation`."""
         return self._answer("isolation", F=F, level_dB=level_dB)
 
-    def spectrum(self, *, f: Numbers, F: Numbers) -> answers.Spectrum:
+    def spectrum(self, *, f: Numbers, F: Numbers) -> answers.AtEach:
         """A load spectrum, row by row, see `Oscillator.spectrum`."""
         return self._answer("spectrum", f=f, F=F)
 

@@ -1,8 +1,8 @@
 """Types of questions in SI units, for type checkers: what they take, and the numbers of `Quantities` that each gives.
 
-Nothing is of these classes when a program runs: an answer is `Quantities`, and what it holds is read by name. Only what
-is there whatever the mount is declared. By another excitation F is called Y or U, and a load adds a mean displacement:
-these are read as before, but not checked.
+Nothing is of these classes when a program runs: an answer is `Quantities`, and what it holds is read by name. Which of
+the declared numbers an answer has, its question tells; by another excitation F is called Y or U, and a load adds a mean
+displacement.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 from slowflow.mechanism import Array, Floats
 from slowflow.quantities import Quantities
+from slowflow.results import Remark
 
 Flags = npt.NDArray[np.bool_]
 Ints = npt.NDArray[np.intp]
@@ -44,14 +45,95 @@ class Explained(Quantities):
     """With words on what is missing and what to bear in mind."""
 
     message: str
+    remarks: Remark
+    load: float
 
 
-class RestPositions(Explained):
-    """Of `rest`."""
+class Rows(Explained):
+    """Answers with several entries: arrays of one length."""
 
+    f: Floats
+    f_low: Floats
+    f_high: Floats
+    f_undecided: Floats
+    jumps: Floats
+    A: Floats
+    B: Floats
     x: Floats
+    x_max: Floats
+    phi: Floats
+    transmissibility_dB: Floats
     stiffness: Floats
+    acceleration: Floats
+    duration: Floats
+    a_max: Floats
+    ratio: Floats
     stable: Flags
+    corner: Flags
+    minimum: Flags
+    settled: Flags
+    crosses: Flags
+    detaches: Flags
+    sticks: Flags
+    kind: Words
+    branch: Ints
+    stops: Ints
+    motions: Ints
+    isola: tuple[bool, ...]
+
+
+class AtOne(Rows):
+    """At one amplitude of the excitation: of `saddle_nodes`, `frequency_response`, `sweep` and `hysteresis`."""
+
+    F: float
+    Y: float
+    U: float
+
+
+class AtEach(Rows):
+    """Of `fold_locus`, `cusps`, `isola_points` and `spectrum`."""
+
+    F: Floats
+    Y: Floats
+    U: Floats
+
+
+class States(Rows):
+    """Of `amplitudes`."""
+
+    F: float | Floats
+    Y: float | Floats
+    U: float | Floats
+
+
+class One(Explained):
+    """Answers with a single entry, None where there is none: forcings, peaks, isolation, margins."""
+
+    F: float
+    Y: float
+    U: float
+    F_SN: float | None
+    Y_SN: float | None
+    U_SN: float | None
+    F_cr: float | None
+    Y_cr: float | None
+    U_cr: float | None
+    of_SN: float | None
+    of_cr: float | None
+    f: float | None
+    f_cr: float | None
+    f_max: float | None
+    f_sticks: float
+    A: float | None
+    B: float | None
+    x_cr: float | None
+    x_max: float | None
+    kind: str
+    folds: int
+    detaches: bool
+    sticks: bool
+    at_fold: bool
+    untruncated: Quantities | None
 
 
 class AtRest(Quantities):
@@ -69,145 +151,28 @@ class AtRest(Quantities):
     sticking: float
 
 
-class Onset(Explained):
-    """Of `saddle_node_onset`."""
+class Motion(Explained):
+    """What motions have over time: displacement and velocity of the mass."""
 
-    F_SN: float | None
-    f: float | None
-    A: float | None
-    kind: str
-
-
-class Detachment(Explained):
-    """Of `detachment`."""
-
-    F_cr: float | None
-    f_cr: float | None
-
-
-class Folds(Explained):
-    """Of `saddle_nodes`."""
-
-    f: Floats
-    A: Floats
-    kind: Words
-    corner: Flags
-    F: float
-
-
-class Peak(Explained):
-    """Of `peak`."""
-
-    A: float | None
-    f: float | None
-    F: float
-
-
-class States(Explained):
-    """Of `amplitudes`."""
-
-    f: Floats
-    A: Floats
-    phi: Floats
-    stable: Flags
-    transmissibility_dB: Floats
-    F: float | Floats
-    f_undecided: Floats
-
-
-class Curve(States):
-    """Of `frequency_response`."""
-
-    F: float
-    branch: Ints
-    isola: tuple[bool, ...]
-
-
-class FoldLocus(Explained):
-    """Of `fold_locus`."""
-
-    f: Floats
-    A: Floats
-    F: Floats
-    branch: Ints
-
-
-class Cusps(Explained):
-    """Of `cusps`."""
-
-    F: Floats
-    f: Floats
-    A: Floats
-    minimum: Flags
-
-
-class IsolaPoints(Explained):
-    """Of `isola_points`."""
-
-    F: Floats
-    f: Floats
-    A: Floats
-    kind: Words
-
-
-class Certificate(Quantities):
-    """Of `certify`."""
-
-    F: float
-    saddle_nodes: Quantities
-    saddle_node_onset: Quantities
-    detachment: Quantities
-    amplitudes: Quantities | None
-
-
-class SteadyState(Explained):
-    """Of `steady_state`."""
-
-    f: float
-    A: float
-    F: float
-    stops: int
-    stable: bool
-    period: float
     t: Floats
     x: Floats
     v: Floats
 
 
-class ExactFolds(Quantities):
-    """The `folds` of `exact_response`."""
+class SteadyState(Motion):
+    """Of `steady_state`."""
 
-    f: Floats
-    A: Floats
-    kind: Words
-    corner: Flags
-
-
-class Response(Explained):
-    """Of `exact_response`."""
-
-    f: Floats
-    A: Floats
+    f: float
+    A: float
     F: float
-    stable: Flags
-    stops: Ints
-    closed: bool
-    complete: bool
-    folds: ExactFolds
+    Y: float
+    U: float
+    stops: int
+    stable: bool
+    period: float
 
 
-class Sweep(Explained):
-    """Of `sweep`."""
-
-    f: Floats
-    A: Floats
-    F: float
-    stops: Ints
-    settled: Flags
-    jumps: Floats
-
-
-class Transient(Explained):
+class Transient(Motion):
     """Of `transient`."""
 
     A: float
@@ -219,65 +184,23 @@ class Transient(Explained):
     t_detaches: float | None
     rests: bool
     x_end: float
-    t: Floats
-    x: Floats
-    v: Floats
     a: Floats
     base: Floats
 
 
-class ShockSpectrum(Explained):
-    """Of `shock_spectrum`."""
+class Response(AtOne):
+    """Of `exact_response`."""
 
-    acceleration: Floats
-    duration: Floats
-    A: Floats
-    a_max: Floats
-    ratio: Floats
-    detaches: Flags
+    closed: bool
+    complete: bool
+    folds: Rows
 
 
-class Margins(Explained):
-    """Of `margins`."""
+class Certificate(Quantities):
+    """Of `certify`."""
 
     F: float
-    F_SN: float | None
-    F_cr: float | None
-    of_SN: float | None
-    of_cr: float | None
-    kind: str
-    folds: int
-    detaches: bool
-    sticks: bool
-    f_sticks: float
-
-
-class Hysteresis(Explained):
-    """Of `hysteresis`."""
-
-    f_low: Floats
-    f_high: Floats
-    motions: Ints
-    F: float
-
-
-class Isolation(Explained):
-    """Of `isolation`."""
-
-    f: float | None
-    A: float | None
-    at_fold: bool
-    F: float
-
-
-class Spectrum(Explained):
-    """Of `spectrum`."""
-
-    f: Floats
-    F: Floats
-    A: Floats
-    transmissibility_dB: Floats
-    motions: Ints
-    crosses: Flags
-    detaches: Flags
-    sticks: Flags
+    saddle_nodes: Quantities
+    saddle_node_onset: Quantities
+    detachment: Quantities
+    amplitudes: Quantities | None
